@@ -1,0 +1,50 @@
+//! Why a pose, a velocity or a derivative could not be computed.
+
+use core::fmt;
+
+/// Why a solver gave no answer. The group is named by its links, as declared: `"BC, DC"`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SolveError {
+    /// The group cannot be assembled: its joints are too far apart or too close together.
+    OutOfReach {
+        /// The links of the group.
+        group: &'static str,
+        /// How much is missing, in metres.
+        by: f64,
+    },
+    /// The group is at a toggle or otherwise undetermined: what was asked for is undefined there.
+    Singular {
+        /// The links of the group.
+        group: &'static str,
+    },
+    /// A length given at run time is zero or negative.
+    Invalid {
+        /// The links of the group.
+        group: &'static str,
+        /// What is zero or negative, as written in the declaration.
+        name: &'static str,
+    },
+    /// A result is not a finite number.
+    NotFinite {
+        /// The input or parameter to blame, or what left the number's range.
+        name: &'static str,
+    },
+}
+
+impl fmt::Display for SolveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::OutOfReach { group, by } => write!(f, "{group}: out of reach by {by} m"),
+            Self::Singular { group } => write!(f, "{group}: singular pose"),
+            Self::Invalid { group, name } => {
+                write!(f, "{group}: `{name}` must be greater than zero")
+            }
+            Self::NotFinite { name } => {
+                write!(f, "`{name}` leads to a result that is not finite")
+            }
+        }
+    }
+}
+
+impl core::error::Error for SolveError {}

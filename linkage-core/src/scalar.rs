@@ -1,0 +1,136 @@
+//! The numbers a solver runs on.
+//!
+//! Generated code is generic over [`Scalar`]: `f32`, `f64`, lanes of them, and (feature `ad`)
+//! the dual numbers of `num-dual`. What a single number can do beyond that, deciding with a plain
+//! `bool` whether a pose is at the limit, is [`Real`].
+
+use core::fmt::Debug;
+use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
+
+/// What a comparison answers: `bool` for a single number, one `bool` a lane for lanes.
+pub trait Mask: Copy + BitAnd<Output = Self> {
+    /// The answer yes everywhere.
+    const ALL: Self;
+    /// Whether the answer is yes everywhere.
+    fn all(self) -> bool;
+}
+
+impl Mask for bool {
+    const ALL: Self = true;
+    #[inline]
+    fn all(self) -> bool {
+        self
+    }
+}
+
+/// A number that generated code can compute with.
+pub trait Scalar:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// What a comparison answers.
+    type Mask: Mask;
+
+    /// A literal, rounded once from the exact value to each width.
+    fn lit(wide: f64, narrow: f32) -> Self;
+
+    /// The square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// Sine and cosine of any angle in radians, with a correct reduction of large arguments.
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self);
+
+    /// Sine and cosine by the branch-free kernel; right only where [`is_near`](Self::is_near)
+    /// says yes, a meaningless number elsewhere.
+    #[must_use]
+    fn sin_cos_near(self) -> (Self, Self);
+
+    /// Whether the argument lies within the range of [`sin_cos_near`](Self::sin_cos_near).
+    #[must_use]
+    fn is_near(self) -> Self::Mask;
+
+    /// The tangent.
+    #[must_use]
+    fn tan(self) -> Self;
+
+    /// The arc sine, in [−π/2, π/2].
+    #[must_use]
+    fn asin(self) -> Self;
+
+    /// The arc cosine, in [0, π].
+    #[must_use]
+    fn acos(self) -> Self;
+
+    /// The arc tangent, in [−π/2, π/2].
+    #[must_use]
+    fn atan(self) -> Self;
+
+    /// The angle of the vector (`x`, `self`), in (−π, π].
+    #[must_use]
+    fn atan2(self, x: Self) -> Self;
+
+    /// √(`self`² + `other`²) without intermediate overflow.
+    #[must_use]
+    fn hypot(self, other: Self) -> Self;
+
+    /// a·b − c·d, with the error of a single rounding or two (Kahan's difference of products).
+    #[must_use]
+    fn det(a: Self, b: Self, c: Self, d: Self) -> Self;
+
+    /// The rounding error of `a` · `b`: exact product minus rounded product.
+    #[must_use]
+    fn mul_err(a: Self, b: Self) -> Self;
+
+    /// The rounding error of `a` + `b`: exact sum minus rounded sum.
+    #[must_use]
+    fn add_err(a: Self, b: Self) -> Self;
+
+    /// a·b + c, with one rounding where the number has a fused operation, with two elsewhere.
+    /// Never a library call.
+    #[must_use]
+    fn fused(a: Self, b: Self, c: Self) -> Self;
+
+    /// Whether `self` ≥ `other`; no where either is not a number.
+    #[must_use]
+    fn ge(self, other: Self) -> Self::Mask;
+
+    /// Whether `self` > `other`; no where either is not a number.
+    #[must_use]
+    fn gt(self, other: Self) -> Self::Mask;
+
+    /// Whether the number, and every derivative it carries, is finite.
+    #[must_use]
+    fn is_finite(self) -> Self::Mask;
+
+    /// `yes` where the mask says yes, `no` elsewhere.
+    #[must_use]
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// The smallest squared length whose square root still carries full precision: below it the
+    /// square has left the number's normal range.
+    #[must_use]
+    fn smallest_square() -> Self;
+}
+
+/// A single number: comparisons answer with a plain `bool`, so `position` and its kin can return
+/// a `Result`.
+pub trait Real: Scalar<Mask = bool> {
+    /// The distance from 1 to the next number of this width.
+    const EPSILON: f64;
+
+    /// The value without derivatives, widened.
+    #[must_use]
+    fn value(self) -> f64;
+
+    /// Whether no derivative is carried, or all of them are zero.
+    #[must_use]
+    fn is_constant(self) -> bool;
+}

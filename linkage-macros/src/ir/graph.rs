@@ -1,0 +1,238 @@
+//! The expression graph.
+//!
+//! A [`Graph`] is a list of nodes; a node's operands stand strictly before it, so that a plain
+//! walk from front to back meets every operand before its user. Equal nodes are the same node
+//! (hash-consing). A constant is an exact real number: nothing is rounded before code generation.
+//!
+//! What the nodes mean is real arithmetic. What floating-point arithmetic makes of them is fixed
+//! by the code that is emitted: one rounding a node, except where a node says otherwise.
+
+use std::collections::HashMap;
+
+use crate::exact::Exact;
+
+/// A node of a graph.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct Id(pub u32);
+
+/// An interned exact constant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct ConstantId(pub u32);
+
+/// A condition, see [`Guard`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct GuardId(pub u32);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Node {
+    Constant(ConstantId),
+    /// An input (`order` 0), its rate (1) or its second rate (2).
+    Input {
+        input: u32,
+        order: u8,
+    },
+    /// The cosine of an input, where an `_at` entry is given it.
+    InputCos(u32),
+    /// The sine of an input, where an `_at` entry is given it.
+    InputSin(u32),
+    /// A numeric parameter.
+    Param(u32),
+    /// A mode parameter as +1 or −1.
+    Mode(u32),
+    Neg(Id),
+    Add(Id, Id),
+    Sub(Id, Id),
+    Mul(Id, Id),
+    Div(Id, Id),
+    Sqrt(Id),
+    /// Sine and cosine of the same angle are one call in the generated code.
+    Sin(Id),
+    Cos(Id),
+    Tan(Id),
+    Asin(Id),
+    Acos(Id),
+    Atan(Id),
+    /// `Atan2(y, x)`
+    Atan2(Id, Id),
+    Hypot(Id, Id),
+    /// a·b − c·d, rounded as if it were one operation; opaque to simplification except where it
+    /// collapses to a single product.
+    Det([Id; 4]),
+    /// The rounding error of a product: zero in real arithmetic.
+    MulErr(Id, Id),
+    /// The rounding error of a sum: zero in real arithmetic.
+    AddErr(Id, Id),
+    /// The low word of a constant: what rounding it to a number of the working width leaves.
+    Low(ConstantId),
+    /// a·b + c, fused where the number has a fused operation.
+    Fused(Id, Id, Id),
+    /// The value, provided that the guard's condition holds.
+    Guard(Id, GuardId),
+}
+
+/// A condition on a value. In the generated code's straight line it is one comparison; where that
+/// fails, the careful path looks at the operands and decides.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Guard {
+    pub check: Check,
+    /// The group whose failure it is: an index into `Program::groups`.
+    pub group: u32,
+    /// What the careful path looks at.
+    pub operands: Vec<Id>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Check {
+    /// Straight line: value ≥ 0. Careful: circles of radii l₁ and l₂ about points (dx, dy) apart
+    /// must meet. Operands dx, dy, l₁, l₂. At the limit the value is replaced by 0.
+    ReachCircles,
+    /// Straight line: value ≥ 0. Careful: |t| ≤ l. Operands t, l. At the limit the value is
+    /// replaced by 0.
+    ReachLine,
+    /// Straight line: value ≥ 0. Careful: |e| ≤ |(bx, by)|. Operands bx, by, e. At the limit the
+    /// value is replaced by 0.
+    ReachOffset,
+    /// Straight line: |value| > 0. Careful: zero is `Singular`.
+    Nonzero,
+    /// Straight line: value > 0. Careful: zero or negative is `Invalid` with this name.
+    Positive(String),
+    /// Straight line: value ≥ the smallest square of full precision. Careful: a squared length
+    /// below it is refused, as `Singular` where it is the square of zero.
+    Square,
+}
+
+/// See the module's documentation.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Graph {
+    nodes: Vec<Node>,
+    constants: Vec<Exact>,
+    guards: Vec<Guard>,
+    node_ids: HashMap<Node, Id>,
+    constant_ids: HashMap<Exact, ConstantId>,
+    guard_ids: HashMap<Guard, GuardId>,
+}
+
+impl Graph {
+    pub(crate) fn new() -> Self {
+        Self::default()
+    }
+
+    /// The id of the node, which is made unless an equal one exists.
+    pub(crate) fn push(&mut self, node: Node) -> Id {
+        if let Some(&id) = self.node_ids.get(&node) {
+            return id;
+        }
+        let id = Id(u32::try_from(self.nodes.len()).expect("a graph has fewer than 2^32 nodes"));
+        self.for_operands_of(node, &mut |operand| assert!(operand < id, "operands come first"));
+        self.nodes.push(node);
+        self.node_ids.insert(node, id);
+        id
+    }
+
+    pub(crate) fn intern(&mut self, value: Exact) -> ConstantId {
+        if let Some(&id) = self.constant_ids.get(&value) {
+            return id;
+        }
+        let id = ConstantId(self.constants.len() as u32);
+        self.constants.push(value.clone());
+        self.constant_ids.insert(value, id);
+        id
+    }
+
+    pub(crate) fn constant(&mut self, value: Exact) -> Id {
+        let constant = self.intern(value);
+        self.push(Node::Constant(constant))
+    }
+
+    pub(crate) fn guard(&mut self, value: Id, guard: Guard) -> Id {
+        let id = match self.guard_ids.get(&guard) {
+            Some(&id) => id,
+            None => {
+                let id = GuardId(self.guards.len() as u32);
+                self.guards.push(guard.clone());
+                self.guard_ids.insert(guard, id);
+                id
+            }
+        };
+        self.push(Node::Guard(value, id))
+    }
+
+    pub(crate) fn node(&self, id: Id) -> Node {
+        self.nodes[id.0 as usize]
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// All nodes, operands before users.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (Id, Node)> + '_ {
+        self.nodes.iter().enumerate().map(|(i, &node)| (Id(i as u32), node))
+    }
+
+    pub(crate) fn value(&self, constant: ConstantId) -> &Exact {
+        &self.constants[constant.0 as usize]
+    }
+
+    pub(crate) fn condition(&self, guard: GuardId) -> &Guard {
+        &self.guards[guard.0 as usize]
+    }
+
+    /// The exact constant that the node is, if it is one.
+    pub(crate) fn as_constant(&self, id: Id) -> Option<&Exact> {
+        match self.node(id) {
+            Node::Constant(constant) => Some(self.value(constant)),
+            _ => None,
+        }
+    }
+
+    /// Calls `f` with every operand, what only the careful path looks at included.
+    pub(crate) fn for_operands_of(&self, node: Node, f: &mut impl FnMut(Id)) {
+        if let Node::Guard(_, guard) = node {
+            self.condition(guard).operands.iter().for_each(|&operand| f(operand));
+        }
+        node.for_operands(f);
+    }
+}
+
+impl Node {
+    /// Calls `f` with every operand that the straight line computes with.
+    pub(crate) fn for_operands(self, f: &mut impl FnMut(Id)) {
+        self.map_operands(&mut |operand| {
+            f(operand);
+            operand
+        });
+    }
+
+    /// The same node on other operands; a guard's own operands are not among them.
+    pub(crate) fn map_operands(self, f: &mut impl FnMut(Id) -> Id) -> Self {
+        match self {
+            Self::Constant(_)
+            | Self::Input { .. }
+            | Self::InputCos(_)
+            | Self::InputSin(_)
+            | Self::Param(_)
+            | Self::Mode(_)
+            | Self::Low(_) => self,
+            Self::Neg(a) => Self::Neg(f(a)),
+            Self::Sqrt(a) => Self::Sqrt(f(a)),
+            Self::Sin(a) => Self::Sin(f(a)),
+            Self::Cos(a) => Self::Cos(f(a)),
+            Self::Tan(a) => Self::Tan(f(a)),
+            Self::Asin(a) => Self::Asin(f(a)),
+            Self::Acos(a) => Self::Acos(f(a)),
+            Self::Atan(a) => Self::Atan(f(a)),
+            Self::Guard(a, guard) => Self::Guard(f(a), guard),
+            Self::Add(a, b) => Self::Add(f(a), f(b)),
+            Self::Sub(a, b) => Self::Sub(f(a), f(b)),
+            Self::Mul(a, b) => Self::Mul(f(a), f(b)),
+            Self::Div(a, b) => Self::Div(f(a), f(b)),
+            Self::Atan2(a, b) => Self::Atan2(f(a), f(b)),
+            Self::Hypot(a, b) => Self::Hypot(f(a), f(b)),
+            Self::MulErr(a, b) => Self::MulErr(f(a), f(b)),
+            Self::AddErr(a, b) => Self::AddErr(f(a), f(b)),
+            Self::Fused(a, b, c) => Self::Fused(f(a), f(b), f(c)),
+            Self::Det(operands) => Self::Det(operands.map(f)),
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! Tokens and spans into a tree; nothing is resolved here.
+
+pub(crate) mod tree;

@@ -1,0 +1,134 @@
+//! The declaration as written: names are not resolved, dimensions not checked.
+//!
+//! Every identifier and expression keeps its span, because every later message points at one.
+
+use proc_macro2::{Ident, Span};
+use syn::{Attribute, Visibility};
+
+/// `pub struct Name { statements }`.
+pub(crate) struct Declaration {
+    /// Doc comments of the struct.
+    pub docs: Vec<Attribute>,
+    pub visibility: Visibility,
+    pub name: Ident,
+    pub statements: Vec<Statement>,
+}
+
+pub(crate) struct Statement {
+    /// Doc comments in front of the statement.
+    pub docs: Vec<Attribute>,
+    pub kind: StatementKind,
+}
+
+pub(crate) enum StatementKind {
+    /// `input s, x: length;`
+    Input { names: Vec<Ident>, kind: Ident },
+    /// `param l = 632mm;` or `param elbow: mode = left;`; `kind` is the word after the colon.
+    Param { name: Ident, kind: Option<Ident>, default: Expr },
+    /// `let half = l / 2;`
+    Let { name: Ident, value: Expr },
+    /// `ground A(0, 0), D(…);`
+    Ground { points: Vec<(Ident, [Expr; 2])> },
+    /// `guide slot on BC through P towards C;`
+    Guide { name: Ident, on: Option<Ident>, through: Spot, course: Course },
+    /// `point P on BC at …;`
+    Point { name: Ident, on: Option<Ident>, place: Place },
+    /// Everything with braces of fields: crank, slider and the dyads.
+    Group(Group),
+    /// `output blade, DC.angle, fold = BC.angle - DC.angle;`
+    Output { items: Vec<OutputItem> },
+    /// `numerics compensated;`
+    Numerics { mode: Ident },
+    /// `crate = ::path;`: where `linkage-core` is found.
+    Crate { path: syn::Path },
+    /// `export c;`
+    Export { language: Ident },
+}
+
+/// `rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: left }`.
+pub(crate) struct Group {
+    /// `crank`, `slider`, `rrr`, …; not yet known to be one of them.
+    pub keyword: Ident,
+    pub legs: Vec<Leg>,
+    pub pin: Option<Ident>,
+    pub fields: Vec<Field>,
+    /// The closing brace, where a missing field is reported.
+    pub end: Span,
+}
+
+/// `BC(B)`: a link and what its outer joint stands on.
+pub(crate) struct Leg {
+    pub link: Ident,
+    pub joint: Ident,
+}
+
+/// `lengths: (632mm, 374mm)`.
+pub(crate) struct Field {
+    pub name: Ident,
+    pub value: FieldValue,
+}
+
+pub(crate) enum FieldValue {
+    /// A mode is an expression that is a bare name.
+    One(Expr),
+    Pair([Expr; 2]),
+}
+
+/// What a guide goes through.
+pub(crate) enum Spot {
+    At([Expr; 2]),
+    Point(Ident),
+}
+
+/// Where a guide goes.
+pub(crate) enum Course {
+    Along(Expr),
+    Towards(Ident),
+}
+
+pub(crate) enum Place {
+    /// `at (x, y)`
+    Cartesian([Expr; 2]),
+    /// `at polar (r, 20deg)`
+    Polar([Expr; 2]),
+    /// `at distances (r1, r2) left`
+    Distances([Expr; 2], Ident),
+}
+
+pub(crate) struct OutputItem {
+    /// `fold =`, where the item is a named expression.
+    pub name: Option<Ident>,
+    pub value: Expr,
+}
+
+#[derive(Clone)]
+pub(crate) struct Expr {
+    pub kind: ExprKind,
+    /// From the first to the last token, as far as the compiler can join them.
+    pub span: Span,
+}
+
+#[derive(Clone)]
+pub(crate) enum ExprKind {
+    /// The digits as written (underscores removed) and the unit behind them, if any.
+    Number {
+        digits: String,
+        unit: Option<String>,
+    },
+    Name(Ident),
+    /// `ram.slide`, `BC.angle`
+    Member(Ident, Ident),
+    Negate(Box<Expr>),
+    Binary(BinaryOp, Box<[Expr; 2]>),
+    Call(Ident, Vec<Expr>),
+    /// Left by a part that could not be parsed and was already reported.
+    Mistake,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BinaryOp {
+    Add,
+    Sub,
+    Mul,
+    Div,
+}
