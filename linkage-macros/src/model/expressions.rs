@@ -84,9 +84,7 @@ impl Resolver<'_> {
     /// Resolves an expression, and reports every mistake in it.
     pub(super) fn quantity(&mut self, expr: &tree::Expr) -> Option<Quantity> {
         match &expr.kind {
-            ExprKind::Number { digits, unit } => {
-                self.literal(expr.span, digits, unit.as_deref())
-            }
+            ExprKind::Number { digits, unit } => self.literal(expr.span, digits, unit.as_deref()),
             ExprKind::Name(name) if name == "pi" => {
                 Some(Quantity::constant(Measure::ANGLE, Exact::pi()))
             }
@@ -166,7 +164,8 @@ impl Resolver<'_> {
     /// What a link offers to expressions is its angle, and its slide if it slides.
     fn member(&mut self, owner: &Ident, member: &Ident) -> Option<Quantity> {
         if self.names.kind(owner) == Some(Kind::Point) {
-            let message = format!("`{owner}` is a point, and a point's coordinates stand in no expression");
+            let message =
+                format!("`{owner}` is a point, and a point's coordinates stand in no expression");
             let reason = format!("`output {owner}` gives `x` and `y` as a result");
             self.diagnostics.error_because(owner.span(), message, reason);
             return None;

@@ -20,6 +20,8 @@ pub(super) struct Facts {
     pub links: Vec<LinkFacts>,
     /// By guide.
     pub guides: Vec<GuideFacts>,
+    /// Points and links in order of declaration.
+    pub order: Vec<Entity>,
     /// Which points are fixed to which bodies.
     places: Vec<Location>,
 }
@@ -39,7 +41,9 @@ pub(super) struct LetFacts {
 
 pub(super) struct LinkFacts {
     pub moves: bool,
-    /// The distance from its outer joint to its pin, if it is a bar with two joints.
+    /// Whether it is a bar with an outer joint and a pin.
+    pub is_bar: bool,
+    /// The distance from one to the other; `None` also where it was in error.
     pub length: Option<Expr>,
 }
 
@@ -48,6 +52,8 @@ pub(super) struct GuideFacts {
     pub carrier: Carrier,
     /// Where the line lies on its carrier, if that is constant.
     pub line: Option<Line>,
+    /// Its angle on its carrier, if that is constant.
+    pub angle: Option<Exact>,
 }
 
 #[derive(Clone)]
@@ -109,7 +115,11 @@ impl Facts {
 
     /// The constant line of the guide and the constant place of the point, if both are fixed to
     /// one body.
-    pub(super) fn line_and_place(&self, guide: GuideId, point: PointId) -> Option<(&Line, &[Exact; 2])> {
+    pub(super) fn line_and_place(
+        &self,
+        guide: GuideId,
+        point: PointId,
+    ) -> Option<(&Line, &[Exact; 2])> {
         let guide = &self.guides[guide.index()];
         Some((guide.line.as_ref()?, self.place(point, guide.carrier)?))
     }

@@ -35,11 +35,7 @@ impl<'t> Fields<'t> {
 }
 
 impl Resolver<'_> {
-    pub(super) fn fields<'t>(
-        &mut self,
-        group: &'t Group,
-        anatomy: &'static Anatomy,
-    ) -> Fields<'t> {
+    pub(super) fn fields<'t>(&mut self, group: &'t Group, anatomy: &'static Anatomy) -> Fields<'t> {
         let mut fields = Fields { known: Vec::new() };
         // Fields that are there in some form, right or wrong: none of these is missing.
         let mut present: Vec<&str> = Vec::new();
@@ -117,12 +113,7 @@ impl Resolver<'_> {
     }
 
     /// The distance to a pin is given only where there is a pin.
-    fn field_has_its_pin(
-        &mut self,
-        field: &Field,
-        group: &Group,
-        anatomy: &Anatomy,
-    ) -> Option<()> {
+    fn field_has_its_pin(&mut self, field: &Field, group: &Group, anatomy: &Anatomy) -> Option<()> {
         let rule = anatomy.fields.iter().find(|rule| field.name == rule.name);
         if group.pin.is_some() || rule.is_none_or(|rule| rule.needed != Needed::WithPin) {
             return Some(());

@@ -38,7 +38,12 @@ impl Resolver<'_> {
     }
 
     /// The word after the colon is one that exists.
-    fn quantity_kind(&mut self, kind: &Ident, what: &str, known: &[&'static str]) -> Option<Dimension> {
+    fn quantity_kind(
+        &mut self,
+        kind: &Ident,
+        what: &str,
+        known: &[&'static str],
+    ) -> Option<Dimension> {
         let text = kind.to_string();
         match text.as_str() {
             "angle" => return Some(Dimension::ANGLE),

@@ -10,7 +10,6 @@
 
 mod anatomy;
 mod assembly;
-mod driven;
 mod dimension;
 mod drivers;
 mod dyads;
@@ -21,7 +20,6 @@ mod folding;
 mod groups;
 mod guides;
 mod inputs;
-mod lengths;
 pub(crate) mod mechanism;
 mod modes;
 mod names;

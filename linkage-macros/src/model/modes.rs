@@ -109,10 +109,8 @@ impl Resolver<'_> {
     /// Reports a mode of the other kind.
     fn mode_belongs_to_group(&mut self, word: &Ident, modes: Modes, group: &Group) {
         let [plus, minus] = modes.words();
-        let message = format!(
-            "`{word}` is no mode of `{}`; write `{plus}` or `{minus}`",
-            group.keyword
-        );
+        let message =
+            format!("`{word}` is no mode of `{}`; write `{plus}` or `{minus}`", group.keyword);
         let reason = self.modes_explained(modes, group);
         self.diagnostics.error_because(word.span(), message, reason);
     }

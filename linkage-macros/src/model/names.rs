@@ -11,8 +11,8 @@ use proc_macro2::{Ident, Span};
 use crate::diagnostics::nearest;
 use crate::syntax::tree::{Declaration, Statement, StatementKind};
 
-use super::mechanism::{GuideId, InputId, LetId, LinkId, ParamId, PointId};
 use super::Resolver;
+use super::mechanism::{GuideId, InputId, LetId, LinkId, ParamId, PointId};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -177,8 +177,26 @@ fn title(statement: &Statement, name: &str) -> String {
 
 /// Words that later statements will need.
 const RESERVED: [&str; 21] = [
-    "mass", "force", "torque", "spring", "damper", "gravity", "load", "triad", "assembly", "all",
-    "uniform", "between", "towards", "distances", "polar", "near", "mirrored", "in", "on", "at",
+    "mass",
+    "force",
+    "torque",
+    "spring",
+    "damper",
+    "gravity",
+    "load",
+    "triad",
+    "assembly",
+    "all",
+    "uniform",
+    "between",
+    "towards",
+    "distances",
+    "polar",
+    "near",
+    "mirrored",
+    "in",
+    "on",
+    "at",
     "along",
 ];
 
@@ -348,7 +366,9 @@ fn reason_for_kind(name: &Ident, found: Kind, wanted: &[Kind]) -> Option<String>
         (Kind::Link, _) if wanted == NUMBERS => {
             Some(format!("its angle is `{name}.angle`, and `{name}.slide` its slide if it slides"))
         }
-        (Kind::Point, [Kind::Link]) => Some("a link is what a `crank`, `slider` or dyad makes".into()),
+        (Kind::Point, [Kind::Link]) => {
+            Some("a link is what a `crank`, `slider` or dyad makes".into())
+        }
         _ => None,
     }
 }

@@ -92,9 +92,10 @@ impl Resolver<'_> {
                 else {
                     return Some(());
                 };
-                if std::mem::replace(&mut facts.blamed, facts.blamed || !within_a_turn(default)) {
+                if facts.blamed {
                     return None;
                 }
+                facts.blamed = !within_a_turn(default);
                 (default.clone(), facts.span)
             }
             _ => return Some(()),
@@ -196,11 +197,7 @@ impl Resolver<'_> {
             Function::Hypot | Function::Atan2 => {
                 let sum = values[0].measure.sum(values[1].measure);
                 if sum.is_none() {
-                    self.dimension_fits(
-                        &arguments[1],
-                        &values[1],
-                        values[0].measure.dimension(),
-                    )?;
+                    self.dimension_fits(&arguments[1], &values[1], values[0].measure.dimension())?;
                 }
                 sum.map(|sum| if function == Function::Hypot { sum } else { Measure::ANGLE })
             }

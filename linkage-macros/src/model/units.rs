@@ -6,8 +6,7 @@ use super::dimension::Measure;
 use super::mechanism::Dimension;
 
 /// Every unit, for messages.
-pub(super) const UNITS: [&str; 10] =
-    ["m", "mm", "cm", "um", "in", "rad", "deg", "turn", "kg", "g"];
+pub(super) const UNITS: [&str; 10] = ["m", "mm", "cm", "um", "in", "rad", "deg", "turn", "kg", "g"];
 
 /// The measure of the unit and its exact value in SI.
 pub(super) fn unit(name: &str) -> Option<(Measure, Exact)> {
