@@ -50,6 +50,13 @@ impl Diagnostics {
         Err(Failure(self.errors.drain(..).map(|e| e.into_compile_error()).collect()))
     }
 
+    /// The mistakes themselves, for tests that ask where they were made.
+    #[cfg(test)]
+    pub(crate) fn into_errors(mut self) -> Vec<syn::Error> {
+        self.asked = true;
+        std::mem::take(&mut self.errors)
+    }
+
     /// The end of the last phase.
     pub(crate) fn finish(mut self) -> Result<(), Failure> {
         let result = self.barrier();
