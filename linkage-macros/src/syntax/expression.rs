@@ -48,7 +48,10 @@ impl Parser<'_> {
 
     fn operand(&mut self) -> Parse<Expr> {
         if self.depth > DEEPEST {
-            return self.refuse("name a part of this expression with `let`: it is nested too deep");
+            return self.refuse_because(
+                "name a part of this expression with `let`",
+                "it is nested more than 100 deep",
+            );
         }
         let first = self.here();
         if self.take_punct('-') {
