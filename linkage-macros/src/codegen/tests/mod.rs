@@ -210,8 +210,7 @@ fn several_inputs_are_a_record_or_an_array() {
 fn coefficients_are_a_row_an_output_and_a_column_an_input() {
     let text = expand(&table());
     let coefficients = squeezed(function(&text, "solve_coefficients"));
-    let rows =
-        "( [ [v5_, v5_], [v4_, v5_], [v5_, v6_], [inputs.X, inputs.s], [v6_, v5_], ], ok_, )";
+    let rows = "([[v5_, v5_], [v4_, v5_], [v5_, v6_], [inputs.X, inputs.s], [v6_, v5_]], ok_)";
     assert!(coefficients.ends_with(rows), "{coefficients}");
     assert!(coefficients.contains("([[T; 2]; 5], T::Mask)"), "{coefficients}");
 }
