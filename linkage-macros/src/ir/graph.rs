@@ -16,7 +16,7 @@ use crate::exact::Exact;
 pub(crate) struct Id(pub u32);
 
 impl Id {
-    pub(crate) fn index(self) -> usize {
+    pub(crate) const fn index(self) -> usize {
         self.0 as usize
     }
 }
