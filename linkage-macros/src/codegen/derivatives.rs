@@ -87,9 +87,10 @@ fn sensitivity(cx: &Context<'_>, number: &Ident) -> Option<TokenStream> {
 fn constant_inputs(cx: &Context<'_>) -> TokenStream {
     let arguments = cx.arguments(EntryKind::Position);
     let lifted = |value: TokenStream| solver::lifted_number(cx, &value, &quote!(_));
-    let inputs = arguments.names().iter().flat_map(|argument| {
-        cx.mechanism.inputs.iter().map(move |input| (argument, &input.name))
-    });
+    let inputs = arguments
+        .names()
+        .iter()
+        .flat_map(|argument| cx.mechanism.inputs.iter().map(move |input| (argument, &input.name)));
     if let [_] = cx.mechanism.inputs[..] {
         return inputs.map(|(argument, _)| lifted(quote!(#argument))).collect();
     }

@@ -40,10 +40,8 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
     });
     page += &section("Inputs", inputs.collect());
     let outputs = cx.mechanism.outputs.iter();
-    page += &section(
-        "Outputs",
-        outputs.map(|output| describe(cx, output, Order::Position)).collect(),
-    );
+    page +=
+        &section("Outputs", outputs.map(|output| describe(cx, output, Order::Position)).collect());
     let groups = cx.mechanism.groups.iter();
     page += &section(
         "Groups, in the order they are solved",
@@ -60,7 +58,11 @@ pub(super) fn param(param: &Param) -> TokenStream {
     let line = match &param.kind {
         ParamKind::Number { dimension, default } => {
             let unit = unit(*dimension, Order::Position);
-            format!("Parameter `{}` in {unit}; as declared {}.", text(&param.name), default.to_f64())
+            format!(
+                "Parameter `{}` in {unit}; as declared {}.",
+                text(&param.name),
+                default.to_f64()
+            )
         }
         ParamKind::Side { default } => mode(param, *default, ["left", "right"]),
         ParamKind::Sense { default } => mode(param, *default, ["ahead", "behind"]),
@@ -75,15 +77,13 @@ fn mode(param: &Param, default: Sign, words: [&str; 2]) -> String {
 
 pub(super) fn input(input: &Input) -> TokenStream {
     let unit = unit(input.dimension, Order::Position);
-    let line = format!("Input `{}` in {unit}, its rates in {unit}/s and {unit}/s².", text(&input.name));
+    let line =
+        format!("Input `{}` in {unit}, its rates in {unit}/s and {unit}/s².", text(&input.name));
     after(&input.docs, &line)
 }
 
 pub(super) fn input_record(cx: &Context<'_>) -> TokenStream {
-    lines(&format!(
-        "The inputs of [`{}`], or their first or second rates.",
-        text(&cx.names.solver)
-    ))
+    lines(&format!("The inputs of [`{}`], or their first or second rates.", text(&cx.names.solver)))
 }
 
 /// The record of all outputs at one order.
@@ -160,13 +160,18 @@ fn describe(cx: &Context<'_>, output: &Output, order: Order) -> String {
             });
             format!("{of}`{name}` ({made_by}): {}", part.collect::<Vec<_>>().join(", "))
         }
-        OutputKind::Value { dimension, .. } => format!("{of}`{name}` in {}", unit(*dimension, order)),
+        OutputKind::Value { dimension, .. } => {
+            format!("{of}`{name}` in {}", unit(*dimension, order))
+        }
         OutputKind::Turn(_) if order == Order::Position => {
             format!("`{name}`, an angle, by its unit direction")
         }
         OutputKind::Turn(_) => format!("{of}`{name}` in rad{per_time}"),
         OutputKind::Margin(id) => {
-            format!("{of}the margin of {}: its distance from the limit in m{per_time}", group(id.index()))
+            format!(
+                "{of}the margin of {}: its distance from the limit in m{per_time}",
+                group(id.index())
+            )
         }
         OutputKind::Transmission(id) => {
             format!("{of}the sine of the transmission angle of {}", group(id.index()))
@@ -235,7 +240,10 @@ pub(super) fn checked(cx: &Context<'_>, entry: &Entry) -> TokenStream {
 }
 
 pub(super) fn careful(entry: &Entry) -> TokenStream {
-    lines(&format!("Why `solve_{}` gave no answer, or the answer at a limit.", entry::method(entry.kind)))
+    lines(&format!(
+        "Why `solve_{}` gave no answer, or the answer at a limit.",
+        entry::method(entry.kind)
+    ))
 }
 
 pub(super) fn jacobian(cx: &Context<'_>) -> TokenStream {

@@ -35,12 +35,8 @@ use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
 /// Everything that the declaration of a mechanism expands to.
 pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream {
-    let cx = Context {
-        mechanism,
-        program,
-        paths: Paths::new(mechanism),
-        names: Names::new(mechanism),
-    };
+    let cx =
+        Context { mechanism, program, paths: Paths::new(mechanism), names: Names::new(mechanism) };
     let (solver, records) = (solver::items(&cx), results::records(&cx));
     let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
     let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));

@@ -71,8 +71,7 @@ fn attributes(cx: &Context<'_>) -> TokenStream {
 }
 
 fn record(cx: &Context<'_>, order: Order) -> TokenStream {
-    let (name, scalar, visibility) =
-        (order.record(cx), &cx.names.scalar, &cx.mechanism.visibility);
+    let (name, scalar, visibility) = (order.record(cx), &cx.names.scalar, &cx.mechanism.visibility);
     let (docs, attributes) = (docs::record(cx, order), attributes(cx));
     let fields = cx.mechanism.outputs.iter().map(|output| {
         let (docs, field) = (docs::output(cx, output, order), &output.field);
@@ -184,11 +183,7 @@ fn input(cx: &Context<'_>) -> TokenStream {
 }
 
 /// The result of an entry point from the values of its sinks.
-pub(super) fn assemble(
-    cx: &Context<'_>,
-    kind: EntryKind,
-    values: Vec<TokenStream>,
-) -> TokenStream {
+pub(super) fn assemble(cx: &Context<'_>, kind: EntryKind, values: Vec<TokenStream>) -> TokenStream {
     let inputs = cx.mechanism.inputs.len();
     let mut values = values.into_iter();
     match kind {

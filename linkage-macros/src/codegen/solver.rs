@@ -95,9 +95,8 @@ fn default_variant(param: &Param) -> TokenStream {
 /// What needs no type parameter to be written.
 fn constants(cx: &Context<'_>) -> TokenStream {
     let (name, allow) = (&cx.names.solver, cx.allow());
-    let plain = |wide: f64, _| {
-        float(wide, wide.is_finite().then(|| Literal::f64_unsuffixed(wide.abs())))
-    };
+    let plain =
+        |wide: f64, _| float(wide, wide.is_finite().then(|| Literal::f64_unsuffixed(wide.abs())));
     let new = defaults(cx, plain);
     let (outputs, rows) = (rows::literals(cx), cx.rows());
     let inputs = cx.mechanism.inputs.iter().map(|input| &input.name);

@@ -88,7 +88,8 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let zero = zero(cx, &statements);
     let ok = verdict(&body, &entry.sinks, mask.map(|ok| quote!(#ok)));
     let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
-    let (result, value) = (entry::result(cx, entry.kind), results::assemble(cx, entry.kind, values));
+    let (result, value) =
+        (entry::result(cx, entry.kind), results::assemble(cx, entry.kind, values));
     let (docs, status) = (docs::straight(cx, entry), generated("ok_"));
     quote! {
         #docs
