@@ -16,7 +16,7 @@ pub(crate) fn compile(source: TokenStream) -> TokenStream {
     match resolved(declaration.as_ref(), diagnostics) {
         Ok(mechanism) => codegen::generate(&mechanism, &program(&mechanism)),
         Err(Failure(errors)) => {
-            let stubs = proc_macro2::TokenStream::new();
+            let stubs = declaration.as_ref().map(codegen::stubs::stubs);
             quote::quote! { #errors #stubs }
         }
     }
