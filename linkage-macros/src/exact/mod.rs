@@ -13,7 +13,7 @@
 mod angle;
 mod display;
 mod elementary;
-mod enclosure;
+pub(crate) mod enclosure;
 mod evaluation;
 mod literal;
 mod rational;
