@@ -244,7 +244,7 @@ impl<'s> Kinematics<'s> {
                     self.set_joint(*link, *pin, length);
                 }
             }
-            Step::Slider { link, guide, pin, slide, offset, .. } => {
+            Step::Slider { link, guide, pin, slide, offset } => {
                 let (slide, offset) = (self.jet(slide), self.jet(offset));
                 let (frame, motion) = slider::slider(self.guide(*guide), slide, offset);
                 self.set_link(*link, frame, Some(slide));
