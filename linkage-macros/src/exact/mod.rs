@@ -161,6 +161,10 @@ impl Exact {
 
     /// The length of the vector (self, other).
     pub(crate) fn hypot(&self, other: &Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            let size = self.add(other);
+            return if size.signum().is_lt() { size.neg() } else { size };
+        }
         // A sum of squares is not negative, even where its sign is beyond the finest enclosure.
         self.mul(self).add(&other.mul(other)).sqrt().unwrap_or_else(|| Self::integer(0))
     }

@@ -261,7 +261,7 @@ fn open_root(factors: &mut Vec<Factor>) -> Option<Exact> {
     Some(radicand.power(power.div_euclid(2)))
 }
 
-/// √m·√n of integers = √(m·n), whose square factors come out.
+/// √(a·g)·√(b·g) of integers = g·√(a·b).
 fn join_roots(factors: &mut Vec<Factor>) -> Option<Exact> {
     let root_of_integer = |factor: &Factor| match factor.atom.kind() {
         Kind::Root(Exact { form: Form::Rational(radicand) }) => Some(radicand),
@@ -271,7 +271,8 @@ fn join_roots(factors: &mut Vec<Factor>) -> Option<Exact> {
     let (between, n) = find(&factors[first + 1..], root_of_integer)?;
     factors.remove(first + 1 + between);
     factors.remove(first);
-    Some(Exact::root_of_rational(&m.mul(n)))
+    // The fraction m/n = a/b is reduced, and √(a/b) = √(a·b)/b.
+    Some(Exact::root_of_rational(&m.div(n)).scaled(n))
 }
 
 /// sin² x = 1 − cos² x.
