@@ -1,8 +1,9 @@
 //! The normal form of what is not rational: a sum of products.
 //!
-//! A [`Term`] is a rational times powers of [`Atom`]s: π, roots, sines, …. A sum's terms are sorted, and no two of them have the same powers, so that
-//! what is equal by the laws of a ring is structurally equal. Nothing is rounded here, and nothing
-//! is decided by looking at a number's digits.
+//! A [`Term`] is a rational times powers of [`Atom`]s: π, roots, sines, …. A sum's terms are sorted,
+//! and no two of them have the same powers, so that what is equal by the laws of a ring is mostly
+//! structurally equal: small products are multiplied out, large ones and quotients are not. Nothing
+//! is rounded here, and nothing is decided by looking at a number's digits.
 
 use super::atom::{Atom, Kind};
 use super::rational::Rational;
@@ -64,6 +65,11 @@ impl Exact {
             Form::Rational(value) => vec![Term::rational(value.clone())],
             Form::Sum(terms) => terms.clone(),
         }
+    }
+
+    /// Zero by its form; a sum that happens to be zero is not looked at.
+    pub(super) fn is_structural_zero(&self) -> bool {
+        matches!(&self.form, Form::Rational(value) if value.is_zero())
     }
 
     /// The one term of a number that is not rational and has no other.
