@@ -13,11 +13,11 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     if cx.entry(EntryKind::Position).is_none() {
         return TokenStream::new();
     }
-    let (with_ad, name, allow) = (cx.paths.item("with_ad"), &cx.names.solver, cx.allow());
+    let (with_ad, name) = (cx.paths.item("with_ad"), &cx.names.solver);
     let methods = ["f64", "f32"].map(|number| {
         let number = Ident::new(number, proc_macro2::Span::call_site());
         let (jacobian, sensitivity) = (jacobian(cx, &number), sensitivity(cx, &number));
-        quote!(#allow impl #name<#number> { #jacobian #sensitivity })
+        quote!(impl #name<#number> { #jacobian #sensitivity })
     });
     quote!(#with_ad! { #(#methods)* })
 }

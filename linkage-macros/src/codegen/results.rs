@@ -63,11 +63,17 @@ pub(super) fn records(cx: &Context<'_>) -> TokenStream {
     quote!(#input #(#orders)* #motion #margins)
 }
 
-/// What stands in front of every record.
-fn attributes(cx: &Context<'_>) -> TokenStream {
+/// What stands in front of every struct. No number is `Eq`, and names are as declared.
+pub(super) fn attributes(cx: &Context<'_>) -> TokenStream {
     let derives = cx.paths.derives(&["Clone", "Copy", "Debug", "PartialEq"]);
-    let allow = cx.allow();
-    quote!(#derives #allow)
+    quote! {
+        #derives
+        #[allow(
+            non_snake_case,
+            clippy::derive_partial_eq_without_eq,
+            reason = "fields are named as declared, and floating-point numbers are not `Eq`"
+        )]
+    }
 }
 
 fn record(cx: &Context<'_>, order: Order) -> TokenStream {

@@ -52,6 +52,11 @@ impl Enclosure {
         Self::new(quotient, upper, bits)
     }
 
+    /// The exact value of a float; `None` unless finite.
+    pub(crate) fn float(value: f64, bits: u32) -> Option<Self> {
+        super::word(value).map(|word| Self::rational(&word, bits))
+    }
+
     pub(crate) fn pi(bits: u32) -> Self {
         elementary::pi(bits)
     }

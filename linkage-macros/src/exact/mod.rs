@@ -11,9 +11,10 @@
 #![allow(dead_code)]
 
 mod angle;
+mod atom;
 mod display;
 mod elementary;
-mod enclosure;
+pub(crate) mod enclosure;
 mod evaluation;
 mod literal;
 mod rational;
@@ -28,10 +29,11 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::One;
 
+use atom::Kind;
 pub(crate) use enclosure::Enclosure;
 use rational::Rational;
 use rounding::{Format, NARROW, WIDE};
-use sum::{Atom, Term};
+use sum::Term;
 
 /// An exact real number.
 ///
@@ -68,7 +70,7 @@ impl Exact {
     }
 
     pub(crate) fn pi() -> Self {
-        Self::atom(Atom::Pi)
+        Self::atom(Kind::Pi)
     }
 
     pub(crate) fn add(&self, other: &Self) -> Self {

@@ -5,8 +5,9 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::One;
 
+use super::atom::Kind;
 use super::rational::{Rational, square_part};
-use super::sum::{Atom, Factor, Term};
+use super::sum::{Factor, Term};
 use super::{Exact, Form};
 
 impl Exact {
@@ -18,7 +19,7 @@ impl Exact {
             _ => {
                 let (content, monic) = self.monic();
                 let sign = sign_as_factor(content.signum());
-                let root = Self::atom(Atom::Root(monic.scaled(&sign)));
+                let root = Self::atom(Kind::Root(monic.scaled(&sign)));
                 Self::root_of_rational(&content.abs()).product_of(&root)
             }
         }
@@ -37,7 +38,7 @@ impl Exact {
             return Self::rational(coefficient);
         }
         let radicand = Self::rational(Rational::of(radicand, BigInt::one()));
-        Self::atom(Atom::Root(radicand)).scaled(&coefficient)
+        Self::atom(Kind::Root(radicand)).scaled(&coefficient)
     }
 }
 
@@ -46,7 +47,7 @@ fn root_of_term(term: &Term) -> Exact {
     let mut root = Exact::root_of_rational(&term.coefficient.abs());
     let mut radicand = Exact::rational(sign_as_factor(term.coefficient.signum()));
     for Factor { atom, power } in &term.factors {
-        let value = Exact::atom(atom.clone());
+        let value = Exact::atom(atom.kind().clone());
         let half = power.div_euclid(2);
         if half != 0 {
             let size = value.scaled(&sign_as_factor(value.signum()));
@@ -59,7 +60,7 @@ fn root_of_term(term: &Term) -> Exact {
     match &radicand.form {
         // Nothing is left below the root: the coefficient had to be positive.
         Form::Rational(_) => root,
-        Form::Sum(_) => root.product_of(&Exact::atom(Atom::Root(radicand))),
+        Form::Sum(_) => root.product_of(&Exact::atom(Kind::Root(radicand))),
     }
 }
 
