@@ -1,1 +1,112 @@
-//! See the crate documentation.
+//! The graph into Rust: one struct for the mechanism, records for what goes in and comes out, and
+//! for every entry point a straight line, a careful path and the function that chooses.
+//!
+//! Nothing is computed or decided here about the mechanism: what runs is the graph, node by node.
+//! Paths into the run-time crate are made in `paths`, names in `names`, and nowhere else.
+
+mod arguments;
+mod blocks;
+mod body;
+mod careful;
+mod cost;
+mod derivatives;
+mod docs;
+mod dominance;
+mod entry;
+mod names;
+mod paths;
+mod results;
+mod rows;
+mod solver;
+mod straight;
+pub(crate) mod stubs;
+mod units;
+
+#[cfg(test)]
+mod tests;
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use self::arguments::Arguments;
+use self::names::Names;
+use self::paths::Paths;
+use crate::ir::program::{Entry, EntryKind, Program};
+use crate::model::mechanism::{Mechanism, Param, ParamKind};
+
+/// Everything that the declaration of a mechanism expands to.
+pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream {
+    let cx =
+        Context { mechanism, program, paths: Paths::new(mechanism), names: Names::new(mechanism) };
+    let (solver, records) = (solver::items(&cx), results::records(&cx));
+    let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
+    let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
+    let careful = program.entries.iter().map(|entry| careful::function(&cx, entry));
+    let derivatives = derivatives::items(&cx);
+    let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
+    let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
+    quote! {
+        #solver
+        #records
+        impl<#scalar: #any> #name<#scalar> { #(#straight)* }
+        impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
+        #derivatives
+    }
+}
+
+/// What every part of the generated code is made from.
+struct Context<'a> {
+    mechanism: &'a Mechanism,
+    program: &'a Program,
+    paths: Paths,
+    names: Names,
+}
+
+impl Context<'_> {
+    fn entry(&self, kind: EntryKind) -> Option<&Entry> {
+        self.program.entries.iter().find(|entry| entry.kind == kind)
+    }
+
+    fn arguments(&self, kind: EntryKind) -> Arguments<'_> {
+        Arguments::new(self, kind)
+    }
+
+    /// The number of rows of `OUTPUTS`.
+    fn rows(&self) -> Literal {
+        let shapes = self.mechanism.outputs.iter().map(|output| output.kind.shape());
+        Literal::usize_unsuffixed(shapes.map(|shape| shape.rates()).sum())
+    }
+
+    /// The number of inputs.
+    fn columns(&self) -> Literal {
+        Literal::usize_unsuffixed(self.mechanism.inputs.len())
+    }
+
+    fn numeric_params(&self) -> Vec<&Param> {
+        let numeric = |param: &&Param| matches!(param.kind, ParamKind::Number { .. });
+        self.mechanism.params.iter().filter(numeric).collect()
+    }
+
+    /// A function of the type parameter, which nothing but its bound can provide.
+    fn scalar(&self, function: &str) -> TokenStream {
+        let (scalar, function) = (&self.names.scalar, names::function_name(function));
+        quote!(#scalar::#function)
+    }
+
+    /// A constant as the type parameter's number, rounded to each width.
+    fn literal(&self, wide: f64, narrow: f32) -> TokenStream {
+        let (lit, wide, narrow) = (self.scalar("lit"), literal(wide), literal(narrow));
+        quote!(#lit(#wide, #narrow))
+    }
+}
+
+/// The shortest literal that means the number; an infinity, which none means, as a quotient.
+fn literal(value: impl std::fmt::Debug) -> TokenStream {
+    let digits = format!("{value:?}");
+    let magnitude = digits.trim_start_matches('-');
+    let tokens = match magnitude.parse::<Literal>() {
+        Ok(literal) => quote!(#literal),
+        Err(_) => quote!((1.0 / 0.0)),
+    };
+    if digits.starts_with('-') { quote!(-#tokens) } else { tokens }
+}

@@ -1,111 +1,251 @@
 //! Exact real constants: what is known when the mechanism is declared is computed without error
 //! and rounded once.
+//!
+//! A number is a [`rational`] or a [`sum`] of products in normal form; [`root`] and [`angle`] hold
+//! the identities of roots and of sines and angles. [`evaluation`] finds what a number amounts to
+//! from an [`enclosure`], whose functions are in [`elementary`], and [`rounding`] makes it a
+//! float. [`literal`] and [`display`] are the ways in from text and out to it. No identity of the
+//! expression graph belongs here: those are passes.
 
+// The front end and the passes that compute with these numbers are still being written.
 #![allow(dead_code)]
+
+mod angle;
+mod atom;
+mod display;
+mod elementary;
+pub(crate) mod enclosure;
+mod evaluation;
+mod literal;
+mod rational;
+mod root;
+mod rounding;
+mod sum;
+#[cfg(test)]
+mod tests;
+
+use core::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_traits::One;
+
+use atom::Kind;
+pub(crate) use enclosure::Enclosure;
+use rational::Rational;
+use rounding::{Format, NARROW, WIDE};
+use sum::Term;
 
 /// An exact real number.
 ///
-/// Held as a rational, as rational + rational·π, or as an expression of those that is enclosed
-/// more and more tightly until it rounds uniquely. Equality is structural on the normal form:
-/// equal values are normally, not always, recognised as equal.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
-pub(crate) struct Exact(());
+/// Held as a rational, or as a sum of rational multiples of products of π, roots, sines, cosines
+/// and angles, which is enclosed more and more tightly until it rounds uniquely. Equality is
+/// structural on the normal form: equal values are normally, not always, recognised as equal.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub(crate) struct Exact {
+    form: Form,
+}
+
+/// `Ord` is an order of forms, to sort by; [`Exact::cmp_value`] is the order of numbers.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+enum Form {
+    Rational(Rational),
+    /// Sorted terms with different factors, not all of them rational.
+    Sum(Vec<Term>),
+}
 
 impl Exact {
-    pub(crate) fn integer(_value: i64) -> Self {
-        todo!()
+    pub(crate) fn integer(value: i64) -> Self {
+        Self::rational(Rational::integer(value))
     }
-    /// A decimal literal as Rust writes it (`1_000.5e-3`), exactly.
-    pub(crate) fn decimal(_digits: &str) -> Option<Self> {
-        todo!()
+
+    /// A decimal literal as Rust writes it (`1_000.5e-3`), exactly; `None` where it is none, and
+    /// beyond an exponent or a length of 4096.
+    pub(crate) fn decimal(digits: &str) -> Option<Self> {
+        literal::parse(digits).map(Self::rational)
     }
+
     /// The exact value of a float; `None` unless finite.
-    pub(crate) fn float(_value: f64) -> Option<Self> {
-        todo!()
+    pub(crate) fn float(value: f64) -> Option<Self> {
+        word(value).map(Self::rational)
     }
+
     pub(crate) fn pi() -> Self {
-        todo!()
+        Self::atom(Kind::Pi)
     }
-    pub(crate) fn add(&self, _other: &Self) -> Self {
-        todo!()
+
+    pub(crate) fn add(&self, other: &Self) -> Self {
+        match (&self.form, &other.form) {
+            (Form::Rational(a), Form::Rational(b)) => Self::rational(a.add(b)),
+            _ => self.sum_of(other),
+        }
     }
-    pub(crate) fn sub(&self, _other: &Self) -> Self {
-        todo!()
+
+    pub(crate) fn sub(&self, other: &Self) -> Self {
+        match (&self.form, &other.form) {
+            (Form::Rational(a), Form::Rational(b)) => Self::rational(a.sub(b)),
+            _ => self.sum_of(&other.neg()),
+        }
     }
-    pub(crate) fn mul(&self, _other: &Self) -> Self {
-        todo!()
+
+    pub(crate) fn mul(&self, other: &Self) -> Self {
+        self.product_of(other)
     }
+
     /// `None` where the divisor is zero.
-    pub(crate) fn div(&self, _other: &Self) -> Option<Self> {
-        todo!()
+    pub(crate) fn div(&self, other: &Self) -> Option<Self> {
+        (!other.is_zero()).then(|| self.quotient_of(other))
     }
+
     pub(crate) fn neg(&self) -> Self {
-        todo!()
+        self.scaled(&Rational::integer(-1))
     }
+
     /// `None` for a negative number; rational on rational squares.
     pub(crate) fn sqrt(&self) -> Option<Self> {
-        todo!()
+        match self.signum() {
+            Ordering::Less => None,
+            Ordering::Equal => Some(Self::integer(0)),
+            Ordering::Greater => Some(self.root()),
+        }
     }
-    /// Exact at multiples of 30° and 90° as far as the value is rational, and normalised by
-    /// symmetry elsewhere (sin(−x) = −sin x, …), so that equal values compare equal.
+
+    /// Exact at multiples of 30° and 90° as far as the value is rational, roots at those of 45°
+    /// and 60°, and normalised by symmetry elsewhere (sin(−x) = −sin x, …), so that equal values
+    /// compare equal.
     pub(crate) fn sin(&self) -> Self {
-        todo!()
+        self.sine(0)
     }
+
+    /// See [`Self::sin`].
     pub(crate) fn cos(&self) -> Self {
-        todo!()
+        self.sine(1)
     }
+
     /// `None` where the cosine is zero.
     pub(crate) fn tan(&self) -> Option<Self> {
-        todo!()
+        self.sin().div(&self.cos())
     }
+
     /// `None` outside [−1, 1].
     pub(crate) fn asin(&self) -> Option<Self> {
-        todo!()
+        let one = Self::integer(1);
+        let within = self.cmp_value(&one).is_le() && self.cmp_value(&one.neg()).is_ge();
+        within.then(|| self.arc_sine())
     }
+
     /// `None` outside [−1, 1].
     pub(crate) fn acos(&self) -> Option<Self> {
-        todo!()
+        Some(Self::half_turns(&Rational::ratio(1, 2)).sub(&self.asin()?))
     }
+
     pub(crate) fn atan(&self) -> Self {
-        todo!()
+        self.arc_tangent()
     }
+
     /// The angle of the vector (x, self) in (−π, π]; `None` for the zero vector.
-    pub(crate) fn atan2(&self, _x: &Self) -> Option<Self> {
-        todo!()
+    pub(crate) fn atan2(&self, x: &Self) -> Option<Self> {
+        let half_turn = match (x.signum(), self.signum()) {
+            (Ordering::Equal, Ordering::Equal) => return None,
+            (Ordering::Equal, Ordering::Greater) => {
+                return Some(Self::half_turns(&Rational::ratio(1, 2)));
+            }
+            (Ordering::Equal, Ordering::Less) => {
+                return Some(Self::half_turns(&Rational::ratio(-1, 2)));
+            }
+            (Ordering::Greater, _) => Rational::ZERO,
+            (Ordering::Less, Ordering::Less) => Rational::integer(-1),
+            (Ordering::Less, _) => Rational::ONE,
+        };
+        Some(self.quotient_of(x).arc_tangent().add(&Self::half_turns(&half_turn)))
     }
-    pub(crate) fn hypot(&self, _other: &Self) -> Self {
-        todo!()
+
+    /// The length of the vector (self, other).
+    pub(crate) fn hypot(&self, other: &Self) -> Self {
+        // A sum of squares is not negative, even where its sign is beyond the finest enclosure.
+        self.mul(self).add(&other.mul(other)).sqrt().unwrap_or_else(|| Self::integer(0))
     }
+
     pub(crate) fn is_zero(&self) -> bool {
-        todo!()
+        self.signum().is_eq()
     }
+
     pub(crate) fn is_one(&self) -> bool {
-        todo!()
+        match &self.form {
+            Form::Rational(value) => value.is_one(),
+            Form::Sum(_) => self.cmp_value(&Self::integer(1)).is_eq(),
+        }
     }
+
     /// The order against zero: exact for rationals; an expression whose enclosure still holds
     /// zero at the finest precision counts as zero.
-    pub(crate) fn signum(&self) -> core::cmp::Ordering {
-        todo!()
+    pub(crate) fn signum(&self) -> Ordering {
+        self.sign()
     }
-    pub(crate) fn cmp_value(&self, _other: &Self) -> core::cmp::Ordering {
-        todo!()
+
+    pub(crate) fn cmp_value(&self, other: &Self) -> Ordering {
+        match (&self.form, &other.form) {
+            (Form::Rational(a), Form::Rational(b)) => a.cmp(b),
+            _ => self.sub(other).signum(),
+        }
     }
+
     /// `Some` where the number is an integer that fits.
     pub(crate) fn to_integer(&self) -> Option<i64> {
-        todo!()
+        match &self.form {
+            Form::Rational(value) => value.to_integer(),
+            Form::Sum(_) => {
+                let near = word(self.to_f64().round())?.to_integer()?;
+                self.sub(&Self::integer(near)).is_zero().then_some(near)
+            }
+        }
     }
+
     /// Correctly rounded (ties to even); infinite beyond the range.
     pub(crate) fn to_f64(&self) -> f64 {
-        todo!()
+        self.rounded(WIDE, &Rational::ZERO)
     }
+
+    /// See [`Self::to_f64`].
     pub(crate) fn to_f32(&self) -> f32 {
-        todo!()
+        self.rounded(NARROW, &Rational::ZERO) as f32
     }
-    /// What `to_f64` left: (self − to_f64) correctly rounded, the low word of a double word.
+
+    /// What `to_f64` left: (self − to_f64) correctly rounded, the low word of a double word; zero
+    /// beyond the range.
     pub(crate) fn low_f64(&self) -> f64 {
-        todo!()
+        self.low_word(WIDE)
     }
+
+    /// See [`Self::low_f64`].
     pub(crate) fn low_f32(&self) -> f32 {
-        todo!()
+        self.low_word(NARROW) as f32
     }
+
+    /// An enclosure in units of 2^−bits; `None` where these are too coarse to tell a divisor from
+    /// zero.
+    pub(crate) fn enclose(&self, bits: u32) -> Option<Enclosure> {
+        self.enclosed(bits.max(Enclosure::MIN_BITS))
+    }
+
+    fn low_word(&self, format: Format) -> f64 {
+        word(self.rounded(format, &Rational::ZERO)).map_or(0.0, |word| self.rounded(format, &word))
+    }
+}
+
+/// The exact value of a finite float.
+fn word(value: f64) -> Option<Rational> {
+    if !value.is_finite() {
+        return None;
+    }
+    let bits = value.to_bits();
+    let (biased, fraction) = ((bits >> 52 & 0x7ff) as i32, (bits & ((1 << 52) - 1)) as i64);
+    let significand = if biased == 0 { fraction } else { fraction | 1 << 52 };
+    let significand =
+        BigInt::from(if value.is_sign_negative() { -significand } else { significand });
+    let exponent = biased.max(1) - 1075;
+    Some(if exponent < 0 {
+        Rational::of(significand, BigInt::one() << -exponent)
+    } else {
+        Rational::of(significand << exponent, BigInt::one())
+    })
 }

@@ -15,6 +15,12 @@ use crate::exact::Exact;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct Id(pub u32);
 
+impl Id {
+    pub(crate) const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
 /// An interned exact constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct ConstantId(pub u32);
@@ -144,21 +150,28 @@ impl Graph {
         self.push(Node::Constant(constant))
     }
 
+    pub(crate) fn intern_guard(&mut self, guard: Guard) -> GuardId {
+        if let Some(&id) = self.guard_ids.get(&guard) {
+            return id;
+        }
+        let id = GuardId(self.guards.len() as u32);
+        self.guards.push(guard.clone());
+        self.guard_ids.insert(guard, id);
+        id
+    }
+
     pub(crate) fn guard(&mut self, value: Id, guard: Guard) -> Id {
-        let id = match self.guard_ids.get(&guard) {
-            Some(&id) => id,
-            None => {
-                let id = GuardId(self.guards.len() as u32);
-                self.guards.push(guard.clone());
-                self.guard_ids.insert(guard, id);
-                id
-            }
-        };
-        self.push(Node::Guard(value, id))
+        let guard = self.intern_guard(guard);
+        self.push(Node::Guard(value, guard))
+    }
+
+    /// The node, if it has been made.
+    pub(crate) fn find(&self, node: Node) -> Option<Id> {
+        self.node_ids.get(&node).copied()
     }
 
     pub(crate) fn node(&self, id: Id) -> Node {
-        self.nodes[id.0 as usize]
+        self.nodes[id.index()]
     }
 
     pub(crate) fn len(&self) -> usize {

@@ -1,4 +1,13 @@
-//! The expression graph between the equations and the generated code.
+//! The expression graph between the equations and the generated code: its nodes, the programs
+//! made of them, their cost, their text form, and an interpreter as oracle. No formula of a
+//! mechanism and no rewrite rule lives here.
 
+pub(crate) mod construct;
+pub(crate) mod cost;
 pub(crate) mod graph;
+#[cfg(test)]
+pub(crate) mod interpret;
+pub(crate) mod liveness;
 pub(crate) mod program;
+#[cfg(test)]
+pub(crate) mod text;

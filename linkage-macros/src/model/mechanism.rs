@@ -144,7 +144,7 @@ pub(crate) enum Mode {
 }
 
 /// What a point, a guide or a crank's angle is fixed to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Carrier {
     Ground,
     Link(LinkId),

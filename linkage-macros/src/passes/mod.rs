@@ -1,1 +1,26 @@
-//! See the crate documentation.
+//! What makes a program smaller without changing what it means.
+//!
+//! A rewrite is an identity of real numbers wherever both sides are defined, and never adds a
+//! rounding: x·0, x + 0, x·1, x − x and −(−x) are rewritten; x/x, reassociation and distribution
+//! are not, except among constants, which are exact. Nothing here knows a mechanism.
+
+mod contract;
+mod fold;
+mod simplify;
+#[cfg(test)]
+mod tests;
+
+use crate::ir::construct::{Rule, rebuild};
+use crate::ir::program::Program;
+
+/// The rules under which the equations are written down. Afterwards no operation has only
+/// constants as operands, and no operand is a neutral or annihilating one.
+pub(crate) const RULES: &[Rule] = &[fold::fold_constants, simplify::simplify];
+
+/// The passes in order.
+pub(crate) fn optimise(program: &Program) -> Program {
+    // Nothing is left that no entry needs.
+    let needed = rebuild(program, RULES);
+    // A product that only a sum uses is part of a fused operation.
+    contract::fuse_products(&needed)
+}

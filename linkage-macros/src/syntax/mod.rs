@@ -1,3 +1,47 @@
 //! Tokens and spans into a tree; nothing is resolved here.
+//!
+//! ```text
+//! declaration  docs visibility `struct` NAME `{` statement* `}`
+//! statement    `input` NAME,* `:` KIND `;`
+//!            | `param` NAME (`:` KIND)? `=` expression `;`
+//!            | `let` NAME `=` expression `;`
+//!            | `ground` (NAME pair),* `;`
+//!            | `guide` NAME (`on` LINK)? `through` (pair | POINT)
+//!                                        (`along` expression | `towards` POINT) `;`
+//!            | `point` NAME (`on` LINK)? `at` (pair | `polar` pair | `distances` pair SIDE) `;`
+//!            | WORD (LINK `(` JOINT `)`),* (`->` PIN)? `{` (FIELD `:` (expression | pair)),* `}`
+//!            | `output` ((NAME `=`)? expression),* `;`
+//!            | `numerics` WORD `;` | `crate` `=` path `;` | `export` WORD `;`
+//! pair         `(` expression `,` expression `)`
+//! expression   `+ - * /`, unary `-`, `(` `)`, NUMBER, NAME, LINK`.`MEMBER, FUNCTION`(`…`)`
+//! ```
+//!
+//! Every list may end in a comma. After a mistake the parser goes on at the next statement (or
+//! field, or behind the closing parenthesis), so that all mistakes of a declaration are reported
+//! together; a statement that got as far as its name stays in the tree.
+//!
+//! Which words are kinds, units, fields, functions, modes and group keywords is not known here.
 
+mod declaration;
+mod expression;
+mod group;
+mod literal;
+mod statement;
+mod tokens;
 pub(crate) mod tree;
+mod words;
+
+#[cfg(test)]
+mod tests;
+
+use proc_macro2::TokenStream;
+
+use crate::diagnostics::Diagnostics;
+use tree::Declaration;
+
+/// Parses a declaration; `None` only where its name could not be found. A tree with reported
+/// mistakes holds [`tree::ExprKind::Mistake`] and made-up words in their places: it is good for
+/// stubs and for nothing else.
+pub(crate) fn parse(source: TokenStream, diagnostics: &mut Diagnostics) -> Option<Declaration> {
+    tokens::Parser::new(source, diagnostics).declaration()
+}

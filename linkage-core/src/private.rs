@@ -1,0 +1,49 @@
+//! The only thing generated code may name.
+//!
+//! Everything it needs is re-exported here, the prelude's names included, so that it compiles
+//! where the prelude is switched off or `core` is shadowed. Nothing is defined here, and nothing
+//! here is part of the public interface.
+
+pub use core::clone::Clone;
+pub use core::cmp::PartialEq;
+pub use core::convert::{From, Into};
+pub use core::default::Default;
+pub use core::fmt::{self, Debug, Formatter};
+pub use core::marker::{Copy, PhantomData};
+pub use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
+pub use core::option::Option::{self, None, Some};
+pub use core::prelude::v1::derive;
+pub use core::primitive::{bool, f32, f64, str, u32, usize};
+pub use core::result::Result::{self, Err, Ok};
+
+pub use crate::careful::{
+    finite_input, finite_result, nonzero, positive, reach_circles, reach_line, reach_offset, square,
+};
+#[cfg(feature = "ad")]
+pub use crate::derivatives::differentiate;
+pub use crate::with_ad_ as with_ad;
+pub use crate::{
+    AngularAcceleration, AngularVelocity, Cost, Direction, Mask, Operations, Point, Real, Scalar,
+    Sense, Side, Slide, SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError,
+};
+#[cfg(feature = "ad")]
+pub use nalgebra::SMatrix;
+#[cfg(feature = "ad")]
+pub use num_dual::DualSVec;
+
+/// Its argument where the feature `ad` is on: the macro that generates the code cannot see the
+/// features of the crate that runs it.
+#[cfg(feature = "ad")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! with_ad_ {
+    ($($code:tt)*) => { $($code)* };
+}
+
+/// Nothing, as the feature `ad` is off.
+#[cfg(not(feature = "ad"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! with_ad_ {
+    ($($code:tt)*) => {};
+}

@@ -1,0 +1,209 @@
+//! The statements of a core: a `let` for every node that its sinks need, in the order of the
+//! graph, with sine and cosine of one angle in one call.
+//!
+//! Straight line and careful path are the same walk; where they differ, at guards and at angles,
+//! they say so in `straight` and `careful`.
+
+use std::collections::{HashMap, HashSet};
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::arguments::Arguments;
+use super::blocks::Statement;
+use super::names::local;
+use super::straight::Condition;
+use super::{Context, careful, straight};
+use crate::ir::graph::{ConstantId, Graph, Id, Node};
+use crate::ir::liveness::{Course, live, live_nodes, unguarded};
+use crate::model::mechanism::ParamKind;
+
+/// What the statements of one core are written with.
+pub(super) struct Body<'a> {
+    pub cx: &'a Context<'a>,
+    pub arguments: &'a Arguments<'a>,
+    pub course: Course,
+}
+
+/// The statements, and what they read from outside.
+#[derive(Default)]
+pub(super) struct Statements {
+    pub list: Vec<Statement>,
+    /// The inputs and parameters that are read, in the order of the graph.
+    pub leaves: Vec<Node>,
+    /// The straight line's comparisons.
+    pub conditions: HashSet<Condition>,
+}
+
+/// The sine and the cosine of one angle, as far as they are needed.
+#[derive(Clone, Copy, Default)]
+struct Pair {
+    sin: Option<Id>,
+    cos: Option<Id>,
+}
+
+fn pairs(graph: &Graph, live: &[bool]) -> HashMap<Id, Pair> {
+    let mut pairs: HashMap<Id, Pair> = HashMap::new();
+    for (id, node) in live_nodes(graph, live) {
+        match node {
+            Node::Sin(angle) => pairs.entry(angle).or_default().sin = Some(id),
+            Node::Cos(angle) => pairs.entry(angle).or_default().cos = Some(id),
+            _ => {}
+        }
+    }
+    pairs
+}
+
+impl<'a> Body<'a> {
+    pub(super) fn graph(&self) -> &'a Graph {
+        &self.cx.program.graph
+    }
+
+    /// Everything that the sinks need.
+    pub(super) fn statements(&self, sinks: &[Id]) -> Statements {
+        let graph = self.graph();
+        let live = live(graph, sinks, self.course);
+        let mut pairs = pairs(graph, &live);
+        let mut all = Statements::default();
+        for (id, node) in live_nodes(graph, &live) {
+            let statement = match node {
+                _ if self.arguments.leaf(node).is_some() => {
+                    all.leaves.push(node);
+                    None
+                }
+                Node::Sin(angle) | Node::Cos(angle) => {
+                    pairs.remove(&angle).map(|pair| self.turn(angle, pair))
+                }
+                Node::Guard(value, guard) if self.course == Course::Straight => {
+                    let condition = Condition::of(self, value, guard);
+                    let new = all.conditions.insert(condition);
+                    new.then(|| straight::condition(self, condition))
+                }
+                Node::Guard(value, guard) => Some(careful::check(self, id, value, guard)),
+                _ => Some(self.binding(id, node)),
+            };
+            all.list.extend(statement);
+        }
+        all
+    }
+
+    /// The node that a local stands for: the straight line sees through guards.
+    pub(super) fn resolve(&self, id: Id) -> Id {
+        match self.course {
+            Course::Straight => unguarded(self.graph(), id),
+            Course::Careful => id,
+        }
+    }
+
+    /// The expression that reads a node's value.
+    pub(super) fn value(&self, id: Id) -> TokenStream {
+        let id = self.resolve(id);
+        self.arguments.leaf(self.graph().node(id)).unwrap_or_else(|| {
+            let name = local(id);
+            quote!(#name)
+        })
+    }
+
+    /// The locals among the nodes.
+    pub(super) fn locals(&self, ids: impl IntoIterator<Item = Id>) -> Vec<Id> {
+        ids.into_iter()
+            .map(|id| self.resolve(id))
+            .filter(|&id| self.arguments.leaf(self.graph().node(id)).is_none())
+            .collect()
+    }
+
+    fn binding(&self, id: Id, node: Node) -> Statement {
+        let mut operands = Vec::new();
+        node.for_operands(&mut |operand| operands.push(operand));
+        let (name, expression) = (local(id), self.expression(node));
+        Statement {
+            defines: vec![id],
+            uses: self.locals(operands),
+            code: quote!(let #name = #expression;),
+            condition: None,
+        }
+    }
+
+    /// `let (sine, cosine) = …;` of an angle, at the place of whichever comes first.
+    fn turn(&self, angle: Id, pair: Pair) -> Statement {
+        let slot = |id: Option<Id>| {
+            id.map_or(quote!(_), |id| {
+                let name = local(id);
+                quote!(#name)
+            })
+        };
+        let (sin, cos, value) = (slot(pair.sin), slot(pair.cos), self.value(angle));
+        let (function, condition) = match self.course {
+            Course::Straight => straight::sin_cos(self, angle),
+            Course::Careful => (self.cx.scalar("sin_cos"), None),
+        };
+        Statement {
+            defines: pair.sin.into_iter().chain(pair.cos).collect(),
+            uses: self.locals([angle]),
+            code: quote!(let (#sin, #cos) = #function(#value);),
+            condition,
+        }
+    }
+
+    fn expression(&self, node: Node) -> TokenStream {
+        let v = |id| self.value(id);
+        let call = |function: &str, operands: &[Id]| {
+            let function = self.cx.scalar(function);
+            let operands = operands.iter().map(|&id| v(id));
+            quote!(#function(#(#operands),*))
+        };
+        let infix = |a, operator: TokenStream, b| {
+            let (a, b) = (v(a), v(b));
+            quote!(#a #operator #b)
+        };
+        match node {
+            Node::Neg(a) => {
+                let a = v(a);
+                quote!(-#a)
+            }
+            Node::Add(a, b) => infix(a, quote!(+), b),
+            Node::Sub(a, b) => infix(a, quote!(-), b),
+            Node::Mul(a, b) => infix(a, quote!(*), b),
+            Node::Div(a, b) => infix(a, quote!(/), b),
+            Node::Sqrt(a) => call("sqrt", &[a]),
+            Node::Tan(a) => call("tan", &[a]),
+            Node::Asin(a) => call("asin", &[a]),
+            Node::Acos(a) => call("acos", &[a]),
+            Node::Atan(a) => call("atan", &[a]),
+            Node::Atan2(y, x) => call("atan2", &[y, x]),
+            Node::Hypot(a, b) => call("hypot", &[a, b]),
+            Node::Det(operands) => call("det", &operands),
+            Node::MulErr(a, b) => call("mul_err", &[a, b]),
+            Node::AddErr(a, b) => call("add_err", &[a, b]),
+            Node::Fused(a, b, c) => call("fused", &[a, b, c]),
+            Node::Constant(constant) => self.constant(constant),
+            Node::Low(constant) => {
+                let value = self.graph().value(constant);
+                self.cx.literal(value.low_f64(), value.low_f32())
+            }
+            Node::Mode(param) => self.mode(param),
+            Node::Input { .. }
+            | Node::InputCos(_)
+            | Node::InputSin(_)
+            | Node::Param(_)
+            | Node::Sin(_)
+            | Node::Cos(_)
+            | Node::Guard(..) => unreachable!("read in place, or a statement of its own kind"),
+        }
+    }
+
+    fn constant(&self, constant: ConstantId) -> TokenStream {
+        let value = self.graph().value(constant);
+        self.cx.literal(value.to_f64(), value.to_f32())
+    }
+
+    fn mode(&self, param: u32) -> TokenStream {
+        let param = &self.cx.mechanism.params[param as usize];
+        let ty = match param.kind {
+            ParamKind::Sense { .. } => self.cx.paths.item("Sense"),
+            ParamKind::Side { .. } | ParamKind::Number { .. } => self.cx.paths.item("Side"),
+        };
+        let (field, scalar) = (&param.name, &self.cx.names.scalar);
+        quote!(#ty::sign::<#scalar>(self.#field))
+    }
+}

@@ -1,0 +1,79 @@
+//! The entry points: what each is called, takes and returns.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::names::{function_name, generated};
+use super::{Context, careful, docs};
+use crate::ir::program::{Entry, EntryKind};
+
+/// The name of the function that returns a `Result`; `solve_` in front is the straight line's.
+pub(super) fn method(kind: EntryKind) -> &'static str {
+    match kind {
+        EntryKind::Position => "position",
+        EntryKind::Velocity => "velocity",
+        EntryKind::Motion => "motion",
+        EntryKind::Coefficients => "coefficients",
+        EntryKind::PositionAt => "position_at",
+        EntryKind::VelocityAt => "velocity_at",
+        EntryKind::MotionAt => "motion_at",
+        EntryKind::Margins => "margins",
+    }
+}
+
+/// How many orders of the inputs it takes: values, rates, second rates.
+pub(super) fn orders(kind: EntryKind) -> usize {
+    match kind {
+        EntryKind::Position
+        | EntryKind::PositionAt
+        | EntryKind::Coefficients
+        | EntryKind::Margins => 1,
+        EntryKind::Velocity | EntryKind::VelocityAt => 2,
+        EntryKind::Motion | EntryKind::MotionAt => 3,
+    }
+}
+
+/// Whether the only input is given by its cosine and sine.
+pub(super) fn takes_cosine(kind: EntryKind) -> bool {
+    matches!(kind, EntryKind::PositionAt | EntryKind::VelocityAt | EntryKind::MotionAt)
+}
+
+/// The type of the result, for numbers of the type parameter.
+pub(super) fn result(cx: &Context<'_>, kind: EntryKind) -> TokenStream {
+    let (names, scalar) = (&cx.names, &cx.names.scalar);
+    let record = match kind {
+        EntryKind::Position | EntryKind::PositionAt => &names.position,
+        EntryKind::Velocity | EntryKind::VelocityAt => &names.velocity,
+        EntryKind::Motion | EntryKind::MotionAt => &names.motion,
+        EntryKind::Margins => &names.margins,
+        EntryKind::Coefficients => {
+            let (rows, columns) = (cx.rows(), cx.columns());
+            return quote!([[#scalar; #columns]; #rows]);
+        }
+    };
+    quote!(#record<#scalar>)
+}
+
+/// The function that returns a `Result`: the straight line, and where its mask says no, the
+/// careful path.
+pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    let (arguments, scalar) = (cx.arguments(entry.kind), &cx.names.scalar);
+    let (declared, converted) =
+        (arguments.declared(&quote!(#scalar)), arguments.converted(&quote!(#scalar)));
+    let (names, result) = (arguments.names(), result(cx, entry.kind));
+    let name = function_name(method(entry.kind));
+    let solve = function_name(&format!("solve_{}", method(entry.kind)));
+    let (explain, docs) = (careful::name(entry), docs::checked(cx, entry));
+    let (outcome, error, ok) =
+        (cx.paths.item("Result"), cx.paths.item("SolveError"), cx.paths.item("Ok"));
+    let (value, usable) = (generated("result_"), generated("ok_"));
+    quote! {
+        #docs
+        #[inline]
+        pub fn #name(&self, #(#declared),*) -> #outcome<#result, #error> {
+            #converted
+            let (#value, #usable) = self.#solve(#(#names),*);
+            if #usable { #ok(#value) } else { self.#explain(#(#names),*) }
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! The names that generated code gives to types, arguments and locals.
+//!
+//! User identifiers appear as types, fields and strings only, with their own spans. A local under
+//! a bare user name would collide with a constant of that name in the user's scope.
+
+use proc_macro2::{Ident, Span};
+use quote::format_ident;
+use syn::ext::IdentExt;
+
+use crate::ir::graph::Id;
+use crate::model::mechanism::Mechanism;
+
+/// The types of one mechanism.
+pub(super) struct Names {
+    pub solver: Ident,
+    pub input: Ident,
+    pub position: Ident,
+    pub velocity: Ident,
+    pub acceleration: Ident,
+    pub motion: Ident,
+    pub margins: Ident,
+    /// The type parameter of all of them: `T`.
+    pub scalar: Ident,
+    /// The type parameter that `lift` converts to: `U`.
+    pub lifted: Ident,
+}
+
+impl Names {
+    pub(super) fn new(mechanism: &Mechanism) -> Self {
+        let solver = mechanism.name.clone();
+        Self {
+            input: format_ident!("{solver}Input"),
+            position: format_ident!("{solver}Position"),
+            velocity: format_ident!("{solver}Velocity"),
+            acceleration: format_ident!("{solver}Acceleration"),
+            motion: format_ident!("{solver}Motion"),
+            margins: format_ident!("{solver}Margins"),
+            scalar: type_parameter("T", &solver),
+            lifted: type_parameter("U", &solver),
+            solver,
+        }
+    }
+}
+
+/// A type parameter that does not hide a mechanism of the same name.
+fn type_parameter(preferred: &str, solver: &Ident) -> Ident {
+    let clash = if solver == preferred { "_" } else { "" };
+    Ident::new(&format!("{preferred}{clash}"), Span::call_site())
+}
+
+/// The local that holds a node's value.
+pub(super) fn local(id: Id) -> Ident {
+    generated(&format!("v{}_", id.0))
+}
+
+/// A local that no identifier outside the generated code can meet.
+pub(super) fn generated(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+/// A function that the generated code defines.
+pub(super) fn function_name(name: &str) -> Ident {
+    Ident::new(name, Span::call_site())
+}
+
+/// An argument named after an input: in lower case, as no constant of the user's is.
+pub(super) fn argument(input: &Ident, suffix: &str) -> Ident {
+    let name = format!("{}{suffix}", input.unraw()).to_lowercase();
+    // The span keeps it apart from the locals; a keyword or a name that fits nowhere gets a tail.
+    match syn::parse_str::<Ident>(&name) {
+        Ok(_) => Ident::new(&name, Span::call_site()),
+        Err(_) => Ident::new(&format!("{name}_"), Span::call_site()),
+    }
+}
+
+/// The identifier as the user wrote it, without `r#`.
+pub(super) fn text(ident: &Ident) -> String {
+    ident.unraw().to_string()
+}

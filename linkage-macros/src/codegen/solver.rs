@@ -1,0 +1,169 @@
+//! The struct that stands for the mechanism: its parameters, defaults and constants.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::names::text;
+use super::{Context, cost, docs, literal, results, rows};
+use crate::model::mechanism::{Param, ParamKind, Sign};
+
+pub(super) fn items(cx: &Context<'_>) -> TokenStream {
+    let (definition, constants) = (definition(cx), constants(cx));
+    let (default, lift) = (default(cx), lift(cx));
+    quote!(#definition #constants #default #lift)
+}
+
+fn definition(cx: &Context<'_>) -> TokenStream {
+    let (name, scalar, visibility) = (&cx.names.solver, &cx.names.scalar, &cx.mechanism.visibility);
+    let (docs, attributes) = (docs::solver(cx), results::attributes(cx));
+    let fields = cx.mechanism.params.iter().map(|param| {
+        let (docs, field, ty) = (docs::param(param), &param.name, param_type(cx, param));
+        quote!(#docs pub #field: #ty,)
+    });
+    let marker = marker(cx).map(|(field, ty, _)| quote!(#[doc(hidden)] pub #field: #ty,));
+    quote! {
+        #docs
+        #attributes
+        #visibility struct #name<#scalar = f64> { #(#fields)* #marker }
+    }
+}
+
+fn param_type(cx: &Context<'_>, param: &Param) -> TokenStream {
+    match param.kind {
+        ParamKind::Number { .. } => {
+            let scalar = &cx.names.scalar;
+            quote!(#scalar)
+        }
+        ParamKind::Side { .. } => cx.paths.item("Side"),
+        ParamKind::Sense { .. } => cx.paths.item("Sense"),
+    }
+}
+
+/// Without a numeric parameter nothing holds the type parameter; the field is public so that
+/// `..Solver::new()` stays usable: its name, its type and its value.
+fn marker(cx: &Context<'_>) -> Option<(TokenStream, TokenStream, TokenStream)> {
+    let (scalar, phantom) = (&cx.names.scalar, cx.paths.item("PhantomData"));
+    cx.numeric_params()
+        .is_empty()
+        .then(|| (quote!(scalar_), quote!(#phantom<#scalar>), quote!(#phantom)))
+}
+
+/// `Self { … }` with every field given by the expression made for its parameter.
+pub(super) fn construct(
+    cx: &Context<'_>,
+    name: &TokenStream,
+    number: impl Fn(&Param) -> TokenStream,
+    mode: impl Fn(&Param) -> TokenStream,
+) -> TokenStream {
+    let fields = cx.mechanism.params.iter().map(|param| {
+        let field = &param.name;
+        let value = match param.kind {
+            ParamKind::Number { .. } => number(param),
+            _ => mode(param),
+        };
+        quote!(#field: #value,)
+    });
+    let marker = marker(cx).map(|(field, _, value)| quote!(#field: #value));
+    quote!(#name { #(#fields)* #marker })
+}
+
+/// The parameter as declared, a number by `lit` or as a plain literal.
+fn defaults(cx: &Context<'_>, number: impl Fn(f64, f32) -> TokenStream) -> TokenStream {
+    let number = |param: &Param| match &param.kind {
+        ParamKind::Number { default, .. } => number(default.to_f64(), default.to_f32()),
+        _ => TokenStream::new(),
+    };
+    let mode = |param: &Param| {
+        let (ty, variant) = (param_type(cx, param), default_variant(param));
+        quote!(#ty::#variant)
+    };
+    construct(cx, &quote!(Self), number, mode)
+}
+
+fn default_variant(param: &Param) -> TokenStream {
+    match param.kind {
+        ParamKind::Side { default: Sign::Plus } => quote!(Left),
+        ParamKind::Side { default: Sign::Minus } => quote!(Right),
+        ParamKind::Sense { default: Sign::Plus } => quote!(Ahead),
+        ParamKind::Sense { default: Sign::Minus } => quote!(Behind),
+        ParamKind::Number { .. } => TokenStream::new(),
+    }
+}
+
+/// What needs no type parameter to be written.
+fn constants(cx: &Context<'_>) -> TokenStream {
+    let name = &cx.names.solver;
+    let new = defaults(cx, |wide, _| literal(wide));
+    let (outputs, rows) = (rows::literals(cx), cx.rows());
+    let inputs = cx.mechanism.inputs.iter().map(|input| &input.name);
+    let inputs = inputs.map(|name| rows::string(&text(name), name.span()));
+    let params = cx.numeric_params();
+    let params: Vec<_> =
+        params.iter().map(|p| rows::string(&text(&p.name), p.name.span())).collect();
+    let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
+    let (cost_type, cost) = (cx.paths.item("Cost"), cost::constant(cx));
+    quote! {
+        impl #name<f64> {
+            /// The scalar rows of the results, in the order of every list of rows.
+            pub const OUTPUTS: [&'static str; #rows] = [#(#outputs),*];
+            /// The inputs, in the order of the columns of Jacobians.
+            pub const INPUTS: [&'static str; #columns] = [#(#inputs),*];
+            /// The numeric parameters, in the order of the columns of sensitivities.
+            pub const PARAMS: [&'static str; #numbers] = [#(#params),*];
+            /// The floating-point operations of one call.
+            pub const COST: #cost_type = #cost;
+
+            /// The solver with all parameters at their declared values.
+            #[inline]
+            #[must_use]
+            pub const fn new() -> Self { #new }
+        }
+    }
+}
+
+fn default(cx: &Context<'_>) -> TokenStream {
+    let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
+    let (default, any) = (cx.paths.item("Default"), cx.paths.item("Scalar"));
+    let value = defaults(cx, |wide, narrow| cx.literal(wide, narrow));
+    quote! {
+        impl<#scalar: #any> #default for #name<#scalar> {
+            /// The solver with all parameters at their declared values, rounded once.
+            #[inline]
+            fn default() -> Self { #value }
+        }
+    }
+}
+
+/// `lift`: the same mechanism on other numbers.
+fn lift(cx: &Context<'_>) -> TokenStream {
+    let (name, scalar, lifted) = (&cx.names.solver, &cx.names.scalar, &cx.names.lifted);
+    let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
+    let keep = |param: &Param| {
+        let field = &param.name;
+        quote!(self.#field)
+    };
+    let number = |param: &Param| {
+        let field = &param.name;
+        lifted_number(cx, &quote!(self.#field), &quote!(#lifted))
+    };
+    let value = construct(cx, &quote!(#name), number, keep);
+    quote! {
+        impl<#scalar: #real> #name<#scalar> {
+            /// The same solver on other numbers, the parameters without derivatives.
+            #[inline]
+            #[must_use]
+            pub fn lift<#lifted: #any>(&self) -> #name<#lifted> { #value }
+        }
+    }
+}
+
+/// A number without its derivatives as one of another type.
+pub(super) fn lifted_number(
+    cx: &Context<'_>,
+    value: &TokenStream,
+    target: &TokenStream,
+) -> TokenStream {
+    let (real, scalar) = (cx.paths.item("Real"), cx.paths.item("Scalar"));
+    let value = quote!(#real::value(#value));
+    quote!(<#target as #scalar>::lit(#value, #value as f32))
+}

@@ -1,0 +1,153 @@
+//! What the straight line does at a guard and at an angle: it goes on regardless, and a mask says
+//! in the end whether the result may be used.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::blocks::{Statement, lay_out};
+use super::body::{Body, Statements};
+use super::dominance::undominated;
+use super::names::{function_name, generated};
+use super::{Context, docs, entry, results};
+use crate::ir::graph::{Check, GuardId, Id, Node};
+use crate::ir::liveness::Course;
+use crate::ir::program::Entry;
+
+/// One comparison of the straight line, on a local or an input.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Condition {
+    NotNegative(Id),
+    Nonzero(Id),
+    Positive(Id),
+    FullPrecision(Id),
+}
+
+impl Condition {
+    pub(super) fn of(body: &Body<'_>, value: Id, guard: GuardId) -> Self {
+        let value = body.resolve(value);
+        match body.graph().condition(guard).check {
+            Check::ReachCircles | Check::ReachLine | Check::ReachOffset => Self::NotNegative(value),
+            Check::Nonzero => Self::Nonzero(value),
+            Check::Positive(_) => Self::Positive(value),
+            Check::Square => Self::FullPrecision(value),
+        }
+    }
+}
+
+/// The condition as a statement without a `let`.
+pub(super) fn condition(body: &Body<'_>, condition: Condition) -> Statement {
+    let cx = body.cx;
+    let (ge, gt, select) = (cx.scalar("ge"), cx.scalar("gt"), cx.scalar("select"));
+    let zero = generated("zero_");
+    let (id, holds) = match condition {
+        Condition::NotNegative(id) => {
+            let value = body.value(id);
+            (id, quote!(#ge(#value, #zero)))
+        }
+        Condition::Positive(id) => {
+            let value = body.value(id);
+            (id, quote!(#gt(#value, #zero)))
+        }
+        // The magnitude, compared: neither a square, which underflows, nor a disjunction, which
+        // masks do not have.
+        Condition::Nonzero(id) => {
+            let value = body.value(id);
+            (id, quote!(#gt(#select(#ge(#value, #zero), #value, -#value), #zero)))
+        }
+        Condition::FullPrecision(id) => {
+            let (value, smallest) = (body.value(id), cx.scalar("smallest_square"));
+            (id, quote!(#ge(#value, #smallest())))
+        }
+    };
+    Statement { uses: body.locals([id]), condition: Some(holds), ..Statement::default() }
+}
+
+/// The function that turns an angle into sine and cosine, and what it needs of the angle.
+pub(super) fn sin_cos(body: &Body<'_>, angle: Id) -> (TokenStream, Option<TokenStream>) {
+    let cx = body.cx;
+    if let Node::Constant(_) = body.graph().node(angle) {
+        return (cx.scalar("sin_cos"), None);
+    }
+    let (is_near, value) = (cx.scalar("is_near"), body.value(angle));
+    (cx.scalar("sin_cos_near"), Some(quote!(#is_near(#value))))
+}
+
+/// `solve_…`: the core of an entry point, without a branch.
+pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    let arguments = cx.arguments(entry.kind);
+    let body = Body { cx, arguments: &arguments, course: Course::Straight };
+    let statements = body.statements(&entry.sinks);
+    let kept = body.locals(entry.sinks.iter().copied());
+    let (lines, mask) = lay_out(&statements.list, &kept);
+
+    let scalar = &cx.names.scalar;
+    let name = function_name(&format!("solve_{}", entry::method(entry.kind)));
+    let declared = arguments.declared(&quote!(#scalar));
+    let converted = arguments.converted(&quote!(#scalar));
+    let unread = arguments.unread(&statements.leaves);
+    let zero = zero(cx, &statements);
+    let ok = verdict(&body, &entry.sinks, mask.map(|ok| quote!(#ok)));
+    let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
+    let (result, value) =
+        (entry::result(cx, entry.kind), results::assemble(cx, entry.kind, values));
+    let (docs, status) = (docs::straight(cx, entry), generated("ok_"));
+    quote! {
+        #docs
+        #[inline]
+        #[must_use]
+        pub fn #name(&self, #(#declared),*) -> (#result, #scalar::Mask) {
+            #converted
+            #unread
+            #zero
+            #lines
+            let #status = #ok;
+            (#value, #status)
+        }
+    }
+}
+
+/// The zero that conditions compare with, where one does.
+fn zero(cx: &Context<'_>, statements: &Statements) -> Option<TokenStream> {
+    let compares = |condition: &Condition| !matches!(condition, Condition::FullPrecision(_));
+    statements.conditions.iter().any(compares).then(|| {
+        let (zero, literal) = (generated("zero_"), cx.literal(0.0, 0.0));
+        quote!(let #zero = #literal;)
+    })
+}
+
+/// The mask of all conditions and of the one test that every result is finite.
+fn verdict(body: &Body<'_>, sinks: &[Id], mask: Option<TokenStream>) -> TokenStream {
+    let cx = body.cx;
+    let tested = undominated(body.graph(), sinks);
+    let values: Vec<_> = tested.iter().map(|&id| body.value(id)).collect();
+    let finite = (!values.is_empty()).then(|| {
+        let (is_finite, sum) = (cx.scalar("is_finite"), sum(&values));
+        quote!(#is_finite(#sum))
+    });
+    match (mask, finite) {
+        (Some(mask), Some(finite)) => quote!(#mask & #finite),
+        (Some(one), None) | (None, Some(one)) => one,
+        (None, None) => {
+            let (all, scalar) = (cx.paths.item("Mask"), &cx.names.scalar);
+            quote!(<#scalar::Mask as #all>::ALL)
+        }
+    }
+}
+
+/// The sum as a balanced tree: it is short in time, and shallow for the compiler.
+fn sum(values: &[TokenStream]) -> TokenStream {
+    match values {
+        [] => TokenStream::new(),
+        [only] => only.clone(),
+        _ => {
+            let (left, right) = values.split_at(values.len().div_ceil(2));
+            let (left, right) = (term(left), term(right));
+            quote!(#left + #right)
+        }
+    }
+}
+
+fn term(values: &[TokenStream]) -> TokenStream {
+    let sum = sum(values);
+    if values.len() > 1 { quote!((#sum)) } else { sum }
+}

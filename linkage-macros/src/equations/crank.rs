@@ -1,0 +1,20 @@
+//! The rotary driver: a link that turns about a pivot by a given angle.
+//!
+//! Its direction is that of what it is relative to, turned by the angle; its frame has the pivot
+//! as origin, and its pin lies at the crank's length on the frame's x. A constant angle makes a
+//! link that is rigid with what it is relative to, which is how a parallelogram is declared that
+//! must not change its assembly.
+
+use crate::equations::jet::Jet;
+use crate::equations::motion::{Direction, Frame, PointMotion};
+
+/// The crank's frame, and its pin where it has a length.
+pub(super) fn crank<'s>(
+    pivot: PointMotion<'s>,
+    direction: Direction<'s>,
+    length: Option<Jet<'s>>,
+) -> (Frame<'s>, Option<PointMotion<'s>>) {
+    let frame = Frame { origin: pivot, direction };
+    let pin = length.map(|length| frame.place(length, Jet::zero(length.value.sheet())));
+    (frame, pin)
+}

@@ -1,0 +1,181 @@
+//! What the groups share: where a group stands, and the bar as part of a dyad.
+
+use crate::equations::jet::Jet;
+use crate::equations::motion::{Direction, Frame, PointMotion, Turned};
+use crate::equations::symbol::{Sheet, Sym, Vector};
+use crate::model::mechanism::{Carrier, LinkId, Numerics};
+
+/// How far a group is from its limit.
+#[derive(Clone, Copy)]
+pub(super) struct Quality<'s> {
+    /// Signed distance from the limit in metres; `None` for groups that have no reach to run
+    /// out of.
+    pub margin: Option<Jet<'s>>,
+    /// Sine of the transmission angle, not negative.
+    pub transmission: Jet<'s>,
+}
+
+impl<'s> Quality<'s> {
+    /// Of two slides: the sine of the angle between their directions. Its size has the rates of
+    /// the cross product, with the sign of the cross product.
+    pub(super) fn of_directions(a: Direction<'s>, b: Direction<'s>) -> Self {
+        let ([ax, ay], [bx, by]) = (a.jets(), b.jets());
+        let (sine, _) = a.sin_cos_to(b);
+        let cross = Jet { value: sine, ..ax * by - ay * bx };
+        Self { margin: None, transmission: cross.hypot(Jet::zero(sine.sheet())) }
+    }
+}
+
+/// The group whose failure a guard reports, and how it is to compute.
+pub(super) struct Place<'s> {
+    pub group: u32,
+    pub numerics: Numerics,
+    pub sheet: &'s Sheet<'s>,
+}
+
+/// A bar from its outer joint to the pin.
+#[derive(Clone, Copy)]
+pub(super) struct Bar<'s> {
+    outer: PointMotion<'s>,
+    /// From the outer joint to the pin.
+    r: Vector<'s>,
+    length: Jet<'s>,
+    omega: Sym<'s>,
+    alpha: Sym<'s>,
+}
+
+/// Two bars and the pin between them.
+pub(super) struct Dyad<'s> {
+    pub pin: PointMotion<'s>,
+    pub bars: [Bar<'s>; 2],
+}
+
+impl<'s> Bar<'s> {
+    pub(super) fn new(outer: PointMotion<'s>, r: Vector<'s>, length: Jet<'s>) -> Self {
+        let zero = r.x.sheet().zero();
+        Self { outer, r, length, omega: zero, alpha: zero }
+    }
+
+    pub(super) fn turning(self, omega: Sym<'s>, alpha: Sym<'s>) -> Self {
+        Self { omega, alpha, ..self }
+    }
+
+    /// The unit vector from the outer joint to the pin.
+    fn u(self) -> Vector<'s> {
+        self.length.value.recip() * self.r
+    }
+
+    /// The pin's velocity but for the bar's turning: v + l̇ u.
+    pub(super) fn pushed_velocity(self) -> Vector<'s> {
+        self.outer.velocity + self.length.rate * self.u()
+    }
+
+    /// The pin's acceleration but for the angular one: a + l̈ u + 2 ω l̇ u⊥ − ω² r.
+    pub(super) fn pushed_acceleration(self, omega: Sym<'s>) -> Vector<'s> {
+        let push =
+            self.length.accel * self.u() + (omega * self.length.rate).twice() * self.u().normal();
+        self.outer.acceleration + push - omega.squared() * self.r
+    }
+
+    /// The pin at the bar's end.
+    pub(super) fn pin(self) -> PointMotion<'s> {
+        PointMotion {
+            base: self.outer.base,
+            offset: self.outer.offset + self.r,
+            velocity: self.pushed_velocity() + self.omega * self.r.normal(),
+            acceleration: self.pushed_acceleration(self.omega) + self.alpha * self.r.normal(),
+        }
+    }
+
+    /// The bar's frame: origin at its outer joint, x towards the pin.
+    pub(super) fn frame(self, link: LinkId) -> Frame<'s> {
+        let direction = Direction {
+            u: self.u(),
+            omega: self.omega,
+            alpha: self.alpha,
+            turned: Some(Turned::start(Carrier::Link(link), self.r.x.sheet())),
+        };
+        Frame { origin: self.outer, direction }
+    }
+}
+
+/// A bar, the pin at its end, and the slide of the block the pin carries.
+pub(super) struct SlidingDyad<'s> {
+    pub pin: PointMotion<'s>,
+    pub bar: Bar<'s>,
+    pub slide: Jet<'s>,
+}
+
+/// A bar that turns about a pivot, and the slide of the block on it.
+pub(super) struct SlottedBar<'s> {
+    pub u: Vector<'s>,
+    pub omega: Sym<'s>,
+    pub alpha: Sym<'s>,
+    pub slide: Jet<'s>,
+}
+
+/// The pin of two blocks and their slides.
+pub(super) struct SlidingPair<'s> {
+    pub pin: PointMotion<'s>,
+    pub slides: [Jet<'s>; 2],
+}
+
+/// The slides of yoke and block.
+pub(super) struct Slides<'s> {
+    pub rail: Jet<'s>,
+    pub slot: Jet<'s>,
+}
+
+/// A block on a guide, at a known slide.
+#[derive(Clone, Copy)]
+pub(super) struct Block<'s> {
+    guide: Frame<'s>,
+    /// From the guide's origin to the block's pin.
+    rho: Vector<'s>,
+    offset: Jet<'s>,
+}
+
+impl<'s> Block<'s> {
+    pub(super) fn new(guide: Frame<'s>, slide: Sym<'s>, offset: Jet<'s>) -> Self {
+        Self { guide, rho: guide.vector(slide, offset.value), offset }
+    }
+
+    pub(super) fn direction(self) -> Vector<'s> {
+        self.guide.direction.u
+    }
+
+    /// The pin's velocity but for the slide's: transport and changing offset.
+    pub(super) fn carried_velocity(self) -> Vector<'s> {
+        let zero = self.rho.x.sheet().zero();
+        let sigma = self.guide.vector(zero, self.offset.rate);
+        self.guide.transport(self.rho, sigma).0 + sigma
+    }
+
+    /// The pin's acceleration but for the slide's own: transport, Coriolis and changing offset.
+    pub(super) fn carried_acceleration(self, slide_rate: Sym<'s>) -> Vector<'s> {
+        let sigma = self.guide.vector(slide_rate, self.offset.rate);
+        let zero = self.rho.x.sheet().zero();
+        self.guide.transport(self.rho, sigma).1 + self.guide.vector(zero, self.offset.accel)
+    }
+
+    /// The pin, its slide's rates and its carried acceleration being known.
+    pub(super) fn pin(
+        self,
+        slide_rate: Sym<'s>,
+        slide_accel: Sym<'s>,
+        carried: Vector<'s>,
+    ) -> PointMotion<'s> {
+        let u = self.direction();
+        PointMotion {
+            base: self.guide.origin.base,
+            offset: self.guide.origin.offset + self.rho,
+            velocity: self.carried_velocity() + slide_rate * u,
+            acceleration: carried + slide_accel * u,
+        }
+    }
+
+    /// The pin's position against a point of the ground.
+    pub(super) fn offset_from(self, base: Vector<'s>) -> Vector<'s> {
+        (self.guide.origin.base - base) + (self.guide.origin.offset + self.rho)
+    }
+}

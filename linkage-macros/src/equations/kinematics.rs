@@ -1,0 +1,343 @@
+//! A mechanism's state on a sheet: every point, link and guide, step by step.
+
+use std::collections::HashMap;
+
+use crate::equations::groups::{Bar, Place as Standing, Quality};
+use crate::equations::jet::Jet;
+use crate::equations::motion::{Direction, Frame, PointMotion, Turned};
+use crate::equations::symbol::{Sheet, Sym, Vector};
+use crate::equations::{crank, guide, point, prp, rpp, rpr, rrp, rrr, slider};
+use crate::ir::graph::Node;
+use crate::model::mechanism::{
+    Carrier, Course, Expr, GroupId, GuideId, LinkId, Mechanism, Mode, OutputKind, Place, PointId,
+    Sign, Spot, Step,
+};
+
+/// An input as the sheet knows it.
+#[derive(Clone, Copy)]
+pub(super) struct Source<'s> {
+    pub jet: Jet<'s>,
+    /// Its cosine and sine, where they are given in its place.
+    pub unit: Option<Vector<'s>>,
+}
+
+/// A link's frame, and its slide where it slides.
+#[derive(Clone, Copy)]
+pub(super) struct LinkMotion<'s> {
+    pub frame: Frame<'s>,
+    pub slide: Option<Jet<'s>>,
+}
+
+/// Everything that the steps have placed so far.
+pub(super) struct Kinematics<'s> {
+    pub sheet: &'s Sheet<'s>,
+    pub mechanism: &'s Mechanism,
+    pub inputs: Vec<Source<'s>>,
+    pub lets: Vec<Jet<'s>>,
+    points: Vec<Option<PointMotion<'s>>>,
+    links: Vec<Option<LinkMotion<'s>>>,
+    guides: Vec<Option<Frame<'s>>>,
+    /// Where a point lies in the frame of what carries it.
+    coordinates: HashMap<(Carrier, PointId), [Jet<'s>; 2]>,
+    qualities: HashMap<GroupId, Quality<'s>>,
+}
+
+impl<'s> Kinematics<'s> {
+    pub(super) fn of(
+        sheet: &'s Sheet<'s>,
+        mechanism: &'s Mechanism,
+        inputs: Vec<Source<'s>>,
+    ) -> Self {
+        let mut kinematics = Self {
+            sheet,
+            mechanism,
+            inputs,
+            lets: Vec::new(),
+            points: vec![None; mechanism.points.len()],
+            links: vec![None; mechanism.links.len()],
+            guides: vec![None; mechanism.guides.len()],
+            coordinates: HashMap::new(),
+            qualities: HashMap::new(),
+        };
+        for step in &mechanism.steps {
+            kinematics.take(step);
+        }
+        kinematics.name_lets();
+        kinematics
+    }
+
+    pub(super) fn point(&self, id: PointId) -> PointMotion<'s> {
+        self.points[id.index()].expect("a step uses only what earlier steps have made")
+    }
+
+    pub(super) fn link(&self, id: LinkId) -> LinkMotion<'s> {
+        self.links[id.index()].expect("a step uses only what earlier steps have made")
+    }
+
+    pub(super) fn quality(&self, group: GroupId) -> Option<Quality<'s>> {
+        self.qualities.get(&group).copied()
+    }
+
+    fn guide(&self, id: GuideId) -> Frame<'s> {
+        self.guides[id.index()].expect("a step uses only what earlier steps have made")
+    }
+
+    fn carrier(&self, carrier: Carrier) -> Frame<'s> {
+        match carrier {
+            Carrier::Ground => Frame::ground(self.sheet),
+            Carrier::Link(link) => self.link(link).frame,
+        }
+    }
+
+    fn mode(&self, mode: Mode) -> Sym<'s> {
+        match mode {
+            Mode::Fixed(sign) => self.sign(sign),
+            Mode::Param(param) => self.sheet.node(Node::Mode(param.0)),
+        }
+    }
+
+    fn sign(&self, sign: Sign) -> Sym<'s> {
+        self.sheet.integer(if sign == Sign::Plus { 1 } else { -1 })
+    }
+
+    fn set_point(&mut self, id: PointId, motion: PointMotion<'s>) {
+        self.points[id.index()] = Some(motion);
+    }
+
+    fn set_link(&mut self, id: LinkId, frame: Frame<'s>, slide: Option<Jet<'s>>) {
+        self.links[id.index()] = Some(LinkMotion { frame, slide });
+    }
+
+    /// Notes where a joint lies on the x axis of a link.
+    fn set_joint(&mut self, link: LinkId, joint: PointId, x: Jet<'s>) {
+        let zero = Jet::zero(self.sheet);
+        self.coordinates.insert((Carrier::Link(link), joint), [x, zero]);
+    }
+
+    fn set_origin(&mut self, link: LinkId, joint: PointId) {
+        self.set_joint(link, joint, Jet::zero(self.sheet));
+    }
+
+    fn set_bar(&mut self, link: LinkId, bar: Bar<'s>, joints: [PointId; 2], length: Jet<'s>) {
+        self.set_link(link, bar.frame(link), None);
+        self.set_origin(link, joints[0]);
+        self.set_joint(link, joints[1], length);
+    }
+
+    /// Named expressions become known as soon as what they contain is.
+    fn name_lets(&mut self) {
+        while let Some(turn) = self.mechanism.lets.get(self.lets.len()) {
+            if !self.is_known(&turn.rest) {
+                break;
+            }
+            let jet = self.jet(&turn.rest);
+            self.lets.push(jet);
+        }
+    }
+
+    /// Whether everything in the expression has been placed.
+    fn is_known(&self, expr: &Expr) -> bool {
+        match expr {
+            Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) => true,
+            Expr::Let(name) => name.index() < self.lets.len(),
+            Expr::Slide(link) => self.links[link.index()].is_some(),
+            Expr::Negate(value) => self.is_known(value),
+            Expr::Binary(_, sides) => sides.iter().all(|side| self.is_known(side)),
+            Expr::Call(_, arguments) => arguments.iter().all(|a| self.is_known(a)),
+        }
+    }
+
+    /// Whether an output asks how far the group is from its limit.
+    fn wants_quality(&self, group: GroupId) -> bool {
+        self.mechanism.outputs.iter().any(|output| {
+            matches!(output.kind,
+                OutputKind::Margin(asked) | OutputKind::Transmission(asked) if asked == group)
+        })
+    }
+
+    fn standing(&self, group: GroupId) -> Standing<'s> {
+        let numerics = self.mechanism.numerics;
+        Standing { group: group.0, numerics, sheet: self.sheet }
+    }
+
+    fn take(&mut self, step: &'s Step) {
+        self.name_lets();
+        match step {
+            Step::Ground { point, at } => self.take_ground(*point, at),
+            Step::Guide { guide, carrier, through, course } => {
+                self.take_guide(*guide, *carrier, through, course);
+            }
+            Step::Point { point, carrier, place, group } => {
+                self.take_point(*point, *carrier, place, *group);
+            }
+            Step::Crank { .. } | Step::Slider { .. } => self.take_driver(step),
+            Step::Rrr { .. } => self.take_rrr(step),
+            Step::Rrp { .. } => self.take_rrp(step),
+            Step::Rpr { .. } => self.take_rpr(step),
+            Step::Prp { .. } => self.take_prp(step),
+            Step::Rpp { .. } => self.take_rpp(step),
+        }
+    }
+
+    fn take_ground(&mut self, id: PointId, at: &[Expr; 2]) {
+        let at = self.jets(at);
+        self.coordinates.insert((Carrier::Ground, id), at);
+        self.set_point(id, PointMotion::fixed(Vector { x: at[0].value, y: at[1].value }));
+    }
+
+    fn take_guide(&mut self, id: GuideId, carrier: Carrier, through: &Spot, course: &Course) {
+        let frame = self.carrier(carrier);
+        let (origin, from) = match through {
+            Spot::At(at) => {
+                let at = self.jets(at);
+                (self.spot(frame, carrier, at), at)
+            }
+            Spot::Point(point) => (self.point(*point), self.coordinates[&(carrier, *point)]),
+        };
+        let guide = match course {
+            Course::Along(turn) => Frame { origin, direction: self.turned(frame.direction, turn) },
+            Course::Towards(to) => {
+                guide::towards(frame, origin, from, self.coordinates[&(carrier, *to)])
+            }
+        };
+        self.guides[id.index()] = Some(guide);
+    }
+
+    /// A place of the ground is a base to measure from; a place of a link is carried by it.
+    fn spot(&self, frame: Frame<'s>, carrier: Carrier, at: [Jet<'s>; 2]) -> PointMotion<'s> {
+        if carrier == Carrier::Ground && at.iter().all(|x| x.is_fixed()) {
+            PointMotion::fixed(Vector { x: at[0].value, y: at[1].value })
+        } else {
+            frame.place(at[0], at[1])
+        }
+    }
+
+    fn take_point(&mut self, id: PointId, carrier: Carrier, place: &Place, group: GroupId) {
+        let at = match place {
+            Place::Cartesian(at) => self.jets(at),
+            Place::Polar(radius, angle) => point::polar(self.jet(radius), self.jet(angle)),
+            Place::Distances { distances, length, side } => point::at_distances(
+                group.0,
+                self.jets(distances),
+                self.jet(length),
+                self.sign(*side),
+            ),
+        };
+        self.coordinates.insert((carrier, id), at);
+        let motion = match carrier {
+            Carrier::Ground => PointMotion::driven(at[0], at[1]),
+            Carrier::Link(link) => self.link(link).frame.place(at[0], at[1]),
+        };
+        self.set_point(id, motion);
+    }
+
+    fn take_driver(&mut self, step: &'s Step) {
+        match step {
+            Step::Crank { group, link, pivot, pin, angle, relative_to } => {
+                let direction = self.turned(self.carrier(*relative_to).direction, angle);
+                let length = pin.as_ref().map(|(_, length)| self.length(length, group.0));
+                let (frame, motion) = crank::crank(self.point(*pivot), direction, length);
+                self.set_link(*link, frame, None);
+                self.set_origin(*link, *pivot);
+                if let (Some((pin, _)), Some(motion), Some(length)) = (pin, motion, length) {
+                    self.set_point(*pin, motion);
+                    self.set_joint(*link, *pin, length);
+                }
+            }
+            Step::Slider { link, guide, pin, slide, offset, .. } => {
+                let (slide, offset) = (self.jet(slide), self.jet(offset));
+                let (frame, motion) = slider::slider(self.guide(*guide), slide, offset);
+                self.set_link(*link, frame, Some(slide));
+                if let Some(pin) = pin {
+                    self.set_point(*pin, motion);
+                    self.set_origin(*link, *pin);
+                }
+            }
+            _ => unreachable!("only drivers come here"),
+        }
+    }
+
+    fn take_rrr(&mut self, step: &'s Step) {
+        let Step::Rrr { group, links, outer, pin, lengths, mode } = step else { return };
+        let joints = outer.map(|joint| self.point(joint));
+        let [first, second] = lengths;
+        let lengths = [self.length(first, group.0), self.length(second, group.0)];
+        let dyad = rrr::rrr(&self.standing(*group), joints, lengths, self.mode(*mode));
+        self.set_point(*pin, dyad.pin);
+        for k in 0..2 {
+            self.set_bar(links[k], dyad.bars[k], [outer[k], *pin], lengths[k]);
+        }
+        if self.wants_quality(*group) {
+            self.qualities.insert(*group, rrr::quality(joints, lengths));
+        }
+    }
+
+    fn take_rrp(&mut self, step: &'s Step) {
+        let Step::Rrp { group, links, outer, guide, pin, length, offset, mode } = step else {
+            return;
+        };
+        let (b, guide) = (self.point(*outer), self.guide(*guide));
+        let (length, offset) = (self.length(length, group.0), self.jet(offset));
+        let standing = self.standing(*group);
+        let dyad = rrp::rrp(&standing, b, guide, length, offset, self.mode(*mode));
+        self.set_point(*pin, dyad.pin);
+        self.set_bar(links[0], dyad.bar, [*outer, *pin], length);
+        let block = Frame { origin: dyad.pin, direction: guide.direction };
+        self.set_link(links[1], block, Some(dyad.slide));
+        self.set_origin(links[1], *pin);
+        if self.wants_quality(*group) {
+            self.qualities.insert(*group, rrp::quality(b, guide, length, offset));
+        }
+    }
+
+    fn take_rpr(&mut self, step: &'s Step) {
+        let Step::Rpr { group, links, outer, offset, mode } = step else { return };
+        let joints = outer.map(|joint| self.point(joint));
+        let offset = self.jet(offset);
+        let bar = rpr::rpr(&self.standing(*group), joints, offset, self.mode(*mode));
+        let direction = Direction {
+            u: bar.u,
+            omega: bar.omega,
+            alpha: bar.alpha,
+            turned: Some(Turned::start(Carrier::Link(links[1]), self.sheet)),
+        };
+        for (k, slide) in [Some(bar.slide), None].into_iter().enumerate() {
+            self.set_link(links[k], Frame { origin: joints[k], direction }, slide);
+            self.set_origin(links[k], outer[k]);
+        }
+        if self.wants_quality(*group) {
+            self.qualities.insert(*group, rpr::quality(joints, offset));
+        }
+    }
+
+    fn take_prp(&mut self, step: &'s Step) {
+        let Step::Prp { group, links, guides, pin, offsets } = step else { return };
+        let guides = guides.map(|guide| self.guide(guide));
+        let pair = prp::prp(&self.standing(*group), guides, self.jets(offsets));
+        self.set_point(*pin, pair.pin);
+        for k in 0..2 {
+            let frame = Frame { origin: pair.pin, direction: guides[k].direction };
+            self.set_link(links[k], frame, Some(pair.slides[k]));
+            self.set_origin(links[k], *pin);
+        }
+        if self.wants_quality(*group) {
+            self.qualities.insert(*group, prp::quality(guides));
+        }
+    }
+
+    fn take_rpp(&mut self, step: &'s Step) {
+        let Step::Rpp { group, links, outer, guide, slot, offsets } = step else { return };
+        let (b, rail) = (self.point(*outer), self.guide(*guide));
+        let slot = self.turned(rail.direction, slot);
+        let slides = rpp::rpp(&self.standing(*group), b, rail, slot, self.jets(offsets));
+        let foot = rail.place(slides.rail, Jet::zero(self.sheet));
+        let block = Frame { origin: b, direction: slot };
+        self.set_link(links[0], block, Some(slides.slot));
+        self.set_origin(links[0], *outer);
+        let yoke = Frame { origin: foot, direction: rail.direction };
+        self.set_link(links[1], yoke, Some(slides.rail));
+        if self.wants_quality(*group) {
+            self.qualities.insert(*group, rpp::quality(rail, slot));
+        }
+    }
+}

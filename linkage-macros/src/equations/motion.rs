@@ -1,0 +1,200 @@
+//! Points, directions and frames that move, and the one formula by which a frame carries a point.
+
+use crate::equations::jet::Jet;
+use crate::equations::symbol::{Sheet, Sym, Vector};
+use crate::model::mechanism::Carrier;
+
+/// Position, velocity and acceleration of a point.
+///
+/// The position is held as base + offset: the base is a point of the ground, the offset is built
+/// from link vectors. Differences of points are formed base from base and offset from offset, so
+/// a mechanism far from the origin loses nothing but the last digits of its coordinates.
+#[derive(Clone, Copy)]
+pub(crate) struct PointMotion<'s> {
+    pub base: Vector<'s>,
+    pub offset: Vector<'s>,
+    pub velocity: Vector<'s>,
+    pub acceleration: Vector<'s>,
+}
+
+/// A unit vector, its angular velocity and angular acceleration.
+#[derive(Clone, Copy)]
+pub(crate) struct Direction<'s> {
+    pub u: Vector<'s>,
+    pub omega: Sym<'s>,
+    pub alpha: Sym<'s>,
+    /// Where the direction was made by turning another's.
+    pub turned: Option<Turned<'s>>,
+}
+
+/// Whose x a direction is turned from, and by which angle: two directions on one carrier enclose
+/// the difference of their angles, however small it is. Constant turns are kept apart, so that
+/// the angle between two directions of one moving link is a constant.
+#[derive(Clone, Copy)]
+pub(crate) struct Turned<'s> {
+    carrier: Carrier,
+    moving: Sym<'s>,
+    constant: Sym<'s>,
+}
+
+impl<'s> Turned<'s> {
+    /// The carrier's own x.
+    pub(crate) fn start(carrier: Carrier, sheet: &'s Sheet<'s>) -> Self {
+        Self { carrier, moving: sheet.zero(), constant: sheet.zero() }
+    }
+
+    fn by(self, angle: Sym<'s>) -> Self {
+        if angle.is_constant() {
+            Self { constant: self.constant + angle, ..self }
+        } else {
+            Self { moving: self.moving + angle, ..self }
+        }
+    }
+
+    /// The angle to the other, where both are turned from one direction.
+    fn angle_to(self, other: Self) -> Option<Sym<'s>> {
+        (self.carrier == other.carrier)
+            .then(|| (other.moving - self.moving) + (other.constant - self.constant))
+    }
+}
+
+/// An origin and an x direction: a link, a guide, or the ground.
+#[derive(Clone, Copy)]
+pub(crate) struct Frame<'s> {
+    pub origin: PointMotion<'s>,
+    pub direction: Direction<'s>,
+}
+
+impl<'s> PointMotion<'s> {
+    pub(crate) fn fixed(base: Vector<'s>) -> Self {
+        let zero = base.x.sheet().zero_vector();
+        Self { base, offset: zero, velocity: zero, acceleration: zero }
+    }
+
+    /// A point whose coordinates in ground axes are given.
+    pub(crate) fn driven(x: Jet<'s>, y: Jet<'s>) -> Self {
+        Self {
+            base: x.value.sheet().zero_vector(),
+            offset: Vector { x: x.value, y: y.value },
+            velocity: Vector { x: x.rate, y: y.rate },
+            acceleration: Vector { x: x.accel, y: y.accel },
+        }
+    }
+
+    pub(crate) fn position(self) -> Vector<'s> {
+        self.base + self.offset
+    }
+
+    /// The vector from this point to the other.
+    pub(crate) fn to(self, other: Self) -> Vector<'s> {
+        (other.base - self.base) + (other.offset - self.offset)
+    }
+
+    /// The vector from this point to the other with its rates, coordinate by coordinate.
+    pub(crate) fn jets_to(self, other: Self) -> [Jet<'s>; 2] {
+        let value = self.to(other);
+        let rate = other.velocity - self.velocity;
+        let accel = other.acceleration - self.acceleration;
+        [
+            Jet { value: value.x, rate: rate.x, accel: accel.x },
+            Jet { value: value.y, rate: rate.y, accel: accel.y },
+        ]
+    }
+
+    /// Whether the point is a point of the ground.
+    pub(crate) fn is_fixed(self) -> bool {
+        self.offset.is_zero() && self.velocity.is_zero() && self.acceleration.is_zero()
+    }
+}
+
+impl<'s> Direction<'s> {
+    /// The ground's x.
+    pub(crate) fn ground(sheet: &'s Sheet<'s>) -> Self {
+        let (zero, one) = (sheet.zero(), sheet.integer(1));
+        Self {
+            u: Vector { x: one, y: zero },
+            omega: zero,
+            alpha: zero,
+            turned: Some(Turned::start(Carrier::Ground, sheet)),
+        }
+    }
+
+    /// The direction at an angle to this one, whose cosine and sine are given with it.
+    pub(crate) fn turned_by(self, angle: Jet<'s>, unit: Vector<'s>) -> Self {
+        Self {
+            u: self.u.turned(unit),
+            omega: self.omega + angle.rate,
+            alpha: self.alpha + angle.accel,
+            turned: self.turned.map(|turned| turned.by(angle.value)),
+        }
+    }
+
+    pub(crate) fn n(self) -> Vector<'s> {
+        self.u.normal()
+    }
+
+    /// The unit vector with its rates: u̇ = ω n, ü = α n − ω² u.
+    pub(crate) fn jets(self) -> [Jet<'s>; 2] {
+        let rate = self.omega * self.n();
+        let accel = self.alpha * self.n() - self.omega.squared() * self.u;
+        [
+            Jet { value: self.u.x, rate: rate.x, accel: accel.x },
+            Jet { value: self.u.y, rate: rate.y, accel: accel.y },
+        ]
+    }
+
+    /// Sine and cosine of the angle from this direction to the other. On a common carrier they
+    /// come from the difference of the angles: the cross product of two rounded unit vectors
+    /// would lose every digit that the angle between them is small by.
+    pub(crate) fn sin_cos_to(self, other: Self) -> (Sym<'s>, Sym<'s>) {
+        let angle = self.turned.zip(other.turned).and_then(|(mine, its)| mine.angle_to(its));
+        match angle {
+            Some(angle) => (angle.sin(), angle.cos()),
+            None => {
+                let sine = self.u.x.sheet().det(self.u.x, other.u.y, self.u.y, other.u.x);
+                (sine, self.u.dot(other.u))
+            }
+        }
+    }
+}
+
+impl<'s> Frame<'s> {
+    pub(crate) fn ground(sheet: &'s Sheet<'s>) -> Self {
+        Self {
+            origin: PointMotion::fixed(sheet.zero_vector()),
+            direction: Direction::ground(sheet),
+        }
+    }
+
+    /// The vector of the frame with the given coordinates.
+    pub(crate) fn vector(self, x: Sym<'s>, y: Sym<'s>) -> Vector<'s> {
+        x * self.direction.u + y * self.direction.n()
+    }
+
+    /// What the frame does to a point at ρ from its origin that moves in it with the relative
+    /// velocity σ: the transport velocity v + ω ρ⊥ and the transport and Coriolis acceleration
+    /// a + α ρ⊥ − ω² ρ + 2 ω σ⊥ (any text on kinematics in moving frames, e.g. Norton, Design of
+    /// Machinery, ch. 6 and 7).
+    pub(crate) fn transport(self, rho: Vector<'s>, sigma: Vector<'s>) -> (Vector<'s>, Vector<'s>) {
+        let Direction { omega, alpha, .. } = self.direction;
+        let velocity = self.origin.velocity + omega * rho.normal();
+        let acceleration = self.origin.acceleration
+            + (alpha * rho.normal() - omega.squared() * rho)
+            + omega.twice() * sigma.normal();
+        (velocity, acceleration)
+    }
+
+    /// The point at the coordinates (x, y) of the frame: P = O + x u + y n; its velocity and
+    /// acceleration are the transport's plus the relative ones.
+    pub(crate) fn place(self, x: Jet<'s>, y: Jet<'s>) -> PointMotion<'s> {
+        let rho = self.vector(x.value, y.value);
+        let sigma = self.vector(x.rate, y.rate);
+        let (velocity, acceleration) = self.transport(rho, sigma);
+        PointMotion {
+            base: self.origin.base,
+            offset: self.origin.offset + rho,
+            velocity: velocity + sigma,
+            acceleration: acceleration + self.vector(x.accel, y.accel),
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! The dyad RPR: a block pinned to B slides on a bar that turns about D.
+//!
+//! # Position
+//! The bar's direction is u, its normal n, and the block keeps the offset e from the pivot:
+//! b = B − D = s u + e n. So
+//!
+//! ```text
+//! s = ± √(b² − e²),  + where B is on the bar's positive side
+//! u = (s b − e b⊥) / b²      n = u⊥
+//! ```
+//!
+//! b² − e² is made with the rounding errors of its squares put back, so that it keeps its digits
+//! where the block comes to the foot of the pivot; without an offset nothing of that remains.
+//!
+//! # Velocity and acceleration
+//! Differentiating b = s u + e n, with Δv = v_B − v_D, Δa = a_B − a_D:
+//!
+//! ```text
+//! ω = (Δv·n − ė)/s                      ṡ = Δv·u + ω e
+//! α = (Δa·n + ω² e − 2 ω ṡ − ë)/s       s̈ = Δa·u + α e + ω² s + 2 ω ė
+//! ```
+//!
+//! # Sign
+//! `ahead` (+1): s positive.
+//!
+//! # Source
+//! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.
+
+use crate::equations::groups::{Place, Quality, SlottedBar};
+use crate::equations::jet::Jet;
+use crate::equations::motion::PointMotion;
+use crate::equations::symbol::{Sym, Vector};
+use crate::ir::graph::Check;
+
+pub(super) fn rpr<'s>(
+    place: &Place<'s>,
+    [b, d]: [PointMotion<'s>; 2],
+    offset: Jet<'s>,
+    mode: Sym<'s>,
+) -> SlottedBar<'s> {
+    let from = d.to(b);
+    let e = offset.value;
+    let square = from.dot(from);
+    let sound = square.provided(Check::Square, place.group, &[]);
+    let (s, u, inverse) = if e.is_zero() {
+        // s² = b²: one division gives 1/s, and u = b/s.
+        let s = mode * sound.sqrt();
+        let inverse = s / sound;
+        (s, inverse * from, inverse)
+    } else {
+        let left = left_of_offset(from, square, e);
+        let operands = [from.x, from.y, e];
+        let left = left.provided(Check::ReachOffset, place.group, &operands);
+        let s = mode * left.sqrt();
+        let u = sound.recip() * (s * from - e * from.normal());
+        (s, u, s.provided(Check::Nonzero, place.group, &[]).recip())
+    };
+    let n = u.normal();
+
+    let dv = b.velocity - d.velocity;
+    let omega = (dv.dot(n) - offset.rate) * inverse;
+    let slide_rate = dv.dot(u) + omega * e;
+    let da = b.acceleration - d.acceleration;
+    let turning = omega.squared() * e - (omega * slide_rate).twice() - offset.accel;
+    let alpha = (da.dot(n) + turning) * inverse;
+    let slide_accel = da.dot(u) + alpha * e + omega.squared() * s + (omega * offset.rate).twice();
+    let slide = Jet { value: s, rate: slide_rate, accel: slide_accel };
+    SlottedBar { u, omega, alpha, slide }
+}
+
+/// b² − e² with the rounding errors of the three squares and of their sum put back.
+fn left_of_offset<'s>(from: Vector<'s>, square: Sym<'s>, e: Sym<'s>) -> Sym<'s> {
+    let (xx, yy, ee) = (from.x.squared(), from.y.squared(), e.squared());
+    let low = xx.add_err(yy) + (from.x.mul_err(from.x) + from.y.mul_err(from.y));
+    let low = low - (e.mul_err(e) + ee.low());
+    (square - ee) + low
+}
+
+/// Signed distance from the limit in metres, (b² − e²)/(|b| + |e|) = |b| − |e|, and the sine of
+/// the transmission angle between bar and line to the block, √(b² − e²)/|b|.
+pub(super) fn quality<'s>([b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Quality<'s> {
+    let [x, y] = d.jets_to(b);
+    let reach = x.hypot(y);
+    if e.is_zero() {
+        let one = Jet::constant(e.value.sheet().integer(1));
+        return Quality { margin: Some(reach), transmission: one };
+    }
+    let left = x * x + y * y - e * e;
+    let zero = Jet::zero(e.value.sheet());
+    Quality { margin: Some(left / (reach + e.hypot(zero))), transmission: left.sqrt() / reach }
+}

@@ -1,0 +1,256 @@
+//! Symbols that can be written like numbers: the formulas of this room are ordinary expressions
+//! over [`Sym`] and [`Vector`], and each operator makes a node.
+//!
+//! The graph under construction sits in a cell so that a symbol can be `Copy` and carry its graph;
+//! this is the one place of the compiler where that is so, and nothing of it leaves the room.
+
+use std::cell::RefCell;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::exact::Exact;
+use crate::ir::construct::{Maker, Rule};
+use crate::ir::graph::{Check, ConstantId, Graph, Guard, Id, Node};
+
+/// The graph that symbols are made in.
+pub(crate) struct Sheet<'r> {
+    graph: RefCell<Graph>,
+    rules: &'r [Rule],
+}
+
+/// A scalar on a sheet.
+#[derive(Clone, Copy)]
+pub(crate) struct Sym<'s> {
+    sheet: &'s Sheet<'s>,
+    pub(crate) id: Id,
+}
+
+/// A vector in the plane.
+#[derive(Clone, Copy)]
+pub(crate) struct Vector<'s> {
+    pub x: Sym<'s>,
+    pub y: Sym<'s>,
+}
+
+impl<'r> Sheet<'r> {
+    pub(crate) fn new(rules: &'r [Rule]) -> Self {
+        Self { graph: RefCell::new(Graph::new()), rules }
+    }
+
+    pub(crate) fn into_graph(self) -> Graph {
+        self.graph.into_inner()
+    }
+}
+
+impl<'s> Sheet<'s> {
+    pub(crate) fn node(&'s self, node: Node) -> Sym<'s> {
+        let mut graph = self.graph.borrow_mut();
+        let id = Maker { graph: &mut graph, rules: self.rules }.make(node);
+        Sym { sheet: self, id }
+    }
+
+    pub(crate) fn constant(&'s self, value: Exact) -> Sym<'s> {
+        Sym { sheet: self, id: self.graph.borrow_mut().constant(value) }
+    }
+
+    pub(crate) fn integer(&'s self, value: i64) -> Sym<'s> {
+        self.constant(Exact::integer(value))
+    }
+
+    pub(crate) fn zero(&'s self) -> Sym<'s> {
+        self.integer(0)
+    }
+
+    pub(crate) fn zero_vector(&'s self) -> Vector<'s> {
+        Vector { x: self.zero(), y: self.zero() }
+    }
+
+    /// a·b − c·d as one operation.
+    pub(crate) fn det(&'s self, a: Sym<'s>, b: Sym<'s>, c: Sym<'s>, d: Sym<'s>) -> Sym<'s> {
+        self.node(Node::Det([a.id, b.id, c.id, d.id]))
+    }
+}
+
+impl<'s> Sym<'s> {
+    pub(crate) fn sheet(self) -> &'s Sheet<'s> {
+        self.sheet
+    }
+
+    fn unary(self, node: fn(Id) -> Node) -> Self {
+        self.sheet.node(node(self.id))
+    }
+
+    fn binary(self, other: Self, node: fn(Id, Id) -> Node) -> Self {
+        self.sheet.node(node(self.id, other.id))
+    }
+
+    pub(crate) fn sqrt(self) -> Self {
+        self.unary(Node::Sqrt)
+    }
+
+    pub(crate) fn sin(self) -> Self {
+        self.unary(Node::Sin)
+    }
+
+    pub(crate) fn cos(self) -> Self {
+        self.unary(Node::Cos)
+    }
+
+    pub(crate) fn tan(self) -> Self {
+        self.unary(Node::Tan)
+    }
+
+    pub(crate) fn asin(self) -> Self {
+        self.unary(Node::Asin)
+    }
+
+    pub(crate) fn acos(self) -> Self {
+        self.unary(Node::Acos)
+    }
+
+    pub(crate) fn atan(self) -> Self {
+        self.unary(Node::Atan)
+    }
+
+    /// The angle of the vector (x, self).
+    pub(crate) fn atan2(self, x: Self) -> Self {
+        self.binary(x, Node::Atan2)
+    }
+
+    pub(crate) fn hypot(self, other: Self) -> Self {
+        self.binary(other, Node::Hypot)
+    }
+
+    pub(crate) fn squared(self) -> Self {
+        self * self
+    }
+
+    pub(crate) fn twice(self) -> Self {
+        self.sheet.integer(2) * self
+    }
+
+    pub(crate) fn half(self) -> Self {
+        self.sheet.constant(Exact::float(0.5).expect("finite")) * self
+    }
+
+    pub(crate) fn recip(self) -> Self {
+        self.sheet.integer(1) / self
+    }
+
+    /// The rounding error of the product.
+    pub(crate) fn mul_err(self, other: Self) -> Self {
+        self.binary(other, Node::MulErr)
+    }
+
+    /// The rounding error of the sum.
+    pub(crate) fn add_err(self, other: Self) -> Self {
+        self.binary(other, Node::AddErr)
+    }
+
+    /// The low word of a constant; zero for everything else.
+    pub(crate) fn low(self) -> Self {
+        match self.constant_id() {
+            Some(constant) => self.sheet.node(Node::Low(constant)),
+            None => self.sheet.zero(),
+        }
+    }
+
+    /// The value, provided that the check holds for the group.
+    pub(crate) fn provided(self, check: Check, group: u32, operands: &[Self]) -> Self {
+        let guard = Guard { check, group, operands: operands.iter().map(|o| o.id).collect() };
+        let mut graph = self.sheet.graph.borrow_mut();
+        let id = Maker { graph: &mut graph, rules: self.sheet.rules }.make_guarded(self.id, guard);
+        Self { sheet: self.sheet, id }
+    }
+
+    fn constant_id(self) -> Option<ConstantId> {
+        match self.sheet.graph.borrow().node(self.id) {
+            Node::Constant(constant) => Some(constant),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn is_constant(self) -> bool {
+        self.constant_id().is_some()
+    }
+
+    /// Whether this is known to be zero from its form alone.
+    pub(crate) fn is_zero(self) -> bool {
+        self.sheet.graph.borrow().as_constant(self.id).is_some_and(Exact::is_zero)
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident $method:ident $node:ident) => {
+        impl $trait for Sym<'_> {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                self.binary(other, Node::$node)
+            }
+        }
+    };
+}
+
+operator!(Add add Add);
+operator!(Sub sub Sub);
+operator!(Mul mul Mul);
+operator!(Div div Div);
+
+impl Neg for Sym<'_> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.unary(Node::Neg)
+    }
+}
+
+impl<'s> Vector<'s> {
+    pub(crate) fn dot(self, other: Self) -> Sym<'s> {
+        self.x * other.x + self.y * other.y
+    }
+
+    /// The normal 90° counter-clockwise of it, of the same length.
+    pub(crate) fn normal(self) -> Self {
+        Self { x: -self.y, y: self.x }
+    }
+
+    pub(crate) fn is_zero(self) -> bool {
+        self.x.is_zero() && self.y.is_zero()
+    }
+
+    /// This direction turned by another: the product of the two as complex numbers.
+    pub(crate) fn turned(self, by: Self) -> Self {
+        Self { x: self.x * by.x - self.y * by.y, y: self.x * by.y + self.y * by.x }
+    }
+
+    /// The mirror image about the x axis: a direction's inverse.
+    pub(crate) fn conjugate(self) -> Self {
+        Self { x: self.x, y: -self.y }
+    }
+}
+
+impl Add for Vector<'_> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { x: self.x + other.x, y: self.y + other.y }
+    }
+}
+
+impl Sub for Vector<'_> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self { x: self.x - other.x, y: self.y - other.y }
+    }
+}
+
+impl Neg for Vector<'_> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { x: -self.x, y: -self.y }
+    }
+}
+
+impl<'s> Mul<Vector<'s>> for Sym<'s> {
+    type Output = Vector<'s>;
+    fn mul(self, vector: Vector<'s>) -> Vector<'s> {
+        Vector { x: self * vector.x, y: self * vector.y }
+    }
+}

@@ -1,0 +1,343 @@
+//! Enclosures: intervals that provably hold a real number.
+//!
+//! Both bounds are integers scaled by 2^bits. Every operation rounds its lower bound down and its
+//! upper bound up, so that the result of true operands is enclosed by the result of enclosures.
+//! Beside the rounding of constants they serve as the number of many digits against which floating
+//! point is tested.
+
+use core::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Signed, Zero};
+
+use super::elementary;
+use super::rational::Rational;
+use super::rounding::WIDE;
+
+/// An interval [lower, upper]·2^−bits.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Enclosure {
+    lower: BigInt,
+    upper: BigInt,
+    bits: u32,
+}
+
+impl Enclosure {
+    /// The fewest bits the functions of an angle work with.
+    pub(crate) const MIN_BITS: u32 = 64;
+
+    pub(super) fn new(lower: BigInt, upper: BigInt, bits: u32) -> Self {
+        debug_assert!(lower <= upper && bits >= Self::MIN_BITS);
+        Self { lower, upper, bits }
+    }
+
+    /// All numbers within `error` of `middle`, in units of 2^−bits.
+    pub(super) fn around(middle: &BigInt, error: &BigInt, bits: u32) -> Self {
+        Self::new(middle - error, middle + error, bits)
+    }
+
+    /// The number `value`·2^−bits itself.
+    pub(super) fn point(value: BigInt, bits: u32) -> Self {
+        Self::new(value.clone(), value, bits)
+    }
+
+    pub(crate) fn integer(value: i64, bits: u32) -> Self {
+        Self::point(BigInt::from(value) << bits, bits)
+    }
+
+    pub(super) fn rational(value: &Rational, bits: u32) -> Self {
+        let (quotient, remainder) = (value.numerator() << bits).div_mod_floor(&value.denominator());
+        let upper = if remainder.is_zero() { quotient.clone() } else { &quotient + 1 };
+        Self::new(quotient, upper, bits)
+    }
+
+    /// The exact value of a float; `None` unless finite.
+    pub(crate) fn float(value: f64, bits: u32) -> Option<Self> {
+        super::word(value).map(|word| Self::rational(&word, bits))
+    }
+
+    pub(crate) fn pi(bits: u32) -> Self {
+        elementary::pi(bits)
+    }
+
+    pub(crate) fn bits(&self) -> u32 {
+        self.bits
+    }
+
+    pub(super) fn lower(&self) -> &BigInt {
+        &self.lower
+    }
+
+    pub(super) fn upper(&self) -> &BigInt {
+        &self.upper
+    }
+
+    /// The enclosure in other units, rounded outward where they are coarser.
+    pub(crate) fn with_bits(&self, bits: u32) -> Self {
+        if bits >= self.bits {
+            let shift = bits - self.bits;
+            Self::new(&self.lower << shift, &self.upper << shift, bits)
+        } else {
+            let shift = self.bits - bits;
+            Self::new(&self.lower >> shift, ceil_shift(&self.upper, shift), bits)
+        }
+    }
+
+    /// The order against zero, where all of the enclosure agrees on it.
+    pub(crate) fn sign(&self) -> Option<Ordering> {
+        let (lower, upper) = (self.lower.cmp(&BigInt::zero()), self.upper.cmp(&BigInt::zero()));
+        (lower == upper).then_some(lower)
+    }
+
+    /// Upper bound less lower bound.
+    pub(crate) fn width(&self) -> f64 {
+        WIDE.round_fixed(&(&self.upper - &self.lower), self.bits)
+    }
+
+    /// The number of f64 next to the middle.
+    pub(crate) fn to_f64(&self) -> f64 {
+        WIDE.round_fixed(&(&self.lower + &self.upper), self.bits + 1)
+    }
+
+    /// The middle with so many decimals, the last one cut off.
+    pub(crate) fn to_decimal(&self, decimals: u32) -> String {
+        let middle = &self.lower + &self.upper;
+        let scaled = (middle.abs() * BigInt::from(10).pow(decimals)) >> (self.bits + 1);
+        let (whole, fraction) = scaled.div_rem(&BigInt::from(10).pow(decimals));
+        let sign = if middle.is_negative() { "-" } else { "" };
+        if decimals == 0 {
+            return format!("{sign}{whole}");
+        }
+        let places = decimals as usize;
+        format!("{sign}{whole}.{:0>places$}", fraction.to_string())
+    }
+
+    pub(crate) fn neg(&self) -> Self {
+        Self::new(-&self.upper, -&self.lower, self.bits)
+    }
+
+    pub(crate) fn add(&self, other: &Self) -> Self {
+        self.aligned(other, |a, b| Self::new(&a.lower + &b.lower, &a.upper + &b.upper, a.bits))
+    }
+
+    pub(crate) fn sub(&self, other: &Self) -> Self {
+        self.aligned(other, |a, b| Self::new(&a.lower - &b.upper, &a.upper - &b.lower, a.bits))
+    }
+
+    pub(crate) fn mul(&self, other: &Self) -> Self {
+        self.aligned(other, |a, b| {
+            let (lower, upper) = if !a.lower.is_negative() && !b.lower.is_negative() {
+                (&a.lower * &b.lower, &a.upper * &b.upper)
+            } else {
+                let mut corners = [
+                    &a.lower * &b.lower,
+                    &a.lower * &b.upper,
+                    &a.upper * &b.lower,
+                    &a.upper * &b.upper,
+                ];
+                corners.sort_unstable();
+                let [least, .., greatest] = corners;
+                (least, greatest)
+            };
+            Self::new(lower >> a.bits, ceil_shift(&upper, a.bits), a.bits)
+        })
+    }
+
+    /// The product with a rational, which is not enclosed first: a large factor does not magnify
+    /// the error of a small one.
+    pub(super) fn scaled(&self, factor: &Rational) -> Self {
+        if factor.is_one() {
+            return self.clone();
+        }
+        let (numerator, denominator) = (factor.numerator(), factor.denominator());
+        let (mut lower, mut upper) = (&self.lower * &numerator, &self.upper * &numerator);
+        if numerator.is_negative() {
+            core::mem::swap(&mut lower, &mut upper);
+        }
+        Self::new(lower.div_floor(&denominator), upper.div_ceil(&denominator), self.bits)
+    }
+
+    /// The product with an integer.
+    pub(super) fn times(&self, factor: &BigInt) -> Self {
+        let (lower, upper) = (&self.lower * factor, &self.upper * factor);
+        let (lower, upper) = if factor.is_negative() { (upper, lower) } else { (lower, upper) };
+        Self::new(lower, upper, self.bits)
+    }
+
+    /// The quotient, unless the divisor's enclosure holds zero.
+    pub(crate) fn div(&self, divisor: &Self) -> Option<Self> {
+        match divisor.sign()? {
+            Ordering::Equal => None,
+            Ordering::Less => self.neg().div(&divisor.neg()),
+            Ordering::Greater => Some(self.aligned(divisor, |a, b| {
+                let below = if a.lower.is_negative() { &b.lower } else { &b.upper };
+                let above = if a.upper.is_negative() { &b.upper } else { &b.lower };
+                Self::new(
+                    (&a.lower << a.bits).div_floor(below),
+                    (&a.upper << a.bits).div_ceil(above),
+                    a.bits,
+                )
+            })),
+        }
+    }
+
+    /// The root of what is not negative in the enclosure, unless all of it is.
+    pub(crate) fn sqrt(&self) -> Option<Self> {
+        if self.upper.is_negative() {
+            return None;
+        }
+        let lower = self.lower.clone().max(BigInt::zero()) << self.bits;
+        Some(Self::new(lower.sqrt(), ceil_sqrt(&(&self.upper << self.bits)), self.bits))
+    }
+
+    pub(crate) fn hypot(&self, other: &Self) -> Self {
+        self.aligned(other, |a, b| {
+            let ((a_least, a_greatest), (b_least, b_greatest)) = (a.magnitudes(), b.magnitudes());
+            let lower = (&a_least * &a_least + &b_least * &b_least).sqrt();
+            let upper = ceil_sqrt(&(&a_greatest * &a_greatest + &b_greatest * &b_greatest));
+            Self::new(lower, upper, a.bits)
+        })
+    }
+
+    pub(crate) fn sin(&self) -> Self {
+        self.sin_cos().0
+    }
+
+    pub(crate) fn cos(&self) -> Self {
+        self.sin_cos().1
+    }
+
+    /// Neither sine nor cosine changes faster than the angle: they are evaluated in the middle.
+    pub(crate) fn sin_cos(&self) -> (Self, Self) {
+        let (middle, radius) = self.middle();
+        let (sin, cos) = elementary::sin_cos(&middle, self.bits);
+        (sin.widened(&radius).within_one(), cos.widened(&radius).within_one())
+    }
+
+    /// The tangent, unless the enclosure of the cosine holds zero.
+    pub(crate) fn tan(&self) -> Option<Self> {
+        let (sin, cos) = self.sin_cos();
+        sin.div(&cos)
+    }
+
+    /// The angle in [−π/2, π/2] of what lies in [−1, 1] of the enclosure, unless nothing does.
+    pub(crate) fn asin(&self) -> Option<Self> {
+        let one = BigInt::one() << self.bits;
+        if self.lower > one || self.upper < -&one {
+            return None;
+        }
+        let within = self.within_one();
+        let below = elementary::asin(&within.lower, self.bits);
+        if within.lower == within.upper {
+            return Some(below);
+        }
+        let above = elementary::asin(&within.upper, self.bits);
+        Some(Self::new(below.lower, above.upper, self.bits))
+    }
+
+    /// The angle in [0, π]; see [`Self::asin`].
+    pub(crate) fn acos(&self) -> Option<Self> {
+        Some(Self::pi(self.bits).halved().sub(&self.asin()?))
+    }
+
+    /// The arc tangent, which does not change faster than its argument either.
+    pub(crate) fn atan(&self) -> Self {
+        let (middle, radius) = self.middle();
+        let one = BigInt::one() << self.bits;
+        elementary::angle(&middle, &one, self.bits).widened(&radius)
+    }
+
+    /// The angle of the vector (x, self) in (−π, π], unless the enclosure of the vector holds
+    /// zero. Where it lies across the negative x axis, all angles are enclosed.
+    pub(crate) fn atan2(&self, x: &Self) -> Option<Self> {
+        let bits = self.bits.max(x.bits);
+        let (y, x) = (self.with_bits(bits), x.with_bits(bits));
+        let ((middle_y, radius_y), (middle_x, radius_x)) = (y.middle(), x.middle());
+        if x.lower.is_negative() && y.lower.is_negative() && !y.upper.is_negative() {
+            let pi = Self::pi(bits);
+            return (x.upper.is_negative() || y.sign().is_some())
+                .then(|| Self::new(-&pi.upper, pi.upper, bits));
+        }
+        let distance = (&middle_y * &middle_y + &middle_x * &middle_x).sqrt();
+        let spread = radius_y + radius_x;
+        // Within a disc of radius ρ at distance r ≥ 2ρ the angle is known to asin(ρ/r) ≤ 2ρ/r.
+        if distance.is_zero() || distance < &spread * 2 {
+            return y.atan2_of_wide(&x);
+        }
+        let error = if spread.is_zero() {
+            BigInt::zero()
+        } else {
+            (spread << (bits + 1)).div_ceil(&distance)
+        };
+        Some(elementary::angle(&middle_y, &middle_x, bits).widened(&error))
+    }
+
+    /// The hull of the corners' angles, for a box that is large against its distance.
+    fn atan2_of_wide(&self, x: &Self) -> Option<Self> {
+        let holds_zero = |side: &Self| !side.lower.is_positive() && !side.upper.is_negative();
+        if holds_zero(self) && holds_zero(x) {
+            return None;
+        }
+        let mut angles = Vec::new();
+        for corner_y in [&self.lower, &self.upper] {
+            for corner_x in [&x.lower, &x.upper] {
+                angles.push(elementary::angle(corner_y, corner_x, self.bits));
+            }
+        }
+        angles.into_iter().reduce(|hull, angle| {
+            Self::new(hull.lower.min(angle.lower), hull.upper.max(angle.upper), self.bits)
+        })
+    }
+
+    pub(super) fn halved(&self) -> Self {
+        Self::new(&self.lower >> 1, ceil_shift(&self.upper, 1), self.bits)
+    }
+
+    /// A point near the middle, and the distance from it that covers the enclosure.
+    pub(super) fn middle(&self) -> (BigInt, BigInt) {
+        let middle: BigInt = (&self.lower + &self.upper) >> 1;
+        let radius = &self.upper - &middle;
+        (middle, radius)
+    }
+
+    pub(super) fn widened(&self, by: &BigInt) -> Self {
+        Self::new(&self.lower - by, &self.upper + by, self.bits)
+    }
+
+    /// What of the enclosure lies in [−1, 1]; some of it does.
+    fn within_one(&self) -> Self {
+        let one = BigInt::one() << self.bits;
+        Self::new(self.lower.clone().max(-&one), self.upper.clone().min(one), self.bits)
+    }
+
+    /// The bounds of the absolute value.
+    fn magnitudes(&self) -> (BigInt, BigInt) {
+        let (lower, upper) = (self.lower.abs(), self.upper.abs());
+        let least = match self.sign() {
+            Some(_) => lower.clone().min(upper.clone()),
+            None => BigInt::zero(),
+        };
+        (least, lower.max(upper))
+    }
+
+    /// The operation on both enclosures in the finer units of the two.
+    fn aligned(&self, other: &Self, operation: impl Fn(&Self, &Self) -> Self) -> Self {
+        match self.bits.cmp(&other.bits) {
+            Ordering::Equal => operation(self, other),
+            Ordering::Less => operation(&self.with_bits(other.bits), other),
+            Ordering::Greater => operation(self, &other.with_bits(self.bits)),
+        }
+    }
+}
+
+/// value·2^−shift, rounded up; the shift of a negative number rounds down.
+fn ceil_shift(value: &BigInt, shift: u32) -> BigInt {
+    -(-value >> shift)
+}
+
+/// The least integer not below the root.
+pub(super) fn ceil_sqrt(value: &BigInt) -> BigInt {
+    let root = value.sqrt();
+    if &root * &root == *value { root } else { root + 1 }
+}

@@ -1,0 +1,243 @@
+//! Rational numbers: two machine words while they fit, big integers beyond.
+//!
+//! Most constants of a mechanism are lengths with a few decimals. They never leave the machine
+//! words, so that folding them costs nothing even where the compiler itself is not optimised.
+
+use core::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+/// A reduced fraction with a positive denominator.
+///
+/// Equal numbers are structurally equal: a number is `Small` whenever both its parts fit.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub(super) enum Rational {
+    /// |numerator| ≤ `i64::MAX`, 0 < denominator.
+    Small(i64, i64),
+    Big(Box<BigRational>),
+}
+
+impl Rational {
+    pub(super) const ZERO: Self = Self::Small(0, 1);
+    pub(super) const ONE: Self = Self::Small(1, 1);
+
+    pub(super) fn integer(value: i64) -> Self {
+        Self::reduced(value.into(), 1)
+    }
+
+    /// The quotient of two small integers; the divisor is positive.
+    pub(super) fn ratio(numerator: i64, denominator: i64) -> Self {
+        Self::integer(numerator).mul(&Self::reduced(1, denominator.into()))
+    }
+
+    /// The quotient of two integers; the divisor is not zero.
+    pub(super) fn of(numerator: BigInt, denominator: BigInt) -> Self {
+        Self::from_big(BigRational::new(numerator, denominator))
+    }
+
+    pub(super) fn numerator(&self) -> BigInt {
+        match self {
+            Self::Small(numerator, _) => (*numerator).into(),
+            Self::Big(big) => big.numer().clone(),
+        }
+    }
+
+    pub(super) fn denominator(&self) -> BigInt {
+        match self {
+            Self::Small(_, denominator) => (*denominator).into(),
+            Self::Big(big) => big.denom().clone(),
+        }
+    }
+
+    pub(super) fn is_zero(&self) -> bool {
+        matches!(self, Self::Small(0, _))
+    }
+
+    pub(super) fn is_one(&self) -> bool {
+        matches!(self, Self::Small(1, 1))
+    }
+
+    pub(super) fn is_integer(&self) -> bool {
+        match self {
+            Self::Small(_, denominator) => *denominator == 1,
+            Self::Big(big) => big.is_integer(),
+        }
+    }
+
+    pub(super) fn signum(&self) -> Ordering {
+        match self {
+            Self::Small(numerator, _) => numerator.cmp(&0),
+            Self::Big(big) => big.numer().cmp(&BigInt::zero()),
+        }
+    }
+
+    pub(super) fn to_integer(&self) -> Option<i64> {
+        match self {
+            Self::Small(numerator, 1) => Some(*numerator),
+            Self::Small(..) => None,
+            // `i64::MIN` is the one integer that fits and is not small.
+            Self::Big(big) => big.is_integer().then(|| big.numer().to_i64()).flatten(),
+        }
+    }
+
+    /// The greatest integer not above the number.
+    pub(super) fn floor(&self) -> Self {
+        match self {
+            Self::Small(numerator, denominator) => {
+                Self::Small(Integer::div_floor(numerator, denominator), 1)
+            }
+            Self::Big(big) => Self::from_big(big.floor()),
+        }
+    }
+
+    /// What is left of the number in [0, divisor).
+    pub(super) fn modulo(&self, divisor: i64) -> Self {
+        let divisor = Self::integer(divisor);
+        self.sub(&self.div(&divisor).floor().mul(&divisor))
+    }
+
+    pub(super) fn neg(&self) -> Self {
+        match self {
+            Self::Small(numerator, denominator) => Self::Small(-numerator, *denominator),
+            Self::Big(big) => Self::from_big(-big.as_ref()),
+        }
+    }
+
+    pub(super) fn abs(&self) -> Self {
+        if self.signum().is_lt() { self.neg() } else { self.clone() }
+    }
+
+    /// The reciprocal of a number that is not zero.
+    pub(super) fn recip(&self) -> Self {
+        match self {
+            Self::Small(numerator, denominator) => {
+                Self::Small(denominator * numerator.signum(), numerator.abs())
+            }
+            Self::Big(big) => Self::from_big(big.recip()),
+        }
+    }
+
+    pub(super) fn add(&self, other: &Self) -> Self {
+        let (&Self::Small(n1, d1), &Self::Small(n2, d2)) = (self, other) else {
+            return Self::from_big(self.to_big() + other.to_big());
+        };
+        let wide = i128::from;
+        let common = gcd(d1.unsigned_abs(), d2.unsigned_abs()) as i64;
+        if common == 1 {
+            return Self::reduced(wide(n1) * wide(d2) + wide(n2) * wide(d1), wide(d1) * wide(d2));
+        }
+        // Whatever the sum has in common with its denominator divides `common` (Knuth, TAOCP 2,
+        // 4.5.1), so one more division of words reduces it.
+        let sum = wide(n1) * wide(d2 / common) + wide(n2) * wide(d1 / common);
+        let rest = (sum % wide(common)).unsigned_abs() as u64;
+        let shared = gcd(rest, common.unsigned_abs()) as i64;
+        Self::reduced(sum / wide(shared), wide(d1 / common) * wide(d2 / shared))
+    }
+
+    pub(super) fn sub(&self, other: &Self) -> Self {
+        self.add(&other.neg())
+    }
+
+    pub(super) fn mul(&self, other: &Self) -> Self {
+        let (&Self::Small(n1, d1), &Self::Small(n2, d2)) = (self, other) else {
+            return Self::from_big(self.to_big() * other.to_big());
+        };
+        let first = gcd(n1.unsigned_abs(), d2.unsigned_abs()) as i64;
+        let second = gcd(n2.unsigned_abs(), d1.unsigned_abs()) as i64;
+        Self::reduced(
+            i128::from(n1 / first) * i128::from(n2 / second),
+            i128::from(d1 / second) * i128::from(d2 / first),
+        )
+    }
+
+    /// The quotient; the divisor is not zero.
+    pub(super) fn div(&self, other: &Self) -> Self {
+        self.mul(&other.recip())
+    }
+
+    /// The integer power; a zero base takes no negative exponent.
+    pub(super) fn power(&self, exponent: i32) -> Self {
+        let base = if exponent < 0 { self.recip() } else { self.clone() };
+        (0..exponent.unsigned_abs()).fold(Self::ONE, |power, _| power.mul(&base))
+    }
+
+    /// A fraction that is reduced already.
+    fn reduced(numerator: i128, denominator: i128) -> Self {
+        let small = |value| i64::try_from(value).ok().filter(|&word| word != i64::MIN);
+        match (small(numerator), small(denominator)) {
+            (Some(numerator), Some(denominator)) => Self::Small(numerator, denominator),
+            _ => Self::Big(Box::new(BigRational::new_raw(numerator.into(), denominator.into()))),
+        }
+    }
+
+    fn from_big(big: BigRational) -> Self {
+        let small = |value: &BigInt| value.to_i64().filter(|&word| word != i64::MIN);
+        match (small(big.numer()), small(big.denom())) {
+            (Some(numerator), Some(denominator)) => Self::Small(numerator, denominator),
+            _ => Self::Big(Box::new(big)),
+        }
+    }
+
+    fn to_big(&self) -> BigRational {
+        match self {
+            Self::Small(numerator, denominator) => {
+                BigRational::new_raw((*numerator).into(), (*denominator).into())
+            }
+            Self::Big(big) => big.as_ref().clone(),
+        }
+    }
+}
+
+impl Ord for Rational {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (self, other) {
+            (Self::Small(n1, d1), Self::Small(n2, d2)) => {
+                (i128::from(*n1) * i128::from(*d2)).cmp(&(i128::from(*n2) * i128::from(*d1)))
+            }
+            _ => (self.numerator() * other.denominator())
+                .cmp(&(other.numerator() * self.denominator())),
+        }
+    }
+}
+
+impl PartialOrd for Rational {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+const SMALL_PRIMES: [u32; 25] = [
+    2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97,
+];
+
+/// The square part of a positive integer: `(k, m)` with value = k²·m.
+///
+/// m is free of the squares of small primes and no square itself; the square of a large prime
+/// inside a larger number goes unnoticed, which costs a normal form its uniqueness, not its truth.
+pub(super) fn square_part(value: &BigInt) -> (BigInt, BigInt) {
+    debug_assert!(value.is_positive());
+    let (mut rest, mut root) = (value.clone(), BigInt::one());
+    for prime in SMALL_PRIMES {
+        let square = BigInt::from(prime * prime);
+        while rest >= square {
+            let (quotient, remainder) = rest.div_rem(&square);
+            if !remainder.is_zero() {
+                break;
+            }
+            (rest, root) = (quotient, root * prime);
+        }
+    }
+    let whole = rest.sqrt();
+    if &whole * &whole == rest { (root * whole, BigInt::one()) } else { (root, rest) }
+}
+
+fn gcd(mut a: u64, mut b: u64) -> u64 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    // Only 0 and 0 have no divisor in common; dividing by one leaves them alone.
+    a.max(1)
+}

@@ -1,0 +1,95 @@
+//! Makes nodes under rules: a rule may replace a node that is about to be made.
+//!
+//! The same rules serve while the equations are written down and when a whole program is rebuilt,
+//! so a rule is written and tested once.
+
+use crate::exact::Exact;
+use crate::ir::graph::{Graph, Guard, Id, Node};
+use crate::ir::liveness::{Course, live};
+use crate::ir::program::Program;
+
+/// Looks at a node that is about to be made and answers with what stands for it, if anything
+/// simpler does.
+pub(crate) type Rule = fn(&mut Maker<'_>, Node) -> Option<Id>;
+
+/// A graph under construction and the rules that hold in it.
+pub(crate) struct Maker<'g> {
+    pub graph: &'g mut Graph,
+    pub rules: &'g [Rule],
+}
+
+impl Maker<'_> {
+    /// The node, or what the rules put in its place.
+    pub(crate) fn make(&mut self, node: Node) -> Id {
+        let rules = self.rules;
+        rules.iter().find_map(|rule| rule(self, node)).unwrap_or_else(|| self.graph.push(node))
+    }
+
+    /// The value under the guard, or what the rules put in its place.
+    pub(crate) fn make_guarded(&mut self, value: Id, guard: Guard) -> Id {
+        let guard = self.graph.intern_guard(guard);
+        self.make(Node::Guard(value, guard))
+    }
+
+    pub(crate) fn constant(&mut self, value: Exact) -> Id {
+        self.graph.constant(value)
+    }
+}
+
+/// The program made anew under the rules; what no entry needs is left behind.
+pub(crate) fn rebuild(program: &Program, rules: &[Rule]) -> Program {
+    rebuild_with(program, rules, |_, _, _| None)
+}
+
+/// The program made anew. The replacement is asked for every old node first and answers with a
+/// node on moved operands, or leaves the node as it is.
+pub(crate) fn rebuild_with(
+    program: &Program,
+    rules: &[Rule],
+    mut replacement: impl FnMut(&mut Maker<'_>, Id, &Moved) -> Option<Id>,
+) -> Program {
+    let old = &program.graph;
+    let live = live(old, &program.sinks(), Course::Careful);
+    let mut graph = Graph::new();
+    let mut maker = Maker { graph: &mut graph, rules };
+    let mut moved = Moved(vec![None; old.len()]);
+    for (id, node) in old.iter().filter(|(id, _)| live[id.index()]) {
+        let new = match replacement(&mut maker, id, &moved) {
+            Some(new) => new,
+            None => {
+                let node = move_node(old, &mut maker, node, &moved);
+                maker.make(node)
+            }
+        };
+        moved.0[id.index()] = Some(new);
+    }
+    let mut entries = program.entries.clone();
+    for sink in entries.iter_mut().flat_map(|entry| &mut entry.sinks) {
+        *sink = moved.of(*sink);
+    }
+    Program { graph, entries, groups: program.groups.clone() }
+}
+
+/// Where the nodes of the old program are in the new one.
+pub(crate) struct Moved(Vec<Option<Id>>);
+
+impl Moved {
+    pub(crate) fn of(&self, old: Id) -> Id {
+        self.0[old.index()].expect("operands come first")
+    }
+}
+
+fn move_node(old: &Graph, maker: &mut Maker<'_>, node: Node, moved: &Moved) -> Node {
+    match node {
+        Node::Constant(constant) => Node::Constant(maker.graph.intern(old.value(constant).clone())),
+        Node::Low(constant) => Node::Low(maker.graph.intern(old.value(constant).clone())),
+        Node::Guard(value, guard) => {
+            let mut guard = old.condition(guard).clone();
+            for operand in &mut guard.operands {
+                *operand = moved.of(*operand);
+            }
+            Node::Guard(moved.of(value), maker.graph.intern_guard(guard))
+        }
+        other => other.map_operands(&mut |id| moved.of(id)),
+    }
+}

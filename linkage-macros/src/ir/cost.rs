@@ -1,0 +1,126 @@
+//! What a set of sinks costs: floating-point operations of the straight line.
+//!
+//! Signs, comparisons and constants are free. What `linkage-core` computes by several operations
+//! counts as those of a target with a fused multiply-add.
+
+use std::collections::HashSet;
+use std::ops::AddAssign;
+
+use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::liveness::{Course, live, live_nodes, unguarded};
+
+/// Counts of floating-point operations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Operations {
+    /// Additions and subtractions.
+    pub additions: u32,
+    pub multiplications: u32,
+    pub divisions: u32,
+    pub roots: u32,
+    /// Sine and cosine pairs, and other transcendental functions.
+    pub sines: u32,
+}
+
+impl AddAssign for Operations {
+    fn add_assign(&mut self, other: Self) {
+        self.additions += other.additions;
+        self.multiplications += other.multiplications;
+        self.divisions += other.divisions;
+        self.roots += other.roots;
+        self.sines += other.sines;
+    }
+}
+
+/// The operations that computing the sinks takes, each node once.
+pub(crate) fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
+    let live = live(graph, sinks, Course::Straight);
+    let mut total = Operations::default();
+    let mut turned = HashSet::new();
+    for (_, node) in live_nodes(graph, &live) {
+        match node {
+            Node::Sin(angle) | Node::Cos(angle) => {
+                total.sines += u32::from(turned.insert(unguarded(graph, angle)));
+            }
+            _ => total += of(node),
+        }
+    }
+    total
+}
+
+/// The operations of one node, sines and cosines excepted: two of them may be one call.
+fn of(node: Node) -> Operations {
+    let none = Operations::default();
+    match node {
+        Node::Constant(_)
+        | Node::Input { .. }
+        | Node::InputCos(_)
+        | Node::InputSin(_)
+        | Node::Param(_)
+        | Node::Mode(_)
+        | Node::Low(_)
+        | Node::Neg(_)
+        | Node::Guard(..)
+        | Node::Sin(_)
+        | Node::Cos(_) => none,
+        Node::Add(..) | Node::Sub(..) => Operations { additions: 1, ..none },
+        Node::Mul(..) => Operations { multiplications: 1, ..none },
+        Node::Div(..) => Operations { divisions: 1, ..none },
+        Node::Sqrt(_) => Operations { roots: 1, ..none },
+        Node::Tan(_) | Node::Asin(_) | Node::Acos(_) | Node::Atan(_) | Node::Atan2(..) => {
+            Operations { sines: 1, ..none }
+        }
+        Node::Hypot(..) => Operations { additions: 1, multiplications: 2, roots: 1, ..none },
+        Node::Det(_) => Operations { additions: 1, multiplications: 2, ..none },
+        Node::MulErr(..) | Node::Fused(..) => {
+            Operations { additions: 1, multiplications: 1, ..none }
+        }
+        // s is computed once: z = s − a, (a − (s − z)) + (b − z).
+        Node::AddErr(..) => Operations { additions: 5, ..none },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ir::graph::{Check, Guard};
+
+    fn input(graph: &mut Graph, input: u32) -> Id {
+        graph.push(Node::Input { input, order: 0 })
+    }
+
+    #[test]
+    fn sine_and_cosine_of_one_angle_are_one_call() {
+        let mut graph = Graph::new();
+        let (a, b) = (input(&mut graph, 0), input(&mut graph, 1));
+        let sinks = [Node::Sin(a), Node::Cos(a), Node::Cos(b)].map(|node| graph.push(node));
+        assert_eq!(operations(&graph, &sinks).sines, 2);
+        assert_eq!(operations(&graph, &sinks[..2]).sines, 1);
+    }
+
+    #[test]
+    fn only_what_the_sinks_need_is_counted_and_only_once() {
+        let mut graph = Graph::new();
+        let (a, b) = (input(&mut graph, 0), input(&mut graph, 1));
+        let product = graph.push(Node::Mul(a, b));
+        let square = graph.push(Node::Mul(product, product));
+        let root = graph.push(Node::Sqrt(product));
+        let quotient = graph.push(Node::Div(a, b));
+        let counted = operations(&graph, &[square, root]);
+        let expected = Operations { multiplications: 2, roots: 1, ..Operations::default() };
+        assert_eq!(counted, expected);
+        assert_eq!(operations(&graph, &[quotient]).divisions, 1);
+        assert_eq!(operations(&graph, &[quotient]).multiplications, 0);
+    }
+
+    #[test]
+    fn what_only_the_careful_path_looks_at_is_free() {
+        let mut graph = Graph::new();
+        let (a, b) = (input(&mut graph, 0), input(&mut graph, 1));
+        let looked_at = graph.push(Node::Div(a, b));
+        let guard = Guard { check: Check::Nonzero, group: 0, operands: vec![looked_at] };
+        let guarded = graph.guard(a, guard);
+        let sink = graph.push(Node::Add(guarded, b));
+        let expected = Operations { additions: 1, ..Operations::default() };
+        assert_eq!(operations(&graph, &[sink]), expected);
+    }
+}

@@ -1,0 +1,49 @@
+//! What has to be computed for a set of sinks.
+
+use crate::ir::graph::{Graph, Id, Node};
+
+/// Which of a guard's operands are followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Course {
+    /// What the straight line computes with: the guarded value alone.
+    Straight,
+    /// What the careful path looks at as well.
+    Careful,
+}
+
+/// For every node of the graph, whether one of the sinks needs it.
+pub(crate) fn live(graph: &Graph, sinks: &[Id], course: Course) -> Vec<bool> {
+    let mut live = vec![false; graph.len()];
+    for sink in sinks {
+        live[sink.0 as usize] = true;
+    }
+    // Operands stand before their users, so one walk from back to front is enough.
+    for index in (0..graph.len()).rev() {
+        if !live[index] {
+            continue;
+        }
+        let node = graph.node(Id(index as u32));
+        let mut mark = |operand: Id| live[operand.0 as usize] = true;
+        match course {
+            Course::Straight => node.for_operands(&mut mark),
+            Course::Careful => graph.for_operands_of(node, &mut mark),
+        }
+    }
+    live
+}
+
+/// The live nodes in the order of the graph, operands before users.
+pub(crate) fn live_nodes<'a>(
+    graph: &'a Graph,
+    live: &'a [bool],
+) -> impl Iterator<Item = (Id, Node)> + 'a {
+    graph.iter().filter(|(id, _)| live[id.0 as usize])
+}
+
+/// The node itself, or the value that it guards: guards compute nothing in the straight line.
+pub(crate) fn unguarded(graph: &Graph, mut id: Id) -> Id {
+    while let Node::Guard(value, _) = graph.node(id) {
+        id = value;
+    }
+    id
+}

@@ -1,0 +1,68 @@
+//! A program as text, one node a line, for tests and for the curious.
+
+use std::fmt::Write;
+
+use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::program::Program;
+
+/// The program's nodes and the sinks of its entries.
+pub(crate) fn text(program: &Program) -> String {
+    let mut out = String::new();
+    for (id, node) in program.graph.iter() {
+        let _ = writeln!(out, "{} = {}", name(id), describe(&program.graph, node));
+    }
+    for entry in &program.entries {
+        let sinks: Vec<_> = entry.sinks.iter().map(|&id| name(id)).collect();
+        let _ = writeln!(out, "{:?}: {}", entry.kind, sinks.join(" "));
+    }
+    out
+}
+
+fn name(id: Id) -> String {
+    format!("%{}", id.0)
+}
+
+fn describe(graph: &Graph, node: Node) -> String {
+    match node {
+        Node::Constant(constant) => graph.value(constant).to_string(),
+        Node::Low(constant) => format!("low({})", graph.value(constant)),
+        Node::Input { input, order } => format!("input {input}{}", "'".repeat(order.into())),
+        Node::InputCos(input) => format!("cos(input {input})"),
+        Node::InputSin(input) => format!("sin(input {input})"),
+        Node::Param(param) => format!("param {param}"),
+        Node::Mode(param) => format!("mode {param}"),
+        Node::Guard(value, guard) => {
+            let guard = graph.condition(guard);
+            format!("{} if {:?} of group {}", name(value), guard.check, guard.group)
+        }
+        other => {
+            let mut operands = Vec::new();
+            other.for_operands(&mut |id| operands.push(name(id)));
+            format!("{} {}", operation(other), operands.join(" "))
+        }
+    }
+}
+
+fn operation(node: Node) -> &'static str {
+    match node {
+        Node::Neg(_) => "neg",
+        Node::Add(..) => "add",
+        Node::Sub(..) => "sub",
+        Node::Mul(..) => "mul",
+        Node::Div(..) => "div",
+        Node::Sqrt(_) => "sqrt",
+        Node::Sin(_) => "sin",
+        Node::Cos(_) => "cos",
+        Node::Tan(_) => "tan",
+        Node::Asin(_) => "asin",
+        Node::Acos(_) => "acos",
+        Node::Atan(_) => "atan",
+        Node::Atan2(..) => "atan2",
+        Node::Hypot(..) => "hypot",
+        Node::Det(_) => "det",
+        Node::MulErr(..) => "mul_err",
+        Node::AddErr(..) => "add_err",
+        Node::Fused(..) => "fused",
+        _ => "leaf",
+    }
+}

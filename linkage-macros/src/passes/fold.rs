@@ -1,0 +1,69 @@
+//! Folds operations on constants, exactly: the generated code rounds the result once.
+
+use std::cmp::Ordering;
+
+use crate::exact::Exact;
+use crate::ir::construct::Maker;
+use crate::ir::graph::{Check, Graph, Id, Node};
+
+/// The constant that the operation makes, if all its operands are constants.
+pub(crate) fn fold_constants(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
+    if let Node::Guard(value, guard) = node {
+        let check = &maker.graph.condition(guard).check;
+        let holds = holds(check, maker.graph.as_constant(value)?);
+        return holds.then_some(value);
+    }
+    let value = evaluate(maker.graph, node)?;
+    Some(maker.constant(value))
+}
+
+/// Whether a constant is known to pass a check in every width.
+fn holds(check: &Check, value: &Exact) -> bool {
+    match check {
+        Check::Nonzero => value.signum() != Ordering::Equal,
+        Check::Positive(_) | Check::ReachCircles | Check::ReachLine | Check::ReachOffset => {
+            value.signum() == Ordering::Greater
+        }
+        // Far inside the range of squares that both f32 and f64 hold with full precision.
+        Check::Square => (1e-24..1e24).contains(&value.to_f64()),
+    }
+}
+
+fn evaluate(graph: &Graph, node: Node) -> Option<Exact> {
+    let value = |id: Id| graph.as_constant(id);
+    match node {
+        Node::Neg(a) => Some(value(a)?.neg()),
+        Node::Add(a, b) => Some(value(a)?.add(value(b)?)),
+        Node::Sub(a, b) => Some(value(a)?.sub(value(b)?)),
+        Node::Mul(a, b) => Some(value(a)?.mul(value(b)?)),
+        Node::Div(a, b) => value(a)?.div(value(b)?),
+        Node::Sqrt(a) => value(a)?.sqrt(),
+        Node::Sin(a) => Some(value(a)?.sin()),
+        Node::Cos(a) => Some(value(a)?.cos()),
+        Node::Tan(a) => value(a)?.tan(),
+        Node::Asin(a) => value(a)?.asin(),
+        Node::Acos(a) => value(a)?.acos(),
+        Node::Atan(a) => Some(value(a)?.atan()),
+        Node::Atan2(a, b) => value(a)?.atan2(value(b)?),
+        Node::Hypot(a, b) => Some(value(a)?.hypot(value(b)?)),
+        Node::Det([a, b, c, d]) => Some(value(a)?.mul(value(b)?).sub(&value(c)?.mul(value(d)?))),
+        // The product or sum of two constants is itself a constant without error.
+        Node::MulErr(a, b) | Node::AddErr(a, b) => {
+            value(a)?;
+            value(b)?;
+            Some(Exact::integer(0))
+        }
+        Node::Fused(a, b, c) => Some(value(a)?.mul(value(b)?).add(value(c)?)),
+        Node::Low(constant) => {
+            let value = graph.value(constant);
+            (value.low_f64() == 0.0 && value.low_f32() == 0.0).then(|| Exact::integer(0))
+        }
+        Node::Constant(_)
+        | Node::Input { .. }
+        | Node::InputCos(_)
+        | Node::InputSin(_)
+        | Node::Param(_)
+        | Node::Mode(_)
+        | Node::Guard(..) => None,
+    }
+}

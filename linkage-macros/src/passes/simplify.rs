@@ -1,0 +1,253 @@
+//! Removes what an exact rule of arithmetic makes superfluous, and brings signs and the order of
+//! operands into one form, so that equal values become equal nodes.
+
+use crate::exact::Exact;
+use crate::ir::construct::Maker;
+use crate::ir::graph::{Id, Node};
+
+/// What stands for the node more simply, if anything does.
+pub(crate) fn simplify(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
+    match node {
+        Node::Neg(a) => negation(maker, a),
+        Node::Add(a, b) => sum(maker, a, b),
+        Node::Sub(a, b) => difference(maker, a, b),
+        Node::Mul(a, b) => product(maker, a, b),
+        Node::Div(a, b) => quotient(maker, a, b),
+        Node::Det(operands) => determinant(maker, operands),
+        Node::MulErr(a, b) => product_error(maker, a, b),
+        Node::AddErr(a, b) => sum_error(maker, a, b),
+        Node::Hypot(a, b) if is_zero(maker, b) => absolute(maker, a),
+        Node::Fused(a, b, c) if is_zero(maker, a) || is_zero(maker, b) => Some(c),
+        Node::Fused(a, b, c) if is_zero(maker, c) => Some(maker.make(Node::Mul(a, b))),
+        _ => None,
+    }
+}
+
+fn is_zero(maker: &Maker<'_>, id: Id) -> bool {
+    maker.graph.as_constant(id).is_some_and(Exact::is_zero)
+}
+
+fn is_one(maker: &Maker<'_>, id: Id) -> bool {
+    maker.graph.as_constant(id).is_some_and(Exact::is_one)
+}
+
+/// What the node is the negative of.
+fn negated(maker: &Maker<'_>, id: Id) -> Option<Id> {
+    match maker.graph.node(id) {
+        Node::Neg(a) => Some(a),
+        _ => None,
+    }
+}
+
+fn zero(maker: &mut Maker<'_>) -> Id {
+    maker.constant(Exact::integer(0))
+}
+
+fn negate(maker: &mut Maker<'_>, id: Id) -> Id {
+    maker.make(Node::Neg(id))
+}
+
+/// −(−a) = a, −(a − b) = b − a, −(c·a) = (−c)·a for a constant c.
+fn negation(maker: &mut Maker<'_>, a: Id) -> Option<Id> {
+    match maker.graph.node(a) {
+        Node::Neg(inner) => Some(inner),
+        Node::Sub(x, y) => Some(maker.make(Node::Sub(y, x))),
+        Node::Mul(x, y) => {
+            let factor = maker.graph.as_constant(x)?.neg();
+            let factor = maker.constant(factor);
+            Some(maker.make(Node::Mul(factor, y)))
+        }
+        _ => None,
+    }
+}
+
+fn sum(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
+    if is_zero(maker, a) {
+        return Some(b);
+    }
+    if is_zero(maker, b) {
+        return Some(a);
+    }
+    if let Some(b) = negated(maker, b) {
+        return Some(maker.make(Node::Sub(a, b)));
+    }
+    if let Some(a) = negated(maker, a) {
+        return Some(maker.make(Node::Sub(b, a)));
+    }
+    if let Some(folded) = constant_sum(maker, a, b) {
+        return Some(folded);
+    }
+    ordered(maker, a, b, Node::Add)
+}
+
+/// c₁ + (c₂ + x) = (c₁ + c₂) + x: one rounding less.
+fn constant_sum(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
+    let (constant, other) = constant_first(maker, a, b)?;
+    let outer = maker.graph.as_constant(constant)?.clone();
+    let Node::Add(x, y) = maker.graph.node(other) else { return None };
+    let inner = maker.graph.as_constant(x)?;
+    let folded = outer.add(inner);
+    let folded = maker.constant(folded);
+    Some(maker.make(Node::Add(folded, y)))
+}
+
+fn constant_first(maker: &Maker<'_>, a: Id, b: Id) -> Option<(Id, Id)> {
+    if maker.graph.as_constant(a).is_some() {
+        Some((a, b))
+    } else if maker.graph.as_constant(b).is_some() {
+        Some((b, a))
+    } else {
+        None
+    }
+}
+
+/// Constants first, then the earlier operand: equal sums and products become equal nodes.
+fn ordered(maker: &mut Maker<'_>, a: Id, b: Id, node: fn(Id, Id) -> Node) -> Option<Id> {
+    let rank = |id: Id| (maker.graph.as_constant(id).is_none(), id);
+    (rank(b) < rank(a)).then(|| maker.make(node(b, a)))
+}
+
+fn difference(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
+    if a == b {
+        return Some(zero(maker));
+    }
+    if is_zero(maker, b) {
+        return Some(a);
+    }
+    if is_zero(maker, a) {
+        return Some(negate(maker, b));
+    }
+    if let Some(b) = negated(maker, b) {
+        return Some(maker.make(Node::Add(a, b)));
+    }
+    if let Some(a) = negated(maker, a) {
+        let sum = maker.make(Node::Add(a, b));
+        return Some(negate(maker, sum));
+    }
+    None
+}
+
+fn product(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
+    if is_zero(maker, a) || is_zero(maker, b) {
+        return Some(zero(maker));
+    }
+    if is_one(maker, a) {
+        return Some(b);
+    }
+    if is_one(maker, b) {
+        return Some(a);
+    }
+    if let Some((constant, other)) = constant_first(maker, a, b) {
+        let factor = maker.graph.as_constant(constant)?.clone();
+        if factor.neg().is_one() {
+            return Some(negate(maker, other));
+        }
+        if let Some(folded) = constant_product(maker, &factor, other) {
+            return Some(folded);
+        }
+    }
+    if let Some(a) = negated(maker, a) {
+        let product = maker.make(Node::Mul(a, b));
+        return Some(negate(maker, product));
+    }
+    if let Some(b) = negated(maker, b) {
+        let product = maker.make(Node::Mul(a, b));
+        return Some(negate(maker, product));
+    }
+    if a == b && matches!(maker.graph.node(a), Node::Mode(_)) {
+        return Some(maker.constant(Exact::integer(1)));
+    }
+    ordered(maker, a, b, Node::Mul)
+}
+
+/// c₁·(c₂·x) = (c₁ c₂)·x and c·(−x) = (−c)·x: no rounding more, often one less.
+fn constant_product(maker: &mut Maker<'_>, factor: &Exact, other: Id) -> Option<Id> {
+    let (folded, rest) = match maker.graph.node(other) {
+        Node::Mul(x, y) => (factor.mul(maker.graph.as_constant(x)?), y),
+        Node::Neg(x) => (factor.neg(), x),
+        _ => return None,
+    };
+    let folded = maker.constant(folded);
+    Some(maker.make(Node::Mul(folded, rest)))
+}
+
+fn quotient(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
+    if is_zero(maker, a) && !is_zero(maker, b) {
+        return Some(zero(maker));
+    }
+    if is_one(maker, b) {
+        return Some(a);
+    }
+    if let Some(a) = negated(maker, a) {
+        let quotient = maker.make(Node::Div(a, b));
+        return Some(negate(maker, quotient));
+    }
+    if let Some(b) = negated(maker, b) {
+        let quotient = maker.make(Node::Div(a, b));
+        return Some(negate(maker, quotient));
+    }
+    // A mode is ±1: dividing by it is multiplying by it.
+    matches!(maker.graph.node(b), Node::Mode(_)).then(|| maker.make(Node::Mul(a, b)))
+}
+
+/// A difference of products with one product gone is the other product.
+fn determinant(maker: &mut Maker<'_>, [a, b, c, d]: [Id; 4]) -> Option<Id> {
+    let trivial = |maker: &Maker<'_>, id: Id| {
+        maker.graph.as_constant(id).is_some_and(|v| v.is_one() || v.neg().is_one())
+    };
+    if is_zero(maker, c) || is_zero(maker, d) {
+        return Some(maker.make(Node::Mul(a, b)));
+    }
+    if is_zero(maker, a) || is_zero(maker, b) {
+        let product = maker.make(Node::Mul(c, d));
+        return Some(negate(maker, product));
+    }
+    let first = trivial(maker, a) || trivial(maker, b);
+    let second = trivial(maker, c) || trivial(maker, d);
+    if first && second {
+        let (left, right) = (maker.make(Node::Mul(a, b)), maker.make(Node::Mul(c, d)));
+        return Some(maker.make(Node::Sub(left, right)));
+    }
+    None
+}
+
+/// A product with 0 or ±1 has no error; the error has the product's sign.
+fn product_error(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
+    let exact = |id: Id| {
+        maker.graph.as_constant(id).is_some_and(|v| v.is_zero() || v.is_one() || v.neg().is_one())
+    };
+    if exact(a) || exact(b) {
+        return Some(zero(maker));
+    }
+    if let Some(inner) = negated(maker, a) {
+        let error = maker.make(Node::MulErr(inner, b));
+        return Some(negate(maker, error));
+    }
+    if let Some(inner) = negated(maker, b) {
+        let error = maker.make(Node::MulErr(a, inner));
+        return Some(negate(maker, error));
+    }
+    ordered(maker, a, b, Node::MulErr)
+}
+
+fn sum_error(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
+    if is_zero(maker, a) || is_zero(maker, b) || negated(maker, a) == Some(b) {
+        return Some(zero(maker));
+    }
+    if negated(maker, b) == Some(a) {
+        return Some(zero(maker));
+    }
+    ordered(maker, a, b, Node::AddErr)
+}
+
+/// |x| of a root or of an absolute value is the value itself.
+fn absolute(maker: &mut Maker<'_>, a: Id) -> Option<Id> {
+    match maker.graph.node(a) {
+        Node::Sqrt(_) | Node::Hypot(..) => Some(a),
+        Node::Neg(inner) => {
+            let zero = zero(maker);
+            Some(maker.make(Node::Hypot(inner, zero)))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,275 @@
+//! Expressions: `+ - * /`, unary minus, calls, members, numbers with units.
+
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenTree};
+
+use super::literal;
+use super::tokens::{Parse, Parser, Reported};
+use super::tree::{BinaryOp, Expr, ExprKind};
+use super::words;
+
+/// Deeper nesting is no formula; it would only exhaust the stack of later phases.
+const DEEPEST: usize = 100;
+
+/// Members that are easily taken for functions of a link.
+const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
+
+const OPERAND: &str = "a number or a name";
+
+impl Parser<'_> {
+    pub(super) fn expression(&mut self) -> Parse<Expr> {
+        let sum = self.chain(&[('+', BinaryOp::Add), ('-', BinaryOp::Sub)], |parser| {
+            parser.chain(&[('*', BinaryOp::Mul), ('/', BinaryOp::Div)], Self::operand)
+        })?;
+        self.mark_expression();
+        Ok(sum)
+    }
+
+    /// Operands joined by operators of one precedence, from left to right.
+    fn chain(
+        &mut self,
+        operators: &[(char, BinaryOp)],
+        operand: impl Fn(&mut Self) -> Parse<Expr>,
+    ) -> Parse<Expr> {
+        let first = self.here();
+        let mut left = operand(self)?;
+        while let Some(operator) = self.take_operator(operators) {
+            let right = operand(self)?;
+            let kind = ExprKind::Binary(operator, Box::new([left, right]));
+            left = Expr { kind, span: self.since(first) };
+        }
+        Ok(left)
+    }
+
+    fn take_operator(&mut self, operators: &[(char, BinaryOp)]) -> Option<BinaryOp> {
+        let another = operators
+            .iter()
+            .any(|&(sign, _)| self.is_sign([sign, '=']) || self.is_sign([sign, '>']))
+            || self.is_sign(['*', '*']);
+        let &(sign, operator) = operators.iter().find(|&&(sign, _)| self.is_punct(0, sign))?;
+        (!another && self.take_punct(sign)).then_some(operator)
+    }
+
+    fn operand(&mut self) -> Parse<Expr> {
+        if self.depth > DEEPEST {
+            return self.refuse_because(
+                "name a part of this expression with `let`",
+                "it is nested more than 100 deep",
+            );
+        }
+        let first = self.here();
+        if self.take_punct('-') {
+            self.depth += 1;
+            let operand = self.operand()?;
+            self.depth -= 1;
+            let kind = ExprKind::Negate(Box::new(operand));
+            return Ok(Expr { kind, span: self.since(first) });
+        }
+        match self.peek(0).cloned() {
+            Some(TokenTree::Literal(literal)) => self.number(&literal.to_string()),
+            Some(TokenTree::Ident(name)) => self.named(name),
+            Some(TokenTree::Group(group)) => self.parenthesised(&group),
+            Some(TokenTree::Punct(punct)) if punct.as_char() == '+' => {
+                self.expected_because(OPERAND, "a positive number has no sign")
+            }
+            _ => self.expected(OPERAND),
+        }
+    }
+
+    fn number(&mut self, text: &str) -> Parse<Expr> {
+        let first = self.here();
+        let mut number = match literal::number(text) {
+            Ok(number) => number,
+            Err((message, reason)) => return self.refuse_because(&message, reason),
+        };
+        self.take();
+        if let Some(unit) = self.loose_unit(number.unit.is_some()) {
+            let _ = self.refuse_because::<()>(
+                &format!("drop the space: `{text}{unit}`"),
+                "a unit stands directly behind its number",
+            );
+            self.take();
+            number.unit = Some(unit);
+        }
+        if self.is_punct(0, '.') {
+            return self.member_of_number(text);
+        }
+        let span = self.since(first);
+        let negative = number.negative;
+        let mut number = Expr { kind: number.into_kind(), span };
+        if negative {
+            number = Expr { kind: ExprKind::Negate(Box::new(number)), span };
+        }
+        Ok(number)
+    }
+
+    /// A unit that was written apart from its number.
+    fn loose_unit(&self, has_unit: bool) -> Option<String> {
+        let word = self.peek_ident(0)?.to_string();
+        let is_field = self.is_punct(1, ':');
+        (!has_unit && !is_field && words::UNITS.contains(&word.as_str())).then_some(word)
+    }
+
+    /// `5.mm` and `2.sqrt()`: Rust reads the point as that of a member.
+    fn member_of_number(&mut self, number: &str) -> Parse<Expr> {
+        let Some(member) = self.peek_ident(1).map(Ident::to_string) else {
+            self.take_punct('.');
+            return self.expected("a digit behind the decimal point");
+        };
+        let meant = match self.is_group(2, Delimiter::Parenthesis) {
+            true => format!("{member}({number})"),
+            false if words::UNITS.contains(&member.as_str()) => format!("{number}{member}"),
+            false => return self.refuse("write a digit behind the decimal point"),
+        };
+        self.refuse_because(
+            &format!("write `{meant}`"),
+            "a point behind a number must be followed by a digit",
+        )
+    }
+
+    fn parenthesised(&mut self, group: &Group) -> Parse<Expr> {
+        if !matches!(group.delimiter(), Delimiter::Parenthesis | Delimiter::None) {
+            return self.expected_because(OPERAND, "expressions are grouped by `(` and `)`");
+        }
+        self.take();
+        let mut inner = self.inside(group);
+        let value = inner.expression().and_then(|value| match inner.at_end() {
+            true => Ok(value),
+            false if inner.is_punct(0, ',') => inner.refuse_because(
+                "write one number here, not a pair",
+                "only coordinates and fields such as `lengths` take two",
+            ),
+            false => inner.expected("`)`"),
+        });
+        let span = group.span();
+        Ok(Expr { kind: value.map_or(ExprKind::Mistake, |value| value.kind), span })
+    }
+
+    /// What begins with a name: the name alone, a member, a call.
+    fn named(&mut self, name: Ident) -> Parse<Expr> {
+        let word = name.to_string();
+        if words::is_rust_keyword(&word) {
+            return self.expected_because(OPERAND, &format!("`{word}` is a Rust keyword"));
+        }
+        if words::is_reserved(&word) {
+            return self.expected_because(OPERAND, &format!("`{word}` is a reserved word"));
+        }
+        self.take();
+        let first = name.span();
+        if self.is_sign([':', ':']) {
+            return self.path(first);
+        }
+        if self.take_punct('.') {
+            return self.member(name);
+        }
+        let Some(group) = self.take_group(Delimiter::Parenthesis) else {
+            return Ok(Expr { kind: ExprKind::Name(name), span: first });
+        };
+        let arguments = self.arguments(&group);
+        Ok(Expr { kind: ExprKind::Call(name, arguments), span: self.since(first) })
+    }
+
+    fn member(&mut self, link: Ident) -> Parse<Expr> {
+        let first = link.span();
+        let member = self.word("the name of a member, such as `angle`")?;
+        if let Some(group) = self.take_group(Delimiter::Parenthesis) {
+            let message =
+                match group.stream().is_empty() && MEMBERS.iter().any(|&known| member == known) {
+                    true => format!("write `{link}.{member}` without parentheses"),
+                    false => format!("write `{member}({link})`"),
+                };
+            self.diagnostics.error_because(
+                member.span(),
+                message,
+                "expressions have functions and members, but no methods",
+            );
+            return Err(Reported);
+        }
+        if self.is_punct(0, '.') {
+            return self.expected_because(
+                "the end of a member",
+                "a member is one name behind a link: `BC.angle`",
+            );
+        }
+        Ok(Expr { kind: ExprKind::Member(link, member), span: self.since(first) })
+    }
+
+    /// `std::f64::consts::PI`.
+    fn path(&mut self, first: Span) -> Parse<Expr> {
+        let mut last = None;
+        while self.take_sign([':', ':']) {
+            last = self.word("a name")?.into();
+        }
+        let message = match last {
+            Some(last) if last == "PI" => "write `pi`",
+            _ => "declare this number with `param` or `let`",
+        };
+        self.diagnostics.error_because(
+            first,
+            message,
+            "what Rust computes elsewhere is not known when the mechanism is compiled",
+        );
+        Err(Reported)
+    }
+
+    fn arguments(&mut self, group: &Group) -> Vec<Expr> {
+        let mut inner = self.inside(group);
+        let mut arguments = Vec::new();
+        while !inner.at_end() {
+            let argument = inner.expression_or_mistake();
+            let is_mistake = matches!(argument.kind, ExprKind::Mistake);
+            arguments.push(argument);
+            if is_mistake {
+                inner.skip_to_comma();
+            }
+            if !inner.at_end() && !inner.take_punct(',') {
+                let _ = inner.expected::<()>("`,` or `)`");
+                inner.skip_to_comma();
+                inner.take_punct(',');
+            }
+        }
+        arguments
+    }
+
+    /// An expression, or what stands in the tree for one that was reported.
+    pub(super) fn expression_or_mistake(&mut self) -> Expr {
+        let span = self.here();
+        self.expression().unwrap_or(Expr { kind: ExprKind::Mistake, span })
+    }
+
+    /// Two expressions in parentheses, written as `form`. What is wrong inside the parentheses
+    /// stays inside.
+    pub(super) fn pair(&mut self, form: &str) -> Parse<[Expr; 2]> {
+        let Some(group) = self.take_group(Delimiter::Parenthesis) else {
+            return self.expected(form);
+        };
+        let mut inner = self.inside(&group);
+        let pair = inner.two(form);
+        let span = group.span();
+        Ok(pair.unwrap_or_else(|Reported| [(); 2].map(|()| Expr { kind: ExprKind::Mistake, span })))
+    }
+
+    fn two(&mut self, form: &str) -> Parse<[Expr; 2]> {
+        if self.at_end() {
+            return self.expected_because("two values", &format!("write {form}"));
+        }
+        let first = self.expression();
+        if first.is_err() {
+            self.skip_to_comma();
+        }
+        if !self.take_punct(',') {
+            first?;
+            let what = "`,` and a second value";
+            return self.expected_because(what, &format!("write {form}"));
+        }
+        if self.at_end() {
+            first?;
+            return self.expected_because("a second value", &format!("write {form}"));
+        }
+        let second = self.expression()?;
+        self.take_punct(',');
+        match self.at_end() {
+            true => Ok([first?, second]),
+            false => self.expected_because("`)` after two values", &format!("write {form}")),
+        }
+    }
+}

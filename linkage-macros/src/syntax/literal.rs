@@ -1,0 +1,136 @@
+//! The text of a literal into digits and unit.
+//!
+//! Rust's lexer has already decided where the literal ends (`632mm` is one token, an integer with
+//! a suffix; `1e-3m` a float with one); here the suffix is parted from the digits.
+
+use super::tree::ExprKind;
+
+/// Beyond this power of ten neither a length nor an angle is meant, and exact arithmetic would
+/// write the number out.
+const LARGEST_EXPONENT: u32 = 400;
+
+/// A decimal number: digits without underscores, and the suffix.
+pub(super) struct Number {
+    /// Only a literal made by another macro has a sign of its own.
+    pub negative: bool,
+    pub digits: String,
+    pub unit: Option<String>,
+}
+
+impl Number {
+    pub(super) fn into_kind(self) -> ExprKind {
+        ExprKind::Number { digits: self.digits, unit: self.unit }
+    }
+}
+
+/// Reads a literal; the error is a message and its reason.
+pub(super) fn number(text: &str) -> Result<Number, (String, &'static str)> {
+    let unsigned = text.strip_prefix('-').unwrap_or(text);
+    if !unsigned.starts_with(|c: char| c.is_ascii_digit()) {
+        let kind = if unsigned.ends_with('\'') { "character" } else { "string" };
+        return Err((format!("expected a number or a name, found a {kind}"), WHAT_STANDS));
+    }
+    if ["0x", "0o", "0b"].iter().any(|prefix| unsigned.starts_with(prefix)) {
+        return Err((format!("write `{text}` in decimal"), WHAT_STANDS));
+    }
+    let (digits, suffix) = unsigned.split_at(digits_end(unsigned));
+    let digits: String = digits.chars().filter(|&c| c != '_').collect();
+    if suffix == "e" || suffix == "E" {
+        return Err((
+            format!("write the exponent of `{text}`, or drop its `{suffix}`"),
+            "a power of ten is written as in `1e-3m`",
+        ));
+    }
+    if exponent(&digits).is_none_or(|exponent| exponent > LARGEST_EXPONENT) {
+        return Err((
+            format!("write a smaller exponent than in `{text}`"),
+            "neither `f32` nor `f64` holds such a number",
+        ));
+    }
+    let unit = (!suffix.is_empty()).then(|| suffix.to_string());
+    let digits = digits.strip_suffix('.').map(str::to_string).unwrap_or(digits);
+    Ok(Number { negative: text.starts_with('-'), digits, unit })
+}
+
+const WHAT_STANDS: &str = "a number is decimal, with its unit directly behind it: `632mm`, `1e-3m`";
+
+/// Where the suffix begins.
+fn digits_end(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let run = |from: usize| {
+        let digit = |&&b: &&u8| b.is_ascii_digit() || b == b'_';
+        from + bytes[from..].iter().take_while(digit).count()
+    };
+    let mut end = run(0);
+    if bytes.get(end) == Some(&b'.') {
+        end = run(end + 1);
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        let exponent = run(end + 1 + sign);
+        if bytes[end + 1..exponent].iter().any(u8::is_ascii_digit) {
+            end = exponent;
+        }
+    }
+    end
+}
+
+/// The size of the exponent; `None` where it has too many digits to be read.
+fn exponent(digits: &str) -> Option<u32> {
+    match digits.split_once(['e', 'E']) {
+        Some((_, exponent)) => exponent.trim_start_matches(['+', '-']).parse().ok(),
+        None => Some(0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    fn read(text: &str) -> String {
+        match number(text) {
+            Ok(number) => {
+                let sign = if number.negative { "-" } else { "" };
+                format!("{sign}{} {}", number.digits, number.unit.unwrap_or_default())
+            }
+            Err((message, _)) => message,
+        }
+    }
+
+    #[test]
+    fn a_suffix_is_parted_from_the_digits() {
+        for (text, expected) in [
+            ("632mm", "632 mm"),
+            ("0.5m", "0.5 m"),
+            ("90deg", "90 deg"),
+            ("1e-3m", "1e-3 m"),
+            ("1E3", "1E3 "),
+            ("1.5e+2_0mm", "1.5e+20 mm"),
+            ("2in", "2 in"),
+            ("5.", "5 "),
+            ("1_000.000_1", "1000.0001 "),
+            ("1_mm", "1 mm"),
+            ("2em", "2 em"),
+            ("5f64", "5 f64"),
+            ("-5mm", "-5 mm"),
+        ] {
+            assert_eq!(read(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_decimal_number_is_refused() {
+        for (text, expected) in [
+            ("0x1F", "write `0x1F` in decimal"),
+            ("0b1m", "write `0b1m` in decimal"),
+            ("2e", "write the exponent of `2e`, or drop its `e`"),
+            ("1e401", "write a smaller exponent than in `1e401`"),
+            ("1e99999999999", "write a smaller exponent than in `1e99999999999`"),
+            ("\"5mm\"", "expected a number or a name, found a string"),
+            ("b\"5\"", "expected a number or a name, found a string"),
+            ("'5'", "expected a number or a name, found a character"),
+        ] {
+            assert_eq!(read(text), expected, "{text}");
+        }
+    }
+}

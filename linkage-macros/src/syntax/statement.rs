@@ -1,0 +1,339 @@
+//! Statements without braces.
+//!
+//! Each function begins behind its keyword and names its statement as early as it can: a mistake
+//! behind the name leaves the statement in the tree, so that what it declares is not reported
+//! as missing elsewhere.
+
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+
+use super::tokens::{Parse, Parser, Reported};
+use super::tree::{Course, Expr, ExprKind, OutputItem, Place, Spot, StatementKind};
+
+const COORDINATES: &str = "`(x, y)`";
+
+impl Parser<'_> {
+    /// The statement whose first word is `keyword`, which was taken; `None` where the word
+    /// begins none of these.
+    pub(super) fn plain_statement(&mut self, keyword: &Ident) -> Option<Parse<StatementKind>> {
+        let parsed = match keyword.to_string().as_str() {
+            "input" => self.input(),
+            "param" => self.param(),
+            "let" => self.named_value(),
+            "ground" => self.ground(),
+            "guide" => self.guide(),
+            "point" => self.point(),
+            "output" => self.output(),
+            "numerics" => self.numerics(),
+            "crate" => self.crate_path(),
+            "export" => self.export(),
+            _ => return None,
+        };
+        if parsed.is_ok() {
+            self.semicolon();
+        }
+        Some(parsed)
+    }
+
+    fn input(&mut self) -> Parse<StatementKind> {
+        let mut names = vec![self.new_name("an input")?];
+        while self.take_punct(',') || (!self.is_punct(1, ';') && self.missing_comma()) {
+            if self.peek_ident(0).is_none() {
+                break;
+            }
+            names.extend(self.new_name("an input"));
+        }
+        let fallback = names[0].clone();
+        let kind = self.kind_of_input(&fallback);
+        let kind = self.or_skip(kind, fallback);
+        Ok(StatementKind::Input { names, kind })
+    }
+
+    fn kind_of_input(&mut self, name: &Ident) -> Parse<Ident> {
+        if !self.take_punct(':') {
+            return self.refuse_because(
+                &format!("say what `{name}` is: `input {name}: angle;` or `input {name}: length;`"),
+                "its kind tells radians from metres",
+            );
+        }
+        let kind = self.word("`angle` or `length`")?;
+        match () {
+            () if self.is_punct(0, ',') => self.refuse_because(
+                "end this statement with `;`",
+                "inputs of another kind have a statement of their own",
+            ),
+            () if self.is_punct(0, '=') => self.refuse_because(
+                "write `param` for a number with a default",
+                "an input is an argument of every call",
+            ),
+            () => Ok(kind),
+        }
+    }
+
+    fn param(&mut self) -> Parse<StatementKind> {
+        let name = self.new_name("a parameter")?;
+        let kind = match self.take_punct(':') {
+            true => {
+                let kind = self.word("`mode`, `length`, `angle` or `number`");
+                match kind {
+                    Ok(kind) => Some(kind),
+                    Err(Reported) => {
+                        self.skip_statement();
+                        None
+                    }
+                }
+            }
+            false => None,
+        };
+        let default = self.default_of_param(&name);
+        let default = self.or_skip(default, mistake(&name));
+        Ok(StatementKind::Param { name, kind, default })
+    }
+
+    fn default_of_param(&mut self, name: &Ident) -> Parse<Expr> {
+        if self.is_skipped() {
+            return Err(Reported);
+        }
+        if !self.take_punct('=') {
+            return self.refuse_because(
+                &format!("give `{name}` a default: `param {name} = …;`"),
+                "`new()` sets every parameter to its default",
+            );
+        }
+        self.expression()
+    }
+
+    fn named_value(&mut self) -> Parse<StatementKind> {
+        let name = self.new_name("a value")?;
+        let value = match () {
+            () if self.take_punct('=') => self.expression(),
+            () if self.is_punct(0, ':') => self.refuse_because(
+                &format!("write `let {name} = …;`"),
+                "the kind of a value follows from its expression",
+            ),
+            () => self.expected("`=`"),
+        };
+        let value = self.or_skip(value, mistake(&name));
+        Ok(StatementKind::Let { name, value })
+    }
+
+    fn ground(&mut self) -> Parse<StatementKind> {
+        let mut points = Vec::new();
+        loop {
+            let name = match self.new_name("a point") {
+                Ok(name) => name,
+                Err(Reported) if points.is_empty() => return Err(Reported),
+                Err(Reported) => {
+                    self.skip_statement();
+                    break;
+                }
+            };
+            if !self.is_group(0, Delimiter::Parenthesis) {
+                let _ = self.refuse::<()>(&format!("write `{name}(x, y)`"));
+                points.push((name.clone(), [mistake(&name), mistake(&name)]));
+                self.skip_statement();
+                break;
+            }
+            let coordinates = self.pair(COORDINATES)?;
+            points.push((name, coordinates));
+            if self.is_group(1, Delimiter::Parenthesis) && self.missing_comma() {
+                continue;
+            }
+            if !self.take_punct(',') || self.is_punct(0, ';') || self.at_end() {
+                break;
+            }
+        }
+        Ok(StatementKind::Ground { points })
+    }
+
+    fn guide(&mut self) -> Parse<StatementKind> {
+        let name = self.new_name("a guide")?;
+        let mut on = None;
+        let line = self.line(&mut on);
+        let nowhere = || [mistake(&name), mistake(&name)];
+        let fallback = (Spot::At(nowhere()), Course::Along(mistake(&name)));
+        let (through, course) = self.or_skip(line, fallback);
+        Ok(StatementKind::Guide { name, on, through, course })
+    }
+
+    fn line(&mut self, on: &mut Option<Ident>) -> Parse<(Spot, Course)> {
+        const FORM: &str = "a guide is a point and a direction: `through (x, y) along 0deg` or \
+                            `through A towards D`";
+        if self.take_word("on") {
+            *on = Some(self.name_of("a link")?);
+        }
+        if !self.take_word("through") {
+            return self.expected_because("`through`", FORM);
+        }
+        let through = match self.is_group(0, Delimiter::Parenthesis) {
+            true => Spot::At(self.pair(COORDINATES)?),
+            false if self.peek_ident(0).is_none() => {
+                return self.expected_because("a point or `(x, y)`", FORM);
+            }
+            false => Spot::Point(self.name_of("a point")?),
+        };
+        let course = match () {
+            () if self.take_word("along") => Course::Along(self.expression()?),
+            () if self.take_word("towards") => Course::Towards(self.name_of("a point")?),
+            () => return self.expected_because("`along` or `towards`", FORM),
+        };
+        Ok((through, course))
+    }
+
+    fn point(&mut self) -> Parse<StatementKind> {
+        let name = self.new_name("a point")?;
+        let mut on = None;
+        let place = self.place(&name, &mut on);
+        let place = self.or_skip(place, Place::Cartesian([mistake(&name), mistake(&name)]));
+        Ok(StatementKind::Point { name, on, place })
+    }
+
+    fn place(&mut self, name: &Ident, on: &mut Option<Ident>) -> Parse<Place> {
+        const FORMS: &str = "a place is `at (x, y)`, `at polar (r, angle)` or \
+                             `at distances (r1, r2) left`";
+        if self.is_group(0, Delimiter::Parenthesis) {
+            return self.refuse_because(
+                &format!("write `point {name} on LINK at (x, y)`"),
+                "a fixed point is declared by `ground`",
+            );
+        }
+        if self.take_word("on") {
+            *on = Some(self.name_of("a link")?);
+        }
+        if !self.take_word("at") {
+            let what = if on.is_some() { "`at`" } else { "`on` or `at`" };
+            return self.expected_because(what, FORMS);
+        }
+        if self.take_word("polar") {
+            return Ok(Place::Polar(self.pair("`(r, angle)`")?));
+        }
+        if self.take_word("distances") {
+            let distances = self.pair("`(r1, r2)`")?;
+            let side = match self.peek_ident(0).is_some() && !self.statement_begins() {
+                true => self.word("`left` or `right`")?,
+                false => {
+                    return self.expected_because(
+                        "`left` or `right`",
+                        "two places have these distances, one on either side of the link",
+                    );
+                }
+            };
+            return Ok(Place::Distances(distances, side));
+        }
+        match self.is_group(0, Delimiter::Parenthesis) {
+            true => Ok(Place::Cartesian(self.pair(COORDINATES)?)),
+            false => self.expected_because("`(x, y)`, `polar` or `distances`", FORMS),
+        }
+    }
+
+    fn output(&mut self) -> Parse<StatementKind> {
+        let mut items = Vec::new();
+        while !self.is_punct(0, ';') && !self.at_end() {
+            if self.output_item(&mut items).is_err() {
+                self.skip_item();
+                if self.take_punct(',') {
+                    continue;
+                }
+                self.skip_statement();
+                break;
+            }
+            if !self.take_punct(',') && !self.missing_comma() {
+                break;
+            }
+        }
+        if items.is_empty() && !self.is_skipped() {
+            return self.refuse_because(
+                "name what to compute: `output blade, BC.angle;`",
+                "without this statement every moving point and link is computed",
+            );
+        }
+        Ok(StatementKind::Output { items })
+    }
+
+    /// Reports a `,` that is missing in front of a name.
+    fn missing_comma(&mut self) -> bool {
+        // Behind a number a `*` is missing, not a comma.
+        let number = matches!(self.previous(), Some(TokenTree::Literal(_)));
+        let missing = self.peek_ident(0).is_some() && !number && !self.statement_begins();
+        if missing {
+            let found = self.found();
+            let _ = self.refuse::<()>(&format!("write `,` in front of {found}"));
+        }
+        missing
+    }
+
+    fn output_item(&mut self, items: &mut Vec<OutputItem>) -> Parse<()> {
+        if self.is_word(0, "all") {
+            return self.refuse_because(
+                "leave this statement out",
+                "without `output` every moving point and link is computed",
+            );
+        }
+        if self.peek_ident(0).is_none() || !self.is_punct(1, '=') {
+            items.push(OutputItem { name: None, value: self.expression()? });
+            return Ok(());
+        }
+        let name = self.new_name("an output")?;
+        self.take_punct('=');
+        let value = self.expression();
+        let failed = value.is_err();
+        let value = value.unwrap_or(mistake(&name));
+        items.push(OutputItem { name: Some(name), value });
+        if failed { Err(Reported) } else { Ok(()) }
+    }
+
+    /// Goes to the `,` or the end behind an output in error.
+    fn skip_item(&mut self) {
+        while ![',', ';'].iter().any(|&sign| self.is_punct(0, sign))
+            && !self.at_end()
+            && !self.statement_begins()
+        {
+            self.take();
+        }
+    }
+
+    fn numerics(&mut self) -> Parse<StatementKind> {
+        Ok(StatementKind::Numerics { mode: self.word("`compensated`")? })
+    }
+
+    fn export(&mut self) -> Parse<StatementKind> {
+        Ok(StatementKind::Export { language: self.word("`c`")? })
+    }
+
+    fn crate_path(&mut self) -> Parse<StatementKind> {
+        const FORM: &str = "write the path of `linkage-core`: `crate = ::linkage_core;`";
+        if !self.take_punct('=') {
+            return self.refuse(FORM);
+        }
+        let span = self.here();
+        let mut tokens = TokenStream::new();
+        while !self.at_end() && !self.is_punct(0, ';') && !self.statement_begins() {
+            match self.take() {
+                Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::None => {
+                    tokens.extend(group.stream());
+                }
+                Some(TokenTree::Group(_)) | None => break,
+                Some(tree) => tokens.extend([tree]),
+            }
+        }
+        match syn::parse2(tokens) {
+            Ok(path) => Ok(StatementKind::Crate { path }),
+            Err(_) => {
+                self.diagnostics.error(span, FORM);
+                Err(Reported)
+            }
+        }
+    }
+
+    /// What was parsed, or `fallback` behind the tokens that are given up with it.
+    fn or_skip<T>(&mut self, parsed: Parse<T>, fallback: T) -> T {
+        parsed.unwrap_or_else(|Reported| {
+            self.skip_statement();
+            fallback
+        })
+    }
+}
+
+/// Stands for an expression of the statement `name` that was reported.
+fn mistake(name: &Ident) -> Expr {
+    Expr { kind: ExprKind::Mistake, span: name.span() }
+}

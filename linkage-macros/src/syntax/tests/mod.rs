@@ -1,0 +1,165 @@
+//! The parser on tiny declarations: trees in text form, and mistakes with their tokens.
+
+mod expression_mistakes;
+mod group_mistakes;
+mod recovery;
+mod statement_mistakes;
+mod trees;
+
+use std::fmt::Write;
+
+use super::parse;
+use super::tree::*;
+use crate::diagnostics::Diagnostics;
+
+/// The mistakes of a source text, one per line: "token: message / reason".
+fn mistakes(source: &str) -> String {
+    parsed(source).1
+}
+
+/// The tree of a declaration with these statements, and its mistakes.
+fn body(statements: &str) -> (String, String) {
+    let (tree, mistakes) = parsed(&format!("pub struct M {{ {statements} }}"));
+    (tree.expect("the declaration has a name").replacen("pub M\n", "", 1), mistakes)
+}
+
+fn parsed(source: &str) -> (Option<String>, String) {
+    let mut diagnostics = Diagnostics::new();
+    let tokens = source.parse().expect("the source is made of Rust's tokens");
+    let tree = parse(tokens, &mut diagnostics).map(|declaration| text(&declaration));
+    let mistakes = diagnostics.into_errors().into_iter().map(|error| {
+        let token = error.span().source_text().unwrap_or_default();
+        format!("{token}: {}", error.to_string().replace('\n', " / "))
+    });
+    (tree, mistakes.collect::<Vec<_>>().join("\n"))
+}
+
+/// Compares the mistakes of each source text; the rows are `(source, mistakes)`.
+fn check(rows: &[(&str, &str)], mistakes: impl Fn(&str) -> String) {
+    for (source, expected) in rows {
+        let found = mistakes(source);
+        assert!(found == *expected, "{source}\nexpected:\n{expected}\nfound:\n{found}");
+    }
+}
+
+fn check_statements(rows: &[(&str, &str)]) {
+    check(rows, |statements| body(statements).1);
+}
+
+/// One line per statement; expressions with every operator in parentheses.
+fn text(declaration: &Declaration) -> String {
+    let visibility = match declaration.visibility {
+        syn::Visibility::Public(_) => "pub ",
+        syn::Visibility::Restricted(_) => "restricted ",
+        syn::Visibility::Inherited => "",
+    };
+    let mut text = format!("{visibility}{}\n", declaration.name);
+    for statement in &declaration.statements {
+        let docs = "/// ".repeat(statement.docs.len());
+        writeln!(text, "{docs}{}", kind(&statement.kind)).expect("a string takes everything");
+    }
+    text.trim_end().to_string()
+}
+
+fn kind(kind: &StatementKind) -> String {
+    match kind {
+        StatementKind::Input { names, kind } => format!("input {}: {kind}", list(names)),
+        StatementKind::Param { name, kind: None, default } => {
+            format!("param {name} = {}", expr(default))
+        }
+        StatementKind::Param { name, kind: Some(kind), default } => {
+            format!("param {name}: {kind} = {}", expr(default))
+        }
+        StatementKind::Let { name, value } => format!("let {name} = {}", expr(value)),
+        StatementKind::Ground { points } => {
+            let points = points.iter().map(|(name, at)| format!("{name}{}", pair(at)));
+            format!("ground {}", points.collect::<Vec<_>>().join(", "))
+        }
+        StatementKind::Guide { name, on, through, course } => {
+            let through = match through {
+                Spot::At(at) => pair(at),
+                Spot::Point(point) => point.to_string(),
+            };
+            let course = match course {
+                Course::Along(angle) => format!("along {}", expr(angle)),
+                Course::Towards(point) => format!("towards {point}"),
+            };
+            format!("guide {name}{} through {through} {course}", carrier(on))
+        }
+        StatementKind::Point { name, on, place } => {
+            let place = match place {
+                Place::Cartesian(at) => pair(at),
+                Place::Polar(at) => format!("polar {}", pair(at)),
+                Place::Distances(at, side) => format!("distances {} {side}", pair(at)),
+            };
+            format!("point {name}{} at {place}", carrier(on))
+        }
+        StatementKind::Group(group) => self::group(group),
+        StatementKind::Output { items } => {
+            let items = items.iter().map(|item| match &item.name {
+                Some(name) => format!("{name} = {}", expr(&item.value)),
+                None => expr(&item.value),
+            });
+            format!("output {}", items.collect::<Vec<_>>().join(", "))
+        }
+        StatementKind::Numerics { mode } => format!("numerics {mode}"),
+        StatementKind::Crate { path } => {
+            format!(
+                "crate = {}",
+                quote::ToTokens::to_token_stream(path).to_string().replace(' ', "")
+            )
+        }
+        StatementKind::Export { language } => format!("export {language}"),
+    }
+}
+
+fn group(group: &Group) -> String {
+    let legs = group.legs.iter().map(|leg| format!("{}({})", leg.link, leg.joint));
+    let pin = group.pin.as_ref().map(|pin| format!(" -> {pin}")).unwrap_or_default();
+    let fields = group.fields.iter().map(|field| match &field.value {
+        FieldValue::One(value) => format!("{}: {}", field.name, expr(value)),
+        FieldValue::Pair(values) => format!("{}: {}", field.name, pair(values)),
+    });
+    format!(
+        "{} {}{pin} {{ {} }}",
+        group.keyword,
+        legs.collect::<Vec<_>>().join(", "),
+        fields.collect::<Vec<_>>().join(", ")
+    )
+}
+
+fn carrier(on: &Option<proc_macro2::Ident>) -> String {
+    on.as_ref().map(|link| format!(" on {link}")).unwrap_or_default()
+}
+
+fn list(names: &[proc_macro2::Ident]) -> String {
+    names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+}
+
+fn pair(values: &[Expr; 2]) -> String {
+    format!("({}, {})", expr(&values[0]), expr(&values[1]))
+}
+
+fn expr(value: &Expr) -> String {
+    match &value.kind {
+        ExprKind::Number { digits, unit } => {
+            format!("{digits}{}", unit.as_deref().unwrap_or_default())
+        }
+        ExprKind::Name(name) => name.to_string(),
+        ExprKind::Member(link, member) => format!("{link}.{member}"),
+        ExprKind::Negate(operand) => format!("(-{})", expr(operand)),
+        ExprKind::Binary(operator, operands) => {
+            let sign = match operator {
+                BinaryOp::Add => '+',
+                BinaryOp::Sub => '-',
+                BinaryOp::Mul => '*',
+                BinaryOp::Div => '/',
+            };
+            format!("({} {sign} {})", expr(&operands[0]), expr(&operands[1]))
+        }
+        ExprKind::Call(name, arguments) => {
+            format!("{name}({})", arguments.iter().map(expr).collect::<Vec<_>>().join(", "))
+        }
+        ExprKind::Mistake => "?".to_string(),
+    }
+}

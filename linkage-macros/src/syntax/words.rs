@@ -1,0 +1,91 @@
+//! The words of the language: which begin a statement, and which cannot be chosen as names.
+
+/// Words that begin a statement without braces.
+pub(super) const STATEMENTS: [&str; 10] =
+    ["input", "param", "let", "ground", "guide", "point", "output", "numerics", "crate", "export"];
+
+/// Words that begin a statement with braces: drivers, then Assur groups.
+pub(super) const GROUPS: [&str; 7] = ["crank", "slider", "rrr", "rrp", "rpr", "prp", "rpp"];
+
+/// Words that keep their place for the statements of today and of later versions.
+const RESERVED: [&str; 21] = [
+    "mass",
+    "force",
+    "torque",
+    "spring",
+    "damper",
+    "gravity",
+    "load",
+    "triad",
+    "assembly",
+    "all",
+    "uniform",
+    "between",
+    "towards",
+    "distances",
+    "polar",
+    "near",
+    "mirrored",
+    "on",
+    "at",
+    "along",
+    "through",
+];
+
+/// Words that stand for something wherever an expression or a reference may stand.
+const MEANINGFUL: [&str; 6] = ["pi", "ground", "left", "right", "ahead", "behind"];
+
+/// Strict and reserved keywords of every Rust edition; generated fields could not bear them.
+const RUST: [&str; 53] = [
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate",
+    "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl",
+    "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",
+    "return", "self", "Self", "static", "struct", "super", "trait", "true", "try", "type",
+    "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield", "_",
+];
+
+/// Unit suffixes, for recognising one that was written apart from its number.
+pub(super) const UNITS: [&str; 10] = ["m", "mm", "cm", "um", "in", "rad", "deg", "turn", "kg", "g"];
+
+pub(super) fn is_rust_keyword(word: &str) -> bool {
+    RUST.contains(&word)
+}
+
+pub(super) fn is_reserved(word: &str) -> bool {
+    // `in` is both; what counts for a statement is that its meaning is kept for later.
+    RESERVED.contains(&word) || word == "in"
+}
+
+/// Why `word` cannot be chosen as a name: the end of a message and its reason.
+pub(super) fn refusal(word: &str) -> Option<(&'static str, &'static str)> {
+    const FIELD: &str = "names become fields and arguments of the generated code";
+    match word {
+        "_" => Some(("is not a name; choose one", FIELD)),
+        _ if word.starts_with("r#") => Some(("is a raw identifier; choose another name", FIELD)),
+        _ if is_rust_keyword(word) => Some(("is a Rust keyword; choose another name", FIELD)),
+        _ if is_reserved(word) => Some((
+            "is a reserved word; choose another name",
+            "statements of this and of later versions are made of it",
+        )),
+        _ if MEANINGFUL.contains(&word) => Some((
+            "already has a meaning; choose another name",
+            "expressions and fields could not tell the two apart",
+        )),
+        _ => None,
+    }
+}
+
+/// The statement meant by a word that other languages use for it.
+pub(super) fn meant_by(word: &str) -> Option<&'static str> {
+    match word {
+        "const" | "static" | "var" | "def" => Some("let"),
+        "fixed" | "pivot" | "base" | "frame" => Some("ground"),
+        "line" | "rail" | "axis" => Some("guide"),
+        "marker" | "coupler" => Some("point"),
+        "parameter" | "variable" => Some("param"),
+        "motor" | "driver" => Some("crank"),
+        "piston" | "actuator" => Some("slider"),
+        "use" => Some("crate"),
+        _ => None,
+    }
+}
