@@ -141,10 +141,11 @@ impl Names<'_> {
                 let base = self.carrier(*relative_to);
                 format!("{}({pivot}){pin} turned {angle} from {base}", self.title(*group))
             }
-            Step::Slider { group, guide, pin, slide, offset, .. } => {
+            Step::Slider { link, guide, pin, slide, offset } => {
                 let pin = pin.map_or(String::new(), |pin| format!(" -> {}", self.point(pin)));
                 let (guide, slide) = (self.guide(*guide), self.expr(slide));
-                format!("{}({guide}){pin} {slide} offset {}", self.title(*group), self.expr(offset))
+                let link = self.link(*link);
+                format!("slider {link}({guide}){pin} {slide} offset {}", self.expr(offset))
             }
             _ => self.dyad(step),
         }
