@@ -146,7 +146,6 @@ pub(crate) const RRR: &[Case] = &[
     },
 ];
 
-
 /// The same with inputs that are binary32 numbers and errors achievable in that width.
 ///
 /// Inputs: Bx, By, Dx, Dy, l2, l3, vBx, vBy, aBx, aBy. Truth: Cx, Cy, theta2, theta3, omega2,
@@ -182,7 +181,6 @@ pub(crate) const RRR_F32: &[Case] = &[
         ],
     },
 ];
-
 
 /// A crank `a` on a ground of length `b` with coupler `b2` and rocker `a2` near a change point.
 ///
@@ -224,7 +222,6 @@ pub(crate) const FOUR_BAR_LEFT: &[Case] = &[
     },
 ];
 
-
 /// The same on the other side of the change point.
 ///
 /// Inputs: theta, a, b, a2, b2, w. Truth: Cx, Cy, omega2, omega3, alpha3.
@@ -265,7 +262,6 @@ pub(crate) const FOUR_BAR_RIGHT: &[Case] = &[
     },
 ];
 
-
 /// Crank and ground of length 1, coupler and rocker of length 2, B next to D.
 ///
 /// Inputs: theta, a, b, a2, b2, w. Truth: Cx, Cy, omega2, omega3, alpha3.
@@ -283,7 +279,6 @@ pub(crate) const KITE: &[Case] = &[
         ],
     },
 ];
-
 
 /// Two fixed guides through K1 and K2, nearly parallel; K1 moves.
 ///
@@ -304,7 +299,6 @@ pub(crate) const PRP: &[Case] = &[
     },
 ];
 
-
 /// A slot nearly parallel to the rail, which goes through the origin along `phi`.
 ///
 /// Inputs: phi, beta, Bx, By, vx, vy, ax, ay. Truth: s1, s2, ds1, ds2, dds2.
@@ -322,7 +316,6 @@ pub(crate) const RPP: &[Case] = &[
         ],
     },
 ];
-
 
 /// A pin B that passes close to the pivot D of its bar, or close to the offset limit.
 ///
@@ -366,7 +359,6 @@ pub(crate) const RPR: &[Case] = &[
         ],
     },
 ];
-
 
 /// A slider-crank with a very short crank, and one at a large angle.
 ///
