@@ -74,12 +74,14 @@ impl Drop for Diagnostics {
     }
 }
 
-/// The candidate nearest to `name`, where one is near enough to have been meant.
+/// The candidate nearest to `name`, where one is near enough to have been meant; one that has
+/// nothing in common with a short name is not.
 pub(crate) fn nearest<'a>(
     name: &str,
     candidates: impl Iterator<Item = &'a str>,
 ) -> Option<&'a str> {
-    let allowed = name.chars().count().div_ceil(3).max(1);
+    let length = name.chars().count();
+    let allowed = length.div_ceil(3).min(length.saturating_sub(1));
     candidates
         .map(|candidate| (distance(name, candidate), candidate))
         .filter(|&(distance, _)| distance <= allowed)
@@ -192,6 +194,7 @@ mod tests {
             ("copuelr", Some("coupler")),
             ("thet", Some("theta")),
             ("quadrant", None),
+            ("Q", None),
             ("blowtorch", None),
         ] {
             assert_eq!(nearest(name, names.into_iter()), expected, "{name}");

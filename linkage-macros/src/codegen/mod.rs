@@ -19,6 +19,7 @@ mod results;
 mod rows;
 mod solver;
 mod straight;
+pub(crate) mod stubs;
 mod units;
 
 #[cfg(test)]

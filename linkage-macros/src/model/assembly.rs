@@ -90,7 +90,7 @@ impl Resolver<'_> {
         let place = self.facts.place(pivot, Carrier::Ground).zip(angle.constant());
         if let (Some(([x, y], angle)), Some(length)) = (place, length.constant()) {
             let at = [x.add(&length.mul(&angle.cos())), y.add(&length.mul(&angle.sin()))];
-            self.facts.fix(pin, Carrier::Ground, Some(at));
+            self.facts.stands_still(pin, Carrier::Ground, at);
         }
     }
 
@@ -107,7 +107,7 @@ impl Resolver<'_> {
             (&guide.line, slide.constant(), offset.constant())
         {
             let (carrier, at) = (guide.carrier, line.at(slide, offset));
-            self.facts.fix(pin, carrier, Some(at));
+            self.facts.stands_still(pin, carrier, at);
         }
     }
 

@@ -10,7 +10,7 @@ use super::Resolver;
 use super::anatomy::{Anatomy, Class, Joint, Pin, Reason};
 use super::facts::LinkFacts;
 use super::fields::Fields;
-use super::mechanism::{Carrier, Group, GroupId, GuideId, Link, LinkId, Named, PointId};
+use super::mechanism::{Group, GroupId, GuideId, Link, LinkId, Named, PointId};
 use super::names::{Entity, Kind};
 
 /// What a group statement has made and was given.
@@ -98,16 +98,13 @@ impl Resolver<'_> {
         }
         if let Some(pin) = parts.pin {
             self.facts.points[pin.index()] = self.moves;
-            if !self.moves && !self.facts.lies_on(pin, Carrier::Ground) {
-                self.facts.fix(pin, Carrier::Ground, None);
-            }
         }
     }
 
     /// The names of a statement that cannot be understood are taken, and stand for nothing.
     fn names_stay_unknown(&mut self, group: &tree::Group) {
         for name in group.legs.iter().map(|leg| &leg.link).chain(&group.pin) {
-            self.name_is_free(name);
+            self.name_is_new(name);
         }
     }
 
@@ -124,7 +121,7 @@ impl Resolver<'_> {
         made_by: GroupId,
         slides: bool,
     ) -> Option<LinkId> {
-        self.name_is_free(name)?;
+        self.name_is_new(name)?;
         let id = LinkId(self.mechanism.links.len() as u32);
         self.mechanism.links.push(Link {
             name: name.clone(),
@@ -144,7 +141,7 @@ impl Resolver<'_> {
         name: &Ident,
         made_by: String,
     ) -> Option<PointId> {
-        self.name_is_free(name)?;
+        self.name_is_new(name)?;
         let id = PointId(self.mechanism.points.len() as u32);
         self.mechanism.points.push(Named { name: name.clone(), docs: docs.to_vec(), made_by });
         self.facts.points.push(false);
@@ -166,7 +163,7 @@ impl Resolver<'_> {
             (Some(pin), Pin::None(reason)) => {
                 let message = format!("`{keyword}` makes no pin; remove `-> {pin}`");
                 self.diagnostics.error_because(pin.span(), message, reason);
-                self.name_is_free(pin);
+                self.name_is_new(pin);
                 None
             }
             (Some(pin), _) => {
@@ -281,10 +278,6 @@ impl Resolver<'_> {
             "ppp" => (
                 format!("no group `{text}`; a dyad needs a revolute joint"),
                 "links with prismatic joints alone cannot turn, and are not determined".to_string(),
-            ),
-            "triad" | "assembly" => (
-                format!("`{text}` is reserved; build the mechanism from dyads"),
-                format!("the groups are {}", known_groups()),
             ),
             _ if is_letters && letters.len() != 3 => (
                 format!("no group `{text}`; a dyad has three joints, so three letters"),

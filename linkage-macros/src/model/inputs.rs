@@ -23,8 +23,8 @@ impl Resolver<'_> {
     pub(super) fn input(&mut self, docs: &[Attribute], names: &[Ident], kind: &Ident) {
         let dimension = self.quantity_kind(kind, "input kind", &KINDS);
         for name in names {
-            let is_free = self.name_is_free(name).is_some();
-            let (true, Some(dimension)) = (is_free, dimension) else {
+            let is_new = self.name_is_new(name).is_some();
+            let (true, Some(dimension)) = (is_new, dimension) else {
                 continue;
             };
             let id = InputId(self.mechanism.inputs.len() as u32);
@@ -48,6 +48,7 @@ impl Resolver<'_> {
         match text.as_str() {
             "angle" => return Some(Dimension::ANGLE),
             "length" => return Some(Dimension::LENGTH),
+            "number" if known.contains(&"number") => return Some(Dimension::NUMBER),
             _ => {}
         }
         let mut message = format!("no {what} named `{text}`");
@@ -67,14 +68,14 @@ impl Resolver<'_> {
         kind: Option<&Ident>,
         default: &Expr,
     ) {
-        let is_free = self.name_is_free(name).is_some();
+        let is_new = self.name_is_new(name).is_some();
         let resolved = match kind {
             Some(kind) if kind == "mode" => {
                 self.param_is_a_mode(default).map(|kind| (kind, Measure::NUMBER))
             }
             _ => self.param_is_a_constant(name, kind, default),
         };
-        let (true, Some((kind, measure))) = (is_free, resolved) else {
+        let (true, Some((kind, measure))) = (is_new, resolved) else {
             return;
         };
         let id = ParamId(self.mechanism.params.len() as u32);
@@ -97,7 +98,7 @@ impl Resolver<'_> {
         }
         let wanted = match kind {
             Some(kind) => {
-                let kinds = ["angle", "length", "mode"];
+                let kinds = ["angle", "length", "number", "mode"];
                 Some(self.quantity_kind(kind, "parameter kind", &kinds))
             }
             None => None,
@@ -123,8 +124,8 @@ impl Resolver<'_> {
     }
 
     pub(super) fn named_expression(&mut self, name: &Ident, value: &Expr) {
-        let is_free = self.name_is_free(name).is_some();
-        let (true, Some(quantity)) = (is_free, self.quantity(value)) else {
+        let is_new = self.name_is_new(name).is_some();
+        let (true, Some(quantity)) = (is_new, self.quantity(value)) else {
             return;
         };
         let id = LetId(self.mechanism.lets.len() as u32);

@@ -29,6 +29,9 @@ mod points;
 mod settings;
 mod units;
 
+#[cfg(test)]
+mod tests;
+
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, Statement, StatementKind};
 

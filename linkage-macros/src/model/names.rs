@@ -175,40 +175,9 @@ fn title(statement: &Statement, name: &str) -> String {
     }
 }
 
-/// Words that later statements will need.
-const RESERVED: [&str; 21] = [
-    "mass",
-    "force",
-    "torque",
-    "spring",
-    "damper",
-    "gravity",
-    "load",
-    "triad",
-    "assembly",
-    "all",
-    "uniform",
-    "between",
-    "towards",
-    "distances",
-    "polar",
-    "near",
-    "mirrored",
-    "in",
-    "on",
-    "at",
-    "along",
-];
-
-/// Words that already mean something where a name may stand.
-const MEANT: [&str; 15] = [
-    "ground", "pi", "left", "right", "ahead", "behind", "sqrt", "hypot", "sin", "cos", "tan",
-    "asin", "acos", "atan", "atan2",
-];
-
 impl Resolver<'_> {
-    /// A name is declared once, and is no word of the language.
-    pub(super) fn name_is_free(&mut self, name: &Ident) -> Option<()> {
+    /// A name is declared once.
+    pub(super) fn name_is_new(&mut self, name: &Ident) -> Option<()> {
         let text = name.to_string();
         let index = *self.names.by_name.get(&text)?;
         let symbol = &mut self.names.symbols[index];
@@ -219,22 +188,7 @@ impl Resolver<'_> {
             return None;
         }
         symbol.declared = true;
-        self.name_is_no_word(name)
-    }
-
-    /// A name is neither reserved for later statements nor a word that means something already.
-    pub(super) fn name_is_no_word(&mut self, name: &Ident) -> Option<()> {
-        let text = name.to_string();
-        let reason = if RESERVED.contains(&text.as_str()) {
-            "the word is reserved for statements to come"
-        } else if MEANT.contains(&text.as_str()) {
-            "the word already has a meaning in the language"
-        } else {
-            return Some(());
-        };
-        let message = format!("`{text}` cannot be a name; choose another");
-        self.diagnostics.error_because(name.span(), message, reason);
-        None
+        Some(())
     }
 
     pub(super) fn point(&mut self, name: &Ident) -> Option<PointId> {

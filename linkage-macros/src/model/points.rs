@@ -39,7 +39,7 @@ impl Resolver<'_> {
         let carrier = self.carrier(on);
         let place = self.place(name, carrier, place);
         let Some(carrier) = carrier else {
-            self.name_is_free(name);
+            self.name_is_new(name);
             return;
         };
         let (made_by, group) = match carrier {

@@ -36,7 +36,10 @@ impl Parser<'_> {
 
     fn input(&mut self) -> Parse<StatementKind> {
         let mut names = vec![self.new_name("an input")?];
-        while self.take_punct(',') && self.peek_ident(0).is_some() {
+        while self.take_punct(',') || (!self.is_punct(1, ';') && self.missing_comma()) {
+            if self.peek_ident(0).is_none() {
+                break;
+            }
             names.extend(self.new_name("an input"));
         }
         let fallback = names[0].clone();
