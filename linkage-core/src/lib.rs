@@ -11,6 +11,8 @@ mod careful;
 mod cost;
 #[cfg(feature = "ad")]
 mod derivatives;
+#[cfg(feature = "ad")]
+mod dual;
 mod error;
 mod kernels;
 mod limit;
