@@ -95,7 +95,8 @@ fn triangle<'s>(
     mode: Sym<'s>,
 ) -> Triangle<'s> {
     let square = d.dot(d);
-    let inverse = square.provided(Check::Square, place.group, &[]).recip();
+    let operands = [d.x, d.y, l2, l3];
+    let inverse = square.provided(Check::Square, place.group, &operands).recip();
     let difference = l2 - l3;
     let four = (l2 * l3).twice().twice();
     let (near, far) = match place.numerics {
@@ -108,7 +109,7 @@ fn triangle<'s>(
     // With equal bars P = d²/d² is one: an identity wherever 1/d² exists.
     let p = if difference.is_zero() { d.x.sheet().integer(1) } else { near * inverse };
     let product = p * (far * inverse);
-    let product = product.provided(Check::ReachCircles, place.group, &[d.x, d.y, l2, l3]);
+    let product = product.provided(Check::ReachCircles, place.group, &operands);
     let middle = p.half();
     let along = [middle + (l2 * difference) * inverse, middle - (l3 * difference) * inverse];
     Triangle { product, inverse, root: mode * product.sqrt(), along }
