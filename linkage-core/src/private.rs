@@ -17,7 +17,8 @@ pub use core::primitive::{bool, f32, f64, str, u32, usize};
 pub use core::result::Result::{self, Err, Ok};
 
 pub use crate::careful::{
-    finite_input, finite_result, nonzero, positive, reach_circles, reach_line, reach_offset, square,
+    finite_input, finite_result, nonzero, positive, reach_circles, reach_line, reach_offset,
+    square, square_of_centres,
 };
 #[cfg(feature = "ad")]
 pub use crate::derivatives::differentiate;

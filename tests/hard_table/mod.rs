@@ -4,7 +4,7 @@
 use linkage_core::{Real, Side, SolveError};
 
 use crate::data::hard::{self, Case};
-use crate::mechanisms::hard_poses::*;
+use crate::mechanisms::stacked_sliders::*;
 
 /// One number of one case.
 #[derive(Clone, Debug)]
