@@ -173,6 +173,22 @@ mod tests {
         );
     }
 
+    #[cfg(feature = "ad")]
+    #[test]
+    fn at_the_limit_only_a_constant_has_a_derivative() {
+        use num_dual::Dual;
+        let [d, l1, l2] = [7.0, 3.0, 4.0].map(Dual::<f64>::from_re);
+        let y = Dual::from_re(0.0);
+        let constant = reach_circles(Dual::from_re(-1e-16), d, y, l1, l2, GROUP).unwrap();
+        assert!(constant.re == 0.0 && constant.eps == 0.0);
+        for real in [-1e-16, 0.0] {
+            let moving = reach_circles(Dual::new(real, 1.0), d, y, l1, l2, GROUP);
+            assert!(matches!(moving, Err(SINGULAR)));
+        }
+        let inside = reach_line(Dual::new(3.0, 1.0), Dual::new(1.0, 1.0), l2, GROUP).unwrap();
+        assert!(inside.re == 3.0 && inside.eps == 1.0);
+    }
+
     #[test]
     fn what_is_not_finite_is_never_reached() {
         assert_eq!(reach_circles(f64::NAN, 5.0, 0.0, 3.0, 4.0, GROUP), Err(NOT_FINITE));

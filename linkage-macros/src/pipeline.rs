@@ -28,7 +28,9 @@ fn resolved(
     declaration: Option<&Declaration>,
     mut diagnostics: Diagnostics,
 ) -> Result<Mechanism, Failure> {
-    // Every statement is one of the language, but for those that were reported.
+    // Every statement is one of the language. Behind a mistake not everything was read, and the
+    // model would report as missing what only could not be understood.
+    diagnostics.barrier()?;
     let mechanism =
         declaration.and_then(|declaration| model::resolve(declaration, &mut diagnostics));
     diagnostics.finish()?;

@@ -68,6 +68,8 @@ struct StandIn {
     mechanism: Mechanism,
     /// The first declaration of every name that may be an output.
     things: HashMap<String, Thing>,
+    /// Points and links as they were declared.
+    order: Vec<Ident>,
 }
 
 #[derive(Clone, Copy)]
@@ -104,7 +106,7 @@ impl StandIn {
             crate_path: None,
             export_c: false,
         };
-        Self { mechanism, things: HashMap::new() }
+        Self { mechanism, things: HashMap::new(), order: Vec::new() }
     }
 
     fn declare(&mut self, statement: &StatementKind) {
@@ -163,6 +165,7 @@ impl StandIn {
         let named = Named { name: name.clone(), docs: Vec::new(), made_by: "point".to_string() };
         self.mechanism.points.push(named);
         self.things.insert(name.to_string(), Thing::Point(id, fixed));
+        self.order.push(name.clone());
     }
 
     fn group(&mut self, group: &tree::Group) {
@@ -176,6 +179,7 @@ impl StandIn {
             }
             let id = LinkId(self.mechanism.links.len() as u32);
             self.things.insert(leg.link.to_string(), Thing::Link(id));
+            self.order.push(leg.link.clone());
             let name = leg.link.clone();
             self.mechanism.links.push(Link { name, docs: Vec::new(), made_by, slides });
         }
@@ -270,9 +274,7 @@ impl StandIn {
 
     /// Adds what was not asked for: points and links in the order they were declared.
     fn every_thing(&mut self, fixed: Fixed) {
-        let points = self.mechanism.points.iter().map(|point| point.name.clone());
-        let links = self.mechanism.links.iter().map(|link| link.name.clone());
-        for name in points.chain(links).collect::<Vec<_>>() {
+        for name in self.order.clone() {
             match self.things.get(&name.to_string()) {
                 Some(Thing::Point(_, Fixed::Yes)) if fixed == Fixed::No => {}
                 Some(&thing) => {

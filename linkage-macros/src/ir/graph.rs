@@ -160,6 +160,8 @@ impl Graph {
         id
     }
 
+    /// The value under the guard.
+    #[cfg(test)]
     pub(crate) fn guard(&mut self, value: Id, guard: Guard) -> Id {
         let guard = self.intern_guard(guard);
         self.push(Node::Guard(value, guard))
