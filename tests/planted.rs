@@ -2,8 +2,8 @@
 //! of its joints from the plan, and let the solver find the plan again.
 //!
 //! Tolerances: every dimension and input is rounded once on its way into the solver, and the
-//! solver rounds some 60 times on the way to an acceleration; let κ = 30 ε · size / |sin| be the
-//! resulting relative error of a pose, where size is the sum of the lengths and coordinates over
+//! solver rounds some 60 times on the way to an acceleration. Roundings of either sign, n of them
+//! up to half ε, add up to √(n/12) ε; let κ be twice that, 4.5 ε · size / |sin|, for a pose, where size is the sum of the lengths and coordinates over
 //! the shortest length and sin that of the angle at the inner joint (of the guides, of bar and
 //! guide). A velocity solves equations whose matrix has the condition 1/|sin| and is perturbed by
 //! κ: its error is κ · W / |sin|, W the sum of all rates. An acceleration solves them once more
@@ -34,7 +34,7 @@ struct Scale {
 
 impl Scale {
     fn tolerance<T: Real>(&self, order: usize) -> f64 {
-        let pose = 30.0 * T::EPSILON * self.size * self.lever;
+        let pose = 4.5 * T::EPSILON * self.size * self.lever;
         match order {
             0 => pose,
             1 => pose * self.rates * self.lever,
