@@ -110,7 +110,7 @@ fn defaults_serve_every_scalar() {
 #[test]
 fn the_straight_line_says_whether_its_numbers_may_be_used() {
     // The pose of a double-rocker exists on a part of the turn only.
-    let reach = FunctionGenerator { coupler: 1.5, rocker: 3.0, ..FunctionGenerator::new() };
+    let reach = FunctionGenerator { coupler: 1.5, rocker: 3.0 };
     let mut there = 0;
     for degree in 0..360 {
         let theta = f64::from(degree).to_radians();

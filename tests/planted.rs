@@ -141,8 +141,8 @@ fn rrr<T: Real>() {
         let scale = Scale { size, lever: sin.abs().recip(), rates, seconds };
         let (p, v, a) = (found.position, found.velocity, found.acceleration);
         scale.point([p.C, v.C, a.C], &c);
-        scale.jet("BC", [away(p.BC, one.value), v.BC.omega, a.BC.alpha], one.from_zero());
-        scale.jet("DC", [away(p.DC, two.value), v.DC.omega, a.DC.alpha], two.from_zero());
+        scale.jet("BC", [away(p.BC, one.value), v.BC.omega, a.BC.alpha], one.relative());
+        scale.jet("DC", [away(p.DC, two.value), v.DC.omega, a.DC.alpha], two.relative());
     }
 }
 
@@ -172,12 +172,12 @@ fn rrp<T: Real>() {
         let scale = Scale { size, lever: cos.abs().recip(), rates, seconds };
         let (p, v, a) = (found.position, found.velocity, found.acceleration);
         scale.point([p.C, v.C, a.C], &c);
-        scale.jet("BC", [away(p.BC, bar.value), v.BC.omega, a.BC.alpha], bar.from_zero());
+        scale.jet("BC", [away(p.BC, bar.value), v.BC.omega, a.BC.alpha], bar.relative());
         scale.jet("slide", [p.block.slide, v.block.slide, a.block.slide], slide);
         scale.jet(
             "block",
             [away(p.block.into(), frame.value), v.block.omega, a.block.alpha],
-            frame.from_zero(),
+            frame.relative(),
         );
     }
 }
@@ -205,7 +205,7 @@ fn rpr<T: Real>() {
         let size = (shortest + e.abs() + reach) / shortest;
         let scale = Scale { size, lever, rates, seconds };
         let (p, v, a) = (found.position, found.velocity, found.acceleration);
-        scale.jet("bar", [away(p.bar, bar.value), v.bar.omega, a.bar.alpha], bar.from_zero());
+        scale.jet("bar", [away(p.bar, bar.value), v.bar.omega, a.bar.alpha], bar.relative());
         scale.jet("slide", [p.block.slide, v.block.slide, a.block.slide], slide);
     }
 }
@@ -277,7 +277,7 @@ fn rpp<T: Real>() {
         scale.jet(
             "block",
             [away(p.block.into(), turned.value), v.block.omega, a.block.alpha],
-            frame.from_zero(),
+            frame.relative(),
         );
     }
 }
