@@ -18,7 +18,8 @@ pub use core::result::Result::{self, Err, Ok};
 
 pub use crate::c_interface::{CError, c_sense, c_side};
 pub use crate::careful::{
-    finite_input, finite_result, nonzero, positive, reach_circles, reach_line, reach_offset, square,
+    finite_input, finite_result, nonzero, positive, reach_circles, reach_line, reach_offset,
+    square, square_of_centres,
 };
 #[cfg(feature = "ad")]
 pub use crate::derivatives::differentiate;

@@ -4,10 +4,10 @@
 //! always has the same shape: r·π with 0 < r < 1/4, or r·π + x with 0 ≤ r < 1/2, where x has no
 //! rational multiple of π in it and a positive first coefficient.
 
+use super::Exact;
 use super::atom::Kind;
 use super::rational::Rational;
 use super::sum::Term;
-use super::{Exact, Form};
 
 impl Exact {
     /// The sine of self + `quarter_turns`·π/2.
@@ -39,6 +39,7 @@ impl Exact {
         }
     }
 
+    /// The arc tangent in (−π/2, π/2).
     pub(super) fn arc_tangent(&self) -> Self {
         if self.monic().0.signum().is_lt() {
             return self.neg().arc_tangent().neg();
@@ -49,6 +50,7 @@ impl Exact {
         }
     }
 
+    /// The angle of so many half turns.
     pub(super) fn half_turns(turns: &Rational) -> Self {
         Self::pi().scaled(turns)
     }
@@ -138,9 +140,11 @@ fn in_half_turns(angle: &Exact) -> Option<Rational> {
     rest.is_structural_zero().then_some(half_turns)
 }
 
-/// An acute angle with the sine √(n)/2.
+/// An angle from 0 to 90° with the sine √n/2.
 struct KnownSine {
+    /// Numerator and denominator.
     half_turns: (i64, i64),
+    /// n
     quadruple_square: i64,
 }
 
@@ -163,12 +167,5 @@ impl KnownSine {
 
     fn cosine(&self) -> Exact {
         Exact::root_of_rational(&Rational::ratio(4 - self.quadruple_square, 4))
-    }
-}
-
-impl Exact {
-    /// Zero by its form; a sum that happens to be zero is not looked at.
-    pub(super) fn is_structural_zero(&self) -> bool {
-        matches!(&self.form, Form::Rational(value) if value.is_zero())
     }
 }

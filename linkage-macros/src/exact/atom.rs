@@ -123,9 +123,10 @@ impl PartialOrd for Atom {
     }
 }
 
+/// The short text: written out, a number that shares its parts grows without bounds.
 impl Debug for Atom {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        self.kind().fmt(f)
+        write!(f, "`{}`", Exact::atom(self.kind().clone()))
     }
 }
 

@@ -112,7 +112,7 @@ fn rational_text(value: &Rational) -> String {
         return decimal;
     }
     let (numerator, denominator) = (value.numerator(), value.denominator());
-    if numerator.bits().max(denominator.bits()) <= BITS {
+    if numerator.bits() + denominator.bits() <= BITS {
         return format!("{numerator}/{denominator}");
     }
     let near = WIDE.round(value);

@@ -48,13 +48,13 @@ impl Exact {
         }
     }
 
-    /// The number of the format next to self − `word`.
+    /// The number of the format next to self − `word`; zero has no sign.
     ///
     /// A number that the finest enclosure leaves undecided is a tie in all likelihood: its middle
     /// is rounded.
     pub(super) fn rounded(&self, format: Format, word: &Rational) -> f64 {
         if let Form::Rational(value) = &self.form {
-            return format.round(&value.sub(word));
+            return format.round(&value.sub(word)) + 0.0;
         }
         let mut finest = None;
         for bits in refinements(COARSEST_FLOAT) {
@@ -62,7 +62,6 @@ impl Exact {
             let rest = enclosure.sub(&Enclosure::rational(word, bits));
             let lower = format.round_fixed(rest.lower(), bits);
             if lower == format.round_fixed(rest.upper(), bits) {
-                // Either zero is the same zero.
                 return lower + 0.0;
             }
             finest = Some(rest);

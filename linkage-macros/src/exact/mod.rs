@@ -1,11 +1,11 @@
 //! Exact real constants: what is known when the mechanism is declared is computed without error
 //! and rounded once.
 //!
-//! A number is a [`rational`] or a [`sum`] of products in normal form; [`root`] and [`angle`] hold
-//! the identities of roots and of sines and angles. [`evaluation`] finds what a number amounts to
-//! from an [`enclosure`], whose functions are in [`elementary`], and [`rounding`] makes it a
-//! float. [`literal`] and [`display`] are the ways in from text and out to it. No identity of the
-//! expression graph belongs here: those are passes.
+//! A number is a [`rational`] or a [`sum`] of products of [`atom`]s in normal form; [`root`] and
+//! [`angle`] hold the identities of roots and of sines and angles. [`evaluation`] finds what a
+//! number amounts to from an [`enclosure`], whose functions are in [`elementary`], and [`rounding`]
+//! makes it a float. [`literal`] and [`display`] are the ways in from text and out to it. No
+//! identity of the expression graph belongs here: those are passes.
 
 // The front end and the passes that compute with these numbers are still being written.
 #![allow(dead_code)]
@@ -161,6 +161,10 @@ impl Exact {
 
     /// The length of the vector (self, other).
     pub(crate) fn hypot(&self, other: &Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            let size = self.add(other);
+            return if size.signum().is_lt() { size.neg() } else { size };
+        }
         // A sum of squares is not negative, even where its sign is beyond the finest enclosure.
         self.mul(self).add(&other.mul(other)).sqrt().unwrap_or_else(|| Self::integer(0))
     }

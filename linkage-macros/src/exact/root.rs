@@ -19,7 +19,10 @@ impl Exact {
             _ => {
                 let (content, monic) = self.monic();
                 let sign = sign_as_factor(content.signum());
-                let root = Self::atom(Kind::Root(monic.scaled(&sign)));
+                let root = match sine_of_square(&monic) {
+                    Some(sine) => sine.scaled(&sign_as_factor(sine.signum())),
+                    None => Self::atom(Kind::Root(monic.scaled(&sign))),
+                };
                 Self::root_of_rational(&content.abs()).product_of(&root)
             }
         }
@@ -61,6 +64,21 @@ fn root_of_term(term: &Term) -> Exact {
         // Nothing is left below the root: the coefficient had to be positive.
         Form::Rational(_) => root,
         Form::Sum(_) => root.product_of(&Exact::atom(Kind::Root(radicand))),
+    }
+}
+
+/// sin x, where the number is 1 − cos² x: the form that the square of a sine has.
+fn sine_of_square(number: &Exact) -> Option<Exact> {
+    let Form::Sum(terms) = &number.form else { return None };
+    let [one, square] = terms.as_slice() else { return None };
+    let [Factor { atom, power: 2 }] = square.factors.as_slice() else { return None };
+    match atom.kind() {
+        Kind::Cos(angle)
+            if one.factors.is_empty() && square.coefficient == one.coefficient.neg() =>
+        {
+            Some(Exact::atom(Kind::Sin(angle.clone())))
+        }
+        _ => None,
     }
 }
 

@@ -1,8 +1,9 @@
 //! The normal form of what is not rational: a sum of products.
 //!
-//! A [`Term`] is a rational times powers of [`Atom`]s: π, roots, sines, …. A sum's terms are sorted, and no two of them have the same powers, so that
-//! what is equal by the laws of a ring is structurally equal. Nothing is rounded here, and nothing
-//! is decided by looking at a number's digits.
+//! A [`Term`] is a rational times powers of [`Atom`]s: π, roots, sines, …. A sum's terms are sorted,
+//! and no two of them have the same powers, so that what is equal by the laws of a ring is mostly
+//! structurally equal: small products are multiplied out, large ones and quotients are not. Nothing
+//! is rounded here, and nothing is decided by looking at a number's digits.
 
 use super::atom::{Atom, Kind};
 use super::rational::Rational;
@@ -64,6 +65,11 @@ impl Exact {
             Form::Rational(value) => vec![Term::rational(value.clone())],
             Form::Sum(terms) => terms.clone(),
         }
+    }
+
+    /// Zero by its form; a sum that happens to be zero is not looked at.
+    pub(super) fn is_structural_zero(&self) -> bool {
+        matches!(&self.form, Form::Rational(value) if value.is_zero())
     }
 
     /// The one term of a number that is not rational and has no other.
@@ -261,7 +267,7 @@ fn open_root(factors: &mut Vec<Factor>) -> Option<Exact> {
     Some(radicand.power(power.div_euclid(2)))
 }
 
-/// √m·√n of integers = √(m·n), whose square factors come out.
+/// √(a·g)·√(b·g) of integers = g·√(a·b).
 fn join_roots(factors: &mut Vec<Factor>) -> Option<Exact> {
     let root_of_integer = |factor: &Factor| match factor.atom.kind() {
         Kind::Root(Exact { form: Form::Rational(radicand) }) => Some(radicand),
@@ -271,7 +277,8 @@ fn join_roots(factors: &mut Vec<Factor>) -> Option<Exact> {
     let (between, n) = find(&factors[first + 1..], root_of_integer)?;
     factors.remove(first + 1 + between);
     factors.remove(first);
-    Some(Exact::root_of_rational(&m.mul(n)))
+    // The fraction m/n = a/b is reduced, and √(a/b) = √(a·b)/b.
+    Some(Exact::root_of_rational(&m.div(n)).scaled(n))
 }
 
 /// sin² x = 1 − cos² x.
