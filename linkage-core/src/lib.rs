@@ -88,6 +88,7 @@ extern crate self as linkage_core;
 #[cfg(any(feature = "std", feature = "ad", test))]
 extern crate std;
 
+mod c_interface;
 mod careful;
 mod cost;
 #[cfg(feature = "ad")]

@@ -27,7 +27,7 @@ impl Order {
     }
 
     /// The run-time type of a shape and its fields; no type for a plain number.
-    fn fields(self, shape: Shape) -> (Option<&'static str>, &'static [&'static str]) {
+    pub(super) fn fields(self, shape: Shape) -> (Option<&'static str>, &'static [&'static str]) {
         match (shape, self) {
             (Shape::Point, _) => (Some("Point"), &["x", "y"]),
             (Shape::Slide, _) => (Some("Slide"), &["slide"]),
@@ -66,8 +66,10 @@ pub(super) fn records(cx: &Context<'_>) -> TokenStream {
 /// What stands in front of every struct. No number is `Eq`, and names are as declared.
 pub(super) fn attributes(cx: &Context<'_>) -> TokenStream {
     let derives = cx.paths.derives(&["Clone", "Copy", "Debug", "PartialEq"]);
+    let layout = cx.mechanism.export_c.then(|| quote!(#[repr(C)]));
     quote! {
         #derives
+        #layout
         #[allow(
             non_snake_case,
             clippy::derive_partial_eq_without_eq,
