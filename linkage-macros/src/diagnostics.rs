@@ -42,12 +42,14 @@ impl Diagnostics {
         self.errors.len()
     }
 
-    /// The end of a phase: go on only where nothing was reported.
+    /// The end of a phase: go on only where nothing was reported. Mistakes come in the order of
+    /// the source, whichever phase found them.
     pub(crate) fn barrier(&mut self) -> Result<(), Failure> {
         if self.errors.is_empty() {
             return Ok(());
         }
         self.asked = true;
+        self.errors.sort_by_cached_key(|error| place(error.span()));
         Err(Failure(self.errors.drain(..).map(|e| e.into_compile_error()).collect()))
     }
 
@@ -74,16 +76,31 @@ impl Drop for Diagnostics {
     }
 }
 
-/// The candidate nearest to `name`, where one is near enough to have been meant.
+/// Line and column, both 0 where there is no source.
+fn place(span: Span) -> (usize, usize) {
+    #[cfg(test)]
+    return (span.start().line, span.start().column);
+    #[cfg(not(test))]
+    {
+        // Outside a compiler there are spans without a source.
+        let span = proc_macro::is_available().then(|| span.unwrap());
+        span.map_or((0, 0), |span| (span.line(), span.column()))
+    }
+}
+
+/// The candidate nearest to `name`, where one is near enough to have been meant; one that has
+/// nothing in common with a short name is not.
 pub(crate) fn nearest<'a>(
     name: &str,
     candidates: impl Iterator<Item = &'a str>,
 ) -> Option<&'a str> {
-    let allowed = name.chars().count().div_ceil(3).max(1);
+    let length = name.chars().count();
+    let allowed = length.div_ceil(3).min(length.saturating_sub(1));
     candidates
         .map(|candidate| (distance(name, candidate), candidate))
         .filter(|&(distance, _)| distance <= allowed)
-        .min_by_key(|&(distance, _)| distance)
+        // Of equally near ones, the one as long as the name: `mn` is rather `mm` than `m`.
+        .min_by_key(|&(distance, near)| (distance, near.chars().count().abs_diff(length)))
         .map(|(_, candidate)| candidate)
 }
 
@@ -142,6 +159,17 @@ mod tests {
     }
 
     #[test]
+    fn mistakes_come_in_the_order_of_the_source() {
+        let tokens: TokenStream = "a\nb c".parse().expect("these are tokens");
+        let mut diagnostics = Diagnostics::new();
+        for tree in tokens.into_iter().collect::<Vec<_>>().into_iter().rev() {
+            diagnostics.error(tree.span(), &tree);
+        }
+        let failure = diagnostics.finish().expect_err("three mistakes were reported");
+        assert_eq!(messages(failure), [r#""a""#, r#""b""#, r#""c""#]);
+    }
+
+    #[test]
     fn a_mistake_is_reported_at_its_token() {
         let tokens: TokenStream = "a b c".parse().expect("these are tokens");
         let b = tokens.into_iter().nth(1).expect("there are three");
@@ -192,6 +220,7 @@ mod tests {
             ("copuelr", Some("coupler")),
             ("thet", Some("theta")),
             ("quadrant", None),
+            ("Q", None),
             ("blowtorch", None),
         ] {
             assert_eq!(nearest(name, names.into_iter()), expected, "{name}");

@@ -4,11 +4,10 @@
 use crate::diagnostics::{Diagnostics, Failure};
 use crate::exact::Exact;
 use crate::exact::enclosure::Enclosure;
-use crate::ir::construct::Rule;
 use crate::ir::interpret::{Given, Number, interpret};
 use crate::ir::program::{EntryKind, Program};
 use crate::model::mechanism::{Mechanism, ParamKind, Sign};
-use crate::{equations, model, syntax};
+use crate::{model, syntax};
 
 /// Fractional bits of the numbers below: about 120 decimals.
 const BITS: u32 = 400;
@@ -23,11 +22,6 @@ pub(crate) fn mechanism(source: &str) -> Mechanism {
         Ok(()) => mechanism.expect("nothing was reported"),
         Err(Failure(errors)) => panic!("{source}\n{errors}"),
     }
-}
-
-/// The program of the mechanism under the given rules.
-pub(crate) fn program(source: &str, rules: &[Rule]) -> Program {
-    equations::derive(&mechanism(source), rules)
 }
 
 /// A number of a hundred digits.

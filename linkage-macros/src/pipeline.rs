@@ -16,7 +16,7 @@ pub(crate) fn compile(source: TokenStream) -> TokenStream {
     match resolved(declaration.as_ref(), diagnostics) {
         Ok(mechanism) => codegen::generate(&mechanism, &program(&mechanism)),
         Err(Failure(errors)) => {
-            let stubs = proc_macro2::TokenStream::new();
+            let stubs = declaration.as_ref().map(codegen::stubs::stubs);
             quote::quote! { #errors #stubs }
         }
     }
@@ -28,7 +28,8 @@ fn resolved(
     declaration: Option<&Declaration>,
     mut diagnostics: Diagnostics,
 ) -> Result<Mechanism, Failure> {
-    // Every statement is one of the language, but for those that were reported.
+    // No barrier between the two: the tree marks what could not be read, and the model says
+    // nothing of what may only be missing because of that.
     let mechanism =
         declaration.and_then(|declaration| model::resolve(declaration, &mut diagnostics));
     diagnostics.finish()?;

@@ -28,12 +28,15 @@ pub(super) fn check(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> State
         Check::ReachOffset => "reach_offset",
         Check::Nonzero => "nonzero",
         Check::Positive(_) => "positive",
-        Check::Square => "square",
+        Check::Square if condition.operands.is_empty() => "square",
+        Check::Square => "square_of_centres",
     });
     let looked_at = match condition.check {
-        Check::ReachCircles | Check::ReachLine | Check::ReachOffset => &condition.operands[..],
+        Check::ReachCircles | Check::ReachLine | Check::ReachOffset | Check::Square => {
+            &condition.operands[..]
+        }
         // These look at the value alone; the operands are there to be computed first.
-        Check::Nonzero | Check::Positive(_) | Check::Square => &[],
+        Check::Nonzero | Check::Positive(_) => &[],
     };
     let group = &body.cx.program.groups[condition.group as usize];
     let length = match &condition.check {

@@ -152,7 +152,7 @@ pub(super) fn output(cx: &Context<'_>, output: &Output, order: Order) -> TokenSt
 }
 
 /// One output in words: what it is, what made it, its unit.
-fn describe(cx: &Context<'_>, output: &Output, order: Order) -> String {
+pub(super) fn describe(cx: &Context<'_>, output: &Output, order: Order) -> String {
     let (mechanism, name) = (cx.mechanism, text(&output.field));
     let group = |index: usize| {
         let group = &mechanism.groups[index];
@@ -213,7 +213,7 @@ fn slid(order: Order) -> &'static str {
 }
 
 /// What a function computes.
-fn subject(kind: EntryKind) -> &'static str {
+pub(super) fn subject(kind: EntryKind) -> &'static str {
     match kind {
         EntryKind::Position | EntryKind::PositionAt => "Positions of the outputs",
         EntryKind::Velocity | EntryKind::VelocityAt => "Velocities of the outputs",

@@ -27,7 +27,7 @@ impl Order {
     }
 
     /// The run-time type of a shape and its fields; no type for a plain number.
-    fn fields(self, shape: Shape) -> (Option<&'static str>, &'static [&'static str]) {
+    pub(super) fn fields(self, shape: Shape) -> (Option<&'static str>, &'static [&'static str]) {
         match (shape, self) {
             (Shape::Point, _) => (Some("Point"), &["x", "y"]),
             (Shape::Slide, _) => (Some("Slide"), &["slide"]),
@@ -67,8 +67,10 @@ pub(super) fn records(cx: &Context<'_>) -> TokenStream {
 /// anyone reads every result.
 pub(super) fn attributes(cx: &Context<'_>) -> TokenStream {
     let derives = cx.paths.derives(&["Clone", "Copy", "Debug", "PartialEq"]);
+    let layout = cx.mechanism.export_c.then(|| quote!(#[repr(C)]));
     quote! {
         #derives
+        #layout
         #[allow(
             dead_code,
             non_snake_case,

@@ -1,7 +1,7 @@
 //! What the groups share: where a group stands, and the bar as part of a dyad.
 
 use crate::equations::jet::Jet;
-use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::motion::{Direction, Frame, PointMotion, Turned};
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::model::mechanism::{Carrier, LinkId, Numerics};
 
@@ -16,11 +16,10 @@ pub(super) struct Quality<'s> {
 }
 
 impl<'s> Quality<'s> {
-    /// Of two slides: the sine of the angle between their directions. Its size has the rates of
-    /// the cross product, with the sign of the cross product.
-    pub(super) fn of_directions(a: Direction<'s>, b: Direction<'s>) -> Self {
+    /// Of two slides: the size of the sine of the angle between their directions, which has the
+    /// rates of the cross product, with the sign of the cross product.
+    pub(super) fn of_directions(a: Direction<'s>, b: Direction<'s>, sine: Sym<'s>) -> Self {
         let ([ax, ay], [bx, by]) = (a.jets(), b.jets());
-        let (sine, _) = a.sin_cos_to(b);
         let cross = Jet { value: sine, ..ax * by - ay * bx };
         Self { margin: None, transmission: cross.hypot(Jet::zero(sine.sheet())) }
     }
@@ -89,12 +88,11 @@ impl<'s> Bar<'s> {
 
     /// The bar's frame: origin at its outer joint, x towards the pin.
     pub(super) fn frame(self, link: LinkId) -> Frame<'s> {
-        let zero = self.r.x.sheet().zero();
         let direction = Direction {
             u: self.u(),
             omega: self.omega,
             alpha: self.alpha,
-            turned: Some((Carrier::Link(link), zero)),
+            turned: Some(Turned::start(Carrier::Link(link), self.r.x.sheet())),
         };
         Frame { origin: self.outer, direction }
     }

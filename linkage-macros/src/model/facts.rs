@@ -5,7 +5,7 @@ use proc_macro2::Span;
 use crate::exact::Exact;
 
 use super::dimension::Measure;
-use super::mechanism::{Carrier, Expr, GuideId, LinkId, PointId};
+use super::mechanism::{Carrier, Expr, GuideId, PointId};
 use super::names::Entity;
 
 #[derive(Default)]
@@ -22,7 +22,7 @@ pub(super) struct Facts {
     pub guides: Vec<GuideFacts>,
     /// Points and links in order of declaration.
     pub order: Vec<Entity>,
-    /// Which points are fixed to which bodies.
+    /// Which points belong to which bodies, and where other points stand still on one.
     places: Vec<Location>,
 }
 
@@ -45,6 +45,9 @@ pub(super) struct LinkFacts {
     pub is_bar: bool,
     /// The distance from one to the other; `None` also where it was in error.
     pub length: Option<Expr>,
+    /// Whether its joint and its pin are known, so that a point which is neither is known not to
+    /// be.
+    pub has_its_joints: bool,
 }
 
 pub(super) struct GuideFacts {
@@ -65,6 +68,8 @@ pub(super) struct Line {
 struct Location {
     carrier: Carrier,
     point: PointId,
+    /// Whether it was declared as a point of the body or is a joint of it.
+    belongs: bool,
     /// The place in the carrier's frame, if it is constant.
     at: Option<[Exact; 2]>,
 }
@@ -82,18 +87,24 @@ impl Facts {
         }
     }
 
-    /// The point is fixed to the carrier.
+    /// The point belongs to the carrier: it was declared there, or is a joint of it.
     pub(super) fn fix(&mut self, point: PointId, carrier: Carrier, at: Option<[Exact; 2]>) {
-        self.places.push(Location { carrier, point, at });
+        self.places.push(Location { carrier, point, belongs: true, at });
     }
 
-    pub(super) fn lies_on(&self, point: PointId, carrier: Carrier) -> bool {
-        self.places.iter().any(|place| place.point == point && place.carrier == carrier)
+    /// The point of another body stands still at a place of the carrier.
+    pub(super) fn stands_still(&mut self, point: PointId, carrier: Carrier, at: [Exact; 2]) {
+        self.places.push(Location { carrier, point, belongs: false, at: Some(at) });
     }
 
-    /// The points of the link, joints included.
-    pub(super) fn points_on(&self, link: LinkId) -> impl Iterator<Item = PointId> {
-        self.places.iter().filter(move |p| p.carrier == Carrier::Link(link)).map(|p| p.point)
+    pub(super) fn belongs_to(&self, point: PointId, carrier: Carrier) -> bool {
+        self.points_of(carrier).any(|known| known == point)
+    }
+
+    /// The points of a body, joints included.
+    pub(super) fn points_of(&self, carrier: Carrier) -> impl Iterator<Item = PointId> {
+        let places = self.places.iter().filter(move |p| p.belongs && p.carrier == carrier);
+        places.map(|place| place.point)
     }
 
     /// The constant place of the point on the carrier.

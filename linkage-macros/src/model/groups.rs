@@ -10,7 +10,7 @@ use super::Resolver;
 use super::anatomy::{Anatomy, Class, Joint, Pin, Reason};
 use super::facts::LinkFacts;
 use super::fields::Fields;
-use super::mechanism::{Carrier, Group, GroupId, GuideId, Link, LinkId, Named, PointId};
+use super::mechanism::{Group, GroupId, GuideId, Link, LinkId, Named, PointId};
 use super::names::{Entity, Kind};
 
 /// What a group statement has made and was given.
@@ -33,6 +33,15 @@ pub(super) enum Stand {
 }
 
 impl Parts<'_> {
+    /// Whether the group has a pin, or should have one.
+    pub(super) fn has_pin(&self) -> bool {
+        match self.anatomy.pin {
+            Pin::Needed => true,
+            Pin::Optional => self.group.pin.is_some(),
+            Pin::None(_) => false,
+        }
+    }
+
     pub(super) fn link(&self, i: usize) -> Option<LinkId> {
         self.links.get(i).copied().flatten()
     }
@@ -63,7 +72,7 @@ impl Resolver<'_> {
             self.names_stay_unknown(group);
             return;
         };
-        if !self.each_joint_has_a_link(group, anatomy) {
+        if !group.head_is_read || !self.each_joint_has_a_link(group, anatomy) {
             self.names_stay_unknown(group);
             self.outer_joints(group, anatomy);
             self.fields(group, anatomy);
@@ -88,26 +97,28 @@ impl Resolver<'_> {
             Class::Rpp => self.rpp(&parts),
         };
         self.mechanism.steps.extend(step);
-        self.what_was_made_moves(&parts);
+        self.facts_of_what_was_made(&parts);
     }
 
     /// What a group makes moves if anything it was given moves.
-    fn what_was_made_moves(&mut self, parts: &Parts) {
-        for link in parts.links.iter().flatten() {
-            self.facts.links[link.index()].moves = self.moves;
+    fn facts_of_what_was_made(&mut self, parts: &Parts) {
+        let pin_is_known = parts.pin.is_some() == parts.has_pin();
+        for (link, joint) in parts.links.iter().zip(&parts.outer) {
+            if let Some(link) = link {
+                let facts = &mut self.facts.links[link.index()];
+                facts.moves = self.moves;
+                facts.has_its_joints = joint.is_some() && pin_is_known;
+            }
         }
         if let Some(pin) = parts.pin {
             self.facts.points[pin.index()] = self.moves;
-            if !self.moves && !self.facts.lies_on(pin, Carrier::Ground) {
-                self.facts.fix(pin, Carrier::Ground, None);
-            }
         }
     }
 
     /// The names of a statement that cannot be understood are taken, and stand for nothing.
     fn names_stay_unknown(&mut self, group: &tree::Group) {
         for name in group.legs.iter().map(|leg| &leg.link).chain(&group.pin) {
-            self.name_is_free(name);
+            self.name_is_new(name);
         }
     }
 
@@ -124,7 +135,7 @@ impl Resolver<'_> {
         made_by: GroupId,
         slides: bool,
     ) -> Option<LinkId> {
-        self.name_is_free(name)?;
+        self.name_is_new(name)?;
         let id = LinkId(self.mechanism.links.len() as u32);
         self.mechanism.links.push(Link {
             name: name.clone(),
@@ -132,7 +143,12 @@ impl Resolver<'_> {
             made_by,
             slides,
         });
-        self.facts.links.push(LinkFacts { moves: false, is_bar: false, length: None });
+        self.facts.links.push(LinkFacts {
+            moves: false,
+            is_bar: false,
+            length: None,
+            has_its_joints: true,
+        });
         self.facts.order.push(Entity::Link(id));
         self.names.bind(name, Entity::Link(id));
         Some(id)
@@ -144,7 +160,7 @@ impl Resolver<'_> {
         name: &Ident,
         made_by: String,
     ) -> Option<PointId> {
-        self.name_is_free(name)?;
+        self.name_is_new(name)?;
         let id = PointId(self.mechanism.points.len() as u32);
         self.mechanism.points.push(Named { name: name.clone(), docs: docs.to_vec(), made_by });
         self.facts.points.push(false);
@@ -166,14 +182,14 @@ impl Resolver<'_> {
             (Some(pin), Pin::None(reason)) => {
                 let message = format!("`{keyword}` makes no pin; remove `-> {pin}`");
                 self.diagnostics.error_because(pin.span(), message, reason);
-                self.name_is_free(pin);
+                self.name_is_new(pin);
                 None
             }
             (Some(pin), _) => {
                 let made_by = format!("{keyword} {}", self.mechanism.groups[id.index()].title);
                 self.add_point(docs, pin, made_by)
             }
-            (None, Pin::Needed) => {
+            (None, Pin::Needed) if group.head_is_read => {
                 let message = format!("`{keyword}` makes a pin; name it with `-> C`");
                 let reason = format!("it reads `{}`", anatomy.form);
                 self.diagnostics.error_because(group.keyword.span(), message, reason);
@@ -205,7 +221,7 @@ impl Resolver<'_> {
 
     fn outer_joints(&mut self, group: &tree::Group, anatomy: &Anatomy) -> Vec<Option<Stand>> {
         let outer: Vec<_> = (group.legs.iter().zip(anatomy.joints))
-            .map(|(leg, &joint)| self.joint_stands_on_its_kind(&leg.joint, joint, anatomy))
+            .map(|(leg, &joint)| self.joint_stands_on_its_kind(leg.joint.as_ref()?, joint, anatomy))
             .collect();
         match outer[..] {
             [Some(first), Some(second)] if self.outer_joints_differ(group, first, second) => outer,
@@ -254,7 +270,7 @@ impl Resolver<'_> {
         if first != second {
             return true;
         }
-        let joint = &group.legs[1].joint;
+        let Some(joint) = &group.legs[1].joint else { return true };
         let message = format!("both links of `{}` stand on `{joint}`", group.keyword);
         let reason = match second {
             Stand::Point(_) => "between two links on one point the inner joint is undetermined",
@@ -281,10 +297,6 @@ impl Resolver<'_> {
             "ppp" => (
                 format!("no group `{text}`; a dyad needs a revolute joint"),
                 "links with prismatic joints alone cannot turn, and are not determined".to_string(),
-            ),
-            "triad" | "assembly" => (
-                format!("`{text}` is reserved; build the mechanism from dyads"),
-                format!("the groups are {}", known_groups()),
             ),
             _ if is_letters && letters.len() != 3 => (
                 format!("no group `{text}`; a dyad has three joints, so three letters"),

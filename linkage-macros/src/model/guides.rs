@@ -21,7 +21,7 @@ impl Resolver<'_> {
         through: &tree::Spot,
         course: &tree::Course,
     ) {
-        let is_free = self.name_is_free(name).is_some();
+        let is_new = self.name_is_new(name).is_some();
         let carrier = self.carrier(on);
         let through = self.spot(through, carrier);
         let course = self.course(course, carrier);
@@ -31,7 +31,7 @@ impl Resolver<'_> {
             }
             _ => None,
         };
-        let (true, Some(carrier)) = (is_free, carrier) else {
+        let (true, Some(carrier)) = (is_new, carrier) else {
             return;
         };
         let made_by = on.map_or("guide".to_string(), |link| format!("guide on {link}"));
@@ -78,6 +78,7 @@ impl Resolver<'_> {
                 let (point, at) = self.point_lies_on_carrier(name, carrier)?;
                 Some((Spot::Point(point), at))
             }
+            tree::Spot::Mistake => None,
         }
     }
 
@@ -93,6 +94,7 @@ impl Resolver<'_> {
                 let (point, at) = self.point_lies_on_carrier(name, carrier)?;
                 Some((Course::Towards(point), at))
             }
+            tree::Course::Mistake => None,
         }
     }
 
@@ -104,22 +106,25 @@ impl Resolver<'_> {
     ) -> Option<(PointId, Option<[Exact; 2]>)> {
         let point = self.point(name)?;
         let carrier = carrier?;
-        if self.facts.lies_on(point, carrier) {
+        if self.facts.belongs_to(point, carrier) {
             return Some((point, self.facts.place(point, carrier).cloned()));
         }
         match carrier {
             Carrier::Ground => {
-                let message = format!("`{name}` moves, and the guide is fixed in the ground");
+                let message =
+                    format!("`{name}` is no ground point, and the guide is fixed in the ground");
                 let reason = match self.links_through(point).as_slice() {
                     [] => "use a ground point, or declare the guide on a link".to_string(),
                     [link, ..] => format!("declare the guide on a link: `guide … on {link} …`"),
                 };
                 self.diagnostics.error_because(name.span(), message, reason);
             }
+            // What is not known to be a point of the link may be the one that was in error.
+            Carrier::Link(link) if !self.facts.links[link.index()].has_its_joints => {}
             Carrier::Link(link) => {
                 let points: Vec<_> = self
                     .facts
-                    .points_on(link)
+                    .points_of(carrier)
                     .map(|point| format!("`{}`", self.mechanism.points[point.index()].name))
                     .collect();
                 let link = &self.mechanism.links[link.index()].name;
@@ -138,7 +143,7 @@ impl Resolver<'_> {
         let links = self.mechanism.links.iter().enumerate();
         links
             .filter(|&(i, _)| {
-                self.facts.lies_on(point, Carrier::Link(super::mechanism::LinkId(i as u32)))
+                self.facts.belongs_to(point, Carrier::Link(super::mechanism::LinkId(i as u32)))
             })
             .map(|(_, link)| &link.name)
             .collect()

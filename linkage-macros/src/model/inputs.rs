@@ -20,11 +20,11 @@ use super::numbers::bare_name;
 const KINDS: [&str; 2] = ["angle", "length"];
 
 impl Resolver<'_> {
-    pub(super) fn input(&mut self, docs: &[Attribute], names: &[Ident], kind: &Ident) {
-        let dimension = self.quantity_kind(kind, "input kind", &KINDS);
+    pub(super) fn input(&mut self, docs: &[Attribute], names: &[Ident], kind: Option<&Ident>) {
+        let dimension = kind.and_then(|kind| self.quantity_kind(kind, "input kind", &KINDS));
         for name in names {
-            let is_free = self.name_is_free(name).is_some();
-            let (true, Some(dimension)) = (is_free, dimension) else {
+            let is_new = self.name_is_new(name).is_some();
+            let (true, Some(dimension)) = (is_new, dimension) else {
                 continue;
             };
             let id = InputId(self.mechanism.inputs.len() as u32);
@@ -48,6 +48,7 @@ impl Resolver<'_> {
         match text.as_str() {
             "angle" => return Some(Dimension::ANGLE),
             "length" => return Some(Dimension::LENGTH),
+            "number" if known.contains(&"number") => return Some(Dimension::NUMBER),
             _ => {}
         }
         let mut message = format!("no {what} named `{text}`");
@@ -67,14 +68,14 @@ impl Resolver<'_> {
         kind: Option<&Ident>,
         default: &Expr,
     ) {
-        let is_free = self.name_is_free(name).is_some();
+        let is_new = self.name_is_new(name).is_some();
         let resolved = match kind {
             Some(kind) if kind == "mode" => {
                 self.param_is_a_mode(default).map(|kind| (kind, Measure::NUMBER))
             }
             _ => self.param_is_a_constant(name, kind, default),
         };
-        let (true, Some((kind, measure))) = (is_free, resolved) else {
+        let (true, Some((kind, measure))) = (is_new, resolved) else {
             return;
         };
         let id = ParamId(self.mechanism.params.len() as u32);
@@ -97,7 +98,7 @@ impl Resolver<'_> {
         }
         let wanted = match kind {
             Some(kind) => {
-                let kinds = ["angle", "length", "mode"];
+                let kinds = ["angle", "length", "number", "mode"];
                 Some(self.quantity_kind(kind, "parameter kind", &kinds))
             }
             None => None,
@@ -123,8 +124,8 @@ impl Resolver<'_> {
     }
 
     pub(super) fn named_expression(&mut self, name: &Ident, value: &Expr) {
-        let is_free = self.name_is_free(name).is_some();
-        let (true, Some(quantity)) = (is_free, self.quantity(value)) else {
+        let is_new = self.name_is_new(name).is_some();
+        let (true, Some(quantity)) = (is_new, self.quantity(value)) else {
             return;
         };
         let id = LetId(self.mechanism.lets.len() as u32);
@@ -133,10 +134,11 @@ impl Resolver<'_> {
         self.names.bind(name, Entity::Let(id));
     }
 
-    /// A mechanism has at least one input.
+    /// A mechanism has at least one input. Nothing is said where one is used that was forgotten.
     pub(super) fn an_input_is_declared(&mut self, tree: &Declaration) {
         let is_input = |s: &Statement| matches!(s.kind, StatementKind::Input { .. });
-        if !tree.statements.iter().any(is_input) {
+        let may_have_been = self.number_is_unknown || tree.unread.may_hold("input");
+        if !may_have_been && !tree.statements.iter().any(is_input) {
             let name = &tree.name;
             let message = format!("`{name}` has no input; declare what drives it");
             let reason = "an angle, `input theta: angle;`, or a length, `input s: length;`";
@@ -171,7 +173,7 @@ impl Resolver<'_> {
         }
         for input in &self.mechanism.inputs {
             let name = &input.name;
-            if used.iter().any(|used| name == used) {
+            if used.iter().any(|used| name == used) || tree.unread.may_hold(&name.to_string()) {
                 continue;
             }
             let message = format!("nothing uses the input `{name}`; use it or remove it");
@@ -203,6 +205,7 @@ fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
             Place::Cartesian(values) | Place::Polar(values) | Place::Distances(values, _) => {
                 values.iter().for_each(f);
             }
+            Place::Mistake => {}
         },
         StatementKind::Group(group) => {
             for field in &group.fields {

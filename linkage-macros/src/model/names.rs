@@ -68,6 +68,8 @@ struct Symbol {
     entity: Option<Entity>,
     /// Whether its statement was reached, so that another declaration is the second.
     declared: bool,
+    /// Whether another declaration was reached: what is meant by the name is unknown from there.
+    ambiguous: bool,
 }
 
 pub(super) struct Names {
@@ -95,6 +97,7 @@ impl Names {
                     made_by,
                     entity: None,
                     declared: false,
+                    ambiguous: false,
                 });
             }
         }
@@ -114,7 +117,7 @@ impl Names {
 
     /// What the name was declared as, wherever that stands.
     pub(super) fn kind(&self, name: &Ident) -> Option<Kind> {
-        self.symbol(name).map(|symbol| symbol.kind)
+        self.symbol(name).filter(|symbol| !symbol.ambiguous).map(|symbol| symbol.kind)
     }
 
     /// What the name stands for, if it can be used.
@@ -175,66 +178,21 @@ fn title(statement: &Statement, name: &str) -> String {
     }
 }
 
-/// Words that later statements will need.
-const RESERVED: [&str; 21] = [
-    "mass",
-    "force",
-    "torque",
-    "spring",
-    "damper",
-    "gravity",
-    "load",
-    "triad",
-    "assembly",
-    "all",
-    "uniform",
-    "between",
-    "towards",
-    "distances",
-    "polar",
-    "near",
-    "mirrored",
-    "in",
-    "on",
-    "at",
-    "along",
-];
-
-/// Words that already mean something where a name may stand.
-const MEANT: [&str; 15] = [
-    "ground", "pi", "left", "right", "ahead", "behind", "sqrt", "hypot", "sin", "cos", "tan",
-    "asin", "acos", "atan", "atan2",
-];
-
 impl Resolver<'_> {
-    /// A name is declared once, and is no word of the language.
-    pub(super) fn name_is_free(&mut self, name: &Ident) -> Option<()> {
+    /// A name is declared once.
+    pub(super) fn name_is_new(&mut self, name: &Ident) -> Option<()> {
         let text = name.to_string();
         let index = *self.names.by_name.get(&text)?;
         let symbol = &mut self.names.symbols[index];
         if symbol.declared {
+            symbol.ambiguous = true;
             let reason = format!("the first `{text}` is made by `{}`", symbol.made_by);
             let message = format!("the name `{text}` is taken; choose another");
             self.diagnostics.error_because(name.span(), message, reason);
             return None;
         }
         symbol.declared = true;
-        self.name_is_no_word(name)
-    }
-
-    /// A name is neither reserved for later statements nor a word that means something already.
-    pub(super) fn name_is_no_word(&mut self, name: &Ident) -> Option<()> {
-        let text = name.to_string();
-        let reason = if RESERVED.contains(&text.as_str()) {
-            "the word is reserved for statements to come"
-        } else if MEANT.contains(&text.as_str()) {
-            "the word already has a meaning in the language"
-        } else {
-            return Some(());
-        };
-        let message = format!("`{text}` cannot be a name; choose another");
-        self.diagnostics.error_because(name.span(), message, reason);
-        None
+        Some(())
     }
 
     pub(super) fn point(&mut self, name: &Ident) -> Option<PointId> {
@@ -259,12 +217,18 @@ impl Resolver<'_> {
     }
 
     /// A name that is used exists, is of a kind that belongs there, and was made earlier. A name
-    /// whose own declaration was in error gives nothing, and no message.
+    /// whose own declaration was in error, or that has two, gives nothing, and no message.
     pub(super) fn usable(&mut self, name: &Ident, kinds: &[Kind]) -> Option<Entity> {
         let Some(symbol) = self.names.symbol(name) else {
-            self.name_exists(name, kinds);
+            match self.unread.may_hold(&name.to_string()) {
+                true => self.name_is_unknown(kinds),
+                false => self.name_exists(name, kinds),
+            }
             return None;
         };
+        if symbol.ambiguous {
+            return None;
+        }
         if !kinds.contains(&symbol.kind) {
             let message = format!("`{name}` is {}, not {}", symbol.kind.one(), one_of(kinds));
             let reason = reason_for_kind(name, symbol.kind, kinds);
@@ -291,9 +255,17 @@ impl Resolver<'_> {
         Some(entity)
     }
 
+    /// What stands for a number and is not known may be an input, or hold one.
+    fn name_is_unknown(&mut self, kinds: &[Kind]) {
+        if kinds == NUMBERS {
+            self.use_is_hidden = true;
+            self.number_is_unknown = true;
+        }
+    }
+
     /// Reports a name that nothing declares, with the nearest one of the kinds that belong there.
     fn name_exists(&mut self, name: &Ident, kinds: &[Kind]) {
-        self.use_is_hidden = true;
+        self.name_is_unknown(kinds);
         let text = name.to_string();
         let mut message = format!("no {} named `{text}`", words(kinds));
         let mut reason = None;
@@ -303,10 +275,15 @@ impl Resolver<'_> {
                 message += &format!("; {} with a similar name exists: `{near}`", kind.one());
             }
             None => {
-                let known: Vec<_> =
-                    self.names.of_kinds(kinds).map(|known| format!("`{known}`")).collect();
+                let earlier = |symbol: &&Symbol| {
+                    kinds.contains(&symbol.kind) && symbol.statement < self.names.current
+                };
+                let known: Vec<_> = self.names.symbols.iter().filter(earlier).collect();
                 if (1..=8).contains(&known.len()) {
-                    reason = Some(format!("declared are {}", known.join(", ")));
+                    let known: Vec<_> = known.iter().map(|s| format!("`{}`", s.name)).collect();
+                    reason = Some(format!("declared so far: {}", known.join(", ")));
+                } else if known.is_empty() && kinds == NUMBERS {
+                    reason = Some(format!("declare it: `input {text}: angle;`"));
                 }
             }
         }

@@ -66,7 +66,7 @@ impl Resolver<'_> {
 
     /// `fold = BC.angle - DC.angle`
     fn named_output(&mut self, docs: &[Attribute], name: &Ident, value: &Expr) {
-        let is_free = self.name_is_no_word(name).and(self.output_name_is_free(name));
+        let is_new = self.output_name_is_new(name);
         let Some(quantity) = self.quantity(value) else {
             return;
         };
@@ -76,13 +76,13 @@ impl Resolver<'_> {
         } else {
             OutputKind::Turn(quantity.turn())
         };
-        if is_free.is_some() {
+        if is_new.is_some() {
             self.give(name.span(), name.clone(), docs, kind);
         }
     }
 
     /// The name of an expression is not the name of anything else.
-    fn output_name_is_free(&mut self, name: &Ident) -> Option<()> {
+    fn output_name_is_new(&mut self, name: &Ident) -> Option<()> {
         let Some(kind) = self.names.kind(name) else {
             return Some(());
         };
@@ -212,7 +212,7 @@ impl Resolver<'_> {
         if has {
             return Some(());
         }
-        let message = format!("a `{keyword}` has no `{member}`");
+        let message = format!("`{keyword}` has no `{member}`");
         let reason = match keyword {
             "prp" | "rpp" => "it is never out of reach; `transmission` tells how far from parallel",
             _ => "a driver transmits what it is given; ask the dyads that follow",

@@ -149,7 +149,16 @@ fn every_check_has_its_comparison_and_its_call() {
             "T::gt(v1_, zero_)",
             "positive(v1_, \"BC, DC\", \"length\")?",
         ),
-        (Check::Square, "T::ge(v1_, T::smallest_square())", "square(v1_, \"BC, DC\")?"),
+        (
+            Check::Square,
+            "T::ge(v1_, T::smallest_square())",
+            "square_of_centres( v1_, theta, theta, theta, theta, \"BC, DC\", )?",
+        ),
+        (
+            Check::ReachCircles,
+            "T::gt(v1_, zero_)",
+            "reach_circles( v1_, theta, theta, theta, theta, \"BC, DC\", )?",
+        ),
     ] {
         let (condition, called) = guard(check);
         assert_eq!(condition, comparison);
@@ -170,6 +179,19 @@ fn a_comparison_is_made_once_however_many_groups_ask_for_it() {
     let straight = function(&text, "solve_position");
     assert_eq!(straight.matches("T::gt(").count(), 1, "{straight}");
     assert_eq!(straight.matches("smallest_square").count(), 1, "{straight}");
+}
+
+#[test]
+fn what_is_above_zero_is_not_asked_whether_it_is_zero() {
+    let text = expand(&one_value(|g| {
+        let angle = angle(g);
+        [Check::ReachCircles, Check::Nonzero].into_iter().fold(angle, |value, check| {
+            g.guard(value, Guard { check, group: 0, operands: vec![angle; 4] })
+        })
+    }));
+    let straight = function(&text, "solve_position");
+    assert!(straight.contains("T::gt(theta, zero_)"), "{straight}");
+    assert!(!straight.contains("select"), "{straight}");
 }
 
 #[test]

@@ -10,7 +10,8 @@ use crate::passes::{RULES, contract, fold, optimise, simplify};
 
 #[test]
 fn no_pass_changes_a_value() {
-    let passes: [(&str, fn(&Program) -> Program); 5] = [
+    type Pass = fn(&Program) -> Program;
+    let passes: [(&str, Pass); 5] = [
         ("fold", |program| rebuild(program, &[fold::fold_constants as Rule])),
         ("simplify", |program| rebuild(program, &[simplify::simplify as Rule])),
         ("both", |program| rebuild(program, RULES)),

@@ -58,7 +58,10 @@ fn products_and_powers() {
 #[test]
 fn what_is_no_expression() {
     const ROWS: &[(&str, &str)] = &[
-        ("let x = true;", "true: expected a number or a name, found `true`"),
+        (
+            "let x = true;",
+            "true: expected a number or a name, found `true` / `true` is a Rust keyword",
+        ),
         (
             "let x = a.sqrt();",
             "sqrt: write `sqrt(a)` / expressions have functions and members, but no methods",
@@ -93,9 +96,9 @@ fn what_is_no_expression() {
              number or a name, found `^` / a power is written as a product: `x * x`",
         ),
         ("let x = a < b;", "<: expected `;`, found `<` / the operators are `+`, `-`, `*` and `/`"),
-        ("let x = at;", "at: expected a number or a name, found `at`"),
+        ("let x = at;", "at: expected a number or a name, found `at` / `at` is a reserved word"),
         ("let x = ();", "): expected a number or a name, found `)`"),
-        ("let x = a.5;", "5: expected `angle` or `slide`, found `5`"),
+        ("let x = a.5;", "5: expected the name of a member, such as `angle`, found `5`"),
         ("let x = (1;2);", ";: expected `)`, found `;`"),
     ];
     check_statements(ROWS);

@@ -100,8 +100,8 @@ fn outputs_and_settings() {
         ("output a, = 3;", "=: expected a number or a name, found `=`"),
         (
             "output A.x.y;",
-            ".: expected the end of a member, found `.` / a link's members are `angle` and \
-             `slide`",
+            ".: expected the end of a member, found `.` / a member is one name behind a \
+             link: `BC.angle`",
         ),
         ("numerics;", ";: expected `compensated`, found `;`"),
         ("crate = \"x\";", "\"x\": write the path of `linkage-core`: `crate = ::linkage_core;`"),

@@ -22,11 +22,7 @@ fn inputs_parameters_and_values() {
             "=: write `param` for a number with a default / an input is an argument of every \
              call",
         ),
-        (
-            "input s x: length;",
-            "x: say what `s` is: `input s: angle;` or `input s: length;` / its kind tells \
-             radians from metres",
-        ),
+        ("input s x: length;", "x: write `,` in front of `x`"),
         (
             "param l;",
             ";: give `l` a default: `param l = …;` / `new()` sets every parameter to its default",
