@@ -94,7 +94,7 @@ fn prove(level: &str) {
     }
 }
 
-/// The functions of the library, but for Rust's own, that call one of `core::panicking`.
+/// The functions of the library, but for Rust's own, that call what panics in `core`.
 fn places_that_panic(library: &Path) -> Vec<String> {
     let output = Command::new("objdump").arg("-r").arg(library).output();
     let relocations = text(&output.expect("objdump comes with gcc").stdout);
@@ -104,7 +104,9 @@ fn places_that_panic(library: &Path) -> Vec<String> {
             object = name;
         } else if let Some(name) = line.strip_prefix("RELOCATION RECORDS FOR ") {
             section = name;
-        } else if line.contains("panicking") && !object.starts_with("core-") {
+        } else if (line.contains("panicking") || line.contains("_fail"))
+            && !object.starts_with("core-")
+        {
             places.push(format!("{object} {section}"));
         }
     }
