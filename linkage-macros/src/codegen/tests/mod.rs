@@ -1,5 +1,6 @@
 //! The text of what small programs expand to.
 
+mod c_export;
 mod fixture;
 
 use super::generate;
