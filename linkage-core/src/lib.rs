@@ -89,6 +89,7 @@ mod primitive;
 pub mod private;
 mod results;
 mod scalar;
+mod tracker;
 
 pub use cost::{Cost, Operations};
 pub use error::SolveError;
@@ -99,6 +100,7 @@ pub use results::{
     SlidingDirection, SlidingVelocity,
 };
 pub use scalar::{Mask, Real, Scalar};
+pub use tracker::Tracker;
 
 #[cfg(feature = "macros")]
 pub use linkage_macros::mechanism;
