@@ -46,13 +46,23 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
     let (derivatives, c_export) = (derivatives::items(&cx), c_export::items(&cx));
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
+    let literals = literals_are_dimensions();
     quote! {
         #solver
         #records
+        #literals
         impl<#scalar: #any> #name<#scalar> { #(#straight)* }
+        #literals
         impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
         #derivatives
         #c_export
+    }
+}
+
+/// In front of every block that holds literals.
+fn literals_are_dimensions() -> TokenStream {
+    quote! {
+        #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
     }
 }
 

@@ -70,7 +70,7 @@ fn positions(outputs: &[Output]) -> Vec<String> {
     let components = |output| {
         let mut rows = of(output);
         let shape = output.kind.shape();
-        if matches!(shape, Shape::Direction | Shape::SlidingDirection) {
+        if shape.positions() > shape.rates() {
             rows.insert(0, rows[0].clone());
         }
         rows
