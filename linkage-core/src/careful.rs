@@ -17,18 +17,39 @@ pub fn finite_input<T: Real>(value: T, name: &'static str) -> Result<(), SolveEr
     if value.is_finite() { Ok(()) } else { Err(SolveError::NotFinite { name }) }
 }
 
-/// Whether a result is finite.
+/// Whether a result is finite, `given` being what it was made from.
 ///
 /// # Errors
-/// `NotFinite` with its name.
+/// `Singular` where only a derivative that it carries is not finite. Else `NotFinite`: with the
+/// name of the largest of the given numbers whose fourth power leaves the number's range, as a
+/// rate that is squared on the way does, or with the result's own name where there is none.
 #[cold]
-pub fn finite_result<T: Real>(value: T, name: &'static str) -> Result<(), SolveError> {
-    finite_input(value, name)
+pub fn finite_result<T: Real>(
+    value: T,
+    name: &'static str,
+    given: &[(T, &'static str)],
+) -> Result<(), SolveError> {
+    if value.is_finite() {
+        return Ok(());
+    }
+    if value.value().is_finite() {
+        return Err(SolveError::Singular { group: name });
+    }
+    let mut blamed = (0.0, name);
+    for &(number, name) in given {
+        let square = number * number;
+        let size = number.value().max(-number.value());
+        if !(square * square).value().is_finite() && size > blamed.0 {
+            blamed = (size, name);
+        }
+    }
+    Err(SolveError::NotFinite { name: blamed.1 })
 }
 
-/// The value, at least zero, provided that circles of radii `l1` and `l2` about points
-/// (`dx`, `dy`) apart meet; zero where they fail to by at most four units in the last place of
-/// the longest of the three lengths.
+/// The value, (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²) / 4d⁴, provided that circles of radii `l1` and
+/// `l2` about points d = (`dx`, `dy`) apart meet; zero where they fail to by at most four units in
+/// the last place of the longest of the three lengths. Where they meet and the value was rounded
+/// away, it is computed once more without rounding.
 ///
 /// # Errors
 /// `OutOfReach` by the distance that is missing, `Singular` where the centres coincide or where a
@@ -42,8 +63,33 @@ pub fn reach_circles<T: Real>(
     l2: T,
     group: &'static str,
 ) -> Result<T, SolveError> {
-    let reach = limit::circles([dx.value(), dy.value()], [l1.value(), l2.value()], width::<T>());
+    let (d, lengths) = ([dx.value(), dy.value()], [l1.value(), l2.value()]);
+    let reach = limit::circles(d, lengths, width::<T>());
+    let lost = reach == Reach::Meets && value.value() <= 0.0;
+    let value = if lost { restored(value, limit::height_product(d, lengths)) } else { value };
     reached(value, reach, group)
+}
+
+/// The squared length `value` between centres of circles of radii `l1` and `l2`, provided that it
+/// is in the range in which a square carries full precision.
+///
+/// # Errors
+/// As for [`square`]; about one point, circles of different radii are `OutOfReach`.
+#[cold]
+pub fn square_of_centres<T: Real>(
+    value: T,
+    dx: T,
+    dy: T,
+    l1: T,
+    l2: T,
+    group: &'static str,
+) -> Result<T, SolveError> {
+    let (d, lengths) = ([dx.value(), dy.value()], [l1.value(), l2.value()]);
+    match limit::circles(d, lengths, width::<T>()) {
+        Reach::Beyond(by) => Err(SolveError::OutOfReach { group, by }),
+        Reach::Coincident => Err(SolveError::Singular { group }),
+        Reach::Meets | Reach::AtLimit | Reach::NotFinite => square(value, group),
+    }
 }
 
 /// The value, at least zero, provided that |`t`| ≤ `l`; at the limit and errors as for
@@ -135,6 +181,12 @@ fn reached<T: Real>(value: T, reach: Reach, group: &'static str) -> Result<T, So
     }
 }
 
+/// The value with its derivatives, its real part as it would be without rounding.
+fn restored<T: Real>(value: T, exact: f64) -> T {
+    let missing = exact - value.value();
+    value + T::lit(missing, missing as f32)
+}
+
 fn width<T: Real>() -> Width {
     // smallest_square is MIN_POSITIVE/ε², and the smallest number above zero MIN_POSITIVE·ε.
     let epsilon = <T as Real>::EPSILON;
@@ -173,6 +225,26 @@ mod tests {
         );
     }
 
+    #[cfg(feature = "ad")]
+    #[test]
+    fn at_the_limit_only_a_constant_has_a_derivative() {
+        use num_dual::Dual;
+        let [d, l1, l2] = [7.0, 3.0, 4.0].map(Dual::<f64>::from_re);
+        let y = Dual::from_re(0.0);
+        let constant = reach_circles(Dual::from_re(-1e-16), d, y, l1, l2, GROUP).unwrap();
+        assert!(constant.re == 0.0 && constant.eps == 0.0);
+        for real in [-1e-16, 0.0] {
+            let moving = reach_circles(Dual::new(real, 1.0), d, y, l1, l2, GROUP);
+            assert!(matches!(moving, Err(SINGULAR)));
+        }
+        let inside = reach_line(Dual::new(3.0, 1.0), Dual::new(1.0, 1.0), l2, GROUP).unwrap();
+        assert!(inside.re == 3.0 && inside.eps == 1.0);
+        let steep = Dual::new(3.0, f64::INFINITY);
+        assert_eq!(finite_result(steep, "C.x", &[]), Err(SolveError::Singular { group: "C.x" }));
+        let lost = Dual::new(f64::NAN, f64::NAN);
+        assert_eq!(finite_result(lost, "C.x", &[]), Err(SolveError::NotFinite { name: "C.x" }));
+    }
+
     #[test]
     fn what_is_not_finite_is_never_reached() {
         assert_eq!(reach_circles(f64::NAN, 5.0, 0.0, 3.0, 4.0, GROUP), Err(NOT_FINITE));
@@ -203,6 +275,9 @@ mod tests {
         }
         assert_eq!(finite_input(1e300, "lift"), Ok(()));
         assert_eq!(finite_input(f64::INFINITY, "lift"), Err(not_finite));
-        assert_eq!(finite_result(f32::NAN, "lift"), Err(not_finite));
+        assert_eq!(finite_result(f32::NAN, "lift", &[]), Err(not_finite));
+        let given = [(1e12_f32, "small"), (-1e20, "lift"), (1e19, "large"), (0.0, "none")];
+        assert_eq!(finite_result(f32::NAN, "C.x", &given), Err(not_finite));
+        assert_eq!(finite_result(1.0, "C.x", &given), Ok(()));
     }
 }

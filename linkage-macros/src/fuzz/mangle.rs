@@ -29,7 +29,8 @@ impl Mangler {
         let (seeds, words) = (seeds::all().map(tokens).collect(), tokens(WORDS));
         // Two steps away from small seeds, whose first numbers are alike.
         let mut mangler = Self { seeds, words, state: seed };
-        (mangler.draw(2), mangler.draw(2));
+        mangler.draw(2);
+        mangler.draw(2);
         mangler
     }
 

@@ -149,11 +149,12 @@ impl Resolver<'_> {
                 self.missing(group.end, rule.name, rule.meaning);
             }
         }
-        if let Some(modes) = anatomy.modes {
-            if anatomy.mode_is_needed() && fields.is_left_out("mode") {
-                let meaning = self.modes_explained(modes, group);
-                self.missing(group.end, "mode", &meaning);
-            }
+        if let Some(modes) = anatomy.modes
+            && anatomy.mode_is_needed()
+            && fields.is_left_out("mode")
+        {
+            let meaning = self.modes_explained(modes, group);
+            self.missing(group.end, "mode", &meaning);
         }
     }
 

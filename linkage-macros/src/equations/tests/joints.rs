@@ -140,3 +140,140 @@ fn points_and_guides_lie_where_their_frames_say() {
         assert!((v[5 + 2 * k] - expected.1).abs() < 1e-15, "point {k}");
     }
 }
+
+#[test]
+fn compensated_numerics_mean_the_same() {
+    for lengths in ["(0.75, 0.5)", "(0.6, 0.6)", "(0.5 + s, 0.8 - s)"] {
+        let body = format!(
+            "input s: length; {ARM} rrr BC(B), DC(D) -> C {{ lengths: {lengths}, mode: left }}
+             slider z(g) {{ slide: s }}"
+        );
+        let body = body.replace("ground A", "guide g through (0, 0) along 0deg; ground A");
+        let body = body.replacen("input s: length;", "", 1).replacen(
+            "input q: angle;",
+            "input q: angle; input s: length;",
+            1,
+        );
+        let plain = position(&format!("struct M {{ {body} }}"));
+        let careful = position(&format!("struct M {{ {body} numerics compensated; }}"));
+        assert_eq!(plain.len(), careful.len());
+        for (plain, careful) in plain.iter().zip(&careful) {
+            assert!(plain.apart(careful) < 1e-80, "{lengths}");
+        }
+    }
+}
+
+/// What an output is at q = 0.7.
+fn output(body: &str) -> Vec<f64> {
+    to_f64(&position(&format!("struct M {{ {ARM} {body} }}")))
+}
+
+#[track_caller]
+fn near(found: f64, expected: f64) {
+    // A handful of operations in f64 on numbers of order one.
+    assert!((found - expected).abs() < 1e-14, "{found} is not {expected}");
+}
+
+#[test]
+fn margins_and_transmission_are_what_the_joints_say() {
+    let v = output(
+        "rrr BC(B), DC(D) -> C { lengths: (0.75, 0.5), mode: left } output B, C, BC.margin, BC.transmission;",
+    );
+    let d = (1.0 - v[0]).hypot(0.25 - v[1]);
+    let (outer, inner) = (1.25 * 1.25 - d * d, d * d - 0.0625);
+    near(v[4], outer * inner / (8.0 * 0.375 * d));
+    let cross = (v[2] - v[0]) * (v[3] - 0.25) - (v[3] - v[1]) * (v[2] - 1.0);
+    near(v[5], cross.abs() / 0.375);
+
+    let v = output(
+        "guide g through (0.25, 0.5) along 30deg;
+         rrp BC(B), block(g) -> C { length: 1.25, offset: 0.125, mode: ahead }
+         output B, C, BC.margin, BC.transmission;",
+    );
+    let u = (30f64.to_radians().cos(), 30f64.to_radians().sin());
+    let t = 0.125 - (u.0 * (v[1] - 0.5) - u.1 * (v[0] - 0.25));
+    near(v[4], (1.25 - t) * (1.25 + t) / 2.5);
+    near(v[5], ((v[2] - v[0]) * u.0 + (v[3] - v[1]) * u.1).abs() / 1.25);
+
+    let v = output(
+        "rpr block(B), bar(D) { offset: -0.25 } output B, block.slide, bar.margin, bar.transmission;",
+    );
+    let d = (1.0 - v[0]).hypot(0.25 - v[1]);
+    near(v[3], d - 0.25);
+    near(v[4], v[2].abs() / d);
+
+    let v = output("rpr block(B), bar(D) { mode: behind } output B, bar.margin, bar.transmission;");
+    near(v[2], (1.0 - v[0]).hypot(0.25 - v[1]));
+    near(v[3], 1.0);
+
+    let v = output(
+        "guide g through (0.25, 0.5) along 30deg; guide h on AB through B along 90deg;
+         prp a(g), b(h) -> C {} rpp c(B), y(h) { slot: -60deg } output AB, a.transmission, y.transmission;",
+    );
+    let across = (-v[1], v[0]);
+    near(v[2], (u.0 * across.1 - u.1 * across.0).abs());
+    near(v[3], 60f64.to_radians().sin());
+}
+
+#[test]
+fn a_guide_towards_a_point_passes_through_both() {
+    let p = position(&format!(
+        "struct M {{ {ARM} point P on AB at (0.25, 0.5); point Q on AB at (-0.375, 0.125);
+         guide g on AB through P towards Q; guide h through D towards A;
+         slider a(g) -> U {{ slide: 0.5, offset: 0.25 }} slider b(h) -> V {{ slide: 0.5, offset: 0.25 }}
+         output P, Q, U, V; }}"
+    ));
+    let v = to_f64(&p);
+    let along = |from: (f64, f64), to: (f64, f64)| {
+        let (x, y) = (to.0 - from.0, to.1 - from.1);
+        let (x, y) = (x / x.hypot(y), y / x.hypot(y));
+        (from.0 + 0.5 * x - 0.25 * y, from.1 + 0.5 * y + 0.25 * x)
+    };
+    let u = along((v[0], v[1]), (v[2], v[3]));
+    near(v[4], u.0);
+    near(v[5], u.1);
+    let h = along((1.0, 0.25), (0.0, 0.0));
+    near(v[6], h.0);
+    near(v[7], h.1);
+}
+
+#[test]
+fn guides_on_different_links_cross_on_both() {
+    let p = position(&format!(
+        "struct M {{ {ARM} rrr BC(B), DC(D) -> C {{ lengths: (0.75, 0.5), mode: left }}
+         guide g on BC through (0.25, 0.125) along 30deg; guide h on DC through (0.125, 0.25) along -70deg;
+         prp a(g), b(h) -> P {{ offsets: (0.0625, -0.125) }} output B, BC, DC, P, a, b; }}"
+    ));
+    let v = to_f64(&p);
+    let on = |origin: (f64, f64),
+              link: (f64, f64),
+              at: (f64, f64),
+              degrees: f64,
+              slide: f64,
+              offset: f64| {
+        let (c, s) = (degrees.to_radians().cos(), degrees.to_radians().sin());
+        let local = (at.0 + slide * c - offset * s, at.1 + slide * s + offset * c);
+        (
+            origin.0 + local.0 * link.0 - local.1 * link.1,
+            origin.1 + local.0 * link.1 + local.1 * link.0,
+        )
+    };
+    let first = on((v[0], v[1]), (v[2], v[3]), (0.25, 0.125), 30.0, v[10], 0.0625);
+    let second = on((1.0, 0.25), (v[4], v[5]), (0.125, 0.25), -70.0, v[13], -0.125);
+    near(v[6], first.0);
+    near(v[7], first.1);
+    near(v[6], second.0);
+    near(v[7], second.1);
+}
+
+#[test]
+fn guides_along_the_axes_cross_at_their_own_coordinates() {
+    let p = position(&format!(
+        "struct M {{ {ARM} guide level through (0.25, 0.125) along 180deg; guide upright through (0.375, -0.5) along 90deg;
+         prp a(level), b(upright) -> P {{ offsets: (0.0625, -0.125) }}
+         prp c(upright), d(level) -> Q {{ offsets: (0.25, 0.5) }} output AB, P, Q; }}"
+    ));
+    for (found, expected) in p[2..].iter().zip([0.5, 0.0625, 0.125, -0.375]) {
+        same(found, expected);
+    }
+}
