@@ -272,6 +272,10 @@ pub(super) fn checked(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     ))
 }
 
+pub(super) fn explanation() -> TokenStream {
+    lines("Positions, velocities and accelerations up to an order, or why there are none.")
+}
+
 pub(super) fn careful(entry: &Entry) -> TokenStream {
     lines(&format!(
         "Why `solve_{}` gave no answer, or the answer at a limit.",

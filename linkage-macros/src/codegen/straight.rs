@@ -3,7 +3,7 @@
 
 use std::collections::HashSet;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::blocks::{Statement, lay_out};
@@ -86,35 +86,61 @@ pub(super) fn sin_cos(body: &Body<'_>, angle: Id) -> (TokenStream, Option<TokenS
 
 /// `solve_…`: the core of an entry point, without a branch.
 pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
-    let arguments = cx.arguments(entry.kind);
-    let body = Body { cx, arguments: &arguments, course: Course::Straight };
-    let statements = body.statements(&entry.sinks);
-    let kept = body.locals(entry.sinks.iter().copied());
-    let (lines, mask) = lay_out(&statements.list, &kept);
-
-    let scalar = &cx.names.scalar;
-    let name = function_name(&format!("solve_{}", entry::method(entry.kind)));
+    let (arguments, scalar) = (cx.arguments(entry.kind), &cx.names.scalar);
     let declared = arguments.declared(&quote!(#scalar));
     let converted = arguments.converted(&quote!(#scalar));
-    let unread = arguments.unread(&statements.leaves);
-    let zero = zero(cx, &statements);
-    let ok = verdict(&body, &entry.sinks, mask.map(|ok| quote!(#ok)));
-    let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
-    let (result, value) =
-        (entry::result(cx, entry.kind), results::assemble(cx, entry.kind, values));
-    let (docs, status) = (docs::straight(cx, entry), generated("ok_"));
+    let body = match cx.on_the_circle(entry) {
+        Some(at) => by_cosine(cx, entry, at),
+        None => core(cx, entry),
+    };
+    let (docs, name, result) =
+        (docs::straight(cx, entry), name(entry), entry::result(cx, entry.kind));
     quote! {
         #docs
         #[inline]
         #[must_use]
         pub fn #name(&self, #(#declared),*) -> (#result, #scalar::Mask) {
             #converted
-            #unread
-            #zero
-            #lines
-            let #status = #ok;
-            (#value, #status)
+            #body
         }
+    }
+}
+
+fn name(entry: &Entry) -> Ident {
+    function_name(&format!("solve_{}", entry::method(entry.kind)))
+}
+
+/// What is computed, and whether it may be used.
+fn core(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    let arguments = cx.arguments(entry.kind);
+    let body = Body { cx, arguments: &arguments, course: Course::Straight };
+    let statements = body.statements(&entry.sinks);
+    let kept = body.locals(entry.sinks.iter().copied());
+    let (lines, mask) = lay_out(&statements.list, &kept);
+    let unread = arguments.unread(&statements.leaves);
+    let zero = zero(cx, &statements);
+    let ok = verdict(&body, &entry.sinks, mask.map(|ok| quote!(#ok)));
+    let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
+    let (value, status) = (results::assemble(cx, entry.kind, values), generated("ok_"));
+    quote! {
+        #unread
+        #zero
+        #lines
+        let #status = #ok;
+        (#value, #status)
+    }
+}
+
+/// The core of `at`, given the angle's cosine and sine.
+fn by_cosine(cx: &Context<'_>, entry: &Entry, at: &Entry) -> TokenStream {
+    let [sin, cos, result, ok] = ["sin_", "cos_", "result_", "ok_"].map(generated);
+    let (sin_cos, is_near) = (cx.scalar("sin_cos_near"), cx.scalar("is_near"));
+    let (arguments, name) = (cx.arguments(entry.kind), name(at));
+    let (angle, rates) = arguments.names().split_first().expect("the angle comes first");
+    quote! {
+        let (#sin, #cos) = #sin_cos(#angle);
+        let (#result, #ok) = self.#name(#cos, #sin #(, #rates)*);
+        (#result, #is_near(#angle) & #ok)
     }
 }
 
