@@ -20,9 +20,12 @@ pub fn finite_input<T: Real>(value: T, name: &'static str) -> Result<(), SolveEr
 /// Whether a result is finite.
 ///
 /// # Errors
-/// `NotFinite` with its name.
+/// `NotFinite` with its name; `Singular` where only a derivative that it carries is not.
 #[cold]
 pub fn finite_result<T: Real>(value: T, name: &'static str) -> Result<(), SolveError> {
+    if !value.is_finite() && value.value().is_finite() {
+        return Err(SolveError::Singular { group: name });
+    }
     finite_input(value, name)
 }
 
@@ -219,6 +222,10 @@ mod tests {
         }
         let inside = reach_line(Dual::new(3.0, 1.0), Dual::new(1.0, 1.0), l2, GROUP).unwrap();
         assert!(inside.re == 3.0 && inside.eps == 1.0);
+        let steep = Dual::new(3.0, f64::INFINITY);
+        assert_eq!(finite_result(steep, "C.x"), Err(SolveError::Singular { group: "C.x" }));
+        let lost = Dual::new(f64::NAN, f64::NAN);
+        assert_eq!(finite_result(lost, "C.x"), Err(SolveError::NotFinite { name: "C.x" }));
     }
 
     #[test]

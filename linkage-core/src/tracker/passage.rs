@@ -303,8 +303,8 @@ fn is_clear<M: Modes>(clearances: &M::Clearances) -> bool {
 /// Whether groups have no numbers although none before them is out of reach.
 fn has_gap<M: Modes>(clearances: &M::Clearances) -> bool {
     let readings = (0..M::GROUPS.len()).map(|group| reading::<M>(clearances, group));
-    let beyond = readings.take_while(|reading| !(reading.value < -zero::<M>()));
-    beyond.into_iter().any(|reading| reading.value.is_nan() || reading.slope.is_nan())
+    let mut within = readings.take_while(|at| at.value >= -zero::<M>() || at.value.is_nan());
+    within.any(|at| at.value.is_nan() || at.slope.is_nan())
 }
 
 /// Whether a cubic through values and slopes at both ends meets the value in the middle, well
@@ -315,7 +315,7 @@ fn is_cubic(a: Reading, middle: Reading, b: Reading, half: f64) -> bool {
     let least = a.value.min(middle.value).min(b.value);
     let most = a.value.max(middle.value).max(b.value);
     // What is no number lies behind a group out of reach, which decides.
-    !(error > (0.25 * least).max(0.01 * most))
+    error <= (0.25 * least).max(0.01 * most) || error.is_nan()
 }
 
 /// Whether a clearance touches zero between two places `apart`, as a parabola.
