@@ -115,6 +115,7 @@ mod primitive;
 pub mod private;
 mod results;
 mod scalar;
+mod tracker;
 
 pub use cost::{Cost, Operations};
 #[cfg(feature = "ad")]
@@ -128,6 +129,7 @@ pub use results::{
     SlidingDirection, SlidingVelocity,
 };
 pub use scalar::{Mask, Real, Scalar};
+pub use tracker::Tracker;
 
 #[cfg(feature = "ad")]
 pub use {nalgebra, num_dual};

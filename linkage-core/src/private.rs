@@ -23,6 +23,7 @@ pub use crate::careful::{
 };
 #[cfg(feature = "ad")]
 pub use crate::derivatives::differentiate;
+pub use crate::tracker::{Clearance, Linear, Modes};
 pub use crate::with_ad_ as with_ad;
 pub use crate::{
     AngularAcceleration, AngularVelocity, Cost, Direction, Mask, Operations, Point, Real, Scalar,

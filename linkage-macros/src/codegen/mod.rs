@@ -14,6 +14,7 @@ mod derivatives;
 mod docs;
 mod dominance;
 mod entry;
+mod modes;
 mod names;
 mod paths;
 mod results;
@@ -43,7 +44,8 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
     let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
     let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
     let careful = program.entries.iter().map(|entry| careful::function(&cx, entry));
-    let (derivatives, c_export) = (derivatives::items(&cx), c_export::items(&cx));
+    let (derivatives, modes) = (derivatives::items(&cx), modes::items(&cx));
+    let c_export = c_export::items(&cx);
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
     let literals = literals_are_dimensions();
@@ -55,6 +57,7 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
         #literals
         impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
         #derivatives
+        #modes
         #c_export
     }
 }

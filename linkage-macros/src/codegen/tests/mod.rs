@@ -227,7 +227,7 @@ fn several_inputs_are_a_record_or_an_array() {
         velocity.contains("let rates: TableInput<T> = ::linkage_core::private::Into::into(rates);")
     );
     assert!(velocity.contains("let v12_ = rates.s * inputs.X;"), "{velocity}");
-    let inputs = "for &(value_, name_) in &[ (inputs.s, \"s\"), (rates.s, \"s_rate\"), (inputs.X, \"X\"), (rates.X, \"X_rate\"), ] { ::linkage_core::private::finite_input(value_, name_)?; }";
+    let inputs = "4] = [ (inputs.s, \"s\"), (rates.s, \"s_rate\"), (inputs.X, \"X\"), (rates.X, \"X_rate\"), ]; for &(value_, name_) in &given_ { ::linkage_core::private::finite_input(value_, name_)?; }";
     assert!(all.contains(inputs), "{text}");
 }
 
