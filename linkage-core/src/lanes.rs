@@ -30,7 +30,8 @@ pub struct Lanes<T, const W: usize, F = Plain> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LaneMask<const W: usize>([bool; W]);
 
-// Loops over lanes are inlined always: as calls on arrays they would stay in memory.
+// Loops over lanes are inlined always: as calls on arrays they would stay in memory. None has an
+// index: below the highest optimisation level it would be checked, and could panic.
 impl<T: Copy, const W: usize, F> Lanes<T, W, F> {
     /// One number in each lane.
     #[inline]
@@ -54,18 +55,37 @@ impl<T: Copy, const W: usize, F> Lanes<T, W, F> {
     }
 
     #[inline(always)]
-    fn map(self, f: impl Fn(T) -> T) -> Self {
-        Self::new(core::array::from_fn(|i| f(self.lanes[i])))
+    fn map(mut self, f: impl Fn(T) -> T) -> Self {
+        for x in &mut self.lanes {
+            *x = f(*x);
+        }
+        self
     }
 
     #[inline(always)]
-    fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
-        Self::new(core::array::from_fn(|i| f(self.lanes[i], other.lanes[i])))
+    fn zip(mut self, other: Self, f: impl Fn(T, T) -> T) -> Self {
+        for (x, &y) in self.lanes.iter_mut().zip(&other.lanes) {
+            *x = f(*x, y);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn ask(self, f: impl Fn(T) -> bool) -> LaneMask<W> {
+        let mut mask = [false; W];
+        for (answer, &x) in mask.iter_mut().zip(&self.lanes) {
+            *answer = f(x);
+        }
+        LaneMask(mask)
     }
 
     #[inline(always)]
     fn compare(self, other: Self, f: impl Fn(T, T) -> bool) -> LaneMask<W> {
-        LaneMask(core::array::from_fn(|i| f(self.lanes[i], other.lanes[i])))
+        let mut mask = [false; W];
+        for ((answer, &x), &y) in mask.iter_mut().zip(&self.lanes).zip(&other.lanes) {
+            *answer = f(x, y);
+        }
+        LaneMask(mask)
     }
 }
 
@@ -81,8 +101,11 @@ impl<const W: usize> LaneMask<W> {
 impl<const W: usize> BitAnd for LaneMask<W> {
     type Output = Self;
     #[inline]
-    fn bitand(self, other: Self) -> Self {
-        Self(core::array::from_fn(|i| self.0[i] & other.0[i]))
+    fn bitand(mut self, other: Self) -> Self {
+        for (one, &other) in self.0.iter_mut().zip(&other.0) {
+            *one &= other;
+        }
+        self
     }
 }
 
@@ -145,8 +168,8 @@ fn both<T: Float, const W: usize, F: Fusion>(
     f: impl Fn(T) -> (T, T),
 ) -> (Lanes<T, W, F>, Lanes<T, W, F>) {
     let (mut first, mut second) = (x, x);
-    for i in 0..W {
-        (first.lanes[i], second.lanes[i]) = f(x.lanes[i]);
+    for (first, second) in first.lanes.iter_mut().zip(&mut second.lanes) {
+        (*first, *second) = f(*first);
     }
     (first, second)
 }
@@ -172,7 +195,7 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     }
     #[inline]
     fn is_near(self) -> LaneMask<W> {
-        LaneMask(self.lanes.map(T::is_near))
+        self.ask(T::is_near)
     }
     #[inline]
     fn tan(self) -> Self {
@@ -199,9 +222,12 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
         self.zip(other, T::hypot)
     }
     #[inline]
-    fn det(a: Self, b: Self, c: Self, d: Self) -> Self {
-        let [a, b, c, d] = [a, b, c, d].map(Self::to_array);
-        Self::new(core::array::from_fn(|i| kernels::det::<T, F>(a[i], b[i], c[i], d[i])))
+    fn det(mut a: Self, b: Self, c: Self, d: Self) -> Self {
+        let others = b.lanes.iter().zip(&c.lanes).zip(&d.lanes);
+        for (a, ((&b, &c), &d)) in a.lanes.iter_mut().zip(others) {
+            *a = kernels::det::<T, F>(*a, b, c, d);
+        }
+        a
     }
     #[inline]
     fn mul_err(a: Self, b: Self) -> Self {
@@ -212,9 +238,11 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
         a.zip(b, T::add_err)
     }
     #[inline]
-    fn fused(a: Self, b: Self, c: Self) -> Self {
-        let [a, b, c] = [a, b, c].map(Self::to_array);
-        Self::new(core::array::from_fn(|i| T::fused_by::<F>(a[i], b[i], c[i])))
+    fn fused(mut a: Self, b: Self, c: Self) -> Self {
+        for (a, (&b, &c)) in a.lanes.iter_mut().zip(b.lanes.iter().zip(&c.lanes)) {
+            *a = T::fused_by::<F>(*a, b, c);
+        }
+        a
     }
     #[inline]
     fn ge(self, other: Self) -> LaneMask<W> {
@@ -226,11 +254,14 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     }
     #[inline]
     fn is_finite(self) -> LaneMask<W> {
-        LaneMask(self.lanes.map(T::is_finite))
+        self.ask(T::is_finite)
     }
     #[inline]
-    fn select(mask: LaneMask<W>, yes: Self, no: Self) -> Self {
-        Self::new(core::array::from_fn(|i| T::select(mask.0[i], yes.lanes[i], no.lanes[i])))
+    fn select(mask: LaneMask<W>, mut yes: Self, no: Self) -> Self {
+        for (yes, (&mask, &no)) in yes.lanes.iter_mut().zip(mask.0.iter().zip(&no.lanes)) {
+            *yes = T::select(mask, *yes, no);
+        }
+        yes
     }
     #[inline]
     fn smallest_square() -> Self {
