@@ -61,7 +61,7 @@ fn main() -> Result<(), SolveError> {
 
     println!("\nWhich dimensions turn fully?");
     for (crank_length, rod_length) in [(0.06, 0.22), (0.06, 0.10), (0.09, 0.22), (0.12, 0.22)] {
-        let other = CrankRockerSlider { crank_length, rod_length, ..machine };
+        let other = CrankRockerSlider { crank_length, rod_length };
         print!("  crank {:3.0} mm, rod {:3.0} mm: ", crank_length * 1e3, rod_length * 1e3);
         match turns_fully(&other) {
             Ok(()) => println!("turns fully"),

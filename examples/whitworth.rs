@@ -61,21 +61,21 @@ fn main() -> Result<(), SolveError> {
     println!("Quick return, crank 120 mm: slow stroke over quick stroke\n");
     println!("pivot below  bar     measured   formula");
     println!("         mm                            ");
-    for depth in [0.18, 0.25, 0.35] {
+    for depth in [0.18_f64, 0.25, 0.35] {
         let shaper = Shaper { depth };
         let ratio = time_ratio(|theta| Ok(shaper.velocity(theta, 1.0)?.ram.slide))?;
         // The bar turns back where it is square to the crank; the measured turn is cut into
         // hundredths of a degree, which is what separates the two columns.
-        let swing = (0.12 / depth as f64).asin();
+        let swing = (0.12 / depth).asin();
         let formula = (PI + 2.0 * swing) / (PI - 2.0 * swing);
         println!("{:11.0}  swings {ratio:9.4} {formula:9.4}", depth * 1e3);
     }
-    for depth in [0.03, 0.05, 0.08] {
+    for depth in [0.03_f64, 0.05, 0.08] {
         let press = Whitworth { depth };
         let ratio = time_ratio(|theta| Ok(press.velocity(theta, 1.0)?.ram.slide))?;
         // The ram turns back where the bar lies along its way: there the crank pin is at the
         // depth of the pivot.
-        let level = (depth as f64 / 0.12).asin();
+        let level = (depth / 0.12).asin();
         let formula = (PI + 2.0 * level) / (PI - 2.0 * level);
         println!("{:11.0}  turns  {ratio:9.4} {formula:9.4}", depth * 1e3);
     }

@@ -4,9 +4,11 @@
 mod data {
     pub(crate) mod hard;
 }
+mod exact_inputs;
 mod hard_table;
 mod mechanisms {
     pub(crate) mod driven_groups;
+    pub(crate) mod exact_inputs;
     pub(crate) mod stacked_sliders;
 }
 

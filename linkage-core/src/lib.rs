@@ -39,10 +39,15 @@
 //!
 //! # Numbers
 //!
-//! The generated struct has the scalar as its parameter, `f64` by default. Anything that is a
-//! [`Scalar`] runs through the same code: `f32` (`Press::<f32>::default()`), and with the feature
-//! `ad` the dual numbers of `num-dual`, which `lift` converts to. A number whose comparisons
-//! answer with a plain `bool` is a [`Real`] and can be refused a pose.
+//! A solver is generic over its number, a [`Scalar`]:
+//! - `f64` and `f32` (`Press::<f32>::default()`), each in its own precision throughout;
+//! - [`Lanes`] of them, for several poses at once;
+//! - the dual numbers of `num-dual` (feature `ad`), which `lift` converts to, for derivatives of
+//!   any output with respect to any input or parameter: `Dual`, `Dual2`, `Dual3`, `HyperDual`,
+//!   `HyperHyperDual`, the vector variants of fixed size, and dual numbers of dual numbers.
+//!
+//! Those that are single numbers, all but the lanes, are [`Real`]: they can decide, and their
+//! solvers return a `Result`.
 //!
 //! # Frames and signs
 //!
@@ -71,11 +76,20 @@
 //! # Features
 //!
 //! - `macros` (default): the macro.
-//! - `ad` (default): `jacobian` and `sensitivity` by automatic differentiation; brings `num-dual`
-//!   and `nalgebra`, and with them the standard library.
-//! - `std`: run-time choice of instruction set for sweeps.
+//! - `ad` (default): dual numbers, `jacobian` and `sensitivity`; brings `num-dual` and `nalgebra`,
+//!   and with them the standard library.
+//! - `std`: takes square roots and fused operations from the standard library, which the
+//!   optimiser understands better than the assembly that stands in for them without it.
 //!
-//! Without `ad` and `std` the crate is `no_std` and needs `libm` alone.
+//! Without `ad` and `std` the crate is `no_std` and needs `libm` alone. It never allocates, and no
+//! solver panics.
+//!
+//! # Precision and targets
+//!
+//! On a target with fused multiplication and addition (`-C target-feature=+fma`, any 64-bit ARM)
+//! and with the standard library linked, single numbers use it. Elsewhere they never do, so that
+//! results are the same bits on every such target, a microcontroller and the machine it is
+//! developed on included.
 #![no_std]
 #![deny(unsafe_code)]
 
@@ -84,6 +98,7 @@ extern crate self as linkage_core;
 #[cfg(any(feature = "std", feature = "ad", test))]
 extern crate std;
 
+mod c_interface;
 mod careful;
 mod cost;
 #[cfg(feature = "ad")]
@@ -92,6 +107,7 @@ mod derivatives;
 mod dual;
 mod error;
 mod kernels;
+mod lanes;
 mod limit;
 mod modes;
 mod primitive;
@@ -99,18 +115,21 @@ mod primitive;
 pub mod private;
 mod results;
 mod scalar;
+mod tracker;
 
 pub use cost::{Cost, Operations};
 #[cfg(feature = "ad")]
 pub use derivatives::{Derivatives, differentiate, differentiate_twice};
 pub use error::SolveError;
 pub use kernels::{Float, Fused, Fusion, Plain};
+pub use lanes::{LaneMask, Lanes};
 pub use modes::{Sense, Side};
 pub use results::{
     AngularAcceleration, AngularVelocity, Direction, Point, Slide, SlidingAcceleration,
     SlidingDirection, SlidingVelocity,
 };
 pub use scalar::{Mask, Real, Scalar};
+pub use tracker::Tracker;
 
 #[cfg(feature = "ad")]
 pub use {nalgebra, num_dual};

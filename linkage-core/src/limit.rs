@@ -122,9 +122,9 @@ fn excess([dx, dy]: [f64; 2], [a, b, w]: [f64; 3]) -> f64 {
         (-2.0 * a, w),
         (-2.0 * b, w),
     ];
-    for (i, (x, y)) in products.into_iter().enumerate() {
-        terms[2 * i] = x * y;
-        terms[2 * i + 1] = mul_err::<f64, Native>(x, y);
+    for ([product, error], (x, y)) in terms.as_chunks_mut().0.iter_mut().zip(products) {
+        *product = x * y;
+        *error = mul_err::<f64, Native>(x, y);
     }
     exact_sum(terms)
 }

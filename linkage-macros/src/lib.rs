@@ -24,6 +24,8 @@ mod codegen;
 mod diagnostics;
 mod equations;
 mod exact;
+#[cfg(test)]
+mod fuzz;
 mod ir;
 mod model;
 #[cfg(test)]

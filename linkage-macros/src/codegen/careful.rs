@@ -1,12 +1,14 @@
 //! The careful path: the same graph once more, in order, stopping at the first thing that is
 //! wrong. It runs only where the straight line's mask said no.
 
-use proc_macro2::TokenStream;
+use std::collections::HashSet;
+
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::blocks::{Statement, lay_out};
 use super::body::Body;
-use super::names::{function_name, local};
+use super::names::{function_name, generated, local};
 use super::{Context, docs, entry, results, rows};
 use crate::ir::graph::{Check, GuardId, Id, Node};
 use crate::ir::liveness::Course;
@@ -85,26 +87,39 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     }
 }
 
+/// The inputs and parameters that are read, and the test that each is finite.
 fn finite_inputs(body: &Body<'_>, leaves: &[Node]) -> TokenStream {
-    let finite = body.cx.paths.item("finite_input");
-    let check = |&leaf: &Node| {
-        let (value, label) = (body.arguments.leaf(leaf), body.arguments.label(leaf));
-        quote!(#finite(#value, #label)?;)
-    };
-    leaves.iter().map(check).collect()
+    let (given, scalar, text) =
+        (generated("given_"), &body.cx.names.scalar, body.cx.paths.item("str"));
+    let read = |&leaf: &Node| Some((body.arguments.leaf(leaf)?, body.arguments.label(leaf)?));
+    let pairs: Vec<_> =
+        leaves.iter().filter_map(read).map(|(value, label)| quote!((#value, #label))).collect();
+    let count = Literal::usize_unsuffixed(pairs.len());
+    let function = body.cx.paths.item("finite_input");
+    let (value, label) = (generated("value_"), generated("name_"));
+    quote! {
+        let #given: [(#scalar, &'static #text); #count] = [#(#pairs),*];
+        for &(#value, #label) in &#given { #function(#value, #label)?; }
+    }
 }
 
+/// Asks of every result whether it is finite, in order: in a loop, because an early exit for each
+/// of a thousand results takes the compiler seconds.
 fn finite_results(body: &Body<'_>, entry: &Entry) -> TokenStream {
-    let finite = body.cx.paths.item("finite_result");
-    let labels = rows::sink_labels(body.cx, entry.kind);
-    let mut seen = std::collections::HashSet::new();
-    let mut checks = TokenStream::new();
-    for (&sink, label) in entry.sinks.iter().zip(labels) {
-        let known = matches!(body.graph().node(sink), Node::Constant(_) | Node::Mode(_));
-        if !known && seen.insert(sink) {
+    let mut seen = HashSet::new();
+    let known = |id| matches!(body.graph().node(id), Node::Constant(_) | Node::Mode(_));
+    let sinks = entry.sinks.iter().zip(rows::sink_labels(body.cx, entry.kind));
+    let pairs: Vec<_> = sinks
+        .filter(|&(&sink, _)| !known(sink) && seen.insert(sink))
+        .map(|(&sink, label)| {
             let value = body.value(sink);
-            checks.extend(quote!(#finite(#value, #label)?;));
-        }
+            quote!((#value, #label))
+        })
+        .collect();
+    if pairs.is_empty() {
+        return TokenStream::new();
     }
-    checks
+    let (function, given) = (body.cx.paths.item("finite_result"), generated("given_"));
+    let (value, label) = (generated("value_"), generated("name_"));
+    quote!(for &(#value, #label) in &[#(#pairs),*] { #function(#value, #label, &#given)?; })
 }

@@ -7,12 +7,14 @@
 mod arguments;
 mod blocks;
 mod body;
+mod c_export;
 mod careful;
 mod cost;
 mod derivatives;
 mod docs;
 mod dominance;
 mod entry;
+mod modes;
 mod names;
 mod paths;
 mod results;
@@ -42,15 +44,28 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
     let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
     let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
     let careful = program.entries.iter().map(|entry| careful::function(&cx, entry));
-    let derivatives = derivatives::items(&cx);
+    let (derivatives, modes) = (derivatives::items(&cx), modes::items(&cx));
+    let c_export = c_export::items(&cx);
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
+    let literals = literals_are_dimensions();
     quote! {
         #solver
         #records
+        #literals
         impl<#scalar: #any> #name<#scalar> { #(#straight)* }
+        #literals
         impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
         #derivatives
+        #modes
+        #c_export
+    }
+}
+
+/// In front of every block that holds literals.
+fn literals_are_dimensions() -> TokenStream {
+    quote! {
+        #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
     }
 }
 

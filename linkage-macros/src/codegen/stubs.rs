@@ -60,7 +60,7 @@ fn zeros(mechanism: &Mechanism) -> Program {
     if margins > 0 {
         entries.push(entry(EntryKind::Margins, margins));
     }
-    Program { graph, entries, groups: Vec::new() }
+    Program { graph, entries, clearances: Vec::new(), groups: Vec::new() }
 }
 
 /// The mechanism in the making, and what its names stand for.
@@ -125,10 +125,10 @@ impl StandIn {
             StatementKind::Point { name, .. } => self.point(name, Fixed::No),
             StatementKind::Group(group) => self.group(group),
             StatementKind::Crate { path } => self.mechanism.crate_path = Some(path.clone()),
+            StatementKind::Export { language } => self.mechanism.export_c |= language == "c",
             StatementKind::Guide { .. }
             | StatementKind::Output { .. }
-            | StatementKind::Numerics { .. }
-            | StatementKind::Export { .. } => {}
+            | StatementKind::Numerics { .. } => {}
         }
     }
 

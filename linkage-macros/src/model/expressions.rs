@@ -112,10 +112,8 @@ impl Resolver<'_> {
                 Some(quantity)
             }
             ExprKind::Call(function, arguments) => self.call(function, arguments),
-            ExprKind::Mistake => {
-                self.use_is_hidden = true;
-                None
-            }
+            // The names in it are among what was not read.
+            ExprKind::Mistake => None,
         }
     }
 

@@ -1,5 +1,6 @@
 //! The text of what small programs expand to.
 
+mod c_export;
 mod fixture;
 
 use super::generate;
@@ -58,6 +59,7 @@ fn docs_pass_the_users_words_on_and_say_what_a_thing_is() {
     let text = expand(&four_bar());
     for part in [
         "/// A crank-rocker.\n///\n/// Solver of position, velocity and acceleration",
+        "/// - `theta` in rad: The crank's angle.\n",
         "/// - crank AB\n/// - rrr BC, DC\n",
         "    /// The coupler's pin.\n    ///\n    /// Point `C` (rrr BC, DC): velocity in m/s.\n    pub C:",
         "    /// Link `BC` (rrr BC, DC): angular velocity in rad/s, counter-clockwise.\n    pub BC:",
@@ -225,7 +227,8 @@ fn several_inputs_are_a_record_or_an_array() {
         velocity.contains("let rates: TableInput<T> = ::linkage_core::private::Into::into(rates);")
     );
     assert!(velocity.contains("let v12_ = rates.s * inputs.X;"), "{velocity}");
-    assert!(text.contains("finite_input(rates.X, \"X_rate\")?;"), "{text}");
+    let inputs = "4] = [ (inputs.s, \"s\"), (rates.s, \"s_rate\"), (inputs.X, \"X\"), (rates.X, \"X_rate\"), ]; for &(value_, name_) in &given_ { ::linkage_core::private::finite_input(value_, name_)?; }";
+    assert!(all.contains(inputs), "{text}");
 }
 
 #[test]

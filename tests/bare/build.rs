@@ -1,0 +1,58 @@
+//! Builds the solvers as a static library without the standard library.
+//!
+//! The package is written to Cargo's directory for tests' files; its sources stay where they are.
+//! All builds share one target directory, so that the macro is compiled once.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::{LazyLock, Mutex};
+
+/// The directory that holds everything that is built.
+pub(crate) fn directory() -> PathBuf {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bare");
+    fs::create_dir_all(&directory).expect("the tests' directory can be written");
+    directory
+}
+
+/// This directory, where the sources are.
+pub(crate) fn sources() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bare")
+}
+
+/// One build at a time: they leave their results under the same name.
+static BUILDING: Mutex<()> = Mutex::new(());
+
+/// The package, written once.
+pub(crate) static PACKAGE: LazyLock<PathBuf> = LazyLock::new(|| {
+    let (root, package) = (Path::new(env!("CARGO_MANIFEST_DIR")), directory().join("package"));
+    fs::create_dir_all(&package).expect("a directory for the package");
+    let manifest = include_str!("package.toml").replace("@ROOT@", env!("CARGO_MANIFEST_DIR"));
+    fs::write(package.join("Cargo.toml"), manifest).expect("the package's manifest");
+    // The versions that this workspace is tested with, all of them on this machine already.
+    fs::copy(root.join("Cargo.lock"), package.join("Cargo.lock")).expect("a lock file");
+    package
+});
+
+/// The static library with these features at this optimisation level, or what Cargo said.
+pub(crate) fn library(features: &str, level: &str) -> Result<PathBuf, String> {
+    let _one_at_a_time = BUILDING.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let target = directory().join("target");
+    let output = Command::new(env!("CARGO"))
+        .args(["build", "--release", "--offline", "--features", features, "--target-dir"])
+        .arg(&target)
+        .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", level)
+        .current_dir(&*PACKAGE)
+        .output()
+        .expect("Cargo starts");
+    if !output.status.success() {
+        return Err(text(&output.stderr));
+    }
+    let kept = directory().join(format!("solvers-{level}-{features}.a"));
+    fs::copy(target.join("release/libbare.a"), &kept).expect("the library was built");
+    Ok(kept)
+}
+
+pub(crate) fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
