@@ -7,6 +7,8 @@
 //! - The sensitivity to the dimensions by dual numbers, against the coefficients of the same
 //!   mechanism with its dimensions as inputs: there the velocity equations carry the rates of
 //!   lengths, offsets and guides.
+//! - Jacobian, sensitivity and coefficients against tables computed with 150 digits; the tables'
+//!   conditions also hold those conditions that the random tests compute by differentiation.
 //!
 //! Neither side knows the other: the position holds no formula of a velocity, and the velocity
 //! equations hold no derivative of a square root.
@@ -18,6 +20,9 @@
 //! that is allowed.
 
 mod conditioning;
+mod data {
+    pub(crate) mod slopes;
+}
 mod mechanisms {
     pub(crate) mod differentiated;
 }
@@ -25,7 +30,9 @@ mod random;
 
 use conditioning::{
     Differentiated, Jacobians, Matrix, Sensitivities, State, Worst, any_state, columns, conditions,
+    shared,
 };
+use data::slopes::{self, Case, Slope};
 use linkage_core::{Real, SolveError};
 use mechanisms::differentiated::*;
 use num_dual::{Dual2, DualNum};
@@ -87,15 +94,16 @@ fn motions_agree<M: Differentiated, F: Width>() {
     let mut worst = [Worst::default(); 3];
     at_random_states::<M, F>(|state, at| {
         let (formulas, duals) = (motion::<M, F>(at)?, differentiated_motion::<M, F>(at)?);
-        let conditions = conditions::<M>(state, |at| motion::<M, _>(at))?;
+        let conditions = shared::<M>(conditions(state, |at| motion::<M, _>(at))?);
         for (place, (formula, dual)) in formulas.iter().zip(duals).enumerate() {
             let (order, name) = (place / rows, M::OUTPUTS[place % rows]);
             // The components of a direction carry −ω², which its angle's acceleration does not.
             let turning = order == 2 && name.ends_with(".angle");
             let rate = if turning { formulas[place - rows].value() } else { 0.0 };
             let condition = conditions[place] + rate * rate;
-            worst[order].note(*formula, dual, condition, ALLOWED, || {
-                format!("{}, {name} of order {order} at {state:?}", M::NAME)
+            let error = formula.value() - dual.value();
+            worst[order].note(error, <F as Real>::EPSILON, condition, ALLOWED, || {
+                format!("{}, {name} of order {order}: {formula:?}, {dual:?} at {state:?}", M::NAME)
             });
         }
         Ok(())
@@ -113,13 +121,15 @@ fn matrices_agree<M: Differentiated, F: Width>(
     let mut worst = Worst::default();
     at_random_states::<M, F>(|state, at| {
         let (found, expected) = (columns(&found(at)?), columns(&expected(at)?));
-        let conditions = conditions(state)?;
+        let conditions = shared::<M>(conditions(state)?);
         assert!(found.len() == expected.len() && found.len() == conditions.len());
         for (place, (found, expected)) in found.into_iter().zip(expected).enumerate() {
-            worst.note(found, expected, conditions[place], ALLOWED, || {
+            let error = found.value() - expected.value();
+            worst.note(error, <F as Real>::EPSILON, conditions[place], ALLOWED, || {
                 let rows = M::OUTPUTS.len();
                 let (row, column) = (M::OUTPUTS[place % rows], place / rows);
-                format!("{}, {what} of {row}, column {column}, at {state:?}", M::NAME)
+                let name = M::NAME;
+                format!("{name}, {what} of {row} by {column}: {found:?}, {expected:?} at {state:?}")
             });
         }
         Ok(())
@@ -129,7 +139,7 @@ fn matrices_agree<M: Differentiated, F: Width>(
 
 fn jacobian_is_the_coefficients<M: Differentiated + Jacobians<F>, F: Width>() {
     matrices_agree::<M, F>("jacobian", M::jacobian, M::coefficients::<F>, |state| {
-        conditions::<M>(state, |at| Ok(columns(&M::coefficients(at)?)))
+        conditions(state, |at| Ok(columns(&M::coefficients(at)?)))
     });
 }
 
@@ -152,7 +162,7 @@ where
     }
     assert_eq!(M::OUTPUTS, Moving::OUTPUTS);
     matrices_agree::<M, F>("sensitivity", M::sensitivity, by_dimensions::<M, Moving, F>, |state| {
-        conditions::<M>(state, |at| Ok(columns(&by_dimensions::<M, Moving, _>(at)?)))
+        conditions(state, |at| Ok(columns(&by_dimensions::<M, Moving, _>(at)?)))
     });
 }
 
@@ -198,4 +208,89 @@ checked! {
     prp: CrossedGuides, MovingCrossedGuides;
     rpp: Yoke, MovingYoke;
     drivers: Manipulator, MovingManipulator;
+}
+
+/// Few numbers are compared with the tables, and the worst of few is not multiplied.
+const ALLOWED_BY_TABLES: f64 = 6.5;
+
+fn tabulated<M: Differentiated>(case: &Case) -> State<f64> {
+    assert_eq!(case.numbers.len(), M::RANGES.len());
+    let (inputs, params) = case.numbers.split_at(M::INPUTS);
+    State {
+        is_flipped: case.is_flipped,
+        params: params.to_vec(),
+        inputs: inputs.to_vec(),
+        rates: Vec::new(),
+        seconds: Vec::new(),
+    }
+}
+
+/// Slopes, column by column, against the first columns of the table.
+fn compare<M: Differentiated, T: Real>(worst: &mut Worst, case: &Case, from: usize, slopes: &[T]) {
+    let truths: Vec<Slope> = case.columns[from..].concat();
+    let conditions = shared::<M>(truths.iter().map(|truth| truth.2).collect());
+    for (place, slope) in slopes.iter().enumerate() {
+        let (high, low, _) = truths[place];
+        let error = (slope.value() - high) - low;
+        worst.note(error, T::EPSILON, conditions[place], ALLOWED_BY_TABLES, || {
+            let rows = M::OUTPUTS.len();
+            let (row, column) = (M::OUTPUTS[place % rows], from + place / rows);
+            format!("{}: {row} by number {column}: {slope:?} for {high}", M::NAME)
+        });
+    }
+}
+
+fn slopes_are_tabulated<M>(cases: &[Case])
+where
+    M: Differentiated + Jacobians<f64> + Jacobians<f32> + Sensitivities<f64> + Sensitivities<f32>,
+{
+    let mut worst = [Worst::default(); 2];
+    for case in cases {
+        let at = tabulated::<M>(case);
+        let narrow = at.map(|number| number as f32);
+        let [wide_units, narrow_units] = &mut worst;
+        let matrices = [M::jacobian(&at), M::coefficients(&at), M::sensitivity(&at)];
+        for (from, matrix) in [0, 0, M::INPUTS].into_iter().zip(matrices) {
+            compare::<M, _>(wide_units, case, from, &columns(&matrix.unwrap()));
+        }
+        let matrices = [M::jacobian(&narrow), M::coefficients(&narrow), M::sensitivity(&narrow)];
+        for (from, matrix) in [0, 0, M::INPUTS].into_iter().zip(matrices) {
+            compare::<M, _>(narrow_units, case, from, &columns(&matrix.unwrap()));
+        }
+    }
+    println!("{}: {:.2?} ε", M::NAME, worst.map(|worst| worst.0));
+}
+
+#[test]
+fn jacobians_and_sensitivities_are_those_of_fifty_digits() {
+    slopes_are_tabulated::<Bars>(slopes::BARS);
+    slopes_are_tabulated::<Press>(slopes::PRESS);
+    slopes_are_tabulated::<QuickReturn>(slopes::QUICK_RETURN);
+    slopes_are_tabulated::<CrossedGuides>(slopes::CROSSED_GUIDES);
+    slopes_are_tabulated::<Yoke>(slopes::YOKE);
+    slopes_are_tabulated::<Manipulator>(slopes::MANIPULATOR);
+}
+
+/// The tables round their conditions up to two digits.
+fn conditions_are_tabulated<M: Differentiated>(cases: &[Case]) {
+    for case in cases {
+        let by_duals =
+            conditions(&tabulated::<M>(case), |at| Ok(columns(&M::coefficients(at)?))).unwrap();
+        let truths = case.columns[..M::INPUTS].concat();
+        assert_eq!(by_duals.len(), truths.len());
+        for (found, (.., rounded_up)) in by_duals.into_iter().zip(truths) {
+            let is_close = 0.9 * rounded_up < found && found <= rounded_up * (1.0 + 1e-9);
+            assert!(is_close || found == rounded_up, "{}: {found} for {rounded_up}", M::NAME);
+        }
+    }
+}
+
+#[test]
+fn conditions_by_dual_numbers_are_those_of_the_tables() {
+    conditions_are_tabulated::<Bars>(slopes::BARS);
+    conditions_are_tabulated::<Press>(slopes::PRESS);
+    conditions_are_tabulated::<QuickReturn>(slopes::QUICK_RETURN);
+    conditions_are_tabulated::<CrossedGuides>(slopes::CROSSED_GUIDES);
+    conditions_are_tabulated::<Yoke>(slopes::YOKE);
+    conditions_are_tabulated::<Manipulator>(slopes::MANIPULATOR);
 }

@@ -90,16 +90,15 @@ pub(crate) fn columns<T: Copy>(matrix: &Matrix<T>) -> Vec<T> {
 
 /// What ε is multiplied by to measure the errors of results that depend on the state.
 ///
-/// The results come in blocks of a mechanism's rows. Each result's condition is the sum, over all
-/// numbers of the state, of its change per unit relative change of the number, and its own size:
-/// ε times that is what rounding every number once may do to it. Coordinates and slides of one
-/// block share the largest of their conditions: a point's error does not know the ground's axes,
-/// and a coordinate that hardly moves may be the difference of a slide and of the guide's own way.
-pub(crate) fn conditions<M: Differentiated>(
+/// Each result's condition is the sum, over all numbers of the state, of its change per unit
+/// relative change of the number, and its own size: ε times that is what rounding every number
+/// once may do to it.
+pub(crate) fn conditions(
     at: &State<f64>,
     results: impl Fn(&State<Dual64>) -> Result<Vec<Dual64>, SolveError>,
 ) -> Result<Vec<f64>, SolveError> {
-    let mut sums = vec![0.0; results(&at.map(|number| Dual64::new(number, 0.0)))?.len()];
+    let constant = at.map(|number| Dual64::new(number, 0.0));
+    let mut sums: Vec<f64> = results(&constant)?.iter().map(|result| result.re.abs()).collect();
     for varied in 0..at.len() {
         let mut place = 0;
         let seeded = at.map(|number| {
@@ -108,18 +107,24 @@ pub(crate) fn conditions<M: Differentiated>(
             Dual64::new(number, if place == varied + 1 { number } else { 0.0 })
         });
         for (sum, result) in sums.iter_mut().zip(results(&seeded)?) {
-            let own = if varied == 0 { result.re.abs() } else { 0.0 };
-            *sum += own + result.eps.abs();
+            *sum += result.eps.abs();
         }
     }
+    Ok(sums)
+}
+
+/// Conditions of blocks of a mechanism's rows, where the coordinates and slides of one block share
+/// the largest: a point's error does not know the ground's axes, and a coordinate that hardly
+/// moves may be the difference of a slide and of the guide's own way.
+pub(crate) fn shared<M: Differentiated>(mut conditions: Vec<f64>) -> Vec<f64> {
     let is_angle = |row: usize| M::OUTPUTS[row].ends_with(".angle");
-    for block in sums.chunks_mut(M::OUTPUTS.len()) {
+    for block in conditions.chunks_mut(M::OUTPUTS.len()) {
         let lengths = block.iter_mut().enumerate().filter(|(row, _)| !is_angle(*row));
         let lengths: Vec<_> = lengths.map(|(_, condition)| condition).collect();
         let largest = lengths.iter().fold(0.0, |largest: f64, condition| largest.max(**condition));
         lengths.into_iter().for_each(|condition| *condition = largest);
     }
-    Ok(sums)
+    conditions
 }
 
 /// Errors in units of ε times the conditions; an error where nothing can be wrong is infinite.
@@ -127,21 +132,20 @@ pub(crate) fn conditions<M: Differentiated>(
 pub(crate) struct Worst(pub(crate) f64);
 
 impl Worst {
-    /// Notes the difference of two results, and refuses what exceeds `allowed`.
+    /// Notes an error of numbers of the width `epsilon`, and refuses what exceeds `allowed`.
     #[track_caller]
-    pub(crate) fn note<T: Real>(
+    pub(crate) fn note(
         &mut self,
-        found: T,
-        expected: T,
+        error: f64,
+        epsilon: f64,
         condition: f64,
         allowed: f64,
         what: impl FnOnce() -> String,
     ) {
-        let error = (found.value() - expected.value()).abs();
-        let units = if error == 0.0 { 0.0 } else { error / (T::EPSILON * condition) };
-        if !(units <= allowed) {
-            panic!("{}: {found:?} for {expected:?}: {units} ε of {condition:e}", what());
-        }
+        let units = if error == 0.0 { 0.0 } else { error.abs() / (epsilon * condition) };
+        // Not a number is not within the allowance either.
+        let is_allowed = units <= allowed;
+        assert!(is_allowed, "{}: {units} ε of {condition:e}", what());
         self.0 = self.0.max(units);
     }
 }
