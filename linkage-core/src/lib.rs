@@ -12,6 +12,7 @@ mod cost;
 #[cfg(feature = "ad")]
 mod derivatives;
 mod error;
+mod kernels;
 mod modes;
 mod primitive;
 #[doc(hidden)]
@@ -21,6 +22,7 @@ mod scalar;
 
 pub use cost::{Cost, Operations};
 pub use error::SolveError;
+pub use kernels::{Float, Fused, Fusion, Plain};
 pub use modes::{Sense, Side};
 pub use results::{
     AngularAcceleration, AngularVelocity, Direction, Point, Slide, SlidingAcceleration,

@@ -1,32 +1,35 @@
 //! `f32` and `f64` as scalars.
 
+use crate::kernels::{self, Float, Native};
 use crate::{Real, Scalar};
 
-macro_rules! primitive {
-    ($t:ident, |$wide:tt, $narrow:tt| $value:expr, $sqrt:ident, $sincos:ident, $tan:ident, $asin:ident, $acos:ident,
-     $atan:ident, $atan2:ident, $hypot:ident, $fma:ident) => {
+/// The scalar implementation for one width: the kernels, and `libm` for what no solver computes
+/// unless it was asked for.
+macro_rules! scalar {
+    ($t:ident, lit: $lit:expr, sqrt: $sqrt:path, near: $near:path, sin_cos: $sin_cos:path,
+     libm: $tan:ident $asin:ident $acos:ident $atan:ident $atan2:ident $hypot:ident) => {
         impl Scalar for $t {
             type Mask = bool;
 
             #[inline]
-            fn lit($wide: f64, $narrow: f32) -> Self {
-                $value
+            fn lit(wide: f64, narrow: f32) -> Self {
+                $lit(wide, narrow)
             }
             #[inline]
             fn sqrt(self) -> Self {
-                libm::$sqrt(self)
+                $sqrt(self)
             }
             #[inline]
             fn sin_cos(self) -> (Self, Self) {
-                libm::$sincos(self)
+                if self.is_near() { self.sin_cos_near() } else { $sin_cos(self) }
             }
             #[inline]
             fn sin_cos_near(self) -> (Self, Self) {
-                libm::$sincos(self)
+                self.sin_cos_kernel::<Native>()
             }
             #[inline]
             fn is_near(self) -> bool {
-                self.abs() <= 1e6
+                self.abs() <= $near
             }
             #[inline]
             fn tan(self) -> Self {
@@ -46,6 +49,7 @@ macro_rules! primitive {
             }
             #[inline]
             fn atan2(self, x: Self) -> Self {
+                // −0 + 0 is +0: half a turn is +π whatever the sign of zero.
                 libm::$atan2(self + 0.0, x)
             }
             #[inline]
@@ -54,22 +58,19 @@ macro_rules! primitive {
             }
             #[inline]
             fn det(a: Self, b: Self, c: Self, d: Self) -> Self {
-                let cd = c * d;
-                libm::$fma(a, b, -cd) - libm::$fma(c, d, -cd)
+                kernels::det::<Self, Native>(a, b, c, d)
             }
             #[inline]
             fn mul_err(a: Self, b: Self) -> Self {
-                libm::$fma(a, b, -(a * b))
+                kernels::mul_err::<Self, Native>(a, b)
             }
             #[inline]
             fn add_err(a: Self, b: Self) -> Self {
-                let s = a + b;
-                let b_virtual = s - a;
-                (a - (s - b_virtual)) + (b - b_virtual)
+                kernels::two_sum(a, b).1
             }
             #[inline]
             fn fused(a: Self, b: Self, c: Self) -> Self {
-                a * b + c
+                Self::fused_by::<Native>(a, b, c)
             }
             #[inline]
             fn ge(self, other: Self) -> bool {
@@ -89,49 +90,42 @@ macro_rules! primitive {
             }
             #[inline]
             fn smallest_square() -> Self {
-                $t::MIN_POSITIVE
+                // Where a term of the square underflows, its error is at most half the smallest
+                // subnormal, MIN_POSITIVE·EPSILON/2. At this size that is below the last place of
+                // the square as a double word, EPSILON²·square, so that the compensated forms are
+                // as right as the plain ones.
+                Self::MIN_POSITIVE / (Self::EPSILON * Self::EPSILON)
+            }
+        }
+
+        impl Real for $t {
+            const EPSILON: f64 = Self::EPSILON as f64;
+
+            #[inline]
+            fn value(self) -> f64 {
+                self.into()
+            }
+            #[inline]
+            fn is_constant(self) -> bool {
+                true
             }
         }
     };
 }
 
-primitive!(f64, |wide, _| wide, sqrt, sincos, tan, asin, acos, atan, atan2, hypot, fma);
-primitive!(
-    f32,
-    |_, narrow| narrow,
-    sqrtf,
-    sincosf,
-    tanf,
-    asinf,
-    acosf,
-    atanf,
-    atan2f,
-    hypotf,
-    fmaf
+scalar!(
+    f64,
+    lit: |wide, _| wide,
+    sqrt: kernels::sqrt,
+    near: kernels::NEAR_F64,
+    sin_cos: libm::sincos,
+    libm: tan asin acos atan atan2 hypot
 );
-
-impl Real for f64 {
-    const EPSILON: f64 = f64::EPSILON;
-
-    #[inline]
-    fn value(self) -> f64 {
-        self
-    }
-    #[inline]
-    fn is_constant(self) -> bool {
-        true
-    }
-}
-
-impl Real for f32 {
-    const EPSILON: f64 = f32::EPSILON as f64;
-
-    #[inline]
-    fn value(self) -> f64 {
-        f64::from(self)
-    }
-    #[inline]
-    fn is_constant(self) -> bool {
-        true
-    }
-}
+scalar!(
+    f32,
+    lit: |_, narrow| narrow,
+    sqrt: kernels::sqrtf,
+    near: kernels::NEAR_F32,
+    sin_cos: libm::sincosf,
+    libm: tanf asinf acosf atanf atan2f hypotf
+);

@@ -36,7 +36,8 @@ impl Diagnostics {
         self.errors.push(error);
     }
 
-    /// Whether nothing was reported since `count` mistakes.
+    /// How many mistakes were reported: equal counts before and after a step say that the step
+    /// found none.
     pub(crate) fn count(&self) -> usize {
         self.errors.len()
     }
@@ -73,12 +74,14 @@ impl Drop for Diagnostics {
     }
 }
 
-/// The candidate nearest to `name`, where one is near enough to have been meant.
+/// The candidate nearest to `name`, where one is near enough to have been meant; one that has
+/// nothing in common with a short name is not.
 pub(crate) fn nearest<'a>(
     name: &str,
     candidates: impl Iterator<Item = &'a str>,
 ) -> Option<&'a str> {
-    let allowed = name.chars().count().div_ceil(3).max(1);
+    let length = name.chars().count();
+    let allowed = length.div_ceil(3).min(length.saturating_sub(1));
     candidates
         .map(|candidate| (distance(name, candidate), candidate))
         .filter(|&(distance, _)| distance <= allowed)
@@ -106,4 +109,112 @@ fn distance(a: &str, b: &str) -> usize {
         }
     }
     rows[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn messages(failure: Failure) -> Vec<String> {
+        let literals = failure.0.into_iter().flat_map(flat).filter_map(|tree| match tree {
+            proc_macro2::TokenTree::Literal(literal) => Some(literal.to_string()),
+            _ => None,
+        });
+        literals.collect()
+    }
+
+    fn flat(tree: proc_macro2::TokenTree) -> Vec<proc_macro2::TokenTree> {
+        match tree {
+            proc_macro2::TokenTree::Group(group) => {
+                group.stream().into_iter().flat_map(flat).collect()
+            }
+            tree => vec![tree],
+        }
+    }
+
+    #[test]
+    fn every_mistake_is_reported_in_the_order_of_appearance() {
+        let mut diagnostics = Diagnostics::new();
+        diagnostics.error(Span::call_site(), "first");
+        diagnostics.error_because(Span::call_site(), "second", "its reason");
+        diagnostics.adopt(syn::Error::new(Span::call_site(), "third"));
+        assert_eq!(diagnostics.count(), 3);
+        let failure = diagnostics.finish().expect_err("three mistakes were reported");
+        assert_eq!(messages(failure), [r#""first""#, r#""second\nits reason""#, r#""third""#]);
+    }
+
+    #[test]
+    fn a_mistake_is_reported_at_its_token() {
+        let tokens: TokenStream = "a b c".parse().expect("these are tokens");
+        let b = tokens.into_iter().nth(1).expect("there are three");
+        let mut diagnostics = Diagnostics::new();
+        diagnostics.error(b.span(), "here");
+        let failure = diagnostics.finish().expect_err("a mistake was reported");
+        let sources: Vec<_> =
+            failure.0.into_iter().filter_map(|tree| tree.span().source_text()).collect();
+        assert!(!sources.is_empty() && sources.iter().all(|text| text == "b"), "{sources:?}");
+    }
+
+    #[test]
+    fn a_barrier_stops_after_a_mistake_and_only_then() {
+        let mut diagnostics = Diagnostics::new();
+        assert!(diagnostics.barrier().is_ok());
+        diagnostics.error(Span::call_site(), "late");
+        let failure = diagnostics.barrier().expect_err("a mistake was reported");
+        assert_eq!(messages(failure), [r#""late""#]);
+        // What a barrier has handed over is not reported twice.
+        assert!(diagnostics.finish().is_ok());
+    }
+
+    #[test]
+    #[should_panic(expected = "diagnostics were dropped without a barrier")]
+    fn forgetting_to_ask_is_a_panic() {
+        drop(Diagnostics::new());
+    }
+
+    #[test]
+    #[should_panic(expected = "diagnostics were dropped without a barrier")]
+    fn a_mistake_behind_a_barrier_must_be_asked_for_again() {
+        let mut diagnostics = Diagnostics::new();
+        assert!(diagnostics.barrier().is_ok());
+        diagnostics.error(Span::call_site(), "late");
+        drop(diagnostics);
+    }
+
+    #[test]
+    fn the_nearest_name_is_one_that_may_have_been_meant() {
+        let names = ["A", "B", "blade", "coupler", "theta", "phi"];
+        for (name, expected) in [
+            ("Bb", Some("B")),
+            ("b", Some("B")),
+            ("balde", Some("blade")),
+            ("blad", Some("blade")),
+            ("bladee", Some("blade")),
+            ("BLADE", Some("blade")),
+            ("copuelr", Some("coupler")),
+            ("thet", Some("theta")),
+            ("quadrant", None),
+            ("Q", None),
+            ("blowtorch", None),
+        ] {
+            assert_eq!(nearest(name, names.into_iter()), expected, "{name}");
+        }
+        assert_eq!(nearest("A", std::iter::empty()), None);
+    }
+
+    #[test]
+    fn a_swap_costs_as_much_as_any_other_slip() {
+        for (a, b, expected) in [
+            ("", "", 0),
+            ("", "abc", 3),
+            ("abc", "", 3),
+            ("rrp", "rpr", 1),
+            ("rrr", "rrp", 1),
+            ("ground", "gorund", 1),
+            ("kitten", "sitting", 3),
+            ("Theta", "theta", 0),
+        ] {
+            assert_eq!(distance(a, b), expected, "{a} {b}");
+        }
+    }
 }

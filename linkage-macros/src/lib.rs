@@ -6,6 +6,8 @@ mod equations;
 mod exact;
 mod ir;
 mod model;
+#[cfg(test)]
+mod oracle;
 mod passes;
 mod pipeline;
 mod syntax;

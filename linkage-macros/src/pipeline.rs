@@ -2,6 +2,46 @@
 
 use proc_macro2::TokenStream;
 
-pub(crate) fn compile(_source: TokenStream) -> TokenStream {
-    TokenStream::new()
+use crate::diagnostics::{Diagnostics, Failure};
+use crate::ir::program::Program;
+use crate::model::mechanism::Mechanism;
+use crate::syntax::tree::Declaration;
+use crate::{codegen, equations, model, passes, syntax};
+
+/// The generated code, or the mistakes as compile errors beside stubs of what would have been
+/// generated, so that one mistake gives one message.
+pub(crate) fn compile(source: TokenStream) -> TokenStream {
+    let mut diagnostics = Diagnostics::new();
+    let declaration = syntax::parse(source, &mut diagnostics);
+    match resolved(declaration.as_ref(), diagnostics) {
+        Ok(mechanism) => codegen::generate(&mechanism, &program(&mechanism)),
+        Err(Failure(errors)) => {
+            let stubs = declaration.as_ref().map(codegen::stubs::stubs);
+            quote::quote! { #errors #stubs }
+        }
+    }
+}
+
+/// Syntax and model. Afterwards every name is a typed id, every dimension is checked, and nothing
+/// that follows can fail.
+fn resolved(
+    declaration: Option<&Declaration>,
+    mut diagnostics: Diagnostics,
+) -> Result<Mechanism, Failure> {
+    // Every statement is one of the language. Behind a mistake not everything was read, and the
+    // model would report as missing what only could not be understood.
+    diagnostics.barrier()?;
+    let mechanism =
+        declaration.and_then(|declaration| model::resolve(declaration, &mut diagnostics));
+    diagnostics.finish()?;
+    Ok(mechanism.expect("a phase that gives nothing has reported why"))
+}
+
+/// Equations and passes.
+fn program(mechanism: &Mechanism) -> Program {
+    // One graph holds the values of every entry point, written down under the rules: constants
+    // are folded exactly, and nothing is added to zero or multiplied by one.
+    let program = equations::derive(mechanism, passes::RULES);
+    // Nothing is left that no entry needs, and products are contracted into their sums.
+    passes::optimise(&program)
 }

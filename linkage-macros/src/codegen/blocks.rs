@@ -123,7 +123,9 @@ mod tests {
         let code = code.to_string();
         assert!(code.starts_with("let (v0_ , v5_ , v63_) = {"), "{code}");
         assert!(code.contains("let v127_ = { let v64_ ="), "{code}");
-        assert!(code.ends_with("let v129_ = { let v128_ = v127_ + v0_ ; let v129_ = v128_ + v0_ ; v129_ } ;"));
+        assert!(code.ends_with(
+            "let v129_ = { let v128_ = v127_ + v0_ ; let v129_ = v128_ + v0_ ; v129_ } ;"
+        ));
     }
 
     #[test]

@@ -6,7 +6,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::arguments::Arguments;
@@ -135,7 +135,7 @@ impl<'a> Body<'a> {
         let (sin, cos, value) = (slot(pair.sin), slot(pair.cos), self.value(angle));
         let (function, condition) = match self.course {
             Course::Straight => straight::sin_cos(self, angle),
-            Course::Careful => (self.cx.paths.scalar("sin_cos"), None),
+            Course::Careful => (self.cx.scalar("sin_cos"), None),
         };
         Statement {
             defines: pair.sin.into_iter().chain(pair.cos).collect(),
@@ -148,7 +148,7 @@ impl<'a> Body<'a> {
     fn expression(&self, node: Node) -> TokenStream {
         let v = |id| self.value(id);
         let call = |function: &str, operands: &[Id]| {
-            let function = self.cx.paths.scalar(function);
+            let function = self.cx.scalar(function);
             let operands = operands.iter().map(|&id| v(id));
             quote!(#function(#(#operands),*))
         };

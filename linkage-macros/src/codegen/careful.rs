@@ -63,7 +63,8 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let inputs = finite_inputs(&body, &statements.leaves);
     let finite = finite_results(&body, entry);
     let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
-    let (result, value) = (entry::result(cx, entry.kind), results::assemble(cx, entry.kind, values));
+    let (result, value) =
+        (entry::result(cx, entry.kind), results::assemble(cx, entry.kind, values));
     let (outcome, error, ok) =
         (cx.paths.item("Result"), cx.paths.item("SolveError"), cx.paths.item("Ok"));
     let docs = docs::careful(entry);

@@ -43,14 +43,13 @@ pub(super) fn in_words(cost: Operations) -> String {
         (cost.multiplications, "multiplication"),
         (cost.divisions, "division"),
         (cost.roots, "square root"),
-        (cost.sines, "sine and cosine"),
+        (cost.sines, "sine-cosine pair"),
     ];
     let words: Vec<String> = counts
         .iter()
         .filter(|(count, _)| *count > 0)
-        .map(|(count, word)| match (count, *word) {
-            (_, "sine and cosine") => format!("{count} sine-cosine or other function"),
-            (1, _) => format!("1 {word}"),
+        .map(|(count, word)| match count {
+            1 => format!("1 {word}"),
             _ => format!("{count} {word}s"),
         })
         .collect();

@@ -13,11 +13,11 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     if cx.entry(EntryKind::Position).is_none() {
         return TokenStream::new();
     }
-    let (with_ad, name, allow) = (cx.paths.item("with_ad"), &cx.names.solver, cx.allow());
+    let (with_ad, name) = (cx.paths.item("with_ad"), &cx.names.solver);
     let methods = ["f64", "f32"].map(|number| {
         let number = Ident::new(number, proc_macro2::Span::call_site());
         let (jacobian, sensitivity) = (jacobian(cx, &number), sensitivity(cx, &number));
-        quote!(#allow impl #name<#number> { #jacobian #sensitivity })
+        quote!(impl #name<#number> { #jacobian #sensitivity })
     });
     quote!(#with_ad! { #(#methods)* })
 }
@@ -87,9 +87,10 @@ fn sensitivity(cx: &Context<'_>, number: &Ident) -> Option<TokenStream> {
 fn constant_inputs(cx: &Context<'_>) -> TokenStream {
     let arguments = cx.arguments(EntryKind::Position);
     let lifted = |value: TokenStream| solver::lifted_number(cx, &value, &quote!(_));
-    let inputs = arguments.names().iter().flat_map(|argument| {
-        cx.mechanism.inputs.iter().map(move |input| (argument, &input.name))
-    });
+    let inputs = arguments
+        .names()
+        .iter()
+        .flat_map(|argument| cx.mechanism.inputs.iter().map(move |input| (argument, &input.name)));
     if let [_] = cx.mechanism.inputs[..] {
         return inputs.map(|(argument, _)| lifted(quote!(#argument))).collect();
     }

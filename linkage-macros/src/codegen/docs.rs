@@ -40,10 +40,8 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
     });
     page += &section("Inputs", inputs.collect());
     let outputs = cx.mechanism.outputs.iter();
-    page += &section(
-        "Outputs",
-        outputs.map(|output| describe(cx, output, Order::Position)).collect(),
-    );
+    page +=
+        &section("Outputs", outputs.map(|output| describe(cx, output, Order::Position)).collect());
     let groups = cx.mechanism.groups.iter();
     page += &section(
         "Groups, in the order they are solved",
@@ -60,7 +58,11 @@ pub(super) fn param(param: &Param) -> TokenStream {
     let line = match &param.kind {
         ParamKind::Number { dimension, default } => {
             let unit = unit(*dimension, Order::Position);
-            format!("Parameter `{}` in {unit}; as declared {}.", text(&param.name), default.to_f64())
+            format!(
+                "Parameter `{}` in {unit}; as declared {}.",
+                text(&param.name),
+                default.to_f64()
+            )
         }
         ParamKind::Side { default } => mode(param, *default, ["left", "right"]),
         ParamKind::Sense { default } => mode(param, *default, ["ahead", "behind"]),
@@ -75,15 +77,13 @@ fn mode(param: &Param, default: Sign, words: [&str; 2]) -> String {
 
 pub(super) fn input(input: &Input) -> TokenStream {
     let unit = unit(input.dimension, Order::Position);
-    let line = format!("Input `{}` in {unit}, its rates in {unit}/s and {unit}/s².", text(&input.name));
+    let line =
+        format!("Input `{}` in {unit}, its rates in {unit}/s and {unit}/s².", text(&input.name));
     after(&input.docs, &line)
 }
 
 pub(super) fn input_record(cx: &Context<'_>) -> TokenStream {
-    lines(&format!(
-        "The inputs of [`{}`], or their first or second rates.",
-        text(&cx.names.solver)
-    ))
+    lines(&format!("The inputs of [`{}`], or their first or second rates.", text(&cx.names.solver)))
 }
 
 /// The record of all outputs at one order.
@@ -133,48 +133,68 @@ pub(super) fn output(cx: &Context<'_>, output: &Output, order: Order) -> TokenSt
     after(&own, &format!("{line}."))
 }
 
-/// One output in words: `velocity of point `blade` (point on BC) in m/s`.
+/// One output in words: what it is, what made it, its unit.
 fn describe(cx: &Context<'_>, output: &Output, order: Order) -> String {
-    let (mechanism, name, per_time) = (cx.mechanism, text(&output.field), per_time(order));
-    let of = match order {
-        Order::Position => "",
-        Order::Velocity => "Velocity of ",
-        Order::Acceleration => "Acceleration of ",
-    };
+    let (mechanism, name) = (cx.mechanism, text(&output.field));
     let group = |index: usize| {
         let group = &mechanism.groups[index];
         format!("{} {}", group.keyword, group.title)
     };
+    let rate = match order {
+        Order::Position => "",
+        Order::Velocity => ", its rate",
+        Order::Acceleration => ", its second rate",
+    };
+    let quantity = |unit: &str| format!("{rate} in {unit}{}", per_time(order));
     match &output.kind {
         OutputKind::Point(point) => {
             let made_by = &mechanism.points[point.index()].made_by;
-            format!("{of}`{name}` ({made_by}) in m{per_time}")
+            format!("Point `{name}` ({made_by}): {}", place(order))
         }
         OutputKind::Link { link, direction, slide } => {
             let made_by = group(mechanism.links[link.index()].made_by.index());
-            let parts = [(*direction, "direction", "rad"), (*slide, "slide along its guide", "m")];
-            let parts = parts.iter().filter(|part| part.0);
-            let part = parts.map(|(_, what, unit)| match (order, *unit) {
-                (Order::Position, "rad") => "unit direction".to_string(),
-                _ => format!("{what} in {unit}{per_time}"),
-            });
-            format!("{of}`{name}` ({made_by}): {}", part.collect::<Vec<_>>().join(", "))
+            let parts = [direction.then(|| turn(order)), slide.then(|| slid(order))];
+            let parts: Vec<_> = parts.into_iter().flatten().collect();
+            format!("Link `{name}` ({made_by}): {}", parts.join("; "))
         }
-        OutputKind::Value { dimension, .. } => format!("{of}`{name}` in {}", unit(*dimension, order)),
-        OutputKind::Turn(_) if order == Order::Position => {
-            format!("`{name}`, an angle, by its unit direction")
+        OutputKind::Value { dimension, .. } => {
+            format!("`{name}`{rate} in {}", unit(*dimension, order))
         }
-        OutputKind::Turn(_) => format!("{of}`{name}` in rad{per_time}"),
+        OutputKind::Turn(_) => format!("Angle `{name}`: {}", turn(order)),
         OutputKind::Margin(id) => {
-            format!("{of}the margin of {}: its distance from the limit in m{per_time}", group(id.index()))
+            format!("Distance of {} from its limit{}", group(id.index()), quantity("m"))
         }
         OutputKind::Transmission(id) => {
-            format!("{of}the sine of the transmission angle of {}", group(id.index()))
+            format!("Sine of the transmission angle of {}{rate}", group(id.index()))
         }
     }
 }
 
-/// `of position`, for the docs of the functions.
+fn place(order: Order) -> &'static str {
+    match order {
+        Order::Position => "coordinates in m",
+        Order::Velocity => "velocity in m/s",
+        Order::Acceleration => "acceleration in m/s²",
+    }
+}
+
+fn turn(order: Order) -> &'static str {
+    match order {
+        Order::Position => "unit direction, counter-clockwise from +x",
+        Order::Velocity => "angular velocity in rad/s, counter-clockwise",
+        Order::Acceleration => "angular acceleration in rad/s², counter-clockwise",
+    }
+}
+
+fn slid(order: Order) -> &'static str {
+    match order {
+        Order::Position => "slide along its guide in m",
+        Order::Velocity => "rate of its slide in m/s",
+        Order::Acceleration => "second rate of its slide in m/s²",
+    }
+}
+
+/// What a function computes.
 fn subject(kind: EntryKind) -> &'static str {
     match kind {
         EntryKind::Position | EntryKind::PositionAt => "Positions of the outputs",
@@ -235,7 +255,10 @@ pub(super) fn checked(cx: &Context<'_>, entry: &Entry) -> TokenStream {
 }
 
 pub(super) fn careful(entry: &Entry) -> TokenStream {
-    lines(&format!("Why `solve_{}` gave no answer, or the answer at a limit.", entry::method(entry.kind)))
+    lines(&format!(
+        "Why `solve_{}` gave no answer, or the answer at a limit.",
+        entry::method(entry.kind)
+    ))
 }
 
 pub(super) fn jacobian(cx: &Context<'_>) -> TokenStream {

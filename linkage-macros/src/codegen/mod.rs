@@ -19,6 +19,7 @@ mod results;
 mod rows;
 mod solver;
 mod straight;
+pub(crate) mod stubs;
 mod units;
 
 #[cfg(test)]
@@ -35,25 +36,19 @@ use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
 /// Everything that the declaration of a mechanism expands to.
 pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream {
-    let cx = Context {
-        mechanism,
-        program,
-        paths: Paths::new(mechanism),
-        names: Names::new(mechanism),
-    };
+    let cx =
+        Context { mechanism, program, paths: Paths::new(mechanism), names: Names::new(mechanism) };
     let (solver, records) = (solver::items(&cx), results::records(&cx));
     let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
     let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
     let careful = program.entries.iter().map(|entry| careful::function(&cx, entry));
     let derivatives = derivatives::items(&cx);
-    let (name, scalar, allow) = (&cx.names.solver, &cx.names.scalar, cx.allow());
+    let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
     quote! {
         #solver
         #records
-        #allow
         impl<#scalar: #any> #name<#scalar> { #(#straight)* }
-        #allow
         impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
         #derivatives
     }
@@ -92,33 +87,26 @@ impl Context<'_> {
         self.mechanism.params.iter().filter(numeric).collect()
     }
 
-    /// A constant as the type parameter's number, rounded to each width.
-    fn literal(&self, wide: f64, narrow: f32) -> TokenStream {
-        let (scalar, trait_) = (&self.names.scalar, self.paths.item("Scalar"));
-        let wide = float(wide, wide.abs().is_finite().then(|| Literal::f64_unsuffixed(wide.abs())));
-        let narrow = float(
-            f64::from(narrow),
-            narrow.is_finite().then(|| Literal::f32_unsuffixed(narrow.abs())),
-        );
-        quote!(<#scalar as #trait_>::lit(#wide, #narrow))
+    /// A function of the type parameter, which nothing but its bound can provide.
+    fn scalar(&self, function: &str) -> TokenStream {
+        let (scalar, function) = (&self.names.scalar, names::function_name(function));
+        quote!(#scalar::#function)
     }
 
-    /// The lints that a declaration cannot avoid: its names are what they are, and hardly anyone
-    /// calls every function.
-    fn allow(&self) -> TokenStream {
-        quote!(#[allow(
-            dead_code,
-            non_snake_case,
-            reason = "names are those of the declaration, and not every solver is used in full"
-        )])
+    /// A constant as the type parameter's number, rounded to each width.
+    fn literal(&self, wide: f64, narrow: f32) -> TokenStream {
+        let (lit, wide, narrow) = (self.scalar("lit"), literal(wide), literal(narrow));
+        quote!(#lit(#wide, #narrow))
     }
 }
 
-/// A signed literal; an infinity, which no literal means, as a quotient.
-fn float(value: f64, magnitude: Option<Literal>) -> TokenStream {
-    let digits = match magnitude {
-        Some(literal) => quote!(#literal),
-        None => quote!((1.0 / 0.0)),
+/// The shortest literal that means the number; an infinity, which none means, as a quotient.
+fn literal(value: impl std::fmt::Debug) -> TokenStream {
+    let digits = format!("{value:?}");
+    let magnitude = digits.trim_start_matches('-');
+    let tokens = match magnitude.parse::<Literal>() {
+        Ok(literal) => quote!(#literal),
+        Err(_) => quote!((1.0 / 0.0)),
     };
-    if value < 0.0 { quote!(-#digits) } else { digits }
+    if digits.starts_with('-') { quote!(-#tokens) } else { tokens }
 }

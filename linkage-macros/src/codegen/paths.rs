@@ -28,13 +28,6 @@ impl Paths {
         quote!(#private::#name)
     }
 
-    /// A function of the `Scalar` trait.
-    pub(super) fn scalar(&self, function: &str) -> TokenStream {
-        let scalar = self.item("Scalar");
-        let function = Ident::new(function, Span::call_site());
-        quote!(#scalar::#function)
-    }
-
     /// The derives of every plain record.
     pub(super) fn derives(&self, names: &[&str]) -> TokenStream {
         let derive = self.item("derive");

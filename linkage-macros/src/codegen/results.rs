@@ -63,16 +63,21 @@ pub(super) fn records(cx: &Context<'_>) -> TokenStream {
     quote!(#input #(#orders)* #motion #margins)
 }
 
-/// What stands in front of every record.
-fn attributes(cx: &Context<'_>) -> TokenStream {
+/// What stands in front of every struct. No number is `Eq`, and names are as declared.
+pub(super) fn attributes(cx: &Context<'_>) -> TokenStream {
     let derives = cx.paths.derives(&["Clone", "Copy", "Debug", "PartialEq"]);
-    let allow = cx.allow();
-    quote!(#derives #allow)
+    quote! {
+        #derives
+        #[allow(
+            non_snake_case,
+            clippy::derive_partial_eq_without_eq,
+            reason = "fields are named as declared, and floating-point numbers are not `Eq`"
+        )]
+    }
 }
 
 fn record(cx: &Context<'_>, order: Order) -> TokenStream {
-    let (name, scalar, visibility) =
-        (order.record(cx), &cx.names.scalar, &cx.mechanism.visibility);
+    let (name, scalar, visibility) = (order.record(cx), &cx.names.scalar, &cx.mechanism.visibility);
     let (docs, attributes) = (docs::record(cx, order), attributes(cx));
     let fields = cx.mechanism.outputs.iter().map(|output| {
         let (docs, field) = (docs::output(cx, output, order), &output.field);
@@ -184,11 +189,7 @@ fn input(cx: &Context<'_>) -> TokenStream {
 }
 
 /// The result of an entry point from the values of its sinks.
-pub(super) fn assemble(
-    cx: &Context<'_>,
-    kind: EntryKind,
-    values: Vec<TokenStream>,
-) -> TokenStream {
+pub(super) fn assemble(cx: &Context<'_>, kind: EntryKind, values: Vec<TokenStream>) -> TokenStream {
     let inputs = cx.mechanism.inputs.len();
     let mut values = values.into_iter();
     match kind {

@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::names::text;
-use super::{Context, cost, docs, float, rows};
+use super::{Context, cost, docs, literal, results, rows};
 use crate::model::mechanism::{Param, ParamKind, Sign};
 
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
@@ -15,8 +15,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
 
 fn definition(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, visibility) = (&cx.names.solver, &cx.names.scalar, &cx.mechanism.visibility);
-    let (docs, allow) = (docs::solver(cx), cx.allow());
-    let derives = cx.paths.derives(&["Clone", "Copy", "Debug", "PartialEq"]);
+    let (docs, attributes) = (docs::solver(cx), results::attributes(cx));
     let fields = cx.mechanism.params.iter().map(|param| {
         let (docs, field, ty) = (docs::param(param), &param.name, param_type(cx, param));
         quote!(#docs pub #field: #ty,)
@@ -24,8 +23,7 @@ fn definition(cx: &Context<'_>) -> TokenStream {
     let marker = marker(cx).map(|(field, ty, _)| quote!(#[doc(hidden)] pub #field: #ty,));
     quote! {
         #docs
-        #derives
-        #allow
+        #attributes
         #visibility struct #name<#scalar = f64> { #(#fields)* #marker }
     }
 }
@@ -94,11 +92,8 @@ fn default_variant(param: &Param) -> TokenStream {
 
 /// What needs no type parameter to be written.
 fn constants(cx: &Context<'_>) -> TokenStream {
-    let (name, allow) = (&cx.names.solver, cx.allow());
-    let plain = |wide: f64, _| {
-        float(wide, wide.is_finite().then(|| Literal::f64_unsuffixed(wide.abs())))
-    };
-    let new = defaults(cx, plain);
+    let name = &cx.names.solver;
+    let new = defaults(cx, |wide, _| literal(wide));
     let (outputs, rows) = (rows::literals(cx), cx.rows());
     let inputs = cx.mechanism.inputs.iter().map(|input| &input.name);
     let inputs = inputs.map(|name| rows::string(&text(name), name.span()));
@@ -108,7 +103,6 @@ fn constants(cx: &Context<'_>) -> TokenStream {
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
     let (cost_type, cost) = (cx.paths.item("Cost"), cost::constant(cx));
     quote! {
-        #allow
         impl #name<f64> {
             /// The scalar rows of the results, in the order of every list of rows.
             pub const OUTPUTS: [&'static str; #rows] = [#(#outputs),*];
@@ -143,7 +137,7 @@ fn default(cx: &Context<'_>) -> TokenStream {
 /// `lift`: the same mechanism on other numbers.
 fn lift(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, lifted) = (&cx.names.solver, &cx.names.scalar, &cx.names.lifted);
-    let (any, real, allow) = (cx.paths.item("Scalar"), cx.paths.item("Real"), cx.allow());
+    let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
     let keep = |param: &Param| {
         let field = &param.name;
         quote!(self.#field)
@@ -154,7 +148,6 @@ fn lift(cx: &Context<'_>) -> TokenStream {
     };
     let value = construct(cx, &quote!(#name), number, keep);
     quote! {
-        #allow
         impl<#scalar: #real> #name<#scalar> {
             /// The same solver on other numbers, the parameters without derivatives.
             #[inline]

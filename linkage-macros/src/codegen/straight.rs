@@ -36,8 +36,8 @@ impl Condition {
 
 /// The condition as a statement without a `let`.
 pub(super) fn condition(body: &Body<'_>, condition: Condition) -> Statement {
-    let paths = &body.cx.paths;
-    let (ge, gt, select) = (paths.scalar("ge"), paths.scalar("gt"), paths.scalar("select"));
+    let cx = body.cx;
+    let (ge, gt, select) = (cx.scalar("ge"), cx.scalar("gt"), cx.scalar("select"));
     let zero = generated("zero_");
     let (id, holds) = match condition {
         Condition::NotNegative(id) => {
@@ -55,7 +55,7 @@ pub(super) fn condition(body: &Body<'_>, condition: Condition) -> Statement {
             (id, quote!(#gt(#select(#ge(#value, #zero), #value, -#value), #zero)))
         }
         Condition::FullPrecision(id) => {
-            let (value, smallest) = (body.value(id), paths.scalar("smallest_square"));
+            let (value, smallest) = (body.value(id), cx.scalar("smallest_square"));
             (id, quote!(#ge(#value, #smallest())))
         }
     };
@@ -64,12 +64,12 @@ pub(super) fn condition(body: &Body<'_>, condition: Condition) -> Statement {
 
 /// The function that turns an angle into sine and cosine, and what it needs of the angle.
 pub(super) fn sin_cos(body: &Body<'_>, angle: Id) -> (TokenStream, Option<TokenStream>) {
-    let paths = &body.cx.paths;
+    let cx = body.cx;
     if let Node::Constant(_) = body.graph().node(angle) {
-        return (paths.scalar("sin_cos"), None);
+        return (cx.scalar("sin_cos"), None);
     }
-    let (is_near, value) = (paths.scalar("is_near"), body.value(angle));
-    (paths.scalar("sin_cos_near"), Some(quote!(#is_near(#value))))
+    let (is_near, value) = (cx.scalar("is_near"), body.value(angle));
+    (cx.scalar("sin_cos_near"), Some(quote!(#is_near(#value))))
 }
 
 /// `solve_…`: the core of an entry point, without a branch.
@@ -88,7 +88,8 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let zero = zero(cx, &statements);
     let ok = verdict(&body, &entry.sinks, mask.map(|ok| quote!(#ok)));
     let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
-    let (result, value) = (entry::result(cx, entry.kind), results::assemble(cx, entry.kind, values));
+    let (result, value) =
+        (entry::result(cx, entry.kind), results::assemble(cx, entry.kind, values));
     let (docs, status) = (docs::straight(cx, entry), generated("ok_"));
     quote! {
         #docs
@@ -116,18 +117,18 @@ fn zero(cx: &Context<'_>, statements: &Statements) -> Option<TokenStream> {
 
 /// The mask of all conditions and of the one test that every result is finite.
 fn verdict(body: &Body<'_>, sinks: &[Id], mask: Option<TokenStream>) -> TokenStream {
-    let paths = &body.cx.paths;
+    let cx = body.cx;
     let tested = undominated(body.graph(), sinks);
     let values: Vec<_> = tested.iter().map(|&id| body.value(id)).collect();
     let finite = (!values.is_empty()).then(|| {
-        let (is_finite, sum) = (paths.scalar("is_finite"), sum(&values));
+        let (is_finite, sum) = (cx.scalar("is_finite"), sum(&values));
         quote!(#is_finite(#sum))
     });
     match (mask, finite) {
         (Some(mask), Some(finite)) => quote!(#mask & #finite),
         (Some(one), None) | (None, Some(one)) => one,
         (None, None) => {
-            let (all, scalar) = (paths.item("Mask"), &body.cx.names.scalar);
+            let (all, scalar) = (cx.paths.item("Mask"), &cx.names.scalar);
             quote!(<#scalar::Mask as #all>::ALL)
         }
     }

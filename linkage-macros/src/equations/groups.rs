@@ -1,7 +1,7 @@
 //! What the groups share: where a group stands, and the bar as part of a dyad.
 
 use crate::equations::jet::Jet;
-use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::motion::{Direction, Frame, PointMotion, Turned};
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::model::mechanism::{Carrier, LinkId, Numerics};
 
@@ -89,12 +89,11 @@ impl<'s> Bar<'s> {
 
     /// The bar's frame: origin at its outer joint, x towards the pin.
     pub(super) fn frame(self, link: LinkId) -> Frame<'s> {
-        let zero = self.r.x.sheet().zero();
         let direction = Direction {
             u: self.u(),
             omega: self.omega,
             alpha: self.alpha,
-            turned: Some((Carrier::Link(link), zero)),
+            turned: Some(Turned::start(Carrier::Link(link), self.r.x.sheet())),
         };
         Frame { origin: self.outer, direction }
     }

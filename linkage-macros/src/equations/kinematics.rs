@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::equations::groups::{Bar, Place as Standing, Quality};
 use crate::equations::jet::Jet;
-use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::motion::{Direction, Frame, PointMotion, Turned};
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::equations::{crank, guide, point, prp, rpp, rpr, rrp, rrr, slider};
 use crate::ir::graph::Node;
@@ -244,7 +244,7 @@ impl<'s> Kinematics<'s> {
                     self.set_joint(*link, *pin, length);
                 }
             }
-            Step::Slider { link, guide, pin, slide, offset, .. } => {
+            Step::Slider { link, guide, pin, slide, offset } => {
                 let (slide, offset) = (self.jet(slide), self.jet(offset));
                 let (frame, motion) = slider::slider(self.guide(*guide), slide, offset);
                 self.set_link(*link, frame, Some(slide));
@@ -299,7 +299,7 @@ impl<'s> Kinematics<'s> {
             u: bar.u,
             omega: bar.omega,
             alpha: bar.alpha,
-            turned: Some((Carrier::Link(links[1]), self.sheet.zero())),
+            turned: Some(Turned::start(Carrier::Link(links[1]), self.sheet)),
         };
         for (k, slide) in [Some(bar.slide), None].into_iter().enumerate() {
             self.set_link(links[k], Frame { origin: joints[k], direction }, slide);

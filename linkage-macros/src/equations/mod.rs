@@ -20,13 +20,16 @@ mod rrp;
 mod rrr;
 mod slider;
 mod symbol;
+#[cfg(test)]
+pub(crate) mod tests;
 
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::motion::Direction;
 use crate::equations::symbol::{Sheet, Vector};
-use crate::ir::construct::{Liveness, Rule, live};
+use crate::ir::construct::Rule;
 use crate::ir::graph::{Id, Node};
+use crate::ir::liveness::{Course, live};
 use crate::ir::program::{Entry, EntryKind, Program};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
@@ -87,8 +90,7 @@ fn has_bare_angle(mechanism: &Mechanism, rules: &[Rule]) -> bool {
     let at = Kinematics::of(&trial, mechanism, vec![on_the_circle(&trial)]);
     let sinks: Vec<Id> = positions(&at).into_iter().chain(rates(&at, Order::Second)).collect();
     let graph = trial.into_graph();
-    let live =
-        crate::ir::construct::live(&graph, sinks.iter(), crate::ir::construct::Liveness::Careful);
+    let live = live(&graph, &sinks, Course::Careful);
     !graph.iter().any(|(id, node)| live[id.index()] && matches!(node, Node::Input { order: 0, .. }))
 }
 

@@ -23,9 +23,39 @@ pub(crate) struct Direction<'s> {
     pub u: Vector<'s>,
     pub omega: Sym<'s>,
     pub alpha: Sym<'s>,
-    /// Whose x the direction is turned from, and by which angle, where it was made so: two
-    /// directions on one carrier enclose the difference of their angles, however small it is.
-    pub turned: Option<(Carrier, Sym<'s>)>,
+    /// Where the direction was made by turning another's.
+    pub turned: Option<Turned<'s>>,
+}
+
+/// Whose x a direction is turned from, and by which angle: two directions on one carrier enclose
+/// the difference of their angles, however small it is. Constant turns are kept apart, so that
+/// the angle between two directions of one moving link is a constant.
+#[derive(Clone, Copy)]
+pub(crate) struct Turned<'s> {
+    carrier: Carrier,
+    moving: Sym<'s>,
+    constant: Sym<'s>,
+}
+
+impl<'s> Turned<'s> {
+    /// The carrier's own x.
+    pub(crate) fn start(carrier: Carrier, sheet: &'s Sheet<'s>) -> Self {
+        Self { carrier, moving: sheet.zero(), constant: sheet.zero() }
+    }
+
+    fn by(self, angle: Sym<'s>) -> Self {
+        if angle.is_constant() {
+            Self { constant: self.constant + angle, ..self }
+        } else {
+            Self { moving: self.moving + angle, ..self }
+        }
+    }
+
+    /// The angle to the other, where both are turned from one direction.
+    fn angle_to(self, other: Self) -> Option<Sym<'s>> {
+        (self.carrier == other.carrier)
+            .then(|| (other.moving - self.moving) + (other.constant - self.constant))
+    }
 }
 
 /// An origin and an x direction: a link, a guide, or the ground.
@@ -85,7 +115,7 @@ impl<'s> Direction<'s> {
             u: Vector { x: one, y: zero },
             omega: zero,
             alpha: zero,
-            turned: Some((Carrier::Ground, zero)),
+            turned: Some(Turned::start(Carrier::Ground, sheet)),
         }
     }
 
@@ -95,7 +125,7 @@ impl<'s> Direction<'s> {
             u: self.u.turned(unit),
             omega: self.omega + angle.rate,
             alpha: self.alpha + angle.accel,
-            turned: self.turned.map(|(carrier, start)| (carrier, start + angle.value)),
+            turned: self.turned.map(|turned| turned.by(angle.value)),
         }
     }
 
@@ -117,12 +147,10 @@ impl<'s> Direction<'s> {
     /// come from the difference of the angles: the cross product of two rounded unit vectors
     /// would lose every digit that the angle between them is small by.
     pub(crate) fn sin_cos_to(self, other: Self) -> (Sym<'s>, Sym<'s>) {
-        match (self.turned, other.turned) {
-            (Some((mine, start)), Some((its, end))) if mine == its => {
-                let angle = end - start;
-                (angle.sin(), angle.cos())
-            }
-            _ => {
+        let angle = self.turned.zip(other.turned).and_then(|(mine, its)| mine.angle_to(its));
+        match angle {
+            Some(angle) => (angle.sin(), angle.cos()),
+            None => {
                 let sine = self.u.x.sheet().det(self.u.x, other.u.y, self.u.y, other.u.x);
                 (sine, self.u.dot(other.u))
             }

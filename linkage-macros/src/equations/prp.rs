@@ -22,7 +22,7 @@
 use crate::equations::groups::{Block, Place, Quality, SlidingPair};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Frame, PointMotion};
-use crate::equations::symbol::{Sym, Vector};
+use crate::equations::symbol::Vector;
 use crate::ir::graph::Check;
 
 pub(super) fn prp<'s>(

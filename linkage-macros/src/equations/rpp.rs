@@ -27,7 +27,7 @@
 use crate::equations::groups::{Place, Quality, Slides};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
-use crate::equations::symbol::{Sym, Vector};
+use crate::equations::symbol::Vector;
 use crate::ir::graph::Check;
 
 pub(super) fn rpp<'s>(

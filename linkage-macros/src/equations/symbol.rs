@@ -169,14 +169,13 @@ impl<'s> Sym<'s> {
         }
     }
 
+    pub(crate) fn is_constant(self) -> bool {
+        self.constant_id().is_some()
+    }
+
     /// Whether this is known to be zero from its form alone.
     pub(crate) fn is_zero(self) -> bool {
         self.sheet.graph.borrow().as_constant(self.id).is_some_and(Exact::is_zero)
-    }
-
-    /// Whether this is the constant one.
-    pub(crate) fn is_one(self) -> bool {
-        self.sheet.graph.borrow().as_constant(self.id).is_some_and(Exact::is_one)
     }
 }
 

@@ -4,9 +4,10 @@
 //! always has the same shape: r·π with 0 < r < 1/4, or r·π + x with 0 ≤ r < 1/2, where x has no
 //! rational multiple of π in it and a positive first coefficient.
 
+use super::Exact;
+use super::atom::Kind;
 use super::rational::Rational;
-use super::sum::{Atom, Factor};
-use super::{Exact, Form};
+use super::sum::Term;
 
 impl Exact {
     /// The sine of self + `quarter_turns`·π/2.
@@ -22,9 +23,7 @@ impl Exact {
             if mirrored { (half_turns.neg(), rest.neg()) } else { (half_turns, rest) };
         let quarters = half_turns.mul(&Rational::integer(2)).floor();
         let half_turns = half_turns.sub(&quarters.mul(&Rational::ratio(1, 2)));
-        let quadrant =
-            quarters.sub(&quarters.mul(&Rational::ratio(1, 4)).floor().mul(&Rational::integer(4)));
-        let quadrant = quadrant.to_integer().unwrap_or(0);
+        let quadrant = quarters.modulo(4).to_integer().unwrap_or(0);
         let value = unreduced_sine(&half_turns, &rest, quadrant % 2 == 1);
         if mirrored != (quadrant >= 2) { value.neg() } else { value }
     }
@@ -36,20 +35,22 @@ impl Exact {
         }
         match known_sine(self) {
             Some(half_turns) => Self::half_turns(&half_turns),
-            None => Self::atom(Atom::Asin(self.clone())),
+            None => Self::atom(Kind::Asin(self.clone())),
         }
     }
 
+    /// The arc tangent in (−π/2, π/2).
     pub(super) fn arc_tangent(&self) -> Self {
         if self.monic().0.signum().is_lt() {
             return self.neg().arc_tangent().neg();
         }
         match known_tangent(self) {
             Some(half_turns) => Self::half_turns(&half_turns),
-            None => Self::atom(Atom::Atan(self.clone())),
+            None => Self::atom(Kind::Atan(self.clone())),
         }
     }
 
+    /// The angle of so many half turns.
     pub(super) fn half_turns(turns: &Rational) -> Self {
         Self::pi().scaled(turns)
     }
@@ -57,8 +58,7 @@ impl Exact {
     /// The number as a rational multiple of π and the rest.
     fn split_at_pi(&self) -> (Rational, Self) {
         let mut terms = self.terms();
-        let is_pi = |factors: &[Factor]| matches!(factors, [Factor { atom: Atom::Pi, power: 1 }]);
-        match terms.iter().position(|term| is_pi(&term.factors)) {
+        match terms.iter().position(Term::is_multiple_of_pi) {
             Some(place) => (terms.remove(place).coefficient, Self::collect(terms)),
             None => (Rational::ZERO, self.clone()),
         }
@@ -67,8 +67,7 @@ impl Exact {
 
 /// sin(r·π), by symmetry from an angle of at most 45°.
 fn sine_of_half_turns(half_turns: &Rational) -> Exact {
-    let turn = Rational::integer(2);
-    let within_turn = half_turns.sub(&half_turns.div(&turn).floor().mul(&turn));
+    let within_turn = half_turns.modulo(2);
     let (folded, negative) = if within_turn >= Rational::ONE {
         (within_turn.sub(&Rational::ONE), true)
     } else {
@@ -78,10 +77,10 @@ fn sine_of_half_turns(half_turns: &Rational) -> Exact {
     let acute = folded.min(complement);
     let value = match KNOWN_SINES.iter().find(|known| known.half_turns() == acute) {
         Some(known) => known.sine(),
-        None if acute < Rational::ratio(1, 4) => Exact::atom(Atom::Sin(Exact::half_turns(&acute))),
+        None if acute < Rational::ratio(1, 4) => Exact::atom(Kind::Sin(Exact::half_turns(&acute))),
         None => {
             let complement = Rational::ratio(1, 2).sub(&acute);
-            Exact::atom(Atom::Cos(Exact::half_turns(&complement)))
+            Exact::atom(Kind::Cos(Exact::half_turns(&complement)))
         }
     };
     if negative { value.neg() } else { value }
@@ -90,26 +89,18 @@ fn sine_of_half_turns(half_turns: &Rational) -> Exact {
 /// sin(r·π + x) or its cosine, where r and x have the shape that stays; opened where x is the
 /// angle of a known sine or tangent.
 fn unreduced_sine(half_turns: &Rational, rest: &Exact, cosine: bool) -> Exact {
-    if half_turns.is_zero()
-        && let Some((term, [Factor { atom, power: 1 }])) =
-            rest.as_term().map(|term| (term, term.factors.as_slice()))
-        && term.coefficient.is_one()
-    {
-        let one = Exact::rational(Rational::ONE);
-        match (atom, cosine) {
-            (Atom::Asin(sine), false) => return sine.clone(),
-            (Atom::Asin(sine), true) => return one.sub(&sine.mul(sine)).root(),
-            (Atom::Atan(tangent), false) => {
-                return tangent.quotient_of(&one.add(&tangent.mul(tangent)).root());
-            }
-            (Atom::Atan(tangent), true) => {
-                return one.add(&tangent.mul(tangent)).root().reciprocal();
-            }
-            _ => {}
+    let one = Exact::rational(Rational::ONE);
+    match rest.as_atom().filter(|_| half_turns.is_zero()) {
+        Some(Kind::Asin(sine)) if cosine => return one.sub(&sine.mul(sine)).root(),
+        Some(Kind::Asin(sine)) => return sine.clone(),
+        Some(Kind::Atan(tangent)) => {
+            let secant = one.add(&tangent.mul(tangent)).root();
+            return if cosine { secant.reciprocal() } else { tangent.quotient_of(&secant) };
         }
+        _ => {}
     }
     let angle = rest.add(&Exact::half_turns(half_turns));
-    Exact::atom(if cosine { Atom::Cos(angle) } else { Atom::Sin(angle) })
+    Exact::atom(if cosine { Kind::Cos(angle) } else { Kind::Sin(angle) })
 }
 
 /// The acute angle, in half turns, whose sine is known to be the number.
@@ -117,12 +108,9 @@ fn known_sine(sine: &Exact) -> Option<Rational> {
     if let Some(known) = KNOWN_SINES.iter().find(|known| known.sine() == *sine) {
         return Some(known.half_turns());
     }
-    let term = sine.as_term().filter(|term| term.coefficient.is_one())?;
-    match term.factors.as_slice() {
-        [Factor { atom: Atom::Sin(angle), power: 1 }] => in_half_turns(angle),
-        [Factor { atom: Atom::Cos(angle), power: 1 }] => {
-            in_half_turns(angle).map(|angle| Rational::ratio(1, 2).sub(&angle))
-        }
+    match sine.as_atom()? {
+        Kind::Sin(angle) => in_half_turns(angle),
+        Kind::Cos(angle) => in_half_turns(angle).map(|angle| Rational::ratio(1, 2).sub(&angle)),
         _ => None,
     }
 }
@@ -136,13 +124,11 @@ fn known_tangent(tangent: &Exact) -> Option<Rational> {
         return Some(known.half_turns());
     }
     let term = tangent.as_term().filter(|term| term.coefficient.is_one())?;
-    match term.factors.as_slice() {
-        [
-            Factor { atom: Atom::Sin(sine), power: sine_power @ (1 | -1) },
-            Factor { atom: Atom::Cos(cosine), power: cosine_power },
-        ] if sine == cosine && *sine_power == -cosine_power => {
-            let angle = in_half_turns(sine)?;
-            Some(if *sine_power == 1 { angle } else { Rational::ratio(1, 2).sub(&angle) })
+    let [first, second] = term.factors.as_slice() else { return None };
+    match (first.atom.kind(), second.atom.kind(), first.power, second.power) {
+        (Kind::Sin(a), Kind::Cos(b), 1, -1) if a == b => in_half_turns(a),
+        (Kind::Sin(a), Kind::Cos(b), -1, 1) if a == b => {
+            in_half_turns(a).map(|angle| Rational::ratio(1, 2).sub(&angle))
         }
         _ => None,
     }
@@ -154,9 +140,11 @@ fn in_half_turns(angle: &Exact) -> Option<Rational> {
     rest.is_structural_zero().then_some(half_turns)
 }
 
-/// An acute angle with the sine √(n)/2.
+/// An angle from 0 to 90° with the sine √n/2.
 struct KnownSine {
+    /// Numerator and denominator.
     half_turns: (i64, i64),
+    /// n
     quadruple_square: i64,
 }
 
@@ -179,12 +167,5 @@ impl KnownSine {
 
     fn cosine(&self) -> Exact {
         Exact::root_of_rational(&Rational::ratio(4 - self.quadruple_square, 4))
-    }
-}
-
-impl Exact {
-    /// Zero by its form; a sum that happens to be zero is not looked at.
-    pub(super) fn is_structural_zero(&self) -> bool {
-        matches!(&self.form, Form::Rational(value) if value.is_zero())
     }
 }

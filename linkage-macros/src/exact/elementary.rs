@@ -3,7 +3,7 @@
 //! An *ulp* is a unit of the fixed point in use, 2^−w. All cutting off rounds down and costs at
 //! most one ulp.
 
-use std::sync::Mutex;
+use std::sync::{Mutex, PoisonError};
 
 use num_bigint::BigInt;
 use num_integer::{Integer, Roots};
@@ -16,10 +16,8 @@ static FINEST_PI: Mutex<Option<Enclosure>> = Mutex::new(None);
 
 /// An enclosure of π.
 pub(super) fn pi(bits: u32) -> Enclosure {
-    let mut finest = match FINEST_PI.lock() {
-        Ok(finest) => finest,
-        Err(poisoned) => poisoned.into_inner(),
-    };
+    // It is replaced as a whole: a panic elsewhere does not spoil it.
+    let mut finest = FINEST_PI.lock().unwrap_or_else(PoisonError::into_inner);
     match finest.as_ref() {
         Some(known) if known.bits() >= bits => known.with_bits(bits),
         _ => {

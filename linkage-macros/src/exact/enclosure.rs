@@ -52,6 +52,11 @@ impl Enclosure {
         Self::new(quotient, upper, bits)
     }
 
+    /// The exact value of a float; `None` unless finite.
+    pub(crate) fn float(value: f64, bits: u32) -> Option<Self> {
+        super::word(value).map(|word| Self::rational(&word, bits))
+    }
+
     pub(crate) fn pi(bits: u32) -> Self {
         elementary::pi(bits)
     }
@@ -186,6 +191,7 @@ impl Enclosure {
         Some(Self::new(lower.sqrt(), ceil_sqrt(&(&self.upper << self.bits)), self.bits))
     }
 
+    /// The length of the vector (self, other).
     pub(crate) fn hypot(&self, other: &Self) -> Self {
         self.aligned(other, |a, b| {
             let ((a_least, a_greatest), (b_least, b_greatest)) = (a.magnitudes(), b.magnitudes());
@@ -216,7 +222,7 @@ impl Enclosure {
         sin.div(&cos)
     }
 
-    /// The angle in [−π/2, π/2] of what lies in [−1, 1] of the enclosure, unless nothing does.
+    /// The arc sine in [−π/2, π/2] of what lies in [−1, 1] of the enclosure, unless nothing does.
     pub(crate) fn asin(&self) -> Option<Self> {
         let one = BigInt::one() << self.bits;
         if self.lower > one || self.upper < -&one {
@@ -231,12 +237,12 @@ impl Enclosure {
         Some(Self::new(below.lower, above.upper, self.bits))
     }
 
-    /// The angle in [0, π]; see [`Self::asin`].
+    /// The arc cosine in [0, π]; see [`Self::asin`].
     pub(crate) fn acos(&self) -> Option<Self> {
         Some(Self::pi(self.bits).halved().sub(&self.asin()?))
     }
 
-    /// The arc tangent, which does not change faster than its argument either.
+    /// The arc tangent in [−π/2, π/2], which does not change faster than its argument either.
     pub(crate) fn atan(&self) -> Self {
         let (middle, radius) = self.middle();
         let one = BigInt::one() << self.bits;
@@ -251,8 +257,7 @@ impl Enclosure {
         let ((middle_y, radius_y), (middle_x, radius_x)) = (y.middle(), x.middle());
         if x.lower.is_negative() && y.lower.is_negative() && !y.upper.is_negative() {
             let pi = Self::pi(bits);
-            return (x.upper.is_negative() || y.sign().is_some())
-                .then(|| Self::new(-&pi.upper, pi.upper, bits));
+            return x.upper.is_negative().then(|| Self::new(-&pi.upper, pi.upper, bits));
         }
         let distance = (&middle_y * &middle_y + &middle_x * &middle_x).sqrt();
         let spread = radius_y + radius_x;
@@ -260,11 +265,7 @@ impl Enclosure {
         if distance.is_zero() || distance < &spread * 2 {
             return y.atan2_of_wide(&x);
         }
-        let error = if spread.is_zero() {
-            BigInt::zero()
-        } else {
-            (spread << (bits + 1)).div_ceil(&distance)
-        };
+        let error = (spread << (bits + 1)).div_ceil(&distance);
         Some(elementary::angle(&middle_y, &middle_x, bits).widened(&error))
     }
 

@@ -9,13 +9,13 @@ use core::cmp::Ordering;
 use super::enclosure::Enclosure;
 use super::rational::Rational;
 use super::rounding::Format;
-use super::sum::{Atom, Factor, Term};
+use super::sum::{Factor, Term};
 use super::{Exact, Form};
 
 /// The coarsest bits for a question of sign and for a float, and the finest for both.
 const COARSEST_SIGN: u32 = 64;
 const COARSEST_FLOAT: u32 = 128;
-const FINEST: u32 = 8192;
+const FINEST: u32 = 4096;
 
 fn refinements(coarsest: u32) -> impl Iterator<Item = u32> {
     core::iter::successors(Some(coarsest), |bits| Some(bits * 2)).take_while(|&bits| bits <= FINEST)
@@ -48,13 +48,13 @@ impl Exact {
         }
     }
 
-    /// The number of the format next to self − `word`.
+    /// The number of the format next to self − `word`; zero has no sign.
     ///
     /// A number that the finest enclosure leaves undecided is a tie in all likelihood: its middle
     /// is rounded.
     pub(super) fn rounded(&self, format: Format, word: &Rational) -> f64 {
         if let Form::Rational(value) = &self.form {
-            return format.round(&value.sub(word));
+            return format.round(&value.sub(word)) + 0.0;
         }
         let mut finest = None;
         for bits in refinements(COARSEST_FLOAT) {
@@ -62,7 +62,6 @@ impl Exact {
             let rest = enclosure.sub(&Enclosure::rational(word, bits));
             let lower = format.round_fixed(rest.lower(), bits);
             if lower == format.round_fixed(rest.upper(), bits) {
-                // Either zero is the same zero.
                 return lower + 0.0;
             }
             finest = Some(rest);
@@ -95,35 +94,5 @@ impl Factor {
         let power =
             (1..self.power.unsigned_abs()).fold(value.clone(), |power, _| power.mul(&value));
         if self.power < 0 { Enclosure::integer(1, bits).div(&power) } else { Some(power) }
-    }
-}
-
-impl Atom {
-    fn enclosed(&self, bits: u32) -> Option<Enclosure> {
-        match self {
-            Self::Pi => Some(Enclosure::pi(bits)),
-            Self::Root(radicand) => radicand.enclosed(bits)?.sqrt(),
-            Self::Sin(angle) => Some(angle.enclosed(bits)?.sin()),
-            Self::Cos(angle) => Some(angle.enclosed(bits)?.cos()),
-            Self::Asin(sine) => sine.enclosed(bits)?.asin(),
-            Self::Atan(tangent) => Some(tangent.enclosed(bits)?.atan()),
-            Self::Sum(sum) => sum.enclosed(bits),
-        }
-    }
-
-    /// Whether the form alone says that the atom is positive.
-    fn is_surely_positive(&self) -> bool {
-        match self {
-            Self::Pi | Self::Root(_) => true,
-            // Multiples of π are between 0 and 45°.
-            Self::Sin(angle) | Self::Cos(angle) => {
-                matches!(angle.as_term(), Some(Term { factors, .. })
-                    if matches!(factors.as_slice(), [Factor { atom: Self::Pi, power: 1 }]))
-            }
-            Self::Asin(value) | Self::Atan(value) => {
-                matches!(value.form, Form::Rational(_))
-            }
-            Self::Sum(_) => false,
-        }
     }
 }

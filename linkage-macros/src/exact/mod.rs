@@ -1,19 +1,20 @@
 //! Exact real constants: what is known when the mechanism is declared is computed without error
 //! and rounded once.
 //!
-//! A number is a [`rational`] or a [`sum`] of products in normal form; [`root`] and [`angle`] hold
-//! the identities of roots and of sines and angles. [`evaluation`] finds what a number amounts to
-//! from an [`enclosure`], whose functions are in [`elementary`], and [`rounding`] makes it a
-//! float. [`literal`] and [`display`] are the ways in from text and out to it. No identity of the
-//! expression graph belongs here: those are passes.
+//! A number is a [`rational`] or a [`sum`] of products of [`atom`]s in normal form; [`root`] and
+//! [`angle`] hold the identities of roots and of sines and angles. [`evaluation`] finds what a
+//! number amounts to from an [`enclosure`], whose functions are in [`elementary`], and [`rounding`]
+//! makes it a float. [`literal`] and [`display`] are the ways in from text and out to it. No
+//! identity of the expression graph belongs here: those are passes.
 
 // The front end and the passes that compute with these numbers are still being written.
 #![allow(dead_code)]
 
 mod angle;
+mod atom;
 mod display;
 mod elementary;
-mod enclosure;
+pub(crate) mod enclosure;
 mod evaluation;
 mod literal;
 mod rational;
@@ -28,10 +29,11 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::One;
 
+use atom::Kind;
 pub(crate) use enclosure::Enclosure;
 use rational::Rational;
 use rounding::{Format, NARROW, WIDE};
-use sum::{Atom, Term};
+use sum::Term;
 
 /// An exact real number.
 ///
@@ -68,7 +70,7 @@ impl Exact {
     }
 
     pub(crate) fn pi() -> Self {
-        Self::atom(Atom::Pi)
+        Self::atom(Kind::Pi)
     }
 
     pub(crate) fn add(&self, other: &Self) -> Self {
@@ -159,6 +161,10 @@ impl Exact {
 
     /// The length of the vector (self, other).
     pub(crate) fn hypot(&self, other: &Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            let size = self.add(other);
+            return if size.signum().is_lt() { size.neg() } else { size };
+        }
         // A sum of squares is not negative, even where its sign is beyond the finest enclosure.
         self.mul(self).add(&other.mul(other)).sqrt().unwrap_or_else(|| Self::integer(0))
     }

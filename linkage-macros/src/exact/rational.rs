@@ -93,6 +93,12 @@ impl Rational {
         }
     }
 
+    /// What is left of the number in [0, divisor).
+    pub(super) fn modulo(&self, divisor: i64) -> Self {
+        let divisor = Self::integer(divisor);
+        self.sub(&self.div(&divisor).floor().mul(&divisor))
+    }
+
     pub(super) fn neg(&self) -> Self {
         match self {
             Self::Small(numerator, denominator) => Self::Small(-numerator, *denominator),

@@ -5,8 +5,9 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::One;
 
+use super::atom::Kind;
 use super::rational::{Rational, square_part};
-use super::sum::{Atom, Factor, Term};
+use super::sum::{Factor, Term};
 use super::{Exact, Form};
 
 impl Exact {
@@ -18,7 +19,10 @@ impl Exact {
             _ => {
                 let (content, monic) = self.monic();
                 let sign = sign_as_factor(content.signum());
-                let root = Self::atom(Atom::Root(monic.scaled(&sign)));
+                let root = match sine_of_square(&monic) {
+                    Some(sine) => sine.scaled(&sign_as_factor(sine.signum())),
+                    None => Self::atom(Kind::Root(monic.scaled(&sign))),
+                };
                 Self::root_of_rational(&content.abs()).product_of(&root)
             }
         }
@@ -37,7 +41,7 @@ impl Exact {
             return Self::rational(coefficient);
         }
         let radicand = Self::rational(Rational::of(radicand, BigInt::one()));
-        Self::atom(Atom::Root(radicand)).scaled(&coefficient)
+        Self::atom(Kind::Root(radicand)).scaled(&coefficient)
     }
 }
 
@@ -46,7 +50,7 @@ fn root_of_term(term: &Term) -> Exact {
     let mut root = Exact::root_of_rational(&term.coefficient.abs());
     let mut radicand = Exact::rational(sign_as_factor(term.coefficient.signum()));
     for Factor { atom, power } in &term.factors {
-        let value = Exact::atom(atom.clone());
+        let value = Exact::atom(atom.kind().clone());
         let half = power.div_euclid(2);
         if half != 0 {
             let size = value.scaled(&sign_as_factor(value.signum()));
@@ -59,7 +63,22 @@ fn root_of_term(term: &Term) -> Exact {
     match &radicand.form {
         // Nothing is left below the root: the coefficient had to be positive.
         Form::Rational(_) => root,
-        Form::Sum(_) => root.product_of(&Exact::atom(Atom::Root(radicand))),
+        Form::Sum(_) => root.product_of(&Exact::atom(Kind::Root(radicand))),
+    }
+}
+
+/// sin x, where the number is 1 − cos² x: the form that the square of a sine has.
+fn sine_of_square(number: &Exact) -> Option<Exact> {
+    let Form::Sum(terms) = &number.form else { return None };
+    let [one, square] = terms.as_slice() else { return None };
+    let [Factor { atom, power: 2 }] = square.factors.as_slice() else { return None };
+    match atom.kind() {
+        Kind::Cos(angle)
+            if one.factors.is_empty() && square.coefficient == one.coefficient.neg() =>
+        {
+            Some(Exact::atom(Kind::Sin(angle.clone())))
+        }
+        _ => None,
     }
 }
 

@@ -1,40 +1,29 @@
 //! The normal form of what is not rational: a sum of products.
 //!
-//! A [`Term`] is a rational times powers of [`Atom`]s, the numbers that arithmetic does not open:
-//! π, roots, sines, …. A sum's terms are sorted, and no two of them have the same powers, so that
-//! what is equal by the laws of a ring is structurally equal. Nothing is rounded here, and nothing
-//! is decided by looking at a number's digits.
+//! A [`Term`] is a rational times powers of [`Atom`]s: π, roots, sines, …. A sum's terms are sorted,
+//! and no two of them have the same powers, so that what is equal by the laws of a ring is mostly
+//! structurally equal: small products are multiplied out, large ones and quotients are not. Nothing
+//! is rounded here, and nothing is decided by looking at a number's digits.
 
+use super::atom::{Atom, Kind};
 use super::rational::Rational;
 use super::{Exact, Form};
 
-/// Products of sums with more terms than this are not multiplied out.
-const EXPANSION_LIMIT: usize = 64;
-
-/// A number that arithmetic does not open.
-///
-/// The order of the variants is the order of factors in a product and of terms in a sum.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub(super) enum Atom {
-    Pi,
-    /// The root of a positive number: an integer without small square factors, or one that is not
-    /// rational and has the leading coefficient ±1. Its power in a product is always one.
-    Root(Exact),
-    /// The sine of an angle in the normal form of [`super::angle`]; its power is never above one.
-    Sin(Exact),
-    Cos(Exact),
-    /// The arc sine of a number whose leading coefficient is positive.
-    Asin(Exact),
-    Atan(Exact),
-    /// A sum of several terms whose first coefficient is one, as a factor: a divisor mostly.
-    Sum(Exact),
-}
+/// Products with more terms than this are not multiplied out, so that a sum grows no faster than
+/// the source it came from.
+const EXPANSION_LIMIT: usize = 16;
 
 /// An atom to a power that is not zero.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) struct Factor {
     pub(super) atom: Atom,
     pub(super) power: i32,
+}
+
+impl Factor {
+    fn is_sum(&self) -> bool {
+        matches!(self.atom.kind(), Kind::Sum(_))
+    }
 }
 
 /// A rational, not zero, times sorted powers of different atoms.
@@ -49,15 +38,19 @@ impl Term {
         Self { factors: Vec::new(), coefficient }
     }
 
+    pub(super) fn is_multiple_of_pi(&self) -> bool {
+        matches!(self.factors.as_slice(), [Factor { atom, power: 1 }] if *atom.kind() == Kind::Pi)
+    }
+
     fn scaled(&self, by: &Rational) -> Self {
         Self { factors: self.factors.clone(), coefficient: self.coefficient.mul(by) }
     }
 }
 
 impl Exact {
-    /// The number that the atom is; for atoms whose first power needs no rewriting.
-    pub(super) fn atom(atom: Atom) -> Self {
-        let factors = vec![Factor { atom, power: 1 }];
+    /// The number that the atom is. A [`Kind::Sum`] is none by itself.
+    pub(super) fn atom(kind: Kind) -> Self {
+        let factors = vec![Factor { atom: Atom::new(kind), power: 1 }];
         Self { form: Form::Sum(vec![Term { factors, coefficient: Rational::ONE }]) }
     }
 
@@ -74,10 +67,50 @@ impl Exact {
         }
     }
 
+    /// Zero by its form; a sum that happens to be zero is not looked at.
+    pub(super) fn is_structural_zero(&self) -> bool {
+        matches!(&self.form, Form::Rational(value) if value.is_zero())
+    }
+
     /// The one term of a number that is not rational and has no other.
     pub(super) fn as_term(&self) -> Option<&Term> {
         match &self.form {
             Form::Sum(terms) if terms.len() == 1 => terms.first(),
+            _ => None,
+        }
+    }
+
+    /// The number as one term: a sum of several is a factor of it.
+    fn as_factor(&self) -> Term {
+        match (&self.form, self.as_term()) {
+            (_, Some(term)) => term.clone(),
+            (Form::Rational(value), _) => Term::rational(value.clone()),
+            _ => {
+                let (coefficient, monic) = self.monic();
+                let atom = Atom::new(Kind::Sum(monic));
+                Term { factors: vec![Factor { atom, power: 1 }], coefficient }
+            }
+        }
+    }
+
+    /// Whether one of the terms is divided by this sum.
+    fn divides_any_of(&self, terms: &[Term]) -> bool {
+        let has_divisor = |term: &Term| term.factors.iter().any(|f| f.is_sum() && f.power < 0);
+        // The factor is made only where there is something to compare it with.
+        terms.iter().any(has_divisor) && {
+            let divisor = self.as_factor().factors[0].atom;
+            let is_divided = |term: &Term| {
+                term.factors.iter().any(|factor| factor.atom == divisor && factor.power < 0)
+            };
+            terms.iter().any(is_divided)
+        }
+    }
+
+    /// What the number is, where it is an atom.
+    pub(super) fn as_atom(&self) -> Option<&'static Kind> {
+        let term = self.as_term().filter(|term| term.coefficient.is_one())?;
+        match term.factors.as_slice() {
+            [Factor { atom, power: 1 }] => Some(atom.kind()),
             _ => None,
         }
     }
@@ -119,24 +152,18 @@ impl Exact {
     }
 
     pub(super) fn product_of(&self, other: &Self) -> Self {
-        match (&self.form, &other.form) {
-            (Form::Rational(value), _) => other.scaled(value),
-            (_, Form::Rational(value)) => self.scaled(value),
-            (Form::Sum(a), Form::Sum(b)) => {
-                if let Some(product) = cancelled(a, other).or_else(|| cancelled(b, self)) {
-                    return product;
-                }
-                if a.len() > 1 && b.len() > 1 && a.len() * b.len() > EXPANSION_LIMIT {
-                    return unexpanded(self, other);
-                }
-                let mut terms = Vec::with_capacity(a.len() * b.len());
-                for left in a {
-                    for right in b {
-                        terms.extend(product_of_terms(left, right).terms());
-                    }
-                }
-                Self::collect(terms)
-            }
+        let (a, b) = match (&self.form, &other.form) {
+            (Form::Rational(value), _) => return other.scaled(value),
+            (_, Form::Rational(value)) => return self.scaled(value),
+            (Form::Sum(a), Form::Sum(b)) => (a, b),
+        };
+        match (a.as_slice(), b.as_slice()) {
+            ([a], _) => rewritten(merged(a, &other.as_factor())),
+            (_, [b]) => rewritten(merged(b, &self.as_factor())),
+            _ if other.divides_any_of(a) => sum_of_products(a, &[other.as_factor()]),
+            _ if self.divides_any_of(b) => sum_of_products(b, &[self.as_factor()]),
+            _ if is_expanded(a.len() * b.len(), a.iter().chain(b)) => sum_of_products(a, b),
+            _ => rewritten(merged(&self.as_factor(), &other.as_factor())),
         }
     }
 
@@ -144,27 +171,20 @@ impl Exact {
     pub(super) fn reciprocal(&self) -> Self {
         match &self.form {
             Form::Rational(value) => Self::rational(value.recip()),
-            Form::Sum(terms) => match terms.as_slice() {
-                [term] => {
-                    let invert = |factor: &Factor| Factor {
-                        atom: factor.atom.clone(),
-                        power: -factor.power,
-                    };
-                    let factors = term.factors.iter().map(invert).collect();
-                    rewritten(Term { factors, coefficient: term.coefficient.recip() })
-                }
-                _ => {
-                    let (content, monic) = self.monic();
-                    let factors = vec![Factor { atom: Atom::Sum(monic), power: -1 }];
-                    let coefficient = content.recip();
-                    Self { form: Form::Sum(vec![Term { factors, coefficient }]) }
-                }
-            },
+            Form::Sum(_) => {
+                let mut term = self.as_factor();
+                term.factors.iter_mut().for_each(|factor| factor.power = -factor.power);
+                term.coefficient = term.coefficient.recip();
+                rewritten(term)
+            }
         }
     }
 
     /// The quotient by a number that is not zero.
     pub(super) fn quotient_of(&self, divisor: &Self) -> Self {
+        if let (Form::Rational(a), Form::Rational(b)) = (&self.form, &divisor.form) {
+            return Self::rational(a.div(b));
+        }
         let ((content, monic), (divisor_content, divisor_monic)) = (self.monic(), divisor.monic());
         if monic == divisor_monic {
             return Self::rational(content.div(&divisor_content));
@@ -193,42 +213,19 @@ impl Exact {
     }
 }
 
-/// The product, where every term of `a` is divided by the sum `b`.
-fn cancelled(a: &[Term], b: &Exact) -> Option<Exact> {
-    let several = matches!(&b.form, Form::Sum(terms) if terms.len() > 1);
-    if !several || !a.iter().any(|term| term.factors.iter().any(is_divisor)) {
-        return None;
+/// Whether so many products of these terms are written out: few are, without sums as factors.
+fn is_expanded<'a>(products: usize, mut terms: impl Iterator<Item = &'a Term>) -> bool {
+    products <= EXPANSION_LIMIT && !terms.any(|term| term.factors.iter().any(Factor::is_sum))
+}
+
+fn sum_of_products(a: &[Term], b: &[Term]) -> Exact {
+    let mut terms = Vec::with_capacity(a.len() * b.len());
+    for left in a {
+        for right in b {
+            terms.extend(rewritten(merged(left, right)).terms());
+        }
     }
-    let (content, monic) = b.monic();
-    let divisor = Atom::Sum(monic);
-    let cancel = |term: &Term| {
-        let mut term = term.scaled(&content);
-        let place = term.factors.iter().position(|f| f.atom == divisor && is_divisor(f))?;
-        term.factors[place].power += 1;
-        term.factors.retain(|factor| factor.power != 0);
-        Some(term)
-    };
-    Some(Exact::collect(a.iter().map(cancel).collect::<Option<_>>()?))
-}
-
-fn is_divisor(factor: &Factor) -> bool {
-    matches!(factor.atom, Atom::Sum(_)) && factor.power < 0
-}
-
-/// The product of two sums as one term of two factors.
-fn unexpanded(a: &Exact, b: &Exact) -> Exact {
-    let as_term = |sum: &Exact| {
-        let (coefficient, monic) = sum.monic();
-        Term { factors: vec![Factor { atom: Atom::Sum(monic), power: 1 }], coefficient }
-    };
-    Exact { form: Form::Sum(vec![merged(&as_term(a), &as_term(b))]) }
-}
-
-fn product_of_terms(a: &Term, b: &Term) -> Exact {
-    if a.factors.is_empty() || b.factors.is_empty() {
-        return Exact::collect(vec![merged(a, b)]);
-    }
-    rewritten(merged(a, b))
+    Exact::collect(terms)
 }
 
 /// The product by the laws of powers alone.
@@ -237,7 +234,7 @@ fn merged(a: &Term, b: &Term) -> Term {
     for factor in &b.factors {
         match factors.binary_search_by(|known| known.atom.cmp(&factor.atom)) {
             Ok(place) => factors[place].power += factor.power,
-            Err(place) => factors.insert(place, factor.clone()),
+            Err(place) => factors.insert(place, *factor),
         }
     }
     factors.retain(|factor| factor.power != 0);
@@ -248,69 +245,74 @@ fn merged(a: &Term, b: &Term) -> Term {
 fn rewritten(mut term: Term) -> Exact {
     let opened = open_root(&mut term.factors)
         .or_else(|| join_roots(&mut term.factors))
-        .or_else(|| open_square_of_sine(&mut term.factors))
-        .or_else(|| open_sum(&mut term.factors));
-    match opened {
-        Some(opened) => rewritten(term).product_of(&opened),
+        .or_else(|| open_square_of_sine(&mut term.factors));
+    if let Some(opened) = opened {
+        return rewritten(term).product_of(&opened);
+    }
+    match open_sum(&mut term.factors) {
+        Some(terms) => sum_of_products(&[term], terms),
         None => Exact::collect(vec![term]),
     }
 }
 
 /// (√x)^(2k + 1) = x^k·√x: takes x^k out, of either sign.
 fn open_root(factors: &mut Vec<Factor>) -> Option<Exact> {
-    let (place, radicand) =
-        factors.iter().enumerate().find_map(|(place, factor)| match &factor.atom {
-            Atom::Root(radicand) if factor.power != 1 => Some((place, radicand.clone())),
-            _ => None,
-        })?;
+    let (place, radicand) = find(factors, |factor| match factor.atom.kind() {
+        Kind::Root(radicand) if factor.power != 1 => Some(radicand),
+        _ => None,
+    })?;
     let power = factors[place].power;
     factors[place].power = power.rem_euclid(2);
     factors.retain(|factor| factor.power != 0);
     Some(radicand.power(power.div_euclid(2)))
 }
 
-/// √m·√n of integers = √(m·n), whose square factors come out.
+/// √(a·g)·√(b·g) of integers = g·√(a·b).
 fn join_roots(factors: &mut Vec<Factor>) -> Option<Exact> {
-    let rational_root = |factor: &Factor| match &factor.atom {
-        Atom::Root(Exact { form: Form::Rational(radicand) }) => Some(radicand.clone()),
+    let root_of_integer = |factor: &Factor| match factor.atom.kind() {
+        Kind::Root(Exact { form: Form::Rational(radicand) }) => Some(radicand),
         _ => None,
     };
-    let first = factors.iter().position(|factor| rational_root(factor).is_some())?;
-    let second =
-        factors.iter().skip(first + 1).position(|factor| rational_root(factor).is_some())?
-            + first
-            + 1;
-    let second = rational_root(&factors.remove(second))?;
-    let first = rational_root(&factors.remove(first))?;
-    Some(Exact::root_of_rational(&first.mul(&second)))
+    let (first, m) = find(factors, root_of_integer)?;
+    let (between, n) = find(&factors[first + 1..], root_of_integer)?;
+    factors.remove(first + 1 + between);
+    factors.remove(first);
+    // The fraction m/n = a/b is reduced, and √(a/b) = √(a·b)/b.
+    Some(Exact::root_of_rational(&m.div(n)).scaled(n))
 }
 
 /// sin² x = 1 − cos² x.
 fn open_square_of_sine(factors: &mut Vec<Factor>) -> Option<Exact> {
-    let (place, angle) =
-        factors.iter().enumerate().find_map(|(place, factor)| match &factor.atom {
-            Atom::Sin(angle) if factor.power > 1 => Some((place, angle.clone())),
-            _ => None,
-        })?;
+    let (place, angle) = find(factors, |factor| match factor.atom.kind() {
+        Kind::Sin(angle) if factor.power > 1 => Some(angle),
+        _ => None,
+    })?;
     factors[place].power -= 2;
     factors.retain(|factor| factor.power != 0);
-    let square = vec![Factor { atom: Atom::Cos(angle), power: 2 }];
+    let cosine = Atom::new(Kind::Cos(angle.clone()));
+    let square = vec![Factor { atom: cosine, power: 2 }];
     Some(Exact::collect(vec![
         Term::rational(Rational::ONE),
         Term { factors: square, coefficient: Rational::integer(-1) },
     ]))
 }
 
-/// Multiplies a sum out, unless there are several: those were kept apart for their size.
-fn open_sum(factors: &mut Vec<Factor>) -> Option<Exact> {
-    let is_multiplier = |factor: &Factor| matches!(factor.atom, Atom::Sum(_)) && factor.power > 0;
-    let mut multipliers = factors.iter().enumerate().filter(|(_, factor)| is_multiplier(factor));
-    let (place, _) = multipliers.next().filter(|(_, factor)| factor.power == 1)?;
-    if multipliers.next().is_some() {
+/// Takes out a small sum that no other sum multiplies or divides, and what is nothing but a sum.
+fn open_sum(factors: &mut Vec<Factor>) -> Option<&'static [Term]> {
+    let (place, terms) = find(factors, |factor| match factor.atom.kind() {
+        Kind::Sum(Exact { form: Form::Sum(terms) }) if factor.power == 1 => Some(terms),
+        _ => None,
+    })?;
+    let alone = factors.len() == 1;
+    let others = factors.iter().filter(|factor| factor.is_sum()).count() > 1;
+    if !alone && (others || !is_expanded(terms.len(), terms.iter())) {
         return None;
     }
-    match factors.remove(place).atom {
-        Atom::Sum(sum) => Some(sum),
-        _ => None,
-    }
+    factors.remove(place);
+    Some(terms)
+}
+
+/// The first factor that has what is looked for.
+fn find<T>(factors: &[Factor], look: impl Fn(&Factor) -> Option<T>) -> Option<(usize, T)> {
+    factors.iter().enumerate().find_map(|(place, factor)| Some((place, look(factor)?)))
 }

@@ -5,6 +5,7 @@
 
 use crate::exact::Exact;
 use crate::ir::graph::{Graph, Guard, Id, Node};
+use crate::ir::liveness::{Course, live};
 use crate::ir::program::Program;
 
 /// Looks at a node that is about to be made and answers with what stands for it, if anything
@@ -48,7 +49,7 @@ pub(crate) fn rebuild_with(
     mut replacement: impl FnMut(&mut Maker<'_>, Id, &Moved) -> Option<Id>,
 ) -> Program {
     let old = &program.graph;
-    let live = live(old, program.entries.iter().flat_map(|entry| &entry.sinks), Liveness::Careful);
+    let live = live(old, &program.sinks(), Course::Careful);
     let mut graph = Graph::new();
     let mut maker = Maker { graph: &mut graph, rules };
     let mut moved = Moved(vec![None; old.len()]);
@@ -91,34 +92,4 @@ fn move_node(old: &Graph, maker: &mut Maker<'_>, node: Node, moved: &Moved) -> N
         }
         other => other.map_operands(&mut |id| moved.of(id)),
     }
-}
-
-/// What counts as needed by a guarded value.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Liveness {
-    /// What the straight line computes with.
-    Straight,
-    /// Also what the careful path looks at.
-    Careful,
-}
-
-/// Which nodes the roots need.
-pub(crate) fn live<'a>(
-    graph: &Graph,
-    roots: impl Iterator<Item = &'a Id>,
-    liveness: Liveness,
-) -> Vec<bool> {
-    let mut live = vec![false; graph.len()];
-    roots.for_each(|root| live[root.index()] = true);
-    for index in (0..graph.len()).rev() {
-        if live[index] {
-            let node = graph.node(Id(index as u32));
-            let mut mark = |operand: Id| live[operand.index()] = true;
-            match liveness {
-                Liveness::Straight => node.for_operands(&mut mark),
-                Liveness::Careful => graph.for_operands_of(node, &mut mark),
-            }
-        }
-    }
-    live
 }

@@ -16,7 +16,7 @@ use crate::exact::Exact;
 pub(crate) struct Id(pub u32);
 
 impl Id {
-    pub(crate) fn index(self) -> usize {
+    pub(crate) const fn index(self) -> usize {
         self.0 as usize
     }
 }
@@ -160,6 +160,8 @@ impl Graph {
         id
     }
 
+    /// The value under the guard.
+    #[cfg(test)]
     pub(crate) fn guard(&mut self, value: Id, guard: Guard) -> Id {
         let guard = self.intern_guard(guard);
         self.push(Node::Guard(value, guard))

@@ -10,6 +10,13 @@ pub(crate) struct Program {
     pub groups: Vec<String>,
 }
 
+impl Program {
+    /// The sinks of all entries.
+    pub(crate) fn sinks(&self) -> Vec<Id> {
+        self.entries.iter().flat_map(|entry| &entry.sinks).copied().collect()
+    }
+}
+
 /// An entry point of the generated solver.
 #[derive(Clone, Debug)]
 pub(crate) struct Entry {

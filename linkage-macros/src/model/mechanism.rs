@@ -246,7 +246,6 @@ pub(crate) enum Step {
         relative_to: Carrier,
     },
     Slider {
-        group: GroupId,
         link: LinkId,
         guide: GuideId,
         pin: Option<PointId>,

@@ -1,3 +1,122 @@
 //! Names into typed ids, dimensions, and one function per rule.
+//!
+//! [`resolve`] walks the statements in order. Every statement makes what it declares, then looks
+//! at what it was given; a name can be used from the next statement on. A mistake is reported
+//! where it was made and everything else of the statement is still looked at; what a statement in
+//! error has made stays known, so that its users get no message of their own.
+//!
+//! Nothing here knows how a mechanism is solved: no formula, and of numbers only what the rules
+//! need of constants.
 
+mod anatomy;
+mod assembly;
+mod dimension;
+mod drivers;
+mod dyads;
+mod expressions;
+mod facts;
+mod fields;
+mod folding;
+mod groups;
+mod guides;
+mod inputs;
 pub(crate) mod mechanism;
+mod modes;
+mod names;
+mod numbers;
+mod outputs;
+mod points;
+mod settings;
+mod units;
+
+#[cfg(test)]
+mod tests;
+
+use crate::diagnostics::Diagnostics;
+use crate::syntax::tree::{Declaration, Statement, StatementKind};
+
+use facts::Facts;
+use mechanism::{Mechanism, Numerics};
+use names::Names;
+
+/// The mechanism that the declaration means; `None` if anything in it was reported.
+pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
+    let before = diagnostics.count();
+    let mut resolver = Resolver {
+        diagnostics,
+        names: Names::collect(tree),
+        mechanism: empty(tree),
+        facts: Facts::default(),
+        moves: false,
+        use_is_hidden: false,
+    };
+    for (index, statement) in tree.statements.iter().enumerate() {
+        resolver.names.go_to(index);
+        resolver.moves = false;
+        resolver.statement(statement);
+    }
+    resolver.names.go_to(tree.statements.len());
+    resolver.outputs(tree);
+    resolver.an_input_is_declared(tree);
+    resolver.every_input_is_used(tree);
+    let mechanism = resolver.mechanism;
+    (diagnostics.count() == before).then_some(mechanism)
+}
+
+/// What is known while the statements are walked.
+struct Resolver<'d> {
+    diagnostics: &'d mut Diagnostics,
+    names: Names,
+    mechanism: Mechanism,
+    facts: Facts,
+    /// Whether the statement being resolved depends on an input so far.
+    moves: bool,
+    /// Whether a mistake may have hidden the use of an input.
+    use_is_hidden: bool,
+}
+
+impl Resolver<'_> {
+    fn statement(&mut self, statement: &Statement) {
+        let docs = &statement.docs;
+        match &statement.kind {
+            StatementKind::Input { names, kind } => self.input(docs, names, kind),
+            StatementKind::Param { name, kind, default } => {
+                self.param(docs, name, kind.as_ref(), default);
+            }
+            StatementKind::Let { name, value } => self.named_expression(name, value),
+            StatementKind::Ground { points } => self.ground(docs, points),
+            StatementKind::Guide { name, on, through, course } => {
+                self.guide_line(docs, name, on.as_ref(), through, course);
+            }
+            StatementKind::Point { name, on, place } => {
+                self.placed_point(docs, name, on.as_ref(), place);
+            }
+            StatementKind::Group(group) => self.group(docs, group),
+            // Outputs may name anything, wherever they stand: they come last.
+            StatementKind::Output { .. } => {}
+            StatementKind::Numerics { mode } => self.numerics(mode),
+            StatementKind::Crate { path } => self.crate_path(path),
+            StatementKind::Export { language } => self.export(language),
+        }
+    }
+}
+
+fn empty(tree: &Declaration) -> Mechanism {
+    Mechanism {
+        docs: tree.docs.clone(),
+        visibility: tree.visibility.clone(),
+        name: tree.name.clone(),
+        inputs: Vec::new(),
+        params: Vec::new(),
+        lets: Vec::new(),
+        points: Vec::new(),
+        links: Vec::new(),
+        guides: Vec::new(),
+        groups: Vec::new(),
+        steps: Vec::new(),
+        outputs: Vec::new(),
+        numerics: Numerics::Plain,
+        crate_path: None,
+        export_c: false,
+    }
+}

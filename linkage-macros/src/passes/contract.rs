@@ -4,8 +4,9 @@
 //! none, the fused node is the product and the sum it was made of. A product or a sum whose
 //! rounding error is asked for stays as it is, because the error would no longer be its own.
 
-use crate::ir::construct::{Liveness, live, rebuild_with};
+use crate::ir::construct::rebuild_with;
 use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::liveness::{Course, live};
 use crate::ir::program::Program;
 
 /// The program with products contracted into the sums that alone use them.
@@ -56,10 +57,10 @@ enum Uses {
 
 fn uses(program: &Program) -> Vec<Uses> {
     let graph = &program.graph;
-    let sinks = || program.entries.iter().flat_map(|entry| &entry.sinks);
-    let live = live(graph, sinks(), Liveness::Careful);
+    let sinks = program.sinks();
+    let live = live(graph, &sinks, Course::Careful);
     let mut uses = vec![Uses::Sums; graph.len()];
-    sinks().for_each(|sink| uses[sink.index()] = Uses::Other);
+    sinks.iter().for_each(|sink| uses[sink.index()] = Uses::Other);
     for (_, node) in graph.iter().filter(|(id, _)| live[id.index()]) {
         if !matches!(node, Node::Add(..) | Node::Sub(..)) {
             graph.for_operands_of(node, &mut |operand| uses[operand.index()] = Uses::Other);

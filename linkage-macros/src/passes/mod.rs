@@ -7,6 +7,8 @@
 mod contract;
 mod fold;
 mod simplify;
+#[cfg(test)]
+mod tests;
 
 use crate::ir::construct::{Rule, rebuild};
 use crate::ir::program::Program;

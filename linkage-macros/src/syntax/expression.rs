@@ -10,6 +10,9 @@ use super::words;
 /// Deeper nesting is no formula; it would only exhaust the stack of later phases.
 const DEEPEST: usize = 100;
 
+/// Members that are easily taken for functions of a link.
+const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
+
 const OPERAND: &str = "a number or a name";
 
 impl Parser<'_> {
@@ -48,7 +51,10 @@ impl Parser<'_> {
 
     fn operand(&mut self) -> Parse<Expr> {
         if self.depth > DEEPEST {
-            return self.refuse("name a part of this expression with `let`: it is nested too deep");
+            return self.refuse_because(
+                "name a part of this expression with `let`",
+                "it is nested more than 100 deep",
+            );
         }
         let first = self.here();
         if self.take_punct('-') {
@@ -141,8 +147,11 @@ impl Parser<'_> {
     /// What begins with a name: the name alone, a member, a call.
     fn named(&mut self, name: Ident) -> Parse<Expr> {
         let word = name.to_string();
-        if words::is_rust_keyword(&word) || words::is_reserved(&word) {
-            return self.expected(OPERAND);
+        if words::is_rust_keyword(&word) {
+            return self.expected_because(OPERAND, &format!("`{word}` is a Rust keyword"));
+        }
+        if words::is_reserved(&word) {
+            return self.expected_because(OPERAND, &format!("`{word}` is a reserved word"));
         }
         self.take();
         let first = name.span();
@@ -161,10 +170,10 @@ impl Parser<'_> {
 
     fn member(&mut self, link: Ident) -> Parse<Expr> {
         let first = link.span();
-        let member = self.word("`angle` or `slide`")?;
+        let member = self.word("the name of a member, such as `angle`")?;
         if let Some(group) = self.take_group(Delimiter::Parenthesis) {
             let message =
-                match group.stream().is_empty() && (member == "angle" || member == "slide") {
+                match group.stream().is_empty() && MEMBERS.iter().any(|&known| member == known) {
                     true => format!("write `{link}.{member}` without parentheses"),
                     false => format!("write `{member}({link})`"),
                 };
@@ -178,7 +187,7 @@ impl Parser<'_> {
         if self.is_punct(0, '.') {
             return self.expected_because(
                 "the end of a member",
-                "a link's members are `angle` and `slide`",
+                "a member is one name behind a link: `BC.angle`",
             );
         }
         Ok(Expr { kind: ExprKind::Member(link, member), span: self.since(first) })

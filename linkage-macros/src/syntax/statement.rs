@@ -28,15 +28,18 @@ impl Parser<'_> {
             "export" => self.export(),
             _ => return None,
         };
-        Some(parsed.map(|kind| {
+        if parsed.is_ok() {
             self.semicolon();
-            kind
-        }))
+        }
+        Some(parsed)
     }
 
     fn input(&mut self) -> Parse<StatementKind> {
         let mut names = vec![self.new_name("an input")?];
-        while self.take_punct(',') && self.peek_ident(0).is_some() {
+        while self.take_punct(',') || (!self.is_punct(1, ';') && self.missing_comma()) {
+            if self.peek_ident(0).is_none() {
+                break;
+            }
             names.extend(self.new_name("an input"));
         }
         let fallback = names[0].clone();
@@ -225,13 +228,13 @@ impl Parser<'_> {
     fn output(&mut self) -> Parse<StatementKind> {
         let mut items = Vec::new();
         while !self.is_punct(0, ';') && !self.at_end() {
-            let item = self.output_item();
-            match item {
-                Ok(item) => items.push(item),
-                Err(Reported) => {
-                    self.skip_statement();
-                    break;
+            if self.output_item(&mut items).is_err() {
+                self.skip_item();
+                if self.take_punct(',') {
+                    continue;
                 }
+                self.skip_statement();
+                break;
             }
             if !self.take_punct(',') && !self.missing_comma() {
                 break;
@@ -248,8 +251,9 @@ impl Parser<'_> {
 
     /// Reports a `,` that is missing in front of a name.
     fn missing_comma(&mut self) -> bool {
-        let missing =
-            self.peek_ident(0).is_some() && !self.is_skipped() && !self.statement_begins();
+        // Behind a number a `*` is missing, not a comma.
+        let number = matches!(self.previous(), Some(TokenTree::Literal(_)));
+        let missing = self.peek_ident(0).is_some() && !number && !self.statement_begins();
         if missing {
             let found = self.found();
             let _ = self.refuse::<()>(&format!("write `,` in front of {found}"));
@@ -257,29 +261,33 @@ impl Parser<'_> {
         missing
     }
 
-    fn output_item(&mut self) -> Parse<OutputItem> {
+    fn output_item(&mut self, items: &mut Vec<OutputItem>) -> Parse<()> {
         if self.is_word(0, "all") {
             return self.refuse_because(
                 "leave this statement out",
                 "without `output` every moving point and link is computed",
             );
         }
-        let name = match self.is_punct(1, '=') && self.peek_ident(0).is_some() {
-            true => {
-                let name = self.new_name("an output")?;
-                self.take_punct('=');
-                Some(name)
-            }
-            false => None,
-        };
-        match (name, self.expression()) {
-            (name, Ok(value)) => Ok(OutputItem { name, value }),
-            (Some(name), Err(Reported)) => {
-                self.skip_statement();
-                let value = mistake(&name);
-                Ok(OutputItem { name: Some(name), value })
-            }
-            (None, Err(Reported)) => Err(Reported),
+        if self.peek_ident(0).is_none() || !self.is_punct(1, '=') {
+            items.push(OutputItem { name: None, value: self.expression()? });
+            return Ok(());
+        }
+        let name = self.new_name("an output")?;
+        self.take_punct('=');
+        let value = self.expression();
+        let failed = value.is_err();
+        let value = value.unwrap_or(mistake(&name));
+        items.push(OutputItem { name: Some(name), value });
+        if failed { Err(Reported) } else { Ok(()) }
+    }
+
+    /// Goes to the `,` or the end behind an output in error.
+    fn skip_item(&mut self) {
+        while ![',', ';'].iter().any(|&sign| self.is_punct(0, sign))
+            && !self.at_end()
+            && !self.statement_begins()
+        {
+            self.take();
         }
     }
 

@@ -1,6 +1,9 @@
 //! The parser on tiny declarations: trees in text form, and mistakes with their tokens.
 
-mod mistakes;
+mod expression_mistakes;
+mod group_mistakes;
+mod recovery;
+mod statement_mistakes;
 mod trees;
 
 use std::fmt::Write;
@@ -29,6 +32,18 @@ fn parsed(source: &str) -> (Option<String>, String) {
         format!("{token}: {}", error.to_string().replace('\n', " / "))
     });
     (tree, mistakes.collect::<Vec<_>>().join("\n"))
+}
+
+/// Compares the mistakes of each source text; the rows are `(source, mistakes)`.
+fn check(rows: &[(&str, &str)], mistakes: impl Fn(&str) -> String) {
+    for (source, expected) in rows {
+        let found = mistakes(source);
+        assert!(found == *expected, "{source}\nexpected:\n{expected}\nfound:\n{found}");
+    }
+}
+
+fn check_statements(rows: &[(&str, &str)]) {
+    check(rows, |statements| body(statements).1);
 }
 
 /// One line per statement; expressions with every operator in parentheses.

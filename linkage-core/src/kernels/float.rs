@@ -1,0 +1,59 @@
+//! `f32` and `f64` under one name, for kernels that are the same in both.
+
+use super::{Fusion, native, sin_cos_f32, sin_cos_f64};
+use crate::Real;
+
+/// `f32` or `f64`.
+pub trait Float: Real + sealed::Sealed {
+    /// 2^⌈p/2⌉ + 1 for p bits of precision: multiplying by it splits a number in two halves whose
+    /// products are exact.
+    #[doc(hidden)]
+    const SPLITTER: Self;
+
+    /// a·b + c with one rounding, whatever the target.
+    #[doc(hidden)]
+    fn multiply_add(a: Self, b: Self, c: Self) -> Self;
+
+    /// The kernel behind [`Scalar::sin_cos_near`](crate::Scalar::sin_cos_near).
+    #[doc(hidden)]
+    fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self);
+
+    /// a·b + c with one rounding or two, as `F` says.
+    #[doc(hidden)]
+    #[inline]
+    fn fused_by<F: Fusion>(a: Self, b: Self, c: Self) -> Self {
+        if F::FUSED { Self::multiply_add(a, b, c) } else { a * b + c }
+    }
+}
+
+impl Float for f64 {
+    const SPLITTER: Self = 134_217_729.0;
+
+    #[inline]
+    fn multiply_add(a: Self, b: Self, c: Self) -> Self {
+        native::fma(a, b, c)
+    }
+    #[inline]
+    fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self) {
+        sin_cos_f64::sin_cos::<F>(self)
+    }
+}
+
+impl Float for f32 {
+    const SPLITTER: Self = 4097.0;
+
+    #[inline]
+    fn multiply_add(a: Self, b: Self, c: Self) -> Self {
+        native::fmaf(a, b, c)
+    }
+    #[inline]
+    fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self) {
+        sin_cos_f32::sin_cos::<F>(self)
+    }
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}

@@ -1,0 +1,116 @@
+//! Sine and cosine of `f32`, together, in single precision throughout: on a microcontroller
+//! without double precision in hardware, one operation in `f64` costs more than all of this.
+//!
+//! # Method
+//! As for `f64`: x = q·π/2 + r with |r| ≤ π/4, two polynomials, and q says which is which.
+//!
+//! π/2 is the sum of [`PARTS`]: four of 9 bits, whose products with q (15 bits) are exact, and
+//! the rest. x − q·C₁ and the subtraction of q·C₂ are exact: the operands are multiples of the
+//! smaller of ulp(x) and 2⁻²⁰, and the differences are below one (the first, below 17 where ulp(x)
+//! is above 2⁻⁹). The subtractions of q·C₃ and of q·C₄ leave errors that are computed exactly
+//! (Dekker's fast sum); q·C₅ is rounded, at 2⁻²⁹·2⁻²⁴. Within the limit no f32 other than 0 comes
+//! closer than 2⁻²⁸ to a multiple of π/2, and for q > 1000 none closer than 2⁻²⁵, so that r, as an
+//! unevaluated difference of two numbers, is right to 2⁻²⁸ of itself.
+//!
+//! The limit is where it is because another factor of two would take another part of π/2, for all
+//! arguments. It is 8192 turns, where neighbouring f32 are already a quarter of a degree apart.
+//!
+//! # Polynomials
+//! sin r = r − r³·S(r²) and cos r = 1 − r²/2 + r⁴·C(r²), minimax in the relative error on
+//! |r| ≤ (1 + 2⁻¹²)π/4 with coefficients rounded one after the other; what is left is 2⁻²⁷·⁹ for
+//! the sine and 2⁻³²·⁹ for the cosine.
+//!
+//! # Error
+//! Below 0.85 units in the last place for |x| ≤ [`LIMIT`], which was tried for every one of them.
+
+// The digits are those of the binary value: the reader can check them against the bits.
+#![allow(clippy::excessive_precision)]
+
+use super::{Float, Fusion};
+
+/// Largest argument of the kernel, in radians: 8192 turns, so that q takes 15 bits.
+pub(crate) const LIMIT: f32 = 51_471.0;
+
+/// 2/π.
+const QUADRANTS: f32 = core::f32::consts::FRAC_2_PI;
+
+/// π/2, rounded to 9, 9, 9, 9 and 24 significant bits in turn.
+pub(crate) const PARTS: [f32; 5] = [
+    1.5703125,
+    0.00048351287841796875,
+    3.1385570764541626e-7,
+    6.070877134334296e-11,
+    6.223371969669989e-14,
+];
+
+/// At 1.5·2²³ the spacing of f32 is one: adding it rounds to an integer, whose two's complement
+/// are then the low bits.
+const SHIFT: f32 = 12_582_912.0;
+
+/// sin r = r − r³·(S₀ + S₁·r² + …).
+const SINE: [f32; 3] = [0.16666655242443085, -0.008332189172506332, 0.00019518277258612216];
+
+/// cos r = 1 − r²/2 + r⁴·(C₀ + C₁·r² + …).
+const COSINE: [f32; 3] = [0.04166664555668831, -0.0013887309469282627, 2.4432327336398885e-5];
+
+/// Sine and cosine for |x| ≤ [`LIMIT`]; a meaningless pair beyond, not numbers for not a number.
+// `always`: it must merge with the caller's straight line even where the optimiser finds the body
+// long, or a loop over angles does not vectorise.
+#[inline(always)]
+pub(crate) fn sin_cos<F: Fusion>(x: f32) -> (f32, f32) {
+    let shifted = x * QUADRANTS + SHIFT;
+    let (r, excess) = reduce::<F>(x, shifted - SHIFT);
+    let (sin, cos) = polynomials::<F>(r, excess);
+    turn(sin, cos, shifted.to_bits())
+}
+
+/// The remainder x − q·π/2 as r − excess.
+///
+/// A difference rather than a sum, so that −0 has the remainder −0. Where products are exact,
+/// fusing them changes no bit. The polynomials need not wait for the error of `high`.
+#[inline(always)]
+fn reduce<F: Fusion>(x: f32, q: f32) -> (f32, f32) {
+    let fused = f32::fused_by::<F>;
+    let [c1, c2, c3, c4, c5] = PARTS;
+    let minuend = fused(-q, c2, fused(-q, c1, x));
+    let high = fused(-q, c3, minuend);
+    let high_error = fused(-q, c3, minuend - high);
+    let low = q * c4;
+    let r = high - low;
+    (r, fused(q, c5, (low - (high - r)) - high_error))
+}
+
+/// Sine and cosine of r − excess, for |r| up to a little over π/4 and |excess| ≤ 2·ulp(r).
+#[inline(always)]
+fn polynomials<F: Fusion>(r: f32, excess: f32) -> (f32, f32) {
+    let fused = f32::fused_by::<F>;
+    let z = r * r;
+
+    // 1 − z/2 with the error of the subtraction, which is exact: z/2 < 1/2.
+    let half = 0.5 * z;
+    let head = 1.0 - half;
+    let head_error = (1.0 - head) - half;
+
+    let [s0, s1, s2] = SINE;
+    let series = fused(z, fused(z, s2, s1), s0);
+    // sin(r − excess) = sin r − excess·cos r, and cos r is `head` as far as excess is concerned.
+    let sin = r - fused(z * r, series, excess * head);
+
+    let [c0, c1, c2] = COSINE;
+    let series = fused(z, fused(z, c2, c1), c0);
+    // cos(r − excess) = cos r + excess·sin r, and sin r is r as far as excess is concerned.
+    let cos = head + (fused(z * z, series, head_error) + r * excess);
+    (sin, cos)
+}
+
+/// Sine and cosine in quadrant `q` (its two low bits count) from those of the remainder.
+///
+/// On the bits rather than by a choice between numbers, which would become a jump.
+#[inline(always)]
+fn turn(sin: f32, cos: f32, q: u32) -> (f32, f32) {
+    let (sin, cos) = (sin.to_bits(), cos.to_bits());
+    let swap = (sin ^ cos) & (q & 1).wrapping_neg();
+    let sin_sign = (q & 2) << 30;
+    let cos_sign = (q.wrapping_add(1) & 2) << 30;
+    (f32::from_bits(sin ^ swap ^ sin_sign), f32::from_bits(cos ^ swap ^ cos_sign))
+}

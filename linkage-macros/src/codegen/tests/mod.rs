@@ -1,0 +1,259 @@
+//! The text of what small programs expand to.
+
+mod fixture;
+
+use super::generate;
+use crate::ir::graph::{Check, Graph, Guard, Id, Node};
+use crate::ir::program::Program;
+use crate::model::mechanism::Mechanism;
+use fixture::{exact, four_bar, one_value, table};
+
+fn expand((mechanism, program): &(Mechanism, Program)) -> String {
+    let file = syn::parse2(generate(mechanism, program)).expect("the expansion is a list of items");
+    prettyplease::unparse(&file)
+}
+
+/// The text of one function, from its name to the closing brace at its own depth.
+fn function<'a>(text: &'a str, name: &str) -> &'a str {
+    let start = text.find(&format!("fn {name}(")).unwrap_or_else(|| panic!("no {name} in\n{text}"));
+    let end = text[start..].find("\n    }").expect("a function ends");
+    &text[start..start + end]
+}
+
+fn squeezed(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn angle(graph: &mut Graph) -> Id {
+    graph.push(Node::Input { input: 0, order: 0 })
+}
+
+#[test]
+fn the_four_bar_expands_to_the_whole_interface() {
+    let text = expand(&four_bar());
+    for part in [
+        "pub struct FourBar<T = f64> {",
+        "pub elbow: ::linkage_core::private::Side,",
+        "pub struct FourBarPosition<T> {",
+        "pub BC: ::linkage_core::private::AngularVelocity<T>,",
+        "pub struct FourBarMotion<T> {",
+        "pub struct FourBarMargins<T> {",
+        "pub const INPUTS: [&'static str; 1] = [\"theta\"];",
+        "pub const PARAMS: [&'static str; 1] = [\"crank\"];",
+        "crank: 0.08,",
+        "crank: T::lit(0.08, 0.08),",
+        "elbow: ::linkage_core::private::Side::Left,",
+        "pub fn lift<U: ::linkage_core::private::Scalar>(&self) -> FourBar<U> {",
+        "::linkage_core::private::with_ad! {",
+    ] {
+        assert!(text.contains(part), "no `{part}` in\n{text}");
+    }
+    let rows = "OUTPUTS: [&'static str; 5] = [ \"C.x\", \"C.y\", \"BC.angle\", \"DC.angle\", \
+                \"DC.margin\", ];";
+    assert!(squeezed(&text).contains(rows), "{text}");
+}
+
+#[test]
+fn docs_pass_the_users_words_on_and_say_what_a_thing_is() {
+    let text = expand(&four_bar());
+    for part in [
+        "/// A crank-rocker.\n///\n/// Solver of position, velocity and acceleration",
+        "/// - crank AB\n/// - rrr BC, DC\n",
+        "    /// The coupler's pin.\n    ///\n    /// Point `C` (rrr BC, DC): velocity in m/s.\n    pub C:",
+        "    /// Link `BC` (rrr BC, DC): angular velocity in rad/s, counter-clockwise.\n    pub BC:",
+        "    /// Parameter `crank` in m; as declared 0.08.\n    pub crank: T,",
+        "    /// Assembly mode `elbow`; as declared left.\n    pub elbow:",
+    ] {
+        assert!(text.contains(part), "no `{part}` in\n{text}");
+    }
+}
+
+#[test]
+fn what_only_a_guard_looks_at_is_absent_from_the_straight_line() {
+    let text = expand(&one_value(|g| {
+        let (angle, l1) = (angle(g), g.constant(exact("0.25")));
+        let looked_at = g.push(Node::Hypot(angle, angle));
+        let operands = vec![looked_at, looked_at, l1, l1];
+        let guarded = g.guard(angle, Guard { check: Check::ReachCircles, group: 0, operands });
+        g.push(Node::Sqrt(guarded))
+    }));
+    let straight = function(&text, "solve_position");
+    assert!(!straight.contains("hypot") && !straight.contains("0.25"), "{straight}");
+    assert!(straight.contains("T::sqrt(theta)"), "{straight}");
+    let careful = squeezed(function(&text, "explain_position_"));
+    assert!(careful.contains("let v2_ = T::hypot(theta, theta);"), "{careful}");
+    let call = "let v3_ = ::linkage_core::private::reach_circles( theta, v2_, v2_, v1_, v1_, \
+                \"BC, DC\", )?; let v4_ = T::sqrt(v3_);";
+    assert!(careful.contains(call), "{careful}");
+}
+
+#[test]
+fn sine_and_cosine_are_one_call_near_zero_and_careful_elsewhere() {
+    let text = expand(&one_value(|g| {
+        let angle = angle(g);
+        let (sin, cos) = (g.push(Node::Sin(angle)), g.push(Node::Cos(angle)));
+        g.push(Node::Mul(sin, cos))
+    }));
+    let straight = function(&text, "solve_position");
+    assert!(straight.contains("let (v1_, v2_) = T::sin_cos_near(theta);"), "{straight}");
+    assert!(straight.contains("let ok_ = T::is_near(theta);"), "{straight}");
+    assert_eq!(straight.matches("sin_cos").count(), 1);
+    let careful = function(&text, "explain_position_");
+    assert!(careful.contains("let (v1_, v2_) = T::sin_cos(theta);"), "{careful}");
+    assert!(!careful.contains("near"), "{careful}");
+}
+
+#[test]
+fn an_unneeded_sine_is_dropped_and_a_constant_angle_is_not_asked_for_nearness() {
+    let text = expand(&one_value(|g| {
+        let angle = g.constant(exact("1e9"));
+        g.push(Node::Cos(angle))
+    }));
+    let straight = function(&text, "solve_position");
+    assert!(straight.contains("let (_, v1_) = T::sin_cos(v0_);"), "{straight}");
+    assert!(!straight.contains("is_near"), "{straight}");
+    assert!(straight.contains("let _ = theta;"), "an unread argument is named\n{straight}");
+}
+
+/// The condition of a guard in the straight line, and its call in the careful path.
+fn guard(check: Check) -> (String, String) {
+    let text = expand(&one_value(|g| {
+        let angle = angle(g);
+        let value = g.push(Node::Mul(angle, angle));
+        let operands = vec![angle; 4];
+        g.guard(value, Guard { check, group: 0, operands })
+    }));
+    let straight = squeezed(function(&text, "solve_position"));
+    let careful = squeezed(function(&text, "explain_position_"));
+    let cut = |text: &str, from: &str| {
+        let start = text.find(from).map_or(0, |at| at + from.len());
+        text[start..].split(';').next().unwrap_or_default().to_string()
+    };
+    (cut(&straight, "let ok_ = "), cut(&careful, "let v2_ = ::linkage_core::private::"))
+}
+
+#[test]
+fn every_check_has_its_comparison_and_its_call() {
+    let not_negative = "T::ge(v1_, zero_)";
+    let nonzero = "T::gt(T::select(T::ge(v1_, zero_), v1_, -v1_), zero_)";
+    for (check, comparison, call) in [
+        (
+            Check::ReachLine,
+            not_negative,
+            "reach_line( v1_, theta, theta, theta, theta, \"BC, DC\", )?",
+        ),
+        (Check::Nonzero, nonzero, "nonzero(v1_, \"BC, DC\")?"),
+        (
+            Check::Positive("length".to_string()),
+            "T::gt(v1_, zero_)",
+            "positive(v1_, \"BC, DC\", \"length\")?",
+        ),
+        (Check::Square, "T::ge(v1_, T::smallest_square())", "square(v1_, \"BC, DC\")?"),
+    ] {
+        let (condition, called) = guard(check);
+        assert_eq!(condition, comparison);
+        assert_eq!(called, call);
+    }
+}
+
+#[test]
+fn a_comparison_is_made_once_however_many_groups_ask_for_it() {
+    let text = expand(&one_value(|g| {
+        let angle = angle(g);
+        let guards = [(Check::Nonzero, 0), (Check::Square, 0), (Check::Nonzero, 1)];
+        let value = guards.into_iter().fold(angle, |value, (check, group)| {
+            g.guard(value, Guard { check, group, operands: Vec::new() })
+        });
+        g.push(Node::Sqrt(value))
+    }));
+    let straight = function(&text, "solve_position");
+    assert_eq!(straight.matches("T::gt(").count(), 1, "{straight}");
+    assert_eq!(straight.matches("smallest_square").count(), 1, "{straight}");
+}
+
+#[test]
+fn constants_are_rounded_to_both_widths_and_beyond_a_width_are_infinite() {
+    let text = expand(&one_value(|g| {
+        let third = exact("1").div(&exact("3")).expect("three is not zero");
+        let constant = g.intern(third.neg());
+        let (high, low) = (g.push(Node::Constant(constant)), g.push(Node::Low(constant)));
+        let large = g.constant(exact("1e300"));
+        let sum = g.push(Node::Add(high, low));
+        g.push(Node::Add(sum, large))
+    }));
+    let straight = function(&text, "solve_position");
+    assert!(straight.contains("T::lit(-0.3333333333333333, -0.33333334)"), "{straight}");
+    // 1/3 less its rounding is a third of 2^-54 in the one width, minus a third of 2^-25 in the other.
+    assert!(straight.contains("T::lit(-1.850371707708594e-17, 9.934108e-9)"), "{straight}");
+    assert!(straight.contains("T::lit(1e300, (1.0 / 0.0))"), "{straight}");
+}
+
+#[test]
+fn several_inputs_are_a_record_or_an_array() {
+    let text = expand(&table());
+    let (all, velocity) = (squeezed(&text), squeezed(function(&text, "solve_velocity")));
+    assert!(all.contains("struct TableInput<T> {"), "{text}");
+    assert!(all.contains("From<[T; 2]> for TableInput<T> {"), "{text}");
+    assert!(
+        all.contains("fn from([q0_, q1_]: [T; 2]) -> Self { Self { s: q0_, X: q1_ } }"),
+        "{text}"
+    );
+    assert!(velocity.contains("rates: impl ::linkage_core::private::Into<TableInput<T>>"));
+    assert!(
+        velocity.contains("let rates: TableInput<T> = ::linkage_core::private::Into::into(rates);")
+    );
+    assert!(velocity.contains("let v12_ = rates.s * inputs.X;"), "{velocity}");
+    assert!(text.contains("finite_input(rates.X, \"X_rate\")?;"), "{text}");
+}
+
+#[test]
+fn coefficients_are_a_row_an_output_and_a_column_an_input() {
+    let text = expand(&table());
+    let coefficients = squeezed(function(&text, "solve_coefficients"));
+    let rows = "([[v5_, v5_], [v4_, v5_], [v5_, v6_], [inputs.X, inputs.s], [v6_, v5_]], ok_)";
+    assert!(coefficients.ends_with(rows), "{coefficients}");
+    assert!(coefficients.contains("([[T; 2]; 5], T::Mask)"), "{coefficients}");
+}
+
+#[test]
+fn without_numeric_parameters_a_hidden_field_keeps_the_type_parameter() {
+    let text = expand(&table());
+    let hidden = "#[doc(hidden)]\n    pub scalar_: ::linkage_core::private::PhantomData<T>,";
+    assert!(text.contains(hidden), "{text}");
+    assert!(!text.contains("fn sensitivity"), "{text}");
+    assert!(text.contains("way: ::linkage_core::private::Sense::Behind,"), "{text}");
+}
+
+#[test]
+fn a_dominated_result_is_not_tested_again() {
+    let text = expand(&four_bar());
+    let at = squeezed(function(&text, "solve_position_at"));
+    // C, both directions; the margin is a numerator on the way to all of them.
+    let test = at.split("T::is_finite(").nth(1).expect("results are tested");
+    let test = test.split(';').next().unwrap_or_default();
+    assert_eq!(test.matches('v').count(), 6, "{test}");
+    assert!(!at.contains("is_near"), "{at}");
+    assert!(at.starts_with("fn solve_position_at(&self, cos: T, sin: T)"), "{at}");
+}
+
+#[test]
+fn the_crate_may_have_another_name() {
+    let (mut mechanism, program) = four_bar();
+    mechanism.crate_path = Some(syn::parse_quote!(::renamed));
+    let text = expand(&(mechanism, program));
+    assert!(!text.contains("linkage_core"), "{text}");
+    assert!(text.contains("::renamed::private::Scalar"), "{text}");
+}
+
+#[test]
+fn a_long_core_is_cut_into_blocks() {
+    let text = expand(&one_value(|g| {
+        let angle = angle(g);
+        (0..1000).fold(angle, |sum, _| g.push(Node::Add(sum, angle)))
+    }));
+    for name in ["solve_position", "explain_position_"] {
+        let body = function(&text, name);
+        assert_eq!(body.matches("= {\n").count(), 16, "{body}");
+        assert!(body.contains("let v64_ = {"), "{body}");
+    }
+}

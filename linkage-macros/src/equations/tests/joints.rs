@@ -1,0 +1,142 @@
+//! Positions against the conditions that the joints of each group state.
+
+use crate::ir::interpret::{Given, Number};
+use crate::ir::program::EntryKind;
+use crate::oracle::{Digits, defaults, mechanism, values};
+use crate::{equations, passes};
+
+/// The position's components at q = 0.7 (and s = 0.21).
+fn position(source: &str) -> Vec<Digits> {
+    let mechanism = mechanism(source);
+    let program = equations::derive(&mechanism, passes::RULES);
+    let inputs = [0.7, 0.21].map(|q| [q, 0.0, 0.0].map(Digits::float)).to_vec();
+    let given = Given { inputs, params: defaults(&mechanism) };
+    values(&program, EntryKind::Position, &given)
+}
+
+fn to_f64(values: &[Digits]) -> Vec<f64> {
+    values.iter().map(Digits::to_f64).collect()
+}
+
+/// The squared distance of two points.
+fn square(a: &[Digits], b: &[Digits]) -> Digits {
+    let (x, y) = (a[0].sub(&b[0]), a[1].sub(&b[1]));
+    x.mul(&x).add(&y.mul(&y))
+}
+
+#[track_caller]
+fn same(a: &Digits, b: f64) {
+    assert!(a.apart(&Digits::float(b)) < 1e-15, "{} is not {b}", a.to_f64());
+}
+
+const ARM: &str =
+    "input q: angle; ground A(0, 0), D(1, 0.25); crank AB(A) -> B { length: 0.5, angle: q }";
+
+#[test]
+fn rrr_keeps_its_lengths_and_takes_the_side_it_is_told() {
+    for (mode, side) in [("left", 1.0), ("right", -1.0)] {
+        let p = position(&format!(
+            "struct M {{ {ARM} rrr BC(B), DC(D) -> C {{ lengths: (0.75, 0.5), mode: {mode} }} output B, C, BC, DC; }}"
+        ));
+        let d = [Digits::float(1.0), Digits::float(0.25)];
+        same(&square(&p[0..2], &p[2..4]), 0.75 * 0.75);
+        same(&square(&d, &p[2..4]), 0.25);
+        let v = to_f64(&p);
+        let cross = (1.0 - v[0]) * (v[3] - v[1]) - (0.25 - v[1]) * (v[2] - v[0]);
+        assert!(cross * side > 0.0, "{mode}: C is on the wrong side of B → D");
+        // The links' x point from their outer joints to the pin.
+        same(&p[0].add(&p[4].mul(&Digits::float(0.75))), v[2]);
+        same(&p[5].mul(&Digits::float(0.75)).add(&p[1]), v[3]);
+        same(&p[6].mul(&Digits::float(0.5)), v[2] - 1.0);
+        same(&p[7].mul(&Digits::float(0.5)), v[3] - 0.25);
+    }
+}
+
+#[test]
+fn rrp_keeps_its_length_and_its_offset_and_its_sense() {
+    for (mode, sense) in [("ahead", 1.0), ("behind", -1.0)] {
+        let p = position(&format!(
+            "struct M {{ {ARM} guide g through (0.25, 0.5) along 30deg;
+             rrp BC(B), block(g) -> C {{ length: 1.25, offset: 0.125, mode: {mode} }}
+             output B, C, block; }}"
+        ));
+        same(&square(&p[0..2], &p[2..4]), 1.25 * 1.25);
+        let v = to_f64(&p);
+        let (c, s) = (30f64.to_radians().cos(), 30f64.to_radians().sin());
+        same(&p[2], 0.25 + v[6] * c - 0.125 * s);
+        same(&p[3], 0.5 + v[6] * s + 0.125 * c);
+        let ahead = (v[2] - v[0]) * c + (v[3] - v[1]) * s;
+        assert!(ahead * sense > 0.0, "{mode}: C is on the wrong side of the foot of B");
+        same(&p[4], c);
+        same(&p[5], s);
+    }
+}
+
+#[test]
+fn rpr_keeps_its_offset_and_its_sense() {
+    for (mode, sense) in [("ahead", 1.0), ("behind", -1.0)] {
+        for offset in [0.0, 0.125, -0.25] {
+            let p = position(&format!(
+                "struct M {{ {ARM} rpr block(B), bar(D) {{ offset: {offset}, mode: {mode} }} output B, block; }}"
+            ));
+            let v = to_f64(&p);
+            let (u, slide) = ((v[2], v[3]), v[4]);
+            assert!(slide * sense > 0.0, "{mode}");
+            same(&p[0], 1.0 + slide * u.0 - offset * u.1);
+            same(&p[1], 0.25 + slide * u.1 + offset * u.0);
+            same(&p[2].mul(&p[2]).add(&p[3].mul(&p[3])), 1.0);
+        }
+    }
+}
+
+#[test]
+fn prp_lies_on_both_guides() {
+    let p = position(&format!(
+        "struct M {{ {ARM} guide g through (0.25, 0.5) along 30deg; guide h on AB through B along 90deg;
+         prp a(g), b(h) -> C {{ offsets: (0.125, -0.25) }} output B, AB, C, a, b; }}"
+    ));
+    let v = to_f64(&p);
+    let (c, s) = (30f64.to_radians().cos(), 30f64.to_radians().sin());
+    same(&p[4], 0.25 + v[8] * c - 0.125 * s);
+    same(&p[5], 0.5 + v[8] * s + 0.125 * c);
+    // The guide on AB stands across it: u = (−sin, cos), n = (−cos, −sin).
+    same(&p[4], v[0] - v[11] * v[3] + 0.25 * v[2]);
+    same(&p[5], v[1] + v[11] * v[2] + 0.25 * v[3]);
+}
+
+#[test]
+fn rpp_reaches_its_pin_by_two_slides() {
+    let p = position(&format!(
+        "struct M {{ {ARM} guide g through (0.25, 0.5) along 30deg;
+         rpp block(B), yoke(g) {{ slot: 60deg, offsets: (0.125, -0.25) }} output B, block, yoke; }}"
+    ));
+    let v = to_f64(&p);
+    let unit = |degrees: f64| (degrees.to_radians().cos(), degrees.to_radians().sin());
+    let (rail, slot) = (unit(30.0), unit(90.0));
+    same(&p[2], slot.0);
+    same(&p[3], slot.1);
+    same(&p[5], rail.0);
+    let (s2, s1) = (v[4], v[7]);
+    same(&p[0], 0.25 + s1 * rail.0 - 0.125 * rail.1 + s2 * slot.0 + 0.25 * slot.1);
+    same(&p[1], 0.5 + s1 * rail.1 + 0.125 * rail.0 + s2 * slot.1 - 0.25 * slot.0);
+}
+
+#[test]
+fn points_and_guides_lie_where_their_frames_say() {
+    let p = position(&format!(
+        "struct M {{ {ARM} rrr BC(B), DC(D) -> C {{ lengths: (0.75, 0.5), mode: left }}
+         point P on BC at (0.25, -0.125); point Q on BC at polar (0.5, 90deg);
+         point L on BC at distances (0.5, 0.5) left; point R on BC at distances (0.5, 0.5) right;
+         guide g on BC through P along 90deg; slider z(g) -> Z {{ slide: 0.5, offset: 0.25 }}
+         output B, BC, P, Q, L, R, Z; }}"
+    ));
+    let v = to_f64(&p);
+    let place = |x: f64, y: f64| (v[0] + x * v[2] - y * v[3], v[1] + x * v[3] + y * v[2]);
+    let height = (0.25f64 - 0.375 * 0.375).sqrt();
+    let places = [(0.25, -0.125), (0.0, 0.5), (0.375, height), (0.375, -height), (0.0, 0.375)];
+    for (k, (x, y)) in places.into_iter().enumerate() {
+        let expected = place(x, y);
+        assert!((v[4 + 2 * k] - expected.0).abs() < 1e-15, "point {k}");
+        assert!((v[5 + 2 * k] - expected.1).abs() < 1e-15, "point {k}");
+    }
+}

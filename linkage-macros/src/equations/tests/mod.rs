@@ -1,0 +1,7 @@
+//! The formulas against an independent route: velocity and acceleration of every driver and group
+//! against differences of the position in a hundred digits, and positions against the joints'
+//! own conditions.
+
+pub(crate) mod declarations;
+mod joints;
+mod rates;

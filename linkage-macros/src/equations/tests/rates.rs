@@ -1,0 +1,99 @@
+//! Velocity and acceleration against differences of the position along q(t).
+
+use crate::equations::tests::declarations::VARIANTS;
+use crate::ir::interpret::{Given, Number};
+use crate::ir::program::EntryKind;
+use crate::model::mechanism::{Mechanism, Shape};
+use crate::oracle::{Digits, defaults, derivatives, mechanism, values};
+use crate::{equations, passes};
+
+/// The rates of every output from its positions' derivatives in time: a direction's angular
+/// velocity is cos·(sin)˙ − sin·(cos)˙, and the same with second derivatives is its angular
+/// acceleration.
+fn rates_of(mechanism: &Mechanism, position: &[Digits], derivative: &[Digits]) -> Vec<Digits> {
+    let mut rates = Vec::new();
+    let mut at = 0;
+    for output in &mechanism.outputs {
+        let shape = output.kind.shape();
+        let end = at + shape.positions();
+        if matches!(shape, Shape::Direction | Shape::SlidingDirection) {
+            let turning =
+                position[at].mul(&derivative[at + 1]).sub(&position[at + 1].mul(&derivative[at]));
+            rates.push(turning);
+            at += 2;
+        }
+        rates.extend_from_slice(&derivative[at..end]);
+        at = end;
+    }
+    rates
+}
+
+#[test]
+fn velocities_and_accelerations_are_derivatives_of_the_position() {
+    for variant in VARIANTS {
+        let mechanism = mechanism(variant.source);
+        let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
+        let given = |t: &Digits| Given {
+            inputs: variant
+                .inputs
+                .iter()
+                .map(|q| {
+                    let [value, rate, accel] = q.map(Digits::float);
+                    let half = accel.mul(t).mul(&Digits::float(0.5));
+                    let moved = value.add(&rate.add(&half).mul(t));
+                    [moved, rate.add(&accel.mul(t)), accel]
+                })
+                .collect(),
+            params: defaults(&mechanism),
+        };
+        let now = given(&Digits::float(0.0));
+        let position = values(&program, EntryKind::Position, &now);
+        let (first, second) = derivatives(|t| values(&program, EntryKind::Position, &given(t)));
+        let velocity = rates_of(&mechanism, &position, &first);
+        let acceleration = rates_of(&mechanism, &position, &second);
+        let expected = [&position[..], &velocity, &acceleration].concat();
+        let motion = values(&program, EntryKind::Motion, &now);
+        assert_eq!(motion.len(), expected.len(), "{}", variant.name);
+        for (index, (formula, truth)) in motion.iter().zip(&expected).enumerate() {
+            // The differences are good to h⁶ times a sixth derivative: 2⁻²⁴⁰ times at most some
+            // 1e12 for these mechanisms, with room 1e-50.
+            let apart = formula.apart(truth);
+            assert!(
+                apart < 1e-50,
+                "{}: component {index} of its motion is {} and should be {}",
+                variant.name,
+                formula.to_f64(),
+                truth.to_f64()
+            );
+        }
+    }
+}
+
+#[test]
+fn coefficients_are_the_velocities_at_unit_rates() {
+    for variant in VARIANTS {
+        let mechanism = mechanism(variant.source);
+        let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
+        let given = |rates: &[f64]| Given {
+            inputs: variant
+                .inputs
+                .iter()
+                .zip(rates)
+                .map(|(q, &rate)| [q[0], rate, 0.0].map(Digits::float))
+                .collect(),
+            params: defaults(&mechanism),
+        };
+        let count = variant.inputs.len();
+        let coefficients = values(&program, EntryKind::Coefficients, &given(&vec![9.0; count]));
+        for moving in 0..count {
+            let mut rates = vec![0.0; count];
+            rates[moving] = 1.0;
+            let velocity = values(&program, EntryKind::Velocity, &given(&rates));
+            let rows = coefficients.len() / count;
+            for (row, truth) in velocity.iter().enumerate() {
+                let apart = coefficients[moving * rows + row].apart(truth);
+                assert!(apart < 1e-80, "{}: row {row} for input {moving}", variant.name);
+            }
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! Where things lie that are constant, and the rule that a group of constants can be assembled.
+//!
+//! Everything here is exact: a group that just reaches is not refused.
+
+use crate::exact::Exact;
+
+use super::Resolver;
+use super::facts::Line;
+use super::folding::shown;
+use super::groups::Parts;
+use super::mechanism::{Carrier, Expr, GuideId, Length, LinkId, PointId, Turn};
+
+/// |a|
+fn absolute(value: &Exact) -> Exact {
+    if value.signum().is_lt() { value.neg() } else { value.clone() }
+}
+
+impl Turn {
+    /// The angle, where it is known when the mechanism is declared.
+    pub(super) fn constant(&self) -> Option<&Exact> {
+        self.links.is_empty().then(|| self.rest.constant()).flatten()
+    }
+}
+
+impl Line {
+    /// The distance of the place from the line, along its normal.
+    fn distance(&self, [x, y]: &[Exact; 2]) -> Exact {
+        let (dx, dy) = (x.sub(&self.through[0]), y.sub(&self.through[1]));
+        dy.mul(&self.angle.cos()).sub(&dx.mul(&self.angle.sin()))
+    }
+
+    /// The place at `slide` along the line and `offset` along its normal.
+    fn at(&self, slide: &Exact, offset: &Exact) -> [Exact; 2] {
+        let (cos, sin) = (self.angle.cos(), self.angle.sin());
+        [
+            self.through[0].add(&slide.mul(&cos)).sub(&offset.mul(&sin)),
+            self.through[1].add(&slide.mul(&sin)).add(&offset.mul(&cos)),
+        ]
+    }
+}
+
+/// Both values, where both are constant.
+pub(super) fn constants([x, y]: &[Expr; 2]) -> Option<[Exact; 2]> {
+    Some([x.constant()?.clone(), y.constant()?.clone()])
+}
+
+/// A length and an angle as coordinates, where both are constant.
+pub(super) fn polar(radius: &Expr, angle: &Expr) -> Option<[Exact; 2]> {
+    let (radius, angle) = (radius.constant()?, angle.constant()?);
+    Some([radius.mul(&angle.cos()), radius.mul(&angle.sin())])
+}
+
+impl Resolver<'_> {
+    /// A bar has its outer joint at its origin and its pin on its x axis.
+    pub(super) fn bar_is_made(
+        &mut self,
+        link: LinkId,
+        joint: Option<PointId>,
+        pin: Option<PointId>,
+        length: Option<&Length>,
+    ) {
+        let zero = || Exact::integer(0);
+        let carrier = Carrier::Link(link);
+        if let Some(joint) = joint {
+            self.facts.fix(joint, carrier, Some([zero(), zero()]));
+        }
+        if let Some(pin) = pin {
+            let length = length.and_then(|length| length.value.constant());
+            self.facts.fix(pin, carrier, length.map(|length| [length.clone(), zero()]));
+        }
+        let facts = &mut self.facts.links[link.index()];
+        facts.is_bar = pin.is_some();
+        facts.length = length.map(|length| length.value.clone());
+    }
+
+    /// A link with one point, its joint or its pin, has it at its origin.
+    pub(super) fn block_is_made(&mut self, link: LinkId, point: PointId) {
+        let origin = [Exact::integer(0), Exact::integer(0)];
+        self.facts.fix(point, Carrier::Link(link), Some(origin));
+    }
+
+    /// The pin of a crank that stands still in the ground lies at a constant place.
+    pub(super) fn pin_of_a_fixed_crank(
+        &mut self,
+        pivot: PointId,
+        pin: PointId,
+        angle: &Turn,
+        length: &Expr,
+    ) {
+        let place = self.facts.place(pivot, Carrier::Ground).zip(angle.constant());
+        if let (Some(([x, y], angle)), Some(length)) = (place, length.constant()) {
+            let at = [x.add(&length.mul(&angle.cos())), y.add(&length.mul(&angle.sin()))];
+            self.facts.stands_still(pin, Carrier::Ground, at);
+        }
+    }
+
+    /// The pin of a slider that stands still lies at a constant place of its guide's carrier.
+    pub(super) fn pin_of_a_fixed_slider(
+        &mut self,
+        guide: GuideId,
+        pin: PointId,
+        slide: &Expr,
+        offset: &Expr,
+    ) {
+        let guide = &self.facts.guides[guide.index()];
+        if let (Some(line), Some(slide), Some(offset)) =
+            (&guide.line, slide.constant(), offset.constant())
+        {
+            let (carrier, at) = (guide.carrier, line.at(slide, offset));
+            self.facts.stands_still(pin, carrier, at);
+        }
+    }
+
+    fn group_cannot_be_assembled(&mut self, parts: &Parts, reason: String) -> Option<()> {
+        let title = &self.mechanism.groups[parts.id.index()].title;
+        let message = format!("`{title}` cannot be assembled; change its dimensions");
+        self.diagnostics.error_because(parts.group.keyword.span(), message, reason);
+        None
+    }
+
+    /// The names of two points as a distance: |BD|.
+    fn span_of(&self, [from, to]: [PointId; 2]) -> String {
+        let name = |point: PointId| &self.mechanism.points[point.index()].name;
+        format!("|{}{}|", name(from), name(to))
+    }
+
+    /// The bars of an rrr of constants reach each other.
+    pub(super) fn bars_meet(
+        &mut self,
+        parts: &Parts,
+        outer: [PointId; 2],
+        lengths: &[Length; 2],
+    ) -> Option<()> {
+        let Some([dx, dy]) = self.facts.between(outer[0], outer[1]) else {
+            return Some(());
+        };
+        let (Some(a), Some(b)) = (lengths[0].value.constant(), lengths[1].value.constant()) else {
+            return Some(());
+        };
+        let distance = dx.hypot(&dy);
+        let (sum, difference) = (a.add(b), absolute(&a.sub(b)));
+        let name = self.span_of(outer);
+        let (a, b, d) = (shown(a), shown(b), shown(&distance));
+        if distance.is_zero() {
+            let reason =
+                format!("{name} = 0 m: between two links on one place the pin is undetermined");
+            return self.group_cannot_be_assembled(parts, reason);
+        }
+        if distance.cmp_value(&sum).is_gt() {
+            let sum = shown(&sum);
+            let reason = format!("{name} = {d} m, lengths {a} m + {b} m reach {sum} m");
+            return self.group_cannot_be_assembled(parts, reason);
+        }
+        if distance.cmp_value(&difference).is_lt() {
+            let difference = shown(&difference);
+            let reason =
+                format!("{name} = {d} m, lengths {a} m and {b} m stay {difference} m apart");
+            return self.group_cannot_be_assembled(parts, reason);
+        }
+        Some(())
+    }
+
+    /// The bar of an rrp of constants reaches the line its pin slides on.
+    pub(super) fn bar_reaches_the_guide(
+        &mut self,
+        parts: &Parts,
+        outer: PointId,
+        guide: GuideId,
+        length: &Length,
+        offset: &Expr,
+    ) -> Option<()> {
+        let Some((line, place)) = self.facts.line_and_place(guide, outer) else {
+            return Some(());
+        };
+        let (Some(length), Some(offset)) = (length.value.constant(), offset.constant()) else {
+            return Some(());
+        };
+        let distance = absolute(&line.distance(place).sub(offset));
+        if distance.cmp_value(length).is_le() {
+            return Some(());
+        }
+        let reason = format!(
+            "`{}` is {} m from the line its pin slides on, length {} m",
+            self.mechanism.points[outer.index()].name,
+            shown(&distance),
+            shown(length)
+        );
+        self.group_cannot_be_assembled(parts, reason)
+    }
+
+    /// The joints of an rpr of constants are at least its offset apart.
+    pub(super) fn offset_is_within_reach(
+        &mut self,
+        parts: &Parts,
+        outer: [PointId; 2],
+        offset: &Expr,
+    ) -> Option<()> {
+        let Some([dx, dy]) = self.facts.between(outer[0], outer[1]) else {
+            return Some(());
+        };
+        let distance = dx.hypot(&dy);
+        let name = self.span_of(outer);
+        if distance.is_zero() {
+            let reason = format!("{name} = 0 m: the bar has no direction");
+            return self.group_cannot_be_assembled(parts, reason);
+        }
+        match offset.constant() {
+            Some(offset) if distance.cmp_value(&absolute(offset)).is_lt() => {
+                let (d, e) = (shown(&distance), shown(offset));
+                let reason = format!("{name} = {d} m, less than the offset of {e} m");
+                self.group_cannot_be_assembled(parts, reason)
+            }
+            _ => Some(()),
+        }
+    }
+
+    /// The guides of a prp of constants are not parallel.
+    pub(super) fn guides_cross(&mut self, parts: &Parts, guides: [GuideId; 2]) -> Option<()> {
+        let [first, second] = guides.map(|guide| &self.facts.guides[guide.index()]);
+        let (Some(a), Some(b)) = (&first.angle, &second.angle) else {
+            return Some(());
+        };
+        if first.carrier != second.carrier || !a.sub(b).sin().is_zero() {
+            return Some(());
+        }
+        let [first, second] = guides.map(|guide| &self.mechanism.guides[guide.index()].name);
+        let reason = format!("`{first}` and `{second}` are parallel and never cross");
+        self.group_cannot_be_assembled(parts, reason)
+    }
+}

@@ -1,0 +1,370 @@
+//! An expression as written into a sum of link angles and a number, with its measure.
+
+use proc_macro2::{Ident, Span};
+
+use crate::diagnostics::nearest;
+use crate::exact::Exact;
+use crate::syntax::tree::{self, BinaryOp, ExprKind};
+
+use super::Resolver;
+use super::dimension::Measure;
+use super::folding::shown;
+use super::mechanism::{Dimension, Expr, Function, LinkId, Operator, ParamKind, Turn};
+use super::names::{Entity, Kind, NUMBERS};
+use super::units::{UNITS, unit};
+
+/// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
+pub(super) struct Quantity {
+    pub measure: Measure,
+    pub links: Vec<(LinkId, i32)>,
+    pub rest: Expr,
+}
+
+/// Why a link's angle stands only in sums, times an integer.
+pub(super) const ANGLE_REASON: &str = "a link's angle is known up to whole turns: it stands in \
+     sums of angles, times an integer, because other ratios jump at ±π";
+
+const FUNCTIONS: [(&str, Function, usize); 9] = [
+    ("sqrt", Function::Sqrt, 1),
+    ("hypot", Function::Hypot, 2),
+    ("sin", Function::Sin, 1),
+    ("cos", Function::Cos, 1),
+    ("tan", Function::Tan, 1),
+    ("asin", Function::Asin, 1),
+    ("acos", Function::Acos, 1),
+    ("atan", Function::Atan, 1),
+    ("atan2", Function::Atan2, 2),
+];
+
+impl Quantity {
+    fn plain(measure: Measure, rest: Expr) -> Self {
+        Self { measure, links: Vec::new(), rest }
+    }
+
+    fn constant(measure: Measure, value: Exact) -> Self {
+        Self::plain(measure, Expr::Constant(value))
+    }
+
+    pub(super) fn turn(self) -> Turn {
+        Turn { links: self.links, rest: self.rest }
+    }
+
+    /// Keeps every multiple within ±(2³¹ − 1), so that a sign can always be changed.
+    fn scale_links(&mut self, factor: i32) -> Option<()> {
+        for (_, k) in &mut self.links {
+            *k = k.checked_mul(factor).filter(|&k| k != i32::MIN)?;
+        }
+        self.links.retain(|&(_, k)| k != 0);
+        Some(())
+    }
+
+    /// Divides every multiple of a link angle, if that leaves integers.
+    fn divide_links(&mut self, divisor: &Exact) -> Option<()> {
+        for (_, k) in &mut self.links {
+            let ratio = Exact::integer(i64::from(*k)).div(divisor)?.to_integer()?;
+            *k = i32::try_from(ratio).ok().filter(|&k| k != i32::MIN)?;
+        }
+        Some(())
+    }
+
+    fn add_links(&mut self, links: &[(LinkId, i32)], sign: i32) -> Option<()> {
+        for &(link, k) in links {
+            let k = k.checked_mul(sign)?;
+            match self.links.iter_mut().find(|(known, _)| *known == link) {
+                Some((_, sum)) => *sum = sum.checked_add(k).filter(|&k| k != i32::MIN)?,
+                None => self.links.push((link, k)),
+            }
+        }
+        self.links.retain(|&(_, k)| k != 0);
+        Some(())
+    }
+}
+
+impl Resolver<'_> {
+    /// Resolves an expression, and reports every mistake in it.
+    pub(super) fn quantity(&mut self, expr: &tree::Expr) -> Option<Quantity> {
+        match &expr.kind {
+            ExprKind::Number { digits, unit } => self.literal(expr.span, digits, unit.as_deref()),
+            ExprKind::Name(name) if name == "pi" => {
+                Some(Quantity::constant(Measure::ANGLE, Exact::pi()))
+            }
+            ExprKind::Name(name) => self.named_number(name),
+            ExprKind::Member(owner, member) => self.member(owner, member),
+            ExprKind::Negate(inner) => {
+                let mut quantity = self.quantity(inner)?;
+                quantity.scale_links(-1)?;
+                quantity.rest = quantity.rest.negated();
+                Some(quantity)
+            }
+            ExprKind::Binary(operator, operands) => {
+                let [left, right] = &**operands;
+                let (a, b) = (self.quantity(left), self.quantity(right));
+                let (a, b) = (a?, b?);
+                match operator {
+                    BinaryOp::Add => self.sum(Operator::Add, (left, a), (right, b)),
+                    BinaryOp::Sub => self.sum(Operator::Sub, (left, a), (right, b)),
+                    BinaryOp::Mul => self.product((left, a), (right, b)),
+                    BinaryOp::Div => self.quotient(a, (right, b)),
+                }
+            }
+            ExprKind::Call(function, arguments) => self.call(function, arguments),
+            ExprKind::Mistake => {
+                self.use_is_hidden = true;
+                None
+            }
+        }
+    }
+
+    /// A literal is a decimal number, and its unit one of the known.
+    fn literal(&mut self, span: Span, digits: &str, suffix: Option<&str>) -> Option<Quantity> {
+        let Some(value) = Exact::decimal(digits) else {
+            self.diagnostics.error(span, format!("`{digits}` is not a decimal number"));
+            return None;
+        };
+        let Some(suffix) = suffix else {
+            return Some(Quantity::constant(Measure::Bare, value));
+        };
+        if let Some((measure, factor)) = unit(suffix) {
+            return Some(Quantity::constant(measure, value.mul(&factor)));
+        }
+        let mut message = format!("no unit named `{suffix}`");
+        if let Some(near) = nearest(suffix, UNITS.into_iter()) {
+            message += &format!("; a unit with a similar name exists: `{near}`");
+        }
+        let reason = "lengths have `m mm cm um in`, angles `rad deg turn`, masses `kg g`";
+        self.diagnostics.error_because(span, message, reason);
+        None
+    }
+
+    fn named_number(&mut self, name: &Ident) -> Option<Quantity> {
+        match self.usable(name, &NUMBERS)? {
+            Entity::Input(id) => {
+                let measure = Measure::Known(self.mechanism.inputs[id.index()].dimension);
+                Some(Quantity::plain(measure, Expr::Input(id)))
+            }
+            Entity::Param(id) => {
+                if !matches!(self.mechanism.params[id.index()].kind, ParamKind::Number { .. }) {
+                    let message = format!("`{name}` is a mode, not a number");
+                    self.diagnostics.error(name.span(), message);
+                    return None;
+                }
+                let measure = self.facts.params[id.index()].measure;
+                Some(Quantity::plain(measure, Expr::Param(id)))
+            }
+            Entity::Let(id) => {
+                let turn = &self.mechanism.lets[id.index()];
+                let rest = if turn.rest.is_constant() { turn.rest.clone() } else { Expr::Let(id) };
+                let measure = self.facts.lets[id.index()].measure;
+                Some(Quantity { measure, links: turn.links.clone(), rest })
+            }
+            Entity::Point(_) | Entity::Link(_) | Entity::Guide(_) => None,
+        }
+    }
+
+    /// What a link offers to expressions is its angle, and its slide if it slides.
+    fn member(&mut self, owner: &Ident, member: &Ident) -> Option<Quantity> {
+        if self.names.kind(owner) == Some(Kind::Point) {
+            let message =
+                format!("`{owner}` is a point, and a point's coordinates stand in no expression");
+            let reason = format!("`output {owner}` gives `x` and `y` as a result");
+            self.diagnostics.error_because(owner.span(), message, reason);
+            return None;
+        }
+        let link = self.link(owner);
+        match member.to_string().as_str() {
+            "angle" => Some(Quantity {
+                measure: Measure::ANGLE,
+                links: vec![(link?, 1)],
+                rest: Expr::zero(),
+            }),
+            "slide" => {
+                self.link_slides(owner, link?, member)?;
+                Some(Quantity::plain(Measure::LENGTH, Expr::Slide(link?)))
+            }
+            other => {
+                let message = format!("`{owner}.{other}` stands in no expression");
+                let reason = "a link has `angle`, and `slide` if it slides";
+                self.diagnostics.error_because(member.span(), message, reason);
+                None
+            }
+        }
+    }
+
+    /// Only a link that slides has a slide.
+    pub(super) fn link_slides(&mut self, name: &Ident, link: LinkId, at: &Ident) -> Option<()> {
+        let link = &self.mechanism.links[link.index()];
+        if link.slides {
+            return Some(());
+        }
+        let (group, made_by) = (link.made_by, &self.mechanism.groups[link.made_by.index()]);
+        let statement = format!("{} {}", made_by.keyword, made_by.title);
+        let sliding = self.mechanism.links.iter().find(|l| l.made_by == group && l.slides);
+        let reason = match sliding {
+            Some(sliding) => format!("of `{statement}`, `{}` slides", sliding.name),
+            None => format!("no link of `{statement}` slides on a guide"),
+        };
+        let message = format!("`{name}` does not slide");
+        self.diagnostics.error_because(at.span(), message, reason);
+        None
+    }
+
+    /// The sides of a sum are quantities of one kind.
+    fn sum(
+        &mut self,
+        operator: Operator,
+        (left, mut a): (&tree::Expr, Quantity),
+        (right, b): (&tree::Expr, Quantity),
+    ) -> Option<Quantity> {
+        let Some(measure) = a.measure.sum(b.measure) else {
+            let (found, wanted) = (b.measure.dimension(), a.measure.dimension());
+            let message = format!("{} where {} belongs", found.words(), wanted.words());
+            let sign = if operator == Operator::Add { '+' } else { '-' };
+            let reason = format!("what stands left of the `{sign}` is {}", wanted.words());
+            self.diagnostics.error_because(right.span, message, reason);
+            return None;
+        };
+        if measure == Measure::ANGLE {
+            let left_is_small = self.bare_angle_is_within_a_turn(left, &a);
+            self.bare_angle_is_within_a_turn(right, &b).and(left_is_small)?;
+        }
+        a.measure = measure;
+        let sign = if operator == Operator::Add { 1 } else { -1 };
+        if a.add_links(&b.links, sign).is_none() {
+            return self.link_angles_are_whole_multiples(right.span, &b.links);
+        }
+        a.rest = a.rest.combined(operator, b.rest)?;
+        Some(a)
+    }
+
+    fn product(
+        &mut self,
+        (left, a): (&tree::Expr, Quantity),
+        (right, b): (&tree::Expr, Quantity),
+    ) -> Option<Quantity> {
+        let measure = a.measure.product(b.measure);
+        // The factor of a link angle, if there is one, is the other side.
+        let (mut turn, factor, span) = match (a.links.is_empty(), b.links.is_empty()) {
+            (true, true) => {
+                return Some(Quantity::plain(measure, a.rest.combined(Operator::Mul, b.rest)?));
+            }
+            (false, _) => (a, b, right.span),
+            (true, false) => (b, a, left.span),
+        };
+        let integer = factor.rest.constant().and_then(Exact::to_integer);
+        let integer = integer.and_then(|k| i32::try_from(k).ok());
+        let whole = factor.links.is_empty() && factor.measure.fits(Dimension::NUMBER);
+        let links = turn.links.clone();
+        if !whole || integer.and_then(|k| turn.scale_links(k)).is_none() {
+            return self.link_angles_are_whole_multiples(span, &links);
+        }
+        turn.rest = turn.rest.combined(Operator::Mul, factor.rest)?;
+        Some(Quantity { measure, ..turn })
+    }
+
+    fn quotient(
+        &mut self,
+        mut a: Quantity,
+        (right, b): (&tree::Expr, Quantity),
+    ) -> Option<Quantity> {
+        if !b.links.is_empty() {
+            return self.link_angles_are_whole_multiples(right.span, &b.links);
+        }
+        if b.rest.is_zero() {
+            self.diagnostics.error(right.span, "a division by zero");
+            return None;
+        }
+        if !a.links.is_empty() {
+            let links = a.links.clone();
+            let divided = match b.rest.constant() {
+                Some(divisor) if b.measure.fits(Dimension::NUMBER) => a.divide_links(divisor),
+                _ => None,
+            };
+            if divided.is_none() {
+                return self.link_angles_are_whole_multiples(right.span, &links);
+            }
+        }
+        a.measure = a.measure.quotient(b.measure);
+        a.rest = a.rest.combined(Operator::Div, b.rest)?;
+        Some(a)
+    }
+
+    /// Reports a link angle that is multiplied by something other than an integer.
+    fn link_angles_are_whole_multiples(
+        &mut self,
+        span: Span,
+        links: &[(LinkId, i32)],
+    ) -> Option<Quantity> {
+        let name = &self.mechanism.links[links[0].0.index()].name;
+        let message = format!("`{name}.angle` can be multiplied by an integer only");
+        self.diagnostics.error_because(span, message, ANGLE_REASON);
+        None
+    }
+
+    fn call(&mut self, name: &Ident, arguments: &[tree::Expr]) -> Option<Quantity> {
+        let found = FUNCTIONS.iter().find(|(known, ..)| name == known);
+        let values: Vec<_> = arguments.iter().map(|argument| self.quantity(argument)).collect();
+        let Some(&(_, function, count)) = found else {
+            return self.function_exists(name);
+        };
+        if arguments.len() != count {
+            let takes = if count == 1 { "one argument" } else { "two arguments" };
+            let message = format!("`{name}` takes {takes}, and {} given", counted(arguments.len()));
+            self.diagnostics.error(name.span(), message);
+            return None;
+        }
+        let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
+        for (argument, value) in arguments.iter().zip(&values) {
+            self.no_link_angle(argument, value)?;
+        }
+        let measure = self.measure_of_call(function, arguments, &values)?;
+        let rests = values.into_iter().map(|value| value.rest).collect::<Vec<_>>();
+        let value = rests[0].constant().map(shown);
+        match Expr::call(function, rests) {
+            Some(rest) => Some(Quantity::plain(measure, rest)),
+            None => {
+                let value = value.unwrap_or_default();
+                self.function_is_defined(function, name, &arguments[0], &value);
+                None
+            }
+        }
+    }
+
+    /// Reports a function that does not exist, with the nearest one.
+    fn function_exists(&mut self, name: &Ident) -> Option<Quantity> {
+        let text = name.to_string();
+        let mut message = format!("no function named `{text}`");
+        if let Some(near) = nearest(&text, FUNCTIONS.iter().map(|(known, ..)| *known)) {
+            message += &format!("; a function with a similar name exists: `{near}`");
+        }
+        let reason = "the functions are `sqrt hypot sin cos tan asin acos atan atan2`";
+        self.diagnostics.error_because(name.span(), message, reason);
+        None
+    }
+
+    /// Reports a function of constants where it has no value.
+    fn function_is_defined(
+        &mut self,
+        function: Function,
+        name: &Ident,
+        argument: &tree::Expr,
+        value: &str,
+    ) {
+        let reason = match function {
+            Function::Sqrt => "a square root needs a number that is not negative",
+            Function::Asin | Function::Acos => "its argument lies between -1 and 1",
+            Function::Tan => "the tangent is infinite where the cosine is zero",
+            _ => "the zero vector has no direction",
+        };
+        let message = format!("`{name}` of {value} does not exist");
+        self.diagnostics.error_because(argument.span, message, reason);
+    }
+}
+
+/// "3 are", "1 is"
+fn counted(count: usize) -> String {
+    match count {
+        0 => "none is".into(),
+        1 => "one is".into(),
+        _ => format!("{count} are"),
+    }
+}

@@ -1,0 +1,134 @@
+//! What the rules remember of things already made, beside the mechanism itself.
+
+use proc_macro2::Span;
+
+use crate::exact::Exact;
+
+use super::dimension::Measure;
+use super::mechanism::{Carrier, Expr, GuideId, PointId};
+use super::names::Entity;
+
+#[derive(Default)]
+pub(super) struct Facts {
+    /// By parameter.
+    pub params: Vec<ParamFacts>,
+    /// By named expression.
+    pub lets: Vec<LetFacts>,
+    /// By point: whether it moves.
+    pub points: Vec<bool>,
+    /// By link.
+    pub links: Vec<LinkFacts>,
+    /// By guide.
+    pub guides: Vec<GuideFacts>,
+    /// Points and links in order of declaration.
+    pub order: Vec<Entity>,
+    /// Which points belong to which bodies, and where other points stand still on one.
+    places: Vec<Location>,
+}
+
+pub(super) struct ParamFacts {
+    pub measure: Measure,
+    /// The default, where a mistake about its value is reported.
+    pub span: Span,
+    /// Whether it was reported already.
+    pub blamed: bool,
+}
+
+pub(super) struct LetFacts {
+    pub measure: Measure,
+    pub moves: bool,
+}
+
+pub(super) struct LinkFacts {
+    pub moves: bool,
+    /// Whether it is a bar with an outer joint and a pin.
+    pub is_bar: bool,
+    /// The distance from one to the other; `None` also where it was in error.
+    pub length: Option<Expr>,
+}
+
+pub(super) struct GuideFacts {
+    pub moves: bool,
+    pub carrier: Carrier,
+    /// Where the line lies on its carrier, if that is constant.
+    pub line: Option<Line>,
+    /// Its angle on its carrier, if that is constant.
+    pub angle: Option<Exact>,
+}
+
+#[derive(Clone)]
+pub(super) struct Line {
+    pub through: [Exact; 2],
+    pub angle: Exact,
+}
+
+struct Location {
+    carrier: Carrier,
+    point: PointId,
+    /// Whether it was declared as a point of the body or is a joint of it.
+    belongs: bool,
+    /// The place in the carrier's frame, if it is constant.
+    at: Option<[Exact; 2]>,
+}
+
+impl Facts {
+    /// Whether the thing depends on an input.
+    pub(super) fn moves(&self, entity: Entity) -> bool {
+        match entity {
+            Entity::Input(_) => true,
+            Entity::Param(_) => false,
+            Entity::Let(id) => self.lets[id.index()].moves,
+            Entity::Point(id) => self.points[id.index()],
+            Entity::Link(id) => self.links[id.index()].moves,
+            Entity::Guide(id) => self.guides[id.index()].moves,
+        }
+    }
+
+    /// The point belongs to the carrier: it was declared there, or is a joint of it.
+    pub(super) fn fix(&mut self, point: PointId, carrier: Carrier, at: Option<[Exact; 2]>) {
+        self.places.push(Location { carrier, point, belongs: true, at });
+    }
+
+    /// The point of another body stands still at a place of the carrier.
+    pub(super) fn stands_still(&mut self, point: PointId, carrier: Carrier, at: [Exact; 2]) {
+        self.places.push(Location { carrier, point, belongs: false, at: Some(at) });
+    }
+
+    pub(super) fn belongs_to(&self, point: PointId, carrier: Carrier) -> bool {
+        self.points_of(carrier).any(|known| known == point)
+    }
+
+    /// The points of a body, joints included.
+    pub(super) fn points_of(&self, carrier: Carrier) -> impl Iterator<Item = PointId> {
+        let places = self.places.iter().filter(move |p| p.belongs && p.carrier == carrier);
+        places.map(|place| place.point)
+    }
+
+    /// The constant place of the point on the carrier.
+    pub(super) fn place(&self, point: PointId, carrier: Carrier) -> Option<&[Exact; 2]> {
+        self.places
+            .iter()
+            .find(|place| place.point == point && place.carrier == carrier)
+            .and_then(|place| place.at.as_ref())
+    }
+
+    /// The constant vector from one point to the other, if both are fixed to one body.
+    pub(super) fn between(&self, from: PointId, to: PointId) -> Option<[Exact; 2]> {
+        self.places.iter().filter(|place| place.point == from).find_map(|place| {
+            let [x0, y0] = place.at.as_ref()?;
+            let [x1, y1] = self.place(to, place.carrier)?;
+            Some([x1.sub(x0), y1.sub(y0)])
+        })
+    }
+
+    /// The constant line of the guide and the constant place of the point, if both are fixed to
+    /// one body.
+    pub(super) fn line_and_place(
+        &self,
+        guide: GuideId,
+        point: PointId,
+    ) -> Option<(&Line, &[Exact; 2])> {
+        let guide = &self.guides[guide.index()];
+        Some((guide.line.as_ref()?, self.place(point, guide.carrier)?))
+    }
+}

@@ -1,0 +1,154 @@
+//! The fields of a group, checked against its anatomy.
+
+use proc_macro2::Span;
+
+use crate::diagnostics::nearest;
+use crate::syntax::tree::{Expr, Field, FieldValue, Group};
+
+use super::Resolver;
+use super::anatomy::{Anatomy, FieldRule, Needed};
+use super::names::listed;
+
+/// The fields that are known and of the right shape.
+pub(super) struct Fields<'t> {
+    known: Vec<(&'static str, &'t FieldValue)>,
+}
+
+impl<'t> Fields<'t> {
+    pub(super) fn one(&self, name: &str) -> Option<&'t Expr> {
+        match self.value(name)? {
+            FieldValue::One(value) => Some(value),
+            FieldValue::Pair(_) => None,
+        }
+    }
+
+    pub(super) fn pair(&self, name: &str) -> Option<&'t [Expr; 2]> {
+        match self.value(name)? {
+            FieldValue::One(_) => None,
+            FieldValue::Pair(values) => Some(values),
+        }
+    }
+
+    fn value(&self, name: &str) -> Option<&'t FieldValue> {
+        self.known.iter().find(|(known, _)| *known == name).map(|&(_, value)| value)
+    }
+}
+
+impl Resolver<'_> {
+    pub(super) fn fields<'t>(&mut self, group: &'t Group, anatomy: &'static Anatomy) -> Fields<'t> {
+        let mut fields = Fields { known: Vec::new() };
+        // Fields that are there in some form, right or wrong: none of these is missing.
+        let mut present: Vec<&str> = Vec::new();
+        for field in &group.fields {
+            let Some(name) = self.field_exists(field, group, anatomy, &mut present) else {
+                continue;
+            };
+            if present.contains(&name) {
+                let message = format!("the field `{name}` is given twice; remove one");
+                self.diagnostics.error(field.name.span(), message);
+                continue;
+            }
+            present.push(name);
+            if self.field_has_its_shape(field, anatomy).is_some()
+                && self.field_has_its_pin(field, group, anatomy).is_some()
+            {
+                fields.known.push((name, &field.value));
+            }
+        }
+        self.no_field_is_missing(group, anatomy, &present);
+        fields
+    }
+
+    /// A field is one that the group has. One that was nearly written counts as present, so that
+    /// it is not missed as well.
+    fn field_exists(
+        &mut self,
+        field: &Field,
+        group: &Group,
+        anatomy: &'static Anatomy,
+        present: &mut Vec<&str>,
+    ) -> Option<&'static str> {
+        let name = field.name.to_string();
+        let names = anatomy.field_names();
+        if let Some(known) = names.iter().find(|known| **known == name) {
+            return Some(known);
+        }
+        let keyword = anatomy.keyword;
+        let mut message = format!("`{keyword}` has no field `{name}`");
+        // What is given elsewhere by its right name was not meant here.
+        let given = |known: &&str| group.fields.iter().any(|field| field.name == known);
+        let free = names.iter().copied().filter(|known| !given(known));
+        let reason = if let Some(near) = nearest(&name, free) {
+            present.push(near);
+            message += &format!("; a field with a similar name exists: `{near}`");
+            None
+        } else if name == "mode" {
+            Some(format!("a `{keyword}` can be assembled in one way only"))
+        } else {
+            let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
+            Some(format!("its fields are {}", listed(&names, "and")))
+        };
+        self.report(field.name.span(), message, reason);
+        None
+    }
+
+    /// A pair is given where there are two links to speak of, one value elsewhere.
+    fn field_has_its_shape(&mut self, field: &Field, anatomy: &Anatomy) -> Option<()> {
+        let name = &field.name;
+        let rule = anatomy.fields.iter().find(|rule| name == rule.name);
+        let pair = rule.is_some_and(|rule| rule.pair);
+        match (&field.value, pair) {
+            (FieldValue::One(_), false) | (FieldValue::Pair(_), true) => return Some(()),
+            (FieldValue::One(_), true) => {
+                let message = format!("`{name}` takes two values; write `{name}: (…, …)`");
+                let reason = rule.map_or("", |rule| rule.meaning);
+                self.diagnostics.error_because(name.span(), message, reason);
+            }
+            (FieldValue::Pair(_), false) => {
+                let message = format!("`{name}` takes one value; write `{name}: …`");
+                self.report(name.span(), message, rule.map(|rule| rule.meaning));
+            }
+        }
+        None
+    }
+
+    /// The distance to a pin is given only where there is a pin.
+    fn field_has_its_pin(&mut self, field: &Field, group: &Group, anatomy: &Anatomy) -> Option<()> {
+        let rule = anatomy.fields.iter().find(|rule| field.name == rule.name);
+        if group.pin.is_some() || rule.is_none_or(|rule| rule.needed != Needed::WithPin) {
+            return Some(());
+        }
+        let name = &field.name;
+        let message =
+            format!("a `{}` without a pin has no `{name}`; name the pin, `-> B`", anatomy.keyword);
+        let reason = format!("`{name}` is {}", rule.map_or("", |rule| rule.meaning));
+        self.diagnostics.error_because(name.span(), message, reason);
+        None
+    }
+
+    /// Every field without a default is given; a missing one is reported at the closing brace.
+    fn no_field_is_missing(&mut self, group: &Group, anatomy: &Anatomy, present: &[&str]) {
+        let is_needed = |rule: &FieldRule| match rule.needed {
+            Needed::Always => true,
+            Needed::WithPin => group.pin.is_some(),
+            Needed::Never => false,
+        };
+        for rule in anatomy.fields.iter().filter(|rule| is_needed(rule)) {
+            if !present.contains(&rule.name) {
+                self.missing(group.end, rule.name, rule.meaning);
+            }
+        }
+        if let Some(modes) = anatomy.modes {
+            if anatomy.mode_is_needed() && !present.contains(&"mode") {
+                let meaning = self.modes_explained(modes, group);
+                self.missing(group.end, "mode", &meaning);
+            }
+        }
+    }
+
+    fn missing(&mut self, end: Span, name: &str, meaning: &str) {
+        self.use_is_hidden = true;
+        let message = format!("missing field `{name}`");
+        self.diagnostics.error_because(end, message, meaning);
+    }
+}

@@ -1,0 +1,112 @@
+//! Arithmetic on resolved expressions that keeps constants exact.
+//!
+//! Only constants are folded: what an expression of inputs and parameters can be simplified to is
+//! the passes' business.
+
+use crate::exact::Exact;
+
+use super::mechanism::{Expr, Function, Operator};
+
+impl Expr {
+    pub(super) const fn is_constant(&self) -> bool {
+        matches!(self, Self::Constant(_))
+    }
+
+    /// The value, where it is known when the mechanism is declared.
+    pub(super) fn constant(&self) -> Option<&Exact> {
+        match self {
+            Self::Constant(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    pub(super) fn zero() -> Self {
+        Self::Constant(Exact::integer(0))
+    }
+
+    pub(super) fn is_zero(&self) -> bool {
+        self.constant().is_some_and(Exact::is_zero)
+    }
+
+    pub(super) fn negated(self) -> Self {
+        match self {
+            Self::Constant(value) => Self::Constant(value.neg()),
+            other => Self::Negate(Box::new(other)),
+        }
+    }
+
+    /// The expression of the two; `None` for a division by the constant zero.
+    pub(super) fn combined(self, operator: Operator, other: Self) -> Option<Self> {
+        if operator == Operator::Div && other.is_zero() {
+            return None;
+        }
+        if let (Self::Constant(a), Self::Constant(b)) = (&self, &other) {
+            return Some(Self::Constant(match operator {
+                Operator::Add => a.add(b),
+                Operator::Sub => a.sub(b),
+                Operator::Mul => a.mul(b),
+                Operator::Div => a.div(b)?,
+            }));
+        }
+        Some(match operator {
+            Operator::Add if self.is_zero() => other,
+            Operator::Sub if self.is_zero() => other.negated(),
+            Operator::Add | Operator::Sub if other.is_zero() => self,
+            _ => Self::Binary(operator, Box::new([self, other])),
+        })
+    }
+
+    /// The function of the arguments; `None` where constants have no value.
+    pub(super) fn call(function: Function, arguments: Vec<Self>) -> Option<Self> {
+        let constants: Option<Vec<_>> = arguments.iter().map(Self::constant).collect();
+        match constants.as_deref() {
+            Some([x]) => Some(Self::Constant(function.of_one(x)?)),
+            Some([y, x]) => Some(Self::Constant(match function {
+                Function::Atan2 => y.atan2(x)?,
+                _ => y.hypot(x),
+            })),
+            _ => Some(Self::Call(function, arguments)),
+        }
+    }
+}
+
+impl Function {
+    fn of_one(self, x: &Exact) -> Option<Exact> {
+        match self {
+            Self::Sqrt => x.sqrt(),
+            Self::Sin => Some(x.sin()),
+            Self::Cos => Some(x.cos()),
+            Self::Tan => x.tan(),
+            Self::Asin => x.asin(),
+            Self::Acos => x.acos(),
+            Self::Atan => Some(x.atan()),
+            // Both take two arguments, which was checked.
+            Self::Hypot | Self::Atan2 => None,
+        }
+    }
+}
+
+/// The value as messages print it: six significant digits.
+pub(super) fn shown(value: &Exact) -> String {
+    shown_f64(value.to_f64())
+}
+
+fn shown_f64(value: f64) -> String {
+    let short = format!("{value:.5e}");
+    // Parsed back, `2.00000e0` prints as 2.
+    short.parse::<f64>().map_or(short, |rounded| rounded.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shown_f64;
+
+    #[test]
+    fn six_significant_digits_are_shown() {
+        assert_eq!(shown_f64(5.3), "5.3");
+        assert_eq!(shown_f64(2.0 / 3.0), "0.666667");
+        assert_eq!(shown_f64(-0.3), "-0.3");
+        assert_eq!(shown_f64(0.0), "0");
+        assert_eq!(shown_f64(632.0), "632");
+    }
+}

@@ -1,0 +1,317 @@
+//! Drivers and dyads: what all of them share before each is looked at by itself.
+
+use proc_macro2::Ident;
+use syn::Attribute;
+
+use crate::diagnostics::nearest;
+use crate::syntax::tree;
+
+use super::Resolver;
+use super::anatomy::{Anatomy, Class, Joint, Pin, Reason};
+use super::facts::LinkFacts;
+use super::fields::Fields;
+use super::mechanism::{Group, GroupId, GuideId, Link, LinkId, Named, PointId};
+use super::names::{Entity, Kind};
+
+/// What a group statement has made and was given.
+pub(super) struct Parts<'t> {
+    pub group: &'t tree::Group,
+    pub anatomy: &'static Anatomy,
+    pub id: GroupId,
+    /// One a leg; `None` where the name was in error.
+    pub links: Vec<Option<LinkId>>,
+    pub outer: Vec<Option<Stand>>,
+    pub pin: Option<PointId>,
+    pub fields: Fields<'t>,
+}
+
+/// What an outer joint stands on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stand {
+    Point(PointId),
+    Guide(GuideId),
+}
+
+impl Parts<'_> {
+    pub(super) fn link(&self, i: usize) -> Option<LinkId> {
+        self.links.get(i).copied().flatten()
+    }
+
+    pub(super) fn both_links(&self) -> Option<[LinkId; 2]> {
+        Some([self.link(0)?, self.link(1)?])
+    }
+
+    pub(super) fn point(&self, i: usize) -> Option<PointId> {
+        match self.outer.get(i).copied().flatten()? {
+            Stand::Point(id) => Some(id),
+            Stand::Guide(_) => None,
+        }
+    }
+
+    pub(super) fn guide(&self, i: usize) -> Option<GuideId> {
+        match self.outer.get(i).copied().flatten()? {
+            Stand::Guide(id) => Some(id),
+            Stand::Point(_) => None,
+        }
+    }
+}
+
+impl Resolver<'_> {
+    pub(super) fn group(&mut self, docs: &[Attribute], group: &tree::Group) {
+        let Some(anatomy) = Anatomy::of(&group.keyword.to_string()) else {
+            self.group_exists(&group.keyword);
+            self.names_stay_unknown(group);
+            return;
+        };
+        if !self.each_joint_has_a_link(group, anatomy) {
+            self.names_stay_unknown(group);
+            self.outer_joints(group, anatomy);
+            self.fields(group, anatomy);
+            return;
+        }
+        let names: Vec<_> = group.legs.iter().map(|leg| leg.link.to_string()).collect();
+        let id = self.add_group(names.join(", "), anatomy.keyword);
+        let links = (group.legs.iter().zip(anatomy.slides))
+            .map(|(leg, slides)| self.add_link(docs, &leg.link, id, slides))
+            .collect();
+        let pin = self.pin(docs, group, anatomy, id);
+        let outer = self.outer_joints(group, anatomy);
+        let fields = self.fields(group, anatomy);
+        let parts = Parts { group, anatomy, id, links, outer, pin, fields };
+        let step = match anatomy.class {
+            Class::Crank => self.crank(&parts),
+            Class::Slider => self.slider(&parts),
+            Class::Rrr => self.rrr(&parts),
+            Class::Rrp => self.rrp(&parts),
+            Class::Rpr => self.rpr(&parts),
+            Class::Prp => self.prp(&parts),
+            Class::Rpp => self.rpp(&parts),
+        };
+        self.mechanism.steps.extend(step);
+        self.what_was_made_moves(&parts);
+    }
+
+    /// What a group makes moves if anything it was given moves.
+    fn what_was_made_moves(&mut self, parts: &Parts) {
+        for link in parts.links.iter().flatten() {
+            self.facts.links[link.index()].moves = self.moves;
+        }
+        if let Some(pin) = parts.pin {
+            self.facts.points[pin.index()] = self.moves;
+        }
+    }
+
+    /// The names of a statement that cannot be understood are taken, and stand for nothing.
+    fn names_stay_unknown(&mut self, group: &tree::Group) {
+        for name in group.legs.iter().map(|leg| &leg.link).chain(&group.pin) {
+            self.name_is_new(name);
+        }
+    }
+
+    pub(super) fn add_group(&mut self, title: String, keyword: &'static str) -> GroupId {
+        let id = GroupId(self.mechanism.groups.len() as u32);
+        self.mechanism.groups.push(Group { title, keyword });
+        id
+    }
+
+    fn add_link(
+        &mut self,
+        docs: &[Attribute],
+        name: &Ident,
+        made_by: GroupId,
+        slides: bool,
+    ) -> Option<LinkId> {
+        self.name_is_new(name)?;
+        let id = LinkId(self.mechanism.links.len() as u32);
+        self.mechanism.links.push(Link {
+            name: name.clone(),
+            docs: docs.to_vec(),
+            made_by,
+            slides,
+        });
+        self.facts.links.push(LinkFacts { moves: false, is_bar: false, length: None });
+        self.facts.order.push(Entity::Link(id));
+        self.names.bind(name, Entity::Link(id));
+        Some(id)
+    }
+
+    pub(super) fn add_point(
+        &mut self,
+        docs: &[Attribute],
+        name: &Ident,
+        made_by: String,
+    ) -> Option<PointId> {
+        self.name_is_new(name)?;
+        let id = PointId(self.mechanism.points.len() as u32);
+        self.mechanism.points.push(Named { name: name.clone(), docs: docs.to_vec(), made_by });
+        self.facts.points.push(false);
+        self.facts.order.push(Entity::Point(id));
+        self.names.bind(name, Entity::Point(id));
+        Some(id)
+    }
+
+    /// A group names a pin exactly where its inner joint is one.
+    fn pin(
+        &mut self,
+        docs: &[Attribute],
+        group: &tree::Group,
+        anatomy: &Anatomy,
+        id: GroupId,
+    ) -> Option<PointId> {
+        let keyword = anatomy.keyword;
+        match (&group.pin, anatomy.pin) {
+            (Some(pin), Pin::None(reason)) => {
+                let message = format!("`{keyword}` makes no pin; remove `-> {pin}`");
+                self.diagnostics.error_because(pin.span(), message, reason);
+                self.name_is_new(pin);
+                None
+            }
+            (Some(pin), _) => {
+                let made_by = format!("{keyword} {}", self.mechanism.groups[id.index()].title);
+                self.add_point(docs, pin, made_by)
+            }
+            (None, Pin::Needed) => {
+                let message = format!("`{keyword}` makes a pin; name it with `-> C`");
+                let reason = format!("it reads `{}`", anatomy.form);
+                self.diagnostics.error_because(group.keyword.span(), message, reason);
+                None
+            }
+            (None, _) => None,
+        }
+    }
+
+    /// A driver has one link, a dyad two.
+    fn each_joint_has_a_link(&mut self, group: &tree::Group, anatomy: &Anatomy) -> bool {
+        let (found, wanted) = (group.legs.len(), anatomy.joints.len());
+        let span = match group.legs.get(wanted) {
+            _ if found == wanted => return true,
+            Some(extra) => extra.link.span(),
+            None => group.keyword.span(),
+        };
+        let links = if wanted == 1 { "one link" } else { "two links" };
+        let found = match found {
+            0 => "none is given".into(),
+            1 => "one is given".into(),
+            _ => format!("{found} are given"),
+        };
+        let message = format!("`{}` has {links}, and {found}", anatomy.keyword);
+        let reason = format!("it reads `{}`", anatomy.form);
+        self.diagnostics.error_because(span, message, reason);
+        false
+    }
+
+    fn outer_joints(&mut self, group: &tree::Group, anatomy: &Anatomy) -> Vec<Option<Stand>> {
+        let outer: Vec<_> = (group.legs.iter().zip(anatomy.joints))
+            .map(|(leg, &joint)| self.joint_stands_on_its_kind(&leg.joint, joint, anatomy))
+            .collect();
+        match outer[..] {
+            [Some(first), Some(second)] if self.outer_joints_differ(group, first, second) => outer,
+            [Some(_), Some(_)] => vec![None, None],
+            _ => outer,
+        }
+    }
+
+    /// A revolute joint stands on a point, a prismatic joint on a guide.
+    fn joint_stands_on_its_kind(
+        &mut self,
+        name: &Ident,
+        joint: Joint,
+        anatomy: &Anatomy,
+    ) -> Option<Stand> {
+        let (reason, wrong, wanted) = match (joint, self.names.kind(name)) {
+            (Joint::Revolute(reason), Some(Kind::Guide)) => (reason, Kind::Guide, Kind::Point),
+            (Joint::Prismatic(reason), Some(Kind::Point)) => (reason, Kind::Point, Kind::Guide),
+            (Joint::Revolute(_), _) => return self.point(name).map(Stand::Point),
+            (Joint::Prismatic(_), _) => return self.guide(name).map(Stand::Guide),
+        };
+        let keyword = anatomy.keyword;
+        let (wrong, wanted) = (wrong.one(), wanted.one());
+        match reason {
+            Reason::Letter(ordinal) => {
+                let letter = if wanted == "a point" { 'R' } else { 'P' };
+                let message = format!(
+                    "`{name}` is {wrong}, and the {ordinal} letter of `{keyword}` is {letter}: \
+                     it needs {wanted}"
+                );
+                let reason = dyad_with_the_other_letter(keyword, ordinal)
+                    .map(|other| format!("a group with {wrong} there is `{other}`"));
+                self.report(name.span(), message, reason);
+            }
+            Reason::Driver(does) => {
+                let message = format!("`{name}` is {wrong}, and a `{keyword}` {does}");
+                let reason = format!("it reads `{}`", anatomy.form);
+                self.diagnostics.error_because(name.span(), message, reason);
+            }
+        }
+        None
+    }
+
+    /// The two links of a group stand on two different things.
+    fn outer_joints_differ(&mut self, group: &tree::Group, first: Stand, second: Stand) -> bool {
+        if first != second {
+            return true;
+        }
+        let joint = &group.legs[1].joint;
+        let message = format!("both links of `{}` stand on `{joint}`", group.keyword);
+        let reason = match second {
+            Stand::Point(_) => "between two links on one point the inner joint is undetermined",
+            Stand::Guide(_) => "two links on one guide never cross",
+        };
+        self.diagnostics.error_because(joint.span(), message, reason);
+        false
+    }
+
+    /// Reports a group that does not exist, with what to write instead.
+    fn group_exists(&mut self, keyword: &Ident) {
+        let text = keyword.to_string();
+        let letters = text.to_lowercase();
+        let is_letters = letters.len() > 1 && letters.chars().all(|c| c == 'r' || c == 'p');
+        let (message, reason) = match letters.as_str() {
+            "prr" => (
+                format!("no group `{text}`; write `rrp` with the bar first"),
+                "a dyad is the same read from either end".to_string(),
+            ),
+            "ppr" => (
+                format!("no group `{text}`; write `rpp` with the pinned block first"),
+                "a dyad is the same read from either end".to_string(),
+            ),
+            "ppp" => (
+                format!("no group `{text}`; a dyad needs a revolute joint"),
+                "links with prismatic joints alone cannot turn, and are not determined".to_string(),
+            ),
+            _ if is_letters && letters.len() != 3 => (
+                format!("no group `{text}`; a dyad has three joints, so three letters"),
+                "outer joint of the first link, inner joint, outer joint of the second".to_string(),
+            ),
+            _ => {
+                let near = nearest(&text, Anatomy::keywords());
+                let near = near.map(|near| format!("; one with a similar name exists: `{near}`"));
+                (
+                    format!("no driver or group `{text}`{}", near.unwrap_or_default()),
+                    format!("they are {}", known_groups()),
+                )
+            }
+        };
+        self.diagnostics.error_because(keyword.span(), message, reason);
+    }
+}
+
+fn known_groups() -> String {
+    Anatomy::keywords().map(|known| format!("`{known}`")).collect::<Vec<_>>().join(", ")
+}
+
+/// The dyad whose first or third letter is the other one.
+fn dyad_with_the_other_letter(keyword: &str, ordinal: &str) -> Option<&'static str> {
+    let position = if ordinal == "first" { 0 } else { 2 };
+    let flipped: String = keyword
+        .char_indices()
+        .map(|(i, letter)| match letter {
+            _ if i != position => letter,
+            'r' => 'p',
+            _ => 'r',
+        })
+        .collect();
+    let reversed: String = flipped.chars().rev().collect();
+    let anatomy = Anatomy::of(&flipped).or_else(|| Anatomy::of(&reversed));
+    anatomy.map(|anatomy| anatomy.keyword)
+}

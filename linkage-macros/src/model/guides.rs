@@ -1,0 +1,179 @@
+//! Guides: lines with a direction, fixed in the ground or in a link.
+
+use proc_macro2::Ident;
+use syn::Attribute;
+
+use crate::exact::Exact;
+use crate::syntax::tree;
+
+use super::Resolver;
+use super::assembly::constants;
+use super::facts::{GuideFacts, Line};
+use super::mechanism::{Carrier, Course, GuideId, Named, PointId, Spot, Step};
+use super::names::Entity;
+
+impl Resolver<'_> {
+    pub(super) fn guide_line(
+        &mut self,
+        docs: &[Attribute],
+        name: &Ident,
+        on: Option<&Ident>,
+        through: &tree::Spot,
+        course: &tree::Course,
+    ) {
+        let is_new = self.name_is_new(name).is_some();
+        let carrier = self.carrier(on);
+        let through = self.spot(through, carrier);
+        let course = self.course(course, carrier);
+        let differ = match (&through, &course) {
+            (Some((spot, from)), Some((course, _))) => {
+                self.guide_has_a_direction(name, carrier, spot, from.as_ref(), course)
+            }
+            _ => None,
+        };
+        let (true, Some(carrier)) = (is_new, carrier) else {
+            return;
+        };
+        let made_by = on.map_or("guide".to_string(), |link| format!("guide on {link}"));
+        let id = GuideId(self.mechanism.guides.len() as u32);
+        self.mechanism.guides.push(Named { name: name.clone(), docs: docs.to_vec(), made_by });
+        self.names.bind(name, Entity::Guide(id));
+        let place = through.as_ref().and_then(|(_, place)| place.clone());
+        let angle = match (&course, &place) {
+            (Some((Course::Along(turn), _)), _) => turn.constant().cloned(),
+            (Some((Course::Towards(_), Some(to))), Some(from)) => {
+                to[1].sub(&from[1]).atan2(&to[0].sub(&from[0]))
+            }
+            _ => None,
+        };
+        let line = place.zip(angle.clone()).map(|(through, angle)| Line { through, angle });
+        self.facts.guides.push(GuideFacts { moves: self.moves, carrier, line, angle });
+        if let (Some((through, _)), Some((course, _)), Some(())) = (through, course, differ) {
+            self.mechanism.steps.push(Step::Guide { guide: id, carrier, through, course });
+        }
+    }
+
+    /// The body that something is declared on; the ground where none is named.
+    pub(super) fn carrier(&mut self, on: Option<&Ident>) -> Option<Carrier> {
+        match on {
+            None => Some(Carrier::Ground),
+            Some(name) if name == "ground" => Some(Carrier::Ground),
+            Some(name) => self.link(name).map(Carrier::Link),
+        }
+    }
+
+    /// What a guide goes through, and where that lies if it is constant.
+    fn spot(
+        &mut self,
+        spot: &tree::Spot,
+        carrier: Option<Carrier>,
+    ) -> Option<(Spot, Option<[Exact; 2]>)> {
+        match spot {
+            tree::Spot::At(place) => {
+                let place = self.lengths(place)?;
+                let at = constants(&place);
+                Some((Spot::At(place), at))
+            }
+            tree::Spot::Point(name) => {
+                let (point, at) = self.point_lies_on_carrier(name, carrier)?;
+                Some((Spot::Point(point), at))
+            }
+        }
+    }
+
+    /// Where a guide goes, and where that lies if it is a point at a constant place.
+    fn course(
+        &mut self,
+        course: &tree::Course,
+        carrier: Option<Carrier>,
+    ) -> Option<(Course, Option<[Exact; 2]>)> {
+        match course {
+            tree::Course::Along(angle) => Some((Course::Along(self.turn(angle)?), None)),
+            tree::Course::Towards(name) => {
+                let (point, at) = self.point_lies_on_carrier(name, carrier)?;
+                Some((Course::Towards(point), at))
+            }
+        }
+    }
+
+    /// A guide goes through points of the body it is fixed in.
+    fn point_lies_on_carrier(
+        &mut self,
+        name: &Ident,
+        carrier: Option<Carrier>,
+    ) -> Option<(PointId, Option<[Exact; 2]>)> {
+        let point = self.point(name)?;
+        let carrier = carrier?;
+        if self.facts.belongs_to(point, carrier) {
+            return Some((point, self.facts.place(point, carrier).cloned()));
+        }
+        match carrier {
+            Carrier::Ground => {
+                let message =
+                    format!("`{name}` is no ground point, and the guide is fixed in the ground");
+                let reason = match self.links_through(point).as_slice() {
+                    [] => "use a ground point, or declare the guide on a link".to_string(),
+                    [link, ..] => format!("declare the guide on a link: `guide … on {link} …`"),
+                };
+                self.diagnostics.error_because(name.span(), message, reason);
+            }
+            Carrier::Link(link) => {
+                let points: Vec<_> = self
+                    .facts
+                    .points_of(carrier)
+                    .map(|point| format!("`{}`", self.mechanism.points[point.index()].name))
+                    .collect();
+                let link = &self.mechanism.links[link.index()].name;
+                let message = format!("`{name}` is no point of `{link}`");
+                let reason = match points.as_slice() {
+                    [] => format!("declare one: `point {name}1 on {link} at (…, …);`"),
+                    _ => format!("its points are {}", points.join(", ")),
+                };
+                self.diagnostics.error_because(name.span(), message, reason);
+            }
+        }
+        None
+    }
+
+    fn links_through(&self, point: PointId) -> Vec<&Ident> {
+        let links = self.mechanism.links.iter().enumerate();
+        links
+            .filter(|&(i, _)| {
+                self.facts.belongs_to(point, Carrier::Link(super::mechanism::LinkId(i as u32)))
+            })
+            .map(|(_, link)| &link.name)
+            .collect()
+    }
+
+    /// The two points of a guide are not the same, nor at the same constant place.
+    fn guide_has_a_direction(
+        &mut self,
+        name: &Ident,
+        carrier: Option<Carrier>,
+        through: &Spot,
+        from: Option<&[Exact; 2]>,
+        course: &Course,
+    ) -> Option<()> {
+        let Course::Towards(to) = course else {
+            return Some(());
+        };
+        let same = matches!(through, Spot::Point(point) if point == to);
+        let place = carrier.and_then(|carrier| self.facts.place(*to, carrier));
+        let coincide = from
+            .zip(place)
+            .is_some_and(|(from, to)| from.iter().zip(to).all(|(from, to)| from.sub(to).is_zero()));
+        if !same && !coincide {
+            return Some(());
+        }
+        let message = format!("`{name}` has no direction; choose two points that differ");
+        let to = &self.mechanism.points[to.index()].name;
+        let reason = match through {
+            Spot::Point(from) => {
+                format!("`{}` and `{to}` coincide", self.mechanism.points[from.index()].name)
+            }
+            Spot::At(_) => format!("it already goes through `{to}`"),
+        };
+        self.diagnostics.error_because(name.span(), message, reason);
+        None
+    }
+}

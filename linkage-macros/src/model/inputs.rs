@@ -1,0 +1,238 @@
+//! What the declaration takes from outside or names for itself: inputs, parameters and named
+//! expressions.
+
+use proc_macro2::Ident;
+use syn::Attribute;
+
+use crate::diagnostics::nearest;
+use crate::syntax::tree::{
+    Course, Declaration, Expr, ExprKind, FieldValue, Place, Spot, Statement, StatementKind,
+};
+
+use super::Resolver;
+use super::dimension::Measure;
+use super::facts::{LetFacts, ParamFacts};
+use super::mechanism::{Dimension, Input, InputId, LetId, Param, ParamId, ParamKind};
+use super::modes::mode_word;
+use super::names::Entity;
+use super::numbers::bare_name;
+
+const KINDS: [&str; 2] = ["angle", "length"];
+
+impl Resolver<'_> {
+    pub(super) fn input(&mut self, docs: &[Attribute], names: &[Ident], kind: &Ident) {
+        let dimension = self.quantity_kind(kind, "input kind", &KINDS);
+        for name in names {
+            let is_new = self.name_is_new(name).is_some();
+            let (true, Some(dimension)) = (is_new, dimension) else {
+                continue;
+            };
+            let id = InputId(self.mechanism.inputs.len() as u32);
+            self.mechanism.inputs.push(Input {
+                name: name.clone(),
+                docs: docs.to_vec(),
+                dimension,
+            });
+            self.names.bind(name, Entity::Input(id));
+        }
+    }
+
+    /// The word after the colon is one that exists.
+    fn quantity_kind(
+        &mut self,
+        kind: &Ident,
+        what: &str,
+        known: &[&'static str],
+    ) -> Option<Dimension> {
+        let text = kind.to_string();
+        match text.as_str() {
+            "angle" => return Some(Dimension::ANGLE),
+            "length" => return Some(Dimension::LENGTH),
+            "number" if known.contains(&"number") => return Some(Dimension::NUMBER),
+            _ => {}
+        }
+        let mut message = format!("no {what} named `{text}`");
+        if let Some(near) = nearest(&text, known.iter().copied()) {
+            message += &format!("; one with a similar name exists: `{near}`");
+        }
+        let known: Vec<_> = known.iter().map(|kind| format!("`{kind}`")).collect();
+        let reason = format!("it is {}", super::names::listed(&known, "or"));
+        self.diagnostics.error_because(kind.span(), message, reason);
+        None
+    }
+
+    pub(super) fn param(
+        &mut self,
+        docs: &[Attribute],
+        name: &Ident,
+        kind: Option<&Ident>,
+        default: &Expr,
+    ) {
+        let is_new = self.name_is_new(name).is_some();
+        let resolved = match kind {
+            Some(kind) if kind == "mode" => {
+                self.param_is_a_mode(default).map(|kind| (kind, Measure::NUMBER))
+            }
+            _ => self.param_is_a_constant(name, kind, default),
+        };
+        let (true, Some((kind, measure))) = (is_new, resolved) else {
+            return;
+        };
+        let id = ParamId(self.mechanism.params.len() as u32);
+        self.mechanism.params.push(Param { name: name.clone(), docs: docs.to_vec(), kind });
+        self.facts.params.push(ParamFacts { measure, span: default.span, blamed: false });
+        self.names.bind(name, Entity::Param(id));
+    }
+
+    /// The default of a numeric parameter is a constant, of the kind that was announced.
+    fn param_is_a_constant(
+        &mut self,
+        name: &Ident,
+        kind: Option<&Ident>,
+        default: &Expr,
+    ) -> Option<(ParamKind, Measure)> {
+        if let Some(word) = bare_name(default).filter(|word| mode_word(word).is_some()) {
+            let message = format!("`{word}` is a mode; write `param {name}: mode = {word};`");
+            self.diagnostics.error(word.span(), message);
+            return None;
+        }
+        let wanted = match kind {
+            Some(kind) => {
+                let kinds = ["angle", "length", "number", "mode"];
+                Some(self.quantity_kind(kind, "parameter kind", &kinds))
+            }
+            None => None,
+        };
+        let quantity = self.quantity(default)?;
+        let value = match quantity.rest.constant() {
+            Some(value) if quantity.links.is_empty() => value.clone(),
+            _ => {
+                let message = format!("the default of `{name}` is not a constant");
+                let reason = "`let` names an expression of inputs and parameters";
+                self.diagnostics.error_because(default.span, message, reason);
+                return None;
+            }
+        };
+        let measure = match wanted {
+            None => quantity.measure,
+            Some(wanted) => {
+                self.dimension_fits(default, &quantity, wanted?)?;
+                Measure::Known(wanted?)
+            }
+        };
+        Some((ParamKind::Number { dimension: measure.dimension(), default: value }, measure))
+    }
+
+    pub(super) fn named_expression(&mut self, name: &Ident, value: &Expr) {
+        let is_new = self.name_is_new(name).is_some();
+        let (true, Some(quantity)) = (is_new, self.quantity(value)) else {
+            return;
+        };
+        let id = LetId(self.mechanism.lets.len() as u32);
+        self.facts.lets.push(LetFacts { measure: quantity.measure, moves: self.moves });
+        self.mechanism.lets.push(quantity.turn());
+        self.names.bind(name, Entity::Let(id));
+    }
+
+    /// A mechanism has at least one input.
+    pub(super) fn an_input_is_declared(&mut self, tree: &Declaration) {
+        let is_input = |s: &Statement| matches!(s.kind, StatementKind::Input { .. });
+        if !tree.statements.iter().any(is_input) {
+            let name = &tree.name;
+            let message = format!("`{name}` has no input; declare what drives it");
+            let reason = "an angle, `input theta: angle;`, or a length, `input s: length;`";
+            self.diagnostics.error_because(name.span(), message, reason);
+        }
+    }
+
+    /// Every input is used by something other than a `let` that nothing uses. Nothing is said
+    /// where another mistake may have hidden the use.
+    pub(super) fn every_input_is_used(&mut self, tree: &Declaration) {
+        if self.use_is_hidden {
+            return;
+        }
+        let mut used = Vec::new();
+        for statement in &tree.statements {
+            if !matches!(statement.kind, StatementKind::Let { .. }) {
+                expressions(statement, &mut |expr| names_in(expr, &mut used));
+            }
+        }
+        // A name that is used makes the names in its own `let` used: the list grows as it is read.
+        let mut next = 0;
+        while let Some(name) = used.get(next).cloned() {
+            next += 1;
+            for statement in &tree.statements {
+                match &statement.kind {
+                    StatementKind::Let { name: own, value } if *own == name => {
+                        names_in(value, &mut used);
+                    }
+                    _ => {}
+                }
+            }
+        }
+        for input in &self.mechanism.inputs {
+            let name = &input.name;
+            if used.iter().any(|used| name == used) {
+                continue;
+            }
+            let message = format!("nothing uses the input `{name}`; use it or remove it");
+            let reason = match input.dimension {
+                Dimension::ANGLE => format!("a driver takes it: `crank AB(A) {{ angle: {name} }}`"),
+                _ => format!("a driver takes it: `slider ram(rail) {{ slide: {name} }}`"),
+            };
+            self.diagnostics.error_because(name.span(), message, reason);
+        }
+    }
+}
+
+/// Calls `f` with every expression of the statement.
+fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
+    match &statement.kind {
+        StatementKind::Param { default: value, .. } | StatementKind::Let { value, .. } => f(value),
+        StatementKind::Ground { points } => {
+            points.iter().flat_map(|(_, place)| place).for_each(f);
+        }
+        StatementKind::Guide { through, course, .. } => {
+            if let Spot::At(place) = through {
+                place.iter().for_each(&mut *f);
+            }
+            if let Course::Along(angle) = course {
+                f(angle);
+            }
+        }
+        StatementKind::Point { place, .. } => match place {
+            Place::Cartesian(values) | Place::Polar(values) | Place::Distances(values, _) => {
+                values.iter().for_each(f);
+            }
+        },
+        StatementKind::Group(group) => {
+            for field in &group.fields {
+                match &field.value {
+                    FieldValue::One(value) => f(value),
+                    FieldValue::Pair(values) => values.iter().for_each(&mut *f),
+                }
+            }
+        }
+        StatementKind::Output { items } => items.iter().for_each(|item| f(&item.value)),
+        StatementKind::Input { .. }
+        | StatementKind::Numerics { .. }
+        | StatementKind::Crate { .. }
+        | StatementKind::Export { .. } => {}
+    }
+}
+
+/// Adds the names in the expression that are not yet in the list.
+fn names_in(expr: &Expr, names: &mut Vec<String>) {
+    match &expr.kind {
+        ExprKind::Name(name) => {
+            let name = name.to_string();
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        ExprKind::Negate(inner) => names_in(inner, names),
+        ExprKind::Binary(_, operands) => operands.iter().for_each(|e| names_in(e, names)),
+        ExprKind::Call(_, arguments) => arguments.iter().for_each(|e| names_in(e, names)),
+        ExprKind::Number { .. } | ExprKind::Member(..) | ExprKind::Mistake => {}
+    }
+}

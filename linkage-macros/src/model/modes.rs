@@ -1,0 +1,184 @@
+//! Assembly modes: which a group has, what they mean, and the parameters that hold one.
+
+use proc_macro2::Ident;
+
+use crate::diagnostics::nearest;
+use crate::syntax::tree::{Expr, Group};
+
+use super::Resolver;
+use super::anatomy::{Anatomy, Class, Modes};
+use super::fields::Fields;
+use super::mechanism::{Mode, ParamKind, Sign};
+use super::names::{Entity, Kind};
+use super::numbers::bare_name;
+
+impl Anatomy {
+    /// Only an rpr, where one mode is almost always meant, has a default.
+    pub(super) fn mode_is_needed(&self) -> bool {
+        self.modes.is_some() && self.class != Class::Rpr
+    }
+}
+
+impl Modes {
+    fn sign(self, word: &str) -> Option<Sign> {
+        let [plus, minus] = self.words();
+        match word {
+            _ if word == plus => Some(Sign::Plus),
+            _ if word == minus => Some(Sign::Minus),
+            _ => None,
+        }
+    }
+
+    fn other(self) -> Self {
+        match self {
+            Self::Side => Self::Sense,
+            Self::Sense => Self::Side,
+        }
+    }
+}
+
+/// The kind of mode parameter that the word is a value of, and its sign.
+pub(super) fn mode_word(word: &Ident) -> Option<ParamKind> {
+    let word = word.to_string();
+    if let Some(default) = Modes::Side.sign(&word) {
+        return Some(ParamKind::Side { default });
+    }
+    Modes::Sense.sign(&word).map(|default| ParamKind::Sense { default })
+}
+
+/// The side that the word names.
+pub(super) fn side_word(word: &Ident) -> Option<Sign> {
+    Modes::Side.sign(&word.to_string())
+}
+
+impl Resolver<'_> {
+    /// The mode of a group that has modes.
+    pub(super) fn mode(
+        &mut self,
+        group: &Group,
+        anatomy: &Anatomy,
+        fields: &Fields,
+    ) -> Option<Mode> {
+        let modes = anatomy.modes?;
+        let Some(value) = fields.one("mode") else {
+            return (!anatomy.mode_is_needed()).then_some(Mode::Fixed(Sign::Plus));
+        };
+        let Some(word) = bare_name(value) else {
+            let message = "a mode is one word";
+            let reason = self.modes_explained(modes, group);
+            self.diagnostics.error_because(value.span, message, reason);
+            return None;
+        };
+        if let Some(sign) = modes.sign(&word.to_string()) {
+            return Some(Mode::Fixed(sign));
+        }
+        if modes.other().sign(&word.to_string()).is_some() {
+            self.mode_belongs_to_group(word, modes, group);
+            return None;
+        }
+        self.mode_param(word, modes, group)
+    }
+
+    /// A mode given by name is a mode parameter of the group's own kind.
+    fn mode_param(&mut self, word: &Ident, modes: Modes, group: &Group) -> Option<Mode> {
+        if self.names.kind(word) != Some(Kind::Param) {
+            self.mode_exists(word, modes, group);
+            return None;
+        }
+        let Entity::Param(id) = self.usable(word, &[Kind::Param])? else {
+            return None;
+        };
+        match (&self.mechanism.params[id.index()].kind, modes) {
+            (ParamKind::Side { .. }, Modes::Side) | (ParamKind::Sense { .. }, Modes::Sense) => {
+                Some(Mode::Param(id))
+            }
+            (ParamKind::Number { .. }, _) => {
+                let message = format!("`{word}` is a number, not a mode");
+                let [plus, _] = modes.words();
+                let reason = format!("write `param {word}: mode = {plus};`");
+                self.diagnostics.error_because(word.span(), message, reason);
+                None
+            }
+            _ => {
+                self.mode_belongs_to_group(word, modes, group);
+                None
+            }
+        }
+    }
+
+    /// Reports a mode of the other kind.
+    fn mode_belongs_to_group(&mut self, word: &Ident, modes: Modes, group: &Group) {
+        let [plus, minus] = modes.words();
+        let message =
+            format!("`{word}` is no mode of `{}`; write `{plus}` or `{minus}`", group.keyword);
+        let reason = self.modes_explained(modes, group);
+        self.diagnostics.error_because(word.span(), message, reason);
+    }
+
+    /// Reports a word that is no mode at all.
+    fn mode_exists(&mut self, word: &Ident, modes: Modes, group: &Group) {
+        let text = word.to_string();
+        let known = modes.words().into_iter().chain(self.names.of_kinds(&[Kind::Param]));
+        let message = match nearest(&text, known) {
+            Some(near) => {
+                format!("no mode named `{text}`; a mode with a similar name exists: `{near}`")
+            }
+            None => {
+                let [plus, minus] = modes.words();
+                format!("no mode named `{text}`; write `{plus}` or `{minus}`")
+            }
+        };
+        let reason = self.modes_explained(modes, group);
+        self.diagnostics.error_because(word.span(), message, reason);
+    }
+
+    /// Both modes in the names of the group at hand.
+    pub(super) fn modes_explained(&self, modes: Modes, group: &Group) -> String {
+        let joint = |i: usize| {
+            group.legs.get(i).map_or("the outer joint".into(), |leg| format!("`{}`", leg.joint))
+        };
+        let pin = group.pin.as_ref().map_or("the pin".into(), |pin| format!("`{pin}`"));
+        match modes {
+            Modes::Side => format!(
+                "`left` or `right`: the side of {pin} seen from {} looking to {}",
+                joint(0),
+                joint(1)
+            ),
+            Modes::Sense if group.keyword == "rpr" => format!(
+                "`ahead` or `behind`: whether {} lies on the positive or the negative side of \
+                 the bar, seen from {}",
+                joint(0),
+                joint(1)
+            ),
+            Modes::Sense => format!(
+                "`ahead` or `behind`: where {pin} lies against the foot of {} on {}, along its \
+                 direction",
+                joint(0),
+                joint(1)
+            ),
+        }
+    }
+
+    /// The side in `at distances (r1, r2) left`.
+    pub(super) fn side_is_left_or_right(&mut self, word: &Ident, point: &Ident) -> Option<Sign> {
+        let side = side_word(word);
+        if side.is_none() {
+            let message = format!("no side named `{word}`; write `left` or `right`");
+            let reason =
+                format!("the side of `{point}` seen from the link's first joint to its pin");
+            self.diagnostics.error_because(word.span(), message, reason);
+        }
+        side
+    }
+
+    /// The value of a mode parameter is one of the four words.
+    pub(super) fn param_is_a_mode(&mut self, default: &Expr) -> Option<ParamKind> {
+        let kind = bare_name(default).and_then(mode_word);
+        if kind.is_none() {
+            let message = "a mode is `left`, `right`, `ahead` or `behind`";
+            let reason = "`left` or `right` for an `rrr`, `ahead` or `behind` for `rrp` and `rpr`";
+            self.diagnostics.error_because(default.span, message, reason);
+        }
+        kind
+    }
+}

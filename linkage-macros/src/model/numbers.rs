@@ -1,0 +1,248 @@
+//! What an expression must be to stand where it stands: a length, an angle, a fixed number.
+
+use proc_macro2::{Ident, Span};
+
+use crate::exact::Exact;
+use crate::syntax::tree::{self, ExprKind};
+
+use super::Resolver;
+use super::dimension::Measure;
+use super::expressions::{ANGLE_REASON, Quantity};
+use super::folding::shown;
+use super::mechanism::{Dimension, Expr, Function, ParamKind, Turn};
+use super::names::Entity;
+
+impl Resolver<'_> {
+    /// A length of either sign.
+    pub(super) fn length(&mut self, expr: &tree::Expr) -> Option<Expr> {
+        self.scalar(expr, Dimension::LENGTH)
+    }
+
+    /// Two lengths of either sign.
+    pub(super) fn lengths(&mut self, [first, second]: &[tree::Expr; 2]) -> Option<[Expr; 2]> {
+        let (first, second) = (self.length(first), self.length(second));
+        Some([first?, second?])
+    }
+
+    /// An angle without link angles.
+    pub(super) fn plain_angle(&mut self, expr: &tree::Expr) -> Option<Expr> {
+        self.scalar(expr, Dimension::ANGLE)
+    }
+
+    /// An angle, link angles included.
+    pub(super) fn turn(&mut self, expr: &tree::Expr) -> Option<Turn> {
+        let quantity = self.quantity(expr)?;
+        self.dimension_fits(expr, &quantity, Dimension::ANGLE)?;
+        Some(quantity.turn())
+    }
+
+    fn scalar(&mut self, expr: &tree::Expr, wanted: Dimension) -> Option<Expr> {
+        let quantity = self.quantity(expr)?;
+        self.dimension_fits(expr, &quantity, wanted)?;
+        self.no_link_angle(expr, &quantity)?;
+        Some(quantity.rest)
+    }
+
+    /// A quantity has the dimension that belongs where it stands.
+    pub(super) fn dimension_fits(
+        &mut self,
+        expr: &tree::Expr,
+        quantity: &Quantity,
+        wanted: Dimension,
+    ) -> Option<()> {
+        if quantity.measure.fits(wanted) {
+            return match wanted {
+                Dimension::ANGLE => self.bare_angle_is_within_a_turn(expr, quantity),
+                _ => Some(()),
+            };
+        }
+        let found = quantity.measure.dimension();
+        let message = format!("{} where {} belongs", found.words(), wanted.words());
+        let reason = match (found, wanted) {
+            (Dimension::ANGLE, Dimension::LENGTH) => {
+                "an angle times a length is a length, as in `theta * 20mm`"
+            }
+            (Dimension::NUMBER, Dimension::LENGTH) => {
+                "a number times a length is a length, as in `cos(theta) * 20mm`"
+            }
+            (Dimension::LENGTH, _) if wanted.is_plain() => {
+                "a length divided by a length is a number, and so an angle: `s / 20mm`"
+            }
+            _ => "multiply or divide by what is missing",
+        };
+        self.diagnostics.error_because(expr.span, message, reason);
+        None
+    }
+
+    /// A number without a unit that is used as an angle is at most a full turn: more is a
+    /// forgotten `deg`.
+    pub(super) fn bare_angle_is_within_a_turn(
+        &mut self,
+        expr: &tree::Expr,
+        quantity: &Quantity,
+    ) -> Option<()> {
+        if quantity.measure != Measure::Bare {
+            return Some(());
+        }
+        let (value, span) = match &quantity.rest {
+            Expr::Constant(value) => (value.clone(), expr.span),
+            Expr::Param(id) => {
+                let facts = &mut self.facts.params[id.index()];
+                let ParamKind::Number { default, .. } = &self.mechanism.params[id.index()].kind
+                else {
+                    return Some(());
+                };
+                if facts.blamed {
+                    return None;
+                }
+                facts.blamed = !within_a_turn(default);
+                (default.clone(), facts.span)
+            }
+            _ => return Some(()),
+        };
+        if within_a_turn(&value) {
+            return Some(());
+        }
+        let value = shown(&value);
+        let message = format!("an angle of {value} without a unit; write `{value}deg`");
+        let reason = format!("a bare number is SI; if radians are meant, write `{value}rad`");
+        self.diagnostics.error_because(span, message, reason);
+        None
+    }
+
+    /// A link's angle stands in sums of angles alone, never where one definite number is needed.
+    pub(super) fn no_link_angle(&mut self, expr: &tree::Expr, quantity: &Quantity) -> Option<()> {
+        let Some(&(link, _)) = quantity.links.first() else {
+            return Some(());
+        };
+        let message =
+            format!("`{}.angle` cannot stand here", self.mechanism.links[link.index()].name);
+        let span = self.first(expr, &|resolver, part| resolver.is_link_angle(part));
+        self.diagnostics.error_because(span.unwrap_or(expr.span), message, ANGLE_REASON);
+        None
+    }
+
+    fn is_link_angle(&self, expr: &tree::Expr) -> bool {
+        match &expr.kind {
+            ExprKind::Member(_, member) => member == "angle",
+            ExprKind::Name(name) => match self.names.entity(name) {
+                Some(Entity::Let(id)) => !self.mechanism.lets[id.index()].links.is_empty(),
+                _ => false,
+            },
+            _ => false,
+        }
+    }
+
+    /// What is fixed in the ground depends on no input. The reason says what to write instead.
+    pub(super) fn depends_on_no_input(&mut self, expr: &tree::Expr, reason: &str) -> Option<()> {
+        let span = self.first(expr, &|resolver, part| match &part.kind {
+            ExprKind::Member(..) => true,
+            ExprKind::Name(name) => {
+                resolver.names.entity(name).is_some_and(|entity| resolver.facts.moves(entity))
+            }
+            _ => false,
+        });
+        let Some(span) = span else {
+            return Some(());
+        };
+        self.diagnostics.error_because(span, "a fixed point cannot depend on an input", reason);
+        None
+    }
+
+    /// The span of the first part of the expression that answers yes.
+    pub(super) fn first(
+        &self,
+        expr: &tree::Expr,
+        asks: &dyn Fn(&Self, &tree::Expr) -> bool,
+    ) -> Option<Span> {
+        if asks(self, expr) {
+            return Some(expr.span);
+        }
+        match &expr.kind {
+            ExprKind::Negate(inner) => self.first(inner, asks),
+            ExprKind::Binary(_, operands) => operands.iter().find_map(|e| self.first(e, asks)),
+            ExprKind::Call(_, arguments) => arguments.iter().find_map(|e| self.first(e, asks)),
+            _ => None,
+        }
+    }
+
+    /// The arguments of a function have the dimensions it is defined for.
+    pub(super) fn measure_of_call(
+        &mut self,
+        function: Function,
+        arguments: &[tree::Expr],
+        values: &[Quantity],
+    ) -> Option<Measure> {
+        match function {
+            Function::Sqrt => {
+                let root = values[0].measure.root();
+                if root.is_none() {
+                    let message = format!(
+                        "the square root of {} has no dimension",
+                        values[0].measure.dimension().words()
+                    );
+                    let reason = "the powers of its units must be even";
+                    self.diagnostics.error_because(arguments[0].span, message, reason);
+                }
+                root
+            }
+            Function::Sin | Function::Cos | Function::Tan => {
+                self.dimension_fits(&arguments[0], &values[0], Dimension::ANGLE)?;
+                Some(Measure::NUMBER)
+            }
+            Function::Asin | Function::Acos | Function::Atan => {
+                self.dimension_fits(&arguments[0], &values[0], Dimension::NUMBER)?;
+                Some(Measure::ANGLE)
+            }
+            Function::Hypot | Function::Atan2 => {
+                let sum = values[0].measure.sum(values[1].measure);
+                if sum.is_none() {
+                    self.dimension_fits(&arguments[1], &values[1], values[0].measure.dimension())?;
+                }
+                sum.map(|sum| if function == Function::Hypot { sum } else { Measure::ANGLE })
+            }
+        }
+    }
+
+    /// A length that is constant is greater than zero, and so is the default of a parameter that
+    /// is a length by itself.
+    pub(super) fn length_is_positive(
+        &mut self,
+        expr: &tree::Expr,
+        value: &Expr,
+        what: &str,
+    ) -> Option<()> {
+        let (constant, span) = match value {
+            Expr::Constant(constant) => (constant, expr.span),
+            Expr::Param(id) => match &self.mechanism.params[id.index()].kind {
+                ParamKind::Number { default, .. } => (default, self.facts.params[id.index()].span),
+                _ => return Some(()),
+            },
+            _ => return Some(()),
+        };
+        if constant.signum().is_gt() {
+            return Some(());
+        }
+        if let Expr::Param(id) = value {
+            if std::mem::replace(&mut self.facts.params[id.index()].blamed, true) {
+                return None;
+            }
+        }
+        let message = format!("{what} is {} m; make it greater than zero", shown(constant));
+        self.diagnostics.error(span, message);
+        None
+    }
+}
+
+fn within_a_turn(value: &Exact) -> bool {
+    let turn = Exact::pi().mul(&Exact::integer(2));
+    value.cmp_value(&turn).is_le() && value.cmp_value(&turn.neg()).is_ge()
+}
+
+/// The name of an expression that is a bare name.
+pub(super) fn bare_name(expr: &tree::Expr) -> Option<&Ident> {
+    match &expr.kind {
+        ExprKind::Name(name) => Some(name),
+        _ => None,
+    }
+}

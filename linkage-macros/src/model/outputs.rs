@@ -1,0 +1,257 @@
+//! What is computed: the fields of the result.
+
+use proc_macro2::{Ident, Span};
+use quote::format_ident;
+use syn::Attribute;
+
+use crate::diagnostics::nearest;
+use crate::syntax::tree::{Declaration, Expr, ExprKind, OutputItem, StatementKind};
+
+use super::Resolver;
+use super::mechanism::{LinkId, Output, OutputKind};
+use super::names::{Entity, Kind};
+
+const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
+
+impl Resolver<'_> {
+    /// The outputs that are asked for; every moving point and every link where none is.
+    pub(super) fn outputs(&mut self, tree: &Declaration) {
+        let mut is_asked = false;
+        for statement in &tree.statements {
+            if let StatementKind::Output { items } = &statement.kind {
+                is_asked = true;
+                for item in items {
+                    self.output(&statement.docs, item);
+                }
+            }
+        }
+        if !is_asked {
+            self.every_moving_thing_is_given();
+        }
+    }
+
+    fn every_moving_thing_is_given(&mut self) {
+        for entity in self.facts.order.clone() {
+            let output = match entity {
+                Entity::Point(id) if self.facts.points[id.index()] => {
+                    let point = &self.mechanism.points[id.index()];
+                    let kind = OutputKind::Point(id);
+                    Output { field: point.name.clone(), docs: point.docs.clone(), kind }
+                }
+                Entity::Link(id) => {
+                    let link = &self.mechanism.links[id.index()];
+                    let kind = OutputKind::Link { link: id, direction: true, slide: link.slides };
+                    Output { field: link.name.clone(), docs: link.docs.clone(), kind }
+                }
+                _ => continue,
+            };
+            self.mechanism.outputs.push(output);
+        }
+    }
+
+    fn output(&mut self, docs: &[Attribute], item: &OutputItem) {
+        match (&item.name, &item.value.kind) {
+            (Some(name), _) => self.named_output(docs, name, &item.value),
+            (None, ExprKind::Name(name)) => self.whole_output(docs, name),
+            (None, ExprKind::Member(owner, member)) => self.member_output(docs, owner, member),
+            (None, ExprKind::Mistake) => {}
+            (None, _) => {
+                self.quantity(&item.value);
+                let message = "an expression needs a name; write `output name = …`";
+                let reason = "the name is the field of the result";
+                self.diagnostics.error_because(item.value.span, message, reason);
+            }
+        }
+    }
+
+    /// `fold = BC.angle - DC.angle`
+    fn named_output(&mut self, docs: &[Attribute], name: &Ident, value: &Expr) {
+        let is_new = self.output_name_is_new(name);
+        let Some(quantity) = self.quantity(value) else {
+            return;
+        };
+        let kind = if quantity.links.is_empty() {
+            let dimension = quantity.measure.dimension();
+            OutputKind::Value { value: quantity.rest, dimension }
+        } else {
+            OutputKind::Turn(quantity.turn())
+        };
+        if is_new.is_some() {
+            self.give(name.span(), name.clone(), docs, kind);
+        }
+    }
+
+    /// The name of an expression is not the name of anything else.
+    fn output_name_is_new(&mut self, name: &Ident) -> Option<()> {
+        let Some(kind) = self.names.kind(name) else {
+            return Some(());
+        };
+        let message = format!("the name `{name}` is taken; choose another");
+        let reason = format!("`{name}` is {}", kind.one());
+        self.diagnostics.error_because(name.span(), message, reason);
+        None
+    }
+
+    /// `blade`: a point, a link, or a `let`.
+    fn whole_output(&mut self, docs: &[Attribute], name: &Ident) {
+        if self.output_is_a_result(name).is_none() {
+            return;
+        }
+        match self.usable(name, &[Kind::Point, Kind::Link, Kind::Let]) {
+            Some(Entity::Point(id)) => {
+                let point = &self.mechanism.points[id.index()];
+                let (field, own) = (point.name.clone(), point.docs.clone());
+                self.give(name.span(), field, &[docs, &own].concat(), OutputKind::Point(id));
+            }
+            Some(Entity::Link(link)) => {
+                let slide = self.mechanism.links[link.index()].slides;
+                self.give_link(docs, name, link, OutputKind::Link { link, direction: true, slide });
+            }
+            Some(Entity::Let(id)) => {
+                let turn = self.mechanism.lets[id.index()].clone();
+                let dimension = self.facts.lets[id.index()].measure.dimension();
+                let kind = if turn.links.is_empty() {
+                    OutputKind::Value { value: turn.rest, dimension }
+                } else {
+                    OutputKind::Turn(turn)
+                };
+                self.give(name.span(), name.clone(), docs, kind);
+            }
+            _ => {}
+        }
+    }
+
+    /// What is given from outside or stands in the ground is no result.
+    fn output_is_a_result(&mut self, name: &Ident) -> Option<()> {
+        let kind = self.names.kind(name);
+        let reason = match kind {
+            Some(Kind::Input | Kind::Param) => {
+                format!("an expression of it is given by a name: `output twice = 2 * {name}`")
+            }
+            Some(Kind::Guide) => "the link that carries it has a direction".to_string(),
+            _ => return Some(()),
+        };
+        let kind = kind.map_or(String::new(), Kind::one);
+        let message = format!("`{name}` is {kind}, and an output is a point or a link");
+        self.diagnostics.error_because(name.span(), message, reason);
+        None
+    }
+
+    /// `DC.angle`, `ram.slide`, `BC.margin`, `BC.transmission`
+    fn member_output(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
+        let part = member.to_string();
+        if self.names.kind(owner) == Some(Kind::Point) {
+            let message = format!("a point is given whole; write `output {owner}`");
+            let reason = format!("the field `{owner}` has `x` and `y`");
+            self.diagnostics.error_because(member.span(), message, reason);
+            return;
+        }
+        if !MEMBERS.contains(&part.as_str()) {
+            self.link(owner);
+            self.member_exists(owner, member);
+            return;
+        }
+        let Some(link) = self.link(owner) else {
+            return;
+        };
+        let kind = match part.as_str() {
+            "angle" => OutputKind::Link { link, direction: true, slide: false },
+            "slide" => match self.link_slides(owner, link, member) {
+                Some(()) => OutputKind::Link { link, direction: false, slide: true },
+                None => return,
+            },
+            _ => {
+                let made_by = self.mechanism.links[link.index()].made_by;
+                let Some(()) = self.group_has_a_limit(link, member) else {
+                    return;
+                };
+                let kind = match part.as_str() {
+                    "margin" => OutputKind::Margin(made_by),
+                    _ => OutputKind::Transmission(made_by),
+                };
+                let field = format_ident!("{owner}_{part}", span = owner.span());
+                return self.give(member.span(), field, docs, kind);
+            }
+        };
+        self.give_link(docs, member, link, kind);
+    }
+
+    /// Reports a part that links do not have.
+    fn member_exists(&mut self, owner: &Ident, member: &Ident) {
+        let part = member.to_string();
+        let (message, reason) = match part.as_str() {
+            "omega" | "alpha" => (
+                format!("rates need no output of their own; write `output {owner}.angle`"),
+                format!("`velocity` gives `{owner}.omega` and `motion` also `{owner}.alpha`"),
+            ),
+            "x" | "y" => (
+                format!("`{owner}` is a link and has no `{part}`; name a point"),
+                format!("a point of it is declared `point P on {owner} at (x, y);`"),
+            ),
+            _ => {
+                let near = nearest(&part, MEMBERS.into_iter());
+                let near = near.map(|near| format!("; one with a similar name exists: `{near}`"));
+                (
+                    format!("a link has no `{part}`{}", near.unwrap_or_default()),
+                    "it has `angle`, `slide` if it slides, `margin` and `transmission`".into(),
+                )
+            }
+        };
+        self.diagnostics.error_because(member.span(), message, reason);
+    }
+
+    /// Only a dyad has a transmission angle, and only one that can be out of reach a margin.
+    fn group_has_a_limit(&mut self, link: LinkId, member: &Ident) -> Option<()> {
+        let group = self.mechanism.links[link.index()].made_by;
+        let keyword = self.mechanism.groups[group.index()].keyword;
+        let has = match keyword {
+            "rrr" | "rrp" | "rpr" => true,
+            "prp" | "rpp" => member == "transmission",
+            _ => false,
+        };
+        if has {
+            return Some(());
+        }
+        let message = format!("a `{keyword}` has no `{member}`");
+        let reason = match keyword {
+            "prp" | "rpp" => "it is never out of reach; `transmission` tells how far from parallel",
+            _ => "a driver transmits what it is given; ask the dyads that follow",
+        };
+        self.diagnostics.error_because(member.span(), message, reason);
+        None
+    }
+
+    /// A link's angle and its slide, asked for one by one, make one field.
+    fn give_link(&mut self, docs: &[Attribute], at: &Ident, link: LinkId, kind: OutputKind) {
+        let OutputKind::Link { direction: new_direction, slide: new_slide, .. } = kind else {
+            return;
+        };
+        for output in &mut self.mechanism.outputs {
+            match &mut output.kind {
+                OutputKind::Link { link: known, direction, slide }
+                    if *known == link
+                        && !(*direction && new_direction)
+                        && !(*slide && new_slide) =>
+                {
+                    *direction |= new_direction;
+                    *slide |= new_slide;
+                    return;
+                }
+                _ => {}
+            }
+        }
+        let declared = &self.mechanism.links[link.index()];
+        let (field, own) = (declared.name.clone(), declared.docs.clone());
+        self.give(at.span(), field, &[docs, &own].concat(), kind);
+    }
+
+    /// A field of the result is given once.
+    fn give(&mut self, span: Span, field: Ident, docs: &[Attribute], kind: OutputKind) {
+        if self.mechanism.outputs.iter().any(|output| output.field == field) {
+            let message = format!("the output `{field}` is given twice; remove one");
+            self.diagnostics.error(span, message);
+            return;
+        }
+        self.mechanism.outputs.push(Output { field, docs: docs.to_vec(), kind });
+    }
+}

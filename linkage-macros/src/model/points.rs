@@ -1,0 +1,164 @@
+//! Points of the ground, points of a link, driven points.
+
+use proc_macro2::Ident;
+use syn::Attribute;
+
+use crate::exact::Exact;
+use crate::syntax::tree::{self, Expr as Written};
+
+use super::Resolver;
+use super::assembly::{constants, polar};
+use super::folding::shown;
+use super::mechanism::{Carrier, Expr, LinkId, Place, Sign, Step};
+
+impl Resolver<'_> {
+    pub(super) fn ground(&mut self, docs: &[Attribute], points: &[(Ident, [Written; 2])]) {
+        for (name, place) in points {
+            let point = self.add_point(docs, name, "ground".to_string());
+            let at = self.lengths(place);
+            let reason = format!("a point that is driven is declared `point {name} at (x, y);`");
+            let fixed: Vec<_> =
+                place.iter().map(|value| self.depends_on_no_input(value, &reason)).collect();
+            let Some(point) = point else {
+                continue;
+            };
+            self.facts.fix(point, Carrier::Ground, at.as_ref().and_then(constants));
+            if let (Some(at), true) = (at, fixed.iter().all(Option::is_some)) {
+                self.mechanism.steps.push(Step::Ground { point, at });
+            }
+        }
+    }
+
+    pub(super) fn placed_point(
+        &mut self,
+        docs: &[Attribute],
+        name: &Ident,
+        on: Option<&Ident>,
+        place: &tree::Place,
+    ) {
+        let carrier = self.carrier(on);
+        let place = self.place(name, carrier, place);
+        let Some(carrier) = carrier else {
+            self.name_is_new(name);
+            return;
+        };
+        let (made_by, group) = match carrier {
+            Carrier::Ground => ("driven point".to_string(), None),
+            Carrier::Link(link) => {
+                let link = &self.mechanism.links[link.index()];
+                (format!("point on {}", link.name), Some(link.made_by))
+            }
+        };
+        let Some(point) = self.add_point(docs, name, made_by) else {
+            return;
+        };
+        self.facts.points[point.index()] = self.moves;
+        if carrier != Carrier::Ground || !self.moves {
+            let at = place.as_ref().and_then(constant_place);
+            self.facts.fix(point, carrier, at);
+        }
+        if let Some(place) = place {
+            let group = group.unwrap_or_else(|| self.add_group(name.to_string(), "point"));
+            self.mechanism.steps.push(Step::Point { point, carrier, place, group });
+        }
+    }
+
+    fn place(
+        &mut self,
+        name: &Ident,
+        carrier: Option<Carrier>,
+        place: &tree::Place,
+    ) -> Option<Place> {
+        match place {
+            tree::Place::Cartesian(place) => self.lengths(place).map(Place::Cartesian),
+            tree::Place::Polar([radius, angle]) => {
+                let (radius, angle) = (self.length(radius), self.plain_angle(angle));
+                Some(Place::Polar(radius?, angle?))
+            }
+            tree::Place::Distances(distances, side) => {
+                let which = ["first", "second"];
+                let values = [0, 1].map(|i| {
+                    let value = self.length(&distances[i])?;
+                    let what = format!("the {} distance of `{name}`", which[i]);
+                    self.length_is_positive(&distances[i], &value, &what)?;
+                    Some(value)
+                });
+                let side = self.side_is_left_or_right(side, name);
+                let length = self.distances_have_a_bar(name, carrier?)?;
+                let [first, second] = values;
+                let distances = [first?, second?];
+                self.distances_meet(name, carrier?, &distances, &length)?;
+                Some(Place::Distances { distances, length, side: side? })
+            }
+        }
+    }
+
+    /// Distances are measured from the two joints of a bar. Gives the bar's length.
+    fn distances_have_a_bar(&mut self, name: &Ident, carrier: Carrier) -> Option<Expr> {
+        let Carrier::Link(link) = carrier else {
+            let message = "distances need a bar; write `point … on BC at distances …`";
+            let reason = "they are measured from the bar's outer joint and from its pin";
+            self.diagnostics.error_because(name.span(), message, reason);
+            return None;
+        };
+        let facts = &self.facts.links[link.index()];
+        if facts.is_bar {
+            return facts.length.clone();
+        }
+        let link = &self.mechanism.links[link.index()].name;
+        let message = format!("`{link}` is no bar with two joints; give coordinates instead");
+        let reason = format!("write `point {name} on {link} at (x, y);`");
+        self.diagnostics.error_because(name.span(), message, reason);
+        None
+    }
+
+    /// Constant distances from the joints of a bar of constant length meet.
+    fn distances_meet(
+        &mut self,
+        name: &Ident,
+        carrier: Carrier,
+        distances: &[Expr; 2],
+        length: &Expr,
+    ) -> Option<()> {
+        let (Some([a, b]), Some(l)) = (constants(distances), length.constant()) else {
+            return Some(());
+        };
+        let difference = if a.cmp_value(&b).is_lt() { b.sub(&a) } else { a.sub(&b) };
+        let (sum, link) = (a.add(&b), self.link_name(carrier));
+        let (long, a, b) = (shown(l), shown(&a), shown(&b));
+        let reason = if l.cmp_value(&sum).is_gt() {
+            format!("`{link}` is {long} m, distances {a} m + {b} m reach {} m", shown(&sum))
+        } else if l.cmp_value(&difference).is_lt() {
+            let difference = shown(&difference);
+            format!("`{link}` is {long} m, distances {a} m and {b} m stay {difference} m apart")
+        } else {
+            return Some(());
+        };
+        let message = format!("no point has the distances of `{name}`; change them");
+        self.diagnostics.error_because(name.span(), message, reason);
+        None
+    }
+
+    fn link_name(&self, carrier: Carrier) -> String {
+        match carrier {
+            Carrier::Ground => "ground".to_string(),
+            Carrier::Link(LinkId(id)) => self.mechanism.links[id as usize].name.to_string(),
+        }
+    }
+}
+
+/// The coordinates of a place of constants.
+fn constant_place(place: &Place) -> Option<[Exact; 2]> {
+    match place {
+        Place::Cartesian(place) => constants(place),
+        Place::Polar(radius, angle) => polar(radius, angle),
+        Place::Distances { distances, length, side } => {
+            let ([a, b], l) = (constants(distances)?, length.constant()?);
+            let square = |x: &Exact| x.mul(x);
+            // The two distances are the sides of a triangle on the bar.
+            let x = square(&a).sub(&square(&b)).add(&square(l)).div(&l.mul(&Exact::integer(2)))?;
+            let y = square(&a).sub(&square(&x)).sqrt()?;
+            Some([x, if *side == Sign::Plus { y } else { y.neg() }])
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! The units a literal may have, each an exact factor to SI.
+
+use crate::exact::Exact;
+
+use super::dimension::Measure;
+use super::mechanism::Dimension;
+
+/// Every unit, for messages.
+pub(super) const UNITS: [&str; 10] = ["m", "mm", "cm", "um", "in", "rad", "deg", "turn", "kg", "g"];
+
+/// The measure of the unit and its exact value in SI.
+pub(super) fn unit(name: &str) -> Option<(Measure, Exact)> {
+    let ratio = |above: i64, below: i64| {
+        Exact::integer(above).div(&Exact::integer(below)).expect("no unit divides by zero")
+    };
+    let (dimension, value) = match name {
+        "m" => (Dimension::LENGTH, Exact::integer(1)),
+        "cm" => (Dimension::LENGTH, ratio(1, 100)),
+        "mm" => (Dimension::LENGTH, ratio(1, 1000)),
+        "um" => (Dimension::LENGTH, ratio(1, 1_000_000)),
+        "in" => (Dimension::LENGTH, ratio(254, 10_000)),
+        "rad" => (Dimension::ANGLE, Exact::integer(1)),
+        "deg" => (Dimension::ANGLE, Exact::pi().mul(&ratio(1, 180))),
+        "turn" => (Dimension::ANGLE, Exact::pi().mul(&Exact::integer(2))),
+        "kg" => (Dimension::MASS, Exact::integer(1)),
+        "g" => (Dimension::MASS, ratio(1, 1000)),
+        _ => return None,
+    };
+    Some((Measure::Known(dimension), value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_exact() {
+        let value = |digits: &str, name: &str| {
+            let (_, factor) = unit(name).unwrap();
+            Exact::decimal(digits).unwrap().mul(&factor)
+        };
+        assert_eq!(value("1", "in"), value("25.4", "mm"));
+        assert_eq!(value("180", "deg"), Exact::pi());
+        assert_eq!(value("0.5", "turn"), Exact::pi());
+        assert_eq!(value("1500", "g"), value("1.5", "kg"));
+        assert_eq!(value("1e6", "um"), value("100", "cm"));
+    }
+
+    #[test]
+    fn every_listed_unit_exists() {
+        assert!(UNITS.iter().all(|name| unit(name).is_some()));
+    }
+}

@@ -1,0 +1,244 @@
+//! What each driver and group may cost, by variant: a lost common subexpression, a constant that
+//! leaves a trace, or a group that is computed though nobody asked fails here by name.
+//!
+//! A budget counts what an output costs beyond the declaration without it: additions,
+//! multiplications, divisions, roots, and sine-cosine pairs, a fused operation counting as an
+//! addition and a multiplication. Lowering a number is welcome; raising one needs a reason.
+
+use crate::ir::cost::{Operations, operations};
+use crate::ir::program::EntryKind;
+use crate::oracle::mechanism;
+use crate::{equations, passes};
+
+/// Additions, multiplications, divisions, roots, sine-cosine pairs.
+type Budget = [u32; 5];
+
+fn cost(source: &str, kind: EntryKind) -> Budget {
+    let program = passes::optimise(&equations::derive(&mechanism(source), passes::RULES));
+    let entry = program.entries.iter().find(|entry| entry.kind == kind).expect("the entry exists");
+    let Operations { additions, multiplications, divisions, roots, sines } =
+        operations(&program.graph, &entry.sinks);
+    [additions, multiplications, divisions, roots, sines]
+}
+
+/// A group after a crank: both joints on the ground but for B, or on what the prelude moves.
+macro_rules! after_crank {
+    ($($rest:literal)*) => {
+        concat!(
+            "struct M { input q: angle; param p = 0.7m; ground A(0, 0), D(0.9, 0.15), E(0.9, 0);",
+            "guide level through (0, 0.1) along 0deg; guide slope through (0.2, -0.1) along 20deg;",
+            "guide post through (0.7, 0) along 90deg;",
+            "crank AB(A) -> B { length: 0.3, angle: q }",
+            "crank EF(E) -> F { length: 0.2, angle: -q }",
+            "guide way on EF through (0.05, 0.1) along 65deg;",
+            $($rest,)* "}"
+        )
+    };
+}
+
+#[test]
+fn every_variant_keeps_its_budget() {
+    let mut broken = Vec::new();
+    for &(name, source, position, motion) in CASES {
+        let found = (cost(source, EntryKind::Position), cost(source, EntryKind::Motion));
+        if found != (position, motion) {
+            broken.push(format!("{name}: {found:?} instead of {:?}", (position, motion)));
+        }
+    }
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+#[test]
+fn what_is_not_asked_for_costs_nothing() {
+    let crank = cost(after_crank!("output B;"), EntryKind::Motion);
+    let with_groups = after_crank!(
+        "rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left }"
+        "rrp CE(C), block(level) -> G { length: 0.9, mode: ahead } output B;"
+    );
+    assert_eq!(cost(with_groups, EntryKind::Motion), crank);
+}
+
+#[test]
+fn constants_leave_no_trace() {
+    let plain = after_crank!("rrp BC(B), block(level) -> C { length: 0.9, mode: ahead } output C;");
+    let spelt = after_crank!(
+        "let none = 2mm - 0.002; let l = sqrt(0.81m * 1m) + none * 3;"
+        "guide same through (0m * 5, 100mm) along 360deg - 2 * 180deg;"
+        "rrp BC(B), block(same) -> C { length: l, offset: none, mode: ahead } output C;"
+    );
+    assert_eq!(cost(spelt, EntryKind::Motion), cost(plain, EntryKind::Motion));
+}
+
+/// Name, declaration, and the budgets of position and motion.
+const CASES: &[(&str, &str, Budget, Budget)] = &[
+    ("crank", after_crank!("output B;"), [0, 2, 0, 0, 1], [2, 10, 0, 0, 1]),
+    ("crank's direction", after_crank!("output AB;"), [0, 0, 0, 0, 1], [0, 0, 0, 0, 1]),
+    ("two cranks", after_crank!("output B, F;"), [1, 4, 0, 0, 2], [5, 19, 0, 0, 2]),
+    (
+        "crank on a moving pivot",
+        after_crank!("crank BG(B) -> G { length: 0.1, angle: 30deg, relative_to: AB } output G;"),
+        [4, 8, 0, 0, 1],
+        [12, 23, 0, 0, 1],
+    ),
+    (
+        "slider on a level guide",
+        "struct M { input s: length; guide g through (0, 0.1) along 0deg; slider r(g) -> P { slide: s } output P; }",
+        [0, 0, 0, 0, 0],
+        [0, 0, 0, 0, 0],
+    ),
+    (
+        "slider on a sloping guide",
+        "struct M { input s: length; guide g through (0, 0.1) along 20deg; slider r(g) -> P { slide: s } output P; }",
+        [1, 2, 0, 0, 0],
+        [1, 6, 0, 0, 0],
+    ),
+    (
+        "rrr, pin",
+        after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output C;"),
+        [10, 14, 1, 1, 1],
+        [25, 50, 2, 1, 1],
+    ),
+    (
+        "rrr, axis-parallel pivots",
+        after_crank!("rrr BC(B), EC(E) -> C { lengths: (0.8, 0.5), mode: left } output C;"),
+        [8, 15, 1, 1, 1],
+        [23, 50, 2, 1, 1],
+    ),
+    (
+        "rrr, equal bars",
+        after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.8), mode: left } output C;"),
+        [8, 10, 1, 1, 1],
+        [22, 45, 2, 1, 1],
+    ),
+    (
+        "rrr, first bar",
+        after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output BC;"),
+        [8, 16, 1, 1, 1],
+        [20, 45, 2, 1, 1],
+    ),
+    (
+        "rrr, both bars and pin",
+        after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output BC, DC, C;"),
+        [13, 21, 1, 1, 1],
+        [26, 57, 2, 1, 1],
+    ),
+    (
+        "rrr, coupler point",
+        after_crank!(
+            "rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } point P on BC at (0.3, 0.1); output P;"
+        ),
+        [12, 20, 1, 1, 1],
+        [30, 53, 2, 1, 1],
+    ),
+    (
+        "rrr, a length to tune",
+        after_crank!("rrr BC(B), DC(D) -> C { lengths: (p, 0.5), mode: left } output C;"),
+        [11, 17, 1, 1, 1],
+        [26, 54, 2, 1, 1],
+    ),
+    (
+        "rrr on moving points",
+        after_crank!("rrr BC(B), FC(F) -> C { lengths: (0.8, 0.7), mode: left } output C;"),
+        [12, 16, 1, 1, 2],
+        [34, 55, 2, 1, 2],
+    ),
+    (
+        "rrr with a cylinder",
+        after_crank!(
+            "rrr BC(B), DC(D) -> C { lengths: (0.8 + 0.1m * q, 0.5), mode: left } output C;"
+        ),
+        [12, 18, 1, 1, 1],
+        [33, 67, 3, 1, 1],
+    ),
+    (
+        "rrp on a level guide",
+        after_crank!("rrp BC(B), block(level) -> C { length: 0.9, mode: ahead } output C;"),
+        [4, 3, 0, 1, 1],
+        [10, 18, 1, 1, 1],
+    ),
+    (
+        "rrp on a level guide with offset",
+        after_crank!(
+            "rrp BC(B), block(level) -> C { length: 0.9, offset: 0.05, mode: ahead } output C;"
+        ),
+        [5, 3, 0, 1, 1],
+        [11, 18, 1, 1, 1],
+    ),
+    (
+        "rrp on an upright guide",
+        after_crank!("rrp BC(B), block(post) -> C { length: 0.9, mode: ahead } output C;"),
+        [4, 3, 0, 1, 1],
+        [10, 18, 1, 1, 1],
+    ),
+    (
+        "rrp on a sloping guide",
+        after_crank!("rrp BC(B), block(slope) -> C { length: 0.9, mode: ahead } output C;"),
+        [9, 9, 0, 1, 1],
+        [19, 36, 1, 1, 1],
+    ),
+    (
+        "rrp on a moving guide",
+        after_crank!("rrp BC(B), block(way) -> C { length: 1.9, mode: ahead } output C;"),
+        [14, 17, 0, 1, 2],
+        [44, 63, 1, 1, 2],
+    ),
+    (
+        "rrp, slide",
+        after_crank!(
+            "rrp BC(B), block(slope) -> C { length: 0.9, mode: ahead } output block.slide;"
+        ),
+        [7, 7, 0, 1, 1],
+        [19, 34, 1, 1, 1],
+    ),
+    ("rpr", after_crank!("rpr block(B), bar(D) {} output bar;"), [3, 6, 1, 1, 1], [9, 24, 1, 1, 1]),
+    (
+        "rpr with slide",
+        after_crank!("rpr block(B), bar(D) {} output block;"),
+        [3, 6, 1, 1, 1],
+        [11, 28, 1, 1, 1],
+    ),
+    (
+        "rpr with offset",
+        after_crank!("rpr block(B), bar(D) { offset: 0.1 } output block;"),
+        [17, 12, 1, 1, 1],
+        [28, 37, 2, 1, 1],
+    ),
+    (
+        "rpr about a moving pivot",
+        after_crank!("rpr block(B), bar(F) {} output block;"),
+        [4, 8, 1, 1, 2],
+        [18, 37, 1, 1, 2],
+    ),
+    (
+        "prp on axis-parallel guides",
+        after_crank!(
+            "guide high through (0, 0.3) along 0deg; prp a(high), b(post) -> C {} point T at (cos(q) * 1m, 0); output C, T;"
+        ),
+        [0, 0, 0, 0, 1],
+        [1, 4, 0, 0, 1],
+    ),
+    (
+        "prp on moving and fixed guide",
+        after_crank!("prp a(way), b(slope) -> C {} output C;"),
+        [10, 13, 1, 0, 2],
+        [24, 49, 1, 0, 2],
+    ),
+    (
+        "rpp, upright slot on a level rail",
+        after_crank!("rpp block(B), yoke(level) { slot: 90deg } output block.slide, yoke.slide;"),
+        [1, 2, 0, 0, 1],
+        [3, 10, 0, 0, 1],
+    ),
+    (
+        "rpp, sloping slot",
+        after_crank!("rpp block(B), yoke(level) { slot: 60deg } output block.slide, yoke.slide;"),
+        [2, 4, 0, 0, 1],
+        [6, 16, 0, 0, 1],
+    ),
+    (
+        "rpp on a moving rail",
+        after_crank!("rpp block(B), yoke(way) { slot: 60deg } output block.slide, yoke.slide;"),
+        [10, 16, 0, 0, 2],
+        [42, 71, 0, 0, 2],
+    ),
+];

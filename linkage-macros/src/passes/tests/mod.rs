@@ -1,0 +1,5 @@
+//! Every pass: what it rewrites, what it leaves alone, and that it changes no meaning.
+
+mod budgets;
+mod meaning;
+mod rules;

@@ -1,0 +1,152 @@
+//! Expressions and headers that do not parse.
+
+use super::{check, check_statements};
+
+#[test]
+fn numbers() {
+    const ROWS: &[(&str, &str)] = &[
+        ("let x = 5 mm;", "mm: drop the space: `5mm` / a unit stands directly behind its number"),
+        ("let x = 5.mm;", ".: write `5mm` / a point behind a number must be followed by a digit"),
+        ("let x = 1.x;", ".: write a digit behind the decimal point"),
+        (
+            "let x = 2.sqrt();",
+            ".: write `sqrt(2)` / a point behind a number must be followed by a digit",
+        ),
+        (
+            "let x = 0x10;",
+            "0x10: write `0x10` in decimal / a number is decimal, with its unit directly behind \
+             it: `632mm`, `1e-3m`",
+        ),
+        (
+            "let x = \"5\";",
+            "\"5\": expected a number or a name, found a string / a number is decimal, with its \
+             unit directly behind it: `632mm`, `1e-3m`",
+        ),
+        (
+            "let x = 'a';",
+            "'a': expected a number or a name, found a character / a number is decimal, with its \
+             unit directly behind it: `632mm`, `1e-3m`",
+        ),
+        (
+            "let x = 1e999;",
+            "1e999: write a smaller exponent than in `1e999` / neither `f32` nor `f64` holds \
+             such a number",
+        ),
+    ];
+    check_statements(ROWS);
+}
+
+#[test]
+fn products_and_powers() {
+    const ROWS: &[(&str, &str)] = &[
+        ("let x = 2 pi;", "pi: expected `;`, found `pi` / a product is written with `*`"),
+        ("let x = 2 (a + b);", "(: expected `;`, found `(` / a product is written with `*`"),
+        ("let x = a ^ 2;", "^: expected `;`, found `^` / a power is written as a product: `x * x`"),
+        (
+            "let x = a ** 2;",
+            "*: expected `;`, found `**` / a power is written as a product: `x * x`",
+        ),
+        ("let x = a % 2;", "%: expected `;`, found `%` / the operators are `+`, `-`, `*` and `/`"),
+        (
+            "let x = +3;",
+            "+: expected a number or a name, found `+` / a positive number has no sign",
+        ),
+    ];
+    check_statements(ROWS);
+}
+
+#[test]
+fn what_is_no_expression() {
+    const ROWS: &[(&str, &str)] = &[
+        (
+            "let x = true;",
+            "true: expected a number or a name, found `true` / `true` is a Rust keyword",
+        ),
+        (
+            "let x = a.sqrt();",
+            "sqrt: write `sqrt(a)` / expressions have functions and members, but no methods",
+        ),
+        (
+            "let x = BC.angle();",
+            "angle: write `BC.angle` without parentheses / expressions have functions and \
+             members, but no methods",
+        ),
+        (
+            "let x = std::f64::consts::PI;",
+            "std: write `pi` / what Rust computes elsewhere is not known when the mechanism is \
+             compiled",
+        ),
+        (
+            "let x = foo::bar;",
+            "foo: declare this number with `param` or `let` / what Rust computes elsewhere is \
+             not known when the mechanism is compiled",
+        ),
+        (
+            "let x = (1, 2);",
+            ",: write one number here, not a pair / only coordinates and fields such as \
+             `lengths` take two",
+        ),
+        (
+            "let x = [1];",
+            "[: expected a number or a name, found `[` / expressions are grouped by `(` and `)`",
+        ),
+        (
+            "let x = sin(1 2, ^);",
+            "2: expected `,` or `)`, found `2` / a product is written with `*`\n^: expected a \
+             number or a name, found `^` / a power is written as a product: `x * x`",
+        ),
+        ("let x = a < b;", "<: expected `;`, found `<` / the operators are `+`, `-`, `*` and `/`"),
+        ("let x = at;", "at: expected a number or a name, found `at` / `at` is a reserved word"),
+        ("let x = ();", "): expected a number or a name, found `)`"),
+        ("let x = a.5;", "5: expected the name of a member, such as `angle`, found `5`"),
+        ("let x = (1;2);", ";: expected `)`, found `;`"),
+    ];
+    check_statements(ROWS);
+}
+
+#[test]
+fn headers() {
+    const ROWS: &[(&str, &str)] = &[
+        ("", ": declare a mechanism: `pub struct Name { … }`"),
+        (
+            "pub",
+            ": expected `struct`, found the end / declare a mechanism: `pub struct Name { … }`",
+        ),
+        ("pub struct", ": expected the name of the mechanism, found the end"),
+        ("pub struct M;", ";: expected the statements of the mechanism in `{ }`, found `;`"),
+        ("enum M {}", "enum: write `struct` instead of `enum`"),
+        ("pub M { let x }", "M: write `struct` in front of `M`\n}: expected `=`, found `}`"),
+        ("mechanism M {}", "mechanism: write `struct` instead of `mechanism`"),
+        (
+            "struct M<T> { let x }",
+            "<: leave out the generic parameters / the scalar type is added to every \
+             mechanism\n}: expected `=`, found `}`",
+        ),
+        (
+            "struct type { let x }",
+            "type: `type` is a Rust keyword; choose another name / names become fields and \
+             arguments of the generated code\n}: expected `=`, found `}`",
+        ),
+        (
+            "struct r#M {}",
+            "r#M: `r#M` is a raw identifier; choose another name / names become fields and \
+             arguments of the generated code",
+        ),
+        ("pub(foo) struct M {}", "pub: write `pub`, `pub(crate)` or no visibility"),
+        (
+            "struct M {} struct N {}",
+            "struct: end the declaration here / a second mechanism has a `mechanism!` of its own",
+        ),
+        ("M", "M: expected `struct`, found `M` / declare a mechanism: `pub struct Name { … }`"),
+        ("struct 5 {}", "5: expected the name of the mechanism, found `5`"),
+        (
+            "#[derive(Debug)] struct M {}",
+            "#: leave out `#[derive]` / only doc comments are passed on to the generated code",
+        ),
+        (
+            "fn foo() {}",
+            "fn: expected `struct`, found `fn` / declare a mechanism: `pub struct Name { … }`",
+        ),
+    ];
+    check(ROWS, super::mistakes);
+}

@@ -1,0 +1,189 @@
+//! Every group, driver and composition against tables of 22 digits, in both widths.
+//!
+//! A table gives with each number its condition: what it changes per unit relative change of all
+//! dimensions, inputs and rates. A rounding inside a solver that works in vectors relative to a
+//! joint is at worst as harmful as a relative change of half ε in one of these, so an error in
+//! units of ε times condition is at most half the number of roundings on the way to the result.
+//! A group's position takes some twenty operations behind an inner joint (the sine and cosine of
+//! the driver, the pin, the square root, the joint, the direction, the point), its velocity and
+//! acceleration some twenty each more; roundings of different sign make up for what is shared.
+
+mod accuracy;
+mod data {
+    pub(crate) mod drivers;
+    pub(crate) mod flying_shear;
+    pub(crate) mod four_bar;
+    pub(crate) mod moving_bases;
+    pub(crate) mod rpp_systems;
+    pub(crate) mod single_groups;
+    pub(crate) mod truth;
+}
+mod mechanisms {
+    pub(crate) mod drivers;
+    pub(crate) mod moving_bases;
+    pub(crate) mod published;
+    pub(crate) mod single_groups;
+}
+
+use accuracy::{all, only, roundings, widened};
+use data::truth::Table;
+use linkage_core::{Real, Sense, Side};
+use mechanisms::{drivers::*, moving_bases::*, published::*, single_groups::*};
+
+/// Half the operations of position, velocity and acceleration behind one inner joint.
+const ONE_GROUP: [f64; 3] = [10.0, 20.0, 30.0];
+
+/// Six inner joints, each standing on earlier ones.
+const SIX_GROUPS: [f64; 3] = [60.0, 120.0, 180.0];
+
+fn assert_within(table: &str, roundings: [f64; 3], allowed: [f64; 3]) {
+    println!("{table}: {roundings:.2?} roundings");
+    for order in 0..3 {
+        assert!(roundings[order] <= allowed[order], "{table}: {roundings:?} > {allowed:?}");
+    }
+}
+
+/// The mechanism's motion over a table with one input, or with the number given.
+macro_rules! follow {
+    ($t:ty, $table:expr, $mechanism:ident $fields:tt, $read:expr, $allowed:expr) => {{
+        let mechanism = $mechanism::<$t> $fields;
+        let table: &Table = &$table;
+        let counts = roundings::<$t>(table, &$mechanism::OUTPUTS, |row| {
+            let motion = mechanism
+                .motion($read(row.input), $read(row.rate), $read(row.second))
+                .unwrap_or_else(|error| panic!("{error} at {row:?}"));
+            [
+                widened(motion.position.rows()),
+                widened(motion.velocity.rows()),
+                widened(motion.acceleration.rows()),
+            ]
+        });
+        assert_within(stringify!($table), counts, $allowed);
+    }};
+}
+
+/// All of the mechanism's outputs are in the table.
+fn assert_complete(table: &Table, outputs: &[&str]) {
+    for output in outputs {
+        assert!(table.outputs.contains(output), "`{output}` is not tabulated");
+    }
+}
+
+#[test]
+fn the_tables_hold_every_output() {
+    assert_complete(&data::single_groups::COUPLER_FOUR_BAR, &CouplerFourBar::OUTPUTS);
+    assert_complete(&data::single_groups::INCLINED_SLIDER_CRANK, &InclinedSliderCrank::OUTPUTS);
+    assert_complete(&data::single_groups::OFFSET_QUICK_RETURN, &OffsetQuickReturn::OUTPUTS);
+    assert_complete(&data::single_groups::CROSSED_GUIDES, &CrossedGuides::OUTPUTS);
+    assert_complete(&data::single_groups::OBLIQUE_YOKE, &ObliqueYoke::OUTPUTS);
+    assert_complete(&data::drivers::GANTRY, &Gantry::OUTPUTS);
+    assert_complete(&data::drivers::POLAR_ARM, &PolarArm::OUTPUTS);
+    assert_complete(&data::drivers::GEARED_FIVE_BAR, &GearedFiveBar::OUTPUTS);
+    assert_complete(&data::drivers::RACK_AND_PINION, &RackAndPinion::OUTPUTS);
+    assert_complete(&data::drivers::EXCAVATOR, &Excavator::OUTPUTS);
+    assert_complete(&data::drivers::SWINGING_GUIDE, &SwingingGuide::OUTPUTS);
+    assert_complete(&data::moving_bases::MOVING_BASES, &MovingBases::OUTPUTS);
+    assert_complete(&data::four_bar::FOUR_BAR, &FourBar::OUTPUTS);
+    assert_complete(&data::rpp_systems::CRANK_RPP, &CrankRpp::OUTPUTS);
+    assert_complete(&data::rpp_systems::SIX_BAR, &SixBar::OUTPUTS);
+    assert_complete(&data::flying_shear::FLYING_SHEAR, &FlyingShear::OUTPUTS);
+}
+
+fn coupler_four_bar<T: Real>() {
+    use data::single_groups::{COUPLER_FOUR_BAR, COUPLER_FOUR_BAR_FLIPPED};
+    follow!(T, COUPLER_FOUR_BAR, CouplerFourBar { ..Default::default() }, only, ONE_GROUP);
+    follow!(
+        T,
+        COUPLER_FOUR_BAR_FLIPPED,
+        CouplerFourBar { elbow: Side::Right, ..Default::default() },
+        only,
+        ONE_GROUP
+    );
+}
+
+fn inclined_slider_crank<T: Real>() {
+    use data::single_groups::{INCLINED_SLIDER_CRANK, INCLINED_SLIDER_CRANK_FLIPPED};
+    follow!(
+        T,
+        INCLINED_SLIDER_CRANK,
+        InclinedSliderCrank { ..Default::default() },
+        only,
+        ONE_GROUP
+    );
+    follow!(
+        T,
+        INCLINED_SLIDER_CRANK_FLIPPED,
+        InclinedSliderCrank { side: Sense::Behind, ..Default::default() },
+        only,
+        ONE_GROUP
+    );
+}
+
+fn offset_quick_return<T: Real>() {
+    use data::single_groups::{OFFSET_QUICK_RETURN, OFFSET_QUICK_RETURN_FLIPPED};
+    follow!(T, OFFSET_QUICK_RETURN, OffsetQuickReturn { ..Default::default() }, only, ONE_GROUP);
+    follow!(
+        T,
+        OFFSET_QUICK_RETURN_FLIPPED,
+        OffsetQuickReturn { side: Sense::Behind, ..Default::default() },
+        only,
+        ONE_GROUP
+    );
+}
+
+fn groups_of_two_guides<T: Real>() {
+    use data::single_groups::{CROSSED_GUIDES, OBLIQUE_YOKE};
+    follow!(T, CROSSED_GUIDES, CrossedGuides { ..Default::default() }, only, ONE_GROUP);
+    follow!(T, OBLIQUE_YOKE, ObliqueYoke { ..Default::default() }, only, ONE_GROUP);
+}
+
+fn drivers<T: Real>() {
+    use data::drivers::{GANTRY, GEARED_FIVE_BAR, POLAR_ARM, RACK_AND_PINION};
+    follow!(T, GANTRY, Gantry { ..Default::default() }, all::<T, 2>, ONE_GROUP);
+    follow!(T, POLAR_ARM, PolarArm { ..Default::default() }, all::<T, 2>, ONE_GROUP);
+    follow!(T, GEARED_FIVE_BAR, GearedFiveBar { ..Default::default() }, only, ONE_GROUP);
+    follow!(T, RACK_AND_PINION, RackAndPinion { ..Default::default() }, only, ONE_GROUP);
+}
+
+fn dimensions_that_are_inputs<T: Real>() {
+    use data::drivers::{EXCAVATOR, SWINGING_GUIDE};
+    follow!(T, EXCAVATOR, Excavator { ..Default::default() }, all::<T, 3>, SIX_GROUPS);
+    follow!(T, SWINGING_GUIDE, SwingingGuide { ..Default::default() }, all::<T, 3>, ONE_GROUP);
+}
+
+fn moving_bases<T: Real>() {
+    use data::moving_bases::MOVING_BASES;
+    follow!(T, MOVING_BASES, MovingBases { ..Default::default() }, only, SIX_GROUPS);
+}
+
+fn published_systems<T: Real>() {
+    use data::flying_shear::FLYING_SHEAR;
+    use data::four_bar::FOUR_BAR;
+    use data::rpp_systems::{CRANK_RPP, SIX_BAR};
+    follow!(T, FOUR_BAR, FourBar { ..Default::default() }, only, ONE_GROUP);
+    follow!(T, CRANK_RPP, CrankRpp { ..Default::default() }, only, ONE_GROUP);
+    follow!(T, SIX_BAR, SixBar { ..Default::default() }, only, ONE_GROUP);
+    follow!(T, FLYING_SHEAR, FlyingShear { ..Default::default() }, only, ONE_GROUP);
+}
+
+macro_rules! in_both_widths {
+    ($($test:ident)+) => {
+        mod double {
+            $(#[test] fn $test() { super::$test::<f64>(); })+
+        }
+        mod single {
+            $(#[test] fn $test() { super::$test::<f32>(); })+
+        }
+    };
+}
+
+in_both_widths! {
+    coupler_four_bar
+    inclined_slider_crank
+    offset_quick_return
+    groups_of_two_guides
+    drivers
+    dimensions_that_are_inputs
+    moving_bases
+    published_systems
+}
