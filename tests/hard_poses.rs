@@ -47,9 +47,16 @@ fn assert_achieved(case: &Case, epsilon: f64, found: &[f64]) {
     assert!(counts.iter().all(|count| *count <= ALLOWED), "{}: {counts:?}", case.name);
 }
 
+/// The side of BD that the truth has its pin on: left where the bars, seen from outside, turn left
+/// from the first to the second.
+fn side(case: &Case) -> Side {
+    let (first, second) = (case.truth[2].0, case.truth[3].0);
+    if (second - first).sin() > 0.0 { Side::Left } else { Side::Right }
+}
+
 fn two_bars<T: Real>(case: &Case) -> Result<[f64; 8], SolveError> {
     let &[bx, by, dx, dy, l1, l2, vx, vy, ax, ay] = case.inputs else { panic!("{}", case.name) };
-    let bars = DrivenRrr { l1: number::<T>(l1), l2: number(l2), ..Default::default() };
+    let bars = DrivenRrr { l1: number::<T>(l1), l2: number(l2), elbow: side(case) };
     let (q, rate) = (list([bx, by, dx, dy]), list([vx, vy, 0.0, 0.0]));
     let m = bars.motion(q, rate, list([ax, ay, 0.0, 0.0]))?;
     let found = [
@@ -105,28 +112,88 @@ fn lengths_whose_squares_leave_the_range_are_refused() {
     assert_eq!(two_bars::<f64>(case), Err(SolveError::NotFinite { name: "BC, DC" }));
     let tiny = 5.0e-324;
     let bars = DrivenRrr { l1: tiny, l2: tiny, ..DrivenRrr::new() };
+    // The square is zero: the pivots look as if they coincided.
     let answer = bars.position([0.0, 0.0, tiny, 0.0]);
-    assert!(matches!(answer, Err(SolveError::NotFinite { .. })), "{answer:?}");
+    assert_eq!(answer, Err(SolveError::Singular { group: "BC, DC" }));
 }
 
-fn four_bar(case: &Case, elbow: Side) -> [f64; 5] {
-    let &[theta, crank, ground, rocker, coupler, omega] = case.inputs else { panic!() };
-    let bars = AnyFourBar { crank, ground, rocker, coupler, elbow };
-    let m = bars.motion(theta, omega, 0.0).unwrap();
-    let c = m.position.C;
-    [c.x, c.y, m.velocity.BC.omega, m.velocity.DC.omega, m.acceleration.DC.alpha]
+macro_rules! four_bar {
+    ($mechanism:ident, $case:expr, $elbow:expr) => {{
+        let &[theta, crank, base, rocker, coupler, omega] = $case.inputs else { panic!() };
+        let bars = $mechanism { crank, base, rocker, coupler, elbow: $elbow };
+        bars.motion(theta, omega, 0.0).map(|m| {
+            let (c, v) = (m.position.C, m.velocity);
+            [c.x, c.y, v.BC.omega, v.DC.omega, m.acceleration.DC.alpha]
+        })
+    }};
+}
+
+fn change_points() -> impl Iterator<Item = (&'static Case, Side)> {
+    let left = hard::FOUR_BAR_LEFT.iter().chain(hard::KITE).map(|case| (case, Side::Left));
+    left.chain(hard::FOUR_BAR_RIGHT.iter().map(|case| (case, Side::Right)))
 }
 
 #[test]
 fn four_bars_near_change_points() {
-    for case in hard::FOUR_BAR_LEFT {
-        assert_achieved(case, f64::EPSILON, &four_bar(case, Side::Left));
+    for (case, elbow) in change_points() {
+        match four_bar!(AnyFourBar, case, elbow) {
+            Ok(found) => assert_achieved(case, f64::EPSILON, &found),
+            // Where rounding the inputs could change a velocity by more than itself, the squares
+            // may cancel altogether: the pose is at its limit then, and is there.
+            Err(error) => {
+                assert_eq!(error, SolveError::Singular { group: "BC, DC" }, "{}", case.name);
+                let (velocity, _, achievable) = case.truth[2];
+                assert!(achievable > velocity.abs(), "{}", case.name);
+                let &[theta, crank, base, rocker, coupler, _] = case.inputs else { panic!() };
+                let bars = AnyFourBar { crank, base, rocker, coupler, elbow };
+                let c = bars.position(theta).unwrap().C;
+                let pose = Case { truth: &case.truth[..2], ..*case };
+                assert_achieved(&pose, f64::EPSILON, &[c.x, c.y]);
+            }
+        }
     }
-    for case in hard::FOUR_BAR_RIGHT {
-        assert_achieved(case, f64::EPSILON, &four_bar(case, Side::Right));
+}
+
+#[test]
+fn compensated_four_bars_near_change_points() {
+    // With products in twice the width nothing cancels: B is rounded, and no more.
+    for (case, elbow) in change_points() {
+        assert_achieved(case, f64::EPSILON, &four_bar!(CompensatedFourBar, case, elbow).unwrap());
     }
-    for case in hard::KITE {
-        assert_achieved(case, f64::EPSILON, &four_bar(case, Side::Left));
+}
+
+#[test]
+fn compensated_bars_pay_nothing_for_a_toggle() {
+    // All inputs are exact, so the errors are those of twenty to sixty roundings of the results
+    // themselves, however close to the toggle.
+    for case in hard::RRR.iter().filter(|case| case.name.contains("toggle")) {
+        let &[bx, by, dx, dy, l1, l2, vx, vy, ax, ay] = case.inputs else { panic!() };
+        let bars = CompensatedBars { l1, l2, elbow: side(case) };
+        let m = bars.motion([bx, by, dx, dy], [vx, vy, 0.0, 0.0], [ax, ay, 0.0, 0.0]).unwrap();
+        let found = [
+            m.position.C.x,
+            m.position.C.y,
+            m.position.BC.angle(),
+            m.position.DC.angle(),
+            m.velocity.BC.omega,
+            m.velocity.DC.omega,
+            m.acceleration.BC.alpha,
+            m.acceleration.DC.alpha,
+        ];
+        let units: Vec<f64> = case
+            .truth
+            .iter()
+            .zip(found)
+            .map(|((high, low, _), value)| {
+                ((value - high) - low).abs() / (f64::EPSILON * high.abs())
+            })
+            .collect();
+        println!("{}: {units:.2?} ε", case.name);
+        // 2 √(20/12) for positions and 2 √(40/12) for velocities; an acceleration multiplies the
+        // error of the height by three and adds 2 √(60/12) of its own.
+        for (count, allowed) in units.iter().zip([2.6, 2.6, 2.6, 2.6, 3.7, 3.7, 12.3, 12.3]) {
+            assert!(*count <= allowed, "{}: {units:?}", case.name);
+        }
     }
 }
 
@@ -156,6 +223,19 @@ fn a_slot_nearly_along_its_rail() {
         let found = [p.yoke.slide, p.block.slide, v.yoke.slide, v.block.slide, a.block.slide];
         assert_achieved(case, f64::EPSILON, &found);
     }
+}
+
+#[test]
+fn a_constant_slot_nearly_along_its_rail() {
+    // The same with constants: the sine of 0.1 mrad is folded and costs one rounding, although
+    // the angles between axes, slot and rail are all that a solver would otherwise see.
+    let case = &hard::RPP[0];
+    let &[_, _, bx, by, vx, vy, ..] = case.inputs else { panic!() };
+    let rate = NarrowSlot::new().velocity([bx, by], [vx, vy]).unwrap();
+    let pose = NarrowSlot::new().position([bx, by]).unwrap();
+    let found = [pose.yoke.slide, pose.block.slide, rate.yoke.slide, rate.block.slide];
+    let case = Case { truth: &case.truth[..4], ..*case };
+    assert_achieved(&case, f64::EPSILON, &found);
 }
 
 #[test]
@@ -222,8 +302,7 @@ fn a_double_rocker_reaches_its_limit_angle() {
     // angle's condition is 12 rad per unit relative change of the lengths.
     let limit = 1.847_264_863_117_762_8;
     assert!((limit / PI * 180.0 - 105.840_480_299_458_92_f64).abs() < 1.0e-12);
-    let bars =
-        AnyFourBar { crank: 2.5, ground: 12.5, rocker: 5.0, coupler: 8.4, elbow: Side::Left };
+    let bars = AnyFourBar { crank: 2.5, base: 12.5, rocker: 5.0, coupler: 8.4, elbow: Side::Left };
     let step = 100.0 * 12.0 * f64::EPSILON;
     assert!(bars.position(limit - step).is_ok());
     let beyond = bars.position(limit + step);

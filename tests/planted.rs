@@ -188,7 +188,7 @@ fn rpr<T: Real>() {
         let (d, bar) = (any_point(&mut random), any_jet(&mut random, -3.0, 3.0));
         let e = random.between(-1.0, 1.0);
         let mut slide = any_jet(&mut random, 0.3, 2.0);
-        let side = if random.coin() { Sense::Ahead } else { Sense::Behind };
+        let side = if random.between(-1.0, 1.0) < 0.0 { Sense::Ahead } else { Sense::Behind };
         if side == Sense::Behind {
             slide.value = -slide.value;
         }

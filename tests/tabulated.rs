@@ -1,12 +1,13 @@
-//! Every group, driver and composition against tables of 22 digits, in both widths.
+//! Every group, driver and composition against tables of 22 digits, in both widths: motions, and
+//! velocities once more as kinematic coefficients times rates.
 //!
 //! A table gives with each number its condition: what it changes per unit relative change of all
 //! dimensions, inputs and rates. A rounding inside a solver that works in vectors relative to a
-//! joint is at worst as harmful as a relative change of half ε in one of these, so an error in
-//! units of ε times condition is at most half the number of roundings on the way to the result.
-//! A group's position takes some twenty operations behind an inner joint (the sine and cosine of
-//! the driver, the pin, the square root, the joint, the direction, the point), its velocity and
-//! acceleration some twenty each more; roundings of different sign make up for what is shared.
+//! joint is at worst as harmful as a relative change of half ε in one of these. A group's position
+//! takes some twenty operations behind an inner joint (the sine and cosine of the driver, the pin,
+//! the square root, the joint, the direction, the point), its velocity and acceleration some
+//! twenty each more. Roundings are of either sign: n of them, each up to half ε and evenly
+//! distributed, add up to √(n/12) ε in the mean square; a table may show twice that.
 
 mod accuracy;
 mod data {
@@ -30,11 +31,11 @@ use data::truth::Table;
 use linkage_core::{Real, Sense, Side};
 use mechanisms::{drivers::*, moving_bases::*, published::*, single_groups::*};
 
-/// Half the operations of position, velocity and acceleration behind one inner joint.
-const ONE_GROUP: [f64; 3] = [10.0, 20.0, 30.0];
+/// 2 √(20/12), 2 √(40/12), 2 √(60/12): behind one inner joint.
+const ONE_GROUP: [f64; 3] = [2.6, 3.7, 4.5];
 
-/// Six inner joints, each standing on earlier ones.
-const SIX_GROUPS: [f64; 3] = [60.0, 120.0, 180.0];
+/// Six inner joints, each standing on earlier ones: six times the operations.
+const SIX_GROUPS: [f64; 3] = [6.3, 8.9, 11.0];
 
 fn assert_within(table: &str, roundings: [f64; 3], allowed: [f64; 3]) {
     println!("{table}: {roundings:.2?} roundings");
@@ -43,7 +44,7 @@ fn assert_within(table: &str, roundings: [f64; 3], allowed: [f64; 3]) {
     }
 }
 
-/// The mechanism's motion over a table with one input, or with the number given.
+/// The mechanism's motion over a table, and its coefficients times the table's rates.
 macro_rules! follow {
     ($t:ty, $table:expr, $mechanism:ident $fields:tt, $read:expr, $allowed:expr) => {{
         let mechanism = $mechanism::<$t> $fields;
@@ -59,6 +60,21 @@ macro_rules! follow {
             ]
         });
         assert_within(stringify!($table), counts, $allowed);
+
+        let counts = roundings::<$t>(table, &$mechanism::OUTPUTS, |row| {
+            let motion = mechanism
+                .motion($read(row.input), $read(row.rate), $read(row.second))
+                .unwrap_or_else(|error| panic!("{error} at {row:?}"));
+            let slopes = mechanism
+                .coefficients($read(row.input))
+                .unwrap_or_else(|error| panic!("{error} at {row:?}"));
+            let rates = slopes.map(|slopes| {
+                slopes.iter().zip(row.rate).map(|(slope, rate)| slope.value() * rate).sum()
+            });
+            let seconds = widened(motion.acceleration.rows());
+            [widened(motion.position.rows()), Vec::from(rates), seconds]
+        });
+        assert_within(concat!(stringify!($table), " by coefficients"), counts, $allowed);
     }};
 }
 

@@ -1,21 +1,38 @@
-//! What the careful path decides where the straight line could not: once per failing guard, in
-//! order, with the group to blame.
+//! What the careful path decides where the straight line could not: whether a condition is met
+//! after all, and if not, whose failure it is.
+//!
+//! One function a condition. Generated code calls them in the order of evaluation and stops at
+//! the first error. They look at the operands a condition came from rather than at the value that
+//! was computed from them, and at real parts only, except where a derivative does not exist.
 
+use crate::limit::{self, Reach, Width};
 use crate::{Real, SolveError};
 
-/// `NotFinite` with the input's name unless the input is finite.
+/// Whether an input, or a parameter, is finite.
+///
+/// # Errors
+/// `NotFinite` with its name.
 #[cold]
 pub fn finite_input<T: Real>(value: T, name: &'static str) -> Result<(), SolveError> {
     if value.is_finite() { Ok(()) } else { Err(SolveError::NotFinite { name }) }
 }
 
-/// `NotFinite` with the result's name unless the result is finite.
+/// Whether a result is finite.
+///
+/// # Errors
+/// `NotFinite` with its name.
 #[cold]
 pub fn finite_result<T: Real>(value: T, name: &'static str) -> Result<(), SolveError> {
-    if value.is_finite() { Ok(()) } else { Err(SolveError::NotFinite { name }) }
+    finite_input(value, name)
 }
 
-/// The value, provided that circles of radii `l1` and `l2` about points (`dx`, `dy`) apart meet.
+/// The value, at least zero, provided that circles of radii `l1` and `l2` about points
+/// (`dx`, `dy`) apart meet; zero where they fail to by at most four units in the last place of
+/// the longest of the three lengths.
+///
+/// # Errors
+/// `OutOfReach` by the distance that is missing, `Singular` where the centres coincide or where a
+/// derivative is asked for at the limit, `NotFinite` where a number is not.
 #[cold]
 pub fn reach_circles<T: Real>(
     value: T,
@@ -25,20 +42,19 @@ pub fn reach_circles<T: Real>(
     l2: T,
     group: &'static str,
 ) -> Result<T, SolveError> {
-    let d = dx.hypot(dy).value();
-    let (l1, l2) = (l1.value(), l2.value());
-    let by = (d - (l1 + l2)).max((l1 - l2).abs() - d);
-    at_limit::<T>(value, by, d.max(l1).max(l2), group)
+    let reach = limit::circles([dx.value(), dy.value()], [l1.value(), l2.value()], width::<T>());
+    reached(value, reach, group)
 }
 
-/// The value, provided that |`t`| ≤ `l`.
+/// The value, at least zero, provided that |`t`| ≤ `l`; at the limit and errors as for
+/// [`reach_circles`].
 #[cold]
 pub fn reach_line<T: Real>(value: T, t: T, l: T, group: &'static str) -> Result<T, SolveError> {
-    let (t, l) = (t.value().abs(), l.value());
-    at_limit::<T>(value, t - l, t.max(l), group)
+    reached(value, limit::line(t.value(), l.value(), width::<T>()), group)
 }
 
-/// The value, provided that |`e`| ≤ |(`bx`, `by`)|.
+/// The value, at least zero, provided that |`e`| ≤ |(`bx`, `by`)|; at the limit and errors as for
+/// [`reach_circles`].
 #[cold]
 pub fn reach_offset<T: Real>(
     value: T,
@@ -47,60 +63,146 @@ pub fn reach_offset<T: Real>(
     e: T,
     group: &'static str,
 ) -> Result<T, SolveError> {
-    let (l, e) = (bx.hypot(by).value(), e.value().abs());
-    at_limit::<T>(value, e - l, e.max(l), group)
+    reached(value, limit::offset([bx.value(), by.value()], e.value(), width::<T>()), group)
 }
 
-/// `Singular` where the value is zero.
+/// The value, provided that it is not zero.
+///
+/// # Errors
+/// `Singular` where it is zero, `NotFinite` where it is not a number.
 #[cold]
 pub fn nonzero<T: Real>(value: T, group: &'static str) -> Result<T, SolveError> {
-    match value.value() {
-        0.0 => Err(SolveError::Singular { group }),
-        v if v.is_nan() => Err(SolveError::NotFinite { name: group }),
-        _ => Ok(value),
+    let real = value.value();
+    if real.is_nan() {
+        Err(SolveError::NotFinite { name: group })
+    } else if real == 0.0 {
+        Err(SolveError::Singular { group })
+    } else {
+        Ok(value)
     }
 }
 
-/// `Invalid` with the length's name where it is zero or negative.
+/// The value, a length, provided that it is greater than zero.
+///
+/// # Errors
+/// `Invalid` with its name where it is not, `NotFinite` with its name where it is not a number.
 #[cold]
 pub fn positive<T: Real>(
     value: T,
     group: &'static str,
     name: &'static str,
 ) -> Result<T, SolveError> {
-    match value.value() {
-        v if v.is_nan() => Err(SolveError::NotFinite { name }),
-        v if v > 0.0 => Ok(value),
-        _ => Err(SolveError::Invalid { group, name }),
+    let real = value.value();
+    if real.is_nan() {
+        Err(SolveError::NotFinite { name })
+    } else if real > 0.0 {
+        Ok(value)
+    } else {
+        Err(SolveError::Invalid { group, name })
     }
 }
 
-/// A squared length that something is divided by: `Singular` where it is the square of zero,
-/// `NotFinite` where it has left the range in which a square carries full precision.
+/// The value, a squared length that something is divided by, provided that it is in the range in
+/// which a square carries full precision.
+///
+/// # Errors
+/// `Singular` where it is zero, `NotFinite` with the group's name where it is below
+/// [`Scalar::smallest_square`](crate::Scalar::smallest_square), infinite or not a number.
 #[cold]
 pub fn square<T: Real>(value: T, group: &'static str) -> Result<T, SolveError> {
-    if value.value() == 0.0 {
+    let real = value.value();
+    if real == 0.0 {
         Err(SolveError::Singular { group })
-    } else if value.value() >= T::smallest_square().value() && value.value().is_finite() {
+    } else if real.is_finite() && real >= T::smallest_square().value() {
         Ok(value)
     } else {
         Err(SolveError::NotFinite { name: group })
     }
 }
 
-fn at_limit<T: Real>(
-    value: T,
-    by: f64,
-    longest: f64,
-    group: &'static str,
-) -> Result<T, SolveError> {
-    if by > 4.0 * T::EPSILON * longest {
-        Err(SolveError::OutOfReach { group, by })
-    } else if value.value() > 0.0 {
-        Ok(value)
-    } else if value.is_constant() {
-        Ok(T::lit(0.0, 0.0))
-    } else {
-        Err(SolveError::Singular { group })
+/// The value that goes with the answer, or the error.
+fn reached<T: Real>(value: T, reach: Reach, group: &'static str) -> Result<T, SolveError> {
+    let real = value.value();
+    match reach {
+        Reach::Meets if !real.is_finite() => Err(SolveError::NotFinite { name: group }),
+        Reach::Meets if real > 0.0 => Ok(value),
+        // Zero, or below it by rounding: on the line of centres, where the square root of the
+        // value has no derivative.
+        Reach::Meets | Reach::AtLimit if value.is_constant() => Ok(T::lit(0.0, 0.0)),
+        Reach::Meets | Reach::AtLimit | Reach::Coincident => Err(SolveError::Singular { group }),
+        Reach::Beyond(by) => Err(SolveError::OutOfReach { group, by }),
+        Reach::NotFinite => Err(SolveError::NotFinite { name: group }),
+    }
+}
+
+fn width<T: Real>() -> Width {
+    // smallest_square is MIN_POSITIVE/ε², and the smallest number above zero MIN_POSITIVE·ε.
+    let epsilon = <T as Real>::EPSILON;
+    Width { epsilon, smallest: T::smallest_square().value() * epsilon * epsilon * epsilon }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GROUP: &str = "BC, DC";
+    const SINGULAR: SolveError = SolveError::Singular { group: GROUP };
+    const NOT_FINITE: SolveError = SolveError::NotFinite { name: GROUP };
+
+    #[test]
+    fn a_pose_at_the_limit_has_its_inner_joint_on_the_line() {
+        // Four units in the last place of 7.
+        let beyond = 7.0 + 2.0_f64.powi(-48);
+        assert_eq!(reach_circles(-1e-16, beyond, 0.0, 3.0, 4.0, GROUP), Ok(0.0));
+        assert_eq!(reach_circles(1e-16, beyond, 0.0, 3.0, 4.0, GROUP), Ok(0.0));
+        assert_eq!(reach_circles(-1e-16, 7.0, 0.0, 3.0, 4.0, GROUP), Ok(0.0));
+        assert_eq!(reach_circles(2.0, 5.0, 0.0, 3.0, 4.0, GROUP), Ok(2.0));
+        assert_eq!(
+            reach_circles(-1.0, 7.5, 0.0, 3.0, 4.0, GROUP),
+            Err(SolveError::OutOfReach { group: GROUP, by: 0.5 })
+        );
+        assert_eq!(reach_line(-1e-16_f32, 1.0_f32.next_up(), 1.0, GROUP), Ok(0.0));
+        assert_eq!(
+            reach_line(-1.0_f32, -1.5, 1.0, GROUP),
+            Err(SolveError::OutOfReach { group: GROUP, by: 0.5 })
+        );
+        assert_eq!(reach_offset(-1e-16_f32, 0.0, 1.0, 1.0_f32.next_up(), GROUP), Ok(0.0));
+        assert_eq!(
+            reach_offset(-1.0, 0.0, 1.0, -1.5, GROUP),
+            Err(SolveError::OutOfReach { group: GROUP, by: 0.5 })
+        );
+    }
+
+    #[test]
+    fn what_is_not_finite_is_never_reached() {
+        assert_eq!(reach_circles(f64::NAN, 5.0, 0.0, 3.0, 4.0, GROUP), Err(NOT_FINITE));
+        assert_eq!(reach_circles(f64::INFINITY, 5.0, 0.0, 3.0, 4.0, GROUP), Err(NOT_FINITE));
+        assert_eq!(reach_circles(1.0, f64::NAN, 0.0, 3.0, 4.0, GROUP), Err(NOT_FINITE));
+        assert_eq!(reach_line(1.0, 0.0, f64::INFINITY, GROUP), Err(NOT_FINITE));
+        assert_eq!(reach_offset(1.0, 0.0, 0.0, f64::NAN, GROUP), Err(NOT_FINITE));
+        assert_eq!(reach_circles(f64::NAN, 0.0, 0.0, 3.0, 3.0, GROUP), Err(SINGULAR));
+    }
+
+    #[test]
+    fn lengths_squares_and_divisors_say_what_is_wrong_with_them() {
+        let invalid = SolveError::Invalid { group: GROUP, name: "lift" };
+        let not_finite = SolveError::NotFinite { name: "lift" };
+        assert_eq!(positive(5e-324, GROUP, "lift"), Ok(5e-324));
+        for zero_or_less in [0.0, -0.0, -1.0, f64::NEG_INFINITY] {
+            assert_eq!(positive(zero_or_less, GROUP, "lift"), Err(invalid));
+        }
+        assert_eq!(positive(f64::NAN, GROUP, "lift"), Err(not_finite));
+        assert_eq!(nonzero(-1.0_f32, GROUP), Ok(-1.0));
+        assert_eq!(nonzero(-0.0, GROUP), Err(SINGULAR));
+        assert_eq!(nonzero(f64::NAN, GROUP), Err(NOT_FINITE));
+        // (10⁻⁹ m)² is a square of full precision also in single precision.
+        assert_eq!(square(1e-18_f32, GROUP), Ok(1e-18));
+        assert_eq!(square(0.0, GROUP), Err(SINGULAR));
+        for out_of_range in [1e-30_f32, f32::INFINITY, f32::NAN, -1.0] {
+            assert_eq!(square(out_of_range, GROUP), Err(NOT_FINITE));
+        }
+        assert_eq!(finite_input(1e300, "lift"), Ok(()));
+        assert_eq!(finite_input(f64::INFINITY, "lift"), Err(not_finite));
+        assert_eq!(finite_result(f32::NAN, "lift"), Err(not_finite));
     }
 }

@@ -13,6 +13,7 @@ mod cost;
 mod derivatives;
 mod error;
 mod kernels;
+mod limit;
 mod modes;
 mod primitive;
 #[doc(hidden)]

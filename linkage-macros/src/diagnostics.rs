@@ -85,7 +85,8 @@ pub(crate) fn nearest<'a>(
     candidates
         .map(|candidate| (distance(name, candidate), candidate))
         .filter(|&(distance, _)| distance <= allowed)
-        .min_by_key(|&(distance, _)| distance)
+        // Of equally near ones, the one as long as the name: `mn` is rather `mm` than `m`.
+        .min_by_key(|&(distance, near)| (distance, near.chars().count().abs_diff(length)))
         .map(|(_, candidate)| candidate)
 }
 

@@ -360,7 +360,7 @@ pub(crate) const FLYING_SHEAR: Table = Table {
         },
         Row {
             input: &[2.530727415391778],
-            rate: &[-7.231979256250362e-153],
+            rate: &[0.0],
             second: &[-0.011483806177888823],
             position: &[
                 T(-0.06553216354311935, -4.418743e-18, 0.25),

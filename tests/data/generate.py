@@ -119,7 +119,8 @@ def shear_rows():
         theta = pi / 12 * (1 - cos(turn)) + 115 * pi / 180
         omega = pi**2 / 180 * sin(turn)
         alpha = pi**3 / 2700 * cos(turn)
-        yield [float(theta)], [float(omega)], [float(alpha)]
+        at_rest = abs(omega) < mpf(10) ** -60
+        yield [float(theta)], [0.0 if at_rest else float(omega)], [float(alpha)]
 
 
 def degrees(step):

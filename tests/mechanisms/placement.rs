@@ -60,7 +60,7 @@ mechanism! {
         rrp   BC(B), block(rail) -> C { length: 3 * size, offset: size / 4, mode: ahead }
         rpr   sleeve(B), bar(D)       { offset: size / 8, mode: ahead }
         rpp   shoe(B), yoke(way)      { slot: 75deg, offsets: (size / 16, -size / 8) }
-        guide arm on bar through D along 100deg;
+        guide arm on bar through D along 10deg;
         prp   p(arm), q(rail) -> E    { offsets: (size / 4, size / 2) }
 
         output C, BC, bar, E, block.slide, sleeve.slide, shoe.slide, yoke.slide, p.slide, q.slide;

@@ -20,8 +20,4 @@ impl Random {
         let unit = (self.next() >> 40) as f64 / (1_u64 << 24) as f64;
         f64::from((low + unit * (high - low)) as f32)
     }
-
-    pub(crate) fn coin(&mut self) -> bool {
-        self.next() >> 63 == 1
-    }
 }

@@ -67,6 +67,24 @@ pub(crate) fn det<T: Float, F: Fusion>(a: T, b: T, c: T, d: T) -> T {
     (ab - cd) + (ab_error - cd_error)
 }
 
+/// The sum of all terms, rounded at the very end: within one unit in the last place, so that its
+/// sign, and whether it is zero, are those of the exact sum.
+///
+/// The running sum is kept as numbers that do not overlap, each the rounding error of the next
+/// (J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
+/// predicates", Discrete & Computational Geometry 18 (1997), grow-expansion).
+pub(crate) fn exact_sum<const N: usize>(terms: [f64; N]) -> f64 {
+    let mut parts = [0.0; N];
+    for (count, &term) in terms.iter().enumerate() {
+        let mut carry = term;
+        for part in &mut parts[..count] {
+            (carry, *part) = two_sum(carry, *part);
+        }
+        parts[count] = carry;
+    }
+    parts.iter().fold(0.0, |sum, part| sum + part)
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::double_word::DoubleWord;
@@ -128,6 +146,14 @@ mod tests {
             assert!(truth.distance_in_ulp(det::<_, Fused>(a, b, c, -a), 53) <= 1.5);
         }
         assert!(cancelling > 20_000, "{cancelling}");
+    }
+
+    #[test]
+    fn a_sum_of_many_terms_loses_nothing() {
+        assert_eq!(exact_sum([1e300, 1.0, -1e300, 1e-300, -1.0]), 1e-300);
+        assert_eq!(exact_sum([0.1, 0.2, -0.30000000000000004]), -2f64.powi(-55));
+        assert_eq!(exact_sum([1.0, 2f64.powi(-200), -1.0, -2f64.powi(-200)]), 0.0);
+        assert_eq!(exact_sum([3.0, -4.5]), -1.5);
     }
 
     #[test]

@@ -19,7 +19,7 @@ mod double_word;
 #[cfg(test)]
 mod hard_arguments;
 
-pub(crate) use error_free::{det, mul_err, two_sum};
+pub(crate) use error_free::{det, exact_sum, mul_err, two_sum};
 pub use float::Float;
 pub(crate) use fusion::Native;
 pub use fusion::{Fused, Fusion, Plain};

@@ -5,9 +5,9 @@
 //! r₂ = C − B = a d + h d⊥, where
 //!
 //! ```text
-//! i = d² − (l₂ − l₃)²             a = (i/2 + l₂ (l₂ − l₃)) / d²
-//! P = i / d²                      b = (i/2 + l₃ (l₃ − l₂)) / d² = 1 − a
-//! Q = (4 l₂ l₃ − i) / d²          h = ± √(P Q) / 2,  + where C is left of B → D
+//! i = d² − (l₂ − l₃)²             a = P + l₂ (l₂ − l₃)/d²
+//! P = i/(2 d²)                    b = P + l₃ (l₃ − l₂)/d² = 1 − a
+//! Q = (4 l₂ l₃ − i)/(2 d²)        h = ± √(P Q),  + where C is left of B → D
 //! ```
 //!
 //! and r₃ = C − D = −b d + h d⊥. This is Heron's formula with the two factors that can vanish,
@@ -46,12 +46,13 @@ use crate::model::mechanism::Numerics;
 
 /// The triangle of the group: what is affine in the height h.
 struct Triangle<'s> {
-    /// P·Q, not negative where the circles meet.
-    product: Sym<'s>,
+    /// P·Q = h², not negative where the circles meet.
+    square: Sym<'s>,
     /// 1/d²
     inverse: Sym<'s>,
-    /// The signed root of the product, 2 h.
-    root: Sym<'s>,
+    /// h
+    height: Sym<'s>,
+    /// a and b
     along: [Sym<'s>; 2],
 }
 
@@ -64,13 +65,13 @@ pub(super) fn rrr<'s>(
     let line = b.to(d);
     let [l2, l3] = lengths.map(|length| length.value);
     let triangle = triangle(place, line, l2, l3, mode);
-    let across = triangle.root.half() * line.normal();
+    let across = triangle.height * line.normal();
     let r2 = triangle.along[0] * line + across;
     let r3 = across - triangle.along[1] * line;
 
-    // 1/J = 1/(h d²) = 2 root/(P Q) / d²: the division runs beside the root.
-    let regular = triangle.product.provided(Check::Nonzero, place.group, &[]);
-    let inverse = (triangle.root.twice() / regular) * triangle.inverse;
+    // 1/J = 1/(h d²) = h/h² · 1/d².
+    let regular = triangle.square.provided(Check::Nonzero, place.group, &[]);
+    let inverse = (triangle.height / regular) * triangle.inverse;
     let bars = [Bar::new(b, r2, lengths[0]), Bar::new(d, r3, lengths[1])];
 
     let w = bars[1].pushed_velocity() - bars[0].pushed_velocity();
@@ -94,24 +95,26 @@ fn triangle<'s>(
     l3: Sym<'s>,
     mode: Sym<'s>,
 ) -> Triangle<'s> {
-    let square = d.dot(d);
-    let inverse = square.provided(Check::Square, place.group, &[]).recip();
+    let inverse = d.dot(d).provided(Check::Square, place.group, &[]).recip();
     let difference = l2 - l3;
-    let four = (l2 * l3).twice().twice();
     let (near, far) = match place.numerics {
         Numerics::Plain => {
-            let near = square - difference.squared();
-            (near, four - near)
+            let near = d.dot(d) - difference.squared();
+            (near, (l2 * l3).twice().twice() - near)
         }
         Numerics::Compensated => compensated(d, l2, l3),
     };
-    // With equal bars P = d²/d² is one: an identity wherever 1/d² exists.
-    let p = if difference.is_zero() { d.x.sheet().integer(1) } else { near * inverse };
-    let product = p * (far * inverse);
-    let product = product.provided(Check::ReachCircles, place.group, &[d.x, d.y, l2, l3]);
-    let middle = p.half();
-    let along = [middle + (l2 * difference) * inverse, middle - (l3 * difference) * inverse];
-    Triangle { product, inverse, root: mode * product.sqrt(), along }
+    let half = inverse.half();
+    // With equal bars P = d²/(2 d²) is one half: an identity wherever 1/d² exists.
+    let (p, square) = if difference.is_zero() {
+        (d.x.sheet().integer(1).half(), far * half.half())
+    } else {
+        let p = near * half;
+        (p, p * (far * half))
+    };
+    let square = square.provided(Check::ReachCircles, place.group, &[d.x, d.y, l2, l3]);
+    let along = [p + (l2 * difference) * inverse, p - (l3 * difference) * inverse];
+    Triangle { square, inverse, height: mode * square.sqrt(), along }
 }
 
 /// i and 4 l₂ l₃ − i with the rounding errors of every square and product put back: where the

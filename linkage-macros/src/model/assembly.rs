@@ -51,25 +51,23 @@ pub(super) fn polar(radius: &Expr, angle: &Expr) -> Option<[Exact; 2]> {
 }
 
 impl Resolver<'_> {
-    /// A bar has its outer joint at its origin and its pin on its x axis.
-    pub(super) fn bar_is_made(
-        &mut self,
-        link: LinkId,
-        joint: Option<PointId>,
-        pin: Option<PointId>,
-        length: Option<&Length>,
-    ) {
+    /// A bar, the group's first or second link, has its outer joint at its origin and its pin on
+    /// its x axis.
+    pub(super) fn bar_is_made(&mut self, parts: &Parts, i: usize, length: Option<&Length>) {
+        let Some(link) = parts.link(i) else {
+            return;
+        };
         let zero = || Exact::integer(0);
         let carrier = Carrier::Link(link);
-        if let Some(joint) = joint {
+        if let Some(joint) = parts.point(i) {
             self.facts.fix(joint, carrier, Some([zero(), zero()]));
         }
-        if let Some(pin) = pin {
+        if let Some(pin) = parts.pin {
             let length = length.and_then(|length| length.value.constant());
             self.facts.fix(pin, carrier, length.map(|length| [length.clone(), zero()]));
         }
         let facts = &mut self.facts.links[link.index()];
-        facts.is_bar = pin.is_some();
+        facts.is_bar = parts.has_pin();
         facts.length = length.map(|length| length.value.clone());
     }
 

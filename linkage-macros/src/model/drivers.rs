@@ -18,9 +18,7 @@ impl Resolver<'_> {
             Some(value) => self.relative_to_is_a_body(value),
             None => Some(Carrier::Ground),
         };
-        if let Some(link) = link {
-            self.bar_is_made(link, pivot, pin, length.as_ref());
-        }
+        self.bar_is_made(parts, 0, length.as_ref());
         if let (Some(pivot), Some(pin), Some(Carrier::Ground), Some(angle), Some(length)) =
             (pivot, pin, relative_to, &angle, &length)
         {

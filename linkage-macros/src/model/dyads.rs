@@ -9,10 +9,8 @@ impl Resolver<'_> {
     pub(super) fn rrr(&mut self, parts: &Parts) -> Option<Step> {
         let lengths = self.bar_lengths(parts);
         let mode = self.mode(parts.group, parts.anatomy, &parts.fields);
-        for i in 0..2 {
-            if let Some(link) = parts.link(i) {
-                self.bar_is_made(link, parts.point(i), parts.pin, lengths[i].as_ref());
-            }
+        for (i, length) in lengths.iter().enumerate() {
+            self.bar_is_made(parts, i, length.as_ref());
         }
         let [first, second] = lengths;
         let (outer, lengths) = ([parts.point(0)?, parts.point(1)?], [first?, second?]);
@@ -33,9 +31,7 @@ impl Resolver<'_> {
         let length = length.and_then(|length| self.bar_length(length, &bar));
         let offset = self.offset(parts);
         let mode = self.mode(parts.group, parts.anatomy, &parts.fields);
-        if let Some(link) = parts.link(0) {
-            self.bar_is_made(link, parts.point(0), parts.pin, length.as_ref());
-        }
+        self.bar_is_made(parts, 0, length.as_ref());
         if let (Some(link), Some(pin)) = (parts.link(1), parts.pin) {
             self.block_is_made(link, pin);
         }

@@ -318,15 +318,14 @@ impl Resolver<'_> {
         }
         let measure = self.measure_of_call(function, arguments, &values)?;
         let rests = values.into_iter().map(|value| value.rest).collect::<Vec<_>>();
-        let value = rests[0].constant().map(shown);
-        match Expr::call(function, rests) {
-            Some(rest) => Some(Quantity::plain(measure, rest)),
-            None => {
-                let value = value.unwrap_or_default();
-                self.function_is_defined(function, name, &arguments[0], &value);
-                None
-            }
+        let constants: Vec<_> =
+            rests.iter().filter_map(|rest| rest.constant()).map(shown).collect();
+        let called = Expr::call(function, rests);
+        if called.is_none() {
+            let call = format!("{name}({})", constants.join(", "));
+            self.function_is_defined(function, &arguments[0], &call);
         }
+        called.map(|rest| Quantity::plain(measure, rest))
     }
 
     /// Reports a function that does not exist, with the nearest one.
@@ -342,20 +341,14 @@ impl Resolver<'_> {
     }
 
     /// Reports a function of constants where it has no value.
-    fn function_is_defined(
-        &mut self,
-        function: Function,
-        name: &Ident,
-        argument: &tree::Expr,
-        value: &str,
-    ) {
+    fn function_is_defined(&mut self, function: Function, argument: &tree::Expr, call: &str) {
         let reason = match function {
             Function::Sqrt => "a square root needs a number that is not negative",
-            Function::Asin | Function::Acos => "its argument lies between -1 and 1",
+            Function::Asin | Function::Acos => "a sine or a cosine lies between -1 and 1",
             Function::Tan => "the tangent is infinite where the cosine is zero",
             _ => "the zero vector has no direction",
         };
-        let message = format!("`{name}` of {value} does not exist");
+        let message = format!("`{call}` has no value");
         self.diagnostics.error_because(argument.span, message, reason);
     }
 }

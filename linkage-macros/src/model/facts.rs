@@ -45,6 +45,9 @@ pub(super) struct LinkFacts {
     pub is_bar: bool,
     /// The distance from one to the other; `None` also where it was in error.
     pub length: Option<Expr>,
+    /// Whether its joint and its pin are known, so that a point which is neither is known not to
+    /// be.
+    pub has_its_joints: bool,
 }
 
 pub(super) struct GuideFacts {

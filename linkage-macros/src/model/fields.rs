@@ -83,7 +83,7 @@ impl Resolver<'_> {
             message += &format!("; a field with a similar name exists: `{near}`");
             None
         } else if name == "mode" {
-            Some(format!("a `{keyword}` can be assembled in one way only"))
+            Some(format!("`{keyword}` can be assembled in one way only"))
         } else {
             let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
             Some(format!("its fields are {}", listed(&names, "and")))
@@ -147,7 +147,7 @@ impl Resolver<'_> {
     }
 
     fn missing(&mut self, end: Span, name: &str, meaning: &str) {
-        self.use_is_hidden = true;
+        self.use_is_hidden |= name != "mode";
         let message = format!("missing field `{name}`");
         self.diagnostics.error_because(end, message, meaning);
     }

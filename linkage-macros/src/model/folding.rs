@@ -31,6 +31,7 @@ impl Expr {
     pub(super) fn negated(self) -> Self {
         match self {
             Self::Constant(value) => Self::Constant(value.neg()),
+            Self::Negate(value) => *value,
             other => Self::Negate(Box::new(other)),
         }
     }

@@ -33,6 +33,15 @@ pub(super) enum Stand {
 }
 
 impl Parts<'_> {
+    /// Whether the group has a pin, or should have one.
+    pub(super) fn has_pin(&self) -> bool {
+        match self.anatomy.pin {
+            Pin::Needed => true,
+            Pin::Optional => self.group.pin.is_some(),
+            Pin::None(_) => false,
+        }
+    }
+
     pub(super) fn link(&self, i: usize) -> Option<LinkId> {
         self.links.get(i).copied().flatten()
     }
@@ -88,13 +97,18 @@ impl Resolver<'_> {
             Class::Rpp => self.rpp(&parts),
         };
         self.mechanism.steps.extend(step);
-        self.what_was_made_moves(&parts);
+        self.facts_of_what_was_made(&parts);
     }
 
     /// What a group makes moves if anything it was given moves.
-    fn what_was_made_moves(&mut self, parts: &Parts) {
-        for link in parts.links.iter().flatten() {
-            self.facts.links[link.index()].moves = self.moves;
+    fn facts_of_what_was_made(&mut self, parts: &Parts) {
+        let pin_is_known = parts.pin.is_some() == parts.has_pin();
+        for (link, joint) in parts.links.iter().zip(&parts.outer) {
+            if let Some(link) = link {
+                let facts = &mut self.facts.links[link.index()];
+                facts.moves = self.moves;
+                facts.has_its_joints = joint.is_some() && pin_is_known;
+            }
         }
         if let Some(pin) = parts.pin {
             self.facts.points[pin.index()] = self.moves;
@@ -129,7 +143,12 @@ impl Resolver<'_> {
             made_by,
             slides,
         });
-        self.facts.links.push(LinkFacts { moves: false, is_bar: false, length: None });
+        self.facts.links.push(LinkFacts {
+            moves: false,
+            is_bar: false,
+            length: None,
+            has_its_joints: true,
+        });
         self.facts.order.push(Entity::Link(id));
         self.names.bind(name, Entity::Link(id));
         Some(id)

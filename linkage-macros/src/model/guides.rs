@@ -117,6 +117,8 @@ impl Resolver<'_> {
                 };
                 self.diagnostics.error_because(name.span(), message, reason);
             }
+            // What is not known to be a point of the link may be the one that was in error.
+            Carrier::Link(link) if !self.facts.links[link.index()].has_its_joints => {}
             Carrier::Link(link) => {
                 let points: Vec<_> = self
                     .facts

@@ -134,10 +134,10 @@ impl Resolver<'_> {
         self.names.bind(name, Entity::Let(id));
     }
 
-    /// A mechanism has at least one input.
+    /// A mechanism has at least one input. Nothing is said where one is used that was forgotten.
     pub(super) fn an_input_is_declared(&mut self, tree: &Declaration) {
         let is_input = |s: &Statement| matches!(s.kind, StatementKind::Input { .. });
-        if !tree.statements.iter().any(is_input) {
+        if !self.number_is_unknown && !tree.statements.iter().any(is_input) {
             let name = &tree.name;
             let message = format!("`{name}` has no input; declare what drives it");
             let reason = "an angle, `input theta: angle;`, or a length, `input s: length;`";

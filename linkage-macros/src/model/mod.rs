@@ -49,6 +49,7 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         facts: Facts::default(),
         moves: false,
         use_is_hidden: false,
+        number_is_unknown: false,
     };
     for (index, statement) in tree.statements.iter().enumerate() {
         resolver.names.go_to(index);
@@ -73,6 +74,8 @@ struct Resolver<'d> {
     moves: bool,
     /// Whether a mistake may have hidden the use of an input.
     use_is_hidden: bool,
+    /// Whether an expression names a number that nothing declares.
+    number_is_unknown: bool,
 }
 
 impl Resolver<'_> {

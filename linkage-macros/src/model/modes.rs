@@ -73,7 +73,9 @@ impl Resolver<'_> {
             return Some(Mode::Fixed(sign));
         }
         if modes.other().sign(&word.to_string()).is_some() {
-            self.mode_belongs_to_group(word, modes, group);
+            let message = format!("`{word}` is no mode of `{}`", group.keyword);
+            let reason = self.modes_explained(modes, group);
+            self.diagnostics.error_because(word.span(), message, reason);
             return None;
         }
         self.mode_param(word, modes, group)
@@ -100,19 +102,14 @@ impl Resolver<'_> {
                 None
             }
             _ => {
-                self.mode_belongs_to_group(word, modes, group);
+                let [plus, minus] = modes.other().words();
+                let message =
+                    format!("`{word}` is `{plus}` or `{minus}`, no mode of `{}`", group.keyword);
+                let reason = self.modes_explained(modes, group);
+                self.diagnostics.error_because(word.span(), message, reason);
                 None
             }
         }
-    }
-
-    /// Reports a mode of the other kind.
-    fn mode_belongs_to_group(&mut self, word: &Ident, modes: Modes, group: &Group) {
-        let [plus, minus] = modes.words();
-        let message =
-            format!("`{word}` is no mode of `{}`; write `{plus}` or `{minus}`", group.keyword);
-        let reason = self.modes_explained(modes, group);
-        self.diagnostics.error_because(word.span(), message, reason);
     }
 
     /// Reports a word that is no mode at all.

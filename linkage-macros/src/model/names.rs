@@ -68,6 +68,8 @@ struct Symbol {
     entity: Option<Entity>,
     /// Whether its statement was reached, so that another declaration is the second.
     declared: bool,
+    /// Whether another declaration was reached: what is meant by the name is unknown from there.
+    ambiguous: bool,
 }
 
 pub(super) struct Names {
@@ -95,6 +97,7 @@ impl Names {
                     made_by,
                     entity: None,
                     declared: false,
+                    ambiguous: false,
                 });
             }
         }
@@ -114,7 +117,7 @@ impl Names {
 
     /// What the name was declared as, wherever that stands.
     pub(super) fn kind(&self, name: &Ident) -> Option<Kind> {
-        self.symbol(name).map(|symbol| symbol.kind)
+        self.symbol(name).filter(|symbol| !symbol.ambiguous).map(|symbol| symbol.kind)
     }
 
     /// What the name stands for, if it can be used.
@@ -182,6 +185,7 @@ impl Resolver<'_> {
         let index = *self.names.by_name.get(&text)?;
         let symbol = &mut self.names.symbols[index];
         if symbol.declared {
+            symbol.ambiguous = true;
             let reason = format!("the first `{text}` is made by `{}`", symbol.made_by);
             let message = format!("the name `{text}` is taken; choose another");
             self.diagnostics.error_because(name.span(), message, reason);
@@ -213,12 +217,15 @@ impl Resolver<'_> {
     }
 
     /// A name that is used exists, is of a kind that belongs there, and was made earlier. A name
-    /// whose own declaration was in error gives nothing, and no message.
+    /// whose own declaration was in error, or that has two, gives nothing, and no message.
     pub(super) fn usable(&mut self, name: &Ident, kinds: &[Kind]) -> Option<Entity> {
         let Some(symbol) = self.names.symbol(name) else {
             self.name_exists(name, kinds);
             return None;
         };
+        if symbol.ambiguous {
+            return None;
+        }
         if !kinds.contains(&symbol.kind) {
             let message = format!("`{name}` is {}, not {}", symbol.kind.one(), one_of(kinds));
             let reason = reason_for_kind(name, symbol.kind, kinds);
@@ -247,7 +254,10 @@ impl Resolver<'_> {
 
     /// Reports a name that nothing declares, with the nearest one of the kinds that belong there.
     fn name_exists(&mut self, name: &Ident, kinds: &[Kind]) {
-        self.use_is_hidden = true;
+        if kinds == NUMBERS {
+            self.use_is_hidden = true;
+            self.number_is_unknown = true;
+        }
         let text = name.to_string();
         let mut message = format!("no {} named `{text}`", words(kinds));
         let mut reason = None;
@@ -257,10 +267,15 @@ impl Resolver<'_> {
                 message += &format!("; {} with a similar name exists: `{near}`", kind.one());
             }
             None => {
-                let known: Vec<_> =
-                    self.names.of_kinds(kinds).map(|known| format!("`{known}`")).collect();
+                let earlier = |symbol: &&Symbol| {
+                    kinds.contains(&symbol.kind) && symbol.statement < self.names.current
+                };
+                let known: Vec<_> = self.names.symbols.iter().filter(earlier).collect();
                 if (1..=8).contains(&known.len()) {
-                    reason = Some(format!("declared are {}", known.join(", ")));
+                    let known: Vec<_> = known.iter().map(|s| format!("`{}`", s.name)).collect();
+                    reason = Some(format!("declared so far: {}", known.join(", ")));
+                } else if known.is_empty() && kinds == NUMBERS {
+                    reason = Some(format!("declare it: `input {text}: angle;`"));
                 }
             }
         }

@@ -133,8 +133,8 @@ impl Resolver<'_> {
         }
     }
 
-    /// What is fixed in the ground depends on no input. The reason says what to write instead.
-    pub(super) fn depends_on_no_input(&mut self, expr: &tree::Expr, reason: &str) -> Option<()> {
+    /// A point of the ground is fixed: its coordinates depend on no input.
+    pub(super) fn depends_on_no_input(&mut self, expr: &tree::Expr, point: &Ident) -> Option<()> {
         let span = self.first(expr, &|resolver, part| match &part.kind {
             ExprKind::Member(..) => true,
             ExprKind::Name(name) => {
@@ -145,7 +145,9 @@ impl Resolver<'_> {
         let Some(span) = span else {
             return Some(());
         };
-        self.diagnostics.error_because(span, "a fixed point cannot depend on an input", reason);
+        let message = "a ground point is fixed; it cannot depend on an input";
+        let reason = format!("a point that is driven is declared `point {point} at (x, y);`");
+        self.diagnostics.error_because(span, message, reason);
         None
     }
 

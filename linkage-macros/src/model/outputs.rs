@@ -212,7 +212,7 @@ impl Resolver<'_> {
         if has {
             return Some(());
         }
-        let message = format!("a `{keyword}` has no `{member}`");
+        let message = format!("`{keyword}` has no `{member}`");
         let reason = match keyword {
             "prp" | "rpp" => "it is never out of reach; `transmission` tells how far from parallel",
             _ => "a driver transmits what it is given; ask the dyads that follow",

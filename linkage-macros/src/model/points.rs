@@ -15,17 +15,19 @@ impl Resolver<'_> {
     pub(super) fn ground(&mut self, docs: &[Attribute], points: &[(Ident, [Written; 2])]) {
         for (name, place) in points {
             let point = self.add_point(docs, name, "ground".to_string());
-            let at = self.lengths(place);
-            let reason = format!("a point that is driven is declared `point {name} at (x, y);`");
-            let fixed: Vec<_> =
-                place.iter().map(|value| self.depends_on_no_input(value, &reason)).collect();
+            let at = [0, 1].map(|i| {
+                self.depends_on_no_input(&place[i], name)?;
+                self.length(&place[i])
+            });
+            let at = match at {
+                [Some(x), Some(y)] => Some([x, y]),
+                _ => None,
+            };
             let Some(point) = point else {
                 continue;
             };
             self.facts.fix(point, Carrier::Ground, at.as_ref().and_then(constants));
-            if let (Some(at), true) = (at, fixed.iter().all(Option::is_some)) {
-                self.mechanism.steps.push(Step::Ground { point, at });
-            }
+            self.mechanism.steps.extend(at.map(|at| Step::Ground { point, at }));
         }
     }
 

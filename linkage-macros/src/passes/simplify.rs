@@ -1,6 +1,8 @@
 //! Removes what an exact rule of arithmetic makes superfluous, and brings signs and the order of
 //! operands into one form, so that equal values become equal nodes.
 
+use std::cmp::Ordering;
+
 use crate::exact::Exact;
 use crate::ir::construct::Maker;
 use crate::ir::graph::{Id, Node};
@@ -47,18 +49,10 @@ fn negate(maker: &mut Maker<'_>, id: Id) -> Id {
     maker.make(Node::Neg(id))
 }
 
-/// −(−a) = a, −(a − b) = b − a, −(c·a) = (−c)·a for a constant c.
+/// −(−a) = a. Signs of differences and products stay outside, where a later sum or product takes
+/// them up: the value itself is then shared with whoever needs it without the sign.
 fn negation(maker: &mut Maker<'_>, a: Id) -> Option<Id> {
-    match maker.graph.node(a) {
-        Node::Neg(inner) => Some(inner),
-        Node::Sub(x, y) => Some(maker.make(Node::Sub(y, x))),
-        Node::Mul(x, y) => {
-            let factor = maker.graph.as_constant(x)?.neg();
-            let factor = maker.constant(factor);
-            Some(maker.make(Node::Mul(factor, y)))
-        }
-        _ => None,
-    }
+    negated(maker, a)
 }
 
 fn sum(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
@@ -124,7 +118,9 @@ fn difference(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
         let sum = maker.make(Node::Add(a, b));
         return Some(negate(maker, sum));
     }
-    None
+    // a − b = −(b − a), where somebody has made the latter.
+    let mirrored = maker.graph.find(Node::Sub(b, a))?;
+    Some(negate(maker, mirrored))
 }
 
 fn product(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
@@ -139,9 +135,6 @@ fn product(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     }
     if let Some((constant, other)) = constant_first(maker, a, b) {
         let factor = maker.graph.as_constant(constant)?.clone();
-        if factor.neg().is_one() {
-            return Some(negate(maker, other));
-        }
         if let Some(folded) = constant_product(maker, &factor, other) {
             return Some(folded);
         }
@@ -160,15 +153,18 @@ fn product(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     ordered(maker, a, b, Node::Mul)
 }
 
-/// c₁·(c₂·x) = (c₁ c₂)·x and c·(−x) = (−c)·x: no rounding more, often one less.
+/// c₁·(c₂·x) = (c₁ c₂)·x, no rounding more and often one less; (−c)·x = −(c·x), so that a
+/// product and its negative are one operation.
 fn constant_product(maker: &mut Maker<'_>, factor: &Exact, other: Id) -> Option<Id> {
-    let (folded, rest) = match maker.graph.node(other) {
-        Node::Mul(x, y) => (factor.mul(maker.graph.as_constant(x)?), y),
-        Node::Neg(x) => (factor.neg(), x),
-        _ => return None,
-    };
+    if factor.signum() == Ordering::Less {
+        let positive = maker.constant(factor.neg());
+        let product = maker.make(Node::Mul(positive, other));
+        return Some(negate(maker, product));
+    }
+    let Node::Mul(x, y) = maker.graph.node(other) else { return None };
+    let folded = factor.mul(maker.graph.as_constant(x)?);
     let folded = maker.constant(folded);
-    Some(maker.make(Node::Mul(folded, rest)))
+    Some(maker.make(Node::Mul(folded, y)))
 }
 
 fn quotient(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {

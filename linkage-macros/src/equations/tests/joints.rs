@@ -140,3 +140,77 @@ fn points_and_guides_lie_where_their_frames_say() {
         assert!((v[5 + 2 * k] - expected.1).abs() < 1e-15, "point {k}");
     }
 }
+
+#[test]
+fn compensated_numerics_mean_the_same() {
+    for lengths in ["(0.75, 0.5)", "(0.6, 0.6)", "(0.5 + s, 0.8 - s)"] {
+        let body = format!(
+            "input s: length; {ARM} rrr BC(B), DC(D) -> C {{ lengths: {lengths}, mode: left }}
+             slider z(g) {{ slide: s }}"
+        );
+        let body = body.replace("ground A", "guide g through (0, 0) along 0deg; ground A");
+        let body = body.replacen("input s: length;", "", 1).replacen(
+            "input q: angle;",
+            "input q: angle; input s: length;",
+            1,
+        );
+        let plain = position(&format!("struct M {{ {body} }}"));
+        let careful = position(&format!("struct M {{ {body} numerics compensated; }}"));
+        assert_eq!(plain.len(), careful.len());
+        for (plain, careful) in plain.iter().zip(&careful) {
+            assert!(plain.apart(careful) < 1e-80, "{lengths}");
+        }
+    }
+}
+
+/// What an output is at q = 0.7.
+fn output(body: &str) -> Vec<f64> {
+    to_f64(&position(&format!("struct M {{ {ARM} {body} }}")))
+}
+
+#[track_caller]
+fn near(found: f64, expected: f64) {
+    // A handful of operations in f64 on numbers of order one.
+    assert!((found - expected).abs() < 1e-14, "{found} is not {expected}");
+}
+
+#[test]
+fn margins_and_transmission_are_what_the_joints_say() {
+    let v = output(
+        "rrr BC(B), DC(D) -> C { lengths: (0.75, 0.5), mode: left } output B, C, BC.margin, BC.transmission;",
+    );
+    let d = (1.0 - v[0]).hypot(0.25 - v[1]);
+    let (outer, inner) = (1.25 * 1.25 - d * d, d * d - 0.0625);
+    near(v[4], outer * inner / (8.0 * 0.375 * d));
+    let cross = (v[2] - v[0]) * (v[3] - 0.25) - (v[3] - v[1]) * (v[2] - 1.0);
+    near(v[5], cross.abs() / 0.375);
+
+    let v = output(
+        "guide g through (0.25, 0.5) along 30deg;
+         rrp BC(B), block(g) -> C { length: 1.25, offset: 0.125, mode: ahead }
+         output B, C, BC.margin, BC.transmission;",
+    );
+    let u = (30f64.to_radians().cos(), 30f64.to_radians().sin());
+    let t = 0.125 - (u.0 * (v[1] - 0.5) - u.1 * (v[0] - 0.25));
+    near(v[4], (1.25 - t) * (1.25 + t) / 2.5);
+    near(v[5], ((v[2] - v[0]) * u.0 + (v[3] - v[1]) * u.1).abs() / 1.25);
+
+    let v = output(
+        "rpr block(B), bar(D) { offset: -0.25 } output B, block.slide, bar.margin, bar.transmission;",
+    );
+    let d = (1.0 - v[0]).hypot(0.25 - v[1]);
+    near(v[3], d - 0.25);
+    near(v[4], v[2].abs() / d);
+
+    let v = output("rpr block(B), bar(D) { mode: behind } output B, bar.margin, bar.transmission;");
+    near(v[2], (1.0 - v[0]).hypot(0.25 - v[1]));
+    near(v[3], 1.0);
+
+    let v = output(
+        "guide g through (0.25, 0.5) along 30deg; guide h on AB through B along 90deg;
+         prp a(g), b(h) -> C {} rpp c(B), y(h) { slot: -60deg } output AB, a.transmission, y.transmission;",
+    );
+    let across = (-v[1], v[0]);
+    near(v[2], (u.0 * across.1 - u.1 * across.0).abs());
+    near(v[3], 60f64.to_radians().sin());
+}

@@ -84,7 +84,8 @@ rewrites! {
     by_one_is_nothing: SIMPLIFY, |g| { let (a, b) = (x(g), c(g, "1")); g.push(Node::Div(a, b)) } => "x";
     a_difference_with_itself_is_zero: SIMPLIFY, |g| { let a = x(g); g.push(Node::Sub(a, a)) } => "0";
     signs_cancel: SIMPLIFY, |g| { let a = x(g); let n = g.push(Node::Neg(a)); g.push(Node::Neg(n)) } => "x";
-    a_negative_difference_turns: SIMPLIFY, |g| { let (a, b) = (x(g), y(g)); let d = g.push(Node::Sub(a, b)); g.push(Node::Neg(d)) } => "(y - x)";
+    a_difference_and_its_negative_are_one: SIMPLIFY, |g| { let (a, b) = (x(g), y(g)); let d = g.push(Node::Sub(a, b)); let e = g.push(Node::Sub(b, a)); g.push(Node::Div(d, e)) } => "-(x - y)/(x - y)";
+    a_negative_constant_gives_its_sign_away: SIMPLIFY, |g| { let (a, k) = (x(g), c(g, "-3")); g.push(Node::Mul(k, a)) } => "-3*x";
     adding_a_negative_subtracts: SIMPLIFY, |g| { let (a, b) = (x(g), y(g)); let n = g.push(Node::Neg(b)); g.push(Node::Add(a, n)) } => "(x - y)";
     subtracting_a_negative_adds: SIMPLIFY, |g| { let (a, b) = (x(g), y(g)); let n = g.push(Node::Neg(b)); g.push(Node::Sub(a, n)) } => "(x + y)";
     two_negatives_add_under_one_sign: SIMPLIFY, |g| { let (a, b) = (x(g), y(g)); let n = g.push(Node::Neg(a)); g.push(Node::Sub(n, b)) } => "-(x + y)";

@@ -1,0 +1,165 @@
+//! Whether joints a distance apart can be bridged, decided exactly.
+//!
+//! At a toggle the distance equals the bars' span up to rounding, and what is asked is on which
+//! side of a limit a few last places away it lies: the sign of a difference of squares that
+//! cancels down to the last bit. It is computed without rounding, on numbers scaled by a power of
+//! two so that no square leaves the range. Nothing in here knows of groups or scalars.
+
+use crate::kernels::{Native, exact_sum, mul_err, sqrt};
+
+/// How much a pose may be short of assembly, in units in the last place of the longest length:
+/// what rounding does to a joint that lies on the line of centres in real numbers.
+const ULPS: f64 = 4.0;
+
+/// The answer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Reach {
+    /// The joints can be bridged.
+    Meets,
+    /// They cannot, by rounding only.
+    AtLimit,
+    /// They cannot, by this much.
+    Beyond(f64),
+    /// They coincide: the direction from one to the other is undefined.
+    Coincident,
+    /// A number is not finite.
+    NotFinite,
+}
+
+/// The numbers that are judged: the distance from one to the next, and the smallest above zero.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Width {
+    pub(crate) epsilon: f64,
+    pub(crate) smallest: f64,
+}
+
+/// Whether circles of radii |`l1`| and |`l2`| about points (`dx`, `dy`) apart meet.
+pub(crate) fn circles([dx, dy]: [f64; 2], [l1, l2]: [f64; 2], width: Width) -> Reach {
+    let Some(scale) = Scale::of([dx, dy, l1, l2]) else {
+        return Reach::NotFinite;
+    };
+    let [dx, dy, l1, l2] = [dx, dy, l1, l2].map(|x| scale.down(x).abs());
+    let (long, short) = (l1.max(l2), l1.min(l2));
+    let d = distance([dx, dy]);
+    let slack = ULPS * scale.ulp(d.max(long), width);
+    let missing = excess([dx, dy], [long, short, 0.0]);
+    if missing <= 0.0 {
+        too_close([dx, dy], [long, short], slack, scale)
+    } else if excess([dx, dy], [long, short, slack]) <= 0.0 {
+        Reach::AtLimit
+    } else {
+        Reach::Beyond(scale.up(missing / (d + (long + short))))
+    }
+}
+
+/// Whether (`dx`, `dy`) is at least |`e`| long.
+pub(crate) fn offset([dx, dy]: [f64; 2], e: f64, width: Width) -> Reach {
+    let Some(scale) = Scale::of([dx, dy, e]) else {
+        return Reach::NotFinite;
+    };
+    let [dx, dy, e] = [dx, dy, e].map(|x| scale.down(x).abs());
+    let slack = ULPS * scale.ulp(distance([dx, dy]).max(e), width);
+    too_close([dx, dy], [e, 0.0], slack, scale)
+}
+
+/// Whether |`t`| ≤ |`l`|.
+pub(crate) fn line(t: f64, l: f64, width: Width) -> Reach {
+    let Some(scale) = Scale::of([t, l]) else {
+        return Reach::NotFinite;
+    };
+    let [t, l] = [t, l].map(|x| scale.down(x).abs());
+    let slack = ULPS * scale.ulp(t.max(l), width);
+    if t <= l {
+        Reach::Meets
+    } else if exact_sum([t, -l, -slack]) <= 0.0 {
+        Reach::AtLimit
+    } else {
+        Reach::Beyond(scale.up(t - l))
+    }
+}
+
+/// Whether points `d` apart are at least `long` − `short` ≥ 0 apart.
+fn too_close(d: [f64; 2], [long, short]: [f64; 2], slack: f64, scale: Scale) -> Reach {
+    let missing = -excess(d, [long, -short, 0.0]);
+    let by_rounding_only =
+        exact_sum([long, -short, -slack]) <= 0.0 || excess(d, [long, -short, -slack]) >= 0.0;
+    if missing > 0.0 && !by_rounding_only {
+        Reach::Beyond(scale.up(missing / (distance(d) + (long - short))))
+    } else if d == [0.0; 2] {
+        Reach::Coincident
+    } else if missing > 0.0 {
+        Reach::AtLimit
+    } else {
+        Reach::Meets
+    }
+}
+
+/// dx² + dy² − (a + b + w)², with the sign of the exact value.
+fn excess([dx, dy]: [f64; 2], [a, b, w]: [f64; 3]) -> f64 {
+    let mut terms = [0.0; 16];
+    let products = [
+        (dx, dx),
+        (dy, dy),
+        (-a, a),
+        (-b, b),
+        (-w, w),
+        (-2.0 * a, b),
+        (-2.0 * a, w),
+        (-2.0 * b, w),
+    ];
+    for (i, (x, y)) in products.into_iter().enumerate() {
+        terms[2 * i] = x * y;
+        terms[2 * i + 1] = mul_err::<f64, Native>(x, y);
+    }
+    exact_sum(terms)
+}
+
+fn distance([dx, dy]: [f64; 2]) -> f64 {
+    sqrt(dx * dx + dy * dy)
+}
+
+/// A power of two that brings the largest of some numbers between 1 and 2.
+#[derive(Clone, Copy)]
+struct Scale {
+    /// Two factors, since their product may be out of range.
+    down: [f64; 2],
+    up: [f64; 2],
+}
+
+impl Scale {
+    /// The scale of these numbers, if they are finite. Subnormal numbers are brought only as far
+    /// as the smallest normal number is, which leaves them large enough to be squared.
+    fn of<const N: usize>(numbers: [f64; N]) -> Option<Self> {
+        let largest = numbers.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+        if !numbers.iter().all(|x| x.is_finite()) {
+            return None;
+        }
+        let exponent = ((largest.to_bits() >> 52) as i32).max(1) - 1023;
+        let halves = [exponent / 2, exponent - exponent / 2];
+        Some(Self { down: halves.map(|k| power_of_two(-k)), up: halves.map(power_of_two) })
+    }
+
+    /// The number in the scale: exact, unless it is 2⁻¹⁰⁰⁰ times as large as the largest.
+    fn down(self, x: f64) -> f64 {
+        x * self.down[0] * self.down[1]
+    }
+
+    /// The number out of the scale; the largest number where it is out of range.
+    fn up(self, x: f64) -> f64 {
+        (x * self.up[0] * self.up[1]).min(f64::MAX)
+    }
+
+    /// The unit in the last place of a scaled number as a number of this width.
+    fn ulp(self, x: f64, width: Width) -> f64 {
+        let leading_bit = f64::from_bits(x.to_bits() & f64::INFINITY.to_bits());
+        (leading_bit * width.epsilon).max(self.down(width.smallest))
+    }
+}
+
+/// 2ᵏ for −1022 ≤ k ≤ 1023.
+fn power_of_two(k: i32) -> f64 {
+    f64::from_bits(((k + 1023) as u64) << 52)
+}
+
+#[cfg(test)]
+mod tests;

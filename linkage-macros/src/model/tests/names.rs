@@ -1,0 +1,263 @@
+//! Names: declared once, found, used after they are made.
+
+use super::*;
+
+#[test]
+fn a_name_is_declared_once() {
+    check(&[
+        (
+            CRANK,
+            "ground B(1m, 1m);",
+            "B: the name `B` is taken; choose another / the first `B` is made by `crank AB`",
+        ),
+        (
+            CRANK,
+            "ground A(1m, 1m), A(2m, 2m);",
+            "A: the name `A` is taken; choose another / the first `A` is made by `ground A`\n\
+             A: the name `A` is taken; choose another / the first `A` is made by `ground A`",
+        ),
+        (
+            CRANK,
+            "input t: length;",
+            "t: the name `t` is taken; choose another / the first `t` is made by `input t`",
+        ),
+        (
+            CRANK,
+            "param t = 2; param AB = 3; param D = 2;",
+            "t: the name `t` is taken; choose another / the first `t` is made by `input t`\n\
+             AB: the name `AB` is taken; choose another / the first `AB` is made by `crank AB`\n\
+             D: the name `D` is taken; choose another / the first `D` is made by `ground D`",
+        ),
+        (
+            CRANK,
+            "rrr BC(B), BC(D) -> C { lengths: (3m, 3m), mode: left }",
+            "BC: the name `BC` is taken; choose another / the first `BC` is made by `rrr BC, \
+             BC`",
+        ),
+        (
+            CRANK,
+            "param AB = 3; crank X(A) -> Y { length: AB, angle: t }",
+            "AB: the name `AB` is taken; choose another / the first `AB` is made by `crank AB`",
+        ),
+        (
+            CRANK,
+            "rrr BC(B), DC(D) -> A { lengths: (2m, 2m), mode: left } point P on BC at distances \
+             (1.5m, 1.5m) left; guide g on BC through A towards B;",
+            "A: the name `A` is taken; choose another / the first `A` is made by `ground A`",
+        ),
+    ]);
+}
+
+#[test]
+fn an_unknown_name_is_reported_with_the_nearest() {
+    check(&[
+        (
+            CRANK,
+            "rrr BC(Bb), DC(D) -> C { lengths: (3m, 3m), mode: left }",
+            "Bb: no point named `Bb`; a point with a similar name exists: `B`",
+        ),
+        (
+            CRANK,
+            "rrr BC(Q), DC(D) -> C { lengths: (3m, 3m), mode: left }",
+            "Q: no point named `Q` / declared so far: `A`, `D`, `B`",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: thta }",
+            "thta: no input, parameter or `let` named `thta` / declared so far: `t`",
+        ),
+        (
+            NOTHING,
+            "input theta: angle; ground A(0, 0); crank AB(A) -> B { length: 1m, angle: thata }",
+            "thata: no input, parameter or `let` named `thata`; an input with a similar name \
+             exists: `theta`",
+        ),
+        (
+            CRANK,
+            "guide g on AC through A towards B;",
+            "AC: no link named `AC`; a link with a similar name exists: `AB`",
+        ),
+        (CRANK, "point P on BC at (1m, 0);", "BC: no link named `BC` / declared so far: `AB`"),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: t, relative_to: AC }",
+            "AC: no link named `AC`; a link with a similar name exists: `AB`",
+        ),
+        (
+            NOTHING,
+            "ground A(0, 0); crank AB(A) -> B { length: 1m, angle: theta }",
+            "theta: no input, parameter or `let` named `theta` / declare it: `input theta: \
+             angle;`",
+        ),
+    ]);
+}
+
+#[test]
+fn what_is_used_was_made_earlier() {
+    check(&[
+        (
+            CRANK,
+            "rrr BC(C), DC(D) -> C { lengths: (3m, 3m), mode: left }",
+            "C: `C` is used inside the statement that makes it / a statement can use what \
+             earlier ones have made",
+        ),
+        (
+            CRANK,
+            "rrr BC(P), DC(D) -> C { lengths: (3m, 3m), mode: left } point P on AB at (1m, 0);",
+            "P: `P` is used before `point P` makes it / move `point P` in front of this \
+             statement",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: far, angle: t } param far = 2m;",
+            "far: `far` is used before `param far` makes it / move `param far` in front of this \
+             statement",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: EF.angle }",
+            "EF: `EF` is used inside the statement that makes it / a statement can use what \
+             earlier ones have made",
+        ),
+        (
+            SIX_BAR,
+            "crank X(A) -> Y { length: half, angle: t } let half = t * 1m / 2; crank Z(A) { \
+             angle: half }",
+            "half: `half` is used before `let half` makes it / move `let half` in front of this \
+             statement\n\
+             half: a length where an angle belongs / a length divided by a length is a number, \
+             and so an angle: `s / 20mm`",
+        ),
+    ]);
+}
+
+#[test]
+fn a_name_is_of_a_kind_that_belongs_there() {
+    check(&[
+        (
+            CRANK,
+            "rrr BC(AB), DC(D) -> C { lengths: (3m, 3m), mode: left }",
+            "AB: `AB` is a link, not a point / name a joint of `AB`, or a `point` on it",
+        ),
+        (CRANK, "output sum = B;", "B: `B` is a point, not a number"),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: t, relative_to: A }",
+            "A: `A` is a point, not a link / a link is what a `crank`, `slider` or dyad makes",
+        ),
+        (
+            CRANK,
+            "let x = B; let y = rail; guide rail through A along 0deg; let z = rail;",
+            "B: `B` is a point, not a number\n\
+             rail: `rail` is a guide, not a number\n\
+             rail: `rail` is a guide, not a number",
+        ),
+        (
+            GUIDE,
+            "crank relative(A) { angle: t, relative_to: rail } crank other(A) { angle: 1rad, \
+             relative_to: other }",
+            "rail: `rail` is a guide, not a link\n\
+             other: `other` is used inside the statement that makes it / a statement can use \
+             what earlier ones have made",
+        ),
+    ]);
+}
+
+#[test]
+fn a_mechanism_has_inputs_and_uses_them() {
+    check(&[
+        (
+            NOTHING,
+            "ground A(0, 0);",
+            "M: `M` has no input; declare what drives it / an angle, `input theta: angle;`, or \
+             a length, `input s: length;`",
+        ),
+        (
+            INPUT,
+            "",
+            "t: nothing uses the input `t`; use it or remove it / a driver takes it: `crank \
+             AB(A) { angle: t }`",
+        ),
+        (
+            INPUT,
+            "let half = t / 2; ground A(0, 0);",
+            "t: nothing uses the input `t`; use it or remove it / a driver takes it: `crank \
+             AB(A) { angle: t }`",
+        ),
+        (
+            NOTHING,
+            "input t: angel; ground A(0, 0); crank AB(A) -> B { length: 1m, angle: t }",
+            "angel: no input kind named `angel`; one with a similar name exists: `angle` / it \
+             is `angle` or `length`",
+        ),
+        (
+            NOTHING,
+            "input t: speed;",
+            "speed: no input kind named `speed` / it is `angle` or `length`",
+        ),
+        (
+            NOTHING,
+            "ground A(0, 0); crank AB(A) -> B { length: 1m }",
+            "}: missing field `angle` / the angle from the x axis of what it is relative to\n\
+             M: `M` has no input; declare what drives it / an angle, `input theta: angle;`, or \
+             a length, `input s: length;`",
+        ),
+        (
+            NOTHING,
+            "input t: angle; input s: length; ground A(0, 0); crank AB(A) -> B { length: 1m, \
+             angle: t } rrr BC(B), DC(Dd) -> C { lengths: (2m, 3m) }",
+            "Dd: no point named `Dd` / declared so far: `A`, `B`\n\
+             }: missing field `mode` / `left` or `right`: the side of `C` seen from `B` looking \
+             to `Dd`\n\
+             s: nothing uses the input `s`; use it or remove it / a driver takes it: `slider \
+             ram(rail) { slide: s }`",
+        ),
+    ]);
+}
+
+#[test]
+fn what_was_in_error_is_not_reported_again() {
+    check(&[
+        (
+            CRANK,
+            "let broken = 2 * tt; crank X(A) -> Y { length: broken, angle: broken }",
+            "tt: no input, parameter or `let` named `tt`; an input with a similar name exists: \
+             `t`",
+        ),
+        (
+            CRANK,
+            "crank EF(Dd) -> F { length: 1m, angle: t } guide g on EF through D towards F;",
+            "Dd: no point named `Dd`; a point with a similar name exists: `D`",
+        ),
+        (
+            CRANK,
+            "rrr BC(B), DC(D) { lengths: (2m, 2m), mode: left } point P on BC at distances \
+             (1.5m, 1.5m) left; point Q on DC at distances (1.5m, 0.1m) right;",
+            "rrr: `rrr` makes a pin; name it with `-> C` / it reads `rrr BC(B), DC(D) -> C { \
+             lengths: (632mm, 374mm), mode: left }`\n\
+             Q: no point has the distances of `Q`; change them / `DC` is 2 m, distances 1.5 m + \
+             0.1 m reach 1.6 m",
+        ),
+    ]);
+}
+
+#[test]
+fn settings_are_known_and_given_once() {
+    check(&[
+        (
+            CRANK,
+            "numerics fast;",
+            "fast: no numerics named `fast`; write `compensated` / `compensated` carries the \
+             rounding errors of a dyad along, for 10 to 15 % more time; without the statement \
+             they are plain",
+        ),
+        (
+            CRANK,
+            "numerics compensated; numerics compensated;",
+            "compensated: `numerics` is given twice; remove one",
+        ),
+        (CRANK, "crate = a; crate = b;", "b: `crate` is given twice; remove one"),
+        (CRANK, "export cpp;", "cpp: no export named `cpp`; write `export c;`"),
+        (CRANK, "export c; export c;", "c: `export c` is given twice; remove one"),
+    ]);
+}

@@ -1,0 +1,167 @@
+//! What is asked for.
+
+use super::*;
+
+#[test]
+fn an_output_is_given_once() {
+    check(&[
+        (CRANK, "output B, B;", "B: the output `B` is given twice; remove one"),
+        (CRANK, "output AB, AB.angle;", "angle: the output `AB` is given twice; remove one"),
+        (CRANK, "output AB.angle, AB;", "AB: the output `AB` is given twice; remove one"),
+        (
+            CRANK,
+            "output B.angle;",
+            "angle: a point is given whole; write `output B` / the field `B` has `x` and `y`",
+        ),
+        (
+            SIX_BAR,
+            "output block.slide, block, block.slide;",
+            "block: the output `block` is given twice; remove one\n\
+             slide: the output `block` is given twice; remove one",
+        ),
+        (
+            SIX_BAR,
+            "output block.slide, block.slide;",
+            "slide: the output `block` is given twice; remove one",
+        ),
+    ]);
+}
+
+#[test]
+fn an_output_is_a_result() {
+    check(&[
+        (
+            CRANK,
+            "output Bx;",
+            "Bx: no point, link or `let` named `Bx`; a point with a similar name exists: `B`",
+        ),
+        (
+            CRANK,
+            "output t;",
+            "t: `t` is an input, and an output is a point or a link / an expression of it is \
+             given by a name: `output twice = 2 * t`",
+        ),
+        (
+            GUIDE,
+            "output rail;",
+            "rail: `rail` is a guide, and an output is a point or a link / the link that \
+             carries it has a direction",
+        ),
+        (
+            CRANK,
+            "output 2 * t;",
+            "2 * t: an expression needs a name; write `output name = …` / the name is the field \
+             of the result",
+        ),
+    ]);
+}
+
+#[test]
+fn a_link_gives_what_it_has() {
+    check(&[
+        (
+            CRANK,
+            "output AB.slide;",
+            "slide: `AB` does not slide / no link of `crank AB` slides on a guide",
+        ),
+        (
+            GUIDE,
+            "output B.x;",
+            "x: a point is given whole; write `output B` / the field `B` has `x` and `y`",
+        ),
+        (
+            CRANK,
+            "output AB.omega;",
+            "omega: rates need no output of their own; write `output AB.angle` / `velocity` \
+             gives `AB.omega` and `motion` also `AB.alpha`",
+        ),
+        (
+            CRANK,
+            "output AB.x;",
+            "x: `AB` is a link and has no `x`; name a point / a point of it is declared `point \
+             P on AB at (x, y);`",
+        ),
+        (
+            CRANK,
+            "output AB.angel;",
+            "angel: a link has no `angel`; one with a similar name exists: `angle` / it has \
+             `angle`, `slide` if it slides, `margin` and `transmission`",
+        ),
+        (
+            CRANK,
+            "output AB.margin;",
+            "margin: `crank` has no `margin` / a driver transmits what it is given; ask the \
+             dyads that follow",
+        ),
+        (
+            SIX_BAR,
+            "output CE.slide;",
+            "slide: `CE` does not slide / of `rrp CE, block`, `block` slides",
+        ),
+        (
+            SIX_BAR,
+            "output DC.slide;",
+            "slide: `DC` does not slide / no link of `rrr BC, DC` slides on a guide",
+        ),
+        (
+            SIX_BAR,
+            "output AB.transmission;",
+            "transmission: `crank` has no `transmission` / a driver transmits what it is given; \
+             ask the dyads that follow",
+        ),
+        (
+            GUIDE,
+            "prp p(rail), q(rail) -> C { } output p.margin;",
+            "rail: both links of `prp` stand on `rail` / two links on one guide never cross\n\
+             margin: `prp` has no `margin` / it is never out of reach; `transmission` tells how \
+             far from parallel",
+        ),
+        (
+            SIX_BAR,
+            "guide slot on CE through C towards E; rpr pin(B), fork(E) { offset: 1mm } output \
+             slot, pin.margin, fork.slide;",
+            "slot: `slot` is a guide, and an output is a point or a link / the link that \
+             carries it has a direction\n\
+             slide: `fork` does not slide / of `rpr pin, fork`, `pin` slides",
+        ),
+    ]);
+}
+
+#[test]
+fn an_expression_has_a_name_of_its_own() {
+    check(&[
+        (CRANK, "output AB = t;", "AB: the name `AB` is taken; choose another / `AB` is a link"),
+        (
+            CRANK,
+            "output twice = 2 * t, twice = 3 * t;",
+            "twice: the output `twice` is given twice; remove one",
+        ),
+        (
+            CRANK,
+            "output sum = AB.margin;",
+            "margin: `AB.margin` stands in no expression / a link has `angle`, and `slide` if \
+             it slides",
+        ),
+        (
+            CRANK,
+            "output sum = AB.slide;",
+            "slide: `AB` does not slide / no link of `crank AB` slides on a guide",
+        ),
+        (
+            CRANK,
+            "output sum = B.x;",
+            "B: `B` is a point, and a point's coordinates stand in no expression / `output B` \
+             gives `x` and `y` as a result",
+        ),
+    ]);
+}
+
+#[test]
+fn parts_of_a_link_are_legal_outputs() {
+    check(&[(
+        SIX_BAR,
+        "output BC.margin, BC.transmission, block.slide, block.angle, x = BC.angle - \
+             DC.angle, E, half = block.slide / 2;",
+        "",
+    )]);
+}

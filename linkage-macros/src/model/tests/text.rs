@@ -1,0 +1,222 @@
+//! A resolved mechanism as text: one line a statement, ids as the names they stand for.
+
+use super::super::mechanism::*;
+
+pub(super) fn text(mechanism: &Mechanism) -> String {
+    let names = Names(mechanism);
+    let mut lines = Vec::new();
+    for input in &mechanism.inputs {
+        lines.push(format!("input {}: {}", input.name, input.dimension.words()));
+    }
+    for param in &mechanism.params {
+        let default = match &param.kind {
+            ParamKind::Number { dimension, default } => {
+                format!("{} {}", dimension.words(), default.to_f64())
+            }
+            ParamKind::Side { default } => format!("side {}", sign(*default)),
+            ParamKind::Sense { default } => format!("sense {}", sign(*default)),
+        };
+        lines.push(format!("param {}: {default}", param.name));
+    }
+    for (i, turn) in mechanism.lets.iter().enumerate() {
+        lines.push(format!("let {i} = {}", names.turn(turn)));
+    }
+    lines.extend(mechanism.steps.iter().map(|step| names.step(step)));
+    lines.extend(mechanism.outputs.iter().map(|output| names.output(output)));
+    lines.join("\n")
+}
+
+fn sign(sign: Sign) -> char {
+    if sign == Sign::Plus { '+' } else { '-' }
+}
+
+struct Names<'m>(&'m Mechanism);
+
+impl Names<'_> {
+    fn point(&self, id: PointId) -> String {
+        self.0.points[id.index()].name.to_string()
+    }
+
+    fn link(&self, id: LinkId) -> String {
+        self.0.links[id.index()].name.to_string()
+    }
+
+    fn guide(&self, id: GuideId) -> String {
+        self.0.guides[id.index()].name.to_string()
+    }
+
+    fn carrier(&self, carrier: Carrier) -> String {
+        match carrier {
+            Carrier::Ground => "ground".to_string(),
+            Carrier::Link(link) => self.link(link),
+        }
+    }
+
+    fn title(&self, id: GroupId) -> String {
+        let group = &self.0.groups[id.index()];
+        format!("{} {}", group.keyword, group.title)
+    }
+
+    fn mode(&self, mode: Mode) -> String {
+        match mode {
+            Mode::Fixed(fixed) => sign(fixed).to_string(),
+            Mode::Param(id) => self.0.params[id.index()].name.to_string(),
+        }
+    }
+
+    fn expr(&self, expr: &Expr) -> String {
+        match expr {
+            Expr::Constant(value) => value.to_f64().to_string(),
+            Expr::Input(id) => self.0.inputs[id.index()].name.to_string(),
+            Expr::Param(id) => self.0.params[id.index()].name.to_string(),
+            Expr::Let(id) => format!("let{}", id.0),
+            Expr::Slide(link) => format!("{}.slide", self.link(*link)),
+            Expr::Negate(value) => format!("(-{})", self.expr(value)),
+            Expr::Binary(operator, sides) => {
+                let operator = match operator {
+                    Operator::Add => '+',
+                    Operator::Sub => '-',
+                    Operator::Mul => '*',
+                    Operator::Div => '/',
+                };
+                format!("({} {operator} {})", self.expr(&sides[0]), self.expr(&sides[1]))
+            }
+            Expr::Call(function, arguments) => {
+                let arguments: Vec<_> = arguments.iter().map(|a| self.expr(a)).collect();
+                format!("{function:?}({})", arguments.join(", ")).to_lowercase()
+            }
+        }
+    }
+
+    fn pair(&self, [first, second]: &[Expr; 2]) -> String {
+        format!("({}, {})", self.expr(first), self.expr(second))
+    }
+
+    fn turn(&self, turn: &Turn) -> String {
+        let links = turn.links.iter().map(|(link, k)| format!("{k}*{}.angle", self.link(*link)));
+        links.chain([self.expr(&turn.rest)]).collect::<Vec<_>>().join(" + ")
+    }
+
+    /// The value, and the name that run-time errors give it.
+    fn length(&self, length: &Length) -> String {
+        format!("{} `{}`", self.expr(&length.value), length.name)
+    }
+
+    fn step(&self, step: &Step) -> String {
+        match step {
+            Step::Ground { point, at } => format!("ground {}{}", self.point(*point), self.pair(at)),
+            Step::Guide { guide, carrier, through, course } => {
+                let through = match through {
+                    Spot::At(at) => self.pair(at),
+                    Spot::Point(point) => self.point(*point),
+                };
+                let course = match course {
+                    Course::Along(turn) => format!("along {}", self.turn(turn)),
+                    Course::Towards(point) => format!("towards {}", self.point(*point)),
+                };
+                let (guide, carrier) = (self.guide(*guide), self.carrier(*carrier));
+                format!("guide {guide} on {carrier} through {through} {course}")
+            }
+            Step::Point { point, carrier, place, group } => {
+                let place = match place {
+                    Place::Cartesian(at) => self.pair(at),
+                    Place::Polar(radius, angle) => {
+                        format!("polar ({}, {})", self.expr(radius), self.expr(angle))
+                    }
+                    Place::Distances { distances, length, side } => format!(
+                        "distances {} of {} {}",
+                        self.pair(distances),
+                        self.expr(length),
+                        sign(*side)
+                    ),
+                };
+                let (point, carrier) = (self.point(*point), self.carrier(*carrier));
+                format!("point {point} on {carrier} at {place} by {}", self.title(*group))
+            }
+            Step::Crank { group, pivot, pin, angle, relative_to, .. } => {
+                let pin = pin.as_ref().map_or(String::new(), |(pin, length)| {
+                    format!(" -> {} at {}", self.point(*pin), self.length(length))
+                });
+                let (pivot, angle) = (self.point(*pivot), self.turn(angle));
+                let base = self.carrier(*relative_to);
+                format!("{}({pivot}){pin} turned {angle} from {base}", self.title(*group))
+            }
+            Step::Slider { link, guide, pin, slide, offset } => {
+                let pin = pin.map_or(String::new(), |pin| format!(" -> {}", self.point(pin)));
+                let (guide, slide) = (self.guide(*guide), self.expr(slide));
+                let link = self.link(*link);
+                format!("slider {link}({guide}){pin} {slide} offset {}", self.expr(offset))
+            }
+            _ => self.dyad(step),
+        }
+    }
+
+    fn dyad(&self, step: &Step) -> String {
+        match step {
+            Step::Rrr { group, outer, pin, lengths, mode, .. } => format!(
+                "{} on {}, {} -> {} lengths {}, {} mode {}",
+                self.title(*group),
+                self.point(outer[0]),
+                self.point(outer[1]),
+                self.point(*pin),
+                self.length(&lengths[0]),
+                self.length(&lengths[1]),
+                self.mode(*mode)
+            ),
+            Step::Rrp { group, outer, guide, pin, length, offset, mode, .. } => format!(
+                "{} on {}, {} -> {} length {} offset {} mode {}",
+                self.title(*group),
+                self.point(*outer),
+                self.guide(*guide),
+                self.point(*pin),
+                self.length(length),
+                self.expr(offset),
+                self.mode(*mode)
+            ),
+            Step::Rpr { group, outer, offset, mode, .. } => format!(
+                "{} on {}, {} offset {} mode {}",
+                self.title(*group),
+                self.point(outer[0]),
+                self.point(outer[1]),
+                self.expr(offset),
+                self.mode(*mode)
+            ),
+            Step::Prp { group, guides, pin, offsets, .. } => format!(
+                "{} on {}, {} -> {} offsets {}",
+                self.title(*group),
+                self.guide(guides[0]),
+                self.guide(guides[1]),
+                self.point(*pin),
+                self.pair(offsets)
+            ),
+            Step::Rpp { group, outer, guide, slot, offsets, .. } => format!(
+                "{} on {}, {} slot {} offsets {}",
+                self.title(*group),
+                self.point(*outer),
+                self.guide(*guide),
+                self.turn(slot),
+                self.pair(offsets)
+            ),
+            _ => unreachable!("drivers and places are not dyads"),
+        }
+    }
+
+    fn output(&self, output: &Output) -> String {
+        let what = match &output.kind {
+            OutputKind::Point(point) => format!("point {}", self.point(*point)),
+            OutputKind::Link { link, direction, slide } => {
+                let link = self.link(*link);
+                let parts = [direction.then_some("angle"), slide.then_some("slide")];
+                let parts: Vec<_> = parts.into_iter().flatten().collect();
+                format!("{link}.{}", parts.join("+"))
+            }
+            OutputKind::Value { value, dimension } => {
+                format!("{} {}", dimension.words(), self.expr(value))
+            }
+            OutputKind::Turn(turn) => format!("turn {}", self.turn(turn)),
+            OutputKind::Margin(group) => format!("margin of {}", self.title(*group)),
+            OutputKind::Transmission(group) => format!("transmission of {}", self.title(*group)),
+        };
+        format!("output {} = {what}", output.field)
+    }
+}
