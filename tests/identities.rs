@@ -184,7 +184,7 @@ fn whitworths_bar_follows_its_formula() {
     // s² = 1 + d² + 2 d sin θ, ω₃ = ω (1 + d sin θ)/s², α₃ = ω² d cos θ (d² − 1)/s⁴.
     let omega = 3.0;
     for depth in [2.0, 0.4] {
-        let press = Whitworth { depth, ..Whitworth::new() };
+        let press = Whitworth { depth };
         for theta in every_degree(-180, 180) {
             let motion = press.motion(theta, omega, 0.0).unwrap();
             let (sin, cos) = theta.sin_cos();

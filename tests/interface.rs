@@ -106,3 +106,23 @@ fn defaults_serve_every_scalar() {
     let copy = changed;
     assert_eq!(format!("{copy:?}"), format!("{changed:?}"));
 }
+
+#[test]
+fn the_straight_line_says_whether_its_numbers_may_be_used() {
+    // The pose of a double-rocker exists on a part of the turn only.
+    let reach = FunctionGenerator { coupler: 1.5, rocker: 3.0 };
+    let mut there = 0;
+    for degree in 0..360 {
+        let theta = f64::from(degree).to_radians();
+        let (pose, usable) = reach.solve_position(theta);
+        let answer = reach.position(theta);
+        assert_eq!(usable, answer.is_ok(), "at {degree}°");
+        if let Ok(found) = answer {
+            assert_eq!(found, pose);
+            there += 1;
+        }
+    }
+    assert!(there > 0 && there < 360);
+    assert!(!reach.solve_position(f64::NAN).1);
+    assert!(!reach.solve_motion(0.0, 1.0e200, 0.0).1);
+}

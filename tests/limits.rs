@@ -156,20 +156,25 @@ fn block_square_to_its_bar<T: Real>() {
     }
 }
 
-/// One unit inside the toggle is an ordinary pose: √(2² − (2 − 2ε)²)/2 up, with velocities.
-fn one_unit_inside<T: Real>() {
-    let short = T::EPSILON;
-    let group = DrivenRrr::<T>::default();
-    let q = list([0.0, 0.0, 2.0 - short, 0.0]);
-    let height = ((4.0 - short) * short).sqrt() / 2.0;
-    let pose = group.position(q).unwrap();
-    // The square of 2 − ε rounds by up to two of its units, ε each (it is below 4), next to a
-    // difference of 4 ε: half of the height at the worst, and far from zero.
-    let error = (pose.C.y.value() - height).abs();
-    assert!(error <= height / 2.0, "{:?} for {height}", pose.C.y);
-    assert!(pose.C.y.value() > 0.0);
-    let turning = group.velocity(q, list([0.3, 0.7, 0.0, 0.0])).unwrap();
-    assert!(turning.BC.omega.value().abs() > 0.1 / height);
+/// Inside the toggle every pose is an ordinary one, from one unit on.
+fn inside_the_toggle<T: Real>() {
+    for units in 1..=8 {
+        // Below 2 the spacing is ε: the height is √(2² − (2 − short)²)/2.
+        let short = f64::from(units) * T::EPSILON;
+        let group = DrivenRrr::<T>::default();
+        let q = list([0.0, 0.0, 2.0 - short, 0.0]);
+        let height = ((4.0 - short) * short).sqrt() / 2.0;
+        let pose = group.position(q).unwrap();
+        // The square of 2 − short is below 4, where the spacing is 2 ε: next to a difference of
+        // 4 short its rounding is a quarter at the worst, an eighth of the height.
+        let error = (pose.C.y.value() - height).abs();
+        assert!(error <= height / 8.0 / f64::from(units), "{:?} for {height}", pose.C.y);
+        let turning = group.velocity(q, list([0.3, 0.7, 0.0, 0.0])).unwrap();
+        // ω = w · r₃ / J with w = (−0.3, −0.7), r₃ nearly (−1, h), J = r₂ × r₃ nearly 2 h.
+        let omega = 0.3 / (2.0 * height);
+        let error = (turning.BC.omega.value() - omega).abs();
+        assert!(error <= omega / 4.0 / f64::from(units) + 1.0, "{:?} for {omega}", turning.BC);
+    }
 }
 
 macro_rules! in_both_widths {
@@ -189,7 +194,7 @@ in_both_widths! {
     inner_toggle
     bar_square_to_its_guide
     block_square_to_its_bar
-    one_unit_inside
+    inside_the_toggle
 }
 
 #[test]

@@ -44,7 +44,7 @@ fn guides_along_the_axes<T: Real>() {
 /// The rows of a motion with everything that is a length divided by the size.
 macro_rules! unit_rows {
     ($mechanism:ident, $t:ty, $size:expr, $theta:expr) => {{
-        let mechanism = $mechanism::<$t> { size: number($size), ..Default::default() };
+        let mechanism = $mechanism::<$t> { size: number($size) };
         let motion = mechanism.motion(number($theta), number(1.5), number(-0.75)).unwrap();
         let orders = [motion.position.rows(), motion.velocity.rows(), motion.acceleration.rows()];
         let names = $mechanism::OUTPUTS;

@@ -2,8 +2,8 @@
 //! of its joints from the plan, and let the solver find the plan again.
 //!
 //! Tolerances: every dimension and input is rounded once on its way into the solver, and the
-//! solver rounds some 60 times on the way to an acceleration; let κ = 30 ε · size / |sin| be the
-//! resulting relative error of a pose, where size is the sum of the lengths and coordinates over
+//! solver rounds some 60 times on the way to an acceleration. Roundings of either sign, n of them
+//! up to half ε, add up to √(n/12) ε; let κ be twice that, 4.5 ε · size / |sin|, for a pose, where size is the sum of the lengths and coordinates over
 //! the shortest length and sin that of the angle at the inner joint (of the guides, of bar and
 //! guide). A velocity solves equations whose matrix has the condition 1/|sin| and is perturbed by
 //! κ: its error is κ · W / |sin|, W the sum of all rates. An acceleration solves them once more
@@ -34,7 +34,7 @@ struct Scale {
 
 impl Scale {
     fn tolerance<T: Real>(&self, order: usize) -> f64 {
-        let pose = 30.0 * T::EPSILON * self.size * self.lever;
+        let pose = 4.5 * T::EPSILON * self.size * self.lever;
         match order {
             0 => pose,
             1 => pose * self.rates * self.lever,
@@ -141,8 +141,8 @@ fn rrr<T: Real>() {
         let scale = Scale { size, lever: sin.abs().recip(), rates, seconds };
         let (p, v, a) = (found.position, found.velocity, found.acceleration);
         scale.point([p.C, v.C, a.C], &c);
-        scale.jet("BC", [away(p.BC, one.value), v.BC.omega, a.BC.alpha], one.from_zero());
-        scale.jet("DC", [away(p.DC, two.value), v.DC.omega, a.DC.alpha], two.from_zero());
+        scale.jet("BC", [away(p.BC, one.value), v.BC.omega, a.BC.alpha], one.relative());
+        scale.jet("DC", [away(p.DC, two.value), v.DC.omega, a.DC.alpha], two.relative());
     }
 }
 
@@ -172,12 +172,12 @@ fn rrp<T: Real>() {
         let scale = Scale { size, lever: cos.abs().recip(), rates, seconds };
         let (p, v, a) = (found.position, found.velocity, found.acceleration);
         scale.point([p.C, v.C, a.C], &c);
-        scale.jet("BC", [away(p.BC, bar.value), v.BC.omega, a.BC.alpha], bar.from_zero());
+        scale.jet("BC", [away(p.BC, bar.value), v.BC.omega, a.BC.alpha], bar.relative());
         scale.jet("slide", [p.block.slide, v.block.slide, a.block.slide], slide);
         scale.jet(
             "block",
             [away(p.block.into(), frame.value), v.block.omega, a.block.alpha],
-            frame.from_zero(),
+            frame.relative(),
         );
     }
 }
@@ -205,7 +205,7 @@ fn rpr<T: Real>() {
         let size = (shortest + e.abs() + reach) / shortest;
         let scale = Scale { size, lever, rates, seconds };
         let (p, v, a) = (found.position, found.velocity, found.acceleration);
-        scale.jet("bar", [away(p.bar, bar.value), v.bar.omega, a.bar.alpha], bar.from_zero());
+        scale.jet("bar", [away(p.bar, bar.value), v.bar.omega, a.bar.alpha], bar.relative());
         scale.jet("slide", [p.block.slide, v.block.slide, a.block.slide], slide);
     }
 }
@@ -277,7 +277,7 @@ fn rpp<T: Real>() {
         scale.jet(
             "block",
             [away(p.block.into(), turned.value), v.block.omega, a.block.alpha],
-            frame.from_zero(),
+            frame.relative(),
         );
     }
 }

@@ -26,9 +26,10 @@ pub fn finite_result<T: Real>(value: T, name: &'static str) -> Result<(), SolveE
     finite_input(value, name)
 }
 
-/// The value, at least zero, provided that circles of radii `l1` and `l2` about points
-/// (`dx`, `dy`) apart meet; zero where they fail to by at most four units in the last place of
-/// the longest of the three lengths.
+/// The value, (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²) / 4d⁴, provided that circles of radii `l1` and
+/// `l2` about points d = (`dx`, `dy`) apart meet; zero where they fail to by at most four units in
+/// the last place of the longest of the three lengths. Where they meet and the value was rounded
+/// away, it is computed once more without rounding.
 ///
 /// # Errors
 /// `OutOfReach` by the distance that is missing, `Singular` where the centres coincide or where a
@@ -42,8 +43,33 @@ pub fn reach_circles<T: Real>(
     l2: T,
     group: &'static str,
 ) -> Result<T, SolveError> {
-    let reach = limit::circles([dx.value(), dy.value()], [l1.value(), l2.value()], width::<T>());
+    let (d, lengths) = ([dx.value(), dy.value()], [l1.value(), l2.value()]);
+    let reach = limit::circles(d, lengths, width::<T>());
+    let lost = reach == Reach::Meets && value.value() <= 0.0;
+    let value = if lost { restored(value, limit::height_product(d, lengths)) } else { value };
     reached(value, reach, group)
+}
+
+/// The squared length `value` between centres of circles of radii `l1` and `l2`, provided that it
+/// is in the range in which a square carries full precision.
+///
+/// # Errors
+/// As for [`square`]; about one point, circles of different radii are `OutOfReach`.
+#[cold]
+pub fn square_of_centres<T: Real>(
+    value: T,
+    dx: T,
+    dy: T,
+    l1: T,
+    l2: T,
+    group: &'static str,
+) -> Result<T, SolveError> {
+    let (d, lengths) = ([dx.value(), dy.value()], [l1.value(), l2.value()]);
+    match limit::circles(d, lengths, width::<T>()) {
+        Reach::Beyond(by) => Err(SolveError::OutOfReach { group, by }),
+        Reach::Coincident => Err(SolveError::Singular { group }),
+        Reach::Meets | Reach::AtLimit | Reach::NotFinite => square(value, group),
+    }
 }
 
 /// The value, at least zero, provided that |`t`| ≤ `l`; at the limit and errors as for
@@ -135,6 +161,12 @@ fn reached<T: Real>(value: T, reach: Reach, group: &'static str) -> Result<T, So
     }
 }
 
+/// The value with its derivatives, its real part as it would be without rounding.
+fn restored<T: Real>(value: T, exact: f64) -> T {
+    let missing = exact - value.value();
+    value + T::lit(missing, missing as f32)
+}
+
 fn width<T: Real>() -> Width {
     // smallest_square is MIN_POSITIVE/ε², and the smallest number above zero MIN_POSITIVE·ε.
     let epsilon = <T as Real>::EPSILON;
@@ -171,6 +203,22 @@ mod tests {
             reach_offset(-1.0, 0.0, 1.0, -1.5, GROUP),
             Err(SolveError::OutOfReach { group: GROUP, by: 0.5 })
         );
+    }
+
+    #[cfg(feature = "ad")]
+    #[test]
+    fn at_the_limit_only_a_constant_has_a_derivative() {
+        use num_dual::Dual;
+        let [d, l1, l2] = [7.0, 3.0, 4.0].map(Dual::<f64>::from_re);
+        let y = Dual::from_re(0.0);
+        let constant = reach_circles(Dual::from_re(-1e-16), d, y, l1, l2, GROUP).unwrap();
+        assert!(constant.re == 0.0 && constant.eps == 0.0);
+        for real in [-1e-16, 0.0] {
+            let moving = reach_circles(Dual::new(real, 1.0), d, y, l1, l2, GROUP);
+            assert!(matches!(moving, Err(SINGULAR)));
+        }
+        let inside = reach_line(Dual::new(3.0, 1.0), Dual::new(1.0, 1.0), l2, GROUP).unwrap();
+        assert!(inside.re == 3.0 && inside.eps == 1.0);
     }
 
     #[test]

@@ -1,4 +1,85 @@
 //! Static solvers for planar mechanisms.
+//!
+//! A mechanism is declared by [`mechanism!`] the way it is built, a driver and then Assur groups of
+//! class II, and compiled to straight-line code for position, velocity and acceleration. This
+//! crate is what the generated code runs on: the numbers, the results, the errors.
+//!
+//! # A mechanism
+//!
+//! ```
+//! use linkage_core::{mechanism, SolveError};
+//!
+//! mechanism! {
+//!     /// A slider-crank with an offset.
+//!     pub struct Press {
+//!         input theta: angle;
+//!         /// The connecting rod.
+//!         param rod = 210mm;
+//!
+//!         ground A(0, 0);
+//!         guide bed through (0, 12mm) along 0deg;
+//!
+//!         crank AB(A) -> B          { length: 50mm, angle: theta }
+//!         rrp   BC(B), ram(bed) -> C { length: rod, mode: ahead }
+//!
+//!         output ram.slide, BC.angle;
+//!     }
+//! }
+//!
+//! let mut press = Press::new();
+//! let p = press.position(0.3)?;
+//! assert!((p.ram.slide - 0.257_748).abs() < 1e-6);
+//!
+//! // The rod no longer reaches the bed.
+//! press.rod = 0.001;
+//! let error = press.position(0.3).unwrap_err();
+//! assert!(matches!(error, SolveError::OutOfReach { group: "BC, ram", .. }));
+//! # Ok::<(), SolveError>(())
+//! ```
+//!
+//! # Numbers
+//!
+//! A solver is generic over its number, a [`Scalar`]:
+//! - `f64` and `f32` (`Press::<f32>::default()`), each in its own precision throughout;
+//! - [`Lanes`] of them, for several poses at once;
+//! - the dual numbers of `num-dual` (feature `ad`), which `lift` converts to, for derivatives of
+//!   any output with respect to any input or parameter: `Dual`, `Dual2`, `Dual3`, `HyperDual`,
+//!   `HyperHyperDual`, the vector variants of fixed size, and dual numbers of dual numbers.
+//!
+//! Those that are single numbers, all but the lanes, are [`Real`]: they can decide, and their
+//! solvers return a `Result`.
+//!
+//! # Frames and signs
+//!
+//! Angles run from +x, counter-clockwise, in radians; lengths are in metres. A bar's frame has its
+//! origin at its outer joint and its x towards the inner pin; a block's has its origin at its pin
+//! and its x along its guide. A pin on a guide through K with direction u and normal n (90°
+//! counter-clockwise from u) is K + slide·u + offset·n.
+//!
+//! # The limit of assembly
+//!
+//! A pose that is short of assembly by no more than four units in the last place of the longest
+//! length of the group (the distance of its outer joints included) is assembled at the limit: a
+//! press at its dead centre does not fault by a rounding. Beyond that it is
+//! [`SolveError::OutOfReach`]. Velocities at the limit are [`SolveError::Singular`].
+//!
+//! # Features
+//!
+//! - `macros` (default): the macro.
+//! - `ad` (default): dual numbers, `jacobian` and `sensitivity`; brings `num-dual` and `nalgebra`,
+//!   and with them the standard library.
+//! - `std`: takes square roots and fused operations from the standard library, which the
+//!   optimiser understands better than the assembly that stands in for them without it.
+//!
+//! Without `ad` and `std` the crate is `no_std` and needs `libm` alone. It never allocates, and no
+//! solver panics.
+//!
+//! # Precision and targets
+//!
+//! On a target with fused multiplication and addition (`-C target-feature=+fma`, any 64-bit ARM)
+//! and with the standard library linked, single numbers use it. Elsewhere they never do, so that
+//! results are the same bits on every such target, a microcontroller and the machine it is
+//! developed on included.
 #![no_std]
 #![deny(unsafe_code)]
 
@@ -7,12 +88,16 @@ extern crate self as linkage_core;
 #[cfg(any(feature = "std", feature = "ad", test))]
 extern crate std;
 
+mod c_interface;
 mod careful;
 mod cost;
 #[cfg(feature = "ad")]
 mod derivatives;
+#[cfg(feature = "ad")]
+mod dual;
 mod error;
 mod kernels;
+mod lanes;
 mod limit;
 mod modes;
 mod primitive;
@@ -24,6 +109,7 @@ mod scalar;
 pub use cost::{Cost, Operations};
 pub use error::SolveError;
 pub use kernels::{Float, Fused, Fusion, Plain};
+pub use lanes::{LaneMask, Lanes};
 pub use modes::{Sense, Side};
 pub use results::{
     AngularAcceleration, AngularVelocity, Direction, Point, Slide, SlidingAcceleration,
@@ -33,3 +119,8 @@ pub use scalar::{Mask, Real, Scalar};
 
 #[cfg(feature = "macros")]
 pub use linkage_macros::mechanism;
+
+/// The examples of the README are tests.
+#[cfg(all(doctest, feature = "macros"))]
+#[doc = include_str!("../../README.md")]
+struct Readme;

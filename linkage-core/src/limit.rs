@@ -52,6 +52,21 @@ pub(crate) fn circles([dx, dy]: [f64; 2], [l1, l2]: [f64; 2], width: Width) -> R
     }
 }
 
+/// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²) / 4d⁴ for d = (`dx`, `dy`) ≠ 0: the squared height of
+/// the triangle over d, in units of d. Within a few last places, however near the limit, and
+/// with the sign of the exact value.
+pub(crate) fn height_product([dx, dy]: [f64; 2], [l1, l2]: [f64; 2]) -> f64 {
+    let Some(scale) = Scale::of([dx, dy, l1, l2]) else {
+        return f64::NAN;
+    };
+    let [dx, dy, l1, l2] = [dx, dy, l1, l2].map(|x| scale.down(x).abs());
+    let (long, short) = (l1.max(l2), l1.min(l2));
+    let square = dx * dx + dy * dy;
+    let outer = -excess([dx, dy], [long, short, 0.0]);
+    let inner = excess([dx, dy], [long, -short, 0.0]);
+    0.25 * (outer / square) * (inner / square)
+}
+
 /// Whether (`dx`, `dy`) is at least |`e`| long.
 pub(crate) fn offset([dx, dy]: [f64; 2], e: f64, width: Width) -> Reach {
     let Some(scale) = Scale::of([dx, dy, e]) else {
@@ -107,9 +122,9 @@ fn excess([dx, dy]: [f64; 2], [a, b, w]: [f64; 3]) -> f64 {
         (-2.0 * a, w),
         (-2.0 * b, w),
     ];
-    for (i, (x, y)) in products.into_iter().enumerate() {
-        terms[2 * i] = x * y;
-        terms[2 * i + 1] = mul_err::<f64, Native>(x, y);
+    for ([product, error], (x, y)) in terms.as_chunks_mut().0.iter_mut().zip(products) {
+        *product = x * y;
+        *error = mul_err::<f64, Native>(x, y);
     }
     exact_sum(terms)
 }

@@ -13,11 +13,13 @@ pub use core::marker::{Copy, PhantomData};
 pub use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 pub use core::option::Option::{self, None, Some};
 pub use core::prelude::v1::derive;
-pub use core::primitive::{bool, f32, f64, str, u32, usize};
+pub use core::primitive::{bool, f32, f64, i32, str, u32, usize};
 pub use core::result::Result::{self, Err, Ok};
 
+pub use crate::c_interface::{CError, c_sense, c_side};
 pub use crate::careful::{
-    finite_input, finite_result, nonzero, positive, reach_circles, reach_line, reach_offset, square,
+    finite_input, finite_result, nonzero, positive, reach_circles, reach_line, reach_offset,
+    square, square_of_centres,
 };
 #[cfg(feature = "ad")]
 pub use crate::derivatives::differentiate;

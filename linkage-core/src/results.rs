@@ -1,12 +1,14 @@
 //! The plain values a solver returns: points, directions, slides and their rates.
 //!
 //! Every type is a `Copy` record with public fields. What can be computed from a record on
-//! request, such as the angle of a direction, is a method; nothing else is.
+//! request, such as the angle of a direction, is a method; nothing else is. The layouts are C's, as
+//! the header of `export c;` declares them.
 
 use crate::{Real, Scalar};
 
 /// A point in ground axes, its velocity or its acceleration: metres, m/s or m/s².
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Point<T> {
     /// The component along ground x.
     pub x: T,
@@ -16,6 +18,7 @@ pub struct Point<T> {
 
 /// The unit vector along a link's x axis, in ground axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Direction<T> {
     /// The cosine of the link's angle.
     pub cos: T,
@@ -25,6 +28,7 @@ pub struct Direction<T> {
 
 /// The direction of a link that slides, and how far it has slid.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct SlidingDirection<T> {
     /// The cosine of the link's angle.
     pub cos: T,
@@ -36,6 +40,7 @@ pub struct SlidingDirection<T> {
 
 /// The slide of a link that does not turn, or its first or second rate: metres, m/s or m/s².
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Slide<T> {
     /// The distance along the guide, positive along its direction.
     pub slide: T,
@@ -43,6 +48,7 @@ pub struct Slide<T> {
 
 /// The angular velocity of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct AngularVelocity<T> {
     /// In rad/s, counter-clockwise positive.
     pub omega: T,
@@ -50,6 +56,7 @@ pub struct AngularVelocity<T> {
 
 /// The angular velocity of a link that slides, and the rate of its slide.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct SlidingVelocity<T> {
     /// In rad/s, counter-clockwise positive.
     pub omega: T,
@@ -59,6 +66,7 @@ pub struct SlidingVelocity<T> {
 
 /// The angular acceleration of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct AngularAcceleration<T> {
     /// In rad/s², counter-clockwise positive.
     pub alpha: T,
@@ -66,6 +74,7 @@ pub struct AngularAcceleration<T> {
 
 /// The angular acceleration of a link that slides, and the second rate of its slide.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct SlidingAcceleration<T> {
     /// In rad/s², counter-clockwise positive.
     pub alpha: T,

@@ -42,12 +42,14 @@ impl Diagnostics {
         self.errors.len()
     }
 
-    /// The end of a phase: go on only where nothing was reported.
+    /// The end of a phase: go on only where nothing was reported. Mistakes come in the order of
+    /// the source, whichever phase found them.
     pub(crate) fn barrier(&mut self) -> Result<(), Failure> {
         if self.errors.is_empty() {
             return Ok(());
         }
         self.asked = true;
+        self.errors.sort_by_cached_key(|error| place(error.span()));
         Err(Failure(self.errors.drain(..).map(|e| e.into_compile_error()).collect()))
     }
 
@@ -71,6 +73,18 @@ impl Drop for Diagnostics {
         if !self.asked && !std::thread::panicking() {
             panic!("diagnostics were dropped without a barrier");
         }
+    }
+}
+
+/// Line and column, both 0 where there is no source.
+fn place(span: Span) -> (usize, usize) {
+    #[cfg(test)]
+    return (span.start().line, span.start().column);
+    #[cfg(not(test))]
+    {
+        // Outside a compiler there are spans without a source.
+        let span = proc_macro::is_available().then(|| span.unwrap());
+        span.map_or((0, 0), |span| (span.line(), span.column()))
     }
 }
 
@@ -142,6 +156,17 @@ mod tests {
         assert_eq!(diagnostics.count(), 3);
         let failure = diagnostics.finish().expect_err("three mistakes were reported");
         assert_eq!(messages(failure), [r#""first""#, r#""second\nits reason""#, r#""third""#]);
+    }
+
+    #[test]
+    fn mistakes_come_in_the_order_of_the_source() {
+        let tokens: TokenStream = "a\nb c".parse().expect("these are tokens");
+        let mut diagnostics = Diagnostics::new();
+        for tree in tokens.into_iter().collect::<Vec<_>>().into_iter().rev() {
+            diagnostics.error(tree.span(), &tree);
+        }
+        let failure = diagnostics.finish().expect_err("three mistakes were reported");
+        assert_eq!(messages(failure), [r#""a""#, r#""b""#, r#""c""#]);
     }
 
     #[test]

@@ -28,9 +28,8 @@ fn resolved(
     declaration: Option<&Declaration>,
     mut diagnostics: Diagnostics,
 ) -> Result<Mechanism, Failure> {
-    // Every statement is one of the language. Behind a mistake not everything was read, and the
-    // model would report as missing what only could not be understood.
-    diagnostics.barrier()?;
+    // No barrier between the two: the tree marks what could not be read, and the model says
+    // nothing of what may only be missing because of that.
     let mechanism =
         declaration.and_then(|declaration| model::resolve(declaration, &mut diagnostics));
     diagnostics.finish()?;

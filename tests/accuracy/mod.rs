@@ -9,22 +9,6 @@ use crate::data::truth::{Row, Table, Truth};
 /// Positions, velocities and accelerations in the order of the mechanism's `OUTPUTS`.
 pub(crate) type Motion = [Vec<f64>; 3];
 
-/// The number in the solver's width; the tables use inputs that every width holds exactly.
-pub(crate) fn number<T: Real>(value: f64) -> T {
-    T::lit(value, value as f32)
-}
-
-/// The only number of a row's list.
-pub(crate) fn only<T: Real>(values: &[f64]) -> T {
-    assert_eq!(values.len(), 1);
-    number(values[0])
-}
-
-/// All numbers of a row's list.
-pub(crate) fn all<T: Real, const N: usize>(values: &[f64]) -> [T; N] {
-    core::array::from_fn(|i| number(values[i]))
-}
-
 /// A result's rows as `f64`, which holds every narrower number exactly.
 pub(crate) fn widened<T: Real, const N: usize>(rows: [T; N]) -> Vec<f64> {
     rows.iter().map(|row| row.value()).collect()

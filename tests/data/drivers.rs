@@ -1,6 +1,7 @@
 //! Sliders, geared and relative cranks, lengths that are inputs.
 //!
 //! Computed with 150 digits by `generate.py` of this folder; no published source.
+#![allow(clippy::approx_constant, reason = "a tabulated angle may be half a turn")]
 
 use super::truth::{Row, Table, Truth as T};
 

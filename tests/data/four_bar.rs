@@ -1,6 +1,7 @@
 //! Four-bar 304.8/101.6/254.0/177.8 mm at 250 rad/s: every 5° of a turn.
 //!
 //! Computed with 150 digits by `generate.py` of this folder; no published source.
+#![allow(clippy::approx_constant, reason = "a tabulated angle may be half a turn")]
 
 use super::truth::{Row, Table, Truth as T};
 

@@ -56,7 +56,8 @@ def table(name, mechanism, rows):
 
 def write(file, about, tables):
     text = f"//! {about}\n//!\n"
-    text += "//! Computed with 150 digits by `generate.py` of this folder; no published source.\n\n"
+    text += "//! Computed with 150 digits by `generate.py` of this folder; no published source.\n"
+    text += '#![allow(clippy::approx_constant, reason = "a tabulated angle may be half a turn")]\n\n'
     text += "use super::truth::{Row, Table, Truth as T};\n"
     for each in tables:
         text += "\n" + table(*each)

@@ -24,7 +24,7 @@ impl Jet {
     }
 
     /// The same motion, measured from where it is now.
-    pub(crate) fn from_zero(self) -> Self {
+    pub(crate) fn relative(self) -> Self {
         Self { value: 0.0, ..self }
     }
 }

@@ -77,10 +77,12 @@ pub(crate) fn exact_sum<const N: usize>(terms: [f64; N]) -> f64 {
     let mut parts = [0.0; N];
     for (count, &term) in terms.iter().enumerate() {
         let mut carry = term;
-        for part in &mut parts[..count] {
+        for part in parts.iter_mut().take(count) {
             (carry, *part) = two_sum(carry, *part);
         }
-        parts[count] = carry;
+        if let Some(last) = parts.get_mut(count) {
+            *last = carry;
+        }
     }
     parts.iter().fold(0.0, |sum, part| sum + part)
 }

@@ -55,8 +55,18 @@ impl<'a> Arguments<'a> {
 
     /// How a private function declares them: as the records themselves.
     pub(super) fn received(&self, scalar: &TokenStream) -> Vec<TokenStream> {
-        let ty = if self.records { self.record(scalar) } else { scalar.clone() };
+        let ty = self.ty(scalar);
         self.names.iter().map(|name| quote!(#name: #ty)).collect()
+    }
+
+    /// The type of every argument.
+    pub(super) fn ty(&self, scalar: &TokenStream) -> TokenStream {
+        if self.records { self.record(scalar) } else { scalar.clone() }
+    }
+
+    /// Whether each argument is a record of all inputs.
+    pub(super) fn are_records(&self) -> bool {
+        self.records
     }
 
     /// Makes records of what a public function was given; nothing for plain numbers.

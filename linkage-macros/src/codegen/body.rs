@@ -76,7 +76,8 @@ impl<'a> Body<'a> {
                 }
                 Node::Guard(value, guard) if self.course == Course::Straight => {
                     let condition = Condition::of(self, value, guard);
-                    let new = all.conditions.insert(condition);
+                    let new =
+                        !condition.follows(&all.conditions) && all.conditions.insert(condition);
                     new.then(|| straight::condition(self, condition))
                 }
                 Node::Guard(value, guard) => Some(careful::check(self, id, value, guard)),

@@ -1,12 +1,14 @@
 //! The careful path: the same graph once more, in order, stopping at the first thing that is
 //! wrong. It runs only where the straight line's mask said no.
 
+use std::collections::HashSet;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::blocks::{Statement, lay_out};
 use super::body::Body;
-use super::names::{function_name, local};
+use super::names::{function_name, generated, local};
 use super::{Context, docs, entry, results, rows};
 use crate::ir::graph::{Check, GuardId, Id, Node};
 use crate::ir::liveness::Course;
@@ -26,12 +28,15 @@ pub(super) fn check(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> State
         Check::ReachOffset => "reach_offset",
         Check::Nonzero => "nonzero",
         Check::Positive(_) => "positive",
-        Check::Square => "square",
+        Check::Square if condition.operands.is_empty() => "square",
+        Check::Square => "square_of_centres",
     });
     let looked_at = match condition.check {
-        Check::ReachCircles | Check::ReachLine | Check::ReachOffset => &condition.operands[..],
+        Check::ReachCircles | Check::ReachLine | Check::ReachOffset | Check::Square => {
+            &condition.operands[..]
+        }
         // These look at the value alone; the operands are there to be computed first.
-        Check::Nonzero | Check::Positive(_) | Check::Square => &[],
+        Check::Nonzero | Check::Positive(_) => &[],
     };
     let group = &body.cx.program.groups[condition.group as usize];
     let length = match &condition.check {
@@ -83,25 +88,34 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
 }
 
 fn finite_inputs(body: &Body<'_>, leaves: &[Node]) -> TokenStream {
-    let finite = body.cx.paths.item("finite_input");
-    let check = |&leaf: &Node| {
-        let (value, label) = (body.arguments.leaf(leaf), body.arguments.label(leaf));
-        quote!(#finite(#value, #label)?;)
-    };
-    leaves.iter().map(check).collect()
+    let read = |&leaf: &Node| Some((body.arguments.leaf(leaf)?, body.arguments.label(leaf)?));
+    all_finite(
+        &body.cx.paths.item("finite_input"),
+        &leaves.iter().filter_map(read).collect::<Vec<_>>(),
+    )
 }
 
 fn finite_results(body: &Body<'_>, entry: &Entry) -> TokenStream {
-    let finite = body.cx.paths.item("finite_result");
-    let labels = rows::sink_labels(body.cx, entry.kind);
-    let mut seen = std::collections::HashSet::new();
-    let mut checks = TokenStream::new();
-    for (&sink, label) in entry.sinks.iter().zip(labels) {
-        let known = matches!(body.graph().node(sink), Node::Constant(_) | Node::Mode(_));
-        if !known && seen.insert(sink) {
-            let value = body.value(sink);
-            checks.extend(quote!(#finite(#value, #label)?;));
+    let mut seen = HashSet::new();
+    let known = |id| matches!(body.graph().node(id), Node::Constant(_) | Node::Mode(_));
+    let sinks = entry.sinks.iter().zip(rows::sink_labels(body.cx, entry.kind));
+    let tested: Vec<_> = sinks
+        .filter(|&(&sink, _)| !known(sink) && seen.insert(sink))
+        .map(|(&sink, label)| (body.value(sink), label))
+        .collect();
+    all_finite(&body.cx.paths.item("finite_result"), &tested)
+}
+
+/// Asks of every value whether it is finite, in order: in a loop, because an early exit for each
+/// of a thousand results takes the compiler seconds.
+fn all_finite(function: &TokenStream, values: &[(TokenStream, String)]) -> TokenStream {
+    match values {
+        [] => TokenStream::new(),
+        [(value, label)] => quote!(#function(#value, #label)?;),
+        _ => {
+            let (value, label) = (generated("value_"), generated("name_"));
+            let pairs = values.iter().map(|(value, label)| quote!((#value, #label)));
+            quote!(for &(#value, #label) in &[#(#pairs),*] { #function(#value, #label)?; })
         }
     }
-    checks
 }

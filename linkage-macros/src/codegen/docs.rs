@@ -3,7 +3,7 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::Attribute;
+use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 
 use super::names::text;
 use super::results::Order;
@@ -28,6 +28,23 @@ fn lines(paragraph: &str) -> TokenStream {
     paragraph.lines().map(attribute).collect()
 }
 
+/// The words of the user's comments, to be put behind our own.
+fn quoted(own: &[Attribute]) -> String {
+    let words = own.iter().filter_map(|attribute| match &attribute.meta {
+        Meta::NameValue(MetaNameValue {
+            value: Expr::Lit(ExprLit { lit: Lit::Str(line), .. }),
+            ..
+        }) => Some(line.value()),
+        _ => None,
+    });
+    let words: Vec<String> = words.flat_map(|line| words_of(&line)).collect();
+    if words.is_empty() { String::new() } else { format!(": {}", words.join(" ")) }
+}
+
+fn words_of(line: &str) -> Vec<String> {
+    line.split_whitespace().map(str::to_string).collect()
+}
+
 /// The struct of the mechanism: the page a user lands on.
 pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
     let mut page = String::from("Solver of position, velocity and acceleration in closed form.\n");
@@ -36,7 +53,8 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
         false => format!("\n# {title}\n- {}\n", items.join("\n- ")),
     };
     let inputs = cx.mechanism.inputs.iter().map(|input| {
-        format!("`{}` in {}", text(&input.name), unit(input.dimension, Order::Position))
+        let unit = unit(input.dimension, Order::Position);
+        format!("`{}` in {unit}{}", text(&input.name), quoted(&input.docs))
     });
     page += &section("Inputs", inputs.collect());
     let outputs = cx.mechanism.outputs.iter();
@@ -134,7 +152,7 @@ pub(super) fn output(cx: &Context<'_>, output: &Output, order: Order) -> TokenSt
 }
 
 /// One output in words: what it is, what made it, its unit.
-fn describe(cx: &Context<'_>, output: &Output, order: Order) -> String {
+pub(super) fn describe(cx: &Context<'_>, output: &Output, order: Order) -> String {
     let (mechanism, name) = (cx.mechanism, text(&output.field));
     let group = |index: usize| {
         let group = &mechanism.groups[index];
@@ -195,7 +213,7 @@ fn slid(order: Order) -> &'static str {
 }
 
 /// What a function computes.
-fn subject(kind: EntryKind) -> &'static str {
+pub(super) fn subject(kind: EntryKind) -> &'static str {
     match kind {
         EntryKind::Position | EntryKind::PositionAt => "Positions of the outputs",
         EntryKind::Velocity | EntryKind::VelocityAt => "Velocities of the outputs",

@@ -1,6 +1,6 @@
 //! The entry points: what each is called, takes and returns.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::names::{function_name, generated};
@@ -40,18 +40,30 @@ pub(super) fn takes_cosine(kind: EntryKind) -> bool {
 
 /// The type of the result, for numbers of the type parameter.
 pub(super) fn result(cx: &Context<'_>, kind: EntryKind) -> TokenStream {
-    let (names, scalar) = (&cx.names, &cx.names.scalar);
-    let record = match kind {
-        EntryKind::Position | EntryKind::PositionAt => &names.position,
-        EntryKind::Velocity | EntryKind::VelocityAt => &names.velocity,
-        EntryKind::Motion | EntryKind::MotionAt => &names.motion,
-        EntryKind::Margins => &names.margins,
-        EntryKind::Coefficients => {
+    let scalar = &cx.names.scalar;
+    result_of(cx, kind, &quote!(#scalar))
+}
+
+/// The type of the result, for numbers of this type.
+pub(super) fn result_of(cx: &Context<'_>, kind: EntryKind, scalar: &TokenStream) -> TokenStream {
+    match record(cx, kind) {
+        Some(record) => quote!(#record<#scalar>),
+        None => {
             let (rows, columns) = (cx.rows(), cx.columns());
-            return quote!([[#scalar; #columns]; #rows]);
+            quote!([[#scalar; #columns]; #rows])
         }
-    };
-    quote!(#record<#scalar>)
+    }
+}
+
+/// The record that is the result; none for a list of rows.
+pub(super) fn record<'a>(cx: &'a Context<'_>, kind: EntryKind) -> Option<&'a Ident> {
+    match kind {
+        EntryKind::Position | EntryKind::PositionAt => Some(&cx.names.position),
+        EntryKind::Velocity | EntryKind::VelocityAt => Some(&cx.names.velocity),
+        EntryKind::Motion | EntryKind::MotionAt => Some(&cx.names.motion),
+        EntryKind::Margins => Some(&cx.names.margins),
+        EntryKind::Coefficients => None,
+    }
 }
 
 /// The function that returns a `Result`: the straight line, and where its mask says no, the

@@ -7,6 +7,7 @@
 mod arguments;
 mod blocks;
 mod body;
+mod c_export;
 mod careful;
 mod cost;
 mod derivatives;
@@ -42,7 +43,7 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
     let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
     let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
     let careful = program.entries.iter().map(|entry| careful::function(&cx, entry));
-    let derivatives = derivatives::items(&cx);
+    let (derivatives, c_export) = (derivatives::items(&cx), c_export::items(&cx));
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
     quote! {
@@ -51,6 +52,7 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
         impl<#scalar: #any> #name<#scalar> { #(#straight)* }
         impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
         #derivatives
+        #c_export
     }
 }
 

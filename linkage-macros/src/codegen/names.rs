@@ -77,3 +77,25 @@ pub(super) fn argument(input: &Ident, suffix: &str) -> Ident {
 pub(super) fn text(ident: &Ident) -> String {
     ident.unraw().to_string()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_argument_is_a_lower_case_identifier() {
+        let named = |name: &str, suffix| argument(&format_ident!("{name}"), suffix).to_string();
+        assert_eq!(named("theta", "_rate"), "theta_rate");
+        assert_eq!(named("Q", ""), "q");
+        assert_eq!(named("As", ""), "as_");
+        let raw = Ident::new_raw("type", Span::call_site());
+        assert_eq!(argument(&raw, "").to_string(), "type_");
+        assert_eq!(argument(&raw, "_rate").to_string(), "type_rate");
+    }
+
+    #[test]
+    fn a_mechanism_may_be_named_like_a_type_parameter() {
+        assert_eq!(type_parameter("T", &format_ident!("T")), "T_");
+        assert_eq!(type_parameter("T", &format_ident!("U")), "T");
+    }
+}

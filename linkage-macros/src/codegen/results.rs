@@ -27,7 +27,7 @@ impl Order {
     }
 
     /// The run-time type of a shape and its fields; no type for a plain number.
-    fn fields(self, shape: Shape) -> (Option<&'static str>, &'static [&'static str]) {
+    pub(super) fn fields(self, shape: Shape) -> (Option<&'static str>, &'static [&'static str]) {
         match (shape, self) {
             (Shape::Point, _) => (Some("Point"), &["x", "y"]),
             (Shape::Slide, _) => (Some("Slide"), &["slide"]),
@@ -63,15 +63,19 @@ pub(super) fn records(cx: &Context<'_>) -> TokenStream {
     quote!(#input #(#orders)* #motion #margins)
 }
 
-/// What stands in front of every struct. No number is `Eq`, and names are as declared.
+/// What stands in front of every struct: names are as declared, no number is `Eq`, and hardly
+/// anyone reads every result.
 pub(super) fn attributes(cx: &Context<'_>) -> TokenStream {
     let derives = cx.paths.derives(&["Clone", "Copy", "Debug", "PartialEq"]);
+    let layout = cx.mechanism.export_c.then(|| quote!(#[repr(C)]));
     quote! {
         #derives
+        #layout
         #[allow(
+            dead_code,
             non_snake_case,
             clippy::derive_partial_eq_without_eq,
-            reason = "fields are named as declared, and floating-point numbers are not `Eq`"
+            reason = "names are as declared, and results are there to choose from"
         )]
     }
 }

@@ -34,6 +34,11 @@ pub(super) fn of(output: &Output) -> Vec<String> {
     }
 }
 
+/// All rows.
+pub(super) fn names(cx: &Context<'_>) -> Vec<String> {
+    cx.mechanism.outputs.iter().flat_map(of).collect()
+}
+
 /// All rows, as string literals.
 pub(super) fn literals(cx: &Context<'_>) -> Vec<TokenStream> {
     let rows = |output| of(output).into_iter().map(|row| string(&row, output.field.span()));
@@ -65,7 +70,7 @@ fn positions(outputs: &[Output]) -> Vec<String> {
     let components = |output| {
         let mut rows = of(output);
         let shape = output.kind.shape();
-        if matches!(shape, Shape::Direction | Shape::SlidingDirection) {
+        if shape.positions() > shape.rates() {
             rows.insert(0, rows[0].clone());
         }
         rows

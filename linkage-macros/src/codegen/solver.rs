@@ -41,7 +41,7 @@ fn param_type(cx: &Context<'_>, param: &Param) -> TokenStream {
 
 /// Without a numeric parameter nothing holds the type parameter; the field is public so that
 /// `..Solver::new()` stays usable: its name, its type and its value.
-fn marker(cx: &Context<'_>) -> Option<(TokenStream, TokenStream, TokenStream)> {
+pub(super) fn marker(cx: &Context<'_>) -> Option<(TokenStream, TokenStream, TokenStream)> {
     let (scalar, phantom) = (&cx.names.scalar, cx.paths.item("PhantomData"));
     cx.numeric_params()
         .is_empty()

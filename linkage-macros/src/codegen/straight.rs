@@ -1,6 +1,8 @@
 //! What the straight line does at a guard and at an angle: it goes on regardless, and a mask says
 //! in the end whether the result may be used.
 
+use std::collections::HashSet;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -26,10 +28,20 @@ impl Condition {
     pub(super) fn of(body: &Body<'_>, value: Id, guard: GuardId) -> Self {
         let value = body.resolve(value);
         match body.graph().condition(guard).check {
-            Check::ReachCircles | Check::ReachLine | Check::ReachOffset => Self::NotNegative(value),
+            Check::ReachLine | Check::ReachOffset => Self::NotNegative(value),
             Check::Nonzero => Self::Nonzero(value),
-            Check::Positive(_) => Self::Positive(value),
+            Check::ReachCircles | Check::Positive(_) => Self::Positive(value),
             Check::Square => Self::FullPrecision(value),
+        }
+    }
+}
+
+impl Condition {
+    /// Whether another condition among those already there implies this one.
+    pub(super) fn follows(self, from: &HashSet<Self>) -> bool {
+        match self {
+            Self::Nonzero(id) => from.contains(&Self::Positive(id)),
+            _ => false,
         }
     }
 }

@@ -125,10 +125,10 @@ impl StandIn {
             StatementKind::Point { name, .. } => self.point(name, Fixed::No),
             StatementKind::Group(group) => self.group(group),
             StatementKind::Crate { path } => self.mechanism.crate_path = Some(path.clone()),
+            StatementKind::Export { language } => self.mechanism.export_c |= language == "c",
             StatementKind::Guide { .. }
             | StatementKind::Output { .. }
-            | StatementKind::Numerics { .. }
-            | StatementKind::Export { .. } => {}
+            | StatementKind::Numerics { .. } => {}
         }
     }
 

@@ -16,11 +16,10 @@ pub(super) struct Quality<'s> {
 }
 
 impl<'s> Quality<'s> {
-    /// Of two slides: the sine of the angle between their directions. Its size has the rates of
-    /// the cross product, with the sign of the cross product.
-    pub(super) fn of_directions(a: Direction<'s>, b: Direction<'s>) -> Self {
+    /// Of two slides: the size of the sine of the angle between their directions, which has the
+    /// rates of the cross product, with the sign of the cross product.
+    pub(super) fn of_directions(a: Direction<'s>, b: Direction<'s>, sine: Sym<'s>) -> Self {
         let ([ax, ay], [bx, by]) = (a.jets(), b.jets());
-        let (sine, _) = a.sin_cos_to(b);
         let cross = Jet { value: sine, ..ax * by - ay * bx };
         Self { margin: None, transmission: cross.hypot(Jet::zero(sine.sheet())) }
     }

@@ -328,10 +328,11 @@ impl<'s> Kinematics<'s> {
     fn take_rpp(&mut self, step: &'s Step) {
         let Step::Rpp { group, links, outer, guide, slot, offsets } = step else { return };
         let (b, rail) = (self.point(*outer), self.guide(*guide));
-        let slot = self.turned(rail.direction, slot);
+        let unit = self.turned(Direction::ground(self.sheet), slot).u;
+        let slot = rpp::Slot { direction: self.turned(rail.direction, slot), unit };
         let slides = rpp::rpp(&self.standing(*group), b, rail, slot, self.jets(offsets));
         let foot = rail.place(slides.rail, Jet::zero(self.sheet));
-        let block = Frame { origin: b, direction: slot };
+        let block = Frame { origin: b, direction: slot.direction };
         self.set_link(links[0], block, Some(slides.slot));
         self.set_origin(links[0], *outer);
         let yoke = Frame { origin: foot, direction: rail.direction };

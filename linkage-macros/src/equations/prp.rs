@@ -74,5 +74,6 @@ fn exact_coordinates<'s>(pin: PointMotion<'s>, blocks: &[Block<'s>; 2]) -> Vecto
 
 /// The sine of the angle between the guides, not negative.
 pub(super) fn quality<'s>(guides: [Frame<'s>; 2]) -> Quality<'s> {
-    Quality::of_directions(guides[0].direction, guides[1].direction)
+    let [a, b] = guides.map(|guide| guide.direction);
+    Quality::of_directions(a, b, a.sin_cos_to(b).0)
 }

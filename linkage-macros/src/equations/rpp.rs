@@ -22,7 +22,8 @@
 //!
 //! # Source
 //! As for PRP; the two directions enclose the slot's angle, whose sine and cosine are exact where
-//! it is a multiple of 90° or 30°.
+//! it is a multiple of 90° or 30°. They are taken from β itself: the difference of the rounded
+//! angles of slot and rail would lose every digit that β is small by.
 
 use crate::equations::groups::{Place, Quality, Slides};
 use crate::equations::jet::Jet;
@@ -30,15 +31,23 @@ use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::symbol::Vector;
 use crate::ir::graph::Check;
 
+/// The slot's direction, and its unit vector in the rail's axes.
+#[derive(Clone, Copy)]
+pub(super) struct Slot<'s> {
+    pub direction: Direction<'s>,
+    pub unit: Vector<'s>,
+}
+
 pub(super) fn rpp<'s>(
     place: &Place<'s>,
     b: PointMotion<'s>,
     rail: Frame<'s>,
-    slot: Direction<'s>,
+    slot: Slot<'s>,
     offsets: [Jet<'s>; 2],
 ) -> Slides<'s> {
     let (u1, n1) = (rail.direction.u, rail.direction.n());
-    let (sine, cosine) = rail.direction.sin_cos_to(slot);
+    let Vector { x: cosine, y: sine } = slot.unit;
+    let slot = slot.direction;
     let inverse = sine.provided(Check::Nonzero, place.group, &[]).recip();
     let [e1, e2] = offsets;
 
@@ -71,6 +80,6 @@ pub(super) fn rpp<'s>(
 }
 
 /// The sine of the angle between rail and slot, not negative.
-pub(super) fn quality<'s>(rail: Frame<'s>, slot: Direction<'s>) -> Quality<'s> {
-    Quality::of_directions(rail.direction, slot)
+pub(super) fn quality<'s>(rail: Frame<'s>, slot: Slot<'s>) -> Quality<'s> {
+    Quality::of_directions(rail.direction, slot.direction, slot.unit.y)
 }

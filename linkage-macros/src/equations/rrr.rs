@@ -95,7 +95,8 @@ fn triangle<'s>(
     l3: Sym<'s>,
     mode: Sym<'s>,
 ) -> Triangle<'s> {
-    let inverse = d.dot(d).provided(Check::Square, place.group, &[]).recip();
+    let operands = [d.x, d.y, l2, l3];
+    let inverse = d.dot(d).provided(Check::Square, place.group, &operands).recip();
     let difference = l2 - l3;
     let (near, far) = match place.numerics {
         Numerics::Plain => {
@@ -112,7 +113,7 @@ fn triangle<'s>(
         let p = near * half;
         (p, p * (far * half))
     };
-    let square = square.provided(Check::ReachCircles, place.group, &[d.x, d.y, l2, l3]);
+    let square = square.provided(Check::ReachCircles, place.group, &operands);
     let along = [p + (l2 * difference) * inverse, p - (l3 * difference) * inverse];
     Triangle { square, inverse, height: mode * square.sqrt(), along }
 }

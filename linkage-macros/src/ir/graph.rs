@@ -89,8 +89,10 @@ pub(crate) struct Guard {
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Check {
-    /// Straight line: value ≥ 0. Careful: circles of radii l₁ and l₂ about points (dx, dy) apart
-    /// must meet. Operands dx, dy, l₁, l₂. At the limit the value is replaced by 0.
+    /// Straight line: value > 0. Careful: circles of radii l₁ and l₂ about points d = (dx, dy)
+    /// apart must meet. Operands dx, dy, l₁, l₂. The value is
+    /// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²)/4d⁴; where it is above zero only without rounding it is
+    /// replaced by what it is without, and at the limit by 0.
     ReachCircles,
     /// Straight line: value ≥ 0. Careful: |t| ≤ l. Operands t, l. At the limit the value is
     /// replaced by 0.
@@ -103,7 +105,8 @@ pub(crate) enum Check {
     /// Straight line: value > 0. Careful: zero or negative is `Invalid` with this name.
     Positive(String),
     /// Straight line: value ≥ the smallest square of full precision. Careful: a squared length
-    /// below it is refused, as `Singular` where it is the square of zero.
+    /// below it is refused, as `Singular` where it is the square of zero. With the operands of
+    /// `ReachCircles` it is the square of d, and out of reach where the circles do not meet.
     Square,
 }
 

@@ -16,7 +16,7 @@ impl Resolver<'_> {
         let angle = parts.fields.one("angle").and_then(|angle| self.turn(angle));
         let relative_to = match parts.fields.one("relative_to") {
             Some(value) => self.relative_to_is_a_body(value),
-            None => Some(Carrier::Ground),
+            None => parts.fields.is_left_out("relative_to").then_some(Carrier::Ground),
         };
         self.bar_is_made(parts, 0, length.as_ref());
         if let (Some(pivot), Some(pin), Some(Carrier::Ground), Some(angle), Some(length)) =
@@ -69,7 +69,7 @@ impl Resolver<'_> {
     pub(super) fn offset(&mut self, parts: &Parts) -> Option<Expr> {
         match parts.fields.one("offset") {
             Some(offset) => self.length(offset),
-            None => Some(Expr::zero()),
+            None => parts.fields.is_left_out("offset").then(Expr::zero),
         }
     }
 

@@ -121,7 +121,7 @@ impl Resolver<'_> {
     fn offsets(&mut self, parts: &Parts) -> Option<[Expr; 2]> {
         match parts.fields.pair("offsets") {
             Some(offsets) => self.lengths(offsets),
-            None => Some([Expr::zero(), Expr::zero()]),
+            None => parts.fields.is_left_out("offsets").then(|| [Expr::zero(), Expr::zero()]),
         }
     }
 }

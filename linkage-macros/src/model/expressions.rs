@@ -100,27 +100,28 @@ impl Resolver<'_> {
                 let [left, right] = &**operands;
                 let (a, b) = (self.quantity(left), self.quantity(right));
                 let (a, b) = (a?, b?);
-                match operator {
+                let quantity = match operator {
                     BinaryOp::Add => self.sum(Operator::Add, (left, a), (right, b)),
                     BinaryOp::Sub => self.sum(Operator::Sub, (left, a), (right, b)),
                     BinaryOp::Mul => self.product((left, a), (right, b)),
                     BinaryOp::Div => self.quotient(a, (right, b)),
+                }?;
+                if let Expr::Constant(value) = &quantity.rest {
+                    self.number_can_be_held(expr.span, Some(value))?;
                 }
+                Some(quantity)
             }
             ExprKind::Call(function, arguments) => self.call(function, arguments),
-            ExprKind::Mistake => {
-                self.use_is_hidden = true;
-                None
-            }
+            // The names in it are among what was not read.
+            ExprKind::Mistake => None,
         }
     }
 
-    /// A literal is a decimal number, and its unit one of the known.
+    /// A literal is a number, and its unit one of the known.
     fn literal(&mut self, span: Span, digits: &str, suffix: Option<&str>) -> Option<Quantity> {
-        let Some(value) = Exact::decimal(digits) else {
-            self.diagnostics.error(span, format!("`{digits}` is not a decimal number"));
-            return None;
-        };
+        let value = Exact::decimal(digits);
+        self.number_can_be_held(span, value.as_ref())?;
+        let value = value?;
         let Some(suffix) = suffix else {
             return Some(Quantity::constant(Measure::Bare, value));
         };
@@ -132,6 +133,21 @@ impl Resolver<'_> {
             message += &format!("; a unit with a similar name exists: `{near}`");
         }
         let reason = "lengths have `m mm cm um in`, angles `rad deg turn`, masses `kg g`";
+        self.diagnostics.error_because(span, message, reason);
+        None
+    }
+
+    /// A constant is one that floating point can hold: neither infinite nor lost as zero.
+    fn number_can_be_held(&mut self, span: Span, value: Option<&Exact>) -> Option<()> {
+        let is_held = value.is_some_and(|value| {
+            let rounded = value.to_f64();
+            rounded.is_finite() && (rounded == 0.0) == value.is_zero()
+        });
+        if is_held {
+            return Some(());
+        }
+        let message = "a number too large or too small; change its exponent";
+        let reason = "`f64` holds numbers between 1e-308 and 1e308";
         self.diagnostics.error_because(span, message, reason);
         None
     }

@@ -12,6 +12,9 @@ use super::names::listed;
 /// The fields that are known and of the right shape.
 pub(super) struct Fields<'t> {
     known: Vec<(&'static str, &'t FieldValue)>,
+    /// Fields that are there in some form, right or wrong: none of these is missing.
+    present: Vec<&'static str>,
+    all_are_read: bool,
 }
 
 impl<'t> Fields<'t> {
@@ -29,6 +32,11 @@ impl<'t> Fields<'t> {
         }
     }
 
+    /// Whether the field's default holds.
+    pub(super) fn is_left_out(&self, name: &str) -> bool {
+        self.all_are_read && !self.present.contains(&name)
+    }
+
     fn value(&self, name: &str) -> Option<&'t FieldValue> {
         self.known.iter().find(|(known, _)| *known == name).map(|&(_, value)| value)
     }
@@ -36,26 +44,27 @@ impl<'t> Fields<'t> {
 
 impl Resolver<'_> {
     pub(super) fn fields<'t>(&mut self, group: &'t Group, anatomy: &'static Anatomy) -> Fields<'t> {
-        let mut fields = Fields { known: Vec::new() };
-        // Fields that are there in some form, right or wrong: none of these is missing.
-        let mut present: Vec<&str> = Vec::new();
+        let (known, present) = (Vec::new(), Vec::new());
+        let mut fields = Fields { known, present, all_are_read: group.fields_are_read };
         for field in &group.fields {
-            let Some(name) = self.field_exists(field, group, anatomy, &mut present) else {
+            let Some(name) = self.field_exists(field, group, anatomy, &mut fields.present) else {
                 continue;
             };
-            if present.contains(&name) {
+            if fields.present.contains(&name) {
                 let message = format!("the field `{name}` is given twice; remove one");
                 self.diagnostics.error(field.name.span(), message);
                 continue;
             }
-            present.push(name);
+            fields.present.push(name);
             if self.field_has_its_shape(field, anatomy).is_some()
                 && self.field_has_its_pin(field, group, anatomy).is_some()
             {
                 fields.known.push((name, &field.value));
             }
         }
-        self.no_field_is_missing(group, anatomy, &present);
+        if group.fields_are_read {
+            self.no_field_is_missing(group, anatomy, &fields);
+        }
         fields
     }
 
@@ -66,7 +75,7 @@ impl Resolver<'_> {
         field: &Field,
         group: &Group,
         anatomy: &'static Anatomy,
-        present: &mut Vec<&str>,
+        present: &mut Vec<&'static str>,
     ) -> Option<&'static str> {
         let name = field.name.to_string();
         let names = anatomy.field_names();
@@ -98,6 +107,7 @@ impl Resolver<'_> {
         let rule = anatomy.fields.iter().find(|rule| name == rule.name);
         let pair = rule.is_some_and(|rule| rule.pair);
         match (&field.value, pair) {
+            (FieldValue::One(value), _) if value.is_mistake() => return None,
             (FieldValue::One(_), false) | (FieldValue::Pair(_), true) => return Some(()),
             (FieldValue::One(_), true) => {
                 let message = format!("`{name}` takes two values; write `{name}: (…, …)`");
@@ -115,7 +125,8 @@ impl Resolver<'_> {
     /// The distance to a pin is given only where there is a pin.
     fn field_has_its_pin(&mut self, field: &Field, group: &Group, anatomy: &Anatomy) -> Option<()> {
         let rule = anatomy.fields.iter().find(|rule| field.name == rule.name);
-        if group.pin.is_some() || rule.is_none_or(|rule| rule.needed != Needed::WithPin) {
+        let may_have_pin = group.pin.is_some() || !group.head_is_read;
+        if may_have_pin || rule.is_none_or(|rule| rule.needed != Needed::WithPin) {
             return Some(());
         }
         let name = &field.name;
@@ -127,22 +138,23 @@ impl Resolver<'_> {
     }
 
     /// Every field without a default is given; a missing one is reported at the closing brace.
-    fn no_field_is_missing(&mut self, group: &Group, anatomy: &Anatomy, present: &[&str]) {
+    fn no_field_is_missing(&mut self, group: &Group, anatomy: &Anatomy, fields: &Fields) {
         let is_needed = |rule: &FieldRule| match rule.needed {
             Needed::Always => true,
             Needed::WithPin => group.pin.is_some(),
             Needed::Never => false,
         };
         for rule in anatomy.fields.iter().filter(|rule| is_needed(rule)) {
-            if !present.contains(&rule.name) {
+            if fields.is_left_out(rule.name) {
                 self.missing(group.end, rule.name, rule.meaning);
             }
         }
-        if let Some(modes) = anatomy.modes {
-            if anatomy.mode_is_needed() && !present.contains(&"mode") {
-                let meaning = self.modes_explained(modes, group);
-                self.missing(group.end, "mode", &meaning);
-            }
+        if let Some(modes) = anatomy.modes
+            && anatomy.mode_is_needed()
+            && fields.is_left_out("mode")
+        {
+            let meaning = self.modes_explained(modes, group);
+            self.missing(group.end, "mode", &meaning);
         }
     }
 

@@ -72,7 +72,7 @@ impl Resolver<'_> {
             self.names_stay_unknown(group);
             return;
         };
-        if !self.each_joint_has_a_link(group, anatomy) {
+        if !group.head_is_read || !self.each_joint_has_a_link(group, anatomy) {
             self.names_stay_unknown(group);
             self.outer_joints(group, anatomy);
             self.fields(group, anatomy);
@@ -189,7 +189,7 @@ impl Resolver<'_> {
                 let made_by = format!("{keyword} {}", self.mechanism.groups[id.index()].title);
                 self.add_point(docs, pin, made_by)
             }
-            (None, Pin::Needed) => {
+            (None, Pin::Needed) if group.head_is_read => {
                 let message = format!("`{keyword}` makes a pin; name it with `-> C`");
                 let reason = format!("it reads `{}`", anatomy.form);
                 self.diagnostics.error_because(group.keyword.span(), message, reason);
@@ -221,7 +221,7 @@ impl Resolver<'_> {
 
     fn outer_joints(&mut self, group: &tree::Group, anatomy: &Anatomy) -> Vec<Option<Stand>> {
         let outer: Vec<_> = (group.legs.iter().zip(anatomy.joints))
-            .map(|(leg, &joint)| self.joint_stands_on_its_kind(&leg.joint, joint, anatomy))
+            .map(|(leg, &joint)| self.joint_stands_on_its_kind(leg.joint.as_ref()?, joint, anatomy))
             .collect();
         match outer[..] {
             [Some(first), Some(second)] if self.outer_joints_differ(group, first, second) => outer,
@@ -270,7 +270,7 @@ impl Resolver<'_> {
         if first != second {
             return true;
         }
-        let joint = &group.legs[1].joint;
+        let Some(joint) = &group.legs[1].joint else { return true };
         let message = format!("both links of `{}` stand on `{joint}`", group.keyword);
         let reason = match second {
             Stand::Point(_) => "between two links on one point the inner joint is undetermined",

@@ -78,6 +78,7 @@ impl Resolver<'_> {
                 let (point, at) = self.point_lies_on_carrier(name, carrier)?;
                 Some((Spot::Point(point), at))
             }
+            tree::Spot::Mistake => None,
         }
     }
 
@@ -93,6 +94,7 @@ impl Resolver<'_> {
                 let (point, at) = self.point_lies_on_carrier(name, carrier)?;
                 Some((Course::Towards(point), at))
             }
+            tree::Course::Mistake => None,
         }
     }
 

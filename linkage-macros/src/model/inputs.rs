@@ -20,8 +20,8 @@ use super::numbers::bare_name;
 const KINDS: [&str; 2] = ["angle", "length"];
 
 impl Resolver<'_> {
-    pub(super) fn input(&mut self, docs: &[Attribute], names: &[Ident], kind: &Ident) {
-        let dimension = self.quantity_kind(kind, "input kind", &KINDS);
+    pub(super) fn input(&mut self, docs: &[Attribute], names: &[Ident], kind: Option<&Ident>) {
+        let dimension = kind.and_then(|kind| self.quantity_kind(kind, "input kind", &KINDS));
         for name in names {
             let is_new = self.name_is_new(name).is_some();
             let (true, Some(dimension)) = (is_new, dimension) else {
@@ -137,7 +137,8 @@ impl Resolver<'_> {
     /// A mechanism has at least one input. Nothing is said where one is used that was forgotten.
     pub(super) fn an_input_is_declared(&mut self, tree: &Declaration) {
         let is_input = |s: &Statement| matches!(s.kind, StatementKind::Input { .. });
-        if !self.number_is_unknown && !tree.statements.iter().any(is_input) {
+        let may_have_been = self.number_is_unknown || tree.unread.may_hold("input");
+        if !may_have_been && !tree.statements.iter().any(is_input) {
             let name = &tree.name;
             let message = format!("`{name}` has no input; declare what drives it");
             let reason = "an angle, `input theta: angle;`, or a length, `input s: length;`";
@@ -172,7 +173,7 @@ impl Resolver<'_> {
         }
         for input in &self.mechanism.inputs {
             let name = &input.name;
-            if used.iter().any(|used| name == used) {
+            if used.iter().any(|used| name == used) || tree.unread.may_hold(&name.to_string()) {
                 continue;
             }
             let message = format!("nothing uses the input `{name}`; use it or remove it");
@@ -204,6 +205,7 @@ fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
             Place::Cartesian(values) | Place::Polar(values) | Place::Distances(values, _) => {
                 values.iter().for_each(f);
             }
+            Place::Mistake => {}
         },
         StatementKind::Group(group) => {
             for field in &group.fields {

@@ -3,7 +3,8 @@
 //! [`resolve`] walks the statements in order. Every statement makes what it declares, then looks
 //! at what it was given; a name can be used from the next statement on. A mistake is reported
 //! where it was made and everything else of the statement is still looked at; what a statement in
-//! error has made stays known, so that its users get no message of their own.
+//! error has made stays known, so that its users get no message of their own. The same holds for
+//! what the parser could not read: a damaged part is known to be there, and nothing more.
 //!
 //! Nothing here knows how a mechanism is solved: no formula, and of numbers only what the rules
 //! need of constants.
@@ -33,7 +34,7 @@ mod units;
 mod tests;
 
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{Declaration, Statement, StatementKind};
+use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 
 use facts::Facts;
 use mechanism::{Mechanism, Numerics};
@@ -44,6 +45,7 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     let before = diagnostics.count();
     let mut resolver = Resolver {
         diagnostics,
+        unread: &tree.unread,
         names: Names::collect(tree),
         mechanism: empty(tree),
         facts: Facts::default(),
@@ -67,6 +69,8 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
 /// What is known while the statements are walked.
 struct Resolver<'d> {
     diagnostics: &'d mut Diagnostics,
+    /// What the parser gave up: where a name is among it, nothing is known of the name.
+    unread: &'d Unread,
     names: Names,
     mechanism: Mechanism,
     facts: Facts,
@@ -82,7 +86,7 @@ impl Resolver<'_> {
     fn statement(&mut self, statement: &Statement) {
         let docs = &statement.docs;
         match &statement.kind {
-            StatementKind::Input { names, kind } => self.input(docs, names, kind),
+            StatementKind::Input { names, kind } => self.input(docs, names, kind.as_ref()),
             StatementKind::Param { name, kind, default } => {
                 self.param(docs, name, kind.as_ref(), default);
             }

@@ -61,7 +61,8 @@ impl Resolver<'_> {
     ) -> Option<Mode> {
         let modes = anatomy.modes?;
         let Some(value) = fields.one("mode") else {
-            return (!anatomy.mode_is_needed()).then_some(Mode::Fixed(Sign::Plus));
+            let is_default = !anatomy.mode_is_needed() && fields.is_left_out("mode");
+            return is_default.then_some(Mode::Fixed(Sign::Plus));
         };
         let Some(word) = bare_name(value) else {
             let message = "a mode is one word";
@@ -84,7 +85,9 @@ impl Resolver<'_> {
     /// A mode given by name is a mode parameter of the group's own kind.
     fn mode_param(&mut self, word: &Ident, modes: Modes, group: &Group) -> Option<Mode> {
         if self.names.kind(word) != Some(Kind::Param) {
-            self.mode_exists(word, modes, group);
+            if !self.unread.may_hold(&word.to_string()) {
+                self.mode_exists(word, modes, group);
+            }
             return None;
         }
         let Entity::Param(id) = self.usable(word, &[Kind::Param])? else {
@@ -132,7 +135,8 @@ impl Resolver<'_> {
     /// Both modes in the names of the group at hand.
     pub(super) fn modes_explained(&self, modes: Modes, group: &Group) -> String {
         let joint = |i: usize| {
-            group.legs.get(i).map_or("the outer joint".into(), |leg| format!("`{}`", leg.joint))
+            let joint = group.legs.get(i).and_then(|leg| leg.joint.as_ref());
+            joint.map_or("the outer joint".into(), |joint| format!("`{joint}`"))
         };
         let pin = group.pin.as_ref().map_or("the pin".into(), |pin| format!("`{pin}`"));
         match modes {
@@ -171,7 +175,7 @@ impl Resolver<'_> {
     /// The value of a mode parameter is one of the four words.
     pub(super) fn param_is_a_mode(&mut self, default: &Expr) -> Option<ParamKind> {
         let kind = bare_name(default).and_then(mode_word);
-        if kind.is_none() {
+        if kind.is_none() && !default.is_mistake() {
             let message = "a mode is `left`, `right`, `ahead` or `behind`";
             let reason = "`left` or `right` for an `rrr`, `ahead` or `behind` for `rrp` and `rpr`";
             self.diagnostics.error_because(default.span, message, reason);

@@ -220,7 +220,10 @@ impl Resolver<'_> {
     /// whose own declaration was in error, or that has two, gives nothing, and no message.
     pub(super) fn usable(&mut self, name: &Ident, kinds: &[Kind]) -> Option<Entity> {
         let Some(symbol) = self.names.symbol(name) else {
-            self.name_exists(name, kinds);
+            match self.unread.may_hold(&name.to_string()) {
+                true => self.name_is_unknown(kinds),
+                false => self.name_exists(name, kinds),
+            }
             return None;
         };
         if symbol.ambiguous {
@@ -252,12 +255,17 @@ impl Resolver<'_> {
         Some(entity)
     }
 
-    /// Reports a name that nothing declares, with the nearest one of the kinds that belong there.
-    fn name_exists(&mut self, name: &Ident, kinds: &[Kind]) {
+    /// What stands for a number and is not known may be an input, or hold one.
+    fn name_is_unknown(&mut self, kinds: &[Kind]) {
         if kinds == NUMBERS {
             self.use_is_hidden = true;
             self.number_is_unknown = true;
         }
+    }
+
+    /// Reports a name that nothing declares, with the nearest one of the kinds that belong there.
+    fn name_exists(&mut self, name: &Ident, kinds: &[Kind]) {
+        self.name_is_unknown(kinds);
         let text = name.to_string();
         let mut message = format!("no {} named `{text}`", words(kinds));
         let mut reason = None;

@@ -225,10 +225,10 @@ impl Resolver<'_> {
         if constant.signum().is_gt() {
             return Some(());
         }
-        if let Expr::Param(id) = value {
-            if std::mem::replace(&mut self.facts.params[id.index()].blamed, true) {
-                return None;
-            }
+        if let Expr::Param(id) = value
+            && std::mem::replace(&mut self.facts.params[id.index()].blamed, true)
+        {
+            return None;
         }
         let message = format!("{what} is {} m; make it greater than zero", shown(constant));
         self.diagnostics.error(span, message);

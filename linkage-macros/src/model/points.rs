@@ -39,8 +39,10 @@ impl Resolver<'_> {
         place: &tree::Place,
     ) {
         let carrier = self.carrier(on);
+        let damaged = matches!(place, tree::Place::Mistake);
         let place = self.place(name, carrier, place);
-        let Some(carrier) = carrier else {
+        // Where its link is not known, neither is the point.
+        let Some(carrier) = carrier.filter(|_| !damaged) else {
             self.name_is_new(name);
             return;
         };
@@ -72,6 +74,7 @@ impl Resolver<'_> {
         place: &tree::Place,
     ) -> Option<Place> {
         match place {
+            tree::Place::Mistake => None,
             tree::Place::Cartesian(place) => self.lengths(place).map(Place::Cartesian),
             tree::Place::Polar([radius, angle]) => {
                 let (radius, angle) = (self.length(radius), self.plain_angle(angle));

@@ -6,7 +6,7 @@ use syn::parse::Parser as _;
 use syn::{Attribute, Visibility};
 
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Declaration, Statement, StatementKind};
+use super::tree::{Declaration, Statement, StatementKind, Unread};
 use super::words;
 use crate::diagnostics::nearest;
 
@@ -26,12 +26,8 @@ impl Parser<'_> {
             (Some(body), _) => self.inside(&body).statements(),
             (None, Some(_)) => {
                 let _ = self.expected::<()>("the statements of the mechanism in `{ }`");
-                return name.map(|name| Declaration {
-                    docs,
-                    visibility,
-                    name,
-                    statements: Vec::new(),
-                });
+                let (statements, unread) = (Vec::new(), Unread::Everything);
+                return name.map(|name| Declaration { docs, visibility, name, statements, unread });
             }
             (None, None) => return None,
         };
@@ -41,7 +37,8 @@ impl Parser<'_> {
                 "a second mechanism has a `mechanism!` of its own",
             );
         }
-        name.map(|name| Declaration { docs, visibility, name, statements })
+        let unread = Unread::Words(std::mem::take(&mut self.aftermath.unread));
+        name.map(|name| Declaration { docs, visibility, name, statements, unread })
     }
 
     /// Doc comments. Other attributes are refused: what they would apply to is generated.
@@ -145,6 +142,7 @@ impl Parser<'_> {
             if self.at_end() || self.take_punct(';') {
                 continue;
             }
+            self.start = self.next;
             match self.statement() {
                 Ok(kind) => statements.push(Statement { docs, kind }),
                 Err(Reported) => {

@@ -3,6 +3,7 @@
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenTree};
 
 use super::literal;
+use super::recovery::stand_in;
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{BinaryOp, Expr, ExprKind};
 use super::words;
@@ -140,13 +141,19 @@ impl Parser<'_> {
             ),
             false => inner.expected("`)`"),
         });
+        if value.is_err() {
+            inner.give_up();
+        }
         let span = group.span();
         Ok(Expr { kind: value.map_or(ExprKind::Mistake, |value| value.kind), span })
     }
 
     /// What begins with a name: the name alone, a member, a call.
     fn named(&mut self, name: Ident) -> Parse<Expr> {
-        let word = name.to_string();
+        let (name, word) = match self.aftermath.was_refused(&name) {
+            true => (stand_in(&name), String::new()),
+            false => (name.clone(), name.to_string()),
+        };
         if words::is_rust_keyword(&word) {
             return self.expected_because(OPERAND, &format!("`{word}` is a Rust keyword"));
         }
@@ -215,25 +222,21 @@ impl Parser<'_> {
         let mut inner = self.inside(group);
         let mut arguments = Vec::new();
         while !inner.at_end() {
-            let argument = inner.expression_or_mistake();
-            let is_mistake = matches!(argument.kind, ExprKind::Mistake);
-            arguments.push(argument);
-            if is_mistake {
-                inner.skip_to_comma();
-            }
-            if !inner.at_end() && !inner.take_punct(',') {
+            let (first, span) = (inner.next, inner.here());
+            let argument = inner.expression();
+            let mut failed = argument.is_err();
+            arguments.push(argument.unwrap_or(Expr { kind: ExprKind::Mistake, span }));
+            if !failed && !inner.at_end() && !inner.is_punct(0, ',') {
                 let _ = inner.expected::<()>("`,` or `)`");
-                inner.skip_to_comma();
-                inner.take_punct(',');
+                failed = true;
             }
+            if failed {
+                inner.skip_to_comma();
+                inner.give_up_since(first);
+            }
+            inner.take_punct(',');
         }
         arguments
-    }
-
-    /// An expression, or what stands in the tree for one that was reported.
-    pub(super) fn expression_or_mistake(&mut self) -> Expr {
-        let span = self.here();
-        self.expression().unwrap_or(Expr { kind: ExprKind::Mistake, span })
     }
 
     /// Two expressions in parentheses, written as `form`. What is wrong inside the parentheses
@@ -244,6 +247,9 @@ impl Parser<'_> {
         };
         let mut inner = self.inside(&group);
         let pair = inner.two(form);
+        if pair.is_err() {
+            inner.give_up();
+        }
         let span = group.span();
         Ok(pair.unwrap_or_else(|Reported| [(); 2].map(|()| Expr { kind: ExprKind::Mistake, span })))
     }

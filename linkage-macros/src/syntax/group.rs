@@ -5,7 +5,7 @@
 use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Field, FieldValue, Group, Leg};
+use super::tree::{Expr, ExprKind, Field, FieldValue, Group, Leg};
 use super::words;
 
 impl Parser<'_> {
@@ -21,21 +21,30 @@ impl Parser<'_> {
 
     /// The group behind its keyword.
     pub(super) fn group(&mut self, keyword: Ident) -> Group {
-        let mut group =
-            Group { keyword, legs: Vec::new(), pin: None, fields: Vec::new(), end: self.end() };
-        let head = self.head(&mut group);
-        if head.is_err() {
+        let mut group = Group {
+            keyword,
+            legs: Vec::new(),
+            pin: None,
+            fields: Vec::new(),
+            end: self.end(),
+            head_is_read: true,
+            fields_are_read: true,
+        };
+        if self.head(&mut group).is_err() {
+            group.head_is_read = false;
             self.skip_to_braces();
         }
         match self.take_group(Delimiter::Brace) {
             Some(braces) => {
                 group.end = braces.span_close();
-                group.fields = self.fields(&braces);
+                self.fields(&braces, &mut group);
             }
             None => {
-                if head.is_ok() {
+                if group.head_is_read {
                     self.missing_braces(&group.keyword);
                 }
+                // Where the braces would be, more legs or a pin may stand.
+                (group.head_is_read, group.fields_are_read) = (false, false);
                 self.skip_statement();
             }
         }
@@ -50,9 +59,8 @@ impl Parser<'_> {
         loop {
             let link = self.new_name("a link")?;
             let joint = self.joint(&link);
-            // A leg in error is its own joint: the link keeps its place in the tree.
             let failed = joint.is_err();
-            group.legs.push(Leg { joint: joint.unwrap_or(link.clone()), link });
+            group.legs.push(Leg { joint: joint.unwrap_or(None), link });
             if failed {
                 return Err(Reported);
             }
@@ -68,12 +76,13 @@ impl Parser<'_> {
         } else if self.is_sign(['=', '>']) || self.is_punct(0, '>') {
             let _ = self.refuse_because::<()>("write `->`", "it points to the pin that is made");
             let _ = self.take_sign(['=', '>']) || self.take_punct('>');
-            group.pin = self.new_name("a pin").ok();
+            group.pin = Some(self.new_name("a pin")?);
         }
         Ok(())
     }
 
-    fn joint(&mut self, link: &Ident) -> Parse<Ident> {
+    /// In parentheses; a mistake inside them is contained, and the legs go on behind.
+    fn joint(&mut self, link: &Ident) -> Parse<Option<Ident>> {
         let Some(group) = self.take_group(Delimiter::Parenthesis) else {
             return self.refuse_because(
                 &format!("write what `{link}` stands on: `{link}(JOINT)`"),
@@ -82,8 +91,10 @@ impl Parser<'_> {
         };
         let mut inner = self.inside(&group);
         let joint = inner.joint_name();
-        // Inside the parentheses a mistake is contained; the legs go on behind them.
-        Ok(joint.unwrap_or_else(|Reported| link.clone()))
+        if joint.is_err() {
+            inner.give_up();
+        }
+        Ok(joint.ok())
     }
 
     fn joint_name(&mut self) -> Parse<Ident> {
@@ -127,52 +138,70 @@ impl Parser<'_> {
         {
             self.take();
         }
+        self.give_up_since(self.start);
     }
 
-    fn fields(&mut self, braces: &Delimited) -> Vec<Field> {
+    fn fields(&mut self, braces: &Delimited, group: &mut Group) {
         let mut inner = self.inside(braces);
-        let mut fields = Vec::new();
         while !inner.at_end() {
-            match inner.field() {
-                Ok(field) => fields.push(field),
-                Err(Reported) => {
-                    inner.skip_field();
-                    inner.take_punct(',');
-                    continue;
-                }
-            }
-            if inner.at_end() || inner.take_punct(',') {
+            let first = inner.next;
+            let Ok(name) = inner.field_name() else {
+                group.fields_are_read = false;
+                inner.skip_field(first);
                 continue;
-            }
-            if inner.field_begins() {
-                let found = inner.found();
-                let _ = inner.refuse::<()>(&format!("write `,` in front of {found}"));
-                continue;
-            }
-            let _ = match inner.is_punct(0, ';') {
-                true => inner.refuse_because::<()>("write `,`", "fields are separated by commas"),
-                false => inner.expected("`,` or `}`"),
             };
-            inner.take_punct(';');
-            inner.skip_field();
-            inner.take_punct(',');
+            let span = inner.here();
+            let mistake = FieldValue::One(Expr { kind: ExprKind::Mistake, span });
+            let value = inner.field_value(&name);
+            let failed = value.is_err();
+            let mut field = Field { name, value: value.unwrap_or(mistake.clone()) };
+            if failed {
+                inner.skip_field(first);
+            } else if !inner.field_ends() {
+                field.value = mistake;
+                inner.skip_field(first);
+            }
+            group.fields.push(field);
         }
-        fields
+    }
+
+    /// Goes behind the comma or to the end behind a field; false where something else follows.
+    fn field_ends(&mut self) -> bool {
+        if self.at_end() || self.take_punct(',') {
+            return true;
+        }
+        if self.field_begins() {
+            let found = self.found();
+            let _ = self.refuse::<()>(&format!("write `,` in front of {found}"));
+            return true;
+        }
+        if self.is_punct(0, ';') {
+            let _ = self.refuse_because::<()>("write `,`", "fields are separated by commas");
+            self.take_punct(';');
+            return true;
+        }
+        let _ = self.expected::<()>("`,` or `}`");
+        false
     }
 
     fn field_begins(&self) -> bool {
         self.peek_ident(0).is_some() && self.is_punct(1, ':')
     }
 
-    /// Goes to the `,` behind a field in error, or in front of the next field.
-    fn skip_field(&mut self) {
+    /// Goes behind the `,` after a field in error, or in front of the next field.
+    fn skip_field(&mut self, first: usize) {
         while !self.at_end() && !self.is_punct(0, ',') && !self.field_begins() {
             self.take();
         }
+        self.give_up_since(first);
+        self.take_punct(',');
     }
 
-    fn field(&mut self) -> Parse<Field> {
-        let name = self.word("the name of a field")?;
+    fn field_name(&mut self) -> Parse<Ident> {
+        self.word("the name of a field")
+    }
+
+    fn field_value(&mut self, name: &Ident) -> Parse<FieldValue> {
         if !self.is_punct(0, ':') || self.is_sign([':', ':']) {
             if self.at_end() || self.is_punct(0, ',') {
                 self.diagnostics.error(name.span(), format!("write `{name}: …`"));
@@ -181,14 +210,13 @@ impl Parser<'_> {
             return self.refuse(&format!("write `:` after `{name}`"));
         }
         self.take_punct(':');
-        let value = match self.pair_begins() {
-            true => FieldValue::Pair(self.pair("`(first, second)`")?),
+        match self.pair_begins() {
+            true => Ok(FieldValue::Pair(self.pair("`(first, second)`")?)),
             false if self.at_end() || self.is_punct(0, ',') => {
-                return self.expected(&format!("the value of `{name}`"));
+                self.expected(&format!("the value of `{name}`"))
             }
-            false => FieldValue::One(self.expression()?),
-        };
-        Ok(Field { name, value })
+            false => Ok(FieldValue::One(self.expression()?)),
+        }
     }
 
     /// Whether the next token is parentheses around a comma.

@@ -26,6 +26,7 @@ mod declaration;
 mod expression;
 mod group;
 mod literal;
+mod recovery;
 mod statement;
 mod tokens;
 pub(crate) mod tree;
@@ -39,9 +40,10 @@ use proc_macro2::TokenStream;
 use crate::diagnostics::Diagnostics;
 use tree::Declaration;
 
-/// Parses a declaration; `None` only where its name could not be found. A tree with reported
-/// mistakes holds [`tree::ExprKind::Mistake`] and made-up words in their places: it is good for
-/// stubs and for nothing else.
+/// Parses a declaration; `None` only where its name could not be found. In a tree with reported
+/// mistakes their places are marked, and [`tree::Unread`] holds what may be missing because of
+/// them.
 pub(crate) fn parse(source: TokenStream, diagnostics: &mut Diagnostics) -> Option<Declaration> {
-    tokens::Parser::new(source, diagnostics).declaration()
+    let mut aftermath = recovery::Aftermath::default();
+    tokens::Parser::new(source, diagnostics, &mut aftermath).declaration()
 }

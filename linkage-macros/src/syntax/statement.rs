@@ -42,9 +42,9 @@ impl Parser<'_> {
             }
             names.extend(self.new_name("an input"));
         }
-        let fallback = names[0].clone();
-        let kind = self.kind_of_input(&fallback);
-        let kind = self.or_skip(kind, fallback);
+        let first = names[0].clone();
+        let kind = self.kind_of_input(&first).map(Some);
+        let kind = self.or_skip(kind, None);
         Ok(StatementKind::Input { names, kind })
     }
 
@@ -149,9 +149,7 @@ impl Parser<'_> {
         let name = self.new_name("a guide")?;
         let mut on = None;
         let line = self.line(&mut on);
-        let nowhere = || [mistake(&name), mistake(&name)];
-        let fallback = (Spot::At(nowhere()), Course::Along(mistake(&name)));
-        let (through, course) = self.or_skip(line, fallback);
+        let (through, course) = self.or_skip(line, (Spot::Mistake, Course::Mistake));
         Ok(StatementKind::Guide { name, on, through, course })
     }
 
@@ -183,7 +181,7 @@ impl Parser<'_> {
         let name = self.new_name("a point")?;
         let mut on = None;
         let place = self.place(&name, &mut on);
-        let place = self.or_skip(place, Place::Cartesian([mistake(&name), mistake(&name)]));
+        let place = self.or_skip(place, Place::Mistake);
         Ok(StatementKind::Point { name, on, place })
     }
 
@@ -228,8 +226,9 @@ impl Parser<'_> {
     fn output(&mut self) -> Parse<StatementKind> {
         let mut items = Vec::new();
         while !self.is_punct(0, ';') && !self.at_end() {
+            let first = self.next;
             if self.output_item(&mut items).is_err() {
-                self.skip_item();
+                self.skip_item(first);
                 if self.take_punct(',') {
                     continue;
                 }
@@ -282,13 +281,14 @@ impl Parser<'_> {
     }
 
     /// Goes to the `,` or the end behind an output in error.
-    fn skip_item(&mut self) {
+    fn skip_item(&mut self, first: usize) {
         while ![',', ';'].iter().any(|&sign| self.is_punct(0, sign))
             && !self.at_end()
             && !self.statement_begins()
         {
             self.take();
         }
+        self.give_up_since(first);
     }
 
     fn numerics(&mut self) -> Parse<StatementKind> {

@@ -3,6 +3,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Spacing, Span, TokenStream, TokenTree};
 
+use super::recovery::{Aftermath, stand_in};
 use super::words;
 use crate::diagnostics::Diagnostics;
 
@@ -13,8 +14,8 @@ pub(super) type Parse<T> = Result<T, Reported>;
 
 /// Reads one delimited sequence of tokens.
 pub(super) struct Parser<'d> {
-    trees: Vec<TokenTree>,
-    next: usize,
+    pub trees: Vec<TokenTree>,
+    pub next: usize,
     /// The closing delimiter.
     end: Span,
     closing: &'static str,
@@ -24,12 +25,19 @@ pub(super) struct Parser<'d> {
     expression_end: usize,
     /// The statement in hand has lost its end: a mistake in it was reported and its tokens were
     /// skipped, so nothing more is to be said about it.
-    skipped: bool,
+    pub skipped: bool,
     pub diagnostics: &'d mut Diagnostics,
+    pub aftermath: &'d mut Aftermath,
+    /// Where the statement in hand begins.
+    pub start: usize,
 }
 
 impl<'d> Parser<'d> {
-    pub(super) fn new(source: TokenStream, diagnostics: &'d mut Diagnostics) -> Self {
+    pub(super) fn new(
+        source: TokenStream,
+        diagnostics: &'d mut Diagnostics,
+        aftermath: &'d mut Aftermath,
+    ) -> Self {
         Self {
             trees: visible(source),
             next: 0,
@@ -39,6 +47,8 @@ impl<'d> Parser<'d> {
             expression_end: usize::MAX,
             skipped: false,
             diagnostics,
+            aftermath,
+            start: 0,
         }
     }
 
@@ -58,6 +68,8 @@ impl<'d> Parser<'d> {
             expression_end: usize::MAX,
             skipped: false,
             diagnostics: &mut *self.diagnostics,
+            aftermath: &mut *self.aftermath,
+            start: 0,
         }
     }
 
@@ -240,11 +252,7 @@ impl<'d> Parser<'d> {
         let Some(refusal) = words::refusal(&word) else { return Ok(ident) };
         let (message, reason) = refusal;
         self.diagnostics.error_because(ident.span(), format!("`{word}` {message}"), reason);
-        let plain = word.trim_start_matches("r#");
-        match words::is_rust_keyword(plain) {
-            true => Ok(Ident::new(&format!("{plain}_"), ident.span())),
-            false => Ok(Ident::new(plain, ident.span())),
-        }
+        Ok(self.aftermath.refuse(&ident))
     }
 
     /// A name that was given elsewhere.
@@ -253,6 +261,10 @@ impl<'d> Parser<'d> {
             Some(ident) if can_be_referred_to(&ident.to_string()) => {
                 self.next += 1;
                 Ok(ident)
+            }
+            Some(ident) if self.aftermath.was_refused(&ident) => {
+                self.next += 1;
+                Ok(stand_in(&ident))
             }
             _ => self.expected(&format!("the name of {what}")),
         }
@@ -267,38 +279,6 @@ impl<'d> Parser<'d> {
             }
             None => self.expected(what),
         }
-    }
-
-    /// Goes to the next `,` of this sequence.
-    pub(super) fn skip_to_comma(&mut self) {
-        while !self.at_end() && !self.is_punct(0, ',') {
-            self.next += 1;
-        }
-    }
-
-    /// Goes to the end of a statement in error: in front of the next `;` or of what is certainly
-    /// another statement, or behind braces.
-    pub(super) fn skip_statement(&mut self) {
-        if self.skipped {
-            return;
-        }
-        while !self.at_end() && !self.is_punct(0, ';') && !self.statement_begins() {
-            let braces = self.is_group(0, Delimiter::Brace);
-            self.next += 1;
-            if braces {
-                break;
-            }
-        }
-        self.skipped = true;
-    }
-
-    /// Whether the statement in hand was given up; asking forgets it.
-    pub(super) fn take_skipped(&mut self) -> bool {
-        std::mem::take(&mut self.skipped)
-    }
-
-    pub(super) fn is_skipped(&self) -> bool {
-        self.skipped
     }
 
     /// Ends a statement without braces.
@@ -321,28 +301,8 @@ impl<'d> Parser<'d> {
             false => self.expected("`;`"),
         };
         self.skip_statement();
-        self.skipped = false;
+        self.take_skipped();
         self.take_punct(';');
-    }
-
-    /// Whether a statement certainly begins here: words that may be names are not enough.
-    pub(super) fn statement_begins(&self) -> bool {
-        if self.is_punct(0, '#') {
-            return self.is_group(1, Delimiter::Bracket);
-        }
-        let Some(word) = self.peek_ident(0).map(Ident::to_string) else { return false };
-        let named = self.peek_ident(1).is_some();
-        let paren = self.is_group(2, Delimiter::Parenthesis);
-        match word.as_str() {
-            "crate" => self.is_punct(1, '='),
-            "input" | "param" => {
-                named && [':', ',', '='].iter().any(|&sign| self.is_punct(2, sign))
-            }
-            "let" | "output" | "numerics" | "export" => named,
-            "guide" | "point" => named && self.peek_ident(2).is_some(),
-            "ground" => named && paren,
-            group => words::GROUPS.contains(&group) && named && paren,
-        }
     }
 }
 

@@ -2,6 +2,8 @@
 //!
 //! Every identifier and expression keeps its span, because every later message points at one.
 
+use std::collections::HashSet;
+
 use proc_macro2::{Ident, Span};
 use syn::{Attribute, Visibility};
 
@@ -12,6 +14,25 @@ pub(crate) struct Declaration {
     pub visibility: Visibility,
     pub name: Ident,
     pub statements: Vec<Statement>,
+    pub unread: Unread,
+}
+
+/// What a mistake kept from being read. A name in it may have been declared or used there: later
+/// phases say nothing of its absence.
+pub(crate) enum Unread {
+    /// Nothing behind the name of the mechanism.
+    Everything,
+    /// The identifiers among the tokens that were given up, keywords included.
+    Words(HashSet<String>),
+}
+
+impl Unread {
+    pub(crate) fn may_hold(&self, word: &str) -> bool {
+        match self {
+            Self::Everything => true,
+            Self::Words(words) => words.contains(word),
+        }
+    }
 }
 
 pub(crate) struct Statement {
@@ -21,8 +42,8 @@ pub(crate) struct Statement {
 }
 
 pub(crate) enum StatementKind {
-    /// `input s, x: length;`
-    Input { names: Vec<Ident>, kind: Ident },
+    /// `input s, x: length;`; without a kind only after a mistake.
+    Input { names: Vec<Ident>, kind: Option<Ident> },
     /// `param l = 632mm;` or `param elbow: mode = left;`; `kind` is the word after the colon.
     Param { name: Ident, kind: Option<Ident>, default: Expr },
     /// `let half = l / 2;`
@@ -54,12 +75,17 @@ pub(crate) struct Group {
     pub fields: Vec<Field>,
     /// The closing brace, where a missing field is reported.
     pub end: Span,
+    /// Whether all of its legs and its pin were read: after a mistake none of them is missing.
+    pub head_is_read: bool,
+    /// The same for the names of its fields.
+    pub fields_are_read: bool,
 }
 
 /// `BC(B)`: a link and what its outer joint stands on.
 pub(crate) struct Leg {
     pub link: Ident,
-    pub joint: Ident,
+    /// `None` only after a mistake.
+    pub joint: Option<Ident>,
 }
 
 /// `lengths: (632mm, 374mm)`.
@@ -68,6 +94,7 @@ pub(crate) struct Field {
     pub value: FieldValue,
 }
 
+#[derive(Clone)]
 pub(crate) enum FieldValue {
     /// A mode is an expression that is a bare name.
     One(Expr),
@@ -78,12 +105,16 @@ pub(crate) enum FieldValue {
 pub(crate) enum Spot {
     At([Expr; 2]),
     Point(Ident),
+    /// Could not be read, and was reported.
+    Mistake,
 }
 
 /// Where a guide goes.
 pub(crate) enum Course {
     Along(Expr),
     Towards(Ident),
+    /// Could not be read, and was reported.
+    Mistake,
 }
 
 pub(crate) enum Place {
@@ -93,6 +124,8 @@ pub(crate) enum Place {
     Polar([Expr; 2]),
     /// `at distances (r1, r2) left`
     Distances([Expr; 2], Ident),
+    /// Could not be read, and was reported.
+    Mistake,
 }
 
 pub(crate) struct OutputItem {
@@ -123,6 +156,12 @@ pub(crate) enum ExprKind {
     Call(Ident, Vec<Expr>),
     /// Left by a part that could not be parsed and was already reported.
     Mistake,
+}
+
+impl Expr {
+    pub(crate) fn is_mistake(&self) -> bool {
+        matches!(self.kind, ExprKind::Mistake)
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

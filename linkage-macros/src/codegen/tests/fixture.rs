@@ -83,6 +83,7 @@ pub(super) fn four_bar() -> (Mechanism, Program) {
     ];
     let mut shear = mechanism("FourBar", vec![input("theta", ANGLE)], outputs);
     shear.docs = docs(" A crank-rocker.");
+    shear.inputs[0].docs = docs(" The crank's angle.");
     let side = ParamKind::Side { default: Sign::Plus };
     let mode = Param { name: ident("elbow"), docs: Vec::new(), kind: side };
     shear.params = vec![number("crank", "0.08"), mode];

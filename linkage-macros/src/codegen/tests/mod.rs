@@ -58,6 +58,7 @@ fn docs_pass_the_users_words_on_and_say_what_a_thing_is() {
     let text = expand(&four_bar());
     for part in [
         "/// A crank-rocker.\n///\n/// Solver of position, velocity and acceleration",
+        "/// - `theta` in rad: The crank's angle.\n",
         "/// - crank AB\n/// - rrr BC, DC\n",
         "    /// The coupler's pin.\n    ///\n    /// Point `C` (rrr BC, DC): velocity in m/s.\n    pub C:",
         "    /// Link `BC` (rrr BC, DC): angular velocity in rad/s, counter-clockwise.\n    pub BC:",
@@ -148,7 +149,16 @@ fn every_check_has_its_comparison_and_its_call() {
             "T::gt(v1_, zero_)",
             "positive(v1_, \"BC, DC\", \"length\")?",
         ),
-        (Check::Square, "T::ge(v1_, T::smallest_square())", "square(v1_, \"BC, DC\")?"),
+        (
+            Check::Square,
+            "T::ge(v1_, T::smallest_square())",
+            "square_of_centres( v1_, theta, theta, theta, theta, \"BC, DC\", )?",
+        ),
+        (
+            Check::ReachCircles,
+            "T::gt(v1_, zero_)",
+            "reach_circles( v1_, theta, theta, theta, theta, \"BC, DC\", )?",
+        ),
     ] {
         let (condition, called) = guard(check);
         assert_eq!(condition, comparison);
@@ -169,6 +179,19 @@ fn a_comparison_is_made_once_however_many_groups_ask_for_it() {
     let straight = function(&text, "solve_position");
     assert_eq!(straight.matches("T::gt(").count(), 1, "{straight}");
     assert_eq!(straight.matches("smallest_square").count(), 1, "{straight}");
+}
+
+#[test]
+fn what_is_above_zero_is_not_asked_whether_it_is_zero() {
+    let text = expand(&one_value(|g| {
+        let angle = angle(g);
+        [Check::ReachCircles, Check::Nonzero].into_iter().fold(angle, |value, check| {
+            g.guard(value, Guard { check, group: 0, operands: vec![angle; 4] })
+        })
+    }));
+    let straight = function(&text, "solve_position");
+    assert!(straight.contains("T::gt(theta, zero_)"), "{straight}");
+    assert!(!straight.contains("select"), "{straight}");
 }
 
 #[test]
@@ -203,7 +226,8 @@ fn several_inputs_are_a_record_or_an_array() {
         velocity.contains("let rates: TableInput<T> = ::linkage_core::private::Into::into(rates);")
     );
     assert!(velocity.contains("let v12_ = rates.s * inputs.X;"), "{velocity}");
-    assert!(text.contains("finite_input(rates.X, \"X_rate\")?;"), "{text}");
+    let inputs = "for &(value_, name_) in &[ (inputs.s, \"s\"), (rates.s, \"s_rate\"), (inputs.X, \"X\"), (rates.X, \"X_rate\"), ] { ::linkage_core::private::finite_input(value_, name_)?; }";
+    assert!(all.contains(inputs), "{text}");
 }
 
 #[test]

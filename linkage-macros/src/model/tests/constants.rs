@@ -113,5 +113,31 @@ fn a_group_of_constants_can_be_assembled() {
             "rrr: `BC, FC` cannot be assembled; change its dimensions / |AF| = 4.47214 m, \
              lengths 1 m + 1 m reach 2 m",
         ),
+        (
+            // Just within reach, and just out of it, by one part in 10^30.
+            CRANK,
+            "rrr BC(A), DC(D) -> C { lengths: (1m, 3m), mode: left }",
+            "",
+        ),
+        (
+            CRANK,
+            "rrr BC(A), DC(D) -> C { lengths: (1m, 2.999999999999999999999999999999m), mode: left }",
+            "rrr: `BC, DC` cannot be assembled; change its dimensions / |AD| = 4 m, lengths 1 m + \
+             3 m reach 4 m",
+        ),
+        (
+            // Both ends are points of one moving link.
+            CRANK,
+            "point P on AB at (3m, 0); rrr BC(A), PC(P) -> C { lengths: (1m, 1m), mode: left }",
+            "rrr: `BC, PC` cannot be assembled; change its dimensions / |AP| = 3 m, lengths 1 m + \
+             1 m reach 2 m",
+        ),
+        (
+            GUIDE,
+            "slider stop(rail) -> S { slide: 0, offset: 2m } \
+             rrr BC(D), SC(S) -> C { lengths: (1m, 0.5m), mode: left }",
+            "rrr: `BC, SC` cannot be assembled; change its dimensions / |DS| = 2 m, lengths 1 m + \
+             0.5 m reach 1.5 m",
+        ),
     ]);
 }

@@ -211,6 +211,16 @@ fn a_unit_exists() {
             "2sec: no unit named `sec` / lengths have `m mm cm um in`, angles `rad deg turn`, \
              masses `kg g`",
         ),
+        (
+            CRANK,
+            "let x = 1e400m; let y = 1e-400; let z = 1e300 * 1e300; let w = 0.0mm;",
+            "1e400m: a number too large or too small; change its exponent / `f64` holds \
+             numbers between 1e-308 and 1e308\n\
+             1e-400: a number too large or too small; change its exponent / `f64` holds \
+             numbers between 1e-308 and 1e308\n\
+             1e300 * 1e300: a number too large or too small; change its exponent / `f64` holds \
+             numbers between 1e-308 and 1e308",
+        ),
     ]);
 }
 

@@ -3,11 +3,13 @@
 mod constants;
 mod expressions;
 mod fields;
+
 mod groups;
 mod names;
 mod outputs;
 mod places;
 mod resolved;
+mod slips;
 mod text;
 mod together;
 

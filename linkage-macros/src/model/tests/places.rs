@@ -60,6 +60,22 @@ fn a_guide_goes_through_points_of_its_body() {
         ),
         (CRANK, "guide g through A along AB.angle + t;", ""),
         (CRANK, "guide g on ground through A along t;", ""),
+        (
+            CRANK,
+            "ground E(0, 0); guide g through A towards E;",
+            "g: `g` has no direction; choose two points that differ / `A` and `E` coincide",
+        ),
+        (
+            CRANK,
+            "point P on AB at (1m, 0); guide g on AB through B towards P;",
+            "g: `g` has no direction; choose two points that differ / `B` and `P` coincide",
+        ),
+        (
+            CRANK,
+            "point P on AB at distances (0.6m, 0.8m) right; point Q on AB at polar (0.6m, \
+             -acos(0.6)); guide g on AB through P towards Q;",
+            "g: `g` has no direction; choose two points that differ / `P` and `Q` coincide",
+        ),
     ]);
 }
 

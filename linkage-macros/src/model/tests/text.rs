@@ -52,6 +52,13 @@ impl Names<'_> {
         }
     }
 
+    /// The keyword and the links of a group, which its title names.
+    fn made(&self, id: GroupId, links: &[LinkId]) -> String {
+        let links: Vec<_> = links.iter().map(|&link| self.link(link)).collect();
+        assert_eq!(links.join(", "), self.0.groups[id.index()].title);
+        self.title(id)
+    }
+
     fn title(&self, id: GroupId) -> String {
         let group = &self.0.groups[id.index()];
         format!("{} {}", group.keyword, group.title)
@@ -133,19 +140,21 @@ impl Names<'_> {
                 let (point, carrier) = (self.point(*point), self.carrier(*carrier));
                 format!("point {point} on {carrier} at {place} by {}", self.title(*group))
             }
-            Step::Crank { group, pivot, pin, angle, relative_to, .. } => {
+            Step::Crank { group, link, pivot, pin, angle, relative_to } => {
                 let pin = pin.as_ref().map_or(String::new(), |(pin, length)| {
                     format!(" -> {} at {}", self.point(*pin), self.length(length))
                 });
                 let (pivot, angle) = (self.point(*pivot), self.turn(angle));
                 let base = self.carrier(*relative_to);
-                format!("{}({pivot}){pin} turned {angle} from {base}", self.title(*group))
+                let made = self.made(*group, &[*link]);
+                format!("{made}({pivot}){pin} turned {angle} from {base}")
             }
             Step::Slider { link, guide, pin, slide, offset } => {
                 let pin = pin.map_or(String::new(), |pin| format!(" -> {}", self.point(pin)));
                 let (guide, slide) = (self.guide(*guide), self.expr(slide));
-                let link = self.link(*link);
-                format!("slider {link}({guide}){pin} {slide} offset {}", self.expr(offset))
+                let group = self.0.links[link.index()].made_by;
+                let made = self.made(group, &[*link]);
+                format!("{made}({guide}){pin} {slide} offset {}", self.expr(offset))
             }
             _ => self.dyad(step),
         }
@@ -153,9 +162,9 @@ impl Names<'_> {
 
     fn dyad(&self, step: &Step) -> String {
         match step {
-            Step::Rrr { group, outer, pin, lengths, mode, .. } => format!(
+            Step::Rrr { group, links, outer, pin, lengths, mode } => format!(
                 "{} on {}, {} -> {} lengths {}, {} mode {}",
-                self.title(*group),
+                self.made(*group, links),
                 self.point(outer[0]),
                 self.point(outer[1]),
                 self.point(*pin),
@@ -163,9 +172,9 @@ impl Names<'_> {
                 self.length(&lengths[1]),
                 self.mode(*mode)
             ),
-            Step::Rrp { group, outer, guide, pin, length, offset, mode, .. } => format!(
+            Step::Rrp { group, links, outer, guide, pin, length, offset, mode } => format!(
                 "{} on {}, {} -> {} length {} offset {} mode {}",
-                self.title(*group),
+                self.made(*group, links),
                 self.point(*outer),
                 self.guide(*guide),
                 self.point(*pin),
@@ -173,25 +182,25 @@ impl Names<'_> {
                 self.expr(offset),
                 self.mode(*mode)
             ),
-            Step::Rpr { group, outer, offset, mode, .. } => format!(
+            Step::Rpr { group, links, outer, offset, mode } => format!(
                 "{} on {}, {} offset {} mode {}",
-                self.title(*group),
+                self.made(*group, links),
                 self.point(outer[0]),
                 self.point(outer[1]),
                 self.expr(offset),
                 self.mode(*mode)
             ),
-            Step::Prp { group, guides, pin, offsets, .. } => format!(
+            Step::Prp { group, links, guides, pin, offsets } => format!(
                 "{} on {}, {} -> {} offsets {}",
-                self.title(*group),
+                self.made(*group, links),
                 self.guide(guides[0]),
                 self.guide(guides[1]),
                 self.point(*pin),
                 self.pair(offsets)
             ),
-            Step::Rpp { group, outer, guide, slot, offsets, .. } => format!(
+            Step::Rpp { group, links, outer, guide, slot, offsets } => format!(
                 "{} on {}, {} slot {} offsets {}",
-                self.title(*group),
+                self.made(*group, links),
                 self.point(*outer),
                 self.guide(*guide),
                 self.turn(slot),

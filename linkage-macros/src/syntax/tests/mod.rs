@@ -63,7 +63,10 @@ fn text(declaration: &Declaration) -> String {
 
 fn kind(kind: &StatementKind) -> String {
     match kind {
-        StatementKind::Input { names, kind } => format!("input {}: {kind}", list(names)),
+        StatementKind::Input { names, kind } => {
+            let kind = kind.as_ref().map_or("?".to_string(), ToString::to_string);
+            format!("input {}: {kind}", list(names))
+        }
         StatementKind::Param { name, kind: None, default } => {
             format!("param {name} = {}", expr(default))
         }
@@ -79,10 +82,12 @@ fn kind(kind: &StatementKind) -> String {
             let through = match through {
                 Spot::At(at) => pair(at),
                 Spot::Point(point) => point.to_string(),
+                Spot::Mistake => "?".to_string(),
             };
             let course = match course {
                 Course::Along(angle) => format!("along {}", expr(angle)),
                 Course::Towards(point) => format!("towards {point}"),
+                Course::Mistake => "?".to_string(),
             };
             format!("guide {name}{} through {through} {course}", carrier(on))
         }
@@ -91,6 +96,7 @@ fn kind(kind: &StatementKind) -> String {
                 Place::Cartesian(at) => pair(at),
                 Place::Polar(at) => format!("polar {}", pair(at)),
                 Place::Distances(at, side) => format!("distances {} {side}", pair(at)),
+                Place::Mistake => "?".to_string(),
             };
             format!("point {name}{} at {place}", carrier(on))
         }
@@ -114,7 +120,10 @@ fn kind(kind: &StatementKind) -> String {
 }
 
 fn group(group: &Group) -> String {
-    let legs = group.legs.iter().map(|leg| format!("{}({})", leg.link, leg.joint));
+    let legs = group.legs.iter().map(|leg| match &leg.joint {
+        Some(joint) => format!("{}({joint})", leg.link),
+        None => format!("{}(?)", leg.link),
+    });
     let pin = group.pin.as_ref().map(|pin| format!(" -> {pin}")).unwrap_or_default();
     let fields = group.fields.iter().map(|field| match &field.value {
         FieldValue::One(value) => format!("{}: {}", field.name, expr(value)),

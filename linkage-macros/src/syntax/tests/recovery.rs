@@ -1,5 +1,6 @@
 //! Going on after a mistake: everything else is parsed, and reported where it is wrong too.
 
+use super::super::recovery::Aftermath;
 use super::super::tokens::Parser;
 use super::{body, parsed};
 use crate::diagnostics::Diagnostics;
@@ -43,12 +44,12 @@ pi: expected `;`, found `pi` / a product is written with `*`"
     // What was named keeps its place.
     assert_eq!(
         tree,
-        "input theta: theta
+        "input theta: ?
 ground A(?, ?), D(?, ?)
 ground type_(0, 0)
-crank AB(A) -> B { length: 80mm, relative_to: ground }
-rrr BC(B), DC(DC) -> C { lengths: (?, ?), mode: left }
-point blade on BC at (?, ?)
+crank AB(A) -> B { length: 80mm, angle: ?, relative_to: ground }
+rrr BC(B), DC(?) -> C { lengths: (?, ?), mode: left }
+point blade on BC at ?
 output blade, fold = 2"
     );
 }
@@ -86,7 +87,7 @@ fn a_keyword_used_as_a_name_does_not_end_a_statement() {
         "P: expected `along` or `towards`, found `P` / a guide is a point and a direction: \
          `through (x, y) along 0deg` or `through A towards D`"
     );
-    assert_eq!(tree, "guide rail through (?, ?) along ?\nlet x = 1");
+    assert_eq!(tree, "guide rail through ? ?\nlet x = 1");
 }
 
 #[test]
@@ -153,7 +154,8 @@ fn any_tokens_are_parsed_or_reported() {
 fn an_expression_is_left_where_it_ends() {
     let mut diagnostics = Diagnostics::new();
     let tokens = "a + b c".parse().expect("tokens");
-    let mut parser = Parser::new(tokens, &mut diagnostics);
+    let mut aftermath = Aftermath::default();
+    let mut parser = Parser::new(tokens, &mut diagnostics, &mut aftermath);
     assert!(parser.expression().is_ok());
     assert_eq!(parser.found(), "`c`");
     assert!(diagnostics.into_errors().is_empty());

@@ -1,0 +1,76 @@
+//! Four-bar with a closed vector loop: the table every 5° of both angles, angular velocities and
+//! angular accelerations at 250 rad/s, and the coupler drawn over a turn.
+
+mod charts;
+
+use charts::{BLACK, COLOURS, Curve, GREY, Panel};
+use linkage_core::{SolveError, mechanism};
+
+mechanism! {
+    /// A crank-rocker of 12, 4, 10 and 7 inches.
+    pub struct FourBar {
+        input theta: angle;
+
+        ground A(0, 0), D(304.8mm, 0);
+
+        crank AB(A) -> B        { length: 101.6mm, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (254mm, 177.8mm), mode: left }
+    }
+}
+
+const OMEGA: f64 = 250.0;
+
+fn main() -> Result<(), SolveError> {
+    let bars = FourBar::new();
+    println!("Four-bar 304.8 / 101.6 / 254.0 / 177.8 mm at {OMEGA} rad/s\n");
+    println!("crank  coupler   rocker  coupler ω  rocker ω  coupler α   rocker α");
+    println!("  deg      deg      deg      rad/s     rad/s     rad/s²     rad/s²");
+    let mut tables: [Vec<(f64, f64)>; 6] = Default::default();
+    for step in 0..=72 {
+        let degrees = f64::from(step) * 5.0;
+        let m = bars.motion(degrees.to_radians(), OMEGA, 0.0)?;
+        let row = [
+            m.position.BC.angle().to_degrees(),
+            m.position.DC.angle().to_degrees(),
+            m.velocity.BC.omega,
+            m.velocity.DC.omega,
+            m.acceleration.BC.alpha,
+            m.acceleration.DC.alpha,
+        ];
+        let [coupler, rocker, w3, w4, a3, a4] = row;
+        println!("{degrees:5.0} {coupler:8.3} {rocker:8.3} {w3:10.3} {w4:9.3} {a3:10.1} {a4:10.1}");
+        for (table, value) in tables.iter_mut().zip(row) {
+            table.push((degrees, value));
+        }
+    }
+    chart(&bars, tables)
+}
+
+fn chart(bars: &FourBar, tables: [Vec<(f64, f64)>; 6]) -> Result<(), SolveError> {
+    let [coupler, rocker, w3, w4, a3, a4] = tables;
+    let two = |first, second| {
+        vec![Curve::named("coupler", COLOURS[0], first), Curve::named("rocker", COLOURS[1], second)]
+    };
+    let mut poses = Vec::new();
+    for step in 0..24 {
+        let p = bars.position(f64::from(step) * 15_f64.to_radians())?;
+        let (b, c) = ((p.B.x * 1e3, p.B.y * 1e3), (p.C.x * 1e3, p.C.y * 1e3));
+        poses.push(Curve::links(GREY, &[(0.0, 0.0), b]));
+        poses.push(Curve::links(COLOURS[0], &[b, c]));
+        poses.push(Curve::links(GREY, &[c, (304.8, 0.0)]));
+    }
+    poses.push(Curve::links(BLACK, &[(0.0, 0.0), (304.8, 0.0)]));
+    let crank = "crank in deg";
+    charts::write(
+        "four_bar",
+        "Four-bar at 250 rad/s",
+        2,
+        vec![
+            Panel::plane("Coupler every 15°", ["x in mm", "y in mm"], poses),
+            Panel::over("Angles", [crank, "deg"], two(coupler, rocker)),
+            Panel::over("Angular velocities", [crank, "rad/s"], two(w3, w4)),
+            Panel::over("Angular accelerations", [crank, "rad/s²"], two(a3, a4)),
+        ],
+    );
+    Ok(())
+}

@@ -1,0 +1,76 @@
+//! Six-bar of a crank, an RPR and an RPP group: a shaper whose swinging rod moves a ram.
+
+mod charts;
+
+use charts::{BLACK, COLOURS, Curve, GREY, Panel};
+use linkage_core::{SolveError, mechanism};
+
+mechanism! {
+    /// Crank, swinging rod and ram.
+    pub struct SixBar {
+        input theta: angle;
+
+        ground A(0, 0), D(0, -1m);
+        guide rail through (0, 0.8m) along 0deg;
+
+        crank AB(A) -> B        { length: 0.4m, angle: theta }
+        rpr   block(B), rod(D)  { mode: ahead }
+        /// Upper end of the rod.
+        point E on rod at (1.6m, 0);
+        rpp   pin(E), ram(rail) { slot: 90deg }
+    }
+}
+
+const OMEGA: f64 = 10.0;
+
+fn main() -> Result<(), SolveError> {
+    let shaper = SixBar::new();
+    println!("Six-bar: crank 0.4 m, rod 1.6 m about a pivot 1 m below, at {OMEGA} rad/s\n");
+    println!("crank     rod    rod ω     rod α    block   in slot       ram     ram v      ram a");
+    println!("  deg     deg    rad/s    rad/s²        m         m         m       m/s       m/s²");
+    let (mut slides, mut speeds, mut seconds) = (vec![], vec![], vec![]);
+    for degrees in (0..=360).step_by(3) {
+        let m = shaper.motion(f64::from(degrees).to_radians(), OMEGA, 0.0)?;
+        let (p, v, a) = (m.position, m.velocity, m.acceleration);
+        if degrees % 15 == 0 {
+            println!(
+                "{degrees:5} {:7.2} {:8.4} {:9.4} {:8.4} {:9.4} {:9.4} {:9.4} {:10.4}",
+                p.rod.angle().to_degrees(),
+                v.rod.omega,
+                a.rod.alpha,
+                p.block.slide,
+                p.pin.slide,
+                p.ram.slide,
+                v.ram.slide,
+                a.ram.slide,
+            );
+        }
+        slides.push((f64::from(degrees), p.ram.slide));
+        speeds.push((f64::from(degrees), v.ram.slide));
+        seconds.push((f64::from(degrees), a.ram.slide));
+    }
+    let mut poses = vec![Curve::links(BLACK, &[(-0.9, 0.8), (0.9, 0.8)])];
+    for step in 0..12 {
+        let p = shaper.position(f64::from(step) * 30_f64.to_radians())?;
+        let (b, e) = ((p.B.x, p.B.y), (p.E.x, p.E.y));
+        poses.push(Curve::links(COLOURS[0], &[(0.0, 0.0), b]));
+        poses.push(Curve::links(GREY, &[(0.0, -1.0), e]));
+        poses.push(Curve::links(COLOURS[1], &[e, (p.ram.slide, 0.8)]));
+    }
+    let crank = "crank in deg";
+    let ram = |name, unit, curve: &[(f64, f64)]| {
+        Panel::over(name, [crank, unit], vec![Curve::links(COLOURS[1], curve)])
+    };
+    charts::write(
+        "six_bar",
+        "Crank, swinging rod and ram at 10 rad/s",
+        2,
+        vec![
+            Panel::plane("Poses every 30°", ["x in m", "y in m"], poses),
+            ram("Ram", "m", &slides),
+            ram("Ram velocity", "m/s", &speeds),
+            ram("Ram acceleration", "m/s²", &seconds),
+        ],
+    );
+    Ok(())
+}

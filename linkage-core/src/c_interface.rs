@@ -1,0 +1,131 @@
+//! What the C functions of `export c;` answer with: a status code, and a record of what it means.
+//!
+//! The layouts and codes here are the ones that the generated header declares. Pointers are only
+//! made here; what follows one is written where `export c;` is, in the crate that asked for it.
+
+use core::ptr;
+
+use crate::{Sense, Side, SolveError};
+
+/// Why a C function gave no answer: `LinkageError` of the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct CError {
+    /// 0, or one of the codes below.
+    pub status: i32,
+    /// How much is missing, in metres, where a group is out of reach; otherwise 0.
+    pub by: f64,
+    /// The links of the group, not terminated; null where no group is to blame.
+    pub group: *const u8,
+    /// The number of bytes of `group`.
+    pub group_length: usize,
+    /// The input, parameter, length, result or argument to blame, not terminated; null where the
+    /// group says it all.
+    pub name: *const u8,
+    /// The number of bytes of `name`.
+    pub name_length: usize,
+}
+
+const OUT_OF_REACH: i32 = 1;
+const SINGULAR: i32 = 2;
+const INVALID_LENGTH: i32 = 3;
+const NOT_FINITE: i32 = 4;
+const NULL_POINTER: i32 = 5;
+const INVALID_MODE: i32 = 6;
+
+impl CError {
+    /// There was an answer.
+    pub const NONE: Self = Self {
+        status: 0,
+        by: 0.0,
+        group: ptr::null(),
+        group_length: 0,
+        name: ptr::null(),
+        name_length: 0,
+    };
+
+    /// An argument that has to point to something is null.
+    #[must_use]
+    pub const fn null_pointer(name: &'static str) -> Self {
+        Self::NONE.because_of(NULL_POINTER, name)
+    }
+
+    const fn because_of(self, status: i32, name: &'static str) -> Self {
+        Self { status, name: name.as_ptr(), name_length: name.len(), ..self }
+    }
+
+    const fn in_group(self, status: i32, group: &'static str) -> Self {
+        Self { status, group: group.as_ptr(), group_length: group.len(), ..self }
+    }
+}
+
+impl From<SolveError> for CError {
+    fn from(error: SolveError) -> Self {
+        match error {
+            SolveError::OutOfReach { group, by } => {
+                Self { by, ..Self::NONE.in_group(OUT_OF_REACH, group) }
+            }
+            SolveError::Singular { group } => Self::NONE.in_group(SINGULAR, group),
+            SolveError::Invalid { group, name } => {
+                Self::NONE.in_group(INVALID_LENGTH, group).because_of(INVALID_LENGTH, name)
+            }
+            SolveError::NotFinite { name } => Self::NONE.because_of(NOT_FINITE, name),
+        }
+    }
+}
+
+/// `LINKAGE_LEFT` or `LINKAGE_RIGHT` as a side; no other number is one.
+pub const fn c_side(mode: i32, name: &'static str) -> Result<Side, CError> {
+    match mode {
+        1 => Ok(Side::Left),
+        -1 => Ok(Side::Right),
+        _ => Err(CError::NONE.because_of(INVALID_MODE, name)),
+    }
+}
+
+/// `LINKAGE_AHEAD` or `LINKAGE_BEHIND` as a sense; no other number is one.
+pub const fn c_sense(mode: i32, name: &'static str) -> Result<Sense, CError> {
+    match mode {
+        1 => Ok(Sense::Ahead),
+        -1 => Ok(Sense::Behind),
+        _ => Err(CError::NONE.because_of(INVALID_MODE, name)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The status, the distance, and how long the two names are.
+    fn parts(error: impl Into<CError>) -> (i32, f64, usize, usize) {
+        let error = error.into();
+        (error.status, error.by, error.group_length, error.name_length)
+    }
+
+    #[test]
+    fn every_error_has_a_code_and_keeps_its_words() {
+        let (group, name) = ("BC, DC", "length");
+        let reach = SolveError::OutOfReach { group, by: 0.25 };
+        assert_eq!(parts(reach), (OUT_OF_REACH, 0.25, 6, 0));
+        assert_eq!(CError::from(reach).group, group.as_ptr());
+        assert!(CError::from(reach).name.is_null());
+        assert_eq!(parts(SolveError::Singular { group }), (SINGULAR, 0.0, 6, 0));
+        assert_eq!(parts(SolveError::Invalid { group, name }), (INVALID_LENGTH, 0.0, 6, 6));
+        assert_eq!(parts(SolveError::NotFinite { name }), (NOT_FINITE, 0.0, 0, 6));
+        assert_eq!(parts(CError::null_pointer("error")), (NULL_POINTER, 0.0, 0, 5));
+        assert_eq!(parts(CError::NONE), (0, 0.0, 0, 0));
+    }
+
+    #[test]
+    fn only_the_declared_numbers_are_modes() {
+        assert!(matches!(c_side(1, "elbow"), Ok(Side::Left)));
+        assert!(matches!(c_side(-1, "elbow"), Ok(Side::Right)));
+        assert!(matches!(c_sense(1, "way"), Ok(Sense::Ahead)));
+        assert!(matches!(c_sense(-1, "way"), Ok(Sense::Behind)));
+        for mode in [0, 2, -2, i32::MIN] {
+            let error = c_side(mode, "elbow").unwrap_err();
+            assert_eq!(parts(error), (INVALID_MODE, 0.0, 0, 5));
+            assert_eq!(parts(c_sense(mode, "way").unwrap_err()), (INVALID_MODE, 0.0, 0, 3));
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! The dual numbers of `num-dual` as scalars.
+//!
+//! A function of a dual number is its value and its derivatives at the real part, put together by
+//! the chain rule ([`Compose`]). All of `num-dual`'s own functions are left aside: its square
+//! root of zero and its arc tangent of a vector on the y axis have derivatives that are not
+//! numbers, its sine is not the kernel's, and comparing its numbers compares real parts only.
+//! Addition, multiplication and division are its own; the last multiplies by the reciprocal,
+//! which costs one more rounding than a division does.
+//!
+//! A real part may itself be a dual number.
+
+mod numbers;
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::{Real, Scalar};
+
+/// A real part with derivatives that follow the chain rule, up to the third.
+pub trait Compose:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// What the real part and the derivatives are made of.
+    type Part: Real;
+
+    /// A number without derivatives.
+    fn constant(part: Self::Part) -> Self;
+
+    /// The real part.
+    fn real(self) -> Self::Part;
+
+    /// The same derivatives on another real part.
+    fn with_real(self, part: Self::Part) -> Self;
+
+    /// f(`self`), from f and its first three derivatives at the real part.
+    fn compose(self, f: [Self::Part; 4]) -> Self;
+
+    /// Whether all derivatives pass the test.
+    fn derivatives_all(self, test: impl Fn(Self::Part) -> bool) -> bool;
+}
+
+/// Whether a part, derivatives of its own included, is zero.
+fn is_zero<T: Real>(part: T) -> bool {
+    part.value() == 0.0 && part.is_constant()
+}
+
+/// f(`x`) where the derivatives of f may be infinite: a constant does not meet them.
+fn compose_singular<D: Compose>(x: D, f: [D::Part; 4]) -> D {
+    if !f[1].is_finite() && x.derivatives_all(is_zero) { D::constant(f[0]) } else { x.compose(f) }
+}
+
+fn lit<T: Scalar>(value: f32) -> T {
+    T::lit(value.into(), value)
+}
+
+/// The components of (`x`, `y`) along and across its own real direction, in units of its real
+/// length, and that length. In these units nothing leaves the range when it is squared.
+fn along_and_across<D: Compose>(x: D, y: D) -> (D, D, D::Part) {
+    let length = x.real().hypot(y.real());
+    let inverse = D::constant(lit::<D::Part>(1.0) / length);
+    let cos = D::constant(x.real() / length);
+    let sin = D::constant(y.real() / length);
+    // What the real parts are in real numbers, whatever derivatives they carry themselves.
+    let along = ((cos * x + sin * y) * inverse).with_real(lit(1.0));
+    let across = ((cos * y - sin * x) * inverse).with_real(lit(0.0));
+    (along, across, length)
+}
+
+fn are_constant<D: Compose>(x: D, y: D) -> bool {
+    x.derivatives_all(is_zero) && y.derivatives_all(is_zero)
+}
+
+impl<D: Compose> Scalar for D {
+    type Mask = bool;
+
+    #[inline]
+    fn lit(wide: f64, narrow: f32) -> Self {
+        Self::constant(D::Part::lit(wide, narrow))
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        let x = self.real();
+        let f0 = x.sqrt();
+        let f1 = lit::<D::Part>(0.5) / f0;
+        let f2 = lit::<D::Part>(-0.5) * f1 / x;
+        let f3 = lit::<D::Part>(-1.5) * f2 / x;
+        compose_singular(self, [f0, f1, f2, f3])
+    }
+
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.real().sin_cos();
+        (self.compose([sin, cos, -sin, -cos]), self.compose([cos, -sin, -cos, sin]))
+    }
+
+    #[inline]
+    fn sin_cos_near(self) -> (Self, Self) {
+        let (sin, cos) = self.real().sin_cos_near();
+        (self.compose([sin, cos, -sin, -cos]), self.compose([cos, -sin, -cos, sin]))
+    }
+
+    #[inline]
+    fn is_near(self) -> bool {
+        self.real().is_near()
+    }
+
+    fn tan(self) -> Self {
+        let t = self.real().tan();
+        let square = t * t;
+        let f1 = lit::<D::Part>(1.0) + square;
+        let f2 = lit::<D::Part>(2.0) * t * f1;
+        let f3 = f1 * (lit::<D::Part>(2.0) + lit::<D::Part>(6.0) * square);
+        self.compose([t, f1, f2, f3])
+    }
+
+    fn asin(self) -> Self {
+        let x = self.real();
+        let (f1, f2, f3) = arc_sine_derivatives(x);
+        compose_singular(self, [x.asin(), f1, f2, f3])
+    }
+
+    fn acos(self) -> Self {
+        let x = self.real();
+        let (f1, f2, f3) = arc_sine_derivatives(x);
+        compose_singular(self, [x.acos(), -f1, -f2, -f3])
+    }
+
+    fn atan(self) -> Self {
+        let x = self.real();
+        let square = x * x;
+        let f1 = lit::<D::Part>(1.0) / (lit::<D::Part>(1.0) + square);
+        let f2 = lit::<D::Part>(-2.0) * x * f1 * f1;
+        let f3 = (lit::<D::Part>(6.0) * square - lit::<D::Part>(2.0)) * f1 * f1 * f1;
+        self.compose([x.atan(), f1, f2, f3])
+    }
+
+    /// The angle of the real parts, and the arc tangent of what the derivatives turn it by.
+    fn atan2(self, x: Self) -> Self {
+        let angle = self.real().atan2(x.real());
+        if are_constant(x, self) {
+            return Self::constant(angle);
+        }
+        let (along, across, _) = along_and_across(x, self);
+        (across / along).compose([angle, lit(1.0), lit(0.0), lit(-2.0)])
+    }
+
+    /// The length along the real parts' direction, times √(1 + w²) for the slope w that the
+    /// derivatives turn it by.
+    fn hypot(self, other: Self) -> Self {
+        if are_constant(self, other) {
+            return Self::constant(self.real().hypot(other.real()));
+        }
+        let (along, across, length) = along_and_across(self, other);
+        Self::constant(length)
+            * along
+            * (across / along).compose([lit(1.0), lit(0.0), lit(1.0), lit(0.0)])
+    }
+
+    #[inline]
+    fn det(a: Self, b: Self, c: Self, d: Self) -> Self {
+        (a * b - c * d).with_real(D::Part::det(a.real(), b.real(), c.real(), d.real()))
+    }
+
+    /// A rounding error is no function of the operands: it has no derivative.
+    #[inline]
+    fn mul_err(a: Self, b: Self) -> Self {
+        Self::constant(D::Part::mul_err(a.real(), b.real()))
+    }
+
+    /// As for a product.
+    #[inline]
+    fn add_err(a: Self, b: Self) -> Self {
+        Self::constant(D::Part::add_err(a.real(), b.real()))
+    }
+
+    #[inline]
+    fn fused(a: Self, b: Self, c: Self) -> Self {
+        (a * b + c).with_real(D::Part::fused(a.real(), b.real(), c.real()))
+    }
+
+    #[inline]
+    fn ge(self, other: Self) -> bool {
+        self.real().ge(other.real())
+    }
+
+    #[inline]
+    fn gt(self, other: Self) -> bool {
+        self.real().gt(other.real())
+    }
+
+    #[inline]
+    fn is_finite(self) -> bool {
+        self.real().is_finite() && self.derivatives_all(Scalar::is_finite)
+    }
+
+    #[inline]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+
+    #[inline]
+    fn smallest_square() -> Self {
+        Self::constant(D::Part::smallest_square())
+    }
+}
+
+impl<D: Compose> Real for D {
+    const EPSILON: f64 = <D::Part as Real>::EPSILON;
+
+    #[inline]
+    fn value(self) -> f64 {
+        self.real().value()
+    }
+
+    #[inline]
+    fn is_constant(self) -> bool {
+        self.real().is_constant() && self.derivatives_all(is_zero)
+    }
+}
+
+/// The first three derivatives of the arc sine, which are infinite at ±1.
+fn arc_sine_derivatives<T: Real>(x: T) -> (T, T, T) {
+    let one = lit::<T>(1.0);
+    let square = (one - x) * (one + x);
+    let f1 = one / square.sqrt();
+    let f2 = x * f1 / square;
+    let f3 = (one + lit::<T>(2.0) * x * x) * f1 / (square * square);
+    (f1, f2, f3)
+}
+
+#[cfg(test)]
+mod tests;

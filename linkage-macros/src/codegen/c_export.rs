@@ -1,0 +1,221 @@
+//! What `export c;` adds: functions that C calls, and the text of their header.
+//!
+//! This is the only generated code that follows pointers. It does so in two places, `read_` and
+//! `reply_`, behind a test for null; everything else is the solver's own safe interface. The items
+//! stand in an unnamed constant, so that they meet no name of the user's.
+
+mod header;
+mod names;
+#[cfg(test)]
+mod tests;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use self::names::Width;
+use super::names::{function_name, generated, text};
+use super::rows::string;
+use super::{Context, entry, literal, solver};
+use crate::ir::program::{Entry, EntryKind};
+use crate::model::mechanism::{Param, ParamKind, Sign};
+
+/// Nothing unless the declaration says `export c;`.
+pub(super) fn items(cx: &Context<'_>) -> TokenStream {
+    if !cx.mechanism.export_c {
+        return TokenStream::new();
+    }
+    let name = &cx.names.solver;
+    let (header, parameters) = (header::text(cx), parameters(cx));
+    let (read, reply) = (read(cx), reply(cx));
+    let functions = Width::ALL
+        .map(|width| cx.program.entries.iter().map(move |entry| function(cx, entry, width)));
+    let functions = functions.into_iter().flatten();
+    quote! {
+        impl #name<f64> {
+            /// The header of the C functions that this mechanism exports, to be written to a file.
+            pub const C_HEADER: &'static str = #header;
+        }
+
+        #[allow(unsafe_code, reason = "C passes pointers; `export c` asked for functions it can call")]
+        const _: () = { #parameters #read #reply #(#functions)* };
+    }
+}
+
+/// What C calls the declaration's parameters together.
+const PARAMETERS: &str = "mechanism";
+
+/// What C calls the argument that an answer is written to.
+fn answer_name(kind: EntryKind) -> &'static str {
+    entry::method(kind).trim_end_matches("_at")
+}
+
+/// The parameters in a layout that C can fill with anything; nothing without parameters.
+fn parameters(cx: &Context<'_>) -> TokenStream {
+    if cx.mechanism.params.is_empty() {
+        return TokenStream::new();
+    }
+    let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
+    let [any, result, error, ok] = ["Scalar", "Result", "CError", "Ok"].map(|i| cx.paths.item(i));
+    let derives = cx.paths.derives(&["Clone", "Copy"]);
+    let i32 = cx.paths.item("i32");
+    let fields = cx.mechanism.params.iter().map(|param| {
+        let field = &param.name;
+        let ty = if is_number(param) { quote!(#scalar) } else { quote!(#i32) };
+        quote!(#field: #ty)
+    });
+    let keep = |param: &Param| {
+        let field = &param.name;
+        quote!(self.#field)
+    };
+    let solver = solver::construct(cx, &quote!(#name), keep, |param| mode(cx, param));
+    let marker = solver::marker(cx).map(|(field, ty, _)| quote!(#field: #ty));
+    let defaults = Width::ALL.map(|width| default(cx, width));
+    quote! {
+        #[repr(C)]
+        #derives
+        #[allow(non_snake_case, reason = "fields are named as declared")]
+        struct Parameters_<#scalar> { #(#fields,)* #marker }
+
+        impl<#scalar: #any> Parameters_<#scalar> {
+            fn solver_(self) -> #result<#name<#scalar>, #error> { #ok(#solver) }
+        }
+
+        #(#defaults)*
+    }
+}
+
+fn is_number(param: &Param) -> bool {
+    matches!(param.kind, ParamKind::Number { .. })
+}
+
+/// A mode parameter from the number that C gives.
+fn mode(cx: &Context<'_>, param: &Param) -> TokenStream {
+    let (field, name) = (&param.name, string(&text(&param.name), param.name.span()));
+    let convert = match param.kind {
+        ParamKind::Sense { .. } => cx.paths.item("c_sense"),
+        _ => cx.paths.item("c_side"),
+    };
+    quote!(#convert(self.#field, #name)?)
+}
+
+/// The function that returns the parameters as declared.
+fn default(cx: &Context<'_>, width: Width) -> TokenStream {
+    let number = Ident::new(width.in_rust(), Span::call_site());
+    let name = function_name(&names::default(&cx.names.solver, width));
+    let fields = cx.mechanism.params.iter().map(|param| {
+        let field = &param.name;
+        let value = match &param.kind {
+            ParamKind::Number { default, .. } if width == Width::Double => {
+                literal(default.to_f64())
+            }
+            ParamKind::Number { default, .. } => literal(default.to_f32()),
+            ParamKind::Side { default } | ParamKind::Sense { default } => match default {
+                Sign::Plus => quote!(1),
+                Sign::Minus => quote!(-1),
+            },
+        };
+        quote!(#field: #value)
+    });
+    let marker = solver::marker(cx).map(|(field, _, value)| quote!(#field: #value));
+    quote! {
+        #[unsafe(no_mangle)]
+        extern "C" fn #name() -> Parameters_<#number> { Parameters_ { #(#fields,)* #marker } }
+    }
+}
+
+/// What a pointer of C's points to.
+fn read(cx: &Context<'_>) -> TokenStream {
+    let takes_pointers = !cx.mechanism.params.is_empty() || cx.mechanism.inputs.len() > 1;
+    if !takes_pointers {
+        return TokenStream::new();
+    }
+    let [copy, str, error] = ["Copy", "str", "CError"].map(|item| cx.paths.item(item));
+    let [result, ok, err] = ["Result", "Ok", "Err"].map(|item| cx.paths.item(item));
+    quote! {
+        /// # Safety
+        /// The pointer is null or points to a value.
+        unsafe fn read_<V: #copy>(from: *const V, name: &'static #str) -> #result<V, #error> {
+            if from.is_null() {
+                return #err(#error::null_pointer(name));
+            }
+            // SAFETY: the pointer is not null, so by the caller's word it points to a value.
+            #ok(unsafe { from.read() })
+        }
+    }
+}
+
+/// Hands an answer, or why there is none, over to C.
+fn reply(cx: &Context<'_>) -> TokenStream {
+    let [str, i32, error] = ["str", "i32", "CError"].map(|item| cx.paths.item(item));
+    let [result, ok, err] = ["Result", "Ok", "Err"].map(|item| cx.paths.item(item));
+    quote! {
+        /// # Safety
+        /// Each pointer is null or points to where a value of its type may be written.
+        unsafe fn reply_<V>(
+            answer: #result<V, #error>,
+            to: *mut V,
+            name: &'static #str,
+            why: *mut #error,
+        ) -> #i32 {
+            let reason = match answer {
+                _ if to.is_null() => #error::null_pointer(name),
+                #ok(value) => {
+                    // SAFETY: the pointer is not null, so by the caller's word it can be written.
+                    unsafe { to.write(value) };
+                    #error::NONE
+                }
+                #err(reason) => reason,
+            };
+            if !why.is_null() {
+                // SAFETY: as above.
+                unsafe { why.write(reason) };
+            }
+            reason.status
+        }
+    }
+}
+
+/// One entry point for one width.
+fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
+    let name = function_name(&names::function(&cx.names.solver, of.kind, width));
+    let method = function_name(entry::method(of.kind));
+    let number = Ident::new(width.in_rust(), Span::call_site());
+    let number = quote!(#number);
+    let arguments = cx.arguments(of.kind);
+    let labels = arguments.names().iter().map(|name| string(&text(name), name.span()));
+    let names: Vec<Ident> = (0..labels.len()).map(|i| generated(&format!("q{i}_"))).collect();
+    let ty = arguments.ty(&number);
+    let (ty, read) = match arguments.are_records() {
+        true => (quote!(*const #ty), quote!(#(let #names = unsafe { read_(#names, #labels) }?;)*)),
+        false => (ty, TokenStream::new()),
+    };
+    let (solver, parameter) = called(cx, &number);
+    let value = entry::result_of(cx, of.kind, &number);
+    let [result, ok, error, i32] = ["Result", "Ok", "CError", "i32"].map(|i| cx.paths.item(i));
+    let label = answer_name(of.kind);
+    let (to, why, answer) = (generated("to_"), generated("why_"), generated("answer_"));
+    quote! {
+        #[unsafe(no_mangle)]
+        unsafe extern "C" fn #name(
+            #parameter #(#names: #ty,)* #to: *mut #value, #why: *mut #error,
+        ) -> #i32 {
+            let #answer = (|| -> #result<#value, #error> {
+                #read
+                #ok(#solver.#method(#(#names),*)?)
+            })();
+            // SAFETY: what C has to guarantee is what the header asks for.
+            unsafe { reply_(#answer, #to, #label, #why) }
+        }
+    }
+}
+
+/// The solver to call, and the argument it comes from if it has parameters.
+fn called(cx: &Context<'_>, number: &TokenStream) -> (TokenStream, TokenStream) {
+    let (name, from) = (&cx.names.solver, generated("mechanism_"));
+    if cx.mechanism.params.is_empty() {
+        let default = cx.paths.item("Default");
+        return (quote!(<#name<#number> as #default>::default()), TokenStream::new());
+    }
+    let read = quote!(unsafe { read_(#from, #PARAMETERS) }?.solver_()?);
+    (read, quote!(#from: *const Parameters_<#number>,))
+}

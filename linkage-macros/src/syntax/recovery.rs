@@ -1,0 +1,122 @@
+//! Going on after a mistake: where a statement in error ends, and what is remembered of the tokens
+//! that were given up, so that nothing else is reported because of them.
+
+use std::collections::HashSet;
+
+use proc_macro2::{Delimiter, Ident, TokenTree};
+
+use super::tokens::Parser;
+use super::words;
+
+/// What mistakes leave behind for the rest of the declaration.
+#[derive(Default)]
+pub(super) struct Aftermath {
+    /// The identifiers that were given up, see [`super::tree::Unread`].
+    pub unread: HashSet<String>,
+    /// Names that were declared and cannot be: one message is enough for all of their uses.
+    refused: HashSet<String>,
+}
+
+impl Aftermath {
+    /// Remembers a name that cannot be given, and gives the one that stands in for it.
+    pub(super) fn refuse(&mut self, name: &Ident) -> Ident {
+        self.refused.insert(name.to_string());
+        // A use may be read as something else, as that of `pi` is.
+        let instead = stand_in(name);
+        self.unread.insert(instead.to_string());
+        instead
+    }
+
+    pub(super) fn was_refused(&self, name: &Ident) -> bool {
+        self.refused.contains(&name.to_string())
+    }
+
+    fn give_up(&mut self, tree: &TokenTree) {
+        match tree {
+            TokenTree::Ident(word) => {
+                self.unread.insert(word.to_string());
+            }
+            TokenTree::Group(group) => {
+                group.stream().into_iter().for_each(|tree| self.give_up(&tree));
+            }
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+}
+
+/// The name in the place of one that cannot be given.
+pub(super) fn stand_in(name: &Ident) -> Ident {
+    let word = name.to_string();
+    let plain = word.trim_start_matches("r#");
+    match words::is_rust_keyword(plain) {
+        true => Ident::new(&format!("{plain}_"), name.span()),
+        false => Ident::new(plain, name.span()),
+    }
+}
+
+impl Parser<'_> {
+    /// Remembers that the tokens from `first` up to here were given up.
+    pub(super) fn give_up_since(&mut self, first: usize) {
+        let read = self.next.min(self.trees.len());
+        self.trees[first..read].iter().for_each(|tree| self.aftermath.give_up(tree));
+    }
+
+    /// Goes to the end of this sequence and gives all of it up.
+    pub(super) fn give_up(&mut self) {
+        self.next = self.trees.len();
+        self.give_up_since(0);
+    }
+
+    /// Goes to the next `,` of this sequence.
+    pub(super) fn skip_to_comma(&mut self) {
+        while !self.at_end() && !self.is_punct(0, ',') {
+            self.next += 1;
+        }
+    }
+
+    /// Gives up the statement in hand and goes to its end: in front of the next `;` or of what is
+    /// certainly another statement, or behind braces.
+    pub(super) fn skip_statement(&mut self) {
+        if self.skipped {
+            return;
+        }
+        while !self.at_end() && !self.is_punct(0, ';') && !self.statement_begins() {
+            let braces = self.is_group(0, Delimiter::Brace);
+            self.next += 1;
+            if braces {
+                break;
+            }
+        }
+        self.give_up_since(self.start);
+        self.skipped = true;
+    }
+
+    /// Whether the statement in hand was given up; asking forgets it.
+    pub(super) fn take_skipped(&mut self) -> bool {
+        std::mem::take(&mut self.skipped)
+    }
+
+    pub(super) fn is_skipped(&self) -> bool {
+        self.skipped
+    }
+
+    /// Whether a statement certainly begins here: words that may be names are not enough.
+    pub(super) fn statement_begins(&self) -> bool {
+        if self.is_punct(0, '#') {
+            return self.is_group(1, Delimiter::Bracket);
+        }
+        let Some(word) = self.peek_ident(0).map(Ident::to_string) else { return false };
+        let named = self.peek_ident(1).is_some();
+        let paren = self.is_group(2, Delimiter::Parenthesis);
+        match word.as_str() {
+            "crate" => self.is_punct(1, '='),
+            "input" | "param" => {
+                named && [':', ',', '='].iter().any(|&sign| self.is_punct(2, sign))
+            }
+            "let" | "output" | "numerics" | "export" => named,
+            "guide" | "point" => named && self.peek_ident(2).is_some(),
+            "ground" => named && paren,
+            group => words::GROUPS.contains(&group) && named && paren,
+        }
+    }
+}

@@ -1,0 +1,138 @@
+/* Calls the solvers from C and prints every answer bit by bit, for `tests/c_caller.rs` to compare
+ * with what Rust computes. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "flying_shear.h"
+#include "tuned_four_bar.h"
+#include "excavator.h"
+
+/* What an answer holds before the call, and has to hold after a call that fails. */
+#define UNTOUCHED 0xa5
+
+static void report(const char *name, LinkageStatus status, const LinkageError *error,
+                   const void *answer, size_t size)
+{
+    const unsigned char *bytes = answer;
+    unsigned char by[sizeof(double)];
+    memcpy(by, &error->by, sizeof by);
+    printf("%s %d %d ", name, (int)status, (int)error->status);
+    for (size_t i = 0; i < sizeof by; i++)
+        printf("%02x", by[i]);
+    printf(" [%.*s] [%.*s] ", (int)error->group_length, error->group ? error->group : "",
+           (int)error->name_length, error->name ? error->name : "");
+    for (size_t i = 0; i < size; i++)
+        printf("%02x", bytes[i]);
+    printf("\n");
+}
+
+#define CALL(function, type, ...)                                                 \
+    do {                                                                          \
+        type answer;                                                              \
+        LinkageError error;                                                       \
+        memset(&answer, UNTOUCHED, sizeof answer);                                \
+        LinkageStatus status = function(__VA_ARGS__, &answer, &error);            \
+        report(#function, status, &error, &answer, sizeof answer);                \
+    } while (0)
+
+#define COEFFICIENTS(function, number, rows, columns, ...)                        \
+    do {                                                                          \
+        number answer[rows][columns];                                             \
+        LinkageError error;                                                       \
+        memset(answer, UNTOUCHED, sizeof answer);                                 \
+        LinkageStatus status = function(__VA_ARGS__, answer, &error);             \
+        report(#function, status, &error, answer, sizeof answer);                 \
+    } while (0)
+
+static void shear(double theta, double rate, double acceleration)
+{
+    const double c = 0.28, s = 0.96; /* 0.28^2 + 0.96^2 = 1 */
+    CALL(flying_shear_position, FlyingShearPosition, theta);
+    CALL(flying_shear_velocity, FlyingShearVelocity, theta, rate);
+    CALL(flying_shear_motion, FlyingShearMotion, theta, rate, acceleration);
+    CALL(flying_shear_position_at, FlyingShearPosition, c, s);
+    CALL(flying_shear_velocity_at, FlyingShearVelocity, c, s, rate);
+    CALL(flying_shear_motion_at, FlyingShearMotion, c, s, rate, acceleration);
+    CALL(flying_shear_margins, FlyingShearMargins, theta);
+    COEFFICIENTS(flying_shear_coefficients, double, FLYING_SHEAR_OUTPUTS, FLYING_SHEAR_INPUTS,
+                 theta);
+}
+
+static void shear_f32(float theta, float rate, float acceleration)
+{
+    const float c = 0.28f, s = 0.96f;
+    CALL(flying_shear_position_f32, FlyingShearPositionF32, theta);
+    CALL(flying_shear_velocity_f32, FlyingShearVelocityF32, theta, rate);
+    CALL(flying_shear_motion_f32, FlyingShearMotionF32, theta, rate, acceleration);
+    CALL(flying_shear_position_at_f32, FlyingShearPositionF32, c, s);
+    CALL(flying_shear_velocity_at_f32, FlyingShearVelocityF32, c, s, rate);
+    CALL(flying_shear_motion_at_f32, FlyingShearMotionF32, c, s, rate, acceleration);
+    CALL(flying_shear_margins_f32, FlyingShearMarginsF32, theta);
+    COEFFICIENTS(flying_shear_coefficients_f32, float, FLYING_SHEAR_OUTPUTS, FLYING_SHEAR_INPUTS,
+                 theta);
+}
+
+/* Each length fits for some angles and is too short for others; each mode is set once. */
+static void four_bar(double theta, double coupler, int32_t elbow)
+{
+    TunedFourBar wide = tuned_four_bar_default();
+    TunedFourBarF32 narrow = tuned_four_bar_default_f32();
+    wide.coupler = coupler;
+    wide.elbow = elbow;
+    narrow.coupler = (float)coupler;
+    narrow.elbow = elbow;
+    CALL(tuned_four_bar_motion, TunedFourBarMotion, &wide, theta, 2.0, 0.5);
+    CALL(tuned_four_bar_motion_f32, TunedFourBarMotionF32, &narrow, (float)theta, 2.0f, 0.5f);
+}
+
+static void excavator(double lift, double crowd, double curl)
+{
+    const ExcavatorInput inputs = {lift, crowd, curl}, rates = {0.1, -0.2, 0.3};
+    const ExcavatorInput accelerations = {0.01, 0.02, -0.03};
+    const ExcavatorInputF32 inputs_f32 = {(float)lift, (float)crowd, (float)curl};
+    const ExcavatorInputF32 rates_f32 = {0.1f, -0.2f, 0.3f};
+    CALL(excavator_motion, ExcavatorMotion, &inputs, &rates, &accelerations);
+    CALL(excavator_velocity_f32, ExcavatorVelocityF32, &inputs_f32, &rates_f32);
+    COEFFICIENTS(excavator_coefficients, double, EXCAVATOR_OUTPUTS, EXCAVATOR_INPUTS, &inputs);
+}
+
+/* Mistakes of the caller's. */
+static void mistakes(void)
+{
+    TunedFourBar bar = tuned_four_bar_default();
+    const ExcavatorInput inputs = {3.0, 2.4, 1.9};
+    const ExcavatorInput *const nowhere = NULL;
+    const TunedFourBar *const nothing = NULL;
+    LinkageError error;
+    CALL(tuned_four_bar_position, TunedFourBarPosition, nothing, 1.0);
+    CALL(excavator_velocity, ExcavatorVelocity, nowhere, &inputs);
+    CALL(excavator_velocity, ExcavatorVelocity, &inputs, nowhere);
+    report("no_answer", tuned_four_bar_position(&bar, 1.0, NULL, &error), &error, "", 0);
+    bar.elbow = 0;
+    CALL(tuned_four_bar_position, TunedFourBarPosition, &bar, 1.0);
+    bar.elbow = LINKAGE_RIGHT;
+    bar.coupler = -0.25;
+    CALL(tuned_four_bar_position, TunedFourBarPosition, &bar, 1.0);
+    bar.coupler = NAN;
+    CALL(tuned_four_bar_position, TunedFourBarPosition, &bar, 1.0);
+    bar.coupler = 0.05;
+    CALL(tuned_four_bar_position, TunedFourBarPosition, &bar, 3.0);
+    CALL(flying_shear_position, FlyingShearPosition, NAN);
+    CALL(flying_shear_motion_f32, FlyingShearMotionF32, 1.0f, INFINITY, 0.0f);
+    /* Nobody asks why: the status alone says that, and nothing is written. */
+    printf("silent %d\n", (int)flying_shear_position(NAN, NULL, NULL));
+}
+
+int main(void)
+{
+    for (int i = -12; i <= 12; i++) {
+        shear(0.25 * i, 12.0, -3.0);
+        shear_f32(0.25f * (float)i, 12.0f, -3.0f);
+        four_bar(0.25 * i, 0.254, LINKAGE_LEFT);
+        four_bar(0.25 * i, 0.125, LINKAGE_RIGHT);
+        excavator(2.3125 + 0.0625 * i, 2.25 + 0.03125 * i, 1.90625 + 0.03125 * i);
+    }
+    mistakes();
+    return 0;
+}

@@ -1,0 +1,73 @@
+//! What a solver offers beside its C functions, each behind a symbol: the straight lines, the
+//! rows, angles, and conversion to another width.
+
+use linkage_core::{Direction, Real, Scalar};
+
+use crate::mechanisms::{Everything, Excavator, FlyingShear, SixBar, TunedFourBar};
+
+macro_rules! symbols {
+    ($($name:ident = $function:ident::<$number:ident>;)+) => {$(
+        #[unsafe(no_mangle)]
+        extern "C" fn $name(x: $number) -> $number {
+            $function::<$number>(x)
+        }
+    )+};
+}
+
+symbols! {
+    methods_straight = straight::<f64>;
+    methods_straight_f32 = straight::<f32>;
+    methods_straight_records = straight_records::<f64>;
+    methods_straight_records_f32 = straight_records::<f32>;
+    methods_rows = rows::<f64>;
+    methods_rows_f32 = rows::<f32>;
+    methods_angles = angles::<f64>;
+    methods_angles_f32 = angles::<f32>;
+    methods_lift = lift::<f64>;
+    methods_lift_f32 = lift::<f32>;
+}
+
+/// The value where the mask allows it.
+fn used<T: Scalar>((value, usable): (T, T::Mask)) -> T {
+    T::select(usable, value, T::lit(0.0, 0.0))
+}
+
+fn straight<T: Real>(x: T) -> T {
+    let shear = FlyingShear::<T>::default();
+    let (position, position_ok) = shear.solve_position(x);
+    let (velocity, velocity_ok) = shear.solve_velocity(x, x);
+    let (motion, motion_ok) = shear.solve_motion_at(x, x, x, x);
+    let (coefficients, coefficients_ok) = shear.solve_coefficients(x);
+    let (margins, margins_ok) = shear.solve_margins(x);
+    let [[coefficient], ..] = coefficients;
+    used((position.blade.x, position_ok))
+        + used((velocity.blade.x, velocity_ok))
+        + used((motion.acceleration.blade.x, motion_ok))
+        + used((coefficient, coefficients_ok))
+        + used((margins.DC_margin, margins_ok))
+}
+
+fn straight_records<T: Real>(x: T) -> T {
+    let machine = Excavator::<T>::default();
+    let (motion, motion_ok) = machine.solve_motion([x, x, x], [x, x, x], [x, x, x]);
+    let (everything, everything_ok) = Everything::<T>::default().solve_position([x, x, x]);
+    used((motion.acceleration.tooth.x, motion_ok)) + used((everything.Q.x, everything_ok))
+}
+
+fn rows<T: Real>(x: T) -> T {
+    let Ok(motion) = SixBar::<T>::default().motion(x, x, x) else { return x };
+    let rows = [motion.position.rows(), motion.velocity.rows(), motion.acceleration.rows()];
+    rows.iter().flatten().fold(x, |sum, &row| sum + row)
+}
+
+fn angles<T: Real>(x: T) -> T {
+    let Ok(position) = TunedFourBar::<T>::default().position(x) else { return x };
+    let bar: Direction<T> = position.BC;
+    bar.angle() + bar.angle_near(x) + bar.angle_from(position.DC)
+}
+
+fn lift<T: Real>(x: T) -> T {
+    let narrow = TunedFourBar::<T>::default().lift::<f32>();
+    let Ok(position) = narrow.position(x.value() as f32) else { return x };
+    T::lit(f64::from(position.reach), position.reach)
+}
