@@ -48,10 +48,7 @@ impl<F: Number> Triangle<F> {
         let twice = inverse * (F::of(2.0) * self.square) * root;
         let along = (self.square + F::of(l2 * l2 - l3 * l3)) * half;
         let across = root * half;
-        let r2 = Vector {
-            x: d.x.fused(along, -d.y * across),
-            y: d.y.fused(along, d.x * across),
-        };
+        let r2 = Vector { x: d.x.fused(along, -d.y * across), y: d.y.fused(along, d.x * across) };
         let r3 = r2 - d;
         let (v, a) = (pin.velocity, pin.acceleration);
         let omega = [-dot(v, r3) * twice, -dot(v, r2) * twice];
@@ -73,10 +70,7 @@ fn dot<F: Number>(a: Vector<F>, b: Vector<F>) -> F {
 
 /// The four-bar: next to the crank d² is affine in cos θ.
 #[inline(always)]
-pub(crate) fn four_bar<F: Number>(
-    (sin, cos): (F, F),
-    [omega, alpha]: [F; 2],
-) -> Option<[F; 14]> {
+pub(crate) fn four_bar<F: Number>((sin, cos): (F, F), [omega, alpha]: [F; 2]) -> Option<[F; 14]> {
     const CRANK: f64 = 0.1016;
     const GROUND: f64 = 0.3048;
     const L2: f64 = 0.254;

@@ -21,6 +21,7 @@ mod rows;
 mod solver;
 mod straight;
 pub(crate) mod stubs;
+mod sweeps;
 mod units;
 
 #[cfg(test)]
@@ -43,6 +44,7 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
     let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
     let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
     let careful = program.entries.iter().map(|entry| careful::function(&cx, entry));
+    let sweeps = program.entries.iter().map(|entry| sweeps::items(&cx, entry));
     let (derivatives, c_export) = (derivatives::items(&cx), c_export::items(&cx));
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
@@ -51,6 +53,7 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
         #records
         impl<#scalar: #any> #name<#scalar> { #(#straight)* }
         impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
+        #(#sweeps)*
         #derivatives
         #c_export
     }
