@@ -11,6 +11,7 @@
 mod build;
 
 use std::fmt::Write;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -88,8 +89,30 @@ fn prove(level: &str) {
     }
     let functions: Vec<&str> = functions.iter().map(String::as_str).collect();
     if let Err(missing) = link_alone(&library, &functions) {
-        panic!("-O{level}: the solvers do not stand alone:\n{missing}");
+        let suspects = places_that_panic(&library).join("\n");
+        panic!("-O{level}: the solvers do not stand alone:\n{missing}\nPanics:\n{suspects}");
     }
+}
+
+/// The functions of the library, but for Rust's own, that call what panics in `core`.
+fn places_that_panic(library: &Path) -> Vec<String> {
+    let output = Command::new("objdump").arg("-r").arg(library).output();
+    let relocations = text(&output.expect("objdump comes with gcc").stdout);
+    let (mut places, mut object, mut section) = (Vec::new(), "", "");
+    for line in relocations.lines() {
+        if let Some((name, _)) = line.split_once(":     file format") {
+            object = name;
+        } else if let Some(name) = line.strip_prefix("RELOCATION RECORDS FOR ") {
+            section = name;
+        } else if (line.contains("panicking") || line.contains("_fail"))
+            && !object.starts_with("core-")
+        {
+            places.push(format!("{object} {section}"));
+        }
+    }
+    places.retain(|place| place.contains("[.text"));
+    places.dedup();
+    places
 }
 
 #[test]

@@ -10,16 +10,19 @@ mod data {
     pub(crate) mod moving_bases;
     pub(crate) mod single_groups;
     pub(crate) mod truth;
+    pub(crate) mod variable_dimensions;
 }
 mod mechanisms {
     pub(crate) mod driven_groups;
     pub(crate) mod drivers;
     pub(crate) mod moving_bases;
     pub(crate) mod single_groups;
+    pub(crate) mod variable_dimensions;
 }
 
 use accuracy::{roundings, widened};
 use linkage_core::{Sense, Side};
+use mechanisms::variable_dimensions::*;
 use mechanisms::{driven_groups::*, drivers::*, moving_bases::*, single_groups::*};
 use num_dual::Dual2_64;
 
@@ -97,6 +100,19 @@ fn drivers_and_inputs_differentiate_to_their_motion() {
     differentiated!(EXCAVATOR, Excavator::new(), Excavator::OUTPUTS, all::<3>, SIX_GROUPS);
     let guide = SwingingGuide::new();
     differentiated!(SWINGING_GUIDE, guide, SwingingGuide::OUTPUTS, all::<3>, ONE_GROUP);
+}
+
+#[test]
+fn variable_dimensions_differentiate_to_their_motion() {
+    use data::variable_dimensions::*;
+    let bars = VariableFourBar::new();
+    differentiated!(VARIABLE_FOUR_BAR, bars, VariableFourBar::OUTPUTS, all::<2>, ONE_GROUP);
+    differentiated!(VARIABLE_BAR, VariableBar::new(), VariableBar::OUTPUTS, all::<2>, ONE_GROUP);
+    let guides = VariableCross::new();
+    differentiated!(VARIABLE_CROSS, guides, VariableCross::OUTPUTS, all::<2>, ONE_GROUP);
+    let yoke = VariableYoke::new();
+    differentiated!(VARIABLE_YOKE, yoke, VariableYoke::OUTPUTS, all::<2>, ONE_GROUP);
+    differentiated!(VARIABLE_ROD, VariableRod::new(), VariableRod::OUTPUTS, all::<2>, ONE_GROUP);
 }
 
 #[test]

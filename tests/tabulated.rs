@@ -18,17 +18,20 @@ mod data {
     pub(crate) mod rpp_systems;
     pub(crate) mod single_groups;
     pub(crate) mod truth;
+    pub(crate) mod variable_dimensions;
 }
 mod mechanisms {
     pub(crate) mod drivers;
     pub(crate) mod moving_bases;
     pub(crate) mod published;
     pub(crate) mod single_groups;
+    pub(crate) mod variable_dimensions;
 }
 
 use accuracy::{roundings, widened};
 use data::truth::Table;
 use linkage_core::{Real, Sense, Side};
+use mechanisms::variable_dimensions::*;
 use mechanisms::{drivers::*, moving_bases::*, published::*, single_groups::*};
 
 /// 2 √(20/12), 2 √(40/12), 2 √(60/12): behind one inner joint.
@@ -114,6 +117,12 @@ fn the_tables_hold_every_output() {
     assert_complete(&data::drivers::RACK_AND_PINION, &RackAndPinion::OUTPUTS);
     assert_complete(&data::drivers::EXCAVATOR, &Excavator::OUTPUTS);
     assert_complete(&data::drivers::SWINGING_GUIDE, &SwingingGuide::OUTPUTS);
+    use data::variable_dimensions::*;
+    assert_complete(&VARIABLE_FOUR_BAR, &VariableFourBar::OUTPUTS);
+    assert_complete(&VARIABLE_BAR, &VariableBar::OUTPUTS);
+    assert_complete(&VARIABLE_CROSS, &VariableCross::OUTPUTS);
+    assert_complete(&VARIABLE_YOKE, &VariableYoke::OUTPUTS);
+    assert_complete(&VARIABLE_ROD, &VariableRod::OUTPUTS);
     assert_complete(&data::moving_bases::MOVING_BASES, &MovingBases::OUTPUTS);
     assert_complete(&data::four_bar::FOUR_BAR, &FourBar::OUTPUTS);
     assert_complete(&data::rpp_systems::CRANK_RPP, &CrankRpp::OUTPUTS);
@@ -183,9 +192,20 @@ fn dimensions_that_are_inputs<T: Real>() {
     follow!(T, SWINGING_GUIDE, SwingingGuide { ..Default::default() }, all::<T, 3>, ONE_GROUP);
 }
 
+fn variable_dimensions<T: Real>() {
+    use data::variable_dimensions::*;
+    let pair = all::<T, 2>;
+    follow!(T, VARIABLE_FOUR_BAR, VariableFourBar { ..Default::default() }, pair, ONE_GROUP);
+    follow!(T, VARIABLE_BAR, VariableBar { ..Default::default() }, pair, ONE_GROUP);
+    follow!(T, VARIABLE_CROSS, VariableCross { ..Default::default() }, pair, ONE_GROUP);
+    follow!(T, VARIABLE_YOKE, VariableYoke { ..Default::default() }, pair, ONE_GROUP);
+    follow!(T, VARIABLE_ROD, VariableRod { ..Default::default() }, pair, ONE_GROUP);
+}
+
 fn moving_bases<T: Real>() {
     use data::moving_bases::MOVING_BASES;
     follow!(T, MOVING_BASES, MovingBases { ..Default::default() }, only, SIX_GROUPS);
+    follow!(T, MOVING_BASES, CompensatedBases { ..Default::default() }, only, SIX_GROUPS);
 }
 
 fn published_systems<T: Real>() {
@@ -216,6 +236,7 @@ in_both_widths! {
     groups_of_two_guides
     drivers
     dimensions_that_are_inputs
+    variable_dimensions
     moving_bases
     published_systems
 }

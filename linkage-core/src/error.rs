@@ -15,7 +15,7 @@ pub enum SolveError {
     },
     /// The group is at a toggle or otherwise undetermined: what was asked for is undefined there.
     Singular {
-        /// The links of the group.
+        /// The links of the group, or the output that has no derivative.
         group: &'static str,
     },
     /// A length given at run time is zero or negative.

@@ -63,6 +63,16 @@
 //! press at its dead centre does not fault by a rounding. Beyond that it is
 //! [`SolveError::OutOfReach`]. Velocities at the limit are [`SolveError::Singular`].
 //!
+//! # Derivatives
+//!
+//! `velocity` and `coefficients` come from each group's own equations and need no feature. With
+//! `ad` a solver also has `jacobian`, its outputs by its inputs, and `sensitivity`, its outputs by
+//! its parameters; [`differentiate`] takes any rows by any numbers, and [`differentiate_twice`]
+//! gives the gradient and the Hessian of one. None of them allocates. Where a derivative does not
+//! exist, at the limit of assembly for one, they are [`SolveError::Singular`]; a number that is
+//! not finite never comes back as `Ok`. The types are those of [`nalgebra`] and [`num_dual`],
+//! re-exported so that their versions fit.
+//!
 //! # Features
 //!
 //! - `macros` (default): the macro.
@@ -107,8 +117,11 @@ pub mod private;
 mod results;
 mod scalar;
 mod sweep;
+mod tracker;
 
 pub use cost::{Cost, Operations};
+#[cfg(feature = "ad")]
+pub use derivatives::{Derivatives, differentiate, differentiate_twice};
 pub use error::SolveError;
 pub use kernels::{Float, Fused, Fusion, Plain};
 pub use lanes::{LaneMask, Lanes};
@@ -119,6 +132,10 @@ pub use results::{
 };
 pub use scalar::{Mask, Real, Scalar};
 pub use sweep::{LengthMismatch, Progress, Series, Status};
+pub use tracker::Tracker;
+
+#[cfg(feature = "ad")]
+pub use {nalgebra, num_dual};
 
 #[cfg(feature = "macros")]
 pub use linkage_macros::mechanism;

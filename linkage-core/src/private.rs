@@ -26,6 +26,7 @@ pub use crate::derivatives::differentiate;
 pub use crate::sweep::{
     Entry, LengthMismatch, OfMotion, OfPosition, OfVelocity, Progress, Series, Status, sweep,
 };
+pub use crate::tracker::{Clearance, Linear, Modes};
 pub use crate::with_ad_ as with_ad;
 pub use crate::{
     AngularAcceleration, AngularVelocity, Cost, Direction, Float, Fusion, LaneMask, Lanes, Mask,

@@ -219,3 +219,68 @@ def moving_bases(m):
     m.points.update(C=c, F=f, H=h, Y=y, U=u, X=x)
     m.links.update(EC=ec, PF=pf, bar=bar, UX=unit(x - u))
     m.slides.update(block=slide5, sleeve=slide6, yoke=slide9, pin=slide8, shoe=slide10, slipper=slide11)
+
+
+def variable_four_bar(m):
+    theta, s = m.q
+    ab, bed = turn(theta), turn(m.deg("30"))
+    b = (m("1.1") + s / 10) * ab
+    d = m.vec("3", "0.4") + (s + I * (s * s / m("2") + m("0.1"))) * bed
+    l1, l2 = m("3.2") + s / 4, m("2.4") - s / 8
+    c = rrr(b, d, l1, l2, +1)
+    bc, dc = unit(c - b), unit(c - d)
+    p = b + (m("1.7") + s / 2) * turn(s / m("3") - m("0.4")) * bc
+    r = rrr(b, c, m("2.1") + s / 6, m("1.9") + s / 9, -1)
+    m.points.update(B=b, D=d, C=c, P=p, R=r)
+    m.links.update(AB=ab, cart=bed, BC=bc, DC=dc)
+    m.slides.update(cart=s)
+
+
+def variable_bar(m):
+    theta, s = m.q
+    ab, d = turn(theta), m.vec("-0.3", "-2.1")
+    b = (m("1") + s / 4) * ab
+    bar, slide = rpr(b, d, m("0.35") + s * s / m("2"), +1)
+    e = d + (m("3.7") - s + I * s / 3) * bar
+    m.points.update(B=b, E=e)
+    m.links.update(AB=ab, block=bar, bar=bar)
+    m.slides.update(block=slide)
+
+
+def variable_cross(m):
+    theta, s = m.q
+    ab = turn(theta)
+    b = m("1") * ab
+    arm, post = ab * turn(m.deg("70") + s / m("2")), turn(m.deg("80"))
+    e1, e2 = m("0.1") + s / 3, s * s / m("1") - m("0.2")
+    c, s1, s2 = prp(b, arm, e1, m.vec("2.5", "0"), post, e2)
+    w = c + (m("0.2") + I * s / 2) * arm
+    m.points.update(B=b, C=c, W=w)
+    m.links.update(AB=ab, shoe=arm, block=post)
+    m.slides.update(shoe=s1, block=s2)
+
+
+def variable_yoke(m):
+    theta, s = m.q
+    ab, rail = turn(theta), turn(m.deg("5"))
+    b, k = m("0.4") * ab, m.vec("-1", "-0.8")
+    e1, e2 = m("0.05") + s / 5, s * s / m("4") - m("0.07")
+    slot, s1, s2 = rpp(b, k, rail, m.deg("75") + s / m("3"), e1, e2)
+    w = k + (s1 + m("0.3") + I * s) * rail
+    v = b + m.vec("0.1", "-0.05") * slot
+    m.points.update(B=b, W=w, V=v)
+    m.links.update(AB=ab, yoke=rail, block=slot)
+    m.slides.update(yoke=s1, block=s2)
+
+
+def variable_rod(m):
+    theta, s = m.q
+    ab, d = turn(theta), m.vec("2", "0.3")
+    b = m("0.5") * ab
+    table = turn(theta / 2 + s / m("1"))
+    groove = table * turn(m.deg("40") - s / m("2"))
+    foot = d + (s / 2 + I * m("0.1")) * table
+    c, slide = rrp(b, foot, groove, m("2.5") + s * s / m("3"), s / 4, -1)
+    m.points.update(B=b, C=c)
+    m.links.update(AB=ab, table=table, BC=unit(c - b), block=groove)
+    m.slides.update(block=slide)

@@ -113,6 +113,19 @@ def drivers():
     ]
 
 
+def variable_dimensions():
+    rows = [
+        ([0.5, 0.25], [1.5, -0.5], [-2.0, 3.0]),
+        ([-1.25, 0.375], [0.0, 2.0], [0.5, 0.0]),
+        ([2.5, 0.5], [-3.0, 0.75], [0.0, -1.0]),
+    ]
+    yield "VARIABLE_FOUR_BAR", declared.variable_four_bar, rows
+    yield "VARIABLE_BAR", declared.variable_bar, rows
+    yield "VARIABLE_CROSS", declared.variable_cross, rows
+    yield "VARIABLE_YOKE", declared.variable_yoke, rows
+    yield "VARIABLE_ROD", declared.variable_rod, rows
+
+
 def shear_rows():
     """The drive law of the mill, theta = pi/12 (1 - cos(pi t/15)) + 115 deg, every 1.5 s."""
     for i in range(11):
@@ -148,6 +161,11 @@ def main():
         [("FLYING_SHEAR", declared.flying_shear, list(shear_rows()))],
     )
     write("single_groups.rs", "One group each, with offsets, in both modes.", single_groups())
+    write(
+        "variable_dimensions.rs",
+        "Every dimension that a group or a point has, depending on an input.",
+        variable_dimensions(),
+    )
     write("drivers.rs", "Sliders, geared and relative cranks, lengths that are inputs.", drivers())
     write(
         "moving_bases.rs",

@@ -30,6 +30,9 @@ pub trait Compose:
     /// What the real part and the derivatives are made of.
     type Part: Real;
 
+    /// The highest derivative that is carried, 3 at most.
+    const ORDER: usize;
+
     /// A number without derivatives.
     fn constant(part: Self::Part) -> Self;
 
@@ -51,9 +54,14 @@ fn is_zero<T: Real>(part: T) -> bool {
     part.value() == 0.0 && part.is_constant()
 }
 
-/// f(`x`) where the derivatives of f may be infinite: a constant does not meet them.
+/// f(`x`) where the derivatives of f may be infinite: a constant does not meet them. The highest
+/// is the first to leave the range.
 fn compose_singular<D: Compose>(x: D, f: [D::Part; 4]) -> D {
-    if !f[1].is_finite() && x.derivatives_all(is_zero) { D::constant(f[0]) } else { x.compose(f) }
+    if !f[D::ORDER].is_finite() && x.derivatives_all(is_zero) {
+        D::constant(f[0])
+    } else {
+        x.compose(f)
+    }
 }
 
 fn lit<T: Scalar>(value: f32) -> T {

@@ -16,8 +16,10 @@ impl<T: Real + DualNum> Part for T {}
 
 /// The methods that only name the type's fields.
 macro_rules! real_part {
-    () => {
+    (order: $order:literal) => {
         type Part = T;
+
+        const ORDER: usize = $order;
 
         #[inline]
         fn constant(part: T) -> Self {
@@ -36,7 +38,7 @@ macro_rules! real_part {
 }
 
 impl<T: Part> Compose for Dual<T> {
-    real_part!();
+    real_part!(order: 1);
 
     #[inline]
     fn compose(self, [f0, f1, ..]: [T; 4]) -> Self {
@@ -49,7 +51,7 @@ impl<T: Part> Compose for Dual<T> {
 }
 
 impl<T: Part> Compose for Dual2<T> {
-    real_part!();
+    real_part!(order: 2);
 
     #[inline]
     fn compose(self, [f0, f1, f2, _]: [T; 4]) -> Self {
@@ -62,7 +64,7 @@ impl<T: Part> Compose for Dual2<T> {
 }
 
 impl<T: Part> Compose for Dual3<T> {
-    real_part!();
+    real_part!(order: 3);
 
     /// Faà di Bruno's formula to the third order.
     #[inline]
@@ -78,7 +80,7 @@ impl<T: Part> Compose for Dual3<T> {
 }
 
 impl<T: Part> Compose for HyperDual<T> {
-    real_part!();
+    real_part!(order: 2);
 
     #[inline]
     fn compose(self, [f0, f1, f2, _]: [T; 4]) -> Self {
@@ -92,7 +94,7 @@ impl<T: Part> Compose for HyperDual<T> {
 }
 
 impl<T: Part> Compose for HyperHyperDual<T> {
-    real_part!();
+    real_part!(order: 3);
 
     #[inline]
     fn compose(self, [f0, f1, f2, f3]: [T; 4]) -> Self {
@@ -128,7 +130,7 @@ macro_rules! all_of {
 }
 
 impl<T: Part, const N: usize> Compose for DualSVec<T, N> {
-    real_part!();
+    real_part!(order: 1);
 
     #[inline]
     fn compose(self, [f0, f1, ..]: [T; 4]) -> Self {
@@ -141,7 +143,7 @@ impl<T: Part, const N: usize> Compose for DualSVec<T, N> {
 }
 
 impl<T: Part, const N: usize> Compose for Dual2SVec<T, N> {
-    real_part!();
+    real_part!(order: 2);
 
     #[inline]
     fn compose(self, [f0, f1, f2, _]: [T; 4]) -> Self {
@@ -154,7 +156,7 @@ impl<T: Part, const N: usize> Compose for Dual2SVec<T, N> {
 }
 
 impl<T: Part, const M: usize, const N: usize> Compose for HyperDualVec<T, Const<M>, Const<N>> {
-    real_part!();
+    real_part!(order: 2);
 
     #[inline]
     fn compose(self, [f0, f1, f2, _]: [T; 4]) -> Self {

@@ -128,6 +128,22 @@ fn constants_stay_finite_where_a_derivative_would_not() {
     );
 }
 
+/// The root of 10⁻²²⁰ is 10⁻¹¹⁰, its derivative 5·10¹⁰⁹, the second is out of range.
+#[test]
+fn constants_do_not_meet_a_second_derivative_out_of_range() {
+    fn check<D: Compose>(x: D) {
+        let root = x.sqrt();
+        assert!(root.is_constant() && (root.value() - 1e-110).abs() < 1e-125, "{root:?}");
+    }
+    check(Dual2::from_re(1e-220));
+    check(HyperDual::from_re(1e-220));
+    check(Dual2SVec::<f64, 2>::from_re(1e-220));
+    check(Dual::<f64>::from_re(1e-220));
+    let first = Scalar::sqrt(Dual::new(1e-220_f64, 1.0));
+    assert!((first.eps / 5e109 - 1.0).abs() < 1e-14);
+    assert!(!Scalar::is_finite(Scalar::sqrt(Dual2::new(1e-220, 1.0, 0.0))));
+}
+
 #[test]
 fn an_infinite_derivative_is_not_finite() {
     let zero = Dual::new(0.0, 1.0);

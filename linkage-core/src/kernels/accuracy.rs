@@ -7,8 +7,9 @@ use super::hard_arguments::HARD_ARGUMENTS;
 use super::{Fused, Fusion, NEAR_F32, NEAR_F64, Plain, sin_cos_f32, sin_cos_f64};
 use crate::Scalar;
 
-/// What both kernels promise, in units in the last place.
-const BOUND: f64 = 0.85;
+/// What the kernels promise, in units in the last place.
+const BOUND_F64: f64 = 0.95;
+const BOUND_F32: f64 = 0.85;
 
 /// The larger of the two errors in units in the last place.
 fn error_f64<F: Fusion>(x: f64, (sin, cos): (DoubleWord, DoubleWord)) -> f64 {
@@ -61,7 +62,7 @@ fn the_reference_agrees_with_eighty_digits() {
 fn f64_keeps_its_bound_at_hard_arguments() {
     for (x, sin, cos) in hard_arguments() {
         let errors = [error_f64::<Plain>(x, (sin, cos)), error_f64::<Fused>(x, (sin, cos))];
-        assert!(errors[0].max(errors[1]) <= BOUND, "{errors:?} ulp at {x:e}");
+        assert!(errors[0].max(errors[1]) <= BOUND_F64, "{errors:?} ulp at {x:e}");
     }
 }
 
@@ -71,7 +72,7 @@ fn f64_keeps_its_bound_on_dense_sweeps() {
 }
 
 #[test]
-#[ignore = "a minute in release: a thousand times as dense"]
+#[ignore = "two minutes in release: a thousand times as dense"]
 fn f64_keeps_its_bound_on_denser_sweeps() {
     f64_keeps_its_bound(20_000_000);
 }
@@ -81,7 +82,7 @@ fn f64_keeps_its_bound(count: u32) {
         for x in sweep(from, to, count) {
             let truth = double_word::sin_cos(x);
             let errors = [error_f64::<Plain>(x, truth), error_f64::<Fused>(x, truth)];
-            assert!(errors[0].max(errors[1]) <= BOUND, "{errors:?} ulp at {x:e}");
+            assert!(errors[0].max(errors[1]) <= BOUND_F64, "{errors:?} ulp at {x:e}");
         }
     }
 }
@@ -93,7 +94,7 @@ fn f32_keeps_its_bound_on_dense_sweeps() {
 }
 
 #[test]
-#[ignore = "a minute in release: every f32 up to the limit"]
+#[ignore = "three minutes in release: every f32 up to the limit"]
 fn f32_keeps_its_bound_everywhere() {
     f32_keeps_its_bound(1);
 }
@@ -104,7 +105,7 @@ fn f32_keeps_its_bound(step: usize) {
         // f64's error is 2⁻²⁹ of f32's last place.
         let truth = libm::sincos(x.into());
         let errors = [error_f32::<Plain>(x, truth), error_f32::<Fused>(x, truth)];
-        assert!(errors[0].max(errors[1]) <= BOUND, "{errors:?} ulp at {x:e}");
+        assert!(errors[0].max(errors[1]) <= BOUND_F32, "{errors:?} ulp at {x:e}");
     }
 }
 

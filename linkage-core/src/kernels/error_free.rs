@@ -77,6 +77,7 @@ pub(crate) fn exact_sum<const N: usize>(terms: [f64; N]) -> f64 {
     let mut parts = [0.0; N];
     for (count, &term) in terms.iter().enumerate() {
         let mut carry = term;
+        // Without an index: at the lowest optimisation level one would be checked, and could panic.
         for part in parts.iter_mut().take(count) {
             (carry, *part) = two_sum(carry, *part);
         }

@@ -7,10 +7,10 @@
 //! π/2 is the sum of [`PARTS`]: four of 9 bits, whose products with q (15 bits) are exact, and
 //! the rest. x − q·C₁ and the subtraction of q·C₂ are exact: the operands are multiples of the
 //! smaller of ulp(x) and 2⁻²⁰, and the differences are below one (the first, below 17 where ulp(x)
-//! is above 2⁻⁹). The subtractions of q·C₃ and of q·C₄ leave errors that are computed exactly
-//! (Dekker's fast sum); q·C₅ is rounded, at 2⁻²⁹·2⁻²⁴. Within the limit no f32 other than 0 comes
-//! closer than 2⁻²⁸ to a multiple of π/2, and for q > 1000 none closer than 2⁻²⁵, so that r, as an
-//! unevaluated difference of two numbers, is right to 2⁻²⁸ of itself.
+//! is above 2⁻⁹). What is left of π/2, times q, is subtracted in one rounded step with both its
+//! errors known exactly, as in `f64`; q·C₅ is rounded, at 2⁻²⁹·2⁻²⁴. Within the limit no f32 other
+//! than 0 comes closer than 2⁻²⁸ to a multiple of π/2, and for q > 1000 none closer than 2⁻²⁵, so
+//! that r, as an unevaluated difference of two numbers, is right to 2⁻²⁷ of itself.
 //!
 //! The limit is where it is because another factor of two would take another part of π/2, for all
 //! arguments. It is 8192 turns, where neighbouring f32 are already a quarter of a degree apart.
@@ -21,7 +21,7 @@
 //! the sine and 2⁻³²·⁹ for the cosine.
 //!
 //! # Error
-//! Below 0.85 units in the last place for |x| ≤ [`LIMIT`], which was tried for every one of them.
+//! Below 0.85 units in the last place for |x| ≤ [`LIMIT`], fused or not: every one was tried.
 
 // The digits are those of the binary value: the reader can check them against the bits.
 #![allow(clippy::excessive_precision)]
@@ -43,6 +43,9 @@ pub(crate) const PARTS: [f32; 5] = [
     6.223371969669989e-14,
 ];
 
+/// What of π/2 the first two parts leave.
+const REST: f32 = 3.1391647326017846e-07;
+
 /// At 1.5·2²³ the spacing of f32 is one: adding it rounds to an integer, whose two's complement
 /// are then the low bits.
 const SHIFT: f32 = 12_582_912.0;
@@ -58,7 +61,7 @@ const COSINE: [f32; 3] = [0.04166664555668831, -0.0013887309469282627, 2.4432327
 // long, or a loop over angles does not vectorise.
 #[inline(always)]
 pub(crate) fn sin_cos<F: Fusion>(x: f32) -> (f32, f32) {
-    let shifted = x * QUADRANTS + SHIFT;
+    let shifted = f32::fused_by::<F>(x, QUADRANTS, SHIFT);
     let (r, excess) = reduce::<F>(x, shifted - SHIFT);
     let (sin, cos) = polynomials::<F>(r, excess);
     turn(sin, cos, shifted.to_bits())
@@ -67,17 +70,17 @@ pub(crate) fn sin_cos<F: Fusion>(x: f32) -> (f32, f32) {
 /// The remainder x − q·π/2 as r − excess.
 ///
 /// A difference rather than a sum, so that −0 has the remainder −0. Where products are exact,
-/// fusing them changes no bit. The polynomials need not wait for the error of `high`.
+/// fusing them changes no bit. The polynomials wait for r alone.
 #[inline(always)]
 fn reduce<F: Fusion>(x: f32, q: f32) -> (f32, f32) {
     let fused = f32::fused_by::<F>;
     let [c1, c2, c3, c4, c5] = PARTS;
     let minuend = fused(-q, c2, fused(-q, c1, x));
-    let high = fused(-q, c3, minuend);
-    let high_error = fused(-q, c3, minuend - high);
-    let low = q * c4;
-    let r = high - low;
-    (r, fused(q, c5, (low - (high - r)) - high_error))
+    let subtrahend = q * REST;
+    let r = minuend - subtrahend;
+    let r_error = (minuend - r) - subtrahend;
+    let subtrahend_error = fused(q, c3, -subtrahend) + q * c4;
+    (r, fused(q, c5, subtrahend_error - r_error))
 }
 
 /// Sine and cosine of r − excess, for |r| up to a little over π/4 and |excess| ≤ 2·ulp(r).
@@ -85,6 +88,7 @@ fn reduce<F: Fusion>(x: f32, q: f32) -> (f32, f32) {
 fn polynomials<F: Fusion>(r: f32, excess: f32) -> (f32, f32) {
     let fused = f32::fused_by::<F>;
     let z = r * r;
+    let z2 = z * z;
 
     // 1 − z/2 with the error of the subtraction, which is exact: z/2 < 1/2.
     let half = 0.5 * z;
@@ -92,25 +96,30 @@ fn polynomials<F: Fusion>(r: f32, excess: f32) -> (f32, f32) {
     let head_error = (1.0 - head) - half;
 
     let [s0, s1, s2] = SINE;
-    let series = fused(z, fused(z, s2, s1), s0);
+    let series = fused(z2, s2, fused(z, s1, s0));
     // sin(r − excess) = sin r − excess·cos r, and cos r is `head` as far as excess is concerned.
     let sin = r - fused(z * r, series, excess * head);
 
     let [c0, c1, c2] = COSINE;
-    let series = fused(z, fused(z, c2, c1), c0);
+    let series = fused(z2, c2, fused(z, c1, c0));
     // cos(r − excess) = cos r + excess·sin r, and sin r is r as far as excess is concerned.
-    let cos = head + (fused(z * z, series, head_error) + r * excess);
+    let cos = head + fused(z2, series, fused(r, excess, head_error));
     (sin, cos)
 }
 
 /// Sine and cosine in quadrant `q` (its two low bits count) from those of the remainder.
 ///
-/// On the bits rather than by a choice between numbers, which would become a jump.
+/// On the bits, because a choice between numbers would become a jump; and on both at once, which
+/// keeps them in a vector register.
 #[inline(always)]
 fn turn(sin: f32, cos: f32, q: u32) -> (f32, f32) {
-    let (sin, cos) = (sin.to_bits(), cos.to_bits());
-    let swap = (sin ^ cos) & (q & 1).wrapping_neg();
-    let sin_sign = (q & 2) << 30;
-    let cos_sign = (q.wrapping_add(1) & 2) << 30;
-    (f32::from_bits(sin ^ swap ^ sin_sign), f32::from_bits(cos ^ swap ^ cos_sign))
+    let swap = (q & 1).wrapping_neg();
+    let signs = [(q & 2) << 30, (q.wrapping_add(1) & 2) << 30];
+    let kept = [sin.to_bits(), cos.to_bits()];
+    let swapped = [kept[1], kept[0]];
+    let mut turned = [0; 2];
+    for i in 0..2 {
+        turned[i] = ((kept[i] & !swap) | (swapped[i] & swap)) ^ signs[i];
+    }
+    (f32::from_bits(turned[0]), f32::from_bits(turned[1]))
 }

@@ -80,6 +80,7 @@ impl<'a> Body<'a> {
                         !condition.follows(&all.conditions) && all.conditions.insert(condition);
                     new.then(|| straight::condition(self, condition))
                 }
+                Node::Guard(..) if self.course == Course::Open => None,
                 Node::Guard(value, guard) => Some(careful::check(self, id, value, guard)),
                 _ => Some(self.binding(id, node)),
             };
@@ -91,7 +92,7 @@ impl<'a> Body<'a> {
     /// The node that a local stands for: the straight line sees through guards.
     pub(super) fn resolve(&self, id: Id) -> Id {
         match self.course {
-            Course::Straight => unguarded(self.graph(), id),
+            Course::Straight | Course::Open => unguarded(self.graph(), id),
             Course::Careful => id,
         }
     }
@@ -136,7 +137,7 @@ impl<'a> Body<'a> {
         let (sin, cos, value) = (slot(pair.sin), slot(pair.cos), self.value(angle));
         let (function, condition) = match self.course {
             Course::Straight => straight::sin_cos(self, angle),
-            Course::Careful => (self.cx.scalar("sin_cos"), None),
+            Course::Careful | Course::Open => (self.cx.scalar("sin_cos"), None),
         };
         Statement {
             defines: pair.sin.into_iter().chain(pair.cos).collect(),

@@ -6,8 +6,6 @@
 
 mod header;
 mod names;
-#[cfg(test)]
-mod tests;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;

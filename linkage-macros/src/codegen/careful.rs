@@ -3,7 +3,7 @@
 
 use std::collections::HashSet;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::blocks::{Statement, lay_out};
@@ -87,35 +87,39 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     }
 }
 
+/// The inputs and parameters that are read, and the test that each is finite.
 fn finite_inputs(body: &Body<'_>, leaves: &[Node]) -> TokenStream {
+    let (given, scalar, text) =
+        (generated("given_"), &body.cx.names.scalar, body.cx.paths.item("str"));
     let read = |&leaf: &Node| Some((body.arguments.leaf(leaf)?, body.arguments.label(leaf)?));
-    all_finite(
-        &body.cx.paths.item("finite_input"),
-        &leaves.iter().filter_map(read).collect::<Vec<_>>(),
-    )
+    let pairs: Vec<_> =
+        leaves.iter().filter_map(read).map(|(value, label)| quote!((#value, #label))).collect();
+    let count = Literal::usize_unsuffixed(pairs.len());
+    let function = body.cx.paths.item("finite_input");
+    let (value, label) = (generated("value_"), generated("name_"));
+    quote! {
+        let #given: [(#scalar, &'static #text); #count] = [#(#pairs),*];
+        for &(#value, #label) in &#given { #function(#value, #label)?; }
+    }
 }
 
+/// Asks of every result whether it is finite, in order: in a loop, because an early exit for each
+/// of a thousand results takes the compiler seconds.
 fn finite_results(body: &Body<'_>, entry: &Entry) -> TokenStream {
     let mut seen = HashSet::new();
     let known = |id| matches!(body.graph().node(id), Node::Constant(_) | Node::Mode(_));
     let sinks = entry.sinks.iter().zip(rows::sink_labels(body.cx, entry.kind));
-    let tested: Vec<_> = sinks
+    let pairs: Vec<_> = sinks
         .filter(|&(&sink, _)| !known(sink) && seen.insert(sink))
-        .map(|(&sink, label)| (body.value(sink), label))
+        .map(|(&sink, label)| {
+            let value = body.value(sink);
+            quote!((#value, #label))
+        })
         .collect();
-    all_finite(&body.cx.paths.item("finite_result"), &tested)
-}
-
-/// Asks of every value whether it is finite, in order: in a loop, because an early exit for each
-/// of a thousand results takes the compiler seconds.
-fn all_finite(function: &TokenStream, values: &[(TokenStream, String)]) -> TokenStream {
-    match values {
-        [] => TokenStream::new(),
-        [(value, label)] => quote!(#function(#value, #label)?;),
-        _ => {
-            let (value, label) = (generated("value_"), generated("name_"));
-            let pairs = values.iter().map(|(value, label)| quote!((#value, #label)));
-            quote!(for &(#value, #label) in &[#(#pairs),*] { #function(#value, #label)?; })
-        }
+    if pairs.is_empty() {
+        return TokenStream::new();
     }
+    let (function, given) = (body.cx.paths.item("finite_result"), generated("given_"));
+    let (value, label) = (generated("value_"), generated("name_"));
+    quote!(for &(#value, #label) in &[#(#pairs),*] { #function(#value, #label, &#given)?; })
 }

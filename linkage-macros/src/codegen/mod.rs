@@ -14,6 +14,7 @@ mod derivatives;
 mod docs;
 mod dominance;
 mod entry;
+mod modes;
 mod names;
 mod paths;
 mod results;
@@ -45,17 +46,29 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
     let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
     let careful = program.entries.iter().map(|entry| careful::function(&cx, entry));
     let sweeps = program.entries.iter().map(|entry| sweeps::items(&cx, entry));
-    let (derivatives, c_export) = (derivatives::items(&cx), c_export::items(&cx));
+    let (derivatives, modes) = (derivatives::items(&cx), modes::items(&cx));
+    let c_export = c_export::items(&cx);
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
+    let literals = literals_are_dimensions();
     quote! {
         #solver
         #records
+        #literals
         impl<#scalar: #any> #name<#scalar> { #(#straight)* }
+        #literals
         impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
         #(#sweeps)*
         #derivatives
+        #modes
         #c_export
+    }
+}
+
+/// In front of every block that holds literals.
+fn literals_are_dimensions() -> TokenStream {
+    quote! {
+        #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
     }
 }
 

@@ -102,7 +102,9 @@ fn constants(cx: &Context<'_>) -> TokenStream {
         params.iter().map(|p| rows::string(&text(&p.name), p.name.span())).collect();
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
     let (cost_type, cost) = (cx.paths.item("Cost"), cost::constant(cx));
+    let literals = super::literals_are_dimensions();
     quote! {
+        #literals
         impl #name<f64> {
             /// The scalar rows of the results, in the order of every list of rows.
             pub const OUTPUTS: [&'static str; #rows] = [#(#outputs),*];
@@ -125,7 +127,9 @@ fn default(cx: &Context<'_>) -> TokenStream {
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (default, any) = (cx.paths.item("Default"), cx.paths.item("Scalar"));
     let value = defaults(cx, |wide, narrow| cx.literal(wide, narrow));
+    let literals = super::literals_are_dimensions();
     quote! {
+        #literals
         impl<#scalar: #any> #default for #name<#scalar> {
             /// The solver with all parameters at their declared values, rounded once.
             #[inline]

@@ -60,7 +60,7 @@ fn zeros(mechanism: &Mechanism) -> Program {
     if margins > 0 {
         entries.push(entry(EntryKind::Margins, margins));
     }
-    Program { graph, entries, groups: Vec::new() }
+    Program { graph, entries, clearances: Vec::new(), groups: Vec::new() }
 }
 
 /// The mechanism in the making, and what its names stand for.

@@ -78,7 +78,7 @@ impl<'s> Kinematics<'s> {
         self.qualities.get(&group).copied()
     }
 
-    fn guide(&self, id: GuideId) -> Frame<'s> {
+    pub(super) fn guide(&self, id: GuideId) -> Frame<'s> {
         self.guides[id.index()].expect("a step uses only what earlier steps have made")
     }
 

@@ -5,6 +5,7 @@
 //! group's own linear equations, not from differentiating the position. Formulas live here and
 //! nowhere else; nothing here knows how code is written.
 
+mod clearance;
 mod crank;
 mod expressions;
 mod groups;
@@ -37,9 +38,11 @@ use crate::model::mechanism::{Mechanism, Output, OutputKind};
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     let sheet = Sheet::new(rules);
     let entries = entries(mechanism, &sheet, rules);
+    let clearances = clearance::clearances(mechanism, &sheet);
     Program {
         graph: sheet.into_graph(),
         entries,
+        clearances,
         groups: mechanism.groups.iter().map(|group| group.title.clone()).collect(),
     }
 }

@@ -26,6 +26,7 @@
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.
 
+use crate::equations::clearance::{Clearance, size};
 use crate::equations::groups::{Place, Quality, SlottedBar};
 use crate::equations::jet::Jet;
 use crate::equations::motion::PointMotion;
@@ -88,4 +89,11 @@ pub(super) fn quality<'s>([b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Quality<'
     let left = x * x + y * y - e * e;
     let zero = Jet::zero(e.value.sheet());
     Quality { margin: Some(left / (reach + e.hypot(zero))), transmission: left.sqrt() / reach }
+}
+
+/// b² − e².
+pub(super) fn clearance<'s>([b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Clearance<'s> {
+    let [x, y] = d.jets_to(b);
+    let scale = e.value.squared() + size(d, b);
+    Clearance { value: x * x + y * y - e * e, scale }
 }

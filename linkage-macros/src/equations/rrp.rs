@@ -30,6 +30,7 @@
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (slider-crank) in the axes of the guide.
 
+use crate::equations::clearance::{Clearance, size};
 use crate::equations::groups::{Bar, Block, Place, Quality, SlidingDyad};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Frame, PointMotion};
@@ -97,4 +98,18 @@ pub(super) fn quality<'s>(
     let t = offset - (ux * y - uy * x);
     let square = (l - t) * (l + t);
     Quality { margin: Some(square / l.twice()), transmission: square.sqrt() / l }
+}
+
+/// (l − t)(l + t).
+pub(super) fn clearance<'s>(
+    b: PointMotion<'s>,
+    guide: Frame<'s>,
+    l: Jet<'s>,
+    offset: Jet<'s>,
+) -> Clearance<'s> {
+    let [x, y] = guide.origin.jets_to(b);
+    let [ux, uy] = guide.direction.jets();
+    let t = offset - (ux * y - uy * x);
+    let squares = l.value.squared() + offset.value.squared();
+    Clearance { value: (l - t) * (l + t), scale: squares + size(guide.origin, b) }
 }

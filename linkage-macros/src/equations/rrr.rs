@@ -37,6 +37,7 @@
 //! Two divisions and one root for everything. A parallelogram (l₂ = |AB|, l₃ … equal in pairs)
 //! passes through change points where a constant mode turns it into an antiparallelogram.
 
+use crate::equations::clearance::{Clearance, size};
 use crate::equations::groups::{Bar, Dyad, Place, Quality};
 use crate::equations::jet::Jet;
 use crate::equations::motion::PointMotion;
@@ -153,4 +154,16 @@ pub(super) fn quality<'s>([b, d]: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) 
     let both = near * (product.twice() - near);
     let margin = both / (product.twice().twice() * x.hypot(y));
     Quality { margin: Some(margin), transmission: both.sqrt() / product }
+}
+
+/// A·I, with A and I as for [`quality`]; A may be as small as (l₂ + l₃)² is rounded, I at most
+/// 4 l₂ l₃.
+pub(super) fn clearance<'s>([b, d]: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> Clearance<'s> {
+    let [x, y] = b.jets_to(d);
+    let difference = l2 - l3;
+    let near = x * x + y * y - difference * difference;
+    let product = (l2 * l3).twice();
+    let value = near * (product.twice() - near);
+    let squares = l2.value.squared() + l3.value.squared() + size(b, d);
+    Clearance { value, scale: product.value * squares }
 }

@@ -63,11 +63,13 @@ pub(crate) fn rebuild_with(
         };
         moved.0[id.index()] = Some(new);
     }
-    let mut entries = program.entries.clone();
-    for sink in entries.iter_mut().flat_map(|entry| &mut entry.sinks) {
+    let (mut entries, mut clearances) = (program.entries.clone(), program.clearances.clone());
+    let of_entries = entries.iter_mut().flat_map(|entry| &mut entry.sinks);
+    let of_clearances = clearances.iter_mut().flat_map(|clearance| &mut clearance.sinks);
+    for sink in of_entries.chain(of_clearances) {
         *sink = moved.of(*sink);
     }
-    Program { graph, entries, groups: program.groups.clone() }
+    Program { graph, entries, clearances, groups: program.groups.clone() }
 }
 
 /// Where the nodes of the old program are in the new one.

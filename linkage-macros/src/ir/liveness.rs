@@ -9,6 +9,8 @@ pub(crate) enum Course {
     Straight,
     /// What the careful path looks at as well.
     Careful,
+    /// What the straight line computes with; guards are passed by.
+    Open,
 }
 
 /// For every node of the graph, whether one of the sinks needs it.
@@ -25,7 +27,7 @@ pub(crate) fn live(graph: &Graph, sinks: &[Id], course: Course) -> Vec<bool> {
         let node = graph.node(Id(index as u32));
         let mut mark = |operand: Id| live[operand.0 as usize] = true;
         match course {
-            Course::Straight => node.for_operands(&mut mark),
+            Course::Straight | Course::Open => node.for_operands(&mut mark),
             Course::Careful => graph.for_operands_of(node, &mut mark),
         }
     }

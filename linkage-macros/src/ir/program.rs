@@ -6,14 +6,18 @@ use crate::ir::graph::{Graph, Id};
 pub(crate) struct Program {
     pub graph: Graph,
     pub entries: Vec<Entry>,
+    /// What following a motion through changes of mode looks at, group by group in solving order.
+    pub clearances: Vec<Clearance>,
     /// The titles of the groups, by the numbers that guards carry.
     pub groups: Vec<String>,
 }
 
 impl Program {
-    /// The sinks of all entries.
+    /// The sinks of all entries and clearances.
     pub(crate) fn sinks(&self) -> Vec<Id> {
-        self.entries.iter().flat_map(|entry| &entry.sinks).copied().collect()
+        let entries = self.entries.iter().flat_map(|entry| &entry.sinks);
+        let clearances = self.clearances.iter().flat_map(|clearance| &clearance.sinks);
+        entries.chain(clearances).copied().collect()
     }
 }
 
@@ -40,4 +44,15 @@ pub(crate) enum EntryKind {
     MotionAt,
     /// Margins and transmission alone, which exist also where the pose does not.
     Margins,
+}
+
+/// How clear of its limit a group with an assembly mode is.
+#[derive(Clone, Debug)]
+pub(crate) struct Clearance {
+    /// An index into [`Program::groups`].
+    pub group: u32,
+    /// The parameter that holds the mode; none where it is a constant.
+    pub param: Option<u32>,
+    /// Value, rate, and the scale to measure both by; of the inputs' values and rates.
+    pub sinks: [Id; 3],
 }

@@ -63,7 +63,15 @@ pub(super) fn one_value(build: impl FnOnce(&mut Graph) -> Id) -> (Mechanism, Pro
     let mut graph = Graph::new();
     let sinks = vec![build(&mut graph)];
     let entries = vec![Entry { kind: EntryKind::Position, sinks }];
-    (mechanism, Program { graph, entries, groups: vec!["BC, DC".to_string(), "E".to_string()] })
+    (
+        mechanism,
+        Program {
+            graph,
+            entries,
+            clearances: Vec::new(),
+            groups: vec!["BC, DC".to_string(), "E".to_string()],
+        },
+    )
 }
 
 /// A crank-rocker with a tunable crank and mode: A at the origin, D at (0.6657, 0).
@@ -125,7 +133,12 @@ fn four_bar_program() -> Program {
         (Margins, margin),
     ];
     let entries = entries.map(|(kind, sinks)| Entry { kind, sinks }).to_vec();
-    Program { graph, entries, groups: vec!["AB".to_string(), "BC, DC".to_string()] }
+    Program {
+        graph,
+        entries,
+        clearances: Vec::new(),
+        groups: vec!["AB".to_string(), "BC, DC".to_string()],
+    }
 }
 
 type Vector = [Id; 2];
@@ -271,5 +284,5 @@ pub(super) fn table() -> (Mechanism, Program) {
             sinks: vec![zero, way, zero, x, one, zero, zero, one, s, zero],
         },
     ];
-    (table, Program { graph: g, entries, groups: Vec::new() })
+    (table, Program { graph: g, entries, clearances: Vec::new(), groups: Vec::new() })
 }

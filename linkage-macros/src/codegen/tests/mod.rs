@@ -1,5 +1,6 @@
 //! The text of what small programs expand to.
 
+mod c_export;
 mod fixture;
 
 use super::generate;
@@ -224,7 +225,7 @@ fn several_inputs_are_a_record_or_an_array() {
     assert!(all.contains("rates: impl ::linkage_core::private::Into<TableInput<T>>"));
     assert!(all.contains("let rates: TableInput<T> = ::linkage_core::private::Into::into(rates);"));
     assert!(velocity.contains("let v12_ = rates.s * inputs.X;"), "{velocity}");
-    let inputs = "for &(value_, name_) in &[ (inputs.s, \"s\"), (rates.s, \"s_rate\"), (inputs.X, \"X\"), (rates.X, \"X_rate\"), ] { ::linkage_core::private::finite_input(value_, name_)?; }";
+    let inputs = "4] = [ (inputs.s, \"s\"), (rates.s, \"s_rate\"), (inputs.X, \"X\"), (rates.X, \"X_rate\"), ]; for &(value_, name_) in &given_ { ::linkage_core::private::finite_input(value_, name_)?; }";
     assert!(all.contains(inputs), "{text}");
 }
 

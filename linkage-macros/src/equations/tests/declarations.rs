@@ -189,4 +189,18 @@ pub(crate) const VARIANTS: &[Variant] = &[
             "output PX.margin, PX.transmission, FC.margin, FC.transmission, rod.margin, rod.transmission;"),
         inputs: ONE,
     },
+    Variant {
+        name: "transmission of slides",
+        source: moving!("rrr PX(P), FX(F) -> X { lengths: (0.7, 0.9), mode: left }"
+            "guide bar on PX through X along 20deg; guide ground_line through (0.1, 0) along 0.4 * q;"
+            "prp a(bar), b(way) -> C {} rpp c(F), d(ground_line) { slot: PX.angle }"
+            "output a.transmission, d.transmission, C, c, d;"),
+        inputs: ONE,
+    },
+    Variant {
+        name: "every function of a driven angle",
+        source: fixed!("point S at (1m * sin(2 * q), 1m * cos(q) * sin(q));"
+            "point T at (1m * tan(q / 2), 1m * sqrt(1 + q)); slider z(post) { slide: s * q / (1 + s / 1m) }"),
+        inputs: TWO,
+    },
 ];

@@ -214,3 +214,66 @@ fn margins_and_transmission_are_what_the_joints_say() {
     near(v[2], (u.0 * across.1 - u.1 * across.0).abs());
     near(v[3], 60f64.to_radians().sin());
 }
+
+#[test]
+fn a_guide_towards_a_point_passes_through_both() {
+    let p = position(&format!(
+        "struct M {{ {ARM} point P on AB at (0.25, 0.5); point Q on AB at (-0.375, 0.125);
+         guide g on AB through P towards Q; guide h through D towards A;
+         slider a(g) -> U {{ slide: 0.5, offset: 0.25 }} slider b(h) -> V {{ slide: 0.5, offset: 0.25 }}
+         output P, Q, U, V; }}"
+    ));
+    let v = to_f64(&p);
+    let along = |from: (f64, f64), to: (f64, f64)| {
+        let (x, y) = (to.0 - from.0, to.1 - from.1);
+        let (x, y) = (x / x.hypot(y), y / x.hypot(y));
+        (from.0 + 0.5 * x - 0.25 * y, from.1 + 0.5 * y + 0.25 * x)
+    };
+    let u = along((v[0], v[1]), (v[2], v[3]));
+    near(v[4], u.0);
+    near(v[5], u.1);
+    let h = along((1.0, 0.25), (0.0, 0.0));
+    near(v[6], h.0);
+    near(v[7], h.1);
+}
+
+#[test]
+fn guides_on_different_links_cross_on_both() {
+    let p = position(&format!(
+        "struct M {{ {ARM} rrr BC(B), DC(D) -> C {{ lengths: (0.75, 0.5), mode: left }}
+         guide g on BC through (0.25, 0.125) along 30deg; guide h on DC through (0.125, 0.25) along -70deg;
+         prp a(g), b(h) -> P {{ offsets: (0.0625, -0.125) }} output B, BC, DC, P, a, b; }}"
+    ));
+    let v = to_f64(&p);
+    let on = |origin: (f64, f64),
+              link: (f64, f64),
+              at: (f64, f64),
+              degrees: f64,
+              slide: f64,
+              offset: f64| {
+        let (c, s) = (degrees.to_radians().cos(), degrees.to_radians().sin());
+        let local = (at.0 + slide * c - offset * s, at.1 + slide * s + offset * c);
+        (
+            origin.0 + local.0 * link.0 - local.1 * link.1,
+            origin.1 + local.0 * link.1 + local.1 * link.0,
+        )
+    };
+    let first = on((v[0], v[1]), (v[2], v[3]), (0.25, 0.125), 30.0, v[10], 0.0625);
+    let second = on((1.0, 0.25), (v[4], v[5]), (0.125, 0.25), -70.0, v[13], -0.125);
+    near(v[6], first.0);
+    near(v[7], first.1);
+    near(v[6], second.0);
+    near(v[7], second.1);
+}
+
+#[test]
+fn guides_along_the_axes_cross_at_their_own_coordinates() {
+    let p = position(&format!(
+        "struct M {{ {ARM} guide level through (0.25, 0.125) along 180deg; guide upright through (0.375, -0.5) along 90deg;
+         prp a(level), b(upright) -> P {{ offsets: (0.0625, -0.125) }}
+         prp c(upright), d(level) -> Q {{ offsets: (0.25, 0.5) }} output AB, P, Q; }}"
+    ));
+    for (found, expected) in p[2..].iter().zip([0.5, 0.0625, 0.125, -0.375]) {
+        same(found, expected);
+    }
+}

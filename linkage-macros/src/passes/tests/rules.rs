@@ -12,7 +12,7 @@ fn program(build: impl FnOnce(&mut Graph) -> Id) -> Program {
     let mut graph = Graph::new();
     let sink = build(&mut graph);
     let entries = vec![Entry { kind: EntryKind::Position, sinks: vec![sink] }];
-    Program { graph, entries, groups: vec!["AB".into()] }
+    Program { graph, entries, clearances: Vec::new(), groups: vec!["AB".into()] }
 }
 
 fn x(graph: &mut Graph) -> Id {

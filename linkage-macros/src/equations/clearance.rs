@@ -1,0 +1,66 @@
+//! How clear of its limits each group with an assembly mode is, for following a motion.
+//!
+//! A group's height comes from a square root; what stands under the root is smooth wherever the
+//! group's joints go, zero at a toggle and negative out of reach. Where it touches zero and turns
+//! back, the motion goes on through a change point and the root changes its sign, which is the
+//! mode; where it passes through zero, the motion ends. The value under the root is given with
+//! its rate, and with a scale against which the coordinates' rounding is small.
+
+use crate::equations::jet::Jet;
+use crate::equations::kinematics::Kinematics;
+use crate::equations::motion::PointMotion;
+use crate::equations::symbol::{Sheet, Sym};
+use crate::equations::{free_inputs, rpr, rrp, rrr};
+use crate::ir::program;
+use crate::model::mechanism::{Mechanism, Mode, Step};
+
+/// What stands under a group's square root, and the scale to measure it by.
+#[derive(Clone, Copy)]
+pub(super) struct Clearance<'s> {
+    pub value: Jet<'s>,
+    pub scale: Sym<'s>,
+}
+
+/// Of every group with an assembly mode, in solving order.
+pub(super) fn clearances<'s>(
+    mechanism: &'s Mechanism,
+    sheet: &'s Sheet<'s>,
+) -> Vec<program::Clearance> {
+    let kinematics = Kinematics::of(sheet, mechanism, free_inputs(mechanism, sheet));
+    mechanism.steps.iter().filter_map(|step| of_step(&kinematics, step)).collect()
+}
+
+fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::Clearance> {
+    let (group, mode, clearance) = match step {
+        Step::Rrr { group, outer, lengths, mode, .. } => {
+            let joints = outer.map(|joint| kinematics.point(joint));
+            let [first, second] = lengths;
+            let lengths = [kinematics.jet(&first.value), kinematics.jet(&second.value)];
+            (*group, *mode, rrr::clearance(joints, lengths))
+        }
+        Step::Rrp { group, outer, guide, length, offset, mode, .. } => {
+            let (b, guide) = (kinematics.point(*outer), kinematics.guide(*guide));
+            let (length, offset) = (kinematics.jet(&length.value), kinematics.jet(offset));
+            (*group, *mode, rrp::clearance(b, guide, length, offset))
+        }
+        Step::Rpr { group, outer, offset, mode, .. } => {
+            let joints = outer.map(|joint| kinematics.point(joint));
+            (*group, *mode, rpr::clearance(joints, kinematics.jet(offset)))
+        }
+        _ => return None,
+    };
+    let param = match mode {
+        Mode::Fixed(_) => None,
+        Mode::Param(param) => Some(param.0),
+    };
+    let Clearance { value, scale } = clearance;
+    let sinks = [value.value.id, value.rate.id, scale.id];
+    Some(program::Clearance { group: group.0, param, sinks })
+}
+
+/// The sum of the squares that the vector from one point to the other is made of: its rounding is
+/// measured by them, not by its own length.
+pub(super) fn size<'s>(from: PointMotion<'s>, to: PointMotion<'s>) -> Sym<'s> {
+    let base = to.base - from.base;
+    base.dot(base) + (from.offset.dot(from.offset) + to.offset.dot(to.offset))
+}
