@@ -101,6 +101,44 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// Stephenson III with its reaches in compensated arithmetic.
+    pub(crate) struct StephensonCompensated {
+        numerics compensated;
+        input theta: angle;
+
+        ground A(0, 0), D(100mm, 0), F(180mm, 60mm);
+
+        crank AB(A) -> B        { length: 40mm, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (110mm, 90mm), mode: left }
+        point P on BC at (70mm, 50mm);
+        rrr   PE(P), FE(F) -> E { lengths: (120mm, 100mm), mode: left }
+
+        output P, E, FE;
+    }
+}
+
+mechanism! {
+    /// The ten links with their reaches in compensated arithmetic.
+    pub(crate) struct ChainCompensated {
+        numerics compensated;
+        input theta: angle;
+
+        ground A(0, 0), D1(100mm, 0), D2(200mm, 0), D3(300mm, 0), D4(400mm, 0);
+
+        crank AB(A) -> B             { length: 40mm, angle: theta }
+        rrr   B1(B), R1(D1) -> C1    { lengths: (110mm, 90mm), mode: left }
+        point P1 on R1 at (60mm, 20mm);
+        rrr   B2(P1), R2(D2) -> C2   { lengths: (110mm, 90mm), mode: left }
+        point P2 on R2 at (60mm, 20mm);
+        rrr   B3(P2), R3(D3) -> C3   { lengths: (110mm, 90mm), mode: left }
+        point P3 on R3 at (60mm, 20mm);
+        rrr   B4(P3), R4(D4) -> C4   { lengths: (110mm, 90mm), mode: left }
+
+        output C4, R4;
+    }
+}
+
 /// The numbers of a motion in the order of the tables of `truth`.
 macro_rules! numbers {
     ($name:ident, $motion:ident, $n:literal,
@@ -148,6 +186,22 @@ numbers!(
 numbers!(
     chain,
     ChainMotion,
+    10,
+    [C4.x, C4.y, R4.cos, R4.sin],
+    [C4.x, C4.y, R4.omega],
+    [C4.x, C4.y, R4.alpha]
+);
+numbers!(
+    stephenson_compensated,
+    StephensonCompensatedMotion,
+    16,
+    [P.x, P.y, E.x, E.y, FE.cos, FE.sin],
+    [P.x, P.y, E.x, E.y, FE.omega],
+    [P.x, P.y, E.x, E.y, FE.alpha]
+);
+numbers!(
+    chain_compensated,
+    ChainCompensatedMotion,
     10,
     [C4.x, C4.y, R4.cos, R4.sin],
     [C4.x, C4.y, R4.omega],

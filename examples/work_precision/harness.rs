@@ -58,16 +58,16 @@ fn median(mut values: Vec<f64>) -> f64 {
 }
 
 /// Poses that do not wait for each other.
-pub(crate) fn throughput<F: Number, R>(
-    angles: Vec<F>,
-    mut solve: impl FnMut(F) -> R + 'static,
+pub(crate) fn throughput<A: Copy + 'static, R>(
+    inputs: Vec<A>,
+    mut solve: impl FnMut(A) -> R + 'static,
 ) -> Run {
     Box::new(move || {
         let start = Instant::now();
-        for &angle in &angles {
-            black_box(solve(black_box(angle)));
+        for &input in &inputs {
+            black_box(solve(black_box(input)));
         }
-        start.elapsed().as_nanos() as f64 / angles.len() as f64
+        start.elapsed().as_nanos() as f64 / inputs.len() as f64
     })
 }
 

@@ -69,11 +69,18 @@ fn dyad<F: Field>(
 }
 
 impl<F: Field, const DYADS: usize> Newton<F, DYADS> {
-    /// From the unknowns at some first pose.
+    /// From the unknowns at a first pose, to a digit or two.
     pub(crate) fn starting_at(unknowns: [(f64, f64); DYADS]) -> Self {
         Self { unknowns: unknowns.map(|(a, b)| Vector2::new(F::of(a), F::of(b))) }
     }
 }
+
+/// The unknowns at the crank angle 0.
+pub(crate) const FOUR_BAR_START: [(f64, f64); 1] = [(0.77, 1.69)];
+pub(crate) const SIX_BAR_START: [(f64, f64); 1] = [(1.19, 1.08)];
+pub(crate) const STEPHENSON_START: [(f64, f64); 2] = [(0.96, 1.53), (0.58, 1.98)];
+pub(crate) const CHAIN_START: [(f64, f64); 4] =
+    [(0.96, 1.53), (0.26, 1.70), (0.28, 1.82), (0.29, 1.90)];
 
 impl<F: Field> Newton<F, 1> {
     pub(crate) fn four_bar(&mut self, [angle, omega, alpha]: [F; 3]) -> Option<[F; 14]> {

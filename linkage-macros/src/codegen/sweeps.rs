@@ -47,7 +47,7 @@ impl Sweep<'_> {
             ["Float", "Series", "Status", "Progress", "Result", "LengthMismatch", "sweep"]
                 .map(|item| cx.paths.item(item));
         let arguments = cx.arguments(entry.kind);
-        let values = quote!(#series<'_, #scalar>);
+        let values = quote!(#series<'series, #scalar>);
         let (declared, converted) = if arguments.are_records() {
             (arguments.declared(&values), arguments.converted(&values))
         } else {
@@ -63,7 +63,7 @@ impl Sweep<'_> {
         quote! {
             impl<#scalar: #float> #name<#scalar> {
                 #docs
-                pub fn #function(
+                pub fn #function<'series>(
                     &self,
                     #(#declared,)*
                     out: #record<&mut [#scalar]>,

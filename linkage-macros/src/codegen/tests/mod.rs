@@ -299,7 +299,7 @@ fn a_sweep_takes_series_and_gives_components() {
     assert_has(
         &four_bar(),
         &[
-            "fn sweep_position(&self, theta: impl Into<Series<'_, T>>, \
+            "fn sweep_position<'series>(&self, theta: impl Into<Series<'series, T>>, \
              out: FourBarPosition<&mut [T]>, status: &mut [Status], progress: impl Progress) \
              -> Result<(), LengthMismatch> {",
             "sweep::<OfVelocity, _, _, 2, 5>(self, [theta, theta_rate],",
@@ -319,8 +319,8 @@ fn a_sweep_over_several_inputs_takes_a_record_of_series() {
     assert_has(
         &table(),
         &[
-            "inputs: impl Into<TableInput<Series<'_, T>>>,",
-            "let rates: TableInput<Series<'_, T>> = Into::into(rates);",
+            "inputs: impl Into<TableInput<Series<'series, T>>>,",
+            "let rates: TableInput<Series<'series, T>> = Into::into(rates);",
             "[inputs.s, inputs.X, rates.s, rates.X]",
             "core_velocity_(TableInput { s: x0_, X: x1_ }, TableInput { s: x2_, X: x3_ });",
         ],
