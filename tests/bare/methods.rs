@@ -1,7 +1,7 @@
 //! What a solver offers beside its C functions, each behind a symbol: the straight lines, the
 //! rows, angles, and conversion to another width.
 
-use linkage_core::{Direction, Real, Scalar};
+use linkage_core::{Direction, Float, Lanes, Mask, Real, Scalar};
 
 use crate::mechanisms::{Everything, Excavator, FlyingShear, SixBar, TunedFourBar};
 
@@ -25,6 +25,8 @@ symbols! {
     methods_angles_f32 = angles::<f32>;
     methods_lift = lift::<f64>;
     methods_lift_f32 = lift::<f32>;
+    methods_lanes = lanes::<f64>;
+    methods_lanes_f32 = lanes::<f32>;
 }
 
 /// The value where the mask allows it.
@@ -70,4 +72,10 @@ fn lift<T: Real>(x: T) -> T {
     let narrow = TunedFourBar::<T>::default().lift::<f32>();
     let Ok(position) = narrow.position(x.value() as f32) else { return x };
     T::lit(f64::from(position.reach), position.reach)
+}
+
+fn lanes<T: Float>(x: T) -> T {
+    let angles = Lanes::<T, 4>::new([x, x + x, x - x, -x]);
+    let (motion, usable) = SixBar::default().solve_motion(angles, angles, angles);
+    if usable.all() { motion.acceleration.E.x.to_array()[0] } else { x }
 }

@@ -23,6 +23,7 @@ mod rows;
 mod solver;
 mod straight;
 pub(crate) mod stubs;
+mod sweeps;
 mod units;
 
 #[cfg(test)]
@@ -45,6 +46,7 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
     let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
     let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
     let careful = explanations::functions(&cx);
+    let sweeps = program.entries.iter().map(|entry| sweeps::items(&cx, entry));
     let (derivatives, modes) = (derivatives::items(&cx), modes::items(&cx));
     let c_export = c_export::items(&cx);
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
@@ -57,6 +59,7 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
         impl<#scalar: #any> #name<#scalar> { #(#straight)* }
         #literals
         impl<#scalar: #real> #name<#scalar> { #(#checked)* #careful }
+        #(#sweeps)*
         #derivatives
         #modes
         #c_export

@@ -84,34 +84,48 @@ pub(super) fn sin_cos(body: &Body<'_>, angle: Id) -> (TokenStream, Option<TokenS
     (cx.scalar("sin_cos_near"), Some(quote!(#is_near(#value))))
 }
 
-/// `solve_…`: the core of an entry point, without a branch.
+/// The name of the core of an entry point.
+pub(super) fn core_name(entry: &Entry) -> Ident {
+    function_name(&format!("core_{}_", entry::method(entry.kind)))
+}
+
+/// `solve_…`, and the core of an entry point that it shares with everything else, without a
+/// branch.
+///
+/// The core is inlined always: as a call of its own it would hand its results over through
+/// memory, one more time, which costs a four-bar's solve a tenth of its throughput and a fifth of
+/// its latency; and a sweep would run it on the instruction set of the rest of the program. Each
+/// of the functions around it may be called.
 pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let (arguments, scalar) = (cx.arguments(entry.kind), &cx.names.scalar);
-    let declared = arguments.declared(&quote!(#scalar));
-    let converted = arguments.converted(&quote!(#scalar));
+    let (declared, received) =
+        (arguments.declared(&quote!(#scalar)), arguments.received(&quote!(#scalar)));
+    let (converted, names) = (arguments.converted(&quote!(#scalar)), arguments.names());
     let body = match cx.on_the_circle(entry) {
         Some(at) => by_cosine(cx, entry, at),
-        None => core(cx, entry),
+        None => body(cx, entry),
     };
-    let (docs, name, result) =
-        (docs::straight(cx, entry), name(entry), entry::result(cx, entry.kind));
+    let (docs, result) = (docs::straight(cx, entry), entry::result(cx, entry.kind));
+    let name = function_name(&format!("solve_{}", entry::method(entry.kind)));
+    let core = core_name(entry);
     quote! {
         #docs
         #[inline]
         #[must_use]
         pub fn #name(&self, #(#declared),*) -> (#result, #scalar::Mask) {
             #converted
+            self.#core(#(#names),*)
+        }
+
+        #[inline(always)]
+        fn #core(&self, #(#received),*) -> (#result, #scalar::Mask) {
             #body
         }
     }
 }
 
-fn name(entry: &Entry) -> Ident {
-    function_name(&format!("solve_{}", entry::method(entry.kind)))
-}
-
 /// What is computed, and whether it may be used.
-fn core(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+fn body(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let arguments = cx.arguments(entry.kind);
     let body = Body { cx, arguments: &arguments, course: Course::Straight };
     let statements = body.statements(&entry.sinks);
@@ -135,11 +149,11 @@ fn core(cx: &Context<'_>, entry: &Entry) -> TokenStream {
 fn by_cosine(cx: &Context<'_>, entry: &Entry, at: &Entry) -> TokenStream {
     let [sin, cos, result, ok] = ["sin_", "cos_", "result_", "ok_"].map(generated);
     let (sin_cos, is_near) = (cx.scalar("sin_cos_near"), cx.scalar("is_near"));
-    let (arguments, name) = (cx.arguments(entry.kind), name(at));
+    let (arguments, core) = (cx.arguments(entry.kind), core_name(at));
     let (angle, rates) = arguments.names().split_first().expect("the angle comes first");
     quote! {
         let (#sin, #cos) = #sin_cos(#angle);
-        let (#result, #ok) = self.#name(#cos, #sin #(, #rates)*);
+        let (#result, #ok) = self.#core(#cos, #sin #(, #rates)*);
         (#result, #is_near(#angle) & #ok)
     }
 }
