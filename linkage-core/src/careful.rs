@@ -55,7 +55,7 @@ pub fn finite_result<T: Real>(
 /// `OutOfReach` by the distance that is missing, `Singular` where the centres coincide or where a
 /// derivative is asked for at the limit, `NotFinite` where a number is not.
 #[cold]
-pub fn reach_circles<T: Real>(
+pub(crate) fn reach_circles<T: Real>(
     value: T,
     dx: T,
     dy: T,
@@ -76,7 +76,7 @@ pub fn reach_circles<T: Real>(
 /// # Errors
 /// As for [`square`]; about one point, circles of different radii are `OutOfReach`.
 #[cold]
-pub fn square_of_centres<T: Real>(
+pub(crate) fn square_of_centres<T: Real>(
     value: T,
     dx: T,
     dy: T,
@@ -95,14 +95,19 @@ pub fn square_of_centres<T: Real>(
 /// The value, at least zero, provided that |`t`| ≤ `l`; at the limit and errors as for
 /// [`reach_circles`].
 #[cold]
-pub fn reach_line<T: Real>(value: T, t: T, l: T, group: &'static str) -> Result<T, SolveError> {
+pub(crate) fn reach_line<T: Real>(
+    value: T,
+    t: T,
+    l: T,
+    group: &'static str,
+) -> Result<T, SolveError> {
     reached(value, limit::line(t.value(), l.value(), width::<T>()), group)
 }
 
 /// The value, at least zero, provided that |`e`| ≤ |(`bx`, `by`)|; at the limit and errors as for
 /// [`reach_circles`].
 #[cold]
-pub fn reach_offset<T: Real>(
+pub(crate) fn reach_offset<T: Real>(
     value: T,
     bx: T,
     by: T,
@@ -117,7 +122,7 @@ pub fn reach_offset<T: Real>(
 /// # Errors
 /// `Singular` where it is zero, `NotFinite` where it is not a number.
 #[cold]
-pub fn nonzero<T: Real>(value: T, group: &'static str) -> Result<T, SolveError> {
+pub(crate) fn nonzero<T: Real>(value: T, group: &'static str) -> Result<T, SolveError> {
     let real = value.value();
     if real.is_nan() {
         Err(SolveError::NotFinite { name: group })
@@ -133,7 +138,7 @@ pub fn nonzero<T: Real>(value: T, group: &'static str) -> Result<T, SolveError> 
 /// # Errors
 /// `Invalid` with its name where it is not, `NotFinite` with its name where it is not a number.
 #[cold]
-pub fn positive<T: Real>(
+pub(crate) fn positive<T: Real>(
     value: T,
     group: &'static str,
     name: &'static str,
@@ -155,7 +160,7 @@ pub fn positive<T: Real>(
 /// `Singular` where it is zero, `NotFinite` with the group's name where it is below
 /// [`Scalar::smallest_square`](crate::Scalar::smallest_square), infinite or not a number.
 #[cold]
-pub fn square<T: Real>(value: T, group: &'static str) -> Result<T, SolveError> {
+pub(crate) fn square<T: Real>(value: T, group: &'static str) -> Result<T, SolveError> {
     let real = value.value();
     if real == 0.0 {
         Err(SolveError::Singular { group })

@@ -107,6 +107,7 @@ mod derivatives;
 #[cfg(feature = "ad")]
 mod dual;
 mod error;
+mod guard;
 mod kernels;
 mod lanes;
 mod limit;

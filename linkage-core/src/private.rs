@@ -17,12 +17,10 @@ pub use core::primitive::{bool, f32, f64, i32, str, u32, usize};
 pub use core::result::Result::{self, Err, Ok};
 
 pub use crate::c_interface::{CError, c_sense, c_side};
-pub use crate::careful::{
-    finite_input, finite_result, nonzero, positive, reach_circles, reach_line, reach_offset,
-    square, square_of_centres,
-};
+pub use crate::careful::{finite_input, finite_result};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::differentiate;
+pub use crate::guard::{Findings, Guard, Marks};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfMotion, OfPosition, OfVelocity, Progress, Series, Status, sweep,
 };

@@ -73,7 +73,9 @@ mod generated {
                 return p::Ok(position);
             }
             p::finite_input(theta, "theta")?;
-            let radius = p::positive(self.radius, "AB", "radius")?;
+            let mut findings = p::Findings::new();
+            let radius = p::Guard::positive(&mut findings, self.radius, "AB", "radius");
+            findings.first()?;
             let (sin, cos) = p::Scalar::sin_cos(theta);
             let y = p::Side::sign::<T>(self.elbow) * radius * sin;
             p::finite_result(y, "B.y", &[(theta, "theta")])?;

@@ -8,53 +8,40 @@ use std::collections::HashMap;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::names::{generated, local};
+use super::names::local;
 use crate::ir::graph::Id;
 
-/// A `let` of a core, or a condition alone.
+/// A `let` of a core.
 #[derive(Default)]
 pub(super) struct Statement {
     pub defines: Vec<Id>,
     /// The locals it reads.
     pub uses: Vec<Id>,
     pub code: TokenStream,
-    /// What has to hold for the core's result to be used.
-    pub condition: Option<TokenStream>,
 }
 
 /// The most statements that stand in one block.
 const LONGEST: usize = 64;
 
-/// The statements in blocks, and the name of the mask of their conditions, if there are any.
-/// The locals in `kept` stay in scope.
-pub(super) fn lay_out(statements: &[Statement], kept: &[Id]) -> (TokenStream, Option<Ident>) {
+/// The statements in blocks. The locals in `kept` stay in scope.
+pub(super) fn lay_out(statements: &[Statement], kept: &[Id]) -> TokenStream {
     let blocks: Vec<&[Statement]> = statements.chunks(LONGEST).collect();
     if let [only] = &blocks[..] {
-        let mask = mask(only, None);
-        let code = lines(only);
-        let name = mask.as_ref().map(|_| generated("ok_"));
-        return (quote!(#code #mask), name);
+        return lines(only);
     }
     let last_use = last_uses(&blocks, kept);
     let mut code = TokenStream::new();
-    let mut ok = None;
     for (index, block) in blocks.iter().enumerate() {
-        let mask = mask(block, ok.as_ref());
-        let mut handed_on: Vec<Ident> = block
+        let handed_on: Vec<Ident> = block
             .iter()
             .flat_map(|statement| &statement.defines)
             .filter(|id| last_use.get(id).is_some_and(|&last| last > index))
             .map(|&id| local(id))
             .collect();
-        if mask.is_some() {
-            let name = generated("ok_");
-            handed_on.insert(0, name.clone());
-            ok = Some(name);
-        }
         let (pattern, lines) = (pattern(&handed_on), lines(block));
-        code.extend(quote!(let #pattern = { #lines #mask #pattern };));
+        code.extend(quote!(let #pattern = { #lines #pattern };));
     }
-    (code, ok)
+    code
 }
 
 /// The last block in which each local is read.
@@ -71,17 +58,6 @@ fn last_uses(blocks: &[&[Statement]], kept: &[Id]) -> HashMap<Id, usize> {
 
 fn lines(block: &[Statement]) -> TokenStream {
     block.iter().map(|statement| statement.code.clone()).collect()
-}
-
-/// The `let` of the mask of a block's conditions and of those before it.
-fn mask(block: &[Statement], before: Option<&Ident>) -> Option<TokenStream> {
-    let name = generated("ok_");
-    let conditions: Vec<_> = block.iter().filter_map(|s| s.condition.as_ref()).collect();
-    if conditions.is_empty() {
-        return None;
-    }
-    let before = before.map(|ok| quote!(#ok &));
-    Some(quote!(let #name = #before #(#conditions)&*;))
 }
 
 /// A tuple, or the bare name of a single local.
@@ -104,7 +80,6 @@ mod tests {
                 defines: vec![Id(i)],
                 uses: vec![Id(i.saturating_sub(1)), Id(0)],
                 code: quote!(let #name = #before + v0_;),
-                condition: None,
             }
         };
         (0..length).map(statement).collect()
@@ -112,33 +87,17 @@ mod tests {
 
     #[test]
     fn a_short_core_stays_in_one_piece() {
-        let (code, mask) = lay_out(&chain(64), &[Id(63)]);
+        let code = lay_out(&chain(64), &[Id(63)]);
         assert_eq!(code.to_string().matches('{').count(), 0);
-        assert!(mask.is_none());
     }
 
     #[test]
     fn a_block_hands_on_what_later_blocks_and_the_result_use() {
-        let (code, _) = lay_out(&chain(130), &[Id(5), Id(129)]);
-        let code = code.to_string();
+        let code = lay_out(&chain(130), &[Id(5), Id(129)]).to_string();
         assert!(code.starts_with("let (v0_ , v5_ , v63_) = {"), "{code}");
         assert!(code.contains("let v127_ = { let v64_ ="), "{code}");
         assert!(code.ends_with(
             "let v129_ = { let v128_ = v127_ + v0_ ; let v129_ = v128_ + v0_ ; v129_ } ;"
         ));
-    }
-
-    #[test]
-    fn the_mask_of_a_block_takes_over_the_one_before() {
-        let mut statements = chain(200);
-        statements[70].condition = Some(quote!(a));
-        statements[71].condition = Some(quote!(b));
-        statements[199].condition = Some(quote!(c));
-        let (code, mask) = lay_out(&statements, &[]);
-        let code = code.to_string();
-        assert_eq!(mask.unwrap(), "ok_");
-        assert!(code.contains("let ok_ = a & b ; (ok_ , v127_)"), "{code}");
-        assert!(code.ends_with("let ok_ = ok_ & c ; ok_ } ;"), "{code}");
-        assert_eq!(code.matches("ok_").count(), 3 + 4);
     }
 }

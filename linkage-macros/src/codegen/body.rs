@@ -1,8 +1,7 @@
 //! The statements of a core: a `let` for every node that its sinks need, in the order of the
 //! graph, with sine and cosine of one angle in one call.
 //!
-//! Straight line and careful path are the same walk; where they differ, at guards and at angles,
-//! they say so in `straight` and `careful`.
+//! At conditions and angles a guard is called; a core without guards passes them by.
 
 use std::collections::{HashMap, HashSet};
 
@@ -11,10 +10,9 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::blocks::Statement;
-use super::names::local;
-use super::straight::Condition;
-use super::{Context, careful, straight};
-use crate::ir::graph::{ConstantId, Graph, Id, Node};
+use super::names::{generated, local};
+use super::{Context, formulas};
+use crate::ir::graph::{Check, ConstantId, Graph, Id, Node};
 use crate::ir::liveness::{Course, live, live_nodes, unguarded};
 use crate::model::mechanism::ParamKind;
 
@@ -31,8 +29,8 @@ pub(super) struct Statements {
     pub list: Vec<Statement>,
     /// The inputs and parameters that are read, in the order of the graph.
     pub leaves: Vec<Node>,
-    /// The straight line's comparisons.
-    pub conditions: HashSet<Condition>,
+    /// Whether a guard is called.
+    pub is_guarded: bool,
 }
 
 /// The sine and the cosine of one angle, as far as they are needed.
@@ -66,6 +64,13 @@ impl<'a> Body<'a> {
         all
     }
 
+    /// The inputs and parameters that the sinks need, in the order of the graph.
+    pub(super) fn leaves(&self, sinks: &[Id]) -> Vec<Node> {
+        let live = live(self.graph(), sinks, self.course);
+        let nodes = live_nodes(self.graph(), &live).map(|(_, node)| node);
+        nodes.filter(|&node| self.arguments.leaf(node).is_some()).collect()
+    }
+
     /// Adds what the sinks need beyond what was done before.
     pub(super) fn add_statements(
         &self,
@@ -80,6 +85,7 @@ impl<'a> Body<'a> {
             if !done.insert(id) {
                 continue;
             }
+            all.is_guarded |= self.calls_guard(node);
             let statement = match node {
                 _ if self.arguments.leaf(node).is_some() => {
                     all.leaves.push(node);
@@ -88,21 +94,37 @@ impl<'a> Body<'a> {
                 Node::Sin(angle) | Node::Cos(angle) => {
                     pairs.remove(&angle).map(|pair| self.turn(angle, pair))
                 }
-                Node::Guard(value, guard) if self.course == Course::Straight => {
-                    let condition = Condition::of(self, value, guard);
-                    let new =
-                        !condition.follows(&all.conditions) && all.conditions.insert(condition);
-                    new.then(|| straight::condition(self, condition))
-                }
                 Node::Guard(..) if self.course == Course::Open => None,
-                Node::Guard(value, guard) => Some(careful::check(self, id, value, guard)),
+                Node::Guard(value, guard) => Some(formulas::condition(self, id, value, guard)),
                 _ => Some(self.binding(id, node)),
             };
             all.list.extend(statement);
         }
     }
 
-    /// The node that a local stands for: the straight line sees through guards.
+    fn calls_guard(&self, node: Node) -> bool {
+        let is_constant = |id| matches!(self.graph().node(id), Node::Constant(_));
+        self.course != Course::Open
+            && match node {
+                Node::Guard(..) => true,
+                Node::Sin(angle) | Node::Cos(angle) => !is_constant(angle),
+                _ => false,
+            }
+    }
+
+    /// Whether the value has passed a condition that keeps it above zero.
+    pub(super) fn is_above_zero(&self, value: Id) -> bool {
+        match self.graph().node(value) {
+            Node::Guard(inner, guard) => {
+                let check = &self.graph().condition(guard).check;
+                matches!(check, Check::ReachCircles | Check::Positive(_))
+                    || self.is_above_zero(inner)
+            }
+            _ => false,
+        }
+    }
+
+    /// The node that a local stands for: a core without guards sees through them.
     pub(super) fn resolve(&self, id: Id) -> Id {
         match self.course {
             Course::Straight | Course::Open => unguarded(self.graph(), id),
@@ -135,7 +157,6 @@ impl<'a> Body<'a> {
             defines: vec![id],
             uses: self.locals(operands),
             code: quote!(let #name = #expression;),
-            condition: None,
         }
     }
 
@@ -148,15 +169,20 @@ impl<'a> Body<'a> {
             })
         };
         let (sin, cos, value) = (slot(pair.sin), slot(pair.cos), self.value(angle));
-        let (function, condition) = match self.course {
-            Course::Straight => straight::sin_cos(self, angle),
-            Course::Careful | Course::Open => (self.cx.scalar("sin_cos"), None),
+        let call = match self.calls_guard(Node::Sin(angle)) {
+            true => {
+                let (guard, guards) = (generated("guard_"), self.cx.paths.item("Guard"));
+                quote!(#guards::sin_cos(#guard, #value))
+            }
+            false => {
+                let function = self.cx.scalar("sin_cos");
+                quote!(#function(#value))
+            }
         };
         Statement {
             defines: pair.sin.into_iter().chain(pair.cos).collect(),
             uses: self.locals([angle]),
-            code: quote!(let (#sin, #cos) = #function(#value);),
-            condition,
+            code: quote!(let (#sin, #cos) = #call;),
         }
     }
 

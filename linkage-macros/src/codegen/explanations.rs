@@ -1,20 +1,15 @@
-//! The careful path: the same graph once more, in order, stopping at the first thing that is
-//! wrong. It runs only where the straight line's mask said no.
-//!
-//! Position, velocity and motion are one function, which stops where enough is known: nobody
-//! waits for it, and most of what a mechanism expands to would be copies of it.
+//! The careful path: the same formulas once more, each condition looked at in full. It runs only
+//! where the straight line's mask said no.
 
 use std::collections::HashSet;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::blocks::{Statement, lay_out};
-use super::body::{Body, Statements};
-use super::careful::{finite_inputs, finite_results};
-use super::names::{function_name, generated};
-use super::{Context, docs, entry, results};
-use crate::ir::graph::Id;
+use super::body::Body;
+use super::names::{function_name, generated, text};
+use super::{Context, docs, entry, formulas, results, rows};
+use crate::ir::graph::Node;
 use crate::ir::liveness::Course;
 use crate::ir::program::{Entry, EntryKind};
 
@@ -23,79 +18,48 @@ pub(super) fn name(kind: EntryKind) -> Ident {
     function_name(&format!("explain_{}_", entry::method(kind)))
 }
 
-/// The careful functions of all entry points.
-pub(super) fn functions(cx: &Context<'_>) -> TokenStream {
-    use EntryKind::{Motion, MotionAt, Position, PositionAt, Velocity, VelocityAt};
-    let orders = [[Position, Velocity, Motion], [PositionAt, VelocityAt, MotionAt]];
-    let orders: Vec<Orders<'_>> = orders.iter().filter_map(|kinds| Orders::of(cx, kinds)).collect();
-    let wholes = orders.iter().map(Orders::whole);
-    let each = cx.program.entries.iter().map(|entry| {
-        let body = match orders.iter().find_map(|orders| orders.call(entry.kind)) {
-            Some(call) => call,
-            None if cx.on_the_circle(entry).is_some() => by_cosine(cx, entry),
-            None if entry.kind == EntryKind::Coefficients && cx.entry(Velocity).is_some() => {
-                by_velocities(cx)
-            }
-            None => alone(cx, entry),
-        };
-        function(cx, entry.kind, &docs::careful(entry), &[], body)
-    });
-    quote!(#(#wholes)* #(#each)*)
-}
-
-/// A careful function with these arguments and more.
-fn function(
-    cx: &Context<'_>,
-    kind: EntryKind,
-    docs: &TokenStream,
-    more: &[TokenStream],
-    body: TokenStream,
-) -> TokenStream {
-    let name = match more {
-        [] => name(kind),
-        _ => whole_name(kind),
+/// The function that says why the straight line of an entry point gave no answer.
+pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    let scalar = &cx.names.scalar;
+    let (name, received) = (name(entry.kind), cx.arguments(entry.kind).received(&quote!(#scalar)));
+    let body = match cx.on_the_circle(entry) {
+        Some(at) => by_cosine(cx, entry, at),
+        None if cx.is_velocity_at_unit_rate(entry) => by_velocity(cx),
+        None => found(cx, entry),
     };
-    let received = cx.arguments(kind).received(&{
-        let scalar = &cx.names.scalar;
-        quote!(#scalar)
-    });
     let [outcome, error] = ["Result", "SolveError"].map(|item| cx.paths.item(item));
-    let result = entry::result(cx, kind);
+    let (docs, result) = (docs::careful(entry), entry::result(cx, entry.kind));
     quote! {
         #docs
         #[cold]
         #[inline(never)]
-        fn #name(&self, #(#received,)* #(#more),*) -> #outcome<#result, #error> { #body }
+        fn #name(&self, #(#received),*) -> #outcome<#result, #error> { #body }
     }
 }
 
-/// `explain_` and `explain_at_`.
-fn whole_name(kind: EntryKind) -> Ident {
-    function_name(if entry::takes_cosine(kind) { "explain_at_" } else { "explain_" })
-}
-
-/// A function for one entry point alone.
-fn alone(cx: &Context<'_>, entry: &Entry) -> TokenStream {
-    let arguments = cx.arguments(entry.kind);
-    let body = Body { cx, arguments: &arguments, course: Course::Careful };
-    let statements = body.statements(&entry.sinks);
-    let (lines, _) = lay_out(&statements.list, &body.locals(entry.sinks.iter().copied()));
-    let unread = arguments.unread(&statements.leaves);
-    let inputs = finite_inputs(&body, &statements.leaves);
-    let finite = finite_results(&body, entry.kind, &entry.sinks);
-    let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
-    let (value, ok) = (results::assemble(cx, entry.kind, values), cx.paths.item("Ok"));
-    quote!(#unread #inputs #lines #finite #ok(#value))
+/// What is given must be finite, then every condition be met, then what comes out be finite.
+fn found(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    let [findings, result] = ["findings_", "result_"].map(generated);
+    let (inputs, formulas) = (finite_inputs(cx, entry), formulas::call(cx, entry, &findings));
+    let finite = finite_results(cx, entry, &quote!(#result));
+    let [start, ok] = ["Findings", "Ok"].map(|item| cx.paths.item(item));
+    quote! {
+        #inputs
+        let mut #findings = #start::new();
+        let #result = #formulas;
+        #findings.first()?;
+        #finite
+        #ok(#result)
+    }
 }
 
 /// The angle, once it is known to be finite, by its cosine and sine.
-fn by_cosine(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+fn by_cosine(cx: &Context<'_>, entry: &Entry, at: &Entry) -> TokenStream {
     let arguments = cx.arguments(entry.kind);
     let (angle, rates) = arguments.names().split_first().expect("the angle comes first");
-    let label = super::names::text(&cx.mechanism.inputs[0].name);
+    let label = text(&cx.mechanism.inputs[0].name);
     let (finite, sin_cos) = (cx.paths.item("finite_input"), cx.scalar("sin_cos"));
-    let [sin, cos] = ["sin_", "cos_"].map(generated);
-    let name = cx.on_the_circle(entry).map(|at| name(at.kind));
+    let ([sin, cos], name) = (["sin_", "cos_"].map(generated), name(at.kind));
     quote! {
         #finite(#angle, #label)?;
         let (#sin, #cos) = #sin_cos(#angle);
@@ -103,137 +67,50 @@ fn by_cosine(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     }
 }
 
-/// Coefficients are the velocities at a unit rate of each input in turn.
-fn by_velocities(cx: &Context<'_>) -> TokenStream {
-    let [zero, one] = ["zero_", "one_"].map(generated);
-    let (nought, unit, ok) = (cx.literal(0.0, 0.0), cx.literal(1.0, 1.0), cx.paths.item("Ok"));
-    let (arguments, velocity) = (cx.arguments(EntryKind::Coefficients), name(EntryKind::Velocity));
-    let (inputs, given) = (&cx.mechanism.inputs, arguments.names());
-    let columns: Vec<_> = (0..inputs.len()).map(|i| generated(&format!("column{i}_"))).collect();
-    let velocities = columns.iter().enumerate().map(|(moving, column)| {
-        let fields = inputs.iter().enumerate().map(|(i, input)| {
-            let (field, rate) = (&input.name, if i == moving { &one } else { &zero });
-            quote!(#field: #rate)
-        });
-        let (record, rates) = (&cx.names.input, quote!(#(#fields),*));
-        let rates = if arguments.are_records() { quote!(#record { #rates }) } else { quote!(#one) };
-        quote!(let #column = self.#velocity(#(#given,)* #rates)?.rows();)
-    });
-    let rows = cx.mechanism.outputs.iter().map(|output| output.kind.shape().rates()).sum();
-    let rows = (0..rows).map(|row| {
-        let row = Literal::usize_unsuffixed(row);
-        quote!([#(#columns[#row]),*])
-    });
-    let still = arguments.are_records().then(|| quote!(let #zero = #nought;));
+/// The only input's coefficients are the velocities at its unit rate.
+fn by_velocity(cx: &Context<'_>) -> TokenStream {
+    let (arguments, one) = (cx.arguments(EntryKind::Coefficients), cx.literal(1.0, 1.0));
+    let (names, velocity) = (arguments.names(), name(EntryKind::Velocity));
+    let (result, ok) = (generated("result_"), cx.paths.item("Ok"));
+    let rows = results::components(cx, results::Order::Velocity, &quote!(#result));
     quote! {
-        #still
-        let #one = #unit;
-        #(#velocities)*
-        #ok([#(#rows),*])
+        let #result = self.#velocity(#(#names,)* #one)?;
+        #ok([#([#rows]),*])
     }
 }
 
-/// Position, velocity and motion of one kind of input.
-struct Orders<'a> {
-    cx: &'a Context<'a>,
-    entries: [&'a Entry; 3],
+/// The inputs and parameters that are read, and the test that each is finite.
+fn finite_inputs(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    let (given, scalar, string) = (generated("given_"), &cx.names.scalar, cx.paths.item("str"));
+    let arguments = cx.arguments(entry.kind);
+    let body = Body { cx, arguments: &arguments, course: Course::Careful };
+    let read = |leaf| Some((arguments.leaf(leaf)?, arguments.label(leaf)?));
+    let read = body.leaves(&entry.sinks).into_iter().filter_map(read);
+    let pairs: Vec<_> = read.map(|(value, label)| quote!((#value, #label))).collect();
+    let count = Literal::usize_unsuffixed(pairs.len());
+    let function = cx.paths.item("finite_input");
+    let (value, label) = (generated("value_"), generated("name_"));
+    quote! {
+        let #given: [(#scalar, &'static #string); #count] = [#(#pairs),*];
+        for &(#value, #label) in &#given { #function(#value, #label)?; }
+    }
 }
 
-impl<'a> Orders<'a> {
-    /// `None` where one is missing, or where another function does the work.
-    fn of(cx: &'a Context<'a>, kinds: &[EntryKind; 3]) -> Option<Self> {
-        let entry = |kind| cx.entry(kind).filter(|entry| cx.on_the_circle(entry).is_none());
-        let entries = [entry(kinds[0])?, entry(kinds[1])?, entry(kinds[2])?];
-        Some(Self { cx, entries })
+/// Asks of every result whether it is finite, in order: in a loop, because an early exit for each
+/// of a thousand results takes the compiler seconds.
+fn finite_results(cx: &Context<'_>, entry: &Entry, result: &TokenStream) -> TokenStream {
+    let mut seen = HashSet::new();
+    let known = |id| matches!(cx.program.graph.node(id), Node::Constant(_) | Node::Mode(_));
+    let values = results::components_of(cx, entry.kind, result);
+    let labels = rows::sink_labels(cx, entry.kind);
+    let pairs: Vec<_> = (entry.sinks.iter().zip(values.iter().zip(labels)))
+        .filter(|&(&sink, _)| !known(sink) && seen.insert(sink))
+        .map(|(_, (value, label))| quote!((#value, #label)))
+        .collect();
+    if pairs.is_empty() {
+        return TokenStream::new();
     }
-
-    fn motion(&self) -> &'a Entry {
-        self.entries[2]
-    }
-
-    /// What an entry point calls in place of a function of its own.
-    fn call(&self, kind: EntryKind) -> Option<TokenStream> {
-        let cx = self.cx;
-        let order = self.entries.iter().position(|entry| entry.kind == kind)?;
-        let (given, whole) = (cx.arguments(kind), whole_name(kind));
-        let given = given.names();
-        let missing = self.entries.len() - 1 - order;
-        let zero = generated("zero_");
-        let still = (missing > 0).then(|| self.at_rest(&zero));
-        let zeros = vec![&zero; missing];
-        let order = Literal::usize_unsuffixed(order);
-        let part = match missing {
-            0 => return Some(quote!(self.#whole(#(#given,)* #order))),
-            1 => quote!(velocity),
-            _ => quote!(position),
-        };
-        let ok = cx.paths.item("Ok");
-        Some(quote! {
-            #still
-            #ok(self.#whole(#(#given,)* #(#zeros,)* #order)?.#part)
-        })
-    }
-
-    /// The rates of all inputs as zeros.
-    fn at_rest(&self, name: &Ident) -> TokenStream {
-        let (cx, nought) = (self.cx, self.cx.literal(0.0, 0.0));
-        if !cx.arguments(self.motion().kind).are_records() {
-            return quote!(let #name = #nought;);
-        }
-        let record = &cx.names.input;
-        let fields = cx.mechanism.inputs.iter().map(|input| &input.name);
-        quote!(let #name = #nought; let #name = #record { #(#fields: #name),* };)
-    }
-
-    /// The one function that does the work.
-    fn whole(&self) -> TokenStream {
-        let (cx, motion) = (self.cx, self.motion());
-        let arguments = cx.arguments(motion.kind);
-        let body = Body { cx, arguments: &arguments, course: Course::Careful };
-        let (mut statements, mut done) = (Statements::default(), HashSet::new());
-        let zero = generated("zero_");
-        for (order, entry) in self.entries.iter().enumerate() {
-            body.add_statements(&mut statements, &mut done, &entry.sinks);
-            if entry.kind != motion.kind {
-                statements.list.push(self.stop(&body, order, &zero));
-            }
-        }
-        let sinks = &motion.sinks;
-        let (lines, _) = lay_out(&statements.list, &body.locals(sinks.iter().copied()));
-        let unread = arguments.unread(&statements.leaves);
-        let inputs = finite_inputs(&body, &statements.leaves);
-        let finite = finite_results(&body, motion.kind, sinks);
-        let values = sinks.iter().map(|&sink| body.value(sink)).collect();
-        let value = results::assemble(cx, motion.kind, values);
-        let (nought, ok) = (cx.literal(0.0, 0.0), cx.paths.item("Ok"));
-        let (last, ty) = (generated("order_"), cx.paths.item("usize"));
-        let code = quote! {
-            let #zero = #nought;
-            #unread #inputs #lines #finite
-            #ok(#value)
-        };
-        function(cx, motion.kind, &docs::explanation(), &[quote!(#last: #ty)], code)
-    }
-
-    /// The end for those who asked for no higher order; what they have not asked for is zero.
-    fn stop(&self, body: &Body<'_>, order: usize, zero: &Ident) -> Statement {
-        let (cx, entry, motion) = (self.cx, self.entries[order], self.motion());
-        let known: usize = self.entries[..=order].iter().map(|entry| entry.sinks.len()).sum();
-        let sinks = &motion.sinks[..known];
-        let finite = finite_results(body, entry.kind, &entry.sinks);
-        let value = |i: usize| match sinks.get(i) {
-            Some(&sink) => body.value(sink),
-            None => quote!(#zero),
-        };
-        let values = (0..motion.sinks.len()).map(value).collect();
-        let value = results::assemble(cx, motion.kind, values);
-        let (last, ok) = (generated("order_"), cx.paths.item("Ok"));
-        let order = Literal::usize_unsuffixed(order);
-        let used = |sinks: &[Id]| body.locals(sinks.iter().copied());
-        Statement {
-            uses: used(sinks),
-            code: quote!(if #last == #order { #finite return #ok(#value); }),
-            ..Statement::default()
-        }
-    }
+    let (function, given) = (cx.paths.item("finite_result"), generated("given_"));
+    let (value, label) = (generated("value_"), generated("name_"));
+    quote!(for &(#value, #label) in &[#(#pairs),*] { #function(#value, #label, &#given)?; })
 }

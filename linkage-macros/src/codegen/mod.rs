@@ -8,13 +8,13 @@ mod arguments;
 mod blocks;
 mod body;
 mod c_export;
-mod careful;
 mod cost;
 mod derivatives;
 mod docs;
 mod dominance;
 mod entry;
 mod explanations;
+mod formulas;
 mod modes;
 mod names;
 mod paths;
@@ -45,7 +45,8 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
     let (solver, records) = (solver::items(&cx), results::records(&cx));
     let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
     let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
-    let careful = explanations::functions(&cx);
+    let careful = program.entries.iter().map(|entry| explanations::function(&cx, entry));
+    let formulas = formulas::functions(&cx);
     let sweeps = program.entries.iter().map(|entry| sweeps::items(&cx, entry));
     let (derivatives, modes) = (derivatives::items(&cx), modes::items(&cx));
     let c_export = c_export::items(&cx);
@@ -56,9 +57,9 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
         #solver
         #records
         #literals
-        impl<#scalar: #any> #name<#scalar> { #(#straight)* }
+        impl<#scalar: #any> #name<#scalar> { #(#straight)* #formulas }
         #literals
-        impl<#scalar: #real> #name<#scalar> { #(#checked)* #careful }
+        impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
         #(#sweeps)*
         #derivatives
         #modes
@@ -95,6 +96,18 @@ impl Context<'_> {
             EntryKind::Motion => self.entry(EntryKind::MotionAt),
             _ => None,
         }
+    }
+
+    /// Whether the entry point computes for itself, and not by way of another.
+    fn has_formulas(&self, entry: &Entry) -> bool {
+        self.on_the_circle(entry).is_none() && !self.is_velocity_at_unit_rate(entry)
+    }
+
+    /// Whether the entry point is that of the coefficients of the only input.
+    fn is_velocity_at_unit_rate(&self, entry: &Entry) -> bool {
+        entry.kind == EntryKind::Coefficients
+            && self.mechanism.inputs.len() == 1
+            && self.entry(EntryKind::Velocity).is_some()
     }
 
     fn arguments(&self, kind: EntryKind) -> Arguments<'_> {

@@ -111,7 +111,7 @@ fn clearances(cx: &Context<'_>) -> TokenStream {
     let body = Body { cx, arguments: &arguments, course: Course::Open };
     let sinks: Vec<_> = cx.program.clearances.iter().flat_map(|group| group.sinks).collect();
     let statements = body.statements(&sinks);
-    let (lines, _) = lay_out(&statements.list, &body.locals(sinks.iter().copied()));
+    let lines = lay_out(&statements.list, &body.locals(sinks.iter().copied()));
     let (received, unread) =
         (arguments.received(&quote!(#scalar)), arguments.unread(&statements.leaves));
     let values = cx.program.clearances.iter().map(|group| {

@@ -1,6 +1,6 @@
 //! The records that entry points take and return.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::{Context, docs};
@@ -262,4 +262,39 @@ pub(super) fn components(cx: &Context<'_>, order: Order, record: &TokenStream) -
         }
     };
     cx.mechanism.outputs.iter().flat_map(of).collect()
+}
+
+/// The components of the result of an entry point, in the order of its sinks.
+pub(super) fn components_of(
+    cx: &Context<'_>,
+    kind: EntryKind,
+    result: &TokenStream,
+) -> Vec<TokenStream> {
+    match kind {
+        EntryKind::Position | EntryKind::PositionAt => components(cx, Order::Position, result),
+        EntryKind::Velocity | EntryKind::VelocityAt => components(cx, Order::Velocity, result),
+        EntryKind::Motion | EntryKind::MotionAt => {
+            let parts = ["position", "velocity", "acceleration"];
+            let of = |(order, part)| {
+                let part = Ident::new(part, proc_macro2::Span::call_site());
+                components(cx, order, &quote!(#result.#part))
+            };
+            Order::ALL.into_iter().zip(parts).flat_map(of).collect()
+        }
+        EntryKind::Coefficients => {
+            let (inputs, outputs) = (&cx.mechanism.inputs, &cx.mechanism.outputs);
+            let rows: usize = outputs.iter().map(|output| output.kind.shape().rates()).sum();
+            let index = Literal::usize_unsuffixed;
+            let entry = |column, row| {
+                let (column, row) = (index(column), index(row));
+                quote!(#result[#row][#column])
+            };
+            (0..inputs.len()).flat_map(|c| (0..rows).map(move |r| entry(c, r))).collect()
+        }
+        EntryKind::Margins => {
+            let outputs = cx.mechanism.outputs.iter().filter(|output| output.is_margin());
+            let fields = outputs.map(|output| &output.field);
+            fields.map(|field| quote!(#result.#field)).collect()
+        }
+    }
 }

@@ -5,8 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::names::{function_name, generated};
-use super::results::{self, Order};
-use super::{Context, docs, entry, straight};
+use super::{Context, docs, entry, results, straight};
 use crate::ir::program::{Entry, EntryKind};
 
 /// `sweep_position`, `sweep_velocity`, `sweep_motion`; nothing for other entry points.
@@ -57,7 +56,7 @@ impl Sweep<'_> {
         };
         let inputs = self.inputs(arguments.names());
         let record = entry::record(cx, entry.kind);
-        let outputs = components(cx, entry.kind, &quote!(out));
+        let outputs = results::components_of(cx, entry.kind, &quote!(out));
         let function = function_name(&format!("sweep_{}", entry::method(entry.kind)));
         let docs = docs::sweep(cx, entry);
         quote! {
@@ -87,7 +86,7 @@ impl Sweep<'_> {
             ["Float", "Fusion", "LaneMask", "Lanes", "Entry", "Result", "SolveError", "Ok"]
                 .map(|item| cx.paths.item(item));
         let [value, usable] = ["result_", "ok_"].map(generated);
-        let values = components(cx, entry.kind, &quote!(#value));
+        let values = results::components_of(cx, entry.kind, &quote!(#value));
         let (core, method) = (straight::core_name(entry), function_name(entry::method(entry.kind)));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.arguments(&locals);
@@ -140,22 +139,5 @@ impl Sweep<'_> {
         let fields: Vec<_> = inputs.iter().map(|input| &input.name).collect();
         let argument = |values: &[Ident]| quote!(#record { #(#fields: #values),* });
         locals.chunks(inputs.len()).map(argument).collect()
-    }
-}
-
-/// The components of a record of results, in the order of the entry point's sinks.
-fn components(cx: &Context<'_>, kind: EntryKind, record: &TokenStream) -> Vec<TokenStream> {
-    match kind {
-        EntryKind::Position => results::components(cx, Order::Position, record),
-        EntryKind::Velocity => results::components(cx, Order::Velocity, record),
-        _ => {
-            let part = |order| match order {
-                Order::Position => quote!(#record.position),
-                Order::Velocity => quote!(#record.velocity),
-                Order::Acceleration => quote!(#record.acceleration),
-            };
-            let of = |order| results::components(cx, order, &part(order));
-            Order::ALL.into_iter().flat_map(of).collect()
-        }
     }
 }

@@ -104,7 +104,9 @@ pub(super) fn four_bar() -> (Mechanism, Program) {
 }
 
 fn four_bar_program() -> Program {
-    use EntryKind::{Coefficients, Margins, Motion, MotionAt, Position, PositionAt, Velocity};
+    use EntryKind::{
+        Coefficients, Margins, Motion, MotionAt, Position, PositionAt, Velocity, VelocityAt,
+    };
     let mut graph = Graph::new();
     let angle = graph.push(Node::Input { input: 0, order: 0 });
     let rate = graph.push(Node::Input { input: 0, order: 1 });
@@ -120,7 +122,7 @@ fn four_bar_program() -> Program {
         (pose, velocity, motion)
     };
     let (pose, velocity, motion) = orders(&mut graph, turned);
-    let (pose_at, _, motion_at) = orders(&mut graph, given);
+    let (pose_at, velocity_at, motion_at) = orders(&mut graph, given);
     let coefficients = pose.velocity(&mut graph, unit);
     let margin = vec![pose.sinks[6]];
     let entries = [
@@ -129,6 +131,7 @@ fn four_bar_program() -> Program {
         (Motion, motion),
         (Coefficients, coefficients),
         (PositionAt, pose_at.sinks),
+        (VelocityAt, velocity_at),
         (MotionAt, motion_at),
         (Margins, margin),
     ];

@@ -71,7 +71,7 @@ fn docs_pass_the_users_words_on_and_say_what_a_thing_is() {
 }
 
 #[test]
-fn what_only_a_guard_looks_at_is_absent_from_the_straight_line() {
+fn a_guard_is_given_what_it_looks_at_and_its_value_goes_on() {
     let text = expand(&one_value(|g| {
         let (angle, l1) = (angle(g), g.constant(exact("0.25")));
         let looked_at = g.push(Node::Hypot(angle, angle));
@@ -79,107 +79,84 @@ fn what_only_a_guard_looks_at_is_absent_from_the_straight_line() {
         let guarded = g.guard(angle, Guard { check: Check::ReachCircles, group: 0, operands });
         g.push(Node::Sqrt(guarded))
     }));
-    let straight = function(&text, "core_position_");
-    assert!(!straight.contains("hypot") && !straight.contains("0.25"), "{straight}");
-    assert!(straight.contains("T::sqrt(theta)"), "{straight}");
-    let careful = squeezed(function(&text, "explain_position_"));
-    assert!(careful.contains("let v2_ = T::hypot(theta, theta);"), "{careful}");
-    let call = "let v3_ = ::linkage_core::private::reach_circles( theta, v2_, v2_, v1_, v1_, \
-                \"BC, DC\", )?; let v4_ = T::sqrt(v3_);";
-    assert!(careful.contains(call), "{careful}");
+    let formulas = squeezed(function(&text, "formulas_position_"));
+    assert!(formulas.contains("let v2_ = T::hypot(theta, theta);"), "{formulas}");
+    let call = "let v3_ = ::linkage_core::private::Guard::< T, >::reach_circles(guard_, theta, \
+                v2_, v2_, v1_, v1_, \"BC, DC\"); let v4_ = T::sqrt(v3_);";
+    assert!(formulas.contains(call), "{formulas}");
 }
 
 #[test]
-fn sine_and_cosine_are_one_call_near_zero_and_careful_elsewhere() {
+fn formulas_are_read_under_marks_and_under_findings() {
+    let text = expand(&one_value(|g| {
+        let angle = angle(g);
+        g.guard(angle, Guard { check: Check::Nonzero, group: 0, operands: Vec::new() })
+    }));
+    let straight = squeezed(function(&text, "core_position_"));
+    let marks = "let mut marks_ = ::linkage_core::private::Marks::new(); \
+                 let result_ = self.formulas_position_(&mut marks_, theta); \
+                 (result_, marks_.all() & T::is_finite(result_.y))";
+    assert!(straight.contains(marks), "{straight}");
+    let careful = squeezed(function(&text, "explain_position_"));
+    let findings = "let mut findings_ = ::linkage_core::private::Findings::new(); \
+                    let result_ = self.formulas_position_(&mut findings_, theta); \
+                    findings_.first()?;";
+    assert!(careful.contains(findings), "{careful}");
+    let inputs = careful.find("finite_input(").expect("what is given is looked at");
+    let results = careful.find("finite_result(").expect("and what comes out");
+    let formulas = careful.find("formulas_position_").expect("the formulas stand between");
+    assert!(inputs < formulas && formulas < results, "{careful}");
+}
+
+#[test]
+fn sine_and_cosine_are_one_call() {
     let text = expand(&one_value(|g| {
         let angle = angle(g);
         let (sin, cos) = (g.push(Node::Sin(angle)), g.push(Node::Cos(angle)));
         g.push(Node::Mul(sin, cos))
     }));
-    let straight = function(&text, "core_position_");
-    assert!(straight.contains("let (v1_, v2_) = T::sin_cos_near(theta);"), "{straight}");
-    assert!(straight.contains("let ok_ = T::is_near(theta);"), "{straight}");
-    assert_eq!(straight.matches("sin_cos").count(), 1);
-    let careful = function(&text, "explain_position_");
-    assert!(careful.contains("let (v1_, v2_) = T::sin_cos(theta);"), "{careful}");
-    assert!(!careful.contains("near"), "{careful}");
+    let formulas = squeezed(function(&text, "formulas_position_"));
+    let call = "let (v1_, v2_) = ::linkage_core::private::Guard::sin_cos(guard_, theta);";
+    assert!(formulas.contains(call), "{formulas}");
+    assert_eq!(formulas.matches("sin_cos").count(), 1);
 }
 
 #[test]
-fn an_unneeded_sine_is_dropped_and_a_constant_angle_is_not_asked_for_nearness() {
+fn an_unneeded_sine_is_dropped_and_a_constant_angle_is_not_guarded() {
     let text = expand(&one_value(|g| {
         let angle = g.constant(exact("1e9"));
         g.push(Node::Cos(angle))
     }));
-    let straight = function(&text, "core_position_");
-    assert!(straight.contains("let (_, v1_) = T::sin_cos(v0_);"), "{straight}");
-    assert!(!straight.contains("is_near"), "{straight}");
-    assert!(straight.contains("let _ = theta;"), "an unread argument is named\n{straight}");
+    let formulas = function(&text, "formulas_position_");
+    assert!(formulas.contains("let (_, v1_) = T::sin_cos(v0_);"), "{formulas}");
+    assert!(formulas.contains("let _ = guard_;"), "an unread argument is named\n{formulas}");
+    assert!(formulas.contains("let _ = theta;"), "an unread argument is named\n{formulas}");
 }
 
-/// The condition of a guard in the straight line, and its call in the careful path.
-fn guard(check: Check) -> (String, String) {
+/// The call that a guard becomes, on the square of the angle.
+fn guard(check: Check) -> String {
     let text = expand(&one_value(|g| {
         let angle = angle(g);
         let value = g.push(Node::Mul(angle, angle));
         let operands = vec![angle; 4];
         g.guard(value, Guard { check, group: 0, operands })
     }));
-    let straight = squeezed(function(&text, "core_position_"));
-    let careful = squeezed(function(&text, "explain_position_"));
-    let cut = |text: &str, from: &str| {
-        let start = text.find(from).map_or(0, |at| at + from.len());
-        text[start..].split(';').next().unwrap_or_default().to_string()
-    };
-    (cut(&straight, "let ok_ = "), cut(&careful, "let v2_ = ::linkage_core::private::"))
+    let formulas = squeezed(function(&text, "formulas_position_"));
+    let (_, call) = formulas.split_once("private::Guard::").expect("the guard is called");
+    call.split(';').next().unwrap_or_default().replace("< T, >", "<T>")
 }
 
 #[test]
-fn every_check_has_its_comparison_and_its_call() {
-    let not_negative = "T::ge(v1_, zero_)";
-    let nonzero = "T::gt(T::select(T::ge(v1_, zero_), v1_, -v1_), zero_)";
-    for (check, comparison, call) in [
-        (
-            Check::ReachLine,
-            not_negative,
-            "reach_line( v1_, theta, theta, theta, theta, \"BC, DC\", )?",
-        ),
-        (Check::Nonzero, nonzero, "nonzero(v1_, \"BC, DC\")?"),
-        (
-            Check::Positive("length".to_string()),
-            "T::gt(v1_, zero_)",
-            "positive(v1_, \"BC, DC\", \"length\")?",
-        ),
-        (
-            Check::Square,
-            "T::ge(v1_, T::smallest_square())",
-            "square_of_centres( v1_, theta, theta, theta, theta, \"BC, DC\", )?",
-        ),
-        (
-            Check::ReachCircles,
-            "T::gt(v1_, zero_)",
-            "reach_circles( v1_, theta, theta, theta, theta, \"BC, DC\", )?",
-        ),
+fn every_check_has_its_call() {
+    for (check, call) in [
+        (Check::ReachLine, "reach_line(guard_, v1_, theta, theta, theta, theta, \"BC, DC\")"),
+        (Check::Nonzero, "nonzero(guard_, v1_, \"BC, DC\")"),
+        (Check::Positive("length".to_string()), "positive(guard_, v1_, \"BC, DC\", \"length\")"),
+        (Check::Square, "square_of_centres(guard_, v1_, theta, theta, theta, theta, \"BC, DC\")"),
+        (Check::ReachCircles, "reach_circles(guard_, v1_, theta, theta, theta, theta, \"BC, DC\")"),
     ] {
-        let (condition, called) = guard(check);
-        assert_eq!(condition, comparison);
-        assert_eq!(called, call);
+        assert_eq!(guard(check), format!("<T>::{call}"));
     }
-}
-
-#[test]
-fn a_comparison_is_made_once_however_many_groups_ask_for_it() {
-    let text = expand(&one_value(|g| {
-        let angle = angle(g);
-        let guards = [(Check::Nonzero, 0), (Check::Square, 0), (Check::Nonzero, 1)];
-        let value = guards.into_iter().fold(angle, |value, (check, group)| {
-            g.guard(value, Guard { check, group, operands: Vec::new() })
-        });
-        g.push(Node::Sqrt(value))
-    }));
-    let straight = function(&text, "core_position_");
-    assert_eq!(straight.matches("T::gt(").count(), 1, "{straight}");
-    assert_eq!(straight.matches("smallest_square").count(), 1, "{straight}");
 }
 
 #[test]
@@ -190,9 +167,9 @@ fn what_is_above_zero_is_not_asked_whether_it_is_zero() {
             g.guard(value, Guard { check, group: 0, operands: vec![angle; 4] })
         })
     }));
-    let straight = function(&text, "core_position_");
-    assert!(straight.contains("T::gt(theta, zero_)"), "{straight}");
-    assert!(!straight.contains("select"), "{straight}");
+    let formulas = function(&text, "formulas_position_");
+    assert_eq!(formulas.matches("nonzero_within").count(), 1, "{formulas}");
+    assert_eq!(formulas.matches("nonzero").count(), 1, "{formulas}");
 }
 
 #[test]
@@ -205,7 +182,7 @@ fn constants_are_rounded_to_both_widths_and_beyond_a_width_are_infinite() {
         let sum = g.push(Node::Add(high, low));
         g.push(Node::Add(sum, large))
     }));
-    let straight = function(&text, "core_position_");
+    let straight = function(&text, "formulas_position_");
     assert!(straight.contains("T::lit(-0.3333333333333333, -0.33333334)"), "{straight}");
     // 1/3 less its rounding is a third of 2^-54 in the one width, minus a third of 2^-25 in the other.
     assert!(straight.contains("T::lit(-1.850371707708594e-17, 9.934108e-9)"), "{straight}");
@@ -215,7 +192,7 @@ fn constants_are_rounded_to_both_widths_and_beyond_a_width_are_infinite() {
 #[test]
 fn several_inputs_are_a_record_or_an_array() {
     let text = expand(&table());
-    let (all, velocity) = (squeezed(&text), squeezed(function(&text, "core_velocity_")));
+    let all = squeezed(&text);
     assert!(all.contains("struct TableInput<T> {"), "{text}");
     assert!(all.contains("From<[T; 2]> for TableInput<T> {"), "{text}");
     assert!(
@@ -224,7 +201,8 @@ fn several_inputs_are_a_record_or_an_array() {
     );
     assert!(all.contains("rates: impl ::linkage_core::private::Into<TableInput<T>>"));
     assert!(all.contains("let rates: TableInput<T> = ::linkage_core::private::Into::into(rates);"));
-    assert!(velocity.contains("let v12_ = rates.s * inputs.X;"), "{velocity}");
+    let formulas = squeezed(function(&text, "formulas_velocity_"));
+    assert!(formulas.contains("let v12_ = rates.s * inputs.X;"), "{formulas}");
     let inputs = "4] = [ (inputs.s, \"s\"), (rates.s, \"s_rate\"), (inputs.X, \"X\"), (rates.X, \"X_rate\"), ]; for &(value_, name_) in &given_ { ::linkage_core::private::finite_input(value_, name_)?; }";
     assert!(all.contains(inputs), "{text}");
 }
@@ -232,10 +210,13 @@ fn several_inputs_are_a_record_or_an_array() {
 #[test]
 fn coefficients_are_a_row_an_output_and_a_column_an_input() {
     let text = expand(&table());
-    let coefficients = squeezed(function(&text, "core_coefficients_"));
-    let rows = "([[v5_, v5_], [v4_, v5_], [v5_, v6_], [inputs.X, inputs.s], [v6_, v5_]], ok_)";
+    let coefficients = squeezed(function(&text, "formulas_coefficients_"));
+    let rows = "[[v5_, v5_], [v4_, v5_], [v5_, v6_], [inputs.X, inputs.s], [v6_, v5_]]";
     assert!(coefficients.ends_with(rows), "{coefficients}");
-    assert!(coefficients.contains("([[T; 2]; 5], T::Mask)"), "{coefficients}");
+    let core = squeezed(function(&text, "core_coefficients_"));
+    assert!(core.contains("([[T; 2]; 5], T::Mask)"), "{core}");
+    // All but one row are constants, and need no test.
+    assert!(core.contains("T::is_finite(result_[3][1] + result_[3][0])"), "{core}");
 }
 
 #[test]
@@ -254,9 +235,29 @@ fn a_dominated_result_is_not_tested_again() {
     // C, both directions; the margin is a numerator on the way to all of them.
     let test = at.split("T::is_finite(").nth(1).expect("results are tested");
     let test = test.split(';').next().unwrap_or_default();
-    assert_eq!(test.matches('v').count(), 6, "{test}");
+    assert_eq!(test.matches("result_.").count(), 6, "{test}");
     assert!(!at.contains("is_near"), "{at}");
     assert!(at.starts_with("fn core_position_at_(&self, cos: T, sin: T)"), "{at}");
+}
+
+#[test]
+fn orders_share_their_formulas_and_angles_those_of_their_cosines() {
+    let text = squeezed(&expand(&four_bar()));
+    assert_eq!(text.matches("fn formulas_").count(), 2, "{text}");
+    assert_eq!(text.matches("T::sqrt(").count(), 1, "{text}");
+    for part in [
+        "fn formulas_at_<const ORDER: ::linkage_core::private::usize>(",
+        "if ORDER == 0 { return FourBarMotion {",
+        "if ORDER == 1 { return FourBarMotion {",
+        "self.formulas_at_::<0>(&mut marks_, cos, sin, rest_, rest_).position",
+        "self.formulas_at_::<1>(&mut findings_, cos, sin, theta_rate, rest_).velocity",
+        "let (sin_, cos_) = T::sin_cos_near(theta); \
+         let (result_, ok_) = self.core_position_at_(cos_, sin_); \
+         (result_, T::is_near(theta) & ok_)",
+        "let (result_, ok_) = self.core_velocity_(theta, T::lit(1.0, 1.0));",
+    ] {
+        assert!(text.contains(part), "no `{part}` in\n{text}");
+    }
 }
 
 #[test]
@@ -274,11 +275,9 @@ fn a_long_core_is_cut_into_blocks() {
         let angle = angle(g);
         (0..1000).fold(angle, |sum, _| g.push(Node::Add(sum, angle)))
     }));
-    for name in ["core_position_", "explain_position_"] {
-        let body = function(&text, name);
-        assert_eq!(body.matches("= {\n").count(), 16, "{body}");
-        assert!(body.contains("let v64_ = {"), "{body}");
-    }
+    let body = function(&text, "formulas_position_");
+    assert_eq!(body.matches("= {\n").count(), 16, "{body}");
+    assert!(body.contains("let v64_ = {"), "{body}");
 }
 
 /// The expansion without what its layout alone decides.

@@ -1,0 +1,241 @@
+//! What a solver's formulas do at a condition and at an angle.
+//!
+//! Generated formulas are written once and read in two ways: [`Marks`] goes on regardless and says
+//! in the end whether the result may be used, without a branch; [`Findings`] looks at every
+//! condition's operands and keeps the first that is not met.
+
+use crate::careful;
+use crate::{Mask, Real, Scalar, SolveError};
+
+/// See the module's documentation. What is guarded is returned, or what stands for it at a limit.
+pub trait Guard<T: Scalar> {
+    /// Sine and cosine of an angle.
+    fn sin_cos(&mut self, angle: T) -> (T, T);
+
+    /// See [`careful::reach_circles`].
+    fn reach_circles(&mut self, value: T, dx: T, dy: T, l1: T, l2: T, group: &'static str) -> T;
+
+    /// See [`careful::reach_line`].
+    fn reach_line(&mut self, value: T, t: T, l: T, group: &'static str) -> T;
+
+    /// See [`careful::reach_offset`].
+    fn reach_offset(&mut self, value: T, bx: T, by: T, e: T, group: &'static str) -> T;
+
+    /// See [`careful::nonzero`].
+    fn nonzero(&mut self, value: T, group: &'static str) -> T;
+
+    /// The same of a value that is above zero unless it was moved to a limit.
+    fn nonzero_within(&mut self, value: T, group: &'static str) -> T;
+
+    /// See [`careful::positive`].
+    fn positive(&mut self, value: T, group: &'static str, name: &'static str) -> T;
+
+    /// See [`careful::square`].
+    fn square(&mut self, value: T, group: &'static str) -> T;
+
+    /// See [`careful::square_of_centres`].
+    fn square_of_centres(&mut self, value: T, dx: T, dy: T, l1: T, l2: T, group: &'static str)
+    -> T;
+}
+
+/// Whether every condition was met. Every value goes on as it is.
+///
+/// Inlined always, so that lanes stay on the instruction set of the loop they run in.
+#[derive(Clone, Copy, Debug)]
+pub struct Marks<M>(M);
+
+impl<M: Mask> Marks<M> {
+    /// Nothing is wrong so far.
+    #[expect(clippy::new_without_default, reason = "nobody but generated code makes one")]
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self(M::ALL)
+    }
+
+    /// The answer of all conditions together.
+    #[inline(always)]
+    pub fn all(self) -> M {
+        self.0
+    }
+
+    #[inline(always)]
+    fn and(&mut self, met: M) {
+        self.0 = self.0 & met;
+    }
+}
+
+impl<T: Scalar> Guard<T> for Marks<T::Mask> {
+    #[inline(always)]
+    fn sin_cos(&mut self, angle: T) -> (T, T) {
+        self.and(angle.is_near());
+        angle.sin_cos_near()
+    }
+
+    #[inline(always)]
+    fn reach_circles(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
+        self.and(value.gt(T::lit(0.0, 0.0)));
+        value
+    }
+
+    #[inline(always)]
+    fn reach_line(&mut self, value: T, _: T, _: T, _: &'static str) -> T {
+        self.and(value.ge(T::lit(0.0, 0.0)));
+        value
+    }
+
+    #[inline(always)]
+    fn reach_offset(&mut self, value: T, _: T, _: T, _: T, _: &'static str) -> T {
+        self.and(value.ge(T::lit(0.0, 0.0)));
+        value
+    }
+
+    /// The magnitude, compared: neither a square, which underflows, nor a disjunction, which
+    /// masks do not have.
+    #[inline(always)]
+    fn nonzero(&mut self, value: T, _: &'static str) -> T {
+        let zero = T::lit(0.0, 0.0);
+        self.and(T::select(value.ge(zero), value, -value).gt(zero));
+        value
+    }
+
+    #[inline(always)]
+    fn nonzero_within(&mut self, value: T, _: &'static str) -> T {
+        value
+    }
+
+    #[inline(always)]
+    fn positive(&mut self, value: T, _: &'static str, _: &'static str) -> T {
+        self.and(value.gt(T::lit(0.0, 0.0)));
+        value
+    }
+
+    #[inline(always)]
+    fn square(&mut self, value: T, _: &'static str) -> T {
+        self.and(value.ge(T::smallest_square()));
+        value
+    }
+
+    #[inline(always)]
+    fn square_of_centres(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
+        self.and(value.ge(T::smallest_square()));
+        value
+    }
+}
+
+/// The first condition that was not met. What follows it is computed and means nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct Findings {
+    first: Option<SolveError>,
+}
+
+impl Findings {
+    /// Nothing is wrong so far.
+    #[expect(clippy::new_without_default, reason = "nobody but generated code makes one")]
+    pub fn new() -> Self {
+        Self { first: None }
+    }
+
+    /// What was wrong first.
+    ///
+    /// # Errors
+    /// The condition that was not met.
+    pub fn first(self) -> Result<(), SolveError> {
+        self.first.map_or(Ok(()), Err)
+    }
+
+    /// Looks only where nothing was wrong so far.
+    fn keep<T: Copy>(&mut self, value: T, look: impl FnOnce() -> Result<T, SolveError>) -> T {
+        if self.first.is_some() {
+            return value;
+        }
+        match look() {
+            Ok(value) => value,
+            Err(error) => {
+                self.first = Some(error);
+                value
+            }
+        }
+    }
+}
+
+impl<T: Real> Guard<T> for Findings {
+    fn sin_cos(&mut self, angle: T) -> (T, T) {
+        angle.sin_cos()
+    }
+
+    fn reach_circles(&mut self, value: T, dx: T, dy: T, l1: T, l2: T, group: &'static str) -> T {
+        self.keep(value, || careful::reach_circles(value, dx, dy, l1, l2, group))
+    }
+
+    fn reach_line(&mut self, value: T, t: T, l: T, group: &'static str) -> T {
+        self.keep(value, || careful::reach_line(value, t, l, group))
+    }
+
+    fn reach_offset(&mut self, value: T, bx: T, by: T, e: T, group: &'static str) -> T {
+        self.keep(value, || careful::reach_offset(value, bx, by, e, group))
+    }
+
+    fn nonzero(&mut self, value: T, group: &'static str) -> T {
+        self.keep(value, || careful::nonzero(value, group))
+    }
+
+    fn nonzero_within(&mut self, value: T, group: &'static str) -> T {
+        self.keep(value, || careful::nonzero(value, group))
+    }
+
+    fn positive(&mut self, value: T, group: &'static str, name: &'static str) -> T {
+        self.keep(value, || careful::positive(value, group, name))
+    }
+
+    fn square(&mut self, value: T, group: &'static str) -> T {
+        self.keep(value, || careful::square(value, group))
+    }
+
+    fn square_of_centres(
+        &mut self,
+        value: T,
+        dx: T,
+        dy: T,
+        l1: T,
+        l2: T,
+        group: &'static str,
+    ) -> T {
+        self.keep(value, || careful::square_of_centres(value, dx, dy, l1, l2, group))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_finding_is_kept() {
+        let mut findings = Findings::new();
+        assert_eq!(findings.nonzero(2.0, "a"), 2.0);
+        assert_eq!(findings.first(), Ok(()));
+        findings.nonzero(0.0, "b");
+        findings.positive(-1.0, "c", "length");
+        assert_eq!(findings.first(), Err(SolveError::Singular { group: "b" }));
+    }
+
+    #[test]
+    fn marks_hold_only_where_every_condition_does() {
+        let marked = |mark: fn(&mut Marks<bool>) -> f64| {
+            let mut marks = Marks::new();
+            mark(&mut marks);
+            marks.nonzero(1.0, "later");
+            marks.all()
+        };
+        assert!(marked(|m| m.reach_line(0.0, 0.0, 0.0, "")));
+        assert!(!marked(|m| m.reach_line(-1e-300, 0.0, 0.0, "")));
+        // On the line of centres the root has no derivative: the careful path decides.
+        assert!(!marked(|m| m.reach_circles(0.0, 0.0, 0.0, 0.0, 0.0, "")));
+        assert!(marked(|m| m.nonzero(-1e-300, "")));
+        assert!(!marked(|m| m.nonzero(0.0, "")));
+        assert!(marked(|m| m.nonzero_within(0.0, "")));
+        assert!(!marked(|m| m.positive(0.0, "", "")));
+        assert!(!marked(|m| m.square(1e-320, "")));
+        assert!(!marked(|m| m.sin_cos(1e9).0));
+        assert!(!marked(|m| m.positive(f64::NAN, "", "")));
+    }
+}

@@ -1,0 +1,205 @@
+//! The formulas of an entry point: a `let` for every node, and a call at every condition and
+//! angle. Whether a condition is marked or explained is up to the guard that is handed in.
+//!
+//! Position, velocity and motion share their formulas, which are most of what a mechanism expands
+//! to: the order is a constant, and what a lower one does not need is never compiled for it.
+
+use std::collections::HashSet;
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, quote};
+
+use super::blocks::{Statement, lay_out};
+use super::body::{Body, Statements};
+use super::names::{function_name, generated, local};
+use super::{Context, entry, results};
+use crate::ir::graph::{Check, GuardId, Id};
+use crate::ir::liveness::Course;
+use crate::ir::program::{Entry, EntryKind};
+
+/// Position, velocity and motion of one kind of input: one function, which stops where nothing
+/// more is asked for.
+struct Family<'a>([&'a Entry; 3]);
+
+impl<'a> Family<'a> {
+    fn of(cx: &'a Context<'_>, kind: EntryKind) -> Option<Self> {
+        let kinds = match kind {
+            EntryKind::Position | EntryKind::Velocity | EntryKind::Motion => {
+                [EntryKind::Position, EntryKind::Velocity, EntryKind::Motion]
+            }
+            EntryKind::PositionAt | EntryKind::VelocityAt | EntryKind::MotionAt => {
+                [EntryKind::PositionAt, EntryKind::VelocityAt, EntryKind::MotionAt]
+            }
+            EntryKind::Coefficients | EntryKind::Margins => return None,
+        };
+        let [position, velocity, motion] = kinds.map(|kind| cx.entry(kind));
+        Some(Self([position?, velocity?, motion?]))
+    }
+
+    fn motion(&self) -> &'a Entry {
+        self.0[2]
+    }
+
+    fn name(&self) -> Ident {
+        let at = entry::takes_cosine(self.motion().kind);
+        function_name(if at { "formulas_at_" } else { "formulas_" })
+    }
+}
+
+/// The functions that hold the formulas of all entry points.
+pub(super) fn functions(cx: &Context<'_>) -> TokenStream {
+    let own = cx.program.entries.iter().filter(|entry| cx.has_formulas(entry));
+    own.filter_map(|entry| match Family::of(cx, entry.kind) {
+        Some(family) if entry.kind == family.motion().kind => Some(of_family(cx, &family)),
+        Some(_) => None,
+        None => Some(of_one(cx, entry)),
+    })
+    .collect()
+}
+
+/// The result of an entry point under the guard.
+pub(super) fn call(cx: &Context<'_>, entry: &Entry, guard: &Ident) -> TokenStream {
+    let arguments = cx.arguments(entry.kind);
+    let given = arguments.names();
+    let Some(family) = Family::of(cx, entry.kind) else {
+        let name = own_name(entry.kind);
+        return quote!(self.#name(&mut #guard, #(#given),*));
+    };
+    let order = family.0.iter().position(|known| known.kind == entry.kind).unwrap_or_default();
+    let (name, missing) = (family.name(), 2 - order);
+    let order = Literal::usize_unsuffixed(order);
+    let rest = at_rest(cx, family.motion().kind);
+    let rates = vec![generated("rest_"); missing];
+    let call = quote!(self.#name::<#order>(&mut #guard, #(#given,)* #(#rates),*));
+    match missing {
+        0 => call,
+        1 => quote!({ #rest #call.velocity }),
+        _ => quote!({ #rest #call.position }),
+    }
+}
+
+/// The rates of inputs that do not move.
+fn at_rest(cx: &Context<'_>, kind: EntryKind) -> TokenStream {
+    let (rest, zero) = (generated("rest_"), cx.literal(0.0, 0.0));
+    if !cx.arguments(kind).are_records() {
+        return quote!(let #rest = #zero;);
+    }
+    let (record, fields) = (&cx.names.input, cx.mechanism.inputs.iter().map(|input| &input.name));
+    quote!(let #rest = #zero; let #rest = #record { #(#fields: #rest),* };)
+}
+
+fn own_name(kind: EntryKind) -> Ident {
+    function_name(&format!("formulas_{}_", entry::method(kind)))
+}
+
+fn of_one(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    let arguments = cx.arguments(entry.kind);
+    let body = Body { cx, arguments: &arguments, course: Course::Careful };
+    let statements = body.statements(&entry.sinks);
+    let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
+    let value = results::assemble(cx, entry.kind, values);
+    function(&body, entry, &own_name(entry.kind), &statements, &TokenStream::new(), &value)
+}
+
+fn of_family(cx: &Context<'_>, family: &Family<'_>) -> TokenStream {
+    let motion = family.motion();
+    let arguments = cx.arguments(motion.kind);
+    let body = Body { cx, arguments: &arguments, course: Course::Careful };
+    let (mut statements, mut done) = (Statements::default(), HashSet::new());
+    let (mut known, zero) = (0, generated("zero_"));
+    let result = |known: usize| {
+        let value = |(i, &sink): (usize, &Id)| match i < known {
+            true => body.value(sink),
+            false => quote!(#zero),
+        };
+        results::assemble(cx, motion.kind, motion.sinks.iter().enumerate().map(value).collect())
+    };
+    for (order, entry) in family.0.iter().enumerate() {
+        body.add_statements(&mut statements, &mut done, &entry.sinks);
+        known += entry.sinks.len();
+        if entry.kind != motion.kind {
+            let (order, value) = (Literal::usize_unsuffixed(order), result(known));
+            statements.list.push(Statement {
+                defines: Vec::new(),
+                uses: body.locals(motion.sinks[..known].iter().copied()),
+                code: quote!(if ORDER == #order { return #value; }),
+            });
+        }
+    }
+    let (nought, value) = (cx.literal(0.0, 0.0), result(motion.sinks.len()));
+    let name = family.name();
+    let ty = cx.paths.item("usize");
+    let name = quote!(#name<const ORDER: #ty>);
+    function(&body, motion, &name, &statements, &quote!(let #zero = #nought;), &value)
+}
+
+/// The function that holds formulas.
+///
+/// Inlined always: as a call of its own it would hand its results over through memory, one more
+/// time, which costs a four-bar's solve a tenth of its throughput and a fifth of its latency; and
+/// a sweep would run it on the instruction set of the rest of the program.
+fn function(
+    body: &Body<'_>,
+    entry: &Entry,
+    name: &impl ToTokens,
+    statements: &Statements,
+    before: &TokenStream,
+    value: &TokenStream,
+) -> TokenStream {
+    let (cx, scalar) = (body.cx, &body.cx.names.scalar);
+    let lines = lay_out(&statements.list, &body.locals(entry.sinks.iter().copied()));
+    let unread = body.arguments.unread(&statements.leaves);
+    let (result, received) =
+        (entry::result(cx, entry.kind), body.arguments.received(&quote!(#scalar)));
+    let (guard, guards) = (generated("guard_"), cx.paths.item("Guard"));
+    let unguarded = (!statements.is_guarded).then(|| quote!(let _ = #guard;));
+    quote! {
+        #[inline(always)]
+        fn #name(&self, #guard: &mut impl #guards<#scalar>, #(#received),*) -> #result {
+            #unguarded
+            #unread
+            #before
+            #lines
+            #value
+        }
+    }
+}
+
+/// A condition as a call: the value goes on as the call returns it.
+pub(super) fn condition(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> Statement {
+    let condition = body.graph().condition(guard);
+    let method = match condition.check {
+        Check::ReachCircles => "reach_circles",
+        Check::ReachLine => "reach_line",
+        Check::ReachOffset => "reach_offset",
+        Check::Nonzero if body.is_above_zero(value) => "nonzero_within",
+        Check::Nonzero => "nonzero",
+        Check::Positive(_) => "positive",
+        Check::Square if condition.operands.is_empty() => "square",
+        Check::Square => "square_of_centres",
+    };
+    let looked_at = match condition.check {
+        Check::ReachCircles | Check::ReachLine | Check::ReachOffset | Check::Square => {
+            &condition.operands[..]
+        }
+        // These look at the value alone; the operands are there to be computed first.
+        Check::Nonzero | Check::Positive(_) => &[],
+    };
+    let group = &body.cx.program.groups[condition.group as usize];
+    let length = match &condition.check {
+        Check::Positive(name) => Some(name),
+        _ => None,
+    };
+    let length = length.into_iter();
+    let operands = [value].into_iter().chain(looked_at.iter().copied());
+    let (name, values) = (local(id), operands.clone().map(|operand| body.value(operand)));
+    let (guard, method) = (generated("guard_"), function_name(method));
+    let (trait_, scalar) = (body.cx.paths.item("Guard"), &body.cx.names.scalar);
+    Statement {
+        defines: vec![id],
+        uses: body.locals(operands),
+        code: quote! {
+            let #name = #trait_::<#scalar>::#method(#guard, #(#values,)* #group #(, #length)*);
+        },
+    }
+}
