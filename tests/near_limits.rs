@@ -85,6 +85,53 @@ assert_achieved! { a_slot_nearly_along_its_rail: slot_along_rail of rpp, FOUR }
 assert_achieved! { a_rod_behind_a_four_bar: chained_rod of chained_press, FOUR }
 assert_achieved! { bars_behind_a_four_bar: chained_stretched of chained_bars, FOUR }
 
+/// The pose with every length `size` times as large: all numbers but the angles among the inputs
+/// and parameters.
+fn sized<const I: usize, const P: usize>(
+    pose: Pose<I, P>,
+    size: f64,
+    angles: &[usize],
+    params: &[usize],
+) -> Pose<I, P> {
+    let list = |values: [f64; I]| {
+        core::array::from_fn(|i| if angles.contains(&i) { values[i] } else { size * values[i] })
+    };
+    let (q, rate, second) = (list(pose.q), list(pose.rate), list(pose.second));
+    let params = core::array::from_fn(|i| {
+        if params.contains(&i) { pose.params[i] } else { size * pose.params[i] }
+    });
+    Pose { q, rate, second, params, ..pose }
+}
+
+macro_rules! assert_any_size {
+    ($name:ident: $family:ident of $group:ident, $gap:literal, angles $angles:expr, $params:expr) => {
+        #[test]
+        fn $name() {
+            for width in [Width::Double, Width::Single] {
+                for exponent in -9..=9 {
+                    let size = 10.0_f64.powi(exponent);
+                    let mut source = Source::new(11);
+                    for _ in 0..POSES {
+                        let pose = families::$family(&mut source, $gap);
+                        let pose = sized(pose, size, &$angles, &$params).rounded(width);
+                        let orders = measured::$group::measure(&pose, width);
+                        let orders = orders.unwrap_or_else(|| panic!("{width:?} {pose:?}"));
+                        let worst = orders.iter().flatten().map(|row| row.ratio());
+                        let worst = worst.fold(0.0, f64::max);
+                        assert!(worst <= 4.0, "{width:?} {size:e}: {worst} at {pose:?}");
+                    }
+                }
+            }
+        }
+    };
+}
+
+assert_any_size! { bars_of_any_size: stretched of rrr, 0.1, angles [], [] }
+assert_any_size! { sliders_of_any_size: square_to_guide of rrp, 0.1, angles [4], [] }
+assert_any_size! { blocks_of_any_size: at_offset of rpr, 0.1, angles [], [] }
+assert_any_size! { guides_of_any_size: parallel_guides of prp, 0.3, angles [2, 5], [] }
+assert_any_size! { yokes_of_any_size: slot_along_rail of rpp, 0.3, angles [4], [0] }
+
 /// The slide's relative error where B is at (0, `y`) and the guide runs along x.
 macro_rules! slide_error {
     ($group:ident, $y:expr, $l:expr, $e:expr) => {{
