@@ -30,6 +30,21 @@ pub(crate) fn stretched(source: &mut Source, gap: f64) -> Pose<4, 2> {
     moving(source, q, l)
 }
 
+/// With the first joint at the origin, so that the line of centres is exact.
+pub(crate) fn stretched_from_origin(source: &mut Source, gap: f64) -> Pose<4, 2> {
+    from_origin(stretched(source, gap))
+}
+
+/// The same of [`folded`].
+pub(crate) fn folded_from_origin(source: &mut Source, gap: f64) -> Pose<4, 2> {
+    from_origin(folded(source, gap))
+}
+
+fn from_origin<const P: usize>(pose: Pose<4, P>) -> Pose<4, P> {
+    let [x, y, dx, dy] = pose.q;
+    Pose { q: [0.0, 0.0, dx - x, dy - y], ..pose }
+}
+
 pub(crate) fn folded(source: &mut Source, gap: f64) -> Pose<4, 2> {
     let l = [source.between(1.5, 3.0), source.between(0.3, 1.2)];
     let q = apart(source, (l[0] - l[1]) * (1.0 + gap));

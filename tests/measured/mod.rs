@@ -179,6 +179,12 @@ macro_rules! measured {
                 Some(duals.map(|rows| rows.map(|row| allowed(&row, &data, half_unit))))
             }
 
+            /// The truth of every row, rounded.
+            pub(crate) fn truth(pose: &Pose<$inputs, $params>) -> Option<[[f64; ROWS]; 3]> {
+                let orders = rows(pose.all(|_, x| DoubleDouble::<false>::new(x)), pose.plus)?;
+                Some(orders.map(|rows| rows.map(|row| row.high)))
+            }
+
             /// Every row of position, velocity and acceleration; none where there is no pose or no
             /// velocity, or none that the data determine.
             pub(crate) fn measure(
