@@ -83,7 +83,7 @@ mod generated {
             let radius = p::positive(self.radius, "AB", "radius")?;
             let (sin, cos) = p::Scalar::sin_cos(theta);
             let y = p::Side::sign::<T>(self.elbow) * radius * sin;
-            p::finite_result(y, "B.y")?;
+            p::finite_result(y, "B.y", &[(theta, "theta")])?;
             p::Ok(p::Point { x: radius * cos, y })
         }
 

@@ -45,14 +45,6 @@ struct Lowest {
     curvature: f64,
 }
 
-/// A stretch of the passage with the clearances at its ends.
-struct Stretch<M: Modes> {
-    from: f64,
-    to: f64,
-    before: M::Clearances,
-    after: M::Clearances,
-}
-
 /// More than anything that is resolved in this many pieces is given up.
 const PIECES: usize = 4096;
 
@@ -73,6 +65,11 @@ fn clear<M: Modes>() -> f64 {
 /// of an interpolation over as wide a range.
 fn near<M: Modes>() -> f64 {
     sqrt(sqrt(M::Scalar::EPSILON))
+}
+
+/// How far from a change point the clearance is a few times [`clear`].
+fn aside<M: Modes>(lowest: Lowest) -> f64 {
+    sqrt(8.0 * clear::<M>() / lowest.curvature)
 }
 
 impl<M: Modes> Passage<M> {
@@ -96,18 +93,14 @@ impl<M: Modes> Passage<M> {
 
     fn follow(&self) -> Result<M, SolveError> {
         let mut solver = self.solver;
-        let (mut here, mut length) = (0.0, 1.0);
+        let mut here = 0.0;
         for _ in 0..PIECES {
-            let stretch = self.stretch(&solver, here, length);
-            length = 2.0 * (stretch.to - stretch.from);
-            match self.first_change(&solver, &stretch)? {
-                Some((group, lowest)) => {
-                    let aside = sqrt(8.0 * clear::<M>() / lowest.curvature);
-                    self.change(&mut solver, group, [lowest.at - aside, lowest.at + aside])?;
-                    here = lowest.at + aside;
-                }
-                None => here = stretch.to,
-            }
+            let Some((group, lowest)) = self.first_change(&solver, here)? else {
+                return Ok(solver);
+            };
+            let aside = aside::<M>(lowest);
+            self.change(&mut solver, group, [lowest.at - aside, lowest.at + aside])?;
+            here = lowest.at + aside;
             if here >= 1.0 {
                 return Ok(solver);
             }
@@ -115,29 +108,64 @@ impl<M: Modes> Passage<M> {
         Err(SolveError::NotFinite { name: "the inputs" })
     }
 
-    /// From here on, a stretch short enough to be a cubic.
-    fn stretch(&self, solver: &M, from: f64, length: f64) -> Stretch<M> {
-        let before = self.clearances(solver, from);
-        let mut to = (from + length).min(1.0);
-        let mut after = self.clearances(solver, to);
-        loop {
-            let half = 0.5 * (to - from);
-            let middle = self.clearances(solver, from + half);
-            let resolved = (0..M::GROUPS.len()).all(|group| {
-                let at = |clearances| reading::<M>(clearances, group);
-                is_cubic(at(&before), at(&middle), at(&after), half)
-            });
-            if resolved || half < SHORTEST {
-                break;
+    /// The first change point behind `here`: its group and place.
+    fn first_change(&self, solver: &M, here: f64) -> Result<Option<(usize, Lowest)>, SolveError> {
+        let mut first = None;
+        let mut to = 1.0;
+        let all = [here, 0.5 * (here + to), to].map(|part| self.clearances(solver, part));
+        for group in 0..M::GROUPS.len() {
+            let at = |part| reading::<M>(&self.clearances(solver, part), group);
+            let shared = all.each_ref().map(|clearances| reading::<M>(clearances, group));
+            let three = if to == 1.0 { shared } else { [shared[0], at(0.5 * (here + to)), at(to)] };
+            if let Some(lowest) = self.first_touch(solver, group, [here, to], three)? {
+                // What groups behind this one do is to be asked only before it.
+                to = (lowest.at - aside::<M>(lowest)).max(here);
+                first = Some((group, lowest));
             }
-            (to, after) = (from + half, middle);
         }
-        // No stretch begins on a change point: it would belong to neither.
-        while to < 1.0 && to - from > SHORTEST && !is_clear::<M>(&after) {
-            to = from + 0.875 * (to - from);
-            after = self.clearances(solver, to);
+        Ok(first)
+    }
+
+    /// The first place in a stretch at which a group's clearance touches zero; the readings are
+    /// those at its ends and in the middle.
+    fn first_touch(
+        &self,
+        solver: &M,
+        group: usize,
+        [mut here, to]: [f64; 2],
+        [mut a, mut middle, mut b]: [Reading; 3],
+    ) -> Result<Option<Lowest>, SolveError> {
+        let at = |part| reading::<M>(&self.clearances(solver, part), group);
+        for _ in 0..PIECES {
+            let mut half = 0.5 * (to - here);
+            while half >= SHORTEST && !is_cubic(a, middle, b, half) {
+                half *= 0.5;
+                (b, middle) = (middle, at(here + half));
+            }
+            let mut end = if 2.0 * half >= to - here { to } else { here + 2.0 * half };
+            // No stretch begins on a change point: it would belong to neither.
+            while end < to && b.value < clear::<M>() && end - here > SHORTEST {
+                end = here + 0.875 * (end - here);
+                b = at(end);
+            }
+            let lowest = if a.slope < 0.0 && b.slope >= 0.0 {
+                self.lowest(solver, group, [(here, a), (end, b)])
+            } else {
+                Lowest { at: end, value: b.value, curvature: 0.0 }
+            };
+            if lowest.value < -zero::<M>() {
+                return Err(self.dead_end(solver, lowest.at, group));
+            }
+            let touches = lowest.curvature > 0.0 && lowest.value <= zero::<M>();
+            if touches && a.value >= clear::<M>() {
+                return Ok(Some(lowest));
+            }
+            if end >= to {
+                return Ok(None);
+            }
+            (here, a, middle, b) = (end, b, at(0.5 * (end + to)), at(to));
         }
-        Stretch { from, to, before, after }
+        Ok(None)
     }
 
     /// The clearances at a part of the way. Where a group at its limit was rounded out of reach,
@@ -151,36 +179,6 @@ impl<M: Modes> Passage<M> {
             aside *= 4.0;
         }
         found
-    }
-
-    /// The first change point of a stretch: its group and place.
-    fn first_change(
-        &self,
-        solver: &M,
-        stretch: &Stretch<M>,
-    ) -> Result<Option<(usize, Lowest)>, SolveError> {
-        let mut first = None;
-        let (mut to, mut after) = (stretch.to, stretch.after);
-        for group in 0..M::GROUPS.len() {
-            let [a, b] = [&stretch.before, &after].map(|at| reading::<M>(at, group));
-            let lowest = if a.slope < 0.0 && b.slope >= 0.0 {
-                self.lowest(solver, group, [(stretch.from, a), (to, b)])
-            } else {
-                Lowest { at: to, value: b.value, curvature: 0.0 }
-            };
-            if lowest.value < -zero::<M>() {
-                return Err(self.dead_end(solver, lowest.at, group));
-            }
-            let touches = lowest.curvature > 0.0 && lowest.value <= zero::<M>();
-            if touches && a.value >= clear::<M>() {
-                // What groups behind this one do is to be asked only before it.
-                let aside = sqrt(8.0 * clear::<M>() / lowest.curvature);
-                to = (lowest.at - aside).max(stretch.from);
-                after = self.clearances(solver, to);
-                first = Some((group, lowest));
-            }
-        }
-        Ok(first)
     }
 
     /// Where a clearance that falls at one end of a stretch and rises at the other is lowest: the
@@ -305,8 +303,8 @@ fn is_clear<M: Modes>(clearances: &M::Clearances) -> bool {
 /// Whether groups have no numbers although none before them is out of reach.
 fn has_gap<M: Modes>(clearances: &M::Clearances) -> bool {
     let readings = (0..M::GROUPS.len()).map(|group| reading::<M>(clearances, group));
-    let beyond = readings.take_while(|reading| !(reading.value < -zero::<M>()));
-    beyond.into_iter().any(|reading| reading.value.is_nan() || reading.slope.is_nan())
+    let mut within = readings.take_while(|at| at.value >= -zero::<M>() || at.value.is_nan());
+    within.any(|at| at.value.is_nan() || at.slope.is_nan())
 }
 
 /// Whether a cubic through values and slopes at both ends meets the value in the middle, well
@@ -317,7 +315,7 @@ fn is_cubic(a: Reading, middle: Reading, b: Reading, half: f64) -> bool {
     let least = a.value.min(middle.value).min(b.value);
     let most = a.value.max(middle.value).max(b.value);
     // What is no number lies behind a group out of reach, which decides.
-    !(error > (0.25 * least).max(0.01 * most))
+    error <= (0.25 * least).max(0.01 * most) || error.is_nan()
 }
 
 /// Whether a clearance touches zero between two places `apart`, as a parabola.

@@ -38,8 +38,10 @@ fn modes(cx: &Context<'_>) -> TokenStream {
     };
     let count = Literal::usize_unsuffixed(cx.program.clearances.len());
     let (groups, clearances, flips) = (groups(cx), clearances(cx), flips(cx));
+    let literals = super::literals_are_dimensions();
     let [q, rate, acceleration, param] = ["q_", "rate_", "acceleration_", "param_"].map(generated);
     quote! {
+        #literals
         impl<#scalar: #real> #modes for #solver<#scalar> {
             type Scalar = #scalar;
             type Input = #input;

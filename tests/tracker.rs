@@ -1,0 +1,141 @@
+//! A tracker keeps its motion through change points, whatever the steps; a solver keeps its mode.
+//!
+//! Truth is in closed form: a parallelogram's rocker turns with the crank; an antiparallelogram's
+//! (bars 1 and 2) satisfies tan φ/2 = −3 tan θ/2; bars 4, 1, 2 and 3 change their mode at every
+//! passage of θ = π. Where the pose is clear of the change point, the tracker's answer is the
+//! solver's; next to it, an interpolation's from nodes at most 0.1 rad away with the rounding
+//! ε^(1/2)·10 of accelerations there, so that 1e-7 cannot hide a wrong motion (which is off by
+//! about 1) nor a kink.
+
+mod mechanisms {
+    pub(crate) mod change_points;
+}
+
+use core::f64::consts::{PI, TAU};
+use linkage_core::{Side, Tracker};
+use mechanisms::change_points::*;
+
+/// Steps in degrees: whole parts of a turn, which fall on change points, and others.
+const STEPS: [f64; 8] = [0.1, 0.7, 1.0, 6.0, 7.3, 10.0, 18.0 / 0.7, 30.0];
+
+/// First samples in degrees: on a change point, half a step of a degree off, and anywhere.
+const STARTS: [f64; 3] = [0.0, 0.5, 77.7];
+
+/// A thousand turns, as far as a build without optimisation gets in a second.
+fn turns(step: f64) -> f64 {
+    if cfg!(debug_assertions) { (20.0 * step).min(1000.0) } else { 1000.0 }
+}
+
+/// Calls `check` with every angle of every walk, forward and backward.
+fn walks(mut check: impl FnMut(&str, f64, f64, &mut dyn Iterator<Item = f64>)) {
+    for step in STEPS {
+        for start in STARTS {
+            for sign in [1.0, -1.0] {
+                let count = (turns(step) * 360.0 / step) as u32;
+                let mut angles =
+                    (0..count).map(|i| (start + sign * f64::from(i) * step).to_radians());
+                check(&format!("{step}° from {start}°"), start, sign, &mut angles);
+            }
+        }
+    }
+}
+
+/// Angle, first and second derivative of an output against the crank's angle.
+type Truth = fn(f64) -> [f64; 3];
+
+fn parallelogram(theta: f64) -> [f64; 3] {
+    [theta, 1.0, 0.0]
+}
+
+fn antiparallelogram(theta: f64) -> [f64; 3] {
+    let (s, c) = (theta / 2.0).sin_cos();
+    let below = 1.0 + 8.0 * s * s;
+    [-2.0 * (3.0 * s).atan2(c), -3.0 / below, 24.0 * s * c / (below * below)]
+}
+
+/// The mode of a parallelogram or an antiparallelogram at angles next to `theta`, ahead.
+fn mode(truth: Truth, theta: f64, sign: f64) -> Side {
+    let upper = (theta + 1e-3 * sign).rem_euclid(TAU) < PI;
+    let parallel = truth(1.0)[1] > 0.0;
+    if upper == parallel { Side::Left } else { Side::Right }
+}
+
+fn follow_bars_equal_in_pairs(truth: Truth) {
+    let mut worst = [0.0_f64; 4];
+    walks(|walk, start, sign, angles| {
+        let elbow = mode(truth, start.to_radians(), sign);
+        let mut tracker = Tracker::new(Parallelogram { elbow, ..Parallelogram::new() });
+        for theta in angles {
+            let (rate, second) = (3.0 * sign, 0.5);
+            let motion = tracker.motion(theta, rate, second);
+            let motion = motion.unwrap_or_else(|error| panic!("{walk} at {theta}: {error}"));
+            let [phi, first, curvature] = truth(theta);
+            let rocker = motion.position.DC;
+            let errors = [
+                rocker.cos - phi.cos(),
+                rocker.sin - phi.sin(),
+                motion.velocity.DC.omega - first * rate,
+                motion.acceleration.DC.alpha - (first * second + curvature * rate * rate),
+            ];
+            for (worst, error) in worst.iter_mut().zip(errors) {
+                assert!(error.abs() <= 1e-7, "{walk} at {theta}: {errors:?}");
+                *worst = worst.max(error.abs());
+            }
+        }
+    });
+    println!("{worst:?}");
+}
+
+#[test]
+fn a_parallelogram_stays_one() {
+    follow_bars_equal_in_pairs(parallelogram);
+}
+
+#[test]
+fn an_antiparallelogram_stays_one() {
+    follow_bars_equal_in_pairs(antiparallelogram);
+}
+
+#[test]
+fn bars_4_1_2_3_change_their_mode_every_turn() {
+    let mut worst = [0.0_f64; 4];
+    walks(|walk, start, sign, angles| {
+        let first = Side::Right;
+        let elbow = |theta: f64| {
+            let passed = ((theta - PI) / TAU).floor() - ((start.to_radians() - PI) / TAU).floor();
+            if passed.rem_euclid(2.0) == 0.0 { first } else { first.flipped() }
+        };
+        let mut tracker = Tracker::new(FourOneTwoThree { elbow: first, ..FourOneTwoThree::new() });
+        for theta in angles {
+            let motion = tracker.motion(theta, sign, 0.0);
+            let motion = motion.unwrap_or_else(|error| panic!("{walk} at {theta}: {error}"));
+            let off = (theta - PI).rem_euclid(TAU);
+            let off = off.min(TAU - off);
+            let (rates, truth) = if off < 1e-9 {
+                // ω of coupler and rocker solve a quadratic at the change point: (1 ± √6)/5 and
+                // (1 ∓ √(8/3))/5; by symmetry there is no acceleration.
+                let side = if elbow(theta - 1e-3) == Side::Left { 1.0 } else { -1.0 };
+                let root = 6.0_f64.sqrt();
+                ([(1.0 - side * root) / 5.0, (1.0 + side * root * 2.0 / 3.0) / 5.0], None)
+            } else {
+                let solver = FourOneTwoThree { elbow: elbow(theta), ..FourOneTwoThree::new() };
+                let m = solver.motion(theta, 1.0, 0.0).unwrap();
+                ([m.velocity.BC.omega, m.velocity.DC.omega], Some(m))
+            };
+            // The solver's own errors: ε over the square and the cube of the distance, and more.
+            let near = 50.0 * f64::EPSILON / (off.max(0.01) * off).min(1.0);
+            let allowed = if off < 1e-9 { 1e-8 } else { 1e-8 + near };
+            let errors = [
+                motion.velocity.BC.omega - sign * rates[0],
+                motion.velocity.DC.omega - sign * rates[1],
+                truth.map_or(0.0, |m| motion.position.C.x - m.position.C.x),
+                truth.map_or(0.0, |m| motion.position.C.y - m.position.C.y),
+            ];
+            for (worst, error) in worst.iter_mut().zip(errors) {
+                assert!(error.abs() <= allowed, "{walk} at {theta}, {off:e} off: {errors:?}");
+                *worst = worst.max(error.abs());
+            }
+        }
+    });
+    println!("{worst:?}");
+}
