@@ -10,9 +10,14 @@
 
 static int complain(const LinkageError *error)
 {
-    printf("status %d: group `%.*s`, `%.*s`, %g m missing\n", (int)error->status,
-           (int)error->group_length, error->group ? error->group : "",
-           (int)error->name_length, error->name ? error->name : "", error->by);
+    printf("status %d", (int)error->status);
+    if (error->group)
+        printf(", group %.*s", (int)error->group_length, error->group);
+    if (error->name)
+        printf(", `%.*s`", (int)error->name_length, error->name);
+    if (error->status == LINKAGE_OUT_OF_REACH)
+        printf(": %g m are missing", error->by);
+    printf("\n");
     return EXIT_FAILURE;
 }
 
