@@ -34,21 +34,21 @@ pub struct LaneMask<const W: usize>([bool; W]);
 // index: below the highest optimisation level it would be checked, and could panic.
 impl<T: Copy, const W: usize, F> Lanes<T, W, F> {
     /// One number in each lane.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn new(lanes: [T; W]) -> Self {
         Self { lanes, fusion: PhantomData }
     }
 
     /// The same number in every lane.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn splat(value: T) -> Self {
         Self::new([value; W])
     }
 
     /// The numbers.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(self) -> [T; W] {
         self.lanes
@@ -91,7 +91,7 @@ impl<T: Copy, const W: usize, F> Lanes<T, W, F> {
 
 impl<const W: usize> LaneMask<W> {
     /// The answer for each lane.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(self) -> [bool; W] {
         self.0
@@ -100,7 +100,7 @@ impl<const W: usize> LaneMask<W> {
 
 impl<const W: usize> BitAnd for LaneMask<W> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn bitand(mut self, other: Self) -> Self {
         for (one, &other) in self.0.iter_mut().zip(&other.0) {
             *one &= other;
@@ -112,7 +112,7 @@ impl<const W: usize> BitAnd for LaneMask<W> {
 impl<const W: usize> Mask for LaneMask<W> {
     const ALL: Self = Self([true; W]);
 
-    #[inline]
+    #[inline(always)]
     fn all(self) -> bool {
         // Without early exit: a loop that may stop early stays one lane at a time.
         self.0.iter().fold(true, |all, &lane| all & lane)
@@ -120,14 +120,14 @@ impl<const W: usize> Mask for LaneMask<W> {
 }
 
 impl<T: Copy, const W: usize, F> From<[T; W]> for Lanes<T, W, F> {
-    #[inline]
+    #[inline(always)]
     fn from(lanes: [T; W]) -> Self {
         Self::new(lanes)
     }
 }
 
 impl<T: Copy, const W: usize, F> From<Lanes<T, W, F>> for [T; W] {
-    #[inline]
+    #[inline(always)]
     fn from(lanes: Lanes<T, W, F>) -> Self {
         lanes.lanes
     }
@@ -143,7 +143,7 @@ macro_rules! lane_by_lane {
     ($($trait:ident $method:ident),*) => {$(
         impl<T: Float, const W: usize, F: Fusion> $trait for Lanes<T, W, F> {
             type Output = Self;
-            #[inline]
+            #[inline(always)]
             fn $method(self, other: Self) -> Self {
                 self.zip(other, $trait::$method)
             }
@@ -155,7 +155,7 @@ lane_by_lane!(Add add, Sub sub, Mul mul, Div div);
 
 impl<T: Float, const W: usize, F: Fusion> Neg for Lanes<T, W, F> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         self.map(Neg::neg)
     }
@@ -177,51 +177,51 @@ fn both<T: Float, const W: usize, F: Fusion>(
 impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     type Mask = LaneMask<W>;
 
-    #[inline]
+    #[inline(always)]
     fn lit(wide: f64, narrow: f32) -> Self {
         Self::splat(T::lit(wide, narrow))
     }
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         self.map(T::sqrt)
     }
-    #[inline]
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         both(self, |x| if x.is_near() { x.sin_cos_kernel::<F>() } else { x.sin_cos() })
     }
-    #[inline]
+    #[inline(always)]
     fn sin_cos_near(self) -> (Self, Self) {
         both(self, T::sin_cos_kernel::<F>)
     }
-    #[inline]
+    #[inline(always)]
     fn is_near(self) -> LaneMask<W> {
         self.ask(T::is_near)
     }
-    #[inline]
+    #[inline(always)]
     fn tan(self) -> Self {
         self.map(T::tan)
     }
-    #[inline]
+    #[inline(always)]
     fn asin(self) -> Self {
         self.map(T::asin)
     }
-    #[inline]
+    #[inline(always)]
     fn acos(self) -> Self {
         self.map(T::acos)
     }
-    #[inline]
+    #[inline(always)]
     fn atan(self) -> Self {
         self.map(T::atan)
     }
-    #[inline]
+    #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         self.zip(x, T::atan2)
     }
-    #[inline]
+    #[inline(always)]
     fn hypot(self, other: Self) -> Self {
         self.zip(other, T::hypot)
     }
-    #[inline]
+    #[inline(always)]
     fn det(mut a: Self, b: Self, c: Self, d: Self) -> Self {
         let others = b.lanes.iter().zip(&c.lanes).zip(&d.lanes);
         for (a, ((&b, &c), &d)) in a.lanes.iter_mut().zip(others) {
@@ -229,41 +229,41 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
         }
         a
     }
-    #[inline]
+    #[inline(always)]
     fn mul_err(a: Self, b: Self) -> Self {
         a.zip(b, kernels::mul_err::<T, F>)
     }
-    #[inline]
+    #[inline(always)]
     fn add_err(a: Self, b: Self) -> Self {
         a.zip(b, T::add_err)
     }
-    #[inline]
+    #[inline(always)]
     fn fused(mut a: Self, b: Self, c: Self) -> Self {
         for (a, (&b, &c)) in a.lanes.iter_mut().zip(b.lanes.iter().zip(&c.lanes)) {
             *a = T::fused_by::<F>(*a, b, c);
         }
         a
     }
-    #[inline]
+    #[inline(always)]
     fn ge(self, other: Self) -> LaneMask<W> {
         self.compare(other, T::ge)
     }
-    #[inline]
+    #[inline(always)]
     fn gt(self, other: Self) -> LaneMask<W> {
         self.compare(other, T::gt)
     }
-    #[inline]
+    #[inline(always)]
     fn is_finite(self) -> LaneMask<W> {
         self.ask(T::is_finite)
     }
-    #[inline]
+    #[inline(always)]
     fn select(mask: LaneMask<W>, mut yes: Self, no: Self) -> Self {
         for (yes, (&mask, &no)) in yes.lanes.iter_mut().zip(mask.0.iter().zip(&no.lanes)) {
             *yes = T::select(mask, *yes, no);
         }
         yes
     }
-    #[inline]
+    #[inline(always)]
     fn smallest_square() -> Self {
         Self::splat(T::smallest_square())
     }

@@ -78,8 +78,9 @@
 //! - `macros` (default): the macro.
 //! - `ad` (default): dual numbers, `jacobian` and `sensitivity`; brings `num-dual` and `nalgebra`,
 //!   and with them the standard library.
-//! - `std`: takes square roots and fused operations from the standard library, which the
-//!   optimiser understands better than the assembly that stands in for them without it.
+//! - `std` (default): sweeps choose the instruction set while the program runs; square roots and
+//!   fused operations come from the standard library, which the optimiser understands better than
+//!   the assembly that stands in for them without it.
 //!
 //! Without `ad` and `std` the crate is `no_std` and needs `libm` alone. It never allocates, and no
 //! solver panics.
@@ -115,6 +116,7 @@ mod primitive;
 pub mod private;
 mod results;
 mod scalar;
+mod sweep;
 mod tracker;
 
 pub use cost::{Cost, Operations};
@@ -129,6 +131,7 @@ pub use results::{
     SlidingDirection, SlidingVelocity,
 };
 pub use scalar::{Mask, Real, Scalar};
+pub use sweep::{LengthMismatch, Progress, Series, Status};
 pub use tracker::Tracker;
 
 #[cfg(feature = "ad")]

@@ -22,6 +22,7 @@ mod rows;
 mod solver;
 mod straight;
 pub(crate) mod stubs;
+mod sweeps;
 mod units;
 
 #[cfg(test)]
@@ -44,6 +45,7 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
     let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
     let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
     let careful = program.entries.iter().map(|entry| careful::function(&cx, entry));
+    let sweeps = program.entries.iter().map(|entry| sweeps::items(&cx, entry));
     let (derivatives, modes) = (derivatives::items(&cx), modes::items(&cx));
     let c_export = c_export::items(&cx);
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
@@ -56,6 +58,7 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
         impl<#scalar: #any> #name<#scalar> { #(#straight)* }
         #literals
         impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
+        #(#sweeps)*
         #derivatives
         #modes
         #c_export
