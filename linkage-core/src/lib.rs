@@ -140,7 +140,7 @@ mod tracker;
 
 pub use cost::{Cost, Operations};
 #[cfg(feature = "ad")]
-pub use derivatives::{Derivatives, differentiate, differentiate_twice};
+pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_twice};
 pub use error::SolveError;
 pub use kernels::{Float, Fused, Fusion, Plain};
 pub use lanes::{LaneMask, Lanes};

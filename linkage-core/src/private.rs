@@ -22,7 +22,7 @@ pub use crate::careful::{
     square, square_of_centres,
 };
 #[cfg(feature = "ad")]
-pub use crate::derivatives::differentiate;
+pub use crate::derivatives::{Differentiable, differentiate};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfMotion, OfPosition, OfVelocity, Progress, Series, Status, sweep,
 };

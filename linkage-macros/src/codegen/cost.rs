@@ -7,9 +7,13 @@ use super::Context;
 use crate::ir::cost::{Operations, operations};
 use crate::ir::program::{Entry, EntryKind};
 
-/// What computing the sinks of an entry point costs.
+/// What an entry point costs.
 pub(super) fn of(cx: &Context<'_>, entry: &Entry) -> Operations {
-    operations(&cx.program.graph, &entry.sinks)
+    let of = |entry: &Entry| operations(&cx.program.graph, &entry.sinks);
+    match cx.on_the_circle(entry).map(of) {
+        Some(cost) => Operations { sines: cost.sines + 1, ..cost },
+        None => of(entry),
+    }
 }
 
 /// The initialiser of `COST`.
