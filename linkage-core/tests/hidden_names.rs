@@ -54,6 +54,13 @@ mod generated {
                 roots: 0,
                 sines: 0,
             },
+            coefficients: p::Operations {
+                additions: 0,
+                multiplications: 0,
+                divisions: 0,
+                roots: 0,
+                sines: 0,
+            },
         };
     }
 

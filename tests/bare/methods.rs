@@ -1,8 +1,10 @@
 //! What a solver offers beside its C functions, each behind a symbol: the straight lines, the
-//! rows, angles, and conversion to another width.
+//! rows, angles, conversion to another width, several numbers side by side; and a controller that
+//! is made of them.
 
 use linkage_core::{Direction, Float, Lanes, Mask, Real, Scalar};
 
+use crate::cam::{Cam, Strip};
 use crate::mechanisms::{Everything, Excavator, FlyingShear, SixBar, TunedFourBar};
 
 macro_rules! symbols {
@@ -27,6 +29,8 @@ symbols! {
     methods_lift_f32 = lift::<f32>;
     methods_lanes = lanes::<f64>;
     methods_lanes_f32 = lanes::<f32>;
+    methods_cam = cam::<f64>;
+    methods_cam_f32 = cam::<f32>;
 }
 
 /// The value where the mask allows it.
@@ -78,4 +82,19 @@ fn lanes<T: Float>(x: T) -> T {
     let angles = Lanes::<T, 4>::new([x, x + x, x - x, -x]);
     let (motion, usable) = SixBar::default().solve_motion(angles, angles, angles);
     if usable.all() { motion.acceleration.E.x.to_array()[0] } else { x }
+}
+
+/// The electronic cam of the examples, over enough strip for every phase of it.
+fn cam<T: Real>(x: T) -> T {
+    let Ok(mut cam) = Cam::new(x, x + x, x) else { return x };
+    let strip = Strip { advance: x, speed: x, acceleration: x };
+    let mut sum = x;
+    for _ in 0..100 {
+        match cam.step(strip) {
+            Ok(point) if cam.is_cutting() => sum = sum + point.acceleration,
+            Ok(point) => sum = sum + point.angle + point.speed,
+            Err(_) => return sum,
+        }
+    }
+    sum
 }

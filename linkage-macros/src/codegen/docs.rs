@@ -272,6 +272,10 @@ pub(super) fn checked(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     ))
 }
 
+pub(super) fn explanation() -> TokenStream {
+    lines("Positions, velocities and accelerations up to an order, or why there are none.")
+}
+
 pub(super) fn sweep(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     lines(&format!(
         "{}, at many poses.\n\n{} Each is a slice with a number for every pose, or one number \

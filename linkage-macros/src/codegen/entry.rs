@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::names::{function_name, generated};
-use super::{Context, careful, docs, straight};
+use super::{Context, docs, explanations, straight};
 use crate::ir::program::{Entry, EntryKind};
 
 /// The name of the function that returns a `Result`; `solve_` in front is the straight line's.
@@ -75,7 +75,7 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let (names, result) = (arguments.names(), result(cx, entry.kind));
     let name = function_name(method(entry.kind));
     let core = straight::core_name(entry);
-    let (explain, docs) = (careful::name(entry), docs::checked(cx, entry));
+    let (explain, docs) = (explanations::name(entry.kind), docs::checked(cx, entry));
     let (outcome, error, ok) =
         (cx.paths.item("Result"), cx.paths.item("SolveError"), cx.paths.item("Ok"));
     let (value, usable) = (generated("result_"), generated("ok_"));

@@ -97,25 +97,17 @@ pub(super) fn core_name(entry: &Entry) -> Ident {
 /// its latency; and a sweep would run it on the instruction set of the rest of the program. Each
 /// of the functions around it may be called.
 pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
-    let arguments = cx.arguments(entry.kind);
-    let body = Body { cx, arguments: &arguments, course: Course::Straight };
-    let statements = body.statements(&entry.sinks);
-    let kept = body.locals(entry.sinks.iter().copied());
-    let (lines, mask) = lay_out(&statements.list, &kept);
-
-    let scalar = &cx.names.scalar;
-    let (name, core) =
-        (function_name(&format!("solve_{}", entry::method(entry.kind))), core_name(entry));
-    let declared = arguments.declared(&quote!(#scalar));
-    let converted = arguments.converted(&quote!(#scalar));
-    let (received, names) = (arguments.received(&quote!(#scalar)), arguments.names());
-    let unread = arguments.unread(&statements.leaves);
-    let zero = zero(cx, &statements);
-    let ok = verdict(&body, &entry.sinks, mask.map(|ok| quote!(#ok)));
-    let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
-    let (result, value) =
-        (entry::result(cx, entry.kind), results::assemble(cx, entry.kind, values));
-    let (docs, status) = (docs::straight(cx, entry), generated("ok_"));
+    let (arguments, scalar) = (cx.arguments(entry.kind), &cx.names.scalar);
+    let (declared, received) =
+        (arguments.declared(&quote!(#scalar)), arguments.received(&quote!(#scalar)));
+    let (converted, names) = (arguments.converted(&quote!(#scalar)), arguments.names());
+    let body = match cx.on_the_circle(entry) {
+        Some(at) => by_cosine(cx, entry, at),
+        None => body(cx, entry),
+    };
+    let (docs, result) = (docs::straight(cx, entry), entry::result(cx, entry.kind));
+    let name = function_name(&format!("solve_{}", entry::method(entry.kind)));
+    let core = core_name(entry);
     quote! {
         #docs
         #[inline]
@@ -127,12 +119,42 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
 
         #[inline(always)]
         fn #core(&self, #(#received),*) -> (#result, #scalar::Mask) {
-            #unread
-            #zero
-            #lines
-            let #status = #ok;
-            (#value, #status)
+            #body
         }
+    }
+}
+
+/// What is computed, and whether it may be used.
+fn body(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    let arguments = cx.arguments(entry.kind);
+    let body = Body { cx, arguments: &arguments, course: Course::Straight };
+    let statements = body.statements(&entry.sinks);
+    let kept = body.locals(entry.sinks.iter().copied());
+    let (lines, mask) = lay_out(&statements.list, &kept);
+    let unread = arguments.unread(&statements.leaves);
+    let zero = zero(cx, &statements);
+    let ok = verdict(&body, &entry.sinks, mask.map(|ok| quote!(#ok)));
+    let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
+    let (value, status) = (results::assemble(cx, entry.kind, values), generated("ok_"));
+    quote! {
+        #unread
+        #zero
+        #lines
+        let #status = #ok;
+        (#value, #status)
+    }
+}
+
+/// The core of `at`, given the angle's cosine and sine.
+fn by_cosine(cx: &Context<'_>, entry: &Entry, at: &Entry) -> TokenStream {
+    let [sin, cos, result, ok] = ["sin_", "cos_", "result_", "ok_"].map(generated);
+    let (sin_cos, is_near) = (cx.scalar("sin_cos_near"), cx.scalar("is_near"));
+    let (arguments, core) = (cx.arguments(entry.kind), core_name(at));
+    let (angle, rates) = arguments.names().split_first().expect("the angle comes first");
+    quote! {
+        let (#sin, #cos) = #sin_cos(#angle);
+        let (#result, #ok) = self.#core(#cos, #sin #(, #rates)*);
+        (#result, #is_near(#angle) & #ok)
     }
 }
 

@@ -54,7 +54,8 @@ pub(super) fn rrp<'s>(
     let r = reach * u + t * n;
     let bar = Bar::new(b, r, length);
 
-    let inverse = reach.provided(Check::Nonzero, place.group, &[]).recip();
+    // 1/X = X/X²: the division runs beside the root.
+    let inverse = reach * square.provided(Check::Nonzero, place.group, &[]).recip();
     let block = Block::new(guide, slide, offset);
     let turn = |w: Vector<'s>| {
         let omega = w.dot(n) * inverse;
