@@ -30,7 +30,9 @@ pub struct Lanes<T, const W: usize, F = Plain> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LaneMask<const W: usize>([bool; W]);
 
-// Loops over lanes are inlined always: as calls on arrays they would stay in memory.
+// Everything is inlined always, and loops over lanes are written as loops: a function of its own,
+// and be it an array's `map`, may end up compiled for another instruction set than its caller, and
+// its arrays in memory.
 impl<T: Copy, const W: usize, F> Lanes<T, W, F> {
     /// One number in each lane.
     #[inline(always)]
@@ -54,18 +56,37 @@ impl<T: Copy, const W: usize, F> Lanes<T, W, F> {
     }
 
     #[inline(always)]
-    fn map(self, f: impl Fn(T) -> T) -> Self {
-        Self::new(core::array::from_fn(|i| f(self.lanes[i])))
+    fn map(mut self, f: impl Fn(T) -> T) -> Self {
+        for lane in &mut self.lanes {
+            *lane = f(*lane);
+        }
+        self
     }
 
     #[inline(always)]
-    fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
-        Self::new(core::array::from_fn(|i| f(self.lanes[i], other.lanes[i])))
+    fn zip(mut self, other: Self, f: impl Fn(T, T) -> T) -> Self {
+        for (lane, other) in self.lanes.iter_mut().zip(other.lanes) {
+            *lane = f(*lane, other);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn ask(self, f: impl Fn(T) -> bool) -> LaneMask<W> {
+        let mut mask = [false; W];
+        for (answer, lane) in mask.iter_mut().zip(self.lanes) {
+            *answer = f(lane);
+        }
+        LaneMask(mask)
     }
 
     #[inline(always)]
     fn compare(self, other: Self, f: impl Fn(T, T) -> bool) -> LaneMask<W> {
-        LaneMask(core::array::from_fn(|i| f(self.lanes[i], other.lanes[i])))
+        let mut mask = [false; W];
+        for i in 0..W {
+            mask[i] = f(self.lanes[i], other.lanes[i]);
+        }
+        LaneMask(mask)
     }
 }
 
@@ -81,8 +102,11 @@ impl<const W: usize> LaneMask<W> {
 impl<const W: usize> BitAnd for LaneMask<W> {
     type Output = Self;
     #[inline(always)]
-    fn bitand(self, other: Self) -> Self {
-        Self(core::array::from_fn(|i| self.0[i] & other.0[i]))
+    fn bitand(mut self, other: Self) -> Self {
+        for (answer, other) in self.0.iter_mut().zip(other.0) {
+            *answer &= other;
+        }
+        self
     }
 }
 
@@ -145,7 +169,17 @@ fn both<T: Float, const W: usize, F: Fusion>(
     f: impl Fn(T) -> (T, T),
 ) -> (Lanes<T, W, F>, Lanes<T, W, F>) {
     let (mut first, mut second) = (x, x);
-    for i in 0..W {
+    // Written out for as many lanes as registers hold: the body may be so long that the compiler
+    // leaves a loop over it as it is, one lane at a time.
+    macro_rules! lane {
+        ($($i:literal)*) => { $(
+            if $i < W {
+                (first.lanes[$i], second.lanes[$i]) = f(x.lanes[$i]);
+            }
+        )* };
+    }
+    lane!(0 1 2 3 4 5 6 7);
+    for i in 8..W {
         (first.lanes[i], second.lanes[i]) = f(x.lanes[i]);
     }
     (first, second)
@@ -172,7 +206,7 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     }
     #[inline(always)]
     fn is_near(self) -> LaneMask<W> {
-        LaneMask(self.lanes.map(T::is_near))
+        self.ask(T::is_near)
     }
     #[inline(always)]
     fn tan(self) -> Self {
@@ -200,8 +234,11 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     }
     #[inline(always)]
     fn det(a: Self, b: Self, c: Self, d: Self) -> Self {
-        let [a, b, c, d] = [a, b, c, d].map(Self::to_array);
-        Self::new(core::array::from_fn(|i| kernels::det::<T, F>(a[i], b[i], c[i], d[i])))
+        let mut result = a;
+        for i in 0..W {
+            result.lanes[i] = kernels::det::<T, F>(a.lanes[i], b.lanes[i], c.lanes[i], d.lanes[i]);
+        }
+        result
     }
     #[inline(always)]
     fn mul_err(a: Self, b: Self) -> Self {
@@ -213,8 +250,11 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     }
     #[inline(always)]
     fn fused(a: Self, b: Self, c: Self) -> Self {
-        let [a, b, c] = [a, b, c].map(Self::to_array);
-        Self::new(core::array::from_fn(|i| T::fused_by::<F>(a[i], b[i], c[i])))
+        let mut result = a;
+        for i in 0..W {
+            result.lanes[i] = T::fused_by::<F>(a.lanes[i], b.lanes[i], c.lanes[i]);
+        }
+        result
     }
     #[inline(always)]
     fn ge(self, other: Self) -> LaneMask<W> {
@@ -226,11 +266,15 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     }
     #[inline(always)]
     fn is_finite(self) -> LaneMask<W> {
-        LaneMask(self.lanes.map(T::is_finite))
+        self.ask(T::is_finite)
     }
     #[inline(always)]
     fn select(mask: LaneMask<W>, yes: Self, no: Self) -> Self {
-        Self::new(core::array::from_fn(|i| T::select(mask.0[i], yes.lanes[i], no.lanes[i])))
+        let mut result = yes;
+        for i in 0..W {
+            result.lanes[i] = T::select(mask.0[i], yes.lanes[i], no.lanes[i]);
+        }
+        result
     }
     #[inline(always)]
     fn smallest_square() -> Self {
