@@ -16,9 +16,11 @@
 //! Differentiating b = s u + e n, with Δv = v_B − v_D, Δa = a_B − a_D:
 //!
 //! ```text
-//! ω = (Δv·n − ė)/s                      ṡ = Δv·u + ω e
+//! ω = (Δv·n − ė)/s                      ṡ = (Δv·b − e ė)/s
 //! α = (Δa·n + ω² e − 2 ω ṡ − ë)/s       s̈ = Δa·u + α e + ω² s + 2 ω ė
 //! ```
+//!
+//! where ṡ is Δv·u + ω e without what cancels in it; without an offset it is Δv·u.
 //!
 //! # Sign
 //! `ahead` (+1): s positive.
@@ -60,7 +62,8 @@ pub(super) fn rpr<'s>(
 
     let dv = b.velocity - d.velocity;
     let omega = (dv.dot(n) - offset.rate) * inverse;
-    let slide_rate = dv.dot(u) + omega * e;
+    let slide_rate =
+        if e.is_zero() { dv.dot(u) } else { (dv.dot(from) - e * offset.rate) * inverse };
     let da = b.acceleration - d.acceleration;
     let turning = omega.squared() * e - (omega * slide_rate).twice() - offset.accel;
     let alpha = (da.dot(n) + turning) * inverse;

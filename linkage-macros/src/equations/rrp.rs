@@ -13,16 +13,22 @@
 //! a guide whose origin is far away costs nothing.
 //!
 //! # Velocity and acceleration
-//! The bar and the guide give the pin the same velocity, v_B + l̇ u_b + ω r⊥ = v_g + ṡ u, with
-//! v_g that of the guide's point under the pin and of the changing offset. With
-//! w = v_g − v_B − l̇ u_b, and r⊥·n = X, r⊥·u = −t:
+//! As seen from the guide, which may turn with ω_g and α_g: with ρ = B − K the pivot moves with
 //!
 //! ```text
-//! ω = w·n / X        ṡ = −w·u − ω t
+//! v = v_B − (v_K + ω_g ρ⊥)        a = a_B − (a_K + α_g ρ⊥ − ω_g² ρ + 2 ω_g v⊥)
 //! ```
 //!
-//! The same with accelerations, w replaced by the guide's transport, Coriolis and offset
-//! acceleration less that of the bar but for α r⊥.
+//! and the bar turns with ω against the guide. The pin goes along u with ṡ and along n with ė, so
+//! by v + l̇ r/l + ω r⊥ = ṡ u + ė n and its derivative, with r⊥ = X n − t u,
+//!
+//! ```text
+//! ω = (ė − v·n − l̇ t/l)/X                            ṡ = v·u − ω t + l̇ X/l
+//! α = (ë − a·n + ω² t − l̈ t/l − 2 ω l̇ X/l)/X        s̈ = a·u − α t − ω² X + l̈ X/l − 2 ω l̇ t/l
+//! ```
+//!
+//! Seen from the ground the bar turns with ω_g + ω. What guide and bar have in common never enters
+//! and need not cancel.
 //!
 //! # Sign
 //! `ahead` (+1): C ahead of the foot of B on the guide, along its direction.
@@ -33,8 +39,8 @@
 use crate::equations::clearance::{Clearance, size};
 use crate::equations::groups::{Bar, Block, Place, Quality, SlidingDyad};
 use crate::equations::jet::Jet;
-use crate::equations::motion::{Frame, PointMotion};
-use crate::equations::symbol::{Sym, Vector};
+use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::symbol::Sym;
 use crate::ir::graph::Check;
 
 pub(super) fn rrp<'s>(
@@ -56,23 +62,32 @@ pub(super) fn rrp<'s>(
 
     // 1/X = X/X²: the division runs beside the root.
     let inverse = reach * square.provided(Check::Nonzero, place.group, &[]).recip();
-    let block = Block::new(guide, slide, offset);
-    let turn = |w: Vector<'s>| {
-        let omega = w.dot(n) * inverse;
-        (omega, -w.dot(u) - omega * t)
-    };
-    let (omega, slide_rate) = turn(block.carried_velocity() - bar.pushed_velocity());
-    let carried = block.carried_acceleration(slide_rate);
-    let (alpha, slide_accel) = turn(carried - bar.pushed_acceleration(omega));
+    let from = guide.origin.to(b);
+    let v = b.velocity - guide.transport(from, place.sheet.zero_vector()).0;
+    let a = b.acceleration - guide.transport(from, v).1;
+    // The bar's direction in the guide's axes; of a bar of constant length nothing of it remains.
+    let (along, across) = (reach * l.recip(), t * l.recip());
+    let omega = (offset.rate - v.dot(n) - length.rate * across) * inverse;
+    let slide_rate = v.dot(u) - omega * t + length.rate * along;
+    let coriolis = (omega * length.rate).twice();
+    let pushed_across = length.accel * across + coriolis * along;
+    let pushed_along = length.accel * along - coriolis * across;
+    let alpha = (offset.accel - a.dot(n) + omega.squared() * t - pushed_across) * inverse;
+    let slide_accel = a.dot(u) - alpha * t - omega.squared() * reach + pushed_along;
 
-    let bar = bar.turning(omega, alpha);
-    let pin = block.pin(slide_rate, slide_accel, carried);
-    // On a guide along an axis the pin keeps the guide's own coordinate to the last digit;
-    // elsewhere it is nearer to B than to the guide's origin.
-    let pin = if u.x.is_zero() || u.y.is_zero() {
-        pin
+    let Direction { omega: guide_omega, alpha: guide_alpha, .. } = guide.direction;
+    let bar = bar.turning(guide_omega + omega, guide_alpha + alpha);
+    // A guide that stands still carries the pin, along an axis without touching the guide's own
+    // coordinate; elsewhere the pin is nearer to B than to the guide's origin.
+    let block = Block::new(guide, slide, offset);
+    let on_guide = block.pin(slide_rate, slide_accel, block.carried_acceleration(slide_rate));
+    let on_bar = bar.pin();
+    let pin = if !guide.is_fixed() {
+        on_bar
+    } else if u.x.is_zero() || u.y.is_zero() {
+        on_guide
     } else {
-        PointMotion { base: b.base, offset: b.offset + r, ..pin }
+        PointMotion { base: on_bar.base, offset: on_bar.offset, ..on_guide }
     };
     let slide = Jet { value: slide, rate: slide_rate, accel: slide_accel };
     SlidingDyad { pin, bar, slide }

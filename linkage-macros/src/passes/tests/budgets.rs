@@ -180,7 +180,7 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         "rrp on a moving guide",
         after_crank!("rrp BC(B), block(way) -> C { length: 1.9, mode: ahead } output C;"),
         [14, 17, 0, 1, 2],
-        [44, 63, 1, 1, 2],
+        [41, 57, 1, 1, 2],
     ),
     (
         "rrp, slide",
@@ -188,7 +188,7 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
             "rrp BC(B), block(slope) -> C { length: 0.9, mode: ahead } output block.slide;"
         ),
         [7, 7, 0, 1, 1],
-        [19, 34, 1, 1, 1],
+        [17, 30, 1, 1, 1],
     ),
     ("rpr", after_crank!("rpr block(B), bar(D) {} output bar;"), [3, 7, 1, 1, 1], [9, 24, 1, 1, 1]),
     (
@@ -201,7 +201,7 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         "rpr with offset",
         after_crank!("rpr block(B), bar(D) { offset: 0.1 } output block;"),
         [17, 12, 1, 1, 1],
-        [28, 37, 2, 1, 1],
+        [27, 37, 2, 1, 1],
     ),
     (
         "rpr about a moving pivot",
@@ -239,6 +239,6 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         "rpp on a moving rail",
         after_crank!("rpp block(B), yoke(way) { slot: 60deg } output block.slide, yoke.slide;"),
         [10, 16, 0, 0, 2],
-        [42, 70, 0, 0, 2],
+        [32, 50, 0, 0, 2],
     ),
 ];
