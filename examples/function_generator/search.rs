@@ -33,6 +33,15 @@ pub(crate) struct Outcome {
     pub(crate) steps: Vec<Step>,
 }
 
+impl Outcome {
+    /// The number of evaluations after which one was within 10⁻⁶ of the end in both lengths.
+    pub(crate) fn to_six_digits(&self) -> Option<usize> {
+        let away = |step: &Step, i: usize| (step.lengths[i] - self.lengths[i]).abs();
+        let hit = self.steps.iter().position(|step| away(step, 0).max(away(step, 1)) < 1e-6);
+        hit.map(|place| place + 1)
+    }
+}
+
 /// What is told of every evaluation.
 pub(crate) type Progress<'a> = &'a dyn Fn(usize, Step);
 
