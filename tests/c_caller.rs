@@ -129,10 +129,13 @@ fn mistakes() -> String {
     report.add("tuned_four_bar_position", position(-0.25, 1.0));
     report.add("tuned_four_bar_position", position(f64::NAN, 1.0));
     report.add("tuned_four_bar_position", position(0.05, 3.0));
+    let stretched =
+        TunedFourBar { coupler: 0.2285999999999999, elbow: Side::Right, ..TunedFourBar::new() };
+    report.add("tuned_four_bar_velocity", stretched.velocity(core::f64::consts::PI, 1.0));
     report.add("flying_shear_position", FlyingShear::new().position(f64::NAN));
     let shear = FlyingShear::<f32>::default();
     report.add("flying_shear_motion_f32", shear.motion(1.0, f32::INFINITY, 0.0));
-    for part in [" 3 3 ", " [BC, DC] [coupler] ", " 4 4 ", " [] [theta] ", " 1 1 "] {
+    for part in [" 1 1 ", " 2 2 ", " 3 3 ", " 4 4 ", " [BC, DC] [coupler] ", " [] [theta] "] {
         assert!(report.0.contains(part), "no `{part}` in {}", report.0);
     }
     let caller = |function: &str, status: u8, name: &str, answer: usize| {
