@@ -5,7 +5,7 @@ Optional; needs a nightly toolchain, Rust's sources, and qemu-system-arm. Debian
 latter: the packages rust-src and qemu-system-arm. Where the toolchain has no sources of its own,
 give the directory `library` of them; they should be as old as the toolchain:
 
-    tests/bare/cortex_m4/run.py [/usr/src/rustc-1.97.1/library]
+    tests/bare/cortex_m4/run.py [LIBRARY]
 """
 
 import os
