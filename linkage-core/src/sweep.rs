@@ -211,7 +211,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         E: Entry<K, T, IN, OUT>,
     {
         let mut mask = [true; BLOCK];
-        for i in 0..BLOCK {
+        for (i, ok) in mask.iter_mut().enumerate() {
             let mut numbers = [Lanes::<T, 1, F>::splat(T::lit(0.0, 0.0)); IN];
             for (number, column) in numbers.iter_mut().zip(inputs) {
                 *number = Lanes::new([column.0[i]]);
@@ -220,7 +220,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
             for (column, value) in results.iter_mut().zip(values) {
                 [column.0[i]] = value.to_array();
             }
-            [mask[i]] = usable.to_array();
+            [*ok] = usable.to_array();
         }
         mask
     }

@@ -54,7 +54,7 @@ impl Tally {
         } else {
             self.reported += 1;
             self.messages += mistakes;
-            if self.reported % STUBS != 0 {
+            if !self.reported.is_multiple_of(STUBS) {
                 return;
             }
         }
