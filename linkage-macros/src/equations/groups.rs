@@ -25,6 +25,12 @@ impl<'s> Quality<'s> {
     }
 }
 
+/// The root of what is negative out of reach; zero there.
+pub(super) fn root_in_reach(square: Jet<'_>) -> Jet<'_> {
+    let size = square.value.hypot(square.value.sheet().zero());
+    Jet { value: (square.value + size).half(), ..square }.sqrt()
+}
+
 /// The group whose failure a guard reports, and how it is to compute.
 pub(super) struct Place<'s> {
     pub group: u32,

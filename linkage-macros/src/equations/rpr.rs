@@ -29,7 +29,7 @@
 //! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.
 
 use crate::equations::clearance::{Clearance, size};
-use crate::equations::groups::{Place, Quality, SlottedBar};
+use crate::equations::groups::{Place, Quality, SlottedBar, root_in_reach};
 use crate::equations::jet::Jet;
 use crate::equations::motion::PointMotion;
 use crate::equations::symbol::{Sym, Vector};
@@ -91,7 +91,8 @@ pub(super) fn quality<'s>([b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Quality<'
     }
     let left = x * x + y * y - e * e;
     let zero = Jet::zero(e.value.sheet());
-    Quality { margin: Some(left / (reach + e.hypot(zero))), transmission: left.sqrt() / reach }
+    let transmission = root_in_reach(left) / reach;
+    Quality { margin: Some(left / (reach + e.hypot(zero))), transmission }
 }
 
 /// b² − e².

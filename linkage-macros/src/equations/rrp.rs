@@ -37,11 +37,12 @@
 //! Norton, Design of Machinery, ch. 4 (slider-crank) in the axes of the guide.
 
 use crate::equations::clearance::{Clearance, size};
-use crate::equations::groups::{Bar, Block, Place, Quality, SlidingDyad};
+use crate::equations::groups::{Bar, Block, Place, Quality, SlidingDyad, root_in_reach};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::symbol::Sym;
 use crate::ir::graph::Check;
+use crate::model::mechanism::Numerics;
 
 pub(super) fn rrp<'s>(
     place: &Place<'s>,
@@ -52,9 +53,17 @@ pub(super) fn rrp<'s>(
     mode: Sym<'s>,
 ) -> SlidingDyad<'s> {
     let (u, n) = (guide.direction.u, guide.direction.n());
-    let (foot, t) = foot(b, guide, offset.value);
-    let l = length.value;
-    let square = ((l - t) * (l + t)).provided(Check::ReachLine, place.group, &[t, l]);
+    let (foot, y) = foot(b, guide);
+    let (l, t) = (length.value, offset.value - y);
+    let square = match place.numerics {
+        Numerics::Plain => (l - t) * (l + t),
+        // With t's rounding error put back, next to the limit nothing is lost of B's distance.
+        Numerics::Compensated => {
+            let low = offset.value.add_err(-y);
+            ((l - t) - low) * ((l + t) + low)
+        }
+    };
+    let square = square.provided(Check::ReachLine, place.group, &[t, l]);
     let reach = mode * square.sqrt();
     let slide = foot + reach;
     let r = reach * u + t * n;
@@ -93,12 +102,12 @@ pub(super) fn rrp<'s>(
     SlidingDyad { pin, bar, slide }
 }
 
-/// The foot x of B on the guide and the distance t = e − y still to go across it.
-fn foot<'s>(b: PointMotion<'s>, guide: Frame<'s>, offset: Sym<'s>) -> (Sym<'s>, Sym<'s>) {
+/// B in the guide's axes: its foot x and its distance y.
+fn foot<'s>(b: PointMotion<'s>, guide: Frame<'s>) -> (Sym<'s>, Sym<'s>) {
     let from = guide.origin.to(b);
     let u = guide.direction.u;
     let y = u.x.sheet().det(u.x, from.y, u.y, from.x);
-    (from.dot(u), offset - y)
+    (from.dot(u), y)
 }
 
 /// Signed distance from the limit in metres, (l − t)(l + t)/(2 l), and the sine of the
@@ -113,7 +122,7 @@ pub(super) fn quality<'s>(
     let [ux, uy] = guide.direction.jets();
     let t = offset - (ux * y - uy * x);
     let square = (l - t) * (l + t);
-    Quality { margin: Some(square / l.twice()), transmission: square.sqrt() / l }
+    Quality { margin: Some(square / l.twice()), transmission: root_in_reach(square) / l }
 }
 
 /// (l − t)(l + t).

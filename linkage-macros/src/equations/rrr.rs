@@ -38,7 +38,7 @@
 //! passes through change points where a constant mode turns it into an antiparallelogram.
 
 use crate::equations::clearance::{Clearance, size};
-use crate::equations::groups::{Bar, Dyad, Place, Quality};
+use crate::equations::groups::{Bar, Dyad, Place, Quality, root_in_reach};
 use crate::equations::jet::Jet;
 use crate::equations::motion::PointMotion;
 use crate::equations::symbol::{Sym, Vector};
@@ -150,26 +150,35 @@ fn compensated<'s>(d: Vector<'s>, l2: Sym<'s>, l3: Sym<'s>) -> (Sym<'s>, Sym<'s>
 
 /// Signed distance from the limit in metres, and sine of the transmission angle.
 ///
-/// With A = (l₂ + l₃)² − d² and I = d² − (l₂ − l₃)², A·I/(8 l₂ l₃ d) is smooth, vanishes at both
-/// toggles with slope one, and is negative out of reach; |J|/(l₂ l₃) = √(A I)/(2 l₂ l₃).
-pub(super) fn quality<'s>([b, d]: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> Quality<'s> {
-    let [x, y] = b.jets_to(d);
-    let difference = l2 - l3;
-    let near = x * x + y * y - difference * difference;
-    let product = (l2 * l3).twice();
-    let both = near * (product.twice() - near);
-    let margin = both / (product.twice().twice() * x.hypot(y));
-    Quality { margin: Some(margin), transmission: both.sqrt() / product }
+/// With I = d² − (l₂ − l₃)² = 2 l₂ l₃ (1 − cos μ), μ the angle between the bars, sin² μ is smooth,
+/// vanishes at both toggles and is negative out of reach; so is the margin l₂ l₃ sin² μ/(2 d), with
+/// slope one against d at both toggles.
+pub(super) fn quality<'s>([b, d]: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> Quality<'s> {
+    let (near, product) = near_and_product([b, d], lengths);
+    let (one, [x, y]) = (Jet::constant(product.value.sheet().integer(1)), b.jets_to(d));
+    let versine = near / product;
+    let square = versine * (one + one - versine);
+    let reach = product / x.hypot(y);
+    let margin = (square * reach).times(square.value.sheet().integer(1).half().half());
+    Quality { margin: Some(margin), transmission: root_in_reach(square) }
 }
 
-/// A·I, with A and I as for [`quality`]; A may be as small as (l₂ + l₃)² is rounded, I at most
-/// 4 l₂ l₃.
-pub(super) fn clearance<'s>([b, d]: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> Clearance<'s> {
+/// I and 2 l₂ l₃.
+fn near_and_product<'s>(
+    [b, d]: [PointMotion<'s>; 2],
+    [l2, l3]: [Jet<'s>; 2],
+) -> (Jet<'s>, Jet<'s>) {
     let [x, y] = b.jets_to(d);
     let difference = l2 - l3;
-    let near = x * x + y * y - difference * difference;
-    let product = (l2 * l3).twice();
-    let value = near * (product.twice() - near);
-    let squares = l2.value.squared() + l3.value.squared() + size(b, d);
-    Clearance { value, scale: product.value * squares }
+    (x * x + y * y - difference * difference, (l2 * l3).twice())
+}
+
+/// sin² μ. Where one bar is long or the joints are far away, so is the rounding of I against l₂ l₃.
+pub(super) fn clearance<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> Clearance<'s> {
+    let (near, product) = near_and_product(joints, lengths);
+    let one = Jet::constant(product.value.sheet().integer(1));
+    let versine = near / product;
+    let [l2, l3] = lengths.map(|length| length.value.squared());
+    let scale = (l2 + l3 + size(joints[0], joints[1])) / product.value;
+    Clearance { value: versine * (one + one - versine), scale }
 }
