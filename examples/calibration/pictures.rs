@@ -71,10 +71,9 @@ fn residuals(measurement: &Measurement, found: &Calibration) -> Result<Panel, So
 fn intervals(found: &Calibration) -> Panel {
     let true_ones = built();
     let mut curves = vec![Curve::links(BLACK, &[(0.5, 0.0), (UNKNOWNS as f64 + 0.5, 0.0)])];
-    for i in 0..UNKNOWNS {
+    for (i, built) in true_ones.iter().enumerate() {
         let x = i as f64 + 1.0;
-        let (width, error) =
-            (found.half_widths[i] * 1e3, (found.dimensions[i] - true_ones[i]) * 1e3);
+        let (width, error) = (found.half_widths[i] * 1e3, (found.dimensions[i] - built) * 1e3);
         let bar = [(x, error - width), (x, error + width)];
         let mark = [(x - 0.25, error), (x + 0.25, error)];
         curves.push(Curve::links(COLOURS[0], &bar));

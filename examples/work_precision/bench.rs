@@ -72,7 +72,7 @@ impl<F: Width, const N: usize> Bench<F, N> {
         solve: impl Fn([F; 3]) -> R + Copy + 'static,
         numbers: impl Fn(&R::Motion) -> [F; N] + Copy + 'static,
     ) {
-        self.timed(name, angles(), move |input| solve(input), numbers);
+        self.timed(name, angles(), solve, numbers);
         let found = errors(&self.mechanism, |input| solve(input).motion().map(numbers));
         self.errors.push((name.to_owned(), found));
     }
@@ -160,7 +160,7 @@ impl<F: Width, const N: usize> Bench<F, N> {
 
     pub(crate) fn run(self, rounds: usize, progress: &dyn Fn(usize)) -> Vec<Finding> {
         let Self { throughput, latency, errors, .. } = self;
-        let chained = latency.run(rounds, |round| progress(round));
+        let chained = latency.run(rounds, progress);
         let alone = throughput.run(rounds, |round| progress(rounds + round));
         let finding = |throughput: Timing| {
             let name = throughput.name.clone();
