@@ -20,9 +20,11 @@ void *memmove(void *to, const void *from, size_t count)
     char *t = to;
     const char *f = from;
     if (t < f)
-        return memcpy(to, from, count);
-    while (count--)
-        t[count] = f[count];
+        for (size_t i = 0; i < count; i++)
+            t[i] = f[i];
+    else
+        while (count--)
+            t[count] = f[count];
     return to;
 }
 
