@@ -5,7 +5,9 @@
 //! last place, effects added up, and half a unit in the last place of the answer. The effects come
 //! from dual numbers, the largest within a unit of the data. Where they double within a unit, so
 //! close to a limit, the data do not determine an answer, and none is measured.
+#![allow(dead_code, reason = "each user measures some of the groups")]
 
+pub(crate) mod families;
 pub(crate) mod poses;
 
 use core::array::from_fn;
@@ -14,6 +16,7 @@ use num_dual::{Derivative, DualSVec};
 
 use crate::double_double::DoubleDouble;
 use crate::mechanisms::driven_groups::*;
+use crate::mechanisms::near_limits::*;
 
 /// Inputs with their rates, the dimensions, and the mode.
 #[derive(Clone, Copy, Debug)]
@@ -124,9 +127,19 @@ fn allowed<const N: usize>(value: &DualSVec<f64, N>, data: &[f64; N], half_unit:
     half_unit * (effects + value.re.abs())
 }
 
+/// One input is given as itself, several as a list.
+macro_rules! given {
+    (input $list:ident) => {
+        $list[0]
+    };
+    (inputs $list:ident) => {
+        $list
+    };
+}
+
 macro_rules! measured {
-    ($(#[$doc:meta])* $function:ident: $mechanism:ident, $inputs:literal inputs,
-     $params:literal params { $($param:ident)* } $(, $mode:ident $Mode:ident $plus:ident $minus:ident)?) => {
+    ($(#[$doc:meta])* $function:ident: $mechanism:ident, $inputs:literal $count:ident,
+     $params:literal $(params)? $(param)? { $($param:ident)* } $(, $mode:ident $Mode:ident $plus:ident $minus:ident)?) => {
         $(#[$doc])*
         pub(crate) mod $function {
             use super::*;
@@ -144,7 +157,8 @@ macro_rules! measured {
                     $($mode: if plus { $Mode::$plus } else { $Mode::$minus },)?
                 };
                 let _ = plus;
-                let (m, ok) = solver.solve_motion(numbers.q, numbers.rate, numbers.second);
+                let Numbers { q, rate, second, .. } = numbers;
+                let (m, ok) = solver.solve_motion(given!($count q), given!($count rate), given!($count second));
                 ok.then(|| [m.position.rows(), m.velocity.rows(), m.acceleration.rows()])
             }
 
@@ -229,7 +243,7 @@ measured! {
 }
 measured! {
     /// A bar about a driven point through a block on another.
-    rpr: DrivenRpr, 4 inputs, 1 params { e }, side Sense Ahead Behind
+    rpr: DrivenRpr, 4 inputs, 1 param { e }, side Sense Ahead Behind
 }
 measured! {
     /// A pin between two driven guides.
@@ -238,4 +252,18 @@ measured! {
 measured! {
     /// A yoke on a driven guide, its slot on a driven point.
     rpp: DrivenRpp, 5 inputs, 3 params { slot e1 e2 }
+}
+measured! {
+    /// A press behind a crank-rocker.
+    chained_press: ChainedPress, 1 input, 12 params
+        { rod dx dy kx ky slope crank_length coupler rocker ex ey e }
+}
+measured! {
+    /// A four-bar on the rocker of another.
+    chained_bars: ChainedBars, 1 input, 9 params
+        { l1 l2 dx dy gx gy crank_length coupler rocker }
+}
+measured! {
+    /// Two bars with products carried to twice the width.
+    compensated_rrr: CompensatedRrr, 4 inputs, 2 params { l1 l2 }, elbow Side Left Right
 }

@@ -75,11 +75,15 @@ impl<'s> Bar<'s> {
         self.outer.velocity + self.length.rate * self.u()
     }
 
+    /// The pin's acceleration but for the bar's turning: a + l̈ u + 2 ω l̇ u⊥.
+    pub(super) fn lengthening_acceleration(self, omega: Sym<'s>) -> Vector<'s> {
+        let coriolis = (omega * self.length.rate).twice() * self.u().normal();
+        self.outer.acceleration + (self.length.accel * self.u() + coriolis)
+    }
+
     /// The pin's acceleration but for the angular one: a + l̈ u + 2 ω l̇ u⊥ − ω² r.
     pub(super) fn pushed_acceleration(self, omega: Sym<'s>) -> Vector<'s> {
-        let push =
-            self.length.accel * self.u() + (omega * self.length.rate).twice() * self.u().normal();
-        self.outer.acceleration + push - omega.squared() * self.r
+        self.lengthening_acceleration(omega) - omega.squared() * self.r
     }
 
     /// The pin at the bar's end.

@@ -26,6 +26,10 @@
 //! The same with accelerations, w replaced by
 //! g = a_D + l̈₃ u₃ + 2 ω₃ l̇₃ u₃⊥ − ω₃² r₃ − (a_B + l̈₂ u₂ + 2 ω₂ l̇₂ u₂⊥ − ω₂² r₂).
 //!
+//! Where the outer joints almost meet, both bars turn alike and the centripetal terms cancel but
+//! for the short line between the joints. `numerics compensated;` has them as
+//! ω₂² r₂ − ω₃² r₃ = ω₂² d + (ω₂ − ω₃)(ω₂ + ω₃) r₃ with ω₂ − ω₃ = −(w · d)/J.
+//!
 //! # Sign
 //! `left` (+1): C on the left of the directed line B → D.
 //!
@@ -79,9 +83,16 @@ pub(super) fn rrr<'s>(
 
     let w = bars[1].pushed_velocity() - bars[0].pushed_velocity();
     let omega = [w.dot(r3) * inverse, w.dot(r2) * inverse];
-    let [far, near] =
-        [bars[1].pushed_acceleration(omega[1]), bars[0].pushed_acceleration(omega[0])];
-    let g = far - near;
+    let g = match place.numerics {
+        Numerics::Plain => {
+            bars[1].pushed_acceleration(omega[1]) - bars[0].pushed_acceleration(omega[0])
+        }
+        Numerics::Compensated => {
+            let [near, far] = [0, 1].map(|k| bars[k].lengthening_acceleration(omega[k]));
+            let folding = -w.dot(line) * inverse;
+            (far - near) + (omega[0].squared() * line + (folding * (omega[0] + omega[1])) * r3)
+        }
+    };
     let alpha = [g.dot(r3) * inverse, g.dot(r2) * inverse];
 
     let bars = [bars[0].turning(omega[0], alpha[0]), bars[1].turning(omega[1], alpha[1])];
