@@ -15,7 +15,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use build::{library, sources, text};
+use build::{PACKAGE, library, sources, text};
 
 /// What a bare library is compiled with.
 const LEVELS: [&str; 5] = ["1", "2", "3", "s", "z"];
@@ -87,6 +87,8 @@ fn prove(level: &str) {
             assert_eq!(count, mechanisms_with(entry), "-O{level}: functions on …{ending}");
         }
     }
+    let methods = functions.iter().filter(|name| name.starts_with("methods_")).count();
+    assert_eq!(methods, 18, "-O{level}: both widths of what `methods.rs` calls");
     let functions: Vec<&str> = functions.iter().map(String::as_str).collect();
     if let Err(missing) = link_alone(&library, &functions) {
         let suspects = places_that_panic(&library).join("\n");
@@ -155,4 +157,28 @@ fn the_heap_is_caught() {
 fn the_standard_library_is_caught() {
     let error = library("printing", "3").expect_err("there are two panic handlers");
     assert!(error.contains("panic_impl") && error.contains("std"), "{error}");
+}
+
+/// The packages that a crate without default features of `linkage-core` is built from.
+fn dependencies(features: &str) -> Vec<String> {
+    let output = Command::new(env!("CARGO"))
+        .args(["tree", "--offline", "--prefix", "none", "--format", "{lib}"])
+        .args(["--edges", "normal,build", "--features", features])
+        .current_dir(&*PACKAGE)
+        .output()
+        .expect("Cargo starts");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    text(&output.stdout).lines().map(str::to_owned).collect()
+}
+
+#[test]
+fn without_default_features_there_is_neither_nalgebra_nor_num_dual() {
+    let (bare, full) = (dependencies(""), dependencies("ad"));
+    for name in ["linkage_core", "linkage_macros", "libm"] {
+        assert!(bare.iter().any(|package| package == name), "no {name} in {bare:?}");
+    }
+    for name in ["nalgebra", "num_dual"] {
+        assert!(full.iter().any(|package| package == name), "no {name} in {full:?}");
+        assert!(!bare.iter().any(|package| package == name), "{name} in {bare:?}");
+    }
 }

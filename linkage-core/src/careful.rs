@@ -17,19 +17,36 @@ pub fn finite_input<T: Real>(value: T, name: &'static str) -> Result<(), SolveEr
     if value.is_finite() { Ok(()) } else { Err(SolveError::NotFinite { name }) }
 }
 
-/// Whether a result is finite.
+/// Whether a result is finite, `given` being what it was made from.
 ///
 /// # Errors
-/// `NotFinite` with its name; `Singular` where only a derivative that it carries is not.
+/// `Singular` where only a derivative that it carries is not finite. Else `NotFinite`: with the
+/// name of the largest of the given numbers whose fourth power leaves the number's range, as a
+/// rate that is squared on the way does, or with the result's own name where there is none.
 #[cold]
-pub fn finite_result<T: Real>(value: T, name: &'static str) -> Result<(), SolveError> {
-    if !value.is_finite() && value.value().is_finite() {
+pub fn finite_result<T: Real>(
+    value: T,
+    name: &'static str,
+    given: &[(T, &'static str)],
+) -> Result<(), SolveError> {
+    if value.is_finite() {
+        return Ok(());
+    }
+    if value.value().is_finite() {
         return Err(SolveError::Singular { group: name });
     }
-    finite_input(value, name)
+    let mut blamed = (0.0, name);
+    for &(number, name) in given {
+        let square = number * number;
+        let size = number.value().max(-number.value());
+        if !(square * square).value().is_finite() && size > blamed.0 {
+            blamed = (size, name);
+        }
+    }
+    Err(SolveError::NotFinite { name: blamed.1 })
 }
 
-/// The value, (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²) / 4d⁴, provided that circles of radii `l1` and
+/// The value, (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²) / (4 l₁ l₂)², provided that circles of radii `l1` and
 /// `l2` about points d = (`dx`, `dy`) apart meet; zero where they fail to by at most four units in
 /// the last place of the longest of the three lengths. Where they meet and the value was rounded
 /// away, it is computed once more without rounding.
@@ -223,9 +240,9 @@ mod tests {
         let inside = reach_line(Dual::new(3.0, 1.0), Dual::new(1.0, 1.0), l2, GROUP).unwrap();
         assert!(inside.re == 3.0 && inside.eps == 1.0);
         let steep = Dual::new(3.0, f64::INFINITY);
-        assert_eq!(finite_result(steep, "C.x"), Err(SolveError::Singular { group: "C.x" }));
+        assert_eq!(finite_result(steep, "C.x", &[]), Err(SolveError::Singular { group: "C.x" }));
         let lost = Dual::new(f64::NAN, f64::NAN);
-        assert_eq!(finite_result(lost, "C.x"), Err(SolveError::NotFinite { name: "C.x" }));
+        assert_eq!(finite_result(lost, "C.x", &[]), Err(SolveError::NotFinite { name: "C.x" }));
     }
 
     #[test]
@@ -258,6 +275,9 @@ mod tests {
         }
         assert_eq!(finite_input(1e300, "lift"), Ok(()));
         assert_eq!(finite_input(f64::INFINITY, "lift"), Err(not_finite));
-        assert_eq!(finite_result(f32::NAN, "lift"), Err(not_finite));
+        assert_eq!(finite_result(f32::NAN, "lift", &[]), Err(not_finite));
+        let given = [(1e12_f32, "small"), (-1e20, "lift"), (1e19, "large"), (0.0, "none")];
+        assert_eq!(finite_result(f32::NAN, "C.x", &given), Err(not_finite));
+        assert_eq!(finite_result(1.0, "C.x", &given), Ok(()));
     }
 }

@@ -30,48 +30,68 @@ pub struct Lanes<T, const W: usize, F = Plain> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LaneMask<const W: usize>([bool; W]);
 
-// Loops over lanes are inlined always: as calls on arrays they would stay in memory.
+// Loops over lanes are inlined always: as calls on arrays they would stay in memory. None has an
+// index: below the highest optimisation level it would be checked, and could panic.
 impl<T: Copy, const W: usize, F> Lanes<T, W, F> {
     /// One number in each lane.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn new(lanes: [T; W]) -> Self {
         Self { lanes, fusion: PhantomData }
     }
 
     /// The same number in every lane.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn splat(value: T) -> Self {
         Self::new([value; W])
     }
 
     /// The numbers.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(self) -> [T; W] {
         self.lanes
     }
 
     #[inline(always)]
-    fn map(self, f: impl Fn(T) -> T) -> Self {
-        Self::new(core::array::from_fn(|i| f(self.lanes[i])))
+    fn map(mut self, f: impl Fn(T) -> T) -> Self {
+        for x in &mut self.lanes {
+            *x = f(*x);
+        }
+        self
     }
 
     #[inline(always)]
-    fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
-        Self::new(core::array::from_fn(|i| f(self.lanes[i], other.lanes[i])))
+    fn zip(mut self, other: Self, f: impl Fn(T, T) -> T) -> Self {
+        for (x, &y) in self.lanes.iter_mut().zip(&other.lanes) {
+            *x = f(*x, y);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn ask(self, f: impl Fn(T) -> bool) -> LaneMask<W> {
+        let mut mask = [false; W];
+        for (answer, &x) in mask.iter_mut().zip(&self.lanes) {
+            *answer = f(x);
+        }
+        LaneMask(mask)
     }
 
     #[inline(always)]
     fn compare(self, other: Self, f: impl Fn(T, T) -> bool) -> LaneMask<W> {
-        LaneMask(core::array::from_fn(|i| f(self.lanes[i], other.lanes[i])))
+        let mut mask = [false; W];
+        for ((answer, &x), &y) in mask.iter_mut().zip(&self.lanes).zip(&other.lanes) {
+            *answer = f(x, y);
+        }
+        LaneMask(mask)
     }
 }
 
 impl<const W: usize> LaneMask<W> {
     /// The answer for each lane.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(self) -> [bool; W] {
         self.0
@@ -80,16 +100,19 @@ impl<const W: usize> LaneMask<W> {
 
 impl<const W: usize> BitAnd for LaneMask<W> {
     type Output = Self;
-    #[inline]
-    fn bitand(self, other: Self) -> Self {
-        Self(core::array::from_fn(|i| self.0[i] & other.0[i]))
+    #[inline(always)]
+    fn bitand(mut self, other: Self) -> Self {
+        for (one, &other) in self.0.iter_mut().zip(&other.0) {
+            *one &= other;
+        }
+        self
     }
 }
 
 impl<const W: usize> Mask for LaneMask<W> {
     const ALL: Self = Self([true; W]);
 
-    #[inline]
+    #[inline(always)]
     fn all(self) -> bool {
         // Without early exit: a loop that may stop early stays one lane at a time.
         self.0.iter().fold(true, |all, &lane| all & lane)
@@ -97,14 +120,14 @@ impl<const W: usize> Mask for LaneMask<W> {
 }
 
 impl<T: Copy, const W: usize, F> From<[T; W]> for Lanes<T, W, F> {
-    #[inline]
+    #[inline(always)]
     fn from(lanes: [T; W]) -> Self {
         Self::new(lanes)
     }
 }
 
 impl<T: Copy, const W: usize, F> From<Lanes<T, W, F>> for [T; W] {
-    #[inline]
+    #[inline(always)]
     fn from(lanes: Lanes<T, W, F>) -> Self {
         lanes.lanes
     }
@@ -120,7 +143,7 @@ macro_rules! lane_by_lane {
     ($($trait:ident $method:ident),*) => {$(
         impl<T: Float, const W: usize, F: Fusion> $trait for Lanes<T, W, F> {
             type Output = Self;
-            #[inline]
+            #[inline(always)]
             fn $method(self, other: Self) -> Self {
                 self.zip(other, $trait::$method)
             }
@@ -132,7 +155,7 @@ lane_by_lane!(Add add, Sub sub, Mul mul, Div div);
 
 impl<T: Float, const W: usize, F: Fusion> Neg for Lanes<T, W, F> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         self.map(Neg::neg)
     }
@@ -145,8 +168,18 @@ fn both<T: Float, const W: usize, F: Fusion>(
     f: impl Fn(T) -> (T, T),
 ) -> (Lanes<T, W, F>, Lanes<T, W, F>) {
     let (mut first, mut second) = (x, x);
-    for i in 0..W {
-        (first.lanes[i], second.lanes[i]) = f(x.lanes[i]);
+    // Written out for as many lanes as registers hold: the body may be so long that the compiler
+    // leaves a loop over it as it is, one lane at a time.
+    macro_rules! lane {
+        ($($i:literal)*) => { $(
+            if $i < W {
+                (first.lanes[$i], second.lanes[$i]) = f(x.lanes[$i]);
+            }
+        )* };
+    }
+    lane!(0 1 2 3 4 5 6 7);
+    for (first, second) in first.lanes.iter_mut().zip(&mut second.lanes).skip(8) {
+        (*first, *second) = f(*first);
     }
     (first, second)
 }
@@ -154,85 +187,93 @@ fn both<T: Float, const W: usize, F: Fusion>(
 impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     type Mask = LaneMask<W>;
 
-    #[inline]
+    #[inline(always)]
     fn lit(wide: f64, narrow: f32) -> Self {
         Self::splat(T::lit(wide, narrow))
     }
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         self.map(T::sqrt)
     }
-    #[inline]
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         both(self, |x| if x.is_near() { x.sin_cos_kernel::<F>() } else { x.sin_cos() })
     }
-    #[inline]
+    #[inline(always)]
     fn sin_cos_near(self) -> (Self, Self) {
         both(self, T::sin_cos_kernel::<F>)
     }
-    #[inline]
+    #[inline(always)]
     fn is_near(self) -> LaneMask<W> {
-        LaneMask(self.lanes.map(T::is_near))
+        self.ask(T::is_near)
     }
-    #[inline]
+    #[inline(always)]
     fn tan(self) -> Self {
         self.map(T::tan)
     }
-    #[inline]
+    #[inline(always)]
     fn asin(self) -> Self {
         self.map(T::asin)
     }
-    #[inline]
+    #[inline(always)]
     fn acos(self) -> Self {
         self.map(T::acos)
     }
-    #[inline]
+    #[inline(always)]
     fn atan(self) -> Self {
         self.map(T::atan)
     }
-    #[inline]
+    #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         self.zip(x, T::atan2)
     }
-    #[inline]
+    #[inline(always)]
     fn hypot(self, other: Self) -> Self {
         self.zip(other, T::hypot)
     }
-    #[inline]
-    fn det(a: Self, b: Self, c: Self, d: Self) -> Self {
-        let [a, b, c, d] = [a, b, c, d].map(Self::to_array);
-        Self::new(core::array::from_fn(|i| kernels::det::<T, F>(a[i], b[i], c[i], d[i])))
+    #[inline(always)]
+    fn det(mut a: Self, b: Self, c: Self, d: Self) -> Self {
+        let others = b.lanes.iter().zip(&c.lanes).zip(&d.lanes);
+        for (a, ((&b, &c), &d)) in a.lanes.iter_mut().zip(others) {
+            *a = kernels::det::<T, F>(*a, b, c, d);
+        }
+        a
     }
-    #[inline]
+    #[inline(always)]
     fn mul_err(a: Self, b: Self) -> Self {
         a.zip(b, kernels::mul_err::<T, F>)
     }
-    #[inline]
+    #[inline(always)]
     fn add_err(a: Self, b: Self) -> Self {
         a.zip(b, T::add_err)
     }
-    #[inline]
-    fn fused(a: Self, b: Self, c: Self) -> Self {
-        let [a, b, c] = [a, b, c].map(Self::to_array);
-        Self::new(core::array::from_fn(|i| T::fused_by::<F>(a[i], b[i], c[i])))
+    #[inline(always)]
+    fn fused(mut a: Self, b: Self, c: Self) -> Self {
+        for (a, (&b, &c)) in a.lanes.iter_mut().zip(b.lanes.iter().zip(&c.lanes)) {
+            *a = T::fused_by::<F>(*a, b, c);
+        }
+        a
     }
-    #[inline]
+    #[inline(always)]
     fn ge(self, other: Self) -> LaneMask<W> {
         self.compare(other, T::ge)
     }
-    #[inline]
+    #[inline(always)]
     fn gt(self, other: Self) -> LaneMask<W> {
         self.compare(other, T::gt)
     }
-    #[inline]
+    #[inline(always)]
     fn is_finite(self) -> LaneMask<W> {
-        LaneMask(self.lanes.map(T::is_finite))
+        self.ask(T::is_finite)
     }
-    #[inline]
-    fn select(mask: LaneMask<W>, yes: Self, no: Self) -> Self {
-        Self::new(core::array::from_fn(|i| T::select(mask.0[i], yes.lanes[i], no.lanes[i])))
+    #[inline(always)]
+    fn select(mask: LaneMask<W>, mut yes: Self, no: Self) -> Self {
+        for (yes, (&mask, &no)) in yes.lanes.iter_mut().zip(mask.0.iter().zip(&no.lanes)) {
+            *yes = T::select(mask, *yes, no);
+        }
+        yes
     }
-    #[inline]
+    #[inline(always)]
     fn smallest_square() -> Self {
         Self::splat(T::smallest_square())
     }

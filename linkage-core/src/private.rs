@@ -22,12 +22,16 @@ pub use crate::careful::{
     square, square_of_centres,
 };
 #[cfg(feature = "ad")]
-pub use crate::derivatives::differentiate;
+pub use crate::derivatives::{Differentiable, differentiate};
+pub use crate::sweep::{
+    Entry, LengthMismatch, OfMotion, OfPosition, OfVelocity, Progress, Series, Status, sweep,
+};
 pub use crate::tracker::{Clearance, Linear, Modes};
 pub use crate::with_ad_ as with_ad;
 pub use crate::{
-    AngularAcceleration, AngularVelocity, Cost, Direction, Mask, Operations, Point, Real, Scalar,
-    Sense, Side, Slide, SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError,
+    AngularAcceleration, AngularVelocity, Cost, Direction, Float, Fusion, LaneMask, Lanes, Mask,
+    Operations, Point, Real, Scalar, Sense, Side, Slide, SlidingAcceleration, SlidingDirection,
+    SlidingVelocity, SolveError,
 };
 #[cfg(feature = "ad")]
 pub use nalgebra::SMatrix;

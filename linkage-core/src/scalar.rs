@@ -49,7 +49,7 @@ pub trait Scalar:
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
-    /// Sine and cosine by the branch-free kernel, each within 0.95 units in the last place; right
+    /// Sine and cosine by the branch-free kernel, each within one unit in the last place; right
     /// only where [`is_near`](Self::is_near) says yes, a meaningless number elsewhere.
     #[must_use]
     fn sin_cos_near(self) -> (Self, Self);

@@ -1,11 +1,39 @@
 //! Collects mistakes, and stops at the barriers between phases.
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
 /// The mistakes found so far. Dropping it without asking is a bug of the compiler, so it panics.
 pub(crate) struct Diagnostics {
     errors: Vec<syn::Error>,
     asked: bool,
+}
+
+/// What a mistake is reported at: everything from the first token to the last. A stable compiler
+/// does not join two spans, but underlines what lies between them.
+#[derive(Clone, Copy)]
+pub(crate) struct Extent {
+    first: Span,
+    last: Span,
+}
+
+impl From<Span> for Extent {
+    fn from(span: Span) -> Self {
+        Self { first: span, last: span }
+    }
+}
+
+impl Extent {
+    pub(crate) fn between(first: Span, last: Span) -> Self {
+        Self { first, last }
+    }
+
+    /// The extent as two tokens.
+    fn tokens(self) -> TokenStream {
+        [self.first, self.last]
+            .map(|span| TokenTree::Ident(Ident::new("_", span)))
+            .into_iter()
+            .collect()
+    }
 }
 
 /// All mistakes of one declaration, as the compile errors that report them.
@@ -16,19 +44,19 @@ impl Diagnostics {
         Self { errors: Vec::new(), asked: false }
     }
 
-    /// Reports a mistake at the span that made it: one line that says what to do.
-    pub(crate) fn error(&mut self, span: Span, message: impl std::fmt::Display) {
-        self.errors.push(syn::Error::new(span, message));
+    /// Reports a mistake at the tokens that made it: one line that says what to do.
+    pub(crate) fn error(&mut self, at: impl Into<Extent>, message: impl std::fmt::Display) {
+        self.errors.push(syn::Error::new_spanned(at.into().tokens(), message));
     }
 
     /// Reports a mistake whose second line carries the reason or the nearest name.
     pub(crate) fn error_because(
         &mut self,
-        span: Span,
+        at: impl Into<Extent>,
         message: impl std::fmt::Display,
         reason: impl std::fmt::Display,
     ) {
-        self.error(span, format!("{message}\n{reason}"));
+        self.error(at, format!("{message}\n{reason}"));
     }
 
     /// Takes over a mistake that `syn` found.
@@ -132,17 +160,15 @@ mod tests {
 
     fn messages(failure: Failure) -> Vec<String> {
         let literals = failure.0.into_iter().flat_map(flat).filter_map(|tree| match tree {
-            proc_macro2::TokenTree::Literal(literal) => Some(literal.to_string()),
+            TokenTree::Literal(literal) => Some(literal.to_string()),
             _ => None,
         });
         literals.collect()
     }
 
-    fn flat(tree: proc_macro2::TokenTree) -> Vec<proc_macro2::TokenTree> {
+    fn flat(tree: TokenTree) -> Vec<TokenTree> {
         match tree {
-            proc_macro2::TokenTree::Group(group) => {
-                group.stream().into_iter().flat_map(flat).collect()
-            }
+            TokenTree::Group(group) => group.stream().into_iter().flat_map(flat).collect(),
             tree => vec![tree],
         }
     }

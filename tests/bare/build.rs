@@ -6,7 +6,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::Mutex;
+use std::sync::{LazyLock, Mutex};
 
 /// The directory that holds everything that is built.
 pub(crate) fn directory() -> PathBuf {
@@ -20,38 +20,29 @@ pub(crate) fn sources() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bare")
 }
 
-fn manifest() -> String {
-    let (root, library) = (env!("CARGO_MANIFEST_DIR"), sources().join("library.rs"));
-    format!(
-        "[package]\nname = \"bare\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n\
-         [lib]\npath = {library:?}\ncrate-type = [\"staticlib\"]\n\n\
-         [features]\ncontrol = []\nindexing = [\"control\"]\nboxing = [\"control\"]\n\
-         malloc = [\"control\"]\nprinting = [\"control\"]\n\n\
-         [profile.release]\npanic = \"abort\"\n\n\
-         [dependencies]\nlinkage-core = {{ path = {:?}, default-features = false, \
-         features = [\"macros\"] }}\n\n[workspace]\n",
-        Path::new(root).join("linkage-core"),
-    )
-}
-
 /// One build at a time: they leave their results under the same name.
 static BUILDING: Mutex<()> = Mutex::new(());
+
+/// The package, written once.
+pub(crate) static PACKAGE: LazyLock<PathBuf> = LazyLock::new(|| {
+    let (root, package) = (Path::new(env!("CARGO_MANIFEST_DIR")), directory().join("package"));
+    fs::create_dir_all(&package).expect("a directory for the package");
+    let manifest = include_str!("package.toml").replace("@ROOT@", env!("CARGO_MANIFEST_DIR"));
+    fs::write(package.join("Cargo.toml"), manifest).expect("the package's manifest");
+    // The versions that this workspace is tested with, all of them on this machine already.
+    fs::copy(root.join("Cargo.lock"), package.join("Cargo.lock")).expect("a lock file");
+    package
+});
 
 /// The static library with these features at this optimisation level, or what Cargo said.
 pub(crate) fn library(features: &str, level: &str) -> Result<PathBuf, String> {
     let _one_at_a_time = BUILDING.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-    let package = directory().join("package");
-    fs::create_dir_all(&package).expect("a directory for the package");
-    fs::write(package.join("Cargo.toml"), manifest()).expect("the package's manifest");
-    // The versions that this workspace is tested with, all of them on this machine already.
-    let lock = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.lock");
-    fs::copy(lock, package.join("Cargo.lock")).expect("the workspace's lock file");
     let target = directory().join("target");
     let output = Command::new(env!("CARGO"))
         .args(["build", "--release", "--offline", "--features", features, "--target-dir"])
         .arg(&target)
         .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", level)
-        .current_dir(&package)
+        .current_dir(&*PACKAGE)
         .output()
         .expect("Cargo starts");
     if !output.status.success() {

@@ -7,9 +7,9 @@ use super::hard_arguments::HARD_ARGUMENTS;
 use super::{Fused, Fusion, NEAR_F32, NEAR_F64, Plain, sin_cos_f32, sin_cos_f64};
 use crate::Scalar;
 
-/// What the kernels promise, in units in the last place.
-const BOUND_F64: f64 = 0.95;
-const BOUND_F32: f64 = 0.85;
+/// In units in the last place: a little above the largest errors seen, 0.79 and 0.84, so that a
+/// rounding too many shows, and below the one unit that is promised.
+const BOUND: f64 = 0.85;
 
 /// The larger of the two errors in units in the last place.
 fn error_f64<F: Fusion>(x: f64, (sin, cos): (DoubleWord, DoubleWord)) -> f64 {
@@ -62,7 +62,7 @@ fn the_reference_agrees_with_eighty_digits() {
 fn f64_keeps_its_bound_at_hard_arguments() {
     for (x, sin, cos) in hard_arguments() {
         let errors = [error_f64::<Plain>(x, (sin, cos)), error_f64::<Fused>(x, (sin, cos))];
-        assert!(errors[0].max(errors[1]) <= BOUND_F64, "{errors:?} ulp at {x:e}");
+        assert!(errors[0].max(errors[1]) <= BOUND, "{errors:?} ulp at {x:e}");
     }
 }
 
@@ -82,7 +82,7 @@ fn f64_keeps_its_bound(count: u32) {
         for x in sweep(from, to, count) {
             let truth = double_word::sin_cos(x);
             let errors = [error_f64::<Plain>(x, truth), error_f64::<Fused>(x, truth)];
-            assert!(errors[0].max(errors[1]) <= BOUND_F64, "{errors:?} ulp at {x:e}");
+            assert!(errors[0].max(errors[1]) <= BOUND, "{errors:?} ulp at {x:e}");
         }
     }
 }
@@ -105,7 +105,7 @@ fn f32_keeps_its_bound(step: usize) {
         // f64's error is 2⁻²⁹ of f32's last place.
         let truth = libm::sincos(x.into());
         let errors = [error_f32::<Plain>(x, truth), error_f32::<Fused>(x, truth)];
-        assert!(errors[0].max(errors[1]) <= BOUND_F32, "{errors:?} ulp at {x:e}");
+        assert!(errors[0].max(errors[1]) <= BOUND, "{errors:?} ulp at {x:e}");
     }
 }
 

@@ -109,17 +109,13 @@ fn polynomials<F: Fusion>(r: f32, excess: f32) -> (f32, f32) {
 
 /// Sine and cosine in quadrant `q` (its two low bits count) from those of the remainder.
 ///
-/// On the bits, because a choice between numbers would become a jump; and on both at once, which
-/// keeps them in a vector register.
+/// The two differ by an exclusive or of their bits, which is applied or masked away. A choice,
+/// between numbers or between bits, is recognised as such and becomes a jump.
 #[inline(always)]
 fn turn(sin: f32, cos: f32, q: u32) -> (f32, f32) {
-    let swap = (q & 1).wrapping_neg();
-    let signs = [(q & 2) << 30, (q.wrapping_add(1) & 2) << 30];
-    let kept = [sin.to_bits(), cos.to_bits()];
-    let swapped = [kept[1], kept[0]];
-    let mut turned = [0; 2];
-    for i in 0..2 {
-        turned[i] = ((kept[i] & !swap) | (swapped[i] & swap)) ^ signs[i];
-    }
-    (f32::from_bits(turned[0]), f32::from_bits(turned[1]))
+    let (sin, cos) = (sin.to_bits(), cos.to_bits());
+    let swap = (sin ^ cos) & (q & 1).wrapping_neg();
+    let sin_sign = (q & 2) << 30;
+    let cos_sign = (q.wrapping_add(1) & 2) << 30;
+    (f32::from_bits(sin ^ swap ^ sin_sign), f32::from_bits(cos ^ swap ^ cos_sign))
 }

@@ -61,11 +61,25 @@ impl<'a> Body<'a> {
 
     /// Everything that the sinks need.
     pub(super) fn statements(&self, sinks: &[Id]) -> Statements {
+        let mut all = Statements::default();
+        self.add_statements(&mut all, &mut HashSet::new(), sinks);
+        all
+    }
+
+    /// Adds what the sinks need beyond what was done before.
+    pub(super) fn add_statements(
+        &self,
+        all: &mut Statements,
+        done: &mut HashSet<Id>,
+        sinks: &[Id],
+    ) {
         let graph = self.graph();
         let live = live(graph, sinks, self.course);
         let mut pairs = pairs(graph, &live);
-        let mut all = Statements::default();
         for (id, node) in live_nodes(graph, &live) {
+            if !done.insert(id) {
+                continue;
+            }
             let statement = match node {
                 _ if self.arguments.leaf(node).is_some() => {
                     all.leaves.push(node);
@@ -86,7 +100,6 @@ impl<'a> Body<'a> {
             };
             all.list.extend(statement);
         }
-        all
     }
 
     /// The node that a local stands for: the straight line sees through guards.

@@ -1,23 +1,17 @@
-//! The careful path: the same graph once more, in order, stopping at the first thing that is
-//! wrong. It runs only where the straight line's mask said no.
+//! What the careful path does where the straight line goes on regardless: at a guard, at what it
+//! is given, and at what comes out.
 
 use std::collections::HashSet;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::blocks::{Statement, lay_out};
+use super::blocks::Statement;
 use super::body::Body;
-use super::names::{function_name, generated, local};
-use super::{Context, docs, entry, results, rows};
+use super::names::{generated, local};
+use super::rows;
 use crate::ir::graph::{Check, GuardId, Id, Node};
-use crate::ir::liveness::Course;
-use crate::ir::program::Entry;
-
-/// The name of the careful function beside an entry point.
-pub(super) fn name(entry: &Entry) -> proc_macro2::Ident {
-    function_name(&format!("explain_{}_", entry::method(entry.kind)))
-}
+use crate::ir::program::EntryKind;
 
 /// A guard as a call: the value goes on as the call returns it.
 pub(super) fn check(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> Statement {
@@ -54,68 +48,39 @@ pub(super) fn check(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> State
     }
 }
 
-/// The function that says why the straight line of an entry point gave no answer.
-pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
-    let arguments = cx.arguments(entry.kind);
-    let body = Body { cx, arguments: &arguments, course: Course::Careful };
-    let statements = body.statements(&entry.sinks);
-    let kept = body.locals(entry.sinks.iter().copied());
-    let (lines, _) = lay_out(&statements.list, &kept);
-
-    let scalar = &cx.names.scalar;
-    let (name, received) = (name(entry), arguments.received(&quote!(#scalar)));
-    let unread = arguments.unread(&statements.leaves);
-    let inputs = finite_inputs(&body, &statements.leaves);
-    let finite = finite_results(&body, entry);
-    let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
-    let (result, value) =
-        (entry::result(cx, entry.kind), results::assemble(cx, entry.kind, values));
-    let (outcome, error, ok) =
-        (cx.paths.item("Result"), cx.paths.item("SolveError"), cx.paths.item("Ok"));
-    let docs = docs::careful(entry);
+/// The inputs and parameters that are read, and the test that each is finite.
+pub(super) fn finite_inputs(body: &Body<'_>, leaves: &[Node]) -> TokenStream {
+    let (given, scalar, text) =
+        (generated("given_"), &body.cx.names.scalar, body.cx.paths.item("str"));
+    let read = |&leaf: &Node| Some((body.arguments.leaf(leaf)?, body.arguments.label(leaf)?));
+    let pairs: Vec<_> =
+        leaves.iter().filter_map(read).map(|(value, label)| quote!((#value, #label))).collect();
+    let count = Literal::usize_unsuffixed(pairs.len());
+    let function = body.cx.paths.item("finite_input");
+    let (value, label) = (generated("value_"), generated("name_"));
     quote! {
-        #docs
-        #[cold]
-        #[inline(never)]
-        fn #name(&self, #(#received),*) -> #outcome<#result, #error> {
-            #unread
-            #inputs
-            #lines
-            #finite
-            #ok(#value)
-        }
+        let #given: [(#scalar, &'static #text); #count] = [#(#pairs),*];
+        for &(#value, #label) in &#given { #function(#value, #label)?; }
     }
 }
 
-fn finite_inputs(body: &Body<'_>, leaves: &[Node]) -> TokenStream {
-    let read = |&leaf: &Node| Some((body.arguments.leaf(leaf)?, body.arguments.label(leaf)?));
-    all_finite(
-        &body.cx.paths.item("finite_input"),
-        &leaves.iter().filter_map(read).collect::<Vec<_>>(),
-    )
-}
-
-fn finite_results(body: &Body<'_>, entry: &Entry) -> TokenStream {
+/// Asks of every result whether it is finite, in order: in a loop, because an early exit for each
+/// of a thousand results takes the compiler seconds.
+pub(super) fn finite_results(body: &Body<'_>, kind: EntryKind, sinks: &[Id]) -> TokenStream {
     let mut seen = HashSet::new();
     let known = |id| matches!(body.graph().node(id), Node::Constant(_) | Node::Mode(_));
-    let sinks = entry.sinks.iter().zip(rows::sink_labels(body.cx, entry.kind));
-    let tested: Vec<_> = sinks
+    let sinks = sinks.iter().zip(rows::sink_labels(body.cx, kind));
+    let pairs: Vec<_> = sinks
         .filter(|&(&sink, _)| !known(sink) && seen.insert(sink))
-        .map(|(&sink, label)| (body.value(sink), label))
+        .map(|(&sink, label)| {
+            let value = body.value(sink);
+            quote!((#value, #label))
+        })
         .collect();
-    all_finite(&body.cx.paths.item("finite_result"), &tested)
-}
-
-/// Asks of every value whether it is finite, in order: in a loop, because an early exit for each
-/// of a thousand results takes the compiler seconds.
-fn all_finite(function: &TokenStream, values: &[(TokenStream, String)]) -> TokenStream {
-    match values {
-        [] => TokenStream::new(),
-        [(value, label)] => quote!(#function(#value, #label)?;),
-        _ => {
-            let (value, label) = (generated("value_"), generated("name_"));
-            let pairs = values.iter().map(|(value, label)| quote!((#value, #label)));
-            quote!(for &(#value, #label) in &[#(#pairs),*] { #function(#value, #label)?; })
-        }
+    if pairs.is_empty() {
+        return TokenStream::new();
     }
+    let (function, given) = (body.cx.paths.item("finite_result"), generated("given_"));
+    let (value, label) = (generated("value_"), generated("name_"));
+    quote!(for &(#value, #label) in &[#(#pairs),*] { #function(#value, #label, &#given)?; })
 }

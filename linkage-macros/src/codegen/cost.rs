@@ -7,19 +7,24 @@ use super::Context;
 use crate::ir::cost::{Operations, operations};
 use crate::ir::program::{Entry, EntryKind};
 
-/// What computing the sinks of an entry point costs.
+/// What an entry point costs.
 pub(super) fn of(cx: &Context<'_>, entry: &Entry) -> Operations {
-    operations(&cx.program.graph, &entry.sinks)
+    let of = |entry: &Entry| operations(&cx.program.graph, &entry.sinks);
+    match cx.on_the_circle(entry).map(of) {
+        Some(cost) => Operations { sines: cost.sines + 1, ..cost },
+        None => of(entry),
+    }
 }
 
 /// The initialiser of `COST`.
 pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
-    let [position, motion] = [EntryKind::Position, EntryKind::Motion].map(|kind| {
+    let kinds = [EntryKind::Position, EntryKind::Motion, EntryKind::Coefficients];
+    let [position, motion, coefficients] = kinds.map(|kind| {
         let cost = cx.entry(kind).map_or_else(Operations::default, |entry| of(cx, entry));
         record(cx, cost)
     });
     let cost = cx.paths.item("Cost");
-    quote!(#cost { position: #position, motion: #motion })
+    quote!(#cost { position: #position, motion: #motion, coefficients: #coefficients })
 }
 
 fn record(cx: &Context<'_>, cost: Operations) -> TokenStream {

@@ -272,6 +272,25 @@ pub(super) fn checked(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     ))
 }
 
+pub(super) fn explanation() -> TokenStream {
+    lines("Positions, velocities and accelerations up to an order, or why there are none.")
+}
+
+pub(super) fn sweep(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    lines(&format!(
+        "{}, at many poses.\n\n{} Each is a slice with a number for every pose, or one number \
+         for all.\n\n\
+         Every component of the results goes to a slice of its own in `out`, as many long as there \
+         are poses, or empty where it is not wanted; `status` is such a slice too. A pose that \
+         `{}` refuses has numbers that are none, and its error's kind in `status`. `progress` is told the \
+         poses done and their total every few thousand poses; `()` tells nobody.\n\n\
+         # Errors\nTwo slices are not of one length; nothing was computed.",
+        subject(entry.kind),
+        details(cx, entry.kind),
+        entry::method(entry.kind),
+    ))
+}
+
 pub(super) fn careful(entry: &Entry) -> TokenStream {
     lines(&format!(
         "Why `solve_{}` gave no answer, or the answer at a limit.",

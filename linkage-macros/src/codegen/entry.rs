@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::names::{function_name, generated};
-use super::{Context, careful, docs};
+use super::{Context, docs, explanations, straight};
 use crate::ir::program::{Entry, EntryKind};
 
 /// The name of the function that returns a `Result`; `solve_` in front is the straight line's.
@@ -74,8 +74,8 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
         (arguments.declared(&quote!(#scalar)), arguments.converted(&quote!(#scalar)));
     let (names, result) = (arguments.names(), result(cx, entry.kind));
     let name = function_name(method(entry.kind));
-    let solve = function_name(&format!("solve_{}", method(entry.kind)));
-    let (explain, docs) = (careful::name(entry), docs::checked(cx, entry));
+    let core = straight::core_name(entry);
+    let (explain, docs) = (explanations::name(entry.kind), docs::checked(cx, entry));
     let (outcome, error, ok) =
         (cx.paths.item("Result"), cx.paths.item("SolveError"), cx.paths.item("Ok"));
     let (value, usable) = (generated("result_"), generated("ok_"));
@@ -84,7 +84,7 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
         #[inline]
         pub fn #name(&self, #(#declared),*) -> #outcome<#result, #error> {
             #converted
-            let (#value, #usable) = self.#solve(#(#names),*);
+            let (#value, #usable) = self.#core(#(#names),*);
             if #usable { #ok(#value) } else { self.#explain(#(#names),*) }
         }
     }

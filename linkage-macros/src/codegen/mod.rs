@@ -14,6 +14,7 @@ mod derivatives;
 mod docs;
 mod dominance;
 mod entry;
+mod explanations;
 mod modes;
 mod names;
 mod paths;
@@ -22,6 +23,7 @@ mod rows;
 mod solver;
 mod straight;
 pub(crate) mod stubs;
+mod sweeps;
 mod units;
 
 #[cfg(test)]
@@ -43,9 +45,10 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
     let (solver, records) = (solver::items(&cx), results::records(&cx));
     let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
     let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
-    let careful = program.entries.iter().map(|entry| careful::function(&cx, entry));
-    let (derivatives, c_export) = (derivatives::items(&cx), c_export::items(&cx));
-    let modes = modes::items(&cx);
+    let careful = explanations::functions(&cx);
+    let sweeps = program.entries.iter().map(|entry| sweeps::items(&cx, entry));
+    let (derivatives, modes) = (derivatives::items(&cx), modes::items(&cx));
+    let c_export = c_export::items(&cx);
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
     let literals = literals_are_dimensions();
@@ -55,7 +58,8 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
         #literals
         impl<#scalar: #any> #name<#scalar> { #(#straight)* }
         #literals
-        impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
+        impl<#scalar: #real> #name<#scalar> { #(#checked)* #careful }
+        #(#sweeps)*
         #derivatives
         #modes
         #c_export
@@ -80,6 +84,17 @@ struct Context<'a> {
 impl Context<'_> {
     fn entry(&self, kind: EntryKind) -> Option<&Entry> {
         self.program.entries.iter().find(|entry| entry.kind == kind)
+    }
+
+    /// The entry point that does the same with the only input's cosine and sine given. Where it
+    /// exists the value itself is needed nowhere else, so the code is written once, for it.
+    fn on_the_circle(&self, entry: &Entry) -> Option<&Entry> {
+        match entry.kind {
+            EntryKind::Position => self.entry(EntryKind::PositionAt),
+            EntryKind::Velocity => self.entry(EntryKind::VelocityAt),
+            EntryKind::Motion => self.entry(EntryKind::MotionAt),
+            _ => None,
+        }
     }
 
     fn arguments(&self, kind: EntryKind) -> Arguments<'_> {

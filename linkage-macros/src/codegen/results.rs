@@ -246,3 +246,20 @@ fn fill(
         .collect();
     quote!(#name { #(#fields),* })
 }
+
+/// The components of a record, in the order in which [`assemble`] takes them.
+pub(super) fn components(cx: &Context<'_>, order: Order, record: &TokenStream) -> Vec<TokenStream> {
+    let of = |output: &Output| {
+        let field = &output.field;
+        let (ty, parts) = order.fields(output.kind.shape());
+        let part = |part: &&str| {
+            let part = Ident::new(part, proc_macro2::Span::call_site());
+            quote!(#record.#field.#part)
+        };
+        match ty {
+            Some(_) => parts.iter().map(part).collect(),
+            None => vec![quote!(#record.#field)],
+        }
+    };
+    cx.mechanism.outputs.iter().flat_map(of).collect()
+}

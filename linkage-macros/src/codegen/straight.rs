@@ -3,7 +3,7 @@
 
 use std::collections::HashSet;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::blocks::{Statement, lay_out};
@@ -84,37 +84,77 @@ pub(super) fn sin_cos(body: &Body<'_>, angle: Id) -> (TokenStream, Option<TokenS
     (cx.scalar("sin_cos_near"), Some(quote!(#is_near(#value))))
 }
 
-/// `solve_…`: the core of an entry point, without a branch.
-pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
-    let arguments = cx.arguments(entry.kind);
-    let body = Body { cx, arguments: &arguments, course: Course::Straight };
-    let statements = body.statements(&entry.sinks);
-    let kept = body.locals(entry.sinks.iter().copied());
-    let (lines, mask) = lay_out(&statements.list, &kept);
+/// The name of the core of an entry point.
+pub(super) fn core_name(entry: &Entry) -> Ident {
+    function_name(&format!("core_{}_", entry::method(entry.kind)))
+}
 
-    let scalar = &cx.names.scalar;
+/// `solve_…`, and the core of an entry point that it shares with everything else, without a
+/// branch.
+///
+/// The core is inlined always: as a call of its own it would hand its results over through
+/// memory, one more time, which costs a four-bar's solve a tenth of its throughput and a fifth of
+/// its latency; and a sweep would run it on the instruction set of the rest of the program. Each
+/// of the functions around it may be called.
+pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    let (arguments, scalar) = (cx.arguments(entry.kind), &cx.names.scalar);
+    let (declared, received) =
+        (arguments.declared(&quote!(#scalar)), arguments.received(&quote!(#scalar)));
+    let (converted, names) = (arguments.converted(&quote!(#scalar)), arguments.names());
+    let body = match cx.on_the_circle(entry) {
+        Some(at) => by_cosine(cx, entry, at),
+        None => body(cx, entry),
+    };
+    let (docs, result) = (docs::straight(cx, entry), entry::result(cx, entry.kind));
     let name = function_name(&format!("solve_{}", entry::method(entry.kind)));
-    let declared = arguments.declared(&quote!(#scalar));
-    let converted = arguments.converted(&quote!(#scalar));
-    let unread = arguments.unread(&statements.leaves);
-    let zero = zero(cx, &statements);
-    let ok = verdict(&body, &entry.sinks, mask.map(|ok| quote!(#ok)));
-    let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
-    let (result, value) =
-        (entry::result(cx, entry.kind), results::assemble(cx, entry.kind, values));
-    let (docs, status) = (docs::straight(cx, entry), generated("ok_"));
+    let core = core_name(entry);
     quote! {
         #docs
         #[inline]
         #[must_use]
         pub fn #name(&self, #(#declared),*) -> (#result, #scalar::Mask) {
             #converted
-            #unread
-            #zero
-            #lines
-            let #status = #ok;
-            (#value, #status)
+            self.#core(#(#names),*)
         }
+
+        #[inline(always)]
+        fn #core(&self, #(#received),*) -> (#result, #scalar::Mask) {
+            #body
+        }
+    }
+}
+
+/// What is computed, and whether it may be used.
+fn body(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    let arguments = cx.arguments(entry.kind);
+    let body = Body { cx, arguments: &arguments, course: Course::Straight };
+    let statements = body.statements(&entry.sinks);
+    let kept = body.locals(entry.sinks.iter().copied());
+    let (lines, mask) = lay_out(&statements.list, &kept);
+    let unread = arguments.unread(&statements.leaves);
+    let zero = zero(cx, &statements);
+    let ok = verdict(&body, &entry.sinks, mask.map(|ok| quote!(#ok)));
+    let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
+    let (value, status) = (results::assemble(cx, entry.kind, values), generated("ok_"));
+    quote! {
+        #unread
+        #zero
+        #lines
+        let #status = #ok;
+        (#value, #status)
+    }
+}
+
+/// The core of `at`, given the angle's cosine and sine.
+fn by_cosine(cx: &Context<'_>, entry: &Entry, at: &Entry) -> TokenStream {
+    let [sin, cos, result, ok] = ["sin_", "cos_", "result_", "ok_"].map(generated);
+    let (sin_cos, is_near) = (cx.scalar("sin_cos_near"), cx.scalar("is_near"));
+    let (arguments, core) = (cx.arguments(entry.kind), core_name(at));
+    let (angle, rates) = arguments.names().split_first().expect("the angle comes first");
+    quote! {
+        let (#sin, #cos) = #sin_cos(#angle);
+        let (#result, #ok) = self.#core(#cos, #sin #(, #rates)*);
+        (#result, #is_near(#angle) & #ok)
     }
 }
 

@@ -46,9 +46,9 @@ pub(super) fn rpr<'s>(
     let square = from.dot(from);
     let sound = square.provided(Check::Square, place.group, &[]);
     let (s, u, inverse) = if e.is_zero() {
-        // s² = b²: one division gives 1/s, and u = b/s.
+        // s² = b²: 1/s = s/b², the division beside the root, and u = b/s.
         let s = mode * sound.sqrt();
-        let inverse = s / sound;
+        let inverse = s * sound.recip();
         (s, inverse * from, inverse)
     } else {
         let left = left_of_offset(from, square, e);
@@ -56,7 +56,7 @@ pub(super) fn rpr<'s>(
         let left = left.provided(Check::ReachOffset, place.group, &operands);
         let s = mode * left.sqrt();
         let u = sound.recip() * (s * from - e * from.normal());
-        (s, u, s.provided(Check::Nonzero, place.group, &[]).recip())
+        (s, u, s * left.provided(Check::Nonzero, place.group, &[]).recip())
     };
     let n = u.normal();
 

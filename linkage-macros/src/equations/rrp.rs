@@ -69,7 +69,8 @@ pub(super) fn rrp<'s>(
     let r = reach * u + t * n;
     let bar = Bar::new(b, r, length);
 
-    let inverse = reach.provided(Check::Nonzero, place.group, &[]).recip();
+    // 1/X = X/X²: the division runs beside the root.
+    let inverse = reach * square.provided(Check::Nonzero, place.group, &[]).recip();
     let from = guide.origin.to(b);
     let v = b.velocity - guide.transport(from, place.sheet.zero_vector()).0;
     let a = b.acceleration - guide.transport(from, v).1;

@@ -5,9 +5,9 @@
 //! r₂ = C − B = a d + h d⊥, where
 //!
 //! ```text
-//! i = d² − (l₂ − l₃)²             a = P + l₂ (l₂ − l₃)/d²
-//! P = i/(2 d²)                    b = P + l₃ (l₃ − l₂)/d² = 1 − a
-//! Q = (4 l₂ l₃ − i)/(2 d²)        h = ± √(P Q),  + where C is left of B → D
+//! i = d² − (l₂ − l₃)²               a = (i/2 + l₂ (l₂ − l₃)) / d²
+//! S = i/4l₂l₃ · (1 − i/4l₂l₃)       b = (i/2 + l₃ (l₃ − l₂)) / d² = 1 − a
+//!                                   h = ± 2 l₂ l₃ √S / d²,  + where C is left of B → D
 //! ```
 //!
 //! and r₃ = C − D = −b d + h d⊥. This is Heron's formula with the two factors that can vanish,
@@ -51,10 +51,12 @@ use crate::model::mechanism::Numerics;
 
 /// The triangle of the group: what is affine in the height h.
 struct Triangle<'s> {
-    /// P·Q = h², not negative where the circles meet.
+    /// 1/4l₂l₃
+    scale: Sym<'s>,
+    /// S, not negative where the circles meet.
     square: Sym<'s>,
-    /// 1/d²
-    inverse: Sym<'s>,
+    /// √S with the mode's sign: half the sine of the angle between the bars.
+    root: Sym<'s>,
     /// h
     height: Sym<'s>,
     /// a and b
@@ -74,9 +76,9 @@ pub(super) fn rrr<'s>(
     let r2 = triangle.along[0] * line + across;
     let r3 = across - triangle.along[1] * line;
 
-    // 1/J = 1/(h d²) = h/h² · 1/d².
+    // 1/J = 1/(h d²) = 1/(2 l₂ l₃ √S) = √S/(2 l₂ l₃) · 1/S: the division runs beside the root.
     let regular = triangle.square.provided(Check::Nonzero, place.group, &[]);
-    let inverse = (triangle.height / regular) * triangle.inverse;
+    let inverse = triangle.scale.twice() * triangle.root * regular.recip();
     let bars = [Bar::new(b, r2, lengths[0]), Bar::new(d, r3, lengths[1])];
 
     let w = bars[1].pushed_velocity() - bars[0].pushed_velocity();
@@ -110,24 +112,28 @@ fn triangle<'s>(
     let operands = [d.x, d.y, l2, l3];
     let inverse = d.dot(d).provided(Check::Square, place.group, &operands).recip();
     let difference = l2 - l3;
-    let (near, far) = match place.numerics {
+    let scale = (l2 * l3).twice().twice().recip();
+    let (near, square) = match place.numerics {
         Numerics::Plain => {
             let near = d.dot(d) - difference.squared();
-            (near, (l2 * l3).twice().twice() - near)
+            let part = near * scale;
+            (near, part * (d.x.sheet().integer(1) - part))
         }
-        Numerics::Compensated => compensated(d, l2, l3),
-    };
-    let half = inverse.half();
-    // With equal bars P = d²/(2 d²) is one half: an identity wherever 1/d² exists.
-    let (p, square) = if difference.is_zero() {
-        (d.x.sheet().integer(1).half(), far * half.half())
-    } else {
-        let p = near * half;
-        (p, p * (far * half))
+        Numerics::Compensated => {
+            let (near, far) = compensated(d, l2, l3);
+            (near, (near * scale) * (far * scale))
+        }
     };
     let square = square.provided(Check::ReachCircles, place.group, &operands);
-    let along = [p + (l2 * difference) * inverse, p - (l3 * difference) * inverse];
-    Triangle { square, inverse, height: mode * square.sqrt(), along }
+    let root = mode * square.sqrt();
+    let height = (l2 * l3).twice() * inverse * root;
+    // With equal bars a = b = d²/(2 d²) is one half: an identity wherever 1/d² exists.
+    let along = if difference.is_zero() {
+        [d.x.sheet().integer(1).half(); 2]
+    } else {
+        [near.half() + l2 * difference, near.half() - l3 * difference].map(|x| x * inverse)
+    };
+    Triangle { scale, square, root, height, along }
 }
 
 /// i and 4 l₂ l₃ − i with the rounding errors of every square and product put back: where the

@@ -1,7 +1,7 @@
 //! The five dyads.
 
 use super::Resolver;
-use super::folding::shown;
+use super::folding::shown_in_degrees;
 use super::groups::Parts;
 use super::mechanism::{Expr, Length, Step};
 
@@ -93,8 +93,8 @@ impl Resolver<'_> {
         // A slot along the rail fixes nothing across it.
         if turn.links.is_empty() && turn.rest.constant().is_some_and(|slot| slot.sin().is_zero()) {
             let slot = slot?;
-            let angle = turn.rest.constant().map(shown).unwrap_or_default();
-            let message = format!("a slot at {angle} rad lies along the rail; turn it away");
+            let angle = turn.rest.constant().map(shown_in_degrees).unwrap_or_default();
+            let message = format!("a slot at {angle}° lies along the rail; turn it away");
             let reason = "slot and rail must cross for the group to be determined";
             self.diagnostics.error_because(slot.span, message, reason);
             return None;

@@ -1,8 +1,8 @@
 //! An expression as written into a sum of link angles and a number, with its measure.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 
-use crate::diagnostics::nearest;
+use crate::diagnostics::{Extent, nearest};
 use crate::exact::Exact;
 use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
@@ -118,7 +118,7 @@ impl Resolver<'_> {
     }
 
     /// A literal is a number, and its unit one of the known.
-    fn literal(&mut self, span: Span, digits: &str, suffix: Option<&str>) -> Option<Quantity> {
+    fn literal(&mut self, span: Extent, digits: &str, suffix: Option<&str>) -> Option<Quantity> {
         let value = Exact::decimal(digits);
         self.number_can_be_held(span, value.as_ref())?;
         let value = value?;
@@ -138,7 +138,7 @@ impl Resolver<'_> {
     }
 
     /// A constant is one that floating point can hold: neither infinite nor lost as zero.
-    fn number_can_be_held(&mut self, span: Span, value: Option<&Exact>) -> Option<()> {
+    fn number_can_be_held(&mut self, span: Extent, value: Option<&Exact>) -> Option<()> {
         let is_held = value.is_some_and(|value| {
             let rounded = value.to_f64();
             rounded.is_finite() && (rounded == 0.0) == value.is_zero()
@@ -307,7 +307,7 @@ impl Resolver<'_> {
     /// Reports a link angle that is multiplied by something other than an integer.
     fn link_angles_are_whole_multiples(
         &mut self,
-        span: Span,
+        span: Extent,
         links: &[(LinkId, i32)],
     ) -> Option<Quantity> {
         let name = &self.mechanism.links[links[0].0.index()].name;

@@ -1,7 +1,6 @@
 //! What the rules remember of things already made, beside the mechanism itself.
 
-use proc_macro2::Span;
-
+use crate::diagnostics::Extent;
 use crate::exact::Exact;
 
 use super::dimension::Measure;
@@ -29,7 +28,7 @@ pub(super) struct Facts {
 pub(super) struct ParamFacts {
     pub measure: Measure,
     /// The default, where a mistake about its value is reported.
-    pub span: Span,
+    pub span: Extent,
     /// Whether it was reported already.
     pub blamed: bool,
 }

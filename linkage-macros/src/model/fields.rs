@@ -51,8 +51,11 @@ impl Resolver<'_> {
                 continue;
             };
             if fields.present.contains(&name) {
-                let message = format!("the field `{name}` is given twice; remove one");
-                self.diagnostics.error(field.name.span(), message);
+                // What could not be read may have been half of this one.
+                if !group.fields.iter().any(|other| other.name == name && is_damaged(other)) {
+                    let message = format!("the field `{name}` is given twice; remove one");
+                    self.diagnostics.error(field.name.span(), message);
+                }
                 continue;
             }
             fields.present.push(name);
@@ -68,8 +71,8 @@ impl Resolver<'_> {
         fields
     }
 
-    /// A field is one that the group has. One that was nearly written counts as present, so that
-    /// it is not missed as well.
+    /// A field is one that the group has. One that was nearly written counts as present, and one
+    /// that was left out in favour of what does not exist, so that neither is missed as well.
     fn field_exists(
         &mut self,
         field: &Field,
@@ -93,6 +96,12 @@ impl Resolver<'_> {
             None
         } else if name == "mode" {
             Some(format!("`{keyword}` can be assembled in one way only"))
+        } else if is_damaged(field) {
+            return None;
+        } else if let Some((missing, meaning)) = self.first_missing(group, anatomy, present) {
+            present.push(missing);
+            self.use_is_hidden = true;
+            Some(format!("what is missing is `{missing}`: {meaning}"))
         } else {
             let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
             Some(format!("its fields are {}", listed(&names, "and")))
@@ -139,23 +148,36 @@ impl Resolver<'_> {
 
     /// Every field without a default is given; a missing one is reported at the closing brace.
     fn no_field_is_missing(&mut self, group: &Group, anatomy: &Anatomy, fields: &Fields) {
-        let is_needed = |rule: &FieldRule| match rule.needed {
+        for (name, meaning) in self.needed(group, anatomy) {
+            if fields.is_left_out(name) {
+                self.missing(group.end, name, &meaning);
+            }
+        }
+    }
+
+    /// The fields without a default, and what they say.
+    fn needed(&self, group: &Group, anatomy: &Anatomy) -> Vec<(&'static str, String)> {
+        let is_needed = |rule: &&FieldRule| match rule.needed {
             Needed::Always => true,
             Needed::WithPin => group.pin.is_some(),
             Needed::Never => false,
         };
-        for rule in anatomy.fields.iter().filter(|rule| is_needed(rule)) {
-            if fields.is_left_out(rule.name) {
-                self.missing(group.end, rule.name, rule.meaning);
-            }
-        }
-        if let Some(modes) = anatomy.modes
-            && anatomy.mode_is_needed()
-            && fields.is_left_out("mode")
-        {
-            let meaning = self.modes_explained(modes, group);
-            self.missing(group.end, "mode", &meaning);
-        }
+        let rules = anatomy.fields.iter().filter(is_needed);
+        let mut needed: Vec<_> = rules.map(|rule| (rule.name, rule.meaning.to_string())).collect();
+        let modes = anatomy.modes.filter(|_| anatomy.mode_is_needed());
+        needed.extend(modes.map(|modes| ("mode", self.modes_explained(modes, group))));
+        needed
+    }
+
+    /// A field without a default that is not given anywhere in the group.
+    fn first_missing(
+        &self,
+        group: &Group,
+        anatomy: &Anatomy,
+        present: &[&'static str],
+    ) -> Option<(&'static str, String)> {
+        let given = |name| present.contains(&name) || group.fields.iter().any(|f| f.name == name);
+        self.needed(group, anatomy).into_iter().find(|(name, _)| !given(name))
     }
 
     fn missing(&mut self, end: Span, name: &str, meaning: &str) {
@@ -163,4 +185,9 @@ impl Resolver<'_> {
         let message = format!("missing field `{name}`");
         self.diagnostics.error_because(end, message, meaning);
     }
+}
+
+/// Whether the value of the field could not be read.
+fn is_damaged(field: &Field) -> bool {
+    matches!(&field.value, FieldValue::One(value) if value.is_mistake())
 }

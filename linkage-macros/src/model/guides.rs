@@ -172,6 +172,9 @@ impl Resolver<'_> {
         let message = format!("`{name}` has no direction; choose two points that differ");
         let to = &self.mechanism.points[to.index()].name;
         let reason = match through {
+            Spot::Point(from) if self.mechanism.points[from.index()].name == *to => {
+                format!("it goes through `{to}` and towards `{to}`")
+            }
             Spot::Point(from) => {
                 format!("`{}` and `{to}` coincide", self.mechanism.points[from.index()].name)
             }

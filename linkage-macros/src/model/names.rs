@@ -6,9 +6,9 @@
 
 use std::collections::HashMap;
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 
-use crate::diagnostics::nearest;
+use crate::diagnostics::{Extent, nearest};
 use crate::syntax::tree::{Declaration, Statement, StatementKind};
 
 use super::Resolver;
@@ -293,7 +293,7 @@ impl Resolver<'_> {
     /// Reports a mistake, with its second line where there is one.
     pub(super) fn report(
         &mut self,
-        span: Span,
+        span: impl Into<Extent>,
         message: impl std::fmt::Display,
         reason: Option<impl std::fmt::Display>,
     ) {

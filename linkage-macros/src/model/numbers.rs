@@ -1,7 +1,8 @@
 //! What an expression must be to stand where it stands: a length, an angle, a fixed number.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 
+use crate::diagnostics::Extent;
 use crate::exact::Exact;
 use crate::syntax::tree::{self, ExprKind};
 
@@ -156,7 +157,7 @@ impl Resolver<'_> {
         &self,
         expr: &tree::Expr,
         asks: &dyn Fn(&Self, &tree::Expr) -> bool,
-    ) -> Option<Span> {
+    ) -> Option<Extent> {
         if asks(self, expr) {
             return Some(expr.span);
         }

@@ -144,7 +144,7 @@ impl Parser<'_> {
         if value.is_err() {
             inner.give_up();
         }
-        let span = group.span();
+        let span = group.span().into();
         Ok(Expr { kind: value.map_or(ExprKind::Mistake, |value| value.kind), span })
     }
 
@@ -169,7 +169,7 @@ impl Parser<'_> {
             return self.member(name);
         }
         let Some(group) = self.take_group(Delimiter::Parenthesis) else {
-            return Ok(Expr { kind: ExprKind::Name(name), span: first });
+            return Ok(Expr { kind: ExprKind::Name(name), span: first.into() });
         };
         let arguments = self.arguments(&group);
         Ok(Expr { kind: ExprKind::Call(name, arguments), span: self.since(first) })
@@ -225,7 +225,7 @@ impl Parser<'_> {
             let (first, span) = (inner.next, inner.here());
             let argument = inner.expression();
             let mut failed = argument.is_err();
-            arguments.push(argument.unwrap_or(Expr { kind: ExprKind::Mistake, span }));
+            arguments.push(argument.unwrap_or(Expr::mistake(span)));
             if !failed && !inner.at_end() && !inner.is_punct(0, ',') {
                 let _ = inner.expected::<()>("`,` or `)`");
                 failed = true;
@@ -250,8 +250,7 @@ impl Parser<'_> {
         if pair.is_err() {
             inner.give_up();
         }
-        let span = group.span();
-        Ok(pair.unwrap_or_else(|Reported| [(); 2].map(|()| Expr { kind: ExprKind::Mistake, span })))
+        Ok(pair.unwrap_or_else(|Reported| [(); 2].map(|()| Expr::mistake(group.span()))))
     }
 
     fn two(&mut self, form: &str) -> Parse<[Expr; 2]> {
@@ -264,18 +263,31 @@ impl Parser<'_> {
         }
         if !self.take_punct(',') {
             first?;
-            let what = "`,` and a second value";
-            return self.expected_because(what, &format!("write {form}"));
+            return match self.comma_follows() {
+                true => self.expected("`,`"),
+                false => self.expected_because("`,` and a second value", &format!("write {form}")),
+            };
         }
         if self.at_end() {
             first?;
             return self.expected_because("a second value", &format!("write {form}"));
         }
         let second = self.expression()?;
-        self.take_punct(',');
-        match self.at_end() {
-            true => Ok([first?, second]),
-            false => self.expected_because("`)` after two values", &format!("write {form}")),
+        // Behind a mistake it is not known which value is the second.
+        let first = first?;
+        if self.at_end() || (self.take_punct(',') && self.at_end()) {
+            return Ok([first, second]);
         }
+        match self.reason() {
+            Some(_) => self.expected("`)`"),
+            None => self.expected_because("`)` after two values", &format!("write {form}")),
+        }
+    }
+
+    /// Whether there is a comma further on, so that what is missing here is none.
+    fn comma_follows(&self) -> bool {
+        (0..)
+            .map_while(|ahead| self.peek(ahead))
+            .any(|tree| matches!(tree, TokenTree::Punct(punct) if punct.as_char() == ','))
     }
 }

@@ -5,7 +5,7 @@
 use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Expr, ExprKind, Field, FieldValue, Group, Leg};
+use super::tree::{Expr, Field, FieldValue, Group, Leg};
 use super::words;
 
 impl Parser<'_> {
@@ -63,6 +63,11 @@ impl Parser<'_> {
             group.legs.push(Leg { joint: joint.unwrap_or(None), link });
             if failed {
                 return Err(Reported);
+            }
+            if self.is_leg() {
+                let found = self.found();
+                let _ = self.refuse::<()>(&format!("write `,` in front of {found}"));
+                continue;
             }
             if !self.take_punct(',') || self.is_sign(['-', '>']) {
                 break;
@@ -151,7 +156,7 @@ impl Parser<'_> {
                 continue;
             };
             let span = inner.here();
-            let mistake = FieldValue::One(Expr { kind: ExprKind::Mistake, span });
+            let mistake = FieldValue::One(Expr::mistake(span));
             let value = inner.field_value(&name);
             let failed = value.is_err();
             let mut field = Field { name, value: value.unwrap_or(mistake.clone()) };
@@ -188,13 +193,18 @@ impl Parser<'_> {
         self.peek_ident(0).is_some() && self.is_punct(1, ':')
     }
 
-    /// Goes behind the `,` after a field in error, or in front of the next field.
+    /// Goes in front of what may be the next field after one in error.
     fn skip_field(&mut self, first: usize) {
-        while !self.at_end() && !self.is_punct(0, ',') && !self.field_begins() {
-            self.take();
+        while !self.at_end() && !self.field_begins() {
+            let comma = self.take_punct(',');
+            if comma && self.peek_ident(0).is_some() {
+                break;
+            }
+            if !comma {
+                self.take();
+            }
         }
         self.give_up_since(first);
-        self.take_punct(',');
     }
 
     fn field_name(&mut self) -> Parse<Ident> {

@@ -7,7 +7,7 @@
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Course, Expr, ExprKind, OutputItem, Place, Spot, StatementKind};
+use super::tree::{Course, Expr, OutputItem, Place, Spot, StatementKind};
 
 const COORDINATES: &str = "`(x, y)`";
 
@@ -335,5 +335,5 @@ impl Parser<'_> {
 
 /// Stands for an expression of the statement `name` that was reported.
 fn mistake(name: &Ident) -> Expr {
-    Expr { kind: ExprKind::Mistake, span: name.span() }
+    Expr::mistake(name.span())
 }

@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, Group, Ident, Spacing, Span, TokenStream, TokenTree
 
 use super::recovery::{Aftermath, stand_in};
 use super::words;
-use crate::diagnostics::Diagnostics;
+use crate::diagnostics::{Diagnostics, Extent};
 
 /// A part could not be parsed and its mistake was reported.
 pub(super) struct Reported;
@@ -167,9 +167,8 @@ impl<'d> Parser<'d> {
     }
 
     /// From `first` to the token just taken.
-    pub(super) fn since(&self, first: Span) -> Span {
-        let last = self.previous().map_or(first, TokenTree::span);
-        first.join(last).unwrap_or(first)
+    pub(super) fn since(&self, first: Span) -> Extent {
+        Extent::between(first, self.previous().map_or(first, TokenTree::span))
     }
 
     /// The next token as it is quoted in messages.
@@ -222,7 +221,7 @@ impl<'d> Parser<'d> {
     }
 
     /// What habit from elsewhere may have put the next token here.
-    fn reason(&self) -> Option<&'static str> {
+    pub(super) fn reason(&self) -> Option<&'static str> {
         if self.is_punct(0, '^') || self.is_sign(['*', '*']) {
             return Some("a power is written as a product: `x * x`");
         }

@@ -7,6 +7,8 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, Span};
 use syn::{Attribute, Visibility};
 
+use crate::diagnostics::Extent;
+
 /// `pub struct Name { statements }`.
 pub(crate) struct Declaration {
     /// Doc comments of the struct.
@@ -137,8 +139,8 @@ pub(crate) struct OutputItem {
 #[derive(Clone)]
 pub(crate) struct Expr {
     pub kind: ExprKind,
-    /// From the first to the last token, as far as the compiler can join them.
-    pub span: Span,
+    /// From the first to the last token.
+    pub span: Extent,
 }
 
 #[derive(Clone)]
@@ -159,6 +161,10 @@ pub(crate) enum ExprKind {
 }
 
 impl Expr {
+    pub(crate) fn mistake(at: impl Into<Extent>) -> Self {
+        Self { kind: ExprKind::Mistake, span: at.into() }
+    }
+
     pub(crate) fn is_mistake(&self) -> bool {
         matches!(self.kind, ExprKind::Mistake)
     }

@@ -79,7 +79,7 @@ fn what_only_a_guard_looks_at_is_absent_from_the_straight_line() {
         let guarded = g.guard(angle, Guard { check: Check::ReachCircles, group: 0, operands });
         g.push(Node::Sqrt(guarded))
     }));
-    let straight = function(&text, "solve_position");
+    let straight = function(&text, "core_position_");
     assert!(!straight.contains("hypot") && !straight.contains("0.25"), "{straight}");
     assert!(straight.contains("T::sqrt(theta)"), "{straight}");
     let careful = squeezed(function(&text, "explain_position_"));
@@ -96,7 +96,7 @@ fn sine_and_cosine_are_one_call_near_zero_and_careful_elsewhere() {
         let (sin, cos) = (g.push(Node::Sin(angle)), g.push(Node::Cos(angle)));
         g.push(Node::Mul(sin, cos))
     }));
-    let straight = function(&text, "solve_position");
+    let straight = function(&text, "core_position_");
     assert!(straight.contains("let (v1_, v2_) = T::sin_cos_near(theta);"), "{straight}");
     assert!(straight.contains("let ok_ = T::is_near(theta);"), "{straight}");
     assert_eq!(straight.matches("sin_cos").count(), 1);
@@ -111,7 +111,7 @@ fn an_unneeded_sine_is_dropped_and_a_constant_angle_is_not_asked_for_nearness() 
         let angle = g.constant(exact("1e9"));
         g.push(Node::Cos(angle))
     }));
-    let straight = function(&text, "solve_position");
+    let straight = function(&text, "core_position_");
     assert!(straight.contains("let (_, v1_) = T::sin_cos(v0_);"), "{straight}");
     assert!(!straight.contains("is_near"), "{straight}");
     assert!(straight.contains("let _ = theta;"), "an unread argument is named\n{straight}");
@@ -125,7 +125,7 @@ fn guard(check: Check) -> (String, String) {
         let operands = vec![angle; 4];
         g.guard(value, Guard { check, group: 0, operands })
     }));
-    let straight = squeezed(function(&text, "solve_position"));
+    let straight = squeezed(function(&text, "core_position_"));
     let careful = squeezed(function(&text, "explain_position_"));
     let cut = |text: &str, from: &str| {
         let start = text.find(from).map_or(0, |at| at + from.len());
@@ -177,7 +177,7 @@ fn a_comparison_is_made_once_however_many_groups_ask_for_it() {
         });
         g.push(Node::Sqrt(value))
     }));
-    let straight = function(&text, "solve_position");
+    let straight = function(&text, "core_position_");
     assert_eq!(straight.matches("T::gt(").count(), 1, "{straight}");
     assert_eq!(straight.matches("smallest_square").count(), 1, "{straight}");
 }
@@ -190,7 +190,7 @@ fn what_is_above_zero_is_not_asked_whether_it_is_zero() {
             g.guard(value, Guard { check, group: 0, operands: vec![angle; 4] })
         })
     }));
-    let straight = function(&text, "solve_position");
+    let straight = function(&text, "core_position_");
     assert!(straight.contains("T::gt(theta, zero_)"), "{straight}");
     assert!(!straight.contains("select"), "{straight}");
 }
@@ -205,7 +205,7 @@ fn constants_are_rounded_to_both_widths_and_beyond_a_width_are_infinite() {
         let sum = g.push(Node::Add(high, low));
         g.push(Node::Add(sum, large))
     }));
-    let straight = function(&text, "solve_position");
+    let straight = function(&text, "core_position_");
     assert!(straight.contains("T::lit(-0.3333333333333333, -0.33333334)"), "{straight}");
     // 1/3 less its rounding is a third of 2^-54 in the one width, minus a third of 2^-25 in the other.
     assert!(straight.contains("T::lit(-1.850371707708594e-17, 9.934108e-9)"), "{straight}");
@@ -215,26 +215,24 @@ fn constants_are_rounded_to_both_widths_and_beyond_a_width_are_infinite() {
 #[test]
 fn several_inputs_are_a_record_or_an_array() {
     let text = expand(&table());
-    let (all, velocity) = (squeezed(&text), squeezed(function(&text, "solve_velocity")));
+    let (all, velocity) = (squeezed(&text), squeezed(function(&text, "core_velocity_")));
     assert!(all.contains("struct TableInput<T> {"), "{text}");
     assert!(all.contains("From<[T; 2]> for TableInput<T> {"), "{text}");
     assert!(
         all.contains("fn from([q0_, q1_]: [T; 2]) -> Self { Self { s: q0_, X: q1_ } }"),
         "{text}"
     );
-    assert!(velocity.contains("rates: impl ::linkage_core::private::Into<TableInput<T>>"));
-    assert!(
-        velocity.contains("let rates: TableInput<T> = ::linkage_core::private::Into::into(rates);")
-    );
+    assert!(all.contains("rates: impl ::linkage_core::private::Into<TableInput<T>>"));
+    assert!(all.contains("let rates: TableInput<T> = ::linkage_core::private::Into::into(rates);"));
     assert!(velocity.contains("let v12_ = rates.s * inputs.X;"), "{velocity}");
-    let inputs = "for &(value_, name_) in &[ (inputs.s, \"s\"), (rates.s, \"s_rate\"), (inputs.X, \"X\"), (rates.X, \"X_rate\"), ] { ::linkage_core::private::finite_input(value_, name_)?; }";
+    let inputs = "4] = [ (inputs.s, \"s\"), (rates.s, \"s_rate\"), (inputs.X, \"X\"), (rates.X, \"X_rate\"), ]; for &(value_, name_) in &given_ { ::linkage_core::private::finite_input(value_, name_)?; }";
     assert!(all.contains(inputs), "{text}");
 }
 
 #[test]
 fn coefficients_are_a_row_an_output_and_a_column_an_input() {
     let text = expand(&table());
-    let coefficients = squeezed(function(&text, "solve_coefficients"));
+    let coefficients = squeezed(function(&text, "core_coefficients_"));
     let rows = "([[v5_, v5_], [v4_, v5_], [v5_, v6_], [inputs.X, inputs.s], [v6_, v5_]], ok_)";
     assert!(coefficients.ends_with(rows), "{coefficients}");
     assert!(coefficients.contains("([[T; 2]; 5], T::Mask)"), "{coefficients}");
@@ -252,13 +250,13 @@ fn without_numeric_parameters_a_hidden_field_keeps_the_type_parameter() {
 #[test]
 fn a_dominated_result_is_not_tested_again() {
     let text = expand(&four_bar());
-    let at = squeezed(function(&text, "solve_position_at"));
+    let at = squeezed(function(&text, "core_position_at_"));
     // C, both directions; the margin is a numerator on the way to all of them.
     let test = at.split("T::is_finite(").nth(1).expect("results are tested");
     let test = test.split(';').next().unwrap_or_default();
     assert_eq!(test.matches('v').count(), 6, "{test}");
     assert!(!at.contains("is_near"), "{at}");
-    assert!(at.starts_with("fn solve_position_at(&self, cos: T, sin: T)"), "{at}");
+    assert!(at.starts_with("fn core_position_at_(&self, cos: T, sin: T)"), "{at}");
 }
 
 #[test]
@@ -276,9 +274,55 @@ fn a_long_core_is_cut_into_blocks() {
         let angle = angle(g);
         (0..1000).fold(angle, |sum, _| g.push(Node::Add(sum, angle)))
     }));
-    for name in ["solve_position", "explain_position_"] {
+    for name in ["core_position_", "explain_position_"] {
         let body = function(&text, name);
         assert_eq!(body.matches("= {\n").count(), 16, "{body}");
         assert!(body.contains("let v64_ = {"), "{body}");
     }
+}
+
+/// The expansion without what its layout alone decides.
+fn bare(text: &str) -> String {
+    let text: String = text.replace("::linkage_core::private::", "").split_whitespace().collect();
+    text.replace(",)", ")").replace(",]", "]").replace(",}", "}").replace(",>", ">")
+}
+
+fn assert_has(mechanism: &(Mechanism, Program), parts: &[&str]) {
+    let text = bare(&expand(mechanism));
+    for part in parts {
+        assert!(text.contains(&bare(part)), "no `{part}`");
+    }
+}
+
+#[test]
+fn a_sweep_takes_series_and_gives_components() {
+    assert_has(
+        &four_bar(),
+        &[
+            "fn sweep_position<'series>(&self, theta: impl Into<Series<'series, T>>, \
+             out: FourBarPosition<&mut [T]>, status: &mut [Status], progress: impl Progress) \
+             -> Result<(), LengthMismatch> {",
+            "sweep::<OfVelocity, _, _, 2, 5>(self, [theta, theta_rate],",
+            "[out.C.x, out.C.y, out.BC.cos, out.BC.sin,",
+            "impl<T: Float> Entry<OfVelocity, T, 2, 5> for FourBar<T> {",
+            "self.lift::<Lanes<T, W, F>>().core_velocity_(x0_, x1_);",
+            "let result_ = self.velocity(x0_, x1_)?;",
+            "Ok([result_.C.x, result_.C.y, result_.BC.omega,",
+        ],
+    );
+    // Coefficients, margins and given cosines have no sweep.
+    assert_eq!(expand(&four_bar()).matches("fn sweep_").count(), 3);
+}
+
+#[test]
+fn a_sweep_over_several_inputs_takes_a_record_of_series() {
+    assert_has(
+        &table(),
+        &[
+            "inputs: impl Into<TableInput<Series<'series, T>>>,",
+            "let rates: TableInput<Series<'series, T>> = Into::into(rates);",
+            "[inputs.s, inputs.X, rates.s, rates.X]",
+            "core_velocity_(TableInput { s: x0_, X: x1_ }, TableInput { s: x2_, X: x3_ });",
+        ],
+    );
 }

@@ -103,7 +103,7 @@ fn a_group_of_constants_can_be_assembled() {
         (
             GUIDE,
             "rpp block(B), yoke(rail) { slot: 180deg }",
-            "180deg: a slot at 3.14159 rad lies along the rail; turn it away / slot and rail \
+            "180deg: a slot at 180° lies along the rail; turn it away / slot and rail \
              must cross for the group to be determined",
         ),
         (

@@ -32,7 +32,7 @@ fn a_guide_goes_through_points_of_its_body() {
         (
             CRANK,
             "guide g through A towards A;",
-            "g: `g` has no direction; choose two points that differ / `A` and `A` coincide",
+            "g: `g` has no direction; choose two points that differ / it goes through `A` and towards `A`",
         ),
         (
             CRANK,

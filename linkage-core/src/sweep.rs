@@ -1,0 +1,353 @@
+//! Many poses in one call.
+//!
+//! A sweep reads its inputs from slices and writes every component of every output to a slice of
+//! its own, which is how plots, tables and other programs want them and what vector instructions
+//! need. It runs the same generated code as a single call in a loop that the compiler vectorises,
+//! falls back to the single call where the mask says no, and allocates nothing.
+//!
+//! What is generated for a mechanism is an [`Entry`]; loops, tails, statuses and the choice of an
+//! instruction set are written once, here.
+
+mod instructions;
+#[cfg(test)]
+mod tests;
+
+use core::fmt;
+
+use crate::{Float, Fusion, LaneMask, Lanes, SolveError};
+
+/// What came of one pose, in a byte: the single call's answer without its details, which the
+/// single call still gives.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Status {
+    /// The pose was solved.
+    #[default]
+    Solved,
+    /// See [`SolveError::OutOfReach`].
+    OutOfReach,
+    /// See [`SolveError::Singular`].
+    Singular,
+    /// See [`SolveError::Invalid`].
+    Invalid,
+    /// See [`SolveError::NotFinite`].
+    NotFinite,
+}
+
+/// One input of a sweep: a number for each pose, or one number for all of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Series<'a, T> {
+    /// A number for each pose.
+    Each(&'a [T]),
+    /// The same number at every pose.
+    Constant(T),
+}
+
+/// Who is told how far a sweep has come: nobody, `()`, or a function of the number of poses done
+/// and of all poses.
+pub trait Progress {
+    /// Called after every few thousand poses, and at the end.
+    fn report(&mut self, done: usize, poses: usize);
+}
+
+/// Two slices of a sweep that should be of one length are not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct LengthMismatch {
+    /// The number of poses: the length of the longest slice.
+    pub poses: usize,
+    /// The length of the other slice.
+    pub found: usize,
+}
+
+/// A generated entry point, as a sweep calls it; `K` tells the entry points of a mechanism apart.
+pub trait Entry<K, T: Float, const IN: usize, const OUT: usize> {
+    /// The components of the results for each lane, and where they may be used.
+    fn solve_lanes<const W: usize, F: Fusion>(
+        &self,
+        inputs: [Lanes<T, W, F>; IN],
+    ) -> ([Lanes<T, W, F>; OUT], LaneMask<W>);
+
+    /// The same for a single pose, with the careful path's decision.
+    fn solve_one(&self, inputs: [T; IN]) -> Result<[T; OUT], SolveError>;
+}
+
+/// The entry point `position`.
+#[derive(Debug)]
+pub enum OfPosition {}
+
+/// The entry point `velocity`.
+#[derive(Debug)]
+pub enum OfVelocity {}
+
+/// The entry point `motion`.
+#[derive(Debug)]
+pub enum OfMotion {}
+
+/// Poses between two reports of progress: a fraction of a millisecond's work.
+const REPORT_EVERY: usize = 4096;
+
+/// Solves every pose. Outputs and statuses that are empty slices are not wanted; where a pose has
+/// no solution, its outputs are not numbers.
+pub fn sweep<K, T: Float, E: Entry<K, T, IN, OUT>, const IN: usize, const OUT: usize>(
+    entry: &E,
+    inputs: [Series<'_, T>; IN],
+    outputs: [&mut [T]; OUT],
+    statuses: &mut [Status],
+    mut progress: impl Progress,
+) -> Result<(), LengthMismatch> {
+    let poses = common_length(&inputs, &outputs, statuses)?;
+    let mut batch = Batch { entry, inputs, outputs, statuses };
+    let mut done = 0;
+    while done < poses {
+        let end = poses.min(done.saturating_add(REPORT_EVERY));
+        instructions::run(&mut batch, done, end);
+        done = end;
+        progress.report(done, poses);
+    }
+    Ok(())
+}
+
+/// The length of the longest slice, which every other must have: an input one number for each
+/// pose, an output or the statuses either all poses or none.
+fn common_length<T, const IN: usize, const OUT: usize>(
+    inputs: &[Series<'_, T>; IN],
+    outputs: &[&mut [T]; OUT],
+    statuses: &[Status],
+) -> Result<usize, LengthMismatch> {
+    let given = inputs.iter().filter_map(|series| match series {
+        Series::Each(values) => Some(values.len()),
+        Series::Constant(_) => None,
+    });
+    let wanted = outputs.iter().map(|output| output.len()).chain([statuses.len()]);
+    let wanted = wanted.filter(|&length| length > 0);
+    let lengths = given.chain(wanted);
+    let poses = lengths.clone().max().unwrap_or(0);
+    match lengths.into_iter().find(|&found| found != poses) {
+        Some(found) => Err(LengthMismatch { poses, found }),
+        None => Ok(poses),
+    }
+}
+
+/// What a sweep works on.
+struct Batch<'a, E, T, const IN: usize, const OUT: usize> {
+    entry: &'a E,
+    inputs: [Series<'a, T>; IN],
+    outputs: [&'a mut [T]; OUT],
+    statuses: &'a mut [Status],
+}
+
+impl<T: Copy> Series<'_, T> {
+    /// The number at a pose; the last one beyond the end, so that the last block is filled.
+    #[inline(always)]
+    fn at(&self, pose: usize) -> Option<T> {
+        match *self {
+            Self::Constant(value) => Some(value),
+            Self::Each(values) => values.get(pose).or(values.last()).copied(),
+        }
+    }
+}
+
+/// Poses in a block: a few registers full, so that the block's columns stay in the first cache.
+const BLOCK: usize = 16;
+
+/// The numbers of one input or output at the poses of a block, aligned to a line of the cache:
+/// a vector across two lines costs twice.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+struct Column<T>([T; BLOCK]);
+
+impl<T: Float> Column<T> {
+    const fn splat(value: T) -> Self {
+        Self([value; BLOCK])
+    }
+}
+
+// `inline(always)` on the way from an instruction set to the lanes: a function of its own would be
+// compiled for the instruction set of the rest of the program.
+impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
+    /// The poses from `start` on and before `end`.
+    #[inline(always)]
+    fn run<K, F: Fusion>(&mut self, start: usize, end: usize)
+    where
+        E: Entry<K, T, IN, OUT>,
+    {
+        if let Some(statuses) = self.statuses.get_mut(start..end) {
+            statuses.fill(Status::Solved);
+        }
+        let mut inputs = [Column::splat(T::lit(0.0, 0.0)); IN];
+        let mut results = [Column::splat(T::lit(0.0, 0.0)); OUT];
+        let mut pose = start;
+        while pose < end {
+            let count = BLOCK.min(end - pose);
+            if count == BLOCK {
+                self.read(pose, &mut inputs);
+            } else {
+                self.read_last(pose, &mut inputs);
+            }
+            let mask = self.solve::<K, F>(&inputs, &mut results);
+            if count == BLOCK {
+                self.write(pose, &results);
+            } else {
+                self.write_last(pose, &results);
+            }
+            if mask.contains(&false) {
+                self.reconsider(pose, count, &mask);
+            }
+            pose += count;
+        }
+    }
+
+    /// A loop over single numbers, which the compiler turns into one over vectors: the straight
+    /// line has no branch, the columns are no one else's, and lanes of one number carry in their
+    /// type whether they fuse.
+    #[inline(always)]
+    fn solve<K, F: Fusion>(
+        &self,
+        inputs: &[Column<T>; IN],
+        results: &mut [Column<T>; OUT],
+    ) -> [bool; BLOCK]
+    where
+        E: Entry<K, T, IN, OUT>,
+    {
+        let mut mask = [true; BLOCK];
+        for (i, ok) in mask.iter_mut().enumerate() {
+            let mut numbers = [Lanes::<T, 1, F>::splat(T::lit(0.0, 0.0)); IN];
+            for (number, column) in numbers.iter_mut().zip(inputs) {
+                *number = Lanes::new([column.0[i]]);
+            }
+            let (values, usable) = self.entry.solve_lanes(numbers);
+            for (column, value) in results.iter_mut().zip(values) {
+                [column.0[i]] = value.to_array();
+            }
+            [*ok] = usable.to_array();
+        }
+        mask
+    }
+
+    #[inline(always)]
+    fn read(&self, pose: usize, inputs: &mut [Column<T>; IN]) {
+        for (column, series) in inputs.iter_mut().zip(&self.inputs) {
+            match *series {
+                Series::Constant(value) => *column = Column::splat(value),
+                Series::Each(values) => {
+                    let chunk = values.get(pose..).and_then(|rest| rest.first_chunk());
+                    chunk.into_iter().for_each(|chunk| column.0 = *chunk);
+                }
+            }
+        }
+    }
+
+    /// The last block, which the last pose fills up.
+    #[cold]
+    #[inline(never)]
+    fn read_last(&self, pose: usize, inputs: &mut [Column<T>; IN]) {
+        for (column, series) in inputs.iter_mut().zip(&self.inputs) {
+            for (number, pose) in column.0.iter_mut().zip(pose..) {
+                series.at(pose).into_iter().for_each(|value| *number = value);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn write(&mut self, pose: usize, results: &[Column<T>; OUT]) {
+        for (output, column) in self.outputs.iter_mut().zip(results) {
+            if let Some(chunk) = output.get_mut(pose..).and_then(|rest| rest.first_chunk_mut()) {
+                *chunk = column.0;
+            }
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn write_last(&mut self, pose: usize, results: &[Column<T>; OUT]) {
+        for (output, column) in self.outputs.iter_mut().zip(results) {
+            let rest = output.get_mut(pose..).unwrap_or_default();
+            rest.iter_mut().zip(column.0).for_each(|(to, value)| *to = value);
+        }
+    }
+
+    /// Solves again, one by one, the poses whose mask says no.
+    #[cold]
+    #[inline(never)]
+    fn reconsider<K>(&mut self, start: usize, count: usize, mask: &[bool])
+    where
+        E: Entry<K, T, IN, OUT>,
+    {
+        let none = T::lit(f64::NAN, f32::NAN);
+        let refused = mask.iter().take(count).enumerate().filter(|&(_, &usable)| !usable);
+        for pose in refused.map(|(lane, _)| start + lane) {
+            let mut inputs = [none; IN];
+            for (input, series) in inputs.iter_mut().zip(&self.inputs) {
+                *input = series.at(pose).unwrap_or(none);
+            }
+            let result = self.entry.solve_one(inputs);
+            for (output, value) in self.outputs.iter_mut().zip(result.unwrap_or([none; OUT])) {
+                output.get_mut(pose).into_iter().for_each(|to| *to = value);
+            }
+            let status = result.map_or_else(Status::from, |_| Status::Solved);
+            self.statuses.get_mut(pose).into_iter().for_each(|to| *to = status);
+        }
+    }
+}
+
+impl From<SolveError> for Status {
+    fn from(error: SolveError) -> Self {
+        match error {
+            SolveError::OutOfReach { .. } => Self::OutOfReach,
+            SolveError::Singular { .. } => Self::Singular,
+            SolveError::Invalid { .. } => Self::Invalid,
+            SolveError::NotFinite { .. } => Self::NotFinite,
+        }
+    }
+}
+
+impl Progress for () {
+    #[inline]
+    fn report(&mut self, _: usize, _: usize) {}
+}
+
+impl<F: FnMut(usize, usize)> Progress for F {
+    #[inline]
+    fn report(&mut self, done: usize, poses: usize) {
+        self(done, poses);
+    }
+}
+
+impl<T: Float> From<T> for Series<'_, T> {
+    #[inline]
+    fn from(value: T) -> Self {
+        Self::Constant(value)
+    }
+}
+
+impl<'a, T> From<&'a [T]> for Series<'a, T> {
+    #[inline]
+    fn from(values: &'a [T]) -> Self {
+        Self::Each(values)
+    }
+}
+
+impl<'a, T, const N: usize> From<&'a [T; N]> for Series<'a, T> {
+    #[inline]
+    fn from(values: &'a [T; N]) -> Self {
+        Self::Each(values)
+    }
+}
+
+#[cfg(any(feature = "std", feature = "ad"))]
+impl<'a, T> From<&'a std::vec::Vec<T>> for Series<'a, T> {
+    #[inline]
+    fn from(values: &'a std::vec::Vec<T>) -> Self {
+        Self::Each(values)
+    }
+}
+
+impl fmt::Display for LengthMismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { poses, found } = self;
+        write!(f, "a slice of {found} beside one of {poses}: give every pose a place in both")
+    }
+}
+
+impl core::error::Error for LengthMismatch {}

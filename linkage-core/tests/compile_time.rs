@@ -1,0 +1,118 @@
+//! What declarations cost whoever compiles them: scratch crates, built by Cargo as a user would.
+//!
+//! Times depend on the machine, so nothing is measured unless asked for:
+//! `cargo test -p linkage-core --test compile_time -- --ignored --nocapture`.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+/// A crate outside the workspace that declares mechanisms and nothing else.
+struct Scratch {
+    root: PathBuf,
+}
+
+impl Scratch {
+    fn new(name: &str, source: &str) -> Self {
+        let root = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+        fs::create_dir_all(root.join("src")).expect("the scratch directory can be made");
+        let manifest = format!(
+            "[package]\nname = \"{name}\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
+             linkage-core = {{ path = {:?}, default-features = false, features = [\"macros\"] }}\n",
+            env!("CARGO_MANIFEST_DIR")
+        );
+        fs::write(root.join("Cargo.toml"), manifest).expect("the manifest can be written");
+        fs::write(root.join("src/lib.rs"), source).expect("the source can be written");
+        let lock = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.lock");
+        fs::copy(lock, root.join("Cargo.lock")).expect("the lock file can be copied");
+        Self { root }
+    }
+
+    fn cargo(&self, arguments: &[&str]) {
+        let status = Command::new(env!("CARGO"))
+            .args(arguments)
+            .args(["--quiet", "--offline"])
+            .current_dir(&self.root)
+            .env("CARGO_TARGET_DIR", concat!(env!("CARGO_TARGET_TMPDIR"), "/compile_time"))
+            .status()
+            .expect("cargo can be started");
+        assert!(status.success(), "cargo {arguments:?} failed in {}", self.root.display());
+    }
+
+    /// The least of three times, everything but the declarations compiled before.
+    fn time(&self, arguments: &[&str]) -> Duration {
+        self.cargo(arguments);
+        let source = self.root.join("src/lib.rs");
+        let text = fs::read_to_string(&source).expect("the source can be read");
+        let one = |_| {
+            fs::write(&source, &text).expect("the source can be written");
+            let start = Instant::now();
+            self.cargo(arguments);
+            start.elapsed()
+        };
+        (0..3).map(one).min().expect("there are three")
+    }
+}
+
+/// A crank and four dyads, one of each kind that closes a loop on the ground.
+fn five_bodies(i: usize) -> String {
+    let crank = 80 + i;
+    format!(
+        "linkage_core::mechanism! {{ pub struct M{i} {{
+            input theta: angle;
+            ground A(0, 0), D(665.7mm, 0), E(900mm, 20mm);
+            guide rail through (0, 300mm) along 10deg;
+            crank AB(A) -> B {{ length: {crank}mm, angle: theta }}
+            rrr BC(B), DC(D) -> C {{ lengths: (632mm, 374mm), mode: left }}
+            point P on BC at (500mm, -60mm);
+            rrp PQ(P), block(rail) -> Q {{ length: 700mm, mode: ahead }}
+            rpr sleeve(C), bar(E) {{ }}
+            point R on bar at (100mm, 50mm);
+            rpp pin(R), yoke(rail) {{ slot: 80deg }}
+        }} }}\n"
+    )
+}
+
+/// Dyads on dyads: each stands on the ground and on the pin of the one before.
+fn chain(groups: usize) -> String {
+    let mut source = String::from(
+        "linkage_core::mechanism! { pub struct Chain { input theta: angle; ground A(0, 0);
+         crank AB(A) -> P0 { length: 100mm, angle: theta }\n",
+    );
+    for i in 1..=groups {
+        let (x, before) = (i * 600, i - 1);
+        writeln!(
+            source,
+            "ground D{i}({x}mm, 0); rrr a{i}(P{before}), b{i}(D{i}) -> P{i} \
+             {{ lengths: (605mm, 300mm), mode: left }}"
+        )
+        .expect("a string takes everything");
+    }
+    source + &format!("output P{groups}, b{groups}; }} }}\n")
+}
+
+#[test]
+#[ignore = "takes minutes, and measures the machine as well"]
+fn many_mechanisms_and_long_chains() {
+    let fifty: String = (0..50).map(five_bodies).collect();
+    let rows = [
+        ("fifty_mechanisms", fifty),
+        ("chain_of_25", chain(25)),
+        ("chain_of_50", chain(50)),
+        ("chain_of_100", chain(100)),
+    ];
+    println!("{:>20} {:>8} {:>8} {:>8}", "", "check", "debug", "release");
+    for (name, source) in rows {
+        let scratch = Scratch::new(name, &source);
+        let [check, debug, release] =
+            [&["check"][..], &["build"], &["build", "--release"]].map(|a| scratch.time(a));
+        println!(
+            "{name:>20} {:7.2}s {:7.2}s {:7.2}s",
+            check.as_secs_f64(),
+            debug.as_secs_f64(),
+            release.as_secs_f64()
+        );
+    }
+}

@@ -1,0 +1,15 @@
+use linkage_core::mechanism;
+
+mechanism! {
+    pub struct M {
+        input theta: angle;
+        ground A(0, 0), D(4m, 0);
+        crank AB(A) -> B { length: 1m, angle: theta }
+        crank DE(D) -> E { length: half, angle: theta }
+        let half = 1m / 2;
+    }
+}
+
+fn main() {
+    let _ = M::new().position(0.3);
+}

@@ -1,0 +1,11 @@
+use linkage_core::mechanism;
+
+mechanism! {
+    pub struct M {
+        ground A(0, 0), D(4m, 0); crank AB(A) -> B { length: 1m, angle: 30deg }
+    }
+}
+
+fn main() {
+    let _ = M::new().position(0.3);
+}

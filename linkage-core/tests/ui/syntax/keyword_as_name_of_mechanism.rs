@@ -1,0 +1,11 @@
+use linkage_core::mechanism;
+
+mechanism! {
+    pub struct Self {
+        input theta: angle;
+        ground A(0, 0), D(4m, 0);
+        crank AB(A) -> B { length: 1m, angle: theta }
+    }
+}
+
+fn main() {}

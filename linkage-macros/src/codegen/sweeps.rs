@@ -1,0 +1,161 @@
+//! Sweeps: an entry point on slices. The loop is the run-time crate's; what is generated says how
+//! records of slices become lists of components, and lists of components records.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use super::names::{function_name, generated};
+use super::results::{self, Order};
+use super::{Context, docs, entry, straight};
+use crate::ir::program::{Entry, EntryKind};
+
+/// `sweep_position`, `sweep_velocity`, `sweep_motion`; nothing for other entry points.
+pub(super) fn items(cx: &Context<'_>, entry: &Entry) -> Option<TokenStream> {
+    let kind = match entry.kind {
+        EntryKind::Position => "OfPosition",
+        EntryKind::Velocity => "OfVelocity",
+        EntryKind::Motion => "OfMotion",
+        _ => return None,
+    };
+    let sweep = Sweep {
+        cx,
+        entry,
+        kind: cx.paths.item(kind),
+        ins: Literal::usize_unsuffixed(entry::orders(entry.kind) * cx.mechanism.inputs.len()),
+        outs: Literal::usize_unsuffixed(entry.sinks.len()),
+    };
+    let (function, implementation) = (sweep.function(), sweep.implementation());
+    Some(quote!(#function #implementation))
+}
+
+struct Sweep<'a> {
+    cx: &'a Context<'a>,
+    entry: &'a Entry,
+    /// The run-time type that stands for the entry point.
+    kind: TokenStream,
+    /// How many numbers a pose takes and gives.
+    ins: Literal,
+    outs: Literal,
+}
+
+impl Sweep<'_> {
+    /// What the user calls.
+    fn function(&self) -> TokenStream {
+        let Self { cx, entry, kind, ins, outs } = self;
+        let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
+        let [float, series, status, progress, result, mismatch, sweep] =
+            ["Float", "Series", "Status", "Progress", "Result", "LengthMismatch", "sweep"]
+                .map(|item| cx.paths.item(item));
+        let arguments = cx.arguments(entry.kind);
+        let values = quote!(#series<'series, #scalar>);
+        let (declared, converted) = if arguments.are_records() {
+            (arguments.declared(&values), arguments.converted(&values))
+        } else {
+            let (into, names) = (cx.paths.item("Into"), arguments.names());
+            let declared = names.iter().map(|name| quote!(#name: impl #into<#values>));
+            (declared.collect(), quote!(#(let #names: #values = #into::into(#names);)*))
+        };
+        let inputs = self.inputs(arguments.names());
+        let record = entry::record(cx, entry.kind);
+        let outputs = components(cx, entry.kind, &quote!(out));
+        let function = function_name(&format!("sweep_{}", entry::method(entry.kind)));
+        let docs = docs::sweep(cx, entry);
+        quote! {
+            impl<#scalar: #float> #name<#scalar> {
+                #docs
+                pub fn #function<'series>(
+                    &self,
+                    #(#declared,)*
+                    out: #record<&mut [#scalar]>,
+                    status: &mut [#status],
+                    progress: impl #progress,
+                ) -> #result<(), #mismatch> {
+                    #converted
+                    #sweep::<#kind, _, _, #ins, #outs>(
+                        self, [#(#inputs),*], [#(#outputs),*], status, progress,
+                    )
+                }
+            }
+        }
+    }
+
+    /// The entry point as the run-time crate's loop calls it.
+    fn implementation(&self) -> TokenStream {
+        let Self { cx, entry, kind, ins, outs } = self;
+        let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
+        let [float, fusion, mask, lanes, trait_, result, error, ok] =
+            ["Float", "Fusion", "LaneMask", "Lanes", "Entry", "Result", "SolveError", "Ok"]
+                .map(|item| cx.paths.item(item));
+        let [value, usable] = ["result_", "ok_"].map(generated);
+        let values = components(cx, entry.kind, &quote!(#value));
+        let (core, method) = (straight::core_name(entry), function_name(entry::method(entry.kind)));
+        let locals: Vec<_> = self.numbered_locals();
+        let arguments = self.arguments(&locals);
+        quote! {
+            impl<#scalar: #float> #trait_<#kind, #scalar, #ins, #outs> for #name<#scalar> {
+                #[inline(always)]
+                fn solve_lanes<const W: usize, F: #fusion>(
+                    &self,
+                    [#(#locals),*]: [#lanes<#scalar, W, F>; #ins],
+                ) -> ([#lanes<#scalar, W, F>; #outs], #mask<W>) {
+                    let (#value, #usable) =
+                        self.lift::<#lanes<#scalar, W, F>>().#core(#(#arguments),*);
+                    ([#(#values),*], #usable)
+                }
+
+                fn solve_one(
+                    &self,
+                    [#(#locals),*]: [#scalar; #ins],
+                ) -> #result<[#scalar; #outs], #error> {
+                    let #value = self.#method(#(#arguments),*)?;
+                    #ok([#(#values),*])
+                }
+            }
+        }
+    }
+
+    /// The numbers of a pose, each input's values first, then their rates.
+    fn inputs(&self, arguments: &[Ident]) -> Vec<TokenStream> {
+        let inputs = &self.cx.mechanism.inputs;
+        if inputs.len() == 1 {
+            return arguments.iter().map(|name| quote!(#name)).collect();
+        }
+        let fields: Vec<_> = inputs.iter().map(|input| &input.name).collect();
+        let of = |name| fields.iter().map(move |field| quote!(#name.#field));
+        arguments.iter().flat_map(of).collect()
+    }
+
+    fn numbered_locals(&self) -> Vec<Ident> {
+        let count = entry::orders(self.entry.kind) * self.cx.mechanism.inputs.len();
+        (0..count).map(|i| generated(&format!("x{i}_"))).collect()
+    }
+
+    /// The arguments of the single call, from as many locals as a pose has numbers.
+    fn arguments(&self, locals: &[Ident]) -> Vec<TokenStream> {
+        let inputs = &self.cx.mechanism.inputs;
+        if inputs.len() == 1 {
+            return locals.iter().map(|name| quote!(#name)).collect();
+        }
+        let record = &self.cx.names.input;
+        let fields: Vec<_> = inputs.iter().map(|input| &input.name).collect();
+        let argument = |values: &[Ident]| quote!(#record { #(#fields: #values),* });
+        locals.chunks(inputs.len()).map(argument).collect()
+    }
+}
+
+/// The components of a record of results, in the order of the entry point's sinks.
+fn components(cx: &Context<'_>, kind: EntryKind, record: &TokenStream) -> Vec<TokenStream> {
+    match kind {
+        EntryKind::Position => results::components(cx, Order::Position, record),
+        EntryKind::Velocity => results::components(cx, Order::Velocity, record),
+        _ => {
+            let part = |order| match order {
+                Order::Position => quote!(#record.position),
+                Order::Velocity => quote!(#record.velocity),
+                Order::Acceleration => quote!(#record.acceleration),
+            };
+            let of = |order| results::components(cx, order, &part(order));
+            Order::ALL.into_iter().flat_map(of).collect()
+        }
+    }
+}
