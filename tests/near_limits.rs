@@ -56,9 +56,7 @@ macro_rules! assert_achieved {
                         "{gap:e}: {count}"
                     );
                     for order in 0..3 {
-                        if !(worst[order] <= $allowed[order]) {
-                            println!("over")
-                        }
+                        assert!(worst[order] <= $allowed[order], "{width:?} {gap:e}: {worst:?}");
                     }
                 }
             }

@@ -7,6 +7,7 @@
 #[path = "../../tests/mechanisms"]
 mod mechanisms {
     pub(crate) mod driven_groups;
+    pub(crate) mod near_limits;
 }
 #[path = "../../tests/double_double/mod.rs"]
 mod double_double;
