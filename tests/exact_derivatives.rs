@@ -7,6 +7,7 @@
 //! - The sensitivity to the dimensions by dual numbers, against the coefficients of the same
 //!   mechanism with its dimensions as inputs: there the velocity equations carry the rates of
 //!   lengths, offsets and guides.
+//! - Mixed second and third derivatives of the position, against dual numbers through the formulas.
 //! - Jacobian, sensitivity and coefficients against tables computed with 150 digits; the tables'
 //!   conditions also hold those conditions that the random tests compute by differentiation.
 //!
@@ -35,13 +36,13 @@ use conditioning::{
 use data::slopes::{self, Case, Slope};
 use linkage_core::{Real, SolveError};
 use mechanisms::differentiated::*;
-use num_dual::{Dual2, DualNum};
+use num_dual::{Dual, Dual2, Dual3, DualNum, HyperDual};
 use random::Random;
 
 const ALLOWED: f64 = 16.0;
 
 /// Poses of each declaration in each width.
-const POSES: usize = if cfg!(debug_assertions) { 1000 } else { 5000 };
+const POSES: usize = if cfg!(debug_assertions) { 500 } else { 5000 };
 
 /// `f32` or `f64`; the states hold numbers that both do.
 trait Width: Real + DualNum {
@@ -55,18 +56,19 @@ impl Width for f64 {}
 
 /// Runs `check` at random states that can be assembled.
 fn at_random_states<M: Differentiated, F: Width>(
+    wanted: usize,
     mut check: impl FnMut(&State<f64>, &State<F>) -> Result<(), SolveError>,
 ) {
     let mut random = Random::new(M::NAME.len() as u64);
     let mut poses = 0;
-    for _ in 0..2 * POSES {
+    for _ in 0..2 * wanted {
         let state = any_state::<M>(&mut random, poses % M::MODES == 1);
         match check(&state, &state.map(F::of)) {
             Ok(()) => poses += 1,
             Err(SolveError::OutOfReach { .. }) => {}
             Err(error) => panic!("{}: {error} at {state:?}", M::NAME),
         }
-        if poses == POSES {
+        if poses == wanted {
             return;
         }
     }
@@ -92,14 +94,15 @@ fn differentiated_motion<M: Differentiated, F: Width>(at: &State<F>) -> Result<V
 fn motions_agree<M: Differentiated, F: Width>() {
     let rows = M::OUTPUTS.len();
     let mut worst = [Worst::default(); 3];
-    at_random_states::<M, F>(|state, at| {
+    at_random_states::<M, F>(POSES, |state, at| {
         let (formulas, duals) = (motion::<M, F>(at)?, differentiated_motion::<M, F>(at)?);
         let conditions = shared::<M>(conditions(state, |at| motion::<M, _>(at))?);
         for (place, (formula, dual)) in formulas.iter().zip(duals).enumerate() {
             let (order, name) = (place / rows, M::OUTPUTS[place % rows]);
-            // The components of a direction carry −ω², which its angle's acceleration does not.
+            // The components of a direction carry products of the rates that make up its own; in
+            // its angle's acceleration they cancel.
             let turning = order == 2 && name.ends_with(".angle");
-            let rate = if turning { formulas[place - rows].value() } else { 0.0 };
+            let rate = if turning { conditions[place - rows] } else { 0.0 };
             let condition = conditions[place] + rate * rate;
             let error = formula.value() - dual.value();
             worst[order].note(error, <F as Real>::EPSILON, condition, ALLOWED, || {
@@ -119,7 +122,7 @@ fn matrices_agree<M: Differentiated, F: Width>(
     conditions: impl Fn(&State<f64>) -> Result<Vec<f64>, SolveError>,
 ) {
     let mut worst = Worst::default();
-    at_random_states::<M, F>(|state, at| {
+    at_random_states::<M, F>(POSES, |state, at| {
         let (found, expected) = (columns(&found(at)?), columns(&expected(at)?));
         let conditions = shared::<M>(conditions(state)?);
         assert!(found.len() == expected.len() && found.len() == conditions.len());
@@ -166,6 +169,72 @@ where
     });
 }
 
+/// The second derivative with the rates once and the second rates once: the velocity's change
+/// along the second rates.
+fn mixed<M: Differentiated, T: Real + DualNum>(at: &State<T>) -> Result<Vec<T>, SolveError> {
+    let mut along = at.map(Dual::from_re);
+    along.inputs.iter_mut().zip(&at.seconds).for_each(|(input, second)| input.eps = *second);
+    Ok(M::motion(&along)?[1].iter().map(|row| row.eps).collect())
+}
+
+/// The rate of the acceleration, where the inputs have no third rate.
+fn third<M: Differentiated, T: Real + DualNum>(at: &State<T>) -> Result<Vec<T>, SolveError> {
+    let mut along = at.map(Dual::from_re);
+    along.inputs.iter_mut().zip(&at.rates).for_each(|(input, rate)| input.eps = *rate);
+    along.rates.iter_mut().zip(&at.seconds).for_each(|(rate, second)| rate.eps = *second);
+    Ok(M::motion(&along)?[2].iter().map(|row| row.eps).collect())
+}
+
+/// The same two through the position.
+fn higher_derivatives<M: Differentiated>(at: &State<f64>) -> Result<[Vec<f64>; 2], SolveError> {
+    let (mut hyper, mut cubic) = (at.map(HyperDual::from_re), at.map(Dual3::from_re));
+    for (i, (rate, second)) in at.rates.iter().zip(&at.seconds).enumerate() {
+        (hyper.inputs[i].eps1, hyper.inputs[i].eps2) = (*rate, *second);
+        (cubic.inputs[i].v1, cubic.inputs[i].v2) = (*rate, *second);
+    }
+    let mixed = M::position(&hyper)?.iter().map(|row| row.eps1eps2).collect();
+    Ok([mixed, M::position(&cubic)?.iter().map(|row| row.v3).collect()])
+}
+
+/// Conditions of the two, with the products of rates that a direction's components carry.
+fn higher_conditions<M: Differentiated>(at: &State<f64>) -> Result<[Vec<f64>; 2], SolveError> {
+    let along_seconds = State { rates: at.seconds.clone(), ..at.clone() };
+    let [by_rates, by_seconds] = [
+        conditions(at, |at| motion::<M, _>(at))?,
+        conditions(&along_seconds, |at| motion::<M, _>(at))?,
+    ];
+    let (mut mixed, mut third) =
+        (shared::<M>(conditions(at, mixed::<M, _>)?), shared::<M>(conditions(at, third::<M, _>)?));
+    let rows = M::OUTPUTS.len();
+    for row in (0..rows).filter(|&row| M::OUTPUTS[row].ends_with(".angle")) {
+        let (rate, second) = (by_rates[rows + row], by_rates[2 * rows + row]);
+        mixed[row] += rate * by_seconds[rows + row];
+        third[row] += rate * (rate * rate + 3.0 * second);
+    }
+    Ok([mixed, third])
+}
+
+/// A third derivative takes four parts with 20 roundings each, of which the square root of the
+/// number allows half as much again.
+fn higher_derivatives_agree<M: Differentiated>() {
+    let mut worst = [Worst::default(); 2];
+    at_random_states::<M, f64>(POSES / 4, |state, at| {
+        let formulas = [mixed::<M, f64>(at)?, third::<M, f64>(at)?];
+        let (duals, conditions) = (higher_derivatives::<M>(at)?, higher_conditions::<M>(at)?);
+        for kind in 0..2 {
+            for (row, name) in M::OUTPUTS.iter().enumerate() {
+                let (formula, dual) = (formulas[kind][row], duals[kind][row]);
+                let condition = conditions[kind][row];
+                worst[kind].note(formula - dual, f64::EPSILON, condition, 1.5 * ALLOWED, || {
+                    format!("{}, {name}, {kind}: {formula}, {dual} at {state:?}", M::NAME)
+                });
+            }
+        }
+        Ok(())
+    });
+    println!("{} mixed and third: {:.1?} ε", M::NAME, worst.map(|worst| worst.0));
+}
+
 /// All there is to check of a mechanism and its twin whose dimensions are inputs.
 macro_rules! checked {
     ($($test:ident: $fixed:ident, $moving:ident;)+) => {$(
@@ -196,6 +265,12 @@ macro_rules! checked {
             fn sensitivities_are_the_coefficients_of_moving_dimensions() {
                 sensitivity_is_the_coefficients::<$fixed, $moving, f64>();
                 sensitivity_is_the_coefficients::<$fixed, $moving, f32>();
+            }
+
+            #[test]
+            fn higher_derivatives_are_those_of_the_formulas() {
+                higher_derivatives_agree::<$fixed>();
+                higher_derivatives_agree::<$moving>();
             }
         }
     )+};

@@ -87,7 +87,9 @@ fn bad_offsets<T: Real>() {
         assert_all(&answers!(group, q, still, still), expected);
         let group = DrivenRpp { e2: number::<T>(bad), ..Default::default() };
         let (q, still) = (list([0.0, 0.5, 0.0, 0.0, 0.0]), list([0.0; 5]));
-        assert_all(&answers!(group, q, still, still), expected);
+        // Velocities and coefficients do not depend on where the slot stands in the yoke.
+        let [position, _, motion, _] = answers!(group, q, still, still);
+        assert_all(&[position, motion], expected);
         let group = DrivenRpp { slot: number::<T>(bad), ..Default::default() };
         assert_all(&answers!(group, q, still, still), SolveError::NotFinite { name: "slot" });
     }

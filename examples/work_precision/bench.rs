@@ -46,8 +46,8 @@ pub(crate) struct Finding {
     pub(crate) errors: Option<Errors>,
 }
 
-/// The poses of one run.
-const POSES: usize = 512;
+/// The poses of one run: what a sweep writes of them stays in the first cache.
+const POSES: usize = 256;
 
 pub(crate) struct Bench<F, const N: usize> {
     mechanism: Mechanism<N>,
@@ -72,7 +72,7 @@ impl<F: Width, const N: usize> Bench<F, N> {
         solve: impl Fn([F; 3]) -> R + Copy + 'static,
         numbers: impl Fn(&R::Motion) -> [F; N] + Copy + 'static,
     ) {
-        self.timed(name, angles(), move |input| solve(input), numbers);
+        self.timed(name, angles(), solve, numbers);
         let found = errors(&self.mechanism, |input| solve(input).motion().map(numbers));
         self.errors.push((name.to_owned(), found));
     }
@@ -130,7 +130,7 @@ impl<F: Width, const N: usize> Bench<F, N> {
     ) {
         let ([rate, second], angles) = (self.rates, angles::<F>());
         let mut columns: [Vec<F>; N] = std::array::from_fn(|_| vec![F::of(0.0); POSES]);
-        let mut status: Vec<Status> = vec![Ok(()); POSES];
+        let mut status: Vec<Status> = vec![Status::Solved; POSES];
         let run = move || {
             let numbers = columns.each_mut().map(|column| &mut column[..]);
             sweep((&angles, rate, second), Slices { numbers, status: &mut status });
@@ -140,9 +140,9 @@ impl<F: Width, const N: usize> Bench<F, N> {
         let found = errors(&self.mechanism, |input: [F; 3]| {
             let mut values = [F::of(0.0); N];
             let numbers = values.each_mut().map(std::slice::from_mut);
-            let mut status = [Ok(())];
+            let mut status = [Status::NotFinite];
             sweep((&input[..1], input[1], input[2]), Slices { numbers, status: &mut status });
-            status[0].ok().map(|()| values)
+            (status[0] == Status::Solved).then_some(values)
         });
         self.errors.push((name.to_owned(), found));
     }
@@ -160,7 +160,7 @@ impl<F: Width, const N: usize> Bench<F, N> {
 
     pub(crate) fn run(self, rounds: usize, progress: &dyn Fn(usize)) -> Vec<Finding> {
         let Self { throughput, latency, errors, .. } = self;
-        let chained = latency.run(rounds, |round| progress(round));
+        let chained = latency.run(rounds, progress);
         let alone = throughput.run(rounds, |round| progress(rounds + round));
         let finding = |throughput: Timing| {
             let name = throughput.name.clone();

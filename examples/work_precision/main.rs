@@ -46,7 +46,7 @@ fn main() {
     for (index, contest) in contests.into_iter().enumerate() {
         let title = format!("{}, {}", contest.mechanism, contest.width);
         let progress = |round: usize| {
-            if round % 64 == 0 {
+            if round.is_multiple_of(64) {
                 let percent = round * 50 / rounds;
                 eprint!("\r{} of {count}: {title}: {percent} %   ", index + 1);
                 let _ = std::io::stderr().flush();

@@ -1,6 +1,8 @@
 //! Sine and cosine as a careful hand would write them for one project: a reduction in three parts
 //! of π/2 and Taylor-like polynomials, inlined, about one unit in the last place.
 
+#![allow(clippy::excessive_precision, reason = "the digits are those of the source")]
+
 use crate::number::Number;
 
 /// fdlibm's minimax coefficients for |x| ≤ π/4.

@@ -46,7 +46,7 @@ pub fn finite_result<T: Real>(
     Err(SolveError::NotFinite { name: blamed.1 })
 }
 
-/// The value, (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²) / 4d⁴, provided that circles of radii `l1` and
+/// The value, (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²) / (4 l₁ l₂)², provided that circles of radii `l1` and
 /// `l2` about points d = (`dx`, `dy`) apart meet; zero where they fail to by at most four units in
 /// the last place of the longest of the three lengths. Where they meet and the value was rounded
 /// away, it is computed once more without rounding.

@@ -24,6 +24,8 @@ pub struct Cost {
     pub position: Operations,
     /// Of `motion`: position, velocity and acceleration together.
     pub motion: Operations,
+    /// Of `coefficients`.
+    pub coefficients: Operations,
 }
 
 impl Operations {
@@ -46,7 +48,11 @@ impl fmt::Display for Operations {
 
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "position: {}; motion: {}", self.position, self.motion)
+        write!(
+            f,
+            "position: {}; motion: {}; coefficients: {}",
+            self.position, self.motion, self.coefficients
+        )
     }
 }
 
@@ -61,8 +67,10 @@ mod tests {
             Operations { additions: 20, multiplications: 31, divisions: 2, roots: 1, sines: 1 };
         assert_eq!(position.to_string(), "20 add, 31 mul, 2 div, 1 sqrt, 1 sin/cos");
         assert_eq!(position.total(), 55);
-        let cost = Cost { position, motion: Operations::default() };
+        let cost = Cost { position, ..Cost::default() };
         assert!(cost.to_string().starts_with("position: 20 add"));
-        assert!(cost.to_string().ends_with("; motion: 0 add, 0 mul, 0 div, 0 sqrt, 0 sin/cos"));
+        assert!(
+            cost.to_string().ends_with("; coefficients: 0 add, 0 mul, 0 div, 0 sqrt, 0 sin/cos")
+        );
     }
 }

@@ -10,6 +10,11 @@ use num_dual::{Derivative, Dual2SVec, DualNum, DualSVec};
 
 use crate::{Float, Scalar, SolveError};
 
+/// `f32` or `f64`, as what a derivative is made of.
+pub trait Differentiable: Float + DualNum {}
+
+impl<F: Float + DualNum> Differentiable for F {}
+
 /// The Jacobian of the `rows` with respect to `x`: a row an output, a column an element of `x`.
 ///
 /// ```
@@ -40,7 +45,7 @@ use crate::{Float, Scalar, SolveError};
 ///
 /// # Errors
 /// Those of the rows; `Singular` where a derivative is not finite.
-pub fn differentiate<F: Float + DualNum, const OUT: usize, const N: usize>(
+pub fn differentiate<F: Differentiable, const OUT: usize, const N: usize>(
     x: [F; N],
     rows: impl FnOnce([DualSVec<F, N>; N]) -> Result<[DualSVec<F, N>; OUT], SolveError>,
 ) -> Result<SMatrix<F, OUT, N>, SolveError> {
@@ -96,7 +101,7 @@ pub struct Derivatives<F, const N: usize> {
 ///
 /// # Errors
 /// Those of the function; `Singular` where it or a derivative is not finite.
-pub fn differentiate_twice<F: Float + DualNum, const N: usize>(
+pub fn differentiate_twice<F: Differentiable, const N: usize>(
     x: [F; N],
     function: impl FnOnce([Dual2SVec<F, N>; N]) -> Result<Dual2SVec<F, N>, SolveError>,
 ) -> Result<Derivatives<F, N>, SolveError> {
@@ -110,7 +115,7 @@ pub fn differentiate_twice<F: Float + DualNum, const N: usize>(
 
 const UNDEFINED: SolveError = SolveError::Singular { group: "the derivative" };
 
-fn are_finite<F: Float + DualNum, const R: usize, const C: usize>(
+fn are_finite<F: Differentiable, const R: usize, const C: usize>(
     matrix: &SMatrix<F, R, C>,
 ) -> bool {
     matrix.iter().all(|&entry| Scalar::is_finite(entry))

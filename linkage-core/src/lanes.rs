@@ -168,7 +168,17 @@ fn both<T: Float, const W: usize, F: Fusion>(
     f: impl Fn(T) -> (T, T),
 ) -> (Lanes<T, W, F>, Lanes<T, W, F>) {
     let (mut first, mut second) = (x, x);
-    for (first, second) in first.lanes.iter_mut().zip(&mut second.lanes) {
+    // Written out for as many lanes as registers hold: the body may be so long that the compiler
+    // leaves a loop over it as it is, one lane at a time.
+    macro_rules! lane {
+        ($($i:literal)*) => { $(
+            if $i < W {
+                (first.lanes[$i], second.lanes[$i]) = f(x.lanes[$i]);
+            }
+        )* };
+    }
+    lane!(0 1 2 3 4 5 6 7);
+    for (first, second) in first.lanes.iter_mut().zip(&mut second.lanes).skip(8) {
         (*first, *second) = f(*first);
     }
     (first, second)

@@ -73,6 +73,25 @@
 //! not finite never comes back as `Ok`. The types are those of [`nalgebra`] and [`num_dual`],
 //! re-exported so that their versions fit.
 //!
+//! # Called from C
+//!
+//! With `export c;` in the declaration every entry point is also a C function, for `double` and,
+//! with `_f32` at the end of its name, for `float`; the constant `C_HEADER` of the generated struct
+//! is the text of the header. A function returns a status, 0 where there is an answer, and fills in
+//! a `LinkageError` where it is given one: the group, what is to blame, and for
+//! [`SolveError::OutOfReach`] the missing distance. A null pointer, a number that is not finite and
+//! a mode that is none are statuses as well; after any of them the answer is left as it was.
+//!
+//! No other statement generates unsafe code. This one marks the functions `#[unsafe(no_mangle)]`,
+//! since C has one name space for all, and follows raw pointers: it reads the parameters and
+//! inputs that C points to, and writes the answer and the error. Each is tested for null first;
+//! that it points to what its type says is C's to keep, as ever. A crate that forbids unsafe code
+//! cannot export.
+//!
+//! A static library without the standard library needs a panic handler of yours, which nothing
+//! reaches, `panic = "abort"` in its profile, and a linker that drops what is not called (gcc's
+//! `-Wl,--gc-sections`).
+//!
 //! # Features
 //!
 //! - `macros` (default): the macro.
@@ -122,7 +141,7 @@ mod tracker;
 
 pub use cost::{Cost, Operations};
 #[cfg(feature = "ad")]
-pub use derivatives::{Derivatives, differentiate, differentiate_twice};
+pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_twice};
 pub use error::SolveError;
 pub use kernels::{Float, Fused, Fusion, Plain};
 pub use lanes::{LaneMask, Lanes};

@@ -52,8 +52,8 @@ pub(crate) fn circles([dx, dy]: [f64; 2], [l1, l2]: [f64; 2], width: Width) -> R
     }
 }
 
-/// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²) / 4d⁴ for d = (`dx`, `dy`) ≠ 0: the squared height of
-/// the triangle over d, in units of d. Within a few last places, however near the limit, and
+/// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²) / (4 l₁ l₂)² for d = (`dx`, `dy`): the square of
+/// half the sine of the angle between the bars. Within a few last places, however near the limit, and
 /// with the sign of the exact value.
 pub(crate) fn height_product([dx, dy]: [f64; 2], [l1, l2]: [f64; 2]) -> f64 {
     let Some(scale) = Scale::of([dx, dy, l1, l2]) else {
@@ -61,10 +61,10 @@ pub(crate) fn height_product([dx, dy]: [f64; 2], [l1, l2]: [f64; 2]) -> f64 {
     };
     let [dx, dy, l1, l2] = [dx, dy, l1, l2].map(|x| scale.down(x).abs());
     let (long, short) = (l1.max(l2), l1.min(l2));
-    let square = dx * dx + dy * dy;
     let outer = -excess([dx, dy], [long, short, 0.0]);
     let inner = excess([dx, dy], [long, -short, 0.0]);
-    0.25 * (outer / square) * (inner / square)
+    let four = 4.0 * long * short;
+    (outer / four) * (inner / four)
 }
 
 /// Whether (`dx`, `dy`) is at least |`e`| long.

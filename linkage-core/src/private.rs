@@ -19,7 +19,7 @@ pub use core::result::Result::{self, Err, Ok};
 pub use crate::c_interface::{CError, c_sense, c_side};
 pub use crate::careful::{finite_input, finite_result};
 #[cfg(feature = "ad")]
-pub use crate::derivatives::differentiate;
+pub use crate::derivatives::{Differentiable, differentiate};
 pub use crate::guard::{Findings, Guard, Marks};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfMotion, OfPosition, OfVelocity, Progress, Series, Status, sweep,

@@ -2,8 +2,8 @@
 //!
 //! A sweep reads its inputs from slices and writes every component of every output to a slice of
 //! its own, which is how plots, tables and other programs want them and what vector instructions
-//! need. It computes [`Lanes`] of poses with the same generated code as a single call, falls back
-//! to the single call where a lane's mask says no, and allocates nothing.
+//! need. It runs the same generated code as a single call in a loop that the compiler vectorises,
+//! falls back to the single call where the mask says no, and allocates nothing.
 //!
 //! What is generated for a mechanism is an [`Entry`]; loops, tails, statuses and the choice of an
 //! instruction set are written once, here.
@@ -14,10 +14,25 @@ mod tests;
 
 use core::fmt;
 
-use crate::{Float, Fusion, LaneMask, Lanes, Mask, SolveError};
+use crate::{Float, Fusion, LaneMask, Lanes, SolveError};
 
-/// What came of one pose: the same as the single call's result, without the values.
-pub type Status = Result<(), SolveError>;
+/// What came of one pose, in a byte: the single call's answer without its details, which the
+/// single call still gives.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Status {
+    /// The pose was solved.
+    #[default]
+    Solved,
+    /// See [`SolveError::OutOfReach`].
+    OutOfReach,
+    /// See [`SolveError::Singular`].
+    Singular,
+    /// See [`SolveError::Invalid`].
+    Invalid,
+    /// See [`SolveError::NotFinite`].
+    NotFinite,
+}
 
 /// One input of a sweep: a number for each pose, or one number for all of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -123,7 +138,7 @@ struct Batch<'a, E, T, const IN: usize, const OUT: usize> {
 }
 
 impl<T: Copy> Series<'_, T> {
-    /// The number at a pose; the last one beyond the end, so that the last lanes are filled.
+    /// The number at a pose; the last one beyond the end, so that the last block is filled.
     #[inline(always)]
     fn at(&self, pose: usize) -> Option<T> {
         match *self {
@@ -131,53 +146,128 @@ impl<T: Copy> Series<'_, T> {
             Self::Each(values) => values.get(pose).or(values.last()).copied(),
         }
     }
+}
 
-    /// The numbers at `W` poses from this one on.
-    #[inline(always)]
-    fn load<const W: usize>(&self, pose: usize) -> Option<[T; W]> {
-        match *self {
-            Self::Constant(value) => Some([value; W]),
-            Self::Each(values) => match values.get(pose..).and_then(|rest| rest.first_chunk()) {
-                Some(&lanes) => Some(lanes),
-                None => {
-                    let mut lanes = [*values.last()?; W];
-                    let rest = values.get(pose..).unwrap_or(&[]);
-                    lanes.iter_mut().zip(rest).for_each(|(lane, &value)| *lane = value);
-                    Some(lanes)
-                }
-            },
-        }
+/// Poses in a block: a few registers full, so that the block's columns stay in the first cache.
+const BLOCK: usize = 16;
+
+/// The numbers of one input or output at the poses of a block, aligned to a line of the cache:
+/// a vector across two lines costs twice.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+struct Column<T>([T; BLOCK]);
+
+impl<T: Float> Column<T> {
+    const fn splat(value: T) -> Self {
+        Self([value; BLOCK])
     }
 }
 
+// `inline(always)` on the way from an instruction set to the lanes: a function of its own would be
+// compiled for the instruction set of the rest of the program.
 impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
-    /// The poses from `start` on and before `end`, `W` at a time.
-    // `always`, with all it calls on the way to the lanes: a function of its own would be compiled
-    // for the instruction set of the rest of the program.
+    /// The poses from `start` on and before `end`.
     #[inline(always)]
-    fn run<K, const W: usize, F: Fusion>(&mut self, start: usize, end: usize)
+    fn run<K, F: Fusion>(&mut self, start: usize, end: usize)
     where
         E: Entry<K, T, IN, OUT>,
     {
-        for pose in (start..end).step_by(W) {
-            let mut inputs = [Lanes::<T, W, F>::splat(T::lit(0.0, 0.0)); IN];
-            for (lanes, series) in inputs.iter_mut().zip(&self.inputs) {
-                let Some(values) = series.load(pose) else { return };
-                *lanes = Lanes::new(values);
+        if let Some(statuses) = self.statuses.get_mut(start..end) {
+            statuses.fill(Status::Solved);
+        }
+        let mut inputs = [Column::splat(T::lit(0.0, 0.0)); IN];
+        let mut results = [Column::splat(T::lit(0.0, 0.0)); OUT];
+        let mut pose = start;
+        while pose < end {
+            let count = BLOCK.min(end - pose);
+            if count == BLOCK {
+                self.read(pose, &mut inputs);
+            } else {
+                self.read_last(pose, &mut inputs);
             }
-            let (results, mask) = self.entry.solve_lanes(inputs);
-            let count = W.min(end - pose);
-            for (output, lanes) in self.outputs.iter_mut().zip(results) {
-                store(output, pose, &lanes.to_array(), count);
+            let mask = self.solve::<K, F>(&inputs, &mut results);
+            if count == BLOCK {
+                self.write(pose, &results);
+            } else {
+                self.write_last(pose, &results);
             }
-            store(self.statuses, pose, &[Ok(()); W], count);
-            if !mask.all() {
-                self.reconsider(pose, count, &mask.to_array());
+            if mask.contains(&false) {
+                self.reconsider(pose, count, &mask);
+            }
+            pose += count;
+        }
+    }
+
+    /// A loop over single numbers, which the compiler turns into one over vectors: the straight
+    /// line has no branch, the columns are no one else's, and lanes of one number carry in their
+    /// type whether they fuse.
+    #[inline(always)]
+    fn solve<K, F: Fusion>(
+        &self,
+        inputs: &[Column<T>; IN],
+        results: &mut [Column<T>; OUT],
+    ) -> [bool; BLOCK]
+    where
+        E: Entry<K, T, IN, OUT>,
+    {
+        let mut mask = [true; BLOCK];
+        for (i, ok) in mask.iter_mut().enumerate() {
+            let mut numbers = [Lanes::<T, 1, F>::splat(T::lit(0.0, 0.0)); IN];
+            for (number, column) in numbers.iter_mut().zip(inputs) {
+                *number = Lanes::new([column.0[i]]);
+            }
+            let (values, usable) = self.entry.solve_lanes(numbers);
+            for (column, value) in results.iter_mut().zip(values) {
+                [column.0[i]] = value.to_array();
+            }
+            [*ok] = usable.to_array();
+        }
+        mask
+    }
+
+    #[inline(always)]
+    fn read(&self, pose: usize, inputs: &mut [Column<T>; IN]) {
+        for (column, series) in inputs.iter_mut().zip(&self.inputs) {
+            match *series {
+                Series::Constant(value) => *column = Column::splat(value),
+                Series::Each(values) => {
+                    let chunk = values.get(pose..).and_then(|rest| rest.first_chunk());
+                    chunk.into_iter().for_each(|chunk| column.0 = *chunk);
+                }
             }
         }
     }
 
-    /// Solves again, one by one, the poses whose lanes say no.
+    /// The last block, which the last pose fills up.
+    #[cold]
+    #[inline(never)]
+    fn read_last(&self, pose: usize, inputs: &mut [Column<T>; IN]) {
+        for (column, series) in inputs.iter_mut().zip(&self.inputs) {
+            for (number, pose) in column.0.iter_mut().zip(pose..) {
+                series.at(pose).into_iter().for_each(|value| *number = value);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn write(&mut self, pose: usize, results: &[Column<T>; OUT]) {
+        for (output, column) in self.outputs.iter_mut().zip(results) {
+            if let Some(chunk) = output.get_mut(pose..).and_then(|rest| rest.first_chunk_mut()) {
+                *chunk = column.0;
+            }
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn write_last(&mut self, pose: usize, results: &[Column<T>; OUT]) {
+        for (output, column) in self.outputs.iter_mut().zip(results) {
+            let rest = output.get_mut(pose..).unwrap_or_default();
+            rest.iter_mut().zip(column.0).for_each(|(to, value)| *to = value);
+        }
+    }
+
+    /// Solves again, one by one, the poses whose mask says no.
     #[cold]
     #[inline(never)]
     fn reconsider<K>(&mut self, start: usize, count: usize, mask: &[bool])
@@ -193,20 +283,22 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
             }
             let result = self.entry.solve_one(inputs);
             for (output, value) in self.outputs.iter_mut().zip(result.unwrap_or([none; OUT])) {
-                store(output, pose, &[value], 1);
+                output.get_mut(pose).into_iter().for_each(|to| *to = value);
             }
-            store(self.statuses, pose, &[result.map(|_| ())], 1);
+            let status = result.map_or_else(Status::from, |_| Status::Solved);
+            self.statuses.get_mut(pose).into_iter().for_each(|to| *to = status);
         }
     }
 }
 
-/// Writes the first `count` values from `pose` on; nothing to an empty slice.
-#[inline(always)]
-fn store<V: Copy, const W: usize>(slice: &mut [V], pose: usize, values: &[V; W], count: usize) {
-    let Some(rest) = slice.get_mut(pose..) else { return };
-    match rest.first_chunk_mut() {
-        Some(chunk) if count == W => *chunk = *values,
-        _ => rest.iter_mut().zip(values).take(count).for_each(|(to, &value)| *to = value),
+impl From<SolveError> for Status {
+    fn from(error: SolveError) -> Self {
+        match error {
+            SolveError::OutOfReach { .. } => Self::OutOfReach,
+            SolveError::Singular { .. } => Self::Singular,
+            SolveError::Invalid { .. } => Self::Invalid,
+            SolveError::NotFinite { .. } => Self::NotFinite,
+        }
     }
 }
 

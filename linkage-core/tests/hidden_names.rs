@@ -54,6 +54,13 @@ mod generated {
                 roots: 0,
                 sines: 0,
             },
+            coefficients: p::Operations {
+                additions: 0,
+                multiplications: 0,
+                divisions: 0,
+                roots: 0,
+                sines: 0,
+            },
         };
     }
 
@@ -90,11 +97,8 @@ mod generated {
     }
 
     p::with_ad! {
-        impl Crank<p::f64> {
-            pub fn jacobian(
-                &self,
-                theta: p::f64,
-            ) -> p::Result<p::SMatrix<p::f64, 2, 1>, p::SolveError> {
+        impl<T: p::Differentiable> Crank<T> {
+            pub fn jacobian(&self, theta: T) -> p::Result<p::SMatrix<T, 2, 1>, p::SolveError> {
                 let lifted = self.lift();
                 p::differentiate([theta], |[theta]| {
                     let position = lifted.position(theta)?;

@@ -1,7 +1,8 @@
 /* A program of nothing but the solvers: no C library, no start files. What is missing here is
  * missing on a bare machine, and the linker says so.
  *
- * The compiler may copy and fill memory by these two names; every C library has them, bare or not.
+ * The compiler may copy and fill memory by these three names; every C library has them, bare or
+ * not.
  */
 #include <stddef.h>
 
@@ -11,6 +12,19 @@ void *memcpy(void *restrict to, const void *restrict from, size_t count)
     const char *f = from;
     while (count--)
         *t++ = *f++;
+    return to;
+}
+
+void *memmove(void *to, const void *from, size_t count)
+{
+    char *t = to;
+    const char *f = from;
+    if (t < f)
+        for (size_t i = 0; i < count; i++)
+            t[i] = f[i];
+    else
+        while (count--)
+            t[count] = f[count];
     return to;
 }
 

@@ -118,6 +118,9 @@ static void mistakes(void)
     CALL(tuned_four_bar_position, TunedFourBarPosition, &bar, 1.0);
     bar.coupler = 0.05;
     CALL(tuned_four_bar_position, TunedFourBarPosition, &bar, 3.0);
+    /* Stretched out, and short by a rounding: a pose, but no velocity. */
+    bar.coupler = 0.2285999999999999;
+    CALL(tuned_four_bar_velocity, TunedFourBarVelocity, &bar, 3.141592653589793, 1.0);
     CALL(flying_shear_position, FlyingShearPosition, NAN);
     CALL(flying_shear_motion_f32, FlyingShearMotionF32, 1.0f, INFINITY, 0.0f);
     /* Nobody asks why: the status alone says that, and nothing is written. */

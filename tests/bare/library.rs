@@ -5,6 +5,9 @@
 //! catch; see `tests/bare_metal.rs`.
 #![no_std]
 
+#[cfg(not(feature = "control"))]
+#[path = "../../examples/electronic_cam/cam.rs"]
+mod cam;
 #[cfg(feature = "control")]
 mod control;
 #[cfg(not(feature = "control"))]

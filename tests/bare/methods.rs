@@ -1,9 +1,13 @@
 //! What a solver offers beside its C functions, each behind a symbol: the straight lines, the
-//! rows, angles, and conversion to another width.
+//! rows, angles, conversion to another width, several numbers side by side, sweeps over slices,
+//! trackers; and a controller that is made of them.
 
-use linkage_core::{Direction, Float, Lanes, Mask, Real, Scalar};
+use linkage_core::{Direction, Float, Lanes, Mask, Point, Real, Scalar, Tracker};
 
-use crate::mechanisms::{Everything, Excavator, FlyingShear, SixBar, TunedFourBar};
+use crate::cam::{Cam, Strip};
+use crate::mechanisms::{
+    Everything, Excavator, FlyingShear, FlyingShearPosition, SixBar, SliderCrank, TunedFourBar,
+};
 
 macro_rules! symbols {
     ($($name:ident = $function:ident::<$number:ident>;)+) => {$(
@@ -27,6 +31,43 @@ symbols! {
     methods_lift_f32 = lift::<f32>;
     methods_lanes = lanes::<f64>;
     methods_lanes_f32 = lanes::<f32>;
+    methods_tracker = tracker::<f64>;
+    methods_tracker_f32 = tracker::<f32>;
+    methods_cam = cam::<f64>;
+    methods_cam_f32 = cam::<f32>;
+}
+
+macro_rules! sweeps {
+    ($($name:ident: $number:ident;)+) => {$(
+        /// As many poses as the caller says.
+        #[unsafe(no_mangle)]
+        extern "C" fn $name(angles: *const $number, to: *mut $number, poses: usize) -> bool {
+            // SAFETY: only linked, never called.
+            let (angles, to) = unsafe {
+                (
+                    core::slice::from_raw_parts(angles, poses),
+                    core::slice::from_raw_parts_mut(to, poses),
+                )
+            };
+            sweep(angles, to)
+        }
+    )+};
+}
+
+sweeps! {
+    methods_sweep: f64;
+    methods_sweep_f32: f32;
+}
+
+fn sweep<T: Float>(angles: &[T], to: &mut [T]) -> bool {
+    let wanted = FlyingShearPosition {
+        blade: Point { x: to, y: &mut [] },
+        BC: Direction { cos: &mut [], sin: &mut [] },
+        DC: Direction { cos: &mut [], sin: &mut [] },
+        DC_margin: &mut [],
+        DC_transmission: &mut [],
+    };
+    FlyingShear::<T>::default().sweep_position(angles, wanted, &mut [], ()).is_ok()
 }
 
 /// The value where the mask allows it.
@@ -78,4 +119,34 @@ fn lanes<T: Float>(x: T) -> T {
     let angles = Lanes::<T, 4>::new([x, x + x, x - x, -x]);
     let (motion, usable) = SixBar::default().solve_motion(angles, angles, angles);
     if usable.all() { motion.acceleration.E.x.to_array()[0] } else { x }
+}
+
+fn tracker<T: Float>(x: T) -> T {
+    let mut bar = Tracker::new(TunedFourBar::<T>::default());
+    let mut slider = Tracker::new(SliderCrank::<T>::default());
+    let mut ram = Tracker::new(SixBar::<T>::default());
+    let mut sum = x;
+    for _ in 0..100 {
+        let (Ok(position), Ok(motion)) = (bar.position(sum), slider.motion(sum, x, x)) else {
+            return sum;
+        };
+        let Ok(position_of_ram) = ram.position(sum) else { return sum };
+        sum = sum + position.C.x + motion.acceleration.C.x + position_of_ram.E.x;
+    }
+    sum
+}
+
+/// The electronic cam of the examples, over enough strip for every phase of it.
+fn cam<T: Real>(x: T) -> T {
+    let Ok(mut cam) = Cam::new(x, x + x, x) else { return x };
+    let strip = Strip { advance: x, speed: x, acceleration: x };
+    let mut sum = x;
+    for _ in 0..100 {
+        match cam.step(strip) {
+            Ok(point) if cam.is_cutting() => sum = sum + point.acceleration,
+            Ok(point) => sum = sum + point.angle + point.speed,
+            Err(_) => return sum,
+        }
+    }
+    sum
 }

@@ -19,12 +19,7 @@ pub(super) fn run<K, T: Float, E: Entry<K, T, IN, OUT>, const IN: usize, const O
     if wide::run_if_available(batch, start, end) {
         return;
     }
-    // One 256-bit register, or two of 128 bits, whatever the target has.
-    if const { size_of::<T>() == 8 } {
-        batch.run::<K, 4, Native>(start, end);
-    } else {
-        batch.run::<K, 8, Native>(start, end);
-    }
+    batch.run::<K, Native>(start, end);
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma")))]
@@ -61,10 +56,6 @@ mod wide {
         start: usize,
         end: usize,
     ) {
-        if const { size_of::<T>() == 8 } {
-            batch.run::<K, 4, Fused>(start, end);
-        } else {
-            batch.run::<K, 8, Fused>(start, end);
-        }
+        batch.run::<K, Fused>(start, end);
     }
 }

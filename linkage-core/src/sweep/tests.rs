@@ -33,17 +33,18 @@ fn numbers<T: Float>(count: usize) -> Vec<T> {
 }
 
 fn every_pose_is_the_single_call<T: Float>() {
-    // Every remainder of a group of lanes, and more than one group.
-    for count in 0..20 {
+    // Every remainder of a block, and more than one block.
+    for count in 0..40 {
         let x = numbers::<T>(count);
         let (mut root, mut half) = (vec![T::lit(7.0, 7.0); count], vec![T::lit(7.0, 7.0); count]);
-        let mut status: Vec<Status> = vec![Err(SolveError::NotFinite { name: "untouched" }); count];
+        let mut status: Vec<Status> = vec![Status::NotFinite; count];
         let inputs = [Series::from(&x), Series::Constant(T::lit(4.0, 4.0))];
         let outputs = [&mut root[..], &mut half[..]];
         sweep::<OfPosition, _, _, 2, 2>(&Root, inputs, outputs, &mut status, ()).unwrap();
         for i in 0..count {
             let single = Root.solve_one([x[i], T::lit(4.0, 4.0)]);
-            assert_eq!(status[i], single.map(|_| ()), "pose {i} of {count}");
+            let expected = single.map_or(Status::Singular, |_| Status::Solved);
+            assert_eq!(status[i], expected, "pose {i} of {count}");
             match single {
                 Ok(values) => assert_eq!([root[i], half[i]].map(T::value), values.map(T::value)),
                 Err(_) => assert!(root[i].value().is_nan() && half[i].value().is_nan()),
@@ -78,7 +79,7 @@ fn slices_of_different_lengths_are_refused_untouched() {
     let mismatch = |found| Err(LengthMismatch { poses: 9, found });
     assert_eq!(all([(&x).into(), (&scale).into()], &mut half, &mut []), mismatch(8));
     assert_eq!(all([(&x).into(), 1.0.into()], &mut half[..7], &mut []), mismatch(7));
-    assert_eq!(all([(&x).into(), 1.0.into()], &mut half, &mut [Ok(()); 3]), mismatch(3));
+    assert_eq!(all([(&x).into(), 1.0.into()], &mut half, &mut [Status::Solved; 3]), mismatch(3));
     // An input is never without numbers.
     assert_eq!(all([(&x).into(), (&[]).into()], &mut half, &mut []), mismatch(0));
     assert_eq!(half, [7.0; 9]);

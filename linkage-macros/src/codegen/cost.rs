@@ -18,12 +18,13 @@ pub(super) fn of(cx: &Context<'_>, entry: &Entry) -> Operations {
 
 /// The initialiser of `COST`.
 pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
-    let [position, motion] = [EntryKind::Position, EntryKind::Motion].map(|kind| {
+    let kinds = [EntryKind::Position, EntryKind::Motion, EntryKind::Coefficients];
+    let [position, motion, coefficients] = kinds.map(|kind| {
         let cost = cx.entry(kind).map_or_else(Operations::default, |entry| of(cx, entry));
         record(cx, cost)
     });
     let cost = cx.paths.item("Cost");
-    quote!(#cost { position: #position, motion: #motion })
+    quote!(#cost { position: #position, motion: #motion, coefficients: #coefficients })
 }
 
 fn record(cx: &Context<'_>, cost: Operations) -> TokenStream {

@@ -1,6 +1,6 @@
 //! Jacobians and sensitivities by automatic differentiation: the position solver on dual numbers.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::names::generated;
@@ -8,22 +8,24 @@ use super::{Context, docs, solver};
 use crate::ir::program::EntryKind;
 use crate::model::mechanism::Param;
 
-/// Only for `f32` and `f64`, and only where the run-time crate has its feature `ad`.
+/// For `f32` and `f64`, and only where the run-time crate has its feature `ad`.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     if cx.entry(EntryKind::Position).is_none() {
         return TokenStream::new();
     }
-    let (with_ad, name) = (cx.paths.item("with_ad"), &cx.names.solver);
-    let methods = ["f64", "f32"].map(|number| {
-        let number = Ident::new(number, proc_macro2::Span::call_site());
-        let (jacobian, sensitivity) = (jacobian(cx, &number), sensitivity(cx, &number));
-        quote!(impl #name<#number> { #jacobian #sensitivity })
-    });
-    quote!(#with_ad! { #(#methods)* })
+    let (with_ad, name, number) = (cx.paths.item("with_ad"), &cx.names.solver, &cx.names.scalar);
+    let differentiable = cx.paths.item("Differentiable");
+    let (jacobian, sensitivity) = (jacobian(cx), sensitivity(cx));
+    quote! {
+        #with_ad! {
+            impl<#number: #differentiable> #name<#number> { #jacobian #sensitivity }
+        }
+    }
 }
 
-fn jacobian(cx: &Context<'_>, number: &Ident) -> TokenStream {
+fn jacobian(cx: &Context<'_>) -> TokenStream {
     let arguments = cx.arguments(EntryKind::Position);
+    let number = &cx.names.scalar;
     let number = quote!(#number);
     let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
     let names = arguments.names();
@@ -49,12 +51,13 @@ fn jacobian(cx: &Context<'_>, number: &Ident) -> TokenStream {
 }
 
 /// With respect to the numeric parameters; none, none.
-fn sensitivity(cx: &Context<'_>, number: &Ident) -> Option<TokenStream> {
+fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
     let params = cx.numeric_params();
     if params.is_empty() {
         return None;
     }
     let arguments = cx.arguments(EntryKind::Position);
+    let number = &cx.names.scalar;
     let number = quote!(#number);
     let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
     let (rows, docs) = (cx.rows(), docs::sensitivity(cx));

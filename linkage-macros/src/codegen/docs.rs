@@ -278,7 +278,7 @@ pub(super) fn sweep(cx: &Context<'_>, entry: &Entry) -> TokenStream {
          for all.\n\n\
          Every component of the results goes to a slice of its own in `out`, as many long as there \
          are poses, or empty where it is not wanted; `status` is such a slice too. A pose that \
-         `{}` refuses has numbers that are none, and its error in `status`. `progress` is told the \
+         `{}` refuses has numbers that are none, and its error's kind in `status`. `progress` is told the \
          poses done and their total every few thousand poses; `()` tells nobody.\n\n\
          # Errors\nTwo slices are not of one length; nothing was computed.",
         subject(entry.kind),

@@ -25,6 +25,12 @@ impl<'s> Quality<'s> {
     }
 }
 
+/// The root of what is negative out of reach; zero there.
+pub(super) fn root_in_reach(square: Jet<'_>) -> Jet<'_> {
+    let size = square.value.hypot(square.value.sheet().zero());
+    Jet { value: (square.value + size).half(), ..square }.sqrt()
+}
+
 /// The group whose failure a guard reports, and how it is to compute.
 pub(super) struct Place<'s> {
     pub group: u32,
@@ -69,11 +75,15 @@ impl<'s> Bar<'s> {
         self.outer.velocity + self.length.rate * self.u()
     }
 
+    /// The pin's acceleration but for the bar's turning: a + l̈ u + 2 ω l̇ u⊥.
+    pub(super) fn lengthening_acceleration(self, omega: Sym<'s>) -> Vector<'s> {
+        let coriolis = (omega * self.length.rate).twice() * self.u().normal();
+        self.outer.acceleration + (self.length.accel * self.u() + coriolis)
+    }
+
     /// The pin's acceleration but for the angular one: a + l̈ u + 2 ω l̇ u⊥ − ω² r.
     pub(super) fn pushed_acceleration(self, omega: Sym<'s>) -> Vector<'s> {
-        let push =
-            self.length.accel * self.u() + (omega * self.length.rate).twice() * self.u().normal();
-        self.outer.acceleration + push - omega.squared() * self.r
+        self.lengthening_acceleration(omega) - omega.squared() * self.r
     }
 
     /// The pin at the bar's end.

@@ -328,8 +328,8 @@ impl<'s> Kinematics<'s> {
     fn take_rpp(&mut self, step: &'s Step) {
         let Step::Rpp { group, links, outer, guide, slot, offsets } = step else { return };
         let (b, rail) = (self.point(*outer), self.guide(*guide));
-        let unit = self.turned(Direction::ground(self.sheet), slot).u;
-        let slot = rpp::Slot { direction: self.turned(rail.direction, slot), unit };
+        let relative = self.turned(Direction::ground(self.sheet), slot);
+        let slot = rpp::Slot { direction: self.turned(rail.direction, slot), relative };
         let slides = rpp::rpp(&self.standing(*group), b, rail, slot, self.jets(offsets));
         let foot = rail.place(slides.rail, Jet::zero(self.sheet));
         let block = Frame { origin: b, direction: slot.direction };

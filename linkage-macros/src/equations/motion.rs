@@ -166,6 +166,12 @@ impl<'s> Frame<'s> {
         }
     }
 
+    /// Whether the frame stands still.
+    pub(crate) fn is_fixed(self) -> bool {
+        let Direction { omega, alpha, .. } = self.direction;
+        self.origin.is_fixed() && omega.is_zero() && alpha.is_zero()
+    }
+
     /// The vector of the frame with the given coordinates.
     pub(crate) fn vector(self, x: Sym<'s>, y: Sym<'s>) -> Vector<'s> {
         x * self.direction.u + y * self.direction.n()

@@ -10,15 +10,23 @@
 //! ```
 //!
 //! # Velocity and acceleration
-//! The yoke turns with the rail (ω₁), the slot with ω₂ = ω₁ + β̇. With the yoke's point
-//! Q = K + s₁ u₁ + e₁ n₁ and the block's ρ₂ = s₂ u₂ + e₂ n₂, what is left of v_B after the
-//! transport by both turnings and the changing offsets is w = ṡ₁ u₁ + ṡ₂ u₂, so
+//! The yoke turns with the rail (ω₁), the slot with ω₁ + β̇. With ρ = B − K and the block's
+//! ρ₂ = s₂ u₂ + e₂ n₂, what is left of v_B after the transport by both turnings and the changing
+//! offsets is w = ṡ₁ u₁ + ṡ₂ u₂, so
 //!
 //! ```text
+//! w = v_B − (v_K + ω₁ ρ⊥ + β̇ ρ₂⊥ + ė₁ n₁ + ė₂ n₂)
 //! ṡ₂ = (w·n₁)/σ        ṡ₁ = w·u₁ − ṡ₂ c
 //! ```
 //!
-//! The same with accelerations, the Coriolis terms of both slides among what is taken off.
+//! The rail carries B as a whole: where the slot is nearly along the rail both slides are long and
+//! their sum is not. The same with accelerations; with σ = w + ė₁ n₁ + ė₂ n₂ the velocity of both
+//! slides together and σ₂ = ṡ₂ u₂ + ė₂ n₂ the block's in the slot,
+//!
+//! ```text
+//! g = a_B − (a_K + α₁ ρ⊥ − ω₁² ρ + 2 ω₁ σ⊥ + ë₁ n₁ + ë₂ n₂
+//!            + β̈ ρ₂⊥ − β̇ (2 ω₁ + β̇) ρ₂ + 2 β̇ σ₂⊥)
+//! ```
 //!
 //! # Source
 //! As for PRP; the two directions enclose the slot's angle, whose sine and cosine are exact where
@@ -31,11 +39,11 @@ use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::symbol::Vector;
 use crate::ir::graph::Check;
 
-/// The slot's direction, and its unit vector in the rail's axes.
+/// The slot's direction, and the same in the rail's axes.
 #[derive(Clone, Copy)]
 pub(super) struct Slot<'s> {
     pub direction: Direction<'s>,
-    pub unit: Vector<'s>,
+    pub relative: Direction<'s>,
 }
 
 pub(super) fn rpp<'s>(
@@ -46,8 +54,9 @@ pub(super) fn rpp<'s>(
     offsets: [Jet<'s>; 2],
 ) -> Slides<'s> {
     let (u1, n1) = (rail.direction.u, rail.direction.n());
-    let Vector { x: cosine, y: sine } = slot.unit;
-    let slot = slot.direction;
+    let (u2, n2) = (slot.direction.u, slot.direction.n());
+    let Direction { u: Vector { x: cosine, y: sine }, omega: beta_rate, alpha: beta_accel, .. } =
+        slot.relative;
     let inverse = sine.provided(Check::Nonzero, place.group, &[]).recip();
     let [e1, e2] = offsets;
 
@@ -56,23 +65,23 @@ pub(super) fn rpp<'s>(
     let s2 = (y - e1.value - e2.value * cosine) * inverse;
     let s1 = from.dot(u1) + e2.value * sine - s2 * cosine;
 
-    // The slot's frame for relative motion: no transport of its own origin.
-    let turning = Frame { origin: PointMotion::fixed(place.sheet.zero_vector()), direction: slot };
-    let zero = place.sheet.zero();
     let slides = |w: Vector<'s>| {
         let second = w.dot(n1) * inverse;
         [w.dot(u1) - second * cosine, second]
     };
-    let (rho1, rho2) = (rail.vector(s1, e1.value), turning.vector(s2, e2.value));
-    let (v1, _) = rail.transport(rho1, rail.vector(zero, e1.rate));
-    let (v2, _) = turning.transport(rho2, turning.vector(zero, e2.rate));
-    let pushed = e1.rate * n1 + e2.rate * slot.n();
-    let rate = slides(b.velocity - (v1 + v2 + pushed));
+    let rho2 = s2 * u2 + e2.value * n2;
 
-    let (_, a1) = rail.transport(rho1, rail.vector(rate[0], e1.rate));
-    let (_, a2) = turning.transport(rho2, turning.vector(rate[1], e2.rate));
-    let pushed = e1.accel * n1 + e2.accel * slot.n();
-    let accel = slides(b.acceleration - (a1 + a2 + pushed));
+    let pushed = e1.rate * n1 + e2.rate * n2;
+    let (carried, _) = rail.transport(from, pushed);
+    let w = b.velocity - (carried + beta_rate * rho2.normal() + pushed);
+    let rate = slides(w);
+
+    let (_, carried) = rail.transport(from, w + pushed);
+    let sigma2 = rate[1] * u2 + e2.rate * n2;
+    let turned = beta_accel * rho2.normal()
+        - (beta_rate * (rail.direction.omega.twice() + beta_rate)) * rho2
+        + beta_rate.twice() * sigma2.normal();
+    let accel = slides(b.acceleration - (carried + turned + e1.accel * n1 + e2.accel * n2));
     Slides {
         rail: Jet { value: s1, rate: rate[0], accel: accel[0] },
         slot: Jet { value: s2, rate: rate[1], accel: accel[1] },
@@ -81,5 +90,5 @@ pub(super) fn rpp<'s>(
 
 /// The sine of the angle between rail and slot, not negative.
 pub(super) fn quality<'s>(rail: Frame<'s>, slot: Slot<'s>) -> Quality<'s> {
-    Quality::of_directions(rail.direction, slot.direction, slot.unit.y)
+    Quality::of_directions(rail.direction, slot.direction, slot.relative.u.y)
 }

@@ -16,9 +16,11 @@
 //! Differentiating b = s u + e n, with Δv = v_B − v_D, Δa = a_B − a_D:
 //!
 //! ```text
-//! ω = (Δv·n − ė)/s                      ṡ = Δv·u + ω e
+//! ω = (Δv·n − ė)/s                      ṡ = (Δv·b − e ė)/s
 //! α = (Δa·n + ω² e − 2 ω ṡ − ë)/s       s̈ = Δa·u + α e + ω² s + 2 ω ė
 //! ```
+//!
+//! where ṡ is Δv·u + ω e without what cancels in it; without an offset it is Δv·u.
 //!
 //! # Sign
 //! `ahead` (+1): s positive.
@@ -27,7 +29,7 @@
 //! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.
 
 use crate::equations::clearance::{Clearance, size};
-use crate::equations::groups::{Place, Quality, SlottedBar};
+use crate::equations::groups::{Place, Quality, SlottedBar, root_in_reach};
 use crate::equations::jet::Jet;
 use crate::equations::motion::PointMotion;
 use crate::equations::symbol::{Sym, Vector};
@@ -44,9 +46,9 @@ pub(super) fn rpr<'s>(
     let square = from.dot(from);
     let sound = square.provided(Check::Square, place.group, &[]);
     let (s, u, inverse) = if e.is_zero() {
-        // s² = b²: one division gives 1/s, and u = b/s.
+        // s² = b²: 1/s = s/b², the division beside the root, and u = b/s.
         let s = mode * sound.sqrt();
-        let inverse = s / sound;
+        let inverse = s * sound.recip();
         (s, inverse * from, inverse)
     } else {
         let left = left_of_offset(from, square, e);
@@ -54,13 +56,14 @@ pub(super) fn rpr<'s>(
         let left = left.provided(Check::ReachOffset, place.group, &operands);
         let s = mode * left.sqrt();
         let u = sound.recip() * (s * from - e * from.normal());
-        (s, u, s.provided(Check::Nonzero, place.group, &[]).recip())
+        (s, u, s * left.provided(Check::Nonzero, place.group, &[]).recip())
     };
     let n = u.normal();
 
     let dv = b.velocity - d.velocity;
     let omega = (dv.dot(n) - offset.rate) * inverse;
-    let slide_rate = dv.dot(u) + omega * e;
+    let slide_rate =
+        if e.is_zero() { dv.dot(u) } else { (dv.dot(from) - e * offset.rate) * inverse };
     let da = b.acceleration - d.acceleration;
     let turning = omega.squared() * e - (omega * slide_rate).twice() - offset.accel;
     let alpha = (da.dot(n) + turning) * inverse;
@@ -88,7 +91,8 @@ pub(super) fn quality<'s>([b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Quality<'
     }
     let left = x * x + y * y - e * e;
     let zero = Jet::zero(e.value.sheet());
-    Quality { margin: Some(left / (reach + e.hypot(zero))), transmission: left.sqrt() / reach }
+    let transmission = root_in_reach(left) / reach;
+    Quality { margin: Some(left / (reach + e.hypot(zero))), transmission }
 }
 
 /// b² − e².

@@ -13,16 +13,22 @@
 //! a guide whose origin is far away costs nothing.
 //!
 //! # Velocity and acceleration
-//! The bar and the guide give the pin the same velocity, v_B + l̇ u_b + ω r⊥ = v_g + ṡ u, with
-//! v_g that of the guide's point under the pin and of the changing offset. With
-//! w = v_g − v_B − l̇ u_b, and r⊥·n = X, r⊥·u = −t:
+//! As seen from the guide, which may turn with ω_g and α_g: with ρ = B − K the pivot moves with
 //!
 //! ```text
-//! ω = w·n / X        ṡ = −w·u − ω t
+//! v = v_B − (v_K + ω_g ρ⊥)        a = a_B − (a_K + α_g ρ⊥ − ω_g² ρ + 2 ω_g v⊥)
 //! ```
 //!
-//! The same with accelerations, w replaced by the guide's transport, Coriolis and offset
-//! acceleration less that of the bar but for α r⊥.
+//! and the bar turns with ω against the guide. The pin goes along u with ṡ and along n with ė, so
+//! by v + l̇ r/l + ω r⊥ = ṡ u + ė n and its derivative, with r⊥ = X n − t u,
+//!
+//! ```text
+//! ω = (ė − v·n − l̇ t/l)/X                            ṡ = v·u − ω t + l̇ X/l
+//! α = (ë − a·n + ω² t − l̈ t/l − 2 ω l̇ X/l)/X        s̈ = a·u − α t − ω² X + l̈ X/l − 2 ω l̇ t/l
+//! ```
+//!
+//! Seen from the ground the bar turns with ω_g + ω. What guide and bar have in common never enters
+//! and need not cancel.
 //!
 //! # Sign
 //! `ahead` (+1): C ahead of the foot of B on the guide, along its direction.
@@ -31,11 +37,12 @@
 //! Norton, Design of Machinery, ch. 4 (slider-crank) in the axes of the guide.
 
 use crate::equations::clearance::{Clearance, size};
-use crate::equations::groups::{Bar, Block, Place, Quality, SlidingDyad};
+use crate::equations::groups::{Bar, Block, Place, Quality, SlidingDyad, root_in_reach};
 use crate::equations::jet::Jet;
-use crate::equations::motion::{Frame, PointMotion};
-use crate::equations::symbol::{Sym, Vector};
+use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::symbol::Sym;
 use crate::ir::graph::Check;
+use crate::model::mechanism::Numerics;
 
 pub(super) fn rrp<'s>(
     place: &Place<'s>,
@@ -46,43 +53,61 @@ pub(super) fn rrp<'s>(
     mode: Sym<'s>,
 ) -> SlidingDyad<'s> {
     let (u, n) = (guide.direction.u, guide.direction.n());
-    let (foot, t) = foot(b, guide, offset.value);
-    let l = length.value;
-    let square = ((l - t) * (l + t)).provided(Check::ReachLine, place.group, &[t, l]);
+    let (foot, y) = foot(b, guide);
+    let (l, t) = (length.value, offset.value - y);
+    let square = match place.numerics {
+        Numerics::Plain => (l - t) * (l + t),
+        // With t's rounding error put back, next to the limit nothing is lost of B's distance.
+        Numerics::Compensated => {
+            let low = offset.value.add_err(-y);
+            ((l - t) - low) * ((l + t) + low)
+        }
+    };
+    let square = square.provided(Check::ReachLine, place.group, &[t, l]);
     let reach = mode * square.sqrt();
     let slide = foot + reach;
     let r = reach * u + t * n;
     let bar = Bar::new(b, r, length);
 
-    let inverse = reach.provided(Check::Nonzero, place.group, &[]).recip();
-    let block = Block::new(guide, slide, offset);
-    let turn = |w: Vector<'s>| {
-        let omega = w.dot(n) * inverse;
-        (omega, -w.dot(u) - omega * t)
-    };
-    let (omega, slide_rate) = turn(block.carried_velocity() - bar.pushed_velocity());
-    let carried = block.carried_acceleration(slide_rate);
-    let (alpha, slide_accel) = turn(carried - bar.pushed_acceleration(omega));
+    // 1/X = X/X²: the division runs beside the root.
+    let inverse = reach * square.provided(Check::Nonzero, place.group, &[]).recip();
+    let from = guide.origin.to(b);
+    let v = b.velocity - guide.transport(from, place.sheet.zero_vector()).0;
+    let a = b.acceleration - guide.transport(from, v).1;
+    // The bar's direction in the guide's axes; of a bar of constant length nothing of it remains.
+    let (along, across) = (reach * l.recip(), t * l.recip());
+    let omega = (offset.rate - v.dot(n) - length.rate * across) * inverse;
+    let slide_rate = v.dot(u) - omega * t + length.rate * along;
+    let coriolis = (omega * length.rate).twice();
+    let pushed_across = length.accel * across + coriolis * along;
+    let pushed_along = length.accel * along - coriolis * across;
+    let alpha = (offset.accel - a.dot(n) + omega.squared() * t - pushed_across) * inverse;
+    let slide_accel = a.dot(u) - alpha * t - omega.squared() * reach + pushed_along;
 
-    let bar = bar.turning(omega, alpha);
-    let pin = block.pin(slide_rate, slide_accel, carried);
-    // On a guide along an axis the pin keeps the guide's own coordinate to the last digit;
-    // elsewhere it is nearer to B than to the guide's origin.
-    let pin = if u.x.is_zero() || u.y.is_zero() {
-        pin
+    let Direction { omega: guide_omega, alpha: guide_alpha, .. } = guide.direction;
+    let bar = bar.turning(guide_omega + omega, guide_alpha + alpha);
+    // A guide that stands still carries the pin, along an axis without touching the guide's own
+    // coordinate; elsewhere the pin is nearer to B than to the guide's origin.
+    let block = Block::new(guide, slide, offset);
+    let on_guide = block.pin(slide_rate, slide_accel, block.carried_acceleration(slide_rate));
+    let on_bar = bar.pin();
+    let pin = if !guide.is_fixed() {
+        on_bar
+    } else if u.x.is_zero() || u.y.is_zero() {
+        on_guide
     } else {
-        PointMotion { base: b.base, offset: b.offset + r, ..pin }
+        PointMotion { base: on_bar.base, offset: on_bar.offset, ..on_guide }
     };
     let slide = Jet { value: slide, rate: slide_rate, accel: slide_accel };
     SlidingDyad { pin, bar, slide }
 }
 
-/// The foot x of B on the guide and the distance t = e − y still to go across it.
-fn foot<'s>(b: PointMotion<'s>, guide: Frame<'s>, offset: Sym<'s>) -> (Sym<'s>, Sym<'s>) {
+/// B in the guide's axes: its foot x and its distance y.
+fn foot<'s>(b: PointMotion<'s>, guide: Frame<'s>) -> (Sym<'s>, Sym<'s>) {
     let from = guide.origin.to(b);
     let u = guide.direction.u;
     let y = u.x.sheet().det(u.x, from.y, u.y, from.x);
-    (from.dot(u), offset - y)
+    (from.dot(u), y)
 }
 
 /// Signed distance from the limit in metres, (l − t)(l + t)/(2 l), and the sine of the
@@ -97,7 +122,7 @@ pub(super) fn quality<'s>(
     let [ux, uy] = guide.direction.jets();
     let t = offset - (ux * y - uy * x);
     let square = (l - t) * (l + t);
-    Quality { margin: Some(square / l.twice()), transmission: square.sqrt() / l }
+    Quality { margin: Some(square / l.twice()), transmission: root_in_reach(square) / l }
 }
 
 /// (l − t)(l + t).

@@ -5,9 +5,9 @@
 //! r₂ = C − B = a d + h d⊥, where
 //!
 //! ```text
-//! i = d² − (l₂ − l₃)²             a = P + l₂ (l₂ − l₃)/d²
-//! P = i/(2 d²)                    b = P + l₃ (l₃ − l₂)/d² = 1 − a
-//! Q = (4 l₂ l₃ − i)/(2 d²)        h = ± √(P Q),  + where C is left of B → D
+//! i = d² − (l₂ − l₃)²               a = (i/2 + l₂ (l₂ − l₃)) / d²
+//! S = i/4l₂l₃ · (1 − i/4l₂l₃)       b = (i/2 + l₃ (l₃ − l₂)) / d² = 1 − a
+//!                                   h = ± 2 l₂ l₃ √S / d²,  + where C is left of B → D
 //! ```
 //!
 //! and r₃ = C − D = −b d + h d⊥. This is Heron's formula with the two factors that can vanish,
@@ -26,6 +26,10 @@
 //! The same with accelerations, w replaced by
 //! g = a_D + l̈₃ u₃ + 2 ω₃ l̇₃ u₃⊥ − ω₃² r₃ − (a_B + l̈₂ u₂ + 2 ω₂ l̇₂ u₂⊥ − ω₂² r₂).
 //!
+//! Where the outer joints almost meet, both bars turn alike and the centripetal terms cancel but
+//! for the short line between the joints. `numerics compensated;` has them as
+//! ω₂² r₂ − ω₃² r₃ = ω₂² d + (ω₂ − ω₃)(ω₂ + ω₃) r₃ with ω₂ − ω₃ = −(w · d)/J.
+//!
 //! # Sign
 //! `left` (+1): C on the left of the directed line B → D.
 //!
@@ -38,7 +42,7 @@
 //! passes through change points where a constant mode turns it into an antiparallelogram.
 
 use crate::equations::clearance::{Clearance, size};
-use crate::equations::groups::{Bar, Dyad, Place, Quality};
+use crate::equations::groups::{Bar, Dyad, Place, Quality, root_in_reach};
 use crate::equations::jet::Jet;
 use crate::equations::motion::PointMotion;
 use crate::equations::symbol::{Sym, Vector};
@@ -47,10 +51,12 @@ use crate::model::mechanism::Numerics;
 
 /// The triangle of the group: what is affine in the height h.
 struct Triangle<'s> {
-    /// P·Q = h², not negative where the circles meet.
+    /// 1/4l₂l₃
+    scale: Sym<'s>,
+    /// S, not negative where the circles meet.
     square: Sym<'s>,
-    /// 1/d²
-    inverse: Sym<'s>,
+    /// √S with the mode's sign: half the sine of the angle between the bars.
+    root: Sym<'s>,
     /// h
     height: Sym<'s>,
     /// a and b
@@ -70,16 +76,23 @@ pub(super) fn rrr<'s>(
     let r2 = triangle.along[0] * line + across;
     let r3 = across - triangle.along[1] * line;
 
-    // 1/J = 1/(h d²) = h/h² · 1/d².
+    // 1/J = 1/(h d²) = 1/(2 l₂ l₃ √S) = √S/(2 l₂ l₃) · 1/S: the division runs beside the root.
     let regular = triangle.square.provided(Check::Nonzero, place.group, &[]);
-    let inverse = (triangle.height / regular) * triangle.inverse;
+    let inverse = triangle.scale.twice() * triangle.root * regular.recip();
     let bars = [Bar::new(b, r2, lengths[0]), Bar::new(d, r3, lengths[1])];
 
     let w = bars[1].pushed_velocity() - bars[0].pushed_velocity();
     let omega = [w.dot(r3) * inverse, w.dot(r2) * inverse];
-    let [far, near] =
-        [bars[1].pushed_acceleration(omega[1]), bars[0].pushed_acceleration(omega[0])];
-    let g = far - near;
+    let g = match place.numerics {
+        Numerics::Plain => {
+            bars[1].pushed_acceleration(omega[1]) - bars[0].pushed_acceleration(omega[0])
+        }
+        Numerics::Compensated => {
+            let [near, far] = [0, 1].map(|k| bars[k].lengthening_acceleration(omega[k]));
+            let folding = -w.dot(line) * inverse;
+            (far - near) + (omega[0].squared() * line + (folding * (omega[0] + omega[1])) * r3)
+        }
+    };
     let alpha = [g.dot(r3) * inverse, g.dot(r2) * inverse];
 
     let bars = [bars[0].turning(omega[0], alpha[0]), bars[1].turning(omega[1], alpha[1])];
@@ -99,24 +112,28 @@ fn triangle<'s>(
     let operands = [d.x, d.y, l2, l3];
     let inverse = d.dot(d).provided(Check::Square, place.group, &operands).recip();
     let difference = l2 - l3;
-    let (near, far) = match place.numerics {
+    let scale = (l2 * l3).twice().twice().recip();
+    let (near, square) = match place.numerics {
         Numerics::Plain => {
             let near = d.dot(d) - difference.squared();
-            (near, (l2 * l3).twice().twice() - near)
+            let part = near * scale;
+            (near, part * (d.x.sheet().integer(1) - part))
         }
-        Numerics::Compensated => compensated(d, l2, l3),
-    };
-    let half = inverse.half();
-    // With equal bars P = d²/(2 d²) is one half: an identity wherever 1/d² exists.
-    let (p, square) = if difference.is_zero() {
-        (d.x.sheet().integer(1).half(), far * half.half())
-    } else {
-        let p = near * half;
-        (p, p * (far * half))
+        Numerics::Compensated => {
+            let (near, far) = compensated(d, l2, l3);
+            (near, (near * scale) * (far * scale))
+        }
     };
     let square = square.provided(Check::ReachCircles, place.group, &operands);
-    let along = [p + (l2 * difference) * inverse, p - (l3 * difference) * inverse];
-    Triangle { square, inverse, height: mode * square.sqrt(), along }
+    let root = mode * square.sqrt();
+    let height = (l2 * l3).twice() * inverse * root;
+    // With equal bars a = b = d²/(2 d²) is one half: an identity wherever 1/d² exists.
+    let along = if difference.is_zero() {
+        [d.x.sheet().integer(1).half(); 2]
+    } else {
+        [near.half() + l2 * difference, near.half() - l3 * difference].map(|x| x * inverse)
+    };
+    Triangle { scale, square, root, height, along }
 }
 
 /// i and 4 l₂ l₃ − i with the rounding errors of every square and product put back: where the
@@ -144,26 +161,35 @@ fn compensated<'s>(d: Vector<'s>, l2: Sym<'s>, l3: Sym<'s>) -> (Sym<'s>, Sym<'s>
 
 /// Signed distance from the limit in metres, and sine of the transmission angle.
 ///
-/// With A = (l₂ + l₃)² − d² and I = d² − (l₂ − l₃)², A·I/(8 l₂ l₃ d) is smooth, vanishes at both
-/// toggles with slope one, and is negative out of reach; |J|/(l₂ l₃) = √(A I)/(2 l₂ l₃).
-pub(super) fn quality<'s>([b, d]: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> Quality<'s> {
-    let [x, y] = b.jets_to(d);
-    let difference = l2 - l3;
-    let near = x * x + y * y - difference * difference;
-    let product = (l2 * l3).twice();
-    let both = near * (product.twice() - near);
-    let margin = both / (product.twice().twice() * x.hypot(y));
-    Quality { margin: Some(margin), transmission: both.sqrt() / product }
+/// With I = d² − (l₂ − l₃)² = 2 l₂ l₃ (1 − cos μ), μ the angle between the bars, sin² μ is smooth,
+/// vanishes at both toggles and is negative out of reach; so is the margin l₂ l₃ sin² μ/(2 d), with
+/// slope one against d at both toggles.
+pub(super) fn quality<'s>([b, d]: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> Quality<'s> {
+    let (near, product) = near_and_product([b, d], lengths);
+    let (one, [x, y]) = (Jet::constant(product.value.sheet().integer(1)), b.jets_to(d));
+    let versine = near / product;
+    let square = versine * (one + one - versine);
+    let reach = product / x.hypot(y);
+    let margin = (square * reach).times(square.value.sheet().integer(1).half().half());
+    Quality { margin: Some(margin), transmission: root_in_reach(square) }
 }
 
-/// A·I, with A and I as for [`quality`]; A may be as small as (l₂ + l₃)² is rounded, I at most
-/// 4 l₂ l₃.
-pub(super) fn clearance<'s>([b, d]: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> Clearance<'s> {
+/// I and 2 l₂ l₃.
+fn near_and_product<'s>(
+    [b, d]: [PointMotion<'s>; 2],
+    [l2, l3]: [Jet<'s>; 2],
+) -> (Jet<'s>, Jet<'s>) {
     let [x, y] = b.jets_to(d);
     let difference = l2 - l3;
-    let near = x * x + y * y - difference * difference;
-    let product = (l2 * l3).twice();
-    let value = near * (product.twice() - near);
-    let squares = l2.value.squared() + l3.value.squared() + size(b, d);
-    Clearance { value, scale: product.value * squares }
+    (x * x + y * y - difference * difference, (l2 * l3).twice())
+}
+
+/// sin² μ. Where one bar is long or the joints are far away, so is the rounding of I against l₂ l₃.
+pub(super) fn clearance<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> Clearance<'s> {
+    let (near, product) = near_and_product(joints, lengths);
+    let one = Jet::constant(product.value.sheet().integer(1));
+    let versine = near / product;
+    let [l2, l3] = lengths.map(|length| length.value.squared());
+    let scale = (l2 + l3 + size(joints[0], joints[1])) / product.value;
+    Clearance { value: versine * (one + one - versine), scale }
 }

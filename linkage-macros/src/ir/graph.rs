@@ -91,7 +91,7 @@ pub(crate) struct Guard {
 pub(crate) enum Check {
     /// Straight line: value > 0. Careful: circles of radii l₁ and l₂ about points d = (dx, dy)
     /// apart must meet. Operands dx, dy, l₁, l₂. The value is
-    /// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²)/4d⁴; where it is above zero only without rounding it is
+    /// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²)/(4 l₁ l₂)²; where it is above zero only without rounding it is
     /// replaced by what it is without, and at the limit by 0.
     ReachCircles,
     /// Straight line: value ≥ 0. Careful: |t| ≤ l. Operands t, l. At the limit the value is

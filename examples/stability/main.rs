@@ -1,0 +1,94 @@
+//! How right every group is as its limit comes near: tables, and charts with the textbook's forms
+//! beside.
+//!
+//! `cargo run --release --example stability` prints the hard cases, then for each group the errors
+//! at 1e-1 to 1e-15 from its limit, and draws them to `target/charts/stability_position.svg` and
+//! `stability_velocity.svg`. Both axes are decimal logarithms.
+
+#[path = "../charts/mod.rs"]
+mod charts;
+#[path = "../../tests/data"]
+mod data {
+    pub(crate) mod hard;
+}
+#[path = "../../tests/double_double/mod.rs"]
+mod double_double;
+#[path = "../../tests/hard_table/mod.rs"]
+mod hard_table;
+#[path = "../../tests/measured/mod.rs"]
+mod measured;
+#[path = "../../tests/mechanisms"]
+mod mechanisms {
+    pub(crate) mod driven_groups;
+    pub(crate) mod near_limits;
+    pub(crate) mod stacked_sliders;
+}
+mod sweep;
+mod textbook;
+
+use charts::{BLACK, COLOURS, Curve, Panel};
+use sweep::{Series, Sweep};
+
+fn main() {
+    hard_cases();
+    let sweeps = sweep::all();
+    for sweep in &sweeps {
+        print_sweep(sweep);
+    }
+    let panels = |order: usize| sweeps.iter().map(|sweep| panel(sweep, order)).collect();
+    let title = "error against distance from the limit";
+    charts::write("stability_position", &format!("Position: {title}"), 2, panels(0));
+    charts::write("stability_velocity", &format!("Velocity: {title}"), 2, panels(1));
+}
+
+fn hard_cases() {
+    let (lines, refusals) = hard_table::table();
+    println!("hard cases: error, error that rounding the data would cause, ratio\n");
+    for line in &lines {
+        println!(
+            "{:14} {:24} {:7} {:9.2e} {:9.2e} {:6.2}",
+            line.mechanism,
+            line.case,
+            line.quantity,
+            line.error,
+            line.achievable,
+            line.ratio()
+        );
+    }
+    for (mechanism, case, error) in &refusals {
+        println!("{mechanism:14} {case:24} refused: {error}");
+    }
+    let worst = lines.iter().map(hard_table::Line::ratio).fold(0.0, f64::max);
+    println!("\nworst ratio {worst:.2} of {} numbers", lines.len());
+}
+
+fn print_sweep(sweep: &Sweep) {
+    for (order, what) in ["position", "velocity"].into_iter().enumerate() {
+        println!("\n{}: worst error of {what}\n", sweep.title);
+        print!("distance");
+        sweep.series.iter().for_each(|series| print!("  {:>18}", series.name));
+        println!();
+        for (index, exponent) in sweep::EXPONENTS.enumerate() {
+            print!("  1e-{exponent:02} ");
+            for series in &sweep.series {
+                print!("  {:18.1e}", series.errors[order][index]);
+            }
+            println!();
+        }
+    }
+}
+
+fn panel(sweep: &Sweep, order: usize) -> Panel {
+    let curve = |(index, series): (usize, &Series)| {
+        let colour = if index == 0 { BLACK } else { COLOURS[(index - 1) % COLOURS.len()] };
+        let points = sweep::EXPONENTS.zip(&series.errors[order]);
+        // An error of nothing, and one that is no number, have no place on a logarithmic axis.
+        let points = points.filter(|(_, error)| error.is_finite());
+        let points =
+            points.map(|(exponent, error)| (-f64::from(exponent), error.max(1e-24).log10()));
+        Curve::named(series.name, colour, points.collect())
+    };
+    let axes = ["log10 of the distance", "log10 of the error"];
+    let title = format!("{}, {}", sweep.title, sweep.measures[order]);
+    Panel::over(&title, axes, sweep.series.iter().enumerate().map(curve).collect())
+}
