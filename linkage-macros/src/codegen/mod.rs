@@ -15,6 +15,7 @@ mod dominance;
 mod entry;
 mod explanations;
 mod formulas;
+mod locals;
 mod modes;
 mod names;
 mod paths;
@@ -27,12 +28,13 @@ mod sweeps;
 mod units;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use self::arguments::Arguments;
+use self::locals::Locals;
 use self::names::Names;
 use self::paths::Paths;
 use crate::ir::program::{Entry, EntryKind, Program};
@@ -40,37 +42,45 @@ use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
 /// Everything that the declaration of a mechanism expands to.
 pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream {
-    let cx =
-        Context { mechanism, program, paths: Paths::new(mechanism), names: Names::new(mechanism) };
-    let (solver, records) = (solver::items(&cx), results::records(&cx));
-    let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
-    let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
-    let careful = program.entries.iter().map(|entry| explanations::function(&cx, entry));
-    let formulas = formulas::functions(&cx);
-    let sweeps = program.entries.iter().map(|entry| sweeps::items(&cx, entry));
-    let (derivatives, modes) = (derivatives::items(&cx), modes::items(&cx));
-    let c_export = c_export::items(&cx);
-    let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
-    let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
-    let literals = literals_are_dimensions();
-    quote! {
-        #solver
-        #records
-        #literals
-        impl<#scalar: #any> #name<#scalar> { #(#straight)* #formulas }
-        #literals
-        impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
-        #(#sweeps)*
-        #derivatives
-        #modes
-        #c_export
-    }
+    let cx = Context {
+        mechanism,
+        program,
+        paths: Paths::new(mechanism),
+        names: Names::new(mechanism),
+        locals: Locals::new(mechanism, program),
+    };
+    let (solver, records) = (solver::definition(&cx), results::definitions(&cx));
+    let implementations = implementations(&cx);
+    quote! { #solver #records #implementations }
 }
 
-/// In front of every block that holds literals.
-fn literals_are_dimensions() -> TokenStream {
+/// All that is done with the structs, in an unnamed constant: what it imports meets no name of the
+/// user's, and its paths are short.
+fn implementations(cx: &Context<'_>) -> TokenStream {
+    let (import, program) = (cx.paths.import(), cx.program);
+    let (solver, records) = (solver::implementation(cx), results::implementations(cx));
+    let straight = program.entries.iter().map(|entry| straight::function(cx, entry));
+    let checked = program.entries.iter().map(|entry| entry::function(cx, entry));
+    let careful = program.entries.iter().map(|entry| explanations::function(cx, entry));
+    let formulas = formulas::functions(cx);
+    let sweeps = program.entries.iter().map(|entry| sweeps::items(cx, entry));
+    let (derivatives, modes) = (derivatives::items(cx), modes::items(cx));
+    let c_export = c_export::items(cx);
+    let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
+    let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
     quote! {
         #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
+        const _: () = {
+            #import
+            #solver
+            #records
+            impl<#scalar: #any> #name<#scalar> { #(#straight)* #formulas }
+            impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
+            #(#sweeps)*
+            #derivatives
+            #modes
+            #c_export
+        };
     }
 }
 
@@ -80,6 +90,7 @@ struct Context<'a> {
     program: &'a Program,
     paths: Paths,
     names: Names,
+    locals: Locals,
 }
 
 impl Context<'_> {

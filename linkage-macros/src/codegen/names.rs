@@ -7,7 +7,6 @@ use proc_macro2::{Ident, Span};
 use quote::format_ident;
 use syn::ext::IdentExt;
 
-use crate::ir::graph::Id;
 use crate::model::mechanism::Mechanism;
 
 /// The types of one mechanism.
@@ -35,22 +34,17 @@ impl Names {
             acceleration: format_ident!("{solver}Acceleration"),
             motion: format_ident!("{solver}Motion"),
             margins: format_ident!("{solver}Margins"),
-            scalar: type_parameter("T", &solver),
-            lifted: type_parameter("U", &solver),
+            scalar: clear_of("T", &solver),
+            lifted: clear_of("U", &solver),
             solver,
         }
     }
 }
 
-/// A type parameter that does not hide a mechanism of the same name.
-fn type_parameter(preferred: &str, solver: &Ident) -> Ident {
+/// The name of a type or module that does not hide a mechanism of the same name.
+pub(super) fn clear_of(preferred: &str, solver: &Ident) -> Ident {
     let clash = if solver == preferred { "_" } else { "" };
     Ident::new(&format!("{preferred}{clash}"), Span::call_site())
-}
-
-/// The local that holds a node's value.
-pub(super) fn local(id: Id) -> Ident {
-    generated(&format!("v{}_", id.0))
 }
 
 /// A local that no identifier outside the generated code can meet.
@@ -95,7 +89,7 @@ mod tests {
 
     #[test]
     fn a_mechanism_may_be_named_like_a_type_parameter() {
-        assert_eq!(type_parameter("T", &format_ident!("T")), "T_");
-        assert_eq!(type_parameter("T", &format_ident!("U")), "T");
+        assert_eq!(clear_of("T", &format_ident!("T")), "T_");
+        assert_eq!(clear_of("T", &format_ident!("U")), "T");
     }
 }
