@@ -25,6 +25,10 @@
 /// - crank AB
 /// - rrr BC, DC
 ///
+/// # Range
+/// - rrr BC, DC: `AB` turns fully; |BD| runs from 0.2032 m to 0.4064 m, and the bars reach from
+///   0.0762 m to 0.4318 m
+///
 /// # Cost of one call
 /// - `position`: 11 additions, 22 multiplications, 1 division, 1 square root and 1 sine-cosine
 ///   pair

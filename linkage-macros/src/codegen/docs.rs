@@ -8,7 +8,7 @@ use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 use super::names::text;
 use super::results::Order;
 use super::units::{per_time, unit};
-use super::{Context, cost, entry, rows};
+use super::{Context, cost, entry, rows, turning};
 use crate::ir::program::{Entry, EntryKind};
 use crate::model::mechanism::{Input, Output, OutputKind, Param, ParamKind, Sign};
 
@@ -86,6 +86,8 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
         "Groups, in the order they are solved",
         groups.map(|group| format!("{} {}", group.keyword, group.title)).collect(),
     );
+    let turnings = cx.mechanism.turnings.iter();
+    page += &section("Range", turnings.map(|turning| turning::in_words(cx, turning)).collect());
     let costs = cx.program.entries.iter().map(|entry| {
         format!("`{}`: {}", entry::method(entry.kind), cost::in_words(cost::of(cx, entry)))
     });

@@ -25,6 +25,7 @@ mod solver;
 mod straight;
 pub(crate) mod stubs;
 mod sweeps;
+mod turning;
 mod units;
 
 #[cfg(test)]

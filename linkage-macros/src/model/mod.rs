@@ -28,6 +28,7 @@ mod numbers;
 mod outputs;
 mod points;
 mod settings;
+pub(crate) mod turning;
 mod units;
 
 #[cfg(test)]
@@ -62,6 +63,8 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     resolver.outputs(tree);
     resolver.an_input_is_declared(tree);
     resolver.every_input_is_used(tree);
+    resolver.mechanism.turnings = turning::turnings(&resolver.mechanism);
+    resolver.cranks_can_turn(tree);
     let mechanism = resolver.mechanism;
     (diagnostics.count() == before).then_some(mechanism)
 }
@@ -122,6 +125,7 @@ fn empty(tree: &Declaration) -> Mechanism {
         groups: Vec::new(),
         steps: Vec::new(),
         outputs: Vec::new(),
+        turnings: Vec::new(),
         numerics: Numerics::Plain,
         crate_path: None,
         export_c: false,

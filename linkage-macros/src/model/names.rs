@@ -168,8 +168,7 @@ fn title(statement: &Statement, name: &str) -> String {
         StatementKind::Guide { .. } => format!("guide {name}"),
         StatementKind::Point { .. } => format!("point {name}"),
         StatementKind::Group(group) => {
-            let links: Vec<_> = group.legs.iter().map(|leg| leg.link.to_string()).collect();
-            format!("{} {}", group.keyword, links.join(", "))
+            format!("{} {}", group.keyword, group.title())
         }
         StatementKind::Output { .. }
         | StatementKind::Numerics { .. }

@@ -50,6 +50,7 @@ pub(super) fn mechanism(name: &str, inputs: Vec<Input>, outputs: Vec<Output>) ->
         groups: Vec::new(),
         steps: Vec::new(),
         outputs,
+        turnings: Vec::new(),
         numerics: Numerics::Plain,
         crate_path: None,
         export_c: false,

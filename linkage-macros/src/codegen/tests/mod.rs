@@ -3,6 +3,7 @@
 mod c_export;
 mod expanded;
 mod fixture;
+mod turning;
 
 use super::generate;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
