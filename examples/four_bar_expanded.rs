@@ -7,6 +7,7 @@
 #![allow(unused_qualifications, reason = "generated code relies on no prelude")]
 
 // What `mechanism!` makes of the declaration.
+
 /// A crank-rocker of 12, 4, 10 and 7 inches.
 ///
 /// Solver of position, velocity and acceleration in closed form.
@@ -1385,6 +1386,23 @@ const _: () = {
                 velocity: private::Linear::<T>::minus(self.velocity, other_.velocity),
                 acceleration: private::Linear::<T>::minus(self.acceleration, other_.acceleration),
             }
+        }
+    }
+
+    #[allow(dead_code, non_snake_case, reason = "names are as declared, and for editors alone")]
+    struct Names_ {
+        /// `theta`, made by `input theta`.
+        theta: (),
+        /// `A`, made by `ground A`.
+        A: (),
+        /// `D`, made by `ground D`.
+        D: (),
+    }
+
+    #[allow(dead_code, reason = "for editors alone")]
+    impl Names_ {
+        fn uses_<T>(&self, solver_: &FourBar<T>, position_: &FourBarPosition<T>) {
+            let _ = (&self.A, &self.theta, &position_.B, &self.D);
         }
     }
 };

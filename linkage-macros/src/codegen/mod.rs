@@ -16,6 +16,7 @@ mod entry;
 mod explanations;
 mod formulas;
 mod locals;
+mod mentions;
 mod modes;
 mod names;
 mod paths;
@@ -66,7 +67,7 @@ fn implementations(cx: &Context<'_>) -> TokenStream {
     let formulas = formulas::functions(cx);
     let sweeps = program.entries.iter().map(|entry| sweeps::items(cx, entry));
     let (derivatives, modes) = (derivatives::items(cx), modes::items(cx));
-    let c_export = c_export::items(cx);
+    let (c_export, mentions) = (c_export::items(cx), mentions::items(cx));
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
     quote! {
@@ -81,6 +82,7 @@ fn implementations(cx: &Context<'_>) -> TokenStream {
             #derivatives
             #modes
             #c_export
+            #mentions
         };
     }
 }

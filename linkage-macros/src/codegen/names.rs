@@ -57,13 +57,20 @@ pub(super) fn function_name(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
 }
 
-/// An argument named after an input: in lower case, as no constant of the user's is.
+/// What sweeps and given cosines call their own arguments.
+const OTHER_ARGUMENTS: [&str; 5] = ["out", "status", "progress", "cos", "sin"];
+
+/// An argument named after an input: in lower case, as a constant of the user's hardly is. The
+/// value itself has the input's span, where the compiler reports it if one is.
 pub(super) fn argument(input: &Ident, suffix: &str) -> Ident {
     let name = format!("{}{suffix}", input.unraw()).to_lowercase();
-    // The span keeps it apart from the locals; a keyword or a name that fits nowhere gets a tail.
+    let span = if suffix.is_empty() { input.span() } else { Span::call_site() };
+    // The span keeps it apart from the locals; a keyword or a name that fits nowhere gets a tail,
+    // and so does what another argument is called.
+    let is_free = !OTHER_ARGUMENTS.contains(&&name[..]);
     match syn::parse_str::<Ident>(&name) {
-        Ok(_) => Ident::new(&name, Span::call_site()),
-        Err(_) => Ident::new(&format!("{name}_"), Span::call_site()),
+        Ok(_) if is_free => Ident::new(&name, span),
+        _ => Ident::new(&format!("{name}_"), span),
     }
 }
 
@@ -82,6 +89,7 @@ mod tests {
         assert_eq!(named("theta", "_rate"), "theta_rate");
         assert_eq!(named("Q", ""), "q");
         assert_eq!(named("As", ""), "as_");
+        assert_eq!(named("out", ""), "out_");
         let raw = Ident::new_raw("type", Span::call_site());
         assert_eq!(argument(&raw, "").to_string(), "type_");
         assert_eq!(argument(&raw, "_rate").to_string(), "type_rate");

@@ -20,6 +20,7 @@ use crate::model::mechanism::{
     Dimension, Expr, Group, GroupId, Input, Link, LinkId, Mechanism, Named, Numerics, Output,
     OutputKind, Param, ParamKind, PointId, Sign, Turn,
 };
+use crate::model::mentions::Mentions;
 use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, StatementKind};
 
 const NUMBER: Dimension = Dimension { length: 0, mass: 0, angle: false };
@@ -103,6 +104,7 @@ impl StandIn {
             steps: Vec::new(),
             outputs: Vec::new(),
             turnings: Vec::new(),
+            mentions: Mentions::default(),
             numerics: Numerics::Plain,
             crate_path: None,
             export_c: false,

@@ -22,6 +22,7 @@ mod groups;
 mod guides;
 mod inputs;
 pub(crate) mod mechanism;
+pub(crate) mod mentions;
 mod modes;
 mod names;
 mod numbers;
@@ -39,6 +40,7 @@ use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 
 use facts::Facts;
 use mechanism::{Mechanism, Numerics};
+use mentions::Mentions;
 use names::Names;
 
 /// The mechanism that the declaration means; `None` if anything in it was reported.
@@ -126,6 +128,7 @@ fn empty(tree: &Declaration) -> Mechanism {
         steps: Vec::new(),
         outputs: Vec::new(),
         turnings: Vec::new(),
+        mentions: Mentions::of(tree),
         numerics: Numerics::Plain,
         crate_path: None,
         export_c: false,

@@ -139,7 +139,7 @@ impl Names {
 
 /// The names a statement declares. The name of an output is not among them: it is a field of the
 /// result alone.
-fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
+pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
     match &statement.kind {
         StatementKind::Input { names, .. } => names.iter().map(|n| (n, Kind::Input)).collect(),
         StatementKind::Param { name, .. } => vec![(name, Kind::Param)],
@@ -159,7 +159,7 @@ fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
 }
 
 /// The statement that declares `name`, as messages call it.
-fn title(statement: &Statement, name: &str) -> String {
+pub(super) fn title(statement: &Statement, name: &str) -> String {
     match &statement.kind {
         StatementKind::Input { .. } => format!("input {name}"),
         StatementKind::Param { .. } => format!("param {name}"),

@@ -118,7 +118,7 @@ fn the_expanded_four_bar_is_what_the_macro_makes() {
     let (held, program) = rest.split_once(END).expect("a line says where the expansion ends");
     let made = expansion();
     if std::env::var_os("LINKAGE_EXPAND").is_some() {
-        let text = format!("{head}{START}{}\n{END}{program}", text(made));
+        let text = format!("{head}{START}\n{}\n{END}{program}", text(made));
         return fs::write(example("four_bar_expanded.rs"), text)
             .expect("the example can be written");
     }

@@ -3,6 +3,7 @@
 mod c_export;
 mod expanded;
 mod fixture;
+mod spans;
 mod turning;
 
 use super::generate;

@@ -1,0 +1,84 @@
+//! The names of a declaration for editors: hovering over one, going to where it is made and
+//! renaming it work wherever a token of the generated code has the user's own span.
+//!
+//! Most names are fields. The others are made fields of a struct that nothing else uses, and a
+//! function that nobody calls reads each name wherever the declaration does.
+
+use std::collections::HashSet;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::Context;
+use super::names::{generated, text};
+
+/// Nothing for stubs, which have mentions of their own in their messages.
+pub(super) fn items(cx: &Context<'_>) -> TokenStream {
+    let mentions = &cx.mechanism.mentions;
+    if mentions.made.is_empty() {
+        return TokenStream::new();
+    }
+    let places = Places::new(cx);
+    let made = mentions.made.iter().filter(|(name, _)| places.place(name).is_none());
+    let fields = made.map(|(name, made_by)| {
+        let doc = format!(" `{}`, made by `{made_by}`.", text(name));
+        quote!(#[doc = #doc] #name: ())
+    });
+    let uses = mentions.used.iter().map(|name| match places.place(name) {
+        Some(place) => quote!(&#place.#name),
+        None => quote!(&self.#name),
+    });
+    let (names, scalar) = (&cx.names, &cx.names.scalar);
+    let (solver, position) = (&names.solver, &names.position);
+    let inputs = places.are_inputs_a_record.then(|| {
+        let (argument, record) = (generated("inputs_"), &names.input);
+        quote!(#argument: &#record<#scalar>,)
+    });
+    let [solver_, position_] = ["solver_", "position_"].map(generated);
+    quote! {
+        #[allow(dead_code, non_snake_case, reason = "names are as declared, and for editors alone")]
+        struct Names_ { #(#fields,)* }
+
+        #[allow(dead_code, reason = "for editors alone")]
+        impl Names_ {
+            fn uses_<#scalar>(
+                &self,
+                #solver_: &#solver<#scalar>,
+                #inputs
+                #position_: &#position<#scalar>,
+            ) {
+                let _ = (#(#uses,)*);
+            }
+        }
+    }
+}
+
+/// Which names are fields of what.
+struct Places {
+    params: HashSet<String>,
+    inputs: HashSet<String>,
+    outputs: HashSet<String>,
+    are_inputs_a_record: bool,
+}
+
+impl Places {
+    fn new(cx: &Context<'_>) -> Self {
+        let mechanism = cx.mechanism;
+        let are_inputs_a_record = mechanism.inputs.len() > 1;
+        let inputs = mechanism.inputs.iter().filter(|_| are_inputs_a_record);
+        Self {
+            params: mechanism.params.iter().map(|param| param.name.to_string()).collect(),
+            inputs: inputs.map(|input| input.name.to_string()).collect(),
+            outputs: mechanism.outputs.iter().map(|output| output.field.to_string()).collect(),
+            are_inputs_a_record,
+        }
+    }
+
+    /// The argument of which the name is a field.
+    fn place(&self, name: &Ident) -> Option<Ident> {
+        let name = name.to_string();
+        let found =
+            [("solver_", &self.params), ("inputs_", &self.inputs), ("position_", &self.outputs)];
+        found.iter().find(|(_, names)| names.contains(&name)).map(|(place, _)| generated(place))
+    }
+}
