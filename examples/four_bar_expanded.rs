@@ -1401,7 +1401,7 @@ const _: () = {
 
     #[allow(dead_code, reason = "for editors alone")]
     impl Names_ {
-        fn uses_<T>(&self, solver_: &FourBar<T>, position_: &FourBarPosition<T>) {
+        fn uses_<T>(&self, position_: &FourBarPosition<T>) {
             let _ = (&self.A, &self.theta, &position_.B, &self.D);
         }
     }

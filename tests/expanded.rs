@@ -1,10 +1,10 @@
 //! `examples/four_bar_expanded.rs` computes what `examples/four_bar.rs` does, to the last bit.
 
-#[allow(dead_code, reason = "only the declaration is used")]
+#[allow(dead_code, unreachable_pub, reason = "only the declaration is used")]
 #[path = "../examples/four_bar.rs"]
 mod declared;
 
-#[allow(dead_code, reason = "only the solver is used")]
+#[allow(dead_code, unreachable_pub, reason = "only the solver is used")]
 #[path = "../examples/four_bar_expanded.rs"]
 mod expanded;
 

@@ -29,24 +29,23 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
         None => quote!(&self.#name),
     });
     let (names, scalar) = (&cx.names, &cx.names.scalar);
-    let (solver, position) = (&names.solver, &names.position);
-    let inputs = places.are_inputs_a_record.then(|| {
-        let (argument, record) = (generated("inputs_"), &names.input);
-        quote!(#argument: &#record<#scalar>,)
-    });
-    let [solver_, position_] = ["solver_", "position_"].map(generated);
+    let records =
+        [("solver_", &names.solver), ("inputs_", &names.input), ("position_", &names.position)];
+    let is_read = |place: &str| {
+        mentions.used.iter().any(|name| places.place(name).is_some_and(|known| known == place))
+    };
+    let arguments =
+        records.into_iter().filter(|(place, _)| is_read(place)).map(|(place, record)| {
+            let place = generated(place);
+            quote!(#place: &#record<#scalar>)
+        });
     quote! {
         #[allow(dead_code, non_snake_case, reason = "names are as declared, and for editors alone")]
         struct Names_ { #(#fields,)* }
 
         #[allow(dead_code, reason = "for editors alone")]
         impl Names_ {
-            fn uses_<#scalar>(
-                &self,
-                #solver_: &#solver<#scalar>,
-                #inputs
-                #position_: &#position<#scalar>,
-            ) {
+            fn uses_<#scalar>(&self, #(#arguments),*) {
                 let _ = (#(#uses,)*);
             }
         }
@@ -58,19 +57,17 @@ struct Places {
     params: HashSet<String>,
     inputs: HashSet<String>,
     outputs: HashSet<String>,
-    are_inputs_a_record: bool,
 }
 
 impl Places {
     fn new(cx: &Context<'_>) -> Self {
         let mechanism = cx.mechanism;
-        let are_inputs_a_record = mechanism.inputs.len() > 1;
-        let inputs = mechanism.inputs.iter().filter(|_| are_inputs_a_record);
+        // A single input has no record, and is no field.
+        let inputs = mechanism.inputs.iter().filter(|_| mechanism.inputs.len() > 1);
         Self {
             params: mechanism.params.iter().map(|param| param.name.to_string()).collect(),
             inputs: inputs.map(|input| input.name.to_string()).collect(),
             outputs: mechanism.outputs.iter().map(|output| output.field.to_string()).collect(),
-            are_inputs_a_record,
         }
     }
 
