@@ -33,6 +33,9 @@ const WIDTH: usize = 92;
 
 /// The line in lines of readable length; those that continue a list's item are indented.
 fn wrapped(line: &str) -> Vec<String> {
+    if line.len() <= WIDTH {
+        return vec![line.to_string()];
+    }
     let indent = if line.starts_with("- ") { "  " } else { "" };
     let mut lines = vec![String::new()];
     for word in line.split(' ') {

@@ -26,8 +26,9 @@ impl Locals {
             // Upper and lower case may make one name of two.
             let mut taken = HashMap::new();
             for (label, &sink) in labels.zip(&entry.sinks) {
+                // Whether a letter of another alphabet may stand in a name is for others to know.
                 let is_its_own = *taken.entry(label.clone()).or_insert(sink) == sink;
-                if is_its_own && syn::parse_str::<Ident>(&label).is_ok() {
+                if is_its_own && label.is_ascii() {
                     names.entry(sink).or_insert_with(|| generated(&label));
                 }
             }

@@ -31,21 +31,21 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     let (names, scalar) = (&cx.names, &cx.names.scalar);
     let records =
         [("solver_", &names.solver), ("inputs_", &names.input), ("position_", &names.position)];
-    let is_read = |place: &str| {
-        mentions.used.iter().any(|name| places.place(name).is_some_and(|known| known == place))
-    };
-    let arguments =
-        records.into_iter().filter(|(place, _)| is_read(place)).map(|(place, record)| {
-            let place = generated(place);
-            quote!(#place: &#record<#scalar>)
-        });
+    let read: HashSet<_> = mentions.used.iter().filter_map(|name| places.place(name)).collect();
+    let arguments: Vec<_> = records
+        .into_iter()
+        .map(|(place, record)| (generated(place), record))
+        .filter(|(place, _)| read.contains(place))
+        .map(|(place, record)| quote!(#place: &#record<#scalar>))
+        .collect();
+    let generics = (!arguments.is_empty()).then(|| quote!(<#scalar>));
     quote! {
         #[allow(dead_code, non_snake_case, reason = "names are as declared, and for editors alone")]
         struct Names_ { #(#fields,)* }
 
         #[allow(dead_code, reason = "for editors alone")]
         impl Names_ {
-            fn uses_<#scalar>(&self, #(#arguments),*) {
+            fn uses_ #generics(&self, #(#arguments),*) {
                 let _ = (#(#uses,)*);
             }
         }

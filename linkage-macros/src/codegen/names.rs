@@ -18,6 +18,8 @@ pub(super) struct Names {
     pub acceleration: Ident,
     pub motion: Ident,
     pub margins: Ident,
+    /// The arguments for the value, the rate and the second rate of an input that is the only one.
+    pub only_input: Vec<Ident>,
     /// The type parameter of all of them: `T`.
     pub scalar: Ident,
     /// The type parameter that `lift` converts to: `U`.
@@ -34,6 +36,10 @@ impl Names {
             acceleration: format_ident!("{solver}Acceleration"),
             motion: format_ident!("{solver}Motion"),
             margins: format_ident!("{solver}Margins"),
+            only_input: match &mechanism.inputs[..] {
+                [only] => ["", "_rate", "_acceleration"].map(|s| argument(&only.name, s)).to_vec(),
+                _ => Vec::new(),
+            },
             scalar: clear_of("T", &solver),
             lifted: clear_of("U", &solver),
             solver,
@@ -62,7 +68,7 @@ const OTHER_ARGUMENTS: [&str; 5] = ["out", "status", "progress", "cos", "sin"];
 
 /// An argument named after an input: in lower case, as a constant of the user's hardly is. The
 /// value itself has the input's span, where the compiler reports it if one is.
-pub(super) fn argument(input: &Ident, suffix: &str) -> Ident {
+fn argument(input: &Ident, suffix: &str) -> Ident {
     let name = format!("{}{suffix}", input.unraw()).to_lowercase();
     let span = if suffix.is_empty() { input.span() } else { Span::call_site() };
     // The span keeps it apart from the locals; a keyword or a name that fits nowhere gets a tail,

@@ -26,11 +26,11 @@ pub(crate) fn simplify(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
 }
 
 fn is_zero(maker: &Maker<'_>, id: Id) -> bool {
-    maker.graph.as_constant(id).is_some_and(Exact::is_zero)
+    maker.graph.is_zero(id)
 }
 
 fn is_one(maker: &Maker<'_>, id: Id) -> bool {
-    maker.graph.as_constant(id).is_some_and(Exact::is_one)
+    maker.graph.is_one(id)
 }
 
 /// What the node is the negative of.
@@ -188,9 +188,7 @@ fn quotient(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
 
 /// A difference of products with one product gone is the other product.
 fn determinant(maker: &mut Maker<'_>, [a, b, c, d]: [Id; 4]) -> Option<Id> {
-    let trivial = |maker: &Maker<'_>, id: Id| {
-        maker.graph.as_constant(id).is_some_and(|v| v.is_one() || v.neg().is_one())
-    };
+    let trivial = |maker: &Maker<'_>, id: Id| maker.graph.is_one_or_minus_one(id);
     if is_zero(maker, c) || is_zero(maker, d) {
         return Some(maker.make(Node::Mul(a, b)));
     }
@@ -209,9 +207,7 @@ fn determinant(maker: &mut Maker<'_>, [a, b, c, d]: [Id; 4]) -> Option<Id> {
 
 /// A product with 0 or ±1 has no error; the error has the product's sign.
 fn product_error(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
-    let exact = |id: Id| {
-        maker.graph.as_constant(id).is_some_and(|v| v.is_zero() || v.is_one() || v.neg().is_one())
-    };
+    let exact = |id: Id| maker.graph.is_zero(id) || maker.graph.is_one_or_minus_one(id);
     if exact(a) || exact(b) {
         return Some(zero(maker));
     }
