@@ -15,6 +15,7 @@ use super::mentions::{expressions, names_in};
 use super::modes::mode_word;
 use super::names::Entity;
 use super::numbers::bare_name;
+use super::units::unit;
 
 const KINDS: [&str; 2] = ["angle", "length"];
 
@@ -49,6 +50,17 @@ impl Resolver<'_> {
             "length" => return Some(Dimension::LENGTH),
             "number" if known.contains(&"number") => return Some(Dimension::NUMBER),
             _ => {}
+        }
+        let kind_of_unit = unit(&text).and_then(|(measure, _)| match measure.dimension() {
+            Dimension::ANGLE => Some("angle"),
+            Dimension::LENGTH => Some("length"),
+            _ => None,
+        });
+        if let Some(kind_of_unit) = kind_of_unit {
+            let message = format!("`{text}` is a unit; write `{kind_of_unit}`");
+            let reason = "a value is in metres and radians; units stand behind numbers: `30deg`";
+            self.diagnostics.error_because(kind.span(), message, reason);
+            return None;
         }
         let mut message = format!("no {what} named `{text}`");
         if let Some(near) = nearest(&text, known.iter().copied()) {
