@@ -1,0 +1,80 @@
+//! How many instructions a call takes, which no other program on the machine can disturb:
+//! `cargo bench --bench instructions`, where valgrind and `gungraun-runner` are installed.
+//!
+//! The mechanisms are those of the example `work_precision`.
+
+#![allow(missing_docs, unused_qualifications, reason = "what the attributes of benchmarks make")]
+
+#[path = "../examples/work_precision/generated.rs"]
+#[allow(dead_code, reason = "the example reads all of it")]
+mod generated;
+
+use std::hint::black_box;
+
+use generated::{
+    Chain, ChainMotion, CouplerPoint, CouplerPointMotion, FourBar, FourBarMotion, FourBarPosition,
+    SixBar, SixBarMotion, Stephenson, StephensonMotion,
+};
+use gungraun::{library_benchmark, library_benchmark_group, main};
+use linkage_core::SolveError;
+
+/// A crank angle and its rates, which the optimiser does not know.
+fn pose() -> [f64; 3] {
+    black_box([0.7, 10.0, 1.0])
+}
+
+#[library_benchmark]
+fn four_bar_position() -> Result<FourBarPosition<f64>, SolveError> {
+    let [theta, _, _] = pose();
+    FourBar::new().position(theta)
+}
+
+#[library_benchmark]
+fn four_bar_motion() -> Result<FourBarMotion<f64>, SolveError> {
+    let [theta, omega, alpha] = pose();
+    FourBar::new().motion(theta, omega, alpha)
+}
+
+#[library_benchmark]
+fn four_bar_motion_at() -> Result<FourBarMotion<f64>, SolveError> {
+    let [_, omega, alpha] = pose();
+    FourBar::new().motion_at(black_box(0.8), black_box(0.6), omega, alpha)
+}
+
+#[library_benchmark]
+fn coupler_point_motion() -> Result<CouplerPointMotion<f64>, SolveError> {
+    let [theta, omega, alpha] = pose();
+    CouplerPoint::new().motion(theta, omega, alpha)
+}
+
+#[library_benchmark]
+fn six_bar_motion() -> Result<SixBarMotion<f64>, SolveError> {
+    let [theta, omega, alpha] = pose();
+    SixBar::new().motion(theta, omega, alpha)
+}
+
+#[library_benchmark]
+fn stephenson_motion() -> Result<StephensonMotion<f64>, SolveError> {
+    let [theta, omega, alpha] = pose();
+    Stephenson::new().motion(theta, omega, alpha)
+}
+
+#[library_benchmark]
+fn ten_links_motion() -> Result<ChainMotion<f64>, SolveError> {
+    let [theta, omega, alpha] = pose();
+    Chain::new().motion(theta, omega, alpha)
+}
+
+library_benchmark_group!(
+    name = solvers;
+    benchmarks =
+        four_bar_position,
+        four_bar_motion,
+        four_bar_motion_at,
+        coupler_point_motion,
+        six_bar_motion,
+        stephenson_motion,
+        ten_links_motion
+);
+
+main!(library_benchmark_groups = solvers);
