@@ -5,6 +5,9 @@
 //! Beside the rounding of constants they serve as the number of many digits against which floating
 //! point is tested.
 
+#[cfg(test)]
+mod reference;
+
 use core::cmp::Ordering;
 
 use num_bigint::BigInt;
@@ -13,7 +16,6 @@ use num_traits::{One, Signed, Zero};
 
 use super::elementary;
 use super::rational::Rational;
-use super::rounding::WIDE;
 
 /// An interval [lower, upper]·2^−bits.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -52,11 +54,6 @@ impl Enclosure {
         Self::new(quotient, upper, bits)
     }
 
-    /// The exact value of a float; `None` unless finite.
-    pub(crate) fn float(value: f64, bits: u32) -> Option<Self> {
-        super::word(value).map(|word| Self::rational(&word, bits))
-    }
-
     pub(crate) fn pi(bits: u32) -> Self {
         elementary::pi(bits)
     }
@@ -88,29 +85,6 @@ impl Enclosure {
     pub(crate) fn sign(&self) -> Option<Ordering> {
         let (lower, upper) = (self.lower.cmp(&BigInt::zero()), self.upper.cmp(&BigInt::zero()));
         (lower == upper).then_some(lower)
-    }
-
-    /// Upper bound less lower bound.
-    pub(crate) fn width(&self) -> f64 {
-        WIDE.round_fixed(&(&self.upper - &self.lower), self.bits)
-    }
-
-    /// The number of f64 next to the middle.
-    pub(crate) fn to_f64(&self) -> f64 {
-        WIDE.round_fixed(&(&self.lower + &self.upper), self.bits + 1)
-    }
-
-    /// The middle with so many decimals, the last one cut off.
-    pub(crate) fn to_decimal(&self, decimals: u32) -> String {
-        let middle = &self.lower + &self.upper;
-        let scaled = (middle.abs() * BigInt::from(10).pow(decimals)) >> (self.bits + 1);
-        let (whole, fraction) = scaled.div_rem(&BigInt::from(10).pow(decimals));
-        let sign = if middle.is_negative() { "-" } else { "" };
-        if decimals == 0 {
-            return format!("{sign}{whole}");
-        }
-        let places = decimals as usize;
-        format!("{sign}{whole}.{:0>places$}", fraction.to_string())
     }
 
     pub(crate) fn neg(&self) -> Self {
@@ -191,16 +165,6 @@ impl Enclosure {
         Some(Self::new(lower.sqrt(), ceil_sqrt(&(&self.upper << self.bits)), self.bits))
     }
 
-    /// The length of the vector (self, other).
-    pub(crate) fn hypot(&self, other: &Self) -> Self {
-        self.aligned(other, |a, b| {
-            let ((a_least, a_greatest), (b_least, b_greatest)) = (a.magnitudes(), b.magnitudes());
-            let lower = (&a_least * &a_least + &b_least * &b_least).sqrt();
-            let upper = ceil_sqrt(&(&a_greatest * &a_greatest + &b_greatest * &b_greatest));
-            Self::new(lower, upper, a.bits)
-        })
-    }
-
     pub(crate) fn sin(&self) -> Self {
         self.sin_cos().0
     }
@@ -214,12 +178,6 @@ impl Enclosure {
         let (middle, radius) = self.middle();
         let (sin, cos) = elementary::sin_cos(&middle, self.bits);
         (sin.widened(&radius).within_one(), cos.widened(&radius).within_one())
-    }
-
-    /// The tangent, unless the enclosure of the cosine holds zero.
-    pub(crate) fn tan(&self) -> Option<Self> {
-        let (sin, cos) = self.sin_cos();
-        sin.div(&cos)
     }
 
     /// The arc sine in [−π/2, π/2] of what lies in [−1, 1] of the enclosure, unless nothing does.
@@ -237,57 +195,11 @@ impl Enclosure {
         Some(Self::new(below.lower, above.upper, self.bits))
     }
 
-    /// The arc cosine in [0, π]; see [`Self::asin`].
-    pub(crate) fn acos(&self) -> Option<Self> {
-        Some(Self::pi(self.bits).halved().sub(&self.asin()?))
-    }
-
     /// The arc tangent in [−π/2, π/2], which does not change faster than its argument either.
     pub(crate) fn atan(&self) -> Self {
         let (middle, radius) = self.middle();
         let one = BigInt::one() << self.bits;
         elementary::angle(&middle, &one, self.bits).widened(&radius)
-    }
-
-    /// The angle of the vector (x, self) in (−π, π], unless the enclosure of the vector holds
-    /// zero. Where it lies across the negative x axis, all angles are enclosed.
-    pub(crate) fn atan2(&self, x: &Self) -> Option<Self> {
-        let bits = self.bits.max(x.bits);
-        let (y, x) = (self.with_bits(bits), x.with_bits(bits));
-        let ((middle_y, radius_y), (middle_x, radius_x)) = (y.middle(), x.middle());
-        if x.lower.is_negative() && y.lower.is_negative() && !y.upper.is_negative() {
-            let pi = Self::pi(bits);
-            return x.upper.is_negative().then(|| Self::new(-&pi.upper, pi.upper, bits));
-        }
-        let distance = (&middle_y * &middle_y + &middle_x * &middle_x).sqrt();
-        let spread = radius_y + radius_x;
-        // Within a disc of radius ρ at distance r ≥ 2ρ the angle is known to asin(ρ/r) ≤ 2ρ/r.
-        if distance.is_zero() || distance < &spread * 2 {
-            return y.atan2_of_wide(&x);
-        }
-        let error = (spread << (bits + 1)).div_ceil(&distance);
-        Some(elementary::angle(&middle_y, &middle_x, bits).widened(&error))
-    }
-
-    /// The hull of the corners' angles, for a box that is large against its distance.
-    fn atan2_of_wide(&self, x: &Self) -> Option<Self> {
-        let holds_zero = |side: &Self| !side.lower.is_positive() && !side.upper.is_negative();
-        if holds_zero(self) && holds_zero(x) {
-            return None;
-        }
-        let mut angles = Vec::new();
-        for corner_y in [&self.lower, &self.upper] {
-            for corner_x in [&x.lower, &x.upper] {
-                angles.push(elementary::angle(corner_y, corner_x, self.bits));
-            }
-        }
-        angles.into_iter().reduce(|hull, angle| {
-            Self::new(hull.lower.min(angle.lower), hull.upper.max(angle.upper), self.bits)
-        })
-    }
-
-    pub(super) fn halved(&self) -> Self {
-        Self::new(&self.lower >> 1, ceil_shift(&self.upper, 1), self.bits)
     }
 
     /// A point near the middle, and the distance from it that covers the enclosure.
@@ -305,16 +217,6 @@ impl Enclosure {
     fn within_one(&self) -> Self {
         let one = BigInt::one() << self.bits;
         Self::new(self.lower.clone().max(-&one), self.upper.clone().min(one), self.bits)
-    }
-
-    /// The bounds of the absolute value.
-    fn magnitudes(&self) -> (BigInt, BigInt) {
-        let (lower, upper) = (self.lower.abs(), self.upper.abs());
-        let least = match self.sign() {
-            Some(_) => lower.clone().min(upper.clone()),
-            None => BigInt::zero(),
-        };
-        (least, lower.max(upper))
     }
 
     /// The operation on both enclosures in the finer units of the two.

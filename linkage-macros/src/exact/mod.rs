@@ -7,9 +7,6 @@
 //! makes it a float. [`literal`] and [`display`] are the ways in from text and out to it. No
 //! identity of the expression graph belongs here: those are passes.
 
-// The front end and the passes that compute with these numbers are still being written.
-#![allow(dead_code)]
-
 mod angle;
 mod atom;
 mod display;
@@ -30,6 +27,7 @@ use num_bigint::BigInt;
 use num_traits::One;
 
 use atom::Kind;
+#[cfg(test)]
 pub(crate) use enclosure::Enclosure;
 use rational::Rational;
 use rounding::{Format, NARROW, WIDE};
@@ -173,6 +171,7 @@ impl Exact {
         self.signum().is_eq()
     }
 
+    #[cfg(test)]
     pub(crate) fn is_one(&self) -> bool {
         match &self.form {
             Form::Rational(value) => value.is_one(),
@@ -227,6 +226,7 @@ impl Exact {
 
     /// An enclosure in units of 2^−bits; `None` where these are too coarse to tell a divisor from
     /// zero.
+    #[cfg(test)]
     pub(crate) fn enclose(&self, bits: u32) -> Option<Enclosure> {
         self.enclosed(bits.max(Enclosure::MIN_BITS))
     }

@@ -60,13 +60,6 @@ impl Rational {
         matches!(self, Self::Small(1, 1))
     }
 
-    pub(super) fn is_integer(&self) -> bool {
-        match self {
-            Self::Small(_, denominator) => *denominator == 1,
-            Self::Big(big) => big.is_integer(),
-        }
-    }
-
     pub(super) fn signum(&self) -> Ordering {
         match self {
             Self::Small(numerator, _) => numerator.cmp(&0),
@@ -156,12 +149,6 @@ impl Rational {
     /// The quotient; the divisor is not zero.
     pub(super) fn div(&self, other: &Self) -> Self {
         self.mul(&other.recip())
-    }
-
-    /// The integer power; a zero base takes no negative exponent.
-    pub(super) fn power(&self, exponent: i32) -> Self {
-        let base = if exponent < 0 { self.recip() } else { self.clone() };
-        (0..exponent.unsigned_abs()).fold(Self::ONE, |power, _| power.mul(&base))
     }
 
     /// A fraction that is reduced already.
