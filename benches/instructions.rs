@@ -16,7 +16,38 @@ use generated::{
     SixBar, SixBarMotion, Stephenson, StephensonMotion,
 };
 use gungraun::{library_benchmark, library_benchmark_group, main};
-use linkage_core::SolveError;
+use linkage_core::{SolveError, mechanism};
+
+mechanism! {
+    /// The Stephenson III six-bar, of which only the first loop's point is asked for.
+    struct FirstLoop {
+        input theta: angle;
+
+        ground A(0, 0), D(100mm, 0), F(180mm, 60mm);
+
+        crank AB(A) -> B        { length: 40mm, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (110mm, 90mm), mode: left }
+        point P on BC at (70mm, 50mm);
+        rrr   PE(P), FE(F) -> E { lengths: (120mm, 100mm), mode: left }
+
+        output P;
+    }
+}
+
+mechanism! {
+    /// The first loop alone, which takes as many operations; the counts differ by a few moves.
+    struct OnlyLoop {
+        input theta: angle;
+
+        ground A(0, 0), D(100mm, 0);
+
+        crank AB(A) -> B        { length: 40mm, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (110mm, 90mm), mode: left }
+        point P on BC at (70mm, 50mm);
+
+        output P;
+    }
+}
 
 /// A crank angle and its rates, which the optimiser does not know.
 fn pose() -> [f64; 3] {
@@ -60,6 +91,18 @@ fn stephenson_motion() -> Result<StephensonMotion<f64>, SolveError> {
 }
 
 #[library_benchmark]
+fn first_of_two_loops_motion() -> Result<FirstLoopMotion<f64>, SolveError> {
+    let [theta, omega, alpha] = pose();
+    FirstLoop::new().motion(theta, omega, alpha)
+}
+
+#[library_benchmark]
+fn only_loop_motion() -> Result<OnlyLoopMotion<f64>, SolveError> {
+    let [theta, omega, alpha] = pose();
+    OnlyLoop::new().motion(theta, omega, alpha)
+}
+
+#[library_benchmark]
 fn ten_links_motion() -> Result<ChainMotion<f64>, SolveError> {
     let [theta, omega, alpha] = pose();
     Chain::new().motion(theta, omega, alpha)
@@ -74,6 +117,8 @@ library_benchmark_group!(
         coupler_point_motion,
         six_bar_motion,
         stephenson_motion,
+        first_of_two_loops_motion,
+        only_loop_motion,
         ten_links_motion
 );
 
