@@ -25,6 +25,13 @@
 //! # Sign
 //! `ahead` (+1): s positive.
 //!
+//! # Error
+//! At most 4 times what the data allow next to the limit, and without an offset at the pivot. On
+//! random poses 1.9 times for positions, 2.6 for velocities, 12.2 for accelerations; uphill 2.3, 3.4
+//! and 46. Where the joints' difference is exact, so is s, within ε of itself; `numerics
+//! compensated;` puts the rounding of that difference back where both joints are given by inputs
+//! and constants (`tests/compensated.rs`).
+//!
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.
 

@@ -44,8 +44,23 @@
 //! Norton, Design of Machinery, ch. 4 (vector loop) in the coordinates of the line of centres;
 //! W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle, for the product form.
 //!
+//! # Error
+//! At most 4 times what the data allow next to the stretched bars, to the folded ones, and where
+//! the outer joints of equal bars meet. On random poses 2.5 times for positions, 9.5 for
+//! velocities, 5.9 for accelerations; uphill 3.3, 27 and 15, where a long bar's end moves fast and
+//! the pin at its other end hardly: the velocity of a pin between moving joints is that of the first
+//! joint and its bar's.
+//!
+//! With `numerics compensated;` S is right to a few last places however near the toggle, if lengths
+//! and joints are exact: constants count with all their digits, and the rounding errors of sums,
+//! of squares, and of the difference of two joints that are given by inputs and constants are put
+//! back. Directions are then within 5.5 ε, and ω and α lose no more than their own formulas do
+//! (`tests/compensated.rs`). A crank's pin is rounded before the group sees it, by as much as
+//! the difference D − B is rounded after; neither is put back.
+//!
 //! # Numbers
-//! Two divisions and one root for everything. A parallelogram (l₂ = |AB|, l₃ … equal in pairs)
+//! Two divisions and one root for everything; a third division where the bars' lengths are not
+//! constants and accelerations are asked for. A parallelogram (l₂ = |AB|, l₃ … equal in pairs)
 //! passes through change points where a constant mode turns it into an antiparallelogram.
 
 use crate::equations::clearance::{Clearance, size};
