@@ -14,7 +14,7 @@ use super::body::{Body, Statements};
 use super::names::{function_name, generated, local};
 use super::{Context, entry, results};
 use crate::ir::graph::{Check, GuardId, Id};
-use crate::ir::liveness::Course;
+use crate::ir::liveness::{Course, unguarded};
 use crate::ir::program::{Entry, EntryKind};
 
 /// Position, velocity and motion of one kind of input: one function, which stops where nothing
@@ -44,6 +44,11 @@ impl<'a> Family<'a> {
         let at = entry::takes_cosine(self.motion().kind);
         function_name(if at { "formulas_at_" } else { "formulas_" })
     }
+}
+
+/// The entry point that leads the function in which the formulas of this one stand.
+pub(super) fn leading<'a>(cx: &'a Context<'_>, entry: &'a Entry) -> &'a Entry {
+    Family::of(cx, entry.kind).map_or(entry, |family| family.motion())
 }
 
 /// The functions that hold the formulas of all entry points.
@@ -94,7 +99,8 @@ fn own_name(kind: EntryKind) -> Ident {
 
 fn of_one(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let arguments = cx.arguments(entry.kind);
-    let body = Body { cx, arguments: &arguments, course: Course::Careful };
+    let bounds = cx.bounds.get(&entry.kind);
+    let body = Body { cx, arguments: &arguments, course: Course::Careful, bounds };
     let statements = body.statements(&entry.sinks);
     let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
     let value = results::assemble(cx, entry.kind, values);
@@ -104,7 +110,8 @@ fn of_one(cx: &Context<'_>, entry: &Entry) -> TokenStream {
 fn of_family(cx: &Context<'_>, family: &Family<'_>) -> TokenStream {
     let motion = family.motion();
     let arguments = cx.arguments(motion.kind);
-    let body = Body { cx, arguments: &arguments, course: Course::Careful };
+    let bounds = cx.bounds.get(&motion.kind);
+    let body = Body { cx, arguments: &arguments, course: Course::Careful, bounds };
     let (mut statements, mut done) = (Statements::default(), HashSet::new());
     let (mut known, zero) = (0, generated("zero_"));
     let result = |known: usize| {
@@ -165,19 +172,10 @@ fn function(
     }
 }
 
-/// A condition as a call: the value goes on as the call returns it.
+/// A condition as two calls: one that marks, unless bounds show that it is met, and one that
+/// looks. The value goes on as that one returns it.
 pub(super) fn condition(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> Statement {
-    let condition = body.graph().condition(guard);
-    let method = match condition.check {
-        Check::ReachCircles => "reach_circles",
-        Check::ReachLine => "reach_line",
-        Check::ReachOffset => "reach_offset",
-        Check::Nonzero if body.is_above_zero(value) => "nonzero_within",
-        Check::Nonzero => "nonzero",
-        Check::Positive(_) => "positive",
-        Check::Square if condition.operands.is_empty() => "square",
-        Check::Square => "square_of_centres",
-    };
+    let (cx, condition) = (body.cx, body.graph().condition(guard));
     let looked_at = match condition.check {
         Check::ReachCircles | Check::ReachLine | Check::ReachOffset | Check::Square => {
             &condition.operands[..]
@@ -185,7 +183,16 @@ pub(super) fn condition(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> S
         // These look at the value alone; the operands are there to be computed first.
         Check::Nonzero | Check::Positive(_) => &[],
     };
-    let group = &body.cx.program.groups[condition.group as usize];
+    let look = function_name(match condition.check {
+        Check::ReachCircles => "reach_circles",
+        Check::ReachLine => "reach_line",
+        Check::ReachOffset => "reach_offset",
+        Check::Nonzero => "nonzero",
+        Check::Positive(_) => "positive",
+        Check::Square if condition.operands.is_empty() => "square",
+        Check::Square => "square_of_centres",
+    });
+    let group = &cx.program.groups[condition.group as usize];
     let length = match &condition.check {
         Check::Positive(name) => Some(name),
         _ => None,
@@ -193,13 +200,38 @@ pub(super) fn condition(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> S
     let length = length.into_iter();
     let operands = [value].into_iter().chain(looked_at.iter().copied());
     let (name, values) = (local(id), operands.clone().map(|operand| body.value(operand)));
-    let (guard, method) = (generated("guard_"), function_name(method));
-    let (trait_, scalar) = (body.cx.paths.item("Guard"), &body.cx.names.scalar);
+    let (guard, scalar) = (generated("guard_"), &cx.names.scalar);
+    let (guards, mark) = (cx.paths.item("Guard"), mark(body, value, &condition.check));
     Statement {
         defines: vec![id],
         uses: body.locals(operands),
         code: quote! {
-            let #name = #trait_::<#scalar>::#method(#guard, #(#values,)* #group #(, #length)*);
+            #mark
+            let #name = #guards::<#scalar>::#look(#guard, #(#values,)* #group #(, #length)*);
         },
     }
+}
+
+/// The call that marks a condition; nothing where it is known to hold.
+fn mark(body: &Body<'_>, value: Id, check: &Check) -> Option<TokenStream> {
+    let cx = body.cx;
+    if *check == Check::Nonzero && body.is_above_zero(value) {
+        return None;
+    }
+    let least = match body.bounds {
+        Some(bounds) => bounds.least(cx, unguarded(body.graph(), value), check)?,
+        None if *check == Check::Square => {
+            let smallest = cx.scalar("smallest_square");
+            quote!(#smallest())
+        }
+        None => cx.literal(0.0, 0.0),
+    };
+    let method = function_name(match check {
+        Check::ReachCircles | Check::Positive(_) => "above",
+        Check::ReachLine | Check::ReachOffset | Check::Square => "at_least",
+        Check::Nonzero => "away",
+    });
+    let (guard, guards) = (generated("guard_"), cx.paths.item("Guard"));
+    let (scalar, value) = (&cx.names.scalar, body.value(value));
+    Some(quote!(#guards::<#scalar>::#method(#guard, #value, #least);))
 }

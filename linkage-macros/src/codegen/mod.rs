@@ -14,6 +14,7 @@ mod docs;
 mod dominance;
 mod entry;
 mod explanations;
+mod finite;
 mod formulas;
 mod modes;
 mod names;
@@ -29,10 +30,13 @@ mod units;
 #[cfg(test)]
 mod tests;
 
+use std::collections::HashMap;
+
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use self::arguments::Arguments;
+use self::finite::Bounds;
 use self::names::Names;
 use self::paths::Paths;
 use crate::ir::program::{Entry, EntryKind, Program};
@@ -40,8 +44,7 @@ use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
 /// Everything that the declaration of a mechanism expands to.
 pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream {
-    let cx =
-        Context { mechanism, program, paths: Paths::new(mechanism), names: Names::new(mechanism) };
+    let cx = Context::new(mechanism, program);
     let (solver, records) = (solver::items(&cx), results::records(&cx));
     let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
     let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
@@ -80,6 +83,17 @@ struct Context<'a> {
     program: &'a Program,
     paths: Paths,
     names: Names,
+    /// By the entry point that leads a function of formulas.
+    bounds: HashMap<EntryKind, Bounds>,
+}
+
+impl<'a> Context<'a> {
+    fn new(mechanism: &'a Mechanism, program: &'a Program) -> Self {
+        let (paths, names) = (Paths::new(mechanism), Names::new(mechanism));
+        let mut cx = Self { mechanism, program, paths, names, bounds: HashMap::new() };
+        cx.bounds = finite::all(&cx);
+        cx
+    }
 }
 
 impl Context<'_> {

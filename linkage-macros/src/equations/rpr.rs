@@ -67,16 +67,17 @@ pub(super) fn rpr<'s>(
         let u = sound.recip() * (s * from - e * from.normal());
         (s, u, s * left.provided(Check::Nonzero, place.group, &[]).recip())
     };
-    let n = u.normal();
-
-    let dv = b.velocity - d.velocity;
-    let omega = (dv.dot(n) - offset.rate) * inverse;
-    let slide_rate =
-        if e.is_zero() { dv.dot(u) } else { (dv.dot(from) - e * offset.rate) * inverse };
-    let da = b.acceleration - d.acceleration;
+    let [along, across] = b.rates_against(d, u);
+    let omega = (across.velocity - offset.rate) * inverse;
+    let slide_rate = if e.is_zero() {
+        along.velocity
+    } else {
+        ((b.velocity - d.velocity).dot(from) - e * offset.rate) * inverse
+    };
     let turning = omega.squared() * e - (omega * slide_rate).twice() - offset.accel;
-    let alpha = (da.dot(n) + turning) * inverse;
-    let slide_accel = da.dot(u) + alpha * e + omega.squared() * s + (omega * offset.rate).twice();
+    let alpha = (across.acceleration + turning) * inverse;
+    let slide_accel =
+        along.acceleration + alpha * e + omega.squared() * s + (omega * offset.rate).twice();
     let slide = Jet { value: s, rate: slide_rate, accel: slide_accel };
     SlottedBar { u, omega, alpha, slide }
 }
@@ -85,13 +86,17 @@ pub(super) fn rpr<'s>(
 /// with the rounding errors of the squares and of their sum put back.
 fn left_of_offset<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Jet<'s> {
     let [x, y] = d.jets_to(b);
+    let plain = x * x + y * y - e * e;
+    if e.is_zero() {
+        return plain;
+    }
     let coordinate = match numerics {
         Numerics::Plain => DoubleWord::of,
         Numerics::Compensated => DoubleWord::of_coordinate,
     };
     let square = DoubleWord::square_of(d.to(b), coordinate);
     let value = square.difference(coordinate(e.value).squared());
-    Jet { value, ..x * x + y * y - e * e }
+    Jet { value, ..plain }
 }
 
 /// Signed distance from the limit in metres, (b² − e²)/(|b| + |e|) = |b| − |e|, and the sine of

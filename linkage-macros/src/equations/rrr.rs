@@ -187,12 +187,9 @@ fn differ<'s>(l2: Sym<'s>, l3: Sym<'s>) -> bool {
     share.squared().constant_value().is_some_and(|square| square >= 1.0 / 25.0)
 }
 
-/// p: between bars of known lengths the shorter one alone carries k.
+/// p: between bars that are known to be nearly of one length any weight will do.
 fn weight_of_second<'s>(l2: Sym<'s>, l3: Sym<'s>) -> Sym<'s> {
-    match (l3 - l2).constant_value() {
-        Some(difference) => l2.sheet().integer(i64::from(difference >= 0.0)),
-        None => l3 / (l2 + l3),
-    }
+    if (l2 - l3).is_constant() { l2.sheet().integer(1) } else { l3 / (l2 + l3) }
 }
 
 /// What the angle μ between the bars follows from: i = 2 l₂ l₃ (1 − cos μ), and S = sin² μ/4, which
