@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! i = d² − (l₂ − l₃)²               a = (i/2 + l₂ (l₂ − l₃)) / d²
-//! S = i/4l₂l₃ · (1 − i/4l₂l₃)       b = (i/2 + l₃ (l₃ − l₂)) / d² = 1 − a
+//! S = i/4l₂l₃ · (4l₂l₃ − i)/4l₂l₃   b = (i/2 + l₃ (l₃ − l₂)) / d² = 1 − a
 //!                                   h = ± 2 l₂ l₃ √S / d²,  + where C is left of B → D
 //! ```
 //!
@@ -205,12 +205,13 @@ struct HalfSine<'s> {
 
 fn half_sine<'s>(joints: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> HalfSine<'s> {
     let [x, y] = joints[0].jets_to(joints[1]);
-    let one = Jet::constant(x.value.sheet().integer(1));
-    let difference = l2 - l3;
+    let (difference, product) = (l2 - l3, (l2 * l3).twice().twice());
     let near = x * x + y * y - difference * difference;
-    let scale = one / (l2 * l3).twice().twice();
-    let part = near * scale;
-    HalfSine { near, scale, square: part * (one - part) }
+    let scale = Jet::constant(x.value.sheet().integer(1)) / product;
+    // The difference of lengths, not 1 − i/4l₂l₃: that would be the rounding of 1/4l₂l₃ where a fused
+    // operation takes it, and no zero at a toggle that the data hit.
+    let far = product - near;
+    HalfSine { near, scale, square: (near * scale) * (far * scale) }
 }
 
 /// i and 4 l₂ l₃ − i with the rounding errors of every sum and square put back.

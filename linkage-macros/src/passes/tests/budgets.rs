@@ -99,60 +99,60 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
     (
         "rrr, pin",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output C;"),
-        [11, 14, 1, 1, 1],
-        [24, 45, 2, 1, 1],
+        [11, 15, 1, 1, 1],
+        [24, 46, 2, 1, 1],
     ),
     (
         "rrr, axis-parallel pivots",
         after_crank!("rrr BC(B), EC(E) -> C { lengths: (0.8, 0.5), mode: left } output C;"),
-        [8, 13, 1, 1, 1],
-        [21, 44, 2, 1, 1],
+        [8, 14, 1, 1, 1],
+        [21, 45, 2, 1, 1],
     ),
     (
         "rrr, equal bars",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.8), mode: left } output C;"),
-        [9, 12, 1, 1, 1],
-        [22, 44, 2, 1, 1],
+        [9, 13, 1, 1, 1],
+        [22, 45, 2, 1, 1],
     ),
     (
         "rrr, first bar",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output BC;"),
-        [9, 16, 1, 1, 1],
-        [20, 41, 2, 1, 1],
+        [9, 17, 1, 1, 1],
+        [20, 42, 2, 1, 1],
     ),
     (
         "rrr, both bars and pin",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output BC, DC, C;"),
-        [14, 21, 1, 1, 1],
-        [27, 54, 2, 1, 1],
+        [14, 22, 1, 1, 1],
+        [27, 55, 2, 1, 1],
     ),
     (
         "rrr, coupler point",
         after_crank!(
             "rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } point P on BC at (0.3, 0.1); output P;"
         ),
-        [13, 18, 1, 1, 1],
-        [30, 49, 2, 1, 1],
+        [13, 19, 1, 1, 1],
+        [30, 50, 2, 1, 1],
     ),
     (
         "rrr, a length to tune",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (p, 0.5), mode: left } output C;"),
-        [12, 17, 2, 1, 1],
-        [31, 60, 4, 1, 1],
+        [12, 18, 2, 1, 1],
+        [31, 61, 4, 1, 1],
     ),
     (
         "rrr on moving points",
         after_crank!("rrr BC(B), FC(F) -> C { lengths: (0.8, 0.7), mode: left } output C;"),
-        [11, 16, 1, 1, 2],
-        [36, 57, 2, 1, 2],
+        [11, 17, 1, 1, 2],
+        [36, 58, 2, 1, 2],
     ),
     (
         "rrr with a cylinder",
         after_crank!(
             "rrr BC(B), DC(D) -> C { lengths: (0.8 + 0.1m * q, 0.5), mode: left } output C;"
         ),
-        [13, 18, 2, 1, 1],
-        [38, 73, 5, 1, 1],
+        [13, 19, 2, 1, 1],
+        [38, 74, 5, 1, 1],
     ),
     (
         "rrp on a level guide",
