@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use super::names::{argument, text};
+use super::names::text;
 use super::{Context, entry};
 use crate::ir::graph::Node;
 use crate::ir::program::EntryKind;
@@ -22,14 +22,11 @@ impl<'a> Arguments<'a> {
         let orders = entry::orders(kind);
         let plain = |name| Ident::new(name, Span::call_site());
         let (records, mut names) = match &cx.mechanism.inputs[..] {
-            [only] if entry::takes_cosine(kind) => {
-                let rates = [argument(&only.name, "_rate"), argument(&only.name, "_acceleration")];
+            [_] if entry::takes_cosine(kind) => {
+                let rates = cx.names.only_input[1..].iter().cloned();
                 (false, [plain("cos"), plain("sin")].into_iter().chain(rates).collect())
             }
-            [only] => {
-                let suffixes = ["", "_rate", "_acceleration"];
-                (false, suffixes.map(|suffix| argument(&only.name, suffix)).to_vec())
-            }
+            [_] => (false, cx.names.only_input.clone()),
             _ => (true, ["inputs", "rates", "accelerations"].map(plain).to_vec()),
         };
         names.truncate(orders + usize::from(entry::takes_cosine(kind)));

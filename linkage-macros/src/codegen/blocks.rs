@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::names::local;
+use super::locals::Locals;
 use crate::ir::graph::Id;
 
 /// A `let` of a core.
@@ -24,7 +24,7 @@ pub(super) struct Statement {
 const LONGEST: usize = 64;
 
 /// The statements in blocks. The locals in `kept` stay in scope.
-pub(super) fn lay_out(statements: &[Statement], kept: &[Id]) -> TokenStream {
+pub(super) fn lay_out(statements: &[Statement], kept: &[Id], locals: &Locals) -> TokenStream {
     let blocks: Vec<&[Statement]> = statements.chunks(LONGEST).collect();
     if let [only] = &blocks[..] {
         return lines(only);
@@ -36,7 +36,7 @@ pub(super) fn lay_out(statements: &[Statement], kept: &[Id]) -> TokenStream {
             .iter()
             .flat_map(|statement| &statement.defines)
             .filter(|id| last_use.get(id).is_some_and(|&last| last > index))
-            .map(|&id| local(id))
+            .map(|&id| locals.name(id))
             .collect();
         let (pattern, lines) = (pattern(&handed_on), lines(block));
         code.extend(quote!(let #pattern = { #lines #pattern };));
@@ -70,12 +70,13 @@ fn pattern(names: &[Ident]) -> TokenStream {
 
 #[cfg(test)]
 mod tests {
+    use super::super::locals::numbered;
     use super::*;
 
     /// v0, v1, …, each the sum of its predecessor and of v0.
     fn chain(length: u32) -> Vec<Statement> {
         let statement = |i: u32| {
-            let (name, before) = (local(Id(i)), local(Id(i.saturating_sub(1))));
+            let (name, before) = (numbered(Id(i)), numbered(Id(i.saturating_sub(1))));
             Statement {
                 defines: vec![Id(i)],
                 uses: vec![Id(i.saturating_sub(1)), Id(0)],
@@ -87,13 +88,13 @@ mod tests {
 
     #[test]
     fn a_short_core_stays_in_one_piece() {
-        let code = lay_out(&chain(64), &[Id(63)]);
+        let code = lay_out(&chain(64), &[Id(63)], &Locals::default());
         assert_eq!(code.to_string().matches('{').count(), 0);
     }
 
     #[test]
     fn a_block_hands_on_what_later_blocks_and_the_result_use() {
-        let code = lay_out(&chain(130), &[Id(5), Id(129)]).to_string();
+        let code = lay_out(&chain(130), &[Id(5), Id(129)], &Locals::default()).to_string();
         assert!(code.starts_with("let (v0_ , v5_ , v63_) = {"), "{code}");
         assert!(code.contains("let v127_ = { let v64_ ="), "{code}");
         assert!(code.ends_with(

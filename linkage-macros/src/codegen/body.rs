@@ -11,9 +11,9 @@ use quote::quote;
 use super::arguments::Arguments;
 use super::blocks::Statement;
 use super::finite::Bounds;
-use super::names::{generated, local};
+use super::names::generated;
 use super::{Context, formulas};
-use crate::ir::graph::{Check, ConstantId, Graph, Id, Node};
+use crate::ir::graph::{Check, Graph, Id, Node};
 use crate::ir::liveness::{Course, live, live_nodes, unguarded};
 use crate::model::mechanism::ParamKind;
 
@@ -90,6 +90,7 @@ impl<'a> Body<'a> {
             }
             all.is_guarded |= self.calls_guard(node);
             let statement = match node {
+                _ if self.is_in_place(id, node) => None,
                 _ if self.arguments.leaf(node).is_some() => {
                     all.leaves.push(node);
                     None
@@ -138,24 +139,54 @@ impl<'a> Body<'a> {
     /// The expression that reads a node's value.
     pub(super) fn value(&self, id: Id) -> TokenStream {
         let id = self.resolve(id);
-        self.arguments.leaf(self.graph().node(id)).unwrap_or_else(|| {
-            let name = local(id);
-            quote!(#name)
+        let node = self.graph().node(id);
+        let in_place = self.arguments.leaf(node).or_else(|| self.constant(node));
+        in_place.unwrap_or_else(|| match node {
+            Node::Neg(operand) if self.is_in_place(id, node) => {
+                let operand = self.value(operand);
+                quote!(-#operand)
+            }
+            _ => {
+                let name = self.cx.locals.name(id);
+                quote!(#name)
+            }
         })
+    }
+
+    /// Whether a value is written down where it is used: constants and signs say more there than
+    /// a name would.
+    fn is_in_place(&self, id: Id, node: Node) -> bool {
+        match node {
+            Node::Constant(_) | Node::Low(_) => true,
+            Node::Neg(_) => !self.cx.locals.is_named(id),
+            _ => false,
+        }
     }
 
     /// The locals among the nodes.
     pub(super) fn locals(&self, ids: impl IntoIterator<Item = Id>) -> Vec<Id> {
         ids.into_iter()
-            .map(|id| self.resolve(id))
-            .filter(|&id| self.arguments.leaf(self.graph().node(id)).is_none())
+            .map(|id| self.below_sign(id))
+            .filter(|&id| {
+                let node = self.graph().node(id);
+                self.arguments.leaf(node).is_none() && !self.is_in_place(id, node)
+            })
             .collect()
+    }
+
+    /// The node that is read where a value is: a sign is written in place.
+    fn below_sign(&self, id: Id) -> Id {
+        let id = self.resolve(id);
+        match self.graph().node(id) {
+            node @ Node::Neg(operand) if self.is_in_place(id, node) => self.below_sign(operand),
+            _ => id,
+        }
     }
 
     fn binding(&self, id: Id, node: Node) -> Statement {
         let mut operands = Vec::new();
         node.for_operands(&mut |operand| operands.push(operand));
-        let (name, expression) = (local(id), self.expression(node));
+        let (name, expression) = (self.cx.locals.name(id), self.expression(node));
         Statement {
             defines: vec![id],
             uses: self.locals(operands),
@@ -167,15 +198,15 @@ impl<'a> Body<'a> {
     fn turn(&self, angle: Id, pair: Pair) -> Statement {
         let slot = |id: Option<Id>| {
             id.map_or(quote!(_), |id| {
-                let name = local(id);
+                let name = self.cx.locals.name(id);
                 quote!(#name)
             })
         };
         let (sin, cos, value) = (slot(pair.sin), slot(pair.cos), self.value(angle));
         let call = match self.calls_guard(Node::Sin(angle)) {
             true => {
-                let (guard, guards) = (generated("guard_"), self.cx.paths.item("Guard"));
-                quote!(#guards::sin_cos(#guard, #value))
+                let guard = generated("guard_");
+                quote!(#guard.sin_cos(#value))
             }
             false => {
                 let function = self.cx.scalar("sin_cos");
@@ -220,13 +251,10 @@ impl<'a> Body<'a> {
             Node::MulErr(a, b) => call("mul_err", &[a, b]),
             Node::AddErr(a, b) => call("add_err", &[a, b]),
             Node::Fused(a, b, c) => call("fused", &[a, b, c]),
-            Node::Constant(constant) => self.constant(constant),
-            Node::Low(constant) => {
-                let value = self.graph().value(constant);
-                self.cx.literal(value.low_f64(), value.low_f32())
-            }
             Node::Mode(param) => self.mode(param),
-            Node::Input { .. }
+            Node::Constant(_)
+            | Node::Low(_)
+            | Node::Input { .. }
             | Node::InputCos(_)
             | Node::InputSin(_)
             | Node::Param(_)
@@ -236,9 +264,19 @@ impl<'a> Body<'a> {
         }
     }
 
-    fn constant(&self, constant: ConstantId) -> TokenStream {
-        let value = self.graph().value(constant);
-        self.cx.literal(value.to_f64(), value.to_f32())
+    /// A constant as a number.
+    fn constant(&self, node: Node) -> Option<TokenStream> {
+        match node {
+            Node::Constant(constant) => {
+                let value = self.graph().value(constant);
+                Some(self.cx.literal(value.to_f64(), value.to_f32()))
+            }
+            Node::Low(constant) => {
+                let value = self.graph().value(constant);
+                Some(self.cx.literal(value.low_f64(), value.low_f32()))
+            }
+            _ => None,
+        }
     }
 
     fn mode(&self, param: u32) -> TokenStream {

@@ -66,7 +66,7 @@ fn parameters(cx: &Context<'_>) -> TokenStream {
         quote!(self.#field)
     };
     let solver = solver::construct(cx, &quote!(#name), keep, |param| mode(cx, param));
-    let marker = solver::marker(cx).map(|(field, ty, _)| quote!(#field: #ty));
+    let marker = solver::marker(cx).map(|(field, ty)| quote!(#field: #ty<#scalar>));
     let defaults = Width::ALL.map(|width| default(cx, width));
     quote! {
         #[repr(C)]
@@ -114,7 +114,7 @@ fn default(cx: &Context<'_>, width: Width) -> TokenStream {
         };
         quote!(#field: #value)
     });
-    let marker = solver::marker(cx).map(|(field, _, value)| quote!(#field: #value));
+    let marker = solver::marker(cx).map(|(field, value)| quote!(#field: #value));
     quote! {
         #[unsafe(no_mangle)]
         extern "C" fn #name() -> Parameters_<#number> { Parameters_ { #(#fields,)* #marker } }

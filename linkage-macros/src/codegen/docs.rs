@@ -8,7 +8,7 @@ use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 use super::names::text;
 use super::results::Order;
 use super::units::{per_time, unit};
-use super::{Context, cost, entry, rows};
+use super::{Context, cost, entry, rows, turning};
 use crate::ir::program::{Entry, EntryKind};
 use crate::model::mechanism::{Input, Output, OutputKind, Param, ParamKind, Sign};
 
@@ -21,11 +21,35 @@ fn after(own: &[Attribute], paragraph: &str) -> TokenStream {
 
 /// A doc attribute for every line.
 fn lines(paragraph: &str) -> TokenStream {
-    let attribute = |line: &str| {
-        let line = if line.is_empty() { String::new() } else { format!(" {line}") };
+    let attribute = |line: String| {
+        let line = if line.is_empty() { line } else { format!(" {line}") };
         quote!(#[doc = #line])
     };
-    paragraph.lines().map(attribute).collect()
+    paragraph.lines().flat_map(wrapped).map(attribute).collect()
+}
+
+/// The longest line of a doc comment.
+const WIDTH: usize = 92;
+
+/// The line in lines of readable length; those that continue a list's item are indented.
+fn wrapped(line: &str) -> Vec<String> {
+    if line.len() <= WIDTH {
+        return vec![line.to_string()];
+    }
+    let indent = if line.starts_with("- ") { "  " } else { "" };
+    let mut lines = vec![String::new()];
+    for word in line.split(' ') {
+        let current = lines.last_mut().expect("there is a line from the start");
+        if !current.trim().is_empty() && current.chars().count() + word.chars().count() >= WIDTH {
+            lines.push(format!("{indent}{word}"));
+        } else {
+            if !current.is_empty() {
+                current.push(' ');
+            }
+            current.push_str(word);
+        }
+    }
+    lines
 }
 
 /// The words of the user's comments, to be put behind our own.
@@ -65,6 +89,8 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
         "Groups, in the order they are solved",
         groups.map(|group| format!("{} {}", group.keyword, group.title)).collect(),
     );
+    let turnings = cx.mechanism.turnings.iter();
+    page += &section("Range", turnings.map(|turning| turning::in_words(cx, turning)).collect());
     let costs = cx.program.entries.iter().map(|entry| {
         format!("`{}`: {}", entry::method(entry.kind), cost::in_words(cost::of(cx, entry)))
     });
@@ -313,4 +339,21 @@ fn matrix(cx: &Context<'_>, what: &str, columns: Vec<String>) -> String {
         list(rows),
         list(columns),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_lines_are_wrapped_and_their_words_kept() {
+        let words = vec!["word"; 40].join(" ");
+        let lines = wrapped(&format!("- {words}"));
+        assert!(lines.iter().all(|line| line.len() <= WIDTH), "{lines:?}");
+        assert!(lines[1].starts_with("  word") && lines.len() == 3, "{lines:?}");
+        let text: Vec<&str> = lines.iter().flat_map(|line| line.split_whitespace()).collect();
+        assert_eq!(text.join(" "), format!("- {words}"));
+        assert_eq!(wrapped("short"), ["short"]);
+        assert_eq!(wrapped(""), [""]);
+    }
 }

@@ -5,13 +5,15 @@
 //! to: the order is a constant, and what a lower one does not need is never compiled for it.
 
 use std::collections::HashSet;
+use std::iter;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::blocks::{Statement, lay_out};
 use super::body::{Body, Statements};
-use super::names::{function_name, generated, local};
+use super::names::{function_name, generated};
+use super::results::Order;
 use super::{Context, entry, results};
 use crate::ir::graph::{Check, GuardId, Id};
 use crate::ir::liveness::{Course, unguarded};
@@ -73,7 +75,7 @@ pub(super) fn call(cx: &Context<'_>, entry: &Entry, guard: &Ident) -> TokenStrea
     let order = family.0.iter().position(|known| known.kind == entry.kind).unwrap_or_default();
     let (name, missing) = (family.name(), 2 - order);
     let order = Literal::usize_unsuffixed(order);
-    let rest = at_rest(cx, family.motion().kind);
+    let rest = standstill(cx, family.motion().kind);
     let rates = vec![generated("rest_"); missing];
     let call = quote!(self.#name::<#order>(&mut #guard, #(#given,)* #(#rates),*));
     match missing {
@@ -84,7 +86,7 @@ pub(super) fn call(cx: &Context<'_>, entry: &Entry, guard: &Ident) -> TokenStrea
 }
 
 /// The rates of inputs that do not move.
-fn at_rest(cx: &Context<'_>, kind: EntryKind) -> TokenStream {
+fn standstill(cx: &Context<'_>, kind: EntryKind) -> TokenStream {
     let (rest, zero) = (generated("rest_"), cx.literal(0.0, 0.0));
     if !cx.arguments(kind).are_records() {
         return quote!(let #rest = #zero;);
@@ -102,42 +104,67 @@ fn of_one(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let bounds = cx.bounds.get(&entry.kind);
     let body = Body { cx, arguments: &arguments, course: Course::Careful, bounds };
     let statements = body.statements(&entry.sinks);
+    let kept = body.locals(entry.sinks.iter().copied());
+    let lines = lay_out(&statements.list, &kept, &cx.locals);
     let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
     let value = results::assemble(cx, entry.kind, values);
-    function(&body, entry, &own_name(entry.kind), &statements, &TokenStream::new(), &value)
+    function(&body, entry, &own_name(entry.kind), &statements, &quote!(#lines #value))
 }
 
+/// Position, velocity and acceleration one after the other, each followed by its record. The
+/// records of the orders that are not asked for hold zeros.
 fn of_family(cx: &Context<'_>, family: &Family<'_>) -> TokenStream {
     let motion = family.motion();
     let arguments = cx.arguments(motion.kind);
     let bounds = cx.bounds.get(&motion.kind);
     let body = Body { cx, arguments: &arguments, course: Course::Careful, bounds };
     let (mut statements, mut done) = (Statements::default(), HashSet::new());
-    let (mut known, zero) = (0, generated("zero_"));
-    let result = |known: usize| {
-        let value = |(i, &sink): (usize, &Id)| match i < known {
-            true => body.value(sink),
-            false => quote!(#zero),
-        };
-        results::assemble(cx, motion.kind, motion.sinks.iter().enumerate().map(value).collect())
-    };
-    for (order, entry) in family.0.iter().enumerate() {
+    let mut ends = Vec::new();
+    for entry in family.0 {
         body.add_statements(&mut statements, &mut done, &entry.sinks);
-        known += entry.sinks.len();
-        if entry.kind != motion.kind {
-            let (order, value) = (Literal::usize_unsuffixed(order), result(known));
-            statements.list.push(Statement {
-                defines: Vec::new(),
-                uses: body.locals(motion.sinks[..known].iter().copied()),
-                code: quote!(if ORDER == #order { return #value; }),
-            });
-        }
+        ends.push(statements.list.len());
     }
-    let (nought, value) = (cx.literal(0.0, 0.0), result(motion.sinks.len()));
-    let name = family.name();
-    let ty = cx.paths.item("usize");
+    let (mut lines, mut start, mut sinks) = (at_rest(cx), 0, &motion.sinks[..]);
+    let result = motion_of_records(cx);
+    for (nth, (order, end)) in Order::ALL.into_iter().zip(ends).enumerate() {
+        let (now, later) = (&statements.list[start..end], &statements.list[end..]);
+        let used_later = later.iter().flat_map(|statement| statement.uses.iter().copied());
+        let kept: Vec<Id> = used_later.chain(body.locals(sinks.iter().copied())).collect();
+        lines.extend(lay_out(now, &kept, &cx.locals));
+        let (own, rest) = sinks.split_at(results::count(cx, order));
+        let values = own.iter().map(|&sink| body.value(sink));
+        let (name, record) = (record_name(order), results::record_of(cx, order, values));
+        let nth = Literal::usize_unsuffixed(nth);
+        let stop =
+            (order != Order::Acceleration).then(|| quote!(if ORDER == #nth { return #result; }));
+        lines.extend(quote!(let #name = #record; #stop));
+        (start, sinks) = (end, rest);
+    }
+    let (name, ty) = (family.name(), cx.paths.item("usize"));
     let name = quote!(#name<const ORDER: #ty>);
-    function(&body, motion, &name, &statements, &quote!(let #zero = #nought;), &value)
+    function(&body, motion, &name, &statements, &quote!(#lines #result))
+}
+
+fn record_name(order: Order) -> Ident {
+    generated(&format!("{}_", order.field()))
+}
+
+/// The result, made of the locals that hold its records.
+fn motion_of_records(cx: &Context<'_>) -> TokenStream {
+    let fields = Order::ALL.map(|order| function_name(order.field()));
+    let (name, records) = (&cx.names.motion, Order::ALL.map(record_name));
+    quote!(#name { #(#fields: #records),* })
+}
+
+/// The records of the orders that may not be asked for.
+fn at_rest(cx: &Context<'_>) -> TokenStream {
+    let (zero, nought) = (generated("zero_"), cx.literal(0.0, 0.0));
+    let records = [Order::Velocity, Order::Acceleration].map(|order| {
+        let zeros = iter::repeat_n(quote!(#zero), results::count(cx, order));
+        let (name, record) = (record_name(order), results::record_of(cx, order, zeros));
+        quote!(let #name = #record;)
+    });
+    quote!(let #zero = #nought; #(#records)*)
 }
 
 /// The function that holds formulas.
@@ -150,11 +177,9 @@ fn function(
     entry: &Entry,
     name: &impl ToTokens,
     statements: &Statements,
-    before: &TokenStream,
-    value: &TokenStream,
+    lines: &TokenStream,
 ) -> TokenStream {
     let (cx, scalar) = (body.cx, &body.cx.names.scalar);
-    let lines = lay_out(&statements.list, &body.locals(entry.sinks.iter().copied()));
     let unread = body.arguments.unread(&statements.leaves);
     let (result, received) =
         (entry::result(cx, entry.kind), body.arguments.received(&quote!(#scalar)));
@@ -165,9 +190,7 @@ fn function(
         fn #name(&self, #guard: &mut impl #guards<#scalar>, #(#received),*) -> #result {
             #unguarded
             #unread
-            #before
             #lines
-            #value
         }
     }
 }
@@ -199,15 +222,15 @@ pub(super) fn condition(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> S
     };
     let length = length.into_iter();
     let operands = [value].into_iter().chain(looked_at.iter().copied());
-    let (name, values) = (local(id), operands.clone().map(|operand| body.value(operand)));
-    let (guard, scalar) = (generated("guard_"), &cx.names.scalar);
-    let (guards, mark) = (cx.paths.item("Guard"), mark(body, value, &condition.check));
+    let name = cx.locals.name(id);
+    let values = operands.clone().map(|operand| body.value(operand));
+    let (guard, mark) = (generated("guard_"), mark(body, value, &condition.check));
     Statement {
         defines: vec![id],
         uses: body.locals(operands),
         code: quote! {
             #mark
-            let #name = #guards::<#scalar>::#look(#guard, #(#values,)* #group #(, #length)*);
+            let #name = #guard.#look(#(#values,)* #group #(, #length)*);
         },
     }
 }
@@ -231,7 +254,6 @@ fn mark(body: &Body<'_>, value: Id, check: &Check) -> Option<TokenStream> {
         Check::ReachLine | Check::ReachOffset | Check::Square => "at_least",
         Check::Nonzero => "away",
     });
-    let (guard, guards) = (generated("guard_"), cx.paths.item("Guard"));
-    let (scalar, value) = (&cx.names.scalar, body.value(value));
-    Some(quote!(#guards::<#scalar>::#method(#guard, #value, #least);))
+    let (guard, value) = (generated("guard_"), body.value(value));
+    Some(quote!(#guard.#method(#value, #least);))
 }

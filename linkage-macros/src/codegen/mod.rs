@@ -16,6 +16,8 @@ mod entry;
 mod explanations;
 mod finite;
 mod formulas;
+mod locals;
+mod mentions;
 mod modes;
 mod names;
 mod paths;
@@ -25,10 +27,11 @@ mod solver;
 mod straight;
 pub(crate) mod stubs;
 mod sweeps;
+mod turning;
 mod units;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use std::collections::HashMap;
 
@@ -37,6 +40,7 @@ use quote::quote;
 
 use self::arguments::Arguments;
 use self::finite::Bounds;
+use self::locals::Locals;
 use self::names::Names;
 use self::paths::Paths;
 use crate::ir::program::{Entry, EntryKind, Program};
@@ -45,35 +49,39 @@ use crate::model::mechanism::{Mechanism, Param, ParamKind};
 /// Everything that the declaration of a mechanism expands to.
 pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream {
     let cx = Context::new(mechanism, program);
-    let (solver, records) = (solver::items(&cx), results::records(&cx));
-    let straight = program.entries.iter().map(|entry| straight::function(&cx, entry));
-    let checked = program.entries.iter().map(|entry| entry::function(&cx, entry));
-    let careful = program.entries.iter().map(|entry| explanations::function(&cx, entry));
-    let formulas = formulas::functions(&cx);
-    let sweeps = program.entries.iter().map(|entry| sweeps::items(&cx, entry));
-    let (derivatives, modes) = (derivatives::items(&cx), modes::items(&cx));
-    let c_export = c_export::items(&cx);
-    let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
-    let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
-    let literals = literals_are_dimensions();
-    quote! {
-        #solver
-        #records
-        #literals
-        impl<#scalar: #any> #name<#scalar> { #(#straight)* #formulas }
-        #literals
-        impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
-        #(#sweeps)*
-        #derivatives
-        #modes
-        #c_export
-    }
+    let (solver, records) = (solver::definition(&cx), results::definitions(&cx));
+    let implementations = implementations(&cx);
+    quote! { #solver #records #implementations }
 }
 
-/// In front of every block that holds literals.
-fn literals_are_dimensions() -> TokenStream {
+/// All that is done with the structs, in an unnamed constant: what it imports meets no name of the
+/// user's, and its paths are short.
+fn implementations(cx: &Context<'_>) -> TokenStream {
+    let (import, program) = (cx.paths.import(), cx.program);
+    let (solver, records) = (solver::implementation(cx), results::implementations(cx));
+    let straight = program.entries.iter().map(|entry| straight::function(cx, entry));
+    let checked = program.entries.iter().map(|entry| entry::function(cx, entry));
+    let careful = program.entries.iter().map(|entry| explanations::function(cx, entry));
+    let formulas = formulas::functions(cx);
+    let sweeps = program.entries.iter().map(|entry| sweeps::items(cx, entry));
+    let (derivatives, modes) = (derivatives::items(cx), modes::items(cx));
+    let (c_export, mentions) = (c_export::items(cx), mentions::items(cx));
+    let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
+    let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
     quote! {
         #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
+        const _: () = {
+            #import
+            #solver
+            #records
+            impl<#scalar: #any> #name<#scalar> { #(#straight)* #formulas }
+            impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#careful)* }
+            #(#sweeps)*
+            #derivatives
+            #modes
+            #c_export
+            #mentions
+        };
     }
 }
 
@@ -83,6 +91,7 @@ struct Context<'a> {
     program: &'a Program,
     paths: Paths,
     names: Names,
+    locals: Locals,
     /// By the entry point that leads a function of formulas.
     bounds: HashMap<EntryKind, Bounds>,
 }
@@ -90,7 +99,8 @@ struct Context<'a> {
 impl<'a> Context<'a> {
     fn new(mechanism: &'a Mechanism, program: &'a Program) -> Self {
         let (paths, names) = (Paths::new(mechanism), Names::new(mechanism));
-        let mut cx = Self { mechanism, program, paths, names, bounds: HashMap::new() };
+        let (locals, bounds) = (Locals::new(mechanism, program), HashMap::new());
+        let mut cx = Self { mechanism, program, paths, names, locals, bounds };
         cx.bounds = finite::all(&cx);
         cx
     }

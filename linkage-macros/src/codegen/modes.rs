@@ -37,11 +37,9 @@ fn modes(cx: &Context<'_>) -> TokenStream {
         }
     };
     let count = Literal::usize_unsuffixed(cx.program.clearances.len());
-    let (groups, clearances, flips) = (groups(cx), clearances(cx), flips(cx));
-    let literals = super::literals_are_dimensions();
     let [q, rate, acceleration, param] = ["q_", "rate_", "acceleration_", "param_"].map(generated);
+    let (groups, clearances, flips) = (groups(cx), clearances(cx), flips(cx, &param));
     quote! {
-        #literals
         impl<#scalar: #real> #modes for #solver<#scalar> {
             type Scalar = #scalar;
             type Input = #input;
@@ -52,9 +50,7 @@ fn modes(cx: &Context<'_>) -> TokenStream {
             #groups
 
             #[inline]
-            fn flip(&mut self, #param: #usize_) {
-                match #param { #flips _ => {} }
-            }
+            fn flip(&mut self, #param: #usize_) { #flips }
 
             #[inline]
             fn position(&self, #q: #input) -> #result<#position<#scalar>, #error> {
@@ -94,14 +90,19 @@ fn groups(cx: &Context<'_>) -> TokenStream {
     quote!(const GROUPS: &'static [(&'static #str_, #option<#usize_>)] = &[#(#groups),*];)
 }
 
-fn flips(cx: &Context<'_>) -> TokenStream {
+/// The mode that a parameter's number stands for becomes the other.
+fn flips(cx: &Context<'_>, param: &Ident) -> TokenStream {
     let modes = cx.mechanism.params.iter().enumerate();
     let modes = modes.filter(|(_, param)| !matches!(param.kind, ParamKind::Number { .. }));
     let flips = modes.map(|(index, param)| {
         let (index, field) = (Literal::usize_unsuffixed(index), &param.name);
         quote!(#index => self.#field = self.#field.flipped(),)
     });
-    flips.collect()
+    let flips: TokenStream = flips.collect();
+    match flips.is_empty() {
+        true => quote!(let _ = #param;),
+        false => quote!(match #param { #flips _ => {} }),
+    }
 }
 
 /// A core without guards: what is out of reach is a number below zero here, not a refusal.
@@ -111,7 +112,7 @@ fn clearances(cx: &Context<'_>) -> TokenStream {
     let body = Body { cx, arguments: &arguments, course: Course::Open, bounds: None };
     let sinks: Vec<_> = cx.program.clearances.iter().flat_map(|group| group.sinks).collect();
     let statements = body.statements(&sinks);
-    let lines = lay_out(&statements.list, &body.locals(sinks.iter().copied()));
+    let lines = lay_out(&statements.list, &body.locals(sinks.iter().copied()), &cx.locals);
     let (received, unread) =
         (arguments.received(&quote!(#scalar)), arguments.unread(&statements.leaves));
     let values = cx.program.clearances.iter().map(|group| {

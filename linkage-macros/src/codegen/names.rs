@@ -7,7 +7,6 @@ use proc_macro2::{Ident, Span};
 use quote::format_ident;
 use syn::ext::IdentExt;
 
-use crate::ir::graph::Id;
 use crate::model::mechanism::Mechanism;
 
 /// The types of one mechanism.
@@ -19,6 +18,8 @@ pub(super) struct Names {
     pub acceleration: Ident,
     pub motion: Ident,
     pub margins: Ident,
+    /// The arguments for the value, the rate and the second rate of an input that is the only one.
+    pub only_input: Vec<Ident>,
     /// The type parameter of all of them: `T`.
     pub scalar: Ident,
     /// The type parameter that `lift` converts to: `U`.
@@ -35,22 +36,21 @@ impl Names {
             acceleration: format_ident!("{solver}Acceleration"),
             motion: format_ident!("{solver}Motion"),
             margins: format_ident!("{solver}Margins"),
-            scalar: type_parameter("T", &solver),
-            lifted: type_parameter("U", &solver),
+            only_input: match &mechanism.inputs[..] {
+                [only] => ["", "_rate", "_acceleration"].map(|s| argument(&only.name, s)).to_vec(),
+                _ => Vec::new(),
+            },
+            scalar: clear_of("T", &solver),
+            lifted: clear_of("U", &solver),
             solver,
         }
     }
 }
 
-/// A type parameter that does not hide a mechanism of the same name.
-fn type_parameter(preferred: &str, solver: &Ident) -> Ident {
+/// The name of a type or module that does not hide a mechanism of the same name.
+pub(super) fn clear_of(preferred: &str, solver: &Ident) -> Ident {
     let clash = if solver == preferred { "_" } else { "" };
     Ident::new(&format!("{preferred}{clash}"), Span::call_site())
-}
-
-/// The local that holds a node's value.
-pub(super) fn local(id: Id) -> Ident {
-    generated(&format!("v{}_", id.0))
 }
 
 /// A local that no identifier outside the generated code can meet.
@@ -63,13 +63,20 @@ pub(super) fn function_name(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
 }
 
-/// An argument named after an input: in lower case, as no constant of the user's is.
-pub(super) fn argument(input: &Ident, suffix: &str) -> Ident {
+/// What sweeps and given cosines call their own arguments.
+const OTHER_ARGUMENTS: [&str; 5] = ["out", "status", "progress", "cos", "sin"];
+
+/// An argument named after an input: in lower case, as a constant of the user's hardly is. The
+/// value itself has the input's span, where the compiler reports it if one is.
+fn argument(input: &Ident, suffix: &str) -> Ident {
     let name = format!("{}{suffix}", input.unraw()).to_lowercase();
-    // The span keeps it apart from the locals; a keyword or a name that fits nowhere gets a tail.
+    let span = if suffix.is_empty() { input.span() } else { Span::call_site() };
+    // The span keeps it apart from the locals; a keyword or a name that fits nowhere gets a tail,
+    // and so does what another argument is called.
+    let is_free = !OTHER_ARGUMENTS.contains(&&name[..]);
     match syn::parse_str::<Ident>(&name) {
-        Ok(_) => Ident::new(&name, Span::call_site()),
-        Err(_) => Ident::new(&format!("{name}_"), Span::call_site()),
+        Ok(_) if is_free => Ident::new(&name, span),
+        _ => Ident::new(&format!("{name}_"), span),
     }
 }
 
@@ -88,6 +95,7 @@ mod tests {
         assert_eq!(named("theta", "_rate"), "theta_rate");
         assert_eq!(named("Q", ""), "q");
         assert_eq!(named("As", ""), "as_");
+        assert_eq!(named("out", ""), "out_");
         let raw = Ident::new_raw("type", Span::call_site());
         assert_eq!(argument(&raw, "").to_string(), "type_");
         assert_eq!(argument(&raw, "_rate").to_string(), "type_rate");
@@ -95,7 +103,7 @@ mod tests {
 
     #[test]
     fn a_mechanism_may_be_named_like_a_type_parameter() {
-        assert_eq!(type_parameter("T", &format_ident!("T")), "T_");
-        assert_eq!(type_parameter("T", &format_ident!("U")), "T");
+        assert_eq!(clear_of("T", &format_ident!("T")), "T_");
+        assert_eq!(clear_of("T", &format_ident!("U")), "T");
     }
 }

@@ -26,6 +26,15 @@ impl Order {
         }
     }
 
+    /// The field of a motion that holds the record.
+    pub(super) fn field(self) -> &'static str {
+        match self {
+            Self::Position => "position",
+            Self::Velocity => "velocity",
+            Self::Acceleration => "acceleration",
+        }
+    }
+
     /// The run-time type of a shape and its fields; no type for a plain number.
     pub(super) fn fields(self, shape: Shape) -> (Option<&'static str>, &'static [&'static str]) {
         match (shape, self) {
@@ -56,11 +65,18 @@ impl Output {
 }
 
 /// All records of a mechanism.
-pub(super) fn records(cx: &Context<'_>) -> TokenStream {
+pub(super) fn definitions(cx: &Context<'_>) -> TokenStream {
     let input = (cx.mechanism.inputs.len() > 1).then(|| input(cx));
     let orders = Order::ALL.map(|order| record(cx, order));
     let (motion, margins) = (motion(cx), cx.entry(EntryKind::Margins).map(|_| margins(cx)));
     quote!(#input #(#orders)* #motion #margins)
+}
+
+/// What can be done with them.
+pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
+    let from = (cx.mechanism.inputs.len() > 1).then(|| input_from_list(cx));
+    let rows = Order::ALL.map(|order| rows(cx, order));
+    quote!(#from #(#rows)*)
 }
 
 /// What stands in front of every struct: names are as declared, no number is `Eq`, and hardly
@@ -87,19 +103,17 @@ fn record(cx: &Context<'_>, order: Order) -> TokenStream {
         let (docs, field) = (docs::output(cx, output, order), &output.field);
         let ty = match order.fields(output.kind.shape()).0 {
             Some(ty) => {
-                let ty = cx.paths.item(ty);
+                let ty = cx.paths.outside(ty);
                 quote!(#ty<#scalar>)
             }
             None => quote!(#scalar),
         };
         quote!(#docs pub #field: #ty)
     });
-    let rows = rows(cx, order);
     quote! {
         #docs
         #attributes
         #visibility struct #name<#scalar> { #(#fields),* }
-        #rows
     }
 }
 
@@ -168,21 +182,28 @@ fn margins(cx: &Context<'_>) -> TokenStream {
     }
 }
 
-/// The record of several inputs, and how a plain list becomes one.
+/// The record of several inputs.
 fn input(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, visibility) = (&cx.names.input, &cx.names.scalar, &cx.mechanism.visibility);
-    let (attributes, docs, from) = (attributes(cx), docs::input_record(cx), cx.paths.item("From"));
-    let fields: Vec<_> = cx.mechanism.inputs.iter().map(|input| &input.name).collect();
+    let (attributes, docs) = (attributes(cx), docs::input_record(cx));
+    let fields = cx.mechanism.inputs.iter().map(|input| &input.name);
     let field_docs = cx.mechanism.inputs.iter().map(docs::input);
+    quote! {
+        #docs
+        #attributes
+        #visibility struct #name<#scalar> { #(#field_docs pub #fields: #scalar),* }
+    }
+}
+
+/// How a plain list becomes the record of several inputs.
+fn input_from_list(cx: &Context<'_>) -> TokenStream {
+    let (name, scalar, from) = (&cx.names.input, &cx.names.scalar, cx.paths.item("From"));
+    let fields: Vec<_> = cx.mechanism.inputs.iter().map(|input| &input.name).collect();
     let count = cx.columns();
     // Lower-case locals of their own: a field's name may be that of a constant.
     let locals: Vec<_> =
         (0..fields.len()).map(|i| super::names::generated(&format!("q{i}_"))).collect();
     quote! {
-        #docs
-        #attributes
-        #visibility struct #name<#scalar> { #(#field_docs pub #fields: #scalar),* }
-
         impl<#scalar> #from<[#scalar; #count]> for #name<#scalar> {
             #[inline]
             fn from([#(#locals),*]: [#scalar; #count]) -> Self {
@@ -197,12 +218,12 @@ pub(super) fn assemble(cx: &Context<'_>, kind: EntryKind, values: Vec<TokenStrea
     let inputs = cx.mechanism.inputs.len();
     let mut values = values.into_iter();
     match kind {
-        EntryKind::Position | EntryKind::PositionAt => fill(cx, Order::Position, &mut values),
-        EntryKind::Velocity | EntryKind::VelocityAt => fill(cx, Order::Velocity, &mut values),
+        EntryKind::Position | EntryKind::PositionAt => record_of(cx, Order::Position, values),
+        EntryKind::Velocity | EntryKind::VelocityAt => record_of(cx, Order::Velocity, values),
         EntryKind::Motion | EntryKind::MotionAt => {
             let name = &cx.names.motion;
             let [position, velocity, acceleration] =
-                Order::ALL.map(|order| fill(cx, order, &mut values));
+                Order::ALL.map(|order| record_of(cx, order, values.by_ref()));
             quote!(#name { position: #position, velocity: #velocity, acceleration: #acceleration })
         }
         EntryKind::Coefficients => {
@@ -224,10 +245,10 @@ pub(super) fn assemble(cx: &Context<'_>, kind: EntryKind, values: Vec<TokenStrea
 }
 
 /// One record, from as many values as it has components.
-fn fill(
+pub(super) fn record_of(
     cx: &Context<'_>,
     order: Order,
-    values: &mut impl Iterator<Item = TokenStream>,
+    mut values: impl Iterator<Item = TokenStream>,
 ) -> TokenStream {
     let name = order.record(cx);
     let fields: Vec<_> = cx
@@ -240,11 +261,23 @@ fn fill(
             let field = &output.field;
             let Some(ty) = ty else { return quote!(#field: #(#components)*) };
             let ty = cx.paths.item(ty);
-            let parts = parts.iter().map(|part| Ident::new(part, proc_macro2::Span::call_site()));
-            quote!(#field: #ty { #(#parts: #components),* })
+            let parts = parts.iter().zip(components).map(|(part, value)| given(part, value));
+            quote!(#field: #ty { #(#parts),* })
         })
         .collect();
     quote!(#name { #(#fields),* })
+}
+
+/// How many components a record has.
+pub(super) fn count(cx: &Context<'_>, order: Order) -> usize {
+    let shapes = cx.mechanism.outputs.iter().map(|output| output.kind.shape());
+    shapes.map(|shape| order.fields(shape).1.len()).sum()
+}
+
+/// A field and its value, once where both have one name.
+fn given(field: &str, value: TokenStream) -> TokenStream {
+    let name = Ident::new(field, proc_macro2::Span::call_site());
+    if value.to_string() == field { value } else { quote!(#name: #value) }
 }
 
 /// The components of a record, in the order in which [`assemble`] takes them.
@@ -274,12 +307,11 @@ pub(super) fn components_of(
         EntryKind::Position | EntryKind::PositionAt => components(cx, Order::Position, result),
         EntryKind::Velocity | EntryKind::VelocityAt => components(cx, Order::Velocity, result),
         EntryKind::Motion | EntryKind::MotionAt => {
-            let parts = ["position", "velocity", "acceleration"];
-            let of = |(order, part)| {
-                let part = Ident::new(part, proc_macro2::Span::call_site());
+            let of = |order: Order| {
+                let part = Ident::new(order.field(), proc_macro2::Span::call_site());
                 components(cx, order, &quote!(#result.#part))
             };
-            Order::ALL.into_iter().zip(parts).flat_map(of).collect()
+            Order::ALL.into_iter().flat_map(of).collect()
         }
         EntryKind::Coefficients => {
             let (inputs, outputs) = (&cx.mechanism.inputs, &cx.mechanism.outputs);

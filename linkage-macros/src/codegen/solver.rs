@@ -1,26 +1,32 @@
 //! The struct that stands for the mechanism: its parameters, defaults and constants.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::names::text;
+use super::names::{function_name, text};
 use super::{Context, cost, docs, literal, results, rows};
 use crate::model::mechanism::{Param, ParamKind, Sign};
 
-pub(super) fn items(cx: &Context<'_>) -> TokenStream {
-    let (definition, constants) = (definition(cx), constants(cx));
-    let (default, lift) = (default(cx), lift(cx));
-    quote!(#definition #constants #default #lift)
+/// What can be done without solving anything.
+pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
+    let (constants, default, lift) = (constants(cx), default(cx), lift(cx));
+    quote!(#constants #default #lift)
 }
 
-fn definition(cx: &Context<'_>) -> TokenStream {
+/// The struct itself.
+pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, visibility) = (&cx.names.solver, &cx.names.scalar, &cx.mechanism.visibility);
     let (docs, attributes) = (docs::solver(cx), results::attributes(cx));
     let fields = cx.mechanism.params.iter().map(|param| {
-        let (docs, field, ty) = (docs::param(param), &param.name, param_type(cx, param));
+        let (docs, field) = (docs::param(param), &param.name);
+        let ty = match mode_type(param) {
+            Some(ty) => cx.paths.outside(ty),
+            None => quote!(#scalar),
+        };
         quote!(#docs pub #field: #ty,)
     });
-    let marker = marker(cx).map(|(field, ty, _)| quote!(#[doc(hidden)] pub #field: #ty,));
+    let phantom = cx.paths.outside("PhantomData");
+    let marker = marker(cx).map(|(field, _)| quote!(#[doc(hidden)] pub #field: #phantom<#scalar>,));
     quote! {
         #docs
         #attributes
@@ -28,24 +34,25 @@ fn definition(cx: &Context<'_>) -> TokenStream {
     }
 }
 
-fn param_type(cx: &Context<'_>, param: &Param) -> TokenStream {
+/// The type of a mode parameter; none for a number's, which is the type parameter.
+fn mode_type(param: &Param) -> Option<&'static str> {
     match param.kind {
-        ParamKind::Number { .. } => {
-            let scalar = &cx.names.scalar;
-            quote!(#scalar)
-        }
-        ParamKind::Side { .. } => cx.paths.item("Side"),
-        ParamKind::Sense { .. } => cx.paths.item("Sense"),
+        ParamKind::Number { .. } => None,
+        ParamKind::Side { .. } => Some("Side"),
+        ParamKind::Sense { .. } => Some("Sense"),
     }
 }
 
 /// Without a numeric parameter nothing holds the type parameter; the field is public so that
-/// `..Solver::new()` stays usable: its name, its type and its value.
-pub(super) fn marker(cx: &Context<'_>) -> Option<(TokenStream, TokenStream, TokenStream)> {
-    let (scalar, phantom) = (&cx.names.scalar, cx.paths.item("PhantomData"));
-    cx.numeric_params()
-        .is_empty()
-        .then(|| (quote!(scalar_), quote!(#phantom<#scalar>), quote!(#phantom)))
+/// `..Solver::new()` stays usable: its name and its value, whose type has the value's name.
+pub(super) fn marker(cx: &Context<'_>) -> Option<(Ident, TokenStream)> {
+    let taken = |name: &str| cx.mechanism.params.iter().any(|param| param.name == name);
+    let mut name = String::from("scalar_");
+    while taken(&name) {
+        name.push('_');
+    }
+    let phantom = cx.paths.item("PhantomData");
+    cx.numeric_params().is_empty().then(|| (function_name(&name), phantom))
 }
 
 /// `Self { … }` with every field given by the expression made for its parameter.
@@ -63,7 +70,7 @@ pub(super) fn construct(
         };
         quote!(#field: #value,)
     });
-    let marker = marker(cx).map(|(field, _, value)| quote!(#field: #value));
+    let marker = marker(cx).map(|(field, value)| quote!(#field: #value));
     quote!(#name { #(#fields)* #marker })
 }
 
@@ -74,7 +81,8 @@ fn defaults(cx: &Context<'_>, number: impl Fn(f64, f32) -> TokenStream) -> Token
         _ => TokenStream::new(),
     };
     let mode = |param: &Param| {
-        let (ty, variant) = (param_type(cx, param), default_variant(param));
+        let ty = mode_type(param).map(|ty| cx.paths.item(ty));
+        let variant = default_variant(param);
         quote!(#ty::#variant)
     };
     construct(cx, &quote!(Self), number, mode)
@@ -102,9 +110,7 @@ fn constants(cx: &Context<'_>) -> TokenStream {
         params.iter().map(|p| rows::string(&text(&p.name), p.name.span())).collect();
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
     let (cost_type, cost) = (cx.paths.item("Cost"), cost::constant(cx));
-    let literals = super::literals_are_dimensions();
     quote! {
-        #literals
         impl #name<f64> {
             /// The scalar rows of the results, in the order of every list of rows.
             pub const OUTPUTS: [&'static str; #rows] = [#(#outputs),*];
@@ -127,9 +133,7 @@ fn default(cx: &Context<'_>) -> TokenStream {
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (default, any) = (cx.paths.item("Default"), cx.paths.item("Scalar"));
     let value = defaults(cx, |wide, narrow| cx.literal(wide, narrow));
-    let literals = super::literals_are_dimensions();
     quote! {
-        #literals
         impl<#scalar: #any> #default for #name<#scalar> {
             /// The solver with all parameters at their declared values, rounded once.
             #[inline]

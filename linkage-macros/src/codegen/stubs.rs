@@ -20,6 +20,7 @@ use crate::model::mechanism::{
     Dimension, Expr, Group, GroupId, Input, Link, LinkId, Mechanism, Named, Numerics, Output,
     OutputKind, Param, ParamKind, PointId, Sign, Turn,
 };
+use crate::model::mentions::Mentions;
 use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, StatementKind};
 
 const NUMBER: Dimension = Dimension { length: 0, mass: 0, angle: false };
@@ -102,6 +103,8 @@ impl StandIn {
             groups: Vec::new(),
             steps: Vec::new(),
             outputs: Vec::new(),
+            turnings: Vec::new(),
+            mentions: Mentions::default(),
             numerics: Numerics::Plain,
             crate_path: None,
             export_c: false,
@@ -170,8 +173,7 @@ impl StandIn {
 
     fn group(&mut self, group: &tree::Group) {
         let made_by = GroupId(self.mechanism.groups.len() as u32);
-        let links: Vec<String> = group.legs.iter().map(|leg| leg.link.to_string()).collect();
-        self.mechanism.groups.push(Group { title: links.join(", "), keyword: "group" });
+        self.mechanism.groups.push(Group { title: group.title(), keyword: "group" });
         let slides = sliding(&group.keyword.to_string());
         for (leg, slides) in group.legs.iter().zip(slides) {
             if self.things.contains_key(&leg.link.to_string()) {

@@ -180,11 +180,11 @@ fn centripetal<'s>(
     ]
 }
 
-/// Whether the bars are known to differ by a fifth of their sum: then no more than two bits cancel
-/// in ω₂² r₂ − ω₃² r₃.
+/// Whether the bars are known to differ by a seventh of their sum, which is a quarter of the longer:
+/// then no more than two bits cancel in ω₂² r₂ − ω₃² r₃.
 fn differ<'s>(l2: Sym<'s>, l3: Sym<'s>) -> bool {
     let share = (l2 - l3) / (l2 + l3);
-    share.squared().constant_value().is_some_and(|square| square >= 1.0 / 25.0)
+    share.squared().constant_value().is_some_and(|square| square >= 1.0 / 49.0)
 }
 
 /// p: between bars that are known to be nearly of one length any weight will do.

@@ -205,7 +205,7 @@ impl<'s> Sym<'s> {
 
     /// Whether this is known to be zero from its form alone.
     pub(crate) fn is_zero(self) -> bool {
-        self.sheet.graph.borrow().as_constant(self.id).is_some_and(Exact::is_zero)
+        self.sheet.graph.borrow().is_zero(self.id)
     }
 }
 

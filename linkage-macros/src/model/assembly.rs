@@ -11,7 +11,7 @@ use super::groups::Parts;
 use super::mechanism::{Carrier, Expr, GuideId, Length, LinkId, PointId, Turn};
 
 /// |a|
-fn absolute(value: &Exact) -> Exact {
+pub(super) fn absolute(value: &Exact) -> Exact {
     if value.signum().is_lt() { value.neg() } else { value.clone() }
 }
 
@@ -24,7 +24,7 @@ impl Turn {
 
 impl Line {
     /// The distance of the place from the line, along its normal.
-    fn distance(&self, [x, y]: &[Exact; 2]) -> Exact {
+    pub(super) fn distance(&self, [x, y]: &[Exact; 2]) -> Exact {
         let (dx, dy) = (x.sub(&self.through[0]), y.sub(&self.through[1]));
         dy.mul(&self.angle.cos()).sub(&dx.mul(&self.angle.sin()))
     }

@@ -128,6 +128,12 @@ impl Resolver<'_> {
         if let Some((measure, factor)) = unit(suffix) {
             return Some(Quantity::constant(measure, value.mul(&factor)));
         }
+        if suffix == "pi" || self.names.of_kinds(&NUMBERS).any(|name| name == suffix) {
+            let message = format!("write `{digits} * {suffix}`");
+            let reason = "letters directly behind a number are its unit";
+            self.diagnostics.error_because(span, message, reason);
+            return None;
+        }
         let mut message = format!("no unit named `{suffix}`");
         if let Some(near) = nearest(suffix, UNITS.into_iter()) {
             message += &format!("; a unit with a similar name exists: `{near}`");

@@ -78,8 +78,7 @@ impl Resolver<'_> {
             self.fields(group, anatomy);
             return;
         }
-        let names: Vec<_> = group.legs.iter().map(|leg| leg.link.to_string()).collect();
-        let id = self.add_group(names.join(", "), anatomy.keyword);
+        let id = self.add_group(group.title(), anatomy.keyword);
         let links = (group.legs.iter().zip(anatomy.slides))
             .map(|(leg, slides)| self.add_link(docs, &leg.link, id, slides))
             .collect();

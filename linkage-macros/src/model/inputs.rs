@@ -5,17 +5,17 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use crate::diagnostics::nearest;
-use crate::syntax::tree::{
-    Course, Declaration, Expr, ExprKind, FieldValue, Place, Spot, Statement, StatementKind,
-};
+use crate::syntax::tree::{Declaration, Expr, Statement, StatementKind};
 
 use super::Resolver;
 use super::dimension::Measure;
 use super::facts::{LetFacts, ParamFacts};
 use super::mechanism::{Dimension, Input, InputId, LetId, Param, ParamId, ParamKind};
+use super::mentions::{expressions, names_in};
 use super::modes::mode_word;
 use super::names::Entity;
 use super::numbers::bare_name;
+use super::units::unit;
 
 const KINDS: [&str; 2] = ["angle", "length"];
 
@@ -50,6 +50,17 @@ impl Resolver<'_> {
             "length" => return Some(Dimension::LENGTH),
             "number" if known.contains(&"number") => return Some(Dimension::NUMBER),
             _ => {}
+        }
+        let kind_of_unit = unit(&text).and_then(|(measure, _)| match measure.dimension() {
+            Dimension::ANGLE => Some("angle"),
+            Dimension::LENGTH => Some("length"),
+            _ => None,
+        });
+        if let Some(kind_of_unit) = kind_of_unit {
+            let message = format!("`{text}` is a unit; write `{kind_of_unit}`");
+            let reason = "a value is in metres and radians; units stand behind numbers: `30deg`";
+            self.diagnostics.error_because(kind.span(), message, reason);
+            return None;
         }
         let mut message = format!("no {what} named `{text}`");
         if let Some(near) = nearest(&text, known.iter().copied()) {
@@ -155,7 +166,7 @@ impl Resolver<'_> {
         let mut used = Vec::new();
         for statement in &tree.statements {
             if !matches!(statement.kind, StatementKind::Let { .. }) {
-                expressions(statement, &mut |expr| names_in(expr, &mut used));
+                expressions(statement, &mut |expr| add_names(expr, &mut used));
             }
         }
         // A name that is used makes the names in its own `let` used: the list grows as it is read.
@@ -165,7 +176,7 @@ impl Resolver<'_> {
             for statement in &tree.statements {
                 match &statement.kind {
                     StatementKind::Let { name: own, value } if *own == name => {
-                        names_in(value, &mut used);
+                        add_names(value, &mut used);
                     }
                     _ => {}
                 }
@@ -186,55 +197,12 @@ impl Resolver<'_> {
     }
 }
 
-/// Calls `f` with every expression of the statement.
-fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
-    match &statement.kind {
-        StatementKind::Param { default: value, .. } | StatementKind::Let { value, .. } => f(value),
-        StatementKind::Ground { points } => {
-            points.iter().flat_map(|(_, place)| place).for_each(f);
-        }
-        StatementKind::Guide { through, course, .. } => {
-            if let Spot::At(place) = through {
-                place.iter().for_each(&mut *f);
-            }
-            if let Course::Along(angle) = course {
-                f(angle);
-            }
-        }
-        StatementKind::Point { place, .. } => match place {
-            Place::Cartesian(values) | Place::Polar(values) | Place::Distances(values, _) => {
-                values.iter().for_each(f);
-            }
-            Place::Mistake => {}
-        },
-        StatementKind::Group(group) => {
-            for field in &group.fields {
-                match &field.value {
-                    FieldValue::One(value) => f(value),
-                    FieldValue::Pair(values) => values.iter().for_each(&mut *f),
-                }
-            }
-        }
-        StatementKind::Output { items } => items.iter().for_each(|item| f(&item.value)),
-        StatementKind::Input { .. }
-        | StatementKind::Numerics { .. }
-        | StatementKind::Crate { .. }
-        | StatementKind::Export { .. } => {}
-    }
-}
-
 /// Adds the names in the expression that are not yet in the list.
-fn names_in(expr: &Expr, names: &mut Vec<String>) {
-    match &expr.kind {
-        ExprKind::Name(name) => {
-            let name = name.to_string();
-            if !names.contains(&name) {
-                names.push(name);
-            }
+fn add_names(expr: &Expr, names: &mut Vec<String>) {
+    names_in(expr, &mut |name| {
+        let name = name.to_string();
+        if !names.contains(&name) {
+            names.push(name);
         }
-        ExprKind::Negate(inner) => names_in(inner, names),
-        ExprKind::Binary(_, operands) => operands.iter().for_each(|e| names_in(e, names)),
-        ExprKind::Call(_, arguments) => arguments.iter().for_each(|e| names_in(e, names)),
-        ExprKind::Number { .. } | ExprKind::Member(..) | ExprKind::Mistake => {}
-    }
+    });
 }

@@ -8,6 +8,8 @@ use proc_macro2::Ident;
 use syn::{Attribute, Visibility};
 
 use crate::exact::Exact;
+use crate::model::mentions::Mentions;
+use crate::model::turning::Turning;
 
 macro_rules! ids {
     ($($(#[$doc:meta])* $name:ident)*) => {$(
@@ -57,6 +59,10 @@ pub(crate) struct Mechanism {
     /// steps have made.
     pub steps: Vec<Step>,
     pub outputs: Vec<Output>,
+    /// What dyads of constants leave of the turns of cranks.
+    pub turnings: Vec<Turning>,
+    /// For editors.
+    pub mentions: Mentions,
     pub numerics: Numerics,
     /// `crate = path;`, where given.
     pub crate_path: Option<syn::Path>,

@@ -22,12 +22,14 @@ mod groups;
 mod guides;
 mod inputs;
 pub(crate) mod mechanism;
+pub(crate) mod mentions;
 mod modes;
 mod names;
 mod numbers;
 mod outputs;
 mod points;
 mod settings;
+pub(crate) mod turning;
 mod units;
 
 #[cfg(test)]
@@ -38,6 +40,7 @@ use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 
 use facts::Facts;
 use mechanism::{Mechanism, Numerics};
+use mentions::Mentions;
 use names::Names;
 
 /// The mechanism that the declaration means; `None` if anything in it was reported.
@@ -62,6 +65,8 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     resolver.outputs(tree);
     resolver.an_input_is_declared(tree);
     resolver.every_input_is_used(tree);
+    resolver.mechanism.turnings = turning::turnings(&resolver.mechanism);
+    resolver.cranks_can_turn(tree);
     let mechanism = resolver.mechanism;
     (diagnostics.count() == before).then_some(mechanism)
 }
@@ -122,6 +127,8 @@ fn empty(tree: &Declaration) -> Mechanism {
         groups: Vec::new(),
         steps: Vec::new(),
         outputs: Vec::new(),
+        turnings: Vec::new(),
+        mentions: Mentions::of(tree),
         numerics: Numerics::Plain,
         crate_path: None,
         export_c: false,

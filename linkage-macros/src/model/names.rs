@@ -64,6 +64,8 @@ struct Symbol {
     statement: usize,
     /// The statement as messages call it: `crank AB`, `param l`.
     made_by: String,
+    /// Whether it is the pin of a group.
+    is_a_pin: bool,
     /// `None` until its statement is reached, and for good where that was in error.
     entity: Option<Entity>,
     /// Whether its statement was reached, so that another declaration is the second.
@@ -90,11 +92,14 @@ impl Names {
                 }
                 names.by_name.insert(name.clone(), names.symbols.len());
                 let made_by = title(statement, &name);
+                let is_a_pin =
+                    kind == Kind::Point && matches!(statement.kind, StatementKind::Group(_));
                 names.symbols.push(Symbol {
                     name,
                     kind,
                     statement: index,
                     made_by,
+                    is_a_pin,
                     entity: None,
                     declared: false,
                     ambiguous: false,
@@ -139,7 +144,7 @@ impl Names {
 
 /// The names a statement declares. The name of an output is not among them: it is a field of the
 /// result alone.
-fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
+pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
     match &statement.kind {
         StatementKind::Input { names, .. } => names.iter().map(|n| (n, Kind::Input)).collect(),
         StatementKind::Param { name, .. } => vec![(name, Kind::Param)],
@@ -159,7 +164,7 @@ fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
 }
 
 /// The statement that declares `name`, as messages call it.
-fn title(statement: &Statement, name: &str) -> String {
+pub(super) fn title(statement: &Statement, name: &str) -> String {
     match &statement.kind {
         StatementKind::Input { .. } => format!("input {name}"),
         StatementKind::Param { .. } => format!("param {name}"),
@@ -168,8 +173,7 @@ fn title(statement: &Statement, name: &str) -> String {
         StatementKind::Guide { .. } => format!("guide {name}"),
         StatementKind::Point { .. } => format!("point {name}"),
         StatementKind::Group(group) => {
-            let links: Vec<_> = group.legs.iter().map(|leg| leg.link.to_string()).collect();
-            format!("{} {}", group.keyword, links.join(", "))
+            format!("{} {}", group.keyword, group.title())
         }
         StatementKind::Output { .. }
         | StatementKind::Numerics { .. }
@@ -231,7 +235,7 @@ impl Resolver<'_> {
         }
         if !kinds.contains(&symbol.kind) {
             let message = format!("`{name}` is {}, not {}", symbol.kind.one(), one_of(kinds));
-            let reason = reason_for_kind(name, symbol.kind, kinds);
+            let reason = reason_for_kind(name, symbol, kinds);
             self.report(name.span(), message, reason);
             return None;
         }
@@ -334,14 +338,17 @@ pub(super) fn listed<S: AsRef<str>>(words: &[S], joint: &str) -> String {
 }
 
 /// What to write instead, where a name of one kind stands where another belongs.
-fn reason_for_kind(name: &Ident, found: Kind, wanted: &[Kind]) -> Option<String> {
-    match (found, wanted) {
+fn reason_for_kind(name: &Ident, found: &Symbol, wanted: &[Kind]) -> Option<String> {
+    match (found.kind, wanted) {
         (Kind::Link, [Kind::Point]) => {
             Some(format!("name a joint of `{name}`, or a `point` on it"))
         }
         (Kind::Link, [Kind::Guide]) => Some(format!("declare a line on it: `guide g on {name} …`")),
         (Kind::Link, _) if wanted == NUMBERS => {
             Some(format!("its angle is `{name}.angle`, and `{name}.slide` its slide if it slides"))
+        }
+        (Kind::Point, [Kind::Link]) if found.is_a_pin => {
+            Some(format!("it is the pin of `{}`: name the link", found.made_by))
         }
         (Kind::Point, [Kind::Link]) => {
             Some("a link is what a `crank`, `slider` or dyad makes".into())

@@ -13,6 +13,9 @@ use super::names::{Entity, Kind};
 
 const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
 
+/// What a rate may be called by whoever looks for it among the outputs.
+const RATES: [&str; 7] = ["velocity", "acceleration", "speed", "rate", "vx", "vy", "v"];
+
 impl Resolver<'_> {
     /// The outputs that are asked for; every moving point and every link where none is.
     pub(super) fn outputs(&mut self, tree: &Declaration) {
@@ -141,8 +144,18 @@ impl Resolver<'_> {
     fn member_output(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
         let part = member.to_string();
         if self.names.kind(owner) == Some(Kind::Point) {
-            let message = format!("a point is given whole; write `output {owner}`");
-            let reason = format!("the field `{owner}` has `x` and `y`");
+            let (message, reason) = match RATES.contains(&part.as_str()) {
+                true => (
+                    format!("rates need no output of their own; write `output {owner}`"),
+                    format!(
+                        "`velocity` gives that of `{owner}`, and `motion` its acceleration too"
+                    ),
+                ),
+                false => (
+                    format!("a point is given whole; write `output {owner}`"),
+                    format!("the field `{owner}` has `x` and `y`"),
+                ),
+            };
             self.diagnostics.error_because(member.span(), message, reason);
             return;
         }

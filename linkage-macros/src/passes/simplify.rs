@@ -26,11 +26,11 @@ pub(crate) fn simplify(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
 }
 
 fn is_zero(maker: &Maker<'_>, id: Id) -> bool {
-    maker.graph.as_constant(id).is_some_and(Exact::is_zero)
+    maker.graph.is_zero(id)
 }
 
 fn is_one(maker: &Maker<'_>, id: Id) -> bool {
-    maker.graph.as_constant(id).is_some_and(Exact::is_one)
+    maker.graph.is_one(id)
 }
 
 /// What the node is the negative of.
@@ -85,18 +85,6 @@ fn constant_sum(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     Some(maker.make(Node::Add(folded, y)))
 }
 
-/// (c₂ + x) − c₁ = (c₂ − c₁) + x and c₁ − (c₂ + x) = (c₁ − c₂) − x: one rounding less.
-fn constant_difference(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
-    let (constant, other) = constant_first(maker, a, b)?;
-    let outer = maker.graph.as_constant(constant)?.clone();
-    let Node::Add(x, y) = maker.graph.node(other) else { return None };
-    let inner = maker.graph.as_constant(x)?;
-    let (folded, node): (_, fn(Id, Id) -> Node) =
-        if constant == a { (outer.sub(inner), Node::Sub) } else { (inner.sub(&outer), Node::Add) };
-    let folded = maker.constant(folded);
-    Some(maker.make(node(folded, y)))
-}
-
 fn constant_first(maker: &Maker<'_>, a: Id, b: Id) -> Option<(Id, Id)> {
     if maker.graph.as_constant(a).is_some() {
         Some((a, b))
@@ -129,9 +117,6 @@ fn difference(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     if let Some(a) = negated(maker, a) {
         let sum = maker.make(Node::Add(a, b));
         return Some(negate(maker, sum));
-    }
-    if let Some(folded) = constant_difference(maker, a, b) {
-        return Some(folded);
     }
     // a − b = −(b − a), where somebody has made the latter.
     let mirrored = maker.graph.find(Node::Sub(b, a))?;
@@ -203,9 +188,7 @@ fn quotient(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
 
 /// A difference of products with one product gone is the other product.
 fn determinant(maker: &mut Maker<'_>, [a, b, c, d]: [Id; 4]) -> Option<Id> {
-    let trivial = |maker: &Maker<'_>, id: Id| {
-        maker.graph.as_constant(id).is_some_and(|v| v.is_one() || v.neg().is_one())
-    };
+    let trivial = |maker: &Maker<'_>, id: Id| maker.graph.is_one_or_minus_one(id);
     if is_zero(maker, c) || is_zero(maker, d) {
         return Some(maker.make(Node::Mul(a, b)));
     }
@@ -224,9 +207,7 @@ fn determinant(maker: &mut Maker<'_>, [a, b, c, d]: [Id; 4]) -> Option<Id> {
 
 /// A product with 0 or ±1 has no error; the error has the product's sign.
 fn product_error(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
-    let exact = |id: Id| {
-        maker.graph.as_constant(id).is_some_and(|v| v.is_zero() || v.is_one() || v.neg().is_one())
-    };
+    let exact = |id: Id| maker.graph.is_zero(id) || maker.graph.is_one_or_minus_one(id);
     if exact(a) || exact(b) {
         return Some(zero(maker));
     }

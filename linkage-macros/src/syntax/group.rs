@@ -108,6 +108,12 @@ impl Parser<'_> {
             return self.expected_because("the name of a point or a guide", REASON);
         }
         let joint = self.name_of("a point or a guide")?;
+        if self.is_punct(0, '.')
+            && let Some(point) = self.peek_ident(1)
+        {
+            let message = format!("write the joint without its link: `{point}`");
+            return self.refuse_because(&message, "points, links and guides have one name space");
+        }
         self.take_punct(',');
         match self.at_end() {
             true => Ok(joint),

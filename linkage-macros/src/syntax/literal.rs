@@ -27,6 +27,10 @@ impl Number {
 pub(super) fn number(text: &str) -> Result<Number, (String, &'static str)> {
     let unsigned = text.strip_prefix('-').unwrap_or(text);
     if !unsigned.starts_with(|c: char| c.is_ascii_digit()) {
+        let quoted = unsigned.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+        if let Some(word) = quoted.filter(|word| is_word(word)) {
+            return Err((format!("write `{word}` without quotes"), "there are no strings here"));
+        }
         let kind = if unsigned.ends_with('\'') { "character" } else { "string" };
         return Err((format!("expected a number or a name, found a {kind}"), WHAT_STANDS));
     }
@@ -50,6 +54,11 @@ pub(super) fn number(text: &str) -> Result<Number, (String, &'static str)> {
     let unit = (!suffix.is_empty()).then(|| suffix.to_string());
     let digits = digits.strip_suffix('.').map(str::to_string).unwrap_or(digits);
     Ok(Number { negative: text.starts_with('-'), digits, unit })
+}
+
+fn is_word(text: &str) -> bool {
+    let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
+    text.starts_with(is_letter) && text.chars().all(|c| is_letter(c) || c.is_ascii_digit())
 }
 
 const WHAT_STANDS: &str = "a number is decimal, with its unit directly behind it: `632mm`, `1e-3m`";
@@ -127,6 +136,7 @@ mod tests {
             ("1e401", "write a smaller exponent than in `1e401`"),
             ("1e99999999999", "write a smaller exponent than in `1e99999999999`"),
             ("\"5mm\"", "expected a number or a name, found a string"),
+            ("\"left\"", "write `left` without quotes"),
             ("b\"5\"", "expected a number or a name, found a string"),
             ("'5'", "expected a number or a name, found a character"),
         ] {

@@ -83,6 +83,13 @@ pub(crate) struct Group {
     pub fields_are_read: bool,
 }
 
+impl Group {
+    /// The links, as messages and run-time errors name the group.
+    pub(crate) fn title(&self) -> String {
+        self.legs.iter().map(|leg| leg.link.to_string()).collect::<Vec<_>>().join(", ")
+    }
+}
+
 /// `BC(B)`: a link and what its outer joint stands on.
 pub(crate) struct Leg {
     pub link: Ident,

@@ -6,6 +6,7 @@ use quote::ToTokens;
 use syn::{File, ImplItem, Item};
 
 use super::stubs;
+use crate::codegen::tests::associated_items;
 use crate::diagnostics::Diagnostics;
 use crate::syntax::parse;
 
@@ -35,11 +36,8 @@ fn fields(file: &File, name: &str) -> Option<String> {
 
 /// The signatures' names of all methods, also those that need a feature.
 fn methods(file: &File) -> Vec<String> {
-    let items = file.items.iter().flat_map(|item| match item {
-        Item::Impl(item) => item.items.as_slice(),
-        _ => &[],
-    });
-    items
+    associated_items(file)
+        .into_iter()
         .filter_map(|item| match item {
             ImplItem::Fn(method) => Some(method.sig.ident.to_string()),
             _ => None,
@@ -48,11 +46,7 @@ fn methods(file: &File) -> Vec<String> {
 }
 
 fn constant(file: &File, name: &str) -> String {
-    let items = file.items.iter().flat_map(|item| match item {
-        Item::Impl(item) => item.items.as_slice(),
-        _ => &[],
-    });
-    let value = items.into_iter().find_map(|item| match item {
+    let value = associated_items(file).into_iter().find_map(|item| match item {
         ImplItem::Const(item) if item.ident == name => {
             Some(item.expr.to_token_stream().to_string())
         }

@@ -1,10 +1,10 @@
 //! What `export c;` adds, and what it leaves alone.
 
 use quote::ToTokens;
-use syn::{Expr, ExprLit, ImplItem, Item, Lit};
+use syn::{Expr, ExprLit, ImplItem, Lit};
 
 use super::fixture::{four_bar, ident, table};
-use super::{expand, generate, squeezed};
+use super::{associated_items, expand, generate, squeezed};
 use crate::ir::program::Program;
 use crate::model::mechanism::Mechanism;
 
@@ -16,11 +16,7 @@ fn exported((mut mechanism, program): (Mechanism, Program)) -> (Mechanism, Progr
 /// The text of `C_HEADER`.
 fn header((mechanism, program): &(Mechanism, Program)) -> String {
     let file: syn::File = syn::parse2(generate(mechanism, program)).expect("a list of items");
-    let items = file.items.iter().flat_map(|item| match item {
-        Item::Impl(item) => item.items.as_slice(),
-        _ => &[],
-    });
-    let text = items.into_iter().find_map(|item| match item {
+    let text = associated_items(&file).into_iter().find_map(|item| match item {
         ImplItem::Const(item) if item.ident == "C_HEADER" => match &item.expr {
             Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value()),
             other => panic!("a header that is no text: {}", other.to_token_stream()),
@@ -48,13 +44,13 @@ fn every_entry_point_is_a_function_in_both_widths() {
     assert_eq!(text.matches("#[unsafe(no_mangle)]").count(), 2 * (entries + 1), "{text}");
     let all = squeezed(&text);
     for part in [
-        "extern \"C\" fn four_bar_default() -> Parameters_<f64> { Parameters_ { crank: 0.08, elbow: 1, } }",
-        "unsafe extern \"C\" fn four_bar_position( mechanism_: *const Parameters_<f64>, q0_: f64, \
-         to_: *mut FourBarPosition<f64>, why_: *mut ::linkage_core::private::CError, ) \
-         -> ::linkage_core::private::i32 {",
+        "extern \"C\" fn four_bar_default() -> Parameters_<f64> { Parameters_ { crank: 0.08, elbow: 1 } }",
+        "unsafe extern \"C\" fn four_bar_position(mechanism_: *const Parameters_<f64>, q0_: f64, \
+         to_: *mut FourBarPosition<f64>, why_: *mut private::CError) \
+         -> private::i32 {",
         "unsafe { read_(mechanism_, \"mechanism\") }?.solver_()?.position(q0_)?",
         "unsafe { reply_(answer_, to_, \"position\", why_) }",
-        "elbow: ::linkage_core::private::c_side(self.elbow, \"elbow\")?,",
+        "elbow: private::c_side(self.elbow, \"elbow\")? }",
         "to_: *mut FourBarMotion<f32>,",
     ] {
         assert!(all.contains(part), "no `{part}` in\n{text}");
@@ -76,11 +72,11 @@ fn records_that_c_sees_are_laid_out_as_c_lays_them_out() {
 fn several_inputs_come_by_pointers_and_modes_as_numbers() {
     let text = squeezed(&expand(&exported(table())));
     for part in [
-        "fn table_velocity( mechanism_: *const Parameters_<f64>, q0_: *const TableInput<f64>, \
+        "fn table_velocity(mechanism_: *const Parameters_<f64>, q0_: *const TableInput<f64>, \
          q1_: *const TableInput<f64>,",
         "let q1_ = unsafe { read_(q1_, \"rates\") }?;",
-        "way: ::linkage_core::private::c_sense(self.way, \"way\")?,",
-        "Parameters_ { way: -1, scalar_: ::linkage_core::private::PhantomData, }",
+        "way: private::c_sense(self.way, \"way\")?,",
+        "Parameters_ { way: -1, scalar_: private::PhantomData }",
     ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
     }

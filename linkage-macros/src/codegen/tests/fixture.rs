@@ -7,6 +7,7 @@ use crate::exact::Exact;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::program::{Entry, EntryKind, Program};
 use crate::model::mechanism::*;
+use crate::model::mentions::Mentions;
 
 pub(super) const LENGTH: Dimension = Dimension { length: 1, mass: 0, angle: false };
 pub(super) const ANGLE: Dimension = Dimension { length: 0, mass: 0, angle: true };
@@ -50,6 +51,8 @@ pub(super) fn mechanism(name: &str, inputs: Vec<Input>, outputs: Vec<Output>) ->
         groups: Vec::new(),
         steps: Vec::new(),
         outputs,
+        turnings: Vec::new(),
+        mentions: Mentions::default(),
         numerics: Numerics::Plain,
         crate_path: None,
         export_c: false,

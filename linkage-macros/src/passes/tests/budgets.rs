@@ -157,7 +157,7 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
     (
         "rrp on a level guide",
         after_crank!("rrp BC(B), block(level) -> C { length: 0.9, mode: ahead } output C;"),
-        [3, 3, 0, 1, 1],
+        [4, 3, 0, 1, 1],
         [10, 18, 1, 1, 1],
     ),
     (
@@ -165,13 +165,13 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         after_crank!(
             "rrp BC(B), block(level) -> C { length: 0.9, offset: 0.05, mode: ahead } output C;"
         ),
-        [4, 3, 0, 1, 1],
-        [10, 18, 1, 1, 1],
+        [5, 3, 0, 1, 1],
+        [11, 18, 1, 1, 1],
     ),
     (
         "rrp on an upright guide",
         after_crank!("rrp BC(B), block(post) -> C { length: 0.9, mode: ahead } output C;"),
-        [3, 3, 0, 1, 1],
+        [4, 3, 0, 1, 1],
         [10, 18, 1, 1, 1],
     ),
     (

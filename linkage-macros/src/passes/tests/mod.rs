@@ -2,5 +2,6 @@
 
 mod affine;
 mod budgets;
+mod growth;
 mod meaning;
 mod rules;
