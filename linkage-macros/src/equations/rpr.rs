@@ -25,6 +25,13 @@
 //! # Sign
 //! `ahead` (+1): s positive.
 //!
+//! # Error
+//! At most 4 times what the data allow next to the limit, and without an offset at the pivot. On
+//! random poses 1.9 times for positions, 2.6 for velocities, 12.2 for accelerations; uphill 2.3, 3.4
+//! and 46. Where the joints' difference is exact, so is s, within ε of itself; `numerics
+//! compensated;` puts the rounding of that difference back where both joints are given by inputs
+//! and constants (`tests/compensated.rs`).
+//!
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.
 
@@ -79,13 +86,17 @@ pub(super) fn rpr<'s>(
 /// with the rounding errors of the squares and of their sum put back.
 fn left_of_offset<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Jet<'s> {
     let [x, y] = d.jets_to(b);
+    let plain = x * x + y * y - e * e;
+    if e.is_zero() {
+        return plain;
+    }
     let coordinate = match numerics {
         Numerics::Plain => DoubleWord::of,
         Numerics::Compensated => DoubleWord::of_coordinate,
     };
     let square = DoubleWord::square_of(d.to(b), coordinate);
     let value = square.difference(coordinate(e.value).squared());
-    Jet { value, ..x * x + y * y - e * e }
+    Jet { value, ..plain }
 }
 
 /// Signed distance from the limit in metres, (b² − e²)/(|b| + |e|) = |b| − |e|, and the sine of

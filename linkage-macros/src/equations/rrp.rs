@@ -33,6 +33,13 @@
 //! # Sign
 //! `ahead` (+1): C ahead of the foot of B on the guide, along its direction.
 //!
+//! # Error
+//! At most 4 times what the data allow next to the limit. On random poses 2.2 times for positions,
+//! 10.5 for velocities, 7.1 for accelerations; uphill 2.8, 32 and 41, with guides nearly along an
+//! axis through the origin. The pin is as right as its slide or its bar is long, whichever carries
+//! it. With `numerics compensated;` X is within 2.5 ε of itself however near the limit, if length,
+//! offset and y are exact (`tests/compensated.rs`).
+//!
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (slider-crank) in the axes of the guide.
 

@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! i = d² − (l₂ − l₃)²               a = (i/2 + l₂ (l₂ − l₃)) / d²
-//! S = i/4l₂l₃ · (1 − i/4l₂l₃)       b = (i/2 + l₃ (l₃ − l₂)) / d² = 1 − a
+//! S = i/4l₂l₃ · (4l₂l₃ − i)/4l₂l₃   b = (i/2 + l₃ (l₃ − l₂)) / d² = 1 − a
 //!                                   h = ± 2 l₂ l₃ √S / d²,  + where C is left of B → D
 //! ```
 //!
@@ -44,8 +44,23 @@
 //! Norton, Design of Machinery, ch. 4 (vector loop) in the coordinates of the line of centres;
 //! W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle, for the product form.
 //!
+//! # Error
+//! At most 4 times what the data allow next to the stretched bars, to the folded ones, and where
+//! the outer joints of equal bars meet. On random poses 2.5 times for positions, 11.2 for
+//! velocities, 5.9 for accelerations; uphill 3.3, 25 and 16, where a long bar's end moves fast and
+//! the pin at its other end hardly: the velocity of a pin between moving joints is that of the first
+//! joint and its bar's.
+//!
+//! With `numerics compensated;` S is right to a few last places however near the toggle, if lengths
+//! and joints are exact: constants count with all their digits, and the rounding errors of sums,
+//! of squares, and of the difference of two joints that are given by inputs and constants are put
+//! back. Directions are then within 5.5 ε, and ω and α lose no more than their own formulas do
+//! (`tests/compensated.rs`). A crank's pin is rounded before the group sees it, by as much as
+//! the difference D − B is rounded after; neither is put back.
+//!
 //! # Numbers
-//! Two divisions and one root for everything. A parallelogram (l₂ = |AB|, l₃ … equal in pairs)
+//! Two divisions and one root for everything; a third division where the bars' lengths are not
+//! constants and accelerations are asked for. A parallelogram (l₂ = |AB|, l₃ … equal in pairs)
 //! passes through change points where a constant mode turns it into an antiparallelogram.
 
 use crate::equations::clearance::{Clearance, size};
@@ -172,12 +187,9 @@ fn differ<'s>(l2: Sym<'s>, l3: Sym<'s>) -> bool {
     share.squared().constant_value().is_some_and(|square| square >= 1.0 / 49.0)
 }
 
-/// p: between bars of known lengths the shorter one alone carries k.
+/// p: between bars that are known to be nearly of one length any weight will do.
 fn weight_of_second<'s>(l2: Sym<'s>, l3: Sym<'s>) -> Sym<'s> {
-    match (l3 - l2).constant_value() {
-        Some(difference) => l2.sheet().integer(i64::from(difference >= 0.0)),
-        None => l3 / (l2 + l3),
-    }
+    if (l2 - l3).is_constant() { l2.sheet().integer(1) } else { l3 / (l2 + l3) }
 }
 
 /// What the angle μ between the bars follows from: i = 2 l₂ l₃ (1 − cos μ), and S = sin² μ/4, which
@@ -193,12 +205,13 @@ struct HalfSine<'s> {
 
 fn half_sine<'s>(joints: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> HalfSine<'s> {
     let [x, y] = joints[0].jets_to(joints[1]);
-    let one = Jet::constant(x.value.sheet().integer(1));
-    let difference = l2 - l3;
+    let (difference, product) = (l2 - l3, (l2 * l3).twice().twice());
     let near = x * x + y * y - difference * difference;
-    let scale = one / (l2 * l3).twice().twice();
-    let part = near * scale;
-    HalfSine { near, scale, square: part * (one - part) }
+    let scale = Jet::constant(x.value.sheet().integer(1)) / product;
+    // The difference of lengths, not 1 − i/4l₂l₃: that would be the rounding of 1/4l₂l₃ where a fused
+    // operation takes it, and no zero at a toggle that the data hit.
+    let far = product - near;
+    HalfSine { near, scale, square: (near * scale) * (far * scale) }
 }
 
 /// i and 4 l₂ l₃ − i with the rounding errors of every sum and square put back.
