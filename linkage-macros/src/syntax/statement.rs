@@ -61,6 +61,10 @@ impl Parser<'_> {
                 "end this statement with `;`",
                 "inputs of another kind have a statement of their own",
             ),
+            () if self.is_punct(0, '/') => self.refuse_because(
+                &format!("end this statement behind `{kind}`"),
+                "rates are no inputs of their own: `velocity` and `motion` take them",
+            ),
             () if self.is_punct(0, '=') => self.refuse_because(
                 "write `param` for a number with a default",
                 "an input is an argument of every call",
@@ -261,7 +265,7 @@ impl Parser<'_> {
     }
 
     fn output_item(&mut self, items: &mut Vec<OutputItem>) -> Parse<()> {
-        if self.is_word(0, "all") {
+        if self.is_word(0, "all") || self.is_punct(0, '*') {
             return self.refuse_because(
                 "leave this statement out",
                 "without `output` every moving point and link is computed",
