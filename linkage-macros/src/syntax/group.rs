@@ -221,7 +221,7 @@ impl Parser<'_> {
 
     fn field_name(&mut self) -> Parse<Ident> {
         match self.peek(0) {
-            Some(TokenTree::Literal(_)) => {
+            Some(TokenTree::Literal(_)) if !self.is_punct(1, ':') => {
                 self.expected_because("the name of a field", "decimals stand behind a point: `0.1`")
             }
             _ => self.word("the name of a field"),
