@@ -31,17 +31,17 @@
 ///   0.0762 m to 0.4318 m
 ///
 /// # Cost of one call
-/// - `position`: 11 additions, 22 multiplications, 1 division, 1 square root and 1 sine-cosine
+/// - `position`: 11 additions, 20 multiplications, 1 division, 1 square root and 1 sine-cosine
 ///   pair
-/// - `velocity`: 12 additions, 30 multiplications, 2 divisions, 1 square root and 1 sine-cosine
+/// - `velocity`: 12 additions, 28 multiplications, 2 divisions, 1 square root and 1 sine-cosine
 ///   pair
-/// - `motion`: 23 additions, 55 multiplications, 2 divisions, 1 square root and 1 sine-cosine
+/// - `motion`: 23 additions, 51 multiplications, 2 divisions, 1 square root and 1 sine-cosine
 ///   pair
-/// - `coefficients`: 12 additions, 28 multiplications, 2 divisions, 1 square root and 1
+/// - `coefficients`: 12 additions, 26 multiplications, 2 divisions, 1 square root and 1
 ///   sine-cosine pair
-/// - `position_at`: 11 additions, 22 multiplications, 1 division and 1 square root
-/// - `velocity_at`: 12 additions, 30 multiplications, 2 divisions and 1 square root
-/// - `motion_at`: 23 additions, 55 multiplications, 2 divisions and 1 square root
+/// - `position_at`: 11 additions, 20 multiplications, 1 division and 1 square root
+/// - `velocity_at`: 12 additions, 28 multiplications, 2 divisions and 1 square root
+/// - `motion_at`: 23 additions, 51 multiplications, 2 divisions and 1 square root
 #[::linkage_core::private::derive(
     ::linkage_core::private::Clone,
     ::linkage_core::private::Copy,
@@ -177,21 +177,21 @@ const _: () = {
         pub const COST: private::Cost = private::Cost {
             position: private::Operations {
                 additions: 11,
-                multiplications: 22,
+                multiplications: 20,
                 divisions: 1,
                 roots: 1,
                 sines: 1,
             },
             motion: private::Operations {
                 additions: 23,
-                multiplications: 55,
+                multiplications: 51,
                 divisions: 2,
                 roots: 1,
                 sines: 1,
             },
             coefficients: private::Operations {
                 additions: 12,
-                multiplications: 28,
+                multiplications: 26,
                 divisions: 2,
                 roots: 1,
                 sines: 1,
@@ -263,7 +263,7 @@ const _: () = {
         ///
         /// Given `theta` in rad.
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 22 multiplications, 1
+        /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 20 multiplications, 1
         /// division, 1 square root and 1 sine-cosine pair.
         #[inline]
         #[must_use]
@@ -282,7 +282,7 @@ const _: () = {
         ///
         /// Given `theta` in rad, its rate in rad/s.
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 30 multiplications, 2
+        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 28 multiplications, 2
         /// divisions, 1 square root and 1 sine-cosine pair.
         #[inline]
         #[must_use]
@@ -302,7 +302,7 @@ const _: () = {
         ///
         /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s².
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 23 additions, 55 multiplications, 2
+        /// Where the mask says no, the numbers mean nothing. Costs 23 additions, 51 multiplications, 2
         /// divisions, 1 square root and 1 sine-cosine pair.
         #[inline]
         #[must_use]
@@ -333,7 +333,7 @@ const _: () = {
         /// A row an output in the order of `OUTPUTS`, a column an input in the order of `INPUTS`; from
         /// the velocity equations.
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 28 multiplications, 2
+        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 26 multiplications, 2
         /// divisions, 1 square root and 1 sine-cosine pair.
         #[inline]
         #[must_use]
@@ -362,12 +362,17 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine.
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 22 multiplications, 1
+        /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 20 multiplications, 1
         /// division and 1 square root.
         #[inline]
         #[must_use]
         pub fn solve_position_at(&self, cos: T, sin: T) -> (FourBarPosition<T>, T::Mask) {
-            self.core_position_at_(cos, sin)
+            let (result_, ok_) = self.core_position_at_(cos, sin);
+            (
+                result_,
+                ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
+                    & T::is_within(sin, T::lit(1.0625, 1.0625)),
+            )
         }
 
         #[inline(always)]
@@ -380,10 +385,14 @@ const _: () = {
             (
                 result_,
                 marks_.all()
-                    & T::is_finite(
-                        ((result_.DC.cos + result_.DC.sin) + result_.BC.cos)
-                            + (result_.BC.sin + result_.C.x),
-                    ),
+                    & (if T::plain(true, true) {
+                        <T::Mask as private::Mask>::ALL
+                    } else {
+                        T::is_finite(
+                            ((result_.B.x + result_.DC.cos) + result_.DC.sin)
+                                + ((result_.BC.cos + result_.BC.sin) + result_.C.x),
+                        )
+                    }),
             )
         }
 
@@ -391,7 +400,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine, its rate in rad/s.
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 30 multiplications, 2
+        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 28 multiplications, 2
         /// divisions and 1 square root.
         #[inline]
         #[must_use]
@@ -401,7 +410,12 @@ const _: () = {
             sin: T,
             theta_rate: T,
         ) -> (FourBarVelocity<T>, T::Mask) {
-            self.core_velocity_at_(cos, sin, theta_rate)
+            let (result_, ok_) = self.core_velocity_at_(cos, sin, theta_rate);
+            (
+                result_,
+                ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
+                    & T::is_within(sin, T::lit(1.0625, 1.0625)),
+            )
         }
 
         #[inline(always)]
@@ -419,7 +433,12 @@ const _: () = {
             (
                 result_,
                 marks_.all()
-                    & T::is_finite((result_.B.x + result_.BC.omega) + (result_.C.x + result_.C.y)),
+                    & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
+                    & (if T::plain(true, true) {
+                        <T::Mask as private::Mask>::ALL
+                    } else {
+                        T::is_finite((result_.B.x + result_.BC.omega) + (result_.C.x + result_.C.y))
+                    }),
             )
         }
 
@@ -428,7 +447,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine, its rate in rad/s, its second rate in rad/s².
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 23 additions, 55 multiplications, 2
+        /// Where the mask says no, the numbers mean nothing. Costs 23 additions, 51 multiplications, 2
         /// divisions and 1 square root.
         #[inline]
         #[must_use]
@@ -439,7 +458,12 @@ const _: () = {
             theta_rate: T,
             theta_acceleration: T,
         ) -> (FourBarMotion<T>, T::Mask) {
-            self.core_motion_at_(cos, sin, theta_rate, theta_acceleration)
+            let (result_, ok_) = self.core_motion_at_(cos, sin, theta_rate, theta_acceleration);
+            (
+                result_,
+                ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
+                    & T::is_within(sin, T::lit(1.0625, 1.0625)),
+            )
         }
 
         #[inline(always)]
@@ -456,16 +480,25 @@ const _: () = {
             (
                 result_,
                 marks_.all()
-                    & T::is_finite(
-                        (((result_.velocity.B.x + result_.acceleration.B.x)
-                            + result_.position.DC.cos)
-                            + ((result_.position.DC.sin + result_.position.BC.cos)
-                                + result_.position.BC.sin))
-                            + (((result_.acceleration.BC.alpha + result_.velocity.C.x)
-                                + result_.velocity.C.y)
-                                + ((result_.acceleration.C.x + result_.acceleration.C.y)
-                                    + result_.position.C.x)),
-                    ),
+                    & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
+                    & T::is_within(
+                        theta_acceleration,
+                        T::lit(9.999999999999998e119, 1000000000000.0),
+                    )
+                    & (if T::plain(true, true) {
+                        <T::Mask as private::Mask>::ALL
+                    } else {
+                        T::is_finite(
+                            (((result_.velocity.B.x + result_.acceleration.B.x)
+                                + result_.position.DC.cos)
+                                + ((result_.position.DC.sin + result_.position.BC.cos)
+                                    + result_.position.BC.sin))
+                                + (((result_.acceleration.BC.alpha + result_.velocity.C.x)
+                                    + result_.velocity.C.y)
+                                    + ((result_.acceleration.C.x + result_.acceleration.C.y)
+                                        + result_.position.C.x)),
+                        )
+                    }),
             )
         }
 
@@ -495,48 +528,48 @@ const _: () = {
             };
             let b_x_ = T::lit(0.1016, 0.1016) * cos;
             let b_y_ = T::lit(0.1016, 0.1016) * sin;
-            let v141_ = T::lit(0.3048, 0.3048) - b_x_;
-            let v142_ = v141_ * v141_;
-            let v144_ = T::fused(b_y_, b_y_, v142_);
-            let v145_ = guard_.square_of_centres(
-                v144_,
-                v141_,
+            let v145_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
+            let v147_ =
+                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
+            let v148_ = guard_.square_of_centres(
+                v147_,
+                v145_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v146_ = T::lit(1.0, 1.0) / v145_;
-            let v147_ = v144_ - T::lit(0.00580644, 0.00580644);
-            let v148_ = T::lit(5.535725357165, 5.5357256) * v147_;
-            let v149_ = T::lit(1.0, 1.0) - v148_;
-            let v150_ = v148_ * v149_;
-            let v151_ = guard_.reach_circles(
-                v150_,
-                v141_,
+            let v149_ = T::lit(1.0, 1.0) / v148_;
+            let v150_ = v147_ - T::lit(0.00580644, 0.00580644);
+            let v151_ = T::lit(5.535725357165, 5.5357256) * v150_;
+            let v152_ = T::fused(-T::lit(5.535725357165, 5.5357256), v150_, T::lit(1.0, 1.0));
+            let v153_ = v151_ * v152_;
+            let v154_ = guard_.reach_circles(
+                v153_,
+                v145_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v152_ = T::sqrt(v151_);
-            let v153_ = T::lit(0.0903224, 0.0903224) * v146_;
-            let v154_ = v152_ * v153_;
-            let v156_ = T::fused(T::lit(0.5, 0.5), v147_, T::lit(0.0193548, 0.0193548));
-            let v157_ = T::fused(T::lit(0.5, 0.5), v147_, -T::lit(0.01354836, 0.01354836));
-            let v158_ = v146_ * v156_;
-            let v159_ = v146_ * v157_;
-            let v160_ = b_y_ * v154_;
-            let v161_ = v141_ * v154_;
-            let v164_ = T::fused(v141_, v158_, v160_);
-            let v165_ = T::fused(-b_y_, v158_, v161_);
-            let v169_ = T::fused(-v141_, v159_, v160_);
-            let c_y_ = T::fused(b_y_, v159_, v161_);
-            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v169_;
+            let v155_ = T::sqrt(v154_);
+            let v156_ = T::lit(0.0903224, 0.0903224) * v149_;
+            let v157_ = v155_ * v156_;
+            let v159_ = T::fused(T::lit(0.5, 0.5), v150_, T::lit(0.0193548, 0.0193548));
+            let v160_ = T::fused(T::lit(0.5, 0.5), v150_, -T::lit(0.01354836, 0.01354836));
+            let v161_ = v149_ * v159_;
+            let v162_ = v149_ * v160_;
+            let v163_ = b_y_ * v157_;
+            let v164_ = v145_ * v157_;
+            let v167_ = T::fused(v145_, v161_, v163_);
+            let v168_ = T::fused(-b_y_, v161_, v164_);
+            let v172_ = T::fused(-v145_, v162_, v163_);
+            let c_y_ = T::fused(b_y_, v162_, v164_);
+            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v172_;
             let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
-            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v164_;
-            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v165_;
-            let c_x_ = T::lit(0.3048, 0.3048) + v169_;
+            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v167_;
+            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v168_;
+            let c_x_ = T::lit(0.3048, 0.3048) + v172_;
             let position_ = FourBarPosition {
                 AB: private::Direction { cos, sin },
                 B: private::Point { x: b_x_, y: b_y_ },
@@ -551,22 +584,22 @@ const _: () = {
                     acceleration: acceleration_,
                 };
             }
-            let v130_ = theta_rate * b_y_;
-            let b_vx_ = -v130_;
+            let v134_ = theta_rate * b_y_;
+            let b_vx_ = -v134_;
             let b_vy_ = theta_rate * b_x_;
-            let v171_ = guard_.nonzero_within(v151_, "BC, DC");
-            let v172_ = T::lit(11.07145071433, 11.071451) * v152_;
-            let v173_ = T::lit(1.0, 1.0) / v171_;
-            let v174_ = v172_ * v173_;
-            let v179_ = v130_ * v169_;
-            let v182_ = T::fused(-b_vy_, c_y_, v179_);
-            let bc_omega_ = v174_ * v182_;
-            let v184_ = v130_ * v164_;
-            let v186_ = T::fused(-b_vy_, v165_, v184_);
-            let dc_omega_ = v174_ * v186_;
-            let v209_ = c_y_ * dc_omega_;
-            let c_vx_ = -v209_;
-            let c_vy_ = v169_ * dc_omega_;
+            let v174_ = guard_.nonzero(v154_, "BC, DC");
+            let v175_ = T::lit(11.07145071433, 11.071451) * v155_;
+            let v176_ = T::lit(1.0, 1.0) / v174_;
+            let v177_ = v175_ * v176_;
+            let v182_ = v134_ * v172_;
+            let v185_ = T::fused(-b_vy_, c_y_, v182_);
+            let bc_omega_ = v177_ * v185_;
+            let v187_ = v134_ * v167_;
+            let v189_ = T::fused(-b_vy_, v168_, v187_);
+            let dc_omega_ = v177_ * v189_;
+            let v212_ = c_y_ * dc_omega_;
+            let c_vx_ = -v212_;
+            let c_vy_ = v172_ * dc_omega_;
             let velocity_ = FourBarVelocity {
                 AB: private::AngularVelocity { omega: theta_rate },
                 B: private::Point { x: b_vx_, y: b_vy_ },
@@ -582,28 +615,28 @@ const _: () = {
                 };
             }
             let v16_ = theta_rate * theta_rate;
-            let v133_ = theta_acceleration * b_y_;
-            let v134_ = theta_acceleration * b_x_;
-            let v137_ = T::fused(v16_, b_x_, v133_);
-            let b_ax_ = -v137_;
-            let b_ay_ = T::fused(-v16_, b_y_, v134_);
-            let v188_ = dc_omega_ * dc_omega_;
-            let v189_ = v169_ * v188_;
-            let v190_ = c_y_ * v188_;
-            let v191_ = bc_omega_ * bc_omega_;
-            let v194_ = T::fused(v164_, v191_, v137_);
-            let v196_ = T::fused(-v165_, v191_, b_ay_);
-            let v198_ = T::fused(-v169_, v188_, v194_);
-            let v199_ = T::fused(c_y_, v188_, v196_);
-            let v200_ = v169_ * v198_;
-            let v203_ = T::fused(-c_y_, v199_, v200_);
-            let bc_alpha_ = v174_ * v203_;
-            let v205_ = v164_ * v198_;
-            let v207_ = T::fused(-v165_, v199_, v205_);
-            let dc_alpha_ = v174_ * v207_;
-            let v214_ = T::fused(c_y_, dc_alpha_, v189_);
-            let c_ax_ = -v214_;
-            let c_ay_ = T::fused(v169_, dc_alpha_, -v190_);
+            let v137_ = theta_acceleration * b_y_;
+            let v138_ = theta_acceleration * b_x_;
+            let v141_ = T::fused(v16_, b_x_, v137_);
+            let b_ax_ = -v141_;
+            let b_ay_ = T::fused(-v16_, b_y_, v138_);
+            let v191_ = dc_omega_ * dc_omega_;
+            let v192_ = v172_ * v191_;
+            let v193_ = c_y_ * v191_;
+            let v194_ = bc_omega_ * bc_omega_;
+            let v197_ = T::fused(v167_, v194_, v141_);
+            let v199_ = T::fused(-v168_, v194_, b_ay_);
+            let v201_ = T::fused(-v172_, v191_, v197_);
+            let v202_ = T::fused(c_y_, v191_, v199_);
+            let v203_ = v172_ * v201_;
+            let v206_ = T::fused(-c_y_, v202_, v203_);
+            let bc_alpha_ = v177_ * v206_;
+            let v208_ = v167_ * v201_;
+            let v210_ = T::fused(-v168_, v202_, v208_);
+            let dc_alpha_ = v177_ * v210_;
+            let v217_ = T::fused(c_y_, dc_alpha_, v192_);
+            let c_ax_ = -v217_;
+            let c_ay_ = T::fused(v172_, dc_alpha_, -v193_);
             let acceleration_ = FourBarAcceleration {
                 AB: private::AngularAcceleration { alpha: theta_acceleration },
                 B: private::Point { x: b_ax_, y: b_ay_ },
@@ -620,7 +653,7 @@ const _: () = {
         ///
         /// Given `theta` in rad.
         ///
-        /// Costs 11 additions, 22 multiplications, 1 division, 1 square root and 1 sine-cosine pair.
+        /// Costs 11 additions, 20 multiplications, 1 division, 1 square root and 1 sine-cosine pair.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -630,7 +663,7 @@ const _: () = {
             &self,
             theta: T,
         ) -> private::Result<FourBarPosition<T>, private::SolveError> {
-            let (result_, ok_) = self.core_position_(theta);
+            let (result_, ok_) = { self.core_position_(theta) };
             if ok_ { private::Ok(result_) } else { self.explain_position_(theta) }
         }
 
@@ -638,7 +671,7 @@ const _: () = {
         ///
         /// Given `theta` in rad, its rate in rad/s.
         ///
-        /// Costs 12 additions, 30 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+        /// Costs 12 additions, 28 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -649,7 +682,7 @@ const _: () = {
             theta: T,
             theta_rate: T,
         ) -> private::Result<FourBarVelocity<T>, private::SolveError> {
-            let (result_, ok_) = self.core_velocity_(theta, theta_rate);
+            let (result_, ok_) = { self.core_velocity_(theta, theta_rate) };
             if ok_ { private::Ok(result_) } else { self.explain_velocity_(theta, theta_rate) }
         }
 
@@ -657,7 +690,7 @@ const _: () = {
         ///
         /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s².
         ///
-        /// Costs 23 additions, 55 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+        /// Costs 23 additions, 51 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -669,7 +702,7 @@ const _: () = {
             theta_rate: T,
             theta_acceleration: T,
         ) -> private::Result<FourBarMotion<T>, private::SolveError> {
-            let (result_, ok_) = self.core_motion_(theta, theta_rate, theta_acceleration);
+            let (result_, ok_) = { self.core_motion_(theta, theta_rate, theta_acceleration) };
             if ok_ {
                 private::Ok(result_)
             } else {
@@ -683,14 +716,14 @@ const _: () = {
         /// A row an output in the order of `OUTPUTS`, a column an input in the order of `INPUTS`; from
         /// the velocity equations.
         ///
-        /// Costs 12 additions, 28 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+        /// Costs 12 additions, 26 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
         /// or result that is not finite.
         #[inline]
         pub fn coefficients(&self, theta: T) -> private::Result<[[T; 1]; 7], private::SolveError> {
-            let (result_, ok_) = self.core_coefficients_(theta);
+            let (result_, ok_) = { self.core_coefficients_(theta) };
             if ok_ { private::Ok(result_) } else { self.explain_coefficients_(theta) }
         }
 
@@ -698,7 +731,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine.
         ///
-        /// Costs 11 additions, 22 multiplications, 1 division and 1 square root.
+        /// Costs 11 additions, 20 multiplications, 1 division and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -709,7 +742,14 @@ const _: () = {
             cos: T,
             sin: T,
         ) -> private::Result<FourBarPosition<T>, private::SolveError> {
-            let (result_, ok_) = self.core_position_at_(cos, sin);
+            let (result_, ok_) = {
+                let (result_, ok_) = self.core_position_at_(cos, sin);
+                (
+                    result_,
+                    ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
+                        & T::is_within(sin, T::lit(1.0625, 1.0625)),
+                )
+            };
             if ok_ { private::Ok(result_) } else { self.explain_position_at_(cos, sin) }
         }
 
@@ -717,7 +757,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine, its rate in rad/s.
         ///
-        /// Costs 12 additions, 30 multiplications, 2 divisions and 1 square root.
+        /// Costs 12 additions, 28 multiplications, 2 divisions and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -729,7 +769,14 @@ const _: () = {
             sin: T,
             theta_rate: T,
         ) -> private::Result<FourBarVelocity<T>, private::SolveError> {
-            let (result_, ok_) = self.core_velocity_at_(cos, sin, theta_rate);
+            let (result_, ok_) = {
+                let (result_, ok_) = self.core_velocity_at_(cos, sin, theta_rate);
+                (
+                    result_,
+                    ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
+                        & T::is_within(sin, T::lit(1.0625, 1.0625)),
+                )
+            };
             if ok_ { private::Ok(result_) } else { self.explain_velocity_at_(cos, sin, theta_rate) }
         }
 
@@ -737,7 +784,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine, its rate in rad/s, its second rate in rad/s².
         ///
-        /// Costs 23 additions, 55 multiplications, 2 divisions and 1 square root.
+        /// Costs 23 additions, 51 multiplications, 2 divisions and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -750,7 +797,14 @@ const _: () = {
             theta_rate: T,
             theta_acceleration: T,
         ) -> private::Result<FourBarMotion<T>, private::SolveError> {
-            let (result_, ok_) = self.core_motion_at_(cos, sin, theta_rate, theta_acceleration);
+            let (result_, ok_) = {
+                let (result_, ok_) = self.core_motion_at_(cos, sin, theta_rate, theta_acceleration);
+                (
+                    result_,
+                    ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
+                        & T::is_within(sin, T::lit(1.0625, 1.0625)),
+                )
+            };
             if ok_ {
                 private::Ok(result_)
             } else {
@@ -1270,26 +1324,26 @@ const _: () = {
             let b_y_ = T::lit(0.1016, 0.1016) * ab_sin_;
             let v11_ = theta_rate * b_y_;
             let b_vy_ = theta_rate * b_x_;
-            let v25_ = T::lit(0.3048, 0.3048) - b_x_;
-            let v26_ = v25_ * v25_;
-            let v27_ = b_y_ * b_y_;
-            let v28_ = T::fused(b_y_, b_y_, v26_);
-            let v34_ = v28_ - T::lit(0.00580644, 0.00580644);
-            let v219_ = v11_ * v25_;
-            let v220_ = T::fused(v11_, v25_, v219_);
-            let v221_ = b_y_ * b_vy_;
-            let v222_ = T::fused(b_y_, b_vy_, v221_);
-            let v223_ = v220_ + v222_;
-            let v224_ = v34_ / T::lit(0.0903224, 0.0903224);
-            let v225_ = v223_ / T::lit(0.0903224, 0.0903224);
-            let v227_ = T::fused(b_x_, b_x_, v27_);
-            let v229_ = T::lit(0.18903188, 0.18903188) + v227_;
-            let v230_ = v229_ / T::lit(0.0903224, 0.0903224);
-            let v231_ = T::lit(2.0, 2.0) - v224_;
-            let v232_ = v224_ * v231_;
-            let v233_ = v225_ * v231_;
-            let v236_ = T::fused(-v224_, v225_, v233_);
-            [private::Clearance { value: v232_, rate: v236_, scale: v230_ }]
+            let v26_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
+            let v31_ =
+                T::fused(-T::lit(0.06193536, 0.06193536), ab_cos_, T::lit(0.1032256, 0.1032256));
+            let v37_ = v31_ - T::lit(0.00580644, 0.00580644);
+            let v222_ = v11_ * v26_;
+            let v223_ = T::fused(v11_, v26_, v222_);
+            let v224_ = b_y_ * b_vy_;
+            let v225_ = T::fused(b_y_, b_vy_, v224_);
+            let v226_ = v223_ + v225_;
+            let v227_ = v37_ / T::lit(0.0903224, 0.0903224);
+            let v228_ = v226_ / T::lit(0.0903224, 0.0903224);
+            let v230_ = T::lit(2.0, 2.0) - v227_;
+            let v231_ = v227_ * v230_;
+            let v232_ = v228_ * v230_;
+            let v235_ = T::fused(-v227_, v228_, v232_);
+            [private::Clearance {
+                value: v231_,
+                rate: v235_,
+                scale: T::lit(2.2071428571428573, 2.2071428),
+            }]
         }
     }
 

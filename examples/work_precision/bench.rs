@@ -46,8 +46,8 @@ pub(crate) struct Finding {
     pub(crate) errors: Option<Errors>,
 }
 
-/// The poses of one run: what a sweep writes of them stays in the first cache.
-const POSES: usize = 256;
+/// The poses of one run: not a power of two, whose columns would share a cache line.
+const POSES: usize = 500;
 
 pub(crate) struct Bench<F, const N: usize> {
     mechanism: Mechanism<N>,
@@ -114,9 +114,10 @@ impl<F: Width, const N: usize> Bench<F, N> {
         let alone = throughput(angles.clone(), move |angle| solve([angle, rate, second]));
         self.throughput.enter(name, alone);
         let accelerations = self.mechanism.orders.0 + self.mechanism.orders.1;
+        // One of them: what is done to make the next angle wait must not cost much itself.
         let last = move |result: &R| {
-            let sum = |values: [F; N]| values.into_iter().skip(accelerations).reduce(F::add);
-            result.motion().map(numbers).and_then(sum).unwrap_or(F::of(0.0))
+            let first = |values: [F; N]| values.into_iter().nth(accelerations);
+            result.motion().map(numbers).and_then(first).unwrap_or(F::of(0.0))
         };
         let chained = latency(angles, move |angle| other([angle, rate, second]), last);
         self.latency.enter(name, chained);

@@ -7,35 +7,66 @@
 use crate::careful;
 use crate::{Mask, Real, Scalar, SolveError};
 
-/// See the module's documentation. What is guarded is returned, or what stands for it at a limit.
+/// See the module's documentation. A condition is two calls: one that marks, which findings pass
+/// by, and one that looks, which marks pass by and which returns what is guarded, or what stands
+/// for it at a limit.
 pub trait Guard<T: Scalar> {
     /// Sine and cosine of an angle.
     fn sin_cos(&mut self, angle: T) -> (T, T);
 
+    /// Marks whether `value` > `least`.
+    #[inline(always)]
+    fn above(&mut self, _value: T, _least: T) {}
+
+    /// Marks whether `value` ≥ `least`.
+    #[inline(always)]
+    fn at_least(&mut self, _value: T, _least: T) {}
+
+    /// Marks whether |`value`| > `least`.
+    #[inline(always)]
+    fn away(&mut self, _value: T, _least: T) {}
+
     /// See [`careful::reach_circles`].
-    fn reach_circles(&mut self, value: T, dx: T, dy: T, l1: T, l2: T, group: &'static str) -> T;
+    #[inline(always)]
+    fn reach_circles(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
+        value
+    }
 
     /// See [`careful::reach_line`].
-    fn reach_line(&mut self, value: T, t: T, l: T, group: &'static str) -> T;
+    #[inline(always)]
+    fn reach_line(&mut self, value: T, _: T, _: T, _: &'static str) -> T {
+        value
+    }
 
     /// See [`careful::reach_offset`].
-    fn reach_offset(&mut self, value: T, bx: T, by: T, e: T, group: &'static str) -> T;
+    #[inline(always)]
+    fn reach_offset(&mut self, value: T, _: T, _: T, _: T, _: &'static str) -> T {
+        value
+    }
 
     /// See [`careful::nonzero`].
-    fn nonzero(&mut self, value: T, group: &'static str) -> T;
-
-    /// The same of a value that is above zero unless it was moved to a limit.
-    fn nonzero_within(&mut self, value: T, group: &'static str) -> T;
+    #[inline(always)]
+    fn nonzero(&mut self, value: T, _: &'static str) -> T {
+        value
+    }
 
     /// See [`careful::positive`].
-    fn positive(&mut self, value: T, group: &'static str, name: &'static str) -> T;
+    #[inline(always)]
+    fn positive(&mut self, value: T, _: &'static str, _: &'static str) -> T {
+        value
+    }
 
     /// See [`careful::square`].
-    fn square(&mut self, value: T, group: &'static str) -> T;
+    #[inline(always)]
+    fn square(&mut self, value: T, _: &'static str) -> T {
+        value
+    }
 
     /// See [`careful::square_of_centres`].
-    fn square_of_centres(&mut self, value: T, dx: T, dy: T, l1: T, l2: T, group: &'static str)
-    -> T;
+    #[inline(always)]
+    fn square_of_centres(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
+        value
+    }
 }
 
 /// Whether every condition was met. Every value goes on as it is.
@@ -72,53 +103,21 @@ impl<T: Scalar> Guard<T> for Marks<T::Mask> {
     }
 
     #[inline(always)]
-    fn reach_circles(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
-        self.and(value.gt(T::lit(0.0, 0.0)));
-        value
+    fn above(&mut self, value: T, least: T) {
+        self.and(value.gt(least));
     }
 
     #[inline(always)]
-    fn reach_line(&mut self, value: T, _: T, _: T, _: &'static str) -> T {
-        self.and(value.ge(T::lit(0.0, 0.0)));
-        value
-    }
-
-    #[inline(always)]
-    fn reach_offset(&mut self, value: T, _: T, _: T, _: T, _: &'static str) -> T {
-        self.and(value.ge(T::lit(0.0, 0.0)));
-        value
+    fn at_least(&mut self, value: T, least: T) {
+        self.and(value.ge(least));
     }
 
     /// The magnitude, compared: neither a square, which underflows, nor a disjunction, which
     /// masks do not have.
     #[inline(always)]
-    fn nonzero(&mut self, value: T, _: &'static str) -> T {
-        let zero = T::lit(0.0, 0.0);
-        self.and(T::select(value.ge(zero), value, -value).gt(zero));
-        value
-    }
-
-    #[inline(always)]
-    fn nonzero_within(&mut self, value: T, _: &'static str) -> T {
-        value
-    }
-
-    #[inline(always)]
-    fn positive(&mut self, value: T, _: &'static str, _: &'static str) -> T {
-        self.and(value.gt(T::lit(0.0, 0.0)));
-        value
-    }
-
-    #[inline(always)]
-    fn square(&mut self, value: T, _: &'static str) -> T {
-        self.and(value.ge(T::smallest_square()));
-        value
-    }
-
-    #[inline(always)]
-    fn square_of_centres(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
-        self.and(value.ge(T::smallest_square()));
-        value
+    fn away(&mut self, value: T, least: T) {
+        let magnitude = T::select(value.ge(T::lit(0.0, 0.0)), value, -value);
+        self.and(magnitude.gt(least));
     }
 }
 
@@ -179,10 +178,6 @@ impl<T: Real> Guard<T> for Findings {
         self.keep(value, || careful::nonzero(value, group))
     }
 
-    fn nonzero_within(&mut self, value: T, group: &'static str) -> T {
-        self.keep(value, || careful::nonzero(value, group))
-    }
-
     fn positive(&mut self, value: T, group: &'static str, name: &'static str) -> T {
         self.keep(value, || careful::positive(value, group, name))
     }
@@ -220,22 +215,33 @@ mod tests {
 
     #[test]
     fn marks_hold_only_where_every_condition_does() {
-        let marked = |mark: fn(&mut Marks<bool>) -> f64| {
+        let marked = |mark: fn(&mut Marks<bool>)| {
             let mut marks = Marks::new();
             mark(&mut marks);
-            marks.nonzero(1.0, "later");
+            marks.away(1.0, 0.0);
             marks.all()
         };
-        assert!(marked(|m| m.reach_line(0.0, 0.0, 0.0, "")));
-        assert!(!marked(|m| m.reach_line(-1e-300, 0.0, 0.0, "")));
-        // On the line of centres the root has no derivative: the careful path decides.
-        assert!(!marked(|m| m.reach_circles(0.0, 0.0, 0.0, 0.0, 0.0, "")));
-        assert!(marked(|m| m.nonzero(-1e-300, "")));
-        assert!(!marked(|m| m.nonzero(0.0, "")));
-        assert!(marked(|m| m.nonzero_within(0.0, "")));
-        assert!(!marked(|m| m.positive(0.0, "", "")));
-        assert!(!marked(|m| m.square(1e-320, "")));
-        assert!(!marked(|m| m.sin_cos(1e9).0));
-        assert!(!marked(|m| m.positive(f64::NAN, "", "")));
+        assert!(marked(|m| m.at_least(0.0, 0.0)));
+        assert!(!marked(|m| m.at_least(-1e-300, 0.0)));
+        assert!(!marked(|m| m.at_least(1e-320, f64::smallest_square())));
+        assert!(!marked(|m| m.above(0.0, 0.0)));
+        assert!(marked(|m| m.above(2.0, 1.0)) && !marked(|m| m.above(1.0, 1.0)));
+        assert!(marked(|m| m.away(-1e-300, 0.0)));
+        assert!(!marked(|m| m.away(0.0, 0.0)));
+        assert!(marked(|m| m.away(-2.0, 1.0)) && !marked(|m| m.away(-1.0, 1.0)));
+        assert!(!marked(|m| _ = m.sin_cos(1e9)));
+        assert!(!marked(|m| m.above(f64::NAN, 0.0)));
+        assert!(!marked(|m| m.at_least(f64::NAN, 0.0)));
+        assert!(!marked(|m| m.away(f64::NAN, 0.0)));
+    }
+
+    #[test]
+    fn marks_do_not_look_and_findings_do_not_mark() {
+        let mut marks = Marks::<bool>::new();
+        assert_eq!(marks.nonzero(0.0, "a"), 0.0);
+        assert!(marks.all());
+        let mut findings = Findings::new();
+        findings.above(-1.0, 0.0);
+        assert_eq!(findings.first(), Ok(()));
     }
 }

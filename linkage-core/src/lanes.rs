@@ -263,6 +263,14 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
         self.compare(other, T::gt)
     }
     #[inline(always)]
+    fn is_within(self, bound: Self) -> LaneMask<W> {
+        self.compare(bound, T::is_within)
+    }
+    #[inline(always)]
+    fn plain(wide: bool, narrow: bool) -> bool {
+        T::plain(wide, narrow)
+    }
+    #[inline(always)]
     fn is_finite(self) -> LaneMask<W> {
         self.ask(T::is_finite)
     }
@@ -331,6 +339,7 @@ mod tests {
         assert_eq!(lx.ge(ly).to_array(), core::array::from_fn(|i| x[i].ge(y[i])));
         assert_eq!(lx.gt(ly).to_array(), core::array::from_fn(|i| x[i].gt(y[i])));
         assert_eq!(lx.is_near().to_array(), x.map(Scalar::is_near));
+        assert_eq!(lx.is_within(ly).to_array(), core::array::from_fn(|i| x[i].is_within(y[i])));
         assert_eq!(
             (ly / lx).is_finite().to_array(),
             core::array::from_fn(|i| Scalar::is_finite(y[i] / x[i]))

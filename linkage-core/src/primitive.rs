@@ -6,7 +6,7 @@ use crate::{Real, Scalar};
 /// The scalar implementation for one width: the kernels, and `libm` for what no solver computes
 /// unless it was asked for.
 macro_rules! scalar {
-    ($t:ident, lit: $lit:expr, sqrt: $sqrt:path, near: $near:path, sin_cos: $sin_cos:path,
+    ($t:ident, lit: $lit:expr, plain: $plain:expr, sqrt: $sqrt:path, near: $near:path, sin_cos: $sin_cos:path,
      libm: $tan:ident $asin:ident $acos:ident $atan:ident $atan2:ident $hypot:ident) => {
         impl Scalar for $t {
             type Mask = bool;
@@ -81,6 +81,14 @@ macro_rules! scalar {
                 self > other
             }
             #[inline]
+            fn is_within(self, bound: Self) -> bool {
+                self.abs() <= bound
+            }
+            #[inline]
+            fn plain(wide: bool, narrow: bool) -> bool {
+                $plain(wide, narrow)
+            }
+            #[inline]
             fn is_finite(self) -> bool {
                 self.is_finite()
             }
@@ -116,6 +124,7 @@ macro_rules! scalar {
 scalar!(
     f64,
     lit: |wide, _| wide,
+    plain: |wide, _| wide,
     sqrt: kernels::sqrt,
     near: kernels::NEAR_F64,
     sin_cos: libm::sincos,
@@ -124,6 +133,7 @@ scalar!(
 scalar!(
     f32,
     lit: |_, narrow| narrow,
+    plain: |_, narrow| narrow,
     sqrt: kernels::sqrtf,
     near: kernels::NEAR_F32,
     sin_cos: libm::sincosf,

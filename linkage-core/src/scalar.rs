@@ -111,6 +111,21 @@ pub trait Scalar:
     #[must_use]
     fn gt(self, other: Self) -> Self::Mask;
 
+    /// Whether |`self`| ≤ `bound`, which is not negative; no where either is not a number.
+    #[inline(always)]
+    #[must_use]
+    fn is_within(self, bound: Self) -> Self::Mask {
+        bound.ge(self) & self.ge(-bound)
+    }
+
+    /// `wide` of an `f64`, `narrow` of an `f32`, and no of a number that carries more than its
+    /// value: whether what is known of the values of one width holds for all of this number.
+    #[inline(always)]
+    #[must_use]
+    fn plain(_wide: bool, _narrow: bool) -> bool {
+        false
+    }
+
     /// Whether the number, and every derivative it carries, is finite.
     #[must_use]
     fn is_finite(self) -> Self::Mask;

@@ -200,7 +200,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
 
     /// A loop over single numbers, which the compiler turns into one over vectors: the straight
     /// line has no branch, the columns are no one else's, and lanes of one number carry in their
-    /// type whether they fuse.
+    /// type whether they fuse. Nothing is indexed, so that no build can panic.
     #[inline(always)]
     fn solve<K, F: Fusion>(
         &self,
@@ -214,11 +214,13 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         for (i, ok) in mask.iter_mut().enumerate() {
             let mut numbers = [Lanes::<T, 1, F>::splat(T::lit(0.0, 0.0)); IN];
             for (number, column) in numbers.iter_mut().zip(inputs) {
-                *number = Lanes::new([column.0[i]]);
+                let value = column.0.get(i).into_iter();
+                value.for_each(|&value| *number = Lanes::splat(value));
             }
             let (values, usable) = self.entry.solve_lanes(numbers);
             for (column, value) in results.iter_mut().zip(values) {
-                [column.0[i]] = value.to_array();
+                let ([value], place) = (value.to_array(), column.0.get_mut(i).into_iter());
+                place.for_each(|to| *to = value);
             }
             [*ok] = usable.to_array();
         }

@@ -79,7 +79,7 @@ pub(crate) fn sin_cos<F: Fusion>(x: f64) -> (f64, f64) {
     let shifted = f64::fused_by::<F>(x, QUADRANTS, SHIFT);
     let (r, excess) = reduce::<F>(x, shifted - SHIFT);
     let (sin, cos) = polynomials::<F>(r, excess);
-    turn(sin, cos, shifted.to_bits())
+    turn::<F>(sin, cos, shifted.to_bits())
 }
 
 /// The remainder x − q·π/2 as r − excess.
@@ -128,13 +128,17 @@ fn polynomials<F: Fusion>(r: f64, excess: f64) -> (f64, f64) {
 
 /// Sine and cosine in quadrant `q` (its two low bits count) from those of the remainder.
 ///
-/// The two differ by an exclusive or of their bits, which is applied or masked away. A choice,
-/// between numbers or between bits, is recognised as such and becomes a jump.
+/// A rotation by a multiple of a quarter turn, whose cosine and sine are zeros and ones: nothing
+/// is rounded, and they are known long before the polynomials are. Where the sine of the rotation
+/// vanishes it is −0 for q = 0, so that −0 keeps its sign. A choice, between numbers or between
+/// bits, is recognised as such and becomes a jump; an exclusive or of the bits that is applied or
+/// masked away goes through an integer register and back.
 #[inline(always)]
-fn turn(sin: f64, cos: f64, q: u64) -> (f64, f64) {
-    let (sin, cos) = (sin.to_bits(), cos.to_bits());
-    let swap = (sin ^ cos) & (q & 1).wrapping_neg();
-    let sin_sign = (q & 2) << 62;
-    let cos_sign = (q.wrapping_add(1) & 2) << 62;
-    (f64::from_bits(sin ^ swap ^ sin_sign), f64::from_bits(cos ^ swap ^ cos_sign))
+fn turn<F: Fusion>(sin: f64, cos: f64, q: u64) -> (f64, f64) {
+    const ONE: u64 = 1.0_f64.to_bits();
+    let odd = (q & 1).wrapping_neg();
+    let by_cos = f64::from_bits((ONE & !odd) | ((q & 2) << 62));
+    let by_sin = f64::from_bits((ONE & odd) | ((!q.wrapping_add(1) & 2) << 62));
+    let fused = f64::fused_by::<F>;
+    (fused(cos, by_sin, sin * by_cos), fused(-sin, by_sin, cos * by_cos))
 }

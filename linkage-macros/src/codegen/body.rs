@@ -10,6 +10,7 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::blocks::Statement;
+use super::finite::Bounds;
 use super::names::generated;
 use super::{Context, formulas};
 use crate::ir::graph::{Check, Graph, Id, Node};
@@ -21,6 +22,8 @@ pub(super) struct Body<'a> {
     pub cx: &'a Context<'a>,
     pub arguments: &'a Arguments<'a>,
     pub course: Course,
+    /// What is asked of divisors in place of results.
+    pub bounds: Option<&'a Bounds>,
 }
 
 /// The statements, and what they read from outside.

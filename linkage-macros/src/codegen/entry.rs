@@ -74,7 +74,7 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
         (arguments.declared(&quote!(#scalar)), arguments.converted(&quote!(#scalar)));
     let (names, result) = (arguments.names(), result(cx, entry.kind));
     let name = function_name(method(entry.kind));
-    let core = straight::core_name(entry);
+    let answer = straight::answer(cx, entry);
     let (explain, docs) = (explanations::name(entry.kind), docs::checked(cx, entry));
     let (outcome, error, ok) =
         (cx.paths.item("Result"), cx.paths.item("SolveError"), cx.paths.item("Ok"));
@@ -84,7 +84,7 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
         #[inline]
         pub fn #name(&self, #(#declared),*) -> #outcome<#result, #error> {
             #converted
-            let (#value, #usable) = self.#core(#(#names),*);
+            let (#value, #usable) = { #answer };
             if #usable { #ok(#value) } else { self.#explain(#(#names),*) }
         }
     }

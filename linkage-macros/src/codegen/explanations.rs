@@ -83,7 +83,7 @@ fn by_velocity(cx: &Context<'_>) -> TokenStream {
 fn finite_inputs(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let (given, scalar, string) = (generated("given_"), &cx.names.scalar, cx.paths.item("str"));
     let arguments = cx.arguments(entry.kind);
-    let body = Body { cx, arguments: &arguments, course: Course::Careful };
+    let body = Body { cx, arguments: &arguments, course: Course::Careful, bounds: None };
     let read = |leaf| Some((arguments.leaf(leaf)?, arguments.label(leaf)?));
     let read = body.leaves(&entry.sinks).into_iter().filter_map(read);
     let pairs: Vec<_> = read.map(|(value, label)| quote!((#value, #label))).collect();

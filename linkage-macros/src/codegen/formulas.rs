@@ -16,7 +16,7 @@ use super::names::{function_name, generated};
 use super::results::Order;
 use super::{Context, entry, results};
 use crate::ir::graph::{Check, GuardId, Id};
-use crate::ir::liveness::Course;
+use crate::ir::liveness::{Course, unguarded};
 use crate::ir::program::{Entry, EntryKind};
 
 /// Position, velocity and motion of one kind of input: one function, which stops where nothing
@@ -46,6 +46,11 @@ impl<'a> Family<'a> {
         let at = entry::takes_cosine(self.motion().kind);
         function_name(if at { "formulas_at_" } else { "formulas_" })
     }
+}
+
+/// The entry point that leads the function in which the formulas of this one stand.
+pub(super) fn leading<'a>(cx: &'a Context<'_>, entry: &'a Entry) -> &'a Entry {
+    Family::of(cx, entry.kind).map_or(entry, |family| family.motion())
 }
 
 /// The functions that hold the formulas of all entry points.
@@ -96,7 +101,8 @@ fn own_name(kind: EntryKind) -> Ident {
 
 fn of_one(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let arguments = cx.arguments(entry.kind);
-    let body = Body { cx, arguments: &arguments, course: Course::Careful };
+    let bounds = cx.bounds.get(&entry.kind);
+    let body = Body { cx, arguments: &arguments, course: Course::Careful, bounds };
     let statements = body.statements(&entry.sinks);
     let kept = body.locals(entry.sinks.iter().copied());
     let lines = lay_out(&statements.list, &kept, &cx.locals);
@@ -110,7 +116,8 @@ fn of_one(cx: &Context<'_>, entry: &Entry) -> TokenStream {
 fn of_family(cx: &Context<'_>, family: &Family<'_>) -> TokenStream {
     let motion = family.motion();
     let arguments = cx.arguments(motion.kind);
-    let body = Body { cx, arguments: &arguments, course: Course::Careful };
+    let bounds = cx.bounds.get(&motion.kind);
+    let body = Body { cx, arguments: &arguments, course: Course::Careful, bounds };
     let (mut statements, mut done) = (Statements::default(), HashSet::new());
     let mut ends = Vec::new();
     for entry in family.0 {
@@ -188,19 +195,10 @@ fn function(
     }
 }
 
-/// A condition as a call: the value goes on as the call returns it.
+/// A condition as two calls: one that marks, unless bounds show that it is met, and one that
+/// looks. The value goes on as that one returns it.
 pub(super) fn condition(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> Statement {
-    let condition = body.graph().condition(guard);
-    let method = match condition.check {
-        Check::ReachCircles => "reach_circles",
-        Check::ReachLine => "reach_line",
-        Check::ReachOffset => "reach_offset",
-        Check::Nonzero if body.is_above_zero(value) => "nonzero_within",
-        Check::Nonzero => "nonzero",
-        Check::Positive(_) => "positive",
-        Check::Square if condition.operands.is_empty() => "square",
-        Check::Square => "square_of_centres",
-    };
+    let (cx, condition) = (body.cx, body.graph().condition(guard));
     let looked_at = match condition.check {
         Check::ReachCircles | Check::ReachLine | Check::ReachOffset | Check::Square => {
             &condition.operands[..]
@@ -208,21 +206,54 @@ pub(super) fn condition(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> S
         // These look at the value alone; the operands are there to be computed first.
         Check::Nonzero | Check::Positive(_) => &[],
     };
-    let group = &body.cx.program.groups[condition.group as usize];
+    let look = function_name(match condition.check {
+        Check::ReachCircles => "reach_circles",
+        Check::ReachLine => "reach_line",
+        Check::ReachOffset => "reach_offset",
+        Check::Nonzero => "nonzero",
+        Check::Positive(_) => "positive",
+        Check::Square if condition.operands.is_empty() => "square",
+        Check::Square => "square_of_centres",
+    });
+    let group = &cx.program.groups[condition.group as usize];
     let length = match &condition.check {
         Check::Positive(name) => Some(name),
         _ => None,
     };
     let length = length.into_iter();
     let operands = [value].into_iter().chain(looked_at.iter().copied());
-    let name = body.cx.locals.name(id);
+    let name = cx.locals.name(id);
     let values = operands.clone().map(|operand| body.value(operand));
-    let (guard, method) = (generated("guard_"), function_name(method));
+    let (guard, mark) = (generated("guard_"), mark(body, value, &condition.check));
     Statement {
         defines: vec![id],
         uses: body.locals(operands),
         code: quote! {
-            let #name = #guard.#method(#(#values,)* #group #(, #length)*);
+            #mark
+            let #name = #guard.#look(#(#values,)* #group #(, #length)*);
         },
     }
+}
+
+/// The call that marks a condition; nothing where it is known to hold.
+fn mark(body: &Body<'_>, value: Id, check: &Check) -> Option<TokenStream> {
+    let cx = body.cx;
+    if *check == Check::Nonzero && body.is_above_zero(value) {
+        return None;
+    }
+    let least = match body.bounds {
+        Some(bounds) => bounds.least(cx, unguarded(body.graph(), value), check)?,
+        None if *check == Check::Square => {
+            let smallest = cx.scalar("smallest_square");
+            quote!(#smallest())
+        }
+        None => cx.literal(0.0, 0.0),
+    };
+    let method = function_name(match check {
+        Check::ReachCircles | Check::Positive(_) => "above",
+        Check::ReachLine | Check::ReachOffset | Check::Square => "at_least",
+        Check::Nonzero => "away",
+    });
+    let (guard, value) = (generated("guard_"), body.value(value));
+    Some(quote!(#guard.#method(#value, #least);))
 }

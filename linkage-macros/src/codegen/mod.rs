@@ -14,6 +14,7 @@ mod docs;
 mod dominance;
 mod entry;
 mod explanations;
+mod finite;
 mod formulas;
 mod locals;
 mod mentions;
@@ -32,10 +33,13 @@ mod units;
 #[cfg(test)]
 pub(crate) mod tests;
 
+use std::collections::HashMap;
+
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use self::arguments::Arguments;
+use self::finite::Bounds;
 use self::locals::Locals;
 use self::names::Names;
 use self::paths::Paths;
@@ -44,13 +48,7 @@ use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
 /// Everything that the declaration of a mechanism expands to.
 pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream {
-    let cx = Context {
-        mechanism,
-        program,
-        paths: Paths::new(mechanism),
-        names: Names::new(mechanism),
-        locals: Locals::new(mechanism, program),
-    };
+    let cx = Context::new(mechanism, program);
     let (solver, records) = (solver::definition(&cx), results::definitions(&cx));
     let implementations = implementations(&cx);
     quote! { #solver #records #implementations }
@@ -94,6 +92,18 @@ struct Context<'a> {
     paths: Paths,
     names: Names,
     locals: Locals,
+    /// By the entry point that leads a function of formulas.
+    bounds: HashMap<EntryKind, Bounds>,
+}
+
+impl<'a> Context<'a> {
+    fn new(mechanism: &'a Mechanism, program: &'a Program) -> Self {
+        let (paths, names) = (Paths::new(mechanism), Names::new(mechanism));
+        let (locals, bounds) = (Locals::new(mechanism, program), HashMap::new());
+        let mut cx = Self { mechanism, program, paths, names, locals, bounds };
+        cx.bounds = finite::all(&cx);
+        cx
+    }
 }
 
 impl Context<'_> {

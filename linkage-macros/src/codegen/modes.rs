@@ -109,7 +109,7 @@ fn flips(cx: &Context<'_>, param: &Ident) -> TokenStream {
 fn clearances(cx: &Context<'_>) -> TokenStream {
     let (scalar, clearance) = (&cx.names.scalar, cx.paths.item("Clearance"));
     let arguments = cx.arguments(EntryKind::Velocity);
-    let body = Body { cx, arguments: &arguments, course: Course::Open };
+    let body = Body { cx, arguments: &arguments, course: Course::Open, bounds: None };
     let sinks: Vec<_> = cx.program.clearances.iter().flat_map(|group| group.sinks).collect();
     let statements = body.statements(&sinks);
     let lines = lay_out(&statements.list, &body.locals(sinks.iter().copied()), &cx.locals);

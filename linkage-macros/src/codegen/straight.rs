@@ -4,9 +4,8 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::dominance::undominated;
 use super::names::{function_name, generated};
-use super::{Context, docs, entry, formulas, results};
+use super::{Context, docs, entry, finite, formulas, results};
 use crate::ir::program::{Entry, EntryKind};
 
 /// The name of the core of an entry point.
@@ -19,7 +18,7 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let (arguments, scalar) = (cx.arguments(entry.kind), &cx.names.scalar);
     let (declared, received) =
         (arguments.declared(&quote!(#scalar)), arguments.received(&quote!(#scalar)));
-    let (converted, names) = (arguments.converted(&quote!(#scalar)), arguments.names());
+    let (converted, answer) = (arguments.converted(&quote!(#scalar)), answer(cx, entry));
     let body = match cx.on_the_circle(entry) {
         Some(at) => by_cosine(cx, entry, at),
         None if cx.is_velocity_at_unit_rate(entry) => by_velocity(cx),
@@ -34,7 +33,7 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
         #[must_use]
         pub fn #name(&self, #(#declared),*) -> (#result, #scalar::Mask) {
             #converted
-            self.#core(#(#names),*)
+            #answer
         }
 
         #[inline(always)]
@@ -44,11 +43,26 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     }
 }
 
-/// The formulas under marks, and the one test that every result is finite.
+/// The core's answer to the arguments of an entry point. A given cosine and sine are asked here,
+/// because those of an angle need not be.
+pub(super) fn answer(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    let (arguments, core) = (cx.arguments(entry.kind), core_name(entry));
+    let (names, [result, ok]) = (arguments.names(), ["result_", "ok_"].map(generated));
+    let circle = entry::takes_cosine(entry.kind).then(|| finite::circle(cx, entry)).flatten();
+    match circle {
+        Some(circle) => quote! {
+            let (#result, #ok) = self.#core(#(#names),*);
+            (#result, #ok & #circle)
+        },
+        None => quote!(self.#core(#(#names),*)),
+    }
+}
+
+/// The formulas under marks, and the test that every result is finite.
 fn marked(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let [marks, result] = ["marks_", "result_"].map(generated);
     let (formulas, start) = (formulas::call(cx, entry, &marks), cx.paths.item("Marks"));
-    let finite = finite(cx, entry, &quote!(#result)).map(|finite| quote!(& #finite));
+    let finite = finite::test(cx, entry, &quote!(#result)).map(|finite| quote!(& #finite));
     quote! {
         let mut #marks = #start::new();
         let #result = #formulas;
@@ -80,34 +94,4 @@ fn by_velocity(cx: &Context<'_>) -> TokenStream {
         let (#result, #ok) = self.#core(#(#names,)* #one);
         ([#([#rows]),*], #ok)
     }
-}
-
-/// The test that all results are finite: of their sum, because what is not finite stays so.
-fn finite(cx: &Context<'_>, entry: &Entry, result: &TokenStream) -> Option<TokenStream> {
-    let tested = undominated(&cx.program.graph, &entry.sinks);
-    let components = results::components_of(cx, entry.kind, result);
-    let read = |id| entry.sinks.iter().position(|&sink| sink == id).map(|at| &components[at]);
-    let values: Vec<_> = tested.into_iter().filter_map(read).cloned().collect();
-    (!values.is_empty()).then(|| {
-        let (is_finite, sum) = (cx.scalar("is_finite"), sum(&values));
-        quote!(#is_finite(#sum))
-    })
-}
-
-/// The sum as a balanced tree: it is short in time, and shallow for the compiler.
-fn sum(values: &[TokenStream]) -> TokenStream {
-    match values {
-        [] => TokenStream::new(),
-        [only] => only.clone(),
-        _ => {
-            let (left, right) = values.split_at(values.len().div_ceil(2));
-            let (left, right) = (term(left), term(right));
-            quote!(#left + #right)
-        }
-    }
-}
-
-fn term(values: &[TokenStream]) -> TokenStream {
-    let sum = sum(values);
-    if values.len() > 1 { quote!((#sum)) } else { sum }
 }

@@ -93,6 +93,7 @@ impl<'s> Bar<'s> {
             offset: self.outer.offset + self.r,
             velocity: self.pushed_velocity() + self.omega * self.r.normal(),
             acceleration: self.pushed_acceleration(self.omega) + self.alpha * self.r.normal(),
+            swing: None,
         }
     }
 
@@ -180,6 +181,7 @@ impl<'s> Block<'s> {
             offset: self.guide.origin.offset + self.rho,
             velocity: self.carried_velocity() + slide_rate * u,
             acceleration: carried + slide_accel * u,
+            swing: None,
         }
     }
 

@@ -15,6 +15,37 @@ pub(crate) struct PointMotion<'s> {
     pub offset: Vector<'s>,
     pub velocity: Vector<'s>,
     pub acceleration: Vector<'s>,
+    /// Where the point is known to turn about a point of the ground.
+    pub swing: Option<Swing<'s>>,
+}
+
+/// What turns about a point of the ground: its velocity is ω r⊥, its acceleration α r⊥ − ω² r.
+#[derive(Clone, Copy)]
+pub(crate) struct Swing<'s> {
+    omega: Sym<'s>,
+    alpha: Sym<'s>,
+    /// r, from that point.
+    arm: Vector<'s>,
+}
+
+impl<'s> Swing<'s> {
+    /// Velocity and acceleration along u and along u⊥. With p = r·u and q = r·u⊥ these are
+    /// (−ω q, −α q − ω² p) and (ω p, α p − ω² q): two products with u in place of four.
+    fn rates_along(self, u: Vector<'s>) -> [Rates<'s>; 2] {
+        let Self { omega, alpha, arm } = self;
+        let (p, q, square) = (arm.dot(u), arm.dot(u.normal()), omega.squared());
+        [
+            Rates { velocity: -(omega * q), acceleration: -(alpha * q + square * p) },
+            Rates { velocity: omega * p, acceleration: alpha * p - square * q },
+        ]
+    }
+}
+
+/// Velocity and acceleration along a direction.
+#[derive(Clone, Copy)]
+pub(crate) struct Rates<'s> {
+    pub velocity: Sym<'s>,
+    pub acceleration: Sym<'s>,
 }
 
 /// A unit vector, its angular velocity and angular acceleration.
@@ -68,7 +99,7 @@ pub(crate) struct Frame<'s> {
 impl<'s> PointMotion<'s> {
     pub(crate) fn fixed(base: Vector<'s>) -> Self {
         let zero = base.x.sheet().zero_vector();
-        Self { base, offset: zero, velocity: zero, acceleration: zero }
+        Self { base, offset: zero, velocity: zero, acceleration: zero, swing: None }
     }
 
     /// A point whose coordinates in ground axes are given.
@@ -78,6 +109,7 @@ impl<'s> PointMotion<'s> {
             offset: Vector { x: x.value, y: y.value },
             velocity: Vector { x: x.rate, y: y.rate },
             acceleration: Vector { x: x.accel, y: y.accel },
+            swing: None,
         }
     }
 
@@ -99,6 +131,19 @@ impl<'s> PointMotion<'s> {
             Jet { value: value.x, rate: rate.x, accel: accel.x },
             Jet { value: value.y, rate: rate.y, accel: accel.y },
         ]
+    }
+
+    /// Velocity and acceleration against the other point, along u and along u⊥.
+    pub(crate) fn rates_against(self, other: Self, u: Vector<'s>) -> [Rates<'s>; 2] {
+        match self.swing {
+            Some(swing) if other.is_fixed() => swing.rates_along(u),
+            _ => {
+                let velocity = self.velocity - other.velocity;
+                let acceleration = self.acceleration - other.acceleration;
+                [u, u.normal()]
+                    .map(|u| Rates { velocity: velocity.dot(u), acceleration: acceleration.dot(u) })
+            }
+        }
     }
 
     /// Whether the point is a point of the ground.
@@ -196,11 +241,14 @@ impl<'s> Frame<'s> {
         let rho = self.vector(x.value, y.value);
         let sigma = self.vector(x.rate, y.rate);
         let (velocity, acceleration) = self.transport(rho, sigma);
+        let Direction { omega, alpha, .. } = self.direction;
+        let swings = self.origin.is_fixed() && [x, y].into_iter().all(Jet::is_fixed);
         PointMotion {
             base: self.origin.base,
             offset: self.origin.offset + rho,
             velocity: velocity + sigma,
             acceleration: acceleration + self.vector(x.accel, y.accel),
+            swing: swings.then_some(Swing { omega, alpha, arm: rho }),
         }
     }
 }

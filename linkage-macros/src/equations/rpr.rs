@@ -58,16 +58,17 @@ pub(super) fn rpr<'s>(
         let u = sound.recip() * (s * from - e * from.normal());
         (s, u, s * left.provided(Check::Nonzero, place.group, &[]).recip())
     };
-    let n = u.normal();
-
-    let dv = b.velocity - d.velocity;
-    let omega = (dv.dot(n) - offset.rate) * inverse;
-    let slide_rate =
-        if e.is_zero() { dv.dot(u) } else { (dv.dot(from) - e * offset.rate) * inverse };
-    let da = b.acceleration - d.acceleration;
+    let [along, across] = b.rates_against(d, u);
+    let omega = (across.velocity - offset.rate) * inverse;
+    let slide_rate = if e.is_zero() {
+        along.velocity
+    } else {
+        ((b.velocity - d.velocity).dot(from) - e * offset.rate) * inverse
+    };
     let turning = omega.squared() * e - (omega * slide_rate).twice() - offset.accel;
-    let alpha = (da.dot(n) + turning) * inverse;
-    let slide_accel = da.dot(u) + alpha * e + omega.squared() * s + (omega * offset.rate).twice();
+    let alpha = (across.acceleration + turning) * inverse;
+    let slide_accel =
+        along.acceleration + alpha * e + omega.squared() * s + (omega * offset.rate).twice();
     let slide = Jet { value: s, rate: slide_rate, accel: slide_accel };
     SlottedBar { u, omega, alpha, slide }
 }

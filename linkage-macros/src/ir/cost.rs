@@ -35,11 +35,17 @@ impl AddAssign for Operations {
 pub(crate) fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
     let live = live(graph, sinks, Course::Straight);
     let mut total = Operations::default();
-    let mut turned = HashSet::new();
+    let (mut turned, mut multiplied) = (HashSet::new(), HashSet::new());
     for (_, node) in live_nodes(graph, &live) {
         match node {
             Node::Sin(angle) | Node::Cos(angle) => {
                 total.sines += u32::from(turned.insert(unguarded(graph, angle)));
+            }
+            Node::Mul(a, b) | Node::Fused(a, b, _) => {
+                total.additions += u32::from(matches!(node, Node::Fused(..)));
+                // A product that a fused operation shares with others is computed once where
+                // nothing is fused, and is no operation more where it is.
+                total.multiplications += u32::from(multiplied.insert(factors(graph, a, b)));
             }
             _ => total += of(node),
         }
@@ -47,7 +53,21 @@ pub(crate) fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
     total
 }
 
-/// The operations of one node, sines and cosines excepted: two of them may be one call.
+/// What is multiplied, whatever the signs and the order.
+fn factors(graph: &Graph, a: Id, b: Id) -> [Id; 2] {
+    let mut factors = [a, b].map(|factor| {
+        let mut factor = unguarded(graph, factor);
+        while let Node::Neg(inner) = graph.node(factor) {
+            factor = unguarded(graph, inner);
+        }
+        factor
+    });
+    factors.sort();
+    factors
+}
+
+/// The operations of one node on its own: two sines and cosines may be one call, and two products
+/// one multiplication.
 fn of(node: Node) -> Operations {
     let none = Operations::default();
     match node {
@@ -95,6 +115,18 @@ mod tests {
         let sinks = [Node::Sin(a), Node::Cos(a), Node::Cos(b)].map(|node| graph.push(node));
         assert_eq!(operations(&graph, &sinks).sines, 2);
         assert_eq!(operations(&graph, &sinks[..2]).sines, 1);
+    }
+
+    #[test]
+    fn a_product_of_the_same_factors_is_one_multiplication() {
+        let mut graph = Graph::new();
+        let (a, b) = (input(&mut graph, 0), input(&mut graph, 1));
+        let less = graph.push(Node::Neg(a));
+        let sinks = [Node::Mul(a, b), Node::Fused(less, b, a), Node::Fused(b, a, b)]
+            .map(|node| graph.push(node));
+        let counted = operations(&graph, &sinks);
+        let expected = Operations { additions: 2, multiplications: 1, ..Operations::default() };
+        assert_eq!(counted, expected);
     }
 
     #[test]

@@ -1,25 +1,27 @@
-//! Contracts a sum with a product that only sums use into one fused operation.
+//! Contracts a sum with a product into one fused operation.
 //!
-//! Where the number has a fused operation this saves an instruction and a rounding; where it has
-//! none, the fused node is the product and the sum it was made of. A product or a sum whose
-//! rounding error is asked for stays as it is, because the error would no longer be its own.
+//! Where the number has a fused operation this saves a rounding, and an instruction where nothing
+//! else uses the product; where something does, the sum no longer waits for it. Where the number
+//! has none, the fused node is the product and the sum it was made of, and the compiler computes
+//! a shared product once. A product or a sum whose rounding error is asked for stays as it is,
+//! because the error would no longer be its own.
 
 use crate::ir::construct::rebuild_with;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::liveness::{Course, live};
 use crate::ir::program::Program;
 
-/// The program with products contracted into the sums that alone use them.
+/// The program with products contracted into the sums that use them.
 pub(crate) fn fuse_products(program: &Program) -> Program {
     let graph = &program.graph;
-    let uses = uses(program);
+    let asked = asked_for_errors(program);
     let product = |id: Id| match graph.node(id) {
-        Node::Mul(a, b) if uses[id.index()] == Uses::Sums => Some((a, b)),
+        Node::Mul(a, b) if !asked[id.index()] => Some((a, b)),
         _ => None,
     };
     rebuild_with(program, &[], |maker, id, moved| {
         let node = graph.node(id);
-        if uses[id.index()] == Uses::Error {
+        if asked[id.index()] {
             return None;
         }
         let (a, b) = match node {
@@ -45,33 +47,17 @@ pub(crate) fn fuse_products(program: &Program) -> Program {
     })
 }
 
-/// What a node's value is used for.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Uses {
-    /// Nothing but sums and differences.
-    Sums,
-    Other,
-    /// Somebody asks for the rounding error of this very operation.
-    Error,
-}
-
-fn uses(program: &Program) -> Vec<Uses> {
+/// For every node, whether somebody asks for the rounding error of this very operation.
+fn asked_for_errors(program: &Program) -> Vec<bool> {
     let graph = &program.graph;
-    let sinks = program.sinks();
-    let live = live(graph, &sinks, Course::Careful);
-    let mut uses = vec![Uses::Sums; graph.len()];
-    sinks.iter().for_each(|sink| uses[sink.index()] = Uses::Other);
-    for (_, node) in graph.iter().filter(|(id, _)| live[id.index()]) {
-        if !matches!(node, Node::Add(..) | Node::Sub(..)) {
-            graph.for_operands_of(node, &mut |operand| uses[operand.index()] = Uses::Other);
-        }
-    }
-    keep_asked_errors(graph, &live, &mut uses);
-    uses
+    let live = live(graph, &program.sinks(), Course::Careful);
+    let mut asked = vec![false; graph.len()];
+    mark_asked_errors(graph, &live, &mut asked);
+    asked
 }
 
 /// Marks the products and sums whose rounding errors are asked for.
-fn keep_asked_errors(graph: &Graph, live: &[bool], uses: &mut [Uses]) {
+fn mark_asked_errors(graph: &Graph, live: &[bool], marks: &mut [bool]) {
     for (_, node) in graph.iter().filter(|(id, _)| live[id.index()]) {
         let asked = match node {
             Node::MulErr(a, b) => [graph.find(Node::Mul(a, b)), graph.find(Node::Mul(b, a))],
@@ -79,21 +65,21 @@ fn keep_asked_errors(graph: &Graph, live: &[bool], uses: &mut [Uses]) {
             _ => continue,
         };
         for id in asked.into_iter().flatten() {
-            uses[id.index()] = Uses::Error;
+            marks[id.index()] = true;
         }
         if let Node::AddErr(a, b) = node {
-            keep_difference(graph, a, b, uses);
+            mark_difference(graph, a, b, marks);
         }
     }
 }
 
 /// The error of a + (−b) is asked of the difference a − b.
-fn keep_difference(graph: &Graph, a: Id, b: Id, uses: &mut [Uses]) {
+fn mark_difference(graph: &Graph, a: Id, b: Id, marks: &mut [bool]) {
     for (minuend, subtrahend) in [(a, b), (b, a)] {
         if let Node::Neg(inner) = graph.node(subtrahend)
             && let Some(id) = graph.find(Node::Sub(minuend, inner))
         {
-            uses[id.index()] = Uses::Error;
+            marks[id.index()] = true;
         }
     }
 }

@@ -4,6 +4,7 @@
 //! rounding: x·0, x + 0, x·1, x − x and −(−x) are rewritten; x/x, reassociation and distribution
 //! are not, except among constants, which are exact. Nothing here knows a mechanism.
 
+mod affine;
 mod contract;
 mod fold;
 mod simplify;
@@ -21,6 +22,8 @@ pub(crate) const RULES: &[Rule] = &[fold::fold_constants, simplify::simplify];
 pub(crate) fn optimise(program: &Program) -> Program {
     // Nothing is left that no entry needs.
     let needed = rebuild(program, RULES);
+    // Distances of cranks' pins are affine in the angle's cosine and sine.
+    let needed = affine::square_distances(&needed);
     // A product that only a sum uses is part of a fused operation.
     contract::fuse_products(&needed)
 }

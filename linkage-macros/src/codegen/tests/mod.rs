@@ -166,30 +166,38 @@ fn an_unneeded_sine_is_dropped_and_a_constant_angle_is_not_guarded() {
     assert!(formulas.contains("let _ = theta;"), "an unread argument is named\n{formulas}");
 }
 
-/// The call that a guard becomes, on the square of the angle.
-fn guard(check: Check) -> String {
+/// The calls that a guard becomes, on the square of the angle's sine or tangent less two.
+fn guard(check: &Check, bounded: bool) -> Vec<String> {
     let text = expand(&one_value(|g| {
         let angle = angle(g);
+        // Nothing is known of how large a tangent is.
+        let angle = g.push(if bounded { Node::Sin(angle) } else { Node::Tan(angle) });
         let value = g.push(Node::Mul(angle, angle));
         let operands = vec![angle; 4];
-        g.guard(value, Guard { check, group: 0, operands })
+        let two = g.constant(exact("2"));
+        let value = g.push(Node::Sub(value, two));
+        g.guard(value, Guard { check: check.clone(), group: 0, operands })
     }));
     let formulas = squeezed(function(&text, "formulas_position_"));
-    let (_, call) = formulas.split_once("= guard_.").expect("the guard is called");
-    call.split(';').next().unwrap_or_default().to_string()
+    let calls = formulas.split(" guard_.").skip(1);
+    calls.map(|call| call.split(';').next().unwrap_or_default().to_string()).collect()
 }
 
 #[test]
-fn every_check_has_its_call() {
-    for (check, call) in [
-        (Check::ReachLine, "reach_line(v1_, theta, theta, theta, theta, \"BC, DC\")"),
-        (Check::Nonzero, "nonzero(v1_, \"BC, DC\")"),
-        (Check::Positive("length".to_string()), "positive(v1_, \"BC, DC\", \"length\")"),
-        (Check::Square, "square_of_centres(v1_, theta, theta, theta, theta, \"BC, DC\")"),
-        (Check::ReachCircles, "reach_circles(v1_, theta, theta, theta, theta, \"BC, DC\")"),
+fn every_check_is_marked_and_looked_at() {
+    for (check, mark, look) in [
+        (Check::ReachLine, "at_least", "reach_line(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")"),
+        (Check::Nonzero, "away", "nonzero(v4_, \"BC, DC\")"),
+        (Check::Positive("a".to_string()), "above", "positive(v4_, \"BC, DC\", \"a\")"),
+        (Check::ReachCircles, "above", "reach_circles(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")"),
     ] {
-        assert_eq!(guard(check), call);
+        let mark = format!("{mark}(v4_, T::lit(0.0, 0.0))");
+        assert_eq!(guard(&check, false), [mark, look.to_string()]);
     }
+    let look = "square_of_centres(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")";
+    assert_eq!(guard(&Check::Square, false), ["at_least(v4_, T::smallest_square())", look]);
+    let mark = "at_least(v4_, T::lit(4.6e-277, 8.4e-25))";
+    assert_eq!(guard(&Check::Square, true), ["sin_cos(theta)", mark, look]);
 }
 
 #[test]
@@ -201,8 +209,39 @@ fn what_is_above_zero_is_not_asked_whether_it_is_zero() {
         })
     }));
     let formulas = function(&text, "formulas_position_");
-    assert_eq!(formulas.matches("nonzero_within").count(), 1, "{formulas}");
-    assert_eq!(formulas.matches("nonzero").count(), 1, "{formulas}");
+    assert_eq!(formulas.matches(".above").count(), 1, "{formulas}");
+    assert_eq!(formulas.matches(".away").count(), 0, "{formulas}");
+    assert_eq!(formulas.matches(".nonzero").count(), 1, "{formulas}");
+}
+
+/// The mask of the straight line on a quotient of two numbers made from the angle's sine.
+fn mask(divisor: impl FnOnce(&mut Graph, Id) -> Id) -> String {
+    let text = expand(&one_value(|g| {
+        let angle = angle(g);
+        let sine = g.push(Node::Sin(angle));
+        let divisor = divisor(g, sine);
+        let group = Guard { check: Check::Nonzero, group: 0, operands: Vec::new() };
+        let divisor = g.guard(divisor, group);
+        g.push(Node::Div(sine, divisor))
+    }));
+    squeezed(function(&text, "core_position_"))
+}
+
+#[test]
+fn bounds_are_asked_in_place_of_results() {
+    let known = mask(|g, sine| {
+        let two = g.constant(exact("2"));
+        g.push(Node::Add(two, sine))
+    });
+    assert!(
+        known.contains(
+            "(if T::plain(true, true) { <T::Mask as private::Mask>::ALL } \
+             else { T::is_finite(result_.y) })"
+        ),
+        "{known}"
+    );
+    let unknown = mask(|g, sine| g.push(Node::Tan(sine)));
+    assert!(unknown.contains("marks_.all() & T::is_finite(result_.y)"), "{unknown}");
 }
 
 #[test]

@@ -3,7 +3,9 @@
 //!
 //! A budget counts what an output costs beyond the declaration without it: additions,
 //! multiplications, divisions, roots, and sine-cosine pairs, a fused operation counting as an
-//! addition and a multiplication. Lowering a number is welcome; raising one needs a reason.
+//! addition and a multiplication. Lowering a number is welcome; raising one needs a reason. The
+//! affine square of a distance is one addition more than the sum of squares beside a pivot that
+//! lies aside of the crank's axes, and known three operations earlier; on the axis it is less.
 
 use crate::ir::cost::{Operations, operations};
 use crate::ir::program::EntryKind;
@@ -95,65 +97,65 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
     (
         "rrr, pin",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output C;"),
-        [10, 14, 1, 1, 1],
-        [24, 48, 2, 1, 1],
+        [11, 14, 1, 1, 1],
+        [25, 45, 2, 1, 1],
     ),
     (
         "rrr, axis-parallel pivots",
         after_crank!("rrr BC(B), EC(E) -> C { lengths: (0.8, 0.5), mode: left } output C;"),
-        [8, 14, 1, 1, 1],
-        [22, 48, 2, 1, 1],
+        [8, 13, 1, 1, 1],
+        [22, 44, 2, 1, 1],
     ),
     (
         "rrr, equal bars",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.8), mode: left } output C;"),
-        [8, 12, 1, 1, 1],
-        [21, 44, 2, 1, 1],
+        [9, 12, 1, 1, 1],
+        [22, 40, 2, 1, 1],
     ),
     (
         "rrr, first bar",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output BC;"),
-        [8, 16, 1, 1, 1],
-        [20, 44, 2, 1, 1],
+        [9, 16, 1, 1, 1],
+        [21, 43, 2, 1, 1],
     ),
     (
         "rrr, both bars and pin",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output BC, DC, C;"),
-        [13, 22, 1, 1, 1],
-        [25, 55, 2, 1, 1],
+        [14, 21, 1, 1, 1],
+        [26, 52, 2, 1, 1],
     ),
     (
         "rrr, coupler point",
         after_crank!(
             "rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } point P on BC at (0.3, 0.1); output P;"
         ),
-        [12, 18, 1, 1, 1],
-        [30, 52, 2, 1, 1],
+        [13, 18, 1, 1, 1],
+        [31, 51, 2, 1, 1],
     ),
     (
         "rrr, a length to tune",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (p, 0.5), mode: left } output C;"),
-        [11, 17, 2, 1, 1],
-        [25, 52, 3, 1, 1],
+        [12, 17, 2, 1, 1],
+        [26, 50, 3, 1, 1],
     ),
     (
         "rrr on moving points",
         after_crank!("rrr BC(B), FC(F) -> C { lengths: (0.8, 0.7), mode: left } output C;"),
         [11, 16, 1, 1, 2],
-        [33, 54, 2, 1, 2],
+        [33, 53, 2, 1, 2],
     ),
     (
         "rrr with a cylinder",
         after_crank!(
             "rrr BC(B), DC(D) -> C { lengths: (0.8 + 0.1m * q, 0.5), mode: left } output C;"
         ),
-        [12, 18, 2, 1, 1],
-        [32, 65, 4, 1, 1],
+        [13, 18, 2, 1, 1],
+        [33, 63, 4, 1, 1],
     ),
     (
         "rrp on a level guide",
         after_crank!("rrp BC(B), block(level) -> C { length: 0.9, mode: ahead } output C;"),
-        [4, 3, 0, 1, 1],
+        [3, 3, 0, 1, 1],
         [10, 18, 1, 1, 1],
     ),
     (
@@ -161,13 +163,13 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         after_crank!(
             "rrp BC(B), block(level) -> C { length: 0.9, offset: 0.05, mode: ahead } output C;"
         ),
-        [5, 3, 0, 1, 1],
-        [11, 18, 1, 1, 1],
+        [4, 3, 0, 1, 1],
+        [10, 18, 1, 1, 1],
     ),
     (
         "rrp on an upright guide",
         after_crank!("rrp BC(B), block(post) -> C { length: 0.9, mode: ahead } output C;"),
-        [4, 3, 0, 1, 1],
+        [3, 3, 0, 1, 1],
         [10, 18, 1, 1, 1],
     ),
     (
@@ -180,7 +182,7 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         "rrp on a moving guide",
         after_crank!("rrp BC(B), block(way) -> C { length: 1.9, mode: ahead } output C;"),
         [14, 17, 0, 1, 2],
-        [41, 57, 1, 1, 2],
+        [41, 55, 1, 1, 2],
     ),
     (
         "rrp, slide",
@@ -190,18 +192,18 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         [7, 7, 0, 1, 1],
         [17, 30, 1, 1, 1],
     ),
-    ("rpr", after_crank!("rpr block(B), bar(D) {} output bar;"), [3, 7, 1, 1, 1], [9, 24, 1, 1, 1]),
+    ("rpr", after_crank!("rpr block(B), bar(D) {} output bar;"), [4, 7, 1, 1, 1], [8, 20, 1, 1, 1]),
     (
         "rpr with slide",
         after_crank!("rpr block(B), bar(D) {} output block;"),
-        [3, 7, 1, 1, 1],
-        [11, 28, 1, 1, 1],
+        [4, 7, 1, 1, 1],
+        [10, 24, 1, 1, 1],
     ),
     (
         "rpr with offset",
         after_crank!("rpr block(B), bar(D) { offset: 0.1 } output block;"),
         [17, 12, 1, 1, 1],
-        [27, 37, 2, 1, 1],
+        [26, 36, 2, 1, 1],
     ),
     (
         "rpr about a moving pivot",

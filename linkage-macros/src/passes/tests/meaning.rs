@@ -6,15 +6,16 @@ use crate::ir::construct::{Rule, rebuild};
 use crate::ir::interpret::Given;
 use crate::ir::program::{EntryKind, Program};
 use crate::oracle::{Digits, defaults, mechanism, values};
-use crate::passes::{RULES, contract, fold, optimise, simplify};
+use crate::passes::{RULES, affine, contract, fold, optimise, simplify};
 
 #[test]
 fn no_pass_changes_a_value() {
     type Pass = fn(&Program) -> Program;
-    let passes: [(&str, Pass); 5] = [
+    let passes: [(&str, Pass); 6] = [
         ("fold", |program| rebuild(program, &[fold::fold_constants as Rule])),
         ("simplify", |program| rebuild(program, &[simplify::simplify as Rule])),
         ("both", |program| rebuild(program, RULES)),
+        ("affine", affine::square_distances),
         ("fuse", contract::fuse_products),
         ("all", optimise),
     ];

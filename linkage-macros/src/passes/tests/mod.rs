@@ -1,5 +1,6 @@
 //! Every pass: what it rewrites, what it leaves alone, and that it changes no meaning.
 
+mod affine;
 mod budgets;
 mod growth;
 mod meaning;

@@ -1,0 +1,367 @@
+//! How large the values of a graph can become in floating-point arithmetic.
+//!
+//! Where every input is bounded and every divisor bounded away from zero, intervals show that no
+//! value overflows, and then none needs to be asked whether it is finite: it is enough to ask the
+//! inputs and the divisors, which are known early. An interval is widened by more than the
+//! rounding of either width at every node, so it holds for the computed values, not for the real
+//! ones alone.
+
+use std::collections::HashMap;
+
+use crate::ir::graph::{Check, Graph, Id, Node};
+use crate::ir::liveness::unguarded;
+
+/// What is assumed of one width of numbers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    /// The largest magnitude of an input that is not an angle in a sine, and of its rate; of its
+    /// second rate the square of it.
+    pub input: f64,
+    /// The least magnitude of a divisor that a guard keeps from zero, as a share of its largest.
+    pub share: f64,
+    /// The smallest square of full precision.
+    pub square: f64,
+    /// What is not to be exceeded.
+    pub largest: f64,
+}
+
+/// What the straight line has to ask where no result can overflow: the least value, or magnitude,
+/// of what each guard guards, by the unguarded node. Zero where the sign is enough, and
+/// `None` where nothing is left to ask.
+pub(crate) type Floors = HashMap<Id, Option<f64>>;
+
+/// More than the relative error of any operation in either width.
+const SLACK: f64 = 1e-6;
+
+/// The largest magnitude of a cosine or sine that is given: that of one, and a margin for what
+/// delivers it.
+pub(crate) const CIRCLE: f64 = 1.0625;
+
+/// More than what underflow takes from a value in either width.
+const TINY: f64 = 1e-35;
+
+/// The values that a node can take: `low ≤ x ≤ high`, and |x| ≥ `away`.
+#[derive(Clone, Copy, Debug)]
+struct Range {
+    low: f64,
+    high: f64,
+    away: f64,
+}
+
+/// The floors of all guards among the live nodes under the limits, if every live value is bounded.
+pub(crate) fn floors(graph: &Graph, live: &[bool], limits: &Limits) -> Option<Floors> {
+    let mut bounds =
+        Bounds { graph, limits, ranges: vec![None; graph.len()], floors: HashMap::new() };
+    for (id, node) in graph.iter().filter(|(id, _)| live[id.index()]) {
+        let range = bounds.range(node)?;
+        let fits = range.largest() < limits.largest;
+        bounds.ranges[id.index()] = fits.then_some(range);
+        bounds.ranges[id.index()]?;
+    }
+    Some(bounds.floors)
+}
+
+struct Bounds<'a> {
+    graph: &'a Graph,
+    limits: &'a Limits,
+    ranges: Vec<Option<Range>>,
+    floors: Floors,
+}
+
+impl Bounds<'_> {
+    fn of(&self, id: Id) -> Option<Range> {
+        self.ranges[id.index()]
+    }
+
+    fn range(&mut self, node: Node) -> Option<Range> {
+        let limits = self.limits;
+        Some(match node {
+            Node::Constant(constant) => Range::point(self.graph.value(constant).to_f64()),
+            Node::Low(constant) => Range::about(self.graph.value(constant).to_f64().abs() * SLACK),
+            Node::Input { order: 0 | 1, .. } => Range::about(limits.input),
+            Node::Input { .. } => Range::about(limits.input * limits.input),
+            Node::InputCos(_) | Node::InputSin(_) => Range::about(CIRCLE),
+            Node::Sin(angle) | Node::Cos(angle) => {
+                self.of(angle)?;
+                Range::about(1.0).rounded()
+            }
+            // A parameter can be anything.
+            Node::Param(_) => return None,
+            Node::Mode(_) => Range { low: -1.0, high: 1.0, away: 1.0 },
+            Node::Neg(a) => self.of(a)?.negated(),
+            Node::Add(a, b) => self.of(a)?.plus(self.of(b)?).rounded(),
+            Node::Sub(a, b) => self.of(a)?.plus(self.of(b)?.negated()).rounded(),
+            Node::Mul(a, b) => self.product(a, b)?.rounded(),
+            Node::Fused(a, b, c) => self.product(a, b)?.rounded().plus(self.of(c)?).rounded(),
+            Node::Det([a, b, c, d]) => {
+                self.product(a, b)?.plus(self.product(c, d)?.negated()).rounded()
+            }
+            Node::Div(a, b) => self.quotient(a, b)?.rounded(),
+            Node::Sqrt(a) => self.of(a)?.root()?.rounded(),
+            Node::Hypot(a, b) => {
+                Range::about(self.of(a)?.largest() + self.of(b)?.largest()).rounded()
+            }
+            Node::MulErr(a, b) => Range::about(self.product(a, b)?.largest() * SLACK),
+            Node::AddErr(a, b) => Range::about(self.of(a)?.plus(self.of(b)?).largest() * SLACK),
+            Node::Asin(a) | Node::Acos(a) | Node::Atan(a) => {
+                self.of(a)?;
+                Range::about(3.2)
+            }
+            Node::Atan2(a, b) => {
+                self.of(a)?;
+                self.of(b)?;
+                Range::about(3.2)
+            }
+            Node::Tan(_) => return None,
+            Node::Guard(value, guard) => {
+                let check = &self.graph.condition(guard).check;
+                self.guarded(value, check)?
+            }
+        })
+    }
+
+    fn product(&self, a: Id, b: Id) -> Option<Range> {
+        let (x, y) = (self.of(a)?, self.of(b)?);
+        Some(if unguarded(self.graph, a) == unguarded(self.graph, b) {
+            x.squared()
+        } else {
+            x.times(y)
+        })
+    }
+
+    /// √x/x is 1/√x: the quotient of the two ranges would be far too wide.
+    fn quotient(&self, a: Id, b: Id) -> Option<Range> {
+        let (x, y) = (self.of(a)?, self.of(b)?);
+        match self.graph.node(unguarded(self.graph, a)) {
+            Node::Sqrt(under) if unguarded(self.graph, under) == unguarded(self.graph, b) => {
+                y.root()?.reciprocal()
+            }
+            _ => Some(x.times(y.reciprocal()?)),
+        }
+    }
+
+    /// The range that the straight line goes on with, once it has asked for the floor.
+    fn guarded(&mut self, value: Id, check: &Check) -> Option<Range> {
+        let range = self.of(value)?;
+        let share = self.limits.share * range.largest();
+        let least = match check {
+            Check::Square => self.limits.square.max(share),
+            _ => share,
+        };
+        let known = match check {
+            Check::Nonzero => range.away,
+            _ => range.low,
+        };
+        let floor = (known <= least || known <= 0.0).then_some(least);
+        if range.largest() <= least {
+            return None;
+        }
+        let id = unguarded(self.graph, value);
+        let asked = self.floors.entry(id).or_insert(floor);
+        // Asked more than once, a value is asked for the most.
+        *asked = match (*asked, floor) {
+            (Some(one), Some(other)) => Some(one.max(other)),
+            (one, other) => one.or(other),
+        };
+        Some(match (floor, check) {
+            (None, _) => range,
+            (Some(least), Check::Nonzero) => Range { away: least, ..range },
+            (Some(least), _) => Range { low: least, away: least, ..range },
+        })
+    }
+}
+
+impl Range {
+    fn point(value: f64) -> Self {
+        Self { low: value, high: value, away: value.abs() }.rounded()
+    }
+
+    /// From −`magnitude` to `magnitude`.
+    fn about(magnitude: f64) -> Self {
+        Self { low: -magnitude, high: magnitude, away: 0.0 }
+    }
+
+    fn of(low: f64, high: f64) -> Self {
+        let away = if low > 0.0 {
+            low
+        } else if high < 0.0 {
+            -high
+        } else {
+            0.0
+        };
+        Self { low, high, away }
+    }
+
+    fn largest(self) -> f64 {
+        self.low.abs().max(self.high.abs())
+    }
+
+    /// With the rounding of the operation that made it, which does not change a sign.
+    fn rounded(self) -> Self {
+        let slack = SLACK * self.largest() + TINY;
+        let inward = |x: f64| (x * (1.0 - SLACK) - TINY).max(0.0);
+        Self {
+            low: if self.low >= 0.0 { inward(self.low) } else { self.low - slack },
+            high: if self.high <= 0.0 { -inward(-self.high) } else { self.high + slack },
+            away: inward(self.away),
+        }
+    }
+
+    fn negated(self) -> Self {
+        Self { low: -self.high, high: -self.low, ..self }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self::of(self.low + other.low, self.high + other.high)
+    }
+
+    fn times(self, other: Self) -> Self {
+        let corners = [
+            self.low * other.low,
+            self.low * other.high,
+            self.high * other.low,
+            self.high * other.high,
+        ];
+        let (low, high) = corners
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)));
+        Self { low, high, away: self.away * other.away }
+    }
+
+    fn squared(self) -> Self {
+        let (low, high) = (self.away * self.away, self.largest() * self.largest());
+        Self { low, high, away: low }
+    }
+
+    fn reciprocal(self) -> Option<Self> {
+        let (least, most) = (1.0 / self.largest(), 1.0 / self.away);
+        if !most.is_finite() {
+            return None;
+        }
+        Some(if self.low > 0.0 {
+            Self::of(least, most)
+        } else if self.high < 0.0 {
+            Self::of(-most, -least)
+        } else {
+            Self { low: -most, high: most, away: least }
+        })
+    }
+
+    /// The root, of what cannot be negative.
+    fn root(self) -> Option<Self> {
+        (self.low >= 0.0).then(|| Self::of(self.low.sqrt(), self.high.sqrt()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Exact;
+    use crate::ir::graph::Guard;
+
+    const WIDE: Limits = Limits { input: 1e60, share: 1e-30, square: 1e-276, largest: 1e300 };
+
+    struct Sample {
+        graph: Graph,
+        angle: Id,
+        rate: Id,
+    }
+
+    fn sample() -> Sample {
+        let mut graph = Graph::new();
+        let angle = graph.push(Node::Input { input: 0, order: 0 });
+        let rate = graph.push(Node::Input { input: 0, order: 1 });
+        Sample { graph, angle, rate }
+    }
+
+    impl Sample {
+        fn number(&mut self, value: f64) -> Id {
+            self.graph.constant(Exact::float(value).unwrap())
+        }
+
+        fn push(&mut self, node: Node) -> Id {
+            self.graph.push(node)
+        }
+
+        fn guard(&mut self, value: Id, check: Check) -> Id {
+            self.graph.guard(value, Guard { check, group: 0, operands: Vec::new() })
+        }
+
+        /// a + b·cos θ.
+        fn affine(&mut self, a: f64, b: f64) -> Id {
+            let (cos, a, b) = (self.push(Node::Cos(self.angle)), self.number(a), self.number(b));
+            let product = self.push(Node::Mul(b, cos));
+            self.push(Node::Add(a, product))
+        }
+
+        fn floors(&self, limits: &Limits) -> Option<Floors> {
+            floors(&self.graph, &vec![true; self.graph.len()], limits)
+        }
+    }
+
+    #[test]
+    fn what_is_known_to_be_large_is_not_asked() {
+        let mut sample = sample();
+        let square = sample.affine(3.0, 2.0);
+        let sound = sample.guard(square, Check::Square);
+        let one = sample.number(1.0);
+        sample.push(Node::Div(one, sound));
+        assert_eq!(sample.floors(&WIDE).unwrap()[&square], None);
+    }
+
+    #[test]
+    fn a_divisor_that_may_vanish_has_a_floor_and_a_root_has_not() {
+        let mut sample = sample();
+        let product = sample.affine(2.0, 2.0);
+        let reach = sample.guard(product, Check::ReachCircles);
+        let root = sample.push(Node::Sqrt(reach));
+        let loose = Limits { share: 0.0, ..WIDE };
+        assert_eq!(sample.floors(&loose).unwrap()[&product], Some(0.0));
+        // Behind 1/√x the sign alone is not enough.
+        sample.push(Node::Div(root, reach));
+        assert!(sample.floors(&loose).is_none());
+        let floor = sample.floors(&WIDE).unwrap()[&product].unwrap();
+        assert!((floor / 4e-30 - 1.0).abs() < 1e-5, "{floor}");
+    }
+
+    #[test]
+    fn overflow_is_found_at_the_node_where_it_happens() {
+        let mut sample = sample();
+        let square = sample.push(Node::Mul(sample.rate, sample.rate));
+        assert!(sample.floors(&WIDE).is_some());
+        let fourth = sample.push(Node::Mul(square, square));
+        assert!(sample.floors(&WIDE).is_some());
+        sample.push(Node::Mul(fourth, square));
+        assert!(sample.floors(&WIDE).is_none());
+    }
+
+    #[test]
+    fn a_square_is_not_negative_and_a_product_may_be() {
+        let mut sample = sample();
+        let sine = sample.push(Node::Sin(sample.angle));
+        let cosine = sample.push(Node::Cos(sample.angle));
+        let square = sample.push(Node::Mul(sine, sine));
+        sample.push(Node::Sqrt(square));
+        assert!(sample.floors(&WIDE).is_some());
+        let product = sample.push(Node::Mul(sine, cosine));
+        sample.push(Node::Sqrt(product));
+        assert!(sample.floors(&WIDE).is_none());
+    }
+
+    #[test]
+    fn a_product_that_underflows_is_not_away_from_zero() {
+        let mut sample = sample();
+        let small = sample.number(1e-20);
+        let square = sample.push(Node::Mul(small, small));
+        let one = sample.number(1.0);
+        sample.push(Node::Div(one, square));
+        assert!(sample.floors(&WIDE).is_none());
+    }
+
+    #[test]
+    fn a_parameter_may_be_anything() {
+        let mut sample = sample();
+        sample.push(Node::Param(0));
+        assert!(sample.floors(&WIDE).is_none());
+    }
+}

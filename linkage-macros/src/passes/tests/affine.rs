@@ -1,0 +1,75 @@
+//! Squares of distances next to a crank: which become affine, and what of.
+
+use crate::exact::Exact;
+use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::program::{Entry, EntryKind, Program};
+use crate::ir::text::text;
+use crate::passes::affine::square_distances;
+
+fn c(graph: &mut Graph, digits: &str) -> Id {
+    graph.constant(Exact::decimal(digits).expect("a decimal literal"))
+}
+
+/// The square of the distance from (x, y) to the end of a crank of the length, after the pass.
+fn square(x: &str, y: &str, length: &str, and: impl FnOnce(&mut Graph, [Id; 2]) -> Id) -> String {
+    let mut g = Graph::new();
+    let angle = g.push(Node::Input { input: 0, order: 0 });
+    let (cos, sin) = (g.push(Node::Cos(angle)), g.push(Node::Sin(angle)));
+    let length = c(&mut g, length);
+    let squares = [(x, cos), (y, sin)].map(|(pivot, part)| {
+        let (pivot, part) = (c(&mut g, pivot), g.push(Node::Mul(length, part)));
+        let component = g.push(Node::Sub(pivot, part));
+        g.push(Node::Mul(component, component))
+    });
+    let sink = and(&mut g, squares);
+    let entries = vec![Entry { kind: EntryKind::Position, sinks: vec![sink] }];
+    text(&square_distances(&Program {
+        graph: g,
+        entries,
+        clearances: Vec::new(),
+        groups: Vec::new(),
+    }))
+}
+
+fn sum(g: &mut Graph, [xx, yy]: [Id; 2]) -> Id {
+    g.push(Node::Add(xx, yy))
+}
+
+/// Whether the text computes a constant plus or minus a multiple of the cosine, by the constant.
+fn starts_at(text: &str, constant: &str) -> bool {
+    text.contains(&format!(" = {constant}\n"))
+}
+
+#[test]
+fn a_distance_that_at_most_doubles_is_affine() {
+    // 3² + 1 − 2·3·cos θ: from 2 to 4.
+    let beside = square("3", "0", "1", sum);
+    assert!(starts_at(&beside, "10") && beside.contains(" = 6\n"), "{beside}");
+    assert!(beside.contains("mul %13 %1\n"), "{beside}");
+    assert!(beside.trim_end().ends_with("%16 = sub %11 %14\nPosition: %16"), "{beside}");
+    // The pivot inside the circle: 1 + 3² − 2·3·sin θ.
+    let inside = square("0", "1", "3", sum);
+    assert!(starts_at(&inside, "10") && inside.contains(" = 6\n"), "{inside}");
+    // Aside of both axes: 3² + 4² + 0.5² − 3 cos θ − 4 sin θ.
+    let aside = square("3", "4", "0.5", sum);
+    assert!(
+        starts_at(&aside, "25.25") && aside.contains(" = -3\n") && aside.contains(" = -4\n"),
+        "{aside}"
+    );
+}
+
+#[test]
+fn a_distance_that_more_than_doubles_stays_a_sum_of_squares() {
+    for near in [square("3", "0", "1.01", sum), square("1", "0", "1.1", sum)] {
+        assert!(near.trim_end().ends_with("%13 = add %7 %11\nPosition: %13"), "{near}");
+    }
+}
+
+#[test]
+fn what_is_asked_for_its_rounding_error_stays_a_sum_of_squares() {
+    let kept = square("3", "0", "1", |g, [xx, yy]| {
+        let (square, error) = (g.push(Node::Add(xx, yy)), g.push(Node::AddErr(xx, yy)));
+        g.push(Node::Add(square, error))
+    });
+    assert!(!starts_at(&kept, "10"), "{kept}");
+}
