@@ -3,11 +3,12 @@
 mod c_export;
 mod expanded;
 mod fixture;
+mod guards;
 mod spans;
 mod turning;
 
 use super::generate;
-use crate::ir::graph::{Check, Graph, Guard, Id, Node};
+use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::program::Program;
 use crate::model::mechanism::Mechanism;
 use fixture::{exact, four_bar, one_value, table};
@@ -103,44 +104,6 @@ fn docs_pass_the_users_words_on_and_say_what_a_thing_is() {
 }
 
 #[test]
-fn a_guard_is_given_what_it_looks_at_and_its_value_goes_on() {
-    let text = expand(&one_value(|g| {
-        let (angle, l1) = (angle(g), g.constant(exact("0.25")));
-        let looked_at = g.push(Node::Hypot(angle, angle));
-        let operands = vec![looked_at, looked_at, l1, l1];
-        let guarded = g.guard(angle, Guard { check: Check::ReachCircles, group: 0, operands });
-        g.push(Node::Sqrt(guarded))
-    }));
-    let formulas = squeezed(function(&text, "formulas_position_"));
-    assert!(formulas.contains("let v2_ = T::hypot(theta, theta);"), "{formulas}");
-    let call = "let v3_ = guard_.reach_circles(theta, v2_, v2_, T::lit(0.25, 0.25), \
-                T::lit(0.25, 0.25), \"BC, DC\"); let v4_ = T::sqrt(v3_);";
-    assert!(formulas.contains(call), "{formulas}");
-}
-
-#[test]
-fn formulas_are_read_under_marks_and_under_findings() {
-    let text = expand(&one_value(|g| {
-        let angle = angle(g);
-        g.guard(angle, Guard { check: Check::Nonzero, group: 0, operands: Vec::new() })
-    }));
-    let straight = squeezed(function(&text, "core_position_"));
-    let marks = "let mut marks_ = private::Marks::new(); \
-                 let result_ = self.formulas_position_(&mut marks_, theta); \
-                 (result_, marks_.all() & T::is_finite(result_.y))";
-    assert!(straight.contains(marks), "{straight}");
-    let careful = squeezed(function(&text, "explain_position_"));
-    let findings = "let mut findings_ = private::Findings::new(); \
-                    let result_ = self.formulas_position_(&mut findings_, theta); \
-                    findings_.first()?;";
-    assert!(careful.contains(findings), "{careful}");
-    let inputs = careful.find("finite_input(").expect("what is given is looked at");
-    let results = careful.find("finite_result(").expect("and what comes out");
-    let formulas = careful.find("formulas_position_").expect("the formulas stand between");
-    assert!(inputs < formulas && formulas < results, "{careful}");
-}
-
-#[test]
 fn sine_and_cosine_are_one_call() {
     let text = expand(&one_value(|g| {
         let angle = angle(g);
@@ -164,84 +127,6 @@ fn an_unneeded_sine_is_dropped_and_a_constant_angle_is_not_guarded() {
     assert!(formulas.contains(call), "{formulas}");
     assert!(formulas.contains("let _ = guard_;"), "an unread argument is named\n{formulas}");
     assert!(formulas.contains("let _ = theta;"), "an unread argument is named\n{formulas}");
-}
-
-/// The calls that a guard becomes, on the square of the angle's sine or tangent less two.
-fn guard(check: &Check, bounded: bool) -> Vec<String> {
-    let text = expand(&one_value(|g| {
-        let angle = angle(g);
-        // Nothing is known of how large a tangent is.
-        let angle = g.push(if bounded { Node::Sin(angle) } else { Node::Tan(angle) });
-        let value = g.push(Node::Mul(angle, angle));
-        let operands = vec![angle; 4];
-        let two = g.constant(exact("2"));
-        let value = g.push(Node::Sub(value, two));
-        g.guard(value, Guard { check: check.clone(), group: 0, operands })
-    }));
-    let formulas = squeezed(function(&text, "formulas_position_"));
-    let calls = formulas.split(" guard_.").skip(1);
-    calls.map(|call| call.split(';').next().unwrap_or_default().to_string()).collect()
-}
-
-#[test]
-fn every_check_is_marked_and_looked_at() {
-    for (check, mark, look) in [
-        (Check::ReachLine, "at_least", "reach_line(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")"),
-        (Check::Nonzero, "away", "nonzero(v4_, \"BC, DC\")"),
-        (Check::Positive("a".to_string()), "above", "positive(v4_, \"BC, DC\", \"a\")"),
-        (Check::ReachCircles, "above", "reach_circles(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")"),
-    ] {
-        let mark = format!("{mark}(v4_, T::lit(0.0, 0.0))");
-        assert_eq!(guard(&check, false), [mark, look.to_string()]);
-    }
-    let look = "square_of_centres(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")";
-    assert_eq!(guard(&Check::Square, false), ["at_least(v4_, T::smallest_square())", look]);
-    let mark = "at_least(v4_, T::lit(4.6e-277, 8.4e-25))";
-    assert_eq!(guard(&Check::Square, true), ["sin_cos(theta)", mark, look]);
-}
-
-#[test]
-fn what_is_above_zero_is_not_asked_whether_it_is_zero() {
-    let text = expand(&one_value(|g| {
-        let angle = angle(g);
-        [Check::ReachCircles, Check::Nonzero].into_iter().fold(angle, |value, check| {
-            g.guard(value, Guard { check, group: 0, operands: vec![angle; 4] })
-        })
-    }));
-    let formulas = function(&text, "formulas_position_");
-    assert_eq!(formulas.matches(".above").count(), 1, "{formulas}");
-    assert_eq!(formulas.matches(".away").count(), 0, "{formulas}");
-    assert_eq!(formulas.matches(".nonzero").count(), 1, "{formulas}");
-}
-
-/// The mask of the straight line on a quotient of two numbers made from the angle's sine.
-fn mask(divisor: impl FnOnce(&mut Graph, Id) -> Id) -> String {
-    let text = expand(&one_value(|g| {
-        let angle = angle(g);
-        let sine = g.push(Node::Sin(angle));
-        let divisor = divisor(g, sine);
-        let group = Guard { check: Check::Nonzero, group: 0, operands: Vec::new() };
-        let divisor = g.guard(divisor, group);
-        g.push(Node::Div(sine, divisor))
-    }));
-    squeezed(function(&text, "core_position_"))
-}
-
-#[test]
-fn bounds_are_asked_in_place_of_results() {
-    let known = mask(|g, sine| {
-        let two = g.constant(exact("2"));
-        g.push(Node::Add(two, sine))
-    });
-    assert!(
-        known.contains(
-            "(if T::plain(true, true) { <T::Mask as private::Mask>::ALL } \
-             else { T::is_finite(result_.y) })"
-        ),
-        "{known}"
-    );
-    let unknown = mask(|g, sine| g.push(Node::Tan(sine)));
-    assert!(unknown.contains("marks_.all() & T::is_finite(result_.y)"), "{unknown}");
 }
 
 #[test]
