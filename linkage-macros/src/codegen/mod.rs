@@ -43,6 +43,7 @@ use self::finite::Bounds;
 use self::locals::Locals;
 use self::names::Names;
 use self::paths::Paths;
+use crate::ir::cost::Operations;
 use crate::ir::program::{Entry, EntryKind, Program};
 use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
@@ -92,6 +93,7 @@ struct Context<'a> {
     paths: Paths,
     names: Names,
     locals: Locals,
+    costs: HashMap<EntryKind, Operations>,
     /// By the entry point that leads a function of formulas.
     bounds: HashMap<EntryKind, Bounds>,
 }
@@ -100,7 +102,9 @@ impl<'a> Context<'a> {
     fn new(mechanism: &'a Mechanism, program: &'a Program) -> Self {
         let (paths, names) = (Paths::new(mechanism), Names::new(mechanism));
         let (locals, bounds) = (Locals::new(mechanism, program), HashMap::new());
-        let mut cx = Self { mechanism, program, paths, names, locals, bounds };
+        let costs = HashMap::new();
+        let mut cx = Self { mechanism, program, paths, names, locals, costs, bounds };
+        cx.costs = cost::all(&cx);
         cx.bounds = finite::all(&cx);
         cx
     }

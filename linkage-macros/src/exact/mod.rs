@@ -180,6 +180,20 @@ impl Exact {
         }
     }
 
+    /// The first of the integers that the number is.
+    pub(crate) fn first_of(&self, integers: &[i64]) -> Option<usize> {
+        // Nearly every number is known to be none of them from one coarse enclosure.
+        if let (Form::Sum(_), Some(coarse)) = (&self.form, self.enclose(Enclosure::MIN_BITS)) {
+            let integer = |value| Enclosure::integer(value, coarse.bits());
+            let is_other =
+                |&value: &i64| coarse.sub(&integer(value)).sign().is_some_and(Ordering::is_ne);
+            if integers.iter().all(is_other) {
+                return None;
+            }
+        }
+        integers.iter().position(|&value| self.cmp_value(&Self::integer(value)).is_eq())
+    }
+
     /// The order against zero: exact for rationals; an expression whose enclosure still holds
     /// zero at the finest precision counts as zero.
     pub(crate) fn signum(&self) -> Ordering {
