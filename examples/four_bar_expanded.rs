@@ -35,13 +35,13 @@
 ///   pair
 /// - `velocity`: 12 additions, 28 multiplications, 2 divisions, 1 square root and 1 sine-cosine
 ///   pair
-/// - `motion`: 23 additions, 51 multiplications, 2 divisions, 1 square root and 1 sine-cosine
+/// - `motion`: 24 additions, 53 multiplications, 2 divisions, 1 square root and 1 sine-cosine
 ///   pair
 /// - `coefficients`: 12 additions, 26 multiplications, 2 divisions, 1 square root and 1
 ///   sine-cosine pair
 /// - `position_at`: 11 additions, 20 multiplications, 1 division and 1 square root
 /// - `velocity_at`: 12 additions, 28 multiplications, 2 divisions and 1 square root
-/// - `motion_at`: 23 additions, 51 multiplications, 2 divisions and 1 square root
+/// - `motion_at`: 24 additions, 53 multiplications, 2 divisions and 1 square root
 #[::linkage_core::private::derive(
     ::linkage_core::private::Clone,
     ::linkage_core::private::Copy,
@@ -183,8 +183,8 @@ const _: () = {
                 sines: 1,
             },
             motion: private::Operations {
-                additions: 23,
-                multiplications: 51,
+                additions: 24,
+                multiplications: 53,
                 divisions: 2,
                 roots: 1,
                 sines: 1,
@@ -302,7 +302,7 @@ const _: () = {
         ///
         /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s².
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 23 additions, 51 multiplications, 2
+        /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 53 multiplications, 2
         /// divisions, 1 square root and 1 sine-cosine pair.
         #[inline]
         #[must_use]
@@ -447,7 +447,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine, its rate in rad/s, its second rate in rad/s².
         ///
-        /// Where the mask says no, the numbers mean nothing. Costs 23 additions, 51 multiplications, 2
+        /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 53 multiplications, 2
         /// divisions and 1 square root.
         #[inline]
         #[must_use]
@@ -528,48 +528,49 @@ const _: () = {
             };
             let b_x_ = T::lit(0.1016, 0.1016) * cos;
             let b_y_ = T::lit(0.1016, 0.1016) * sin;
-            let v145_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
-            let v147_ =
+            let v161_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
+            let v163_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
-            let v148_ = guard_.square_of_centres(
-                v147_,
-                v145_,
+            let v164_ = guard_.square_of_centres(
+                v163_,
+                v161_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v149_ = T::lit(1.0, 1.0) / v148_;
-            let v150_ = v147_ - T::lit(0.00580644, 0.00580644);
-            let v151_ = T::lit(5.535725357165, 5.5357256) * v150_;
-            let v152_ = T::fused(-T::lit(5.535725357165, 5.5357256), v150_, T::lit(1.0, 1.0));
-            let v153_ = v151_ * v152_;
-            let v154_ = guard_.reach_circles(
-                v153_,
-                v145_,
+            let v165_ = T::lit(1.0, 1.0) / v164_;
+            let v166_ =
+                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
+            let v167_ = T::lit(5.535725357165, 5.5357256) * v166_;
+            let v168_ = T::fused(-T::lit(5.535725357165, 5.5357256), v166_, T::lit(1.0, 1.0));
+            let v169_ = v167_ * v168_;
+            let v170_ = guard_.reach_circles(
+                v169_,
+                v161_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v155_ = T::sqrt(v154_);
-            let v156_ = T::lit(0.0903224, 0.0903224) * v149_;
-            let v157_ = v155_ * v156_;
-            let v159_ = T::fused(T::lit(0.5, 0.5), v150_, T::lit(0.0193548, 0.0193548));
-            let v160_ = T::fused(T::lit(0.5, 0.5), v150_, -T::lit(0.01354836, 0.01354836));
-            let v161_ = v149_ * v159_;
-            let v162_ = v149_ * v160_;
-            let v163_ = b_y_ * v157_;
-            let v164_ = v145_ * v157_;
-            let v167_ = T::fused(v145_, v161_, v163_);
-            let v168_ = T::fused(-b_y_, v161_, v164_);
-            let v172_ = T::fused(-v145_, v162_, v163_);
-            let c_y_ = T::fused(b_y_, v162_, v164_);
-            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v172_;
+            let v171_ = T::sqrt(v170_);
+            let v172_ = T::lit(0.0903224, 0.0903224) * v165_;
+            let v173_ = v171_ * v172_;
+            let v175_ = T::fused(T::lit(0.5, 0.5), v166_, T::lit(0.0193548, 0.0193548));
+            let v176_ = T::fused(T::lit(0.5, 0.5), v166_, -T::lit(0.01354836, 0.01354836));
+            let v177_ = v165_ * v175_;
+            let v178_ = v165_ * v176_;
+            let v179_ = b_y_ * v173_;
+            let v180_ = v161_ * v173_;
+            let v183_ = T::fused(v161_, v177_, v179_);
+            let v184_ = T::fused(-b_y_, v177_, v180_);
+            let v188_ = T::fused(-v161_, v178_, v179_);
+            let c_y_ = T::fused(b_y_, v178_, v180_);
+            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v188_;
             let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
-            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v167_;
-            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v168_;
-            let c_x_ = T::lit(0.3048, 0.3048) + v172_;
+            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v183_;
+            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v184_;
+            let c_x_ = T::lit(0.3048, 0.3048) + v188_;
             let position_ = FourBarPosition {
                 AB: private::Direction { cos, sin },
                 B: private::Point { x: b_x_, y: b_y_ },
@@ -584,22 +585,22 @@ const _: () = {
                     acceleration: acceleration_,
                 };
             }
-            let v134_ = theta_rate * b_y_;
-            let b_vx_ = -v134_;
+            let v150_ = theta_rate * b_y_;
+            let b_vx_ = -v150_;
             let b_vy_ = theta_rate * b_x_;
-            let v174_ = guard_.nonzero(v154_, "BC, DC");
-            let v175_ = T::lit(11.07145071433, 11.071451) * v155_;
-            let v176_ = T::lit(1.0, 1.0) / v174_;
-            let v177_ = v175_ * v176_;
-            let v182_ = v134_ * v172_;
-            let v185_ = T::fused(-b_vy_, c_y_, v182_);
-            let bc_omega_ = v177_ * v185_;
-            let v187_ = v134_ * v167_;
-            let v189_ = T::fused(-b_vy_, v168_, v187_);
-            let dc_omega_ = v177_ * v189_;
-            let v212_ = c_y_ * dc_omega_;
-            let c_vx_ = -v212_;
-            let c_vy_ = v172_ * dc_omega_;
+            let v190_ = guard_.nonzero(v170_, "BC, DC");
+            let v191_ = T::lit(11.07145071433, 11.071451) * v171_;
+            let v192_ = T::lit(1.0, 1.0) / v190_;
+            let v193_ = v191_ * v192_;
+            let v198_ = v150_ * v188_;
+            let v201_ = T::fused(-b_vy_, c_y_, v198_);
+            let bc_omega_ = v193_ * v201_;
+            let v203_ = v150_ * v183_;
+            let v205_ = T::fused(-b_vy_, v184_, v203_);
+            let dc_omega_ = v193_ * v205_;
+            let v228_ = c_y_ * dc_omega_;
+            let c_vx_ = -v228_;
+            let c_vy_ = v188_ * dc_omega_;
             let velocity_ = FourBarVelocity {
                 AB: private::AngularVelocity { omega: theta_rate },
                 B: private::Point { x: b_vx_, y: b_vy_ },
@@ -615,28 +616,31 @@ const _: () = {
                 };
             }
             let v16_ = theta_rate * theta_rate;
-            let v137_ = theta_acceleration * b_y_;
-            let v138_ = theta_acceleration * b_x_;
-            let v141_ = T::fused(v16_, b_x_, v137_);
-            let b_ax_ = -v141_;
-            let b_ay_ = T::fused(-v16_, b_y_, v138_);
-            let v191_ = dc_omega_ * dc_omega_;
-            let v192_ = v172_ * v191_;
-            let v193_ = c_y_ * v191_;
-            let v194_ = bc_omega_ * bc_omega_;
-            let v197_ = T::fused(v167_, v194_, v141_);
-            let v199_ = T::fused(-v168_, v194_, b_ay_);
-            let v201_ = T::fused(-v172_, v191_, v197_);
-            let v202_ = T::fused(c_y_, v191_, v199_);
-            let v203_ = v172_ * v201_;
-            let v206_ = T::fused(-c_y_, v202_, v203_);
-            let bc_alpha_ = v177_ * v206_;
-            let v208_ = v167_ * v201_;
-            let v210_ = T::fused(-v168_, v202_, v208_);
-            let dc_alpha_ = v177_ * v210_;
-            let v217_ = T::fused(c_y_, dc_alpha_, v192_);
-            let c_ax_ = -v217_;
-            let c_ay_ = T::fused(v172_, dc_alpha_, -v193_);
+            let v153_ = theta_acceleration * b_y_;
+            let v154_ = theta_acceleration * b_x_;
+            let v157_ = T::fused(v16_, b_x_, v153_);
+            let b_ax_ = -v157_;
+            let b_ay_ = T::fused(-v16_, b_y_, v154_);
+            let v207_ = bc_omega_ * bc_omega_;
+            let v208_ = dc_omega_ * dc_omega_;
+            let v209_ = T::fused(-T::lit(0.5, 0.5), v166_, T::lit(0.0451612, 0.0451612));
+            let v210_ = v207_ * v209_;
+            let v212_ = T::fused(-T::lit(0.03161284, 0.03161284), v208_, v210_);
+            let v213_ = T::lit(0.064516, 0.064516) * v207_;
+            let v216_ = T::fused(-v208_, v209_, v213_);
+            let v217_ = v157_ * v188_;
+            let v220_ = T::fused(-b_ay_, c_y_, v217_);
+            let v221_ = v212_ + v220_;
+            let bc_alpha_ = v193_ * v221_;
+            let v223_ = v157_ * v183_;
+            let v225_ = T::fused(-b_ay_, v184_, v223_);
+            let v226_ = v216_ + v225_;
+            let dc_alpha_ = v193_ * v226_;
+            let v231_ = v188_ * v208_;
+            let v232_ = c_y_ * v208_;
+            let v235_ = T::fused(c_y_, dc_alpha_, v231_);
+            let c_ax_ = -v235_;
+            let c_ay_ = T::fused(v188_, dc_alpha_, -v232_);
             let acceleration_ = FourBarAcceleration {
                 AB: private::AngularAcceleration { alpha: theta_acceleration },
                 B: private::Point { x: b_ax_, y: b_ay_ },
@@ -690,7 +694,7 @@ const _: () = {
         ///
         /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s².
         ///
-        /// Costs 23 additions, 51 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+        /// Costs 24 additions, 53 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -784,7 +788,7 @@ const _: () = {
         ///
         /// Given `theta` by its cosine and sine, its rate in rad/s, its second rate in rad/s².
         ///
-        /// Costs 23 additions, 51 multiplications, 2 divisions and 1 square root.
+        /// Costs 24 additions, 53 multiplications, 2 divisions and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -1324,25 +1328,24 @@ const _: () = {
             let b_y_ = T::lit(0.1016, 0.1016) * ab_sin_;
             let v11_ = theta_rate * b_y_;
             let b_vy_ = theta_rate * b_x_;
-            let v26_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
-            let v31_ =
-                T::fused(-T::lit(0.06193536, 0.06193536), ab_cos_, T::lit(0.1032256, 0.1032256));
-            let v37_ = v31_ - T::lit(0.00580644, 0.00580644);
-            let v222_ = v11_ * v26_;
-            let v223_ = T::fused(v11_, v26_, v222_);
-            let v224_ = b_y_ * b_vy_;
-            let v225_ = T::fused(b_y_, b_vy_, v224_);
-            let v226_ = v223_ + v225_;
-            let v227_ = v37_ / T::lit(0.0903224, 0.0903224);
-            let v228_ = v226_ / T::lit(0.0903224, 0.0903224);
-            let v230_ = T::lit(2.0, 2.0) - v227_;
-            let v231_ = v227_ * v230_;
-            let v232_ = v228_ * v230_;
-            let v235_ = T::fused(-v227_, v228_, v232_);
+            let v25_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
+            let v33_ = v11_ * v25_;
+            let v34_ = T::fused(v11_, v25_, v33_);
+            let v35_ = b_y_ * b_vy_;
+            let v36_ = T::fused(b_y_, b_vy_, v35_);
+            let v37_ = v34_ + v36_;
+            let v39_ =
+                T::fused(-T::lit(0.06193536, 0.06193536), ab_cos_, T::lit(0.09741916, 0.09741916));
+            let v43_ = T::lit(5.535725357165, 5.5357256) * v39_;
+            let v44_ = T::lit(5.535725357165, 5.5357256) * v37_;
+            let v46_ = T::fused(-T::lit(5.535725357165, 5.5357256), v39_, T::lit(1.0, 1.0));
+            let v47_ = v43_ * v46_;
+            let v48_ = v44_ * v46_;
+            let v51_ = T::fused(-v43_, v44_, v48_);
             [private::Clearance {
-                value: v231_,
-                rate: v235_,
-                scale: T::lit(2.2071428571428573, 2.2071428),
+                value: v47_,
+                rate: v51_,
+                scale: T::lit(0.5517857142857143, 0.5517857),
             }]
         }
     }

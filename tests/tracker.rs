@@ -18,8 +18,11 @@ use mechanisms::change_points::*;
 /// Steps in degrees: whole parts of a turn, which fall on change points, and others.
 const STEPS: [f64; 8] = [0.1, 0.7, 1.0, 6.0, 7.3, 10.0, 18.0 / 0.7, 30.0];
 
-/// First samples in degrees: on a change point, half a step of a degree off, and anywhere.
-const STARTS: [f64; 3] = [0.0, 0.5, 77.7];
+/// First samples in degrees: on a change point, half a step off one, and anywhere, so that steps
+/// straddle the change points at any share.
+fn starts(step: f64) -> [f64; 3] {
+    [0.0, step / 2.0, 77.7]
+}
 
 /// A thousand turns, as far as a build without optimisation gets in a second.
 fn turns(step: f64) -> f64 {
@@ -29,7 +32,7 @@ fn turns(step: f64) -> f64 {
 /// Calls `check` with every angle of every walk, forward and backward.
 fn walks(mut check: impl FnMut(&str, f64, f64, &mut dyn Iterator<Item = f64>)) {
     for step in STEPS {
-        for start in STARTS {
+        for start in starts(step) {
             for sign in [1.0, -1.0] {
                 let count = (turns(step) * 360.0 / step) as u32;
                 let mut angles =
@@ -55,7 +58,7 @@ fn antiparallelogram(theta: f64) -> [f64; 3] {
 
 /// The mode of a parallelogram or an antiparallelogram at angles next to `theta`, ahead.
 fn mode(truth: Truth, theta: f64, sign: f64) -> Side {
-    let upper = (theta + 1e-3 * sign).rem_euclid(TAU) < PI;
+    let upper = (theta + 1e-4 * sign).rem_euclid(TAU) < PI;
     let parallel = truth(1.0)[1] > 0.0;
     if upper == parallel { Side::Left } else { Side::Right }
 }
@@ -138,4 +141,47 @@ fn bars_4_1_2_3_change_their_mode_every_turn() {
         }
     });
     println!("{worst:?}");
+}
+
+/// A solver on the same walks: what it answers has its mode, and where it stands on the change
+/// point it says so or lies on the line of centres to the last places.
+#[test]
+fn a_solver_never_leaves_its_mode() {
+    walks(|walk, _, _, angles| {
+        for theta in angles {
+            for (elbow, sign) in [(Side::Left, 1.0), (Side::Right, -1.0)] {
+                let pair = Parallelogram { elbow, ..Parallelogram::new() }.position(theta);
+                let four = FourOneTwoThree { elbow, ..FourOneTwoThree::new() }.position(theta);
+                let (s, c) = theta.sin_cos();
+                for (d, pin) in [(2.0, pair.map(|p| p.C)), (4.0, four.map(|p| p.C))] {
+                    let pin = pin.unwrap_or_else(|error| panic!("{walk} at {theta}: {error}"));
+                    // d − b crossed with C − b: twice the area on the mode's side. Its rounding is
+                    // that of products of lengths up to 5.
+                    let side = (d - c) * (pin.y - s) + s * (pin.x - c);
+                    assert!(sign * side >= -64.0 * f64::EPSILON, "{walk} at {theta}: {side:e}");
+                }
+            }
+        }
+    });
+}
+
+/// One step from anywhere over the change point to anywhere, and the first pose on it: what comes
+/// next to the change point is a matter of rounding alone.
+#[test]
+fn a_step_may_end_as_near_a_change_point_as_numbers_do() {
+    for distance in (0..=17).map(|exponent| 10.0_f64.powi(-exponent)) {
+        for (from, to) in [(-1.0, 1.0), (-1.0, -1.0), (-1e-3, 1.0), (1.0, -1.0), (1e-9, 1.0)] {
+            let at = PI + distance.min(0.5) * to;
+            let elbow = mode(parallelogram, PI + from, 0.0);
+            let mut tracker = Tracker::new(Parallelogram { elbow, ..Parallelogram::new() });
+            for theta in [PI + from, at, PI + 1.0, at, PI, at, PI - 1.0] {
+                let rocker = tracker.motion(theta, 1.0, 0.0).unwrap();
+                let [cos, sin] = [rocker.position.DC.cos, rocker.position.DC.sin];
+                let turned = (theta.cos() * sin - theta.sin() * cos).abs();
+                assert!(turned <= 1e-7, "{from} {distance:e} {to}: {theta}: {rocker:?}");
+                let rates = [rocker.velocity.DC.omega - 1.0, rocker.acceleration.DC.alpha];
+                assert!(rates.iter().all(|rate| rate.abs() <= 1e-7), "{theta}: {rates:?}");
+            }
+        }
+    }
 }

@@ -146,7 +146,7 @@ impl<M: Modes> Tracker<M> {
         acceleration: impl Into<M::Input>,
     ) -> Result<M::Motion, SolveError> {
         let (q, rate, acceleration) = (q.into(), rate.into(), acceleration.into());
-        let anchor = self.anchor.or_else(|| passage::clear_ahead(&self.solver, q, rate));
+        let anchor = self.anchor.or_else(|| passage::beginning(&self.solver, q, rate));
         self.advance(anchor, q, |solver, q| solver.motion(q, rate, acceleration))
     }
 

@@ -284,15 +284,27 @@ impl<M: Modes> Passage<M> {
     }
 }
 
-/// The nearest inputs ahead, in the direction of the rates, that are clear of every limit; none
-/// where the rates lead nowhere.
-pub(super) fn clear_ahead<M: Modes>(solver: &M, q: M::Input, rate: M::Input) -> Option<M::Input> {
-    let is_clear = |q: &M::Input| is_clear::<M>(&solver.clearances(*q, rate));
-    let ahead = (0..64).scan(1e-12, |part, _| {
+/// Inputs clear of every limit from which the motion comes to `q`, if that is the first pose: `q`
+/// itself, unless a change point is near; else the nearest ones on the same side of it along the
+/// rates, or ahead where `q` lies on it. None where the rates lead nowhere.
+pub(super) fn beginning<M: Modes>(solver: &M, q: M::Input, rate: M::Input) -> Option<M::Input> {
+    let least = |q: M::Input| {
+        let clearances = solver.clearances(q, rate);
+        let readings = (0..M::GROUPS.len()).map(|group| reading::<M>(&clearances, group));
+        readings.reduce(|least, other| if other.value < least.value { other } else { least })
+    };
+    let Some(here) = least(q).filter(|here| here.value < near::<M>()) else { return Some(q) };
+    let is_clear = |q: &M::Input| least(*q).is_some_and(|at| at.value >= clear::<M>());
+    let sign = if here.value >= clear::<M>() && here.slope < 0.0 { -1.0 } else { 1.0 };
+    let mut aside = (0..64).scan(sign * 1e-12, |part, _| {
         *part *= 2.0;
         Some(q.plus(number::<M>(*part), rate))
     });
-    core::iter::once(q).chain(ahead).find(is_clear)
+    if here.value < clear::<M>() {
+        return aside.find(is_clear);
+    }
+    let is_far = |q: &M::Input| least(*q).is_some_and(|at| at.value >= near::<M>());
+    aside.take_while(is_clear).find(is_far).or(Some(q))
 }
 
 /// Whether no group is at its limit or behind one out of reach.

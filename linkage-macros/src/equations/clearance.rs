@@ -45,7 +45,11 @@ fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::C
         }
         Step::Rpr { group, outer, offset, mode, .. } => {
             let joints = outer.map(|joint| kinematics.point(joint));
-            (*group, *mode, rpr::clearance(joints, kinematics.jet(offset)))
+            (
+                *group,
+                *mode,
+                rpr::clearance(kinematics.mechanism.numerics, joints, kinematics.jet(offset)),
+            )
         }
         _ => return None,
     };

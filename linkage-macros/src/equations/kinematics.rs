@@ -306,7 +306,7 @@ impl<'s> Kinematics<'s> {
             self.set_origin(links[k], outer[k]);
         }
         if self.wants_quality(*group) {
-            self.qualities.insert(*group, rpr::quality(joints, offset));
+            self.qualities.insert(*group, rpr::quality(self.mechanism.numerics, joints, offset));
         }
     }
 

@@ -7,6 +7,7 @@
 
 mod clearance;
 mod crank;
+mod double_word;
 mod expressions;
 mod groups;
 mod guide;

@@ -29,11 +29,13 @@
 //! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.
 
 use crate::equations::clearance::{Clearance, size};
+use crate::equations::double_word::DoubleWord;
 use crate::equations::groups::{Place, Quality, SlottedBar, root_in_reach};
 use crate::equations::jet::Jet;
 use crate::equations::motion::PointMotion;
-use crate::equations::symbol::{Sym, Vector};
+use crate::equations::symbol::Sym;
 use crate::ir::graph::Check;
+use crate::model::mechanism::Numerics;
 
 pub(super) fn rpr<'s>(
     place: &Place<'s>,
@@ -51,7 +53,7 @@ pub(super) fn rpr<'s>(
         let inverse = s * sound.recip();
         (s, inverse * from, inverse)
     } else {
-        let left = left_of_offset(from, square, e);
+        let left = left_of_offset(place.numerics, [b, d], offset).value;
         let operands = [from.x, from.y, e];
         let left = left.provided(Check::ReachOffset, place.group, &operands);
         let s = mode * left.sqrt();
@@ -73,32 +75,44 @@ pub(super) fn rpr<'s>(
     SlottedBar { u, omega, alpha, slide }
 }
 
-/// b² − e² with the rounding errors of the three squares and of their sum put back.
-fn left_of_offset<'s>(from: Vector<'s>, square: Sym<'s>, e: Sym<'s>) -> Sym<'s> {
-    let (xx, yy, ee) = (from.x.squared(), from.y.squared(), e.squared());
-    let low = xx.add_err(yy) + (from.x.mul_err(from.x) + from.y.mul_err(from.y));
-    let low = low - (e.mul_err(e) + ee.low());
-    (square - ee) + low
+/// s² = b² − e², which is smooth, vanishes at the limit and is negative out of reach; its value
+/// with the rounding errors of the squares and of their sum put back.
+fn left_of_offset<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Jet<'s> {
+    let [x, y] = d.jets_to(b);
+    let coordinate = match numerics {
+        Numerics::Plain => DoubleWord::of,
+        Numerics::Compensated => DoubleWord::of_coordinate,
+    };
+    let square = DoubleWord::square_of(d.to(b), coordinate);
+    let value = square.difference(coordinate(e.value).squared());
+    Jet { value, ..x * x + y * y - e * e }
 }
 
 /// Signed distance from the limit in metres, (b² − e²)/(|b| + |e|) = |b| − |e|, and the sine of
 /// the transmission angle between bar and line to the block, √(b² − e²)/|b|.
-pub(super) fn quality<'s>([b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Quality<'s> {
+pub(super) fn quality<'s>(
+    numerics: Numerics,
+    [b, d]: [PointMotion<'s>; 2],
+    e: Jet<'s>,
+) -> Quality<'s> {
     let [x, y] = d.jets_to(b);
     let reach = x.hypot(y);
     if e.is_zero() {
         let one = Jet::constant(e.value.sheet().integer(1));
         return Quality { margin: Some(reach), transmission: one };
     }
-    let left = x * x + y * y - e * e;
+    let left = left_of_offset(numerics, [b, d], e);
     let zero = Jet::zero(e.value.sheet());
     let transmission = root_in_reach(left) / reach;
     Quality { margin: Some(left / (reach + e.hypot(zero))), transmission }
 }
 
 /// b² − e².
-pub(super) fn clearance<'s>([b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Clearance<'s> {
-    let [x, y] = d.jets_to(b);
+pub(super) fn clearance<'s>(
+    numerics: Numerics,
+    [b, d]: [PointMotion<'s>; 2],
+    e: Jet<'s>,
+) -> Clearance<'s> {
     let scale = e.value.squared() + size(d, b);
-    Clearance { value: x * x + y * y - e * e, scale }
+    Clearance { value: left_of_offset(numerics, [b, d], e), scale }
 }

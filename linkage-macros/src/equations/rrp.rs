@@ -37,6 +37,7 @@
 //! Norton, Design of Machinery, ch. 4 (slider-crank) in the axes of the guide.
 
 use crate::equations::clearance::{Clearance, size};
+use crate::equations::double_word::DoubleWord;
 use crate::equations::groups::{Bar, Block, Place, Quality, SlidingDyad, root_in_reach};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
@@ -53,15 +54,12 @@ pub(super) fn rrp<'s>(
     mode: Sym<'s>,
 ) -> SlidingDyad<'s> {
     let (u, n) = (guide.direction.u, guide.direction.n());
-    let (foot, y) = foot(b, guide);
-    let (l, t) = (length.value, offset.value - y);
+    let from = guide.origin.to(b);
+    let foot = from.dot(u);
+    let (l, t) = (length.value, across(b, guide, offset).value);
     let square = match place.numerics {
-        Numerics::Plain => (l - t) * (l + t),
-        // With t's rounding error put back, next to the limit nothing is lost of B's distance.
-        Numerics::Compensated => {
-            let low = offset.value.add_err(-y);
-            ((l - t) - low) * ((l + t) + low)
-        }
+        Numerics::Plain => legs(b, guide, length, offset).value,
+        Numerics::Compensated => carried(l, offset.value, distance(b, guide)),
     };
     let square = square.provided(Check::ReachLine, place.group, &[t, l]);
     let reach = mode * square.sqrt();
@@ -71,7 +69,6 @@ pub(super) fn rrp<'s>(
 
     // 1/X = X/X²: the division runs beside the root.
     let inverse = reach * square.provided(Check::Nonzero, place.group, &[]).recip();
-    let from = guide.origin.to(b);
     let v = b.velocity - guide.transport(from, place.sheet.zero_vector()).0;
     let a = b.acceleration - guide.transport(from, v).1;
     // The bar's direction in the guide's axes; of a bar of constant length nothing of it remains.
@@ -102,39 +99,51 @@ pub(super) fn rrp<'s>(
     SlidingDyad { pin, bar, slide }
 }
 
-/// B in the guide's axes: its foot x and its distance y.
-fn foot<'s>(b: PointMotion<'s>, guide: Frame<'s>) -> (Sym<'s>, Sym<'s>) {
-    let from = guide.origin.to(b);
-    let u = guide.direction.u;
-    let y = u.x.sheet().det(u.x, from.y, u.y, from.x);
-    (from.dot(u), y)
+/// The distance y of B from the guide.
+fn distance<'s>(b: PointMotion<'s>, guide: Frame<'s>) -> Sym<'s> {
+    let (from, u) = (guide.origin.to(b), guide.direction.u);
+    u.x.sheet().det(u.x, from.y, u.y, from.x)
 }
 
-/// Signed distance from the limit in metres, (l − t)(l + t)/(2 l), and the sine of the
-/// transmission angle between bar and guide's normal, √((l − t)(l + t))/l.
+/// t = e − y.
+fn across<'s>(b: PointMotion<'s>, guide: Frame<'s>, offset: Jet<'s>) -> Jet<'s> {
+    let [x, y] = guide.origin.jets_to(b);
+    let [ux, uy] = guide.direction.jets();
+    offset - Jet { value: distance(b, guide), ..ux * y - uy * x }
+}
+
+/// X² = (l − t)(l + t), which is smooth, vanishes at the limit and is negative out of reach.
+fn legs<'s>(b: PointMotion<'s>, guide: Frame<'s>, l: Jet<'s>, offset: Jet<'s>) -> Jet<'s> {
+    let t = across(b, guide, offset);
+    (l - t) * (l + t)
+}
+
+/// (l − t)(l + t) with t's rounding error put back: next to the limit nothing is lost of y.
+fn carried<'s>(l: Sym<'s>, offset: Sym<'s>, y: Sym<'s>) -> Sym<'s> {
+    let t = DoubleWord::of_sum(offset) - DoubleWord::of_coordinate(y);
+    let l = DoubleWord::of_sum(l);
+    l.difference(t) * l.difference(-t)
+}
+
+/// Signed distance from the limit in metres, X²/(2 l), and the sine of the transmission angle
+/// between bar and guide's normal, |X|/l.
 pub(super) fn quality<'s>(
     b: PointMotion<'s>,
     guide: Frame<'s>,
     l: Jet<'s>,
     offset: Jet<'s>,
 ) -> Quality<'s> {
-    let [x, y] = guide.origin.jets_to(b);
-    let [ux, uy] = guide.direction.jets();
-    let t = offset - (ux * y - uy * x);
-    let square = (l - t) * (l + t);
+    let square = legs(b, guide, l, offset);
     Quality { margin: Some(square / l.twice()), transmission: root_in_reach(square) / l }
 }
 
-/// (l − t)(l + t).
+/// X².
 pub(super) fn clearance<'s>(
     b: PointMotion<'s>,
     guide: Frame<'s>,
     l: Jet<'s>,
     offset: Jet<'s>,
 ) -> Clearance<'s> {
-    let [x, y] = guide.origin.jets_to(b);
-    let [ux, uy] = guide.direction.jets();
-    let t = offset - (ux * y - uy * x);
     let squares = l.value.squared() + offset.value.squared();
-    Clearance { value: (l - t) * (l + t), scale: squares + size(guide.origin, b) }
+    Clearance { value: legs(b, guide, l, offset), scale: squares + size(guide.origin, b) }
 }

@@ -23,12 +23,19 @@
 //! ω₂ = (w · r₃)/J        ω₃ = (w · r₂)/J        J = h d²
 //! ```
 //!
-//! The same with accelerations, w replaced by
-//! g = a_D + l̈₃ u₃ + 2 ω₃ l̇₃ u₃⊥ − ω₃² r₃ − (a_B + l̈₂ u₂ + 2 ω₂ l̇₂ u₂⊥ − ω₂² r₂).
+//! The same with accelerations, w replaced by g + ω₂² r₂ − ω₃² r₃ with
+//! g = a_D + l̈₃ u₃ + 2 ω₃ l̇₃ u₃⊥ − (a_B + l̈₂ u₂ + 2 ω₂ l̇₂ u₂⊥).
 //!
-//! Where the outer joints almost meet, both bars turn alike and the centripetal terms cancel but
-//! for the short line between the joints. `numerics compensated;` has them as
-//! ω₂² r₂ − ω₃² r₃ = ω₂² d + (ω₂ − ω₃)(ω₂ + ω₃) r₃ with ω₂ − ω₃ = −(w · d)/J.
+//! The centripetal terms cancel where both bars turn alike, as bars of one length do whose outer
+//! joints almost meet: what is left is as short as the line between the joints. So they are taken
+//! along it and across it, with k = ω₂² − ω₃² = −(w · d)/J (ω₂ + ω₃) and any weights p + q = 1, as
+//!
+//! ```text
+//! ω₂² r₂ − ω₃² r₃ = (p ω₃² + q ω₂²) d + k (p r₂ + q r₃)
+//! ```
+//!
+//! Nothing cancels in that if the shorter bar has the larger weight: p = l₃/(l₂ + l₃). The products
+//! with r₂ and r₃ are those of d and of the angle between the bars, r₂·r₃ = l₂ l₃ − i/2.
 //!
 //! # Sign
 //! `left` (+1): C on the left of the directed line B → D.
@@ -42,6 +49,7 @@
 //! passes through change points where a constant mode turns it into an antiparallelogram.
 
 use crate::equations::clearance::{Clearance, size};
+use crate::equations::double_word::DoubleWord;
 use crate::equations::groups::{Bar, Dyad, Place, Quality, root_in_reach};
 use crate::equations::jet::Jet;
 use crate::equations::motion::PointMotion;
@@ -59,6 +67,10 @@ struct Triangle<'s> {
     root: Sym<'s>,
     /// h
     height: Sym<'s>,
+    /// d·r₂ = a d² and −d·r₃ = b d²
+    shares: [Sym<'s>; 2],
+    /// i/2 = l₂ l₃ (1 − cos μ)
+    half: Sym<'s>,
     /// a and b
     along: [Sym<'s>; 2],
 }
@@ -70,8 +82,7 @@ pub(super) fn rrr<'s>(
     mode: Sym<'s>,
 ) -> Dyad<'s> {
     let line = b.to(d);
-    let [l2, l3] = lengths.map(|length| length.value);
-    let triangle = triangle(place, line, l2, l3, mode);
+    let triangle = triangle(place, [b, d], lengths, mode);
     let across = triangle.height * line.normal();
     let r2 = triangle.along[0] * line + across;
     let r3 = across - triangle.along[1] * line;
@@ -83,17 +94,10 @@ pub(super) fn rrr<'s>(
 
     let w = bars[1].pushed_velocity() - bars[0].pushed_velocity();
     let omega = [w.dot(r3) * inverse, w.dot(r2) * inverse];
-    let g = match place.numerics {
-        Numerics::Plain => {
-            bars[1].pushed_acceleration(omega[1]) - bars[0].pushed_acceleration(omega[0])
-        }
-        Numerics::Compensated => {
-            let [near, far] = [0, 1].map(|k| bars[k].lengthening_acceleration(omega[k]));
-            let folding = -w.dot(line) * inverse;
-            (far - near) + (omega[0].squared() * line + (folding * (omega[0] + omega[1])) * r3)
-        }
-    };
-    let alpha = [g.dot(r3) * inverse, g.dot(r2) * inverse];
+    let [near, far] = [0, 1].map(|k| bars[k].lengthening_acceleration(omega[k]));
+    let g = far - near;
+    let [from_second, from_first] = centripetal(&triangle, lengths, omega, -w.dot(line) * inverse);
+    let alpha = [(g.dot(r3) + from_second) * inverse, (g.dot(r2) + from_first) * inverse];
 
     let bars = [bars[0].turning(omega[0], alpha[0]), bars[1].turning(omega[1], alpha[1])];
     // The pin is carried by the bar that stands on the ground, if one does: one sum less.
@@ -104,23 +108,19 @@ pub(super) fn rrr<'s>(
 
 fn triangle<'s>(
     place: &Place<'s>,
-    d: Vector<'s>,
-    l2: Sym<'s>,
-    l3: Sym<'s>,
+    joints: [PointMotion<'s>; 2],
+    lengths: [Jet<'s>; 2],
     mode: Sym<'s>,
 ) -> Triangle<'s> {
+    let (d, [l2, l3]) = (joints[0].to(joints[1]), lengths.map(|length| length.value));
     let operands = [d.x, d.y, l2, l3];
     let inverse = d.dot(d).provided(Check::Square, place.group, &operands).recip();
-    let difference = l2 - l3;
-    let scale = (l2 * l3).twice().twice().recip();
+    let plain = half_sine(joints, lengths);
+    let scale = plain.scale.value;
     let (near, square) = match place.numerics {
-        Numerics::Plain => {
-            let near = d.dot(d) - difference.squared();
-            let part = near * scale;
-            (near, part * (d.x.sheet().integer(1) - part))
-        }
+        Numerics::Plain => (plain.near.value, plain.square.value),
         Numerics::Compensated => {
-            let (near, far) = compensated(d, l2, l3);
+            let [near, far] = carried(d, [l2, l3]);
             (near, (near * scale) * (far * scale))
         }
     };
@@ -128,68 +128,98 @@ fn triangle<'s>(
     let root = mode * square.sqrt();
     let height = (l2 * l3).twice() * inverse * root;
     // With equal bars a = b = d²/(2 d²) is one half: an identity wherever 1/d² exists.
+    let (difference, half) = (l2 - l3, near.half());
+    let shares = [half + l2 * difference, half - l3 * difference];
     let along = if difference.is_zero() {
         [d.x.sheet().integer(1).half(); 2]
     } else {
-        [near.half() + l2 * difference, near.half() - l3 * difference].map(|x| x * inverse)
+        shares.map(|share| share * inverse)
     };
-    Triangle { scale, square, root, height, along }
+    Triangle { scale, square, root, height, shares, half, along }
 }
 
-/// i and 4 l₂ l₃ − i with the rounding errors of every square and product put back: where the
-/// pivots are exact numbers, the toggle costs nothing.
-fn compensated<'s>(d: Vector<'s>, l2: Sym<'s>, l3: Sym<'s>) -> (Sym<'s>, Sym<'s>) {
-    let (xx, yy) = (d.x.squared(), d.y.squared());
-    let square = xx + yy;
-    let square_low = xx.add_err(yy) + (d.x.mul_err(d.x) + d.y.mul_err(d.y));
-    let less = |limit: Sym<'s>, limit_low: Sym<'s>, sign: bool| {
-        let high = if sign { limit - square } else { square - limit };
-        let low = if sign { limit_low - square_low } else { square_low - limit_low };
-        high + low
-    };
-    let squared = |sum: Sym<'s>, sum_low: Sym<'s>| {
-        let high = sum.squared();
-        // A constant's square is known exactly; a parameter's is put together.
-        let low = high.low() + (sum.mul_err(sum) + (sum * sum_low).twice());
-        (high, low)
-    };
-    let (difference, sum) = (l2 - l3, l2 + l3);
-    let (m, m_low) = squared(difference, l2.add_err(-l3));
-    let (big, big_low) = squared(sum, l2.add_err(l3));
-    (less(m, m_low, false), less(big, big_low, true))
+/// (ω₂² r₂ − ω₃² r₃)·r₃ and ·r₂, with `folding` = ω₂ − ω₃.
+fn centripetal<'s>(
+    triangle: &Triangle<'s>,
+    lengths: [Jet<'s>; 2],
+    [omega2, omega3]: [Sym<'s>; 2],
+    folding: Sym<'s>,
+) -> [Sym<'s>; 2] {
+    let [l2, l3] = lengths.map(|length| length.value);
+    let [to_second, to_third] = triangle.shares;
+    let (square2, square3) = (omega2.squared(), omega3.squared());
+    if differ(l2, l3) {
+        let cosine = l2 * l3 - triangle.half;
+        return [
+            square2 * cosine - square3 * l3.squared(),
+            square2 * l2.squared() - square3 * cosine,
+        ];
+    }
+    let p = weight_of_second(l2, l3);
+    let q = p.sheet().integer(1) - p;
+    let (mean, length) = (p * square3 + q * square2, p * l2 + q * l3);
+    let difference = folding * (omega2 + omega3);
+    [
+        difference * (l3 * length - p * triangle.half) - mean * to_third,
+        difference * (l2 * length - q * triangle.half) + mean * to_second,
+    ]
 }
 
-/// Signed distance from the limit in metres, and sine of the transmission angle.
-///
-/// With I = d² − (l₂ − l₃)² = 2 l₂ l₃ (1 − cos μ), μ the angle between the bars, sin² μ is smooth,
-/// vanishes at both toggles and is negative out of reach; so is the margin l₂ l₃ sin² μ/(2 d), with
-/// slope one against d at both toggles.
-pub(super) fn quality<'s>([b, d]: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> Quality<'s> {
-    let (near, product) = near_and_product([b, d], lengths);
-    let (one, [x, y]) = (Jet::constant(product.value.sheet().integer(1)), b.jets_to(d));
-    let versine = near / product;
-    let square = versine * (one + one - versine);
-    let reach = product / x.hypot(y);
-    let margin = (square * reach).times(square.value.sheet().integer(1).half().half());
-    Quality { margin: Some(margin), transmission: root_in_reach(square) }
+/// Whether the bars are known to differ by a seventh of their sum, which is a quarter of the longer:
+/// then no more than two bits cancel in ω₂² r₂ − ω₃² r₃.
+fn differ<'s>(l2: Sym<'s>, l3: Sym<'s>) -> bool {
+    let share = (l2 - l3) / (l2 + l3);
+    share.squared().constant_value().is_some_and(|square| square >= 1.0 / 49.0)
 }
 
-/// I and 2 l₂ l₃.
-fn near_and_product<'s>(
-    [b, d]: [PointMotion<'s>; 2],
-    [l2, l3]: [Jet<'s>; 2],
-) -> (Jet<'s>, Jet<'s>) {
-    let [x, y] = b.jets_to(d);
+/// p: between bars of known lengths the shorter one alone carries k.
+fn weight_of_second<'s>(l2: Sym<'s>, l3: Sym<'s>) -> Sym<'s> {
+    match (l3 - l2).constant_value() {
+        Some(difference) => l2.sheet().integer(i64::from(difference >= 0.0)),
+        None => l3 / (l2 + l3),
+    }
+}
+
+/// What the angle μ between the bars follows from: i = 2 l₂ l₃ (1 − cos μ), and S = sin² μ/4, which
+/// is smooth, vanishes at both toggles and is negative out of reach.
+struct HalfSine<'s> {
+    /// i
+    near: Jet<'s>,
+    /// 1/4l₂l₃
+    scale: Jet<'s>,
+    /// S
+    square: Jet<'s>,
+}
+
+fn half_sine<'s>(joints: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> HalfSine<'s> {
+    let [x, y] = joints[0].jets_to(joints[1]);
+    let one = Jet::constant(x.value.sheet().integer(1));
     let difference = l2 - l3;
-    (x * x + y * y - difference * difference, (l2 * l3).twice())
+    let near = x * x + y * y - difference * difference;
+    let scale = one / (l2 * l3).twice().twice();
+    let part = near * scale;
+    HalfSine { near, scale, square: part * (one - part) }
 }
 
-/// sin² μ. Where one bar is long or the joints are far away, so is the rounding of I against l₂ l₃.
+/// i and 4 l₂ l₃ − i with the rounding errors of every sum and square put back.
+fn carried<'s>(d: Vector<'s>, lengths: [Sym<'s>; 2]) -> [Sym<'s>; 2] {
+    let square = DoubleWord::square_of(d, DoubleWord::of_coordinate);
+    let [l2, l3] = lengths.map(DoubleWord::of_sum);
+    [square.difference((l2 - l3).squared()), (l2 + l3).squared().difference(square)]
+}
+
+/// Signed distance from the limit in metres, 2 l₂ l₃ S/d with slope one against d at both toggles,
+/// and sine of the transmission angle, 2 √S.
+pub(super) fn quality<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> Quality<'s> {
+    let (square, [x, y]) = (half_sine(joints, lengths).square, joints[0].jets_to(joints[1]));
+    let margin = square * ((lengths[0] * lengths[1]).twice() / x.hypot(y));
+    Quality { margin: Some(margin), transmission: root_in_reach(square).twice() }
+}
+
+/// S. Where one bar is long or the joints are far away, so is the rounding of i against l₂ l₃.
 pub(super) fn clearance<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> Clearance<'s> {
-    let (near, product) = near_and_product(joints, lengths);
-    let one = Jet::constant(product.value.sheet().integer(1));
-    let versine = near / product;
+    let HalfSine { scale, square, .. } = half_sine(joints, lengths);
     let [l2, l3] = lengths.map(|length| length.value.squared());
-    let scale = (l2 + l3 + size(joints[0], joints[1])) / product.value;
-    Clearance { value: versine * (one + one - versine), scale }
+    let squares = l2 + l3 + size(joints[0], joints[1]);
+    Clearance { value: square, scale: squares * scale.value.half() }
 }

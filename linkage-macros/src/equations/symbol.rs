@@ -154,6 +154,31 @@ impl<'s> Sym<'s> {
         }
     }
 
+    /// The two terms of a sum or a difference, be it under a guard; `None` for everything else.
+    pub(crate) fn terms(self) -> Option<[Self; 2]> {
+        let node = self.sheet.graph.borrow().node(self.id);
+        let term = |id| Self { sheet: self.sheet, id };
+        match node {
+            Node::Add(a, b) => Some([term(a), term(b)]),
+            Node::Sub(a, b) => Some([term(a), -term(b)]),
+            Node::Neg(a) => term(a).terms().map(|terms| terms.map(Neg::neg)),
+            Node::Guard(a, _) => term(a).terms(),
+            _ => None,
+        }
+    }
+
+    /// Whether this is made of inputs, parameters and constants by adding and subtracting alone.
+    pub(crate) fn is_sum_of_given(self) -> bool {
+        let node = self.sheet.graph.borrow().node(self.id);
+        let is_given = |id| Self { sheet: self.sheet, id }.is_sum_of_given();
+        match node {
+            Node::Constant(_) | Node::Input { order: 0, .. } | Node::Param(_) => true,
+            Node::Neg(a) | Node::Guard(a, _) => is_given(a),
+            Node::Add(a, b) | Node::Sub(a, b) => is_given(a) && is_given(b),
+            _ => false,
+        }
+    }
+
     /// The value, provided that the check holds for the group.
     pub(crate) fn provided(self, check: Check, group: u32, operands: &[Self]) -> Self {
         let guard = Guard { check, group, operands: operands.iter().map(|o| o.id).collect() };
@@ -171,6 +196,11 @@ impl<'s> Sym<'s> {
 
     pub(crate) fn is_constant(self) -> bool {
         self.constant_id().is_some()
+    }
+
+    /// About the value, if it is a constant.
+    pub(crate) fn constant_value(self) -> Option<f64> {
+        self.sheet.graph.borrow().as_constant(self.id).map(Exact::to_f64)
     }
 
     /// Whether this is known to be zero from its form alone.

@@ -9,8 +9,8 @@
 //!                                          k₁ = 2 (a₀ a₁ + b₀ b₁),  k₂ = 2 (a₀ a₂ + b₀ b₂)
 //! ```
 //!
-//! which is known two or three operations earlier and, after [`simplify`](super::simplify), takes
-//! the constants that follow into k₀.
+//! which is known two or three operations earlier. A constant that is added or taken away next
+//! goes into k₀, and what comes of it is known as early.
 //!
 //! # Error
 //! In units of ε/2, with D the distance of the pivots: the affine form loses at most
@@ -23,6 +23,7 @@
 //! cancels.
 
 use std::cmp::Ordering;
+use std::collections::HashMap;
 
 use super::RULES;
 use crate::exact::Exact;
@@ -33,13 +34,37 @@ use crate::ir::program::Program;
 /// The program with squares of distances in their affine form, where that loses nothing.
 pub(super) fn square_distances(program: &Program) -> Program {
     let graph = &program.graph;
-    let forms = forms(graph);
+    let squares = squares(graph);
     rebuild_with(program, RULES, |maker, id, moved| {
-        let (x, y) = sum_of_squares(graph, id)?;
-        let (x_form, y_form) = (forms[x.index()].as_ref()?, forms[y.index()].as_ref()?);
-        let (turn, square) = x_form.square_with(y_form)?;
-        Some(square.make(maker, turn, moved))
+        let form = squares.get(&id).cloned().or_else(|| shifted(graph, id, &squares))?;
+        form.make(maker, moved)
     })
+}
+
+/// The squares of distances that are to be affine.
+fn squares(graph: &Graph) -> HashMap<Id, Form> {
+    let forms = forms(graph);
+    let square = |id| {
+        let (x, y) = sum_of_squares(graph, id)?;
+        let (x, y) = (forms[x.index()].as_ref()?, forms[y.index()].as_ref()?);
+        Some((id, x.square_with(y)?))
+    };
+    graph.iter().filter_map(|(id, _)| square(id)).collect()
+}
+
+/// A square and a constant, or their difference, where the square has one term beside k₀: two
+/// would be added a second time.
+fn shifted(graph: &Graph, id: Id, squares: &HashMap<Id, Form>) -> Option<Form> {
+    let minus = Exact::integer(-1);
+    let form = |id: Id| match graph.as_constant(id) {
+        Some(constant) => Some(Form::constant(constant.clone())),
+        None => squares.get(&id).filter(|form| form.has_one_term()).cloned(),
+    };
+    match graph.node(id) {
+        Node::Add(a, b) => form(a)?.plus(&form(b)?),
+        Node::Sub(a, b) => form(a)?.plus(&form(b)?.scaled(&minus)),
+        _ => None,
+    }
 }
 
 /// What is squared, where nobody asks for the rounding errors of the squares and their sum.
@@ -103,6 +128,10 @@ impl Form {
         Self { turn: Some(turn), terms }
     }
 
+    fn has_one_term(&self) -> bool {
+        self.terms[1..].iter().any(Exact::is_zero)
+    }
+
     fn scaled(&self, factor: &Exact) -> Self {
         Self { turn: self.turn, terms: self.terms.each_ref().map(|term| term.mul(factor)) }
     }
@@ -130,8 +159,8 @@ impl Form {
     }
 
     /// self² + other², where both move on a circle about a point far enough away or near enough.
-    fn square_with(&self, other: &Self) -> Option<(Turn, Self)> {
-        let turn = self.common(other)??;
+    fn square_with(&self, other: &Self) -> Option<Self> {
+        let turn = self.common(other)?;
         let dot = |i: usize, k: usize| {
             self.terms[i].mul(&self.terms[k]).add(&other.terms[i].mul(&other.terms[k]))
         };
@@ -147,11 +176,11 @@ impl Form {
         let amplitude = of_squares(25, cos.mul(&cos).add(&sin.mul(&sin)));
         let bound = of_squares(9, mean.mul(&mean));
         let keeps_its_digits = amplitude.cmp_value(&bound) != Ordering::Greater;
-        keeps_its_digits.then_some((turn, Self { turn: Some(turn), terms: [mean, cos, sin] }))
+        keeps_its_digits.then_some(Self { turn, terms: [mean, cos, sin] })
     }
 
-    fn make(&self, maker: &mut Maker<'_>, turn: Turn, moved: &Moved) -> Id {
-        let [cos, sin] = match turn {
+    fn make(&self, maker: &mut Maker<'_>, moved: &Moved) -> Option<Id> {
+        let [cos, sin] = match self.turn? {
             Turn::By(angle) => [Node::Cos(moved.of(angle)), Node::Sin(moved.of(angle))],
             Turn::Given(input) => [Node::InputCos(input), Node::InputSin(input)],
         };
@@ -161,6 +190,6 @@ impl Form {
             let term = maker.make(Node::Mul(coefficient, node));
             sum = maker.make(Node::Add(sum, term));
         }
-        sum
+        Some(sum)
     }
 }

@@ -85,18 +85,6 @@ fn constant_sum(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     Some(maker.make(Node::Add(folded, y)))
 }
 
-/// (c₂ + x) − c₁ = (c₂ − c₁) + x and c₁ − (c₂ + x) = (c₁ − c₂) − x: one rounding less.
-fn constant_difference(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
-    let (constant, other) = constant_first(maker, a, b)?;
-    let outer = maker.graph.as_constant(constant)?.clone();
-    let Node::Add(x, y) = maker.graph.node(other) else { return None };
-    let inner = maker.graph.as_constant(x)?;
-    let (folded, node): (_, fn(Id, Id) -> Node) =
-        if constant == a { (outer.sub(inner), Node::Sub) } else { (inner.sub(&outer), Node::Add) };
-    let folded = maker.constant(folded);
-    Some(maker.make(node(folded, y)))
-}
-
 fn constant_first(maker: &Maker<'_>, a: Id, b: Id) -> Option<(Id, Id)> {
     if maker.graph.as_constant(a).is_some() {
         Some((a, b))
@@ -129,9 +117,6 @@ fn difference(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     if let Some(a) = negated(maker, a) {
         let sum = maker.make(Node::Add(a, b));
         return Some(negate(maker, sum));
-    }
-    if let Some(folded) = constant_difference(maker, a, b) {
-        return Some(folded);
     }
     // a − b = −(b − a), where somebody has made the latter.
     let mirrored = maker.graph.find(Node::Sub(b, a))?;

@@ -59,6 +59,21 @@ fn a_distance_that_at_most_doubles_is_affine() {
 }
 
 #[test]
+fn a_constant_beside_the_square_becomes_part_of_it() {
+    // Less (4 − 3)² it is 9 − 6 cos θ, and no sum of three.
+    let near = square("3", "0", "1", |g, squares| {
+        let (square, limit) = (sum(g, squares), c(g, "1"));
+        g.push(Node::Sub(square, limit))
+    });
+    assert!(starts_at(&near, "9"), "{near}");
+    let far = square("3", "0", "1", |g, squares| {
+        let (square, limit) = (sum(g, squares), c(g, "49"));
+        g.push(Node::Sub(limit, square))
+    });
+    assert!(far.trim_end().ends_with(" = 39\n%19 = add %18 %14\nPosition: %19"), "{far}");
+}
+
+#[test]
 fn a_distance_that_more_than_doubles_stays_a_sum_of_squares() {
     for near in [square("3", "0", "1.01", sum), square("1", "0", "1.1", sum)] {
         assert!(near.trim_end().ends_with("%13 = add %7 %11\nPosition: %13"), "{near}");

@@ -74,8 +74,6 @@ rewrites! {
     constants_fold_exactly: FOLD, |g| { let (a, b) = (c(g, "0.1"), c(g, "0.2")); g.push(Node::Add(a, b)) } => "0.3";
     roots_of_squares_fold: FOLD, |g| { let a = c(g, "0.09"); g.push(Node::Sqrt(a)) } => "0.3";
     constants_around_a_sum_become_one: SIMPLIFY, |g| { let (a, b, x) = (c(g, "0.5"), c(g, "2"), x(g)); let s = g.push(Node::Add(b, x)); g.push(Node::Add(a, s)) } => "(2.5 + x)";
-    a_constant_less_a_sum_is_one_constant: SIMPLIFY, |g| { let (a, b, x) = (c(g, "0.5"), c(g, "2"), x(g)); let s = g.push(Node::Add(b, x)); g.push(Node::Sub(a, s)) } => "(-1.5 - x)";
-    a_sum_less_a_constant_is_one_constant: SIMPLIFY, |g| { let (a, b, x) = (c(g, "0.5"), c(g, "2"), x(g)); let s = g.push(Node::Add(b, x)); g.push(Node::Sub(s, a)) } => "(1.5 + x)";
     a_division_by_zero_is_left: FOLD, |g| { let (a, b) = (c(g, "1"), c(g, "0")); g.push(Node::Div(a, b)) } => "1/0";
     errors_of_constants_are_zero: FOLD, |g| { let (a, b) = (c(g, "0.1"), c(g, "0.2")); g.push(Node::MulErr(a, b)) } => "0";
     times_zero_is_zero: SIMPLIFY, |g| { let (a, b) = (x(g), c(g, "0")); g.push(Node::Mul(a, b)) } => "0";
