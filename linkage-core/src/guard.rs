@@ -26,43 +26,43 @@ pub trait Guard<T: Scalar> {
     #[inline(always)]
     fn away(&mut self, _value: T, _least: T) {}
 
-    /// See [`careful::reach_circles`].
+    /// See `careful::reach_circles`.
     #[inline(always)]
     fn reach_circles(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
         value
     }
 
-    /// See [`careful::reach_line`].
+    /// See `careful::reach_line`.
     #[inline(always)]
     fn reach_line(&mut self, value: T, _: T, _: T, _: &'static str) -> T {
         value
     }
 
-    /// See [`careful::reach_offset`].
+    /// See `careful::reach_offset`.
     #[inline(always)]
     fn reach_offset(&mut self, value: T, _: T, _: T, _: T, _: &'static str) -> T {
         value
     }
 
-    /// See [`careful::nonzero`].
+    /// See `careful::nonzero`.
     #[inline(always)]
     fn nonzero(&mut self, value: T, _: &'static str) -> T {
         value
     }
 
-    /// See [`careful::positive`].
+    /// See `careful::positive`.
     #[inline(always)]
     fn positive(&mut self, value: T, _: &'static str, _: &'static str) -> T {
         value
     }
 
-    /// See [`careful::square`].
+    /// See `careful::square`.
     #[inline(always)]
     fn square(&mut self, value: T, _: &'static str) -> T {
         value
     }
 
-    /// See [`careful::square_of_centres`].
+    /// See `careful::square_of_centres`.
     #[inline(always)]
     fn square_of_centres(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
         value
