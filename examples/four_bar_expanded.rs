@@ -1331,9 +1331,9 @@ const _: () = {
             let b_vy_ = theta_rate * b_x_;
             let v25_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
             let v36_ = v11_ * v25_;
-            let v37_ = T::fused(v11_, v25_, v36_);
+            let v37_ = v36_ + v36_;
             let v38_ = b_y_ * b_vy_;
-            let v39_ = T::fused(b_y_, b_vy_, v38_);
+            let v39_ = v38_ + v38_;
             let v40_ = v37_ + v39_;
             let v42_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), ab_cos_, T::lit(0.09741916, 0.09741916));

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::names::text;
+use super::pieces::Pieces;
 use super::{Context, entry};
 use crate::ir::graph::Node;
 use crate::ir::program::EntryKind;
@@ -100,18 +101,18 @@ impl<'a> Arguments<'a> {
     }
 
     /// The expression by which a core reads an input or a parameter.
-    pub(super) fn leaf(&self, node: Node) -> Option<TokenStream> {
+    pub(super) fn leaf(&self, node: Node) -> Option<Pieces> {
         if let Node::Param(param) = node {
             let field = &self.cx.mechanism.params[param as usize].name;
-            return Some(quote!(self.#field));
+            return Some(quote!(self.#field).into());
         }
         let name = &self.names[self.position_of(node)?];
         match node {
             Node::Input { input, .. } if self.records => {
                 let field = &self.cx.mechanism.inputs[input as usize].name;
-                Some(quote!(#name.#field))
+                Some(quote!(#name.#field).into())
             }
-            _ => Some(quote!(#name)),
+            _ => Some(name.clone().into()),
         }
     }
 

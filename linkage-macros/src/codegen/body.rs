@@ -12,6 +12,7 @@ use super::arguments::Arguments;
 use super::blocks::Statement;
 use super::finite::Bounds;
 use super::names::generated;
+use super::pieces::Pieces;
 use super::{Context, formulas};
 use crate::ir::graph::{Check, Graph, Id, Node};
 use crate::ir::liveness::{Course, live, live_nodes, unguarded};
@@ -137,19 +138,13 @@ impl<'a> Body<'a> {
     }
 
     /// The expression that reads a node's value.
-    pub(super) fn value(&self, id: Id) -> TokenStream {
+    pub(super) fn value(&self, id: Id) -> Pieces {
         let id = self.resolve(id);
         let node = self.graph().node(id);
         let in_place = self.arguments.leaf(node).or_else(|| self.constant(node));
         in_place.unwrap_or_else(|| match node {
-            Node::Neg(operand) if self.is_in_place(id, node) => {
-                let operand = self.value(operand);
-                quote!(-#operand)
-            }
-            _ => {
-                let name = self.cx.locals.name(id);
-                quote!(#name)
-            }
+            Node::Neg(operand) if self.is_in_place(id, node) => self.value(operand).negated(),
+            _ => self.cx.locals.name(id).into(),
         })
     }
 
@@ -265,7 +260,7 @@ impl<'a> Body<'a> {
     }
 
     /// A constant as a number.
-    fn constant(&self, node: Node) -> Option<TokenStream> {
+    fn constant(&self, node: Node) -> Option<Pieces> {
         match node {
             Node::Constant(constant) => {
                 let value = self.graph().value(constant);

@@ -108,8 +108,8 @@ fn default(cx: &Context<'_>, width: Width) -> TokenStream {
             }
             ParamKind::Number { default, .. } => literal(default.to_f32()),
             ParamKind::Side { default } | ParamKind::Sense { default } => match default {
-                Sign::Plus => quote!(1),
-                Sign::Minus => quote!(-1),
+                Sign::Plus => quote!(1).into(),
+                Sign::Minus => quote!(-1).into(),
             },
         };
         quote!(#field: #value)

@@ -1,5 +1,7 @@
 //! `COST`, and what a solver costs in words.
 
+use std::collections::HashMap;
+
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -9,6 +11,15 @@ use crate::ir::program::{Entry, EntryKind};
 
 /// What an entry point costs.
 pub(super) fn of(cx: &Context<'_>, entry: &Entry) -> Operations {
+    cx.costs[&entry.kind]
+}
+
+/// What every entry point costs.
+pub(super) fn all(cx: &Context<'_>) -> HashMap<EntryKind, Operations> {
+    cx.program.entries.iter().map(|entry| (entry.kind, count(cx, entry))).collect()
+}
+
+fn count(cx: &Context<'_>, entry: &Entry) -> Operations {
     let of = |entry: &Entry| operations(&cx.program.graph, &entry.sinks);
     match cx.on_the_circle(entry).map(of) {
         Some(cost) => Operations { sines: cost.sines + 1, ..cost },

@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::names::generated;
+use super::pieces::Pieces;
 use super::{Context, docs, solver};
 use crate::ir::program::EntryKind;
 use crate::model::mechanism::Param;
@@ -105,6 +106,6 @@ fn constant_inputs(cx: &Context<'_>) -> TokenStream {
     quote!(#record { #(#fields),* })
 }
 
-fn item(cx: &Context<'_>, name: &str) -> TokenStream {
+fn item(cx: &Context<'_>, name: &str) -> Pieces {
     cx.paths.item(name)
 }

@@ -13,6 +13,7 @@ use quote::quote;
 
 use super::dominance::undominated;
 use super::names::function_name;
+use super::pieces::Pieces;
 use super::{Context, formulas, results};
 use crate::ir::bounds::{CIRCLE, Floors, Limits, floors};
 use crate::ir::graph::{Check, Graph, Id, Node};
@@ -76,7 +77,7 @@ impl Bounds {
 
     /// The least that the condition on a value is to find there; nothing where bounds show that
     /// it holds.
-    pub(super) fn least(&self, cx: &Context<'_>, value: Id, check: &Check) -> Option<TokenStream> {
+    pub(super) fn least(&self, cx: &Context<'_>, value: Id, check: &Check) -> Option<Pieces> {
         let sign = |limits: Limits| if *check == Check::Square { limits.square } else { 0.0 };
         let of = |width: &Option<Width>, limits: Limits| match width {
             Some(width) => width.floors.get(&value).copied().unwrap_or(Some(sign(limits))),
@@ -120,7 +121,7 @@ fn asked(graph: &Graph, sinks: &[Id]) -> Vec<Node> {
 }
 
 /// |value| ≤ bound.
-fn within(cx: &Context<'_>, value: &TokenStream, [wide, narrow]: [f64; 2]) -> TokenStream {
+fn within(cx: &Context<'_>, value: &Pieces, [wide, narrow]: [f64; 2]) -> TokenStream {
     let is_within = cx.scalar("is_within");
     let narrow = if narrow.is_finite() { (narrow as f32).min(f32::MAX) } else { f32::MAX };
     let bound = cx.literal(wide.min(f64::MAX), narrow);
@@ -133,7 +134,7 @@ pub(super) fn circle(cx: &Context<'_>, entry: &Entry) -> Option<TokenStream> {
     cx.bounds.get(&formulas::leading(cx, entry).kind)?;
     let [cos, sin] = ["cos", "sin"].map(|name| {
         let name = function_name(name);
-        within(cx, &quote!(#name), [CIRCLE; 2])
+        within(cx, &name.into(), [CIRCLE; 2])
     });
     Some(quote!(#cos & #sin))
 }

@@ -13,6 +13,7 @@ use quote::{ToTokens, quote};
 use super::blocks::{Statement, lay_out};
 use super::body::{Body, Statements};
 use super::names::{function_name, generated};
+use super::pieces::Pieces;
 use super::results::Order;
 use super::{Context, entry, results};
 use crate::ir::graph::{Check, GuardId, Id};
@@ -160,7 +161,7 @@ fn motion_of_records(cx: &Context<'_>) -> TokenStream {
 fn at_rest(cx: &Context<'_>) -> TokenStream {
     let (zero, nought) = (generated("zero_"), cx.literal(0.0, 0.0));
     let records = [Order::Velocity, Order::Acceleration].map(|order| {
-        let zeros = iter::repeat_n(quote!(#zero), results::count(cx, order));
+        let zeros = iter::repeat_n(Pieces::from(zero.clone()), results::count(cx, order));
         let (name, record) = (record_name(order), results::record_of(cx, order, zeros));
         quote!(let #name = #record;)
     });
@@ -245,7 +246,7 @@ fn mark(body: &Body<'_>, value: Id, check: &Check) -> Option<TokenStream> {
         Some(bounds) => bounds.least(cx, unguarded(body.graph(), value), check)?,
         None if *check == Check::Square => {
             let smallest = cx.scalar("smallest_square");
-            quote!(#smallest())
+            quote!(#smallest()).into()
         }
         None => cx.literal(0.0, 0.0),
     };

@@ -21,6 +21,7 @@ mod mentions;
 mod modes;
 mod names;
 mod paths;
+mod pieces;
 mod results;
 mod rows;
 mod solver;
@@ -35,7 +36,7 @@ pub(crate) mod tests;
 
 use std::collections::HashMap;
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream, TokenTree};
 use quote::quote;
 
 use self::arguments::Arguments;
@@ -43,6 +44,8 @@ use self::finite::Bounds;
 use self::locals::Locals;
 use self::names::Names;
 use self::paths::Paths;
+use self::pieces::Pieces;
+use crate::ir::cost::Operations;
 use crate::ir::program::{Entry, EntryKind, Program};
 use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
@@ -92,6 +95,7 @@ struct Context<'a> {
     paths: Paths,
     names: Names,
     locals: Locals,
+    costs: HashMap<EntryKind, Operations>,
     /// By the entry point that leads a function of formulas.
     bounds: HashMap<EntryKind, Bounds>,
 }
@@ -100,7 +104,9 @@ impl<'a> Context<'a> {
     fn new(mechanism: &'a Mechanism, program: &'a Program) -> Self {
         let (paths, names) = (Paths::new(mechanism), Names::new(mechanism));
         let (locals, bounds) = (Locals::new(mechanism, program), HashMap::new());
-        let mut cx = Self { mechanism, program, paths, names, locals, bounds };
+        let costs = HashMap::new();
+        let mut cx = Self { mechanism, program, paths, names, locals, costs, bounds };
+        cx.costs = cost::all(&cx);
         cx.bounds = finite::all(&cx);
         cx
     }
@@ -155,25 +161,24 @@ impl Context<'_> {
     }
 
     /// A function of the type parameter, which nothing but its bound can provide.
-    fn scalar(&self, function: &str) -> TokenStream {
-        let (scalar, function) = (&self.names.scalar, names::function_name(function));
-        quote!(#scalar::#function)
+    fn scalar(&self, function: &str) -> Pieces {
+        Pieces::path(self.names.scalar.clone(), names::function_name(function))
     }
 
     /// A constant as the type parameter's number, rounded to each width.
-    fn literal(&self, wide: f64, narrow: f32) -> TokenStream {
+    fn literal(&self, wide: f64, narrow: f32) -> Pieces {
         let (lit, wide, narrow) = (self.scalar("lit"), literal(wide), literal(narrow));
-        quote!(#lit(#wide, #narrow))
+        quote!(#lit(#wide, #narrow)).into()
     }
 }
 
 /// The shortest literal that means the number; an infinity, which none means, as a quotient.
-fn literal(value: impl std::fmt::Debug) -> TokenStream {
+fn literal(value: impl std::fmt::Debug) -> Pieces {
     let digits = format!("{value:?}");
     let magnitude = digits.trim_start_matches('-');
-    let tokens = match magnitude.parse::<Literal>() {
-        Ok(literal) => quote!(#literal),
-        Err(_) => quote!((1.0 / 0.0)),
+    let pieces = match magnitude.parse::<Literal>() {
+        Ok(literal) => Pieces::from(TokenStream::from(TokenTree::from(literal))),
+        Err(_) => quote!((1.0 / 0.0)).into(),
     };
-    if digits.starts_with('-') { quote!(-#tokens) } else { tokens }
+    if digits.starts_with('-') { pieces.negated() } else { pieces }
 }

@@ -8,6 +8,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::names::clear_of;
+use super::pieces::Pieces;
 use crate::model::mechanism::Mechanism;
 
 pub(super) struct Paths {
@@ -36,10 +37,8 @@ impl Paths {
     }
 
     /// A type, trait, function or macro of the run-time crate, inside the unnamed constant.
-    pub(super) fn item(&self, name: &str) -> TokenStream {
-        let alias = &self.alias;
-        let name = Ident::new(name, Span::call_site());
-        quote!(#alias::#name)
+    pub(super) fn item(&self, name: &str) -> Pieces {
+        Pieces::path(self.alias.clone(), Ident::new(name, Span::call_site()))
     }
 
     /// The same beside the user's own items, where nothing was imported.

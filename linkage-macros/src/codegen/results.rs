@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use super::pieces::Pieces;
 use super::{Context, docs};
 use crate::ir::program::EntryKind;
 use crate::model::mechanism::{Output, OutputKind, Shape};
@@ -214,7 +215,7 @@ fn input_from_list(cx: &Context<'_>) -> TokenStream {
 }
 
 /// The result of an entry point from the values of its sinks.
-pub(super) fn assemble(cx: &Context<'_>, kind: EntryKind, values: Vec<TokenStream>) -> TokenStream {
+pub(super) fn assemble(cx: &Context<'_>, kind: EntryKind, values: Vec<Pieces>) -> TokenStream {
     let inputs = cx.mechanism.inputs.len();
     let mut values = values.into_iter();
     match kind {
@@ -248,7 +249,7 @@ pub(super) fn assemble(cx: &Context<'_>, kind: EntryKind, values: Vec<TokenStrea
 pub(super) fn record_of(
     cx: &Context<'_>,
     order: Order,
-    mut values: impl Iterator<Item = TokenStream>,
+    mut values: impl Iterator<Item = Pieces>,
 ) -> TokenStream {
     let name = order.record(cx);
     let fields: Vec<_> = cx
@@ -275,9 +276,9 @@ pub(super) fn count(cx: &Context<'_>, order: Order) -> usize {
 }
 
 /// A field and its value, once where both have one name.
-fn given(field: &str, value: TokenStream) -> TokenStream {
+fn given(field: &str, value: Pieces) -> TokenStream {
     let name = Ident::new(field, proc_macro2::Span::call_site());
-    if value.to_string() == field { value } else { quote!(#name: #value) }
+    if value.is(field) { quote!(#name) } else { quote!(#name: #value) }
 }
 
 /// The components of a record, in the order in which [`assemble`] takes them.

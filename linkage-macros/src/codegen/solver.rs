@@ -1,9 +1,10 @@
 //! The struct that stands for the mechanism: its parameters, defaults and constants.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::names::{function_name, text};
+use super::pieces::Pieces;
 use super::{Context, cost, docs, literal, results, rows};
 use crate::model::mechanism::{Param, ParamKind, Sign};
 
@@ -45,7 +46,7 @@ fn mode_type(param: &Param) -> Option<&'static str> {
 
 /// Without a numeric parameter nothing holds the type parameter; the field is public so that
 /// `..Solver::new()` stays usable: its name and its value, whose type has the value's name.
-pub(super) fn marker(cx: &Context<'_>) -> Option<(Ident, TokenStream)> {
+pub(super) fn marker(cx: &Context<'_>) -> Option<(Ident, Pieces)> {
     let taken = |name: &str| cx.mechanism.params.iter().any(|param| param.name == name);
     let mut name = String::from("scalar_");
     while taken(&name) {
@@ -75,9 +76,11 @@ pub(super) fn construct(
 }
 
 /// The parameter as declared, a number by `lit` or as a plain literal.
-fn defaults(cx: &Context<'_>, number: impl Fn(f64, f32) -> TokenStream) -> TokenStream {
+fn defaults(cx: &Context<'_>, number: impl Fn(f64, f32) -> Pieces) -> TokenStream {
     let number = |param: &Param| match &param.kind {
-        ParamKind::Number { default, .. } => number(default.to_f64(), default.to_f32()),
+        ParamKind::Number { default, .. } => {
+            number(default.to_f64(), default.to_f32()).into_token_stream()
+        }
         _ => TokenStream::new(),
     };
     let mode = |param: &Param| {

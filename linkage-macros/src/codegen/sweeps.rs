@@ -5,6 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::names::{function_name, generated};
+use super::pieces::Pieces;
 use super::{Context, docs, entry, results, straight};
 use crate::ir::program::{Entry, EntryKind};
 
@@ -31,7 +32,7 @@ struct Sweep<'a> {
     cx: &'a Context<'a>,
     entry: &'a Entry,
     /// The run-time type that stands for the entry point.
-    kind: TokenStream,
+    kind: Pieces,
     /// How many numbers a pose takes and gives.
     ins: Literal,
     outs: Literal,

@@ -27,7 +27,6 @@ use num_bigint::BigInt;
 use num_traits::One;
 
 use atom::Kind;
-#[cfg(test)]
 pub(crate) use enclosure::Enclosure;
 use rational::Rational;
 use rounding::{Format, NARROW, WIDE};
@@ -179,6 +178,20 @@ impl Exact {
         }
     }
 
+    /// The first of the integers that the number is.
+    pub(crate) fn first_of(&self, integers: &[i64]) -> Option<usize> {
+        // Nearly every number is known to be none of them from one coarse enclosure.
+        if let (Form::Sum(_), Some(coarse)) = (&self.form, self.enclose(Enclosure::MIN_BITS)) {
+            let integer = |value| Enclosure::integer(value, coarse.bits());
+            let is_other =
+                |&value: &i64| coarse.sub(&integer(value)).sign().is_some_and(Ordering::is_ne);
+            if integers.iter().all(is_other) {
+                return None;
+            }
+        }
+        integers.iter().position(|&value| self.cmp_value(&Self::integer(value)).is_eq())
+    }
+
     /// The order against zero: exact for rationals; an expression whose enclosure still holds
     /// zero at the finest precision counts as zero.
     pub(crate) fn signum(&self) -> Ordering {
@@ -226,7 +239,6 @@ impl Exact {
 
     /// An enclosure in units of 2^−bits; `None` where these are too coarse to tell a divisor from
     /// zero.
-    #[cfg(test)]
     pub(crate) fn enclose(&self, bits: u32) -> Option<Enclosure> {
         self.enclosed(bits.max(Enclosure::MIN_BITS))
     }

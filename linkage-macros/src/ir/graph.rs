@@ -185,9 +185,7 @@ impl Graph {
             return id;
         }
         let id = ConstantId(self.constants.len() as u32);
-        let unit = [Exact::integer(0), Exact::integer(1), Exact::integer(-1)]
-            .iter()
-            .position(|unit| value.cmp_value(unit).is_eq());
+        let unit = value.first_of(&[0, 1, -1]);
         self.constants.push(Constant { value: value.clone(), unit });
         self.constant_ids.insert(value, id);
         id

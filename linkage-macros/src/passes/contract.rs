@@ -4,7 +4,10 @@
 //! else uses the product; where something does, the sum no longer waits for it. Where the number
 //! has none, the fused node is the product and the sum it was made of, and the compiler computes
 //! a shared product once. A product or a sum whose rounding error is asked for stays as it is,
-//! because the error would no longer be its own.
+//! because the error would no longer be its own; and so does a sum whose other operand was made
+//! from the product: x + |x| is nothing below zero only as long as both are the same x.
+
+use std::collections::HashSet;
 
 use crate::ir::construct::rebuild_with;
 use crate::ir::graph::{Graph, Id, Node};
@@ -29,8 +32,9 @@ pub(crate) fn fuse_products(program: &Program) -> Program {
             _ => return None,
         };
         let minus = matches!(node, Node::Sub(..));
+        let beside = |id: Id, rest: Id| product(id).filter(|_| !is_made_from(graph, rest, id));
         // The product that was made later is the one that would be waited for.
-        let fused = match (product(a), product(b)) {
+        let fused = match (beside(a, b), beside(b, a)) {
             (Some((x, y)), other) if other.is_none() || a > b => {
                 let (x, y, rest) = (moved.of(x), moved.of(y), moved.of(b));
                 let rest = if minus { maker.make(Node::Neg(rest)) } else { rest };
@@ -45,6 +49,21 @@ pub(crate) fn fuse_products(program: &Program) -> Program {
         };
         Some(maker.make(fused))
     })
+}
+
+/// Whether a node is the other or has it somewhere among its operands.
+fn is_made_from(graph: &Graph, node: Id, other: Id) -> bool {
+    let (mut seen, mut left) = (HashSet::new(), vec![node]);
+    // Operands stand before what is made from them.
+    while let Some(id) = left.pop() {
+        if id == other {
+            return true;
+        }
+        if id > other && seen.insert(id) {
+            graph.node(id).for_operands(&mut |operand| left.push(operand));
+        }
+    }
+    false
 }
 
 /// For every node, whether somebody asks for the rounding error of this very operation.

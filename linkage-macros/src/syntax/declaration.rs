@@ -156,7 +156,13 @@ impl Parser<'_> {
 
     fn statement(&mut self) -> Parse<StatementKind> {
         let Some(keyword) = self.peek_ident(0).cloned() else {
-            let found = self.expected("a statement");
+            let found = match self.is_punct(0, ',') {
+                true => self.refuse_because(
+                    "leave out this `,`",
+                    "a group ends with its braces, every other statement with `;`",
+                ),
+                false => self.expected("a statement"),
+            };
             self.take();
             return found;
         };
@@ -181,6 +187,9 @@ impl Parser<'_> {
 
     /// What may have been meant by a word that begins no statement and was taken.
     fn reason_of_unknown(&self, word: &str) -> String {
+        if word == "pub" {
+            return "leave it out: parameters and results are public".to_string();
+        }
         if let Some(meant) = words::meant_by(word) {
             return format!("what is meant may be `{meant}`");
         }

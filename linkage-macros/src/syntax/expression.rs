@@ -200,21 +200,24 @@ impl Parser<'_> {
         Ok(Expr { kind: ExprKind::Member(link, member), span: self.since(first) })
     }
 
-    /// `std::f64::consts::PI`.
+    /// `std::f64::consts::PI`, `Side::Left`.
     fn path(&mut self, first: Span) -> Parse<Expr> {
+        const COMPUTED_ELSEWHERE: &str =
+            "what Rust computes elsewhere is not known when the mechanism is compiled";
         let mut last = None;
         while self.take_sign([':', ':']) {
             last = self.word("a name")?.into();
         }
-        let message = match last {
-            Some(last) if last == "PI" => "write `pi`",
-            _ => "declare this number with `param` or `let`",
+        let last = last.map(|last| last.to_string());
+        let (message, reason) = match last.as_deref() {
+            Some("PI") => ("write `pi`", COMPUTED_ELSEWHERE),
+            Some("Left") => ("write `left`", "a mode is one word"),
+            Some("Right") => ("write `right`", "a mode is one word"),
+            Some("Ahead") => ("write `ahead`", "a mode is one word"),
+            Some("Behind") => ("write `behind`", "a mode is one word"),
+            _ => ("declare this number with `param` or `let`", COMPUTED_ELSEWHERE),
         };
-        self.diagnostics.error_because(
-            first,
-            message,
-            "what Rust computes elsewhere is not known when the mechanism is compiled",
-        );
+        self.diagnostics.error_because(first, message, reason);
         Err(Reported)
     }
 

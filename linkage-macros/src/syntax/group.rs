@@ -69,6 +69,12 @@ impl Parser<'_> {
                 let _ = self.refuse::<()>(&format!("write `,` in front of {found}"));
                 continue;
             }
+            let joins = ['+', '&', '|'].iter().any(|&sign| self.is_punct(0, sign));
+            if joins && self.peek_ident(1).is_some() && self.is_group(2, Delimiter::Parenthesis) {
+                let _ = self.refuse::<()>("write `,` between the links");
+                self.take();
+                continue;
+            }
             if !self.take_punct(',') || self.is_sign(['-', '>']) {
                 break;
             }
@@ -214,7 +220,12 @@ impl Parser<'_> {
     }
 
     fn field_name(&mut self) -> Parse<Ident> {
-        self.word("the name of a field")
+        match self.peek(0) {
+            Some(TokenTree::Literal(_)) if !self.is_punct(1, ':') => {
+                self.expected_because("the name of a field", "decimals stand behind a point: `0.1`")
+            }
+            _ => self.word("the name of a field"),
+        }
     }
 
     fn field_value(&mut self, name: &Ident) -> Parse<FieldValue> {

@@ -61,6 +61,10 @@ impl Parser<'_> {
                 "end this statement with `;`",
                 "inputs of another kind have a statement of their own",
             ),
+            () if self.is_punct(0, '/') => self.refuse_because(
+                &format!("end this statement behind `{kind}`"),
+                "rates are no inputs of their own: `velocity` and `motion` take them",
+            ),
             () if self.is_punct(0, '=') => self.refuse_because(
                 "write `param` for a number with a default",
                 "an input is an argument of every call",
@@ -261,7 +265,7 @@ impl Parser<'_> {
     }
 
     fn output_item(&mut self, items: &mut Vec<OutputItem>) -> Parse<()> {
-        if self.is_word(0, "all") {
+        if self.is_word(0, "all") || self.is_punct(0, '*') {
             return self.refuse_because(
                 "leave this statement out",
                 "without `output` every moving point and link is computed",
@@ -316,8 +320,8 @@ impl Parser<'_> {
             }
         }
         match syn::parse2(tokens) {
-            Ok(path) => Ok(StatementKind::Crate { path }),
-            Err(_) => {
+            Ok(path) if can_be_imported_from(&path) => Ok(StatementKind::Crate { path }),
+            _ => {
                 self.diagnostics.error(span, FORM);
                 Err(Reported)
             }
@@ -336,4 +340,15 @@ impl Parser<'_> {
 /// Stands for an expression of the statement `name` that was reported.
 fn mistake(name: &Ident) -> Expr {
     Expr::mistake(name.span())
+}
+
+/// Whether a path may stand in an import: it leads through modules, and no type.
+fn can_be_imported_from(path: &syn::Path) -> bool {
+    let is_start = |word: &Ident| ["self", "super", "crate"].iter().any(|start| word == start);
+    let rooted = path.leading_colon.is_some();
+    path.segments.iter().enumerate().all(|(at, segment)| {
+        let climbs = segment.ident == "super" && path.segments[0].ident != "crate" && !rooted;
+        let is_in_place = !is_start(&segment.ident) || (at == 0 && !rooted) || climbs;
+        segment.arguments.is_none() && segment.ident != "Self" && is_in_place
+    })
 }

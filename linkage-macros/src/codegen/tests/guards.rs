@@ -1,8 +1,46 @@
-//! What a condition becomes: a call that marks and one that looks.
+//! What conditions become, and what the straight line and the careful path make of them.
 
 use super::fixture::{exact, one_value};
 use super::{angle, expand, function, squeezed};
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
+
+#[test]
+fn a_guard_is_given_what_it_looks_at_and_its_value_goes_on() {
+    let text = expand(&one_value(|g| {
+        let (angle, l1) = (angle(g), g.constant(exact("0.25")));
+        let looked_at = g.push(Node::Hypot(angle, angle));
+        let operands = vec![looked_at, looked_at, l1, l1];
+        let guarded = g.guard(angle, Guard { check: Check::ReachCircles, group: 0, operands });
+        g.push(Node::Sqrt(guarded))
+    }));
+    let formulas = squeezed(function(&text, "formulas_position_"));
+    assert!(formulas.contains("let v2_ = T::hypot(theta, theta);"), "{formulas}");
+    let call = "let v3_ = guard_.reach_circles(theta, v2_, v2_, T::lit(0.25, 0.25), \
+                T::lit(0.25, 0.25), \"BC, DC\"); let v4_ = T::sqrt(v3_);";
+    assert!(formulas.contains(call), "{formulas}");
+}
+
+#[test]
+fn formulas_are_read_under_marks_and_under_findings() {
+    let text = expand(&one_value(|g| {
+        let angle = angle(g);
+        g.guard(angle, Guard { check: Check::Nonzero, group: 0, operands: Vec::new() })
+    }));
+    let straight = squeezed(function(&text, "core_position_"));
+    let marks = "let mut marks_ = private::Marks::new(); \
+                 let result_ = self.formulas_position_(&mut marks_, theta); \
+                 (result_, marks_.all() & T::is_finite(result_.y))";
+    assert!(straight.contains(marks), "{straight}");
+    let careful = squeezed(function(&text, "explain_position_"));
+    let findings = "let mut findings_ = private::Findings::new(); \
+                    let result_ = self.formulas_position_(&mut findings_, theta); \
+                    findings_.first()?;";
+    assert!(careful.contains(findings), "{careful}");
+    let inputs = careful.find("finite_input(").expect("what is given is looked at");
+    let results = careful.find("finite_result(").expect("and what comes out");
+    let formulas = careful.find("formulas_position_").expect("the formulas stand between");
+    assert!(inputs < formulas && formulas < results, "{careful}");
+}
 
 /// The calls that a guard becomes, on the square of the angle's sine or tangent less two.
 fn guard(check: &Check, bounded: bool) -> Vec<String> {
@@ -17,7 +55,7 @@ fn guard(check: &Check, bounded: bool) -> Vec<String> {
         g.guard(value, Guard { check: check.clone(), group: 0, operands })
     }));
     let formulas = squeezed(function(&text, "formulas_position_"));
-    let calls = formulas.split("guard_.").skip(1);
+    let calls = formulas.split(" guard_.").skip(1);
     calls.map(|call| call.split(';').next().unwrap_or_default().to_string()).collect()
 }
 
@@ -47,9 +85,9 @@ fn what_is_above_zero_is_not_asked_whether_it_is_zero() {
         })
     }));
     let formulas = function(&text, "formulas_position_");
-    assert_eq!(formulas.matches("guard_.above").count(), 1, "{formulas}");
-    assert_eq!(formulas.matches("guard_.away").count(), 0, "{formulas}");
-    assert_eq!(formulas.matches("guard_.nonzero").count(), 1, "{formulas}");
+    assert_eq!(formulas.matches(".above").count(), 1, "{formulas}");
+    assert_eq!(formulas.matches(".away").count(), 0, "{formulas}");
+    assert_eq!(formulas.matches(".nonzero").count(), 1, "{formulas}");
 }
 
 /// The mask of the straight line on a quotient of two numbers made from the angle's sine.

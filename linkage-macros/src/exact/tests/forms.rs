@@ -216,3 +216,23 @@ fn integers_that_fit() {
     assert_eq!(Exact::pi().to_integer(), None);
     assert_eq!(number("1e30").mul(&Exact::pi()).to_integer(), None);
 }
+
+#[test]
+fn a_number_is_told_from_the_integers_that_it_may_be() {
+    let first = |text: &str| defined(text).first_of(&[0, 1, -1]);
+    for (text, expected) in [
+        ("0", Some(0)),
+        ("1", Some(1)),
+        ("1 neg", Some(2)),
+        ("2", None),
+        ("2 sqrt", None),
+        ("90 deg sin", Some(1)),
+        // Sums that no rule makes an integer.
+        ("1 sin 1 sin mul 1 cos 1 cos mul add", Some(1)),
+        ("1 sin 1 sin mul 1 cos 1 cos mul add 1 sub", Some(0)),
+        // Nearer to one than the first enclosure can tell.
+        ("2 sqrt 1e-30 mul 1 add", None),
+    ] {
+        assert_eq!(first(text), expected, "{text}");
+    }
+}

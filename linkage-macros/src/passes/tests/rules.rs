@@ -174,6 +174,18 @@ fn a_sum_does_not_wait_for_a_product_that_something_else_needs() {
 }
 
 #[test]
+fn a_sum_of_a_product_and_what_is_made_of_it_stays() {
+    let kept = fused(|g| {
+        let (a, b) = (x(g), y(g));
+        let p = g.push(Node::Mul(a, b));
+        let square = g.push(Node::Mul(p, p));
+        let magnitude = g.push(Node::Sqrt(square));
+        g.push(Node::Add(p, magnitude))
+    });
+    assert_eq!(kept, "(x*y + sqrt(x*y*x*y))");
+}
+
+#[test]
 fn a_product_whose_error_is_asked_for_stays() {
     let kept = fused(|g| {
         let (a, b) = (x(g), y(g));

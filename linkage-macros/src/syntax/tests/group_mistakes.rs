@@ -106,6 +106,11 @@ fn outputs_and_settings() {
         ("numerics;", ";: expected `compensated`, found `;`"),
         ("crate = \"x\";", "\"x\": write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("crate;", ";: write the path of `linkage-core`: `crate = ::linkage_core;`"),
+        ("crate = ::Self;", ":: write the path of `linkage-core`: `crate = ::linkage_core;`"),
+        ("crate = a<u8>;", "a: write the path of `linkage-core`: `crate = ::linkage_core;`"),
+        ("crate = a::self;", "a: write the path of `linkage-core`: `crate = ::linkage_core;`"),
+        ("crate = ::crate;", ":: write the path of `linkage-core`: `crate = ::linkage_core;`"),
+        ("crate = super::super::a;", ""),
         ("crate::foo;", ":: write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("export \"c\";", "\"c\": expected `c`, found `\"c\"`"),
     ];
