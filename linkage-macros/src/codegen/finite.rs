@@ -15,7 +15,7 @@ use super::dominance::undominated;
 use super::names::function_name;
 use super::pieces::Pieces;
 use super::{Context, formulas, results};
-use crate::ir::bounds::{CIRCLE, Floors, Limits, floors};
+use crate::ir::bounds::{CIRCLE, Floors, Limits, Values};
 use crate::ir::graph::{Check, Graph, Id, Node};
 use crate::ir::liveness::{Course, live, live_nodes};
 use crate::ir::program::{Entry, EntryKind};
@@ -64,10 +64,10 @@ impl Bounds {
         if asked > 0 && asked >= undominated(graph, sinks).len() {
             return None;
         }
-        let live = live(graph, sinks, Course::Straight);
+        let values = Values::new(graph, &live(graph, sinks, Course::Straight));
         let first = |limits: &[Limits]| {
             let width = |limits: &Limits| {
-                Some(Width { floors: floors(graph, &live, limits)?, input: limits.input })
+                Some(Width { floors: values.floors(limits)?, input: limits.input })
             };
             limits.iter().find_map(width)
         };

@@ -9,7 +9,7 @@
 use std::collections::HashMap;
 
 use crate::ir::graph::{Check, Graph, Id, Node};
-use crate::ir::liveness::unguarded;
+use crate::ir::liveness::{live_nodes, unguarded};
 
 /// What is assumed of one width of numbers.
 #[derive(Clone, Copy, Debug)]
@@ -42,23 +42,50 @@ const TINY: f64 = 1e-35;
 
 /// The values that a node can take: `low ≤ x ≤ high`, and |x| ≥ `away`.
 #[derive(Clone, Copy, Debug)]
-struct Range {
+pub(crate) struct Range {
     low: f64,
     high: f64,
     away: f64,
 }
 
-/// The floors of all guards among the live nodes under the limits, if every live value is bounded.
-pub(crate) fn floors(graph: &Graph, live: &[bool], limits: &Limits) -> Option<Floors> {
-    let mut bounds =
-        Bounds { graph, limits, ranges: vec![None; graph.len()], floors: HashMap::new() };
-    for (id, node) in graph.iter().filter(|(id, _)| live[id.index()]) {
-        let range = bounds.range(node)?;
-        let fits = range.largest() < limits.largest;
-        bounds.ranges[id.index()] = fits.then_some(range);
-        bounds.ranges[id.index()]?;
+/// The live nodes of a graph and the ranges of its constants, which hold under any limits.
+pub(crate) struct Values<'a> {
+    graph: &'a Graph,
+    live: Vec<(Id, Node)>,
+    constants: Vec<Option<Range>>,
+}
+
+impl<'a> Values<'a> {
+    pub(crate) fn new(graph: &'a Graph, live: &[bool]) -> Self {
+        let mut constants = vec![None; graph.len()];
+        let live: Vec<_> = live_nodes(graph, live).collect();
+        for &(id, node) in &live {
+            let value = |constant| graph.value(constant).to_f64();
+            constants[id.index()] = match node {
+                Node::Constant(constant) => Some(Range::point(value(constant))),
+                Node::Low(constant) => Some(Range::about(value(constant).abs() * SLACK)),
+                _ => None,
+            };
+        }
+        Self { graph, live, constants }
     }
-    Some(bounds.floors)
+
+    /// The floors of all guards under the limits, if every live value is bounded.
+    pub(crate) fn floors(&self, limits: &Limits) -> Option<Floors> {
+        let (graph, ranges) = (self.graph, self.constants.clone());
+        let mut bounds = Bounds { graph, limits, ranges, floors: HashMap::new() };
+        for &(id, node) in &self.live {
+            let range = match bounds.of(id) {
+                Some(constant) => constant,
+                None => bounds.range(node)?,
+            };
+            if range.largest() >= limits.largest {
+                return None;
+            }
+            bounds.ranges[id.index()] = Some(range);
+        }
+        Some(bounds.floors)
+    }
 }
 
 struct Bounds<'a> {
@@ -76,8 +103,7 @@ impl Bounds<'_> {
     fn range(&mut self, node: Node) -> Option<Range> {
         let limits = self.limits;
         Some(match node {
-            Node::Constant(constant) => Range::point(self.graph.value(constant).to_f64()),
-            Node::Low(constant) => Range::about(self.graph.value(constant).to_f64().abs() * SLACK),
+            Node::Constant(_) | Node::Low(_) => return None,
             Node::Input { order: 0 | 1, .. } => Range::about(limits.input),
             Node::Input { .. } => Range::about(limits.input * limits.input),
             Node::InputCos(_) | Node::InputSin(_) => Range::about(CIRCLE),
@@ -295,7 +321,7 @@ mod tests {
         }
 
         fn floors(&self, limits: &Limits) -> Option<Floors> {
-            floors(&self.graph, &vec![true; self.graph.len()], limits)
+            Values::new(&self.graph, &vec![true; self.graph.len()]).floors(limits)
         }
     }
 
