@@ -14,9 +14,11 @@ pub(crate) struct Measured {
     pub(crate) findings: Vec<Finding>,
 }
 
-/// The methods' families, by how their names begin, with colour and shape.
-const FAMILIES: [(&str, &str, MarkerShape); 6] = [
+/// The methods' families with colour and shape; every Newton is one, whatever its steps.
+const FAMILIES: [(&str, &str, MarkerShape); 8] = [
     ("generated", "#d55e00", MarkerShape::Circle),
+    ("generated, compensated", "#222222", MarkerShape::Circle),
+    ("generated, sweep", "#f0b28c", MarkerShape::Circle),
     ("straightforward", "#0072b2", MarkerShape::Square),
     ("tuned by hand", "#56b4e9", MarkerShape::Diamond),
     ("half angles", "#009e73", MarkerShape::Triangle),
@@ -70,5 +72,7 @@ fn panel(mechanism: &str, measured: &[Measured]) -> (Vec<Plot>, Layout) {
 fn point(finding: &Finding, family: &str, epsilon: f64) -> Option<(f64, f64)> {
     let [_, _, acceleration] = finding.errors?;
     let point = (finding.throughput.nanoseconds.log10(), (acceleration * epsilon).log10());
-    (finding.name.starts_with(family) && point.1.is_finite()).then_some(point)
+    let rest = finding.name.strip_prefix(family)?;
+    let is_member = rest.is_empty() || rest.starts_with(", steps");
+    (is_member && point.1.is_finite()).then_some(point)
 }
