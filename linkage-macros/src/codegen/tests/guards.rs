@@ -119,3 +119,20 @@ fn bounds_are_asked_in_place_of_results() {
     let unknown = mask(|g, sine| g.push(Node::Tan(sine)));
     assert!(unknown.contains("marks_.all() & T::is_finite(result_.y)"), "{unknown}");
 }
+
+#[test]
+fn bounds_of_one_width_leave_the_other_its_own_questions() {
+    let text = expand(&one_value(|g| {
+        let angle = angle(g);
+        let sine = g.push(Node::Sin(angle));
+        // Its square leaves the range of f32.
+        let large = g.constant(exact("1e20"));
+        let value = g.push(Node::Mul(large, sine));
+        let square = g.push(Node::Mul(value, value));
+        let square = g.guard(square, Guard { check: Check::Square, group: 0, operands: vec![] });
+        g.push(Node::Sqrt(square))
+    }));
+    let formulas = squeezed(function(&text, "formulas_position_"));
+    assert!(formulas.contains("T::lit(4.6e-277, 8.4e-25)"), "{formulas}");
+    assert!(squeezed(&text).contains("T::plain(true, false)"), "{text}");
+}

@@ -88,3 +88,20 @@ fn what_is_asked_for_its_rounding_error_stays_a_sum_of_squares() {
     });
     assert!(!starts_at(&kept, "10"), "{kept}");
 }
+
+#[test]
+fn what_moves_on_no_circle_stays_a_sum_of_squares() {
+    let mut g = Graph::new();
+    let angle = g.push(Node::Input { input: 0, order: 0 });
+    let (cos, sin) = (g.push(Node::Cos(angle)), g.push(Node::Sin(angle)));
+    // Along a line: cosine and sine have coefficients of one size, but not across each other.
+    let turned = g.push(Node::Add(cos, sin));
+    let (far, aside) = (c(&mut g, "9"), c(&mut g, "1"));
+    let x = g.push(Node::Sub(far, turned));
+    let squares = [x, aside].map(|part| g.push(Node::Mul(part, part)));
+    let sink = sum(&mut g, squares);
+    let entries = vec![Entry { kind: EntryKind::Position, sinks: vec![sink] }];
+    let program = Program { graph: g, entries, clearances: Vec::new(), groups: Vec::new() };
+    let kept = text(&square_distances(&program));
+    assert!(!starts_at(&kept, "84") && kept.contains("mul %6 %6"), "{kept}");
+}
