@@ -41,11 +41,11 @@ const NARROW: [Limits; 4] =
 
 /// Squares of full precision begin at the smallest normal number over ε².
 const fn wide(input: f64, share: f64) -> Limits {
-    Limits { input, share, square: 4.6e-277, largest: 1e300 }
+    Limits { input, share, square: 4.6e-277, largest: 1e300, factor: 1e297 }
 }
 
 const fn narrow(input: f64, share: f64) -> Limits {
-    Limits { input, share, square: 8.4e-25, largest: 1e37 }
+    Limits { input, share, square: 8.4e-25, largest: 1e37, factor: 1e34 }
 }
 
 /// The bounds of every function that holds formulas, by its entry point, where there are any.
@@ -123,8 +123,7 @@ fn asked(graph: &Graph, sinks: &[Id]) -> Vec<Node> {
 /// |value| ≤ bound.
 fn within(cx: &Context<'_>, value: &Pieces, [wide, narrow]: [f64; 2]) -> TokenStream {
     let is_within = cx.scalar("is_within");
-    let narrow = if narrow.is_finite() { (narrow as f32).min(f32::MAX) } else { f32::MAX };
-    let bound = cx.literal(wide.min(f64::MAX), narrow);
+    let bound = cx.literal(wide.min(f64::MAX), (narrow as f32).min(f32::MAX));
     quote!(#is_within(#value, #bound))
 }
 
