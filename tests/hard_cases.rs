@@ -9,6 +9,7 @@ mod hard_table;
 mod mechanisms {
     pub(crate) mod driven_groups;
     pub(crate) mod exact_inputs;
+    pub(crate) mod near_limits;
     pub(crate) mod stacked_sliders;
 }
 

@@ -6,6 +6,7 @@ use linkage_core::{Real, Side};
 use crate::data::hard::{self, Case};
 use crate::mechanisms::driven_groups::DrivenRrr;
 use crate::mechanisms::exact_inputs::*;
+use crate::mechanisms::near_limits::CompensatedRrr;
 
 fn case_named(cases: &'static [Case], name: &str) -> &'static Case {
     cases.iter().find(|case| case.name == name).unwrap_or_else(|| panic!("no case {name}"))
@@ -56,8 +57,7 @@ const TO_THE_LAST_PLACES: [f64; 8] = [2.6, 2.6, 2.6, 2.6, 3.7, 3.7, 12.3, 12.3];
 #[test]
 fn compensated_bars_pay_nothing_for_a_toggle() {
     for case in hard::RRR.iter().filter(|case| case.name.contains("toggle")) {
-        let units =
-            units(case, f64::EPSILON, &bars!(CompensatedBars, f64, case.inputs, side(case)));
+        let units = units(case, f64::EPSILON, &bars!(CompensatedRrr, f64, case.inputs, side(case)));
         println!("{}: {units:.2?} ε", case.name);
         for (count, allowed) in units.iter().zip(TO_THE_LAST_PLACES) {
             assert!(*count <= allowed, "{}: {units:?}", case.name);
@@ -73,8 +73,8 @@ fn compensated_bars_pay_nothing_in_single_precision() {
         let rate = [0.3125, 0.6875, 0.0, 0.0];
         let second = [-0.1875, 0.5, 0.0, 0.0];
         let inputs = [0.0, 0.0, 5.0 - gap, 0.0, 3.0, 2.0, rate[0], rate[1], second[0], second[1]];
-        let wide = bars!(CompensatedBars, f64, inputs, Side::Left);
-        let narrow = bars!(CompensatedBars, f32, inputs, Side::Left);
+        let wide = bars!(CompensatedRrr, f64, inputs, Side::Left);
+        let narrow = bars!(CompensatedRrr, f32, inputs, Side::Left);
         for ((value, truth), allowed) in narrow.iter().zip(wide).zip(TO_THE_LAST_PLACES) {
             let units = (value - truth).abs() / (f64::from(f32::EPSILON) * truth.abs());
             assert!(units <= allowed, "gap {gap:e}: {narrow:?} for {wide:?}");

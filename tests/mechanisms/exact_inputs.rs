@@ -3,25 +3,6 @@
 use linkage_core::mechanism;
 
 mechanism! {
-    /// Two bars between two driven points, with products carried to twice the width.
-    pub(crate) struct CompensatedBars {
-        numerics compensated;
-
-        input bx, by, dx, dy: length;
-        param l1 = 1m;
-        param l2 = 1m;
-        param elbow: mode = left;
-
-        point B at (bx, by);
-        point D at (dx, dy);
-
-        rrr BC(B), DC(D) -> C { lengths: (l1, l2), mode: elbow }
-
-        output C, BC, DC;
-    }
-}
-
-mechanism! {
     /// A four-bar of any lengths, with products carried to twice the width.
     pub(crate) struct CompensatedFourBar {
         numerics compensated;
