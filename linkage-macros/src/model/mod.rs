@@ -29,6 +29,7 @@ mod numbers;
 mod outputs;
 mod points;
 mod settings;
+pub(crate) mod stand_in;
 pub(crate) mod turning;
 mod units;
 

@@ -1,10 +1,10 @@
 //! Units in words, for the docs.
 
-use super::results::Order;
+use crate::interface::quantity::Order;
 use crate::model::mechanism::Dimension;
 
 /// The unit of a quantity or of its rates: `m`, `rad/s`, `kg·m²/s²`; `1` for a plain number.
-pub(super) fn unit(dimension: Dimension, order: Order) -> String {
+pub(crate) fn unit(dimension: Dimension, order: Order) -> String {
     let factors = [("kg", dimension.mass), ("m", dimension.length)];
     let mut words: Vec<String> =
         factors.iter().filter(|(_, power)| *power != 0).map(|(w, p)| raised(w, *p)).collect();
@@ -15,7 +15,7 @@ pub(super) fn unit(dimension: Dimension, order: Order) -> String {
 }
 
 /// What an order adds to a unit.
-pub(super) fn per_time(order: Order) -> &'static str {
+pub(crate) fn per_time(order: Order) -> &'static str {
     match order {
         Order::Position => "",
         Order::Velocity => "/s",
