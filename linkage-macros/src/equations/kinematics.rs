@@ -141,6 +141,8 @@ impl<'s> Kinematics<'s> {
             Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) => true,
             Expr::Let(name) => name.index() < self.lets.len(),
             Expr::Slide(link) => self.links[link.index()].is_some(),
+            Expr::Coordinate(point, _) => self.points[point.index()].is_some(),
+            Expr::Distance(points) => points.iter().all(|p| self.points[p.index()].is_some()),
             Expr::Negate(value) => self.is_known(value),
             Expr::Binary(_, sides) => sides.iter().all(|side| self.is_known(side)),
             Expr::Call(_, arguments) => arguments.iter().all(|a| self.is_known(a)),

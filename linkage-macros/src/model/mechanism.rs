@@ -166,9 +166,20 @@ pub(crate) enum Expr {
     Let(LetId),
     /// The slide of a link that slides.
     Slide(LinkId),
+    /// A coordinate of a point in ground axes.
+    Coordinate(PointId, Axis),
+    /// The distance between two points.
+    Distance([PointId; 2]),
     Negate(Box<Expr>),
     Binary(Operator, Box<[Expr; 2]>),
     Call(Function, Vec<Expr>),
+}
+
+/// An axis of the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axis {
+    X,
+    Y,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
