@@ -16,15 +16,15 @@ impl<'s> Kinematics<'s> {
             Expr::Let(name) => self.lets[name.index()],
             Expr::Slide(link) => self.link(*link).slide.expect("the model checked that it slides"),
             Expr::Negate(value) => -self.jet(value),
-            Expr::Binary(operator, sides) => {
-                let (a, b) = (self.jet(&sides[0]), self.jet(&sides[1]));
+            Expr::Chain(first, rest) => rest.iter().fold(self.jet(first), |a, (operator, b)| {
+                let b = self.jet(b);
                 match operator {
                     Operator::Add => a + b,
                     Operator::Sub => a - b,
                     Operator::Mul => a * b,
                     Operator::Div => a / b,
                 }
-            }
+            }),
             Expr::Call(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(|a| self.jet(a)).collect();
                 call(*function, &arguments)

@@ -142,7 +142,9 @@ impl<'s> Kinematics<'s> {
             Expr::Let(name) => name.index() < self.lets.len(),
             Expr::Slide(link) => self.links[link.index()].is_some(),
             Expr::Negate(value) => self.is_known(value),
-            Expr::Binary(_, sides) => sides.iter().all(|side| self.is_known(side)),
+            Expr::Chain(first, rest) => {
+                self.is_known(first) && rest.iter().all(|(_, operand)| self.is_known(operand))
+            }
             Expr::Call(_, arguments) => arguments.iter().all(|a| self.is_known(a)),
         }
     }

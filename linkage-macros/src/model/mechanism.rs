@@ -167,7 +167,8 @@ pub(crate) enum Expr {
     /// The slide of a link that slides.
     Slide(LinkId),
     Negate(Box<Expr>),
-    Binary(Operator, Box<[Expr; 2]>),
+    /// One operation after the other, each on what the one before has made.
+    Chain(Box<Expr>, Vec<(Operator, Expr)>),
     Call(Function, Vec<Expr>),
 }
 
