@@ -197,10 +197,7 @@ impl StandIn {
             ExprKind::Name(name) => {
                 matches!(self.things.get(&name.to_string()), Some(Thing::Value(true)))
             }
-            ExprKind::Negate(operand) => self.holds_angle(operand),
-            ExprKind::Binary(_, operands) => operands.iter().any(|part| self.holds_angle(part)),
-            ExprKind::Call(_, arguments) => arguments.iter().any(|part| self.holds_angle(part)),
-            ExprKind::Number { .. } | ExprKind::Mistake => false,
+            _ => value.parts().any(|part| self.holds_angle(part)),
         }
     }
 

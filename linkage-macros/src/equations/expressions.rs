@@ -25,15 +25,15 @@ impl<'s> Kinematics<'s> {
                 x.hypot(y)
             }
             Expr::Negate(value) => -self.jet(value),
-            Expr::Binary(operator, sides) => {
-                let (a, b) = (self.jet(&sides[0]), self.jet(&sides[1]));
+            Expr::Chain(first, rest) => rest.iter().fold(self.jet(first), |a, (operator, b)| {
+                let b = self.jet(b);
                 match operator {
                     Operator::Add => a + b,
                     Operator::Sub => a - b,
                     Operator::Mul => a * b,
                     Operator::Div => a / b,
                 }
-            }
+            }),
             Expr::Call(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(|a| self.jet(a)).collect();
                 call(*function, &arguments)

@@ -98,21 +98,7 @@ impl Resolver<'_> {
                 quantity.rest = quantity.rest.negated();
                 Some(quantity)
             }
-            ExprKind::Binary(operator, operands) => {
-                let [left, right] = &**operands;
-                let (a, b) = (self.quantity(left), self.quantity(right));
-                let (a, b) = (a?, b?);
-                let quantity = match operator {
-                    BinaryOp::Add => self.sum(Operator::Add, (left, a), (right, b)),
-                    BinaryOp::Sub => self.sum(Operator::Sub, (left, a), (right, b)),
-                    BinaryOp::Mul => self.product((left, a), (right, b)),
-                    BinaryOp::Div => self.quotient(a, (right, b)),
-                }?;
-                if let Expr::Constant(value) = &quantity.rest {
-                    self.number_can_be_held(expr.span, Some(value))?;
-                }
-                Some(quantity)
-            }
+            ExprKind::Chain(first, rest) => self.chain(first, rest),
             ExprKind::Call(function, arguments) if function == DISTANCE => {
                 self.distance(function, arguments)
             }
@@ -120,6 +106,40 @@ impl Resolver<'_> {
             // The names in it are among what was not read.
             ExprKind::Mistake => None,
         }
+    }
+
+    /// One operation after the other, each on what the one before has made.
+    fn chain(&mut self, first: &tree::Expr, rest: &[(BinaryOp, tree::Expr)]) -> Option<Quantity> {
+        let (mut span, mut left) = (first.span, self.quantity(first));
+        for (operator, operand) in rest {
+            // What stands behind a mistake is still looked at.
+            let right = self.quantity(operand);
+            let sides = left.zip(right);
+            left = sides.and_then(|(left, right)| {
+                self.operation(*operator, (span, left), (operand, right))
+            });
+            span = span.to(operand.span);
+        }
+        left
+    }
+
+    fn operation(
+        &mut self,
+        operator: BinaryOp,
+        left: (Extent, Quantity),
+        right: (&tree::Expr, Quantity),
+    ) -> Option<Quantity> {
+        let span = left.0.to(right.0.span);
+        let quantity = match operator {
+            BinaryOp::Add => self.sum(Operator::Add, left, right),
+            BinaryOp::Sub => self.sum(Operator::Sub, left, right),
+            BinaryOp::Mul => self.product(left, (right.0.span, right.1)),
+            BinaryOp::Div => self.quotient(left.1, (right.0.span, right.1)),
+        }?;
+        if let Expr::Constant(value) = &quantity.rest {
+            self.number_can_be_held(span, Some(value))?;
+        }
+        Some(quantity)
     }
 
     /// A literal is a number, and its units are among the known.
@@ -207,7 +227,7 @@ impl Resolver<'_> {
     fn sum(
         &mut self,
         operator: Operator,
-        (left, mut a): (&tree::Expr, Quantity),
+        (left, mut a): (Extent, Quantity),
         (right, b): (&tree::Expr, Quantity),
     ) -> Option<Quantity> {
         let Some(measure) = a.measure.sum(b.measure) else {
@@ -221,7 +241,7 @@ impl Resolver<'_> {
         };
         if measure == Measure::ANGLE {
             let left_is_small = self.bare_angle_is_within_a_turn(left, &a);
-            self.bare_angle_is_within_a_turn(right, &b).and(left_is_small)?;
+            self.bare_angle_is_within_a_turn(right.span, &b).and(left_is_small)?;
         }
         a.measure = measure;
         let sign = if operator == Operator::Add { 1 } else { -1 };
@@ -234,8 +254,8 @@ impl Resolver<'_> {
 
     fn product(
         &mut self,
-        (left, a): (&tree::Expr, Quantity),
-        (right, b): (&tree::Expr, Quantity),
+        (left, a): (Extent, Quantity),
+        (right, b): (Extent, Quantity),
     ) -> Option<Quantity> {
         let measure = a.measure.product(b.measure);
         // The factor of a link angle, if there is one, is the other side.
@@ -243,8 +263,8 @@ impl Resolver<'_> {
             (true, true) => {
                 return Some(Quantity::plain(measure, a.rest.combined(Operator::Mul, b.rest)?));
             }
-            (false, _) => (a, b, right.span),
-            (true, false) => (b, a, left.span),
+            (false, _) => (a, b, right),
+            (true, false) => (b, a, left),
         };
         let integer = factor.rest.constant().and_then(Exact::to_integer);
         let integer = integer.and_then(|k| i32::try_from(k).ok());
@@ -257,16 +277,12 @@ impl Resolver<'_> {
         Some(Quantity { measure, ..turn })
     }
 
-    fn quotient(
-        &mut self,
-        mut a: Quantity,
-        (right, b): (&tree::Expr, Quantity),
-    ) -> Option<Quantity> {
+    fn quotient(&mut self, mut a: Quantity, (right, b): (Extent, Quantity)) -> Option<Quantity> {
         if !b.links.is_empty() {
-            return self.link_angles_are_whole_multiples(right.span, &b.links);
+            return self.link_angles_are_whole_multiples(right, &b.links);
         }
         if b.rest.is_zero() {
-            self.diagnostics.error(right.span, "a division by zero");
+            self.diagnostics.error(right, "a division by zero");
             return None;
         }
         if !a.links.is_empty() {
@@ -276,7 +292,7 @@ impl Resolver<'_> {
                 _ => None,
             };
             if divided.is_none() {
-                return self.link_angles_are_whole_multiples(right.span, &links);
+                return self.link_angles_are_whole_multiples(right, &links);
             }
         }
         a.measure = a.measure.quotient(b.measure);

@@ -172,7 +172,8 @@ pub(crate) enum Expr {
     /// The distance between two points.
     Distance([PointId; 2]),
     Negate(Box<Expr>),
-    Binary(Operator, Box<[Expr; 2]>),
+    /// One operation after the other, each on what the one before has made.
+    Chain(Box<Expr>, Vec<(Operator, Expr)>),
     Call(Function, Vec<Expr>),
 }
 

@@ -53,7 +53,7 @@ impl Resolver<'_> {
     ) -> Option<()> {
         if quantity.measure.fits(wanted) {
             return match wanted {
-                Dimension::ANGLE => self.bare_angle_is_within_a_turn(expr, quantity),
+                Dimension::ANGLE => self.bare_angle_is_within_a_turn(expr.span, quantity),
                 _ => Some(()),
             };
         }
@@ -93,14 +93,14 @@ impl Resolver<'_> {
     /// forgotten `deg`.
     pub(super) fn bare_angle_is_within_a_turn(
         &mut self,
-        expr: &tree::Expr,
+        at: Extent,
         quantity: &Quantity,
     ) -> Option<()> {
         if quantity.measure != Measure::Bare {
             return Some(());
         }
         let (value, span) = match &quantity.rest {
-            Expr::Constant(value) => (value.clone(), expr.span),
+            Expr::Constant(value) => (value.clone(), at),
             Expr::Param(id) => {
                 let facts = &mut self.facts.params[id.index()];
                 let ParamKind::Number { default, .. } = &self.mechanism.params[id.index()].kind
@@ -176,12 +176,7 @@ impl Resolver<'_> {
         if asks(self, expr) {
             return Some(expr.span);
         }
-        match &expr.kind {
-            ExprKind::Negate(inner) => self.first(inner, asks),
-            ExprKind::Binary(_, operands) => operands.iter().find_map(|e| self.first(e, asks)),
-            ExprKind::Call(_, arguments) => arguments.iter().find_map(|e| self.first(e, asks)),
-            _ => None,
-        }
+        expr.parts().find_map(|part| self.first(part, asks))
     }
 
     /// The arguments of a function have the dimensions it is defined for.

@@ -162,15 +162,15 @@ fn expr(value: &Expr) -> String {
         ExprKind::Name(name) => name.to_string(),
         ExprKind::Member(link, member) => format!("{link}.{member}"),
         ExprKind::Negate(operand) => format!("(-{})", expr(operand)),
-        ExprKind::Binary(operator, operands) => {
+        ExprKind::Chain(first, rest) => rest.iter().fold(expr(first), |left, (operator, right)| {
             let sign = match operator {
                 BinaryOp::Add => '+',
                 BinaryOp::Sub => '-',
                 BinaryOp::Mul => '*',
                 BinaryOp::Div => '/',
             };
-            format!("({} {sign} {})", expr(&operands[0]), expr(&operands[1]))
-        }
+            format!("({left} {sign} {})", expr(right))
+        }),
         ExprKind::Call(name, arguments) => {
             format!("{name}({})", arguments.iter().map(expr).collect::<Vec<_>>().join(", "))
         }
