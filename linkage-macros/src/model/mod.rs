@@ -28,6 +28,7 @@ mod names;
 mod numbers;
 mod outputs;
 mod points;
+mod readings;
 mod settings;
 pub(crate) mod stand_in;
 pub(crate) mod turning;
