@@ -92,8 +92,8 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
         "Groups, in the order they are solved",
         groups.map(|group| format!("{} {}", group.keyword, group.title)).collect(),
     );
-    let turnings = cx.mechanism.turnings.iter();
-    page += &section("Range", turnings.map(|turning| range::in_words(cx, turning)).collect());
+    let ranges = cx.mechanism.rotatabilities.iter();
+    page += &section("Range", ranges.map(|found| range::in_words(cx, found)).collect());
     let costs = cx.entries().map(|entry| {
         format!("`{}`: {}", cx.entry(entry).name, cost::in_words(cost::of(cx, entry)))
     });
@@ -196,18 +196,13 @@ fn output(cx: &Context<'_>, output: &Output, order: Order) -> TokenStream {
 /// One output in words: what it is, what made it, its unit.
 pub(super) fn describe(cx: &Context<'_>, output: &Output, order: Order) -> String {
     let (mechanism, name) = (cx.mechanism, text(&output.field));
-    let group = |index: usize| {
-        let group = &mechanism.groups[index];
-        format!("{} {}", group.keyword, group.title)
-    };
     let words = Quantity::of(&output.kind).layout(order).words;
     match &output.kind {
         OutputKind::Point(point) => {
-            let made_by = &mechanism.points[point.index()].made_by;
-            format!("Point `{name}` ({made_by}): {words}")
+            format!("Point `{name}` ({}): {words}", mechanism.maker(*point))
         }
         OutputKind::Link { link, .. } => {
-            let made_by = group(mechanism.links[link.index()].made_by.index());
+            let made_by = mechanism.statement(mechanism.links[link.index()].made_by);
             format!("Link `{name}` ({made_by}): {words}")
         }
         OutputKind::Value { dimension, .. } => {
@@ -215,11 +210,11 @@ pub(super) fn describe(cx: &Context<'_>, output: &Output, order: Order) -> Strin
         }
         OutputKind::Turn(_) => format!("Angle `{name}`: {words}"),
         OutputKind::Margin(id) => {
-            let limit = group(id.index());
-            format!("Distance of {limit} from its limit{words} in m{}", per_time(order))
+            let group = mechanism.statement(*id);
+            format!("Distance of {group} from its limit{words} in m{}", per_time(order))
         }
         OutputKind::Transmission(id) => {
-            format!("Sine of the transmission angle of {}{words}", group(id.index()))
+            format!("Sine of the transmission angle of {}{words}", mechanism.statement(*id))
         }
     }
 }

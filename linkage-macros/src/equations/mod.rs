@@ -44,7 +44,7 @@ pub(crate) mod tests;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::motion::Direction;
-use crate::equations::symbol::{Sheet, Vector};
+use crate::equations::symbol::Sheet;
 use crate::interface::Interface;
 use crate::interface::entries::Entry;
 use crate::interface::quantity::Order;
@@ -71,7 +71,7 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
 /// What every entry point that the mechanism can have asks, one after the other.
 fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, rules: &[Rule]) -> Vec<Answer> {
     let interface = Interface::of(mechanism);
-    let given = Kinematics::of(sheet, mechanism, free_inputs(mechanism, sheet));
+    let given = Kinematics::of(sheet, mechanism, Source::free(mechanism, sheet));
     let has_bare_angle = has_bare_angle(mechanism, rules);
     let mut on_circle = None;
     let mut answers = Vec::new();
@@ -79,7 +79,7 @@ fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, rules: &[Rule]) -
         let kinematics = match entry.takes_cosine() {
             true if !has_bare_angle => continue,
             true => on_circle.get_or_insert_with(|| {
-                Kinematics::of(sheet, mechanism, vec![on_the_circle(sheet)])
+                Kinematics::of(sheet, mechanism, vec![Source::on_the_circle(sheet)])
             }),
             false => &given,
         };
@@ -107,23 +107,6 @@ fn sinks(interface: &Interface, entry: &Entry, kinematics: &Kinematics<'_>) -> V
     }
 }
 
-/// Inputs whose value, rate and second rate are given.
-fn free_inputs<'s>(mechanism: &Mechanism, sheet: &'s Sheet<'s>) -> Vec<Source<'s>> {
-    (0..mechanism.inputs.len() as u32)
-        .map(|input| {
-            let order = |order| sheet.node(Node::Input { input, order });
-            Source { jet: Jet { value: order(0), rate: order(1), accel: order(2) }, unit: None }
-        })
-        .collect()
-}
-
-/// The only input, its cosine and sine given in place of its value.
-fn on_the_circle<'s>(sheet: &'s Sheet<'s>) -> Source<'s> {
-    let order = |order| sheet.node(Node::Input { input: 0, order });
-    let unit = Vector { x: sheet.node(Node::InputCos(0)), y: sheet.node(Node::InputSin(0)) };
-    Source { jet: Jet { value: order(0), rate: order(1), accel: order(2) }, unit: Some(unit) }
-}
-
 /// Whether the only input occurs bare as an angle and nowhere else, so that its cosine and sine
 /// can be given in its place: whether, given them, its value is needed nowhere.
 fn has_bare_angle(mechanism: &Mechanism, rules: &[Rule]) -> bool {
@@ -132,7 +115,7 @@ fn has_bare_angle(mechanism: &Mechanism, rules: &[Rule]) -> bool {
         return false;
     }
     let trial = Sheet::new(rules);
-    let at = Kinematics::of(&trial, mechanism, vec![on_the_circle(&trial)]);
+    let at = Kinematics::of(&trial, mechanism, vec![Source::on_the_circle(&trial)]);
     let sinks: Vec<Id> = [Order::Position, Order::Acceleration]
         .into_iter()
         .flat_map(|order| components(&at, order))
@@ -146,7 +129,7 @@ fn has_bare_angle(mechanism: &Mechanism, rules: &[Rule]) -> bool {
 fn coefficients<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Vec<Id> {
     let zero = sheet.zero();
     let sinks = (0..mechanism.inputs.len()).flat_map(|moving| {
-        let mut inputs = free_inputs(mechanism, sheet);
+        let mut inputs = Source::free(mechanism, sheet);
         for (index, source) in inputs.iter_mut().enumerate() {
             source.jet.rate = sheet.integer(i64::from(index == moving));
             source.jet.accel = zero;

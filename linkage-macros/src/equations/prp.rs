@@ -27,7 +27,7 @@
 //! # Source
 //! Cramer's rule; W. Kahan for the 2×2 determinants.
 
-use crate::equations::groups::{Block, Place, Quality, SlidingPair};
+use crate::equations::groups::{Block, LinkMotion, Place, Quality, Solved};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Frame, PointMotion};
 use crate::equations::symbol::Vector;
@@ -37,7 +37,7 @@ pub(super) fn prp<'s>(
     place: &Place<'s>,
     guides: [Frame<'s>; 2],
     offsets: [Jet<'s>; 2],
-) -> SlidingPair<'s> {
+) -> Solved<'s> {
     let [u1, u2] = guides.map(|guide| guide.direction.u);
     let (sine, _) = guides[0].direction.sin_cos_to(guides[1].direction);
     let inverse = sine.provided(Check::Nonzero, place.group, &[]).recip();
@@ -60,8 +60,11 @@ pub(super) fn prp<'s>(
     let carrier = usize::from(fixed(1) && !fixed(0));
     let pin = blocks[carrier].pin(rate[carrier], accel[carrier], transport[carrier]);
     let pin = PointMotion { offset: exact_coordinates(pin, &blocks), ..pin };
-    let jet = |k: usize| Jet { value: value[k], rate: rate[k], accel: accel[k] };
-    SlidingPair { pin, slides: [jet(0), jet(1)] }
+    let block = |k: usize| LinkMotion {
+        frame: Frame { origin: pin, direction: guides[k].direction },
+        slide: Some(Jet { value: value[k], rate: rate[k], accel: accel[k] }),
+    };
+    Solved { links: vec![block(0), block(1)], pin: Some(pin) }
 }
 
 /// Two guides along the axes cross where one gives x and the other gives y, without arithmetic.

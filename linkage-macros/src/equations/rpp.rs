@@ -37,7 +37,7 @@
 //! it is a multiple of 90° or 30°. They are taken from β itself: the difference of the rounded
 //! angles of slot and rail would lose every digit that β is small by.
 
-use crate::equations::groups::{Place, Quality, Slides};
+use crate::equations::groups::{LinkMotion, Place, Quality, Solved};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::symbol::Vector;
@@ -56,7 +56,7 @@ pub(super) fn rpp<'s>(
     rail: Frame<'s>,
     slot: Slot<'s>,
     offsets: [Jet<'s>; 2],
-) -> Slides<'s> {
+) -> Solved<'s> {
     let (u1, n1) = (rail.direction.u, rail.direction.n());
     let (u2, n2) = (slot.direction.u, slot.direction.n());
     let Direction { u: Vector { x: cosine, y: sine }, omega: beta_rate, alpha: beta_accel, .. } =
@@ -86,10 +86,15 @@ pub(super) fn rpp<'s>(
         - (beta_rate * (rail.direction.omega.twice() + beta_rate)) * rho2
         + beta_rate.twice() * sigma2.normal();
     let accel = slides(b.acceleration - (carried + turned + e1.accel * n1 + e2.accel * n2));
-    Slides {
-        rail: Jet { value: s1, rate: rate[0], accel: accel[0] },
-        slot: Jet { value: s2, rate: rate[1], accel: accel[1] },
-    }
+    let on_rail = Jet { value: s1, rate: rate[0], accel: accel[0] };
+    let in_slot = Jet { value: s2, rate: rate[1], accel: accel[1] };
+    let foot = rail.place(on_rail, Jet::zero(place.sheet));
+    let link = |origin, direction, slide| LinkMotion {
+        frame: Frame { origin, direction },
+        slide: Some(slide),
+    };
+    let links = vec![link(b, slot.direction, in_slot), link(foot, rail.direction, on_rail)];
+    Solved { links, pin: None }
 }
 
 /// The sine of the angle between rail and slot, not negative.

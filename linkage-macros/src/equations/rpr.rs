@@ -35,21 +35,22 @@
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.
 
-use crate::equations::clearance::{Clearance, size};
 use crate::equations::double_word::DoubleWord;
-use crate::equations::groups::{Place, Quality, SlottedBar, root_in_reach};
+use crate::equations::groups::{
+    Clearance, LinkMotion, Place, Quality, Solved, root_in_reach, size,
+};
 use crate::equations::jet::Jet;
-use crate::equations::motion::PointMotion;
+use crate::equations::motion::{Direction, Frame, PointMotion, Turned};
 use crate::equations::symbol::Sym;
 use crate::ir::graph::Check;
-use crate::model::mechanism::Numerics;
+use crate::model::mechanism::{Carrier, Numerics};
 
 pub(super) fn rpr<'s>(
     place: &Place<'s>,
     [b, d]: [PointMotion<'s>; 2],
     offset: Jet<'s>,
     mode: Sym<'s>,
-) -> SlottedBar<'s> {
+) -> Solved<'s> {
     let from = d.to(b);
     let e = offset.value;
     let square = from.dot(from);
@@ -79,7 +80,10 @@ pub(super) fn rpr<'s>(
     let slide_accel =
         along.acceleration + alpha * e + omega.squared() * s + (omega * offset.rate).twice();
     let slide = Jet { value: s, rate: slide_rate, accel: slide_accel };
-    SlottedBar { u, omega, alpha, slide }
+    let turned = Some(Turned::start(Carrier::Link(place.links[1]), place.sheet));
+    let direction = Direction { u, omega, alpha, turned };
+    let link = |origin, slide| LinkMotion { frame: Frame { origin, direction }, slide };
+    Solved { links: vec![link(b, Some(slide)), link(d, None)], pin: None }
 }
 
 /// s² = b² − e², which is smooth, vanishes at the limit and is negative out of reach; its value

@@ -43,9 +43,10 @@
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (slider-crank) in the axes of the guide.
 
-use crate::equations::clearance::{Clearance, size};
 use crate::equations::double_word::DoubleWord;
-use crate::equations::groups::{Bar, Block, Place, Quality, SlidingDyad, root_in_reach};
+use crate::equations::groups::{
+    Bar, Block, Clearance, LinkMotion, Place, Quality, Solved, root_in_reach, size,
+};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::symbol::Sym;
@@ -59,7 +60,7 @@ pub(super) fn rrp<'s>(
     length: Jet<'s>,
     offset: Jet<'s>,
     mode: Sym<'s>,
-) -> SlidingDyad<'s> {
+) -> Solved<'s> {
     let (u, n) = (guide.direction.u, guide.direction.n());
     let from = guide.origin.to(b);
     let foot = from.dot(u);
@@ -103,7 +104,9 @@ pub(super) fn rrp<'s>(
         PointMotion { base: on_bar.base, offset: on_bar.offset, ..on_guide }
     };
     let slide = Jet { value: slide, rate: slide_rate, accel: slide_accel };
-    SlidingDyad { pin, bar, slide }
+    let block =
+        LinkMotion { frame: Frame { origin: pin, direction: guide.direction }, slide: Some(slide) };
+    Solved { links: vec![bar.link(place.links[0]), block], pin: Some(pin) }
 }
 
 /// The distance y of B from the guide.

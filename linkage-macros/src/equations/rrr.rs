@@ -63,9 +63,8 @@
 //! constants and accelerations are asked for. A parallelogram (l₂ = |AB|, l₃ … equal in pairs)
 //! passes through change points where a constant mode turns it into an antiparallelogram.
 
-use crate::equations::clearance::{Clearance, size};
 use crate::equations::double_word::DoubleWord;
-use crate::equations::groups::{Bar, Dyad, Place, Quality, root_in_reach};
+use crate::equations::groups::{Bar, Clearance, Place, Quality, Solved, root_in_reach, size};
 use crate::equations::jet::Jet;
 use crate::equations::motion::PointMotion;
 use crate::equations::symbol::{Sym, Vector};
@@ -95,7 +94,7 @@ pub(super) fn rrr<'s>(
     [b, d]: [PointMotion<'s>; 2],
     lengths: [Jet<'s>; 2],
     mode: Sym<'s>,
-) -> Dyad<'s> {
+) -> Solved<'s> {
     let line = b.to(d);
     let triangle = triangle(place, [b, d], lengths, mode);
     let across = triangle.height * line.normal();
@@ -118,7 +117,8 @@ pub(super) fn rrr<'s>(
     // The pin is carried by the bar that stands on the ground, if one does: one sum less.
     let carrier = usize::from(d.is_fixed());
     let pin = bars[carrier].pin();
-    Dyad { pin, bars }
+    let links = bars.iter().zip(place.links).map(|(bar, &link)| bar.link(link));
+    Solved { links: links.collect(), pin: Some(pin) }
 }
 
 fn triangle<'s>(

@@ -4,15 +4,12 @@
 //! Its pin is the guide's point K + slide·u + offset·n; its frame has the pin as origin and the
 //! guide's direction as x.
 
+use crate::equations::groups::{LinkMotion, Solved};
 use crate::equations::jet::Jet;
-use crate::equations::motion::{Frame, PointMotion};
+use crate::equations::motion::Frame;
 
-/// The block's frame and its pin.
-pub(super) fn slider<'s>(
-    guide: Frame<'s>,
-    slide: Jet<'s>,
-    offset: Jet<'s>,
-) -> (Frame<'s>, PointMotion<'s>) {
+pub(super) fn slider<'s>(guide: Frame<'s>, slide: Jet<'s>, offset: Jet<'s>) -> Solved<'s> {
     let pin = guide.place(slide, offset);
-    (Frame { origin: pin, direction: guide.direction }, pin)
+    let frame = Frame { origin: pin, direction: guide.direction };
+    Solved { links: vec![LinkMotion { frame, slide: Some(slide) }], pin: Some(pin) }
 }

@@ -12,7 +12,6 @@ use super::dimension::Measure;
 use super::folding::shown;
 use super::mechanism::{Dimension, Expr, Function, LinkId, Operator, ParamKind, Turn};
 use super::names::{Entity, NUMBERS};
-use super::readings::DISTANCE;
 use super::units::unit;
 
 /// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
@@ -25,6 +24,9 @@ pub(super) struct Quantity {
 /// Why a link's angle stands only in sums, times an integer.
 pub(super) const ANGLE_REASON: &str = "a link's angle is known up to whole turns: it stands in \
      sums of angles, times an integer, because other ratios jump at ±π";
+
+/// The function of two points.
+const DISTANCE: &str = "distance";
 
 const FUNCTIONS: [(&str, Function, usize); 9] = [
     ("sqrt", Function::Sqrt, 1),

@@ -10,7 +10,7 @@ use super::Resolver;
 use super::anatomy::{Anatomy, Class, Joint, Pin, Reason};
 use super::facts::LinkFacts;
 use super::fields::Fields;
-use super::mechanism::{Group, GroupId, GuideId, Link, LinkId, Named, PointId};
+use super::mechanism::{Body, Group, GroupId, GuideId, Link, LinkId, Point, PointId};
 use super::names::{Entity, Kind};
 
 /// What a group statement has made and was given.
@@ -78,11 +78,17 @@ impl Resolver<'_> {
             self.fields(group, anatomy);
             return;
         }
-        let id = self.add_group(group.title(), anatomy.keyword);
-        let links = (group.legs.iter().zip(anatomy.slides))
+        let id = self.next_group();
+        let links: Vec<_> = (group.legs.iter().zip(anatomy.slides))
             .map(|(leg, slides)| self.add_link(docs, &leg.link, id, slides))
             .collect();
         let pin = self.pin(docs, group, anatomy, id);
+        self.mechanism.groups.push(Group {
+            keyword: group.keyword.clone(),
+            title: group.title(),
+            links: links.iter().copied().flatten().collect(),
+            pin,
+        });
         let outer = self.outer_joints(group, anatomy);
         let fields = self.fields(group, anatomy);
         let parts = Parts { group, anatomy, id, links, outer, pin, fields };
@@ -121,10 +127,9 @@ impl Resolver<'_> {
         }
     }
 
-    pub(super) fn add_group(&mut self, title: String, keyword: &'static str) -> GroupId {
-        let id = GroupId(self.mechanism.groups.len() as u32);
-        self.mechanism.groups.push(Group { title, keyword });
-        id
+    /// The id of the group that is about to be made.
+    pub(super) fn next_group(&self) -> GroupId {
+        GroupId(self.mechanism.groups.len() as u32)
     }
 
     fn add_link(
@@ -157,11 +162,11 @@ impl Resolver<'_> {
         &mut self,
         docs: &[Attribute],
         name: &Ident,
-        made_by: String,
+        part_of: Body,
     ) -> Option<PointId> {
         self.name_is_new(name)?;
         let id = PointId(self.mechanism.points.len() as u32);
-        self.mechanism.points.push(Named { name: name.clone(), docs: docs.to_vec(), made_by });
+        self.mechanism.points.push(Point { name: name.clone(), docs: docs.to_vec(), part_of });
         self.facts.points.push(false);
         self.facts.order.push(Entity::Point(id));
         self.names.bind(name, Entity::Point(id));
@@ -184,10 +189,7 @@ impl Resolver<'_> {
                 self.name_is_new(pin);
                 None
             }
-            (Some(pin), _) => {
-                let made_by = format!("{keyword} {}", self.mechanism.groups[id.index()].title);
-                self.add_point(docs, pin, made_by)
-            }
+            (Some(pin), _) => self.add_point(docs, pin, Body::Pin(id)),
             (None, Pin::Needed) if group.head_is_read => {
                 let message = format!("`{keyword}` makes a pin; name it with `-> C`");
                 let reason = format!("it reads `{}`", anatomy.form);

@@ -1,7 +1,6 @@
 //! Guides: lines with a direction, fixed in the ground or in a link.
 
 use proc_macro2::Ident;
-use syn::Attribute;
 
 use crate::exact::Exact;
 use crate::syntax::tree;
@@ -9,13 +8,12 @@ use crate::syntax::tree;
 use super::Resolver;
 use super::assembly::constants;
 use super::facts::{GuideFacts, Line};
-use super::mechanism::{Carrier, Course, GuideId, Named, PointId, Spot, Step};
+use super::mechanism::{Carrier, Course, Guide, GuideId, PointId, Spot, Step};
 use super::names::Entity;
 
 impl Resolver<'_> {
     pub(super) fn guide_line(
         &mut self,
-        docs: &[Attribute],
         name: &Ident,
         on: Option<&Ident>,
         through: &tree::Spot,
@@ -34,9 +32,8 @@ impl Resolver<'_> {
         let (true, Some(carrier)) = (is_new, carrier) else {
             return;
         };
-        let made_by = on.map_or("guide".to_string(), |link| format!("guide on {link}"));
         let id = GuideId(self.mechanism.guides.len() as u32);
-        self.mechanism.guides.push(Named { name: name.clone(), docs: docs.to_vec(), made_by });
+        self.mechanism.guides.push(Guide { name: name.clone() });
         self.names.bind(name, Entity::Guide(id));
         let place = through.as_ref().and_then(|(_, place)| place.clone());
         let angle = match (&course, &place) {

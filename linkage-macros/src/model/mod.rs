@@ -20,19 +20,20 @@ mod fields;
 mod folding;
 mod groups;
 mod guides;
+mod ids;
 mod inputs;
 pub(crate) mod mechanism;
-pub(crate) mod mentions;
-mod modes;
+pub(crate) mod modes;
 mod names;
 mod numbers;
 mod outputs;
 mod points;
 mod readings;
+mod references;
+mod rotatability;
 mod settings;
 pub(crate) mod stand_in;
-pub(crate) mod turning;
-mod units;
+pub(crate) mod units;
 
 #[cfg(test)]
 mod tests;
@@ -41,8 +42,7 @@ use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 
 use facts::Facts;
-use mechanism::{Mechanism, Numerics};
-use mentions::Mentions;
+use mechanism::{Mechanism, Numerics, References};
 use names::Names;
 
 /// The mechanism that the declaration means; `None` if anything in it was reported.
@@ -67,8 +67,8 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     resolver.outputs(tree);
     resolver.an_input_is_declared(tree);
     resolver.every_input_is_used(tree);
-    resolver.mechanism.turnings = turning::turnings(&resolver.mechanism);
-    resolver.cranks_can_turn(tree);
+    resolver.mechanism.rotatabilities = rotatability::rotatabilities(&resolver.mechanism);
+    resolver.cranks_can_turn();
     let mechanism = resolver.mechanism;
     (diagnostics.count() == before).then_some(mechanism)
 }
@@ -100,7 +100,7 @@ impl Resolver<'_> {
             StatementKind::Let { name, value } => self.named_expression(name, value),
             StatementKind::Ground { points } => self.ground(docs, points),
             StatementKind::Guide { name, on, through, course } => {
-                self.guide_line(docs, name, on.as_ref(), through, course);
+                self.guide_line(name, on.as_ref(), through, course);
             }
             StatementKind::Point { name, on, place } => {
                 self.placed_point(docs, name, on.as_ref(), place);
@@ -129,8 +129,8 @@ fn empty(tree: &Declaration) -> Mechanism {
         groups: Vec::new(),
         steps: Vec::new(),
         outputs: Vec::new(),
-        turnings: Vec::new(),
-        mentions: Mentions::of(tree),
+        rotatabilities: Vec::new(),
+        references: References::of(tree),
         numerics: Numerics::Plain,
         crate_path: None,
         export_c: false,

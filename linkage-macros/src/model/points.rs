@@ -9,12 +9,12 @@ use crate::syntax::tree::{self, Expr as Written};
 use super::Resolver;
 use super::assembly::{constants, polar};
 use super::folding::shown;
-use super::mechanism::{Carrier, Expr, LinkId, Place, Sign, Step};
+use super::mechanism::{Body, Carrier, Expr, Group, LinkId, Place, Sign, Step};
 
 impl Resolver<'_> {
     pub(super) fn ground(&mut self, docs: &[Attribute], points: &[(Ident, [Written; 2])]) {
         for (name, place) in points {
-            let point = self.add_point(docs, name, "ground".to_string());
+            let point = self.add_point(docs, name, Body::Ground);
             let at = [0, 1].map(|i| {
                 self.depends_on_no_input(&place[i], name)?;
                 self.length(&place[i])
@@ -46,23 +46,27 @@ impl Resolver<'_> {
             self.name_is_new(name);
             return;
         };
-        let (made_by, group) = match carrier {
-            Carrier::Ground => ("driven point".to_string(), None),
-            Carrier::Link(link) => {
-                let link = &self.mechanism.links[link.index()];
-                (format!("point on {}", link.name), Some(link.made_by))
-            }
+        let (part_of, group) = match carrier {
+            Carrier::Ground => (Body::Driven(self.next_group()), self.next_group()),
+            Carrier::Link(link) => (Body::Link(link), self.mechanism.links[link.index()].made_by),
         };
-        let Some(point) = self.add_point(docs, name, made_by) else {
+        let Some(point) = self.add_point(docs, name, part_of) else {
             return;
         };
+        if carrier == Carrier::Ground {
+            self.mechanism.groups.push(Group {
+                keyword: Ident::new("point", name.span()),
+                title: name.to_string(),
+                links: Vec::new(),
+                pin: Some(point),
+            });
+        }
         self.facts.points[point.index()] = self.moves;
         if carrier != Carrier::Ground || !self.moves {
             let at = place.as_ref().and_then(constant_place);
             self.facts.fix(point, carrier, at);
         }
         if let Some(place) = place {
-            let group = group.unwrap_or_else(|| self.add_group(name.to_string(), "point"));
             self.mechanism.steps.push(Step::Point { point, carrier, place, group });
         }
     }

@@ -155,7 +155,7 @@ impl Names<'_> {
                 let made = self.made(*group, &[*link]);
                 format!("{made}({pivot}){pin} turned {angle} from {base}")
             }
-            Step::Slider { link, guide, pin, slide, offset } => {
+            Step::Slider { link, guide, pin, slide, offset, .. } => {
                 let pin = pin.map_or(String::new(), |pin| format!(" -> {}", self.point(pin)));
                 let (guide, slide) = (self.guide(*guide), self.expr(slide));
                 let group = self.0.links[link.index()].made_by;
