@@ -6,8 +6,8 @@
 //! mode; where it passes through zero, the motion ends. The value under the root is given with
 //! its rate, and with a scale against which the coordinates' rounding is small.
 
-use crate::equations::groups::Clearance;
 use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::parts::Clearance;
 use crate::equations::symbol::Sheet;
 use crate::equations::{rpr, rrp, rrr};
 use crate::ir::program;

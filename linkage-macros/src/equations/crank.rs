@@ -10,9 +10,9 @@
 //! with and without fused operations (`linkage-core`'s kernels hold that), the pin's offsets one
 //! rounding more; on a moving link three roundings are added for turning one direction by another.
 
-use crate::equations::groups::{LinkMotion, Solved};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::parts::{LinkMotion, Solved};
 
 /// The crank, and its pin where it has a length.
 pub(super) fn crank<'s>(

@@ -2,15 +2,15 @@
 
 use std::collections::HashMap;
 
-use crate::equations::groups::{LinkMotion, Place as Standing, Quality, Solved};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::parts::{GroupScope, LimitMeasures, LinkMotion, Solved};
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::equations::{crank, guide, point, prp, rpp, rpr, rrp, rrr, slider};
 use crate::ir::graph::Node;
 use crate::model::mechanism::{
-    Carrier, Course, Expr, Group, GroupId, GuideId, LinkId, Mechanism, Mode, OutputKind, Place,
-    PointId, Sign, Spot, Step,
+    Carrier, Expr, Group, GroupId, GuideDirection, GuideId, LinkId, Mechanism, Mode, OutputKind,
+    Placement, PointId, Sign, Step, Through,
 };
 
 /// An input as the sheet knows it.
@@ -51,7 +51,7 @@ pub(super) struct Kinematics<'s> {
     guides: Vec<Option<Frame<'s>>>,
     /// Where a point lies in the frame of what carries it.
     coordinates: HashMap<(Carrier, PointId), [Jet<'s>; 2]>,
-    qualities: HashMap<GroupId, Quality<'s>>,
+    qualities: HashMap<GroupId, LimitMeasures<'s>>,
 }
 
 impl<'s> Kinematics<'s> {
@@ -86,7 +86,7 @@ impl<'s> Kinematics<'s> {
         self.links[id.index()].expect("a step uses only what earlier steps have made")
     }
 
-    pub(super) fn quality(&self, group: GroupId) -> Option<Quality<'s>> {
+    pub(super) fn quality(&self, group: GroupId) -> Option<LimitMeasures<'s>> {
         self.qualities.get(&group).copied()
     }
 
@@ -178,10 +178,10 @@ impl<'s> Kinematics<'s> {
         })
     }
 
-    fn standing(&self, group: GroupId) -> Standing<'s> {
+    fn scope(&self, group: GroupId) -> GroupScope<'s> {
         let links = &self.mechanism.groups[group.index()].links;
         let numerics = self.mechanism.numerics;
-        Standing { group: group.0, links, numerics, sheet: self.sheet }
+        GroupScope { group: group.0, links, numerics, sheet: self.sheet }
     }
 
     fn take(&mut self, step: &'s Step) {
@@ -209,18 +209,26 @@ impl<'s> Kinematics<'s> {
         self.set_point(id, PointMotion::fixed(Vector { x: at[0].value, y: at[1].value }));
     }
 
-    fn take_guide(&mut self, id: GuideId, carrier: Carrier, through: &Spot, course: &Course) {
+    fn take_guide(
+        &mut self,
+        id: GuideId,
+        carrier: Carrier,
+        through: &Through,
+        course: &GuideDirection,
+    ) {
         let frame = self.carrier(carrier);
         let (origin, from) = match through {
-            Spot::At(at) => {
+            Through::At(at) => {
                 let at = self.jets(at);
                 (self.spot(frame, carrier, at), at)
             }
-            Spot::Point(point) => (self.point(*point), self.coordinates[&(carrier, *point)]),
+            Through::Point(point) => (self.point(*point), self.coordinates[&(carrier, *point)]),
         };
         let guide = match course {
-            Course::Along(turn) => Frame { origin, direction: self.turned(frame.direction, turn) },
-            Course::Towards(to) => {
+            GuideDirection::Along(turn) => {
+                Frame { origin, direction: self.turned(frame.direction, turn) }
+            }
+            GuideDirection::Towards(to) => {
                 guide::towards(frame, origin, from, self.coordinates[&(carrier, *to)])
             }
         };
@@ -236,11 +244,11 @@ impl<'s> Kinematics<'s> {
         }
     }
 
-    fn take_point(&mut self, id: PointId, carrier: Carrier, place: &Place, group: GroupId) {
+    fn take_point(&mut self, id: PointId, carrier: Carrier, place: &Placement, group: GroupId) {
         let at = match place {
-            Place::Cartesian(at) => self.jets(at),
-            Place::Polar(radius, angle) => point::polar(self.jet(radius), self.jet(angle)),
-            Place::Distances { distances, length, side } => point::at_distances(
+            Placement::Cartesian(at) => self.jets(at),
+            Placement::Polar(radius, angle) => point::polar(self.jet(radius), self.jet(angle)),
+            Placement::Distances { distances, length, side } => point::at_distances(
                 group.0,
                 self.jets(distances),
                 self.jet(length),
@@ -284,7 +292,7 @@ impl<'s> Kinematics<'s> {
         let joints = outer.map(|joint| self.point(joint));
         let [first, second] = lengths;
         let lengths = [self.length(first, group.0), self.length(second, group.0)];
-        let solved = rrr::rrr(&self.standing(*group), joints, lengths, self.mode(*mode));
+        let solved = rrr::rrr(&self.scope(*group), joints, lengths, self.mode(*mode));
         self.set_group(*group, &solved);
         for k in 0..2 {
             self.set_bar(links[k], [outer[k], *pin], lengths[k]);
@@ -300,8 +308,8 @@ impl<'s> Kinematics<'s> {
         };
         let (b, guide) = (self.point(*outer), self.guide(*guide));
         let (length, offset) = (self.length(length, group.0), self.jet(offset));
-        let standing = self.standing(*group);
-        let solved = rrp::rrp(&standing, b, guide, length, offset, self.mode(*mode));
+        let scope = self.scope(*group);
+        let solved = rrp::rrp(&scope, b, guide, length, offset, self.mode(*mode));
         self.set_group(*group, &solved);
         self.set_bar(links[0], [*outer, *pin], length);
         self.set_origin(links[1], *pin);
@@ -314,7 +322,7 @@ impl<'s> Kinematics<'s> {
         let Step::Rpr { group, links, outer, offset, mode } = step else { return };
         let joints = outer.map(|joint| self.point(joint));
         let offset = self.jet(offset);
-        let solved = rpr::rpr(&self.standing(*group), joints, offset, self.mode(*mode));
+        let solved = rpr::rpr(&self.scope(*group), joints, offset, self.mode(*mode));
         self.set_group(*group, &solved);
         for k in 0..2 {
             self.set_origin(links[k], outer[k]);
@@ -327,7 +335,7 @@ impl<'s> Kinematics<'s> {
     fn take_prp(&mut self, step: &'s Step) {
         let Step::Prp { group, links, guides, pin, offsets } = step else { return };
         let guides = guides.map(|guide| self.guide(guide));
-        let solved = prp::prp(&self.standing(*group), guides, self.jets(offsets));
+        let solved = prp::prp(&self.scope(*group), guides, self.jets(offsets));
         self.set_group(*group, &solved);
         for &link in links {
             self.set_origin(link, *pin);
@@ -342,7 +350,7 @@ impl<'s> Kinematics<'s> {
         let (b, rail) = (self.point(*outer), self.guide(*guide));
         let relative = self.turned(Direction::ground(self.sheet), slot);
         let slot = rpp::Slot { direction: self.turned(rail.direction, slot), relative };
-        let solved = rpp::rpp(&self.standing(*group), b, rail, slot, self.jets(offsets));
+        let solved = rpp::rpp(&self.scope(*group), b, rail, slot, self.jets(offsets));
         self.set_group(*group, &solved);
         self.set_origin(links[0], *outer);
         if self.wants_quality(*group) {

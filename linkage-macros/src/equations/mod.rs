@@ -14,22 +14,22 @@
 //! - next to each limit, at 1e-1 to 1e-15 of the lengths from it, with and without fused
 //!   operations (`tests/near_limits.rs` holds these bounds);
 //! - on ten million random poses a group and width, of lengths up to 100 : 1, of any place and size,
-//!   half of them next to a limit, without fused operations, and from the worst of them uphill
-//!   (`examples/worst_poses`, seed 1).
+//!   half of them next to a limit, without fused operations, and climbing from the worst of them
+//!   to one worse still: the hill-climbed worst case (`examples/worst_poses`, seed 1).
 //!
-//! Uphill leads to poses whose data happen to matter little: joints on one axis, guides along
+//! The climb leads to poses whose data happen to matter little: joints on one axis, guides along
 //! another, results whose terms cancel. They fix a direction better than a unit vector of the
 //! width can hold, so a large factor there stands before a small error.
 
 mod clearance;
 mod crank;
 mod double_word;
-mod expressions;
-mod groups;
+mod expressed;
 mod guide;
 mod jet;
 mod kinematics;
 mod motion;
+mod parts;
 mod point;
 mod prp;
 mod rpp;
@@ -51,7 +51,7 @@ use crate::interface::quantity::Order;
 use crate::interface::records::{Kind, Shape, is_margin};
 use crate::ir::construct::Rule;
 use crate::ir::graph::{Id, Node};
-use crate::ir::liveness::{Course, live};
+use crate::ir::liveness::{Path, live};
 use crate::ir::program::{Answer, Program};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
@@ -121,7 +121,7 @@ fn has_bare_angle(mechanism: &Mechanism, rules: &[Rule]) -> bool {
         .flat_map(|order| components(&at, order))
         .collect();
     let graph = trial.into_graph();
-    let live = live(&graph, &sinks, Course::Careful);
+    let live = live(&graph, &sinks, Path::Slow);
     !graph.iter().any(|(id, node)| live[id.index()] && matches!(node, Node::Input { order: 0, .. }))
 }
 
@@ -168,7 +168,7 @@ fn components_of(kinematics: &Kinematics<'_>, output: &Output, order: Order) -> 
             let slid = slide.then_some(link.slide).flatten().map(|slide| of_jet(slide, order));
             turned.into_iter().flatten().chain(slid).collect()
         }
-        OutputKind::Turn(_) => of_direction(turn(kinematics, output), order),
+        OutputKind::Angle(_) => of_direction(turn(kinematics, output), order),
         _ => vec![of_jet(value(kinematics, output), order)],
     }
 }
@@ -192,7 +192,7 @@ fn of_jet(jet: Jet<'_>, order: Order) -> Id {
 
 /// A named angle as a direction.
 fn turn<'s>(kinematics: &Kinematics<'s>, output: &Output) -> Direction<'s> {
-    let OutputKind::Turn(turn) = &output.kind else { unreachable!("only named angles come here") };
+    let OutputKind::Angle(turn) = &output.kind else { unreachable!("only named angles come here") };
     kinematics.turned(Direction::ground(kinematics.sheet), turn)
 }
 

@@ -34,27 +34,27 @@
 //! `ahead` (+1): C ahead of the foot of B on the guide, along its direction.
 //!
 //! # Error
-//! At most 4 times what the data allow next to the limit. On random poses 2.2 times for positions,
-//! 10.5 for velocities, 7.1 for accelerations; uphill 2.8, 32 and 41, with guides nearly along an
-//! axis through the origin. The pin is as right as its slide or its bar is long, whichever carries
-//! it. With `numerics compensated;` X is within 2.5 ε of itself however near the limit, if length,
-//! offset and y are exact (`tests/compensated.rs`).
+//! At most 4 times what the data allow next to the limit. On random poses 2.2 times for
+//! positions, 10.5 for velocities, 7.1 for accelerations; in the hill-climbed worst case 2.8, 32
+//! and 41, with guides nearly along an axis through the origin. The pin is as right as its slide or
+//! its bar is long, whichever carries it. With `numerics compensated;` X is within 2.5 ε of itself
+//! however near the limit, if length, offset and y are exact (`tests/compensated.rs`).
 //!
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (slider-crank) in the axes of the guide.
 
 use crate::equations::double_word::DoubleWord;
-use crate::equations::groups::{
-    Bar, Block, Clearance, LinkMotion, Place, Quality, Solved, root_in_reach, size,
-};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::parts::{
+    Bar, Block, Clearance, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
+};
 use crate::equations::symbol::Sym;
 use crate::ir::graph::Check;
 use crate::model::mechanism::Numerics;
 
 pub(super) fn rrp<'s>(
-    place: &Place<'s>,
+    scope: &GroupScope<'s>,
     b: PointMotion<'s>,
     guide: Frame<'s>,
     length: Jet<'s>,
@@ -65,19 +65,19 @@ pub(super) fn rrp<'s>(
     let from = guide.origin.to(b);
     let foot = from.dot(u);
     let (l, t) = (length.value, across(b, guide, offset).value);
-    let square = match place.numerics {
+    let square = match scope.numerics {
         Numerics::Plain => legs(b, guide, length, offset).value,
         Numerics::Compensated => carried(l, offset.value, distance(b, guide)),
     };
-    let square = square.provided(Check::ReachLine, place.group, &[t, l]);
+    let square = square.provided(Check::ReachLine, scope.group, &[t, l]);
     let reach = mode * square.sqrt();
     let slide = foot + reach;
     let r = reach * u + t * n;
     let bar = Bar::new(b, r, length);
 
     // 1/X = X/X²: the division runs beside the root.
-    let inverse = reach * square.provided(Check::Nonzero, place.group, &[]).recip();
-    let v = b.velocity - guide.transport(from, place.sheet.zero_vector()).0;
+    let inverse = reach * square.provided(Check::Nonzero, scope.group, &[]).recip();
+    let v = b.velocity - guide.transport(from, scope.sheet.zero_vector()).0;
     let a = b.acceleration - guide.transport(from, v).1;
     // The bar's direction in the guide's axes; of a bar of constant length nothing of it remains.
     let (along, across) = (reach * l.recip(), t * l.recip());
@@ -106,7 +106,7 @@ pub(super) fn rrp<'s>(
     let slide = Jet { value: slide, rate: slide_rate, accel: slide_accel };
     let block =
         LinkMotion { frame: Frame { origin: pin, direction: guide.direction }, slide: Some(slide) };
-    Solved { links: vec![bar.link(place.links[0]), block], pin: Some(pin) }
+    Solved { links: vec![bar.link(scope.links[0]), block], pin: Some(pin) }
 }
 
 /// The distance y of B from the guide.
@@ -142,9 +142,9 @@ pub(super) fn quality<'s>(
     guide: Frame<'s>,
     l: Jet<'s>,
     offset: Jet<'s>,
-) -> Quality<'s> {
+) -> LimitMeasures<'s> {
     let square = legs(b, guide, l, offset);
-    Quality { margin: Some(square / l.twice()), transmission: root_in_reach(square) / l }
+    LimitMeasures { margin: Some(square / l.twice()), transmission: root_in_reach(square) / l }
 }
 
 /// X².

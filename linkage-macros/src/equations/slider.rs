@@ -4,9 +4,9 @@
 //! Its pin is the guide's point K + slide·u + offset·n; its frame has the pin as origin and the
 //! guide's direction as x.
 
-use crate::equations::groups::{LinkMotion, Solved};
 use crate::equations::jet::Jet;
 use crate::equations::motion::Frame;
+use crate::equations::parts::{LinkMotion, Solved};
 
 pub(super) fn slider<'s>(guide: Frame<'s>, slide: Jet<'s>, offset: Jet<'s>) -> Solved<'s> {
     let pin = guide.place(slide, offset);

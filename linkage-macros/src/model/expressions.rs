@@ -10,7 +10,7 @@ use crate::syntax::words::UNITS;
 use super::Resolver;
 use super::dimension::Measure;
 use super::folding::shown;
-use super::mechanism::{Dimension, Expr, Function, LinkId, Operator, ParamKind, Turn};
+use super::mechanism::{AngleSum, Dimension, Expr, Function, LinkId, Operator, ParamKind};
 use super::names::{Entity, NUMBERS};
 use super::units::unit;
 
@@ -49,8 +49,8 @@ impl Quantity {
         Self::plain(measure, Expr::Constant(value))
     }
 
-    pub(super) fn turn(self) -> Turn {
-        Turn { links: self.links, rest: self.rest }
+    pub(super) fn turn(self) -> AngleSum {
+        AngleSum { links: self.links, rest: self.rest }
     }
 
     /// Keeps every multiple within ±(2³¹ − 1), so that a sign can always be changed.

@@ -20,14 +20,14 @@ pub(super) struct Parts<'t> {
     pub id: GroupId,
     /// One a leg; `None` where the name was in error.
     pub links: Vec<Option<LinkId>>,
-    pub outer: Vec<Option<Stand>>,
+    pub outer: Vec<Option<OuterJoint>>,
     pub pin: Option<PointId>,
     pub fields: Fields<'t>,
 }
 
 /// What an outer joint stands on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stand {
+pub(super) enum OuterJoint {
     Point(PointId),
     Guide(GuideId),
 }
@@ -52,15 +52,15 @@ impl Parts<'_> {
 
     pub(super) fn point(&self, i: usize) -> Option<PointId> {
         match self.outer.get(i).copied().flatten()? {
-            Stand::Point(id) => Some(id),
-            Stand::Guide(_) => None,
+            OuterJoint::Point(id) => Some(id),
+            OuterJoint::Guide(_) => None,
         }
     }
 
     pub(super) fn guide(&self, i: usize) -> Option<GuideId> {
         match self.outer.get(i).copied().flatten()? {
-            Stand::Guide(id) => Some(id),
-            Stand::Point(_) => None,
+            OuterJoint::Guide(id) => Some(id),
+            OuterJoint::Point(_) => None,
         }
     }
 }
@@ -220,7 +220,7 @@ impl Resolver<'_> {
         false
     }
 
-    fn outer_joints(&mut self, group: &tree::Group, anatomy: &Anatomy) -> Vec<Option<Stand>> {
+    fn outer_joints(&mut self, group: &tree::Group, anatomy: &Anatomy) -> Vec<Option<OuterJoint>> {
         let outer: Vec<_> = (group.legs.iter().zip(anatomy.joints))
             .map(|(leg, &joint)| self.joint_stands_on_its_kind(leg.joint.as_ref()?, joint, anatomy))
             .collect();
@@ -237,12 +237,12 @@ impl Resolver<'_> {
         name: &Ident,
         joint: Joint,
         anatomy: &Anatomy,
-    ) -> Option<Stand> {
+    ) -> Option<OuterJoint> {
         let (reason, wrong, wanted) = match (joint, self.names.kind(name)) {
             (Joint::Revolute(reason), Some(Kind::Guide)) => (reason, Kind::Guide, Kind::Point),
             (Joint::Prismatic(reason), Some(Kind::Point)) => (reason, Kind::Point, Kind::Guide),
-            (Joint::Revolute(_), _) => return self.point(name).map(Stand::Point),
-            (Joint::Prismatic(_), _) => return self.guide(name).map(Stand::Guide),
+            (Joint::Revolute(_), _) => return self.point(name).map(OuterJoint::Point),
+            (Joint::Prismatic(_), _) => return self.guide(name).map(OuterJoint::Guide),
         };
         let keyword = anatomy.keyword;
         let (wrong, wanted) = (wrong.one(), wanted.one());
@@ -267,15 +267,22 @@ impl Resolver<'_> {
     }
 
     /// The two links of a group stand on two different things.
-    fn outer_joints_differ(&mut self, group: &tree::Group, first: Stand, second: Stand) -> bool {
+    fn outer_joints_differ(
+        &mut self,
+        group: &tree::Group,
+        first: OuterJoint,
+        second: OuterJoint,
+    ) -> bool {
         if first != second {
             return true;
         }
         let Some(joint) = &group.legs[1].joint else { return true };
         let message = format!("both links of `{}` stand on `{joint}`", group.keyword);
         let reason = match second {
-            Stand::Point(_) => "between two links on one point the inner joint is undetermined",
-            Stand::Guide(_) => "two links on one guide never cross",
+            OuterJoint::Point(_) => {
+                "between two links on one point the inner joint is undetermined"
+            }
+            OuterJoint::Guide(_) => "two links on one guide never cross",
         };
         self.diagnostics.error_because(joint.span(), message, reason);
         false

@@ -17,7 +17,7 @@ pub(crate) struct Mechanism {
     pub inputs: Vec<Input>,
     pub params: Vec<Param>,
     /// Named expressions; a later one may use an earlier one.
-    pub lets: Vec<Turn>,
+    pub lets: Vec<AngleSum>,
     pub points: Vec<Point>,
     pub links: Vec<Link>,
     pub guides: Vec<Guide>,
@@ -244,24 +244,24 @@ pub(crate) enum Function {
 
 /// An angle (or any other number, then without link angles): Σ kᵢ·linkᵢ.angle + rest.
 #[derive(Clone, Debug)]
-pub(crate) struct Turn {
+pub(crate) struct AngleSum {
     pub links: Vec<(LinkId, i32)>,
     pub rest: Expr,
 }
 
-pub(crate) enum Course {
+pub(crate) enum GuideDirection {
     /// The angle against the carrier's x.
-    Along(Turn),
+    Along(AngleSum),
     Towards(PointId),
 }
 
-pub(crate) enum Spot {
+pub(crate) enum Through {
     /// Coordinates in the carrier's frame.
     At([Expr; 2]),
     Point(PointId),
 }
 
-pub(crate) enum Place {
+pub(crate) enum Placement {
     Cartesian([Expr; 2]),
     /// Distance from the carrier's origin, angle against its x.
     Polar(Expr, Expr),
@@ -282,14 +282,14 @@ pub(crate) enum Step {
     Guide {
         guide: GuideId,
         carrier: Carrier,
-        through: Spot,
-        course: Course,
+        through: Through,
+        course: GuideDirection,
     },
     /// A point of a link, or a driven point in ground axes.
     Point {
         point: PointId,
         carrier: Carrier,
-        place: Place,
+        place: Placement,
         group: GroupId,
     },
     Crank {
@@ -298,7 +298,7 @@ pub(crate) enum Step {
         pivot: PointId,
         /// The pin and its distance from the pivot; a body without a pin has neither.
         pin: Option<(PointId, Length)>,
-        angle: Turn,
+        angle: AngleSum,
         relative_to: Carrier,
     },
     Slider {
@@ -346,7 +346,7 @@ pub(crate) enum Step {
         links: [LinkId; 2],
         outer: PointId,
         guide: GuideId,
-        slot: Turn,
+        slot: AngleSum,
         offsets: [Expr; 2],
     },
 }
@@ -379,7 +379,7 @@ pub(crate) enum OutputKind {
         dimension: Dimension,
     },
     /// A named angle that contains link angles: given by its direction.
-    Turn(Turn),
+    Angle(AngleSum),
     /// Signed distance of the group from its limit.
     Margin(GroupId),
     /// Sine of the group's transmission angle.

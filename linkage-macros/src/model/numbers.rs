@@ -10,7 +10,7 @@ use super::Resolver;
 use super::dimension::Measure;
 use super::expressions::{ANGLE_REASON, Quantity};
 use super::folding::shown;
-use super::mechanism::{Dimension, Expr, Function, ParamKind, Turn};
+use super::mechanism::{AngleSum, Dimension, Expr, Function, ParamKind};
 use super::names::{Entity, Kind, NUMBERS};
 
 impl Resolver<'_> {
@@ -31,7 +31,7 @@ impl Resolver<'_> {
     }
 
     /// An angle, link angles included.
-    pub(super) fn turn(&mut self, expr: &tree::Expr) -> Option<Turn> {
+    pub(super) fn turn(&mut self, expr: &tree::Expr) -> Option<AngleSum> {
         let quantity = self.quantity(expr)?;
         self.dimension_fits(expr, &quantity, Dimension::ANGLE)?;
         Some(quantity.turn())

@@ -74,7 +74,7 @@ impl Resolver<'_> {
             let dimension = quantity.measure.dimension();
             OutputKind::Value { value: quantity.rest, dimension }
         } else {
-            OutputKind::Turn(quantity.turn())
+            OutputKind::Angle(quantity.turn())
         };
         if is_new.is_some() {
             self.give(name.span(), name.clone(), docs, kind);
@@ -113,7 +113,7 @@ impl Resolver<'_> {
                 let kind = if turn.links.is_empty() {
                     OutputKind::Value { value: turn.rest, dimension }
                 } else {
-                    OutputKind::Turn(turn)
+                    OutputKind::Angle(turn)
                 };
                 self.give(name.span(), name.clone(), docs, kind);
             }

@@ -9,7 +9,7 @@ use crate::syntax::tree::{self, Expr as Written};
 use super::Resolver;
 use super::assembly::{constants, polar};
 use super::folding::shown;
-use super::mechanism::{Body, Carrier, Expr, Group, LinkId, Place, Sign, Step};
+use super::mechanism::{Body, Carrier, Expr, Group, LinkId, Placement, Sign, Step};
 
 impl Resolver<'_> {
     pub(super) fn ground(&mut self, docs: &[Attribute], points: &[(Ident, [Written; 2])]) {
@@ -76,13 +76,13 @@ impl Resolver<'_> {
         name: &Ident,
         carrier: Option<Carrier>,
         place: &tree::Place,
-    ) -> Option<Place> {
+    ) -> Option<Placement> {
         match place {
             tree::Place::Mistake => None,
-            tree::Place::Cartesian(place) => self.lengths(place).map(Place::Cartesian),
+            tree::Place::Cartesian(place) => self.lengths(place).map(Placement::Cartesian),
             tree::Place::Polar([radius, angle]) => {
                 let (radius, angle) = (self.length(radius), self.plain_angle(angle));
-                Some(Place::Polar(radius?, angle?))
+                Some(Placement::Polar(radius?, angle?))
             }
             tree::Place::Distances(distances, side) => {
                 let which = ["first", "second"];
@@ -97,7 +97,7 @@ impl Resolver<'_> {
                 let [first, second] = values;
                 let distances = [first?, second?];
                 self.distances_meet(name, carrier?, &distances, &length)?;
-                Some(Place::Distances { distances, length, side: side? })
+                Some(Placement::Distances { distances, length, side: side? })
             }
         }
     }
@@ -157,11 +157,11 @@ impl Resolver<'_> {
 }
 
 /// The coordinates of a place of constants.
-fn constant_place(place: &Place) -> Option<[Exact; 2]> {
+fn constant_place(place: &Placement) -> Option<[Exact; 2]> {
     match place {
-        Place::Cartesian(place) => constants(place),
-        Place::Polar(radius, angle) => polar(radius, angle),
-        Place::Distances { distances, length, side } => {
+        Placement::Cartesian(place) => constants(place),
+        Placement::Polar(radius, angle) => polar(radius, angle),
+        Placement::Distances { distances, length, side } => {
             let ([a, b], l) = (constants(distances)?, length.constant()?);
             let square = |x: &Exact| x.mul(x);
             // The two distances are the sides of a triangle on the bar.

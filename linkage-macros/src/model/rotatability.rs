@@ -22,8 +22,8 @@ use super::assembly::{absolute, constants};
 use super::facts::Line;
 use super::folding::shown;
 use super::mechanism::{
-    Carrier, Course, Expr, Group, GroupId, GuideId, InputId, LinkId, Mechanism, Point, PointId,
-    Range, Rotatability, Spot, Step, Turn,
+    AngleSum, Carrier, Expr, Group, GroupId, GuideDirection, GuideId, InputId, LinkId, Mechanism,
+    Point, PointId, Range, Rotatability, Step, Through,
 };
 
 /// cos(φ − axis) lies between the two.
@@ -167,14 +167,18 @@ impl<'m> Ground<'m> {
     }
 }
 
-fn line(points: &HashMap<PointId, [Exact; 2]>, through: &Spot, course: &Course) -> Option<Line> {
+fn line(
+    points: &HashMap<PointId, [Exact; 2]>,
+    through: &Through,
+    course: &GuideDirection,
+) -> Option<Line> {
     let through = match through {
-        Spot::At(at) => constants(at)?,
-        Spot::Point(point) => points.get(point)?.clone(),
+        Through::At(at) => constants(at)?,
+        Through::Point(point) => points.get(point)?.clone(),
     };
     let angle = match course {
-        Course::Along(turn) => Turn::constant(turn)?.clone(),
-        Course::Towards(point) => {
+        GuideDirection::Along(turn) => AngleSum::constant(turn)?.clone(),
+        GuideDirection::Towards(point) => {
             let [x, y] = points.get(point)?;
             y.sub(&through[1]).atan2(&x.sub(&through[0]))?
         }

@@ -14,8 +14,8 @@ use proc_macro2::{Ident, Span};
 
 use crate::exact::Exact;
 use crate::model::mechanism::{
-    Body, Dimension, Expr, Group, GroupId, Input, Link, LinkId, Mechanism, Numerics, Output,
-    OutputKind, Param, ParamKind, Point, PointId, References, Sign, Turn,
+    AngleSum, Body, Dimension, Expr, Group, GroupId, Input, Link, LinkId, Mechanism, Numerics,
+    Output, OutputKind, Param, ParamKind, Point, PointId, References, Sign,
 };
 use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, StatementKind};
 
@@ -276,7 +276,7 @@ impl StandIn {
 
     fn value_of(&self, turns: bool) -> OutputKind {
         match turns {
-            true => OutputKind::Turn(Turn { links: Vec::new(), rest: zero() }),
+            true => OutputKind::Angle(AngleSum { links: Vec::new(), rest: zero() }),
             false => value(),
         }
     }

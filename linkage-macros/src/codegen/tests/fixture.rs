@@ -267,7 +267,7 @@ pub(super) fn table() -> (Mechanism, Program) {
         output("ram", output_of(0, true)),
         output("bed", output_of(1, false)),
         output("area", OutputKind::Value { value: sum.clone(), dimension: area }),
-        output("turn", OutputKind::Turn(Turn { links: Vec::new(), rest: sum })),
+        output("turn", OutputKind::Angle(AngleSum { links: Vec::new(), rest: sum })),
     ];
     let mut table = mechanism("Table", vec![input("s", LENGTH), input("X", LENGTH)], outputs);
     table.visibility = Visibility::Inherited;

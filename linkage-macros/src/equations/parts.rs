@@ -2,13 +2,13 @@
 //! and the block as parts of a dyad.
 
 use crate::equations::jet::Jet;
-use crate::equations::motion::{Direction, Frame, PointMotion, Turned};
+use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::model::mechanism::{Carrier, LinkId, Numerics};
 
 /// How far a group is from its limit.
 #[derive(Clone, Copy)]
-pub(super) struct Quality<'s> {
+pub(super) struct LimitMeasures<'s> {
     /// Signed distance from the limit in metres; `None` for groups that have no reach to run
     /// out of.
     pub margin: Option<Jet<'s>>,
@@ -16,7 +16,7 @@ pub(super) struct Quality<'s> {
     pub transmission: Jet<'s>,
 }
 
-impl<'s> Quality<'s> {
+impl<'s> LimitMeasures<'s> {
     /// Of two slides: the size of the sine of the angle between their directions, which has the
     /// rates of the cross product, with the sign of the cross product.
     pub(super) fn of_directions(a: Direction<'s>, b: Direction<'s>, sine: Sym<'s>) -> Self {
@@ -48,7 +48,7 @@ pub(super) fn size<'s>(from: PointMotion<'s>, to: PointMotion<'s>) -> Sym<'s> {
 }
 
 /// The group whose failure a guard reports, its links, and how it is to compute.
-pub(super) struct Place<'s> {
+pub(super) struct GroupScope<'s> {
     pub group: u32,
     pub links: &'s [LinkId],
     pub numerics: Numerics,
@@ -127,7 +127,7 @@ impl<'s> Bar<'s> {
             u: self.u(),
             omega: self.omega,
             alpha: self.alpha,
-            turned: Some(Turned::start(Carrier::Link(link), self.r.x.sheet())),
+            turned: Some(RelativeAngle::start(Carrier::Link(link), self.r.x.sheet())),
         };
         LinkMotion { frame: Frame { origin: self.outer, direction }, slide: None }
     }

@@ -10,7 +10,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::names::{generated, text};
+use super::identifiers::{generated, text};
 use crate::interface::quantity::Order;
 use crate::interface::records::Kind;
 

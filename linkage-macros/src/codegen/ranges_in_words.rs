@@ -1,7 +1,7 @@
 //! What the dimensions say about the turn of a crank, in words.
 
 use super::context::Context;
-use super::names::text;
+use super::identifiers::text;
 use crate::model::mechanism::{Range, Rotatability};
 
 /// Over which angles a crank turns, why, and what happens at change points.
