@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 
 use crate::diagnostics::{Diagnostics, Failure};
+use crate::exact::Scope;
 use crate::ir::program::Program;
 use crate::model::mechanism::Mechanism;
 use crate::syntax::tree::Declaration;
@@ -11,6 +12,8 @@ use crate::{codegen, equations, model, passes, syntax};
 /// The generated code, or the mistakes as compile errors beside stubs of what would have been
 /// generated, so that one mistake gives one message.
 pub(crate) fn compile(source: TokenStream) -> TokenStream {
+    // The numbers of one declaration are not those of the next.
+    let _atoms = Scope::begin();
     let mut diagnostics = Diagnostics::new();
     let declaration = syntax::parse(source, &mut diagnostics);
     match resolved(declaration.as_ref(), diagnostics) {

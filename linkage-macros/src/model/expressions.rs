@@ -102,7 +102,11 @@ impl Resolver<'_> {
             ExprKind::Call(function, arguments) if function == DISTANCE => {
                 self.distance(function, arguments)
             }
-            ExprKind::Call(function, arguments) => self.call(function, arguments),
+            ExprKind::Call(function, arguments) => {
+                let quantity = self.call(function, arguments)?;
+                self.number_is_of_a_length(expr.span, quantity.rest.constant())?;
+                Some(quantity)
+            }
             // The names in it are among what was not read.
             ExprKind::Mistake => None,
         }
@@ -183,8 +187,20 @@ impl Resolver<'_> {
         self.diagnostics.error_because(span, message, reason);
     }
 
+    /// A constant has no more digits than can be reckoned with exactly.
+    fn number_is_of_a_length(&mut self, span: Extent, value: Option<&Exact>) -> Option<()> {
+        if !value.is_some_and(Exact::is_too_long) {
+            return Some(());
+        }
+        let message = "a number of more than 1200 digits; write it rounded";
+        let reason = "constants are exact: a product has the digits of both its factors";
+        self.diagnostics.error_because(span, message, reason);
+        None
+    }
+
     /// A constant is one that floating point can hold: neither infinite nor lost as zero.
     fn number_can_be_held(&mut self, span: Extent, value: Option<&Exact>) -> Option<()> {
+        self.number_is_of_a_length(span, value)?;
         let is_held = value.is_some_and(|value| {
             let rounded = value.to_f64();
             rounded.is_finite() && (rounded == 0.0) == value.is_zero()
