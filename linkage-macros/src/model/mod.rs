@@ -21,6 +21,7 @@ mod folding;
 mod groups;
 mod guides;
 mod inputs;
+mod literals;
 pub(crate) mod mechanism;
 pub(crate) mod mentions;
 mod modes;
@@ -68,6 +69,7 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     resolver.names.go_to(tree.statements.len());
     resolver.outputs(tree);
     resolver.statements_are_in_order(tree);
+    resolver.bare_lengths_are_of_a_machine();
     resolver.an_input_is_declared(tree);
     resolver.every_input_is_used(tree);
     resolver.mechanism.turnings = turning::turnings(&resolver.mechanism);

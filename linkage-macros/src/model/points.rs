@@ -57,7 +57,7 @@ impl Resolver<'_> {
             return;
         };
         self.facts.points[point.index()] = self.moves;
-        if on.is_none() && !self.moves && place.is_some() {
+        if on.is_none() && !self.moves && matches!(place, Some(Place::Cartesian(_))) {
             self.fixed_point_is_ground(name);
         }
         if carrier != Carrier::Ground || !self.moves {

@@ -37,7 +37,7 @@ impl Parser<'_> {
         match self.take_group(Delimiter::Brace) {
             Some(braces) => {
                 group.end = braces.span_close();
-                if group.legs.len() > 2 {
+                if group.legs.len() > 2 && words::GROUPS.iter().any(|&word| group.keyword == word) {
                     // Fields for three links would be reported a second time.
                     group.fields_are_read = false;
                     self.inside(&braces).give_up();
