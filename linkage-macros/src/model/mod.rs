@@ -32,6 +32,7 @@ mod outputs;
 mod points;
 mod readings;
 mod settings;
+pub(crate) mod stand_in;
 pub(crate) mod turning;
 mod units;
 

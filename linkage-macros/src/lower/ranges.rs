@@ -16,7 +16,7 @@ use crate::ir::liveness::{live_nodes, unguarded};
 
 /// What is assumed of one width of numbers.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Limits {
+pub(crate) struct Assumed {
     /// The largest magnitude of an input that is not an angle in a sine, and of its rate; of its
     /// second rate the square of it.
     pub input: f64,
@@ -30,10 +30,10 @@ pub(crate) struct Limits {
     pub factor: f64,
 }
 
-/// What the straight line has to ask where no result can overflow: the least value, or magnitude,
+/// What the fast path has to ask where no result can overflow: the least value, or magnitude,
 /// of what each guard guards, by the unguarded node. Zero where the sign is enough, and
 /// `None` where nothing is left to ask.
-pub(crate) type Floors = HashMap<Id, Option<f64>>;
+pub(crate) type Thresholds = HashMap<Id, Option<f64>>;
 
 /// More than the relative error of any operation in either width.
 const SLACK: f64 = 1e-6;
@@ -75,10 +75,10 @@ impl<'a> Values<'a> {
         Self { graph, live, constants }
     }
 
-    /// The floors of all guards under the limits, if every live value is bounded.
-    pub(crate) fn floors(&self, limits: &Limits) -> Option<Floors> {
+    /// The thresholds of all guards under the limits, if every live value is bounded.
+    pub(crate) fn thresholds(&self, limits: &Assumed) -> Option<Thresholds> {
         let (graph, ranges) = (self.graph, self.constants.clone());
-        let mut bounds = Bounds { graph, limits, ranges, floors: HashMap::new() };
+        let mut bounds = Bounds { graph, limits, ranges, thresholds: HashMap::new() };
         for &(id, node) in &self.live {
             let range = match bounds.of(id) {
                 Some(constant) => constant,
@@ -89,15 +89,15 @@ impl<'a> Values<'a> {
             }
             bounds.ranges[id.index()] = Some(range);
         }
-        Some(bounds.floors)
+        Some(bounds.thresholds)
     }
 }
 
 struct Bounds<'a> {
     graph: &'a Graph,
-    limits: &'a Limits,
+    limits: &'a Assumed,
     ranges: Vec<Option<Range>>,
-    floors: Floors,
+    thresholds: Thresholds,
 }
 
 impl Bounds<'_> {
@@ -178,7 +178,7 @@ impl Bounds<'_> {
         }
     }
 
-    /// The range that the straight line goes on with, once it has asked for the floor.
+    /// The range that the fast path goes on with, once it has asked for the threshold.
     fn guarded(&mut self, value: Id, check: &Check) -> Option<Range> {
         let range = self.of(value)?;
         let share = self.limits.share * range.largest();
@@ -190,18 +190,18 @@ impl Bounds<'_> {
             Check::Nonzero => range.away,
             _ => range.low,
         };
-        let floor = (known <= least || known <= 0.0).then_some(least);
+        let threshold = (known <= least || known <= 0.0).then_some(least);
         if range.largest() <= least {
             return None;
         }
         let id = unguarded(self.graph, value);
-        let asked = self.floors.entry(id).or_insert(floor);
+        let asked = self.thresholds.entry(id).or_insert(threshold);
         // Asked more than once, a value is asked for the most.
-        *asked = match (*asked, floor) {
+        *asked = match (*asked, threshold) {
             (Some(one), Some(other)) => Some(one.max(other)),
             (one, other) => one.or(other),
         };
-        Some(match (floor, check) {
+        Some(match (threshold, check) {
             (None, _) => range,
             (Some(least), Check::Nonzero) => Range { away: least, ..range },
             (Some(least), _) => Range { low: least, away: least, ..range },

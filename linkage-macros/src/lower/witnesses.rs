@@ -8,7 +8,7 @@
 use crate::ir::graph::{Graph, Id, Node};
 
 /// The sinks that need a test of their own, each node once, in the order of the graph.
-pub(super) fn undominated(graph: &Graph, sinks: &[Id]) -> Vec<Id> {
+pub(super) fn witnesses(graph: &Graph, sinks: &[Id]) -> Vec<Id> {
     // Whether a value that is not finite shows in a tested sink further on.
     let mut shows = vec![false; graph.len()];
     let mut is_sink = vec![false; graph.len()];
@@ -72,7 +72,7 @@ mod tests {
         ] {
             let (mut graph, a, b) = graph_of_two();
             let sink = graph.push(build(a, b));
-            assert_eq!(undominated(&graph, &[a, sink]), [sink]);
+            assert_eq!(witnesses(&graph, &[a, sink]), [sink]);
         }
     }
 
@@ -87,7 +87,7 @@ mod tests {
         ] {
             let (mut graph, a, b) = graph_of_two();
             let sink = graph.push(build(a, b));
-            assert_eq!(undominated(&graph, &[a, sink]), [a, sink]);
+            assert_eq!(witnesses(&graph, &[a, sink]), [a, sink]);
         }
     }
 
@@ -99,15 +99,15 @@ mod tests {
         let quotient = graph.push(Node::Div(b, root));
         let sum = graph.push(Node::Add(quotient, b));
         // b enters the sum; a enters it only below the fraction bar.
-        assert_eq!(undominated(&graph, &[a, b, sum]), [a, sum]);
+        assert_eq!(witnesses(&graph, &[a, b, sum]), [a, sum]);
         // Through the root, a sink itself, a is dominated.
-        assert_eq!(undominated(&graph, &[a, root, sum]), [root, sum]);
+        assert_eq!(witnesses(&graph, &[a, root, sum]), [root, sum]);
     }
 
     #[test]
     fn constants_need_no_test_and_a_repeated_sink_needs_one() {
         let (mut graph, a, _) = graph_of_two();
         let mode = graph.push(Node::Mode(0));
-        assert_eq!(undominated(&graph, &[mode, a, a]), [a]);
+        assert_eq!(witnesses(&graph, &[mode, a, a]), [a]);
     }
 }

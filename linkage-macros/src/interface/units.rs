@@ -1,10 +1,10 @@
 //! Units in words, for the docs.
 
-use super::results::Order;
+use crate::interface::quantity::Order;
 use crate::model::mechanism::Dimension;
 
 /// The unit of a quantity or of its rates: `m`, `rad/s`, `N·m`; `1` for a plain number.
-pub(super) fn unit(dimension: Dimension, order: Order) -> String {
+pub(crate) fn unit(dimension: Dimension, order: Order) -> String {
     let Dimension { length, mass, time, angle } = dimension;
     // Newtons, where a mass and as many seconds below the line are there for them.
     let forces = if mass > 0 && time <= -2 * mass { mass } else { 0 };
@@ -27,7 +27,7 @@ pub(super) fn unit(dimension: Dimension, order: Order) -> String {
 }
 
 /// What an order adds to a unit.
-pub(super) fn per_time(order: Order) -> &'static str {
+pub(crate) fn per_time(order: Order) -> &'static str {
     match order {
         Order::Position => "",
         Order::Velocity => "/s",

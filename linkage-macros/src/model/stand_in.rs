@@ -1,21 +1,18 @@
-//! What a declaration with mistakes expands to beside its messages, so that one mistake gives one
-//! message: the code that uses the mechanism still finds the struct, its methods and its fields.
+//! What stands in where a declaration has mistakes, so that one mistake gives one message: the code
+//! that uses the mechanism still finds the struct, its methods and its fields.
 //!
 //! There is no second generator. The tree is made into a mechanism that nobody could build, with
-//! every name it mentions but no step that places anything, and a program whose results are all
-//! zero; the code generated from these has the signatures of the real one. It never runs.
+//! every name it mentions but no step that places anything; with a program whose results are all
+//! zero, the code generated from it has the signatures of the real one. It never runs.
 
 #[cfg(test)]
 mod tests;
 
 use std::collections::HashMap;
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Span};
 
-use super::generate;
 use crate::exact::Exact;
-use crate::ir::graph::Graph;
-use crate::ir::program::{Entry, EntryKind, Program};
 use crate::model::mechanism::{
     Dimension, Expr, Group, GroupId, Input, Link, LinkId, Mechanism, Named, Numerics, Output,
     OutputKind, Param, ParamKind, PointId, Sign, Turn,
@@ -25,43 +22,14 @@ use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, StatementKind
 
 const NUMBER: Dimension = Dimension::NUMBER;
 
-/// The struct and its methods for a declaration of which not everything was understood.
-pub(crate) fn stubs(declaration: &Declaration) -> TokenStream {
+/// What stands in for a declaration of which not everything was understood.
+pub(crate) fn stand_in(declaration: &Declaration) -> Mechanism {
     let mut stand_in = StandIn::new(declaration);
     for statement in &declaration.statements {
         stand_in.declare(&statement.kind);
     }
     stand_in.choose_outputs(declaration);
-    let mechanism = stand_in.mechanism;
-    let program = zeros(&mechanism);
-    generate(&mechanism, &program)
-}
-
-/// A program in which every result of every entry point is zero.
-fn zeros(mechanism: &Mechanism) -> Program {
-    let mut graph = Graph::new();
-    let zero = graph.constant(Exact::integer(0));
-    let outputs = || mechanism.outputs.iter().map(|output| output.kind.shape());
-    let positions: usize = outputs().map(|shape| shape.positions()).sum();
-    let rates: usize = outputs().map(|shape| shape.rates()).sum();
-    let margins = mechanism.outputs.iter().filter(|output| output.is_margin()).count();
-    let entry = |kind, sinks: usize| Entry { kind, sinks: vec![zero; sinks] };
-    let mut entries = vec![
-        entry(EntryKind::Position, positions),
-        entry(EntryKind::Velocity, rates),
-        entry(EntryKind::Motion, positions + 2 * rates),
-        entry(EntryKind::Coefficients, rates * mechanism.inputs.len()),
-    ];
-    // Whether the one input is a driver's bare angle is not known; a method too many says nothing.
-    if mechanism.inputs.len() == 1 {
-        entries.push(entry(EntryKind::PositionAt, positions));
-        entries.push(entry(EntryKind::VelocityAt, rates));
-        entries.push(entry(EntryKind::MotionAt, positions + 2 * rates));
-    }
-    if margins > 0 {
-        entries.push(entry(EntryKind::Margins, margins));
-    }
-    Program { graph, entries, clearances: Vec::new(), groups: Vec::new() }
+    stand_in.mechanism
 }
 
 /// The mechanism in the making, and what its names stand for.

@@ -10,9 +10,9 @@ use quote::{ToTokens, TokenStreamExt};
 
 /// A few tokens.
 #[derive(Clone)]
-pub(super) struct Pieces(Vec<TokenTree>);
+pub(super) struct Tokens(Vec<TokenTree>);
 
-impl Pieces {
+impl Tokens {
     /// `first::second`
     pub(super) fn path(first: Ident, second: Ident) -> Self {
         let colon = |spacing| TokenTree::from(Punct::new(':', spacing));
@@ -31,19 +31,19 @@ impl Pieces {
     }
 }
 
-impl From<Ident> for Pieces {
+impl From<Ident> for Tokens {
     fn from(name: Ident) -> Self {
         Self(vec![name.into()])
     }
 }
 
-impl From<TokenStream> for Pieces {
+impl From<TokenStream> for Tokens {
     fn from(stream: TokenStream) -> Self {
         Self(stream.into_iter().collect())
     }
 }
 
-impl ToTokens for Pieces {
+impl ToTokens for Tokens {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         tokens.append_all(&self.0);
     }

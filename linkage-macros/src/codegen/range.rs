@@ -1,6 +1,6 @@
 //! What the dimensions say about the turn of a crank, in words.
 
-use super::Context;
+use super::context::Context;
 use super::names::text;
 use crate::model::turning::{Range, Turning};
 

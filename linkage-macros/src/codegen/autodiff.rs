@@ -3,15 +3,17 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::arguments::Arguments;
+use super::context::Context;
 use super::names::generated;
-use super::pieces::Pieces;
-use super::{Context, docs, solver};
-use crate::ir::program::EntryKind;
+use super::tokens::Tokens;
+use super::{docs, solver};
+use crate::interface::entries::Given;
 use crate::model::mechanism::Param;
 
 /// For `f32` and `f64`, and only where the run-time crate has its feature `ad`.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
-    if cx.entry(EntryKind::Position).is_none() {
+    if cx.interface.find("position").is_none() {
         return TokenStream::new();
     }
     let (with_ad, name, number) = (cx.paths.item("with_ad"), &cx.names.solver, &cx.names.scalar);
@@ -25,7 +27,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
 }
 
 fn jacobian(cx: &Context<'_>) -> TokenStream {
-    let arguments = cx.arguments(EntryKind::Position);
+    let arguments = Arguments::new(cx, &[Given::Value]);
     let number = &cx.names.scalar;
     let number = quote!(#number);
     let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
@@ -57,7 +59,7 @@ fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
     if params.is_empty() {
         return None;
     }
-    let arguments = cx.arguments(EntryKind::Position);
+    let arguments = Arguments::new(cx, &[Given::Value]);
     let number = &cx.names.scalar;
     let number = quote!(#number);
     let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
@@ -89,23 +91,22 @@ fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
 
 /// The inputs as numbers without derivatives.
 fn constant_inputs(cx: &Context<'_>) -> TokenStream {
-    let arguments = cx.arguments(EntryKind::Position);
+    let arguments = Arguments::new(cx, &[Given::Value]);
     let lifted = |value: TokenStream| solver::lifted_number(cx, &value, &quote!(_));
     let inputs = arguments
         .names()
         .iter()
         .flat_map(|argument| cx.mechanism.inputs.iter().map(move |input| (argument, &input.name)));
-    if let [_] = cx.mechanism.inputs[..] {
+    let Some(record) = cx.inputs() else {
         return inputs.map(|(argument, _)| lifted(quote!(#argument))).collect();
-    }
+    };
     let fields = inputs.map(|(argument, field)| {
         let value = lifted(quote!(#argument.#field));
         quote!(#field: #value)
     });
-    let record = &cx.names.input;
     quote!(#record { #(#fields),* })
 }
 
-fn item(cx: &Context<'_>, name: &str) -> Pieces {
+fn item(cx: &Context<'_>, name: &str) -> Tokens {
     cx.paths.item(name)
 }

@@ -9,8 +9,10 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::Context;
+use super::context::Context;
 use super::names::{generated, text};
+use crate::interface::quantity::Order;
+use crate::interface::records::Kind;
 
 /// Nothing for stubs, which have mentions of their own in their messages.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
@@ -28,14 +30,19 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
         Some(place) => quote!(&#place.#name),
         None => quote!(&self.#name),
     });
-    let (names, scalar) = (&cx.names, &cx.names.scalar);
-    let records =
-        [("solver_", &names.solver), ("inputs_", &names.input), ("position_", &names.position)];
+    let scalar = &cx.names.scalar;
+    let position = cx.interface.records.iter().find(|r| r.kind == Kind::Outputs(Order::Position));
+    let records = [
+        ("solver_", Some(&cx.names.solver)),
+        ("inputs_", cx.inputs()),
+        ("position_", position.map(|record| &record.name)),
+    ];
     let read: HashSet<_> = mentions.used.iter().filter_map(|name| places.place(name)).collect();
     let arguments: Vec<_> = records
         .into_iter()
         .map(|(place, record)| (generated(place), record))
         .filter(|(place, _)| read.contains(place))
+        .filter_map(|(place, record)| Some((place, record?)))
         .map(|(place, record)| quote!(#place: &#record<#scalar>))
         .collect();
     let generics = (!arguments.is_empty()).then(|| quote!(<#scalar>));

@@ -4,47 +4,44 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::Context;
-use super::blocks::lay_out;
-use super::body::Body;
+use super::context::Context;
 use super::names::generated;
-use super::results::Order;
-use crate::ir::liveness::Course;
-use crate::ir::program::EntryKind;
+use super::statements::Printer;
+use super::{records, results};
+use crate::interface::EntryId;
 use crate::model::mechanism::ParamKind;
 
 /// `Modes` for the solver, and `Linear` for what goes in and comes out.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
-    let complete = [EntryKind::Position, EntryKind::Motion].map(|kind| cx.entry(kind).is_some());
-    if complete != [true, true] {
+    let [Some(position), Some(motion)] = ["position", "motion"].map(|name| cx.interface.find(name))
+    else {
         return TokenStream::new();
-    }
-    let (modes, linear) = (modes(cx), linear(cx));
+    };
+    let (modes, linear) = (modes(cx, position, motion), records::linear(cx));
     quote!(#modes #linear)
 }
 
-fn modes(cx: &Context<'_>) -> TokenStream {
-    let (names, scalar) = (&cx.names, &cx.names.scalar);
-    let (solver, position, motion) = (&names.solver, &names.position, &names.motion);
+fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
+    let (solver, scalar) = (&cx.names.solver, &cx.names.scalar);
+    let number = quote!(#scalar);
+    let [position, motion] =
+        [position, motion].map(|id| results::ty(cx, cx.entry(id).result, &number));
     let path = |name| cx.paths.item(name);
     let [modes, real, clearance, result, error, usize_] =
         ["Modes", "Real", "Clearance", "Result", "SolveError", "usize"].map(path);
-    let input = match &cx.mechanism.inputs[..] {
-        [_] => quote!(#scalar),
-        _ => {
-            let record = &names.input;
-            quote!(#record<#scalar>)
-        }
+    let input = match cx.inputs() {
+        Some(record) => quote!(#record<#scalar>),
+        None => number,
     };
-    let count = Literal::usize_unsuffixed(cx.program.clearances.len());
+    let count = Literal::usize_unsuffixed(cx.program().clearances.len());
     let [q, rate, acceleration, param] = ["q_", "rate_", "acceleration_", "param_"].map(generated);
     let (groups, clearances, flips) = (groups(cx), clearances(cx), flips(cx, &param));
     quote! {
         impl<#scalar: #real> #modes for #solver<#scalar> {
             type Scalar = #scalar;
             type Input = #input;
-            type Position = #position<#scalar>;
-            type Motion = #motion<#scalar>;
+            type Position = #position;
+            type Motion = #motion;
             type Clearances = [#clearance<#scalar>; #count];
 
             #groups
@@ -53,7 +50,7 @@ fn modes(cx: &Context<'_>) -> TokenStream {
             fn flip(&mut self, #param: #usize_) { #flips }
 
             #[inline]
-            fn position(&self, #q: #input) -> #result<#position<#scalar>, #error> {
+            fn position(&self, #q: #input) -> #result<#position, #error> {
                 Self::position(self, #q)
             }
 
@@ -63,7 +60,7 @@ fn modes(cx: &Context<'_>) -> TokenStream {
                 #q: #input,
                 #rate: #input,
                 #acceleration: #input,
-            ) -> #result<#motion<#scalar>, #error> {
+            ) -> #result<#motion, #error> {
                 Self::motion(self, #q, #rate, #acceleration)
             }
 
@@ -76,8 +73,8 @@ fn modes(cx: &Context<'_>) -> TokenStream {
 fn groups(cx: &Context<'_>) -> TokenStream {
     let [option, some, none, usize_, str_] =
         ["Option", "Some", "None", "usize", "str"].map(|name| cx.paths.item(name));
-    let groups = cx.program.clearances.iter().map(|clearance| {
-        let title = &cx.program.groups[clearance.group as usize];
+    let groups = cx.program().clearances.iter().map(|clearance| {
+        let title = &cx.program().groups[clearance.group as usize];
         let param = match clearance.param {
             Some(param) => {
                 let param = Literal::u32_unsuffixed(param);
@@ -108,15 +105,14 @@ fn flips(cx: &Context<'_>, param: &Ident) -> TokenStream {
 /// A core without guards: what is out of reach is a number below zero here, not a refusal.
 fn clearances(cx: &Context<'_>) -> TokenStream {
     let (scalar, clearance) = (&cx.names.scalar, cx.paths.item("Clearance"));
-    let arguments = cx.arguments(EntryKind::Velocity);
-    let body = Body { cx, arguments: &arguments, course: Course::Open, bounds: None };
-    let sinks: Vec<_> = cx.program.clearances.iter().flat_map(|group| group.sinks).collect();
-    let statements = body.statements(&sinks);
-    let lines = lay_out(&statements.list, &body.locals(sinks.iter().copied()), &cx.locals);
+    let printer = Printer::new(cx, &cx.lowered.clearances);
+    let routine = printer.routine;
+    let lines: TokenStream =
+        routine.stages.iter().map(|stage| printer.statements(&stage.statements)).collect();
     let (received, unread) =
-        (arguments.received(&quote!(#scalar)), arguments.unread(&statements.leaves));
-    let values = cx.program.clearances.iter().map(|group| {
-        let [value, rate, scale] = group.sinks.map(|sink| body.value(sink));
+        (printer.arguments.received(&quote!(#scalar)), printer.arguments.unread(&routine.reads));
+    let values = cx.program().clearances.iter().map(|group| {
+        let [value, rate, scale] = group.sinks.map(|sink| printer.value(sink));
         quote!(#clearance { value: #value, rate: #rate, scale: #scale })
     });
     quote! {
@@ -124,40 +120,6 @@ fn clearances(cx: &Context<'_>) -> TokenStream {
             #unread
             #lines
             [#(#values),*]
-        }
-    }
-}
-
-/// Sums and differences of records, field by field.
-fn linear(cx: &Context<'_>) -> TokenStream {
-    let outputs: Vec<&Ident> = cx.mechanism.outputs.iter().map(|output| &output.field).collect();
-    let inputs: Vec<&Ident> = cx.mechanism.inputs.iter().map(|input| &input.name).collect();
-    let orders = ["position", "velocity", "acceleration"].map(generated_field);
-    let records = Order::ALL.map(|order| of_record(cx, order.record(cx), &outputs));
-    let motion = of_record(cx, &cx.names.motion, &orders.each_ref());
-    let input = (inputs.len() > 1).then(|| of_record(cx, &cx.names.input, &inputs));
-    quote!(#(#records)* #motion #input)
-}
-
-/// A field that the generated code names itself.
-fn generated_field(name: &str) -> Ident {
-    Ident::new(name, proc_macro2::Span::call_site())
-}
-
-fn of_record(cx: &Context<'_>, record: &Ident, fields: &[&Ident]) -> TokenStream {
-    let (scalar, any, linear) =
-        (&cx.names.scalar, cx.paths.item("Scalar"), cx.paths.item("Linear"));
-    let [factor, other] = ["factor_", "other_"].map(generated);
-    quote! {
-        impl<#scalar: #any> #linear<#scalar> for #record<#scalar> {
-            #[inline]
-            fn plus(self, #factor: #scalar, #other: Self) -> Self {
-                Self { #(#fields: #linear::<#scalar>::plus(self.#fields, #factor, #other.#fields)),* }
-            }
-            #[inline]
-            fn minus(self, #other: Self) -> Self {
-                Self { #(#fields: #linear::<#scalar>::minus(self.#fields, #other.#fields)),* }
-            }
         }
     }
 }
