@@ -58,7 +58,9 @@ impl Resolver<'_> {
             return;
         }
         let mut message = format!("no unit named `{suffix}`");
-        if let Some(near) = nearest(suffix, UNITS.into_iter()) {
+        // One letter is near to any two.
+        let known = UNITS.into_iter().filter(|unit| unit.len() > 1);
+        if let Some(near) = nearest(suffix, known) {
             message += &format!("; a unit with a similar name exists: `{near}`");
         }
         let reason = "lengths have `m mm cm um in`, angles `rad deg turn`, masses `kg g t`, forces \
