@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 
 use crate::diagnostics::{Diagnostics, Failure};
+use crate::exact::Scope;
 use crate::interface::Interface;
 use crate::ir::program::Program;
 use crate::model::mechanism::Mechanism;
@@ -12,6 +13,8 @@ use crate::{codegen, equations, lower, model, passes, syntax};
 /// The generated code, or the mistakes as compile errors beside what stands in for what would
 /// have been generated, so that one mistake gives one message.
 pub(crate) fn compile(source: TokenStream) -> TokenStream {
+    // The numbers of one declaration are not those of the next.
+    let _atoms = Scope::begin();
     let mut diagnostics = Diagnostics::new();
     let declaration = syntax::parse(source, &mut diagnostics);
     match resolved(declaration.as_ref(), diagnostics) {

@@ -12,10 +12,10 @@
 //! the same code on numbers of twice the width:
 //!
 //! - next to each limit, at 1e-1 to 1e-15 of the lengths from it, with and without fused
-//!   operations (`tests/near_limits.rs` holds these bounds);
+//!   operations (`tests/limits/near_limits.rs` holds these bounds);
 //! - on ten million random poses a group and width, of lengths up to 100 : 1, of any place and size,
 //!   half of them next to a limit, without fused operations, and climbing from the worst of them
-//!   to one worse still: the hill-climbed worst case (`examples/worst_poses`, seed 1).
+//!   to one worse still: the hill-climbed worst case (`worst_poses` of the laboratory, seed 1).
 //!
 //! The climb leads to poses whose data happen to matter little: joints on one axis, guides along
 //! another, results whose terms cancel. They fix a direction better than a unit vector of the

@@ -22,10 +22,12 @@ mod groups;
 mod guides;
 mod ids;
 mod inputs;
+mod literals;
 pub(crate) mod mechanism;
 pub(crate) mod modes;
 mod names;
 mod numbers;
+mod order;
 mod outputs;
 mod points;
 mod readings;
@@ -44,6 +46,7 @@ use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 use facts::Facts;
 use mechanism::{Mechanism, Numerics, References};
 use names::Names;
+use order::TooEarly;
 
 /// The mechanism that the declaration means; `None` if anything in it was reported.
 pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
@@ -55,6 +58,7 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         mechanism: empty(tree),
         facts: Facts::default(),
         moves: false,
+        too_early: Vec::new(),
         use_is_hidden: false,
         number_is_unknown: false,
     };
@@ -65,6 +69,8 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     }
     resolver.names.go_to(tree.statements.len());
     resolver.outputs(tree);
+    resolver.statements_are_in_order(tree);
+    resolver.bare_lengths_are_of_a_machine();
     resolver.an_input_is_declared(tree);
     resolver.every_input_is_used(tree);
     resolver.mechanism.rotatabilities = rotatability::rotatabilities(&resolver.mechanism);
@@ -83,6 +89,8 @@ struct Resolver<'d> {
     facts: Facts,
     /// Whether the statement being resolved depends on an input so far.
     moves: bool,
+    /// Names used before they are made.
+    too_early: Vec<TooEarly>,
     /// Whether a mistake may have hidden the use of an input.
     use_is_hidden: bool,
     /// Whether an expression names a number that nothing declares.

@@ -65,7 +65,7 @@ fn what_is_not_asked_for_costs_nothing() {
 fn constants_leave_no_trace() {
     let plain = after_crank!("rrp BC(B), block(level) -> C { length: 0.9, mode: ahead } output C;");
     let spelt = after_crank!(
-        "let none = 2mm - 0.002; let l = sqrt(0.81m * 1m) + none * 3;"
+        "let none = 2mm - 0.002m; let l = sqrt(0.81m * 1m) + none * 3;"
         "guide same through (0m * 5, 100mm) along 360deg - 2 * 180deg;"
         "rrp BC(B), block(same) -> C { length: l, offset: none, mode: ahead } output C;"
     );
