@@ -528,50 +528,50 @@ const _: () = {
             };
             let b_x_ = T::lit(0.1016, 0.1016) * cos;
             let b_y_ = T::lit(0.1016, 0.1016) * sin;
-            let v162_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
+            let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
             let v164_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
-            let v165_ = guard_.square_of_centres(
+            let bc_dc_d2_ = guard_.square_of_centres(
                 v164_,
-                v162_,
+                bc_dc_d_x_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v166_ = T::lit(1.0, 1.0) / v165_;
-            let v167_ =
+            let bc_dc_inverse_d2_ = T::lit(1.0, 1.0) / bc_dc_d2_;
+            let bc_dc_i_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
-            let v168_ = T::lit(0.1806448, 0.1806448) - v167_;
-            let v169_ = T::lit(5.535725357165, 5.5357256) * v167_;
+            let v168_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
+            let v169_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
             let v170_ = T::lit(5.535725357165, 5.5357256) * v168_;
             let v171_ = v169_ * v170_;
-            let v172_ = guard_.reach_circles(
+            let bc_dc_s_ = guard_.reach_circles(
                 v171_,
-                v162_,
+                bc_dc_d_x_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v173_ = T::sqrt(v172_);
-            let v174_ = T::lit(0.0903224, 0.0903224) * v166_;
-            let v175_ = v173_ * v174_;
-            let v177_ = T::fused(T::lit(0.5, 0.5), v167_, T::lit(0.0193548, 0.0193548));
-            let v178_ = T::fused(T::lit(0.5, 0.5), v167_, -T::lit(0.01354836, 0.01354836));
-            let v179_ = v166_ * v177_;
-            let v180_ = v166_ * v178_;
-            let v181_ = b_y_ * v175_;
-            let v182_ = v162_ * v175_;
-            let v185_ = T::fused(v162_, v179_, v181_);
-            let v186_ = T::fused(-b_y_, v179_, v182_);
-            let v190_ = T::fused(-v162_, v180_, v181_);
-            let c_y_ = T::fused(b_y_, v180_, v182_);
-            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v190_;
+            let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
+            let v174_ = T::lit(0.0903224, 0.0903224) * bc_dc_inverse_d2_;
+            let bc_dc_h_ = bc_dc_root_s_ * v174_;
+            let bc_dc_a_d2_ = T::fused(T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0193548, 0.0193548));
+            let bc_dc_b_d2_ = T::fused(T::lit(0.5, 0.5), bc_dc_i_, -T::lit(0.01354836, 0.01354836));
+            let bc_dc_a_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
+            let bc_dc_b_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
+            let bc_dc_h_d_x_ = b_y_ * bc_dc_h_;
+            let bc_dc_h_d_y_ = bc_dc_d_x_ * bc_dc_h_;
+            let bc_dc_r2_x_ = T::fused(bc_dc_d_x_, bc_dc_a_, bc_dc_h_d_x_);
+            let bc_dc_r2_y_ = T::fused(-b_y_, bc_dc_a_, bc_dc_h_d_y_);
+            let bc_dc_r3_x_ = T::fused(-bc_dc_d_x_, bc_dc_b_, bc_dc_h_d_x_);
+            let c_y_ = T::fused(b_y_, bc_dc_b_, bc_dc_h_d_y_);
+            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * bc_dc_r3_x_;
             let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
-            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v185_;
-            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v186_;
-            let c_x_ = T::lit(0.3048, 0.3048) + v190_;
+            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_x_;
+            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_y_;
+            let c_x_ = T::lit(0.3048, 0.3048) + bc_dc_r3_x_;
             let position_ = FourBarPosition {
                 AB: private::Direction { cos, sin },
                 B: private::Point { x: b_x_, y: b_y_ },
@@ -586,22 +586,22 @@ const _: () = {
                     acceleration: acceleration_,
                 };
             }
-            let v151_ = theta_rate * b_y_;
-            let b_vx_ = -v151_;
+            let bc_dc_w_x_ = theta_rate * b_y_;
+            let b_vx_ = -bc_dc_w_x_;
             let b_vy_ = theta_rate * b_x_;
-            let v192_ = guard_.nonzero(v172_, "BC, DC");
-            let v193_ = T::lit(11.07145071433, 11.071451) * v173_;
+            let v192_ = guard_.nonzero(bc_dc_s_, "BC, DC");
+            let v193_ = T::lit(11.07145071433, 11.071451) * bc_dc_root_s_;
             let v194_ = T::lit(1.0, 1.0) / v192_;
-            let v195_ = v193_ * v194_;
-            let v200_ = v151_ * v190_;
-            let v203_ = T::fused(-b_vy_, c_y_, v200_);
-            let bc_omega_ = v195_ * v203_;
-            let v205_ = v151_ * v185_;
-            let v207_ = T::fused(-b_vy_, v186_, v205_);
-            let dc_omega_ = v195_ * v207_;
+            let bc_dc_inverse_j_ = v193_ * v194_;
+            let v200_ = bc_dc_w_x_ * bc_dc_r3_x_;
+            let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v200_);
+            let bc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r3_;
+            let v205_ = bc_dc_w_x_ * bc_dc_r2_x_;
+            let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v205_);
+            let dc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r2_;
             let v230_ = c_y_ * dc_omega_;
             let c_vx_ = -v230_;
-            let c_vy_ = v190_ * dc_omega_;
+            let c_vy_ = bc_dc_r3_x_ * dc_omega_;
             let velocity_ = FourBarVelocity {
                 AB: private::AngularVelocity { omega: theta_rate },
                 B: private::Point { x: b_vx_, y: b_vy_ },
@@ -619,29 +619,29 @@ const _: () = {
             let v16_ = theta_rate * theta_rate;
             let v154_ = theta_acceleration * b_y_;
             let v155_ = theta_acceleration * b_x_;
-            let v158_ = T::fused(v16_, b_x_, v154_);
-            let b_ax_ = -v158_;
+            let bc_dc_g_x_ = T::fused(v16_, b_x_, v154_);
+            let b_ax_ = -bc_dc_g_x_;
             let b_ay_ = T::fused(-v16_, b_y_, v155_);
-            let v209_ = bc_omega_ * bc_omega_;
-            let v210_ = dc_omega_ * dc_omega_;
-            let v211_ = T::fused(-T::lit(0.5, 0.5), v167_, T::lit(0.0451612, 0.0451612));
-            let v212_ = v209_ * v211_;
-            let v214_ = T::fused(-T::lit(0.03161284, 0.03161284), v210_, v212_);
-            let v215_ = T::lit(0.064516, 0.064516) * v209_;
-            let v218_ = T::fused(-v210_, v211_, v215_);
-            let v219_ = v158_ * v190_;
+            let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
+            let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
+            let bc_dc_r2_r3_ = T::fused(-T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0451612, 0.0451612));
+            let v212_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
+            let v214_ = T::fused(-T::lit(0.03161284, 0.03161284), bc_dc_omega3_squared_, v212_);
+            let v215_ = T::lit(0.064516, 0.064516) * bc_dc_omega2_squared_;
+            let v218_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v215_);
+            let v219_ = bc_dc_g_x_ * bc_dc_r3_x_;
             let v222_ = T::fused(-b_ay_, c_y_, v219_);
             let v223_ = v214_ + v222_;
-            let bc_alpha_ = v195_ * v223_;
-            let v225_ = v158_ * v185_;
-            let v227_ = T::fused(-b_ay_, v186_, v225_);
+            let bc_alpha_ = bc_dc_inverse_j_ * v223_;
+            let v225_ = bc_dc_g_x_ * bc_dc_r2_x_;
+            let v227_ = T::fused(-b_ay_, bc_dc_r2_y_, v225_);
             let v228_ = v218_ + v227_;
-            let dc_alpha_ = v195_ * v228_;
-            let v233_ = v190_ * v210_;
-            let v234_ = c_y_ * v210_;
+            let dc_alpha_ = bc_dc_inverse_j_ * v228_;
+            let v233_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
+            let v234_ = c_y_ * bc_dc_omega3_squared_;
             let v237_ = T::fused(c_y_, dc_alpha_, v233_);
             let c_ax_ = -v237_;
-            let c_ay_ = T::fused(v190_, dc_alpha_, -v234_);
+            let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v234_);
             let acceleration_ = FourBarAcceleration {
                 AB: private::AngularAcceleration { alpha: theta_acceleration },
                 B: private::Point { x: b_ax_, y: b_ay_ },
@@ -1327,18 +1327,18 @@ const _: () = {
             let (ab_sin_, ab_cos_) = T::sin_cos(theta);
             let b_x_ = T::lit(0.1016, 0.1016) * ab_cos_;
             let b_y_ = T::lit(0.1016, 0.1016) * ab_sin_;
-            let v11_ = theta_rate * b_y_;
+            let bc_dc_w_x_ = theta_rate * b_y_;
             let b_vy_ = theta_rate * b_x_;
-            let v25_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
-            let v36_ = v11_ * v25_;
+            let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
+            let v36_ = bc_dc_w_x_ * bc_dc_d_x_;
             let v37_ = v36_ + v36_;
             let v38_ = b_y_ * b_vy_;
             let v39_ = v38_ + v38_;
             let v40_ = v37_ + v39_;
-            let v42_ =
+            let bc_dc_i_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), ab_cos_, T::lit(0.09741916, 0.09741916));
-            let v44_ = T::lit(0.1806448, 0.1806448) - v42_;
-            let v45_ = T::lit(5.535725357165, 5.5357256) * v42_;
+            let v44_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
+            let v45_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
             let v46_ = T::lit(5.535725357165, 5.5357256) * v40_;
             let v47_ = T::lit(5.535725357165, 5.5357256) * v44_;
             let v48_ = v45_ * v47_;
