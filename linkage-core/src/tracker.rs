@@ -12,13 +12,19 @@
 //! Nothing here knows a formula of a group: how clear of its limit each group is, generated code
 //! says ([`Modes`]).
 
+mod around;
+mod enclosure;
+mod line;
 mod linear;
 mod passage;
+mod stretch;
 
+pub use enclosure::Enclosure;
 pub use linear::Linear;
-use passage::{Nearby, Passage};
+use passage::Passage;
 
-use crate::{Real, SolveError};
+use crate::kernels::sqrt;
+use crate::{Real, Scalar, SolveError};
 
 /// How clear of its limit a group is: zero at a toggle, negative out of reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +33,8 @@ pub struct Clearance<T> {
     pub value: T,
     /// Its rate.
     pub rate: T,
+    /// Its second rate, the inputs' rates being constant.
+    pub second_rate: T,
     /// Against this the rounding of `value` is a few ε.
     pub scale: T,
 }
@@ -68,8 +76,19 @@ pub trait Modes: Copy {
         acceleration: Self::Input,
     ) -> Result<Self::Motion, SolveError>;
 
+    /// [`Clearance`]s whose numbers are ranges.
+    type Enclosures: Copy + AsRef<[Clearance<<Self::Scalar as Real>::Enclosing>]>;
+
     /// How clear of their limits the groups are. Behind a group out of reach there are no numbers.
     fn clearances(&self, q: Self::Input, rate: Self::Input) -> Self::Clearances;
+
+    /// All values of the clearances while the inputs lie no farther than `radius` from `middle`.
+    fn enclosures(
+        &self,
+        middle: Self::Input,
+        radius: Self::Input,
+        rate: Self::Input,
+    ) -> Self::Enclosures;
 }
 
 /// A solver that follows its motion: each pose continues the one before.
@@ -129,9 +148,10 @@ impl<M: Modes> Tracker<M> {
     /// # Errors
     /// The solver's; `OutOfReach` or `Singular` also where the motion ends on the way to the
     /// inputs, or where it passes a change point of a group whose mode is not a parameter of its
-    /// own. The tracker then stays at the last pose.
+    /// own; `Singular` where nobody can say how it goes on; `NotFinite` where numbers leave their
+    /// range on the way. The tracker then stays at the last pose.
     pub fn position(&mut self, q: impl Into<M::Input>) -> Result<M::Position, SolveError> {
-        self.advance(self.anchor, q.into(), |solver, q| solver.position(q))
+        self.advance(self.anchor, q.into(), None, |solver, q| solver.position(q))
     }
 
     /// The pose that continues the last one, with velocities and accelerations at the given rates
@@ -146,8 +166,8 @@ impl<M: Modes> Tracker<M> {
         acceleration: impl Into<M::Input>,
     ) -> Result<M::Motion, SolveError> {
         let (q, rate, acceleration) = (q.into(), rate.into(), acceleration.into());
-        let anchor = self.anchor.or_else(|| passage::beginning(&self.solver, q, rate));
-        self.advance(anchor, q, |solver, q| solver.motion(q, rate, acceleration))
+        let anchor = self.anchor.or_else(|| around::beginning(&self.solver, q, rate));
+        self.advance(anchor, q, Some(rate), |solver, q| solver.motion(q, rate, acceleration))
     }
 
     /// Goes from the anchor to `q` and solves there with the modes that have come of it.
@@ -155,17 +175,27 @@ impl<M: Modes> Tracker<M> {
         &mut self,
         anchor: Option<M::Input>,
         q: M::Input,
+        rate: Option<M::Input>,
         solve: impl Fn(&M, M::Input) -> Result<R, SolveError>,
     ) -> Result<R, SolveError> {
         let passage = Passage::new(self.solver, anchor.unwrap_or(q), q);
-        let solver = passage.solver_at(1.0)?;
-        let (nearby, is_clear) = passage.around_end(&solver);
-        let interpolated = nearby.and_then(|nearby| interpolated(&passage, nearby, &solve));
+        if passage.is_clear() {
+            let result = solve(&self.solver, q)?;
+            self.anchor = Some(q);
+            return Ok(result);
+        }
+        if !q.all(Scalar::is_finite) {
+            // The solver has the name of the input.
+            return solve(&self.solver, q);
+        }
+        let solver = if anchor.is_some() { passage.follow()? } else { self.solver };
+        let direction = passage.direction().or(rate).unwrap_or(q);
+        let interpolated = around::interpolated(&passage, &solver, q, direction, &solve)?;
         let result = match interpolated {
             Some(result) => result,
             None => solve(&solver, q)?,
         };
-        *self = if is_clear {
+        *self = if passage.ends_clear(&solver) {
             Self { solver, anchor: Some(q) }
         } else {
             Self { solver: self.solver, anchor }
@@ -174,21 +204,30 @@ impl<M: Modes> Tracker<M> {
     }
 }
 
-/// Where the nodes of an interpolation stand on both sides of a change point, in units of its
-/// width.
-const NODES: [f64; 8] = [-2.5, 2.5, -2.0, 2.0, -1.5, 1.5, -1.0, 1.0];
+/// From where on a clearance, in units of its scale, counts as what.
+#[derive(Clone, Copy, Debug)]
+struct Thresholds {
+    /// Up to this it counts as zero, where it is lowest.
+    zero: f64,
+    /// From this on no mode changes nearby: a change point that counts as zero is at least three
+    /// times as far below as it can be above zero, so that the sign of the rate is sure.
+    clear: f64,
+    /// Below this the rounding of a velocity, ε over the clearance, is larger than the error of an
+    /// interpolation over as wide a range.
+    near: f64,
+}
 
-/// The result at the end of the passage from those on both sides of a change point, each with the
-/// modes that hold there; none where the motion does not go on so far on both sides.
-fn interpolated<M: Modes, R: Linear<M::Scalar>>(
-    passage: &Passage<M>,
-    nearby: Nearby,
-    solve: &impl Fn(&M, M::Input) -> Result<R, SolveError>,
-) -> Option<R> {
-    let at = |part: f64| solve(&passage.solver_at(part).ok()?, passage.input(part)).ok();
-    let widths = [1.0, 0.5, 0.25].map(|share| share * nearby.width);
-    widths.into_iter().find_map(|width| {
-        let value = |node: f64| at(nearby.at + node * width);
-        linear::interpolate(NODES, value, (1.0 - nearby.at) / width)
-    })
+impl Thresholds {
+    fn of<T: Real>() -> Self {
+        let zero = sqrt(T::EPSILON);
+        Self { zero, clear: 4.0 * zero, near: sqrt(zero) }
+    }
+}
+
+fn title<M: Modes>(group: usize) -> &'static str {
+    M::GROUPS.get(group).map_or("", |of| of.0)
+}
+
+fn param<M: Modes>(group: usize) -> Option<usize> {
+    M::GROUPS.get(group).and_then(|of| of.1)
 }

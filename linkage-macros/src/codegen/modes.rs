@@ -39,6 +39,7 @@ fn modes(cx: &Context<'_>) -> TokenStream {
     let count = Literal::usize_unsuffixed(cx.program.clearances.len());
     let [q, rate, acceleration, param] = ["q_", "rate_", "acceleration_", "param_"].map(generated);
     let (groups, clearances, flips) = (groups(cx), clearances(cx), flips(cx, &param));
+    let enclosures = enclosures(cx);
     quote! {
         impl<#scalar: #real> #modes for #solver<#scalar> {
             type Scalar = #scalar;
@@ -46,6 +47,7 @@ fn modes(cx: &Context<'_>) -> TokenStream {
             type Position = #position<#scalar>;
             type Motion = #motion<#scalar>;
             type Clearances = [#clearance<#scalar>; #count];
+            type Enclosures = [#clearance<<#scalar as #real>::Enclosing>; #count];
 
             #groups
 
@@ -68,6 +70,8 @@ fn modes(cx: &Context<'_>) -> TokenStream {
             }
 
             #clearances
+
+            #enclosures
         }
     }
 }
@@ -116,14 +120,48 @@ fn clearances(cx: &Context<'_>) -> TokenStream {
     let (received, unread) =
         (arguments.received(&quote!(#scalar)), arguments.unread(&statements.leaves));
     let values = cx.program.clearances.iter().map(|group| {
-        let [value, rate, scale] = group.sinks.map(|sink| body.value(sink));
-        quote!(#clearance { value: #value, rate: #rate, scale: #scale })
+        let [value, rate, second_rate, scale] = group.sinks.map(|sink| body.value(sink));
+        quote! {
+            #clearance { value: #value, rate: #rate, second_rate: #second_rate, scale: #scale }
+        }
     });
     quote! {
         fn clearances(&self, #(#received),*) -> Self::Clearances {
             #unread
             #lines
             [#(#values),*]
+        }
+    }
+}
+
+/// The same on ranges of numbers.
+fn enclosures(cx: &Context<'_>) -> TokenStream {
+    let arguments = cx.arguments(EntryKind::Velocity);
+    let scalar = &cx.names.scalar;
+    let [real, modes] = ["Real", "Modes"].map(|name| cx.paths.item(name));
+    let [middle, radius, rate, none] = ["middle_", "radius_", "rate_", "none_"].map(generated);
+    let ty = arguments.ty(&quote!(#scalar));
+    let enclosing = quote!(<#scalar as #real>::Enclosing);
+    let literal = cx.literal(0.0, 0.0);
+    let around = |value: &Ident, radius: &dyn Fn(&TokenStream) -> TokenStream| {
+        if !arguments.are_records() {
+            let radius = radius(&TokenStream::new());
+            return quote!(#real::enclosing(#value, #radius));
+        }
+        let record = &cx.names.input;
+        let fields = cx.mechanism.inputs.iter().map(|input| {
+            let field = &input.name;
+            let radius = radius(&quote!(.#field));
+            quote!(#field: #real::enclosing(#value.#field, #radius))
+        });
+        quote!(#record { #(#fields),* })
+    };
+    let range = around(&middle, &|field| quote!(#radius #field));
+    let rates = around(&rate, &|_| quote!(#none));
+    quote! {
+        fn enclosures(&self, #middle: #ty, #radius: #ty, #rate: #ty) -> Self::Enclosures {
+            let #none = #literal;
+            #modes::clearances(&self.lift::<#enclosing>(), #range, #rates)
         }
     }
 }
@@ -147,7 +185,8 @@ fn generated_field(name: &str) -> Ident {
 fn of_record(cx: &Context<'_>, record: &Ident, fields: &[&Ident]) -> TokenStream {
     let (scalar, any, linear) =
         (&cx.names.scalar, cx.paths.item("Scalar"), cx.paths.item("Linear"));
-    let [factor, other] = ["factor_", "other_"].map(generated);
+    let [factor, other, test] = ["factor_", "other_", "test_"].map(generated);
+    let [test_fn, bool_, copy] = ["Fn", "bool", "Copy"].map(|name| cx.paths.item(name));
     quote! {
         impl<#scalar: #any> #linear<#scalar> for #record<#scalar> {
             #[inline]
@@ -157,6 +196,10 @@ fn of_record(cx: &Context<'_>, record: &Ident, fields: &[&Ident]) -> TokenStream
             #[inline]
             fn minus(self, #other: Self) -> Self {
                 Self { #(#fields: #linear::<#scalar>::minus(self.#fields, #other.#fields)),* }
+            }
+            #[inline]
+            fn all(self, #test: impl #test_fn(#scalar) -> #bool_ + #copy) -> #bool_ {
+                #(#linear::<#scalar>::all(self.#fields, #test))&&*
             }
         }
     }
