@@ -19,7 +19,7 @@ mod linear;
 mod passage;
 mod stretch;
 
-pub use enclosure::Enclosure;
+pub(crate) use enclosure::Enclosure;
 pub use linear::Linear;
 use passage::Passage;
 

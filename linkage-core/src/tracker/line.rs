@@ -86,7 +86,9 @@ impl<M: Modes> AllRanges<M> {
                 let (value, rate) = (of.value, of.rate);
                 Ranges { value, rate, second_rate: of.second_rate, scale: of.scale }
             }
-            None => Ranges { value: [1.0; 2], rate: [0.0; 2], second_rate: [0.0; 2], scale: [1.0; 2] },
+            None => {
+                Ranges { value: [1.0; 2], rate: [0.0; 2], second_rate: [0.0; 2], scale: [1.0; 2] }
+            }
         }
     }
 }
@@ -94,12 +96,7 @@ impl<M: Modes> AllRanges<M> {
 impl<T: Copy> Clearance<T> {
     fn map<U>(self, f: impl Fn(T) -> U) -> Clearance<U> {
         let Self { value, rate, second_rate, scale } = self;
-        Clearance {
-            value: f(value),
-            rate: f(rate),
-            second_rate: f(second_rate),
-            scale: f(scale),
-        }
+        Clearance { value: f(value), rate: f(rate), second_rate: f(second_rate), scale: f(scale) }
     }
 }
 
