@@ -8,6 +8,8 @@
 //! touches zero and turns back, while at a dead end it passes through zero. Between one call and
 //! the next the tracker follows these values along the straight line from input to input, so it
 //! does not matter whether a sample falls on the change point, next to it, or far on either side.
+//! That none is missed is proved stretch by stretch, by ranges that hold all that the values and
+//! their first and second rates can be between two inputs.
 //!
 //! Nothing here knows a formula of a group: how clear of its limit each group is, generated code
 //! says ([`Modes`]).
@@ -120,8 +122,42 @@ pub trait Modes: Copy {
 /// # Ok::<(), linkage_core::SolveError>(())
 /// ```
 ///
-/// Two groups' change points closer together than √ε of the mechanism's size, or a change point
-/// missed by less than that, are one to the tracker: the dimensions do not say more.
+/// # What is promised
+/// From one call to the next the inputs are taken to move along the straight line between them, one
+/// step of any length; whatever change points lie on it, the modes in the end are those to which
+/// the motion leads, or there is an error. A step is looked at as a whole first. If a group comes
+/// close to its limit, or ranges are too wide to tell, the step is followed in stretches of which
+/// everything can be proved, at most 4096 of them; and as many again for each of eight poses around
+/// a change point from which the result is interpolated (up to three times, where the motion does
+/// not go on so far). This is the one place in this crate in which work is not the same at every
+/// call; there is no heap, and no panic.
+///
+/// # What is refused
+/// - A step on which the motion ends, even if there is a pose at its end: as `OutOfReach` or
+///   `Singular`.
+/// - A step on which no number of stretches tells what happens, as `Singular`: a group that stays at
+///   its limit, or comes to it so softly that its height touches zero to the fourth order.
+/// - A change point of a group whose mode is a constant of the declaration, or shared with a group
+///   that does not change: as `Singular`.
+/// - What leaves the range of numbers, on the way or in the result: as `NotFinite`.
+///
+/// # What counts as a change point
+/// The dimensions of a mechanism are rounded, so that its bars never lie on one line exactly. With
+/// ε = 2⁻⁵² (`f32`: 2⁻²³), a group passes a change point where its clearance, the value under the
+/// root, is lowest and no farther from zero than √ε of its scale. The scale is made of the squares
+/// of the lengths that the clearance is made of, so that the rule is the same at every size: a
+/// misfit of all lengths of up to √ε/4 of themselves, 3.7e-9 (`f32`: 8.6e-5), counts as none. A
+/// clearance that stays above √ε of its scale keeps its mode, and one that falls lower is a dead
+/// end.
+///
+/// Where a clearance is below 4 √ε of its scale a pose lies on the change point: nobody can tell
+/// before or behind. Change points of two groups that are so close together are passed at once, and
+/// a tracker's modes stay those of the last pose before. Below ε^(1/4) of the scale the rounding of
+/// a velocity would show, and results are interpolated over the change point.
+///
+/// A first pose that lies on a change point has the modes of the solver behind it, along the given
+/// rates; without rates, or with rates whose squares leave the numbers' range, nothing is known of
+/// where the motion comes from, and the next pose has the solver's modes.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracker<M: Modes> {
     solver: M,
