@@ -168,7 +168,7 @@ mod tests {
     #[test]
     fn what_bends_both_ways_is_divided_and_what_is_flat_is_lost() {
         let wave =
-            |x: f64| [(9.0 * x).cos() + 0.9, -9.0 * (9.0 * x).sin(), -81.0 * (9.0 * x).cos()];
+            |x: f64| [(9.0 * x).cos() + 1.0, -9.0 * (9.0 * x).sin(), -81.0 * (9.0 * x).cos()];
         assert!(matches!(judged(0.0, 1.0, wave), Finding::Divide));
         let flat = |_: f64| [1e-9, 0.0, 0.0];
         assert!(matches!(judged(0.0, 1.0, flat), Finding::Lost));
