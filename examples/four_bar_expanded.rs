@@ -528,50 +528,50 @@ const _: () = {
             };
             let b_x_ = T::lit(0.1016, 0.1016) * cos;
             let b_y_ = T::lit(0.1016, 0.1016) * sin;
-            let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
-            let v164_ =
+            let v169_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
+            let v171_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
-            let bc_dc_d2_ = guard_.square_of_centres(
-                v164_,
-                bc_dc_d_x_,
-                -b_y_,
-                T::lit(0.254, 0.254),
-                T::lit(0.1778, 0.1778),
-                "BC, DC",
-            );
-            let bc_dc_inverse_d2_ = T::lit(1.0, 1.0) / bc_dc_d2_;
-            let bc_dc_i_ =
-                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
-            let v168_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
-            let v169_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
-            let v170_ = T::lit(5.535725357165, 5.5357256) * v168_;
-            let v171_ = v169_ * v170_;
-            let bc_dc_s_ = guard_.reach_circles(
+            let v172_ = guard_.square_of_centres(
                 v171_,
-                bc_dc_d_x_,
+                v169_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
-            let v174_ = T::lit(0.0903224, 0.0903224) * bc_dc_inverse_d2_;
-            let bc_dc_h_ = bc_dc_root_s_ * v174_;
-            let bc_dc_a_d2_ = T::fused(T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0193548, 0.0193548));
-            let bc_dc_b_d2_ = T::fused(T::lit(0.5, 0.5), bc_dc_i_, -T::lit(0.01354836, 0.01354836));
-            let bc_dc_a_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
-            let bc_dc_b_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
-            let bc_dc_h_d_x_ = b_y_ * bc_dc_h_;
-            let bc_dc_h_d_y_ = bc_dc_d_x_ * bc_dc_h_;
-            let bc_dc_r2_x_ = T::fused(bc_dc_d_x_, bc_dc_a_, bc_dc_h_d_x_);
-            let bc_dc_r2_y_ = T::fused(-b_y_, bc_dc_a_, bc_dc_h_d_y_);
-            let bc_dc_r3_x_ = T::fused(-bc_dc_d_x_, bc_dc_b_, bc_dc_h_d_x_);
-            let c_y_ = T::fused(b_y_, bc_dc_b_, bc_dc_h_d_y_);
-            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * bc_dc_r3_x_;
+            let v173_ = T::lit(1.0, 1.0) / v172_;
+            let v174_ =
+                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
+            let v175_ = T::lit(0.1806448, 0.1806448) - v174_;
+            let v176_ = T::lit(5.535725357165, 5.5357256) * v174_;
+            let v177_ = T::lit(5.535725357165, 5.5357256) * v175_;
+            let v178_ = v176_ * v177_;
+            let v179_ = guard_.reach_circles(
+                v178_,
+                v169_,
+                -b_y_,
+                T::lit(0.254, 0.254),
+                T::lit(0.1778, 0.1778),
+                "BC, DC",
+            );
+            let v180_ = T::sqrt(v179_);
+            let v181_ = T::lit(0.0903224, 0.0903224) * v173_;
+            let v182_ = v180_ * v181_;
+            let v184_ = T::fused(T::lit(0.5, 0.5), v174_, T::lit(0.0193548, 0.0193548));
+            let v185_ = T::fused(T::lit(0.5, 0.5), v174_, -T::lit(0.01354836, 0.01354836));
+            let v186_ = v173_ * v184_;
+            let v187_ = v173_ * v185_;
+            let v188_ = b_y_ * v182_;
+            let v189_ = v169_ * v182_;
+            let v192_ = T::fused(v169_, v186_, v188_);
+            let v193_ = T::fused(-b_y_, v186_, v189_);
+            let v197_ = T::fused(-v169_, v187_, v188_);
+            let c_y_ = T::fused(b_y_, v187_, v189_);
+            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v197_;
             let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
-            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_x_;
-            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_y_;
-            let c_x_ = T::lit(0.3048, 0.3048) + bc_dc_r3_x_;
+            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v192_;
+            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v193_;
+            let c_x_ = T::lit(0.3048, 0.3048) + v197_;
             let position_ = FourBarPosition {
                 AB: private::Direction { cos, sin },
                 B: private::Point { x: b_x_, y: b_y_ },
@@ -586,22 +586,22 @@ const _: () = {
                     acceleration: acceleration_,
                 };
             }
-            let bc_dc_w_x_ = theta_rate * b_y_;
-            let b_vx_ = -bc_dc_w_x_;
+            let v158_ = theta_rate * b_y_;
+            let b_vx_ = -v158_;
             let b_vy_ = theta_rate * b_x_;
-            let v192_ = guard_.nonzero(bc_dc_s_, "BC, DC");
-            let v193_ = T::lit(11.07145071433, 11.071451) * bc_dc_root_s_;
-            let v194_ = T::lit(1.0, 1.0) / v192_;
-            let bc_dc_inverse_j_ = v193_ * v194_;
-            let v200_ = bc_dc_w_x_ * bc_dc_r3_x_;
-            let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v200_);
-            let bc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r3_;
-            let v205_ = bc_dc_w_x_ * bc_dc_r2_x_;
-            let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v205_);
-            let dc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r2_;
-            let v230_ = c_y_ * dc_omega_;
-            let c_vx_ = -v230_;
-            let c_vy_ = bc_dc_r3_x_ * dc_omega_;
+            let v199_ = guard_.nonzero(v179_, "BC, DC");
+            let v200_ = T::lit(11.07145071433, 11.071451) * v180_;
+            let v201_ = T::lit(1.0, 1.0) / v199_;
+            let v202_ = v200_ * v201_;
+            let v207_ = v158_ * v197_;
+            let v210_ = T::fused(-b_vy_, c_y_, v207_);
+            let bc_omega_ = v202_ * v210_;
+            let v212_ = v158_ * v192_;
+            let v214_ = T::fused(-b_vy_, v193_, v212_);
+            let dc_omega_ = v202_ * v214_;
+            let v237_ = c_y_ * dc_omega_;
+            let c_vx_ = -v237_;
+            let c_vy_ = v197_ * dc_omega_;
             let velocity_ = FourBarVelocity {
                 AB: private::AngularVelocity { omega: theta_rate },
                 B: private::Point { x: b_vx_, y: b_vy_ },
@@ -617,31 +617,31 @@ const _: () = {
                 };
             }
             let v16_ = theta_rate * theta_rate;
-            let v154_ = theta_acceleration * b_y_;
-            let v155_ = theta_acceleration * b_x_;
-            let bc_dc_g_x_ = T::fused(v16_, b_x_, v154_);
-            let b_ax_ = -bc_dc_g_x_;
-            let b_ay_ = T::fused(-v16_, b_y_, v155_);
-            let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
-            let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
-            let bc_dc_r2_r3_ = T::fused(-T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0451612, 0.0451612));
-            let v212_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
-            let v214_ = T::fused(-T::lit(0.03161284, 0.03161284), bc_dc_omega3_squared_, v212_);
-            let v215_ = T::lit(0.064516, 0.064516) * bc_dc_omega2_squared_;
-            let v218_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v215_);
-            let v219_ = bc_dc_g_x_ * bc_dc_r3_x_;
-            let v222_ = T::fused(-b_ay_, c_y_, v219_);
-            let v223_ = v214_ + v222_;
-            let bc_alpha_ = bc_dc_inverse_j_ * v223_;
-            let v225_ = bc_dc_g_x_ * bc_dc_r2_x_;
-            let v227_ = T::fused(-b_ay_, bc_dc_r2_y_, v225_);
-            let v228_ = v218_ + v227_;
-            let dc_alpha_ = bc_dc_inverse_j_ * v228_;
-            let v233_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
-            let v234_ = c_y_ * bc_dc_omega3_squared_;
-            let v237_ = T::fused(c_y_, dc_alpha_, v233_);
-            let c_ax_ = -v237_;
-            let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v234_);
+            let v161_ = theta_acceleration * b_y_;
+            let v162_ = theta_acceleration * b_x_;
+            let v165_ = T::fused(v16_, b_x_, v161_);
+            let b_ax_ = -v165_;
+            let b_ay_ = T::fused(-v16_, b_y_, v162_);
+            let v216_ = bc_omega_ * bc_omega_;
+            let v217_ = dc_omega_ * dc_omega_;
+            let v218_ = T::fused(-T::lit(0.5, 0.5), v174_, T::lit(0.0451612, 0.0451612));
+            let v219_ = v216_ * v218_;
+            let v221_ = T::fused(-T::lit(0.03161284, 0.03161284), v217_, v219_);
+            let v222_ = T::lit(0.064516, 0.064516) * v216_;
+            let v225_ = T::fused(-v217_, v218_, v222_);
+            let v226_ = v165_ * v197_;
+            let v229_ = T::fused(-b_ay_, c_y_, v226_);
+            let v230_ = v221_ + v229_;
+            let bc_alpha_ = v202_ * v230_;
+            let v232_ = v165_ * v192_;
+            let v234_ = T::fused(-b_ay_, v193_, v232_);
+            let v235_ = v225_ + v234_;
+            let dc_alpha_ = v202_ * v235_;
+            let v240_ = v197_ * v217_;
+            let v241_ = c_y_ * v217_;
+            let v244_ = T::fused(c_y_, dc_alpha_, v240_);
+            let c_ax_ = -v244_;
+            let c_ay_ = T::fused(v197_, dc_alpha_, -v241_);
             let acceleration_ = FourBarAcceleration {
                 AB: private::AngularAcceleration { alpha: theta_acceleration },
                 B: private::Point { x: b_ax_, y: b_ay_ },
@@ -1299,6 +1299,7 @@ const _: () = {
         type Position = FourBarPosition<T>;
         type Motion = FourBarMotion<T>;
         type Clearances = [private::Clearance<T>; 1];
+        type Enclosures = [private::Clearance<<T as private::Real>::Enclosing>; 1];
 
         const GROUPS: &'static [(&'static private::str, private::Option<private::usize>)] =
             &[("BC, DC", private::None)];
@@ -1327,28 +1328,58 @@ const _: () = {
             let (ab_sin_, ab_cos_) = T::sin_cos(theta);
             let b_x_ = T::lit(0.1016, 0.1016) * ab_cos_;
             let b_y_ = T::lit(0.1016, 0.1016) * ab_sin_;
-            let bc_dc_w_x_ = theta_rate * b_y_;
+            let v11_ = theta_rate * b_y_;
             let b_vy_ = theta_rate * b_x_;
-            let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
-            let v36_ = bc_dc_w_x_ * bc_dc_d_x_;
-            let v37_ = v36_ + v36_;
-            let v38_ = b_y_ * b_vy_;
-            let v39_ = v38_ + v38_;
-            let v40_ = v37_ + v39_;
-            let bc_dc_i_ =
+            let v16_ = theta_rate * theta_rate;
+            let v17_ = b_x_ * v16_;
+            let v18_ = b_y_ * v16_;
+            let v26_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
+            let v37_ = v11_ * v26_;
+            let v38_ = v37_ + v37_;
+            let v39_ = v11_ * v11_;
+            let v40_ = T::lit(2.0, 2.0) * v39_;
+            let v41_ = b_y_ * b_vy_;
+            let v42_ = v41_ + v41_;
+            let v43_ = b_vy_ * b_vy_;
+            let v44_ = T::lit(2.0, 2.0) * v43_;
+            let v45_ = v38_ + v42_;
+            let v47_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), ab_cos_, T::lit(0.09741916, 0.09741916));
-            let v44_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
-            let v45_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
-            let v46_ = T::lit(5.535725357165, 5.5357256) * v40_;
-            let v47_ = T::lit(5.535725357165, 5.5357256) * v44_;
-            let v48_ = v45_ * v47_;
-            let v49_ = v46_ * v47_;
-            let v52_ = T::fused(-v45_, v46_, v49_);
+            let v49_ = T::lit(0.1806448, 0.1806448) - v47_;
+            let v50_ = T::lit(5.535725357165, 5.5357256) * v47_;
+            let v51_ = T::lit(5.535725357165, 5.5357256) * v45_;
+            let v52_ = T::lit(5.535725357165, 5.5357256) * v49_;
+            let v53_ = v50_ * v52_;
+            let v54_ = v51_ * v52_;
+            let v57_ = T::fused(-v50_, v51_, v54_);
+            let v58_ = v51_ * v51_;
+            let v59_ = T::lit(2.0, 2.0) * v58_;
+            let v249_ = v17_ * v26_;
+            let v250_ = T::fused(v17_, v26_, v40_);
+            let v251_ = v249_ + v250_;
+            let v252_ = b_y_ * v18_;
+            let v253_ = T::fused(-b_y_, v18_, v44_);
+            let v254_ = v253_ - v252_;
+            let v255_ = v251_ + v254_;
+            let v256_ = T::lit(5.535725357165, 5.5357256) * v255_;
+            let v259_ = T::fused(v52_, v256_, -v59_);
+            let v261_ = T::fused(-v50_, v256_, v259_);
             [private::Clearance {
-                value: v48_,
-                rate: v52_,
+                value: v53_,
+                rate: v57_,
+                second_rate: v261_,
                 scale: T::lit(0.5517857142857143, 0.5517857),
             }]
+        }
+
+        fn enclosures(&self, middle_: T, radius_: T, rate_: T) -> Self::Enclosures {
+            let none_ = T::lit(0.0, 0.0);
+            let solver_ = self.lift::<<T as private::Real>::Enclosing>();
+            private::Modes::clearances(
+                &solver_,
+                private::Real::enclosing(middle_, radius_),
+                private::Real::enclosing(rate_, none_),
+            )
         }
     }
 
@@ -1374,6 +1405,15 @@ const _: () = {
                 C: private::Linear::<T>::minus(self.C, other_.C),
             }
         }
+
+        #[inline]
+        fn all(self, test_: impl private::Fn(T) -> private::bool + private::Copy) -> private::bool {
+            private::Linear::<T>::all(self.AB, test_)
+                && private::Linear::<T>::all(self.B, test_)
+                && private::Linear::<T>::all(self.BC, test_)
+                && private::Linear::<T>::all(self.DC, test_)
+                && private::Linear::<T>::all(self.C, test_)
+        }
     }
 
     impl<T: private::Scalar> private::Linear<T> for FourBarVelocity<T> {
@@ -1397,6 +1437,15 @@ const _: () = {
                 DC: private::Linear::<T>::minus(self.DC, other_.DC),
                 C: private::Linear::<T>::minus(self.C, other_.C),
             }
+        }
+
+        #[inline]
+        fn all(self, test_: impl private::Fn(T) -> private::bool + private::Copy) -> private::bool {
+            private::Linear::<T>::all(self.AB, test_)
+                && private::Linear::<T>::all(self.B, test_)
+                && private::Linear::<T>::all(self.BC, test_)
+                && private::Linear::<T>::all(self.DC, test_)
+                && private::Linear::<T>::all(self.C, test_)
         }
     }
 
@@ -1422,6 +1471,15 @@ const _: () = {
                 C: private::Linear::<T>::minus(self.C, other_.C),
             }
         }
+
+        #[inline]
+        fn all(self, test_: impl private::Fn(T) -> private::bool + private::Copy) -> private::bool {
+            private::Linear::<T>::all(self.AB, test_)
+                && private::Linear::<T>::all(self.B, test_)
+                && private::Linear::<T>::all(self.BC, test_)
+                && private::Linear::<T>::all(self.DC, test_)
+                && private::Linear::<T>::all(self.C, test_)
+        }
     }
 
     impl<T: private::Scalar> private::Linear<T> for FourBarMotion<T> {
@@ -1445,6 +1503,13 @@ const _: () = {
                 velocity: private::Linear::<T>::minus(self.velocity, other_.velocity),
                 acceleration: private::Linear::<T>::minus(self.acceleration, other_.acceleration),
             }
+        }
+
+        #[inline]
+        fn all(self, test_: impl private::Fn(T) -> private::bool + private::Copy) -> private::bool {
+            private::Linear::<T>::all(self.position, test_)
+                && private::Linear::<T>::all(self.velocity, test_)
+                && private::Linear::<T>::all(self.acceleration, test_)
         }
     }
 
