@@ -162,6 +162,15 @@ pub struct FourBarMotion<T> {
 #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
 const _: () = {
     use ::linkage_core::private;
+    #[allow(unused_imports, reason = "no mechanism needs all of them")]
+    use private::{
+        AllMet, AngularAcceleration, AngularVelocity, Checks, Clearance, Cost, Default, Direction,
+        Entry, FirstError, Float, From, Fusion, Into, LaneMask, Lanes, LengthMismatch, Mask,
+        Mechanism, Modes, OfMotion, OfPosition, OfVelocity, Ok, Operations, Option, PhantomData,
+        Point, Progress, Real, Record, Result, Scalar, Series, Side, Slide, SlidingAcceleration,
+        SlidingDirection, SlidingVelocity, SolveError, Some, Status, str, usize,
+    };
+
     impl FourBar<f64> {
         /// The scalar rows of the results, in the order of every list of rows.
         pub const OUTPUTS: [&'static str; 7] =
@@ -174,22 +183,22 @@ const _: () = {
         pub const PARAMS: [&'static str; 0] = [];
 
         /// The floating-point operations of one call.
-        pub const COST: private::Cost = private::Cost {
-            position: private::Operations {
+        pub const COST: Cost = Cost {
+            position: Operations {
                 additions: 11,
                 multiplications: 21,
                 divisions: 1,
                 roots: 1,
                 sines: 1,
             },
-            motion: private::Operations {
+            motion: Operations {
                 additions: 24,
                 multiplications: 54,
                 divisions: 2,
                 roots: 1,
                 sines: 1,
             },
-            coefficients: private::Operations {
+            coefficients: Operations {
                 additions: 12,
                 multiplications: 27,
                 divisions: 2,
@@ -202,28 +211,207 @@ const _: () = {
         #[inline]
         #[must_use]
         pub const fn new() -> Self {
-            Self { scalar_: private::PhantomData }
+            Self { scalar_: PhantomData }
         }
     }
 
-    impl<T: private::Scalar> private::Default for FourBar<T> {
+    impl<T: Scalar> Default for FourBar<T> {
         /// The solver with all parameters at their declared values, rounded once.
         #[inline]
         fn default() -> Self {
-            Self { scalar_: private::PhantomData }
+            Self { scalar_: PhantomData }
         }
     }
 
-    impl<T: private::Real> FourBar<T> {
+    impl<T: Real> FourBar<T> {
         /// The same solver on other numbers, the parameters without derivatives.
         #[inline]
         #[must_use]
-        pub fn lift<U: private::Scalar>(&self) -> FourBar<U> {
-            FourBar { scalar_: private::PhantomData }
+        pub fn lift<U: Scalar>(&self) -> FourBar<U> {
+            FourBar { scalar_: PhantomData }
         }
     }
 
-    impl<T: private::Scalar> FourBarPosition<T> {
+    impl<T> Record for FourBarPosition<T> {
+        type Number = T;
+        type Array = [T; 10];
+
+        const LABELS: &'static [&'static str] = &[
+            "AB.angle", "AB.angle", "B.x", "B.y", "BC.angle", "BC.angle", "DC.angle", "DC.angle",
+            "C.x", "C.y",
+        ];
+
+        #[inline(always)]
+        fn into_array(self) -> [T; 10] {
+            [
+                self.AB.cos,
+                self.AB.sin,
+                self.B.x,
+                self.B.y,
+                self.BC.cos,
+                self.BC.sin,
+                self.DC.cos,
+                self.DC.sin,
+                self.C.x,
+                self.C.y,
+            ]
+        }
+
+        #[inline]
+        fn from_array([n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_]: [T; 10]) -> Self {
+            FourBarPosition {
+                AB: Direction { cos: n0_, sin: n1_ },
+                B: Point { x: n2_, y: n3_ },
+                BC: Direction { cos: n4_, sin: n5_ },
+                DC: Direction { cos: n6_, sin: n7_ },
+                C: Point { x: n8_, y: n9_ },
+            }
+        }
+    }
+
+    impl<T> Record for FourBarVelocity<T> {
+        type Number = T;
+        type Array = [T; 7];
+
+        const LABELS: &'static [&'static str] = &[
+            "velocity of AB.angle",
+            "velocity of B.x",
+            "velocity of B.y",
+            "velocity of BC.angle",
+            "velocity of DC.angle",
+            "velocity of C.x",
+            "velocity of C.y",
+        ];
+
+        #[inline(always)]
+        fn into_array(self) -> [T; 7] {
+            [self.AB.omega, self.B.x, self.B.y, self.BC.omega, self.DC.omega, self.C.x, self.C.y]
+        }
+
+        #[inline]
+        fn from_array([n0_, n1_, n2_, n3_, n4_, n5_, n6_]: [T; 7]) -> Self {
+            FourBarVelocity {
+                AB: AngularVelocity { omega: n0_ },
+                B: Point { x: n1_, y: n2_ },
+                BC: AngularVelocity { omega: n3_ },
+                DC: AngularVelocity { omega: n4_ },
+                C: Point { x: n5_, y: n6_ },
+            }
+        }
+    }
+
+    impl<T> Record for FourBarAcceleration<T> {
+        type Number = T;
+        type Array = [T; 7];
+
+        const LABELS: &'static [&'static str] = &[
+            "acceleration of AB.angle",
+            "acceleration of B.x",
+            "acceleration of B.y",
+            "acceleration of BC.angle",
+            "acceleration of DC.angle",
+            "acceleration of C.x",
+            "acceleration of C.y",
+        ];
+
+        #[inline(always)]
+        fn into_array(self) -> [T; 7] {
+            [self.AB.alpha, self.B.x, self.B.y, self.BC.alpha, self.DC.alpha, self.C.x, self.C.y]
+        }
+
+        #[inline]
+        fn from_array([n0_, n1_, n2_, n3_, n4_, n5_, n6_]: [T; 7]) -> Self {
+            FourBarAcceleration {
+                AB: AngularAcceleration { alpha: n0_ },
+                B: Point { x: n1_, y: n2_ },
+                BC: AngularAcceleration { alpha: n3_ },
+                DC: AngularAcceleration { alpha: n4_ },
+                C: Point { x: n5_, y: n6_ },
+            }
+        }
+    }
+
+    impl<T> Record for FourBarMotion<T> {
+        type Number = T;
+        type Array = [T; 24];
+
+        const LABELS: &'static [&'static str] = &[
+            "AB.angle",
+            "AB.angle",
+            "B.x",
+            "B.y",
+            "BC.angle",
+            "BC.angle",
+            "DC.angle",
+            "DC.angle",
+            "C.x",
+            "C.y",
+            "velocity of AB.angle",
+            "velocity of B.x",
+            "velocity of B.y",
+            "velocity of BC.angle",
+            "velocity of DC.angle",
+            "velocity of C.x",
+            "velocity of C.y",
+            "acceleration of AB.angle",
+            "acceleration of B.x",
+            "acceleration of B.y",
+            "acceleration of BC.angle",
+            "acceleration of DC.angle",
+            "acceleration of C.x",
+            "acceleration of C.y",
+        ];
+
+        #[inline(always)]
+        fn into_array(self) -> [T; 24] {
+            let [n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_] =
+                Record::into_array(self.position);
+            let [n10_, n11_, n12_, n13_, n14_, n15_, n16_] = Record::into_array(self.velocity);
+            let [n17_, n18_, n19_, n20_, n21_, n22_, n23_] = Record::into_array(self.acceleration);
+            [
+                n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_, n10_, n11_, n12_, n13_, n14_,
+                n15_, n16_, n17_, n18_, n19_, n20_, n21_, n22_, n23_,
+            ]
+        }
+
+        #[inline]
+        fn from_array(
+            [
+                n0_,
+                n1_,
+                n2_,
+                n3_,
+                n4_,
+                n5_,
+                n6_,
+                n7_,
+                n8_,
+                n9_,
+                n10_,
+                n11_,
+                n12_,
+                n13_,
+                n14_,
+                n15_,
+                n16_,
+                n17_,
+                n18_,
+                n19_,
+                n20_,
+                n21_,
+                n22_,
+                n23_,
+            ]: [T; 24],
+        ) -> Self {
+            Self {
+                position: Record::from_array([n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_]),
+                velocity: Record::from_array([n10_, n11_, n12_, n13_, n14_, n15_, n16_]),
+                acceleration: Record::from_array([n17_, n18_, n19_, n20_, n21_, n22_, n23_]),
+            }
+        }
+    }
+
+    impl<T: Scalar> FourBarPosition<T> {
         /// The rows in the order of `OUTPUTS`; a direction's row is its angle in (−π, π].
         #[inline]
         #[must_use]
@@ -240,7 +428,7 @@ const _: () = {
         }
     }
 
-    impl<T: private::Scalar> FourBarVelocity<T> {
+    impl<T: Scalar> FourBarVelocity<T> {
         /// The rows in the order of `OUTPUTS`; a direction's row is ω.
         #[inline]
         #[must_use]
@@ -249,7 +437,7 @@ const _: () = {
         }
     }
 
-    impl<T: private::Scalar> FourBarAcceleration<T> {
+    impl<T: Scalar> FourBarAcceleration<T> {
         /// The rows in the order of `OUTPUTS`; a direction's row is α.
         #[inline]
         #[must_use]
@@ -258,7 +446,7 @@ const _: () = {
         }
     }
 
-    impl<T: private::Scalar> FourBar<T> {
+    impl<T: Scalar> FourBar<T> {
         /// Positions of the outputs, without a branch, and whether they may be used.
         ///
         /// Given `theta` in rad.
@@ -377,16 +565,16 @@ const _: () = {
 
         #[inline(always)]
         fn core_position_at_(&self, cos: T, sin: T) -> (FourBarPosition<T>, T::Mask) {
-            let mut marks_ = private::Marks::new();
+            let mut all_met_ = AllMet::new();
             let result_ = {
                 let rest_ = T::lit(0.0, 0.0);
-                self.formulas_at_::<0>(&mut marks_, cos, sin, rest_, rest_).position
+                self.formulas_at_::<0>(&mut all_met_, cos, sin, rest_, rest_).position
             };
             (
                 result_,
-                marks_.all()
+                all_met_.all()
                     & (if T::plain(true, true) {
-                        <T::Mask as private::Mask>::ALL
+                        <T::Mask as Mask>::ALL
                     } else {
                         T::is_finite(
                             ((result_.B.x + result_.DC.cos) + result_.DC.sin)
@@ -425,17 +613,17 @@ const _: () = {
             sin: T,
             theta_rate: T,
         ) -> (FourBarVelocity<T>, T::Mask) {
-            let mut marks_ = private::Marks::new();
+            let mut all_met_ = AllMet::new();
             let result_ = {
                 let rest_ = T::lit(0.0, 0.0);
-                self.formulas_at_::<1>(&mut marks_, cos, sin, theta_rate, rest_).velocity
+                self.formulas_at_::<1>(&mut all_met_, cos, sin, theta_rate, rest_).velocity
             };
             (
                 result_,
-                marks_.all()
+                all_met_.all()
                     & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
                     & (if T::plain(true, true) {
-                        <T::Mask as private::Mask>::ALL
+                        <T::Mask as Mask>::ALL
                     } else {
                         T::is_finite((result_.B.x + result_.BC.omega) + (result_.C.x + result_.C.y))
                     }),
@@ -474,19 +662,19 @@ const _: () = {
             theta_rate: T,
             theta_acceleration: T,
         ) -> (FourBarMotion<T>, T::Mask) {
-            let mut marks_ = private::Marks::new();
+            let mut all_met_ = AllMet::new();
             let result_ =
-                self.formulas_at_::<2>(&mut marks_, cos, sin, theta_rate, theta_acceleration);
+                self.formulas_at_::<2>(&mut all_met_, cos, sin, theta_rate, theta_acceleration);
             (
                 result_,
-                marks_.all()
+                all_met_.all()
                     & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
                     & T::is_within(
                         theta_acceleration,
                         T::lit(9.999999999999998e119, 1000000000000.0),
                     )
                     & (if T::plain(true, true) {
-                        <T::Mask as private::Mask>::ALL
+                        <T::Mask as Mask>::ALL
                     } else {
                         T::is_finite(
                             (((result_.velocity.B.x + result_.acceleration.B.x)
@@ -503,81 +691,69 @@ const _: () = {
         }
 
         #[inline(always)]
-        fn formulas_at_<const ORDER: private::usize>(
+        fn formulas_at_<const ORDER: usize>(
             &self,
-            guard_: &mut impl private::Guard<T>,
+            checks_: &mut impl Checks<T>,
             cos: T,
             sin: T,
             theta_rate: T,
             theta_acceleration: T,
         ) -> FourBarMotion<T> {
             let zero_ = T::lit(0.0, 0.0);
-            let velocity_ = FourBarVelocity {
-                AB: private::AngularVelocity { omega: zero_ },
-                B: private::Point { x: zero_, y: zero_ },
-                BC: private::AngularVelocity { omega: zero_ },
-                DC: private::AngularVelocity { omega: zero_ },
-                C: private::Point { x: zero_, y: zero_ },
-            };
-            let acceleration_ = FourBarAcceleration {
-                AB: private::AngularAcceleration { alpha: zero_ },
-                B: private::Point { x: zero_, y: zero_ },
-                BC: private::AngularAcceleration { alpha: zero_ },
-                DC: private::AngularAcceleration { alpha: zero_ },
-                C: private::Point { x: zero_, y: zero_ },
-            };
+            let velocity_ = Record::from_array([zero_; 7]);
+            let acceleration_ = Record::from_array([zero_; 7]);
             let b_x_ = T::lit(0.1016, 0.1016) * cos;
             let b_y_ = T::lit(0.1016, 0.1016) * sin;
-            let v169_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
+            let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
             let v171_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
-            let v172_ = guard_.square_of_centres(
+            let bc_dc_d2_ = checks_.square_of_centres(
                 v171_,
-                v169_,
+                bc_dc_d_x_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v173_ = T::lit(1.0, 1.0) / v172_;
-            let v174_ =
+            let bc_dc_inverse_d2_ = T::lit(1.0, 1.0) / bc_dc_d2_;
+            let bc_dc_i_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
-            let v175_ = T::lit(0.1806448, 0.1806448) - v174_;
-            let v176_ = T::lit(5.535725357165, 5.5357256) * v174_;
+            let v175_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
+            let v176_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
             let v177_ = T::lit(5.535725357165, 5.5357256) * v175_;
             let v178_ = v176_ * v177_;
-            let v179_ = guard_.reach_circles(
+            let bc_dc_s_ = checks_.reach_circles(
                 v178_,
-                v169_,
+                bc_dc_d_x_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v180_ = T::sqrt(v179_);
-            let v181_ = T::lit(0.0903224, 0.0903224) * v173_;
-            let v182_ = v180_ * v181_;
-            let v184_ = T::fused(T::lit(0.5, 0.5), v174_, T::lit(0.0193548, 0.0193548));
-            let v185_ = T::fused(T::lit(0.5, 0.5), v174_, -T::lit(0.01354836, 0.01354836));
-            let v186_ = v173_ * v184_;
-            let v187_ = v173_ * v185_;
-            let v188_ = b_y_ * v182_;
-            let v189_ = v169_ * v182_;
-            let v192_ = T::fused(v169_, v186_, v188_);
-            let v193_ = T::fused(-b_y_, v186_, v189_);
-            let v197_ = T::fused(-v169_, v187_, v188_);
-            let c_y_ = T::fused(b_y_, v187_, v189_);
-            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v197_;
+            let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
+            let v181_ = T::lit(0.0903224, 0.0903224) * bc_dc_inverse_d2_;
+            let bc_dc_h_ = bc_dc_root_s_ * v181_;
+            let bc_dc_a_d2_ = T::fused(T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0193548, 0.0193548));
+            let bc_dc_b_d2_ = T::fused(T::lit(0.5, 0.5), bc_dc_i_, -T::lit(0.01354836, 0.01354836));
+            let bc_dc_a_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
+            let bc_dc_b_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
+            let bc_dc_h_d_x_ = b_y_ * bc_dc_h_;
+            let bc_dc_h_d_y_ = bc_dc_d_x_ * bc_dc_h_;
+            let bc_dc_r2_x_ = T::fused(bc_dc_d_x_, bc_dc_a_, bc_dc_h_d_x_);
+            let bc_dc_r2_y_ = T::fused(-b_y_, bc_dc_a_, bc_dc_h_d_y_);
+            let bc_dc_r3_x_ = T::fused(-bc_dc_d_x_, bc_dc_b_, bc_dc_h_d_x_);
+            let c_y_ = T::fused(b_y_, bc_dc_b_, bc_dc_h_d_y_);
+            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * bc_dc_r3_x_;
             let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
-            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v192_;
-            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v193_;
-            let c_x_ = T::lit(0.3048, 0.3048) + v197_;
+            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_x_;
+            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_y_;
+            let c_x_ = T::lit(0.3048, 0.3048) + bc_dc_r3_x_;
             let position_ = FourBarPosition {
-                AB: private::Direction { cos, sin },
-                B: private::Point { x: b_x_, y: b_y_ },
-                BC: private::Direction { cos: bc_cos_, sin: bc_sin_ },
-                DC: private::Direction { cos: dc_cos_, sin: dc_sin_ },
-                C: private::Point { x: c_x_, y: c_y_ },
+                AB: Direction { cos, sin },
+                B: Point { x: b_x_, y: b_y_ },
+                BC: Direction { cos: bc_cos_, sin: bc_sin_ },
+                DC: Direction { cos: dc_cos_, sin: dc_sin_ },
+                C: Point { x: c_x_, y: c_y_ },
             };
             if ORDER == 0 {
                 return FourBarMotion {
@@ -586,28 +762,28 @@ const _: () = {
                     acceleration: acceleration_,
                 };
             }
-            let v158_ = theta_rate * b_y_;
-            let b_vx_ = -v158_;
+            let bc_dc_w_x_ = theta_rate * b_y_;
+            let b_vx_ = -bc_dc_w_x_;
             let b_vy_ = theta_rate * b_x_;
-            let v199_ = guard_.nonzero(v179_, "BC, DC");
-            let v200_ = T::lit(11.07145071433, 11.071451) * v180_;
+            let v199_ = checks_.nonzero(bc_dc_s_, "BC, DC");
+            let v200_ = T::lit(11.07145071433, 11.071451) * bc_dc_root_s_;
             let v201_ = T::lit(1.0, 1.0) / v199_;
-            let v202_ = v200_ * v201_;
-            let v207_ = v158_ * v197_;
-            let v210_ = T::fused(-b_vy_, c_y_, v207_);
-            let bc_omega_ = v202_ * v210_;
-            let v212_ = v158_ * v192_;
-            let v214_ = T::fused(-b_vy_, v193_, v212_);
-            let dc_omega_ = v202_ * v214_;
+            let bc_dc_inverse_j_ = v200_ * v201_;
+            let v207_ = bc_dc_w_x_ * bc_dc_r3_x_;
+            let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v207_);
+            let bc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r3_;
+            let v212_ = bc_dc_w_x_ * bc_dc_r2_x_;
+            let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v212_);
+            let dc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r2_;
             let v237_ = c_y_ * dc_omega_;
             let c_vx_ = -v237_;
-            let c_vy_ = v197_ * dc_omega_;
+            let c_vy_ = bc_dc_r3_x_ * dc_omega_;
             let velocity_ = FourBarVelocity {
-                AB: private::AngularVelocity { omega: theta_rate },
-                B: private::Point { x: b_vx_, y: b_vy_ },
-                BC: private::AngularVelocity { omega: bc_omega_ },
-                DC: private::AngularVelocity { omega: dc_omega_ },
-                C: private::Point { x: c_vx_, y: c_vy_ },
+                AB: AngularVelocity { omega: theta_rate },
+                B: Point { x: b_vx_, y: b_vy_ },
+                BC: AngularVelocity { omega: bc_omega_ },
+                DC: AngularVelocity { omega: dc_omega_ },
+                C: Point { x: c_vx_, y: c_vy_ },
             };
             if ORDER == 1 {
                 return FourBarMotion {
@@ -619,41 +795,41 @@ const _: () = {
             let v16_ = theta_rate * theta_rate;
             let v161_ = theta_acceleration * b_y_;
             let v162_ = theta_acceleration * b_x_;
-            let v165_ = T::fused(v16_, b_x_, v161_);
-            let b_ax_ = -v165_;
+            let bc_dc_g_x_ = T::fused(v16_, b_x_, v161_);
+            let b_ax_ = -bc_dc_g_x_;
             let b_ay_ = T::fused(-v16_, b_y_, v162_);
-            let v216_ = bc_omega_ * bc_omega_;
-            let v217_ = dc_omega_ * dc_omega_;
-            let v218_ = T::fused(-T::lit(0.5, 0.5), v174_, T::lit(0.0451612, 0.0451612));
-            let v219_ = v216_ * v218_;
-            let v221_ = T::fused(-T::lit(0.03161284, 0.03161284), v217_, v219_);
-            let v222_ = T::lit(0.064516, 0.064516) * v216_;
-            let v225_ = T::fused(-v217_, v218_, v222_);
-            let v226_ = v165_ * v197_;
+            let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
+            let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
+            let bc_dc_r2_r3_ = T::fused(-T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0451612, 0.0451612));
+            let v219_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
+            let v221_ = T::fused(-T::lit(0.03161284, 0.03161284), bc_dc_omega3_squared_, v219_);
+            let v222_ = T::lit(0.064516, 0.064516) * bc_dc_omega2_squared_;
+            let v225_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v222_);
+            let v226_ = bc_dc_g_x_ * bc_dc_r3_x_;
             let v229_ = T::fused(-b_ay_, c_y_, v226_);
             let v230_ = v221_ + v229_;
-            let bc_alpha_ = v202_ * v230_;
-            let v232_ = v165_ * v192_;
-            let v234_ = T::fused(-b_ay_, v193_, v232_);
+            let bc_alpha_ = bc_dc_inverse_j_ * v230_;
+            let v232_ = bc_dc_g_x_ * bc_dc_r2_x_;
+            let v234_ = T::fused(-b_ay_, bc_dc_r2_y_, v232_);
             let v235_ = v225_ + v234_;
-            let dc_alpha_ = v202_ * v235_;
-            let v240_ = v197_ * v217_;
-            let v241_ = c_y_ * v217_;
+            let dc_alpha_ = bc_dc_inverse_j_ * v235_;
+            let v240_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
+            let v241_ = c_y_ * bc_dc_omega3_squared_;
             let v244_ = T::fused(c_y_, dc_alpha_, v240_);
             let c_ax_ = -v244_;
-            let c_ay_ = T::fused(v197_, dc_alpha_, -v241_);
+            let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v241_);
             let acceleration_ = FourBarAcceleration {
-                AB: private::AngularAcceleration { alpha: theta_acceleration },
-                B: private::Point { x: b_ax_, y: b_ay_ },
-                BC: private::AngularAcceleration { alpha: bc_alpha_ },
-                DC: private::AngularAcceleration { alpha: dc_alpha_ },
-                C: private::Point { x: c_ax_, y: c_ay_ },
+                AB: AngularAcceleration { alpha: theta_acceleration },
+                B: Point { x: b_ax_, y: b_ay_ },
+                BC: AngularAcceleration { alpha: bc_alpha_ },
+                DC: AngularAcceleration { alpha: dc_alpha_ },
+                C: Point { x: c_ax_, y: c_ay_ },
             };
             FourBarMotion { position: position_, velocity: velocity_, acceleration: acceleration_ }
         }
     }
 
-    impl<T: private::Real> FourBar<T> {
+    impl<T: Real> FourBar<T> {
         /// Positions of the outputs.
         ///
         /// Given `theta` in rad.
@@ -664,12 +840,9 @@ const _: () = {
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
         /// or result that is not finite.
         #[inline]
-        pub fn position(
-            &self,
-            theta: T,
-        ) -> private::Result<FourBarPosition<T>, private::SolveError> {
+        pub fn position(&self, theta: T) -> Result<FourBarPosition<T>, SolveError> {
             let (result_, ok_) = { self.core_position_(theta) };
-            if ok_ { private::Ok(result_) } else { self.explain_position_(theta) }
+            if ok_ { Ok(result_) } else { self.diagnose_position_(theta) }
         }
 
         /// Velocities of the outputs.
@@ -682,13 +855,9 @@ const _: () = {
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
         /// or result that is not finite.
         #[inline]
-        pub fn velocity(
-            &self,
-            theta: T,
-            theta_rate: T,
-        ) -> private::Result<FourBarVelocity<T>, private::SolveError> {
+        pub fn velocity(&self, theta: T, theta_rate: T) -> Result<FourBarVelocity<T>, SolveError> {
             let (result_, ok_) = { self.core_velocity_(theta, theta_rate) };
-            if ok_ { private::Ok(result_) } else { self.explain_velocity_(theta, theta_rate) }
+            if ok_ { Ok(result_) } else { self.diagnose_velocity_(theta, theta_rate) }
         }
 
         /// Positions, velocities and accelerations of the outputs.
@@ -706,12 +875,12 @@ const _: () = {
             theta: T,
             theta_rate: T,
             theta_acceleration: T,
-        ) -> private::Result<FourBarMotion<T>, private::SolveError> {
+        ) -> Result<FourBarMotion<T>, SolveError> {
             let (result_, ok_) = { self.core_motion_(theta, theta_rate, theta_acceleration) };
             if ok_ {
-                private::Ok(result_)
+                Ok(result_)
             } else {
-                self.explain_motion_(theta, theta_rate, theta_acceleration)
+                self.diagnose_motion_(theta, theta_rate, theta_acceleration)
             }
         }
 
@@ -727,9 +896,9 @@ const _: () = {
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
         /// or result that is not finite.
         #[inline]
-        pub fn coefficients(&self, theta: T) -> private::Result<[[T; 1]; 7], private::SolveError> {
+        pub fn coefficients(&self, theta: T) -> Result<[[T; 1]; 7], SolveError> {
             let (result_, ok_) = { self.core_coefficients_(theta) };
-            if ok_ { private::Ok(result_) } else { self.explain_coefficients_(theta) }
+            if ok_ { Ok(result_) } else { self.diagnose_coefficients_(theta) }
         }
 
         /// Positions of the outputs.
@@ -742,11 +911,7 @@ const _: () = {
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
         /// or result that is not finite.
         #[inline]
-        pub fn position_at(
-            &self,
-            cos: T,
-            sin: T,
-        ) -> private::Result<FourBarPosition<T>, private::SolveError> {
+        pub fn position_at(&self, cos: T, sin: T) -> Result<FourBarPosition<T>, SolveError> {
             let (result_, ok_) = {
                 let (result_, ok_) = self.core_position_at_(cos, sin);
                 (
@@ -755,7 +920,7 @@ const _: () = {
                         & T::is_within(sin, T::lit(1.0625, 1.0625)),
                 )
             };
-            if ok_ { private::Ok(result_) } else { self.explain_position_at_(cos, sin) }
+            if ok_ { Ok(result_) } else { self.diagnose_position_at_(cos, sin) }
         }
 
         /// Velocities of the outputs.
@@ -773,7 +938,7 @@ const _: () = {
             cos: T,
             sin: T,
             theta_rate: T,
-        ) -> private::Result<FourBarVelocity<T>, private::SolveError> {
+        ) -> Result<FourBarVelocity<T>, SolveError> {
             let (result_, ok_) = {
                 let (result_, ok_) = self.core_velocity_at_(cos, sin, theta_rate);
                 (
@@ -782,7 +947,7 @@ const _: () = {
                         & T::is_within(sin, T::lit(1.0625, 1.0625)),
                 )
             };
-            if ok_ { private::Ok(result_) } else { self.explain_velocity_at_(cos, sin, theta_rate) }
+            if ok_ { Ok(result_) } else { self.diagnose_velocity_at_(cos, sin, theta_rate) }
         }
 
         /// Positions, velocities and accelerations of the outputs.
@@ -801,7 +966,7 @@ const _: () = {
             sin: T,
             theta_rate: T,
             theta_acceleration: T,
-        ) -> private::Result<FourBarMotion<T>, private::SolveError> {
+        ) -> Result<FourBarMotion<T>, SolveError> {
             let (result_, ok_) = {
                 let (result_, ok_) = self.core_motion_at_(cos, sin, theta_rate, theta_acceleration);
                 (
@@ -811,60 +976,54 @@ const _: () = {
                 )
             };
             if ok_ {
-                private::Ok(result_)
+                Ok(result_)
             } else {
-                self.explain_motion_at_(cos, sin, theta_rate, theta_acceleration)
+                self.diagnose_motion_at_(cos, sin, theta_rate, theta_acceleration)
             }
         }
 
         /// Why `solve_position` gave no answer, or the answer at a limit.
         #[cold]
         #[inline(never)]
-        fn explain_position_(
-            &self,
-            theta: T,
-        ) -> private::Result<FourBarPosition<T>, private::SolveError> {
+        fn diagnose_position_(&self, theta: T) -> Result<FourBarPosition<T>, SolveError> {
             private::finite_input(theta, "theta")?;
             let (sin_, cos_) = T::sin_cos(theta);
-            self.explain_position_at_(cos_, sin_)
+            self.diagnose_position_at_(cos_, sin_)
         }
 
         /// Why `solve_velocity` gave no answer, or the answer at a limit.
         #[cold]
         #[inline(never)]
-        fn explain_velocity_(
+        fn diagnose_velocity_(
             &self,
             theta: T,
             theta_rate: T,
-        ) -> private::Result<FourBarVelocity<T>, private::SolveError> {
+        ) -> Result<FourBarVelocity<T>, SolveError> {
             private::finite_input(theta, "theta")?;
             let (sin_, cos_) = T::sin_cos(theta);
-            self.explain_velocity_at_(cos_, sin_, theta_rate)
+            self.diagnose_velocity_at_(cos_, sin_, theta_rate)
         }
 
         /// Why `solve_motion` gave no answer, or the answer at a limit.
         #[cold]
         #[inline(never)]
-        fn explain_motion_(
+        fn diagnose_motion_(
             &self,
             theta: T,
             theta_rate: T,
             theta_acceleration: T,
-        ) -> private::Result<FourBarMotion<T>, private::SolveError> {
+        ) -> Result<FourBarMotion<T>, SolveError> {
             private::finite_input(theta, "theta")?;
             let (sin_, cos_) = T::sin_cos(theta);
-            self.explain_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
+            self.diagnose_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
         }
 
         /// Why `solve_coefficients` gave no answer, or the answer at a limit.
         #[cold]
         #[inline(never)]
-        fn explain_coefficients_(
-            &self,
-            theta: T,
-        ) -> private::Result<[[T; 1]; 7], private::SolveError> {
-            let result_ = self.explain_velocity_(theta, T::lit(1.0, 1.0))?;
-            private::Ok([
+        fn diagnose_coefficients_(&self, theta: T) -> Result<[[T; 1]; 7], SolveError> {
+            let result_ = self.diagnose_velocity_(theta, T::lit(1.0, 1.0))?;
+            Ok([
                 [result_.AB.omega],
                 [result_.B.x],
                 [result_.B.y],
@@ -878,128 +1037,54 @@ const _: () = {
         /// Why `solve_position_at` gave no answer, or the answer at a limit.
         #[cold]
         #[inline(never)]
-        fn explain_position_at_(
-            &self,
-            cos: T,
-            sin: T,
-        ) -> private::Result<FourBarPosition<T>, private::SolveError> {
-            let given_: [(T, &'static private::str); 2] = [(cos, "cos"), (sin, "sin")];
-            for &(value_, name_) in &given_ {
-                private::finite_input(value_, name_)?;
-            }
-            let mut findings_ = private::Findings::new();
-            let result_ = {
+        fn diagnose_position_at_(&self, cos: T, sin: T) -> Result<FourBarPosition<T>, SolveError> {
+            private::diagnose(&[(cos, "cos"), (sin, "sin")], |checks_| {
                 let rest_ = T::lit(0.0, 0.0);
-                self.formulas_at_::<0>(&mut findings_, cos, sin, rest_, rest_).position
-            };
-            findings_.first()?;
-            for &(value_, name_) in &[
-                (result_.AB.cos, "AB.angle"),
-                (result_.AB.sin, "AB.angle"),
-                (result_.B.x, "B.x"),
-                (result_.B.y, "B.y"),
-                (result_.BC.cos, "BC.angle"),
-                (result_.BC.sin, "BC.angle"),
-                (result_.DC.cos, "DC.angle"),
-                (result_.DC.sin, "DC.angle"),
-                (result_.C.x, "C.x"),
-                (result_.C.y, "C.y"),
-            ] {
-                private::finite_result(value_, name_, &given_)?;
-            }
-            private::Ok(result_)
+                self.formulas_at_::<0>(checks_, cos, sin, rest_, rest_).position
+            })
         }
 
         /// Why `solve_velocity_at` gave no answer, or the answer at a limit.
         #[cold]
         #[inline(never)]
-        fn explain_velocity_at_(
+        fn diagnose_velocity_at_(
             &self,
             cos: T,
             sin: T,
             theta_rate: T,
-        ) -> private::Result<FourBarVelocity<T>, private::SolveError> {
-            let given_: [(T, &'static private::str); 3] =
-                [(theta_rate, "theta_rate"), (cos, "cos"), (sin, "sin")];
-            for &(value_, name_) in &given_ {
-                private::finite_input(value_, name_)?;
-            }
-            let mut findings_ = private::Findings::new();
-            let result_ = {
-                let rest_ = T::lit(0.0, 0.0);
-                self.formulas_at_::<1>(&mut findings_, cos, sin, theta_rate, rest_).velocity
-            };
-            findings_.first()?;
-            for &(value_, name_) in &[
-                (result_.AB.omega, "velocity of AB.angle"),
-                (result_.B.x, "velocity of B.x"),
-                (result_.B.y, "velocity of B.y"),
-                (result_.BC.omega, "velocity of BC.angle"),
-                (result_.DC.omega, "velocity of DC.angle"),
-                (result_.C.x, "velocity of C.x"),
-                (result_.C.y, "velocity of C.y"),
-            ] {
-                private::finite_result(value_, name_, &given_)?;
-            }
-            private::Ok(result_)
+        ) -> Result<FourBarVelocity<T>, SolveError> {
+            private::diagnose(
+                &[(theta_rate, "theta_rate"), (cos, "cos"), (sin, "sin")],
+                |checks_| {
+                    let rest_ = T::lit(0.0, 0.0);
+                    self.formulas_at_::<1>(checks_, cos, sin, theta_rate, rest_).velocity
+                },
+            )
         }
 
         /// Why `solve_motion_at` gave no answer, or the answer at a limit.
         #[cold]
         #[inline(never)]
-        fn explain_motion_at_(
+        fn diagnose_motion_at_(
             &self,
             cos: T,
             sin: T,
             theta_rate: T,
             theta_acceleration: T,
-        ) -> private::Result<FourBarMotion<T>, private::SolveError> {
-            let given_: [(T, &'static private::str); 4] = [
-                (theta_rate, "theta_rate"),
-                (theta_acceleration, "theta_acceleration"),
-                (cos, "cos"),
-                (sin, "sin"),
-            ];
-            for &(value_, name_) in &given_ {
-                private::finite_input(value_, name_)?;
-            }
-            let mut findings_ = private::Findings::new();
-            let result_ =
-                self.formulas_at_::<2>(&mut findings_, cos, sin, theta_rate, theta_acceleration);
-            findings_.first()?;
-            for &(value_, name_) in &[
-                (result_.position.AB.cos, "AB.angle"),
-                (result_.position.AB.sin, "AB.angle"),
-                (result_.position.B.x, "B.x"),
-                (result_.position.B.y, "B.y"),
-                (result_.position.BC.cos, "BC.angle"),
-                (result_.position.BC.sin, "BC.angle"),
-                (result_.position.DC.cos, "DC.angle"),
-                (result_.position.DC.sin, "DC.angle"),
-                (result_.position.C.x, "C.x"),
-                (result_.position.C.y, "C.y"),
-                (result_.velocity.AB.omega, "velocity of AB.angle"),
-                (result_.velocity.B.x, "velocity of B.x"),
-                (result_.velocity.B.y, "velocity of B.y"),
-                (result_.velocity.BC.omega, "velocity of BC.angle"),
-                (result_.velocity.DC.omega, "velocity of DC.angle"),
-                (result_.velocity.C.x, "velocity of C.x"),
-                (result_.velocity.C.y, "velocity of C.y"),
-                (result_.acceleration.AB.alpha, "acceleration of AB.angle"),
-                (result_.acceleration.B.x, "acceleration of B.x"),
-                (result_.acceleration.B.y, "acceleration of B.y"),
-                (result_.acceleration.BC.alpha, "acceleration of BC.angle"),
-                (result_.acceleration.DC.alpha, "acceleration of DC.angle"),
-                (result_.acceleration.C.x, "acceleration of C.x"),
-                (result_.acceleration.C.y, "acceleration of C.y"),
-            ] {
-                private::finite_result(value_, name_, &given_)?;
-            }
-            private::Ok(result_)
+        ) -> Result<FourBarMotion<T>, SolveError> {
+            private::diagnose(
+                &[
+                    (theta_rate, "theta_rate"),
+                    (theta_acceleration, "theta_acceleration"),
+                    (cos, "cos"),
+                    (sin, "sin"),
+                ],
+                |checks_| self.formulas_at_::<2>(checks_, cos, sin, theta_rate, theta_acceleration),
+            )
         }
     }
 
-    impl<T: private::Float> FourBar<T> {
+    impl<T: Float> FourBar<T> {
         /// Positions of the outputs, at many poses.
         ///
         /// Given `theta` in rad. Each is a slice with a number for every pose, or one number for all.
@@ -1013,67 +1098,38 @@ const _: () = {
         /// Two slices are not of one length; nothing was computed.
         pub fn sweep_position<'series>(
             &self,
-            theta: impl private::Into<private::Series<'series, T>>,
+            theta: impl Into<Series<'series, T>>,
             out: FourBarPosition<&mut [T]>,
-            status: &mut [private::Status],
-            progress: impl private::Progress,
-        ) -> private::Result<(), private::LengthMismatch> {
-            let theta: private::Series<'series, T> = private::Into::into(theta);
-            private::sweep::<private::OfPosition, _, _, 1, 10>(
+            status: &mut [Status],
+            progress: impl Progress,
+        ) -> Result<(), LengthMismatch> {
+            let theta: Series<'series, T> = Into::into(theta);
+            private::sweep::<OfPosition, _, _, 1, 10>(
                 self,
                 [theta],
-                [
-                    out.AB.cos, out.AB.sin, out.B.x, out.B.y, out.BC.cos, out.BC.sin, out.DC.cos,
-                    out.DC.sin, out.C.x, out.C.y,
-                ],
+                Record::into_array(out),
                 status,
                 progress,
             )
         }
     }
 
-    impl<T: private::Float> private::Entry<private::OfPosition, T, 1, 10> for FourBar<T> {
+    impl<T: Float> Entry<OfPosition, T, 1, 10> for FourBar<T> {
         #[inline(always)]
-        fn solve_lanes<const W: usize, F: private::Fusion>(
+        fn solve_lanes<const W: usize, F: Fusion>(
             &self,
-            [x0_]: [private::Lanes<T, W, F>; 1],
-        ) -> ([private::Lanes<T, W, F>; 10], private::LaneMask<W>) {
-            let (result_, ok_) = self.lift::<private::Lanes<T, W, F>>().core_position_(x0_);
-            (
-                [
-                    result_.AB.cos,
-                    result_.AB.sin,
-                    result_.B.x,
-                    result_.B.y,
-                    result_.BC.cos,
-                    result_.BC.sin,
-                    result_.DC.cos,
-                    result_.DC.sin,
-                    result_.C.x,
-                    result_.C.y,
-                ],
-                ok_,
-            )
+            [x0_]: [Lanes<T, W, F>; 1],
+        ) -> ([Lanes<T, W, F>; 10], LaneMask<W>) {
+            let (result_, ok_) = self.lift::<Lanes<T, W, F>>().core_position_(x0_);
+            (Record::into_array(result_), ok_)
         }
 
-        fn solve_one(&self, [x0_]: [T; 1]) -> private::Result<[T; 10], private::SolveError> {
-            let result_ = self.position(x0_)?;
-            private::Ok([
-                result_.AB.cos,
-                result_.AB.sin,
-                result_.B.x,
-                result_.B.y,
-                result_.BC.cos,
-                result_.BC.sin,
-                result_.DC.cos,
-                result_.DC.sin,
-                result_.C.x,
-                result_.C.y,
-            ])
+        fn solve_one(&self, [x0_]: [T; 1]) -> Result<[T; 10], SolveError> {
+            Ok(Record::into_array(self.position(x0_)?))
         }
     }
 
-    impl<T: private::Float> FourBar<T> {
+    impl<T: Float> FourBar<T> {
         /// Velocities of the outputs, at many poses.
         ///
         /// Given `theta` in rad, its rate in rad/s. Each is a slice with a number for every pose, or
@@ -1088,60 +1144,40 @@ const _: () = {
         /// Two slices are not of one length; nothing was computed.
         pub fn sweep_velocity<'series>(
             &self,
-            theta: impl private::Into<private::Series<'series, T>>,
-            theta_rate: impl private::Into<private::Series<'series, T>>,
+            theta: impl Into<Series<'series, T>>,
+            theta_rate: impl Into<Series<'series, T>>,
             out: FourBarVelocity<&mut [T]>,
-            status: &mut [private::Status],
-            progress: impl private::Progress,
-        ) -> private::Result<(), private::LengthMismatch> {
-            let theta: private::Series<'series, T> = private::Into::into(theta);
-            let theta_rate: private::Series<'series, T> = private::Into::into(theta_rate);
-            private::sweep::<private::OfVelocity, _, _, 2, 7>(
+            status: &mut [Status],
+            progress: impl Progress,
+        ) -> Result<(), LengthMismatch> {
+            let theta: Series<'series, T> = Into::into(theta);
+            let theta_rate: Series<'series, T> = Into::into(theta_rate);
+            private::sweep::<OfVelocity, _, _, 2, 7>(
                 self,
                 [theta, theta_rate],
-                [out.AB.omega, out.B.x, out.B.y, out.BC.omega, out.DC.omega, out.C.x, out.C.y],
+                Record::into_array(out),
                 status,
                 progress,
             )
         }
     }
 
-    impl<T: private::Float> private::Entry<private::OfVelocity, T, 2, 7> for FourBar<T> {
+    impl<T: Float> Entry<OfVelocity, T, 2, 7> for FourBar<T> {
         #[inline(always)]
-        fn solve_lanes<const W: usize, F: private::Fusion>(
+        fn solve_lanes<const W: usize, F: Fusion>(
             &self,
-            [x0_, x1_]: [private::Lanes<T, W, F>; 2],
-        ) -> ([private::Lanes<T, W, F>; 7], private::LaneMask<W>) {
-            let (result_, ok_) = self.lift::<private::Lanes<T, W, F>>().core_velocity_(x0_, x1_);
-            (
-                [
-                    result_.AB.omega,
-                    result_.B.x,
-                    result_.B.y,
-                    result_.BC.omega,
-                    result_.DC.omega,
-                    result_.C.x,
-                    result_.C.y,
-                ],
-                ok_,
-            )
+            [x0_, x1_]: [Lanes<T, W, F>; 2],
+        ) -> ([Lanes<T, W, F>; 7], LaneMask<W>) {
+            let (result_, ok_) = self.lift::<Lanes<T, W, F>>().core_velocity_(x0_, x1_);
+            (Record::into_array(result_), ok_)
         }
 
-        fn solve_one(&self, [x0_, x1_]: [T; 2]) -> private::Result<[T; 7], private::SolveError> {
-            let result_ = self.velocity(x0_, x1_)?;
-            private::Ok([
-                result_.AB.omega,
-                result_.B.x,
-                result_.B.y,
-                result_.BC.omega,
-                result_.DC.omega,
-                result_.C.x,
-                result_.C.y,
-            ])
+        fn solve_one(&self, [x0_, x1_]: [T; 2]) -> Result<[T; 7], SolveError> {
+            Ok(Record::into_array(self.velocity(x0_, x1_)?))
         }
     }
 
-    impl<T: private::Float> FourBar<T> {
+    impl<T: Float> FourBar<T> {
         /// Positions, velocities and accelerations of the outputs, at many poses.
         ///
         /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s². Each is a slice with a
@@ -1156,121 +1192,38 @@ const _: () = {
         /// Two slices are not of one length; nothing was computed.
         pub fn sweep_motion<'series>(
             &self,
-            theta: impl private::Into<private::Series<'series, T>>,
-            theta_rate: impl private::Into<private::Series<'series, T>>,
-            theta_acceleration: impl private::Into<private::Series<'series, T>>,
+            theta: impl Into<Series<'series, T>>,
+            theta_rate: impl Into<Series<'series, T>>,
+            theta_acceleration: impl Into<Series<'series, T>>,
             out: FourBarMotion<&mut [T]>,
-            status: &mut [private::Status],
-            progress: impl private::Progress,
-        ) -> private::Result<(), private::LengthMismatch> {
-            let theta: private::Series<'series, T> = private::Into::into(theta);
-            let theta_rate: private::Series<'series, T> = private::Into::into(theta_rate);
-            let theta_acceleration: private::Series<'series, T> =
-                private::Into::into(theta_acceleration);
-            private::sweep::<private::OfMotion, _, _, 3, 24>(
+            status: &mut [Status],
+            progress: impl Progress,
+        ) -> Result<(), LengthMismatch> {
+            let theta: Series<'series, T> = Into::into(theta);
+            let theta_rate: Series<'series, T> = Into::into(theta_rate);
+            let theta_acceleration: Series<'series, T> = Into::into(theta_acceleration);
+            private::sweep::<OfMotion, _, _, 3, 24>(
                 self,
                 [theta, theta_rate, theta_acceleration],
-                [
-                    out.position.AB.cos,
-                    out.position.AB.sin,
-                    out.position.B.x,
-                    out.position.B.y,
-                    out.position.BC.cos,
-                    out.position.BC.sin,
-                    out.position.DC.cos,
-                    out.position.DC.sin,
-                    out.position.C.x,
-                    out.position.C.y,
-                    out.velocity.AB.omega,
-                    out.velocity.B.x,
-                    out.velocity.B.y,
-                    out.velocity.BC.omega,
-                    out.velocity.DC.omega,
-                    out.velocity.C.x,
-                    out.velocity.C.y,
-                    out.acceleration.AB.alpha,
-                    out.acceleration.B.x,
-                    out.acceleration.B.y,
-                    out.acceleration.BC.alpha,
-                    out.acceleration.DC.alpha,
-                    out.acceleration.C.x,
-                    out.acceleration.C.y,
-                ],
+                Record::into_array(out),
                 status,
                 progress,
             )
         }
     }
 
-    impl<T: private::Float> private::Entry<private::OfMotion, T, 3, 24> for FourBar<T> {
+    impl<T: Float> Entry<OfMotion, T, 3, 24> for FourBar<T> {
         #[inline(always)]
-        fn solve_lanes<const W: usize, F: private::Fusion>(
+        fn solve_lanes<const W: usize, F: Fusion>(
             &self,
-            [x0_, x1_, x2_]: [private::Lanes<T, W, F>; 3],
-        ) -> ([private::Lanes<T, W, F>; 24], private::LaneMask<W>) {
-            let (result_, ok_) = self.lift::<private::Lanes<T, W, F>>().core_motion_(x0_, x1_, x2_);
-            (
-                [
-                    result_.position.AB.cos,
-                    result_.position.AB.sin,
-                    result_.position.B.x,
-                    result_.position.B.y,
-                    result_.position.BC.cos,
-                    result_.position.BC.sin,
-                    result_.position.DC.cos,
-                    result_.position.DC.sin,
-                    result_.position.C.x,
-                    result_.position.C.y,
-                    result_.velocity.AB.omega,
-                    result_.velocity.B.x,
-                    result_.velocity.B.y,
-                    result_.velocity.BC.omega,
-                    result_.velocity.DC.omega,
-                    result_.velocity.C.x,
-                    result_.velocity.C.y,
-                    result_.acceleration.AB.alpha,
-                    result_.acceleration.B.x,
-                    result_.acceleration.B.y,
-                    result_.acceleration.BC.alpha,
-                    result_.acceleration.DC.alpha,
-                    result_.acceleration.C.x,
-                    result_.acceleration.C.y,
-                ],
-                ok_,
-            )
+            [x0_, x1_, x2_]: [Lanes<T, W, F>; 3],
+        ) -> ([Lanes<T, W, F>; 24], LaneMask<W>) {
+            let (result_, ok_) = self.lift::<Lanes<T, W, F>>().core_motion_(x0_, x1_, x2_);
+            (Record::into_array(result_), ok_)
         }
 
-        fn solve_one(
-            &self,
-            [x0_, x1_, x2_]: [T; 3],
-        ) -> private::Result<[T; 24], private::SolveError> {
-            let result_ = self.motion(x0_, x1_, x2_)?;
-            private::Ok([
-                result_.position.AB.cos,
-                result_.position.AB.sin,
-                result_.position.B.x,
-                result_.position.B.y,
-                result_.position.BC.cos,
-                result_.position.BC.sin,
-                result_.position.DC.cos,
-                result_.position.DC.sin,
-                result_.position.C.x,
-                result_.position.C.y,
-                result_.velocity.AB.omega,
-                result_.velocity.B.x,
-                result_.velocity.B.y,
-                result_.velocity.BC.omega,
-                result_.velocity.DC.omega,
-                result_.velocity.C.x,
-                result_.velocity.C.y,
-                result_.acceleration.AB.alpha,
-                result_.acceleration.B.x,
-                result_.acceleration.B.y,
-                result_.acceleration.BC.alpha,
-                result_.acceleration.DC.alpha,
-                result_.acceleration.C.x,
-                result_.acceleration.C.y,
-            ])
+        fn solve_one(&self, [x0_, x1_, x2_]: [T; 3]) -> Result<[T; 24], SolveError> {
+            Ok(Record::into_array(self.motion(x0_, x1_, x2_)?))
         }
     }
     private::with_ad! {
@@ -1281,36 +1234,32 @@ const _: () = {
             ///
             /// # Errors
             /// Those of `position`; `Singular` where a derivative does not exist.
-            pub fn jacobian(
-                &self,
-                theta: T,
-            ) -> private::Result<private::SMatrix<T, 7, 1>, private::SolveError> {
+            pub fn jacobian(&self, theta: T) -> Result<private::SMatrix<T, 7, 1>, SolveError> {
                 private::differentiate(
                     [theta],
-                    |[dual_]| private::Ok(self.lift().position(dual_)?.rows()),
+                    |[dual_]| Ok(self.lift().position(dual_)?.rows()),
                 )
             }
         }
     }
 
-    impl<T: private::Real> private::Modes for FourBar<T> {
+    impl<T: Real> Modes for FourBar<T> {
         type Scalar = T;
         type Input = T;
         type Position = FourBarPosition<T>;
         type Motion = FourBarMotion<T>;
-        type Clearances = [private::Clearance<T>; 1];
-        type Enclosures = [private::Clearance<<T as private::Real>::Enclosing>; 1];
+        type Clearances = [Clearance<T>; 1];
+        type Enclosures = [Clearance<<T as Real>::Enclosing>; 1];
 
-        const GROUPS: &'static [(&'static private::str, private::Option<private::usize>)] =
-            &[("BC, DC", private::None)];
+        const GROUPS: &'static [(&'static str, Option<usize>)] = &[("BC, DC", private::None)];
 
         #[inline]
-        fn flip(&mut self, param_: private::usize) {
+        fn flip(&mut self, param_: usize) {
             let _ = param_;
         }
 
         #[inline]
-        fn position(&self, q_: T) -> private::Result<FourBarPosition<T>, private::SolveError> {
+        fn position(&self, q_: T) -> Result<FourBarPosition<T>, SolveError> {
             Self::position(self, q_)
         }
 
@@ -1320,7 +1269,7 @@ const _: () = {
             q_: T,
             rate_: T,
             acceleration_: T,
-        ) -> private::Result<FourBarMotion<T>, private::SolveError> {
+        ) -> Result<FourBarMotion<T>, SolveError> {
             Self::motion(self, q_, rate_, acceleration_)
         }
 
@@ -1328,25 +1277,25 @@ const _: () = {
             let (ab_sin_, ab_cos_) = T::sin_cos(theta);
             let b_x_ = T::lit(0.1016, 0.1016) * ab_cos_;
             let b_y_ = T::lit(0.1016, 0.1016) * ab_sin_;
-            let v11_ = theta_rate * b_y_;
+            let bc_dc_w_x_ = theta_rate * b_y_;
             let b_vy_ = theta_rate * b_x_;
             let v16_ = theta_rate * theta_rate;
-            let v17_ = b_x_ * v16_;
-            let v18_ = b_y_ * v16_;
-            let v26_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
-            let v37_ = v11_ * v26_;
+            let bc_dc_g_x_ = b_x_ * v16_;
+            let bc_dc_g_y_ = b_y_ * v16_;
+            let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
+            let v37_ = bc_dc_w_x_ * bc_dc_d_x_;
             let v38_ = v37_ + v37_;
-            let v39_ = v11_ * v11_;
+            let v39_ = bc_dc_w_x_ * bc_dc_w_x_;
             let v40_ = T::lit(2.0, 2.0) * v39_;
             let v41_ = b_y_ * b_vy_;
             let v42_ = v41_ + v41_;
             let v43_ = b_vy_ * b_vy_;
             let v44_ = T::lit(2.0, 2.0) * v43_;
             let v45_ = v38_ + v42_;
-            let v47_ =
+            let bc_dc_i_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), ab_cos_, T::lit(0.09741916, 0.09741916));
-            let v49_ = T::lit(0.1806448, 0.1806448) - v47_;
-            let v50_ = T::lit(5.535725357165, 5.5357256) * v47_;
+            let v49_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
+            let v50_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
             let v51_ = T::lit(5.535725357165, 5.5357256) * v45_;
             let v52_ = T::lit(5.535725357165, 5.5357256) * v49_;
             let v53_ = v50_ * v52_;
@@ -1354,17 +1303,17 @@ const _: () = {
             let v57_ = T::fused(-v50_, v51_, v54_);
             let v58_ = v51_ * v51_;
             let v59_ = T::lit(2.0, 2.0) * v58_;
-            let v249_ = v17_ * v26_;
-            let v250_ = T::fused(v17_, v26_, v40_);
+            let v249_ = bc_dc_g_x_ * bc_dc_d_x_;
+            let v250_ = T::fused(bc_dc_g_x_, bc_dc_d_x_, v40_);
             let v251_ = v249_ + v250_;
-            let v252_ = b_y_ * v18_;
-            let v253_ = T::fused(-b_y_, v18_, v44_);
+            let v252_ = b_y_ * bc_dc_g_y_;
+            let v253_ = T::fused(-b_y_, bc_dc_g_y_, v44_);
             let v254_ = v253_ - v252_;
             let v255_ = v251_ + v254_;
             let v256_ = T::lit(5.535725357165, 5.5357256) * v255_;
             let v259_ = T::fused(v52_, v256_, -v59_);
             let v261_ = T::fused(-v50_, v256_, v259_);
-            [private::Clearance {
+            [Clearance {
                 value: v53_,
                 rate: v57_,
                 second_rate: v261_,
@@ -1374,142 +1323,52 @@ const _: () = {
 
         fn enclosures(&self, middle_: T, radius_: T, rate_: T) -> Self::Enclosures {
             let none_ = T::lit(0.0, 0.0);
-            let solver_ = self.lift::<<T as private::Real>::Enclosing>();
-            private::Modes::clearances(
+            let solver_ = self.lift::<<T as Real>::Enclosing>();
+            Modes::clearances(
                 &solver_,
-                private::Real::enclosing(middle_, radius_),
-                private::Real::enclosing(rate_, none_),
+                Real::enclosing(middle_, radius_),
+                Real::enclosing(rate_, none_),
             )
         }
     }
 
-    impl<T: private::Scalar> private::Linear<T> for FourBarPosition<T> {
-        #[inline]
-        fn plus(self, factor_: T, other_: Self) -> Self {
-            Self {
-                AB: private::Linear::<T>::plus(self.AB, factor_, other_.AB),
-                B: private::Linear::<T>::plus(self.B, factor_, other_.B),
-                BC: private::Linear::<T>::plus(self.BC, factor_, other_.BC),
-                DC: private::Linear::<T>::plus(self.DC, factor_, other_.DC),
-                C: private::Linear::<T>::plus(self.C, factor_, other_.C),
-            }
+    impl<T: Real> Mechanism for FourBar<T> {
+        type Scalar = T;
+        type Inputs = [T; 1];
+        type Rows = [T; 7];
+        type Coefficients = [[T; 1]; 7];
+
+        const NAME: &'static str = "FourBar";
+        const INPUTS: &'static [&'static str] = &FourBar::<f64>::INPUTS;
+        const OUTPUTS: &'static [&'static str] = &FourBar::<f64>::OUTPUTS;
+        fn inputs(value_: impl private::FnMut(usize) -> T) -> Self::Inputs {
+            private::from_fn(value_)
         }
 
-        #[inline]
-        fn minus(self, other_: Self) -> Self {
-            Self {
-                AB: private::Linear::<T>::minus(self.AB, other_.AB),
-                B: private::Linear::<T>::minus(self.B, other_.B),
-                BC: private::Linear::<T>::minus(self.BC, other_.BC),
-                DC: private::Linear::<T>::minus(self.DC, other_.DC),
-                C: private::Linear::<T>::minus(self.C, other_.C),
-            }
+        fn position(&self, [q_]: Self::Inputs) -> Result<Self::Rows, SolveError> {
+            Ok(self.position(q_)?.rows())
         }
 
-        #[inline]
-        fn all(self, test_: impl private::Fn(T) -> private::bool + private::Copy) -> private::bool {
-            private::Linear::<T>::all(self.AB, test_)
-                && private::Linear::<T>::all(self.B, test_)
-                && private::Linear::<T>::all(self.BC, test_)
-                && private::Linear::<T>::all(self.DC, test_)
-                && private::Linear::<T>::all(self.C, test_)
-        }
-    }
-
-    impl<T: private::Scalar> private::Linear<T> for FourBarVelocity<T> {
-        #[inline]
-        fn plus(self, factor_: T, other_: Self) -> Self {
-            Self {
-                AB: private::Linear::<T>::plus(self.AB, factor_, other_.AB),
-                B: private::Linear::<T>::plus(self.B, factor_, other_.B),
-                BC: private::Linear::<T>::plus(self.BC, factor_, other_.BC),
-                DC: private::Linear::<T>::plus(self.DC, factor_, other_.DC),
-                C: private::Linear::<T>::plus(self.C, factor_, other_.C),
-            }
+        fn velocity(
+            &self,
+            [q_]: Self::Inputs,
+            [rate_]: Self::Inputs,
+        ) -> Result<Self::Rows, SolveError> {
+            Ok(self.velocity(q_, rate_)?.rows())
         }
 
-        #[inline]
-        fn minus(self, other_: Self) -> Self {
-            Self {
-                AB: private::Linear::<T>::minus(self.AB, other_.AB),
-                B: private::Linear::<T>::minus(self.B, other_.B),
-                BC: private::Linear::<T>::minus(self.BC, other_.BC),
-                DC: private::Linear::<T>::minus(self.DC, other_.DC),
-                C: private::Linear::<T>::minus(self.C, other_.C),
-            }
+        fn motion(
+            &self,
+            [q_]: Self::Inputs,
+            [rate_]: Self::Inputs,
+            [acceleration_]: Self::Inputs,
+        ) -> Result<[Self::Rows; 3], SolveError> {
+            let result_ = self.motion(q_, rate_, acceleration_)?;
+            Ok([result_.position.rows(), result_.velocity.rows(), result_.acceleration.rows()])
         }
 
-        #[inline]
-        fn all(self, test_: impl private::Fn(T) -> private::bool + private::Copy) -> private::bool {
-            private::Linear::<T>::all(self.AB, test_)
-                && private::Linear::<T>::all(self.B, test_)
-                && private::Linear::<T>::all(self.BC, test_)
-                && private::Linear::<T>::all(self.DC, test_)
-                && private::Linear::<T>::all(self.C, test_)
-        }
-    }
-
-    impl<T: private::Scalar> private::Linear<T> for FourBarAcceleration<T> {
-        #[inline]
-        fn plus(self, factor_: T, other_: Self) -> Self {
-            Self {
-                AB: private::Linear::<T>::plus(self.AB, factor_, other_.AB),
-                B: private::Linear::<T>::plus(self.B, factor_, other_.B),
-                BC: private::Linear::<T>::plus(self.BC, factor_, other_.BC),
-                DC: private::Linear::<T>::plus(self.DC, factor_, other_.DC),
-                C: private::Linear::<T>::plus(self.C, factor_, other_.C),
-            }
-        }
-
-        #[inline]
-        fn minus(self, other_: Self) -> Self {
-            Self {
-                AB: private::Linear::<T>::minus(self.AB, other_.AB),
-                B: private::Linear::<T>::minus(self.B, other_.B),
-                BC: private::Linear::<T>::minus(self.BC, other_.BC),
-                DC: private::Linear::<T>::minus(self.DC, other_.DC),
-                C: private::Linear::<T>::minus(self.C, other_.C),
-            }
-        }
-
-        #[inline]
-        fn all(self, test_: impl private::Fn(T) -> private::bool + private::Copy) -> private::bool {
-            private::Linear::<T>::all(self.AB, test_)
-                && private::Linear::<T>::all(self.B, test_)
-                && private::Linear::<T>::all(self.BC, test_)
-                && private::Linear::<T>::all(self.DC, test_)
-                && private::Linear::<T>::all(self.C, test_)
-        }
-    }
-
-    impl<T: private::Scalar> private::Linear<T> for FourBarMotion<T> {
-        #[inline]
-        fn plus(self, factor_: T, other_: Self) -> Self {
-            Self {
-                position: private::Linear::<T>::plus(self.position, factor_, other_.position),
-                velocity: private::Linear::<T>::plus(self.velocity, factor_, other_.velocity),
-                acceleration: private::Linear::<T>::plus(
-                    self.acceleration,
-                    factor_,
-                    other_.acceleration,
-                ),
-            }
-        }
-
-        #[inline]
-        fn minus(self, other_: Self) -> Self {
-            Self {
-                position: private::Linear::<T>::minus(self.position, other_.position),
-                velocity: private::Linear::<T>::minus(self.velocity, other_.velocity),
-                acceleration: private::Linear::<T>::minus(self.acceleration, other_.acceleration),
-            }
-        }
-
-        #[inline]
-        fn all(self, test_: impl private::Fn(T) -> private::bool + private::Copy) -> private::bool {
-            private::Linear::<T>::all(self.position, test_)
-                && private::Linear::<T>::all(self.velocity, test_)
-                && private::Linear::<T>::all(self.acceleration, test_)
+        fn coefficients(&self, [q_]: Self::Inputs) -> Result<Self::Coefficients, SolveError> {
+            self.coefficients(q_)
         }
     }
 

@@ -119,21 +119,23 @@ extern crate self as linkage_core;
 extern crate std;
 
 mod c_interface;
-mod careful;
+mod checks;
 mod cost;
 #[cfg(feature = "ad")]
 mod derivatives;
+mod diagnosis;
 #[cfg(feature = "ad")]
 mod dual;
 mod error;
-mod guard;
 mod kernels;
 mod lanes;
 mod limit;
+mod mechanism;
 mod modes;
 mod primitive;
 #[doc(hidden)]
 pub mod private;
+mod record;
 mod results;
 mod scalar;
 mod sweep;
@@ -145,7 +147,9 @@ pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_
 pub use error::SolveError;
 pub use kernels::{Float, Fused, Fusion, Plain};
 pub use lanes::{LaneMask, Lanes};
+pub use mechanism::Mechanism;
 pub use modes::{Sense, Side};
+pub use record::Record;
 pub use results::{
     AngularAcceleration, AngularVelocity, Direction, Point, Slide, SlidingAcceleration,
     SlidingDirection, SlidingVelocity,

@@ -4,32 +4,33 @@
 //! where the prelude is switched off or `core` is shadowed. Nothing is defined here, and nothing
 //! here is part of the public interface.
 
+pub use core::array::from_fn;
 pub use core::clone::Clone;
 pub use core::cmp::PartialEq;
 pub use core::convert::{From, Into};
 pub use core::default::Default;
 pub use core::fmt::{self, Debug, Formatter};
 pub use core::marker::{Copy, PhantomData};
-pub use core::ops::{Add, BitAnd, Div, Fn, Mul, Neg, Sub};
+pub use core::ops::{Add, BitAnd, Div, FnMut, Mul, Neg, Sub};
 pub use core::option::Option::{self, None, Some};
 pub use core::prelude::v1::derive;
 pub use core::primitive::{bool, f32, f64, i32, str, u32, usize};
 pub use core::result::Result::{self, Err, Ok};
 
 pub use crate::c_interface::{CError, c_sense, c_side};
-pub use crate::careful::{finite_input, finite_result};
+pub use crate::checks::{AllMet, Checks, FirstError};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate};
-pub use crate::guard::{Findings, Guard, Marks};
+pub use crate::diagnosis::{diagnose, diagnose_all, finite_input, finite_result};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfMotion, OfPosition, OfVelocity, Progress, Series, Status, sweep,
 };
-pub use crate::tracker::{Clearance, Linear, Modes};
+pub use crate::tracker::{Clearance, Modes};
 pub use crate::with_ad_ as with_ad;
 pub use crate::{
     AngularAcceleration, AngularVelocity, Cost, Direction, Float, Fusion, LaneMask, Lanes, Mask,
-    Operations, Point, Real, Scalar, Sense, Side, Slide, SlidingAcceleration, SlidingDirection,
-    SlidingVelocity, SolveError,
+    Mechanism, Operations, Point, Real, Record, Scalar, Sense, Side, Slide, SlidingAcceleration,
+    SlidingDirection, SlidingVelocity, SolveError,
 };
 #[cfg(feature = "ad")]
 pub use nalgebra::SMatrix;

@@ -68,7 +68,7 @@ pub trait Entry<K, T: Float, const IN: usize, const OUT: usize> {
         inputs: [Lanes<T, W, F>; IN],
     ) -> ([Lanes<T, W, F>; OUT], LaneMask<W>);
 
-    /// The same for a single pose, with the careful path's decision.
+    /// The same for a single pose, with the slow path's decision.
     fn solve_one(&self, inputs: [T; IN]) -> Result<[T; OUT], SolveError>;
 }
 
@@ -198,8 +198,8 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         }
     }
 
-    /// A loop over single numbers, which the compiler turns into one over vectors: the straight
-    /// line has no branch, the columns are no one else's, and lanes of one number carry in their
+    /// A loop over single numbers, which the compiler turns into one over vectors: the fast
+    /// path has no branch, the columns are no one else's, and lanes of one number carry in their
     /// type whether they fuse. Nothing is indexed, so that no build can panic.
     #[inline(always)]
     fn solve<K, F: Fusion>(

@@ -22,11 +22,11 @@ mod passage;
 mod stretch;
 
 pub(crate) use enclosure::Enclosure;
-pub use linear::Linear;
+use linear::Linear;
 use passage::Passage;
 
 use crate::kernels::sqrt;
-use crate::{Real, Scalar, SolveError};
+use crate::{Real, Record, Scalar, SolveError};
 
 /// How clear of its limit a group is: zero at a toggle, negative out of reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,11 +46,11 @@ pub trait Modes: Copy {
     /// The numbers it computes with.
     type Scalar: Real;
     /// Its input: a number, or a record of several.
-    type Input: Linear<Self::Scalar>;
+    type Input: Record<Number = Self::Scalar> + Copy;
     /// The result of `position`.
-    type Position: Linear<Self::Scalar>;
+    type Position: Record<Number = Self::Scalar> + Copy;
     /// The result of `motion`.
-    type Motion: Linear<Self::Scalar>;
+    type Motion: Record<Number = Self::Scalar> + Copy;
     /// A [`Clearance`] for each of `GROUPS`.
     type Clearances: Copy + AsRef<[Clearance<Self::Scalar>]>;
 

@@ -80,9 +80,9 @@ mod generated {
                 return p::Ok(position);
             }
             p::finite_input(theta, "theta")?;
-            let mut findings = p::Findings::new();
-            let radius = p::Guard::positive(&mut findings, self.radius, "AB", "radius");
-            findings.first()?;
+            let mut first_error = p::FirstError::new();
+            let radius = p::Checks::positive(&mut first_error, self.radius, "AB", "radius");
+            first_error.first()?;
             let (sin, cos) = p::Scalar::sin_cos(theta);
             let y = p::Side::sign::<T>(self.elbow) * radius * sin;
             p::finite_result(y, "B.y", &[(theta, "theta")])?;
@@ -128,7 +128,7 @@ fn the_solver_runs_on_every_number() {
 }
 
 #[test]
-fn the_careful_path_explains_itself() {
+fn the_slow_path_explains_itself() {
     let crank = Crank::<f64>::default();
     assert!(crank.position(1e9).is_ok());
     assert_eq!(crank.position(f64::NAN), Err(SolveError::NotFinite { name: "theta" }));

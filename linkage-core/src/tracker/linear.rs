@@ -3,13 +3,10 @@
 //! Only what interpolating between results takes: nothing here knows what a component means, so
 //! an interpolated direction is a unit vector only as far as the interpolation is right.
 
-use crate::{
-    AngularAcceleration, AngularVelocity, Direction, Point, Scalar, Slide, SlidingAcceleration,
-    SlidingDirection, SlidingVelocity,
-};
+use crate::{Record, Scalar};
 
-/// A record of numbers `T`.
-pub trait Linear<T>: Copy {
+/// Arithmetic with records of numbers `T`.
+pub(super) trait Linear<T>: Copy {
     /// `self` + `factor` · `other`.
     #[must_use]
     fn plus(self, factor: T, other: Self) -> Self;
@@ -20,52 +17,37 @@ pub trait Linear<T>: Copy {
 
     /// Whether every number passes the test.
     #[must_use]
-    fn all(self, test: impl Fn(T) -> bool + Copy) -> bool;
+    fn all(self, test: impl Fn(T) -> bool) -> bool;
 }
 
-impl<T: Scalar> Linear<T> for T {
+impl<T: Scalar, R: Record<Number = T> + Copy> Linear<T> for R {
     #[inline]
     fn plus(self, factor: T, other: Self) -> Self {
-        self + factor * other
+        with(self, other, |one, other| one + factor * other)
     }
+
     #[inline]
     fn minus(self, other: Self) -> Self {
-        self - other
+        with(self, other, |one, other| one - other)
     }
+
     #[inline]
-    fn all(self, test: impl Fn(T) -> bool + Copy) -> bool {
-        test(self)
+    fn all(self, test: impl Fn(T) -> bool) -> bool {
+        self.into_array().into_iter().all(test)
     }
 }
 
-macro_rules! linear {
-    ($($record:ident { $($field:ident)* })*) => {$(
-        impl<T: Scalar> Linear<T> for $record<T> {
-            #[inline]
-            fn plus(self, factor: T, other: Self) -> Self {
-                Self { $($field: self.$field + factor * other.$field),* }
-            }
-            #[inline]
-            fn minus(self, other: Self) -> Self {
-                Self { $($field: self.$field - other.$field),* }
-            }
-            #[inline]
-            fn all(self, test: impl Fn(T) -> bool + Copy) -> bool {
-                $(test(self.$field))&&*
-            }
-        }
-    )*};
-}
-
-linear! {
-    Point { x y }
-    Direction { cos sin }
-    SlidingDirection { cos sin slide }
-    Slide { slide }
-    AngularVelocity { omega }
-    SlidingVelocity { omega slide }
-    AngularAcceleration { alpha }
-    SlidingAcceleration { alpha slide }
+/// The record of what is made of each pair of numbers.
+#[inline]
+fn with<R: Record>(one: R, other: R, make: impl Fn(R::Number, R::Number) -> R::Number) -> R
+where
+    R::Number: Copy,
+{
+    let (mut numbers, other) = (one.into_array(), other.into_array());
+    for (number, other) in numbers.as_mut().iter_mut().zip(other) {
+        *number = make(*number, other);
+    }
+    R::from_array(numbers)
 }
 
 /// The value at `at` of the polynomial through the values at the nodes (Lagrange's form); none
@@ -96,14 +78,33 @@ pub(super) fn interpolate<T: Scalar, R: Linear<T>, E, const N: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Point;
+
+    #[derive(Clone, Copy, Debug)]
+    struct Point {
+        x: f64,
+        y: f64,
+    }
+
+    impl Record for Point {
+        type Number = f64;
+        type Array = [f64; 2];
+
+        const LABELS: &'static [&'static str] = &["x", "y"];
+
+        fn into_array(self) -> [f64; 2] {
+            [self.x, self.y]
+        }
+
+        fn from_array([x, y]: [f64; 2]) -> Self {
+            Self { x, y }
+        }
+    }
 
     #[test]
     fn a_polynomial_of_lower_degree_is_reproduced() {
         let cubic = |x: f64| Point { x: 1.0 - x + 0.5 * x * x * x, y: x * x };
         let nodes = [-2.5, -1.0, 0.5, 1.0, 2.0];
-        let found: Point<f64> =
-            interpolate(nodes, |x| Ok::<_, ()>(cubic(x)), 0.25).unwrap().unwrap();
+        let found = interpolate(nodes, |x| Ok::<_, ()>(cubic(x)), 0.25).unwrap().unwrap();
         // Five terms below 10, each right to a few roundings.
         assert!((found.x - cubic(0.25).x).abs() < 1e-14, "{found:?}");
         assert!((found.y - cubic(0.25).y).abs() < 1e-14, "{found:?}");

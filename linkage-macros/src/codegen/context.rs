@@ -24,7 +24,9 @@ pub(super) struct Context<'a> {
 
 impl<'a> Context<'a> {
     pub(super) fn new(mechanism: &'a Mechanism, lowered: &'a Lowered<'a>) -> Self {
-        let (paths, names) = (Paths::new(mechanism), Names::new(mechanism));
+        let names = Names::new(mechanism);
+        let records = lowered.interface.records.iter().map(|record| record.name.to_string());
+        let paths = Paths::new(mechanism, records.chain([names.solver.to_string()]).collect());
         Self { mechanism, lowered, interface: &lowered.interface, paths, names }
     }
 

@@ -76,15 +76,15 @@ pub(super) fn answer(cx: &Context<'_>, id: EntryId) -> TokenStream {
     }
 }
 
-/// The formulas under the marks, and the test that every result is finite.
+/// The formulas, every condition compared, and the test that every result is finite.
 fn compared(cx: &Context<'_>, entry: &Entry, call: formulas::Call, asked: &Asked) -> TokenStream {
-    let [marks, result] = ["marks_", "result_"].map(generated);
-    let (formulas, start) = (call.under(cx, &marks), cx.paths.item("Marks"));
+    let [all_met, result] = ["all_met_", "result_"].map(generated);
+    let (formulas, start) = (call.under(cx, &quote!(&mut #all_met)), cx.paths.item("AllMet"));
     let finite = is_finite(cx, entry, asked, &quote!(#result)).map(|finite| quote!(& #finite));
     quote! {
-        let mut #marks = #start::new();
+        let mut #all_met = #start::new();
         let #result = #formulas;
-        (#result, #marks.all() #finite)
+        (#result, #all_met.all() #finite)
     }
 }
 

@@ -1,10 +1,8 @@
 //! The functions that hold formulas: a `let` for every node, and a call at every condition and
-//! angle. Whether a condition is marked or explained is up to the guard that is handed in.
+//! angle. Whether a condition is compared or diagnosed is up to the checks that are handed in.
 //!
 //! Position, velocity and motion share their formulas, which are most of what a mechanism expands
 //! to: the order is a constant, and what a lower one does not need is never compiled for it.
-
-use std::iter;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -14,7 +12,6 @@ use super::context::Context;
 use super::identifiers::{function_name, generated};
 use super::results;
 use super::statements::Printer;
-use super::token_list::Tokens;
 use crate::interface::records::{Field, Record, Shape};
 use crate::lower::routine::{Routine, Stage};
 
@@ -26,22 +23,22 @@ pub(super) struct Call {
 }
 
 impl Call {
-    /// The result under the guard.
-    pub(super) fn under(self, cx: &Context<'_>, guard: &Ident) -> TokenStream {
+    /// The result under the checks.
+    pub(super) fn under(self, cx: &Context<'_>, checks: &TokenStream) -> TokenStream {
         let routine = &cx.lowered.routines[self.routine];
         let name = function_name(&routine.name);
         let arguments = Arguments::new(cx, routine.given);
         let last = routine.stages.len() - 1;
         if last == 0 {
             let given = arguments.names();
-            return quote!(self.#name(&mut #guard, #(#given),*));
+            return quote!(self.#name(#checks, #(#given),*));
         }
         // A stage needs one order of the inputs less than the next.
         let missing = last - self.stage;
         let (given, _) = arguments.names().split_at(arguments.names().len() - missing);
         let order = Literal::usize_unsuffixed(self.stage);
         let rates = vec![generated("rest_"); missing];
-        let call = quote!(self.#name::<#order>(&mut #guard, #(#given,)* #(#rates),*));
+        let call = quote!(self.#name::<#order>(#checks, #(#given,)* #(#rates),*));
         if missing == 0 {
             return call;
         }
@@ -121,12 +118,12 @@ fn in_stages(printer: &Printer<'_>, stages: &[Stage]) -> TokenStream {
 /// The records of the stages that may not be asked for.
 fn zeros(cx: &Context<'_>, stages: &[Stage], locals: &[Ident]) -> TokenStream {
     let (zero, nought) = (generated("zero_"), cx.literal(0.0, 0.0));
-    let records = stages.iter().zip(locals).map(|(stage, local)| {
-        let mut zeros = iter::repeat_with(|| Tokens::from(zero.clone()));
-        let record = results::assemble(cx, stage.result, &mut zeros);
-        quote!(let #local = #record;)
-    });
-    quote!(let #zero = #nought; #(#records)*)
+    let as_array = cx.paths.item("Record");
+    let counts = stages.iter().map(|stage| Literal::usize_unsuffixed(stage.sinks.len()));
+    quote! {
+        let #zero = #nought;
+        #(let #locals = #as_array::from_array([#zero; #counts]);)*
+    }
 }
 
 /// The function that holds formulas.
@@ -140,7 +137,7 @@ fn definition(printer: &Printer<'_>, name: &impl ToTokens, lines: &TokenStream) 
     let unread = printer.arguments.unread(&routine.reads);
     let (result, received) =
         (results::ty(cx, routine.result, &scalar), printer.arguments.received(&scalar));
-    let (guard, guards) = (generated("guard_"), cx.paths.item("Guard"));
+    let (guard, guards) = (generated("checks_"), cx.paths.item("Checks"));
     let unguarded = (!routine.has_checks).then(|| quote!(let _ = #guard;));
     quote! {
         #[inline(always)]

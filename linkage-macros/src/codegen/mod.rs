@@ -6,6 +6,7 @@
 //! nowhere else.
 
 mod arguments;
+mod as_mechanism;
 mod autodiff;
 mod c_export;
 mod checked;
@@ -56,6 +57,7 @@ fn implementations(cx: &Context<'_>) -> TokenStream {
     let formulas = formulas::functions(cx);
     let sweeps = cx.entries().map(|entry| sweeps::items(cx, entry));
     let (derivatives, tracking) = (autodiff::items(cx), tracking::items(cx));
+    let as_mechanism = as_mechanism::items(cx);
     let (c_export, references) = (c_export::items(cx), editor_names::items(cx));
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
@@ -70,6 +72,7 @@ fn implementations(cx: &Context<'_>) -> TokenStream {
             #(#sweeps)*
             #derivatives
             #tracking
+            #as_mechanism
             #c_export
             #references
         };

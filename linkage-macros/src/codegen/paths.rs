@@ -2,7 +2,8 @@
 //!
 //! Generated code names `linkage_core::private` only: that works without a prelude, with a
 //! shadowed `core` and under a renamed dependency. What stands in the unnamed constant imports the
-//! module under its own name, so that it can be read.
+//! module and its types, so that it can be read, and because every token costs the compiler time.
+//! Functions and macros are named by their path: an argument may be called as they are.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -16,29 +17,98 @@ pub(super) struct Paths {
     module: TokenStream,
     /// What it is called inside the unnamed constant.
     alias: Ident,
+    /// What the mechanism and its records are called: nothing imported may hide them.
+    own: Vec<String>,
 }
 
+/// What is imported: types, traits and variants that most mechanisms need.
+const IMPORTED: [&str; 44] = [
+    "AllMet",
+    "AngularAcceleration",
+    "AngularVelocity",
+    "Checks",
+    "Clearance",
+    "Cost",
+    "Default",
+    "Direction",
+    "Entry",
+    "FirstError",
+    "Float",
+    "From",
+    "Fusion",
+    "Into",
+    "LaneMask",
+    "Lanes",
+    "LengthMismatch",
+    "Mask",
+    "Mechanism",
+    "Modes",
+    "OfMotion",
+    "OfPosition",
+    "OfVelocity",
+    "Ok",
+    "Operations",
+    "Option",
+    "PhantomData",
+    "Point",
+    "Progress",
+    "Real",
+    "Record",
+    "Result",
+    "Scalar",
+    "Series",
+    "Side",
+    "Slide",
+    "SlidingAcceleration",
+    "SlidingDirection",
+    "SlidingVelocity",
+    "SolveError",
+    "Some",
+    "Status",
+    "str",
+    "usize",
+];
+
 impl Paths {
-    pub(super) fn new(mechanism: &Mechanism) -> Self {
+    pub(super) fn new(mechanism: &Mechanism, own: Vec<String>) -> Self {
         let module = match &mechanism.crate_path {
             Some(path) => quote!(#path::private),
             None => quote!(::linkage_core::private),
         };
-        Self { module, alias: clear_of("private", &mechanism.name) }
+        Self { module, alias: clear_of("private", &mechanism.name), own }
     }
 
     /// What an unnamed constant begins with.
     pub(super) fn import(&self) -> TokenStream {
         let (module, alias) = (&self.module, &self.alias);
-        match alias == "private" {
+        let module = match alias == "private" {
             true => quote!(use #module;),
             false => quote!(use #module as #alias;),
+        };
+        let items = IMPORTED.map(|name| {
+            let item = Ident::new(name, Span::call_site());
+            let local = self.imported(name);
+            if local == name { quote!(#item) } else { quote!(#item as #local) }
+        });
+        quote! {
+            #module
+            #[allow(unused_imports, reason = "no mechanism needs all of them")]
+            use #alias::{#(#items),*};
         }
+    }
+
+    /// What an imported item is called.
+    fn imported(&self, name: &str) -> Ident {
+        let clash = if self.own.iter().any(|own| own == name) { "_" } else { "" };
+        Ident::new(&format!("{name}{clash}"), Span::call_site())
     }
 
     /// A type, trait, function or macro of the run-time crate, inside the unnamed constant.
     pub(super) fn item(&self, name: &str) -> Tokens {
-        Tokens::path(self.alias.clone(), Ident::new(name, Span::call_site()))
+        match IMPORTED.contains(&name) {
+            true => self.imported(name).into(),
+            false => Tokens::path(self.alias.clone(), Ident::new(name, Span::call_site())),
+        }
     }
 
     /// The same beside the user's own items, where nothing was imported.

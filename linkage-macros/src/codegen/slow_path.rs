@@ -1,7 +1,7 @@
 //! The slow path: the same formulas once more, each condition looked at in full. It runs only
 //! where the fast path's mask said no.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::arguments::Arguments;
@@ -9,12 +9,13 @@ use super::context::Context;
 use super::identifiers::{function_name, generated, text};
 use super::{docs, formulas, results};
 use crate::interface::entries::Entry;
+use crate::interface::records::Shape;
 use crate::interface::{EntryId, labels};
 use crate::lower::routine::{Adapted, Asked, Compute};
 
 /// The name of the function on the slow path of an entry point.
 pub(super) fn name(entry: &Entry) -> Ident {
-    function_name(&format!("explain_{}_", entry.name))
+    function_name(&format!("diagnose_{}_", entry.name))
 }
 
 /// The function that says why the fast path of an entry point gave no answer.
@@ -53,18 +54,25 @@ fn diagnosed(
     call: formulas::Call,
     asked: &Asked,
 ) -> TokenStream {
-    let [findings, result] = ["findings_", "result_"].map(generated);
-    let (inputs, formulas) = (finite_inputs(cx, arguments, asked), call.under(cx, &findings));
-    let finite = finite_results(cx, entry, asked, &quote!(#result));
-    let [start, ok] = ["Findings", "Ok"].map(|item| cx.paths.item(item));
-    quote! {
-        #inputs
-        let mut #findings = #start::new();
-        let #result = #formulas;
-        #findings.first()?;
-        #finite
-        #ok(#result)
+    let [checks, result] = ["checks_", "result_"].map(generated);
+    let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
+    let given = asked.given.iter().filter_map(read);
+    let given: Vec<_> = given.map(|(value, label)| quote!((#value, #label))).collect();
+    let (formulas, diagnose) = (call.under(cx, &quote!(#checks)), cx.paths.item("diagnose"));
+    if let Shape::Record(_) = entry.result {
+        return quote!(#diagnose(&[#(#given),*], |#checks| #formulas));
     }
+    let (diagnose_all, labels) = (cx.paths.item("diagnose_all"), coefficient_labels(cx, entry));
+    let values = results::components(cx, entry.result, &quote!(#result));
+    let pairs = asked.results.iter().map(|&at| {
+        let (value, label) = (&values[at], &labels[at]);
+        quote!((#value, #label))
+    });
+    quote!(#diagnose_all(&[#(#given),*], |#checks| #formulas, |#result| [#(#pairs),*]))
+}
+
+fn coefficient_labels(cx: &Context<'_>, entry: &Entry) -> Vec<String> {
+    labels::of_result(cx.interface, cx.mechanism, entry.result)
 }
 
 /// The angle, once it is known to be finite, by its cosine and sine.
@@ -89,41 +97,4 @@ fn at_unit_rate(cx: &Context<'_>, arguments: &Arguments<'_>, other: &Entry) -> T
         let #result = self.#velocity(#(#names,)* #one)?;
         #ok([#([#rows]),*])
     }
-}
-
-/// The inputs and parameters that are read, and the test that each is finite.
-fn finite_inputs(cx: &Context<'_>, arguments: &Arguments<'_>, asked: &Asked) -> TokenStream {
-    let (given, scalar, string) = (generated("given_"), &cx.names.scalar, cx.paths.item("str"));
-    let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
-    let pairs = asked.given.iter().filter_map(read);
-    let pairs: Vec<_> = pairs.map(|(value, label)| quote!((#value, #label))).collect();
-    let count = Literal::usize_unsuffixed(pairs.len());
-    let function = cx.paths.item("finite_input");
-    let (value, label) = (generated("value_"), generated("name_"));
-    quote! {
-        let #given: [(#scalar, &'static #string); #count] = [#(#pairs),*];
-        for &(#value, #label) in &#given { #function(#value, #label)?; }
-    }
-}
-
-/// Asks of every result whether it is finite, in order: in a loop, because an early exit for each
-/// of a thousand results takes the compiler seconds.
-fn finite_results(
-    cx: &Context<'_>,
-    entry: &Entry,
-    asked: &Asked,
-    result: &TokenStream,
-) -> TokenStream {
-    if asked.results.is_empty() {
-        return TokenStream::new();
-    }
-    let values = results::components(cx, entry.result, result);
-    let labels = labels::of_result(cx.interface, cx.mechanism, entry.result);
-    let pairs = asked.results.iter().map(|&at| {
-        let (value, label) = (&values[at], &labels[at]);
-        quote!((#value, #label))
-    });
-    let (function, given) = (cx.paths.item("finite_result"), generated("given_"));
-    let (value, label) = (generated("value_"), generated("name_"));
-    quote!(for &(#value, #label) in &[#(#pairs),*] { #function(#value, #label, &#given)?; })
 }

@@ -98,7 +98,7 @@ impl<'a> Printer<'a> {
         });
         let value = self.value(angle);
         if is_checked {
-            let guard = generated("guard_");
+            let guard = generated("checks_");
             quote!(let (#sin, #cos) = #guard.sin_cos(#value);)
         } else {
             let function = self.cx.scalar("sin_cos");
@@ -109,7 +109,7 @@ impl<'a> Printer<'a> {
     /// A condition as two calls: one that compares, unless it is known to hold, and one that
     /// diagnoses. The value goes on as that one returns it.
     fn condition(&self, condition: &Condition) -> TokenStream {
-        let (guard, name) = (generated("guard_"), self.name(condition.id));
+        let (guard, name) = (generated("checks_"), self.name(condition.id));
         let value = self.value(condition.value);
         let comparison = condition.comparison.map(|(comparison, threshold)| {
             let method = function_name(match comparison {

@@ -1,14 +1,16 @@
 //! The records that entry points take and return.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
 use super::docs;
 use super::identifiers::generated;
-use super::results::{read, ty};
+use super::results::{self, read, ty};
+use super::token_list::Tokens;
+use crate::interface::labels;
 use crate::interface::quantity::Order;
-use crate::interface::records::{Field, Kind, Record, Shape};
+use crate::interface::records::{Field, Kind, Record, RecordId, Shape};
 
 /// All records of a mechanism.
 pub(super) fn definitions(cx: &Context<'_>) -> TokenStream {
@@ -28,7 +30,10 @@ pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
         Kind::Outputs(order) => rows(cx, record, order),
         Kind::Motion | Kind::Margins => TokenStream::new(),
     };
-    cx.interface.records.iter().map(implementation).collect()
+    let returned = cx.interface.record_ids().filter(|&id| is_returned(cx, cx.record(id)));
+    let arrays = returned.map(|id| as_array(cx, id));
+    let own = cx.interface.records.iter().map(implementation);
+    arrays.chain(own).collect()
 }
 
 /// What stands in front of every struct: names are as declared, no number is `Eq`, and hardly
@@ -95,51 +100,59 @@ fn rows_of(field: &Field) -> Vec<TokenStream> {
 
 /// How a plain list becomes the record of several inputs.
 fn from_list(cx: &Context<'_>, record: &Record) -> TokenStream {
-    let (name, scalar, from) = (&record.name, &cx.names.scalar, cx.paths.item("From"));
-    let fields: Vec<_> = record.fields.iter().map(|field| &field.name).collect();
-    let count = cx.columns();
-    // Lower-case locals of their own: a field's name may be that of a constant.
-    let locals: Vec<_> = (0..fields.len()).map(|i| generated(&format!("q{i}_"))).collect();
+    let (name, scalar, count) = (&record.name, &cx.names.scalar, cx.columns());
+    let [from, trait_] = ["From", "Record"].map(|item| cx.paths.item(item));
+    let list = generated("list_");
     quote! {
         impl<#scalar> #from<[#scalar; #count]> for #name<#scalar> {
             #[inline]
-            fn from([#(#locals),*]: [#scalar; #count]) -> Self {
-                Self { #(#fields: #locals),* }
-            }
+            fn from(#list: [#scalar; #count]) -> Self { #trait_::from_array(#list) }
         }
     }
 }
 
-/// `Linear` for all of them: sums and differences, and tests of every number, field by field.
-pub(super) fn linear(cx: &Context<'_>) -> TokenStream {
-    let is_other = |kind: Kind| matches!(kind, Kind::Outputs(_) | Kind::Motion);
-    let all = &cx.interface.records;
-    let others = all.iter().filter(|record| is_other(record.kind));
-    let inputs = all.iter().filter(|record| record.kind == Kind::Inputs);
-    others.chain(inputs).map(|record| linear_of(cx, record)).collect()
-}
-
-fn linear_of(cx: &Context<'_>, record: &Record) -> TokenStream {
-    let (scalar, any, linear) =
-        (&cx.names.scalar, cx.paths.item("Scalar"), cx.paths.item("Linear"));
-    let [factor, other, test] = ["factor_", "other_", "test_"].map(generated);
-    let [test_fn, bool_, copy] = ["Fn", "bool", "Copy"].map(|name| cx.paths.item(name));
-    let (record, fields) = (&record.name, record.fields.iter().map(|field| &field.name));
-    let fields: Vec<_> = fields.collect();
+/// Each of them as an array of numbers.
+fn as_array(cx: &Context<'_>, id: RecordId) -> TokenStream {
+    let (record, shape, scalar) = (cx.record(id), Shape::Record(id), &cx.names.scalar);
+    let (name, count) = (&record.name, Literal::usize_unsuffixed(cx.interface.numbers(shape)));
+    let [trait_, str_] = ["Record", "str"].map(|item| cx.paths.item(item));
+    let labels = labels::of_result(cx.interface, cx.mechanism, shape);
+    let numbers: Vec<_> = (0..labels.len()).map(|i| generated(&format!("n{i}_"))).collect();
+    let (taken, made) = match record.kind {
+        Kind::Motion => by_records(cx, record, &numbers),
+        _ => {
+            let components = results::components(cx, shape, &quote!(self));
+            let mut values = numbers.iter().cloned().map(Tokens::from);
+            (quote!([#(#components),*]), results::assemble(cx, shape, &mut values))
+        }
+    };
+    // Always inlined on the way out: lanes must stay in registers of their own instruction set.
     quote! {
-        impl<#scalar: #any> #linear<#scalar> for #record<#scalar> {
+        impl<#scalar> #trait_ for #name<#scalar> {
+            type Number = #scalar;
+            type Array = [#scalar; #count];
+
+            const LABELS: &'static [&'static #str_] = &[#(#labels),*];
+
+            #[inline(always)]
+            fn into_array(self) -> [#scalar; #count] { #taken }
+
             #[inline]
-            fn plus(self, #factor: #scalar, #other: Self) -> Self {
-                Self { #(#fields: #linear::<#scalar>::plus(self.#fields, #factor, #other.#fields)),* }
-            }
-            #[inline]
-            fn minus(self, #other: Self) -> Self {
-                Self { #(#fields: #linear::<#scalar>::minus(self.#fields, #other.#fields)),* }
-            }
-            #[inline]
-            fn all(self, #test: impl #test_fn(#scalar) -> #bool_ + #copy) -> #bool_ {
-                #(#linear::<#scalar>::all(self.#fields, #test))&&*
-            }
+            fn from_array([#(#numbers),*]: [#scalar; #count]) -> Self { #made }
         }
     }
+}
+
+/// A record of records, to and from the numbers of all of them.
+fn by_records(cx: &Context<'_>, record: &Record, numbers: &[Ident]) -> (TokenStream, TokenStream) {
+    let trait_ = cx.paths.item("Record");
+    let (mut rest, mut taken, mut made) = (numbers, TokenStream::new(), TokenStream::new());
+    for field in &record.fields {
+        let (own, further) = rest.split_at(cx.interface.numbers(field.shape));
+        let name = &field.name;
+        taken.extend(quote!(let [#(#own),*] = #trait_::into_array(self.#name);));
+        made.extend(quote!(#name: #trait_::from_array([#(#own),*]),));
+        rest = further;
+    }
+    (quote!(#taken [#(#numbers),*]), quote!(Self { #made }))
 }

@@ -8,7 +8,7 @@ use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{function_name, generated};
 use super::token_list::Tokens;
-use super::{docs, fast_path, results};
+use super::{docs, fast_path};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
 use crate::interface::records::{Record, Shape};
@@ -70,7 +70,7 @@ impl Sweep<'_> {
         };
         let inputs = self.inputs(arguments.names());
         let record = &self.record.name;
-        let outputs = results::components(cx, entry.result, &quote!(out));
+        let as_array = cx.paths.item("Record");
         let function = function_name(&format!("sweep_{}", entry.name));
         let docs = docs::sweep(cx, self.id);
         quote! {
@@ -85,7 +85,7 @@ impl Sweep<'_> {
                 ) -> #result<(), #mismatch> {
                     #converted
                     #sweep::<#kind, _, _, #ins, #outs>(
-                        self, [#(#inputs),*], [#(#outputs),*], status, progress,
+                        self, [#(#inputs),*], #as_array::into_array(out), status, progress,
                     )
                 }
             }
@@ -100,7 +100,7 @@ impl Sweep<'_> {
             ["Float", "Fusion", "LaneMask", "Lanes", "Entry", "Result", "SolveError", "Ok"]
                 .map(|item| cx.paths.item(item));
         let [value, usable] = ["result_", "ok_"].map(generated);
-        let values = results::components(cx, entry.result, &quote!(#value));
+        let as_array = cx.paths.item("Record");
         let (core, method) = (fast_path::core_name(entry), function_name(entry.name));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.arguments(&locals);
@@ -113,15 +113,14 @@ impl Sweep<'_> {
                 ) -> ([#lanes<#scalar, W, F>; #outs], #mask<W>) {
                     let (#value, #usable) =
                         self.lift::<#lanes<#scalar, W, F>>().#core(#(#arguments),*);
-                    ([#(#values),*], #usable)
+                    (#as_array::into_array(#value), #usable)
                 }
 
                 fn solve_one(
                     &self,
                     [#(#locals),*]: [#scalar; #ins],
                 ) -> #result<[#scalar; #outs], #error> {
-                    let #value = self.#method(#(#arguments),*)?;
-                    #ok([#(#values),*])
+                    #ok(#as_array::into_array(self.#method(#(#arguments),*)?))
                 }
             }
         }

@@ -6,19 +6,18 @@ use quote::quote;
 
 use super::context::Context;
 use super::identifiers::generated;
+use super::results;
 use super::statements::Printer;
-use super::{results, structs};
 use crate::interface::EntryId;
 use crate::model::mechanism::ParamKind;
 
-/// `Modes` for the solver, and `Linear` for what goes in and comes out.
+/// `Modes` for the solver.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     let [Some(position), Some(motion)] = ["position", "motion"].map(|name| cx.interface.find(name))
     else {
         return TokenStream::new();
     };
-    let (modes, linear) = (modes(cx, position, motion), structs::linear(cx));
-    quote!(#modes #linear)
+    modes(cx, position, motion)
 }
 
 fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {

@@ -63,6 +63,10 @@ impl Interface {
         self.entries.iter().position(|entry| entry.name == name).map(EntryId)
     }
 
+    pub(crate) fn record_ids(&self) -> impl Iterator<Item = RecordId> + use<> {
+        RecordId::first(self.records.len())
+    }
+
     pub(crate) fn record(&self, id: RecordId) -> &Record {
         &self.records[id.index()]
     }

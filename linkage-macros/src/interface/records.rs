@@ -11,6 +11,11 @@ use crate::model::mechanism::{Mechanism, Output, OutputKind};
 pub(crate) struct RecordId(usize);
 
 impl RecordId {
+    /// The ids of so many records.
+    pub(super) fn first(count: usize) -> impl Iterator<Item = Self> {
+        (0..count).map(Self)
+    }
+
     pub(super) fn index(self) -> usize {
         self.0
     }

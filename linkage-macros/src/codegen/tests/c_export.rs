@@ -76,7 +76,7 @@ fn several_inputs_come_by_pointers_and_modes_as_numbers() {
          q1_: *const TableInput<f64>,",
         "let q1_ = unsafe { read_(q1_, \"rates\") }?;",
         "way: private::c_sense(self.way, \"way\")?,",
-        "Parameters_ { way: -1, scalar_: private::PhantomData }",
+        "Parameters_ { way: -1, scalar_: PhantomData }",
     ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
     }

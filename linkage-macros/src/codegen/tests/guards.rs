@@ -5,7 +5,7 @@ use super::{angle, expand, function, squeezed};
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 
 #[test]
-fn a_guard_is_given_what_it_looks_at_and_its_value_goes_on() {
+fn a_checks_is_given_what_it_looks_at_and_its_value_goes_on() {
     let text = expand(&one_value(|g| {
         let (angle, l1) = (angle(g), g.constant(exact("0.25")));
         let looked_at = g.push(Node::Hypot(angle, angle));
@@ -15,31 +15,25 @@ fn a_guard_is_given_what_it_looks_at_and_its_value_goes_on() {
     }));
     let formulas = squeezed(function(&text, "formulas_position_"));
     assert!(formulas.contains("let v2_ = T::hypot(theta, theta);"), "{formulas}");
-    let call = "let v3_ = guard_.reach_circles(theta, v2_, v2_, T::lit(0.25, 0.25), \
+    let call = "let v3_ = checks_.reach_circles(theta, v2_, v2_, T::lit(0.25, 0.25), \
                 T::lit(0.25, 0.25), \"BC, DC\"); let v4_ = T::sqrt(v3_);";
     assert!(formulas.contains(call), "{formulas}");
 }
 
 #[test]
-fn formulas_are_read_under_marks_and_under_findings() {
+fn formulas_are_read_by_those_who_compare_and_who_diagnose() {
     let text = expand(&one_value(|g| {
         let angle = angle(g);
         g.guard(angle, Guard { check: Check::Nonzero, group: 0, operands: Vec::new() })
     }));
-    let straight = squeezed(function(&text, "core_position_"));
-    let marks = "let mut marks_ = private::Marks::new(); \
-                 let result_ = self.formulas_position_(&mut marks_, theta); \
-                 (result_, marks_.all() & T::is_finite(result_.y))";
-    assert!(straight.contains(marks), "{straight}");
-    let careful = squeezed(function(&text, "explain_position_"));
-    let findings = "let mut findings_ = private::Findings::new(); \
-                    let result_ = self.formulas_position_(&mut findings_, theta); \
-                    findings_.first()?;";
-    assert!(careful.contains(findings), "{careful}");
-    let inputs = careful.find("finite_input(").expect("what is given is looked at");
-    let results = careful.find("finite_result(").expect("and what comes out");
-    let formulas = careful.find("formulas_position_").expect("the formulas stand between");
-    assert!(inputs < formulas && formulas < results, "{careful}");
+    let fast = squeezed(function(&text, "core_position_"));
+    let compared = "let mut all_met_ = AllMet::new(); \
+                 let result_ = self.formulas_position_(&mut all_met_, theta); \
+                 (result_, all_met_.all() & T::is_finite(result_.y))";
+    assert!(fast.contains(compared), "{fast}");
+    let slow = squeezed(function(&text, "diagnose_position_"));
+    let diagnosed = "private::diagnose(&[(theta, \"theta\")], |checks_| self.formulas_position_(checks_, theta))";
+    assert!(slow.contains(diagnosed), "{slow}");
 }
 
 /// The calls that a guard becomes, on the square of the angle's sine or tangent less two.
@@ -55,7 +49,7 @@ fn guard(check: &Check, bounded: bool) -> Vec<String> {
         g.guard(value, Guard { check: check.clone(), group: 0, operands })
     }));
     let formulas = squeezed(function(&text, "formulas_position_"));
-    let calls = formulas.split(" guard_.").skip(1);
+    let calls = formulas.split(" checks_.").skip(1);
     calls.map(|call| call.split(';').next().unwrap_or_default().to_string()).collect()
 }
 
@@ -111,13 +105,13 @@ fn bounds_are_asked_in_place_of_results() {
     });
     assert!(
         known.contains(
-            "(if T::plain(true, true) { <T::Mask as private::Mask>::ALL } \
+            "(if T::plain(true, true) { <T::Mask as Mask>::ALL } \
              else { T::is_finite(result_.y) })"
         ),
         "{known}"
     );
     let unknown = mask(|g, sine| g.push(Node::Tan(sine)));
-    assert!(unknown.contains("marks_.all() & T::is_finite(result_.y)"), "{unknown}");
+    assert!(unknown.contains("all_met_.all() & T::is_finite(result_.y)"), "{unknown}");
 }
 
 #[test]

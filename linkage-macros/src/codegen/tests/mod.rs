@@ -7,6 +7,8 @@ mod guards;
 mod spans;
 mod turning;
 
+use proc_macro2::{Group, TokenStream, TokenTree};
+
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::program::Program;
 use crate::lower::lower;
@@ -30,12 +32,41 @@ pub(crate) fn associated_items(file: &syn::File) -> Vec<&syn::ImplItem> {
 }
 
 /// Everything that the program expands to.
-fn generate(mechanism: &Mechanism, program: &Program) -> proc_macro2::TokenStream {
+fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream {
     super::generate(mechanism, &lower(mechanism, program))
 }
 
+/// The tokens with a doc attribute for every line, as a source has them.
+pub(super) fn line_by_line(stream: TokenStream) -> TokenStream {
+    let mut lines = TokenStream::new();
+    for tree in stream {
+        let TokenTree::Group(group) = tree else {
+            lines.extend([tree]);
+            continue;
+        };
+        match syn::parse2::<syn::MetaNameValue>(group.stream()) {
+            Ok(syn::MetaNameValue { path, value: syn::Expr::Lit(text), .. })
+                if path.is_ident("doc") =>
+            {
+                let syn::Lit::Str(text) = &text.lit else { continue };
+                let text = text.value();
+                for (nth, line) in text.split('\n').enumerate() {
+                    let hash = (nth > 0).then(|| quote::quote!(#));
+                    lines.extend(quote::quote!(#hash [doc = #line]));
+                }
+            }
+            _ => {
+                let inner = line_by_line(group.stream());
+                lines.extend([TokenTree::from(Group::new(group.delimiter(), inner))]);
+            }
+        }
+    }
+    lines
+}
+
 fn expand((mechanism, program): &(Mechanism, Program)) -> String {
-    let file = syn::parse2(generate(mechanism, program)).expect("the expansion is a list of items");
+    let tokens = line_by_line(generate(mechanism, program));
+    let file = syn::parse2(tokens).expect("the expansion is a list of items");
     prettyplease::unparse(&file)
 }
 
@@ -81,8 +112,8 @@ fn the_four_bar_expands_to_the_whole_interface() {
         "pub const PARAMS: [&'static str; 1] = [\"crank\"];",
         "crank: 0.08,",
         "crank: T::lit(0.08, 0.08),",
-        "elbow: private::Side::Left,",
-        "pub fn lift<U: private::Scalar>(&self) -> FourBar<U> {",
+        "elbow: Side::Left,",
+        "pub fn lift<U: Scalar>(&self) -> FourBar<U> {",
         "private::with_ad! {",
     ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
@@ -116,7 +147,7 @@ fn sine_and_cosine_are_one_call() {
         g.push(Node::Mul(sin, cos))
     }));
     let formulas = squeezed(function(&text, "formulas_position_"));
-    let call = "let (v1_, v2_) = guard_.sin_cos(theta);";
+    let call = "let (v1_, v2_) = checks_.sin_cos(theta);";
     assert!(formulas.contains(call), "{formulas}");
     assert_eq!(formulas.matches("sin_cos").count(), 1);
 }
@@ -130,7 +161,7 @@ fn an_unneeded_sine_is_dropped_and_a_constant_angle_is_not_guarded() {
     let formulas = function(&text, "formulas_position_");
     let call = "let (_, v1_) = T::sin_cos(T::lit(1000000000.0, 1000000000.0));";
     assert!(formulas.contains(call), "{formulas}");
-    assert!(formulas.contains("let _ = guard_;"), "an unread argument is named\n{formulas}");
+    assert!(formulas.contains("let _ = checks_;"), "an unread argument is named\n{formulas}");
     assert!(formulas.contains("let _ = theta;"), "an unread argument is named\n{formulas}");
 }
 
@@ -157,15 +188,13 @@ fn several_inputs_are_a_record_or_an_array() {
     let all = squeezed(&text);
     assert!(all.contains("struct TableInput<T> {"), "{text}");
     assert!(all.contains("From<[T; 2]> for TableInput<T> {"), "{text}");
-    assert!(
-        all.contains("fn from([q0_, q1_]: [T; 2]) -> Self { Self { s: q0_, X: q1_ } }"),
-        "{text}"
-    );
-    assert!(all.contains("rates: impl private::Into<TableInput<T>>"));
-    assert!(all.contains("let rates: TableInput<T> = private::Into::into(rates);"));
+    assert!(all.contains("fn from(list_: [T; 2]) -> Self { Record::from_array(list_) }"), "{text}");
+    assert!(all.contains("rates: impl Into<TableInput<T>>"));
+    assert!(all.contains("let rates: TableInput<T> = Into::into(rates);"));
     let formulas = squeezed(function(&text, "formulas_velocity_"));
     assert!(formulas.contains("let v12_ = rates.s * inputs.X;"), "{formulas}");
-    let inputs = "4] = [(inputs.s, \"s\"), (rates.s, \"s_rate\"), (inputs.X, \"X\"), (rates.X, \"X_rate\")]; for &(value_, name_) in &given_ { private::finite_input(value_, name_)?; }";
+    let inputs =
+        "&[(inputs.s, \"s\"), (rates.s, \"s_rate\"), (inputs.X, \"X\"), (rates.X, \"X_rate\")],";
     assert!(all.contains(inputs), "{text}");
 }
 
@@ -210,14 +239,14 @@ fn orders_share_their_formulas_and_angles_those_of_their_cosines() {
     assert_eq!(text.matches("fn formulas_").count(), 2, "{text}");
     assert_eq!(text.matches("T::sqrt(").count(), 1, "{text}");
     for part in [
-        "fn formulas_at_<const ORDER: private::usize>(",
-        "let velocity_ = FourBarVelocity { C: private::Point { x: zero_, y: zero_ },",
+        "fn formulas_at_<const ORDER: usize>(",
+        "let velocity_ = Record::from_array([zero_; 5]);",
         "let dc_cos_ = ",
-        "DC: private::Direction { cos: dc_cos_, sin: dc_sin_ },",
+        "DC: Direction { cos: dc_cos_, sin: dc_sin_ },",
         "if ORDER == 0 { return FourBarMotion { position: position_, velocity: velocity_,",
         "if ORDER == 1 { return FourBarMotion { position: position_, velocity: velocity_,",
-        "self.formulas_at_::<0>(&mut marks_, cos, sin, rest_, rest_).position",
-        "self.formulas_at_::<1>(&mut findings_, cos, sin, theta_rate, rest_).velocity",
+        "self.formulas_at_::<0>(&mut all_met_, cos, sin, rest_, rest_).position",
+        "self.formulas_at_::<1>(checks_, cos, sin, theta_rate, rest_).velocity",
         "let (sin_, cos_) = T::sin_cos_near(theta); \
          let (result_, ok_) = self.core_position_at_(cos_, sin_); \
          (result_, T::is_near(theta) & ok_)",
@@ -273,11 +302,11 @@ fn a_sweep_takes_series_and_gives_components() {
              out: FourBarPosition<&mut [T]>, status: &mut [Status], progress: impl Progress) \
              -> Result<(), LengthMismatch> {",
             "sweep::<OfVelocity, _, _, 2, 5>(self, [theta, theta_rate],",
-            "[out.C.x, out.C.y, out.BC.cos, out.BC.sin,",
+            "Record::into_array(out), status, progress",
             "impl<T: Float> Entry<OfVelocity, T, 2, 5> for FourBar<T> {",
             "self.lift::<Lanes<T, W, F>>().core_velocity_(x0_, x1_);",
-            "let result_ = self.velocity(x0_, x1_)?;",
-            "Ok([result_.C.x, result_.C.y, result_.BC.omega,",
+            "Ok(Record::into_array(self.velocity(x0_, x1_)?))",
+            "fn into_array(self) -> [T; 5] { [self.C.x, self.C.y, self.BC.omega, self.DC.omega,",
         ],
     );
     // Coefficients, margins and given cosines have no sweep.

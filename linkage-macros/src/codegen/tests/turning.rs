@@ -1,6 +1,6 @@
 //! What the docs say about the turn of a crank, and the solver's word on it.
 
-use super::generate;
+use super::{generate, line_by_line};
 use crate::equations;
 use crate::exact::Exact;
 use crate::ir::interpret::{Given, Number, interpret};
@@ -81,7 +81,8 @@ fn bar_and_block(line: &str, fields: &str) -> String {
 fn said(source: &str) -> String {
     let mechanism = mechanism(source);
     let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
-    let file: syn::File = syn::parse2(generate(&mechanism, &program)).expect("a list of items");
+    let file: syn::File =
+        syn::parse2(line_by_line(generate(&mechanism, &program))).expect("a list of items");
     let text = prettyplease::unparse(&file).replace("\n///   ", " ");
     let line = text.split_once("# Range\n/// - ").map(|(_, rest)| rest.lines().next());
     line.flatten().unwrap_or_default().to_string()

@@ -1,0 +1,269 @@
+//! The conditions that formulas are under, and the two ways of asking for them.
+//!
+//! A group's formulas hold under conditions: circles of radii l₁ and l₂ must meet, a divisor must
+//! not be zero, a length must be positive, an angle must be small enough for the quick reduction
+//! of sines. Generated code writes the formulas down once, as a function of whoever asks, and calls
+//! it at every condition. There are two who ask:
+//!
+//! - [`AllMet`], on the **fast path**, compares one number with a threshold and goes on, whatever
+//!   comes of it. There is no branch, so that a loop over poses becomes one over vectors. In the
+//!   end it says whether everything was met.
+//! - [`FirstError`], on the **slow path**, compares nothing but looks at what a condition came from:
+//!   the distance of the centres and the two radii rather than the number under the root. It
+//!   replaces the value at a limit, keeps the first failure, and says in the end whose it was.
+//!
+//! # What they promise each other
+//! If the fast path says yes, the result is the slow path's, and every number of it is finite. If it says no, nothing is lost: the slow path runs the same formulas again and
+//! finds either the answer, at a limit or beyond the fast path's thresholds, or the reason why there
+//! is none. So a threshold may be higher than the condition asks for, never lower.
+//!
+//! # Where thresholds come from
+//! - Zero where only the sign matters: what stands under a root, a divisor.
+//! - [`Scalar::smallest_square`] for a squared length that something is divided by: below it the
+//!   square has lost digits to underflow.
+//! - More than that where it pays. The fast path has to know that no result is infinite or no
+//!   number. It may ask the results, but these are there late; or the compiler shows, by intervals
+//!   (`lower/overflow.rs` of `linkage-macros`), that inputs below a limit and divisors above a
+//!   threshold cannot make anything overflow, and then these are asked, which are there early.
+
+use crate::diagnosis;
+use crate::{Mask, Real, Scalar, SolveError};
+
+/// Who asks for conditions, see the module's documentation. A condition is two calls: a comparison,
+/// which [`FirstError`] passes by, and a diagnosis, which [`AllMet`] passes by and which returns the
+/// value under the condition, or what stands for it at a limit.
+pub trait Checks<T: Scalar> {
+    /// Sine and cosine of an angle.
+    fn sin_cos(&mut self, angle: T) -> (T, T);
+
+    /// Asks whether `value` > `least`.
+    #[inline(always)]
+    fn above(&mut self, _value: T, _least: T) {}
+
+    /// Asks whether `value` ≥ `least`.
+    #[inline(always)]
+    fn at_least(&mut self, _value: T, _least: T) {}
+
+    /// Asks whether |`value`| > `least`.
+    #[inline(always)]
+    fn away(&mut self, _value: T, _least: T) {}
+
+    /// See `diagnosis::reach_circles`.
+    #[inline(always)]
+    fn reach_circles(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
+        value
+    }
+
+    /// See `diagnosis::reach_line`.
+    #[inline(always)]
+    fn reach_line(&mut self, value: T, _: T, _: T, _: &'static str) -> T {
+        value
+    }
+
+    /// See `diagnosis::reach_offset`.
+    #[inline(always)]
+    fn reach_offset(&mut self, value: T, _: T, _: T, _: T, _: &'static str) -> T {
+        value
+    }
+
+    /// See `diagnosis::nonzero`.
+    #[inline(always)]
+    fn nonzero(&mut self, value: T, _: &'static str) -> T {
+        value
+    }
+
+    /// See `diagnosis::positive`.
+    #[inline(always)]
+    fn positive(&mut self, value: T, _: &'static str, _: &'static str) -> T {
+        value
+    }
+
+    /// See `diagnosis::square`.
+    #[inline(always)]
+    fn square(&mut self, value: T, _: &'static str) -> T {
+        value
+    }
+
+    /// See `diagnosis::square_of_centres`.
+    #[inline(always)]
+    fn square_of_centres(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
+        value
+    }
+}
+
+/// Whether every condition was met. Every value goes on as it is.
+///
+/// Inlined always, so that lanes stay on the instruction set of the loop they run in.
+#[derive(Clone, Copy, Debug)]
+pub struct AllMet<M>(M);
+
+impl<M: Mask> AllMet<M> {
+    /// Nothing is wrong so far.
+    #[expect(clippy::new_without_default, reason = "nobody but generated code makes one")]
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self(M::ALL)
+    }
+
+    /// The answer of all conditions together.
+    #[inline(always)]
+    pub fn all(self) -> M {
+        self.0
+    }
+
+    #[inline(always)]
+    fn and(&mut self, met: M) {
+        self.0 = self.0 & met;
+    }
+}
+
+impl<T: Scalar> Checks<T> for AllMet<T::Mask> {
+    #[inline(always)]
+    fn sin_cos(&mut self, angle: T) -> (T, T) {
+        self.and(angle.is_near());
+        angle.sin_cos_near()
+    }
+
+    #[inline(always)]
+    fn above(&mut self, value: T, least: T) {
+        self.and(value.gt(least));
+    }
+
+    #[inline(always)]
+    fn at_least(&mut self, value: T, least: T) {
+        self.and(value.ge(least));
+    }
+
+    /// The magnitude, compared: neither a square, which underflows, nor a disjunction, which
+    /// masks do not have.
+    #[inline(always)]
+    fn away(&mut self, value: T, least: T) {
+        let magnitude = T::select(value.ge(T::lit(0.0, 0.0)), value, -value);
+        self.and(magnitude.gt(least));
+    }
+}
+
+/// The first condition that was not met. What follows it is computed and means nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct FirstError {
+    first: Option<SolveError>,
+}
+
+impl FirstError {
+    /// Nothing is wrong so far.
+    #[expect(clippy::new_without_default, reason = "nobody but generated code makes one")]
+    pub fn new() -> Self {
+        Self { first: None }
+    }
+
+    /// What was wrong first.
+    ///
+    /// # Errors
+    /// The condition that was not met.
+    pub fn first(self) -> Result<(), SolveError> {
+        self.first.map_or(Ok(()), Err)
+    }
+
+    /// Diagnoses only where nothing was wrong so far.
+    fn keep<T: Copy>(&mut self, value: T, diagnose: impl FnOnce() -> Result<T, SolveError>) -> T {
+        if self.first.is_some() {
+            return value;
+        }
+        match diagnose() {
+            Ok(value) => value,
+            Err(error) => {
+                self.first = Some(error);
+                value
+            }
+        }
+    }
+}
+
+impl<T: Real> Checks<T> for FirstError {
+    fn sin_cos(&mut self, angle: T) -> (T, T) {
+        angle.sin_cos()
+    }
+
+    fn reach_circles(&mut self, value: T, dx: T, dy: T, l1: T, l2: T, group: &'static str) -> T {
+        self.keep(value, || diagnosis::reach_circles(value, dx, dy, l1, l2, group))
+    }
+
+    fn reach_line(&mut self, value: T, t: T, l: T, group: &'static str) -> T {
+        self.keep(value, || diagnosis::reach_line(value, t, l, group))
+    }
+
+    fn reach_offset(&mut self, value: T, bx: T, by: T, e: T, group: &'static str) -> T {
+        self.keep(value, || diagnosis::reach_offset(value, bx, by, e, group))
+    }
+
+    fn nonzero(&mut self, value: T, group: &'static str) -> T {
+        self.keep(value, || diagnosis::nonzero(value, group))
+    }
+
+    fn positive(&mut self, value: T, group: &'static str, name: &'static str) -> T {
+        self.keep(value, || diagnosis::positive(value, group, name))
+    }
+
+    fn square(&mut self, value: T, group: &'static str) -> T {
+        self.keep(value, || diagnosis::square(value, group))
+    }
+
+    fn square_of_centres(
+        &mut self,
+        value: T,
+        dx: T,
+        dy: T,
+        l1: T,
+        l2: T,
+        group: &'static str,
+    ) -> T {
+        self.keep(value, || diagnosis::square_of_centres(value, dx, dy, l1, l2, group))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_error_is_kept() {
+        let mut first_error = FirstError::new();
+        assert_eq!(first_error.nonzero(2.0, "a"), 2.0);
+        assert_eq!(first_error.first(), Ok(()));
+        first_error.nonzero(0.0, "b");
+        first_error.positive(-1.0, "c", "length");
+        assert_eq!(first_error.first(), Err(SolveError::Singular { group: "b" }));
+    }
+
+    #[test]
+    fn all_is_met_only_where_every_condition_is() {
+        let met = |ask: fn(&mut AllMet<bool>)| {
+            let mut all = AllMet::new();
+            ask(&mut all);
+            all.away(1.0, 0.0);
+            all.all()
+        };
+        assert!(met(|m| m.at_least(0.0, 0.0)));
+        assert!(!met(|m| m.at_least(-1e-300, 0.0)));
+        assert!(!met(|m| m.at_least(1e-320, f64::smallest_square())));
+        assert!(!met(|m| m.above(0.0, 0.0)));
+        assert!(met(|m| m.above(2.0, 1.0)) && !met(|m| m.above(1.0, 1.0)));
+        assert!(met(|m| m.away(-1e-300, 0.0)));
+        assert!(!met(|m| m.away(0.0, 0.0)));
+        assert!(met(|m| m.away(-2.0, 1.0)) && !met(|m| m.away(-1.0, 1.0)));
+        assert!(!met(|m| _ = m.sin_cos(1e9)));
+        assert!(!met(|m| m.above(f64::NAN, 0.0)));
+        assert!(!met(|m| m.at_least(f64::NAN, 0.0)));
+        assert!(!met(|m| m.away(f64::NAN, 0.0)));
+    }
+
+    #[test]
+    fn the_one_does_not_diagnose_and_the_other_does_not_compare() {
+        let mut all = AllMet::<bool>::new();
+        assert_eq!(all.nonzero(0.0, "a"), 0.0);
+        assert!(all.all());
+        let mut first_error = FirstError::new();
+        first_error.above(-1.0, 0.0);
+        assert_eq!(first_error.first(), Ok(()));
+    }
+}

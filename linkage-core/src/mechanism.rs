@@ -1,0 +1,89 @@
+//! What every solver offers, for code that serves all of them.
+
+use crate::{Scalar, SolveError};
+
+/// A mechanism, whichever it is: names, and solutions as rows of numbers.
+///
+/// Every `mechanism!` implements it. The struct's own methods, which return records with a field
+/// for each output, say more to whoever knows the mechanism; here inputs and outputs are arrays, of
+/// one number where there is one.
+///
+/// ```
+/// use linkage_core::{Mechanism, SolveError, mechanism};
+///
+/// mechanism! {
+///     struct Crank { input q: angle; ground A(0, 0); crank AB(A) -> B { length: 1m, angle: q } }
+/// }
+///
+/// /// A table of every output against the first input, the others at rest at zero.
+/// fn table<M: Mechanism<Scalar = f64>>(mechanism: &M, values: &[f64]) -> Result<String, SolveError> {
+///     let mut text = format!("{} {}\n", M::INPUTS[0], M::OUTPUTS.join(" "));
+///     for &value in values {
+///         let rows = mechanism.position(M::inputs(|input| if input == 0 { value } else { 0.0 }))?;
+///         let rows: Vec<String> = rows.as_ref().iter().map(f64::to_string).collect();
+///         text += &format!("{value} {}\n", rows.join(" "));
+///     }
+///     Ok(text)
+/// }
+///
+/// assert_eq!(table(&Crank::new(), &[0.0])?, "q AB.angle B.x B.y\n0 0 1 0\n");
+/// # Ok::<(), SolveError>(())
+/// ```
+pub trait Mechanism {
+    /// The numbers it computes with.
+    type Scalar: Scalar;
+
+    /// `[Scalar; N]`: a value, a rate or a second rate of each input, in the order of `INPUTS`; SI
+    /// units.
+    type Inputs: Copy + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
+
+    /// `[Scalar; N]`: a number for each of `OUTPUTS`; metres and radians, or their rates. A
+    /// direction's row is its angle in (−π, π].
+    type Rows: Copy + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
+
+    /// `[Inputs; N]`: for each of `OUTPUTS` its derivatives with respect to the inputs.
+    type Coefficients: Copy + AsRef<[Self::Inputs]>;
+
+    /// What the declaration calls it.
+    const NAME: &'static str;
+
+    /// What the inputs are called.
+    const INPUTS: &'static [&'static str];
+
+    /// What the scalar rows of the outputs are called.
+    const OUTPUTS: &'static [&'static str];
+
+    /// Inputs from the number of each.
+    #[must_use]
+    fn inputs(value: impl FnMut(usize) -> Self::Scalar) -> Self::Inputs;
+
+    /// The rows of the positions.
+    ///
+    /// # Errors
+    /// Those of the solver's own `position`.
+    fn position(&self, inputs: Self::Inputs) -> Result<Self::Rows, SolveError>;
+
+    /// The rows of the velocities.
+    ///
+    /// # Errors
+    /// Those of the solver's own `velocity`.
+    fn velocity(&self, inputs: Self::Inputs, rates: Self::Inputs)
+    -> Result<Self::Rows, SolveError>;
+
+    /// The rows of positions, velocities and accelerations.
+    ///
+    /// # Errors
+    /// Those of the solver's own `motion`.
+    fn motion(
+        &self,
+        inputs: Self::Inputs,
+        rates: Self::Inputs,
+        accelerations: Self::Inputs,
+    ) -> Result<[Self::Rows; 3], SolveError>;
+
+    /// The kinematic coefficients ∂outputs/∂inputs.
+    ///
+    /// # Errors
+    /// Those of the solver's own `coefficients`.
+    fn coefficients(&self, inputs: Self::Inputs) -> Result<Self::Coefficients, SolveError>;
+}
