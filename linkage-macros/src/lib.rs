@@ -3,7 +3,8 @@
 //! # The phases
 //!
 //! ```text
-//! source text ─syntax─▶ tree ─model─▶ mechanism ─equations─▶ graph ─passes─▶ smaller graph ─codegen─▶ Rust
+//! source text ─syntax─▶ tree ─model─▶ mechanism ─equations─▶ graph ─passes─▶ smaller graph
+//!                                         └─interface─▶ what is offered ─lower─▶ routines ─codegen─▶ Rust
 //! ```
 //!
 //! | room | what it does | what it never does |
@@ -12,13 +13,35 @@
 //! | `diagnostics` | collects mistakes, stops at the barriers | |
 //! | `exact` | real constants without error, rounded once | |
 //! | `syntax` | tokens and spans into a tree | resolve a name |
-//! | `model` | names into ids, dimensions, one function a rule | know a formula |
-//! | `equations` | the formulas of every driver and group, once | know how code is written |
+//! | `model` | names into ids, dimensions, one function a rule | know how a mechanism is solved |
+//! | `interface` | what is offered: entry points, records, units, labels | compute or print |
 //! | `ir` | the expression graph, its cost, its text, its interpreter | know a mechanism |
+//! | `equations` | the formulas of every driver and group, once | know how code is written |
 //! | `passes` | make the graph smaller without changing what it means | know a mechanism |
-//! | `codegen` | graph into functions, structs and docs | compute |
+//! | `lower` | which routine computes what, in which order, and what it asks | print |
+//! | `codegen` | routines into functions, structs and docs | decide |
 //!
-//! Data flows one way: each phase takes the one before by reference and returns a new value.
+//! Imports point to earlier rooms only, and data flows one way: each phase takes the one before by
+//! reference and returns a new value.
+//!
+//! # A walk through the house
+//!
+//! `rrr BC(B), DC(D) -> C { lengths: (632mm, l), mode: elbow }` behind a crank at `theta`:
+//!
+//! | room | the length `632mm` | the input `theta` | the mode `elbow` | a mistake, `632kg` |
+//! |---|---|---|---|---|
+//! | `syntax` | digits, unit, span | a name | a name | a number like another |
+//! | `model` | `Expr::Constant`, 79/125 m, not zero or less | `Expr::Input`, an angle | `Mode::Param` | a message at its token; what follows is a stand-in |
+//! | `interface` | | an argument of every entry point, a column | | the same signatures |
+//! | `equations` | a jet whose rates are zeros that leave no trace | a jet: value, rate, second rate | the sign of √S in `rrr.rs` | |
+//! | `ir` | an interned constant | a leaf an order | a leaf, ±1 | one zero for all results |
+//! | `passes` | (l₂ − l₃)² is one constant | its sine and cosine stay | nothing to do | |
+//! | `lower` | positive for sure: no check | asked for its size where that proves more than results do | never asked | |
+//! | `codegen` | `T::lit(0.632, 0.632)`, rounded once a width | `theta`, `theta_rate` | `Side::sign(self.elbow)` | |
+//!
+//! The parameter `l` goes where the length goes, but for three rooms: in `equations` it stands under
+//! the condition that it is positive, in `lower` it can be anything, so results are asked, and in
+//! `codegen` it is `self.l`.
 
 mod codegen;
 mod diagnostics;

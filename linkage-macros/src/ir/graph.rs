@@ -1,11 +1,31 @@
-//! The expression graph.
+//! The expression graph: every number that any entry point needs, each once.
 //!
-//! A [`Graph`] is a list of nodes; a node's operands stand strictly before it, so that a plain
-//! walk from front to back meets every operand before its user. Equal nodes are the same node
-//! (hash-consing). A constant is an exact real number: nothing is rounded before code generation.
+//! # Order
+//! A [`Graph`] is a list of nodes; a node's operands stand strictly before it, so that a plain walk
+//! from front to back meets every operand before its user, and one from back to front every user
+//! before its operands. Nothing is scheduled but by that order: code is written down as the graph
+//! stands.
 //!
-//! What the nodes mean is real arithmetic. What floating-point arithmetic makes of them is fixed
-//! by the code that is emitted: one rounding a node, except where a node says otherwise.
+//! # Sharing
+//! Equal nodes are the same node (hash-consing): what two formulas have in common is computed once,
+//! without anybody looking for it. An entry point is a list of nodes, its sinks; what it computes is
+//! what these need, however much more the graph holds.
+//!
+//! # Numbers
+//! A constant is an exact real number: nothing is rounded before code generation. What the nodes
+//! mean is real arithmetic. What floating-point arithmetic makes of them is fixed by the code that
+//! is emitted: one rounding a node, except where a node says otherwise.
+//!
+//! # Conditions
+//! A node may stand under a condition ([`Guard`]): it is its value, provided that the condition
+//! holds. That is how a group's failure stands in the graph: whoever needs a number behind the
+//! condition asks for it, and whoever does not never fails by it. The fast path compares and goes
+//! on; the slow path looks at the operands of the condition, which are nodes as well. Where nobody
+//! is to refuse anything, conditions are passed by (`liveness::Path`).
+//!
+//! # Names
+//! A value that the derivation of its formula has a letter for keeps it (`Graph::name`), through
+//! every rewrite, for whoever reads the generated code. Names mean nothing to the compiler.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
