@@ -25,8 +25,12 @@ mod diagnostics;
 mod equations;
 mod exact;
 #[cfg(test)]
+mod expansions;
+#[cfg(test)]
 mod fuzz;
+mod interface;
 mod ir;
+mod lower;
 mod model;
 #[cfg(test)]
 mod oracle;

@@ -8,5 +8,6 @@ mod modes;
 mod placement;
 mod planted;
 mod published_tables;
+mod readings;
 mod scale;
 mod tabulated;

@@ -105,12 +105,13 @@ pub(crate) enum ParamKind {
     },
 }
 
-/// Powers of metre and kilogram (and second, for later); an angle counts as a number, except that
-/// `angle` remembers that it is one.
+/// Powers of metre, kilogram and second; an angle counts as a number, except that `angle` remembers
+/// that it is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Dimension {
     pub length: i32,
     pub mass: i32,
+    pub time: i32,
     pub angle: bool,
 }
 
@@ -166,9 +167,21 @@ pub(crate) enum Expr {
     Let(LetId),
     /// The slide of a link that slides.
     Slide(LinkId),
+    /// A coordinate of a point in ground axes.
+    Coordinate(PointId, Axis),
+    /// The distance between two points.
+    Distance([PointId; 2]),
     Negate(Box<Expr>),
-    Binary(Operator, Box<[Expr; 2]>),
+    /// One operation after the other, each on what the one before has made.
+    Chain(Box<Expr>, Vec<(Operator, Expr)>),
     Call(Function, Vec<Expr>),
+}
+
+/// An axis of the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axis {
+    X,
+    Y,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -333,51 +346,4 @@ pub(crate) enum OutputKind {
     Margin(GroupId),
     /// Sine of the group's transmission angle.
     Transmission(GroupId),
-}
-
-/// The shape of an output in the result, and so the number and order of its components.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Shape {
-    /// Position, velocity and acceleration: x, y.
-    Point,
-    /// Position: cos, sin; velocity: omega; acceleration: alpha.
-    Direction,
-    /// Position: cos, sin, slide; velocity: omega, slide; acceleration: alpha, slide.
-    SlidingDirection,
-    /// The slide alone.
-    Slide,
-    /// A number.
-    Value,
-}
-
-impl OutputKind {
-    pub(crate) fn shape(&self) -> Shape {
-        match self {
-            Self::Point(_) => Shape::Point,
-            Self::Link { direction: true, slide: true, .. } => Shape::SlidingDirection,
-            Self::Link { direction: true, slide: false, .. } | Self::Turn(_) => Shape::Direction,
-            Self::Link { direction: false, .. } => Shape::Slide,
-            Self::Value { .. } | Self::Margin(_) | Self::Transmission(_) => Shape::Value,
-        }
-    }
-}
-
-impl Shape {
-    /// The number of components of a position.
-    pub(crate) fn positions(self) -> usize {
-        match self {
-            Self::SlidingDirection => 3,
-            Self::Point | Self::Direction => 2,
-            Self::Slide | Self::Value => 1,
-        }
-    }
-
-    /// The number of components of a velocity or an acceleration; these are also the scalar rows
-    /// of `OUTPUTS` (a direction's row is its angle).
-    pub(crate) fn rates(self) -> usize {
-        match self {
-            Self::Point | Self::SlidingDirection => 2,
-            Self::Direction | Self::Slide | Self::Value => 1,
-        }
-    }
 }

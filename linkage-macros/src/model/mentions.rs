@@ -43,6 +43,13 @@ impl Mentions {
     }
 }
 
+/// Every name that a statement uses, as written.
+pub(super) fn names_used(statement: &Statement) -> Vec<Ident> {
+    let mut names: Vec<_> = joints(statement).into_iter().cloned().collect();
+    expressions(statement, &mut |expr| names_in(expr, &mut |name| names.push(name.clone())));
+    names
+}
+
 /// The points, links and guides that a statement builds on.
 fn joints(statement: &Statement) -> Vec<&Ident> {
     match &statement.kind {
@@ -104,11 +111,8 @@ pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
 
 /// Calls `f` with every name in the expression.
 pub(super) fn names_in(expr: &Expr, f: &mut impl FnMut(&Ident)) {
-    match &expr.kind {
-        ExprKind::Name(name) | ExprKind::Member(name, _) => f(name),
-        ExprKind::Negate(inner) => names_in(inner, f),
-        ExprKind::Binary(_, operands) => operands.iter().for_each(|e| names_in(e, f)),
-        ExprKind::Call(_, arguments) => arguments.iter().for_each(|e| names_in(e, f)),
-        ExprKind::Number { .. } | ExprKind::Mistake => {}
+    if let ExprKind::Name(name) | ExprKind::Member(name, _) = &expr.kind {
+        f(name);
     }
+    expr.parts().for_each(|part| names_in(part, f));
 }

@@ -25,7 +25,7 @@ mechanism! {
         param e = 0.3m;
 
         point B at (bx, by);
-        point K at (0.5m, -0.2m);
+        point K on ground at (0.5m, -0.2m);
         crank frame(K) { angle: turn / 1m }
         guide rail on frame through (0, 0) along 0deg;
         rrp BC(B), block(rail) -> C { length: l, offset: e, mode: ahead }
