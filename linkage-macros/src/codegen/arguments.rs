@@ -4,8 +4,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::names::text;
-use super::tokens::Tokens;
+use super::identifiers::text;
+use super::token_list::Tokens;
 use crate::interface::entries::Given;
 use crate::ir::graph::Node;
 

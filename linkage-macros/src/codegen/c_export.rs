@@ -4,16 +4,16 @@
 //! `reply_`, behind a test for null; everything else is the solver's own safe interface. The items
 //! stand in an unnamed constant, so that they meet no name of the user's.
 
+mod c_identifiers;
 mod header;
-mod names;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use self::names::Width;
+use self::c_identifiers::Width;
 use super::arguments::Arguments;
 use super::context::{Context, literal};
-use super::names::{function_name, generated, string, text};
+use super::identifiers::{function_name, generated, string, text};
 use super::{results, solver};
 use crate::interface::entries::Entry;
 use crate::model::mechanism::{Param, ParamKind, Sign};
@@ -100,7 +100,7 @@ fn mode(cx: &Context<'_>, param: &Param) -> TokenStream {
 /// The function that returns the parameters as declared.
 fn default(cx: &Context<'_>, width: Width) -> TokenStream {
     let number = Ident::new(width.in_rust(), Span::call_site());
-    let name = function_name(&names::default(&cx.names.solver, width));
+    let name = function_name(&c_identifiers::default(&cx.names.solver, width));
     let fields = cx.mechanism.params.iter().map(|param| {
         let field = &param.name;
         let value = match &param.kind {
@@ -176,7 +176,7 @@ fn reply(cx: &Context<'_>) -> TokenStream {
 
 /// One entry point for one width.
 fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
-    let name = function_name(&names::function(&cx.names.solver, of, width));
+    let name = function_name(&c_identifiers::function(&cx.names.solver, of, width));
     let method = function_name(of.name);
     let number = Ident::new(width.in_rust(), Span::call_site());
     let number = quote!(#number);

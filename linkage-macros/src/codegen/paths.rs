@@ -7,8 +7,8 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use super::names::clear_of;
-use super::tokens::Tokens;
+use super::identifiers::clear_of;
+use super::token_list::Tokens;
 use crate::model::mechanism::Mechanism;
 
 pub(super) struct Paths {

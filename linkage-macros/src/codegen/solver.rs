@@ -4,9 +4,9 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::context::{Context, literal};
-use super::names::{function_name, text};
-use super::tokens::Tokens;
-use super::{cost, docs, names, records};
+use super::identifiers::{function_name, text};
+use super::token_list::Tokens;
+use super::{costs_in_words, docs, identifiers, structs};
 use crate::interface::labels;
 use crate::model::mechanism::{Output, Param, ParamKind, Sign};
 
@@ -19,7 +19,7 @@ pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
 /// The struct itself.
 pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, visibility) = (&cx.names.solver, &cx.names.scalar, &cx.mechanism.visibility);
-    let (docs, attributes) = (docs::solver(cx), records::attributes(cx));
+    let (docs, attributes) = (docs::solver(cx), structs::attributes(cx));
     let fields = cx.mechanism.params.iter().map(|param| {
         let (docs, field) = (docs::param(param), &param.name);
         let ty = match mode_type(param) {
@@ -109,12 +109,12 @@ fn constants(cx: &Context<'_>) -> TokenStream {
     let new = defaults(cx, |wide, _| literal(wide));
     let (outputs, rows) = (output_rows(cx), cx.rows());
     let inputs = cx.mechanism.inputs.iter().map(|input| &input.name);
-    let inputs = inputs.map(|name| names::string(&text(name), name.span()));
+    let inputs = inputs.map(|name| identifiers::string(&text(name), name.span()));
     let params = cx.numeric_params();
     let params: Vec<_> =
-        params.iter().map(|p| names::string(&text(&p.name), p.name.span())).collect();
+        params.iter().map(|p| identifiers::string(&text(&p.name), p.name.span())).collect();
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
-    let (cost_type, cost) = (cx.paths.item("Cost"), cost::constant(cx));
+    let (cost_type, cost) = (cx.paths.item("Cost"), costs_in_words::constant(cx));
     quote! {
         impl #name<f64> {
             /// The scalar rows of the results, in the order of every list of rows.
@@ -138,7 +138,7 @@ fn constants(cx: &Context<'_>) -> TokenStream {
 fn output_rows(cx: &Context<'_>) -> Vec<TokenStream> {
     let rows = |output: &Output| {
         let rows = labels::rows(output).into_iter();
-        rows.map(|row| names::string(&row, output.field.span())).collect::<Vec<_>>()
+        rows.map(|row| identifiers::string(&row, output.field.span())).collect::<Vec<_>>()
     };
     cx.mechanism.outputs.iter().flat_map(rows).collect()
 }

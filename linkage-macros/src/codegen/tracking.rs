@@ -5,9 +5,9 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::names::generated;
+use super::identifiers::generated;
 use super::statements::Printer;
-use super::{records, results};
+use super::{results, structs};
 use crate::interface::EntryId;
 use crate::model::mechanism::ParamKind;
 
@@ -17,7 +17,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     else {
         return TokenStream::new();
     };
-    let (modes, linear) = (modes(cx, position, motion), records::linear(cx));
+    let (modes, linear) = (modes(cx, position, motion), structs::linear(cx));
     quote!(#modes #linear)
 }
 

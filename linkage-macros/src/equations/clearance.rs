@@ -6,27 +6,19 @@
 //! mode; where it passes through zero, the motion ends. The value under the root is given with
 //! its rate, and with a scale against which the coordinates' rounding is small.
 
-use crate::equations::jet::Jet;
-use crate::equations::kinematics::Kinematics;
-use crate::equations::motion::PointMotion;
-use crate::equations::symbol::{Sheet, Sym};
-use crate::equations::{free_inputs, rpr, rrp, rrr};
+use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::parts::Clearance;
+use crate::equations::symbol::Sheet;
+use crate::equations::{rpr, rrp, rrr};
 use crate::ir::program;
 use crate::model::mechanism::{Mechanism, Mode, Step};
-
-/// What stands under a group's square root, and the scale to measure it by.
-#[derive(Clone, Copy)]
-pub(super) struct Clearance<'s> {
-    pub value: Jet<'s>,
-    pub scale: Sym<'s>,
-}
 
 /// Of every group with an assembly mode, in solving order.
 pub(super) fn clearances<'s>(
     mechanism: &'s Mechanism,
     sheet: &'s Sheet<'s>,
 ) -> Vec<program::Clearance> {
-    let kinematics = Kinematics::of(sheet, mechanism, free_inputs(mechanism, sheet));
+    let kinematics = Kinematics::of(sheet, mechanism, Source::free(mechanism, sheet));
     mechanism.steps.iter().filter_map(|step| of_step(&kinematics, step)).collect()
 }
 
@@ -60,11 +52,4 @@ fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::C
     let Clearance { value, scale } = clearance;
     let sinks = [value.value.id, value.rate.id, scale.id];
     Some(program::Clearance { group: group.0, param, sinks })
-}
-
-/// The sum of the squares that the vector from one point to the other is made of: its rounding is
-/// measured by them, not by its own length.
-pub(super) fn size<'s>(from: PointMotion<'s>, to: PointMotion<'s>) -> Sym<'s> {
-    let base = to.base - from.base;
-    base.dot(base) + (from.offset.dot(from.offset) + to.offset.dot(to.offset))
 }

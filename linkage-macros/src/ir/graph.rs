@@ -78,34 +78,34 @@ pub(crate) enum Node {
 }
 
 /// A condition on a value. In the generated code's straight line it is one comparison; where that
-/// fails, the careful path looks at the operands and decides.
+/// fails, the slow path looks at the operands and decides.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Guard {
     pub check: Check,
     /// The group whose failure it is: an index into `Program::groups`.
     pub group: u32,
-    /// What the careful path looks at.
+    /// What the slow path looks at.
     pub operands: Vec<Id>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Check {
-    /// Straight line: value > 0. Careful: circles of radii l₁ and l₂ about points d = (dx, dy)
+    /// Fast path: value > 0. Slow path: circles of radii l₁ and l₂ about points d = (dx, dy)
     /// apart must meet. Operands dx, dy, l₁, l₂. The value is
     /// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²)/(4 l₁ l₂)²; where it is above zero only without rounding it is
     /// replaced by what it is without, and at the limit by 0.
     ReachCircles,
-    /// Straight line: value ≥ 0. Careful: |t| ≤ l. Operands t, l. At the limit the value is
+    /// Fast path: value ≥ 0. Slow path: |t| ≤ l. Operands t, l. At the limit the value is
     /// replaced by 0.
     ReachLine,
-    /// Straight line: value ≥ 0. Careful: |e| ≤ |(bx, by)|. Operands bx, by, e. At the limit the
+    /// Fast path: value ≥ 0. Slow path: |e| ≤ |(bx, by)|. Operands bx, by, e. At the limit the
     /// value is replaced by 0.
     ReachOffset,
-    /// Straight line: |value| > 0. Careful: zero is `Singular`.
+    /// Fast path: |value| > 0. Slow path: zero is `Singular`.
     Nonzero,
-    /// Straight line: value > 0. Careful: zero or negative is `Invalid` with this name.
+    /// Fast path: value > 0. Slow path: zero or negative is `Invalid` with this name.
     Positive(String),
-    /// Straight line: value ≥ the smallest square of full precision. Careful: a squared length
+    /// Fast path: value ≥ the smallest square of full precision. Slow path: a squared length
     /// below it is refused, as `Singular` where it is the square of zero. With the operands of
     /// `ReachCircles` it is the square of d, and out of reach where the circles do not meet.
     Square,
@@ -269,7 +269,7 @@ impl Graph {
         }
     }
 
-    /// Calls `f` with every operand, what only the careful path looks at included.
+    /// Calls `f` with every operand, what only the slow path looks at included.
     pub(crate) fn for_operands_of(&self, node: Node, f: &mut impl FnMut(Id)) {
         if let Node::Guard(_, guard) = node {
             self.condition(guard).operands.iter().for_each(|&operand| f(operand));
@@ -279,7 +279,7 @@ impl Graph {
 }
 
 impl Node {
-    /// Calls `f` with every operand that the straight line computes with.
+    /// Calls `f` with every operand that the fast path computes with.
     pub(crate) fn for_operands(self, f: &mut impl FnMut(Id)) {
         self.map_operands(&mut |operand| {
             f(operand);

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::context::Context;
 use super::docs;
-use super::names::generated;
+use super::identifiers::generated;
 use super::results::{read, ty};
 use crate::interface::quantity::Order;
 use crate::interface::records::{Field, Kind, Record, Shape};
