@@ -242,7 +242,14 @@ impl StandIn {
     }
 
     fn member(&mut self, name: &Ident, member: &Ident) -> bool {
-        let Some(&Thing::Link(link)) = self.things.get(&name.to_string()) else { return false };
+        let link = match self.things.get(&name.to_string()) {
+            Some(&Thing::Link(link)) => link,
+            Some(Thing::Point(..)) if member == "x" || member == "y" => {
+                self.push(Ident::new(&format!("{name}_{member}"), member.span()), value());
+                return true;
+            }
+            _ => return false,
+        };
         let group = self.mechanism.links[link.index()].made_by;
         let (direction, slide) = match member.to_string().as_str() {
             "angle" => (true, false),

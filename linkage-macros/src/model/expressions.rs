@@ -10,7 +10,8 @@ use super::Resolver;
 use super::dimension::Measure;
 use super::folding::shown;
 use super::mechanism::{Dimension, Expr, Function, LinkId, Operator, ParamKind, Turn};
-use super::names::{Entity, Kind, NUMBERS};
+use super::names::{Entity, NUMBERS};
+use super::readings::DISTANCE;
 use super::units::{UNITS, unit};
 
 /// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
@@ -37,7 +38,7 @@ const FUNCTIONS: [(&str, Function, usize); 9] = [
 ];
 
 impl Quantity {
-    fn plain(measure: Measure, rest: Expr) -> Self {
+    pub(super) fn plain(measure: Measure, rest: Expr) -> Self {
         Self { measure, links: Vec::new(), rest }
     }
 
@@ -98,7 +99,10 @@ impl Resolver<'_> {
             }
             ExprKind::Chain(first, rest) => self.chain(first, rest),
             ExprKind::Call(function, arguments) => {
-                let quantity = self.call(function, arguments)?;
+                let quantity = match function == DISTANCE {
+                    true => self.distance(function, arguments),
+                    false => self.call(function, arguments),
+                }?;
                 self.number_is_of_a_length(expr.span, quantity.rest.constant())?;
                 Some(quantity)
             }
@@ -218,53 +222,6 @@ impl Resolver<'_> {
         }
     }
 
-    /// What a link offers to expressions is its angle, and its slide if it slides.
-    fn member(&mut self, owner: &Ident, member: &Ident) -> Option<Quantity> {
-        if self.names.kind(owner) == Some(Kind::Point) {
-            let message =
-                format!("`{owner}` is a point, and a point's coordinates stand in no expression");
-            let reason = format!("`output {owner}` gives `x` and `y` as a result");
-            self.diagnostics.error_because(owner.span(), message, reason);
-            return None;
-        }
-        let link = self.link(owner);
-        match member.to_string().as_str() {
-            "angle" => Some(Quantity {
-                measure: Measure::ANGLE,
-                links: vec![(link?, 1)],
-                rest: Expr::zero(),
-            }),
-            "slide" => {
-                self.link_slides(owner, link?, member)?;
-                Some(Quantity::plain(Measure::LENGTH, Expr::Slide(link?)))
-            }
-            other => {
-                let message = format!("`{owner}.{other}` stands in no expression");
-                let reason = "a link has `angle`, and `slide` if it slides";
-                self.diagnostics.error_because(member.span(), message, reason);
-                None
-            }
-        }
-    }
-
-    /// Only a link that slides has a slide.
-    pub(super) fn link_slides(&mut self, name: &Ident, link: LinkId, at: &Ident) -> Option<()> {
-        let link = &self.mechanism.links[link.index()];
-        if link.slides {
-            return Some(());
-        }
-        let (group, made_by) = (link.made_by, &self.mechanism.groups[link.made_by.index()]);
-        let statement = format!("{} {}", made_by.keyword, made_by.title);
-        let sliding = self.mechanism.links.iter().find(|l| l.made_by == group && l.slides);
-        let reason = match sliding {
-            Some(sliding) => format!("of `{statement}`, `{}` slides", sliding.name),
-            None => format!("no link of `{statement}` slides on a guide"),
-        };
-        let message = format!("`{name}` does not slide");
-        self.diagnostics.error_because(at.span(), message, reason);
-        None
-    }
-
     /// The sides of a sum are quantities of one kind.
     fn sum(
         &mut self,
@@ -355,10 +312,15 @@ impl Resolver<'_> {
 
     fn call(&mut self, name: &Ident, arguments: &[tree::Expr]) -> Option<Quantity> {
         let found = FUNCTIONS.iter().find(|(known, ..)| name == known);
-        let values: Vec<_> = arguments.iter().map(|argument| self.quantity(argument)).collect();
         let Some(&(_, function, count)) = found else {
-            return self.function_exists(name);
+            self.function_exists(name);
+            // It may be a function of points.
+            let numbers = arguments.iter().filter(|argument| !self.is_a_point(argument));
+            let numbers: Vec<_> = numbers.collect();
+            numbers.into_iter().for_each(|argument| drop(self.quantity(argument)));
+            return None;
         };
+        let values: Vec<_> = arguments.iter().map(|argument| self.quantity(argument)).collect();
         if arguments.len() != count {
             let takes = if count == 1 { "one argument" } else { "two arguments" };
             let message = format!("`{name}` takes {takes}, and {} given", counted(arguments.len()));
@@ -382,15 +344,15 @@ impl Resolver<'_> {
     }
 
     /// Reports a function that does not exist, with the nearest one.
-    fn function_exists(&mut self, name: &Ident) -> Option<Quantity> {
+    fn function_exists(&mut self, name: &Ident) {
         let text = name.to_string();
         let mut message = format!("no function named `{text}`");
-        if let Some(near) = nearest(&text, FUNCTIONS.iter().map(|(known, ..)| *known)) {
+        let known = FUNCTIONS.iter().map(|(known, ..)| *known).chain([DISTANCE]);
+        if let Some(near) = nearest(&text, known) {
             message += &format!("; a function with a similar name exists: `{near}`");
         }
-        let reason = "the functions are `sqrt hypot sin cos tan asin acos atan atan2`";
+        let reason = "the functions are `sqrt hypot sin cos tan asin acos atan atan2 distance`";
         self.diagnostics.error_because(name.span(), message, reason);
-        None
     }
 
     /// Reports a function of constants where it has no value.
@@ -407,7 +369,7 @@ impl Resolver<'_> {
 }
 
 /// "3 are", "1 is"
-fn counted(count: usize) -> String {
+pub(super) fn counted(count: usize) -> String {
     match count {
         0 => "none is".into(),
         1 => "one is".into(),

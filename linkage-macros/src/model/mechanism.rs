@@ -166,10 +166,21 @@ pub(crate) enum Expr {
     Let(LetId),
     /// The slide of a link that slides.
     Slide(LinkId),
+    /// A coordinate of a point in ground axes.
+    Coordinate(PointId, Axis),
+    /// The distance between two points.
+    Distance([PointId; 2]),
     Negate(Box<Expr>),
     /// One operation after the other, each on what the one before has made.
     Chain(Box<Expr>, Vec<(Operator, Expr)>),
     Call(Function, Vec<Expr>),
+}
+
+/// An axis of the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axis {
+    X,
+    Y,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

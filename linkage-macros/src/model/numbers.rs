@@ -11,7 +11,7 @@ use super::dimension::Measure;
 use super::expressions::{ANGLE_REASON, Quantity};
 use super::folding::shown;
 use super::mechanism::{Dimension, Expr, Function, ParamKind, Turn};
-use super::names::Entity;
+use super::names::{Entity, Kind};
 
 impl Resolver<'_> {
     /// A length of either sign.
@@ -137,8 +137,9 @@ impl Resolver<'_> {
     /// A point of the ground is fixed: its coordinates depend on no input.
     pub(super) fn depends_on_no_input(&mut self, expr: &tree::Expr, point: &Ident) -> Option<()> {
         let span = self.first(expr, &|resolver, part| match &part.kind {
-            ExprKind::Member(..) => true,
-            ExprKind::Name(name) => {
+            // A link's angle or slide is no constant, even where the link stands still.
+            ExprKind::Member(owner, _) if resolver.names.kind(owner) == Some(Kind::Link) => true,
+            ExprKind::Member(name, _) | ExprKind::Name(name) => {
                 resolver.names.entity(name).is_some_and(|entity| resolver.facts.moves(entity))
             }
             _ => false,

@@ -17,7 +17,7 @@ use super::words;
 const DEEPEST: usize = 100;
 
 /// Members that are easily taken for functions of a link.
-const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
+const MEMBERS: [&str; 6] = ["angle", "slide", "margin", "transmission", "x", "y"];
 
 const OPERAND: &str = "a number or a name";
 

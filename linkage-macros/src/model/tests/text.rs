@@ -78,6 +78,10 @@ impl Names<'_> {
             Expr::Param(id) => self.0.params[id.index()].name.to_string(),
             Expr::Let(id) => format!("let{}", id.0),
             Expr::Slide(link) => format!("{}.slide", self.link(*link)),
+            Expr::Coordinate(point, axis) => {
+                format!("{}.{axis:?}", self.point(*point)).to_lowercase()
+            }
+            Expr::Distance([p, q]) => format!("distance({}, {})", self.point(*p), self.point(*q)),
             Expr::Negate(value) => format!("(-{})", self.expr(value)),
             Expr::Chain(first, rest) => {
                 rest.iter().fold(self.expr(first), |left, (operator, right)| {
