@@ -1,13 +1,23 @@
 //! The arguments of an entry point, and how its core reads them.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::names::text;
 use super::pieces::Pieces;
-use super::{Context, entry};
+use super::{Context, entry, sweeps};
 use crate::ir::graph::Node;
 use crate::ir::program::EntryKind;
+
+/// What all arguments of all functions are called.
+pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
+    let entries = cx.program.entries.iter();
+    let names = entries.flat_map(|entry| Arguments::new(cx, entry.kind).names);
+    let names = names.map(|name| name.to_string());
+    names.chain(sweeps::ARGUMENTS.map(str::to_string)).collect::<BTreeSet<_>>().into_iter()
+}
 
 /// One input: an argument for its value, rate and second rate; several: a record for each.
 pub(super) struct Arguments<'a> {

@@ -61,6 +61,7 @@ pub(crate) fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream 
 /// user's, and its paths are short.
 fn implementations(cx: &Context<'_>) -> TokenStream {
     let (import, program) = (cx.paths.import(), cx.program);
+    let arguments = cx.paths.import_arguments(arguments::all_names(cx));
     let (solver, records) = (solver::implementation(cx), results::implementations(cx));
     let straight = program.entries.iter().map(|entry| straight::function(cx, entry));
     let checked = program.entries.iter().map(|entry| entry::function(cx, entry));
@@ -75,6 +76,7 @@ fn implementations(cx: &Context<'_>) -> TokenStream {
         #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
         const _: () = {
             #import
+            #arguments
             #solver
             #records
             impl<#scalar: #any> #name<#scalar> { #(#straight)* #formulas }

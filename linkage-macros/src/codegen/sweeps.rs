@@ -10,6 +10,9 @@ use super::{Context, docs, entry, results, straight};
 use crate::ir::program::{Entry, EntryKind};
 
 /// `sweep_position`, `sweep_velocity`, `sweep_motion`; nothing for other entry points.
+/// What a sweep's arguments beside the inputs are called.
+pub(super) const ARGUMENTS: [&str; 3] = ["out", "status", "progress"];
+
 pub(super) fn items(cx: &Context<'_>, entry: &Entry) -> Option<TokenStream> {
     let kind = match entry.kind {
         EntryKind::Position => "OfPosition",
@@ -86,6 +89,9 @@ impl Sweep<'_> {
         let [float, fusion, mask, lanes, trait_, result, error, ok] =
             ["Float", "Fusion", "LaneMask", "Lanes", "Entry", "Result", "SolveError", "Ok"]
                 .map(|item| cx.paths.item(item));
+        let size = cx.paths.item("usize");
+        // In braces it is a value, and no type of the user's is one.
+        let width = quote!({ W });
         let [value, usable] = ["result_", "ok_"].map(generated);
         let values = results::components_of(cx, entry.kind, &quote!(#value));
         let (core, method) = (straight::core_name(entry), function_name(entry::method(entry.kind)));
@@ -94,12 +100,12 @@ impl Sweep<'_> {
         quote! {
             impl<#scalar: #float> #trait_<#kind, #scalar, #ins, #outs> for #name<#scalar> {
                 #[inline(always)]
-                fn solve_lanes<const W: usize, F: #fusion>(
+                fn solve_lanes<const W: #size, F: #fusion>(
                     &self,
-                    [#(#locals),*]: [#lanes<#scalar, W, F>; #ins],
-                ) -> ([#lanes<#scalar, W, F>; #outs], #mask<W>) {
+                    [#(#locals),*]: [#lanes<#scalar, #width, F>; #ins],
+                ) -> ([#lanes<#scalar, #width, F>; #outs], #mask<#width>) {
                     let (#value, #usable) =
-                        self.lift::<#lanes<#scalar, W, F>>().#core(#(#arguments),*);
+                        self.lift::<#lanes<#scalar, #width, F>>().#core(#(#arguments),*);
                     ([#(#values),*], #usable)
                 }
 
