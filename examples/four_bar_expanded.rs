@@ -1044,11 +1044,11 @@ const _: () = {
 
     impl<T: private::Float> private::Entry<private::OfPosition, T, 1, 10> for FourBar<T> {
         #[inline(always)]
-        fn solve_lanes<const W: private::usize, F: private::Fusion>(
+        fn solve_lanes<const W_: private::usize, F: private::Fusion>(
             &self,
-            [x0_]: [private::Lanes<T, { W }, F>; 1],
-        ) -> ([private::Lanes<T, { W }, F>; 10], private::LaneMask<{ W }>) {
-            let (result_, ok_) = self.lift::<private::Lanes<T, { W }, F>>().core_position_(x0_);
+            [x0_]: [private::Lanes<T, W_, F>; 1],
+        ) -> ([private::Lanes<T, W_, F>; 10], private::LaneMask<W_>) {
+            let (result_, ok_) = self.lift::<private::Lanes<T, W_, F>>().core_position_(x0_);
             (
                 [
                     result_.AB.cos,
@@ -1118,12 +1118,11 @@ const _: () = {
 
     impl<T: private::Float> private::Entry<private::OfVelocity, T, 2, 7> for FourBar<T> {
         #[inline(always)]
-        fn solve_lanes<const W: private::usize, F: private::Fusion>(
+        fn solve_lanes<const W_: private::usize, F: private::Fusion>(
             &self,
-            [x0_, x1_]: [private::Lanes<T, { W }, F>; 2],
-        ) -> ([private::Lanes<T, { W }, F>; 7], private::LaneMask<{ W }>) {
-            let (result_, ok_) =
-                self.lift::<private::Lanes<T, { W }, F>>().core_velocity_(x0_, x1_);
+            [x0_, x1_]: [private::Lanes<T, W_, F>; 2],
+        ) -> ([private::Lanes<T, W_, F>; 7], private::LaneMask<W_>) {
+            let (result_, ok_) = self.lift::<private::Lanes<T, W_, F>>().core_velocity_(x0_, x1_);
             (
                 [
                     result_.AB.omega,
@@ -1215,12 +1214,12 @@ const _: () = {
 
     impl<T: private::Float> private::Entry<private::OfMotion, T, 3, 24> for FourBar<T> {
         #[inline(always)]
-        fn solve_lanes<const W: private::usize, F: private::Fusion>(
+        fn solve_lanes<const W_: private::usize, F: private::Fusion>(
             &self,
-            [x0_, x1_, x2_]: [private::Lanes<T, { W }, F>; 3],
-        ) -> ([private::Lanes<T, { W }, F>; 24], private::LaneMask<{ W }>) {
+            [x0_, x1_, x2_]: [private::Lanes<T, W_, F>; 3],
+        ) -> ([private::Lanes<T, W_, F>; 24], private::LaneMask<W_>) {
             let (result_, ok_) =
-                self.lift::<private::Lanes<T, { W }, F>>().core_motion_(x0_, x1_, x2_);
+                self.lift::<private::Lanes<T, W_, F>>().core_motion_(x0_, x1_, x2_);
             (
                 [
                     result_.position.AB.cos,

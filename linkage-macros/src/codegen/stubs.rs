@@ -23,7 +23,7 @@ use crate::model::mechanism::{
 use crate::model::mentions::Mentions;
 use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, StatementKind};
 
-const NUMBER: Dimension = Dimension { length: 0, mass: 0, angle: false };
+const NUMBER: Dimension = Dimension::NUMBER;
 
 /// The struct and its methods for a declaration of which not everything was understood.
 pub(crate) fn stubs(declaration: &Declaration) -> TokenStream {

@@ -90,8 +90,8 @@ impl Sweep<'_> {
             ["Float", "Fusion", "LaneMask", "Lanes", "Entry", "Result", "SolveError", "Ok"]
                 .map(|item| cx.paths.item(item));
         let size = cx.paths.item("usize");
-        // In braces it is a value, and no type of the user's is one.
-        let width = quote!({ W });
+        // A bare name is first looked for among the types, the user's included.
+        let width = function_name("W_");
         let [value, usable] = ["result_", "ok_"].map(generated);
         let values = results::components_of(cx, entry.kind, &quote!(#value));
         let (core, method) = (straight::core_name(entry), function_name(entry::method(entry.kind)));
@@ -100,7 +100,7 @@ impl Sweep<'_> {
         quote! {
             impl<#scalar: #float> #trait_<#kind, #scalar, #ins, #outs> for #name<#scalar> {
                 #[inline(always)]
-                fn solve_lanes<const W: #size, F: #fusion>(
+                fn solve_lanes<const #width: #size, F: #fusion>(
                     &self,
                     [#(#locals),*]: [#lanes<#scalar, #width, F>; #ins],
                 ) -> ([#lanes<#scalar, #width, F>; #outs], #mask<#width>) {

@@ -4,7 +4,8 @@ use proc_macro2::Ident;
 
 use crate::diagnostics::{Extent, nearest};
 use crate::exact::Exact;
-use crate::syntax::tree::{self, BinaryOp, ExprKind};
+use crate::syntax::tree::{self, BinaryOp, ExprKind, UnitPower};
+use crate::syntax::words::UNITS;
 
 use super::Resolver;
 use super::dimension::Measure;
@@ -12,7 +13,7 @@ use super::folding::shown;
 use super::mechanism::{Dimension, Expr, Function, LinkId, Operator, ParamKind, Turn};
 use super::names::{Entity, NUMBERS};
 use super::readings::DISTANCE;
-use super::units::{UNITS, unit};
+use super::units::unit;
 
 /// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
 pub(super) struct Quantity {
@@ -85,7 +86,7 @@ impl Resolver<'_> {
     /// Resolves an expression, and reports every mistake in it.
     pub(super) fn quantity(&mut self, expr: &tree::Expr) -> Option<Quantity> {
         match &expr.kind {
-            ExprKind::Number { digits, unit } => self.literal(expr.span, digits, unit.as_deref()),
+            ExprKind::Number { digits, units } => self.literal(expr.span, digits, units),
             ExprKind::Name(name) if name == "pi" => {
                 Some(Quantity::constant(Measure::ANGLE, Exact::pi()))
             }
@@ -118,8 +119,9 @@ impl Resolver<'_> {
             // What stands behind a mistake is still looked at.
             let right = self.quantity(operand);
             let sides = left.zip(right);
-            let (a, b) = (span, operand.span);
-            left = sides.and_then(|(left, right)| self.operation(*operator, (a, left), (b, right)));
+            left = sides.and_then(|(left, right)| {
+                self.operation(*operator, (span, left), (operand, right))
+            });
             span = span.to(operand.span);
         }
         left
@@ -129,14 +131,14 @@ impl Resolver<'_> {
         &mut self,
         operator: BinaryOp,
         left: (Extent, Quantity),
-        right: (Extent, Quantity),
+        right: (&tree::Expr, Quantity),
     ) -> Option<Quantity> {
-        let span = left.0.to(right.0);
+        let span = left.0.to(right.0.span);
         let quantity = match operator {
             BinaryOp::Add => self.sum(Operator::Add, left, right),
             BinaryOp::Sub => self.sum(Operator::Sub, left, right),
-            BinaryOp::Mul => self.product(left, right),
-            BinaryOp::Div => self.quotient(left.1, right),
+            BinaryOp::Mul => self.product(left, (right.0.span, right.1)),
+            BinaryOp::Div => self.quotient(left.1, (right.0.span, right.1)),
         }?;
         if let Expr::Constant(value) = &quantity.rest {
             self.number_can_be_held(span, Some(value))?;
@@ -144,30 +146,45 @@ impl Resolver<'_> {
         Some(quantity)
     }
 
-    /// A literal is a number, and its unit one of the known.
-    fn literal(&mut self, span: Extent, digits: &str, suffix: Option<&str>) -> Option<Quantity> {
+    /// A literal is a number, and its units are among the known.
+    fn literal(&mut self, span: Extent, digits: &str, units: &[UnitPower]) -> Option<Quantity> {
         let value = Exact::decimal(digits);
         self.number_can_be_held(span, value.as_ref())?;
-        let value = value?;
-        let Some(suffix) = suffix else {
+        let mut value = value?;
+        if units.is_empty() {
             return Some(Quantity::constant(Measure::Bare, value));
-        };
-        if let Some((measure, factor)) = unit(suffix) {
-            return Some(Quantity::constant(measure, value.mul(&factor)));
         }
+        let mut dimension = Dimension::NUMBER;
+        for (name, power) in units {
+            let Some((of_unit, factor)) = unit(name) else {
+                self.unit_exists(span, digits, name);
+                return None;
+            };
+            for _ in 0..power.unsigned_abs() {
+                let scaled = if *power > 0 { Some(value.mul(&factor)) } else { value.div(&factor) };
+                value = scaled.expect("no unit is zero");
+            }
+            dimension = dimension.times(of_unit, *power);
+        }
+        self.number_can_be_held(span, Some(&value))?;
+        Some(Quantity::constant(Measure::Known(dimension), value))
+    }
+
+    /// Reports letters behind a number that are no unit.
+    fn unit_exists(&mut self, span: Extent, digits: &str, suffix: &str) {
         if suffix == "pi" || self.names.of_kinds(&NUMBERS).any(|name| name == suffix) {
             let message = format!("write `{digits} * {suffix}`");
             let reason = "letters directly behind a number are its unit";
             self.diagnostics.error_because(span, message, reason);
-            return None;
+            return;
         }
         let mut message = format!("no unit named `{suffix}`");
         if let Some(near) = nearest(suffix, UNITS.into_iter()) {
             message += &format!("; a unit with a similar name exists: `{near}`");
         }
-        let reason = "lengths have `m mm cm um in`, angles `rad deg turn`, masses `kg g`";
+        let reason = "lengths have `m mm cm um in`, angles `rad deg turn`, masses `kg g t`, forces \
+                      `N kN`, times `s ms`; products stand in parentheses, as in `15(N/m)`";
         self.diagnostics.error_because(span, message, reason);
-        None
     }
 
     /// A constant has no more digits than can be reckoned with exactly.
@@ -227,24 +244,25 @@ impl Resolver<'_> {
         &mut self,
         operator: Operator,
         (left, mut a): (Extent, Quantity),
-        (right, b): (Extent, Quantity),
+        (right, b): (&tree::Expr, Quantity),
     ) -> Option<Quantity> {
         let Some(measure) = a.measure.sum(b.measure) else {
             let (found, wanted) = (b.measure.dimension(), a.measure.dimension());
             let message = format!("{} where {} belongs", found.words(), wanted.words());
             let sign = if operator == Operator::Add { '+' } else { '-' };
-            let reason = format!("what stands left of the `{sign}` is {}", wanted.words());
-            self.diagnostics.error_because(right, message, reason);
+            let left = || format!("what stands left of the `{sign}` is {}", wanted.words());
+            let reason = self.name_taken_for_a_unit(right).unwrap_or_else(left);
+            self.diagnostics.error_because(right.span, message, reason);
             return None;
         };
         if measure == Measure::ANGLE {
             let left_is_small = self.bare_angle_is_within_a_turn(left, &a);
-            self.bare_angle_is_within_a_turn(right, &b).and(left_is_small)?;
+            self.bare_angle_is_within_a_turn(right.span, &b).and(left_is_small)?;
         }
         a.measure = measure;
         let sign = if operator == Operator::Add { 1 } else { -1 };
         if a.add_links(&b.links, sign).is_none() {
-            return self.link_angles_are_whole_multiples(right, &b.links);
+            return self.link_angles_are_whole_multiples(right.span, &b.links);
         }
         a.rest = a.rest.combined(operator, b.rest)?;
         Some(a)

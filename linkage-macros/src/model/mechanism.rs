@@ -105,12 +105,13 @@ pub(crate) enum ParamKind {
     },
 }
 
-/// Powers of metre and kilogram (and second, for later); an angle counts as a number, except that
-/// `angle` remembers that it is one.
+/// Powers of metre, kilogram and second; an angle counts as a number, except that `angle` remembers
+/// that it is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Dimension {
     pub length: i32,
     pub mass: i32,
+    pub time: i32,
     pub angle: bool,
 }
 

@@ -11,7 +11,7 @@ use super::dimension::Measure;
 use super::expressions::{ANGLE_REASON, Quantity};
 use super::folding::shown;
 use super::mechanism::{Dimension, Expr, Function, ParamKind, Turn};
-use super::names::{Entity, Kind};
+use super::names::{Entity, Kind, NUMBERS};
 
 impl Resolver<'_> {
     /// A length of either sign.
@@ -59,6 +59,10 @@ impl Resolver<'_> {
         }
         let found = quantity.measure.dimension();
         let message = format!("{} where {} belongs", found.words(), wanted.words());
+        if let Some(reason) = self.name_taken_for_a_unit(expr) {
+            self.diagnostics.error_because(expr.span, message, reason);
+            return None;
+        }
         let reason = match (found, wanted) {
             (Dimension::ANGLE, Dimension::LENGTH) => {
                 "an angle times a length is a length, as in `theta * 20mm`"
@@ -73,6 +77,16 @@ impl Resolver<'_> {
         };
         self.diagnostics.error_because(expr.span, message, reason);
         None
+    }
+
+    /// What to write where the letters behind a number are a unit and the name of a number: `2s`.
+    pub(super) fn name_taken_for_a_unit(&self, expr: &tree::Expr) -> Option<String> {
+        let ExprKind::Number { digits, units } = &expr.kind else { return None };
+        let [(unit, 1)] = &units[..] else { return None };
+        let declared = self.names.of_kinds(&NUMBERS).any(|name| name == unit);
+        declared.then(|| {
+            format!("letters directly behind a number are its unit; write `{digits} * {unit}`")
+        })
     }
 
     /// A number without a unit that is used as an angle is at most a full turn: more is a

@@ -101,9 +101,17 @@ impl Parser<'_> {
         if self.is_punct(0, '.') {
             return self.member_of_number(text);
         }
+        let product = match number.unit {
+            None => self.unit_product()?,
+            Some(_) => None,
+        };
         let span = self.since(first);
         let negative = number.negative;
-        let mut number = Expr { kind: number.into_kind(), span };
+        let kind = match product {
+            Some(units) => ExprKind::Number { digits: number.digits, units },
+            None => number.into_kind(),
+        };
+        let mut number = Expr { kind, span };
         if negative {
             number = Expr { kind: ExprKind::Negate(Box::new(number)), span };
         }
@@ -114,7 +122,9 @@ impl Parser<'_> {
     fn loose_unit(&self, has_unit: bool) -> Option<String> {
         let word = self.peek_ident(0)?.to_string();
         let is_field = self.is_punct(1, ':');
-        (!has_unit && !is_field && words::UNITS.contains(&word.as_str())).then_some(word)
+        let is_unit =
+            words::UNITS.contains(&word.as_str()) && !words::LIKELY_NAMES.contains(&word.as_str());
+        (!has_unit && !is_field && is_unit).then_some(word)
     }
 
     /// `5.mm` and `2.sqrt()`: Rust reads the point as that of a member.

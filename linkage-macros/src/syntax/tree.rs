@@ -143,6 +143,9 @@ pub(crate) struct OutputItem {
     pub value: Expr,
 }
 
+/// A unit and its power.
+pub(crate) type UnitPower = (String, i32);
+
 #[derive(Clone)]
 pub(crate) struct Expr {
     pub kind: ExprKind,
@@ -152,10 +155,11 @@ pub(crate) struct Expr {
 
 #[derive(Clone)]
 pub(crate) enum ExprKind {
-    /// The digits as written (underscores removed) and the unit behind them, if any.
+    /// The digits as written (underscores removed) and the powers of units behind them, none where
+    /// the number is bare. What is no unit stands there too, as the letters behind the digits.
     Number {
         digits: String,
-        unit: Option<String>,
+        units: Vec<UnitPower>,
     },
     Name(Ident),
     /// `ram.slide`, `BC.angle`

@@ -270,7 +270,7 @@ fn a_sweep_takes_series_and_gives_components() {
             "sweep::<OfVelocity, _, _, 2, 5>(self, [theta, theta_rate],",
             "[out.C.x, out.C.y, out.BC.cos, out.BC.sin,",
             "impl<T: Float> Entry<OfVelocity, T, 2, 5> for FourBar<T> {",
-            "self.lift::<Lanes<T, { W }, F>>().core_velocity_(x0_, x1_);",
+            "self.lift::<Lanes<T, W_, F>>().core_velocity_(x0_, x1_);",
             "let result_ = self.velocity(x0_, x1_)?;",
             "Ok([result_.C.x, result_.C.y, result_.BC.omega,",
         ],

@@ -203,13 +203,15 @@ fn a_unit_exists() {
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: 3mn }",
             "3mn: no unit named `mn`; a unit with a similar name exists: `mm` / lengths have `m \
-             mm cm um in`, angles `rad deg turn`, masses `kg g`",
+             mm cm um in`, angles `rad deg turn`, masses `kg g t`, forces `N kN`, times `s ms`; \
+             products stand in parentheses, as in `15(N/m)`",
         ),
         (
             CRANK,
             "let x = 1m / 2sec;",
             "2sec: no unit named `sec` / lengths have `m mm cm um in`, angles `rad deg turn`, \
-             masses `kg g`",
+             masses `kg g t`, forces `N kN`, times `s ms`; products stand in parentheses, as in \
+             `15(N/m)`",
         ),
         (
             CRANK,
@@ -378,6 +380,52 @@ fn a_ground_point_may_be_placed_by_another_but_not_by_what_moves() {
             "ground E(0, distance(D, B));",
             "B: a ground point is fixed; it cannot depend on an input / a point that is driven is \
              declared `point E at (x, y);`",
+        ),
+    ]);
+}
+
+#[test]
+fn a_product_of_units_is_one_quantity() {
+    check(&[
+        (CRANK, "param k = 15(N/m); let l = k * 2mm / 1(kg*m/s^2) * 1m; output l;", ""),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 2(N/m), angle: t }",
+            "2(N/m): a quantity in kg s^-2 where a length belongs / multiply or divide by what is \
+             missing",
+        ),
+        (
+            CRANK,
+            "let x = 1m + 40(N*m/deg);",
+            "40(N*m/deg): a torque where a length belongs / what stands left of the `+` is a length",
+        ),
+        (CRANK, "crank EF(D) -> F { length: 3(m/s) * 5ms + 2t / 1(kg/m), angle: 1(1/s) * 2s }", ""),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: 2s }",
+            "2s: a time where an angle belongs / multiply or divide by what is missing",
+        ),
+    ]);
+}
+
+/// Where an input is called as a unit is, its name was meant.
+#[test]
+fn a_name_taken_for_a_unit_is_told() {
+    const SLIDE: &str = "input s: length; ground A(0, 0); guide rail through A along 0deg;";
+    check(&[
+        (SLIDE, "slider ram(rail) { slide: 2 * s }", ""),
+        (
+            SLIDE,
+            "slider ram(rail) { slide: 2s }",
+            "2s: a time where a length belongs / letters directly behind a number are its unit; \
+             write `2 * s`\ns: nothing uses the input `s`; use it or remove it / a driver takes \
+             it: `slider ram(rail) { slide: s }`",
+        ),
+        (
+            SLIDE,
+            "slider ram(rail) { slide: s + 2s }",
+            "2s: a time where a length belongs / letters directly behind a number are its unit; \
+             write `2 * s`",
         ),
     ]);
 }

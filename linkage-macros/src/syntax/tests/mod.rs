@@ -151,9 +151,14 @@ fn pair(values: &[Expr; 2]) -> String {
 
 fn expr(value: &Expr) -> String {
     match &value.kind {
-        ExprKind::Number { digits, unit } => {
-            format!("{digits}{}", unit.as_deref().unwrap_or_default())
-        }
+        ExprKind::Number { digits, units } => match &units[..] {
+            [] => digits.clone(),
+            [(unit, 1)] => format!("{digits}{unit}"),
+            units => {
+                let units: Vec<_> = units.iter().map(|(u, power)| format!("{u}^{power}")).collect();
+                format!("{digits}({})", units.join(" "))
+            }
+        },
         ExprKind::Name(name) => name.to_string(),
         ExprKind::Member(link, member) => format!("{link}.{member}"),
         ExprKind::Negate(operand) => format!("(-{})", expr(operand)),
