@@ -4,7 +4,7 @@ use crate::equations;
 use crate::equations::tests::declarations::VARIANTS;
 use crate::ir::construct::{Rule, rebuild};
 use crate::ir::interpret::Given;
-use crate::ir::program::{EntryKind, Program};
+use crate::ir::program::Program;
 use crate::oracle::{Digits, defaults, mechanism, values};
 use crate::passes::{RULES, affine, contract, fold, optimise, simplify};
 
@@ -26,11 +26,11 @@ fn no_pass_changes_a_value() {
             params: defaults(&mechanism),
         };
         let raw = equations::derive(&mechanism, &[]);
-        let expected = values(&raw, EntryKind::Motion, &given);
+        let expected = values(&raw, "motion", &given);
         for (name, pass) in passes {
             let passed = pass(&raw);
             assert!(passed.graph.len() <= raw.graph.len(), "{name} made {} larger", variant.name);
-            let found = values(&passed, EntryKind::Motion, &given);
+            let found = values(&passed, "motion", &given);
             for (found, expected) in found.iter().zip(&expected) {
                 // Both are good to about 120 digits less the conditioning of the pose.
                 assert!(found.apart(expected) < 1e-55, "{name} changed {}", variant.name);
