@@ -54,7 +54,7 @@
     clippy::derive_partial_eq_without_eq,
     reason = "names are as declared, and results are there to choose from"
 )]
-pub struct FourBar<T = f64> {
+pub struct FourBar<T = ::linkage_core::private::f64> {
     #[doc(hidden)]
     pub scalar_: ::linkage_core::private::PhantomData<T>,
 }
@@ -162,16 +162,26 @@ pub struct FourBarMotion<T> {
 #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
 const _: () = {
     use ::linkage_core::private;
-    impl FourBar<f64> {
+    #[allow(
+        unused_imports,
+        reason = "a function hides a constant of its name, and no argument"
+    )]
+    use ::linkage_core::private::{
+        argument as cos, argument as out, argument as progress, argument as sin,
+        argument as status, argument as theta, argument as theta_acceleration,
+        argument as theta_rate,
+    };
+
+    impl FourBar<private::f64> {
         /// The scalar rows of the results, in the order of every list of rows.
-        pub const OUTPUTS: [&'static str; 7] =
+        pub const OUTPUTS: [&'static private::str; 7] =
             ["AB.angle", "B.x", "B.y", "BC.angle", "DC.angle", "C.x", "C.y"];
 
         /// The inputs, in the order of the columns of Jacobians.
-        pub const INPUTS: [&'static str; 1] = ["theta"];
+        pub const INPUTS: [&'static private::str; 1] = ["theta"];
 
         /// The numeric parameters, in the order of the columns of sensitivities.
-        pub const PARAMS: [&'static str; 0] = [];
+        pub const PARAMS: [&'static private::str; 0] = [];
 
         /// The floating-point operations of one call.
         pub const COST: private::Cost = private::Cost {
@@ -1034,11 +1044,11 @@ const _: () = {
 
     impl<T: private::Float> private::Entry<private::OfPosition, T, 1, 10> for FourBar<T> {
         #[inline(always)]
-        fn solve_lanes<const W: usize, F: private::Fusion>(
+        fn solve_lanes<const W_: private::usize, F: private::Fusion>(
             &self,
-            [x0_]: [private::Lanes<T, W, F>; 1],
-        ) -> ([private::Lanes<T, W, F>; 10], private::LaneMask<W>) {
-            let (result_, ok_) = self.lift::<private::Lanes<T, W, F>>().core_position_(x0_);
+            [x0_]: [private::Lanes<T, W_, F>; 1],
+        ) -> ([private::Lanes<T, W_, F>; 10], private::LaneMask<W_>) {
+            let (result_, ok_) = self.lift::<private::Lanes<T, W_, F>>().core_position_(x0_);
             (
                 [
                     result_.AB.cos,
@@ -1108,11 +1118,11 @@ const _: () = {
 
     impl<T: private::Float> private::Entry<private::OfVelocity, T, 2, 7> for FourBar<T> {
         #[inline(always)]
-        fn solve_lanes<const W: usize, F: private::Fusion>(
+        fn solve_lanes<const W_: private::usize, F: private::Fusion>(
             &self,
-            [x0_, x1_]: [private::Lanes<T, W, F>; 2],
-        ) -> ([private::Lanes<T, W, F>; 7], private::LaneMask<W>) {
-            let (result_, ok_) = self.lift::<private::Lanes<T, W, F>>().core_velocity_(x0_, x1_);
+            [x0_, x1_]: [private::Lanes<T, W_, F>; 2],
+        ) -> ([private::Lanes<T, W_, F>; 7], private::LaneMask<W_>) {
+            let (result_, ok_) = self.lift::<private::Lanes<T, W_, F>>().core_velocity_(x0_, x1_);
             (
                 [
                     result_.AB.omega,
@@ -1204,11 +1214,12 @@ const _: () = {
 
     impl<T: private::Float> private::Entry<private::OfMotion, T, 3, 24> for FourBar<T> {
         #[inline(always)]
-        fn solve_lanes<const W: usize, F: private::Fusion>(
+        fn solve_lanes<const W_: private::usize, F: private::Fusion>(
             &self,
-            [x0_, x1_, x2_]: [private::Lanes<T, W, F>; 3],
-        ) -> ([private::Lanes<T, W, F>; 24], private::LaneMask<W>) {
-            let (result_, ok_) = self.lift::<private::Lanes<T, W, F>>().core_motion_(x0_, x1_, x2_);
+            [x0_, x1_, x2_]: [private::Lanes<T, W_, F>; 3],
+        ) -> ([private::Lanes<T, W_, F>; 24], private::LaneMask<W_>) {
+            let (result_, ok_) =
+                self.lift::<private::Lanes<T, W_, F>>().core_motion_(x0_, x1_, x2_);
             (
                 [
                     result_.position.AB.cos,

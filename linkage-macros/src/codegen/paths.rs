@@ -36,6 +36,18 @@ impl Paths {
         }
     }
 
+    /// A function under the name of every argument: it hides a constant, a static or a unit struct
+    /// of the user's that has the name, whose pattern an argument would be. What is a function may
+    /// be an argument as well.
+    pub(super) fn import_arguments(&self, names: impl Iterator<Item = String>) -> TokenStream {
+        let module = &self.module;
+        let names = names.map(|name| Ident::new(&name, Span::call_site()));
+        quote! {
+            #[allow(unused_imports, reason = "a function hides a constant of its name, and no argument")]
+            use #module::{#(argument as #names),*};
+        }
+    }
+
     /// A type, trait, function or macro of the run-time crate, inside the unnamed constant.
     pub(super) fn item(&self, name: &str) -> Tokens {
         Tokens::path(self.alias.clone(), Ident::new(name, Span::call_site()))
