@@ -538,50 +538,50 @@ const _: () = {
             };
             let b_x_ = T::lit(0.1016, 0.1016) * cos;
             let b_y_ = T::lit(0.1016, 0.1016) * sin;
-            let v162_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
-            let v164_ =
+            let v169_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
+            let v171_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
-            let v165_ = guard_.square_of_centres(
-                v164_,
-                v162_,
-                -b_y_,
-                T::lit(0.254, 0.254),
-                T::lit(0.1778, 0.1778),
-                "BC, DC",
-            );
-            let v166_ = T::lit(1.0, 1.0) / v165_;
-            let v167_ =
-                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
-            let v168_ = T::lit(0.1806448, 0.1806448) - v167_;
-            let v169_ = T::lit(5.535725357165, 5.5357256) * v167_;
-            let v170_ = T::lit(5.535725357165, 5.5357256) * v168_;
-            let v171_ = v169_ * v170_;
-            let v172_ = guard_.reach_circles(
+            let v172_ = guard_.square_of_centres(
                 v171_,
-                v162_,
+                v169_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v173_ = T::sqrt(v172_);
-            let v174_ = T::lit(0.0903224, 0.0903224) * v166_;
-            let v175_ = v173_ * v174_;
-            let v177_ = T::fused(T::lit(0.5, 0.5), v167_, T::lit(0.0193548, 0.0193548));
-            let v178_ = T::fused(T::lit(0.5, 0.5), v167_, -T::lit(0.01354836, 0.01354836));
-            let v179_ = v166_ * v177_;
-            let v180_ = v166_ * v178_;
-            let v181_ = b_y_ * v175_;
-            let v182_ = v162_ * v175_;
-            let v185_ = T::fused(v162_, v179_, v181_);
-            let v186_ = T::fused(-b_y_, v179_, v182_);
-            let v190_ = T::fused(-v162_, v180_, v181_);
-            let c_y_ = T::fused(b_y_, v180_, v182_);
-            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v190_;
+            let v173_ = T::lit(1.0, 1.0) / v172_;
+            let v174_ =
+                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
+            let v175_ = T::lit(0.1806448, 0.1806448) - v174_;
+            let v176_ = T::lit(5.535725357165, 5.5357256) * v174_;
+            let v177_ = T::lit(5.535725357165, 5.5357256) * v175_;
+            let v178_ = v176_ * v177_;
+            let v179_ = guard_.reach_circles(
+                v178_,
+                v169_,
+                -b_y_,
+                T::lit(0.254, 0.254),
+                T::lit(0.1778, 0.1778),
+                "BC, DC",
+            );
+            let v180_ = T::sqrt(v179_);
+            let v181_ = T::lit(0.0903224, 0.0903224) * v173_;
+            let v182_ = v180_ * v181_;
+            let v184_ = T::fused(T::lit(0.5, 0.5), v174_, T::lit(0.0193548, 0.0193548));
+            let v185_ = T::fused(T::lit(0.5, 0.5), v174_, -T::lit(0.01354836, 0.01354836));
+            let v186_ = v173_ * v184_;
+            let v187_ = v173_ * v185_;
+            let v188_ = b_y_ * v182_;
+            let v189_ = v169_ * v182_;
+            let v192_ = T::fused(v169_, v186_, v188_);
+            let v193_ = T::fused(-b_y_, v186_, v189_);
+            let v197_ = T::fused(-v169_, v187_, v188_);
+            let c_y_ = T::fused(b_y_, v187_, v189_);
+            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v197_;
             let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
-            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v185_;
-            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v186_;
-            let c_x_ = T::lit(0.3048, 0.3048) + v190_;
+            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v192_;
+            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v193_;
+            let c_x_ = T::lit(0.3048, 0.3048) + v197_;
             let position_ = FourBarPosition {
                 AB: private::Direction { cos, sin },
                 B: private::Point { x: b_x_, y: b_y_ },
@@ -596,22 +596,22 @@ const _: () = {
                     acceleration: acceleration_,
                 };
             }
-            let v151_ = theta_rate * b_y_;
-            let b_vx_ = -v151_;
+            let v158_ = theta_rate * b_y_;
+            let b_vx_ = -v158_;
             let b_vy_ = theta_rate * b_x_;
-            let v192_ = guard_.nonzero(v172_, "BC, DC");
-            let v193_ = T::lit(11.07145071433, 11.071451) * v173_;
-            let v194_ = T::lit(1.0, 1.0) / v192_;
-            let v195_ = v193_ * v194_;
-            let v200_ = v151_ * v190_;
-            let v203_ = T::fused(-b_vy_, c_y_, v200_);
-            let bc_omega_ = v195_ * v203_;
-            let v205_ = v151_ * v185_;
-            let v207_ = T::fused(-b_vy_, v186_, v205_);
-            let dc_omega_ = v195_ * v207_;
-            let v230_ = c_y_ * dc_omega_;
-            let c_vx_ = -v230_;
-            let c_vy_ = v190_ * dc_omega_;
+            let v199_ = guard_.nonzero(v179_, "BC, DC");
+            let v200_ = T::lit(11.07145071433, 11.071451) * v180_;
+            let v201_ = T::lit(1.0, 1.0) / v199_;
+            let v202_ = v200_ * v201_;
+            let v207_ = v158_ * v197_;
+            let v210_ = T::fused(-b_vy_, c_y_, v207_);
+            let bc_omega_ = v202_ * v210_;
+            let v212_ = v158_ * v192_;
+            let v214_ = T::fused(-b_vy_, v193_, v212_);
+            let dc_omega_ = v202_ * v214_;
+            let v237_ = c_y_ * dc_omega_;
+            let c_vx_ = -v237_;
+            let c_vy_ = v197_ * dc_omega_;
             let velocity_ = FourBarVelocity {
                 AB: private::AngularVelocity { omega: theta_rate },
                 B: private::Point { x: b_vx_, y: b_vy_ },
@@ -627,31 +627,31 @@ const _: () = {
                 };
             }
             let v16_ = theta_rate * theta_rate;
-            let v154_ = theta_acceleration * b_y_;
-            let v155_ = theta_acceleration * b_x_;
-            let v158_ = T::fused(v16_, b_x_, v154_);
-            let b_ax_ = -v158_;
-            let b_ay_ = T::fused(-v16_, b_y_, v155_);
-            let v209_ = bc_omega_ * bc_omega_;
-            let v210_ = dc_omega_ * dc_omega_;
-            let v211_ = T::fused(-T::lit(0.5, 0.5), v167_, T::lit(0.0451612, 0.0451612));
-            let v212_ = v209_ * v211_;
-            let v214_ = T::fused(-T::lit(0.03161284, 0.03161284), v210_, v212_);
-            let v215_ = T::lit(0.064516, 0.064516) * v209_;
-            let v218_ = T::fused(-v210_, v211_, v215_);
-            let v219_ = v158_ * v190_;
-            let v222_ = T::fused(-b_ay_, c_y_, v219_);
-            let v223_ = v214_ + v222_;
-            let bc_alpha_ = v195_ * v223_;
-            let v225_ = v158_ * v185_;
-            let v227_ = T::fused(-b_ay_, v186_, v225_);
-            let v228_ = v218_ + v227_;
-            let dc_alpha_ = v195_ * v228_;
-            let v233_ = v190_ * v210_;
-            let v234_ = c_y_ * v210_;
-            let v237_ = T::fused(c_y_, dc_alpha_, v233_);
-            let c_ax_ = -v237_;
-            let c_ay_ = T::fused(v190_, dc_alpha_, -v234_);
+            let v161_ = theta_acceleration * b_y_;
+            let v162_ = theta_acceleration * b_x_;
+            let v165_ = T::fused(v16_, b_x_, v161_);
+            let b_ax_ = -v165_;
+            let b_ay_ = T::fused(-v16_, b_y_, v162_);
+            let v216_ = bc_omega_ * bc_omega_;
+            let v217_ = dc_omega_ * dc_omega_;
+            let v218_ = T::fused(-T::lit(0.5, 0.5), v174_, T::lit(0.0451612, 0.0451612));
+            let v219_ = v216_ * v218_;
+            let v221_ = T::fused(-T::lit(0.03161284, 0.03161284), v217_, v219_);
+            let v222_ = T::lit(0.064516, 0.064516) * v216_;
+            let v225_ = T::fused(-v217_, v218_, v222_);
+            let v226_ = v165_ * v197_;
+            let v229_ = T::fused(-b_ay_, c_y_, v226_);
+            let v230_ = v221_ + v229_;
+            let bc_alpha_ = v202_ * v230_;
+            let v232_ = v165_ * v192_;
+            let v234_ = T::fused(-b_ay_, v193_, v232_);
+            let v235_ = v225_ + v234_;
+            let dc_alpha_ = v202_ * v235_;
+            let v240_ = v197_ * v217_;
+            let v241_ = c_y_ * v217_;
+            let v244_ = T::fused(c_y_, dc_alpha_, v240_);
+            let c_ax_ = -v244_;
+            let c_ay_ = T::fused(v197_, dc_alpha_, -v241_);
             let acceleration_ = FourBarAcceleration {
                 AB: private::AngularAcceleration { alpha: theta_acceleration },
                 B: private::Point { x: b_ax_, y: b_ay_ },
@@ -1310,6 +1310,7 @@ const _: () = {
         type Position = FourBarPosition<T>;
         type Motion = FourBarMotion<T>;
         type Clearances = [private::Clearance<T>; 1];
+        type Enclosures = [private::Clearance<<T as private::Real>::Enclosing>; 1];
 
         const GROUPS: &'static [(&'static private::str, private::Option<private::usize>)] =
             &[("BC, DC", private::None)];
@@ -1340,26 +1341,56 @@ const _: () = {
             let b_y_ = T::lit(0.1016, 0.1016) * ab_sin_;
             let v11_ = theta_rate * b_y_;
             let b_vy_ = theta_rate * b_x_;
-            let v25_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
-            let v36_ = v11_ * v25_;
-            let v37_ = v36_ + v36_;
-            let v38_ = b_y_ * b_vy_;
-            let v39_ = v38_ + v38_;
-            let v40_ = v37_ + v39_;
-            let v42_ =
+            let v16_ = theta_rate * theta_rate;
+            let v17_ = b_x_ * v16_;
+            let v18_ = b_y_ * v16_;
+            let v26_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
+            let v37_ = v11_ * v26_;
+            let v38_ = v37_ + v37_;
+            let v39_ = v11_ * v11_;
+            let v40_ = T::lit(2.0, 2.0) * v39_;
+            let v41_ = b_y_ * b_vy_;
+            let v42_ = v41_ + v41_;
+            let v43_ = b_vy_ * b_vy_;
+            let v44_ = T::lit(2.0, 2.0) * v43_;
+            let v45_ = v38_ + v42_;
+            let v47_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), ab_cos_, T::lit(0.09741916, 0.09741916));
-            let v44_ = T::lit(0.1806448, 0.1806448) - v42_;
-            let v45_ = T::lit(5.535725357165, 5.5357256) * v42_;
-            let v46_ = T::lit(5.535725357165, 5.5357256) * v40_;
-            let v47_ = T::lit(5.535725357165, 5.5357256) * v44_;
-            let v48_ = v45_ * v47_;
-            let v49_ = v46_ * v47_;
-            let v52_ = T::fused(-v45_, v46_, v49_);
+            let v49_ = T::lit(0.1806448, 0.1806448) - v47_;
+            let v50_ = T::lit(5.535725357165, 5.5357256) * v47_;
+            let v51_ = T::lit(5.535725357165, 5.5357256) * v45_;
+            let v52_ = T::lit(5.535725357165, 5.5357256) * v49_;
+            let v53_ = v50_ * v52_;
+            let v54_ = v51_ * v52_;
+            let v57_ = T::fused(-v50_, v51_, v54_);
+            let v58_ = v51_ * v51_;
+            let v59_ = T::lit(2.0, 2.0) * v58_;
+            let v249_ = v17_ * v26_;
+            let v250_ = T::fused(v17_, v26_, v40_);
+            let v251_ = v249_ + v250_;
+            let v252_ = b_y_ * v18_;
+            let v253_ = T::fused(-b_y_, v18_, v44_);
+            let v254_ = v253_ - v252_;
+            let v255_ = v251_ + v254_;
+            let v256_ = T::lit(5.535725357165, 5.5357256) * v255_;
+            let v259_ = T::fused(v52_, v256_, -v59_);
+            let v261_ = T::fused(-v50_, v256_, v259_);
             [private::Clearance {
-                value: v48_,
-                rate: v52_,
+                value: v53_,
+                rate: v57_,
+                second_rate: v261_,
                 scale: T::lit(0.5517857142857143, 0.5517857),
             }]
+        }
+
+        fn enclosures(&self, middle_: T, radius_: T, rate_: T) -> Self::Enclosures {
+            let none_ = T::lit(0.0, 0.0);
+            let solver_ = self.lift::<<T as private::Real>::Enclosing>();
+            private::Modes::clearances(
+                &solver_,
+                private::Real::enclosing(middle_, radius_),
+                private::Real::enclosing(rate_, none_),
+            )
         }
     }
 
@@ -1385,6 +1416,15 @@ const _: () = {
                 C: private::Linear::<T>::minus(self.C, other_.C),
             }
         }
+
+        #[inline]
+        fn all(self, test_: impl private::Fn(T) -> private::bool + private::Copy) -> private::bool {
+            private::Linear::<T>::all(self.AB, test_)
+                && private::Linear::<T>::all(self.B, test_)
+                && private::Linear::<T>::all(self.BC, test_)
+                && private::Linear::<T>::all(self.DC, test_)
+                && private::Linear::<T>::all(self.C, test_)
+        }
     }
 
     impl<T: private::Scalar> private::Linear<T> for FourBarVelocity<T> {
@@ -1408,6 +1448,15 @@ const _: () = {
                 DC: private::Linear::<T>::minus(self.DC, other_.DC),
                 C: private::Linear::<T>::minus(self.C, other_.C),
             }
+        }
+
+        #[inline]
+        fn all(self, test_: impl private::Fn(T) -> private::bool + private::Copy) -> private::bool {
+            private::Linear::<T>::all(self.AB, test_)
+                && private::Linear::<T>::all(self.B, test_)
+                && private::Linear::<T>::all(self.BC, test_)
+                && private::Linear::<T>::all(self.DC, test_)
+                && private::Linear::<T>::all(self.C, test_)
         }
     }
 
@@ -1433,6 +1482,15 @@ const _: () = {
                 C: private::Linear::<T>::minus(self.C, other_.C),
             }
         }
+
+        #[inline]
+        fn all(self, test_: impl private::Fn(T) -> private::bool + private::Copy) -> private::bool {
+            private::Linear::<T>::all(self.AB, test_)
+                && private::Linear::<T>::all(self.B, test_)
+                && private::Linear::<T>::all(self.BC, test_)
+                && private::Linear::<T>::all(self.DC, test_)
+                && private::Linear::<T>::all(self.C, test_)
+        }
     }
 
     impl<T: private::Scalar> private::Linear<T> for FourBarMotion<T> {
@@ -1456,6 +1514,13 @@ const _: () = {
                 velocity: private::Linear::<T>::minus(self.velocity, other_.velocity),
                 acceleration: private::Linear::<T>::minus(self.acceleration, other_.acceleration),
             }
+        }
+
+        #[inline]
+        fn all(self, test_: impl private::Fn(T) -> private::bool + private::Copy) -> private::bool {
+            private::Linear::<T>::all(self.position, test_)
+                && private::Linear::<T>::all(self.velocity, test_)
+                && private::Linear::<T>::all(self.acceleration, test_)
         }
     }
 

@@ -10,7 +10,7 @@ pub use core::convert::{From, Into};
 pub use core::default::Default;
 pub use core::fmt::{self, Debug, Formatter};
 pub use core::marker::{Copy, PhantomData};
-pub use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
+pub use core::ops::{Add, BitAnd, Div, Fn, Mul, Neg, Sub};
 pub use core::option::Option::{self, None, Some};
 pub use core::prelude::v1::derive;
 pub use core::primitive::{bool, f32, f64, i32, str, u32, usize};

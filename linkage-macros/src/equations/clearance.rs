@@ -4,7 +4,8 @@
 //! group's joints go, zero at a toggle and negative out of reach. Where it touches zero and turns
 //! back, the motion goes on through a change point and the root changes its sign, which is the
 //! mode; where it passes through zero, the motion ends. The value under the root is given with
-//! its rate, and with a scale against which the coordinates' rounding is small.
+//! its rates while the inputs move along a straight line, and with a scale: a small change of all
+//! lengths by a share δ of themselves changes the value by at most 4 δ of it.
 
 use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::parts::Clearance;
@@ -18,7 +19,10 @@ pub(super) fn clearances<'s>(
     mechanism: &'s Mechanism,
     sheet: &'s Sheet<'s>,
 ) -> Vec<program::Clearance> {
-    let kinematics = Kinematics::of(sheet, mechanism, Source::free(mechanism, sheet));
+    // Along a straight line the inputs' rates are constant.
+    let mut inputs = Source::free(mechanism, sheet);
+    inputs.iter_mut().for_each(|source| source.jet.accel = sheet.zero());
+    let kinematics = Kinematics::of(sheet, mechanism, inputs);
     mechanism.steps.iter().filter_map(|step| of_step(&kinematics, step)).collect()
 }
 
@@ -50,6 +54,10 @@ fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::C
         Mode::Param(param) => Some(param.0),
     };
     let Clearance { value, scale } = clearance;
-    let sinks = [value.value.id, value.rate.id, scale.id];
+    if value.is_fixed() {
+        // What never moves never changes its mode.
+        return None;
+    }
+    let sinks = [value.value.id, value.rate.id, value.accel.id, scale.id];
     Some(program::Clearance { group: group.0, param, sinks })
 }

@@ -13,6 +13,7 @@ pub mod moving_bases;
 pub mod near_limits;
 pub mod placement;
 pub mod published;
+pub mod scaled_change_points;
 pub mod single_groups;
 pub mod stacked_sliders;
 pub mod variable_dimensions;
