@@ -528,50 +528,77 @@ const _: () = {
             };
             let b_x_ = T::lit(0.1016, 0.1016) * cos;
             let b_y_ = T::lit(0.1016, 0.1016) * sin;
-            let v162_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
-            let v164_ =
-                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
-            let v165_ = guard_.square_of_centres(
-                v164_,
-                v162_,
-                -b_y_,
-                T::lit(0.254, 0.254),
-                T::lit(0.1778, 0.1778),
-                "BC, DC",
-            );
-            let v166_ = T::lit(1.0, 1.0) / v165_;
+            let v165_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
             let v167_ =
-                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
-            let v168_ = T::lit(0.1806448, 0.1806448) - v167_;
-            let v169_ = T::lit(5.535725357165, 5.5357256) * v167_;
-            let v170_ = T::lit(5.535725357165, 5.5357256) * v168_;
-            let v171_ = v169_ * v170_;
-            let v172_ = guard_.reach_circles(
-                v171_,
-                v162_,
+                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
+            let v168_ = guard_.square_of_centres(
+                v167_,
+                v165_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v173_ = T::sqrt(v172_);
-            let v174_ = T::lit(0.0903224, 0.0903224) * v166_;
-            let v175_ = v173_ * v174_;
-            let v177_ = T::fused(T::lit(0.5, 0.5), v167_, T::lit(0.0193548, 0.0193548));
-            let v178_ = T::fused(T::lit(0.5, 0.5), v167_, -T::lit(0.01354836, 0.01354836));
-            let v179_ = v166_ * v177_;
-            let v180_ = v166_ * v178_;
-            let v181_ = b_y_ * v175_;
-            let v182_ = v162_ * v175_;
-            let v185_ = T::fused(v162_, v179_, v181_);
-            let v186_ = T::fused(-b_y_, v179_, v182_);
-            let v190_ = T::fused(-v162_, v180_, v181_);
-            let c_y_ = T::fused(b_y_, v180_, v182_);
-            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v190_;
+            let v169_ = T::lit(1.0, 1.0) / v168_;
+            let v170_ =
+                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
+            let v171_ = T::lit(0.1806448, 0.1806448) - v170_;
+            let v172_ = T::lit(5.535725357165, 5.5357256) * v170_;
+            let v173_ = T::lit(5.535725357165, 5.5357256) * v171_;
+            let v174_ = v172_ * v173_;
+            let v175_ = guard_.reach_circles(
+                v174_,
+                [
+                    v165_,
+                    -b_y_,
+                    T::lit(0.254, 0.254),
+                    T::lit(0.1778, 0.1778),
+                    T::lit(1.0321428571428573, 1.0321429),
+                ],
+                "BC, DC",
+            );
+            let v176_ = T::sqrt(v175_);
+            let v177_ = T::lit(0.0903224, 0.0903224) * v169_;
+            let v178_ = v176_ * v177_;
+            let v180_ = T::fused(T::lit(0.5, 0.5), v170_, T::lit(0.0193548, 0.0193548));
+            let v181_ = T::fused(T::lit(0.5, 0.5), v170_, -T::lit(0.01354836, 0.01354836));
+            let v182_ = v169_ * v180_;
+            let v183_ = guard_.share_of_centres(
+                v182_,
+                [
+                    v174_,
+                    v165_,
+                    -b_y_,
+                    T::lit(0.254, 0.254),
+                    T::lit(0.1778, 0.1778),
+                    T::lit(1.0321428571428573, 1.0321429),
+                ],
+                "BC, DC",
+            );
+            let v184_ = v169_ * v181_;
+            let v185_ = guard_.share_of_centres(
+                v184_,
+                [
+                    v174_,
+                    v165_,
+                    -b_y_,
+                    T::lit(0.1778, 0.1778),
+                    T::lit(0.254, 0.254),
+                    T::lit(1.0321428571428573, 1.0321429),
+                ],
+                "BC, DC",
+            );
+            let v186_ = b_y_ * v178_;
+            let v187_ = v165_ * v178_;
+            let v190_ = T::fused(v165_, v183_, v186_);
+            let v191_ = T::fused(-b_y_, v183_, v187_);
+            let v195_ = T::fused(-v165_, v185_, v186_);
+            let c_y_ = T::fused(b_y_, v185_, v187_);
+            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v195_;
             let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
-            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v185_;
-            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v186_;
-            let c_x_ = T::lit(0.3048, 0.3048) + v190_;
+            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v190_;
+            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v191_;
+            let c_x_ = T::lit(0.3048, 0.3048) + v195_;
             let position_ = FourBarPosition {
                 AB: private::Direction { cos, sin },
                 B: private::Point { x: b_x_, y: b_y_ },
@@ -586,22 +613,22 @@ const _: () = {
                     acceleration: acceleration_,
                 };
             }
-            let v151_ = theta_rate * b_y_;
-            let b_vx_ = -v151_;
+            let v154_ = theta_rate * b_y_;
+            let b_vx_ = -v154_;
             let b_vy_ = theta_rate * b_x_;
-            let v192_ = guard_.nonzero(v172_, "BC, DC");
-            let v193_ = T::lit(11.07145071433, 11.071451) * v173_;
-            let v194_ = T::lit(1.0, 1.0) / v192_;
-            let v195_ = v193_ * v194_;
-            let v200_ = v151_ * v190_;
-            let v203_ = T::fused(-b_vy_, c_y_, v200_);
-            let bc_omega_ = v195_ * v203_;
-            let v205_ = v151_ * v185_;
-            let v207_ = T::fused(-b_vy_, v186_, v205_);
-            let dc_omega_ = v195_ * v207_;
-            let v230_ = c_y_ * dc_omega_;
-            let c_vx_ = -v230_;
-            let c_vy_ = v190_ * dc_omega_;
+            let v197_ = guard_.nonzero(v175_, "BC, DC");
+            let v198_ = T::lit(11.07145071433, 11.071451) * v176_;
+            let v199_ = T::lit(1.0, 1.0) / v197_;
+            let v200_ = v198_ * v199_;
+            let v205_ = v154_ * v195_;
+            let v208_ = T::fused(-b_vy_, c_y_, v205_);
+            let bc_omega_ = v200_ * v208_;
+            let v210_ = v154_ * v190_;
+            let v212_ = T::fused(-b_vy_, v191_, v210_);
+            let dc_omega_ = v200_ * v212_;
+            let v235_ = c_y_ * dc_omega_;
+            let c_vx_ = -v235_;
+            let c_vy_ = v195_ * dc_omega_;
             let velocity_ = FourBarVelocity {
                 AB: private::AngularVelocity { omega: theta_rate },
                 B: private::Point { x: b_vx_, y: b_vy_ },
@@ -617,31 +644,31 @@ const _: () = {
                 };
             }
             let v16_ = theta_rate * theta_rate;
-            let v154_ = theta_acceleration * b_y_;
-            let v155_ = theta_acceleration * b_x_;
-            let v158_ = T::fused(v16_, b_x_, v154_);
-            let b_ax_ = -v158_;
-            let b_ay_ = T::fused(-v16_, b_y_, v155_);
-            let v209_ = bc_omega_ * bc_omega_;
-            let v210_ = dc_omega_ * dc_omega_;
-            let v211_ = T::fused(-T::lit(0.5, 0.5), v167_, T::lit(0.0451612, 0.0451612));
-            let v212_ = v209_ * v211_;
-            let v214_ = T::fused(-T::lit(0.03161284, 0.03161284), v210_, v212_);
-            let v215_ = T::lit(0.064516, 0.064516) * v209_;
-            let v218_ = T::fused(-v210_, v211_, v215_);
-            let v219_ = v158_ * v190_;
-            let v222_ = T::fused(-b_ay_, c_y_, v219_);
-            let v223_ = v214_ + v222_;
-            let bc_alpha_ = v195_ * v223_;
-            let v225_ = v158_ * v185_;
-            let v227_ = T::fused(-b_ay_, v186_, v225_);
-            let v228_ = v218_ + v227_;
-            let dc_alpha_ = v195_ * v228_;
-            let v233_ = v190_ * v210_;
-            let v234_ = c_y_ * v210_;
-            let v237_ = T::fused(c_y_, dc_alpha_, v233_);
-            let c_ax_ = -v237_;
-            let c_ay_ = T::fused(v190_, dc_alpha_, -v234_);
+            let v157_ = theta_acceleration * b_y_;
+            let v158_ = theta_acceleration * b_x_;
+            let v161_ = T::fused(v16_, b_x_, v157_);
+            let b_ax_ = -v161_;
+            let b_ay_ = T::fused(-v16_, b_y_, v158_);
+            let v214_ = bc_omega_ * bc_omega_;
+            let v215_ = dc_omega_ * dc_omega_;
+            let v216_ = T::fused(-T::lit(0.5, 0.5), v170_, T::lit(0.0451612, 0.0451612));
+            let v217_ = v214_ * v216_;
+            let v219_ = T::fused(-T::lit(0.03161284, 0.03161284), v215_, v217_);
+            let v220_ = T::lit(0.064516, 0.064516) * v214_;
+            let v223_ = T::fused(-v215_, v216_, v220_);
+            let v224_ = v161_ * v195_;
+            let v227_ = T::fused(-b_ay_, c_y_, v224_);
+            let v228_ = v219_ + v227_;
+            let bc_alpha_ = v200_ * v228_;
+            let v230_ = v161_ * v190_;
+            let v232_ = T::fused(-b_ay_, v191_, v230_);
+            let v233_ = v223_ + v232_;
+            let dc_alpha_ = v200_ * v233_;
+            let v238_ = v195_ * v215_;
+            let v239_ = c_y_ * v215_;
+            let v242_ = T::fused(c_y_, dc_alpha_, v238_);
+            let c_ax_ = -v242_;
+            let c_ay_ = T::fused(v195_, dc_alpha_, -v239_);
             let acceleration_ = FourBarAcceleration {
                 AB: private::AngularAcceleration { alpha: theta_acceleration },
                 B: private::Point { x: b_ax_, y: b_ay_ },

@@ -122,7 +122,7 @@ impl<'a> Body<'a> {
         match self.graph().node(value) {
             Node::Guard(inner, guard) => {
                 let check = &self.graph().condition(guard).check;
-                matches!(check, Check::ReachCircles | Check::Positive(_))
+                matches!(check, Check::ReachCircles | Check::ReachDistances | Check::Positive(_))
                     || self.is_above_zero(inner)
             }
             _ => false,

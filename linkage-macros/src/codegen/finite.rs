@@ -41,11 +41,13 @@ const NARROW: [Limits; 4] =
 
 /// Squares of full precision begin at the smallest normal number over ε².
 const fn wide(input: f64, share: f64) -> Limits {
-    Limits { input, share, square: 4.6e-277, largest: 1e300, factor: 1e297 }
+    let (normal, epsilon) = (f64::MIN_POSITIVE, f64::EPSILON);
+    Limits { input, share, square: 4.6e-277, normal, epsilon, largest: 1e300, factor: 1e297 }
 }
 
 const fn narrow(input: f64, share: f64) -> Limits {
-    Limits { input, share, square: 8.4e-25, largest: 1e37, factor: 1e34 }
+    let (normal, epsilon) = (f32::MIN_POSITIVE as f64, f32::EPSILON as f64);
+    Limits { input, share, square: 8.4e-25, normal, epsilon, largest: 1e37, factor: 1e34 }
 }
 
 /// The bounds of every function that holds formulas, by its entry point, where there are any.
@@ -76,15 +78,30 @@ impl Bounds {
     }
 
     /// The least that the condition on a value is to find there; nothing where bounds show that
-    /// it holds.
-    pub(super) fn least(&self, cx: &Context<'_>, value: Id, check: &Check) -> Option<Pieces> {
-        let sign = |limits: Limits| if *check == Check::Square { limits.square } else { 0.0 };
+    /// it holds, or where a spread that is known at run time asks for more.
+    pub(super) fn least(
+        &self,
+        cx: &Context<'_>,
+        value: Id,
+        check: &Check,
+        spread: Option<Id>,
+    ) -> Option<Pieces> {
+        let spread = spread.map(|spread| cx.program.graph.as_constant(spread));
+        let sign = |limits: Limits| match check {
+            Check::Square => limits.square,
+            Check::ReachLine => limits.normal,
+            _ => spread.flatten().map_or(0.0, |spread| limits.rounding_of(spread)),
+        };
         let of = |width: &Option<Width>, limits: Limits| match width {
             Some(width) => width.floors.get(&value).copied().unwrap_or(Some(sign(limits))),
             None => Some(sign(limits)),
         };
         let (wide, narrow) = (of(&self.wide, WIDE[0]), of(&self.narrow, NARROW[0]));
-        wide.or(narrow)?;
+        let asked = wide.or(narrow)?;
+        // What is above rounding is above zero.
+        if spread.is_some_and(|spread| spread.is_none()) && asked + narrow.unwrap_or(0.0) == 0.0 {
+            return None;
+        }
         Some(cx.literal(wide.unwrap_or(0.0), narrow.unwrap_or(0.0) as f32))
     }
 

@@ -197,18 +197,21 @@ fn function(
 }
 
 /// A condition as two calls: one that marks, unless bounds show that it is met, and one that
-/// looks. The value goes on as that one returns it.
+/// looks. The value goes on as that one returns it. What is compared with a spread that is not
+/// known before run time is marked by that, and once more where bounds ask for more.
 pub(super) fn condition(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> Statement {
     let (cx, condition) = (body.cx, body.graph().condition(guard));
     let looked_at = match condition.check {
-        Check::ReachCircles | Check::ReachLine | Check::ReachOffset | Check::Square => {
-            &condition.operands[..]
-        }
         // These look at the value alone; the operands are there to be computed first.
         Check::Nonzero | Check::Positive(_) => &[],
+        _ => &condition.operands[..],
     };
+    let in_a_list =
+        condition.check.has_spread() || matches!(condition.check, Check::ShareOfCentres);
     let look = function_name(match condition.check {
         Check::ReachCircles => "reach_circles",
+        Check::ShareOfCentres => "share_of_centres",
+        Check::ReachDistances => "reach_distances",
         Check::ReachLine => "reach_line",
         Check::ReachOffset => "reach_offset",
         Check::Nonzero => "nonzero",
@@ -224,37 +227,47 @@ pub(super) fn condition(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> S
     let length = length.into_iter();
     let operands = [value].into_iter().chain(looked_at.iter().copied());
     let name = cx.locals.name(id);
-    let values = operands.clone().map(|operand| body.value(operand));
-    let (guard, mark) = (generated("guard_"), mark(body, value, &condition.check));
+    let (first, others) = (body.value(value), looked_at.iter().map(|&operand| body.value(operand)));
+    let values =
+        if in_a_list { quote!(#first, [#(#others),*],) } else { quote!(#first, #(#others,)*) };
+    let spread = body.graph().spread(body.graph().node(id));
+    let (guard, mark) = (generated("guard_"), mark(body, value, &condition.check, spread));
+    let is_known = |spread| body.bounds.is_some() && body.graph().as_constant(spread).is_some();
+    let above_rounding = spread.filter(|&spread| !is_known(spread)).map(|spread| {
+        let (value, spread) = (body.value(value), body.value(spread));
+        quote!(#guard.above_rounding(#value, #spread);)
+    });
     Statement {
         defines: vec![id],
         uses: body.locals(operands),
         code: quote! {
             #mark
-            let #name = #guard.#look(#(#values,)* #group #(, #length)*);
+            #above_rounding
+            let #name = #guard.#look(#values #group #(, #length)*);
         },
     }
 }
 
 /// The call that marks a condition; nothing where it is known to hold.
-fn mark(body: &Body<'_>, value: Id, check: &Check) -> Option<TokenStream> {
+fn mark(body: &Body<'_>, value: Id, check: &Check, spread: Option<Id>) -> Option<TokenStream> {
     let cx = body.cx;
-    if *check == Check::Nonzero && body.is_above_zero(value) {
-        return None;
-    }
+    let method = function_name(match check {
+        Check::ShareOfCentres => return None,
+        Check::Nonzero if body.is_above_zero(value) => return None,
+        Check::ReachCircles | Check::ReachDistances | Check::Positive(_) => "above",
+        Check::ReachLine | Check::ReachOffset | Check::Square => "at_least",
+        Check::Nonzero => "away",
+    });
     let least = match body.bounds {
-        Some(bounds) => bounds.least(cx, unguarded(body.graph(), value), check)?,
+        Some(bounds) => bounds.least(cx, unguarded(body.graph(), value), check, spread)?,
         None if *check == Check::Square => {
             let smallest = cx.scalar("smallest_square");
             quote!(#smallest()).into()
         }
+        None if *check == Check::ReachLine => cx.literal(f64::MIN_POSITIVE, f32::MIN_POSITIVE),
+        None if spread.is_some() => return None,
         None => cx.literal(0.0, 0.0),
     };
-    let method = function_name(match check {
-        Check::ReachCircles | Check::Positive(_) => "above",
-        Check::ReachLine | Check::ReachOffset | Check::Square => "at_least",
-        Check::Nonzero => "away",
-    });
     let (guard, value) = (generated("guard_"), body.value(value));
     Some(quote!(#guard.#method(#value, #least);))
 }

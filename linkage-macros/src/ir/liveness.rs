@@ -5,7 +5,7 @@ use crate::ir::graph::{Graph, Id, Node};
 /// Which of a guard's operands are followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Course {
-    /// What the straight line computes with: the guarded value alone.
+    /// What the straight line computes with: the guarded value, and what it is compared with.
     Straight,
     /// What the careful path looks at as well.
     Careful,
@@ -27,7 +27,8 @@ pub(crate) fn live(graph: &Graph, sinks: &[Id], course: Course) -> Vec<bool> {
         let node = graph.node(Id(index as u32));
         let mut mark = |operand: Id| live[operand.0 as usize] = true;
         match course {
-            Course::Straight | Course::Open => node.for_operands(&mut mark),
+            Course::Straight => graph.for_straight_operands_of(node, &mut mark),
+            Course::Open => node.for_operands(&mut mark),
             Course::Careful => graph.for_operands_of(node, &mut mark),
         }
     }
