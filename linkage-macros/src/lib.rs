@@ -25,6 +25,8 @@ mod diagnostics;
 mod equations;
 mod exact;
 #[cfg(test)]
+mod expansions;
+#[cfg(test)]
 mod fuzz;
 mod ir;
 mod model;

@@ -23,7 +23,7 @@ use crate::model::mechanism::{
 use crate::model::mentions::Mentions;
 use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, StatementKind};
 
-const NUMBER: Dimension = Dimension { length: 0, mass: 0, angle: false };
+const NUMBER: Dimension = Dimension::NUMBER;
 
 /// The struct and its methods for a declaration of which not everything was understood.
 pub(crate) fn stubs(declaration: &Declaration) -> TokenStream {
@@ -197,10 +197,7 @@ impl StandIn {
             ExprKind::Name(name) => {
                 matches!(self.things.get(&name.to_string()), Some(Thing::Value(true)))
             }
-            ExprKind::Negate(operand) => self.holds_angle(operand),
-            ExprKind::Binary(_, operands) => operands.iter().any(|part| self.holds_angle(part)),
-            ExprKind::Call(_, arguments) => arguments.iter().any(|part| self.holds_angle(part)),
-            ExprKind::Number { .. } | ExprKind::Mistake => false,
+            _ => value.parts().any(|part| self.holds_angle(part)),
         }
     }
 
@@ -245,7 +242,14 @@ impl StandIn {
     }
 
     fn member(&mut self, name: &Ident, member: &Ident) -> bool {
-        let Some(&Thing::Link(link)) = self.things.get(&name.to_string()) else { return false };
+        let link = match self.things.get(&name.to_string()) {
+            Some(&Thing::Link(link)) => link,
+            Some(Thing::Point(..)) if member == "x" || member == "y" => {
+                self.push(Ident::new(&format!("{name}_{member}"), member.span()), value());
+                return true;
+            }
+            _ => return false,
+        };
         let group = self.mechanism.links[link.index()].made_by;
         let (direction, slide) = match member.to_string().as_str() {
             "angle" => (true, false),

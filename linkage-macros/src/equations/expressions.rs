@@ -5,7 +5,7 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Direction;
 use crate::equations::symbol::Vector;
 use crate::ir::graph::{Check, Node};
-use crate::model::mechanism::{Expr, Function, Length, Operator, Turn};
+use crate::model::mechanism::{Axis, Expr, Function, Length, Operator, Turn};
 
 impl<'s> Kinematics<'s> {
     pub(super) fn jet(&self, expr: &Expr) -> Jet<'s> {
@@ -15,16 +15,25 @@ impl<'s> Kinematics<'s> {
             Expr::Param(param) => Jet::constant(self.sheet.node(Node::Param(param.0))),
             Expr::Let(name) => self.lets[name.index()],
             Expr::Slide(link) => self.link(*link).slide.expect("the model checked that it slides"),
+            Expr::Coordinate(point, axis) => {
+                let [x, y] = self.point(*point).coordinates();
+                if *axis == Axis::X { x } else { y }
+            }
+            Expr::Distance(points) => {
+                let [p, q] = points.map(|point| self.point(point));
+                let [x, y] = p.jets_to(q);
+                x.hypot(y)
+            }
             Expr::Negate(value) => -self.jet(value),
-            Expr::Binary(operator, sides) => {
-                let (a, b) = (self.jet(&sides[0]), self.jet(&sides[1]));
+            Expr::Chain(first, rest) => rest.iter().fold(self.jet(first), |a, (operator, b)| {
+                let b = self.jet(b);
                 match operator {
                     Operator::Add => a + b,
                     Operator::Sub => a - b,
                     Operator::Mul => a * b,
                     Operator::Div => a / b,
                 }
-            }
+            }),
             Expr::Call(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(|a| self.jet(a)).collect();
                 call(*function, &arguments)

@@ -141,8 +141,12 @@ impl<'s> Kinematics<'s> {
             Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) => true,
             Expr::Let(name) => name.index() < self.lets.len(),
             Expr::Slide(link) => self.links[link.index()].is_some(),
+            Expr::Coordinate(point, _) => self.points[point.index()].is_some(),
+            Expr::Distance(points) => points.iter().all(|p| self.points[p.index()].is_some()),
             Expr::Negate(value) => self.is_known(value),
-            Expr::Binary(_, sides) => sides.iter().all(|side| self.is_known(side)),
+            Expr::Chain(first, rest) => {
+                self.is_known(first) && rest.iter().all(|(_, operand)| self.is_known(operand))
+            }
             Expr::Call(_, arguments) => arguments.iter().all(|a| self.is_known(a)),
         }
     }

@@ -117,6 +117,15 @@ impl<'s> PointMotion<'s> {
         self.base + self.offset
     }
 
+    /// The coordinates in ground axes, with their rates.
+    pub(crate) fn coordinates(self) -> [Jet<'s>; 2] {
+        let (value, rate, accel) = (self.position(), self.velocity, self.acceleration);
+        [
+            Jet { value: value.x, rate: rate.x, accel: accel.x },
+            Jet { value: value.y, rate: rate.y, accel: accel.y },
+        ]
+    }
+
     /// The vector from this point to the other.
     pub(crate) fn to(self, other: Self) -> Vector<'s> {
         (other.base - self.base) + (other.offset - self.offset)

@@ -51,7 +51,7 @@ impl Resolver<'_> {
             "number" if known.contains(&"number") => return Some(Dimension::NUMBER),
             _ => {}
         }
-        let kind_of_unit = unit(&text).and_then(|(measure, _)| match measure.dimension() {
+        let kind_of_unit = unit(&text).and_then(|(dimension, _)| match dimension {
             Dimension::ANGLE => Some("angle"),
             Dimension::LENGTH => Some("length"),
             _ => None,

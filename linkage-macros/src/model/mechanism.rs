@@ -105,12 +105,13 @@ pub(crate) enum ParamKind {
     },
 }
 
-/// Powers of metre and kilogram (and second, for later); an angle counts as a number, except that
-/// `angle` remembers that it is one.
+/// Powers of metre, kilogram and second; an angle counts as a number, except that `angle` remembers
+/// that it is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Dimension {
     pub length: i32,
     pub mass: i32,
+    pub time: i32,
     pub angle: bool,
 }
 
@@ -166,9 +167,21 @@ pub(crate) enum Expr {
     Let(LetId),
     /// The slide of a link that slides.
     Slide(LinkId),
+    /// A coordinate of a point in ground axes.
+    Coordinate(PointId, Axis),
+    /// The distance between two points.
+    Distance([PointId; 2]),
     Negate(Box<Expr>),
-    Binary(Operator, Box<[Expr; 2]>),
+    /// One operation after the other, each on what the one before has made.
+    Chain(Box<Expr>, Vec<(Operator, Expr)>),
     Call(Function, Vec<Expr>),
+}
+
+/// An axis of the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axis {
+    X,
+    Y,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

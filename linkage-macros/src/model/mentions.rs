@@ -104,11 +104,8 @@ pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
 
 /// Calls `f` with every name in the expression.
 pub(super) fn names_in(expr: &Expr, f: &mut impl FnMut(&Ident)) {
-    match &expr.kind {
-        ExprKind::Name(name) | ExprKind::Member(name, _) => f(name),
-        ExprKind::Negate(inner) => names_in(inner, f),
-        ExprKind::Binary(_, operands) => operands.iter().for_each(|e| names_in(e, f)),
-        ExprKind::Call(_, arguments) => arguments.iter().for_each(|e| names_in(e, f)),
-        ExprKind::Number { .. } | ExprKind::Mistake => {}
+    if let ExprKind::Name(name) | ExprKind::Member(name, _) = &expr.kind {
+        f(name);
     }
+    expr.parts().for_each(|part| names_in(part, f));
 }

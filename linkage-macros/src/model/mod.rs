@@ -28,6 +28,7 @@ mod names;
 mod numbers;
 mod outputs;
 mod points;
+mod readings;
 mod settings;
 pub(crate) mod turning;
 mod units;

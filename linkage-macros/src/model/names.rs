@@ -347,6 +347,9 @@ fn reason_for_kind(name: &Ident, found: &Symbol, wanted: &[Kind]) -> Option<Stri
         (Kind::Link, _) if wanted == NUMBERS => {
             Some(format!("its angle is `{name}.angle`, and `{name}.slide` its slide if it slides"))
         }
+        (Kind::Point, _) if wanted == NUMBERS => {
+            Some(format!("its coordinates are `{name}.x` and `{name}.y`"))
+        }
         (Kind::Point, [Kind::Link]) if found.is_a_pin => {
             Some(format!("it is the pin of `{}`: name the link", found.made_by))
         }

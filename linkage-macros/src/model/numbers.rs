@@ -11,7 +11,7 @@ use super::dimension::Measure;
 use super::expressions::{ANGLE_REASON, Quantity};
 use super::folding::shown;
 use super::mechanism::{Dimension, Expr, Function, ParamKind, Turn};
-use super::names::Entity;
+use super::names::{Entity, Kind, NUMBERS};
 
 impl Resolver<'_> {
     /// A length of either sign.
@@ -53,12 +53,16 @@ impl Resolver<'_> {
     ) -> Option<()> {
         if quantity.measure.fits(wanted) {
             return match wanted {
-                Dimension::ANGLE => self.bare_angle_is_within_a_turn(expr, quantity),
+                Dimension::ANGLE => self.bare_angle_is_within_a_turn(expr.span, quantity),
                 _ => Some(()),
             };
         }
         let found = quantity.measure.dimension();
         let message = format!("{} where {} belongs", found.words(), wanted.words());
+        if let Some(reason) = self.name_taken_for_a_unit(expr) {
+            self.diagnostics.error_because(expr.span, message, reason);
+            return None;
+        }
         let reason = match (found, wanted) {
             (Dimension::ANGLE, Dimension::LENGTH) => {
                 "an angle times a length is a length, as in `theta * 20mm`"
@@ -75,18 +79,28 @@ impl Resolver<'_> {
         None
     }
 
+    /// What to write where the letters behind a number are a unit and the name of a number: `2s`.
+    pub(super) fn name_taken_for_a_unit(&self, expr: &tree::Expr) -> Option<String> {
+        let ExprKind::Number { digits, units } = &expr.kind else { return None };
+        let [(unit, 1)] = &units[..] else { return None };
+        let declared = self.names.of_kinds(&NUMBERS).any(|name| name == unit);
+        declared.then(|| {
+            format!("letters directly behind a number are its unit; write `{digits} * {unit}`")
+        })
+    }
+
     /// A number without a unit that is used as an angle is at most a full turn: more is a
     /// forgotten `deg`.
     pub(super) fn bare_angle_is_within_a_turn(
         &mut self,
-        expr: &tree::Expr,
+        at: Extent,
         quantity: &Quantity,
     ) -> Option<()> {
         if quantity.measure != Measure::Bare {
             return Some(());
         }
         let (value, span) = match &quantity.rest {
-            Expr::Constant(value) => (value.clone(), expr.span),
+            Expr::Constant(value) => (value.clone(), at),
             Expr::Param(id) => {
                 let facts = &mut self.facts.params[id.index()];
                 let ParamKind::Number { default, .. } = &self.mechanism.params[id.index()].kind
@@ -137,8 +151,9 @@ impl Resolver<'_> {
     /// A point of the ground is fixed: its coordinates depend on no input.
     pub(super) fn depends_on_no_input(&mut self, expr: &tree::Expr, point: &Ident) -> Option<()> {
         let span = self.first(expr, &|resolver, part| match &part.kind {
-            ExprKind::Member(..) => true,
-            ExprKind::Name(name) => {
+            // A link's angle or slide is no constant, even where the link stands still.
+            ExprKind::Member(owner, _) if resolver.names.kind(owner) == Some(Kind::Link) => true,
+            ExprKind::Member(name, _) | ExprKind::Name(name) => {
                 resolver.names.entity(name).is_some_and(|entity| resolver.facts.moves(entity))
             }
             _ => false,
@@ -161,12 +176,7 @@ impl Resolver<'_> {
         if asks(self, expr) {
             return Some(expr.span);
         }
-        match &expr.kind {
-            ExprKind::Negate(inner) => self.first(inner, asks),
-            ExprKind::Binary(_, operands) => operands.iter().find_map(|e| self.first(e, asks)),
-            ExprKind::Call(_, arguments) => arguments.iter().find_map(|e| self.first(e, asks)),
-            _ => None,
-        }
+        expr.parts().find_map(|part| self.first(part, asks))
     }
 
     /// The arguments of a function have the dimensions it is defined for.

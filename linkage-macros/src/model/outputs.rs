@@ -13,9 +13,6 @@ use super::names::{Entity, Kind};
 
 const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
 
-/// What a rate may be called by whoever looks for it among the outputs.
-const RATES: [&str; 7] = ["velocity", "acceleration", "speed", "rate", "vx", "vy", "v"];
-
 impl Resolver<'_> {
     /// The outputs that are asked for; every moving point and every link where none is.
     pub(super) fn outputs(&mut self, tree: &Declaration) {
@@ -144,20 +141,7 @@ impl Resolver<'_> {
     fn member_output(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
         let part = member.to_string();
         if self.names.kind(owner) == Some(Kind::Point) {
-            let (message, reason) = match RATES.contains(&part.as_str()) {
-                true => (
-                    format!("rates need no output of their own; write `output {owner}`"),
-                    format!(
-                        "`velocity` gives that of `{owner}`, and `motion` its acceleration too"
-                    ),
-                ),
-                false => (
-                    format!("a point is given whole; write `output {owner}`"),
-                    format!("the field `{owner}` has `x` and `y`"),
-                ),
-            };
-            self.diagnostics.error_because(member.span(), message, reason);
-            return;
+            return self.coordinate_output(docs, owner, member);
         }
         if !MEMBERS.contains(&part.as_str()) {
             self.link(owner);
@@ -187,6 +171,16 @@ impl Resolver<'_> {
             }
         };
         self.give_link(docs, member, link, kind);
+    }
+
+    /// `blade.x`: the field `blade_x`.
+    fn coordinate_output(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
+        if let Some(quantity) = self.member(owner, member) {
+            let dimension = quantity.measure.dimension();
+            let field = format_ident!("{owner}_{member}", span = owner.span());
+            let kind = OutputKind::Value { value: quantity.rest, dimension };
+            self.give(member.span(), field, docs, kind);
+        }
     }
 
     /// Reports a part that links do not have.

@@ -30,7 +30,8 @@ mod recovery;
 mod statement;
 mod tokens;
 pub(crate) mod tree;
-mod words;
+mod unit_products;
+pub(crate) mod words;
 
 #[cfg(test)]
 mod tests;

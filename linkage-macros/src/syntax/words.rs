@@ -44,8 +44,12 @@ const RUST: [&str; 53] = [
     "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield", "_",
 ];
 
-/// Unit suffixes, for recognising one that was written apart from its number.
-pub(super) const UNITS: [&str; 10] = ["m", "mm", "cm", "um", "in", "rad", "deg", "turn", "kg", "g"];
+/// The units a number may have.
+pub(crate) const UNITS: [&str; 15] =
+    ["m", "mm", "cm", "um", "in", "rad", "deg", "turn", "kg", "g", "t", "N", "kN", "s", "ms"];
+
+/// Units that are as likely a name: `2 s` may want an operator.
+pub(super) const LIKELY_NAMES: [&str; 3] = ["s", "t", "N"];
 
 pub(super) fn is_rust_keyword(word: &str) -> bool {
     RUST.contains(&word)

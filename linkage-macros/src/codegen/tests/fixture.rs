@@ -9,8 +9,8 @@ use crate::ir::program::{Entry, EntryKind, Program};
 use crate::model::mechanism::*;
 use crate::model::mentions::Mentions;
 
-pub(super) const LENGTH: Dimension = Dimension { length: 1, mass: 0, angle: false };
-pub(super) const ANGLE: Dimension = Dimension { length: 0, mass: 0, angle: true };
+pub(super) const LENGTH: Dimension = Dimension::LENGTH;
+pub(super) const ANGLE: Dimension = Dimension::ANGLE;
 
 pub(super) fn ident(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
@@ -259,7 +259,7 @@ pub(super) fn table() -> (Mechanism, Program) {
     let output_of =
         |link, direction| OutputKind::Link { link: LinkId(link), direction, slide: true };
     let sum = Expr::Input(InputId(0));
-    let area = Dimension { length: 2, mass: 0, angle: false };
+    let area = Dimension { length: 2, ..Dimension::NUMBER };
     let outputs = vec![
         output("ram", output_of(0, true)),
         output("bed", output_of(1, false)),

@@ -139,7 +139,11 @@ fn a_name_is_of_a_kind_that_belongs_there() {
             "rrr BC(AB), DC(D) -> C { lengths: (3m, 3m), mode: left }",
             "AB: `AB` is a link, not a point / name a joint of `AB`, or a `point` on it",
         ),
-        (CRANK, "output sum = B;", "B: `B` is a point, not a number"),
+        (
+            CRANK,
+            "output sum = B;",
+            "B: `B` is a point, not a number / its coordinates are `B.x` and `B.y`",
+        ),
         (
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: t, relative_to: A }",
@@ -148,7 +152,7 @@ fn a_name_is_of_a_kind_that_belongs_there() {
         (
             CRANK,
             "let x = B; let y = rail; guide rail through A along 0deg; let z = rail;",
-            "B: `B` is a point, not a number\n\
+            "B: `B` is a point, not a number / its coordinates are `B.x` and `B.y`\n\
              rail: `rail` is a guide, not a number\n\
              rail: `rail` is a guide, not a number",
         ),

@@ -78,15 +78,21 @@ impl Names<'_> {
             Expr::Param(id) => self.0.params[id.index()].name.to_string(),
             Expr::Let(id) => format!("let{}", id.0),
             Expr::Slide(link) => format!("{}.slide", self.link(*link)),
+            Expr::Coordinate(point, axis) => {
+                format!("{}.{axis:?}", self.point(*point)).to_lowercase()
+            }
+            Expr::Distance([p, q]) => format!("distance({}, {})", self.point(*p), self.point(*q)),
             Expr::Negate(value) => format!("(-{})", self.expr(value)),
-            Expr::Binary(operator, sides) => {
-                let operator = match operator {
-                    Operator::Add => '+',
-                    Operator::Sub => '-',
-                    Operator::Mul => '*',
-                    Operator::Div => '/',
-                };
-                format!("({} {operator} {})", self.expr(&sides[0]), self.expr(&sides[1]))
+            Expr::Chain(first, rest) => {
+                rest.iter().fold(self.expr(first), |left, (operator, right)| {
+                    let operator = match operator {
+                        Operator::Add => '+',
+                        Operator::Sub => '-',
+                        Operator::Mul => '*',
+                        Operator::Div => '/',
+                    };
+                    format!("({left} {operator} {})", self.expr(right))
+                })
             }
             Expr::Call(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(|a| self.expr(a)).collect();

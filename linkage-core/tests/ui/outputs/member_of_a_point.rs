@@ -6,7 +6,7 @@ mechanism! {
         ground A(0, 0), D(4m, 0);
         crank AB(A) -> B { length: 1m, angle: theta }
         rrr BC(B), DC(D) -> C { lengths: (3m, 3m), mode: left }
-        output C.x;
+        output C.angle;
     }
 }
 
