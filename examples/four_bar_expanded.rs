@@ -360,19 +360,16 @@ const _: () = {
 
         /// Positions of the outputs, without a branch, and whether they may be used.
         ///
-        /// Given `theta` by its cosine and sine.
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1).
         ///
         /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
         /// division and 1 square root.
         #[inline]
         #[must_use]
         pub fn solve_position_at(&self, cos: T, sin: T) -> (FourBarPosition<T>, T::Mask) {
-            let (result_, ok_) = self.core_position_at_(cos, sin);
-            (
-                result_,
-                ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                    & T::is_within(sin, T::lit(1.0625, 1.0625)),
-            )
+            let (cos_, sin_, near_) = private::on_circle(cos, sin);
+            let (result_, ok_) = self.core_position_at_(cos_, sin_);
+            (result_, ok_ & near_)
         }
 
         #[inline(always)]
@@ -398,7 +395,7 @@ const _: () = {
 
         /// Velocities of the outputs, without a branch, and whether they may be used.
         ///
-        /// Given `theta` by its cosine and sine, its rate in rad/s.
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s.
         ///
         /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
         /// divisions and 1 square root.
@@ -410,12 +407,9 @@ const _: () = {
             sin: T,
             theta_rate: T,
         ) -> (FourBarVelocity<T>, T::Mask) {
-            let (result_, ok_) = self.core_velocity_at_(cos, sin, theta_rate);
-            (
-                result_,
-                ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                    & T::is_within(sin, T::lit(1.0625, 1.0625)),
-            )
+            let (cos_, sin_, near_) = private::on_circle(cos, sin);
+            let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
+            (result_, ok_ & near_)
         }
 
         #[inline(always)]
@@ -445,7 +439,8 @@ const _: () = {
         /// Positions, velocities and accelerations of the outputs, without a branch, and whether they
         /// may be used.
         ///
-        /// Given `theta` by its cosine and sine, its rate in rad/s, its second rate in rad/s².
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s, its
+        /// second rate in rad/s².
         ///
         /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
         /// divisions and 1 square root.
@@ -458,12 +453,9 @@ const _: () = {
             theta_rate: T,
             theta_acceleration: T,
         ) -> (FourBarMotion<T>, T::Mask) {
-            let (result_, ok_) = self.core_motion_at_(cos, sin, theta_rate, theta_acceleration);
-            (
-                result_,
-                ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                    & T::is_within(sin, T::lit(1.0625, 1.0625)),
-            )
+            let (cos_, sin_, near_) = private::on_circle(cos, sin);
+            let (result_, ok_) = self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+            (result_, ok_ & near_)
         }
 
         #[inline(always)]
@@ -761,7 +753,7 @@ const _: () = {
 
         /// Positions of the outputs.
         ///
-        /// Given `theta` by its cosine and sine.
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1).
         ///
         /// Costs 11 additions, 21 multiplications, 1 division and 1 square root.
         ///
@@ -775,19 +767,21 @@ const _: () = {
             sin: T,
         ) -> private::Result<FourBarPosition<T>, private::SolveError> {
             let (result_, ok_) = {
-                let (result_, ok_) = self.core_position_at_(cos, sin);
-                (
-                    result_,
-                    ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                        & T::is_within(sin, T::lit(1.0625, 1.0625)),
-                )
+                let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                let (result_, ok_) = self.core_position_at_(cos_, sin_);
+                (result_, ok_ & near_)
             };
-            if ok_ { private::Ok(result_) } else { self.explain_position_at_(cos, sin) }
+            if ok_ {
+                private::Ok(result_)
+            } else {
+                let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
+                self.explain_position_at_(cos_, sin_)
+            }
         }
 
         /// Velocities of the outputs.
         ///
-        /// Given `theta` by its cosine and sine, its rate in rad/s.
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s.
         ///
         /// Costs 12 additions, 29 multiplications, 2 divisions and 1 square root.
         ///
@@ -802,19 +796,22 @@ const _: () = {
             theta_rate: T,
         ) -> private::Result<FourBarVelocity<T>, private::SolveError> {
             let (result_, ok_) = {
-                let (result_, ok_) = self.core_velocity_at_(cos, sin, theta_rate);
-                (
-                    result_,
-                    ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                        & T::is_within(sin, T::lit(1.0625, 1.0625)),
-                )
+                let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
+                (result_, ok_ & near_)
             };
-            if ok_ { private::Ok(result_) } else { self.explain_velocity_at_(cos, sin, theta_rate) }
+            if ok_ {
+                private::Ok(result_)
+            } else {
+                let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
+                self.explain_velocity_at_(cos_, sin_, theta_rate)
+            }
         }
 
         /// Positions, velocities and accelerations of the outputs.
         ///
-        /// Given `theta` by its cosine and sine, its rate in rad/s, its second rate in rad/s².
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s, its
+        /// second rate in rad/s².
         ///
         /// Costs 24 additions, 54 multiplications, 2 divisions and 1 square root.
         ///
@@ -830,17 +827,16 @@ const _: () = {
             theta_acceleration: T,
         ) -> private::Result<FourBarMotion<T>, private::SolveError> {
             let (result_, ok_) = {
-                let (result_, ok_) = self.core_motion_at_(cos, sin, theta_rate, theta_acceleration);
-                (
-                    result_,
-                    ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                        & T::is_within(sin, T::lit(1.0625, 1.0625)),
-                )
+                let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                let (result_, ok_) =
+                    self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+                (result_, ok_ & near_)
             };
             if ok_ {
                 private::Ok(result_)
             } else {
-                self.explain_motion_at_(cos, sin, theta_rate, theta_acceleration)
+                let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
+                self.explain_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
             }
         }
 

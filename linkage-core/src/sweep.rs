@@ -32,6 +32,8 @@ pub enum Status {
     Invalid,
     /// See [`SolveError::NotFinite`].
     NotFinite,
+    /// See [`SolveError::OffCircle`].
+    OffCircle,
 }
 
 /// One input of a sweep: a number for each pose, or one number for all of them.
@@ -300,6 +302,7 @@ impl From<SolveError> for Status {
             SolveError::Singular { .. } => Self::Singular,
             SolveError::Invalid { .. } => Self::Invalid,
             SolveError::NotFinite { .. } => Self::NotFinite,
+            SolveError::OffCircle { .. } => Self::OffCircle,
         }
     }
 }

@@ -257,7 +257,7 @@ fn details(cx: &Context<'_>, kind: EntryKind) -> String {
         [only] => {
             let (name, unit) = (text(&only.name), unit(only.dimension, Order::Position));
             let first = match entry::takes_cosine(kind) {
-                true => format!("`{name}` by its cosine and sine"),
+                true => format!("`{name}` by its cosine and sine (any amplitude from 0.9 to 1.1)"),
                 false => format!("`{name}` in {unit}"),
             };
             let rates = [format!("its rate in {unit}/s"), format!("its second rate in {unit}/s²")];

@@ -72,10 +72,10 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let (arguments, scalar) = (cx.arguments(entry.kind), &cx.names.scalar);
     let (declared, converted) =
         (arguments.declared(&quote!(#scalar)), arguments.converted(&quote!(#scalar)));
-    let (names, result) = (arguments.names(), result(cx, entry.kind));
+    let result = result(cx, entry.kind);
     let name = function_name(method(entry.kind));
     let answer = straight::answer(cx, entry);
-    let (explain, docs) = (explanations::name(entry.kind), docs::checked(cx, entry));
+    let (explain, docs) = (explanations::call(cx, entry), docs::checked(cx, entry));
     let (outcome, error, ok) =
         (cx.paths.item("Result"), cx.paths.item("SolveError"), cx.paths.item("Ok"));
     let (value, usable) = (generated("result_"), generated("ok_"));
@@ -85,7 +85,7 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
         pub fn #name(&self, #(#declared),*) -> #outcome<#result, #error> {
             #converted
             let (#value, #usable) = { #answer };
-            if #usable { #ok(#value) } else { self.#explain(#(#names),*) }
+            if #usable { #ok(#value) } else { #explain }
         }
     }
 }

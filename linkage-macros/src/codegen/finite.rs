@@ -12,10 +12,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::dominance::undominated;
-use super::names::function_name;
 use super::pieces::Pieces;
 use super::{Context, formulas, results};
-use crate::ir::bounds::{CIRCLE, Floors, Limits, Values};
+use crate::ir::bounds::{Floors, Limits, Values};
 use crate::ir::graph::{Check, Graph, Id, Node};
 use crate::ir::liveness::{Course, live, live_nodes};
 use crate::ir::program::{Entry, EntryKind};
@@ -142,17 +141,6 @@ fn within(cx: &Context<'_>, value: &Pieces, [wide, narrow]: [f64; 2]) -> TokenSt
     let is_within = cx.scalar("is_within");
     let bound = cx.literal(wide.min(f64::MAX), (narrow as f32).min(f32::MAX));
     quote!(#is_within(#value, #bound))
-}
-
-/// Whether a given cosine and sine are as large as bounds take for granted; nothing where the
-/// results are asked in any case.
-pub(super) fn circle(cx: &Context<'_>, entry: &Entry) -> Option<TokenStream> {
-    cx.bounds.get(&formulas::leading(cx, entry).kind)?;
-    let [cos, sin] = ["cos", "sin"].map(|name| {
-        let name = function_name(name);
-        within(cx, &name.into(), [CIRCLE; 2])
-    });
-    Some(quote!(#cos & #sin))
 }
 
 /// Whether the result is finite, as a term of a mask; nothing where it cannot be otherwise.

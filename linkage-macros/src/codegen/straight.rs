@@ -43,18 +43,21 @@ pub(super) fn function(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     }
 }
 
-/// The core's answer to the arguments of an entry point. A given cosine and sine are asked here,
-/// because those of an angle need not be.
+/// The core's answer to the arguments of an entry point. The amplitude of a given cosine and sine is
+/// divided out here, because an angle's have none.
 pub(super) fn answer(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     let (arguments, core) = (cx.arguments(entry.kind), core_name(entry));
     let (names, [result, ok]) = (arguments.names(), ["result_", "ok_"].map(generated));
-    let circle = entry::takes_cosine(entry.kind).then(|| finite::circle(cx, entry)).flatten();
-    match circle {
-        Some(circle) => quote! {
-            let (#result, #ok) = self.#core(#(#names),*);
-            (#result, #ok & #circle)
-        },
-        None => quote!(self.#core(#(#names),*)),
+    if !entry::takes_cosine(entry.kind) {
+        return quote!(self.#core(#(#names),*));
+    }
+    let (given, rates) = names.split_at(2);
+    let ([cos, sin, near], on_circle) =
+        (["cos_", "sin_", "near_"].map(generated), cx.paths.item("on_circle"));
+    quote! {
+        let (#cos, #sin, #near) = #on_circle(#(#given),*);
+        let (#result, #ok) = self.#core(#cos, #sin #(, #rates)*);
+        (#result, #ok & #near)
     }
 }
 

@@ -50,10 +50,6 @@ pub(crate) type Floors = HashMap<Id, Option<f64>>;
 /// More than the relative error of any operation in either width.
 const SLACK: f64 = 1e-6;
 
-/// The largest magnitude of a cosine or sine that is given: that of one, and a margin for what
-/// delivers it.
-pub(crate) const CIRCLE: f64 = 1.0625;
-
 /// More than what underflow takes from a value in either width.
 const TINY: f64 = 1e-35;
 
@@ -123,7 +119,7 @@ impl Bounds<'_> {
             Node::Constant(_) | Node::Low(_) => return None,
             Node::Input { order: 0 | 1, .. } => Range::about(limits.input),
             Node::Input { .. } => Range::about(limits.input * limits.input),
-            Node::InputCos(_) | Node::InputSin(_) => Range::about(CIRCLE),
+            Node::InputCos(_) | Node::InputSin(_) => Range::about(1.0).rounded(),
             Node::Sin(angle) | Node::Cos(angle) => {
                 self.of(angle)?;
                 Range::about(1.0).rounded()

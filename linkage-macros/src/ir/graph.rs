@@ -38,7 +38,9 @@ pub(crate) enum Node {
         input: u32,
         order: u8,
     },
-    /// The cosine of an input, where an `_at` entry is given it.
+    /// The cosine of an input, where an `_at` entry is given it: with `InputSin` a point of the unit
+    /// circle, which rewrites may take for granted. The run-time crate divides the amplitude out
+    /// of what a resolver gives before any formula sees it.
     InputCos(u32),
     /// The sine of an input, where an `_at` entry is given it.
     InputSin(u32),
