@@ -744,7 +744,7 @@ const _: () = {
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
+        /// or result that is not finite. An input that no coefficient depends on is not looked at.
         #[inline]
         pub fn coefficients(&self, theta: T) -> private::Result<[[T; 1]; 7], private::SolveError> {
             let (result_, ok_) = { self.core_coefficients_(theta) };
@@ -759,7 +759,7 @@ const _: () = {
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
+        /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
         #[inline]
         pub fn position_at(
             &self,
@@ -787,7 +787,7 @@ const _: () = {
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
+        /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
         #[inline]
         pub fn velocity_at(
             &self,
@@ -817,7 +817,7 @@ const _: () = {
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
+        /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
         #[inline]
         pub fn motion_at(
             &self,

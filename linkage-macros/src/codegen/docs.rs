@@ -291,11 +291,27 @@ pub(super) fn checked(cx: &Context<'_>, entry: &Entry) -> TokenStream {
     lines(&format!(
         "{}.\n\n{}\n\nCosts {}.\n\n# Errors\n\
          The group that cannot be assembled, is singular or was given an invalid length, or the \
-         input or result that is not finite.",
+         input or result that is not finite.{}",
         subject(entry.kind),
         details(cx, entry.kind),
         cost::in_words(cost::of(cx, entry)),
+        exceptions(entry.kind),
     ))
+}
+
+/// What is refused, or is not, in an entry point of this kind alone.
+fn exceptions(kind: EntryKind) -> &'static str {
+    match kind {
+        EntryKind::Coefficients => " An input that no coefficient depends on is not looked at.",
+        EntryKind::Margins => {
+            " A margin is there also beyond its own group's limit, but not behind another group \
+             that has no pose: the error names that one, and by how much it is out of reach."
+        }
+        EntryKind::PositionAt | EntryKind::VelocityAt | EntryKind::MotionAt => {
+            " `OffCircle` where the amplitude is no resolver's."
+        }
+        EntryKind::Position | EntryKind::Velocity | EntryKind::Motion => "",
+    }
 }
 
 pub(super) fn sweep(cx: &Context<'_>, entry: &Entry) -> TokenStream {
