@@ -28,7 +28,9 @@ mod exact;
 mod expansions;
 #[cfg(test)]
 mod fuzz;
+mod interface;
 mod ir;
+mod lower;
 mod model;
 #[cfg(test)]
 mod oracle;

@@ -1,4 +1,4 @@
-/* Calls the solvers from C and prints every answer bit by bit, for `tests/c_caller.rs` to compare
+/* Calls the solvers from C and prints every answer bit by bit, for `c_caller.rs` to compare
  * with what Rust computes. */
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 
 use linkage_core::{Direction, Float, Lanes, Mask, Point, Real, Scalar, Tracker};
 
-use crate::cam::{Cam, Strip};
+use cam::{Cam, Strip};
 use crate::mechanisms::{
     Everything, Excavator, FlyingShear, FlyingShearPosition, SixBar, SliderCrank, TunedFourBar,
 };

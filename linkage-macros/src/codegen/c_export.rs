@@ -11,10 +11,11 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use self::names::Width;
-use super::names::{function_name, generated, text};
-use super::rows::string;
-use super::{Context, entry, literal, solver};
-use crate::ir::program::{Entry, EntryKind};
+use super::arguments::Arguments;
+use super::context::{Context, literal};
+use super::names::{function_name, generated, string, text};
+use super::{results, solver};
+use crate::interface::entries::Entry;
 use crate::model::mechanism::{Param, ParamKind, Sign};
 
 /// Nothing unless the declaration says `export c;`.
@@ -26,7 +27,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     let (header, parameters) = (header::text(cx), parameters(cx));
     let (read, reply) = (read(cx), reply(cx));
     let functions = Width::ALL
-        .map(|width| cx.program.entries.iter().map(move |entry| function(cx, entry, width)));
+        .map(|width| cx.interface.entries.iter().map(move |entry| function(cx, entry, width)));
     let functions = functions.into_iter().flatten();
     quote! {
         impl #name<f64> {
@@ -43,8 +44,8 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
 const PARAMETERS: &str = "mechanism";
 
 /// What C calls the argument that an answer is written to.
-fn answer_name(kind: EntryKind) -> &'static str {
-    entry::method(kind).trim_end_matches("_at")
+fn answer_name(entry: &Entry) -> &'static str {
+    entry.name.trim_end_matches("_at")
 }
 
 /// The parameters in a layout that C can fill with anything; nothing without parameters.
@@ -175,11 +176,11 @@ fn reply(cx: &Context<'_>) -> TokenStream {
 
 /// One entry point for one width.
 fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
-    let name = function_name(&names::function(&cx.names.solver, of.kind, width));
-    let method = function_name(entry::method(of.kind));
+    let name = function_name(&names::function(&cx.names.solver, of, width));
+    let method = function_name(of.name);
     let number = Ident::new(width.in_rust(), Span::call_site());
     let number = quote!(#number);
-    let arguments = cx.arguments(of.kind);
+    let arguments = Arguments::new(cx, of.given);
     let labels = arguments.names().iter().map(|name| string(&text(name), name.span()));
     let names: Vec<Ident> = (0..labels.len()).map(|i| generated(&format!("q{i}_"))).collect();
     let ty = arguments.ty(&number);
@@ -188,9 +189,9 @@ fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
         false => (ty, TokenStream::new()),
     };
     let (solver, parameter) = called(cx, &number);
-    let value = entry::result_of(cx, of.kind, &number);
+    let value = results::ty(cx, of.result, &number);
     let [result, ok, error, i32] = ["Result", "Ok", "CError", "i32"].map(|i| cx.paths.item(i));
-    let label = answer_name(of.kind);
+    let label = answer_name(of);
     let (to, why, answer) = (generated("to_"), generated("why_"), generated("answer_"));
     quote! {
         #[unsafe(no_mangle)]

@@ -1,37 +1,21 @@
 //! `COST`, and what a solver costs in words.
 
-use std::collections::HashMap;
-
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::Context;
-use crate::ir::cost::{Operations, operations};
-use crate::ir::program::{Entry, EntryKind};
+use super::context::Context;
+use crate::interface::EntryId;
+use crate::ir::cost::Operations;
 
 /// What an entry point costs.
-pub(super) fn of(cx: &Context<'_>, entry: &Entry) -> Operations {
-    cx.costs[&entry.kind]
-}
-
-/// What every entry point costs.
-pub(super) fn all(cx: &Context<'_>) -> HashMap<EntryKind, Operations> {
-    cx.program.entries.iter().map(|entry| (entry.kind, count(cx, entry))).collect()
-}
-
-fn count(cx: &Context<'_>, entry: &Entry) -> Operations {
-    let of = |entry: &Entry| operations(&cx.program.graph, &entry.sinks);
-    match cx.on_the_circle(entry).map(of) {
-        Some(cost) => Operations { sines: cost.sines + 1, ..cost },
-        None => of(entry),
-    }
+pub(super) fn of(cx: &Context<'_>, entry: EntryId) -> Operations {
+    cx.lowered.costs[entry.index()]
 }
 
 /// The initialiser of `COST`.
 pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
-    let kinds = [EntryKind::Position, EntryKind::Motion, EntryKind::Coefficients];
-    let [position, motion, coefficients] = kinds.map(|kind| {
-        let cost = cx.entry(kind).map_or_else(Operations::default, |entry| of(cx, entry));
+    let [position, motion, coefficients] = ["position", "motion", "coefficients"].map(|name| {
+        let cost = cx.interface.find(name).map_or_else(Operations::default, |id| of(cx, id));
         record(cx, cost)
     });
     let cost = cx.paths.item("Cost");

@@ -3,21 +3,15 @@
 //! User identifiers appear as types, fields and strings only, with their own spans. A local under
 //! a bare user name would collide with a constant of that name in the user's scope.
 
-use proc_macro2::{Ident, Span};
-use quote::format_ident;
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::ToTokens;
 use syn::ext::IdentExt;
 
 use crate::model::mechanism::Mechanism;
 
-/// The types of one mechanism.
+/// The names that do not come with the interface.
 pub(super) struct Names {
     pub solver: Ident,
-    pub input: Ident,
-    pub position: Ident,
-    pub velocity: Ident,
-    pub acceleration: Ident,
-    pub motion: Ident,
-    pub margins: Ident,
     /// The arguments for the value, the rate and the second rate of an input that is the only one.
     pub only_input: Vec<Ident>,
     /// The type parameter of all of them: `T`.
@@ -30,12 +24,6 @@ impl Names {
     pub(super) fn new(mechanism: &Mechanism) -> Self {
         let solver = mechanism.name.clone();
         Self {
-            input: format_ident!("{solver}Input"),
-            position: format_ident!("{solver}Position"),
-            velocity: format_ident!("{solver}Velocity"),
-            acceleration: format_ident!("{solver}Acceleration"),
-            motion: format_ident!("{solver}Motion"),
-            margins: format_ident!("{solver}Margins"),
             only_input: match &mechanism.inputs[..] {
                 [only] => ["", "_rate", "_acceleration"].map(|s| argument(&only.name, s)).to_vec(),
                 _ => Vec::new(),
@@ -80,6 +68,13 @@ fn argument(input: &Ident, suffix: &str) -> Ident {
     }
 }
 
+/// A string about a user identifier, with its span.
+pub(super) fn string(text: &str, span: Span) -> TokenStream {
+    let mut literal = Literal::string(text);
+    literal.set_span(span);
+    literal.into_token_stream()
+}
+
 /// The identifier as the user wrote it, without `r#`.
 pub(super) fn text(ident: &Ident) -> String {
     ident.unraw().to_string()
@@ -87,6 +82,8 @@ pub(super) fn text(ident: &Ident) -> String {
 
 #[cfg(test)]
 mod tests {
+    use quote::format_ident;
+
     use super::*;
 
     #[test]

@@ -8,7 +8,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::names::clear_of;
-use super::pieces::Pieces;
+use super::tokens::Tokens;
 use crate::model::mechanism::Mechanism;
 
 pub(super) struct Paths {
@@ -37,8 +37,8 @@ impl Paths {
     }
 
     /// A type, trait, function or macro of the run-time crate, inside the unnamed constant.
-    pub(super) fn item(&self, name: &str) -> Pieces {
-        Pieces::path(self.alias.clone(), Ident::new(name, Span::call_site()))
+    pub(super) fn item(&self, name: &str) -> Tokens {
+        Tokens::path(self.alias.clone(), Ident::new(name, Span::call_site()))
     }
 
     /// The same beside the user's own items, where nothing was imported.

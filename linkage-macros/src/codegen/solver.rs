@@ -3,10 +3,12 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
+use super::context::{Context, literal};
 use super::names::{function_name, text};
-use super::pieces::Pieces;
-use super::{Context, cost, docs, literal, results, rows};
-use crate::model::mechanism::{Param, ParamKind, Sign};
+use super::tokens::Tokens;
+use super::{cost, docs, names, records};
+use crate::interface::labels;
+use crate::model::mechanism::{Output, Param, ParamKind, Sign};
 
 /// What can be done without solving anything.
 pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
@@ -17,7 +19,7 @@ pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
 /// The struct itself.
 pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, visibility) = (&cx.names.solver, &cx.names.scalar, &cx.mechanism.visibility);
-    let (docs, attributes) = (docs::solver(cx), results::attributes(cx));
+    let (docs, attributes) = (docs::solver(cx), records::attributes(cx));
     let fields = cx.mechanism.params.iter().map(|param| {
         let (docs, field) = (docs::param(param), &param.name);
         let ty = match mode_type(param) {
@@ -46,7 +48,7 @@ fn mode_type(param: &Param) -> Option<&'static str> {
 
 /// Without a numeric parameter nothing holds the type parameter; the field is public so that
 /// `..Solver::new()` stays usable: its name and its value, whose type has the value's name.
-pub(super) fn marker(cx: &Context<'_>) -> Option<(Ident, Pieces)> {
+pub(super) fn marker(cx: &Context<'_>) -> Option<(Ident, Tokens)> {
     let taken = |name: &str| cx.mechanism.params.iter().any(|param| param.name == name);
     let mut name = String::from("scalar_");
     while taken(&name) {
@@ -76,7 +78,7 @@ pub(super) fn construct(
 }
 
 /// The parameter as declared, a number by `lit` or as a plain literal.
-fn defaults(cx: &Context<'_>, number: impl Fn(f64, f32) -> Pieces) -> TokenStream {
+fn defaults(cx: &Context<'_>, number: impl Fn(f64, f32) -> Tokens) -> TokenStream {
     let number = |param: &Param| match &param.kind {
         ParamKind::Number { default, .. } => {
             number(default.to_f64(), default.to_f32()).into_token_stream()
@@ -105,12 +107,12 @@ fn default_variant(param: &Param) -> TokenStream {
 fn constants(cx: &Context<'_>) -> TokenStream {
     let name = &cx.names.solver;
     let new = defaults(cx, |wide, _| literal(wide));
-    let (outputs, rows) = (rows::literals(cx), cx.rows());
+    let (outputs, rows) = (output_rows(cx), cx.rows());
     let inputs = cx.mechanism.inputs.iter().map(|input| &input.name);
-    let inputs = inputs.map(|name| rows::string(&text(name), name.span()));
+    let inputs = inputs.map(|name| names::string(&text(name), name.span()));
     let params = cx.numeric_params();
     let params: Vec<_> =
-        params.iter().map(|p| rows::string(&text(&p.name), p.name.span())).collect();
+        params.iter().map(|p| names::string(&text(&p.name), p.name.span())).collect();
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
     let (cost_type, cost) = (cx.paths.item("Cost"), cost::constant(cx));
     quote! {
@@ -130,6 +132,15 @@ fn constants(cx: &Context<'_>) -> TokenStream {
             pub const fn new() -> Self { #new }
         }
     }
+}
+
+/// All rows of the outputs.
+fn output_rows(cx: &Context<'_>) -> Vec<TokenStream> {
+    let rows = |output: &Output| {
+        let rows = labels::rows(output).into_iter();
+        rows.map(|row| names::string(&row, output.field.span())).collect::<Vec<_>>()
+    };
+    cx.mechanism.outputs.iter().flat_map(rows).collect()
 }
 
 fn default(cx: &Context<'_>) -> TokenStream {

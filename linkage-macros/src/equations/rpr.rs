@@ -30,7 +30,7 @@
 //! random poses 1.9 times for positions, 2.6 for velocities, 12.2 for accelerations; uphill 2.3, 3.4
 //! and 46. Where the joints' difference is exact, so is s, within ε of itself; `numerics
 //! compensated;` puts the rounding of that difference back where both joints are given by inputs
-//! and constants (`tests/compensated.rs`).
+//! and constants (`tests/limits/compensated.rs`).
 //!
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.

@@ -38,7 +38,7 @@
 //! 10.5 for velocities, 7.1 for accelerations; uphill 2.8, 32 and 41, with guides nearly along an
 //! axis through the origin. The pin is as right as its slide or its bar is long, whichever carries
 //! it. With `numerics compensated;` X is within 2.5 ε of itself however near the limit, if length,
-//! offset and y are exact (`tests/compensated.rs`).
+//! offset and y are exact (`tests/limits/compensated.rs`).
 //!
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (slider-crank) in the axes of the guide.

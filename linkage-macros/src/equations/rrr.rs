@@ -55,7 +55,7 @@
 //! and joints are exact: constants count with all their digits, and the rounding errors of sums,
 //! of squares, and of the difference of two joints that are given by inputs and constants are put
 //! back. Directions are then within 5.5 ε, and ω and α lose no more than their own formulas do
-//! (`tests/compensated.rs`). A crank's pin is rounded before the group sees it, by as much as
+//! (`tests/limits/compensated.rs`). A crank's pin is rounded before the group sees it, by as much as
 //! the difference D − B is rounded after; neither is put back.
 //!
 //! # Numbers

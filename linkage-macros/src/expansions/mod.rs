@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::TokenStream;
 
 use crate::diagnostics::Diagnostics;
-use crate::{codegen, fuzz, pipeline, syntax};
+use crate::{fuzz, pipeline, syntax};
 use declarations::Declaration;
 use fingerprint::{exact, numbered_anew};
 
@@ -71,7 +71,7 @@ fn stand_in(tokens: TokenStream) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
     let tree = syntax::parse(tokens, &mut diagnostics);
     assert!(diagnostics.into_errors().is_empty());
-    codegen::stubs::stubs(&tree.expect("it expands"))
+    pipeline::stand_in(&tree.expect("it expands"))
 }
 
 fn all() -> BTreeMap<Key, Hashes> {

@@ -63,13 +63,13 @@ pub(crate) fn rebuild_with(
         };
         moved.0[id.index()] = Some(new);
     }
-    let (mut entries, mut clearances) = (program.entries.clone(), program.clearances.clone());
-    let of_entries = entries.iter_mut().flat_map(|entry| &mut entry.sinks);
+    let (mut answers, mut clearances) = (program.answers.clone(), program.clearances.clone());
+    let of_answers = answers.iter_mut().flat_map(|answer| &mut answer.sinks);
     let of_clearances = clearances.iter_mut().flat_map(|clearance| &mut clearance.sinks);
-    for sink in of_entries.chain(of_clearances) {
+    for sink in of_answers.chain(of_clearances) {
         *sink = moved.of(*sink);
     }
-    Program { graph, entries, clearances, groups: program.groups.clone() }
+    Program { graph, answers, clearances, groups: program.groups.clone() }
 }
 
 /// Where the nodes of the old program are in the new one.

@@ -4,8 +4,7 @@ use proc_macro2::Ident;
 
 use crate::diagnostics::{Extent, nearest};
 use crate::exact::Exact;
-use crate::syntax::tree::{self, BinaryOp, ExprKind, UnitPower};
-use crate::syntax::words::UNITS;
+use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
 use super::Resolver;
 use super::dimension::Measure;
@@ -13,7 +12,6 @@ use super::folding::shown;
 use super::mechanism::{Dimension, Expr, Function, LinkId, Operator, ParamKind, Turn};
 use super::names::{Entity, NUMBERS};
 use super::readings::DISTANCE;
-use super::units::unit;
 
 /// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
 pub(super) struct Quantity {
@@ -43,7 +41,7 @@ impl Quantity {
         Self { measure, links: Vec::new(), rest }
     }
 
-    fn constant(measure: Measure, value: Exact) -> Self {
+    pub(super) fn constant(measure: Measure, value: Exact) -> Self {
         Self::plain(measure, Expr::Constant(value))
     }
 
@@ -102,7 +100,11 @@ impl Resolver<'_> {
             ExprKind::Call(function, arguments) if function == DISTANCE => {
                 self.distance(function, arguments)
             }
-            ExprKind::Call(function, arguments) => self.call(function, arguments),
+            ExprKind::Call(function, arguments) => {
+                let quantity = self.call(function, arguments)?;
+                self.number_is_of_a_length(expr.span, quantity.rest.constant())?;
+                Some(quantity)
+            }
             // The names in it are among what was not read.
             ExprKind::Mistake => None,
         }
@@ -120,7 +122,9 @@ impl Resolver<'_> {
             });
             span = span.to(operand.span);
         }
-        left
+        let left = left?;
+        self.no_bare_number_beside_a_unit(first, rest, left.measure)?;
+        Some(left)
     }
 
     fn operation(
@@ -140,62 +144,6 @@ impl Resolver<'_> {
             self.number_can_be_held(span, Some(value))?;
         }
         Some(quantity)
-    }
-
-    /// A literal is a number, and its units are among the known.
-    fn literal(&mut self, span: Extent, digits: &str, units: &[UnitPower]) -> Option<Quantity> {
-        let value = Exact::decimal(digits);
-        self.number_can_be_held(span, value.as_ref())?;
-        let mut value = value?;
-        if units.is_empty() {
-            return Some(Quantity::constant(Measure::Bare, value));
-        }
-        let mut dimension = Dimension::NUMBER;
-        for (name, power) in units {
-            let Some((of_unit, factor)) = unit(name) else {
-                self.unit_exists(span, digits, name);
-                return None;
-            };
-            for _ in 0..power.unsigned_abs() {
-                let scaled = if *power > 0 { Some(value.mul(&factor)) } else { value.div(&factor) };
-                value = scaled.expect("no unit is zero");
-            }
-            dimension = dimension.times(of_unit, *power);
-        }
-        self.number_can_be_held(span, Some(&value))?;
-        Some(Quantity::constant(Measure::Known(dimension), value))
-    }
-
-    /// Reports letters behind a number that are no unit.
-    fn unit_exists(&mut self, span: Extent, digits: &str, suffix: &str) {
-        if suffix == "pi" || self.names.of_kinds(&NUMBERS).any(|name| name == suffix) {
-            let message = format!("write `{digits} * {suffix}`");
-            let reason = "letters directly behind a number are its unit";
-            self.diagnostics.error_because(span, message, reason);
-            return;
-        }
-        let mut message = format!("no unit named `{suffix}`");
-        if let Some(near) = nearest(suffix, UNITS.into_iter()) {
-            message += &format!("; a unit with a similar name exists: `{near}`");
-        }
-        let reason = "lengths have `m mm cm um in`, angles `rad deg turn`, masses `kg g t`, forces \
-                      `N kN`, times `s ms`; products stand in parentheses, as in `15(N/m)`";
-        self.diagnostics.error_because(span, message, reason);
-    }
-
-    /// A constant is one that floating point can hold: neither infinite nor lost as zero.
-    fn number_can_be_held(&mut self, span: Extent, value: Option<&Exact>) -> Option<()> {
-        let is_held = value.is_some_and(|value| {
-            let rounded = value.to_f64();
-            rounded.is_finite() && (rounded == 0.0) == value.is_zero()
-        });
-        if is_held {
-            return Some(());
-        }
-        let message = "a number too large or too small; change its exponent";
-        let reason = "`f64` holds numbers between 1e-308 and 1e308";
-        self.diagnostics.error_because(span, message, reason);
-        None
     }
 
     fn named_number(&mut self, name: &Ident) -> Option<Quantity> {

@@ -5,6 +5,7 @@ use syn::Attribute;
 
 use crate::diagnostics::nearest;
 use crate::syntax::tree;
+use crate::syntax::words::built_by;
 
 use super::Resolver;
 use super::anatomy::{Anatomy, Class, Joint, Pin, Reason};
@@ -304,9 +305,10 @@ impl Resolver<'_> {
             _ => {
                 let near = nearest(&text, Anatomy::keywords());
                 let near = near.map(|near| format!("; one with a similar name exists: `{near}`"));
+                let known = || format!("they are {}", known_groups());
                 (
                     format!("no driver or group `{text}`{}", near.unwrap_or_default()),
-                    format!("they are {}", known_groups()),
+                    built_by(&text).map_or_else(known, str::to_string),
                 )
             }
         };

@@ -11,6 +11,7 @@ use super::assembly::constants;
 use super::facts::{GuideFacts, Line};
 use super::mechanism::{Carrier, Course, GuideId, Named, PointId, Spot, Step};
 use super::names::Entity;
+use super::numbers::bare_name;
 
 impl Resolver<'_> {
     pub(super) fn guide_line(
@@ -89,13 +90,29 @@ impl Resolver<'_> {
         carrier: Option<Carrier>,
     ) -> Option<(Course, Option<[Exact; 2]>)> {
         match course {
-            tree::Course::Along(angle) => Some((Course::Along(self.turn(angle)?), None)),
+            tree::Course::Along(angle) => {
+                self.axis_is_an_angle(angle)?;
+                Some((Course::Along(self.turn(angle)?), None))
+            }
             tree::Course::Towards(name) => {
                 let (point, at) = self.point_lies_on_carrier(name, carrier)?;
                 Some((Course::Towards(point), at))
             }
             tree::Course::Mistake => None,
         }
+    }
+
+    /// An axis, by its name, is no angle.
+    fn axis_is_an_angle(&mut self, angle: &tree::Expr) -> Option<()> {
+        let name = bare_name(angle).filter(|name| self.names.kind(name).is_none());
+        let degrees = match name.map(ToString::to_string).as_deref() {
+            Some("x" | "X" | "horizontal") => "0deg",
+            Some("y" | "Y" | "vertical") => "90deg",
+            _ => return Some(()),
+        };
+        let message = format!("write `along {degrees}`");
+        self.diagnostics.error_because(angle.span, message, "a direction is an angle from +x");
+        None
     }
 
     /// A guide goes through points of the body it is fixed in.

@@ -43,6 +43,13 @@ impl Mentions {
     }
 }
 
+/// Every name that a statement uses, as written.
+pub(super) fn names_used(statement: &Statement) -> Vec<Ident> {
+    let mut names: Vec<_> = joints(statement).into_iter().cloned().collect();
+    expressions(statement, &mut |expr| names_in(expr, &mut |name| names.push(name.clone())));
+    names
+}
+
 /// The points, links and guides that a statement builds on.
 fn joints(statement: &Statement) -> Vec<&Ident> {
     match &statement.kind {

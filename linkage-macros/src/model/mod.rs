@@ -21,15 +21,18 @@ mod folding;
 mod groups;
 mod guides;
 mod inputs;
+mod literals;
 pub(crate) mod mechanism;
 pub(crate) mod mentions;
 mod modes;
 mod names;
 mod numbers;
+mod order;
 mod outputs;
 mod points;
 mod readings;
 mod settings;
+pub(crate) mod stand_in;
 pub(crate) mod turning;
 mod units;
 
@@ -43,6 +46,7 @@ use facts::Facts;
 use mechanism::{Mechanism, Numerics};
 use mentions::Mentions;
 use names::Names;
+use order::TooEarly;
 
 /// The mechanism that the declaration means; `None` if anything in it was reported.
 pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
@@ -54,6 +58,7 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         mechanism: empty(tree),
         facts: Facts::default(),
         moves: false,
+        too_early: Vec::new(),
         use_is_hidden: false,
         number_is_unknown: false,
     };
@@ -64,6 +69,8 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     }
     resolver.names.go_to(tree.statements.len());
     resolver.outputs(tree);
+    resolver.statements_are_in_order(tree);
+    resolver.bare_lengths_are_of_a_machine();
     resolver.an_input_is_declared(tree);
     resolver.every_input_is_used(tree);
     resolver.mechanism.turnings = turning::turnings(&resolver.mechanism);
@@ -82,6 +89,8 @@ struct Resolver<'d> {
     facts: Facts,
     /// Whether the statement being resolved depends on an input so far.
     moves: bool,
+    /// Names used before they are made.
+    too_early: Vec<TooEarly>,
     /// Whether a mistake may have hidden the use of an input.
     use_is_hidden: bool,
     /// Whether an expression names a number that nothing declares.

@@ -3,7 +3,6 @@
 use proc_macro2::Ident;
 
 use crate::diagnostics::Extent;
-use crate::exact::Exact;
 use crate::syntax::tree::{self, ExprKind};
 
 use super::Resolver;
@@ -11,7 +10,7 @@ use super::dimension::Measure;
 use super::expressions::{ANGLE_REASON, Quantity};
 use super::folding::shown;
 use super::mechanism::{Dimension, Expr, Function, ParamKind, Turn};
-use super::names::{Entity, Kind, NUMBERS};
+use super::names::{Entity, Kind};
 
 impl Resolver<'_> {
     /// A length of either sign.
@@ -54,6 +53,10 @@ impl Resolver<'_> {
         if quantity.measure.fits(wanted) {
             return match wanted {
                 Dimension::ANGLE => self.bare_angle_is_within_a_turn(expr.span, quantity),
+                Dimension::LENGTH => {
+                    self.note_bare_length(expr.span, quantity);
+                    Some(())
+                }
                 _ => Some(()),
             };
         }
@@ -76,52 +79,6 @@ impl Resolver<'_> {
             _ => "multiply or divide by what is missing",
         };
         self.diagnostics.error_because(expr.span, message, reason);
-        None
-    }
-
-    /// What to write where the letters behind a number are a unit and the name of a number: `2s`.
-    pub(super) fn name_taken_for_a_unit(&self, expr: &tree::Expr) -> Option<String> {
-        let ExprKind::Number { digits, units } = &expr.kind else { return None };
-        let [(unit, 1)] = &units[..] else { return None };
-        let declared = self.names.of_kinds(&NUMBERS).any(|name| name == unit);
-        declared.then(|| {
-            format!("letters directly behind a number are its unit; write `{digits} * {unit}`")
-        })
-    }
-
-    /// A number without a unit that is used as an angle is at most a full turn: more is a
-    /// forgotten `deg`.
-    pub(super) fn bare_angle_is_within_a_turn(
-        &mut self,
-        at: Extent,
-        quantity: &Quantity,
-    ) -> Option<()> {
-        if quantity.measure != Measure::Bare {
-            return Some(());
-        }
-        let (value, span) = match &quantity.rest {
-            Expr::Constant(value) => (value.clone(), at),
-            Expr::Param(id) => {
-                let facts = &mut self.facts.params[id.index()];
-                let ParamKind::Number { default, .. } = &self.mechanism.params[id.index()].kind
-                else {
-                    return Some(());
-                };
-                if facts.blamed {
-                    return None;
-                }
-                facts.blamed = !within_a_turn(default);
-                (default.clone(), facts.span)
-            }
-            _ => return Some(()),
-        };
-        if within_a_turn(&value) {
-            return Some(());
-        }
-        let value = shown(&value);
-        let message = format!("an angle of {value} without a unit; write `{value}deg`");
-        let reason = format!("a bare number is SI; if radians are meant, write `{value}rad`");
-        self.diagnostics.error_because(span, message, reason);
         None
     }
 
@@ -245,11 +202,6 @@ impl Resolver<'_> {
         self.diagnostics.error(span, message);
         None
     }
-}
-
-fn within_a_turn(value: &Exact) -> bool {
-    let turn = Exact::pi().mul(&Exact::integer(2));
-    value.cmp_value(&turn).is_le() && value.cmp_value(&turn.neg()).is_ge()
 }
 
 /// The name of an expression that is a bare name.

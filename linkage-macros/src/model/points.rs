@@ -58,6 +58,9 @@ impl Resolver<'_> {
             return;
         };
         self.facts.points[point.index()] = self.moves;
+        if on.is_none() && !self.moves && matches!(place, Some(Place::Cartesian(_))) {
+            self.fixed_point_is_ground(name);
+        }
         if carrier != Carrier::Ground || !self.moves {
             let at = place.as_ref().and_then(constant_place);
             self.facts.fix(point, carrier, at);
@@ -76,7 +79,10 @@ impl Resolver<'_> {
     ) -> Option<Place> {
         match place {
             tree::Place::Mistake => None,
-            tree::Place::Cartesian(place) => self.lengths(place).map(Place::Cartesian),
+            tree::Place::Cartesian(place) => {
+                self.place_is_not_polar(place)?;
+                self.lengths(place).map(Place::Cartesian)
+            }
             tree::Place::Polar([radius, angle]) => {
                 let (radius, angle) = (self.length(radius), self.plain_angle(angle));
                 Some(Place::Polar(radius?, angle?))
@@ -101,6 +107,31 @@ impl Resolver<'_> {
                 Some(Place::Distances { distances, length, side: side? })
             }
         }
+    }
+
+    /// Reports a point in ground axes that no input moves: its link was forgotten.
+    fn fixed_point_is_ground(&mut self, name: &Ident) {
+        let message = match self.mechanism.links.last() {
+            Some(link) => format!(
+                "`{name}` does not move; name its link, as in `point {name} on {} at …`",
+                link.name
+            ),
+            None => format!("`{name}` does not move; write `ground {name}(x, y);`"),
+        };
+        let reason = format!("a fixed point is declared by `ground {name}(x, y);`");
+        self.report(name.span(), message, (!self.mechanism.links.is_empty()).then_some(reason));
+    }
+
+    /// A distance and an angle are no coordinates `(x, y)`.
+    fn place_is_not_polar(&mut self, [_, second]: &[Written; 2]) -> Option<()> {
+        let is_angle = matches!(&second.kind, tree::ExprKind::Number { units, .. }
+            if matches!(&units[..], [(unit, 1)] if ["deg", "rad", "turn"].contains(&unit.as_str())));
+        if is_angle {
+            let message = "an angle where a length belongs";
+            let reason = "a distance and an angle are written `at polar (r, 20deg)`";
+            self.diagnostics.error_because(second.span, message, reason);
+        }
+        (!is_angle).then_some(())
     }
 
     /// Distances are measured from the two joints of a bar. Gives the bar's length.

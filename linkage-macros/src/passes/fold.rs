@@ -13,7 +13,8 @@ pub(crate) fn fold_constants(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
         let holds = holds(check, maker.graph.as_constant(value)?);
         return holds.then_some(value);
     }
-    let value = evaluate(maker.graph, node)?;
+    // What would grow without bounds, along a chain of groups of constants, is left to run time.
+    let value = evaluate(maker.graph, node).filter(|value| !value.is_too_long_for_formulas())?;
     Some(maker.constant(value))
 }
 

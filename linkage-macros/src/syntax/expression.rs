@@ -76,9 +76,15 @@ impl Parser<'_> {
             Some(TokenTree::Literal(literal)) => self.number(&literal.to_string()),
             Some(TokenTree::Ident(name)) => self.named(name),
             Some(TokenTree::Group(group)) => self.parenthesised(&group),
-            Some(TokenTree::Punct(punct)) if punct.as_char() == '+' => {
-                self.expected_because(OPERAND, "a positive number has no sign")
-            }
+            Some(TokenTree::Punct(punct)) => match punct.as_char() {
+                '+' => self.expected_because(OPERAND, "a positive number has no sign"),
+                '|' => self.expected_because(OPERAND, "a distance is written `distance(P, Q)`"),
+                '.' => match self.bare_decimal() {
+                    Some(Ok(())) | None => self.expected(OPERAND),
+                    Some(Err(reported)) => Err(reported),
+                },
+                _ => self.expected(OPERAND),
+            },
             _ => self.expected(OPERAND),
         }
     }

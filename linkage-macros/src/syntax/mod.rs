@@ -27,6 +27,7 @@ mod expression;
 mod group;
 mod literal;
 mod recovery;
+mod slips;
 mod statement;
 mod tokens;
 pub(crate) mod tree;

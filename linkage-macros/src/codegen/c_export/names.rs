@@ -5,9 +5,8 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use crate::codegen::entry;
 use crate::codegen::names::text;
-use crate::ir::program::EntryKind;
+use crate::interface::entries::Entry;
 
 /// The number that a type or function is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -41,8 +40,8 @@ impl Width {
 }
 
 /// `flying_shear_position` or `flying_shear_position_f32`.
-pub(super) fn function(solver: &Ident, kind: EntryKind, width: Width) -> String {
-    suffixed(solver, entry::method(kind), width)
+pub(super) fn function(solver: &Ident, entry: &Entry, width: Width) -> String {
+    suffixed(solver, entry.name, width)
 }
 
 /// The function that returns the parameters as declared.

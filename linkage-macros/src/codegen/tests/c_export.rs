@@ -38,7 +38,7 @@ fn nothing_unsafe_comes_without_the_statement() {
 #[test]
 fn every_entry_point_is_a_function_in_both_widths() {
     let (mechanism, program) = exported(four_bar());
-    let entries = program.entries.len();
+    let entries = program.answers.len();
     let text = expand(&(mechanism, program));
     // Beside the entry points, the defaults in both widths.
     assert_eq!(text.matches("#[unsafe(no_mangle)]").count(), 2 * (entries + 1), "{text}");

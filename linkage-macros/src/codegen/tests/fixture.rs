@@ -5,7 +5,7 @@ use syn::{Attribute, Visibility};
 
 use crate::exact::Exact;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
-use crate::ir::program::{Entry, EntryKind, Program};
+use crate::ir::program::{Answer, Program};
 use crate::model::mechanism::*;
 use crate::model::mentions::Mentions;
 
@@ -65,12 +65,12 @@ pub(super) fn one_value(build: impl FnOnce(&mut Graph) -> Id) -> (Mechanism, Pro
     let mechanism = mechanism("Tiny", vec![input("theta", ANGLE)], vec![output("y", kind)]);
     let mut graph = Graph::new();
     let sinks = vec![build(&mut graph)];
-    let entries = vec![Entry { kind: EntryKind::Position, sinks }];
+    let answers = vec![Answer { entry: "position", sinks }];
     (
         mechanism,
         Program {
             graph,
-            entries,
+            answers,
             clearances: Vec::new(),
             groups: vec!["BC, DC".to_string(), "E".to_string()],
         },
@@ -107,9 +107,6 @@ pub(super) fn four_bar() -> (Mechanism, Program) {
 }
 
 fn four_bar_program() -> Program {
-    use EntryKind::{
-        Coefficients, Margins, Motion, MotionAt, Position, PositionAt, Velocity, VelocityAt,
-    };
     let mut graph = Graph::new();
     let angle = graph.push(Node::Input { input: 0, order: 0 });
     let rate = graph.push(Node::Input { input: 0, order: 1 });
@@ -128,20 +125,20 @@ fn four_bar_program() -> Program {
     let (pose_at, velocity_at, motion_at) = orders(&mut graph, given);
     let coefficients = pose.velocity(&mut graph, unit);
     let margin = vec![pose.sinks[6]];
-    let entries = [
-        (Position, pose.sinks),
-        (Velocity, velocity),
-        (Motion, motion),
-        (Coefficients, coefficients),
-        (PositionAt, pose_at.sinks),
-        (VelocityAt, velocity_at),
-        (MotionAt, motion_at),
-        (Margins, margin),
+    let answers = [
+        ("position", pose.sinks),
+        ("velocity", velocity),
+        ("motion", motion),
+        ("coefficients", coefficients),
+        ("position_at", pose_at.sinks),
+        ("velocity_at", velocity_at),
+        ("motion_at", motion_at),
+        ("margins", margin),
     ];
-    let entries = entries.map(|(kind, sinks)| Entry { kind, sinks }).to_vec();
+    let answers = answers.map(|(entry, sinks)| Answer { entry, sinks }).to_vec();
     Program {
         graph,
-        entries,
+        answers,
         clearances: Vec::new(),
         groups: vec!["AB".to_string(), "BC, DC".to_string()],
     }
@@ -283,13 +280,13 @@ pub(super) fn table() -> (Mechanism, Program) {
     let slide1 = g.push(Node::Mul(way, s1));
     let parts = [g.push(Node::Mul(s1, x)), g.push(Node::Mul(s, x1))];
     let area1 = g.push(Node::Add(parts[0], parts[1]));
-    let entries = vec![
-        Entry { kind: EntryKind::Position, sinks: vec![one, zero, slide, x, area, cos, sin] },
-        Entry { kind: EntryKind::Velocity, sinks: vec![zero, slide1, x1, area1, s1] },
-        Entry {
-            kind: EntryKind::Coefficients,
+    let answers = vec![
+        Answer { entry: "position", sinks: vec![one, zero, slide, x, area, cos, sin] },
+        Answer { entry: "velocity", sinks: vec![zero, slide1, x1, area1, s1] },
+        Answer {
+            entry: "coefficients",
             sinks: vec![zero, way, zero, x, one, zero, zero, one, s, zero],
         },
     ];
-    (table, Program { graph: g, entries, clearances: Vec::new(), groups: Vec::new() })
+    (table, Program { graph: g, answers, clearances: Vec::new(), groups: Vec::new() })
 }

@@ -7,14 +7,14 @@ mod guards;
 mod spans;
 mod turning;
 
-use super::generate;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::program::Program;
+use crate::lower::lower;
 use crate::model::mechanism::Mechanism;
 use fixture::{exact, four_bar, one_value, table};
 
 /// What the blocks in the unnamed constant implement.
-pub(super) fn associated_items(file: &syn::File) -> Vec<&syn::ImplItem> {
+pub(crate) fn associated_items(file: &syn::File) -> Vec<&syn::ImplItem> {
     let blocks = file.items.iter().filter_map(|item| match item {
         syn::Item::Const(item) => match &*item.expr {
             syn::Expr::Block(block) => Some(&block.block.stmts),
@@ -27,6 +27,11 @@ pub(super) fn associated_items(file: &syn::File) -> Vec<&syn::ImplItem> {
         _ => &[],
     };
     blocks.flatten().flat_map(of).collect()
+}
+
+/// Everything that the program expands to.
+fn generate(mechanism: &Mechanism, program: &Program) -> proc_macro2::TokenStream {
+    super::generate(mechanism, &lower(mechanism, program))
 }
 
 fn expand((mechanism, program): &(Mechanism, Program)) -> String {

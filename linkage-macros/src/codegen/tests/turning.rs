@@ -1,10 +1,9 @@
 //! What the docs say about the turn of a crank, and the solver's word on it.
 
-use crate::codegen::generate;
+use super::generate;
 use crate::equations;
 use crate::exact::Exact;
 use crate::ir::interpret::{Given, Number, interpret};
-use crate::ir::program::EntryKind;
 use crate::model::turning::Range;
 use crate::oracle::mechanism;
 use crate::passes;
@@ -95,7 +94,7 @@ fn assembles(source: &str) -> impl Fn(f64) -> bool {
     move |degrees: f64| {
         let inputs = vec![[degrees.to_radians(), 0.0, 0.0]];
         let values = interpret(&program, &Given { inputs, params: Vec::new(), unit: None });
-        let entry = program.entries.iter().find(|entry| entry.kind == EntryKind::Position);
+        let entry = program.answer("position");
         let sinks = &entry.expect("there is a position").sinks;
         sinks.iter().all(|sink| values[sink.index()].is_finite())
     }

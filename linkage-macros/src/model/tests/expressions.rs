@@ -429,3 +429,44 @@ fn a_name_taken_for_a_unit_is_told() {
         ),
     ]);
 }
+
+#[test]
+fn a_bare_number_is_no_forgotten_unit() {
+    check(&[
+        (CRANK, "let a = 10m + 1; let b = 10mm + 0; let c = 0.5 + 1rad; output a, b, c;", ""),
+        (
+            CRANK,
+            "let a = 10mm + 1; output a;",
+            "1: write the unit of `1`: `1mm` or `1m` / a number without a unit is in metres",
+        ),
+        (
+            CRANK,
+            "let a = t - 90deg - 0.5; output a;",
+            "0.5: write the unit of `0.5`: `0.5deg` or `0.5rad` / a number without a unit is in \
+             radians",
+        ),
+    ]);
+}
+
+/// Lengths without any unit are metres, and few machines are a hundred of them long.
+#[test]
+fn lengths_without_any_unit_are_of_a_machine() {
+    const BARE: &str = "input t: angle; ground A(0, 0), D(665.7, 0); \
+                        crank AB(A) -> B { length: 80, angle: t }";
+    check(&[
+        (
+            BARE,
+            "rrr BC(B), DC(D) -> C { lengths: (632, 374), mode: left }",
+            "665.7: a length of 665.7 m; write `665.7mm`, or `665.7m` if it is meant / no length \
+             of this declaration has a unit, and a bare number is in metres",
+        ),
+        (BARE, "rrr BC(B), DC(D) -> C { lengths: (632m, 374), mode: left }", ""),
+        (
+            "input t: angle; param l = -250; ground A(l, 0);",
+            "crank AB(A) -> B { length: 99, angle: t }",
+            "-250: a length of 250 m; write `250mm`, or `250m` if it is meant / no length of this \
+             declaration has a unit, and a bare number is in metres",
+        ),
+        ("input t: angle; ground A(0, 0);", "crank AB(A) -> B { length: 99, angle: t }", ""),
+    ]);
+}

@@ -212,7 +212,7 @@ fn outputs_are_what_was_asked_for() {
 fn what_stands_still_is_no_default_output() {
     means(
         "input t: angle; ground A(0, 0), D(1m, 0); crank AB(A) -> B { length: 1m, angle: 30deg }
-         point P on AB at (1m, 0); point Q at (0, 1m); point R at (t * 1m, 0);
+         point P on AB at (1m, 0); point Q on ground at (0, 1m); point R at (t * 1m, 0);
          rrr BC(B), DC(D) -> C { lengths: (1m, 1m), mode: left }",
         "input t: an angle
          ground A(0, 0)
@@ -242,7 +242,7 @@ fn settings_are_kept() {
 fn doc_comments_are_kept_and_makers_named() {
     let (mechanism, _) = resolved(&format!(
         "{GUIDE} /// The rod.\n rrr BC(B), DC(D) -> C {{ lengths: (3m, 3m), mode: left }} \
-         /// The blade.\n point P on BC at (1m, 0); point R at (0, 0);"
+         /// The blade.\n point P on BC at (1m, 0); point R on ground at (0, 0);"
     ));
     let mechanism = mechanism.expect("nothing was reported");
     let points: Vec<_> = mechanism

@@ -5,7 +5,7 @@ use crate::equations::tests::declarations::VARIANTS;
 use crate::exact::Exact;
 use crate::ir::construct::{Rule, rebuild};
 use crate::ir::interpret::{Given, Number};
-use crate::ir::program::{EntryKind, Program};
+use crate::ir::program::Program;
 use crate::oracle::{Digits, defaults, mechanism, values};
 use crate::passes::{RULES, affine, contract, fold, optimise, simplify};
 
@@ -28,11 +28,11 @@ fn no_pass_changes_a_value() {
             unit: None,
         };
         let raw = equations::derive(&mechanism, &[]);
-        let expected = values(&raw, EntryKind::Motion, &given);
+        let expected = values(&raw, "motion", &given);
         for (name, pass) in passes {
             let passed = pass(&raw);
             assert!(passed.graph.len() <= raw.graph.len(), "{name} made {} larger", variant.name);
-            let found = values(&passed, EntryKind::Motion, &given);
+            let found = values(&passed, "motion", &given);
             for (found, expected) in found.iter().zip(&expected) {
                 // Both are good to about 120 digits less the conditioning of the pose.
                 assert!(found.apart(expected) < 1e-55, "{name} changed {}", variant.name);
@@ -67,9 +67,9 @@ fn a_given_cosine_and_sine_are_all_that_is_read_of_an_angle() {
         };
         let angle = given(sin.atan2(&cos), None);
         let elsewhere = given(Digits::float(2.0), Some([cos.clone(), sin.clone()]));
-        let expected = values(&raw, EntryKind::Motion, &angle);
+        let expected = values(&raw, "motion", &angle);
         for program in [&raw, &affine::square_distances(&raw), &optimise(&raw)] {
-            let found = values(program, EntryKind::MotionAt, &elsewhere);
+            let found = values(program, "motion_at", &elsewhere);
             for (found, expected) in found.iter().zip(&expected) {
                 assert!(found.apart(expected) < 1e-55, "{groups}");
             }
@@ -90,7 +90,7 @@ fn off_the_circle_a_coupler_would_not_keep_its_length() {
         let unit = [0.6, 0.8].map(|x| Digits::float(amplitude * x));
         let inputs = vec![[0.0; 3].map(Digits::float)];
         let given = Given { inputs, params: Vec::new(), unit: Some(unit) };
-        let pins = values(&program, EntryKind::PositionAt, &given);
+        let pins = values(&program, "position_at", &given);
         let [bx, by, cx, cy] = [0, 1, 2, 3].map(|i| pins[i].to_f64());
         (cx - bx).hypot(cy - by)
     };

@@ -1,0 +1,4 @@
+//! A tracker follows its motion through change points.
+
+mod change_points;
+mod groups;
