@@ -49,12 +49,12 @@ mod tests {
 
     #[test]
     fn amplitudes_near_one_are_divided_out_and_others_refused() {
-        for amplitude in [0.9000001, 0.97, 1.0, 1.01, 1.0999999] {
+        for amplitude in [0.9000001_f64, 0.97, 1.0, 1.01, 1.0999999] {
             let (cos, sin, ok) = on_circle(amplitude * 0.6, amplitude * -0.8);
             assert!(ok && (cos - 0.6).abs() <= f64::EPSILON && (sin + 0.8).abs() <= f64::EPSILON);
             assert!(found_on_circle(amplitude as f32, 0.0, "theta").is_ok());
         }
-        for amplitude in [0.0, 1e-300, 0.8999999, 1.1000001, 1e200] {
+        for amplitude in [0.0_f64, 1e-300, 0.8999999, 1.1000001, 1e200] {
             assert!(!on_circle(amplitude * 0.6, amplitude * -0.8).2);
             let Err(SolveError::OffCircle { name, amplitude: found }) =
                 found_on_circle(amplitude * 0.6, amplitude * -0.8, "theta")
@@ -64,9 +64,9 @@ mod tests {
             assert_eq!(name, "theta");
             assert!((found - amplitude).abs() <= 2.0 * f64::EPSILON * amplitude);
         }
-        let not_finite = |name| Err(SolveError::NotFinite { name });
-        assert_eq!(found_on_circle(f64::NAN, 0.0, "theta"), not_finite("cos"));
-        assert_eq!(found_on_circle(1.0, f32::INFINITY, "theta"), not_finite("sin"));
+        let not_finite = |name| SolveError::NotFinite { name };
+        assert_eq!(found_on_circle(f64::NAN, 0.0, "theta").unwrap_err(), not_finite("cos"));
+        assert_eq!(found_on_circle(1.0, f32::INFINITY, "theta").unwrap_err(), not_finite("sin"));
         assert!(!on_circle(f64::NAN, 0.0).2 && !on_circle(1.0, f64::INFINITY).2);
     }
 }

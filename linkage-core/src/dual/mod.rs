@@ -236,6 +236,13 @@ impl<D: Compose> Real for D {
     fn is_constant(self) -> bool {
         self.real().is_constant() && self.has_no_derivative()
     }
+
+    type Enclosing = <D::Part as Real>::Enclosing;
+
+    /// Modes are a matter of values.
+    fn enclosing(self, radius: Self) -> Self::Enclosing {
+        self.real().enclosing(radius.real())
+    }
 }
 
 /// The first three derivatives of the arc sine, which are infinite at ±1.

@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::context::Context;
-use super::names::{function_name, generated};
+use super::identifiers::{function_name, generated};
 use super::{arguments::Arguments, docs, fast_path, results, slow_path};
 use crate::interface::EntryId;
 

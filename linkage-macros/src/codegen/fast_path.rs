@@ -6,8 +6,8 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::names::{function_name, generated};
-use super::tokens::Tokens;
+use super::identifiers::{function_name, generated};
+use super::token_list::Tokens;
 use super::{docs, formulas, results};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;

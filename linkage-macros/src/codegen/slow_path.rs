@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::names::{function_name, generated, text};
+use super::identifiers::{function_name, generated, text};
 use super::{docs, formulas, results};
 use crate::interface::entries::Entry;
 use crate::interface::{EntryId, labels};

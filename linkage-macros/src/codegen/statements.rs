@@ -5,8 +5,8 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::names::{function_name, generated};
-use super::tokens::Tokens;
+use super::identifiers::{function_name, generated};
+use super::token_list::Tokens;
 use crate::ir::graph::{Id, Node};
 use crate::lower::routine::{Comparison, Condition, Reading, Routine, Statement, Threshold};
 use crate::model::mechanism::ParamKind;

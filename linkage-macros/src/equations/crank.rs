@@ -12,14 +12,15 @@
 
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::parts::{LinkMotion, Solved};
 
-/// The crank's frame, and its pin where it has a length.
+/// The crank, and its pin where it has a length.
 pub(super) fn crank<'s>(
     pivot: PointMotion<'s>,
     direction: Direction<'s>,
     length: Option<Jet<'s>>,
-) -> (Frame<'s>, Option<PointMotion<'s>>) {
+) -> Solved<'s> {
     let frame = Frame { origin: pivot, direction };
     let pin = length.map(|length| frame.place(length, Jet::zero(length.value.sheet())));
-    (frame, pin)
+    Solved { links: vec![LinkMotion { frame, slide: None }], pin }
 }

@@ -45,11 +45,11 @@
 //! W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle, for the product form.
 //!
 //! # Error
-//! At most 4 times what the data allow next to the stretched bars, to the folded ones, and where
-//! the outer joints of equal bars meet. On random poses 2.5 times for positions, 11.2 for
-//! velocities, 5.9 for accelerations; uphill 3.3, 25 and 16, where a long bar's end moves fast and
-//! the pin at its other end hardly: the velocity of a pin between moving joints is that of the first
-//! joint and its bar's.
+//! At most 4 times what the data allow next to the stretched bars, to the folded ones, and
+//! where the outer joints of equal bars meet. On random poses 2.5 times for positions, 11.2 for
+//! velocities, 5.9 for accelerations; in the hill-climbed worst case 3.3, 25 and 16, where a long
+//! bar's end moves fast and the pin at its other end hardly: the velocity of a pin between moving
+//! joints is that of the first joint and its bar's.
 //!
 //! With `numerics compensated;` S is right to a few last places however near the toggle, if lengths
 //! and joints are exact: constants count with all their digits, and the rounding errors of sums,
@@ -63,11 +63,12 @@
 //! constants and accelerations are asked for. A parallelogram (l₂ = |AB|, l₃ … equal in pairs)
 //! passes through change points where a constant mode turns it into an antiparallelogram.
 
-use crate::equations::clearance::{Clearance, size};
 use crate::equations::double_word::DoubleWord;
-use crate::equations::groups::{Bar, Dyad, Place, Quality, root_in_reach};
 use crate::equations::jet::Jet;
 use crate::equations::motion::PointMotion;
+use crate::equations::parts::{
+    Bar, Clearance, GroupScope, LimitMeasures, Solved, root_in_reach, size,
+};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
 use crate::model::mechanism::Numerics;
@@ -91,19 +92,19 @@ struct Triangle<'s> {
 }
 
 pub(super) fn rrr<'s>(
-    place: &Place<'s>,
+    scope: &GroupScope<'s>,
     [b, d]: [PointMotion<'s>; 2],
     lengths: [Jet<'s>; 2],
     mode: Sym<'s>,
-) -> Dyad<'s> {
+) -> Solved<'s> {
     let line = b.to(d);
-    let triangle = triangle(place, [b, d], lengths, mode);
+    let triangle = triangle(scope, [b, d], lengths, mode);
     let across = triangle.height * line.normal();
     let r2 = triangle.along[0] * line + across;
     let r3 = across - triangle.along[1] * line;
 
     // 1/J = 1/(h d²) = 1/(2 l₂ l₃ √S) = √S/(2 l₂ l₃) · 1/S: the division runs beside the root.
-    let regular = triangle.square.provided(Check::Nonzero, place.group, &[]);
+    let regular = triangle.square.provided(Check::Nonzero, scope.group, &[]);
     let inverse = triangle.scale.twice() * triangle.root * regular.recip();
     let bars = [Bar::new(b, r2, lengths[0]), Bar::new(d, r3, lengths[1])];
 
@@ -118,21 +119,22 @@ pub(super) fn rrr<'s>(
     // The pin is carried by the bar that stands on the ground, if one does: one sum less.
     let carrier = usize::from(d.is_fixed());
     let pin = bars[carrier].pin();
-    Dyad { pin, bars }
+    let links = bars.iter().zip(scope.links).map(|(bar, &link)| bar.link(link));
+    Solved { links: links.collect(), pin: Some(pin) }
 }
 
 fn triangle<'s>(
-    place: &Place<'s>,
+    scope: &GroupScope<'s>,
     joints: [PointMotion<'s>; 2],
     lengths: [Jet<'s>; 2],
     mode: Sym<'s>,
 ) -> Triangle<'s> {
     let (d, [l2, l3]) = (joints[0].to(joints[1]), lengths.map(|length| length.value));
     let operands = [d.x, d.y, l2, l3];
-    let inverse = d.dot(d).provided(Check::Square, place.group, &operands).recip();
+    let inverse = d.dot(d).provided(Check::Square, scope.group, &operands).recip();
     let plain = half_sine(joints, lengths);
     let scale = plain.scale.value;
-    let (near, rounded, spread) = match place.numerics {
+    let (near, rounded, spread) = match scope.numerics {
         Numerics::Plain => (plain.near.value, plain.square.value, spread(d, [l2, l3], scale)),
         Numerics::Compensated => {
             let [near, far] = carried(d, [l2, l3]);
@@ -140,7 +142,7 @@ fn triangle<'s>(
         }
     };
     let circles = [d.x, d.y, l2, l3, spread];
-    let square = rounded.provided(Check::ReachCircles, place.group, &circles);
+    let square = rounded.provided(Check::ReachCircles, scope.group, &circles);
     let root = mode * square.sqrt();
     let height = (l2 * l3).twice() * inverse * root;
     // With equal bars a = b = d²/(2 d²) is one half: an identity wherever 1/d² exists.
@@ -151,7 +153,7 @@ fn triangle<'s>(
     } else {
         let decided = |share: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
             let operands = [rounded, d.x, d.y, near, far, spread];
-            (share * inverse).provided(Check::ShareOfCentres, place.group, &operands)
+            (share * inverse).provided(Check::ShareOfCentres, scope.group, &operands)
         };
         [decided(shares[0], [l2, l3]), decided(shares[1], [l3, l2])]
     };
@@ -239,10 +241,13 @@ fn carried<'s>(d: Vector<'s>, lengths: [Sym<'s>; 2]) -> [Sym<'s>; 2] {
 
 /// Signed distance from the limit in metres, 2 l₂ l₃ S/d with slope one against d at both toggles,
 /// and sine of the transmission angle, 2 √S.
-pub(super) fn quality<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> Quality<'s> {
+pub(super) fn quality<'s>(
+    joints: [PointMotion<'s>; 2],
+    lengths: [Jet<'s>; 2],
+) -> LimitMeasures<'s> {
     let (square, [x, y]) = (half_sine(joints, lengths).square, joints[0].jets_to(joints[1]));
     let margin = square * ((lengths[0] * lengths[1]).twice() / x.hypot(y));
-    Quality { margin: Some(margin), transmission: root_in_reach(square).twice() }
+    LimitMeasures { margin: Some(margin), transmission: root_in_reach(square).twice() }
 }
 
 /// S. Where one bar is long or the joints are far away, so is the rounding of i against l₂ l₃.

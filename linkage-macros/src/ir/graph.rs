@@ -80,43 +80,43 @@ pub(crate) enum Node {
 }
 
 /// A condition on a value. In the generated code's straight line it is one comparison; where that
-/// fails, the careful path looks at the operands and decides.
+/// fails, the slow path looks at the operands and decides.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Guard {
     pub check: Check,
     /// The group whose failure it is: an index into `Program::groups`.
     pub group: u32,
-    /// What the careful path looks at.
+    /// What the slow path looks at.
     pub operands: Vec<Id>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Check {
-    /// Straight line: value above what rounding does to it. Careful: circles of radii l₁ and l₂ about
+    /// Fast path: value above what rounding does to it. Slow path: circles of radii l₁ and l₂ about
     /// points d = (dx, dy) apart must meet. Operands dx, dy, l₁, l₂ and the spread, a number that
     /// rounding changes the value in the last places of. The value is
     /// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²)/(4 l₁ l₂)²; where rounding could have changed its sign it is
     /// replaced by what it is without, and at the limit by 0.
     ReachCircles,
-    /// Straight line: nothing. Careful: where the `ReachCircles` of the first operand, its value, is
+    /// Fast path: nothing. Slow path: where the `ReachCircles` of the first operand, its value, is
     /// decided without rounding, so is this, (d² + l₁² − l₂²)/2d²; at the limit it is ± l₁/|d|. The
     /// other operands are those of `ReachCircles`.
     ShareOfCentres,
-    /// Straight line: value above what rounding does to it. Careful: a point must have the
+    /// Fast path: value above what rounding does to it. Slow path: a point must have the
     /// distances r₁ and r₂ from (0, 0) and (l, 0). Operands l, r₁, r₂ and the spread. The value is the
     /// square of the point's y, replaced as that of `ReachCircles` is.
     ReachDistances,
-    /// Straight line: value ≥ the smallest number of full precision. Careful: |t| ≤ l. Operands t, l.
+    /// Fast path: value ≥ the smallest number of full precision. Slow path: |t| ≤ l. Operands t, l.
     /// At the limit the value is replaced by 0.
     ReachLine,
-    /// Straight line: value ≥ 0. Careful: |e| ≤ |(bx, by)|. Operands bx, by, e. At the limit the
+    /// Fast path: value ≥ 0. Slow path: |e| ≤ |(bx, by)|. Operands bx, by, e. At the limit the
     /// value is replaced by 0.
     ReachOffset,
-    /// Straight line: |value| > 0. Careful: zero is `Singular`.
+    /// Fast path: |value| > 0. Slow path: zero is `Singular`.
     Nonzero,
-    /// Straight line: value > 0. Careful: zero or negative is `Invalid` with this name.
+    /// Fast path: value > 0. Slow path: zero or negative is `Invalid` with this name.
     Positive(String),
-    /// Straight line: value ≥ the smallest square of full precision. Careful: a squared length
+    /// Fast path: value ≥ the smallest square of full precision. Slow path: a squared length
     /// below it is refused, as `Singular` where it is the square of zero. With the operands of
     /// `ReachCircles` it is the square of d, and out of reach where the circles do not meet.
     Square,
@@ -287,8 +287,8 @@ impl Graph {
         }
     }
 
-    /// Calls `f` with every operand that the straight line computes or compares with.
-    pub(crate) fn for_straight_operands_of(&self, node: Node, f: &mut impl FnMut(Id)) {
+    /// Calls `f` with every operand that the fast path computes or compares with.
+    pub(crate) fn for_fast_operands_of(&self, node: Node, f: &mut impl FnMut(Id)) {
         node.for_operands(f);
         self.spread(node).into_iter().for_each(f);
     }
@@ -300,7 +300,7 @@ impl Graph {
         guard.operands.last().copied().filter(|_| guard.check.has_spread())
     }
 
-    /// Calls `f` with every operand, what only the careful path looks at included.
+    /// Calls `f` with every operand, what only the slow path looks at included.
     pub(crate) fn for_operands_of(&self, node: Node, f: &mut impl FnMut(Id)) {
         if let Node::Guard(_, guard) = node {
             self.condition(guard).operands.iter().for_each(|&operand| f(operand));
@@ -310,7 +310,7 @@ impl Graph {
 }
 
 impl Node {
-    /// Calls `f` with every operand that the straight line computes with.
+    /// Calls `f` with every operand that the fast path computes with.
     pub(crate) fn for_operands(self, f: &mut impl FnMut(Id)) {
         self.map_operands(&mut |operand| {
             f(operand);

@@ -14,7 +14,7 @@ use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
 use crate::ir::cost::{Operations, operations};
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::liveness::{Course, live, live_nodes};
+use crate::ir::liveness::{Path, live, live_nodes};
 use crate::ir::program::Program;
 use crate::lower::routine::is_leaf;
 use crate::model::mechanism::Mechanism;
@@ -71,7 +71,7 @@ impl Builder<'_> {
             (_, Some(Given::Cosine)) => "formulas_at_".to_string(),
             _ => "formulas_".to_string(),
         };
-        let mut schedule = Schedule::new(self.graph(), &self.locals, Course::Careful, overflow);
+        let mut schedule = Schedule::new(self.graph(), &self.locals, Path::Slow, overflow);
         let statements: Vec<_> =
             entries.iter().map(|&entry| schedule.stage(self.sinks(entry))).collect();
         let result = self.interface.entry(last).result;
@@ -107,7 +107,7 @@ impl Builder<'_> {
     fn clearances(&self) -> Routine {
         let sinks: Vec<Id> =
             self.program.clearances.iter().flat_map(|clearance| clearance.sinks).collect();
-        let mut schedule = Schedule::new(self.graph(), &self.locals, Course::Open, None);
+        let mut schedule = Schedule::new(self.graph(), &self.locals, Path::Unchecked, None);
         let statements = schedule.stage(&sinks);
         let kept = schedule.read(sinks.iter().copied());
         let statements = lay_out(&schedule, statements, &kept);
@@ -127,7 +127,7 @@ impl Builder<'_> {
     fn asked(&self, entry: EntryId, overflow: Option<&Overflow>) -> Asked {
         let (graph, sinks) = (self.graph(), self.sinks(entry));
         let place = |id| sinks.iter().position(|&sink| sink == id);
-        let live = live(graph, sinks, Course::Careful);
+        let live = live(graph, sinks, Path::Slow);
         let read = live_nodes(graph, &live).map(|(_, node)| node).filter(|&node| is_leaf(node));
         let mut seen = HashSet::new();
         let is_known = |id| matches!(graph.node(id), Node::Constant(_) | Node::Mode(_));

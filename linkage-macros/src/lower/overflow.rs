@@ -11,7 +11,7 @@ use super::ranges::{Assumed, Thresholds, Values};
 use super::routine::{Limits, Threshold};
 use super::witnesses::witnesses;
 use crate::ir::graph::{Check, Graph, Id, Node};
-use crate::ir::liveness::{Course, live, live_nodes};
+use crate::ir::liveness::{Path, live, live_nodes};
 
 /// What the fast path asks of inputs and divisors in place of its results.
 pub(super) struct Overflow {
@@ -51,7 +51,7 @@ impl Overflow {
         if asked > 0 && asked >= witnesses(graph, sinks).len() {
             return None;
         }
-        let values = Values::new(graph, &live(graph, sinks, Course::Straight));
+        let values = Values::new(graph, &live(graph, sinks, Path::Fast));
         let first = |ladder: &[Assumed]| {
             let width = |assumed: &Assumed| {
                 Some(Width { thresholds: values.thresholds(assumed)?, input: assumed.input })
@@ -108,7 +108,7 @@ impl Overflow {
 
 /// The inputs and rates that limits are asked of: those that not only sines and cosines read.
 fn asked(graph: &Graph, sinks: &[Id]) -> Vec<Node> {
-    let live = live(graph, sinks, Course::Straight);
+    let live = live(graph, sinks, Path::Fast);
     let mut only_turned = vec![true; graph.len()];
     sinks.iter().for_each(|sink| only_turned[sink.index()] = false);
     for (_, node) in live_nodes(graph, &live) {

@@ -9,7 +9,7 @@ use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
 use crate::ir::cost::Operations;
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::liveness::{Course, unguarded};
+use crate::ir::liveness::{Path, unguarded};
 use crate::ir::program::Program;
 
 /// A program, ready to be printed.
@@ -51,7 +51,7 @@ pub(crate) struct Routine {
     pub given: &'static [Given],
     /// What the stages make together.
     pub result: Shape,
-    pub path: Course,
+    pub path: Path,
     /// One after the other: each uses what those before it have computed.
     pub stages: Vec<Stage>,
     /// The inputs and parameters it reads, in the order of the graph.
@@ -180,10 +180,10 @@ impl Locals {
 
     /// How a node's value is read: constants and signs say more where they are used than a name
     /// would. A routine without checks sees through conditions.
-    pub(crate) fn reading(&self, graph: &Graph, path: Course, id: Id) -> Reading {
+    pub(crate) fn reading(&self, graph: &Graph, path: Path, id: Id) -> Reading {
         let id = match path {
-            Course::Straight | Course::Open => unguarded(graph, id),
-            Course::Careful => id,
+            Path::Fast | Path::Unchecked => unguarded(graph, id),
+            Path::Slow => id,
         };
         match graph.node(id) {
             node if is_leaf(node) => Reading::Leaf(node),

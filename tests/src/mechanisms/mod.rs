@@ -15,6 +15,7 @@ pub mod placement;
 pub mod published;
 pub mod resolvers;
 pub mod right_or_refused;
+pub mod scaled_change_points;
 pub mod single_groups;
 pub mod stacked_sliders;
 pub mod statuses;

@@ -1,4 +1,4 @@
-//! What conditions become, and what the straight line and the careful path make of them.
+//! What conditions become, and what the fast path and the slow path make of them.
 
 use super::fixture::{exact, one_value};
 use super::{angle, expand, function, squeezed};
@@ -104,7 +104,7 @@ fn what_is_above_zero_is_not_asked_whether_it_is_zero() {
     assert_eq!(formulas.matches(".nonzero").count(), 1, "{formulas}");
 }
 
-/// The mask of the straight line on a quotient of two numbers made from the angle's sine.
+/// The mask of the fast path on a quotient of two numbers made from the angle's sine.
 fn mask(divisor: impl FnOnce(&mut Graph, Id) -> Id) -> String {
     let text = expand(&one_value(|g| {
         let angle = angle(g);

@@ -1,6 +1,6 @@
 //! What legal declarations resolve to.
 
-use super::super::mechanism::Numerics;
+use super::super::mechanism::{Numerics, PointId};
 use super::text::text;
 use super::*;
 
@@ -248,7 +248,11 @@ fn doc_comments_are_kept_and_makers_named() {
     let points: Vec<_> = mechanism
         .points
         .iter()
-        .map(|point| format!("{} {} {}", point.name, point.made_by, point.docs.len()))
+        .enumerate()
+        .map(|(id, point)| {
+            let maker = mechanism.maker(PointId(id as u32));
+            format!("{} {maker} {}", point.name, point.docs.len())
+        })
         .collect();
     assert_eq!(
         points,
