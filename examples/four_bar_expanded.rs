@@ -370,19 +370,16 @@ const _: () = {
 
         /// Positions of the outputs, without a branch, and whether they may be used.
         ///
-        /// Given `theta` by its cosine and sine.
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1).
         ///
         /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
         /// division and 1 square root.
         #[inline]
         #[must_use]
         pub fn solve_position_at(&self, cos: T, sin: T) -> (FourBarPosition<T>, T::Mask) {
-            let (result_, ok_) = self.core_position_at_(cos, sin);
-            (
-                result_,
-                ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                    & T::is_within(sin, T::lit(1.0625, 1.0625)),
-            )
+            let (cos_, sin_, near_) = private::on_circle(cos, sin);
+            let (result_, ok_) = self.core_position_at_(cos_, sin_);
+            (result_, ok_ & near_)
         }
 
         #[inline(always)]
@@ -408,7 +405,7 @@ const _: () = {
 
         /// Velocities of the outputs, without a branch, and whether they may be used.
         ///
-        /// Given `theta` by its cosine and sine, its rate in rad/s.
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s.
         ///
         /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
         /// divisions and 1 square root.
@@ -420,12 +417,9 @@ const _: () = {
             sin: T,
             theta_rate: T,
         ) -> (FourBarVelocity<T>, T::Mask) {
-            let (result_, ok_) = self.core_velocity_at_(cos, sin, theta_rate);
-            (
-                result_,
-                ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                    & T::is_within(sin, T::lit(1.0625, 1.0625)),
-            )
+            let (cos_, sin_, near_) = private::on_circle(cos, sin);
+            let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
+            (result_, ok_ & near_)
         }
 
         #[inline(always)]
@@ -455,7 +449,8 @@ const _: () = {
         /// Positions, velocities and accelerations of the outputs, without a branch, and whether they
         /// may be used.
         ///
-        /// Given `theta` by its cosine and sine, its rate in rad/s, its second rate in rad/s².
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s, its
+        /// second rate in rad/s².
         ///
         /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
         /// divisions and 1 square root.
@@ -468,12 +463,9 @@ const _: () = {
             theta_rate: T,
             theta_acceleration: T,
         ) -> (FourBarMotion<T>, T::Mask) {
-            let (result_, ok_) = self.core_motion_at_(cos, sin, theta_rate, theta_acceleration);
-            (
-                result_,
-                ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                    & T::is_within(sin, T::lit(1.0625, 1.0625)),
-            )
+            let (cos_, sin_, near_) = private::on_circle(cos, sin);
+            let (result_, ok_) = self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+            (result_, ok_ & near_)
         }
 
         #[inline(always)]
@@ -538,50 +530,77 @@ const _: () = {
             };
             let b_x_ = T::lit(0.1016, 0.1016) * cos;
             let b_y_ = T::lit(0.1016, 0.1016) * sin;
-            let v169_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
-            let v171_ =
-                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
-            let v172_ = guard_.square_of_centres(
-                v171_,
-                v169_,
-                -b_y_,
-                T::lit(0.254, 0.254),
-                T::lit(0.1778, 0.1778),
-                "BC, DC",
-            );
-            let v173_ = T::lit(1.0, 1.0) / v172_;
+            let v172_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
             let v174_ =
-                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
-            let v175_ = T::lit(0.1806448, 0.1806448) - v174_;
-            let v176_ = T::lit(5.535725357165, 5.5357256) * v174_;
-            let v177_ = T::lit(5.535725357165, 5.5357256) * v175_;
-            let v178_ = v176_ * v177_;
-            let v179_ = guard_.reach_circles(
-                v178_,
-                v169_,
+                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
+            let v175_ = guard_.square_of_centres(
+                v174_,
+                v172_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v180_ = T::sqrt(v179_);
-            let v181_ = T::lit(0.0903224, 0.0903224) * v173_;
-            let v182_ = v180_ * v181_;
-            let v184_ = T::fused(T::lit(0.5, 0.5), v174_, T::lit(0.0193548, 0.0193548));
-            let v185_ = T::fused(T::lit(0.5, 0.5), v174_, -T::lit(0.01354836, 0.01354836));
-            let v186_ = v173_ * v184_;
-            let v187_ = v173_ * v185_;
-            let v188_ = b_y_ * v182_;
-            let v189_ = v169_ * v182_;
-            let v192_ = T::fused(v169_, v186_, v188_);
-            let v193_ = T::fused(-b_y_, v186_, v189_);
-            let v197_ = T::fused(-v169_, v187_, v188_);
-            let c_y_ = T::fused(b_y_, v187_, v189_);
-            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v197_;
+            let v176_ = T::lit(1.0, 1.0) / v175_;
+            let v177_ =
+                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
+            let v178_ = T::lit(0.1806448, 0.1806448) - v177_;
+            let v179_ = T::lit(5.535725357165, 5.5357256) * v177_;
+            let v180_ = T::lit(5.535725357165, 5.5357256) * v178_;
+            let v181_ = v179_ * v180_;
+            let v182_ = guard_.reach_circles(
+                v181_,
+                [
+                    v172_,
+                    -b_y_,
+                    T::lit(0.254, 0.254),
+                    T::lit(0.1778, 0.1778),
+                    T::lit(1.0321428571428573, 1.0321429),
+                ],
+                "BC, DC",
+            );
+            let v183_ = T::sqrt(v182_);
+            let v184_ = T::lit(0.0903224, 0.0903224) * v176_;
+            let v185_ = v183_ * v184_;
+            let v187_ = T::fused(T::lit(0.5, 0.5), v177_, T::lit(0.0193548, 0.0193548));
+            let v188_ = T::fused(T::lit(0.5, 0.5), v177_, -T::lit(0.01354836, 0.01354836));
+            let v189_ = v176_ * v187_;
+            let v190_ = guard_.share_of_centres(
+                v189_,
+                [
+                    v181_,
+                    v172_,
+                    -b_y_,
+                    T::lit(0.254, 0.254),
+                    T::lit(0.1778, 0.1778),
+                    T::lit(1.0321428571428573, 1.0321429),
+                ],
+                "BC, DC",
+            );
+            let v191_ = v176_ * v188_;
+            let v192_ = guard_.share_of_centres(
+                v191_,
+                [
+                    v181_,
+                    v172_,
+                    -b_y_,
+                    T::lit(0.1778, 0.1778),
+                    T::lit(0.254, 0.254),
+                    T::lit(1.0321428571428573, 1.0321429),
+                ],
+                "BC, DC",
+            );
+            let v193_ = b_y_ * v185_;
+            let v194_ = v172_ * v185_;
+            let v197_ = T::fused(v172_, v190_, v193_);
+            let v198_ = T::fused(-b_y_, v190_, v194_);
+            let v202_ = T::fused(-v172_, v192_, v193_);
+            let c_y_ = T::fused(b_y_, v192_, v194_);
+            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v202_;
             let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
-            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v192_;
-            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v193_;
-            let c_x_ = T::lit(0.3048, 0.3048) + v197_;
+            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v197_;
+            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v198_;
+            let c_x_ = T::lit(0.3048, 0.3048) + v202_;
             let position_ = FourBarPosition {
                 AB: private::Direction { cos, sin },
                 B: private::Point { x: b_x_, y: b_y_ },
@@ -596,22 +615,22 @@ const _: () = {
                     acceleration: acceleration_,
                 };
             }
-            let v158_ = theta_rate * b_y_;
-            let b_vx_ = -v158_;
+            let v161_ = theta_rate * b_y_;
+            let b_vx_ = -v161_;
             let b_vy_ = theta_rate * b_x_;
-            let v199_ = guard_.nonzero(v179_, "BC, DC");
-            let v200_ = T::lit(11.07145071433, 11.071451) * v180_;
-            let v201_ = T::lit(1.0, 1.0) / v199_;
-            let v202_ = v200_ * v201_;
-            let v207_ = v158_ * v197_;
-            let v210_ = T::fused(-b_vy_, c_y_, v207_);
-            let bc_omega_ = v202_ * v210_;
-            let v212_ = v158_ * v192_;
-            let v214_ = T::fused(-b_vy_, v193_, v212_);
-            let dc_omega_ = v202_ * v214_;
-            let v237_ = c_y_ * dc_omega_;
-            let c_vx_ = -v237_;
-            let c_vy_ = v197_ * dc_omega_;
+            let v204_ = guard_.nonzero(v182_, "BC, DC");
+            let v205_ = T::lit(11.07145071433, 11.071451) * v183_;
+            let v206_ = T::lit(1.0, 1.0) / v204_;
+            let v207_ = v205_ * v206_;
+            let v212_ = v161_ * v202_;
+            let v215_ = T::fused(-b_vy_, c_y_, v212_);
+            let bc_omega_ = v207_ * v215_;
+            let v217_ = v161_ * v197_;
+            let v219_ = T::fused(-b_vy_, v198_, v217_);
+            let dc_omega_ = v207_ * v219_;
+            let v242_ = c_y_ * dc_omega_;
+            let c_vx_ = -v242_;
+            let c_vy_ = v202_ * dc_omega_;
             let velocity_ = FourBarVelocity {
                 AB: private::AngularVelocity { omega: theta_rate },
                 B: private::Point { x: b_vx_, y: b_vy_ },
@@ -627,31 +646,31 @@ const _: () = {
                 };
             }
             let v16_ = theta_rate * theta_rate;
-            let v161_ = theta_acceleration * b_y_;
-            let v162_ = theta_acceleration * b_x_;
-            let v165_ = T::fused(v16_, b_x_, v161_);
-            let b_ax_ = -v165_;
-            let b_ay_ = T::fused(-v16_, b_y_, v162_);
-            let v216_ = bc_omega_ * bc_omega_;
-            let v217_ = dc_omega_ * dc_omega_;
-            let v218_ = T::fused(-T::lit(0.5, 0.5), v174_, T::lit(0.0451612, 0.0451612));
-            let v219_ = v216_ * v218_;
-            let v221_ = T::fused(-T::lit(0.03161284, 0.03161284), v217_, v219_);
-            let v222_ = T::lit(0.064516, 0.064516) * v216_;
-            let v225_ = T::fused(-v217_, v218_, v222_);
-            let v226_ = v165_ * v197_;
-            let v229_ = T::fused(-b_ay_, c_y_, v226_);
-            let v230_ = v221_ + v229_;
-            let bc_alpha_ = v202_ * v230_;
-            let v232_ = v165_ * v192_;
-            let v234_ = T::fused(-b_ay_, v193_, v232_);
-            let v235_ = v225_ + v234_;
-            let dc_alpha_ = v202_ * v235_;
-            let v240_ = v197_ * v217_;
-            let v241_ = c_y_ * v217_;
-            let v244_ = T::fused(c_y_, dc_alpha_, v240_);
-            let c_ax_ = -v244_;
-            let c_ay_ = T::fused(v197_, dc_alpha_, -v241_);
+            let v164_ = theta_acceleration * b_y_;
+            let v165_ = theta_acceleration * b_x_;
+            let v168_ = T::fused(v16_, b_x_, v164_);
+            let b_ax_ = -v168_;
+            let b_ay_ = T::fused(-v16_, b_y_, v165_);
+            let v221_ = bc_omega_ * bc_omega_;
+            let v222_ = dc_omega_ * dc_omega_;
+            let v223_ = T::fused(-T::lit(0.5, 0.5), v177_, T::lit(0.0451612, 0.0451612));
+            let v224_ = v221_ * v223_;
+            let v226_ = T::fused(-T::lit(0.03161284, 0.03161284), v222_, v224_);
+            let v227_ = T::lit(0.064516, 0.064516) * v221_;
+            let v230_ = T::fused(-v222_, v223_, v227_);
+            let v231_ = v168_ * v202_;
+            let v234_ = T::fused(-b_ay_, c_y_, v231_);
+            let v235_ = v226_ + v234_;
+            let bc_alpha_ = v207_ * v235_;
+            let v237_ = v168_ * v197_;
+            let v239_ = T::fused(-b_ay_, v198_, v237_);
+            let v240_ = v230_ + v239_;
+            let dc_alpha_ = v207_ * v240_;
+            let v245_ = v202_ * v222_;
+            let v246_ = c_y_ * v222_;
+            let v249_ = T::fused(c_y_, dc_alpha_, v245_);
+            let c_ax_ = -v249_;
+            let c_ay_ = T::fused(v202_, dc_alpha_, -v246_);
             let acceleration_ = FourBarAcceleration {
                 AB: private::AngularAcceleration { alpha: theta_acceleration },
                 B: private::Point { x: b_ax_, y: b_ay_ },
@@ -735,7 +754,7 @@ const _: () = {
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
+        /// or result that is not finite. An input that no coefficient depends on is not looked at.
         #[inline]
         pub fn coefficients(&self, theta: T) -> private::Result<[[T; 1]; 7], private::SolveError> {
             let (result_, ok_) = { self.core_coefficients_(theta) };
@@ -744,13 +763,13 @@ const _: () = {
 
         /// Positions of the outputs.
         ///
-        /// Given `theta` by its cosine and sine.
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1).
         ///
         /// Costs 11 additions, 21 multiplications, 1 division and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
+        /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
         #[inline]
         pub fn position_at(
             &self,
@@ -758,25 +777,27 @@ const _: () = {
             sin: T,
         ) -> private::Result<FourBarPosition<T>, private::SolveError> {
             let (result_, ok_) = {
-                let (result_, ok_) = self.core_position_at_(cos, sin);
-                (
-                    result_,
-                    ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                        & T::is_within(sin, T::lit(1.0625, 1.0625)),
-                )
+                let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                let (result_, ok_) = self.core_position_at_(cos_, sin_);
+                (result_, ok_ & near_)
             };
-            if ok_ { private::Ok(result_) } else { self.explain_position_at_(cos, sin) }
+            if ok_ {
+                private::Ok(result_)
+            } else {
+                let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
+                self.explain_position_at_(cos_, sin_)
+            }
         }
 
         /// Velocities of the outputs.
         ///
-        /// Given `theta` by its cosine and sine, its rate in rad/s.
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s.
         ///
         /// Costs 12 additions, 29 multiplications, 2 divisions and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
+        /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
         #[inline]
         pub fn velocity_at(
             &self,
@@ -785,25 +806,28 @@ const _: () = {
             theta_rate: T,
         ) -> private::Result<FourBarVelocity<T>, private::SolveError> {
             let (result_, ok_) = {
-                let (result_, ok_) = self.core_velocity_at_(cos, sin, theta_rate);
-                (
-                    result_,
-                    ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                        & T::is_within(sin, T::lit(1.0625, 1.0625)),
-                )
+                let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
+                (result_, ok_ & near_)
             };
-            if ok_ { private::Ok(result_) } else { self.explain_velocity_at_(cos, sin, theta_rate) }
+            if ok_ {
+                private::Ok(result_)
+            } else {
+                let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
+                self.explain_velocity_at_(cos_, sin_, theta_rate)
+            }
         }
 
         /// Positions, velocities and accelerations of the outputs.
         ///
-        /// Given `theta` by its cosine and sine, its rate in rad/s, its second rate in rad/s².
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s, its
+        /// second rate in rad/s².
         ///
         /// Costs 24 additions, 54 multiplications, 2 divisions and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
+        /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
         #[inline]
         pub fn motion_at(
             &self,
@@ -813,17 +837,16 @@ const _: () = {
             theta_acceleration: T,
         ) -> private::Result<FourBarMotion<T>, private::SolveError> {
             let (result_, ok_) = {
-                let (result_, ok_) = self.core_motion_at_(cos, sin, theta_rate, theta_acceleration);
-                (
-                    result_,
-                    ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                        & T::is_within(sin, T::lit(1.0625, 1.0625)),
-                )
+                let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                let (result_, ok_) =
+                    self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+                (result_, ok_ & near_)
             };
             if ok_ {
                 private::Ok(result_)
             } else {
-                self.explain_motion_at_(cos, sin, theta_rate, theta_acceleration)
+                let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
+                self.explain_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
             }
         }
 
@@ -1365,20 +1388,20 @@ const _: () = {
             let v57_ = T::fused(-v50_, v51_, v54_);
             let v58_ = v51_ * v51_;
             let v59_ = T::lit(2.0, 2.0) * v58_;
-            let v249_ = v17_ * v26_;
-            let v250_ = T::fused(v17_, v26_, v40_);
-            let v251_ = v249_ + v250_;
-            let v252_ = b_y_ * v18_;
-            let v253_ = T::fused(-b_y_, v18_, v44_);
-            let v254_ = v253_ - v252_;
-            let v255_ = v251_ + v254_;
-            let v256_ = T::lit(5.535725357165, 5.5357256) * v255_;
-            let v259_ = T::fused(v52_, v256_, -v59_);
-            let v261_ = T::fused(-v50_, v256_, v259_);
+            let v254_ = v17_ * v26_;
+            let v255_ = T::fused(v17_, v26_, v40_);
+            let v256_ = v254_ + v255_;
+            let v257_ = b_y_ * v18_;
+            let v258_ = T::fused(-b_y_, v18_, v44_);
+            let v259_ = v258_ - v257_;
+            let v260_ = v256_ + v259_;
+            let v261_ = T::lit(5.535725357165, 5.5357256) * v260_;
+            let v264_ = T::fused(v52_, v261_, -v59_);
+            let v266_ = T::fused(-v50_, v261_, v264_);
             [private::Clearance {
                 value: v53_,
                 rate: v57_,
-                second_rate: v261_,
+                second_rate: v266_,
                 scale: T::lit(0.5517857142857143, 0.5517857),
             }]
         }

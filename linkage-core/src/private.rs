@@ -21,6 +21,7 @@ pub use crate::careful::{finite_input, finite_result};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate};
 pub use crate::guard::{Findings, Guard, Marks};
+pub use crate::resolver::{found_on_circle, on_circle};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfMotion, OfPosition, OfVelocity, Progress, Series, Status, sweep,
 };

@@ -134,14 +134,15 @@ fn triangle<'s>(
     let inverse = d.dot(d).provided(Check::Square, scope.group, &operands).recip();
     let plain = half_sine(joints, lengths);
     let scale = plain.scale.value;
-    let (near, square) = match scope.numerics {
-        Numerics::Plain => (plain.near.value, plain.square.value),
+    let (near, rounded, spread) = match scope.numerics {
+        Numerics::Plain => (plain.near.value, plain.square.value, spread(d, [l2, l3], scale)),
         Numerics::Compensated => {
             let [near, far] = carried(d, [l2, l3]);
-            (near, (near * scale) * (far * scale))
+            (near, (near * scale) * (far * scale), d.x.sheet().zero())
         }
     };
-    let square = square.provided(Check::ReachCircles, scope.group, &operands);
+    let circles = [d.x, d.y, l2, l3, spread];
+    let square = rounded.provided(Check::ReachCircles, scope.group, &circles);
     let root = mode * square.sqrt();
     let height = (l2 * l3).twice() * inverse * root;
     // With equal bars a = b = d²/(2 d²) is one half: an identity wherever 1/d² exists.
@@ -150,9 +151,24 @@ fn triangle<'s>(
     let along = if difference.is_zero() {
         [d.x.sheet().integer(1).half(); 2]
     } else {
-        shares.map(|share| share * inverse)
+        let decided = |share: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
+            let operands = [rounded, d.x, d.y, near, far, spread];
+            (share * inverse).provided(Check::ShareOfCentres, scope.group, &operands)
+        };
+        [decided(shares[0], [l2, l3]), decided(shares[1], [l3, l2])]
     };
     Triangle { scale, square, root, height, shares, half, along }
+}
+
+/// What S is rounded in the last places of. With i made of d² and (l₂ − l₃)², which its roundings are
+/// shares of, and d² the larger of the two where S is rounded up from below zero, S is wrong by up to
+/// 2.5 ε of d²/4l₂l₃; with d² affine in the crank's cosine and sine by up to 9 ε against the rounded
+/// joints that the limit is decided on (`passes/affine.rs`: 26 ε l²/2 for the form and as much for the
+/// joints at a shortest distance of 2 l). That is (l₂ + l₃)²/4l₂l₃ at most where there is a limit to
+/// pass, known before run time if the lengths are.
+fn spread<'s>(d: Vector<'s>, [l2, l3]: [Sym<'s>; 2], scale: Sym<'s>) -> Sym<'s> {
+    let square = if scale.is_constant() { (l2 + l3).squared() } else { d.dot(d) };
+    square * scale
 }
 
 /// (ω₂² r₂ − ω₃² r₃)·r₃ and ·r₂, with `folding` = ω₂ − ω₃.
