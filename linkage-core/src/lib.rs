@@ -134,6 +134,7 @@ mod modes;
 mod primitive;
 #[doc(hidden)]
 pub mod private;
+mod resolver;
 mod results;
 mod scalar;
 mod sweep;

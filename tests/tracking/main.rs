@@ -2,3 +2,5 @@
 
 mod change_points;
 mod groups;
+mod limits;
+mod steps;

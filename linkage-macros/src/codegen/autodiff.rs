@@ -5,8 +5,8 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::names::generated;
-use super::tokens::Tokens;
+use super::identifiers::generated;
+use super::token_list::Tokens;
 use super::{docs, solver};
 use crate::interface::entries::Given;
 use crate::model::mechanism::Param;

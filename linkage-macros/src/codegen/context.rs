@@ -3,9 +3,9 @@
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::quote;
 
-use super::names::{Names, function_name};
+use super::identifiers::{Names, function_name};
 use super::paths::Paths;
-use super::tokens::Tokens;
+use super::token_list::Tokens;
 use crate::interface::entries::Entry;
 use crate::interface::records::{Record, RecordId};
 use crate::interface::{EntryId, Interface};

@@ -6,12 +6,12 @@ use quote::quote;
 use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 
 use super::context::Context;
-use super::names::text;
-use super::{cost, range};
+use super::identifiers::text;
+use super::{costs_in_words, ranges_in_words};
 use crate::interface::entries::{Entry, Given};
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Field, Kind, Record, Shape, Subject};
-use crate::interface::units::{per_time, unit};
+use crate::interface::units_in_words::{per_time, unit};
 use crate::interface::{EntryId, labels};
 use crate::model::mechanism::{Input, Output, OutputKind, Param, ParamKind, Sign};
 
@@ -92,10 +92,14 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
         "Groups, in the order they are solved",
         groups.map(|group| format!("{} {}", group.keyword, group.title)).collect(),
     );
-    let turnings = cx.mechanism.turnings.iter();
-    page += &section("Range", turnings.map(|turning| range::in_words(cx, turning)).collect());
+    let ranges = cx.mechanism.rotatabilities.iter();
+    page += &section("Range", ranges.map(|found| ranges_in_words::in_words(cx, found)).collect());
     let costs = cx.entries().map(|entry| {
-        format!("`{}`: {}", cx.entry(entry).name, cost::in_words(cost::of(cx, entry)))
+        format!(
+            "`{}`: {}",
+            cx.entry(entry).name,
+            costs_in_words::in_words(costs_in_words::of(cx, entry))
+        )
     });
     page += &section("Cost of one call", costs.collect());
     after(&cx.mechanism.docs, &page)
@@ -196,30 +200,25 @@ fn output(cx: &Context<'_>, output: &Output, order: Order) -> TokenStream {
 /// One output in words: what it is, what made it, its unit.
 pub(super) fn describe(cx: &Context<'_>, output: &Output, order: Order) -> String {
     let (mechanism, name) = (cx.mechanism, text(&output.field));
-    let group = |index: usize| {
-        let group = &mechanism.groups[index];
-        format!("{} {}", group.keyword, group.title)
-    };
     let words = Quantity::of(&output.kind).layout(order).words;
     match &output.kind {
         OutputKind::Point(point) => {
-            let made_by = &mechanism.points[point.index()].made_by;
-            format!("Point `{name}` ({made_by}): {words}")
+            format!("Point `{name}` ({}): {words}", mechanism.maker(*point))
         }
         OutputKind::Link { link, .. } => {
-            let made_by = group(mechanism.links[link.index()].made_by.index());
+            let made_by = mechanism.statement(mechanism.links[link.index()].made_by);
             format!("Link `{name}` ({made_by}): {words}")
         }
         OutputKind::Value { dimension, .. } => {
             format!("`{name}`{words} in {}", unit(*dimension, order))
         }
-        OutputKind::Turn(_) => format!("Angle `{name}`: {words}"),
+        OutputKind::Angle(_) => format!("Angle `{name}`: {words}"),
         OutputKind::Margin(id) => {
-            let limit = group(id.index());
-            format!("Distance of {limit} from its limit{words} in m{}", per_time(order))
+            let group = mechanism.statement(*id);
+            format!("Distance of {group} from its limit{words} in m{}", per_time(order))
         }
         OutputKind::Transmission(id) => {
-            format!("Sine of the transmission angle of {}{words}", group(id.index()))
+            format!("Sine of the transmission angle of {}{words}", mechanism.statement(*id))
         }
     }
 }
@@ -230,7 +229,9 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
         ([only], _) => {
             let (name, unit) = (text(&only.name), unit(only.dimension, Order::Position));
             let given = entry.given.iter().filter_map(|given| match given {
-                Given::Cosine => Some(format!("`{name}` by its cosine and sine")),
+                Given::Cosine => {
+                    Some(format!("`{name}` by its cosine and sine (any amplitude from 0.9 to 1.1)"))
+                }
                 Given::Sine => None,
                 Given::Value => Some(format!("`{name}` in {unit}")),
                 Given::Rate => Some(format!("its rate in {unit}/s")),
@@ -257,7 +258,7 @@ pub(super) fn fast_path(cx: &Context<'_>, id: EntryId) -> TokenStream {
          Where the mask says no, the numbers mean nothing. Costs {}.",
         entry.subject,
         details(cx, entry),
-        cost::in_words(cost::of(cx, id)),
+        costs_in_words::in_words(costs_in_words::of(cx, id)),
     ))
 }
 
@@ -266,11 +267,27 @@ pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
     lines(&format!(
         "{}.\n\n{}\n\nCosts {}.\n\n# Errors\n\
          The group that cannot be assembled, is singular or was given an invalid length, or the \
-         input or result that is not finite.",
+         input or result that is not finite.{}",
         entry.subject,
         details(cx, entry),
-        cost::in_words(cost::of(cx, id)),
+        costs_in_words::in_words(costs_in_words::of(cx, id)),
+        exceptions(entry),
     ))
+}
+
+/// What is refused, or is not, in an entry point of this kind alone.
+fn exceptions(entry: &Entry) -> &'static str {
+    if entry.takes_cosine() {
+        return " `OffCircle` where the amplitude is no resolver's.";
+    }
+    match entry.name {
+        "coefficients" => " An input that no coefficient depends on is not looked at.",
+        "margins" => {
+            " A margin is there also beyond its own group's limit, but not behind another group \
+             that has no pose: the error names that one, and by how much it is out of reach."
+        }
+        _ => "",
+    }
 }
 
 pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {

@@ -11,10 +11,10 @@ use quote::{ToTokens, quote};
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::names::{function_name, generated};
+use super::identifiers::{function_name, generated};
 use super::results;
 use super::statements::Printer;
-use super::tokens::Tokens;
+use super::token_list::Tokens;
 use crate::interface::records::{Field, Record, Shape};
 use crate::lower::routine::{Routine, Stage};
 

@@ -10,21 +10,21 @@ mod autodiff;
 mod c_export;
 mod checked;
 mod context;
-mod cost;
+mod costs_in_words;
 mod docs;
+mod editor_names;
 mod fast_path;
 mod formulas;
-mod names;
+mod identifiers;
 mod paths;
-mod range;
-mod records;
-mod references;
+mod ranges_in_words;
 mod results;
 mod slow_path;
 mod solver;
 mod statements;
+mod structs;
 mod sweeps;
-mod tokens;
+mod token_list;
 mod tracking;
 
 #[cfg(test)]
@@ -40,7 +40,7 @@ use crate::model::mechanism::Mechanism;
 /// Everything that the declaration of a mechanism expands to.
 pub(crate) fn generate(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStream {
     let cx = Context::new(mechanism, lowered);
-    let (solver, records) = (solver::definition(&cx), records::definitions(&cx));
+    let (solver, records) = (solver::definition(&cx), structs::definitions(&cx));
     let implementations = implementations(&cx);
     quote! { #solver #records #implementations }
 }
@@ -49,20 +49,22 @@ pub(crate) fn generate(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStr
 /// user's, and its paths are short.
 fn implementations(cx: &Context<'_>) -> TokenStream {
     let import = cx.paths.import();
-    let (solver, records) = (solver::implementation(cx), records::implementations(cx));
+    let arguments = cx.paths.import_arguments(arguments::all_names(cx));
+    let (solver, records) = (solver::implementation(cx), structs::implementations(cx));
     let fast = cx.entries().map(|entry| fast_path::function(cx, entry));
     let checked = cx.entries().map(|entry| checked::function(cx, entry));
     let slow = cx.entries().map(|entry| slow_path::function(cx, entry));
     let formulas = formulas::functions(cx);
     let sweeps = cx.entries().map(|entry| sweeps::items(cx, entry));
     let (derivatives, tracking) = (autodiff::items(cx), tracking::items(cx));
-    let (c_export, references) = (c_export::items(cx), references::items(cx));
+    let (c_export, references) = (c_export::items(cx), editor_names::items(cx));
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
     quote! {
         #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
         const _: () = {
             #import
+            #arguments
             #solver
             #records
             impl<#scalar: #any> #name<#scalar> { #(#fast)* #formulas }

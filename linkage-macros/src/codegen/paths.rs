@@ -7,8 +7,8 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use super::names::clear_of;
-use super::tokens::Tokens;
+use super::identifiers::clear_of;
+use super::token_list::Tokens;
 use crate::model::mechanism::Mechanism;
 
 pub(super) struct Paths {
@@ -33,6 +33,18 @@ impl Paths {
         match alias == "private" {
             true => quote!(use #module;),
             false => quote!(use #module as #alias;),
+        }
+    }
+
+    /// A function under the name of every argument: it hides a constant, a static or a unit struct
+    /// of the user's that has the name, whose pattern an argument would be. What is a function may
+    /// be an argument as well.
+    pub(super) fn import_arguments(&self, names: impl Iterator<Item = String>) -> TokenStream {
+        let module = &self.module;
+        let names = names.map(|name| Ident::new(&name, Span::call_site()));
+        quote! {
+            #[allow(unused_imports, reason = "a function hides a constant of its name, and no argument")]
+            use #module::{#(argument as #names),*};
         }
     }
 

@@ -4,8 +4,8 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::names::function_name;
-use super::tokens::Tokens;
+use super::identifiers::function_name;
+use super::token_list::Tokens;
 use crate::interface::quantity::{Layout, Part};
 use crate::interface::records::Shape;
 

@@ -4,9 +4,9 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::context::{Context, literal};
-use super::names::{function_name, text};
-use super::tokens::Tokens;
-use super::{cost, docs, names, records};
+use super::identifiers::{function_name, text};
+use super::token_list::Tokens;
+use super::{costs_in_words, docs, identifiers, structs};
 use crate::interface::labels;
 use crate::model::mechanism::{Output, Param, ParamKind, Sign};
 
@@ -19,7 +19,7 @@ pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
 /// The struct itself.
 pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, visibility) = (&cx.names.solver, &cx.names.scalar, &cx.mechanism.visibility);
-    let (docs, attributes) = (docs::solver(cx), records::attributes(cx));
+    let (docs, attributes) = (docs::solver(cx), structs::attributes(cx));
     let fields = cx.mechanism.params.iter().map(|param| {
         let (docs, field) = (docs::param(param), &param.name);
         let ty = match mode_type(param) {
@@ -28,12 +28,12 @@ pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
         };
         quote!(#docs pub #field: #ty,)
     });
-    let phantom = cx.paths.outside("PhantomData");
+    let (phantom, float) = (cx.paths.outside("PhantomData"), cx.paths.outside("f64"));
     let marker = marker(cx).map(|(field, _)| quote!(#[doc(hidden)] pub #field: #phantom<#scalar>,));
     quote! {
         #docs
         #attributes
-        #visibility struct #name<#scalar = f64> { #(#fields)* #marker }
+        #visibility struct #name<#scalar = #float> { #(#fields)* #marker }
     }
 }
 
@@ -109,20 +109,21 @@ fn constants(cx: &Context<'_>) -> TokenStream {
     let new = defaults(cx, |wide, _| literal(wide));
     let (outputs, rows) = (output_rows(cx), cx.rows());
     let inputs = cx.mechanism.inputs.iter().map(|input| &input.name);
-    let inputs = inputs.map(|name| names::string(&text(name), name.span()));
+    let inputs = inputs.map(|name| identifiers::string(&text(name), name.span()));
     let params = cx.numeric_params();
     let params: Vec<_> =
-        params.iter().map(|p| names::string(&text(&p.name), p.name.span())).collect();
+        params.iter().map(|p| identifiers::string(&text(&p.name), p.name.span())).collect();
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
-    let (cost_type, cost) = (cx.paths.item("Cost"), cost::constant(cx));
+    let (cost_type, cost) = (cx.paths.item("Cost"), costs_in_words::constant(cx));
+    let [float, string] = ["f64", "str"].map(|name| cx.paths.item(name));
     quote! {
-        impl #name<f64> {
+        impl #name<#float> {
             /// The scalar rows of the results, in the order of every list of rows.
-            pub const OUTPUTS: [&'static str; #rows] = [#(#outputs),*];
+            pub const OUTPUTS: [&'static #string; #rows] = [#(#outputs),*];
             /// The inputs, in the order of the columns of Jacobians.
-            pub const INPUTS: [&'static str; #columns] = [#(#inputs),*];
+            pub const INPUTS: [&'static #string; #columns] = [#(#inputs),*];
             /// The numeric parameters, in the order of the columns of sensitivities.
-            pub const PARAMS: [&'static str; #numbers] = [#(#params),*];
+            pub const PARAMS: [&'static #string; #numbers] = [#(#params),*];
             /// The floating-point operations of one call.
             pub const COST: #cost_type = #cost;
 
@@ -138,7 +139,7 @@ fn constants(cx: &Context<'_>) -> TokenStream {
 fn output_rows(cx: &Context<'_>) -> Vec<TokenStream> {
     let rows = |output: &Output| {
         let rows = labels::rows(output).into_iter();
-        rows.map(|row| names::string(&row, output.field.span())).collect::<Vec<_>>()
+        rows.map(|row| identifiers::string(&row, output.field.span())).collect::<Vec<_>>()
     };
     cx.mechanism.outputs.iter().flat_map(rows).collect()
 }
@@ -185,7 +186,7 @@ pub(super) fn lifted_number(
     value: &TokenStream,
     target: &TokenStream,
 ) -> TokenStream {
-    let (real, scalar) = (cx.paths.item("Real"), cx.paths.item("Scalar"));
+    let [real, scalar, narrow] = ["Real", "Scalar", "f32"].map(|name| cx.paths.item(name));
     let value = quote!(#real::value(#value));
-    quote!(<#target as #scalar>::lit(#value, #value as f32))
+    quote!(<#target as #scalar>::lit(#value, #value as #narrow))
 }

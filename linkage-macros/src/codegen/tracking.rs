@@ -5,9 +5,9 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::names::generated;
+use super::identifiers::generated;
 use super::statements::Printer;
-use super::{records, results};
+use super::{results, structs};
 use crate::interface::EntryId;
 use crate::model::mechanism::ParamKind;
 
@@ -17,7 +17,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     else {
         return TokenStream::new();
     };
-    let (modes, linear) = (modes(cx, position, motion), records::linear(cx));
+    let (modes, linear) = (modes(cx, position, motion), structs::linear(cx));
     quote!(#modes #linear)
 }
 
@@ -36,6 +36,7 @@ fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
     let count = Literal::usize_unsuffixed(cx.program().clearances.len());
     let [q, rate, acceleration, param] = ["q_", "rate_", "acceleration_", "param_"].map(generated);
     let (groups, clearances, flips) = (groups(cx), clearances(cx), flips(cx, &param));
+    let enclosures = enclosures(cx);
     quote! {
         impl<#scalar: #real> #modes for #solver<#scalar> {
             type Scalar = #scalar;
@@ -43,6 +44,7 @@ fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
             type Position = #position;
             type Motion = #motion;
             type Clearances = [#clearance<#scalar>; #count];
+            type Enclosures = [#clearance<<#scalar as #real>::Enclosing>; #count];
 
             #groups
 
@@ -65,6 +67,8 @@ fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
             }
 
             #clearances
+
+            #enclosures
         }
     }
 }
@@ -112,14 +116,50 @@ fn clearances(cx: &Context<'_>) -> TokenStream {
     let (received, unread) =
         (printer.arguments.received(&quote!(#scalar)), printer.arguments.unread(&routine.reads));
     let values = cx.program().clearances.iter().map(|group| {
-        let [value, rate, scale] = group.sinks.map(|sink| printer.value(sink));
-        quote!(#clearance { value: #value, rate: #rate, scale: #scale })
+        let [value, rate, second_rate, scale] = group.sinks.map(|sink| printer.value(sink));
+        quote! {
+            #clearance { value: #value, rate: #rate, second_rate: #second_rate, scale: #scale }
+        }
     });
     quote! {
         fn clearances(&self, #(#received),*) -> Self::Clearances {
             #unread
             #lines
             [#(#values),*]
+        }
+    }
+}
+
+/// The same on ranges of numbers.
+fn enclosures(cx: &Context<'_>) -> TokenStream {
+    let scalar = &cx.names.scalar;
+    let number = quote!(#scalar);
+    let printer = Printer::new(cx, &cx.lowered.clearances);
+    let ty = printer.arguments.ty(&number);
+    let [real, modes] = ["Real", "Modes"].map(|name| cx.paths.item(name));
+    let [middle, radius, rate] = ["middle_", "radius_", "rate_"].map(generated);
+    let [none, solver] = ["none_", "solver_"].map(generated);
+    let around = |value: &Ident, radius: &dyn Fn(Option<&Ident>) -> TokenStream| {
+        let Some(record) = cx.inputs() else {
+            let radius = radius(None);
+            return quote!(#real::enclosing(#value, #radius));
+        };
+        let fields = cx.mechanism.inputs.iter().map(|input| {
+            let (field, radius) = (&input.name, radius(Some(&input.name)));
+            quote!(#field: #real::enclosing(#value.#field, #radius))
+        });
+        quote!(#record { #(#fields),* })
+    };
+    let range = around(&middle, &|field| match field {
+        Some(field) => quote!(#radius.#field),
+        None => quote!(#radius),
+    });
+    let (rates, zero) = (around(&rate, &|_| quote!(#none)), cx.literal(0.0, 0.0));
+    quote! {
+        fn enclosures(&self, #middle: #ty, #radius: #ty, #rate: #ty) -> Self::Enclosures {
+            let #none = #zero;
+            let #solver = self.lift::<<#scalar as #real>::Enclosing>();
+            #modes::clearances(&#solver, #range, #rates)
         }
     }
 }

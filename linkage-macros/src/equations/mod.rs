@@ -14,22 +14,22 @@
 //! - next to each limit, at 1e-1 to 1e-15 of the lengths from it, with and without fused
 //!   operations (`tests/limits/near_limits.rs` holds these bounds);
 //! - on ten million random poses a group and width, of lengths up to 100 : 1, of any place and size,
-//!   half of them next to a limit, without fused operations, and from the worst of them uphill
-//!   (`worst_poses` of the laboratory, seed 1).
+//!   half of them next to a limit, without fused operations, and climbing from the worst of them
+//!   to one worse still: the hill-climbed worst case (`worst_poses` of the laboratory, seed 1).
 //!
-//! Uphill leads to poses whose data happen to matter little: joints on one axis, guides along
+//! The climb leads to poses whose data happen to matter little: joints on one axis, guides along
 //! another, results whose terms cancel. They fix a direction better than a unit vector of the
 //! width can hold, so a large factor there stands before a small error.
 
 mod clearance;
 mod crank;
 mod double_word;
-mod expressions;
-mod groups;
+mod expressed;
 mod guide;
 mod jet;
 mod kinematics;
 mod motion;
+mod parts;
 mod point;
 mod prp;
 mod rpp;
@@ -44,14 +44,14 @@ pub(crate) mod tests;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::motion::Direction;
-use crate::equations::symbol::{Sheet, Vector};
+use crate::equations::symbol::Sheet;
 use crate::interface::Interface;
 use crate::interface::entries::Entry;
 use crate::interface::quantity::Order;
 use crate::interface::records::{Kind, Shape, is_margin};
 use crate::ir::construct::Rule;
 use crate::ir::graph::{Id, Node};
-use crate::ir::liveness::{Course, live};
+use crate::ir::liveness::{Path, live};
 use crate::ir::program::{Answer, Program};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
@@ -71,7 +71,7 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
 /// What every entry point that the mechanism can have asks, one after the other.
 fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, rules: &[Rule]) -> Vec<Answer> {
     let interface = Interface::of(mechanism);
-    let given = Kinematics::of(sheet, mechanism, free_inputs(mechanism, sheet));
+    let given = Kinematics::of(sheet, mechanism, Source::free(mechanism, sheet));
     let has_bare_angle = has_bare_angle(mechanism, rules);
     let mut on_circle = None;
     let mut answers = Vec::new();
@@ -79,7 +79,7 @@ fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, rules: &[Rule]) -
         let kinematics = match entry.takes_cosine() {
             true if !has_bare_angle => continue,
             true => on_circle.get_or_insert_with(|| {
-                Kinematics::of(sheet, mechanism, vec![on_the_circle(sheet)])
+                Kinematics::of(sheet, mechanism, vec![Source::on_the_circle(sheet)])
             }),
             false => &given,
         };
@@ -107,23 +107,6 @@ fn sinks(interface: &Interface, entry: &Entry, kinematics: &Kinematics<'_>) -> V
     }
 }
 
-/// Inputs whose value, rate and second rate are given.
-fn free_inputs<'s>(mechanism: &Mechanism, sheet: &'s Sheet<'s>) -> Vec<Source<'s>> {
-    (0..mechanism.inputs.len() as u32)
-        .map(|input| {
-            let order = |order| sheet.node(Node::Input { input, order });
-            Source { jet: Jet { value: order(0), rate: order(1), accel: order(2) }, unit: None }
-        })
-        .collect()
-}
-
-/// The only input, its cosine and sine given in place of its value.
-fn on_the_circle<'s>(sheet: &'s Sheet<'s>) -> Source<'s> {
-    let order = |order| sheet.node(Node::Input { input: 0, order });
-    let unit = Vector { x: sheet.node(Node::InputCos(0)), y: sheet.node(Node::InputSin(0)) };
-    Source { jet: Jet { value: order(0), rate: order(1), accel: order(2) }, unit: Some(unit) }
-}
-
 /// Whether the only input occurs bare as an angle and nowhere else, so that its cosine and sine
 /// can be given in its place: whether, given them, its value is needed nowhere.
 fn has_bare_angle(mechanism: &Mechanism, rules: &[Rule]) -> bool {
@@ -132,13 +115,13 @@ fn has_bare_angle(mechanism: &Mechanism, rules: &[Rule]) -> bool {
         return false;
     }
     let trial = Sheet::new(rules);
-    let at = Kinematics::of(&trial, mechanism, vec![on_the_circle(&trial)]);
+    let at = Kinematics::of(&trial, mechanism, vec![Source::on_the_circle(&trial)]);
     let sinks: Vec<Id> = [Order::Position, Order::Acceleration]
         .into_iter()
         .flat_map(|order| components(&at, order))
         .collect();
     let graph = trial.into_graph();
-    let live = live(&graph, &sinks, Course::Careful);
+    let live = live(&graph, &sinks, Path::Slow);
     !graph.iter().any(|(id, node)| live[id.index()] && matches!(node, Node::Input { order: 0, .. }))
 }
 
@@ -146,7 +129,7 @@ fn has_bare_angle(mechanism: &Mechanism, rules: &[Rule]) -> bool {
 fn coefficients<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Vec<Id> {
     let zero = sheet.zero();
     let sinks = (0..mechanism.inputs.len()).flat_map(|moving| {
-        let mut inputs = free_inputs(mechanism, sheet);
+        let mut inputs = Source::free(mechanism, sheet);
         for (index, source) in inputs.iter_mut().enumerate() {
             source.jet.rate = sheet.integer(i64::from(index == moving));
             source.jet.accel = zero;
@@ -185,7 +168,7 @@ fn components_of(kinematics: &Kinematics<'_>, output: &Output, order: Order) -> 
             let slid = slide.then_some(link.slide).flatten().map(|slide| of_jet(slide, order));
             turned.into_iter().flatten().chain(slid).collect()
         }
-        OutputKind::Turn(_) => of_direction(turn(kinematics, output), order),
+        OutputKind::Angle(_) => of_direction(turn(kinematics, output), order),
         _ => vec![of_jet(value(kinematics, output), order)],
     }
 }
@@ -209,7 +192,7 @@ fn of_jet(jet: Jet<'_>, order: Order) -> Id {
 
 /// A named angle as a direction.
 fn turn<'s>(kinematics: &Kinematics<'s>, output: &Output) -> Direction<'s> {
-    let OutputKind::Turn(turn) = &output.kind else { unreachable!("only named angles come here") };
+    let OutputKind::Angle(turn) = &output.kind else { unreachable!("only named angles come here") };
     kinematics.turned(Direction::ground(kinematics.sheet), turn)
 }
 

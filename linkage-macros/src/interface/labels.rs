@@ -17,7 +17,7 @@ pub(crate) fn rows(output: &Output) -> Vec<String> {
     match &output.kind {
         OutputKind::Margin(_) => vec![ending("margin")],
         OutputKind::Transmission(_) => vec![ending("transmission")],
-        OutputKind::Turn(_) | OutputKind::Value { .. } => vec![field],
+        OutputKind::Angle(_) | OutputKind::Value { .. } => vec![field],
         kind => Quantity::of(kind).rows().iter().map(|row| format!("{field}.{row}")).collect(),
     }
 }

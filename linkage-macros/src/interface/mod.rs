@@ -8,7 +8,7 @@ pub(crate) mod entries;
 pub(crate) mod labels;
 pub(crate) mod quantity;
 pub(crate) mod records;
-pub(crate) mod units;
+pub(crate) mod units_in_words;
 
 use crate::interface::entries::Entry;
 use crate::interface::quantity::Quantity;

@@ -61,7 +61,7 @@ impl Quantity {
         match kind {
             OutputKind::Point(_) => Self::Point,
             OutputKind::Link { direction: true, slide: true, .. } => Self::SlidingDirection,
-            OutputKind::Link { direction: true, slide: false, .. } | OutputKind::Turn(_) => {
+            OutputKind::Link { direction: true, slide: false, .. } | OutputKind::Angle(_) => {
                 Self::Direction
             }
             OutputKind::Link { direction: false, .. } => Self::Slide,

@@ -5,7 +5,7 @@
 
 use crate::exact::Exact;
 use crate::ir::graph::{Graph, Guard, Id, Node};
-use crate::ir::liveness::{Course, live};
+use crate::ir::liveness::{Path, live};
 use crate::ir::program::Program;
 
 /// Looks at a node that is about to be made and answers with what stands for it, if anything
@@ -49,7 +49,7 @@ pub(crate) fn rebuild_with(
     mut replacement: impl FnMut(&mut Maker<'_>, Id, &Moved) -> Option<Id>,
 ) -> Program {
     let old = &program.graph;
-    let live = live(old, &program.sinks(), Course::Careful);
+    let live = live(old, &program.sinks(), Path::Slow);
     let mut graph = Graph::new();
     let mut maker = Maker { graph: &mut graph, rules };
     let mut moved = Moved(vec![None; old.len()]);
@@ -61,6 +61,9 @@ pub(crate) fn rebuild_with(
                 maker.make(node)
             }
         };
+        if let Some(name) = old.name_of(id) {
+            maker.graph.name(new, name.to_string());
+        }
         moved.0[id.index()] = Some(new);
     }
     let (mut answers, mut clearances) = (program.answers.clone(), program.clearances.clone());

@@ -53,6 +53,7 @@ pub(crate) struct Clearance {
     pub group: u32,
     /// The parameter that holds the mode; none where it is a constant.
     pub param: Option<u32>,
-    /// Value, rate, and the scale to measure both by; of the inputs' values and rates.
-    pub sinks: [Id; 3],
+    /// Value, rate and second rate, of the inputs' values and constant rates, and the scale to
+    /// measure them by.
+    pub sinks: [Id; 4],
 }

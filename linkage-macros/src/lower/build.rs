@@ -14,7 +14,7 @@ use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
 use crate::ir::cost::{Operations, operations};
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::liveness::{Course, live, live_nodes};
+use crate::ir::liveness::{Path, live, live_nodes};
 use crate::ir::program::Program;
 use crate::lower::routine::is_leaf;
 use crate::model::mechanism::Mechanism;
@@ -71,9 +71,10 @@ impl Builder<'_> {
             (_, Some(Given::Cosine)) => "formulas_at_".to_string(),
             _ => "formulas_".to_string(),
         };
-        let mut schedule = Schedule::new(self.graph(), &self.locals, Course::Careful, overflow);
+        let mut schedule = Schedule::new(self.graph(), &self.locals, Path::Slow, overflow);
         let statements: Vec<_> =
             entries.iter().map(|&entry| schedule.stage(self.sinks(entry))).collect();
+        let locals = locals::with_letters(&self.locals, self.graph(), &statements.concat());
         let result = self.interface.entry(last).result;
         let mut stages = Vec::new();
         let mut rest = self.sinks(last);
@@ -89,7 +90,6 @@ impl Builder<'_> {
             rest = further;
         }
         let Schedule { reads, has_checks, path, .. } = schedule;
-        let locals = self.locals.clone();
         Routine { name, given, result, path, stages, reads, has_checks, locals }
     }
 
@@ -107,8 +107,9 @@ impl Builder<'_> {
     fn clearances(&self) -> Routine {
         let sinks: Vec<Id> =
             self.program.clearances.iter().flat_map(|clearance| clearance.sinks).collect();
-        let mut schedule = Schedule::new(self.graph(), &self.locals, Course::Open, None);
+        let mut schedule = Schedule::new(self.graph(), &self.locals, Path::Unchecked, None);
         let statements = schedule.stage(&sinks);
+        let locals = locals::with_letters(&self.locals, self.graph(), &statements);
         let kept = schedule.read(sinks.iter().copied());
         let statements = lay_out(&schedule, statements, &kept);
         let Schedule { reads, has_checks, path, .. } = schedule;
@@ -120,14 +121,14 @@ impl Builder<'_> {
             stages: vec![Stage { result: Shape::List(sinks.len()), sinks, statements }],
             reads,
             has_checks,
-            locals: self.locals.clone(),
+            locals,
         }
     }
 
     fn asked(&self, entry: EntryId, overflow: Option<&Overflow>) -> Asked {
         let (graph, sinks) = (self.graph(), self.sinks(entry));
         let place = |id| sinks.iter().position(|&sink| sink == id);
-        let live = live(graph, sinks, Course::Careful);
+        let live = live(graph, sinks, Path::Slow);
         let read = live_nodes(graph, &live).map(|(_, node)| node).filter(|&node| is_leaf(node));
         let mut seen = HashSet::new();
         let is_known = |id| matches!(graph.node(id), Node::Constant(_) | Node::Mode(_));

@@ -2,14 +2,14 @@
 //!
 //! A statement names nodes of the graph; there is no second language of expressions.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::interface::entries::Given;
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
 use crate::ir::cost::Operations;
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::liveness::{Course, unguarded};
+use crate::ir::liveness::{Path, unguarded};
 use crate::ir::program::Program;
 
 /// A program, ready to be printed.
@@ -51,7 +51,7 @@ pub(crate) struct Routine {
     pub given: &'static [Given],
     /// What the stages make together.
     pub result: Shape,
-    pub path: Course,
+    pub path: Path,
     /// One after the other: each uses what those before it have computed.
     pub stages: Vec<Stage>,
     /// The inputs and parameters it reads, in the order of the graph.
@@ -94,9 +94,13 @@ pub(crate) struct Condition {
     pub value: Id,
     /// What the fast path asks; nothing where the condition is known to hold.
     pub comparison: Option<(Comparison, Threshold)>,
+    /// What the fast path asks whether the value is above the rounding of.
+    pub above_rounding: Option<Id>,
     /// The slow path's question, and the numbers it looks at beside the value.
     pub diagnosis: &'static str,
     pub operands: Vec<Id>,
+    /// Whether the operands are handed over together.
+    pub in_a_list: bool,
     /// Whose failure it is: an index into `Program::groups`.
     pub group: u32,
     /// The name of a length that has to be positive.
@@ -150,6 +154,8 @@ pub(crate) struct Limits {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Locals {
     pub names: HashMap<Id, String>,
+    /// Components of results: these are bound to a name even where a sign alone makes them.
+    pub components: HashSet<Id>,
 }
 
 /// How a value is read.
@@ -176,15 +182,15 @@ impl Locals {
 
     /// How a node's value is read: constants and signs say more where they are used than a name
     /// would. A routine without checks sees through conditions.
-    pub(crate) fn reading(&self, graph: &Graph, path: Course, id: Id) -> Reading {
+    pub(crate) fn reading(&self, graph: &Graph, path: Path, id: Id) -> Reading {
         let id = match path {
-            Course::Straight | Course::Open => unguarded(graph, id),
-            Course::Careful => id,
+            Path::Fast | Path::Unchecked => unguarded(graph, id),
+            Path::Slow => id,
         };
         match graph.node(id) {
             node if is_leaf(node) => Reading::Leaf(node),
             node @ (Node::Constant(_) | Node::Low(_)) => Reading::Constant(node),
-            Node::Neg(operand) if !self.names.contains_key(&id) => {
+            Node::Neg(operand) if !self.components.contains(&id) => {
                 Reading::Negated(Box::new(self.reading(graph, path, operand)))
             }
             _ => Reading::Local(id),

@@ -7,13 +7,13 @@ use super::checks;
 use super::overflow::Overflow;
 use super::routine::{Locals, Statement, is_leaf};
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::liveness::{Course, live, live_nodes};
+use crate::ir::liveness::{Path, live, live_nodes};
 
 /// What has been scheduled so far, and what it reads from outside.
 pub(super) struct Schedule<'a> {
     pub graph: &'a Graph,
     pub locals: &'a Locals,
-    pub path: Course,
+    pub path: Path,
     /// What is asked of divisors in place of results.
     pub overflow: Option<&'a Overflow>,
     done: HashSet<Id>,
@@ -34,7 +34,7 @@ impl<'a> Schedule<'a> {
     pub(super) fn new(
         graph: &'a Graph,
         locals: &'a Locals,
-        path: Course,
+        path: Path,
         overflow: Option<&'a Overflow>,
     ) -> Self {
         let (done, reads) = (HashSet::new(), Vec::new());
@@ -58,12 +58,12 @@ impl<'a> Schedule<'a> {
                     None
                 }
                 Node::Constant(_) | Node::Low(_) => None,
-                Node::Neg(_) if !self.locals.names.contains_key(&id) => None,
+                Node::Neg(_) if !self.locals.components.contains(&id) => None,
                 Node::Sin(angle) | Node::Cos(angle) => pairs.remove(&angle).map(|pair| {
                     let Pair { sin, cos } = pair;
                     Statement::SinCos { angle, sin, cos, is_checked: self.is_checked(node) }
                 }),
-                Node::Guard(..) if self.path == Course::Open => None,
+                Node::Guard(..) if self.path == Path::Unchecked => None,
                 Node::Guard(value, guard) => Some(Statement::Check(checks::condition(
                     graph,
                     self.overflow,
@@ -82,7 +82,7 @@ impl<'a> Schedule<'a> {
     /// path's reduction.
     fn is_checked(&self, node: Node) -> bool {
         let is_constant = |id| matches!(self.graph.node(id), Node::Constant(_));
-        self.path != Course::Open
+        self.path != Path::Unchecked
             && match node {
                 Node::Guard(..) => true,
                 Node::Sin(angle) | Node::Cos(angle) => !is_constant(angle),

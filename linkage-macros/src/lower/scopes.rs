@@ -47,7 +47,7 @@ fn last_uses(schedule: &Schedule<'_>, scopes: &[&[Statement]], kept: &[Id]) -> H
 mod tests {
     use super::*;
     use crate::ir::graph::{Graph, Node};
-    use crate::ir::liveness::Course;
+    use crate::ir::liveness::Path;
     use crate::lower::routine::Locals;
 
     /// The scopes of v1, v2, …, each the sum of its predecessor and of v1, of which some are kept.
@@ -59,7 +59,7 @@ mod tests {
             last = graph.push(Node::Add(last, first));
         }
         let locals = Locals::default();
-        let mut schedule = Schedule::new(&graph, &locals, Course::Careful, None);
+        let mut schedule = Schedule::new(&graph, &locals, Path::Slow, None);
         let statements = schedule.stage(&[last]);
         let kept: Vec<Id> = kept.iter().map(|&id| Id(id)).collect();
         let laid_out = lay_out(&schedule, statements, &kept);

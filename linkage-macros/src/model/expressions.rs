@@ -9,9 +9,8 @@ use crate::syntax::tree::{self, BinaryOp, ExprKind};
 use super::Resolver;
 use super::dimension::Measure;
 use super::folding::shown;
-use super::mechanism::{Dimension, Expr, Function, LinkId, Operator, ParamKind, Turn};
+use super::mechanism::{AngleSum, Dimension, Expr, Function, LinkId, Operator, ParamKind};
 use super::names::{Entity, NUMBERS};
-use super::readings::DISTANCE;
 
 /// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
 pub(super) struct Quantity {
@@ -23,6 +22,9 @@ pub(super) struct Quantity {
 /// Why a link's angle stands only in sums, times an integer.
 pub(super) const ANGLE_REASON: &str = "a link's angle is known up to whole turns: it stands in \
      sums of angles, times an integer, because other ratios jump at ±π";
+
+/// The function of two points.
+const DISTANCE: &str = "distance";
 
 const FUNCTIONS: [(&str, Function, usize); 9] = [
     ("sqrt", Function::Sqrt, 1),
@@ -45,8 +47,8 @@ impl Quantity {
         Self::plain(measure, Expr::Constant(value))
     }
 
-    pub(super) fn turn(self) -> Turn {
-        Turn { links: self.links, rest: self.rest }
+    pub(super) fn turn(self) -> AngleSum {
+        AngleSum { links: self.links, rest: self.rest }
     }
 
     /// Keeps every multiple within ±(2³¹ − 1), so that a sign can always be changed.
@@ -97,11 +99,11 @@ impl Resolver<'_> {
                 Some(quantity)
             }
             ExprKind::Chain(first, rest) => self.chain(first, rest),
-            ExprKind::Call(function, arguments) if function == DISTANCE => {
-                self.distance(function, arguments)
-            }
             ExprKind::Call(function, arguments) => {
-                let quantity = self.call(function, arguments)?;
+                let quantity = match function == DISTANCE {
+                    true => self.distance(function, arguments),
+                    false => self.call(function, arguments),
+                }?;
                 self.number_is_of_a_length(expr.span, quantity.rest.constant())?;
                 Some(quantity)
             }

@@ -11,10 +11,10 @@ use super::Resolver;
 use super::dimension::Measure;
 use super::facts::{LetFacts, ParamFacts};
 use super::mechanism::{Dimension, Input, InputId, LetId, Param, ParamId, ParamKind};
-use super::mentions::{expressions, names_in};
 use super::modes::mode_word;
 use super::names::Entity;
 use super::numbers::bare_name;
+use super::references::{expressions, names_in};
 use super::units::unit;
 
 const KINDS: [&str; 2] = ["angle", "length"];

@@ -20,21 +20,22 @@ mod fields;
 mod folding;
 mod groups;
 mod guides;
+mod ids;
 mod inputs;
 mod literals;
 pub(crate) mod mechanism;
-pub(crate) mod mentions;
-mod modes;
+pub(crate) mod modes;
 mod names;
 mod numbers;
 mod order;
 mod outputs;
 mod points;
 mod readings;
+mod references;
+mod rotatability;
 mod settings;
 pub(crate) mod stand_in;
-pub(crate) mod turning;
-mod units;
+pub(crate) mod units;
 
 #[cfg(test)]
 mod tests;
@@ -43,8 +44,7 @@ use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 
 use facts::Facts;
-use mechanism::{Mechanism, Numerics};
-use mentions::Mentions;
+use mechanism::{Mechanism, Numerics, References};
 use names::Names;
 use order::TooEarly;
 
@@ -73,8 +73,8 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     resolver.bare_lengths_are_of_a_machine();
     resolver.an_input_is_declared(tree);
     resolver.every_input_is_used(tree);
-    resolver.mechanism.turnings = turning::turnings(&resolver.mechanism);
-    resolver.cranks_can_turn(tree);
+    resolver.mechanism.rotatabilities = rotatability::rotatabilities(&resolver.mechanism);
+    resolver.cranks_can_turn();
     let mechanism = resolver.mechanism;
     (diagnostics.count() == before).then_some(mechanism)
 }
@@ -108,7 +108,7 @@ impl Resolver<'_> {
             StatementKind::Let { name, value } => self.named_expression(name, value),
             StatementKind::Ground { points } => self.ground(docs, points),
             StatementKind::Guide { name, on, through, course } => {
-                self.guide_line(docs, name, on.as_ref(), through, course);
+                self.guide_line(name, on.as_ref(), through, course);
             }
             StatementKind::Point { name, on, place } => {
                 self.placed_point(docs, name, on.as_ref(), place);
@@ -137,8 +137,8 @@ fn empty(tree: &Declaration) -> Mechanism {
         groups: Vec::new(),
         steps: Vec::new(),
         outputs: Vec::new(),
-        turnings: Vec::new(),
-        mentions: Mentions::of(tree),
+        rotatabilities: Vec::new(),
+        references: References::of(tree),
         numerics: Numerics::Plain,
         crate_path: None,
         export_c: false,

@@ -9,7 +9,7 @@ use super::Resolver;
 use super::dimension::Measure;
 use super::expressions::{ANGLE_REASON, Quantity};
 use super::folding::shown;
-use super::mechanism::{Dimension, Expr, Function, ParamKind, Turn};
+use super::mechanism::{AngleSum, Dimension, Expr, Function, ParamKind};
 use super::names::{Entity, Kind};
 
 impl Resolver<'_> {
@@ -30,7 +30,7 @@ impl Resolver<'_> {
     }
 
     /// An angle, link angles included.
-    pub(super) fn turn(&mut self, expr: &tree::Expr) -> Option<Turn> {
+    pub(super) fn turn(&mut self, expr: &tree::Expr) -> Option<AngleSum> {
         let quantity = self.quantity(expr)?;
         self.dimension_fits(expr, &quantity, Dimension::ANGLE)?;
         Some(quantity.turn())

@@ -10,8 +10,8 @@ use proc_macro2::Ident;
 use crate::syntax::tree::Declaration;
 
 use super::Resolver;
-use super::mentions::names_used;
 use super::names::{declared_by, listed, title};
+use super::references::names_used;
 
 /// A name that a statement uses and a later one makes.
 pub(super) struct TooEarly {

@@ -74,7 +74,7 @@ impl Resolver<'_> {
             let dimension = quantity.measure.dimension();
             OutputKind::Value { value: quantity.rest, dimension }
         } else {
-            OutputKind::Turn(quantity.turn())
+            OutputKind::Angle(quantity.turn())
         };
         if is_new.is_some() {
             self.give(name.span(), name.clone(), docs, kind);
@@ -113,7 +113,7 @@ impl Resolver<'_> {
                 let kind = if turn.links.is_empty() {
                     OutputKind::Value { value: turn.rest, dimension }
                 } else {
-                    OutputKind::Turn(turn)
+                    OutputKind::Angle(turn)
                 };
                 self.give(name.span(), name.clone(), docs, kind);
             }
@@ -210,8 +210,8 @@ impl Resolver<'_> {
     /// Only a dyad has a transmission angle, and only one that can be out of reach a margin.
     fn group_has_a_limit(&mut self, link: LinkId, member: &Ident) -> Option<()> {
         let group = self.mechanism.links[link.index()].made_by;
-        let keyword = self.mechanism.groups[group.index()].keyword;
-        let has = match keyword {
+        let keyword = self.mechanism.groups[group.index()].keyword.to_string();
+        let has = match &keyword[..] {
             "rrr" | "rrp" | "rpr" => true,
             "prp" | "rpp" => member == "transmission",
             _ => false,
@@ -220,7 +220,7 @@ impl Resolver<'_> {
             return Some(());
         }
         let message = format!("`{keyword}` has no `{member}`");
-        let reason = match keyword {
+        let reason = match &keyword[..] {
             "prp" | "rpp" => "it is never out of reach; `transmission` tells how far from parallel",
             _ => "a driver transmits what it is given; ask the dyads that follow",
         };

@@ -12,9 +12,6 @@ use super::mechanism::{Axis, Carrier, Expr, LinkId, PointId, Step};
 use super::names::Kind;
 use super::numbers::bare_name;
 
-/// The function of two points.
-pub(super) const DISTANCE: &str = "distance";
-
 /// What a rate may be called by whoever looks for it among the members of a point.
 const RATES: [&str; 7] = ["velocity", "acceleration", "speed", "rate", "vx", "vy", "v"];
 
@@ -139,8 +136,7 @@ impl Resolver<'_> {
         if link.slides {
             return Some(());
         }
-        let (group, made_by) = (link.made_by, &self.mechanism.groups[link.made_by.index()]);
-        let statement = format!("{} {}", made_by.keyword, made_by.title);
+        let (group, statement) = (link.made_by, self.mechanism.statement(link.made_by));
         let sliding = self.mechanism.links.iter().find(|l| l.made_by == group && l.slides);
         let reason = match sliding {
             Some(sliding) => format!("of `{statement}`, `{}` slides", sliding.name),

@@ -14,10 +14,9 @@ use proc_macro2::{Ident, Span};
 
 use crate::exact::Exact;
 use crate::model::mechanism::{
-    Dimension, Expr, Group, GroupId, Input, Link, LinkId, Mechanism, Named, Numerics, Output,
-    OutputKind, Param, ParamKind, PointId, Sign, Turn,
+    AngleSum, Body, Dimension, Expr, Group, GroupId, Input, Link, LinkId, Mechanism, Numerics,
+    Output, OutputKind, Param, ParamKind, Point, PointId, References, Sign,
 };
-use crate::model::mentions::Mentions;
 use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, StatementKind};
 
 const NUMBER: Dimension = Dimension::NUMBER;
@@ -71,8 +70,8 @@ impl StandIn {
             groups: Vec::new(),
             steps: Vec::new(),
             outputs: Vec::new(),
-            turnings: Vec::new(),
-            mentions: Mentions::default(),
+            rotatabilities: Vec::new(),
+            references: References::default(),
             numerics: Numerics::Plain,
             crate_path: None,
             export_c: false,
@@ -91,9 +90,12 @@ impl StandIn {
                 self.things.entry(name.to_string()).or_insert(Thing::Value(turns));
             }
             StatementKind::Ground { points } => {
-                points.iter().for_each(|(name, _)| self.point(name, Fixed::Yes));
+                points.iter().for_each(|(name, _)| self.point(name, Fixed::Yes, Body::Ground));
             }
-            StatementKind::Point { name, .. } => self.point(name, Fixed::No),
+            StatementKind::Point { name, .. } => {
+                // On which link is not known: its name may be the mistake.
+                self.point(name, Fixed::No, Body::Driven(GroupId(0)));
+            }
             StatementKind::Group(group) => self.group(group),
             StatementKind::Crate { path } => self.mechanism.crate_path = Some(path.clone()),
             StatementKind::Export { language } => self.mechanism.export_c |= language == "c",
@@ -128,20 +130,21 @@ impl StandIn {
         self.mechanism.params.push(Param { name: name.clone(), docs: Vec::new(), kind });
     }
 
-    fn point(&mut self, name: &Ident, fixed: Fixed) {
-        if self.things.contains_key(&name.to_string()) {
+    fn point(&mut self, key: &Ident, fixed: Fixed, part_of: Body) {
+        if self.things.contains_key(&key.to_string()) {
             return;
         }
         let id = PointId(self.mechanism.points.len() as u32);
-        let named = Named { name: name.clone(), docs: Vec::new(), made_by: "point".to_string() };
-        self.mechanism.points.push(named);
-        self.things.insert(name.to_string(), Thing::Point(id, fixed));
-        self.order.push(name.clone());
+        let (name, docs) = (key.clone(), Vec::new());
+        self.mechanism.points.push(Point { name, docs, part_of });
+        self.things.insert(key.to_string(), Thing::Point(id, fixed));
+        self.order.push(key.clone());
     }
 
     fn group(&mut self, group: &tree::Group) {
         let made_by = GroupId(self.mechanism.groups.len() as u32);
-        self.mechanism.groups.push(Group { title: group.title(), keyword: "group" });
+        let (keyword, title, links) = (group.keyword.clone(), group.title(), Vec::new());
+        self.mechanism.groups.push(Group { keyword, title, links, pin: None });
         let slides = sliding(&group.keyword.to_string());
         for (leg, slides) in group.legs.iter().zip(slides) {
             if self.things.contains_key(&leg.link.to_string()) {
@@ -154,7 +157,7 @@ impl StandIn {
             self.mechanism.links.push(Link { name, docs: Vec::new(), made_by, slides });
         }
         if let Some(pin) = &group.pin {
-            self.point(pin, Fixed::No);
+            self.point(pin, Fixed::No, Body::Pin(made_by));
         }
     }
 
@@ -273,7 +276,7 @@ impl StandIn {
 
     fn value_of(&self, turns: bool) -> OutputKind {
         match turns {
-            true => OutputKind::Turn(Turn { links: Vec::new(), rest: zero() }),
+            true => OutputKind::Angle(AngleSum { links: Vec::new(), rest: zero() }),
             false => value(),
         }
     }

@@ -3,17 +3,17 @@
 
 use syn::{Attribute, Expr, ExprLit, Lit, Meta};
 
-use super::names::{Width, default, distinct, function, snake_case};
+use super::c_identifiers::{Width, default, distinct, function, snake_case};
 use super::{PARAMETERS, answer_name};
 use crate::codegen::arguments::Arguments;
 use crate::codegen::context::Context;
 use crate::codegen::docs;
-use crate::codegen::names::text as plain;
+use crate::codegen::identifiers::text as plain;
 use crate::interface::entries::Entry;
 use crate::interface::labels;
 use crate::interface::quantity::Order;
 use crate::interface::records::{self, Field, Kind, Shape, Subject};
-use crate::interface::units::unit;
+use crate::interface::units_in_words::unit;
 use crate::model::mechanism::{Param, ParamKind};
 
 /// What all headers share: status codes, modes and the records that outputs are made of.
@@ -105,7 +105,7 @@ impl Record {
 fn types(cx: &Context<'_>, width: Width) -> String {
     let parameters = (!cx.mechanism.params.is_empty()).then(|| parameters(cx, width));
     let records = cx.interface.records.iter();
-    let returned = records.filter(|record| crate::codegen::records::is_returned(cx, record));
+    let returned = records.filter(|record| crate::codegen::structs::is_returned(cx, record));
     let records = returned.map(|of| record(cx, width, of));
     parameters.into_iter().chain(records).map(|record| record.text()).collect()
 }

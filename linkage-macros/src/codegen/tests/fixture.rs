@@ -7,7 +7,6 @@ use crate::exact::Exact;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::program::{Answer, Program};
 use crate::model::mechanism::*;
-use crate::model::mentions::Mentions;
 
 pub(super) const LENGTH: Dimension = Dimension::LENGTH;
 pub(super) const ANGLE: Dimension = Dimension::ANGLE;
@@ -37,6 +36,15 @@ pub(super) fn output(field: &str, kind: OutputKind) -> Output {
     Output { field: ident(field), docs: Vec::new(), kind }
 }
 
+fn group(keyword: &str, title: &str, links: &[u32]) -> Group {
+    Group {
+        keyword: ident(keyword),
+        title: title.to_string(),
+        links: links.iter().map(|&link| LinkId(link)).collect(),
+        pin: None,
+    }
+}
+
 pub(super) fn mechanism(name: &str, inputs: Vec<Input>, outputs: Vec<Output>) -> Mechanism {
     Mechanism {
         docs: Vec::new(),
@@ -51,8 +59,8 @@ pub(super) fn mechanism(name: &str, inputs: Vec<Input>, outputs: Vec<Output>) ->
         groups: Vec::new(),
         steps: Vec::new(),
         outputs,
-        turnings: Vec::new(),
-        mentions: Mentions::default(),
+        rotatabilities: Vec::new(),
+        references: References::default(),
         numerics: Numerics::Plain,
         crate_path: None,
         export_c: false,
@@ -98,11 +106,10 @@ pub(super) fn four_bar() -> (Mechanism, Program) {
     let side = ParamKind::Side { default: Sign::Plus };
     let mode = Param { name: ident("elbow"), docs: Vec::new(), kind: side };
     shear.params = vec![number("crank", "0.08"), mode];
-    let made_by = "rrr BC, DC".to_string();
-    shear.points = vec![Named { name: ident("C"), docs: docs(" The coupler's pin."), made_by }];
+    let part_of = Body::Pin(GroupId(1));
+    shear.points = vec![Point { name: ident("C"), docs: docs(" The coupler's pin."), part_of }];
     shear.links = vec![link("AB", 0), link("BC", 1), link("DC", 1)];
-    let group = |keyword, title: &str| Group { title: title.to_string(), keyword };
-    shear.groups = vec![group("crank", "AB"), group("rrr", "BC, DC")];
+    shear.groups = vec![group("crank", "AB", &[0]), group("rrr", "BC, DC", &[1, 2])];
     (shear, four_bar_program())
 }
 
@@ -175,7 +182,8 @@ impl Pose {
         let factors = [outside, inside].map(|factor| g.push(Node::Div(factor, reach)));
         let height = g.push(Node::Mul(factors[0], factors[1]));
         let lengths = [&l1, &l2].map(|length| g.constant(length.clone()));
-        let operands = vec![d[0], d[1], lengths[0], lengths[1]];
+        let spread = g.constant(exact("2"));
+        let operands = vec![d[0], d[1], lengths[0], lengths[1], spread];
         let height = g.guard(height, check(Check::ReachCircles, operands));
         let height = g.push(Node::Sqrt(height));
         let across = g.push(Node::Mul(mode, height));
@@ -260,14 +268,14 @@ pub(super) fn table() -> (Mechanism, Program) {
         output("ram", output_of(0, true)),
         output("bed", output_of(1, false)),
         output("area", OutputKind::Value { value: sum.clone(), dimension: area }),
-        output("turn", OutputKind::Turn(Turn { links: Vec::new(), rest: sum })),
+        output("turn", OutputKind::Angle(AngleSum { links: Vec::new(), rest: sum })),
     ];
     let mut table = mechanism("Table", vec![input("s", LENGTH), input("X", LENGTH)], outputs);
     table.visibility = Visibility::Inherited;
     let sense = ParamKind::Sense { default: Sign::Minus };
     table.params = vec![Param { name: ident("way"), docs: Vec::new(), kind: sense }];
     table.links = vec![link("ram"), link("bed")];
-    table.groups = vec![Group { title: "ram".to_string(), keyword: "slider" }];
+    table.groups = vec![group("slider", "ram", &[0])];
     let mut g = Graph::new();
     let [s, s1, x, x1] =
         [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(input, order)| g.push(Node::Input { input, order }));

@@ -71,14 +71,14 @@ fn angle(graph: &mut Graph) -> Id {
 fn the_four_bar_expands_to_the_whole_interface() {
     let text = expand(&four_bar());
     for part in [
-        "pub struct FourBar<T = f64> {",
+        "pub struct FourBar<T = ::linkage_core::private::f64> {",
         "pub elbow: ::linkage_core::private::Side,",
         "pub struct FourBarPosition<T> {",
         "pub BC: ::linkage_core::private::AngularVelocity<T>,",
         "pub struct FourBarMotion<T> {",
         "pub struct FourBarMargins<T> {",
-        "pub const INPUTS: [&'static str; 1] = [\"theta\"];",
-        "pub const PARAMS: [&'static str; 1] = [\"crank\"];",
+        "pub const INPUTS: [&'static private::str; 1] = [\"theta\"];",
+        "pub const PARAMS: [&'static private::str; 1] = [\"crank\"];",
         "crank: 0.08,",
         "crank: T::lit(0.08, 0.08),",
         "elbow: private::Side::Left,",
@@ -87,7 +87,7 @@ fn the_four_bar_expands_to_the_whole_interface() {
     ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
     }
-    let rows = "OUTPUTS: [&'static str; 5] = [\"C.x\", \"C.y\", \"BC.angle\", \"DC.angle\", \
+    let rows = "OUTPUTS: [&'static private::str; 5] = [\"C.x\", \"C.y\", \"BC.angle\", \"DC.angle\", \
                 \"DC.margin\"];";
     assert!(squeezed(&text).contains(rows), "{text}");
 }
@@ -275,7 +275,7 @@ fn a_sweep_takes_series_and_gives_components() {
             "sweep::<OfVelocity, _, _, 2, 5>(self, [theta, theta_rate],",
             "[out.C.x, out.C.y, out.BC.cos, out.BC.sin,",
             "impl<T: Float> Entry<OfVelocity, T, 2, 5> for FourBar<T> {",
-            "self.lift::<Lanes<T, W, F>>().core_velocity_(x0_, x1_);",
+            "self.lift::<Lanes<T, W_, F>>().core_velocity_(x0_, x1_);",
             "let result_ = self.velocity(x0_, x1_)?;",
             "Ok([result_.C.x, result_.C.y, result_.BC.omega,",
         ],

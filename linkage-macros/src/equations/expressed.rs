@@ -5,7 +5,7 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Direction;
 use crate::equations::symbol::Vector;
 use crate::ir::graph::{Check, Node};
-use crate::model::mechanism::{Axis, Expr, Function, Length, Operator, Turn};
+use crate::model::mechanism::{AngleSum, Axis, Expr, Function, Length, Operator};
 
 impl<'s> Kinematics<'s> {
     pub(super) fn jet(&self, expr: &Expr) -> Jet<'s> {
@@ -54,7 +54,7 @@ impl<'s> Kinematics<'s> {
 
     /// The direction at an angle to another. Multiples of link angles are powers of the links'
     /// unit vectors, so no arc tangent is needed and nothing jumps.
-    pub(super) fn turned(&self, from: Direction<'s>, turn: &Turn) -> Direction<'s> {
+    pub(super) fn turned(&self, from: Direction<'s>, turn: &AngleSum) -> Direction<'s> {
         let mut direction = from;
         for &(link, times) in &turn.links {
             let of_link = self.link(link).frame.direction;

@@ -9,37 +9,29 @@ use crate::syntax::tree::{
     Course, Declaration, Expr, ExprKind, FieldValue, Place, Spot, Statement, StatementKind,
 };
 
+use super::mechanism::References;
 use super::names::{declared_by, title};
 
-/// The names of a declaration.
-#[derive(Default)]
-pub(crate) struct Mentions {
-    /// Every name where it is made, and the statement that makes it.
-    pub made: Vec<(Ident, String)>,
-    /// Every place where one of them is used.
-    pub used: Vec<Ident>,
-}
-
-impl Mentions {
+impl References {
     pub(super) fn of(tree: &Declaration) -> Self {
-        let mut mentions = Self::default();
+        let mut references = Self::default();
         for statement in &tree.statements {
             for (name, _) in declared_by(statement) {
-                mentions.made.push((name.clone(), title(statement, &name.to_string())));
+                references.made.push((name.clone(), title(statement, &name.to_string())));
             }
         }
-        let known: HashSet<_> = mentions.made.iter().map(|(name, _)| name.to_string()).collect();
+        let known: HashSet<_> = references.made.iter().map(|(name, _)| name.to_string()).collect();
         for statement in &tree.statements {
             let mut used = |name: &Ident| {
                 // Modes and what a crank's angle is relative to may also be words.
                 if known.contains(&name.to_string()) {
-                    mentions.used.push(name.clone());
+                    references.used.push(name.clone());
                 }
             };
             joints(statement).into_iter().for_each(&mut used);
             expressions(statement, &mut |expr| names_in(expr, &mut used));
         }
-        mentions
+        references
     }
 }
 

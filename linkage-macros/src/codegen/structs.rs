@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::context::Context;
 use super::docs;
-use super::names::generated;
+use super::identifiers::generated;
 use super::results::{read, ty};
 use crate::interface::quantity::Order;
 use crate::interface::records::{Field, Kind, Record, Shape};
@@ -110,7 +110,7 @@ fn from_list(cx: &Context<'_>, record: &Record) -> TokenStream {
     }
 }
 
-/// `Linear` for all of them: sums and differences, field by field.
+/// `Linear` for all of them: sums and differences, and tests of every number, field by field.
 pub(super) fn linear(cx: &Context<'_>) -> TokenStream {
     let is_other = |kind: Kind| matches!(kind, Kind::Outputs(_) | Kind::Motion);
     let all = &cx.interface.records;
@@ -122,7 +122,8 @@ pub(super) fn linear(cx: &Context<'_>) -> TokenStream {
 fn linear_of(cx: &Context<'_>, record: &Record) -> TokenStream {
     let (scalar, any, linear) =
         (&cx.names.scalar, cx.paths.item("Scalar"), cx.paths.item("Linear"));
-    let [factor, other] = ["factor_", "other_"].map(generated);
+    let [factor, other, test] = ["factor_", "other_", "test_"].map(generated);
+    let [test_fn, bool_, copy] = ["Fn", "bool", "Copy"].map(|name| cx.paths.item(name));
     let (record, fields) = (&record.name, record.fields.iter().map(|field| &field.name));
     let fields: Vec<_> = fields.collect();
     quote! {
@@ -134,6 +135,10 @@ fn linear_of(cx: &Context<'_>, record: &Record) -> TokenStream {
             #[inline]
             fn minus(self, #other: Self) -> Self {
                 Self { #(#fields: #linear::<#scalar>::minus(self.#fields, #other.#fields)),* }
+            }
+            #[inline]
+            fn all(self, #test: impl #test_fn(#scalar) -> #bool_ + #copy) -> #bool_ {
+                #(#linear::<#scalar>::all(self.#fields, #test))&&*
             }
         }
     }

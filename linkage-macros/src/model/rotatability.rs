@@ -6,7 +6,7 @@
 //! cases that quantity is linear in one cosine:
 //!
 //! - rrr on D, with g = |AD| and β the direction from A to D: |BD|² = r² + g² − 2 r g cos(φ − β)
-//!   lies between (l₁ − l₂)² and (l₁ + l₂)². With all links turning fully this is Grashof's law.
+//!   lies between (l₁ − l₂)² and (l₁ + l₂)². With all links rotatability fully this is Grashof's law.
 //! - rrp on a line along γ, from which A is h off: B is h + r sin(φ − γ) = h + r cos(φ − γ − 90°)
 //!   off the line, by no more than the bar's length.
 //!
@@ -22,34 +22,9 @@ use super::assembly::{absolute, constants};
 use super::facts::Line;
 use super::folding::shown;
 use super::mechanism::{
-    Carrier, Course, Expr, GroupId, GuideId, InputId, LinkId, Mechanism, Named, PointId, Spot,
-    Step, Turn,
+    AngleSum, Carrier, Expr, Group, GroupId, GuideDirection, GuideId, InputId, LinkId, Mechanism,
+    Point, PointId, Range, Rotatability, Step, Through,
 };
-use crate::syntax::tree::{Declaration, StatementKind};
-
-/// What a dyad leaves of the turn of the crank it hangs on.
-pub(crate) struct Turning {
-    pub group: GroupId,
-    pub crank: LinkId,
-    /// The input that is the crank's angle, where one is it bare.
-    pub input: Option<InputId>,
-    pub range: Range,
-    /// The angles, in degrees, at which both assembly modes are one while the crank passes.
-    pub change_points: Vec<f64>,
-    /// Opposite links are of one length: crank and rocker, coupler and ground.
-    pub is_parallelogram: bool,
-    /// The comparison of lengths that decides it.
-    pub reason: String,
-}
-
-/// The angles of a crank at which a dyad assembles, in degrees.
-#[derive(Debug, PartialEq)]
-pub(crate) enum Range {
-    Full,
-    /// From, to: one interval, or two that the crank cannot leave for each other.
-    Within(Vec<[f64; 2]>),
-    Never,
-}
 
 /// cos(φ − axis) lies between the two.
 struct Limits {
@@ -127,7 +102,7 @@ struct Ground<'m> {
 }
 
 /// Every dyad of constants between a crank and the ground.
-pub(super) fn turnings(mechanism: &Mechanism) -> Vec<Turning> {
+pub(super) fn rotatabilities(mechanism: &Mechanism) -> Vec<Rotatability> {
     let mut ground = Ground::default();
     for step in &mechanism.steps {
         if let Step::Ground { point, at } = step
@@ -137,12 +112,12 @@ pub(super) fn turnings(mechanism: &Mechanism) -> Vec<Turning> {
         }
     }
     let still = ground.points.clone();
-    let mut turnings = Vec::new();
+    let mut rotatabilities = Vec::new();
     for step in &mechanism.steps {
         ground.learn(&still, step);
-        turnings.extend(ground.turning(mechanism, step));
+        rotatabilities.extend(ground.rotatability(mechanism, step));
     }
-    turnings
+    rotatabilities
 }
 
 impl<'m> Ground<'m> {
@@ -170,7 +145,7 @@ impl<'m> Ground<'m> {
         }
     }
 
-    fn turning(&self, mechanism: &Mechanism, step: &Step) -> Option<Turning> {
+    fn rotatability(&self, mechanism: &Mechanism, step: &Step) -> Option<Rotatability> {
         match step {
             Step::Rrr { group, outer, lengths, .. } => {
                 let lengths = [lengths[0].value.constant()?, lengths[1].value.constant()?];
@@ -192,14 +167,18 @@ impl<'m> Ground<'m> {
     }
 }
 
-fn line(points: &HashMap<PointId, [Exact; 2]>, through: &Spot, course: &Course) -> Option<Line> {
+fn line(
+    points: &HashMap<PointId, [Exact; 2]>,
+    through: &Through,
+    course: &GuideDirection,
+) -> Option<Line> {
     let through = match through {
-        Spot::At(at) => constants(at)?,
-        Spot::Point(point) => points.get(point)?.clone(),
+        Through::At(at) => constants(at)?,
+        Through::Point(point) => points.get(point)?.clone(),
     };
     let angle = match course {
-        Course::Along(turn) => Turn::constant(turn)?.clone(),
-        Course::Towards(point) => {
+        GuideDirection::Along(turn) => AngleSum::constant(turn)?.clone(),
+        GuideDirection::Towards(point) => {
             let [x, y] = points.get(point)?;
             y.sub(&through[1]).atan2(&x.sub(&through[0]))?
         }
@@ -209,7 +188,7 @@ fn line(points: &HashMap<PointId, [Exact; 2]>, through: &Spot, course: &Course) 
 
 /// |BD|
 fn span(mechanism: &Mechanism, from: PointId, to: PointId) -> String {
-    let name = |point: PointId| -> &Named { &mechanism.points[point.index()] };
+    let name = |point: PointId| -> &Point { &mechanism.points[point.index()] };
     format!("|{}{}|", name(from).name, name(to).name)
 }
 
@@ -225,7 +204,7 @@ impl Crank<'_> {
         [x, y]: &[Exact; 2],
         lengths: [&Exact; 2],
         span: &str,
-    ) -> Turning {
+    ) -> Rotatability {
         let (dx, dy) = (x.sub(&self.pivot[0]), y.sub(&self.pivot[1]));
         let ground = dx.hypot(&dy);
         let (sum, difference) = (lengths[0].add(lengths[1]), absolute(&lengths[0].sub(lengths[1])));
@@ -257,7 +236,7 @@ impl Crank<'_> {
             None => (Range::Never, Vec::new()),
         };
         let Self { link, input, .. } = *self;
-        Turning { group, crank: link, input, range, change_points, is_parallelogram, reason }
+        Rotatability { group, crank: link, input, range, change_points, is_parallelogram, reason }
     }
 
     /// The bar's other pin slides on the line.
@@ -268,7 +247,7 @@ impl Crank<'_> {
         length: &Exact,
         offset: &Exact,
         pin: &str,
-    ) -> Turning {
+    ) -> Rotatability {
         let pivot = line.distance(self.pivot).sub(offset);
         let reason = format!(
             "{pin} runs from {} m to {} m off the line of the pin, and the bar reaches {} m",
@@ -281,7 +260,7 @@ impl Crank<'_> {
         let axis = line.angle.add(&quarter);
         let limits = Limits { low: cosine(&length.neg()), high: cosine(length), axis };
         let Self { link, input, .. } = *self;
-        Turning {
+        Rotatability {
             group,
             crank: link,
             input,
@@ -295,20 +274,15 @@ impl Crank<'_> {
 
 impl Resolver<'_> {
     /// A dyad on a crank can be assembled at some angle of the crank.
-    pub(super) fn cranks_can_turn(&mut self, tree: &Declaration) {
-        for turning in &self.mechanism.turnings {
-            let title = &self.mechanism.groups[turning.group.index()].title;
-            let crank = &self.mechanism.links[turning.crank.index()].name;
-            let statement = tree.statements.iter().find_map(|statement| match &statement.kind {
-                StatementKind::Group(group) if group.title() == *title => Some(group),
-                _ => None,
-            });
-            if let (Range::Never, Some(group)) = (&turning.range, statement) {
-                let message = format!(
-                    "`{title}` cannot be assembled at any angle of `{crank}`; change its dimensions"
-                );
-                self.diagnostics.error_because(group.keyword.span(), message, &turning.reason);
-            }
+    pub(super) fn cranks_can_turn(&mut self) {
+        let never = |found: &&Rotatability| found.range == Range::Never;
+        for found in self.mechanism.rotatabilities.iter().filter(never) {
+            let Group { keyword, title, .. } = &self.mechanism.groups[found.group.index()];
+            let crank = &self.mechanism.links[found.crank.index()].name;
+            let message = format!(
+                "`{title}` cannot be assembled at any angle of `{crank}`; change its dimensions"
+            );
+            self.diagnostics.error_because(keyword.span(), message, &found.reason);
         }
     }
 }

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use crate::codegen::names::text;
+use crate::codegen::identifiers::text;
 use crate::interface::entries::Entry;
 
 /// The number that a type or function is for.

@@ -10,23 +10,23 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::names::{generated, text};
+use super::identifiers::{generated, text};
 use crate::interface::quantity::Order;
 use crate::interface::records::Kind;
 
-/// Nothing for stubs, which have mentions of their own in their messages.
+/// Nothing for stubs, which have references of their own in their messages.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
-    let mentions = &cx.mechanism.mentions;
-    if mentions.made.is_empty() {
+    let references = &cx.mechanism.references;
+    if references.made.is_empty() {
         return TokenStream::new();
     }
     let places = Places::new(cx);
-    let made = mentions.made.iter().filter(|(name, _)| places.place(name).is_none());
+    let made = references.made.iter().filter(|(name, _)| places.place(name).is_none());
     let fields = made.map(|(name, made_by)| {
         let doc = format!(" `{}`, made by `{made_by}`.", text(name));
         quote!(#[doc = #doc] #name: ())
     });
-    let uses = mentions.used.iter().map(|name| match places.place(name) {
+    let uses = references.used.iter().map(|name| match places.place(name) {
         Some(place) => quote!(&#place.#name),
         None => quote!(&self.#name),
     });
@@ -37,7 +37,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
         ("inputs_", cx.inputs()),
         ("position_", position.map(|record| &record.name)),
     ];
-    let read: HashSet<_> = mentions.used.iter().filter_map(|name| places.place(name)).collect();
+    let read: HashSet<_> = references.used.iter().filter_map(|name| places.place(name)).collect();
     let arguments: Vec<_> = records
         .into_iter()
         .map(|(place, record)| (generated(place), record))

@@ -1,13 +1,14 @@
-//! What the groups share: where a group stands, and the bar as part of a dyad.
+//! What the groups share: where a group stands, what is known of it once it is solved, and the bar
+//! and the block as parts of a dyad.
 
 use crate::equations::jet::Jet;
-use crate::equations::motion::{Direction, Frame, PointMotion, Turned};
+use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::model::mechanism::{Carrier, LinkId, Numerics};
 
 /// How far a group is from its limit.
 #[derive(Clone, Copy)]
-pub(super) struct Quality<'s> {
+pub(super) struct LimitMeasures<'s> {
     /// Signed distance from the limit in metres; `None` for groups that have no reach to run
     /// out of.
     pub margin: Option<Jet<'s>>,
@@ -15,7 +16,7 @@ pub(super) struct Quality<'s> {
     pub transmission: Jet<'s>,
 }
 
-impl<'s> Quality<'s> {
+impl<'s> LimitMeasures<'s> {
     /// Of two slides: the size of the sine of the angle between their directions, which has the
     /// rates of the cross product, with the sign of the cross product.
     pub(super) fn of_directions(a: Direction<'s>, b: Direction<'s>, sine: Sym<'s>) -> Self {
@@ -31,11 +32,56 @@ pub(super) fn root_in_reach(square: Jet<'_>) -> Jet<'_> {
     Jet { value: (square.value + size).half(), ..square }.sqrt()
 }
 
-/// The group whose failure a guard reports, and how it is to compute.
-pub(super) struct Place<'s> {
+/// How clear of its limit a group with an assembly mode is, for following a motion: what stands
+/// under its square root, and the scale to measure it by.
+#[derive(Clone, Copy)]
+pub(super) struct Clearance<'s> {
+    pub value: Jet<'s>,
+    pub scale: Sym<'s>,
+}
+
+/// The sum of the squares that the vector from one point to the other is made of: its rounding is
+/// measured by them, not by its own length.
+pub(super) fn size<'s>(from: PointMotion<'s>, to: PointMotion<'s>) -> Sym<'s> {
+    let base = to.base - from.base;
+    base.dot(base) + (from.offset.dot(from.offset) + to.offset.dot(to.offset))
+}
+
+/// The group whose failure a guard reports, its links, and how it is to compute.
+pub(super) struct GroupScope<'s> {
     pub group: u32,
+    pub title: &'s str,
+    pub links: &'s [LinkId],
     pub numerics: Numerics,
     pub sheet: &'s Sheet<'s>,
+}
+
+impl<'s> GroupScope<'s> {
+    /// The symbol under the letter that the derivation calls it by: in the generated code `h` of
+    /// the group `BC, DC` is `bc_dc_h_`.
+    pub(super) fn call(&self, letter: &str, symbol: Sym<'s>) -> Sym<'s> {
+        self.sheet.name(symbol, format!("{} {letter}", self.title));
+        symbol
+    }
+
+    pub(super) fn call_vector(&self, letter: &str, vector: Vector<'s>) -> Vector<'s> {
+        self.call(&format!("{letter} x"), vector.x);
+        self.call(&format!("{letter} y"), vector.y);
+        vector
+    }
+}
+
+/// A link's frame, and its slide where it slides.
+#[derive(Clone, Copy)]
+pub(super) struct LinkMotion<'s> {
+    pub frame: Frame<'s>,
+    pub slide: Option<Jet<'s>>,
+}
+
+/// What a driver or a dyad has placed: its links in the order of the statement, and its pin.
+pub(super) struct Solved<'s> {
+    pub links: Vec<LinkMotion<'s>>,
+    pub pin: Option<PointMotion<'s>>,
 }
 
 /// A bar from its outer joint to the pin.
@@ -47,12 +93,6 @@ pub(super) struct Bar<'s> {
     length: Jet<'s>,
     omega: Sym<'s>,
     alpha: Sym<'s>,
-}
-
-/// Two bars and the pin between them.
-pub(super) struct Dyad<'s> {
-    pub pin: PointMotion<'s>,
-    pub bars: [Bar<'s>; 2],
 }
 
 impl<'s> Bar<'s> {
@@ -97,43 +137,16 @@ impl<'s> Bar<'s> {
         }
     }
 
-    /// The bar's frame: origin at its outer joint, x towards the pin.
-    pub(super) fn frame(self, link: LinkId) -> Frame<'s> {
+    /// The bar as a link: origin at its outer joint, x towards the pin.
+    pub(super) fn link(self, link: LinkId) -> LinkMotion<'s> {
         let direction = Direction {
             u: self.u(),
             omega: self.omega,
             alpha: self.alpha,
-            turned: Some(Turned::start(Carrier::Link(link), self.r.x.sheet())),
+            turned: Some(RelativeAngle::start(Carrier::Link(link), self.r.x.sheet())),
         };
-        Frame { origin: self.outer, direction }
+        LinkMotion { frame: Frame { origin: self.outer, direction }, slide: None }
     }
-}
-
-/// A bar, the pin at its end, and the slide of the block the pin carries.
-pub(super) struct SlidingDyad<'s> {
-    pub pin: PointMotion<'s>,
-    pub bar: Bar<'s>,
-    pub slide: Jet<'s>,
-}
-
-/// A bar that turns about a pivot, and the slide of the block on it.
-pub(super) struct SlottedBar<'s> {
-    pub u: Vector<'s>,
-    pub omega: Sym<'s>,
-    pub alpha: Sym<'s>,
-    pub slide: Jet<'s>,
-}
-
-/// The pin of two blocks and their slides.
-pub(super) struct SlidingPair<'s> {
-    pub pin: PointMotion<'s>,
-    pub slides: [Jet<'s>; 2],
-}
-
-/// The slides of yoke and block.
-pub(super) struct Slides<'s> {
-    pub rail: Jet<'s>,
-    pub slot: Jet<'s>,
 }
 
 /// A block on a guide, at a known slide.
