@@ -179,9 +179,9 @@ impl<'s> Kinematics<'s> {
     }
 
     fn scope(&self, group: GroupId) -> GroupScope<'s> {
-        let links = &self.mechanism.groups[group.index()].links;
+        let Group { title, links, .. } = &self.mechanism.groups[group.index()];
         let numerics = self.mechanism.numerics;
-        GroupScope { group: group.0, links, numerics, sheet: self.sheet }
+        GroupScope { group: group.0, title, links, numerics, sheet: self.sheet }
     }
 
     fn take(&mut self, step: &'s Step) {
@@ -268,7 +268,8 @@ impl<'s> Kinematics<'s> {
             Step::Crank { group, link, pivot, pin, angle, relative_to } => {
                 let direction = self.turned(self.carrier(*relative_to).direction, angle);
                 let length = pin.as_ref().map(|(_, length)| self.length(length, group.0));
-                let solved = crank::crank(self.point(*pivot), direction, length);
+                let solved =
+                    crank::crank(&self.scope(*group), self.point(*pivot), direction, length);
                 self.set_group(*group, &solved);
                 self.set_origin(*link, *pivot);
                 if let (Some((pin, _)), Some(length)) = (pin, length) {
@@ -277,7 +278,7 @@ impl<'s> Kinematics<'s> {
             }
             Step::Slider { group, link, guide, pin, slide, offset } => {
                 let (slide, offset) = (self.jet(slide), self.jet(offset));
-                let solved = slider::slider(self.guide(*guide), slide, offset);
+                let solved = slider::slider(&self.scope(*group), self.guide(*guide), slide, offset);
                 self.set_group(*group, &solved);
                 if let Some(pin) = pin {
                     self.set_origin(*link, *pin);

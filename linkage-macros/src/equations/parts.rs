@@ -50,9 +50,25 @@ pub(super) fn size<'s>(from: PointMotion<'s>, to: PointMotion<'s>) -> Sym<'s> {
 /// The group whose failure a guard reports, its links, and how it is to compute.
 pub(super) struct GroupScope<'s> {
     pub group: u32,
+    pub title: &'s str,
     pub links: &'s [LinkId],
     pub numerics: Numerics,
     pub sheet: &'s Sheet<'s>,
+}
+
+impl<'s> GroupScope<'s> {
+    /// The symbol under the letter that the derivation calls it by: in the generated code `h` of
+    /// the group `BC, DC` is `bc_dc_h_`.
+    pub(super) fn call(&self, letter: &str, symbol: Sym<'s>) -> Sym<'s> {
+        self.sheet.name(symbol, format!("{} {letter}", self.title));
+        symbol
+    }
+
+    pub(super) fn call_vector(&self, letter: &str, vector: Vector<'s>) -> Vector<'s> {
+        self.call(&format!("{letter} x"), vector.x);
+        self.call(&format!("{letter} y"), vector.y);
+        vector
+    }
 }
 
 /// A link's frame, and its slide where it slides.

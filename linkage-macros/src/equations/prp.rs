@@ -41,12 +41,16 @@ pub(super) fn prp<'s>(
     let [u1, u2] = guides.map(|guide| guide.direction.u);
     let (sine, _) = guides[0].direction.sin_cos_to(guides[1].direction);
     let inverse = sine.provided(Check::Nonzero, scope.group, &[]).recip();
+    scope.call("inverse sin", inverse);
     let cross = |a: Vector<'s>, b: Vector<'s>| scope.sheet.det(a.x, b.y, a.y, b.x);
     let slides = |w: Vector<'s>| [cross(w, u2) * inverse, cross(w, u1) * inverse];
 
     let shift = |k: usize| offsets[k].value * guides[k].direction.n();
     let apart = guides[0].origin.to(guides[1].origin) + (shift(1) - shift(0));
+    scope.call_vector("delta", apart);
     let value = slides(apart);
+    scope.call("s1", value[0]);
+    scope.call("s2", value[1]);
 
     let blocks: [Block<'s>; 2] =
         core::array::from_fn(|k| Block::new(guides[k], value[k], offsets[k]));

@@ -63,6 +63,7 @@ pub(super) fn rpp<'s>(
     let Direction { u: Vector { x: cosine, y: sine }, omega: beta_rate, alpha: beta_accel, .. } =
         slot.relative;
     let inverse = sine.provided(Check::Nonzero, scope.group, &[]).recip();
+    scope.call("inverse sin", inverse);
     let [e1, e2] = offsets;
 
     let from = rail.origin.to(b);
@@ -70,6 +71,9 @@ pub(super) fn rpp<'s>(
     let s2 = (y - e1.value - e2.value * cosine) * inverse;
     let s1 = from.dot(u1) + e2.value * sine - s2 * cosine;
 
+    scope.call("y", y);
+    scope.call("s2", s2);
+    scope.call("s1", s1);
     let slides = |w: Vector<'s>| {
         let second = w.dot(n1) * inverse;
         [w.dot(u1) - second * cosine, second]
@@ -79,6 +83,8 @@ pub(super) fn rpp<'s>(
     let pushed = e1.rate * n1 + e2.rate * n2;
     let (carried, _) = rail.transport(from, pushed);
     let w = b.velocity - (carried + beta_rate * rho2.normal() + pushed);
+    scope.call_vector("rho2", rho2);
+    scope.call_vector("w", w);
     let rate = slides(w);
 
     let (_, carried) = rail.transport(from, w + pushed);

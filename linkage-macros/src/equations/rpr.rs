@@ -51,10 +51,10 @@ pub(super) fn rpr<'s>(
     offset: Jet<'s>,
     mode: Sym<'s>,
 ) -> Solved<'s> {
-    let from = d.to(b);
+    let from = scope.call_vector("b", d.to(b));
     let e = offset.value;
     let square = from.dot(from);
-    let sound = square.provided(Check::Square, scope.group, &[]);
+    let sound = scope.call("b2", square.provided(Check::Square, scope.group, &[]));
     let (s, u, inverse) = if e.is_zero() {
         // s² = b²: 1/s = s/b², the division beside the root, and u = b/s.
         let s = mode * sound.sqrt();
@@ -63,11 +63,14 @@ pub(super) fn rpr<'s>(
     } else {
         let left = left_of_offset(scope.numerics, [b, d], offset).value;
         let operands = [from.x, from.y, e];
-        let left = left.provided(Check::ReachOffset, scope.group, &operands);
+        let left = scope.call("s2", left.provided(Check::ReachOffset, scope.group, &operands));
         let s = mode * left.sqrt();
         let u = sound.recip() * (s * from - e * from.normal());
         (s, u, s * left.provided(Check::Nonzero, scope.group, &[]).recip())
     };
+    scope.call("s", s);
+    scope.call("inverse s", inverse);
+    scope.call_vector("u", u);
     let [along, across] = b.rates_against(d, u);
     let omega = (across.velocity - offset.rate) * inverse;
     let slide_rate = if e.is_zero() {

@@ -62,33 +62,38 @@ pub(super) fn rrp<'s>(
     mode: Sym<'s>,
 ) -> Solved<'s> {
     let (u, n) = (guide.direction.u, guide.direction.n());
-    let from = guide.origin.to(b);
-    let foot = from.dot(u);
-    let (l, t) = (length.value, across(b, guide, offset).value);
+    let from = scope.call_vector("rho", guide.origin.to(b));
+    let foot = scope.call("x", from.dot(u));
+    let (l, t) = (length.value, scope.call("t", across(b, guide, offset).value));
     let square = match scope.numerics {
         Numerics::Plain => legs(b, guide, length, offset).value,
         Numerics::Compensated => carried(l, offset.value, distance(b, guide)),
     };
     let square = square.provided(Check::ReachLine, scope.group, &[t, l]);
-    let reach = mode * square.sqrt();
-    let slide = foot + reach;
-    let r = reach * u + t * n;
+    let reach = scope.call("reach", mode * square.sqrt());
+    let slide = scope.call("slide", foot + reach);
+    let r = scope.call_vector("r", reach * u + t * n);
     let bar = Bar::new(b, r, length);
 
     // 1/X = X/X²: the division runs beside the root.
     let inverse = reach * square.provided(Check::Nonzero, scope.group, &[]).recip();
+    scope.call("inverse reach", inverse);
     let v = b.velocity - guide.transport(from, scope.sheet.zero_vector()).0;
     let a = b.acceleration - guide.transport(from, v).1;
+    scope.call_vector("v", v);
+    scope.call_vector("a", a);
     // The bar's direction in the guide's axes; of a bar of constant length nothing of it remains.
     let (along, across) = (reach * l.recip(), t * l.recip());
     let omega = (offset.rate - v.dot(n) - length.rate * across) * inverse;
     let slide_rate = v.dot(u) - omega * t + length.rate * along;
+    scope.call("omega", omega);
     let coriolis = (omega * length.rate).twice();
     let pushed_across = length.accel * across + coriolis * along;
     let pushed_along = length.accel * along - coriolis * across;
     let alpha = (offset.accel - a.dot(n) + omega.squared() * t - pushed_across) * inverse;
     let slide_accel = a.dot(u) - alpha * t - omega.squared() * reach + pushed_along;
 
+    scope.call("alpha", alpha);
     let Direction { omega: guide_omega, alpha: guide_alpha, .. } = guide.direction;
     let bar = bar.turning(guide_omega + omega, guide_alpha + alpha);
     // A guide that stands still carries the pin, along an axis without touching the guide's own

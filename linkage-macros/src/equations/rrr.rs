@@ -97,22 +97,26 @@ pub(super) fn rrr<'s>(
     lengths: [Jet<'s>; 2],
     mode: Sym<'s>,
 ) -> Solved<'s> {
-    let line = b.to(d);
+    let line = scope.call_vector("d", b.to(d));
     let triangle = triangle(scope, [b, d], lengths, mode);
-    let across = triangle.height * line.normal();
-    let r2 = triangle.along[0] * line + across;
-    let r3 = across - triangle.along[1] * line;
+    let across = scope.call_vector("h d", triangle.height * line.normal());
+    let r2 = scope.call_vector("r2", triangle.along[0] * line + across);
+    let r3 = scope.call_vector("r3", across - triangle.along[1] * line);
 
     // 1/J = 1/(h d²) = 1/(2 l₂ l₃ √S) = √S/(2 l₂ l₃) · 1/S: the division runs beside the root.
     let regular = triangle.square.provided(Check::Nonzero, scope.group, &[]);
     let inverse = triangle.scale.twice() * triangle.root * regular.recip();
+    scope.call("inverse j", inverse);
     let bars = [Bar::new(b, r2, lengths[0]), Bar::new(d, r3, lengths[1])];
 
-    let w = bars[1].pushed_velocity() - bars[0].pushed_velocity();
-    let omega = [w.dot(r3) * inverse, w.dot(r2) * inverse];
+    let w = scope.call_vector("w", bars[1].pushed_velocity() - bars[0].pushed_velocity());
+    let omega = [(r3, "w r3"), (r2, "w r2")].map(|(r, name)| scope.call(name, w.dot(r)) * inverse);
+    scope.call("omega2", omega[0]);
+    scope.call("omega3", omega[1]);
     let [near, far] = [0, 1].map(|k| bars[k].lengthening_acceleration(omega[k]));
-    let g = far - near;
-    let [from_second, from_first] = centripetal(&triangle, lengths, omega, -w.dot(line) * inverse);
+    let g = scope.call_vector("g", far - near);
+    let folding = -w.dot(line) * inverse;
+    let [from_second, from_first] = centripetal(scope, &triangle, lengths, omega, folding);
     let alpha = [(g.dot(r3) + from_second) * inverse, (g.dot(r2) + from_first) * inverse];
 
     let bars = [bars[0].turning(omega[0], alpha[0]), bars[1].turning(omega[1], alpha[1])];
@@ -131,7 +135,8 @@ fn triangle<'s>(
 ) -> Triangle<'s> {
     let (d, [l2, l3]) = (joints[0].to(joints[1]), lengths.map(|length| length.value));
     let operands = [d.x, d.y, l2, l3];
-    let inverse = d.dot(d).provided(Check::Square, scope.group, &operands).recip();
+    let square = d.dot(d).provided(Check::Square, scope.group, &operands);
+    let inverse = scope.call("inverse d2", scope.call("d2", square).recip());
     let plain = half_sine(joints, lengths);
     let scale = plain.scale.value;
     let (near, rounded, spread) = match scope.numerics {
@@ -141,21 +146,25 @@ fn triangle<'s>(
             (near, (near * scale) * (far * scale), d.x.sheet().zero())
         }
     };
+    scope.call("i", near);
     let circles = [d.x, d.y, l2, l3, spread];
-    let square = rounded.provided(Check::ReachCircles, scope.group, &circles);
-    let root = mode * square.sqrt();
-    let height = (l2 * l3).twice() * inverse * root;
+    let square = scope.call("s", rounded.provided(Check::ReachCircles, scope.group, &circles));
+    let root = scope.call("root s", mode * square.sqrt());
+    let height = scope.call("h", (l2 * l3).twice() * inverse * root);
     // With equal bars a = b = d²/(2 d²) is one half: an identity wherever 1/d² exists.
     let (difference, half) = (l2 - l3, near.half());
     let shares = [half + l2 * difference, half - l3 * difference];
+    scope.call("a d2", shares[0]);
+    scope.call("b d2", shares[1]);
     let along = if difference.is_zero() {
         [d.x.sheet().integer(1).half(); 2]
     } else {
-        let decided = |share: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
+        let decided = |name, share: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
             let operands = [rounded, d.x, d.y, near, far, spread];
-            (share * inverse).provided(Check::ShareOfCentres, scope.group, &operands)
+            let along = (share * inverse).provided(Check::ShareOfCentres, scope.group, &operands);
+            scope.call(name, along)
         };
-        [decided(shares[0], [l2, l3]), decided(shares[1], [l3, l2])]
+        [decided("a", shares[0], [l2, l3]), decided("b", shares[1], [l3, l2])]
     };
     Triangle { scale, square, root, height, shares, half, along }
 }
@@ -173,6 +182,7 @@ fn spread<'s>(d: Vector<'s>, [l2, l3]: [Sym<'s>; 2], scale: Sym<'s>) -> Sym<'s> 
 
 /// (ω₂² r₂ − ω₃² r₃)·r₃ and ·r₂, with `folding` = ω₂ − ω₃.
 fn centripetal<'s>(
+    scope: &GroupScope<'s>,
     triangle: &Triangle<'s>,
     lengths: [Jet<'s>; 2],
     [omega2, omega3]: [Sym<'s>; 2],
@@ -180,9 +190,10 @@ fn centripetal<'s>(
 ) -> [Sym<'s>; 2] {
     let [l2, l3] = lengths.map(|length| length.value);
     let [to_second, to_third] = triangle.shares;
-    let (square2, square3) = (omega2.squared(), omega3.squared());
+    let square2 = scope.call("omega2 squared", omega2.squared());
+    let square3 = scope.call("omega3 squared", omega3.squared());
     if differ(l2, l3) {
-        let cosine = l2 * l3 - triangle.half;
+        let cosine = scope.call("r2 r3", l2 * l3 - triangle.half);
         return [
             square2 * cosine - square3 * l3.squared(),
             square2 * l2.squared() - square3 * cosine,

@@ -6,10 +6,16 @@
 
 use crate::equations::jet::Jet;
 use crate::equations::motion::Frame;
-use crate::equations::parts::{LinkMotion, Solved};
+use crate::equations::parts::{GroupScope, LinkMotion, Solved};
 
-pub(super) fn slider<'s>(guide: Frame<'s>, slide: Jet<'s>, offset: Jet<'s>) -> Solved<'s> {
+pub(super) fn slider<'s>(
+    scope: &GroupScope<'s>,
+    guide: Frame<'s>,
+    slide: Jet<'s>,
+    offset: Jet<'s>,
+) -> Solved<'s> {
     let pin = guide.place(slide, offset);
+    scope.call_vector("r", pin.offset);
     let frame = Frame { origin: pin, direction: guide.direction };
     Solved { links: vec![LinkMotion { frame, slide: Some(slide) }], pin: Some(pin) }
 }

@@ -61,6 +61,9 @@ pub(crate) fn rebuild_with(
                 maker.make(node)
             }
         };
+        if let Some(name) = old.name_of(id) {
+            maker.graph.name(new, name.to_string());
+        }
         moved.0[id.index()] = Some(new);
     }
     let (mut answers, mut clearances) = (program.answers.clone(), program.clearances.clone());

@@ -179,6 +179,8 @@ pub(crate) struct Graph {
     node_ids: HashMap<Node, Id, BuildHasherDefault<Mixer>>,
     constant_ids: HashMap<Exact, ConstantId>,
     guard_ids: HashMap<Guard, GuardId>,
+    /// What formulas call their values; most values have no name.
+    names: HashMap<Id, String>,
 }
 
 impl Graph {
@@ -222,6 +224,16 @@ impl Graph {
         self.guards.push(guard.clone());
         self.guard_ids.insert(guard, id);
         id
+    }
+
+    /// Gives the value a name, for whoever reads the generated code; the first one stays.
+    pub(crate) fn name(&mut self, id: Id, name: String) {
+        self.names.entry(id).or_insert(name);
+    }
+
+    /// What formulas call the value.
+    pub(crate) fn name_of(&self, id: Id) -> Option<&str> {
+        self.names.get(&id).map(|name| &name[..])
     }
 
     /// The value under the guard.

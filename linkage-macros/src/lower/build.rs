@@ -74,6 +74,7 @@ impl Builder<'_> {
         let mut schedule = Schedule::new(self.graph(), &self.locals, Path::Slow, overflow);
         let statements: Vec<_> =
             entries.iter().map(|&entry| schedule.stage(self.sinks(entry))).collect();
+        let locals = locals::with_letters(&self.locals, self.graph(), &statements.concat());
         let result = self.interface.entry(last).result;
         let mut stages = Vec::new();
         let mut rest = self.sinks(last);
@@ -89,7 +90,6 @@ impl Builder<'_> {
             rest = further;
         }
         let Schedule { reads, has_checks, path, .. } = schedule;
-        let locals = self.locals.clone();
         Routine { name, given, result, path, stages, reads, has_checks, locals }
     }
 
@@ -109,6 +109,7 @@ impl Builder<'_> {
             self.program.clearances.iter().flat_map(|clearance| clearance.sinks).collect();
         let mut schedule = Schedule::new(self.graph(), &self.locals, Path::Unchecked, None);
         let statements = schedule.stage(&sinks);
+        let locals = locals::with_letters(&self.locals, self.graph(), &statements);
         let kept = schedule.read(sinks.iter().copied());
         let statements = lay_out(&schedule, statements, &kept);
         let Schedule { reads, has_checks, path, .. } = schedule;
@@ -120,7 +121,7 @@ impl Builder<'_> {
             stages: vec![Stage { result: Shape::List(sinks.len()), sinks, statements }],
             reads,
             has_checks,
-            locals: self.locals.clone(),
+            locals,
         }
     }
 

@@ -1,14 +1,17 @@
 //! What the values of the graph are called in the generated code: a component of a result after
-//! the user's name for it, everything else by its number.
+//! the user's name for it, a value of a derivation after its group and its letter there, everything
+//! else by its number.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use syn::ext::IdentExt;
 
-use super::routine::Locals;
+use super::routine::{Locals, Statement};
+use super::schedule::defines;
 use crate::interface::Interface;
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Kind, Shape};
+use crate::ir::graph::Graph;
 use crate::ir::program::Program;
 use crate::model::mechanism::{Mechanism, Output};
 
@@ -32,7 +35,27 @@ pub(super) fn named(mechanism: &Mechanism, interface: &Interface, program: &Prog
             }
         }
     }
-    Locals { names }
+    let components = names.keys().copied().collect();
+    Locals { names, components }
+}
+
+/// The same with the letters of the derivations. Two values of one routine may have one letter, as
+/// the velocities at unit rates of two inputs have: the later one gets a number.
+pub(super) fn with_letters(components: &Locals, graph: &Graph, statements: &[Statement]) -> Locals {
+    let mut locals = components.clone();
+    let mut taken: HashSet<String> = components.names.values().cloned().collect();
+    for id in statements.iter().flat_map(defines) {
+        let Some(letter) = graph.name_of(id).filter(|name| name.is_ascii()) else { continue };
+        if locals.components.contains(&id) {
+            continue;
+        }
+        let stem = single_underscores(&letter.to_lowercase().replace([' ', ','], "_"));
+        let numbered = (2..).map(|number| format!("{stem}{number}_"));
+        let mut names = std::iter::once(stem.clone()).chain(numbered);
+        let free = names.find(|name| taken.insert(name.clone()));
+        locals.names.extend(free.map(|name| (id, name)));
+    }
+    locals
 }
 
 /// What the components of all outputs are called at one order, in the order of the sinks.

@@ -2,7 +2,7 @@
 //!
 //! A statement names nodes of the graph; there is no second language of expressions.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::interface::entries::Given;
 use crate::interface::records::Shape;
@@ -154,6 +154,8 @@ pub(crate) struct Limits {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Locals {
     pub names: HashMap<Id, String>,
+    /// Components of results: these are bound to a name even where a sign alone makes them.
+    pub components: HashSet<Id>,
 }
 
 /// How a value is read.
@@ -188,7 +190,7 @@ impl Locals {
         match graph.node(id) {
             node if is_leaf(node) => Reading::Leaf(node),
             node @ (Node::Constant(_) | Node::Low(_)) => Reading::Constant(node),
-            Node::Neg(operand) if !self.names.contains_key(&id) => {
+            Node::Neg(operand) if !self.components.contains(&id) => {
                 Reading::Negated(Box::new(self.reading(graph, path, operand)))
             }
             _ => Reading::Local(id),

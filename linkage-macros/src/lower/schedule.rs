@@ -58,7 +58,7 @@ impl<'a> Schedule<'a> {
                     None
                 }
                 Node::Constant(_) | Node::Low(_) => None,
-                Node::Neg(_) if !self.locals.names.contains_key(&id) => None,
+                Node::Neg(_) if !self.locals.components.contains(&id) => None,
                 Node::Sin(angle) | Node::Cos(angle) => pairs.remove(&angle).map(|pair| {
                     let Pair { sin, cos } = pair;
                     Statement::SinCos { angle, sin, cos, is_checked: self.is_checked(node) }
