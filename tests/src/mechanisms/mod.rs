@@ -17,6 +17,7 @@ pub mod resolvers;
 pub mod right_or_refused;
 pub mod scaled_change_points;
 pub mod single_groups;
+pub mod slides;
 pub mod stacked_sliders;
 pub mod statuses;
 pub mod variable_dimensions;
