@@ -127,7 +127,7 @@ pub trait Modes: Copy {
 /// step of any length; whatever change points lie on it, the modes in the end are those to which
 /// the motion leads, or there is an error. A step is looked at as a whole first. If a group comes
 /// close to its limit, or ranges are too wide to tell, the step is followed in stretches of which
-/// everything can be proved, at most 4096 of them; and as many again for each of eight poses around
+/// everything can be proved, at most 16,384 of them; and as many again for each of eight poses around
 /// a change point from which the result is interpolated (up to three times, where the motion does
 /// not go on so far). This is the one place in this crate in which work is not the same at every
 /// call; there is no heap, and no panic.
