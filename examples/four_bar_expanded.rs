@@ -54,7 +54,7 @@
     clippy::derive_partial_eq_without_eq,
     reason = "names are as declared, and results are there to choose from"
 )]
-pub struct FourBar<T = f64> {
+pub struct FourBar<T = ::linkage_core::private::f64> {
     #[doc(hidden)]
     pub scalar_: ::linkage_core::private::PhantomData<T>,
 }
@@ -168,7 +168,17 @@ const _: () = {
         Entry, FirstError, Float, From, Fusion, Into, LaneMask, Lanes, LengthMismatch, Mask,
         Mechanism, Modes, OfMotion, OfPosition, OfVelocity, Ok, Operations, Option, PhantomData,
         Point, Progress, Real, Record, Result, Scalar, Series, Side, Slide, SlidingAcceleration,
-        SlidingDirection, SlidingVelocity, SolveError, Some, Status, str, usize,
+        SlidingDirection, SlidingVelocity, SolveError, Some, Status, f64, str, usize,
+    };
+
+    #[allow(
+        unused_imports,
+        reason = "a function hides a constant of its name, and no argument"
+    )]
+    use ::linkage_core::private::{
+        argument as cos, argument as out, argument as progress, argument as sin,
+        argument as status, argument as theta, argument as theta_acceleration,
+        argument as theta_rate,
     };
 
     impl FourBar<f64> {
@@ -548,19 +558,16 @@ const _: () = {
 
         /// Positions of the outputs, without a branch, and whether they may be used.
         ///
-        /// Given `theta` by its cosine and sine.
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1).
         ///
         /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
         /// division and 1 square root.
         #[inline]
         #[must_use]
         pub fn solve_position_at(&self, cos: T, sin: T) -> (FourBarPosition<T>, T::Mask) {
-            let (result_, ok_) = self.core_position_at_(cos, sin);
-            (
-                result_,
-                ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                    & T::is_within(sin, T::lit(1.0625, 1.0625)),
-            )
+            let (cos_, sin_, near_) = private::on_circle(cos, sin);
+            let (result_, ok_) = self.core_position_at_(cos_, sin_);
+            (result_, ok_ & near_)
         }
 
         #[inline(always)]
@@ -586,7 +593,7 @@ const _: () = {
 
         /// Velocities of the outputs, without a branch, and whether they may be used.
         ///
-        /// Given `theta` by its cosine and sine, its rate in rad/s.
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s.
         ///
         /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
         /// divisions and 1 square root.
@@ -598,12 +605,9 @@ const _: () = {
             sin: T,
             theta_rate: T,
         ) -> (FourBarVelocity<T>, T::Mask) {
-            let (result_, ok_) = self.core_velocity_at_(cos, sin, theta_rate);
-            (
-                result_,
-                ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                    & T::is_within(sin, T::lit(1.0625, 1.0625)),
-            )
+            let (cos_, sin_, near_) = private::on_circle(cos, sin);
+            let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
+            (result_, ok_ & near_)
         }
 
         #[inline(always)]
@@ -633,7 +637,8 @@ const _: () = {
         /// Positions, velocities and accelerations of the outputs, without a branch, and whether they
         /// may be used.
         ///
-        /// Given `theta` by its cosine and sine, its rate in rad/s, its second rate in rad/s².
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s, its
+        /// second rate in rad/s².
         ///
         /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
         /// divisions and 1 square root.
@@ -646,12 +651,9 @@ const _: () = {
             theta_rate: T,
             theta_acceleration: T,
         ) -> (FourBarMotion<T>, T::Mask) {
-            let (result_, ok_) = self.core_motion_at_(cos, sin, theta_rate, theta_acceleration);
-            (
-                result_,
-                ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                    & T::is_within(sin, T::lit(1.0625, 1.0625)),
-            )
+            let (cos_, sin_, near_) = private::on_circle(cos, sin);
+            let (result_, ok_) = self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+            (result_, ok_ & near_)
         }
 
         #[inline(always)]
@@ -705,10 +707,10 @@ const _: () = {
             let b_x_ = T::lit(0.1016, 0.1016) * cos;
             let b_y_ = T::lit(0.1016, 0.1016) * sin;
             let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
-            let v171_ =
+            let v174_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
             let bc_dc_d2_ = checks_.square_of_centres(
-                v171_,
+                v174_,
                 bc_dc_d_x_,
                 -b_y_,
                 T::lit(0.254, 0.254),
@@ -718,25 +720,52 @@ const _: () = {
             let bc_dc_inverse_d2_ = T::lit(1.0, 1.0) / bc_dc_d2_;
             let bc_dc_i_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
-            let v175_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
-            let v176_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
-            let v177_ = T::lit(5.535725357165, 5.5357256) * v175_;
-            let v178_ = v176_ * v177_;
+            let v178_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
+            let v179_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
+            let v180_ = T::lit(5.535725357165, 5.5357256) * v178_;
+            let v181_ = v179_ * v180_;
             let bc_dc_s_ = checks_.reach_circles(
-                v178_,
-                bc_dc_d_x_,
-                -b_y_,
-                T::lit(0.254, 0.254),
-                T::lit(0.1778, 0.1778),
+                v181_,
+                [
+                    bc_dc_d_x_,
+                    -b_y_,
+                    T::lit(0.254, 0.254),
+                    T::lit(0.1778, 0.1778),
+                    T::lit(1.0321428571428573, 1.0321429),
+                ],
                 "BC, DC",
             );
             let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
-            let v181_ = T::lit(0.0903224, 0.0903224) * bc_dc_inverse_d2_;
-            let bc_dc_h_ = bc_dc_root_s_ * v181_;
+            let v184_ = T::lit(0.0903224, 0.0903224) * bc_dc_inverse_d2_;
+            let bc_dc_h_ = bc_dc_root_s_ * v184_;
             let bc_dc_a_d2_ = T::fused(T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0193548, 0.0193548));
             let bc_dc_b_d2_ = T::fused(T::lit(0.5, 0.5), bc_dc_i_, -T::lit(0.01354836, 0.01354836));
-            let bc_dc_a_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
-            let bc_dc_b_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
+            let v189_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
+            let bc_dc_a_ = checks_.share_of_centres(
+                v189_,
+                [
+                    v181_,
+                    bc_dc_d_x_,
+                    -b_y_,
+                    T::lit(0.254, 0.254),
+                    T::lit(0.1778, 0.1778),
+                    T::lit(1.0321428571428573, 1.0321429),
+                ],
+                "BC, DC",
+            );
+            let v191_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
+            let bc_dc_b_ = checks_.share_of_centres(
+                v191_,
+                [
+                    v181_,
+                    bc_dc_d_x_,
+                    -b_y_,
+                    T::lit(0.1778, 0.1778),
+                    T::lit(0.254, 0.254),
+                    T::lit(1.0321428571428573, 1.0321429),
+                ],
+                "BC, DC",
+            );
             let bc_dc_h_d_x_ = b_y_ * bc_dc_h_;
             let bc_dc_h_d_y_ = bc_dc_d_x_ * bc_dc_h_;
             let bc_dc_r2_x_ = T::fused(bc_dc_d_x_, bc_dc_a_, bc_dc_h_d_x_);
@@ -765,18 +794,18 @@ const _: () = {
             let bc_dc_w_x_ = theta_rate * b_y_;
             let b_vx_ = -bc_dc_w_x_;
             let b_vy_ = theta_rate * b_x_;
-            let v199_ = checks_.nonzero(bc_dc_s_, "BC, DC");
-            let v200_ = T::lit(11.07145071433, 11.071451) * bc_dc_root_s_;
-            let v201_ = T::lit(1.0, 1.0) / v199_;
-            let bc_dc_inverse_j_ = v200_ * v201_;
-            let v207_ = bc_dc_w_x_ * bc_dc_r3_x_;
-            let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v207_);
+            let v204_ = checks_.nonzero(bc_dc_s_, "BC, DC");
+            let v205_ = T::lit(11.07145071433, 11.071451) * bc_dc_root_s_;
+            let v206_ = T::lit(1.0, 1.0) / v204_;
+            let bc_dc_inverse_j_ = v205_ * v206_;
+            let v212_ = bc_dc_w_x_ * bc_dc_r3_x_;
+            let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v212_);
             let bc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r3_;
-            let v212_ = bc_dc_w_x_ * bc_dc_r2_x_;
-            let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v212_);
+            let v217_ = bc_dc_w_x_ * bc_dc_r2_x_;
+            let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v217_);
             let dc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r2_;
-            let v237_ = c_y_ * dc_omega_;
-            let c_vx_ = -v237_;
+            let v242_ = c_y_ * dc_omega_;
+            let c_vx_ = -v242_;
             let c_vy_ = bc_dc_r3_x_ * dc_omega_;
             let velocity_ = FourBarVelocity {
                 AB: AngularVelocity { omega: theta_rate },
@@ -793,31 +822,31 @@ const _: () = {
                 };
             }
             let v16_ = theta_rate * theta_rate;
-            let v161_ = theta_acceleration * b_y_;
-            let v162_ = theta_acceleration * b_x_;
-            let bc_dc_g_x_ = T::fused(v16_, b_x_, v161_);
+            let v164_ = theta_acceleration * b_y_;
+            let v165_ = theta_acceleration * b_x_;
+            let bc_dc_g_x_ = T::fused(v16_, b_x_, v164_);
             let b_ax_ = -bc_dc_g_x_;
-            let b_ay_ = T::fused(-v16_, b_y_, v162_);
+            let b_ay_ = T::fused(-v16_, b_y_, v165_);
             let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
             let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
             let bc_dc_r2_r3_ = T::fused(-T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0451612, 0.0451612));
-            let v219_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
-            let v221_ = T::fused(-T::lit(0.03161284, 0.03161284), bc_dc_omega3_squared_, v219_);
-            let v222_ = T::lit(0.064516, 0.064516) * bc_dc_omega2_squared_;
-            let v225_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v222_);
-            let v226_ = bc_dc_g_x_ * bc_dc_r3_x_;
-            let v229_ = T::fused(-b_ay_, c_y_, v226_);
-            let v230_ = v221_ + v229_;
-            let bc_alpha_ = bc_dc_inverse_j_ * v230_;
-            let v232_ = bc_dc_g_x_ * bc_dc_r2_x_;
-            let v234_ = T::fused(-b_ay_, bc_dc_r2_y_, v232_);
-            let v235_ = v225_ + v234_;
-            let dc_alpha_ = bc_dc_inverse_j_ * v235_;
-            let v240_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
-            let v241_ = c_y_ * bc_dc_omega3_squared_;
-            let v244_ = T::fused(c_y_, dc_alpha_, v240_);
-            let c_ax_ = -v244_;
-            let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v241_);
+            let v224_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
+            let v226_ = T::fused(-T::lit(0.03161284, 0.03161284), bc_dc_omega3_squared_, v224_);
+            let v227_ = T::lit(0.064516, 0.064516) * bc_dc_omega2_squared_;
+            let v230_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v227_);
+            let v231_ = bc_dc_g_x_ * bc_dc_r3_x_;
+            let v234_ = T::fused(-b_ay_, c_y_, v231_);
+            let v235_ = v226_ + v234_;
+            let bc_alpha_ = bc_dc_inverse_j_ * v235_;
+            let v237_ = bc_dc_g_x_ * bc_dc_r2_x_;
+            let v239_ = T::fused(-b_ay_, bc_dc_r2_y_, v237_);
+            let v240_ = v230_ + v239_;
+            let dc_alpha_ = bc_dc_inverse_j_ * v240_;
+            let v245_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
+            let v246_ = c_y_ * bc_dc_omega3_squared_;
+            let v249_ = T::fused(c_y_, dc_alpha_, v245_);
+            let c_ax_ = -v249_;
+            let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v246_);
             let acceleration_ = FourBarAcceleration {
                 AB: AngularAcceleration { alpha: theta_acceleration },
                 B: Point { x: b_ax_, y: b_ay_ },
@@ -894,7 +923,7 @@ const _: () = {
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
+        /// or result that is not finite. An input that no coefficient depends on is not looked at.
         #[inline]
         pub fn coefficients(&self, theta: T) -> Result<[[T; 1]; 7], SolveError> {
             let (result_, ok_) = { self.core_coefficients_(theta) };
@@ -903,35 +932,37 @@ const _: () = {
 
         /// Positions of the outputs.
         ///
-        /// Given `theta` by its cosine and sine.
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1).
         ///
         /// Costs 11 additions, 21 multiplications, 1 division and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
+        /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
         #[inline]
         pub fn position_at(&self, cos: T, sin: T) -> Result<FourBarPosition<T>, SolveError> {
             let (result_, ok_) = {
-                let (result_, ok_) = self.core_position_at_(cos, sin);
-                (
-                    result_,
-                    ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                        & T::is_within(sin, T::lit(1.0625, 1.0625)),
-                )
+                let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                let (result_, ok_) = self.core_position_at_(cos_, sin_);
+                (result_, ok_ & near_)
             };
-            if ok_ { Ok(result_) } else { self.diagnose_position_at_(cos, sin) }
+            if ok_ {
+                Ok(result_)
+            } else {
+                let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
+                self.diagnose_position_at_(cos_, sin_)
+            }
         }
 
         /// Velocities of the outputs.
         ///
-        /// Given `theta` by its cosine and sine, its rate in rad/s.
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s.
         ///
         /// Costs 12 additions, 29 multiplications, 2 divisions and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
+        /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
         #[inline]
         pub fn velocity_at(
             &self,
@@ -940,25 +971,28 @@ const _: () = {
             theta_rate: T,
         ) -> Result<FourBarVelocity<T>, SolveError> {
             let (result_, ok_) = {
-                let (result_, ok_) = self.core_velocity_at_(cos, sin, theta_rate);
-                (
-                    result_,
-                    ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                        & T::is_within(sin, T::lit(1.0625, 1.0625)),
-                )
+                let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
+                (result_, ok_ & near_)
             };
-            if ok_ { Ok(result_) } else { self.diagnose_velocity_at_(cos, sin, theta_rate) }
+            if ok_ {
+                Ok(result_)
+            } else {
+                let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
+                self.diagnose_velocity_at_(cos_, sin_, theta_rate)
+            }
         }
 
         /// Positions, velocities and accelerations of the outputs.
         ///
-        /// Given `theta` by its cosine and sine, its rate in rad/s, its second rate in rad/s².
+        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s, its
+        /// second rate in rad/s².
         ///
         /// Costs 24 additions, 54 multiplications, 2 divisions and 1 square root.
         ///
         /// # Errors
         /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
+        /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
         #[inline]
         pub fn motion_at(
             &self,
@@ -968,17 +1002,16 @@ const _: () = {
             theta_acceleration: T,
         ) -> Result<FourBarMotion<T>, SolveError> {
             let (result_, ok_) = {
-                let (result_, ok_) = self.core_motion_at_(cos, sin, theta_rate, theta_acceleration);
-                (
-                    result_,
-                    ok_ & T::is_within(cos, T::lit(1.0625, 1.0625))
-                        & T::is_within(sin, T::lit(1.0625, 1.0625)),
-                )
+                let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                let (result_, ok_) =
+                    self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+                (result_, ok_ & near_)
             };
             if ok_ {
                 Ok(result_)
             } else {
-                self.diagnose_motion_at_(cos, sin, theta_rate, theta_acceleration)
+                let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
+                self.diagnose_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
             }
         }
 
@@ -1116,11 +1149,11 @@ const _: () = {
 
     impl<T: Float> Entry<OfPosition, T, 1, 10> for FourBar<T> {
         #[inline(always)]
-        fn solve_lanes<const W: usize, F: Fusion>(
+        fn solve_lanes<const W_: usize, F: Fusion>(
             &self,
-            [x0_]: [Lanes<T, W, F>; 1],
-        ) -> ([Lanes<T, W, F>; 10], LaneMask<W>) {
-            let (result_, ok_) = self.lift::<Lanes<T, W, F>>().core_position_(x0_);
+            [x0_]: [Lanes<T, W_, F>; 1],
+        ) -> ([Lanes<T, W_, F>; 10], LaneMask<W_>) {
+            let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_position_(x0_);
             (Record::into_array(result_), ok_)
         }
 
@@ -1164,11 +1197,11 @@ const _: () = {
 
     impl<T: Float> Entry<OfVelocity, T, 2, 7> for FourBar<T> {
         #[inline(always)]
-        fn solve_lanes<const W: usize, F: Fusion>(
+        fn solve_lanes<const W_: usize, F: Fusion>(
             &self,
-            [x0_, x1_]: [Lanes<T, W, F>; 2],
-        ) -> ([Lanes<T, W, F>; 7], LaneMask<W>) {
-            let (result_, ok_) = self.lift::<Lanes<T, W, F>>().core_velocity_(x0_, x1_);
+            [x0_, x1_]: [Lanes<T, W_, F>; 2],
+        ) -> ([Lanes<T, W_, F>; 7], LaneMask<W_>) {
+            let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_velocity_(x0_, x1_);
             (Record::into_array(result_), ok_)
         }
 
@@ -1214,11 +1247,11 @@ const _: () = {
 
     impl<T: Float> Entry<OfMotion, T, 3, 24> for FourBar<T> {
         #[inline(always)]
-        fn solve_lanes<const W: usize, F: Fusion>(
+        fn solve_lanes<const W_: usize, F: Fusion>(
             &self,
-            [x0_, x1_, x2_]: [Lanes<T, W, F>; 3],
-        ) -> ([Lanes<T, W, F>; 24], LaneMask<W>) {
-            let (result_, ok_) = self.lift::<Lanes<T, W, F>>().core_motion_(x0_, x1_, x2_);
+            [x0_, x1_, x2_]: [Lanes<T, W_, F>; 3],
+        ) -> ([Lanes<T, W_, F>; 24], LaneMask<W_>) {
+            let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_motion_(x0_, x1_, x2_);
             (Record::into_array(result_), ok_)
         }
 
@@ -1303,20 +1336,20 @@ const _: () = {
             let v57_ = T::fused(-v50_, v51_, v54_);
             let v58_ = v51_ * v51_;
             let v59_ = T::lit(2.0, 2.0) * v58_;
-            let v249_ = bc_dc_g_x_ * bc_dc_d_x_;
-            let v250_ = T::fused(bc_dc_g_x_, bc_dc_d_x_, v40_);
-            let v251_ = v249_ + v250_;
-            let v252_ = b_y_ * bc_dc_g_y_;
-            let v253_ = T::fused(-b_y_, bc_dc_g_y_, v44_);
-            let v254_ = v253_ - v252_;
-            let v255_ = v251_ + v254_;
-            let v256_ = T::lit(5.535725357165, 5.5357256) * v255_;
-            let v259_ = T::fused(v52_, v256_, -v59_);
-            let v261_ = T::fused(-v50_, v256_, v259_);
+            let v254_ = bc_dc_g_x_ * bc_dc_d_x_;
+            let v255_ = T::fused(bc_dc_g_x_, bc_dc_d_x_, v40_);
+            let v256_ = v254_ + v255_;
+            let v257_ = b_y_ * bc_dc_g_y_;
+            let v258_ = T::fused(-b_y_, bc_dc_g_y_, v44_);
+            let v259_ = v258_ - v257_;
+            let v260_ = v256_ + v259_;
+            let v261_ = T::lit(5.535725357165, 5.5357256) * v260_;
+            let v264_ = T::fused(v52_, v261_, -v59_);
+            let v266_ = T::fused(-v50_, v261_, v264_);
             [Clearance {
                 value: v53_,
                 rate: v57_,
-                second_rate: v261_,
+                second_rate: v266_,
                 scale: T::lit(0.5517857142857143, 0.5517857),
             }]
         }

@@ -18,7 +18,9 @@
 //! is none. So a threshold may be higher than the condition asks for, never lower.
 //!
 //! # Where thresholds come from
-//! - Zero where only the sign matters: what stands under a root, a divisor.
+//! - Zero where only the sign matters: a divisor.
+//! - Some ε of what a value was made of (`above_rounding`), where its sign is to be told from rounding:
+//!   what stands under a root.
 //! - [`Scalar::smallest_square`] for a squared length that something is divided by: below it the
 //!   square has lost digits to underflow.
 //! - More than that where it pays. The fast path has to know that no result is infinite or no
@@ -48,9 +50,26 @@ pub trait Checks<T: Scalar> {
     #[inline(always)]
     fn away(&mut self, _value: T, _least: T) {}
 
+    /// Asks whether `value` is above zero whatever rounding did to it, which is up to some
+    /// units in the last place of `spread`.
+    #[inline(always)]
+    fn above_rounding(&mut self, _value: T, _spread: T) {}
+
     /// See `diagnosis::reach_circles`.
     #[inline(always)]
-    fn reach_circles(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
+    fn reach_circles(&mut self, value: T, _operands: [T; 5], _: &'static str) -> T {
+        value
+    }
+
+    /// See `diagnosis::share_of_centres`.
+    #[inline(always)]
+    fn share_of_centres(&mut self, value: T, _operands: [T; 6], _: &'static str) -> T {
+        value
+    }
+
+    /// See `diagnosis::reach_distances`.
+    #[inline(always)]
+    fn reach_distances(&mut self, value: T, _operands: [T; 4], _: &'static str) -> T {
         value
     }
 
@@ -134,6 +153,13 @@ impl<T: Scalar> Checks<T> for AllMet<T::Mask> {
         self.and(value.ge(least));
     }
 
+    #[inline(always)]
+    fn above_rounding(&mut self, value: T, spread: T) {
+        const WIDE: f64 = diagnosis::ROUNDINGS * f64::EPSILON;
+        const NARROW: f32 = diagnosis::ROUNDINGS as f32 * f32::EPSILON;
+        self.and(value.gt(T::lit(WIDE, NARROW) * spread));
+    }
+
     /// The magnitude, compared: neither a square, which underflows, nor a disjunction, which
     /// masks do not have.
     #[inline(always)]
@@ -184,8 +210,16 @@ impl<T: Real> Checks<T> for FirstError {
         angle.sin_cos()
     }
 
-    fn reach_circles(&mut self, value: T, dx: T, dy: T, l1: T, l2: T, group: &'static str) -> T {
-        self.keep(value, || diagnosis::reach_circles(value, dx, dy, l1, l2, group))
+    fn reach_circles(&mut self, value: T, operands: [T; 5], group: &'static str) -> T {
+        self.keep(value, || diagnosis::reach_circles(value, operands, group))
+    }
+
+    fn share_of_centres(&mut self, value: T, operands: [T; 6], _: &'static str) -> T {
+        self.keep(value, || Ok(diagnosis::share_of_centres(value, operands)))
+    }
+
+    fn reach_distances(&mut self, value: T, operands: [T; 4], group: &'static str) -> T {
+        self.keep(value, || diagnosis::reach_distances(value, operands, group))
     }
 
     fn reach_line(&mut self, value: T, t: T, l: T, group: &'static str) -> T {

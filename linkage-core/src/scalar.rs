@@ -150,7 +150,7 @@ pub trait Real: Scalar<Mask = bool> {
     #[must_use]
     fn value(self) -> f64;
 
-    /// Whether no derivative is carried, or all of them are zero.
+    /// Whether no derivative is carried; of a type that always carries some, whether all are zero.
     #[must_use]
     fn is_constant(self) -> bool;
 

@@ -54,8 +54,9 @@ fn refusals(group: StackedRrr) -> [SolveError; 3] {
 fn short_by_one_unit_is_assembled_at_the_limit() {
     let group = bars(2.0 + 2.0 * f64::EPSILON, 1.0, 1.0);
     let pose = group.position([0.0; 2]).unwrap();
-    // C halves the line of centres; half of 2 + 2 ε is exact.
-    assert_eq!((pose.C.x, pose.C.y), (1.0 + f64::EPSILON, 0.0));
+    // C is carried by the bar that stands on the ground, and that bar keeps its length.
+    assert_eq!((pose.C.x, pose.C.y), (1.0 + 2.0 * f64::EPSILON, 0.0));
+    assert_eq!([pose.BC.cos, pose.DC.cos], [1.0, -1.0]);
     let singular = SolveError::Singular { group: "BC, DC" };
     assert_eq!(group.velocity([0.0; 2], RATE).unwrap_err(), singular);
     assert_eq!(group.motion([0.0; 2], RATE, SECOND).unwrap_err(), singular);

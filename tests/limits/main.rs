@@ -9,3 +9,7 @@ mod margins;
 mod near_limits;
 mod overflow;
 mod refusals;
+mod resolvers;
+mod right_or_refused;
+mod slides;
+mod statuses;

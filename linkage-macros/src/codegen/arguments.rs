@@ -1,13 +1,24 @@
 //! The arguments of an entry point or routine, and how its statements read them.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::context::Context;
 use super::identifiers::text;
+use super::sweeps;
 use super::token_list::Tokens;
 use crate::interface::entries::Given;
 use crate::ir::graph::Node;
+
+/// What all arguments of all functions are called.
+pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
+    let entries = cx.interface.entries.iter();
+    let names = entries.flat_map(|entry| Arguments::new(cx, entry.given).names);
+    let names = names.map(|name| name.to_string());
+    names.chain(sweeps::ARGUMENTS.map(str::to_string)).collect::<BTreeSet<_>>().into_iter()
+}
 
 /// One input: an argument for its value, rate and second rate; several: a record for each.
 pub(super) struct Arguments<'a> {

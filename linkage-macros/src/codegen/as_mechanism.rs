@@ -17,6 +17,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     let [trait_, real, str_, usize_, result, error, ok, from_fn, fn_mut] =
         ["Mechanism", "Real", "str", "usize", "Result", "SolveError", "Ok", "from_fn", "FnMut"]
             .map(|item| cx.paths.item(item));
+    let float = cx.paths.item("f64");
     let [q, rate, acceleration, value, found] =
         ["q_", "rate_", "acceleration_", "value_", "result_"].map(generated);
     // One input is a number there, and several become a record by themselves.
@@ -33,8 +34,8 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
             type Coefficients = [[#scalar; #columns]; #rows];
 
             const NAME: &'static #str_ = #name;
-            const INPUTS: &'static [&'static #str_] = &#solver::<f64>::INPUTS;
-            const OUTPUTS: &'static [&'static #str_] = &#solver::<f64>::OUTPUTS;
+            const INPUTS: &'static [&'static #str_] = &#solver::<#float>::INPUTS;
+            const OUTPUTS: &'static [&'static #str_] = &#solver::<#float>::OUTPUTS;
 
             fn inputs(#value: impl #fn_mut(#usize_) -> #scalar) -> Self::Inputs { #from_fn(#value) }
 

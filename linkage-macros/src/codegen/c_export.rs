@@ -7,7 +7,7 @@
 mod c_identifiers;
 mod header;
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use self::c_identifiers::Width;
@@ -25,14 +25,15 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     }
     let name = &cx.names.solver;
     let (header, parameters) = (header::text(cx), parameters(cx));
+    let [float, string] = ["f64", "str"].map(|item| cx.paths.item(item));
     let (read, reply) = (read(cx), reply(cx));
     let functions = Width::ALL
         .map(|width| cx.interface.entries.iter().map(move |entry| function(cx, entry, width)));
     let functions = functions.into_iter().flatten();
     quote! {
-        impl #name<f64> {
+        impl #name<#float> {
             /// The header of the C functions that this mechanism exports, to be written to a file.
-            pub const C_HEADER: &'static str = #header;
+            pub const C_HEADER: &'static #string = #header;
         }
 
         #[allow(unsafe_code, reason = "C passes pointers; `export c` asked for functions it can call")]
@@ -99,7 +100,7 @@ fn mode(cx: &Context<'_>, param: &Param) -> TokenStream {
 
 /// The function that returns the parameters as declared.
 fn default(cx: &Context<'_>, width: Width) -> TokenStream {
-    let number = Ident::new(width.in_rust(), Span::call_site());
+    let number = cx.paths.item(width.in_rust());
     let name = function_name(&c_identifiers::default(&cx.names.solver, width));
     let fields = cx.mechanism.params.iter().map(|param| {
         let field = &param.name;
@@ -133,12 +134,12 @@ fn read(cx: &Context<'_>) -> TokenStream {
     quote! {
         /// # Safety
         /// The pointer is null or points to a value.
-        unsafe fn read_<V: #copy>(from: *const V, name: &'static #str) -> #result<V, #error> {
-            if from.is_null() {
-                return #err(#error::null_pointer(name));
+        unsafe fn read_<V: #copy>(from_: *const V, name_: &'static #str) -> #result<V, #error> {
+            if from_.is_null() {
+                return #err(#error::null_pointer(name_));
             }
             // SAFETY: the pointer is not null, so by the caller's word it points to a value.
-            #ok(unsafe { from.read() })
+            #ok(unsafe { from_.read() })
         }
     }
 }
@@ -151,25 +152,25 @@ fn reply(cx: &Context<'_>) -> TokenStream {
         /// # Safety
         /// Each pointer is null or points to where a value of its type may be written.
         unsafe fn reply_<V>(
-            answer: #result<V, #error>,
-            to: *mut V,
-            name: &'static #str,
-            why: *mut #error,
+            answer_: #result<V, #error>,
+            to_: *mut V,
+            name_: &'static #str,
+            why_: *mut #error,
         ) -> #i32 {
-            let reason = match answer {
-                _ if to.is_null() => #error::null_pointer(name),
-                #ok(value) => {
+            let reason_ = match answer_ {
+                _ if to_.is_null() => #error::null_pointer(name_),
+                #ok(value_) => {
                     // SAFETY: the pointer is not null, so by the caller's word it can be written.
-                    unsafe { to.write(value) };
+                    unsafe { to_.write(value_) };
                     #error::NONE
                 }
-                #err(reason) => reason,
+                #err(reason_) => reason_,
             };
-            if !why.is_null() {
+            if !why_.is_null() {
                 // SAFETY: as above.
-                unsafe { why.write(reason) };
+                unsafe { why_.write(reason_) };
             }
-            reason.status
+            reason_.status
         }
     }
 }
@@ -178,7 +179,7 @@ fn reply(cx: &Context<'_>) -> TokenStream {
 fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
     let name = function_name(&c_identifiers::function(&cx.names.solver, of, width));
     let method = function_name(of.name);
-    let number = Ident::new(width.in_rust(), Span::call_site());
+    let number = cx.paths.item(width.in_rust());
     let number = quote!(#number);
     let arguments = Arguments::new(cx, of.given);
     let labels = arguments.names().iter().map(|name| string(&text(name), name.span()));

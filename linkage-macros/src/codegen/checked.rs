@@ -15,10 +15,10 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let scalar = quote!(#scalar);
     let arguments = Arguments::new(cx, entry.given);
     let (declared, converted) = (arguments.declared(&scalar), arguments.converted(&scalar));
-    let (names, result) = (arguments.names(), results::ty(cx, entry.result, &scalar));
+    let result = results::ty(cx, entry.result, &scalar);
     let name = function_name(entry.name);
     let answer = fast_path::answer(cx, id);
-    let (diagnose, docs) = (slow_path::name(entry), docs::checked(cx, id));
+    let (diagnose, docs) = (slow_path::call(cx, entry), docs::checked(cx, id));
     let (outcome, error, ok) =
         (cx.paths.item("Result"), cx.paths.item("SolveError"), cx.paths.item("Ok"));
     let (value, usable) = (generated("result_"), generated("ok_"));
@@ -28,7 +28,7 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
         pub fn #name(&self, #(#declared),*) -> #outcome<#result, #error> {
             #converted
             let (#value, #usable) = { #answer };
-            if #usable { #ok(#value) } else { self.#diagnose(#(#names),*) }
+            if #usable { #ok(#value) } else { #diagnose }
         }
     }
 }

@@ -228,7 +228,9 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
         ([only], _) => {
             let (name, unit) = (text(&only.name), unit(only.dimension, Order::Position));
             let given = entry.given.iter().filter_map(|given| match given {
-                Given::Cosine => Some(format!("`{name}` by its cosine and sine")),
+                Given::Cosine => {
+                    Some(format!("`{name}` by its cosine and sine (any amplitude from 0.9 to 1.1)"))
+                }
                 Given::Sine => None,
                 Given::Value => Some(format!("`{name}` in {unit}")),
                 Given::Rate => Some(format!("its rate in {unit}/s")),
@@ -264,11 +266,27 @@ pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
     lines(&format!(
         "{}.\n\n{}\n\nCosts {}.\n\n# Errors\n\
          The group that cannot be assembled, is singular or was given an invalid length, or the \
-         input or result that is not finite.",
+         input or result that is not finite.{}",
         entry.subject,
         details(cx, entry),
         costs_in_words::in_words(costs_in_words::of(cx, id)),
+        exceptions(entry),
     ))
+}
+
+/// What is refused, or is not, in an entry point of this kind alone.
+fn exceptions(entry: &Entry) -> &'static str {
+    if entry.takes_cosine() {
+        return " `OffCircle` where the amplitude is no resolver's.";
+    }
+    match entry.name {
+        "coefficients" => " An input that no coefficient depends on is not looked at.",
+        "margins" => {
+            " A margin is there also beyond its own group's limit, but not behind another group \
+             that has no pose: the error names that one, and by how much it is out of reach."
+        }
+        _ => "",
+    }
 }
 
 pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {

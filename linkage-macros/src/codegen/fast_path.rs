@@ -11,7 +11,6 @@ use super::token_list::Tokens;
 use super::{docs, formulas, results};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
-use crate::lower::CIRCLE;
 use crate::lower::routine::{Adapted, Asked, Compute, Limits};
 
 /// The name of the core of an entry point.
@@ -56,23 +55,22 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     }
 }
 
-/// The core's answer to the arguments of an entry point. A given cosine and sine are asked here,
-/// because those of an angle need not be.
+/// The core's answer to the arguments of an entry point. The amplitude of a given cosine and sine is
+/// divided out here, because an angle's have none.
 pub(super) fn answer(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
     let (arguments, core) = (Arguments::new(cx, entry.given), core_name(entry));
     let (names, [result, ok]) = (arguments.names(), ["result_", "ok_"].map(generated));
-    let is_limited =
-        matches!(cx.compute(id), Compute::Own { asked: Asked { limits: Some(_), .. }, .. });
-    match entry.takes_cosine() && is_limited {
-        true => {
-            let circle = circle(cx);
-            quote! {
-                let (#result, #ok) = self.#core(#(#names),*);
-                (#result, #ok & #circle)
-            }
-        }
-        false => quote!(self.#core(#(#names),*)),
+    if !entry.takes_cosine() {
+        return quote!(self.#core(#(#names),*));
+    }
+    let (given, rates) = names.split_at(2);
+    let ([cos, sin, near], on_circle) =
+        (["cos_", "sin_", "near_"].map(generated), cx.paths.item("on_circle"));
+    quote! {
+        let (#cos, #sin, #near) = #on_circle(#(#given),*);
+        let (#result, #ok) = self.#core(#cos, #sin #(, #rates)*);
+        (#result, #ok & #near)
     }
 }
 
@@ -110,13 +108,6 @@ fn at_unit_rate(cx: &Context<'_>, arguments: &Arguments<'_>, other: &Entry) -> T
         let (#result, #ok) = self.#core(#(#names,)* #one);
         ([#([#rows]),*], #ok)
     }
-}
-
-/// Whether a given cosine and sine are as large as limits take for granted.
-fn circle(cx: &Context<'_>) -> TokenStream {
-    let [cos, sin] =
-        ["cos", "sin"].map(|name| within(cx, &function_name(name).into(), [CIRCLE; 2]));
-    quote!(#cos & #sin)
 }
 
 /// |value| ≤ bound.

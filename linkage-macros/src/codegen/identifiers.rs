@@ -7,6 +7,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::ToTokens;
 use syn::ext::IdentExt;
 
+use super::sweeps;
 use crate::model::mechanism::Mechanism;
 
 /// The names that do not come with the interface.
@@ -51,17 +52,16 @@ pub(super) fn function_name(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
 }
 
-/// What sweeps and given cosines call their own arguments.
-const OTHER_ARGUMENTS: [&str; 5] = ["out", "status", "progress", "cos", "sin"];
+/// What given cosines are called.
+const CIRCLE: [&str; 2] = ["cos", "sin"];
 
-/// An argument named after an input: in lower case, as a constant of the user's hardly is. The
-/// value itself has the input's span, where the compiler reports it if one is.
+/// An argument named after an input, in lower case. The value itself has the input's span.
 fn argument(input: &Ident, suffix: &str) -> Ident {
     let name = format!("{}{suffix}", input.unraw()).to_lowercase();
     let span = if suffix.is_empty() { input.span() } else { Span::call_site() };
     // The span keeps it apart from the locals; a keyword or a name that fits nowhere gets a tail,
     // and so does what another argument is called.
-    let is_free = !OTHER_ARGUMENTS.contains(&&name[..]);
+    let is_free = !sweeps::ARGUMENTS.iter().chain(&CIRCLE).any(|other| *other == name);
     match syn::parse_str::<Ident>(&name) {
         Ok(_) if is_free => Ident::new(&name, span),
         _ => Ident::new(&format!("{name}_"), span),

@@ -50,6 +50,7 @@ pub(crate) fn generate(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStr
 /// user's, and its paths are short.
 fn implementations(cx: &Context<'_>) -> TokenStream {
     let import = cx.paths.import();
+    let arguments = cx.paths.import_arguments(arguments::all_names(cx));
     let (solver, records) = (solver::implementation(cx), structs::implementations(cx));
     let fast = cx.entries().map(|entry| fast_path::function(cx, entry));
     let checked = cx.entries().map(|entry| checked::function(cx, entry));
@@ -65,6 +66,7 @@ fn implementations(cx: &Context<'_>) -> TokenStream {
         #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
         const _: () = {
             #import
+            #arguments
             #solver
             #records
             impl<#scalar: #any> #name<#scalar> { #(#fast)* #formulas }

@@ -22,7 +22,7 @@ pub(super) struct Paths {
 }
 
 /// What is imported: types, traits and variants that most mechanisms need.
-const IMPORTED: [&str; 44] = [
+const IMPORTED: [&str; 45] = [
     "AllMet",
     "AngularAcceleration",
     "AngularVelocity",
@@ -65,6 +65,7 @@ const IMPORTED: [&str; 44] = [
     "SolveError",
     "Some",
     "Status",
+    "f64",
     "str",
     "usize",
 ];
@@ -101,6 +102,18 @@ impl Paths {
     fn imported(&self, name: &str) -> Ident {
         let clash = if self.own.iter().any(|own| own == name) { "_" } else { "" };
         Ident::new(&format!("{name}{clash}"), Span::call_site())
+    }
+
+    /// A function under the name of every argument: it hides a constant, a static or a unit struct
+    /// of the user's that has the name, whose pattern an argument would be. What is a function may
+    /// be an argument as well.
+    pub(super) fn import_arguments(&self, names: impl Iterator<Item = String>) -> TokenStream {
+        let module = &self.module;
+        let names = names.map(|name| Ident::new(&name, Span::call_site()));
+        quote! {
+            #[allow(unused_imports, reason = "a function hides a constant of its name, and no argument")]
+            use #module::{#(argument as #names),*};
+        }
     }
 
     /// A type, trait, function or macro of the run-time crate, inside the unnamed constant.

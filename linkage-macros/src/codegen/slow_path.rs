@@ -18,6 +18,22 @@ pub(super) fn name(entry: &Entry) -> Ident {
     function_name(&format!("diagnose_{}_", entry.name))
 }
 
+/// What a public function calls; a given cosine and sine are brought onto the circle first, an
+/// angle's are there.
+pub(super) fn call(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+    let (arguments, name) = (Arguments::new(cx, entry.given), name(entry));
+    let names = arguments.names();
+    if !entry.takes_cosine() {
+        return quote!(self.#name(#(#names),*));
+    }
+    let ((given, rates), [cos, sin]) = (names.split_at(2), ["cos_", "sin_"].map(generated));
+    let (found, label) = (cx.paths.item("found_on_circle"), text(&cx.mechanism.inputs[0].name));
+    quote! {
+        let (#cos, #sin) = #found(#(#given,)* #label)?;
+        self.#name(#cos, #sin #(, #rates)*)
+    }
+}
+
 /// The function that says why the fast path of an entry point gave no answer.
 pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let (entry, scalar) = (cx.entry(id), &cx.names.scalar);

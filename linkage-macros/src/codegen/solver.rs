@@ -28,12 +28,12 @@ pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
         };
         quote!(#docs pub #field: #ty,)
     });
-    let phantom = cx.paths.outside("PhantomData");
+    let (phantom, float) = (cx.paths.outside("PhantomData"), cx.paths.outside("f64"));
     let marker = marker(cx).map(|(field, _)| quote!(#[doc(hidden)] pub #field: #phantom<#scalar>,));
     quote! {
         #docs
         #attributes
-        #visibility struct #name<#scalar = f64> { #(#fields)* #marker }
+        #visibility struct #name<#scalar = #float> { #(#fields)* #marker }
     }
 }
 
@@ -115,14 +115,15 @@ fn constants(cx: &Context<'_>) -> TokenStream {
         params.iter().map(|p| identifiers::string(&text(&p.name), p.name.span())).collect();
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
     let (cost_type, cost) = (cx.paths.item("Cost"), costs_in_words::constant(cx));
+    let [float, string] = ["f64", "str"].map(|name| cx.paths.item(name));
     quote! {
-        impl #name<f64> {
+        impl #name<#float> {
             /// The scalar rows of the results, in the order of every list of rows.
-            pub const OUTPUTS: [&'static str; #rows] = [#(#outputs),*];
+            pub const OUTPUTS: [&'static #string; #rows] = [#(#outputs),*];
             /// The inputs, in the order of the columns of Jacobians.
-            pub const INPUTS: [&'static str; #columns] = [#(#inputs),*];
+            pub const INPUTS: [&'static #string; #columns] = [#(#inputs),*];
             /// The numeric parameters, in the order of the columns of sensitivities.
-            pub const PARAMS: [&'static str; #numbers] = [#(#params),*];
+            pub const PARAMS: [&'static #string; #numbers] = [#(#params),*];
             /// The floating-point operations of one call.
             pub const COST: #cost_type = #cost;
 
@@ -185,7 +186,7 @@ pub(super) fn lifted_number(
     value: &TokenStream,
     target: &TokenStream,
 ) -> TokenStream {
-    let (real, scalar) = (cx.paths.item("Real"), cx.paths.item("Scalar"));
+    let [real, scalar, narrow] = ["Real", "Scalar", "f32"].map(|name| cx.paths.item(name));
     let value = quote!(#real::value(#value));
-    quote!(<#target as #scalar>::lit(#value, #value as f32))
+    quote!(<#target as #scalar>::lit(#value, #value as #narrow))
 }

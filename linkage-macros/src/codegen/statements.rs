@@ -107,7 +107,7 @@ impl<'a> Printer<'a> {
     }
 
     /// A condition as two calls: one that compares, unless it is known to hold, and one that
-    /// diagnoses. The value goes on as that one returns it.
+    /// diagnoses. What is compared with a spread is compared once more where limits ask for more. The value goes on as that one returns it.
     fn condition(&self, condition: &Condition) -> TokenStream {
         let (guard, name) = (generated("checks_"), self.name(condition.id));
         let value = self.value(condition.value);
@@ -127,12 +127,21 @@ impl<'a> Printer<'a> {
             quote!(#guard.#method(#value, #threshold);)
         });
         let diagnosis = function_name(condition.diagnosis);
+        let above_rounding = condition.above_rounding.map(|spread| {
+            let spread = self.value(spread);
+            quote!(#guard.above_rounding(#value, #spread);)
+        });
         let operands = condition.operands.iter().map(|&operand| self.value(operand));
+        let operands = match condition.in_a_list {
+            true => quote!([#(#operands),*],),
+            false => quote!(#(#operands,)*),
+        };
         let group = &self.cx.program().groups[condition.group as usize];
         let length = condition.length.iter();
         quote! {
             #comparison
-            let #name = #guard.#diagnosis(#value, #(#operands,)* #group #(, #length)*);
+            #above_rounding
+            let #name = #guard.#diagnosis(#value, #operands #group #(, #length)*);
         }
     }
 

@@ -13,6 +13,9 @@ use crate::interface::EntryId;
 use crate::interface::entries::Entry;
 use crate::interface::records::{Record, Shape};
 
+/// What a sweep's arguments beside the inputs are called.
+pub(super) const ARGUMENTS: [&str; 3] = ["out", "status", "progress"];
+
 /// `sweep_position`, `sweep_velocity`, `sweep_motion`; nothing for other entry points.
 pub(super) fn items(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     let entry = cx.entry(id);
@@ -99,6 +102,9 @@ impl Sweep<'_> {
         let [float, fusion, mask, lanes, trait_, result, error, ok] =
             ["Float", "Fusion", "LaneMask", "Lanes", "Entry", "Result", "SolveError", "Ok"]
                 .map(|item| cx.paths.item(item));
+        let size = cx.paths.item("usize");
+        // A bare name is first looked for among the types, the user's included.
+        let width = function_name("W_");
         let [value, usable] = ["result_", "ok_"].map(generated);
         let as_array = cx.paths.item("Record");
         let (core, method) = (fast_path::core_name(entry), function_name(entry.name));
@@ -107,12 +113,12 @@ impl Sweep<'_> {
         quote! {
             impl<#scalar: #float> #trait_<#kind, #scalar, #ins, #outs> for #name<#scalar> {
                 #[inline(always)]
-                fn solve_lanes<const W: usize, F: #fusion>(
+                fn solve_lanes<const #width: #size, F: #fusion>(
                     &self,
-                    [#(#locals),*]: [#lanes<#scalar, W, F>; #ins],
-                ) -> ([#lanes<#scalar, W, F>; #outs], #mask<W>) {
+                    [#(#locals),*]: [#lanes<#scalar, #width, F>; #ins],
+                ) -> ([#lanes<#scalar, #width, F>; #outs], #mask<#width>) {
                     let (#value, #usable) =
-                        self.lift::<#lanes<#scalar, W, F>>().#core(#(#arguments),*);
+                        self.lift::<#lanes<#scalar, #width, F>>().#core(#(#arguments),*);
                     (#as_array::into_array(#value), #usable)
                 }
 

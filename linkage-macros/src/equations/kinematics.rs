@@ -250,7 +250,7 @@ impl<'s> Kinematics<'s> {
             Placement::Polar(radius, angle) => point::polar(self.jet(radius), self.jet(angle)),
             Placement::Distances { distances, length, side } => point::at_distances(
                 group.0,
-                self.jets(distances),
+                [&distances[0], &distances[1]].map(|distance| self.length(distance, group.0)),
                 self.jet(length),
                 self.sign(*side),
             ),

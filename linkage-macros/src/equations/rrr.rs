@@ -139,15 +139,16 @@ fn triangle<'s>(
     let inverse = scope.call("inverse d2", scope.call("d2", square).recip());
     let plain = half_sine(joints, lengths);
     let scale = plain.scale.value;
-    let (near, square) = match scope.numerics {
-        Numerics::Plain => (plain.near.value, plain.square.value),
+    let (near, rounded, spread) = match scope.numerics {
+        Numerics::Plain => (plain.near.value, plain.square.value, spread(d, [l2, l3], scale)),
         Numerics::Compensated => {
             let [near, far] = carried(d, [l2, l3]);
-            (near, (near * scale) * (far * scale))
+            (near, (near * scale) * (far * scale), d.x.sheet().zero())
         }
     };
     scope.call("i", near);
-    let square = scope.call("s", square.provided(Check::ReachCircles, scope.group, &operands));
+    let circles = [d.x, d.y, l2, l3, spread];
+    let square = scope.call("s", rounded.provided(Check::ReachCircles, scope.group, &circles));
     let root = scope.call("root s", mode * square.sqrt());
     let height = scope.call("h", (l2 * l3).twice() * inverse * root);
     // With equal bars a = b = d²/(2 d²) is one half: an identity wherever 1/d² exists.
@@ -158,9 +159,25 @@ fn triangle<'s>(
     let along = if difference.is_zero() {
         [d.x.sheet().integer(1).half(); 2]
     } else {
-        [scope.call("a", shares[0] * inverse), scope.call("b", shares[1] * inverse)]
+        let decided = |name, share: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
+            let operands = [rounded, d.x, d.y, near, far, spread];
+            let along = (share * inverse).provided(Check::ShareOfCentres, scope.group, &operands);
+            scope.call(name, along)
+        };
+        [decided("a", shares[0], [l2, l3]), decided("b", shares[1], [l3, l2])]
     };
     Triangle { scale, square, root, height, shares, half, along }
+}
+
+/// What S is rounded in the last places of. With i made of d² and (l₂ − l₃)², which its roundings are
+/// shares of, and d² the larger of the two where S is rounded up from below zero, S is wrong by up to
+/// 2.5 ε of d²/4l₂l₃; with d² affine in the crank's cosine and sine by up to 9 ε against the rounded
+/// joints that the limit is decided on (`passes/affine.rs`: 26 ε l²/2 for the form and as much for the
+/// joints at a shortest distance of 2 l). That is (l₂ + l₃)²/4l₂l₃ at most where there is a limit to
+/// pass, known before run time if the lengths are.
+fn spread<'s>(d: Vector<'s>, [l2, l3]: [Sym<'s>; 2], scale: Sym<'s>) -> Sym<'s> {
+    let square = if scale.is_constant() { (l2 + l3).squared() } else { d.dot(d) };
+    square * scale
 }
 
 /// (ω₂² r₂ − ω₃² r₃)·r₃ and ·r₂, with `folding` = ω₂ − ω₃.

@@ -47,6 +47,11 @@ pub(crate) fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
                 // nothing is fused, and is no operation more where it is.
                 total.multiplications += u32::from(multiplied.insert(factors(graph, a, b)));
             }
+            // The comparison with what is not known before run time takes its last places.
+            Node::Guard(..) => {
+                let spread = graph.spread(node).filter(|&id| graph.as_constant(id).is_none());
+                total.multiplications += u32::from(spread.is_some());
+            }
             _ => total += of(node),
         }
     }

@@ -5,7 +5,7 @@ use crate::ir::graph::{Graph, Id, Node};
 /// Which of a guard's operands are followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Path {
-    /// What the fast path computes with: the guarded value alone.
+    /// What the fast path computes with: the guarded value, and what it is compared with.
     Fast,
     /// What the slow path looks at as well.
     Slow,
@@ -27,7 +27,8 @@ pub(crate) fn live(graph: &Graph, sinks: &[Id], path: Path) -> Vec<bool> {
         let node = graph.node(Id(index as u32));
         let mut mark = |operand: Id| live[operand.0 as usize] = true;
         match path {
-            Path::Fast | Path::Unchecked => node.for_operands(&mut mark),
+            Path::Fast => graph.for_fast_operands_of(node, &mut mark),
+            Path::Unchecked => node.for_operands(&mut mark),
             Path::Slow => graph.for_operands_of(node, &mut mark),
         }
     }

@@ -19,4 +19,3 @@ mod scopes;
 mod witnesses;
 
 pub(crate) use build::lower;
-pub(crate) use ranges::CIRCLE;

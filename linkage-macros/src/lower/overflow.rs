@@ -6,6 +6,7 @@
 //! number that carries derivatives is asked for its results in any case, because a derivative may
 //! overflow where the value does not.
 
+use super::checks::Spread;
 use super::ranges::{Assumed, Thresholds, Values};
 use super::routine::{Limits, Threshold};
 use super::witnesses::witnesses;
@@ -33,11 +34,13 @@ const NARROW: [Assumed; 4] =
 
 /// Squares of full precision begin at the smallest normal number over ε².
 const fn wide(input: f64, share: f64) -> Assumed {
-    Assumed { input, share, square: 4.6e-277, largest: 1e300, factor: 1e297 }
+    let (normal, epsilon) = (f64::MIN_POSITIVE, f64::EPSILON);
+    Assumed { input, share, square: 4.6e-277, normal, epsilon, largest: 1e300, factor: 1e297 }
 }
 
 const fn narrow(input: f64, share: f64) -> Assumed {
-    Assumed { input, share, square: 8.4e-25, largest: 1e37, factor: 1e34 }
+    let (normal, epsilon) = (f32::MIN_POSITIVE as f64, f32::EPSILON as f64);
+    Assumed { input, share, square: 8.4e-25, normal, epsilon, largest: 1e37, factor: 1e34 }
 }
 
 impl Overflow {
@@ -60,15 +63,30 @@ impl Overflow {
     }
 
     /// The least that the condition on a value is to find there; nothing where ranges show that it
-    /// holds.
-    pub(super) fn threshold(&self, value: Id, check: &Check) -> Option<Threshold> {
-        let sign = |assumed: Assumed| if *check == Check::Square { assumed.square } else { 0.0 };
+    /// holds, or where a spread that is known at run time asks for more.
+    pub(super) fn threshold(
+        &self,
+        value: Id,
+        check: &Check,
+        spread: Option<Spread<'_>>,
+    ) -> Option<Threshold> {
+        let sign = |assumed: Assumed| match (check, spread) {
+            (Check::Square, _) => assumed.square,
+            (Check::ReachLine, _) => assumed.normal,
+            (_, Some(Spread::Known(spread))) => assumed.rounding_of(spread),
+            _ => 0.0,
+        };
         let of = |width: &Option<Width>, assumed: Assumed| match width {
             Some(width) => width.thresholds.get(&value).copied().unwrap_or(Some(sign(assumed))),
             None => Some(sign(assumed)),
         };
         let (wide, narrow) = (of(&self.wide, WIDE[0]), of(&self.narrow, NARROW[0]));
-        wide.or(narrow)?;
+        let asked = wide.or(narrow)?;
+        // What is above rounding is above zero.
+        let is_sign_alone = asked + narrow.unwrap_or(0.0) == 0.0;
+        if matches!(spread, Some(Spread::AtRunTime(_))) && is_sign_alone {
+            return None;
+        }
         Some(Threshold::Number(wide.unwrap_or(0.0), narrow.unwrap_or(0.0)))
     }
 

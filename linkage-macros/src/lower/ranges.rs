@@ -11,7 +11,8 @@ mod tests;
 
 use std::collections::HashMap;
 
-use crate::ir::graph::{Check, Graph, Id, Node};
+use crate::exact::Exact;
+use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::liveness::{live_nodes, unguarded};
 
 /// What is assumed of one width of numbers.
@@ -24,10 +25,21 @@ pub(crate) struct Assumed {
     pub share: f64,
     /// The smallest square of full precision.
     pub square: f64,
+    /// The smallest number of full precision.
+    pub normal: f64,
+    /// The distance from 1 to the next number.
+    pub epsilon: f64,
     /// What is not to be exceeded.
     pub largest: f64,
     /// What a factor is not to exceed where its product's rounding error is asked for.
     pub factor: f64,
+}
+
+impl Assumed {
+    /// What rounding does to a value of this spread, as the run-time crate counts it.
+    pub(super) fn rounding_of(&self, spread: &Exact) -> f64 {
+        16.0 * self.epsilon * spread.to_f64()
+    }
 }
 
 /// What the fast path has to ask where no result can overflow: the least value, or magnitude,
@@ -37,10 +49,6 @@ pub(crate) type Thresholds = HashMap<Id, Option<f64>>;
 
 /// More than the relative error of any operation in either width.
 const SLACK: f64 = 1e-6;
-
-/// The largest magnitude of a cosine or sine that is given: that of one, and a margin for what
-/// delivers it.
-pub(crate) const CIRCLE: f64 = 1.0625;
 
 /// More than what underflow takes from a value in either width.
 const TINY: f64 = 1e-35;
@@ -111,7 +119,7 @@ impl Bounds<'_> {
             Node::Constant(_) | Node::Low(_) => return None,
             Node::Input { order: 0 | 1, .. } => Range::about(limits.input),
             Node::Input { .. } => Range::about(limits.input * limits.input),
-            Node::InputCos(_) | Node::InputSin(_) => Range::about(CIRCLE),
+            Node::InputCos(_) | Node::InputSin(_) => Range::about(1.0).rounded(),
             Node::Sin(angle) | Node::Cos(angle) => {
                 self.of(angle)?;
                 Range::about(1.0).rounded()
@@ -144,10 +152,7 @@ impl Bounds<'_> {
                 Range::about(3.2)
             }
             Node::Tan(_) => return None,
-            Node::Guard(value, guard) => {
-                let check = &self.graph.condition(guard).check;
-                self.guarded(value, check)?
-            }
+            Node::Guard(value, guard) => self.guarded(value, self.graph.condition(guard))?,
         })
     }
 
@@ -179,11 +184,19 @@ impl Bounds<'_> {
     }
 
     /// The range that the fast path goes on with, once it has asked for the threshold.
-    fn guarded(&mut self, value: Id, check: &Check) -> Option<Range> {
+    fn guarded(&mut self, value: Id, Guard { check, operands, .. }: &Guard) -> Option<Range> {
+        if *check == Check::ShareOfCentres {
+            return self.of(value);
+        }
         let range = self.of(value)?;
         let share = self.limits.share * range.largest();
         let least = match check {
             Check::Square => self.limits.square.max(share),
+            Check::ReachLine => self.limits.normal.max(share),
+            _ if check.has_spread() => {
+                let spread = operands.last().and_then(|&spread| self.graph.as_constant(spread));
+                spread.map_or(share, |spread| self.limits.rounding_of(spread).max(share))
+            }
             _ => share,
         };
         let known = match check {

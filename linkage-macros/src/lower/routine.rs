@@ -94,9 +94,13 @@ pub(crate) struct Condition {
     pub value: Id,
     /// What the fast path asks; nothing where the condition is known to hold.
     pub comparison: Option<(Comparison, Threshold)>,
+    /// What the fast path asks whether the value is above the rounding of.
+    pub above_rounding: Option<Id>,
     /// The slow path's question, and the numbers it looks at beside the value.
     pub diagnosis: &'static str,
     pub operands: Vec<Id>,
+    /// Whether the operands are handed over together.
+    pub in_a_list: bool,
     /// Whose failure it is: an index into `Program::groups`.
     pub group: u32,
     /// The name of a length that has to be positive.

@@ -99,11 +99,11 @@ impl Resolver<'_> {
                 Some(quantity)
             }
             ExprKind::Chain(first, rest) => self.chain(first, rest),
-            ExprKind::Call(function, arguments) if function == DISTANCE => {
-                self.distance(function, arguments)
-            }
             ExprKind::Call(function, arguments) => {
-                let quantity = self.call(function, arguments)?;
+                let quantity = match function == DISTANCE {
+                    true => self.distance(function, arguments),
+                    false => self.call(function, arguments),
+                }?;
                 self.number_is_of_a_length(expr.span, quantity.rest.constant())?;
                 Some(quantity)
             }

@@ -267,7 +267,7 @@ pub(crate) enum Placement {
     Polar(Expr, Expr),
     /// Distances from the carrier's two joints, `length` apart on its x; `Plus` is left of it.
     Distances {
-        distances: [Expr; 2],
+        distances: [Length; 2],
         length: Expr,
         side: Sign,
     },

@@ -9,7 +9,8 @@ use crate::syntax::tree::{self, Expr as Written};
 use super::Resolver;
 use super::assembly::{constants, polar};
 use super::folding::shown;
-use super::mechanism::{Body, Carrier, Expr, Group, LinkId, Placement, Sign, Step};
+use super::mechanism::{Body, Carrier, Expr, Group, Length, LinkId, Placement, Sign, Step};
+use super::numbers::bare_name;
 
 impl Resolver<'_> {
     pub(super) fn ground(&mut self, docs: &[Attribute], points: &[(Ident, [Written; 2])]) {
@@ -96,7 +97,11 @@ impl Resolver<'_> {
                     let value = self.length(&distances[i])?;
                     let what = format!("the {} distance of `{name}`", which[i]);
                     self.length_is_positive(&distances[i], &value, &what)?;
-                    Some(value)
+                    let name = match bare_name(&distances[i]) {
+                        Some(name) => name.to_string(),
+                        None => format!("{} distance of {name}", which[i]),
+                    };
+                    Some(Length { value, name })
                 });
                 let side = self.side_is_left_or_right(side, name);
                 let length = self.distances_have_a_bar(name, carrier?)?;
@@ -157,15 +162,16 @@ impl Resolver<'_> {
         &mut self,
         name: &Ident,
         carrier: Carrier,
-        distances: &[Expr; 2],
+        distances: &[Length; 2],
         length: &Expr,
     ) -> Option<()> {
-        let (Some([a, b]), Some(l)) = (constants(distances), length.constant()) else {
+        let [first, second] = distances.each_ref().map(|distance| distance.value.constant());
+        let (Some(a), Some(b), Some(l)) = (first, second, length.constant()) else {
             return Some(());
         };
-        let difference = if a.cmp_value(&b).is_lt() { b.sub(&a) } else { a.sub(&b) };
-        let (sum, link) = (a.add(&b), self.link_name(carrier));
-        let (long, a, b) = (shown(l), shown(&a), shown(&b));
+        let difference = if a.cmp_value(b).is_lt() { b.sub(a) } else { a.sub(b) };
+        let (sum, link) = (a.add(b), self.link_name(carrier));
+        let (long, a, b) = (shown(l), shown(a), shown(b));
         let reason = if l.cmp_value(&sum).is_gt() {
             format!("`{link}` is {long} m, distances {a} m + {b} m reach {} m", shown(&sum))
         } else if l.cmp_value(&difference).is_lt() {
@@ -193,11 +199,12 @@ fn constant_place(place: &Placement) -> Option<[Exact; 2]> {
         Placement::Cartesian(place) => constants(place),
         Placement::Polar(radius, angle) => polar(radius, angle),
         Placement::Distances { distances, length, side } => {
-            let ([a, b], l) = (constants(distances)?, length.constant()?);
+            let [first, second] = distances;
+            let (a, b, l) = (first.value.constant()?, second.value.constant()?, length.constant()?);
             let square = |x: &Exact| x.mul(x);
             // The two distances are the sides of a triangle on the bar.
-            let x = square(&a).sub(&square(&b)).add(&square(l)).div(&l.mul(&Exact::integer(2)))?;
-            let y = square(&a).sub(&square(&x)).sqrt()?;
+            let x = square(a).sub(&square(b)).add(&square(l)).div(&l.mul(&Exact::integer(2)))?;
+            let y = square(a).sub(&square(&x)).sqrt()?;
             Some([x, if *side == Sign::Plus { y } else { y.neg() }])
         }
     }

@@ -22,9 +22,13 @@ pub(crate) fn fold_constants(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
 fn holds(check: &Check, value: &Exact) -> bool {
     match check {
         Check::Nonzero => value.signum() != Ordering::Equal,
-        Check::Positive(_) | Check::ReachCircles | Check::ReachLine | Check::ReachOffset => {
-            value.signum() == Ordering::Greater
-        }
+        Check::Positive(_)
+        | Check::ReachCircles
+        | Check::ReachDistances
+        | Check::ReachLine
+        | Check::ReachOffset => value.signum() == Ordering::Greater,
+        // A constant is not rounded before it is known.
+        Check::ShareOfCentres => true,
         // Far inside the range of squares that both f32 and f64 hold with full precision.
         Check::Square => (1e-24..1e24).contains(&value.to_f64()),
     }

@@ -73,7 +73,7 @@ impl Parser<'_> {
             self.take();
             self.take();
         }
-        if word == first.to_string() {
+        if first == word {
             return first;
         }
         let message = format!("write `{word}`");

@@ -51,7 +51,7 @@ fn every_entry_point_is_a_function_in_both_widths() {
         "unsafe { read_(mechanism_, \"mechanism\") }?.solver_()?.position(q0_)?",
         "unsafe { reply_(answer_, to_, \"position\", why_) }",
         "elbow: private::c_side(self.elbow, \"elbow\")? }",
-        "to_: *mut FourBarMotion<f32>,",
+        "to_: *mut FourBarMotion<private::f32>,",
     ] {
         assert!(all.contains(part), "no `{part}` in\n{text}");
     }

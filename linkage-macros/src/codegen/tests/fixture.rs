@@ -182,7 +182,8 @@ impl Pose {
         let factors = [outside, inside].map(|factor| g.push(Node::Div(factor, reach)));
         let height = g.push(Node::Mul(factors[0], factors[1]));
         let lengths = [&l1, &l2].map(|length| g.constant(length.clone()));
-        let operands = vec![d[0], d[1], lengths[0], lengths[1]];
+        let spread = g.constant(exact("2"));
+        let operands = vec![d[0], d[1], lengths[0], lengths[1], spread];
         let height = g.guard(height, check(Check::ReachCircles, operands));
         let height = g.push(Node::Sqrt(height));
         let across = g.push(Node::Mul(mode, height));

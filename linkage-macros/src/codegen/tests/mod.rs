@@ -102,7 +102,7 @@ fn angle(graph: &mut Graph) -> Id {
 fn the_four_bar_expands_to_the_whole_interface() {
     let text = expand(&four_bar());
     for part in [
-        "pub struct FourBar<T = f64> {",
+        "pub struct FourBar<T = ::linkage_core::private::f64> {",
         "pub elbow: ::linkage_core::private::Side,",
         "pub struct FourBarPosition<T> {",
         "pub BC: ::linkage_core::private::AngularVelocity<T>,",
@@ -304,7 +304,7 @@ fn a_sweep_takes_series_and_gives_components() {
             "sweep::<OfVelocity, _, _, 2, 5>(self, [theta, theta_rate],",
             "Record::into_array(out), status, progress",
             "impl<T: Float> Entry<OfVelocity, T, 2, 5> for FourBar<T> {",
-            "self.lift::<Lanes<T, W, F>>().core_velocity_(x0_, x1_);",
+            "self.lift::<Lanes<T, W_, F>>().core_velocity_(x0_, x1_);",
             "Ok(Record::into_array(self.velocity(x0_, x1_)?))",
             "fn into_array(self) -> [T; 5] { [self.C.x, self.C.y, self.BC.omega, self.DC.omega,",
         ],

@@ -45,6 +45,7 @@ fn velocities_and_accelerations_are_derivatives_of_the_position() {
                 })
                 .collect(),
             params: defaults(&mechanism),
+            unit: None,
         };
         let now = given(&Digits::float(0.0));
         let position = values(&program, "position", &now);
@@ -82,6 +83,7 @@ fn coefficients_are_the_velocities_at_unit_rates() {
                 .map(|(q, &rate)| [q[0], rate, 0.0].map(Digits::float))
                 .collect(),
             params: defaults(&mechanism),
+            unit: None,
         };
         let count = variant.inputs.len();
         let coefficients = values(&program, "coefficients", &given(&vec![9.0; count]));

@@ -4,8 +4,15 @@ use super::*;
 use crate::exact::Exact;
 use crate::ir::graph::Guard;
 
-const WIDE: Assumed =
-    Assumed { input: 1e60, share: 1e-30, square: 1e-276, largest: 1e300, factor: 1e297 };
+const WIDE: Assumed = Assumed {
+    input: 1e60,
+    share: 1e-30,
+    square: 1e-276,
+    normal: 2.3e-308,
+    epsilon: 2.3e-16,
+    largest: 1e300,
+    factor: 1e297,
+};
 
 struct Sample {
     graph: Graph,

@@ -103,7 +103,7 @@ fn points_and_guides_of_links_resolve() {
          crank AB(A) -> B at 1 `length of AB` turned t from ground
          rrr BC, DC on B, D -> C lengths 3 `length of BC`, 3 `length of DC` mode -
          point P on BC at polar (2, 0.5235987755982989) by rrr BC, DC
-         point Q on DC at distances (2, 1.5) of 3 - by rrr BC, DC
+         point Q on DC at distances (2 `first distance of Q`, 1.5 `second distance of Q`) of 3 - by rrr BC, DC
          point R on ground at ((1 * cos(t)), 0) by point R
          point S on ground at polar (1, 0) by point S
          guide slot on BC through P towards C

@@ -137,8 +137,9 @@ impl Names<'_> {
                         format!("polar ({}, {})", self.expr(radius), self.expr(angle))
                     }
                     Placement::Distances { distances, length, side } => format!(
-                        "distances {} of {} {}",
-                        self.pair(distances),
+                        "distances ({}, {}) of {} {}",
+                        self.length(&distances[0]),
+                        self.length(&distances[1]),
                         self.expr(length),
                         sign(*side)
                     ),

@@ -7,7 +7,9 @@
 //! affine square of a distance is one addition more than the sum of squares beside a pivot that
 //! lies aside of the crank's axes, and known three operations earlier; on the axis it is less. The
 //! accelerations of an rrr whose bars are nearly of one length, or of lengths not known before run
-//! time, pay for the digits that their centripetal terms would lose.
+//! time, pay for the digits that their centripetal terms would lose. Bars of lengths not known before
+//! run time also pay two products for what rounding does to their height, which says on which side of
+//! a limit they are.
 
 use crate::ir::cost::{Operations, operations};
 use crate::oracle::mechanism;
@@ -114,6 +116,18 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         [22, 45, 2, 1, 1],
     ),
     (
+        "rrr, bars that differ by a seventh",
+        after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.6), mode: left } output C;"),
+        [11, 15, 1, 1, 1],
+        [24, 46, 2, 1, 1],
+    ),
+    (
+        "rrr, bars that differ by less",
+        after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.601), mode: left } output C;"),
+        [11, 15, 1, 1, 1],
+        [25, 49, 2, 1, 1],
+    ),
+    (
         "rrr, first bar",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output BC;"),
         [9, 17, 1, 1, 1],
@@ -136,8 +150,8 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
     (
         "rrr, a length to tune",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (p, 0.5), mode: left } output C;"),
-        [12, 18, 2, 1, 1],
-        [31, 61, 4, 1, 1],
+        [12, 20, 2, 1, 1],
+        [31, 63, 4, 1, 1],
     ),
     (
         "rrr on moving points",
@@ -150,8 +164,8 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         after_crank!(
             "rrr BC(B), DC(D) -> C { lengths: (0.8 + 0.1m * q, 0.5), mode: left } output C;"
         ),
-        [13, 19, 2, 1, 1],
-        [38, 74, 5, 1, 1],
+        [13, 21, 2, 1, 1],
+        [38, 76, 5, 1, 1],
     ),
     (
         "rrp on a level guide",

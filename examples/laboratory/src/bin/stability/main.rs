@@ -10,6 +10,7 @@ mod sweep;
 mod textbook;
 
 use charts::{BLACK, COLOURS, Curve, Panel};
+use linkage_tests::hard_table;
 use sweep::{Series, Sweep};
 
 fn main() {
