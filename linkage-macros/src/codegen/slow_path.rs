@@ -1,7 +1,7 @@
 //! The slow path: the same formulas once more, each condition looked at in full. It runs only
 //! where the fast path's mask said no.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::arguments::Arguments;
@@ -84,7 +84,15 @@ fn diagnosed(
         let (value, label) = (&values[at], &labels[at]);
         quote!((#value, #label))
     });
-    quote!(#diagnose_all(&[#(#given),*], |#checks| #formulas, |#result| [#(#pairs),*]))
+    // Where nothing is given and nothing asked, nothing else tells the type of the numbers.
+    let (scalar, count) = (&cx.names.scalar, Literal::usize_unsuffixed(asked.results.len()));
+    quote! {
+        #diagnose_all::<#scalar, _, #count>(
+            &[#(#given),*],
+            |#checks| #formulas,
+            |#result| [#(#pairs),*],
+        )
+    }
 }
 
 fn coefficient_labels(cx: &Context<'_>, entry: &Entry) -> Vec<String> {
