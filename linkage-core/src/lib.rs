@@ -126,6 +126,7 @@ mod derivatives;
 #[cfg(feature = "ad")]
 mod dual;
 mod error;
+pub mod find;
 mod guard;
 mod kernels;
 mod lanes;
