@@ -31,8 +31,11 @@ mod tests;
 
 use core::fmt;
 
-use approach::Approach;
+pub(crate) use approach::Approach;
+pub(crate) use approach::{At, constant, greater, magnitude, number};
 use equation::Equation;
+pub(crate) use equation::crossing;
+pub(crate) use lowest::{lowest, turning_part};
 
 use crate::{Real, Scalar};
 

@@ -135,6 +135,7 @@ mod modes;
 mod primitive;
 #[doc(hidden)]
 pub mod private;
+pub mod range;
 mod results;
 mod scalar;
 mod sweep;

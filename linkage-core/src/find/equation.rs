@@ -17,6 +17,20 @@ pub(super) struct Equation<T, F> {
     evaluations: u32,
 }
 
+/// The root between two places at which f, of a value below zero and one above, is known.
+pub(crate) fn crossing<T: Real>(
+    [a, b]: [At<T>; 2],
+    f: impl FnMut(T) -> [T; 2],
+) -> Result<T, FindError> {
+    let Some(approach) = Approach::new([a.x, b.x]) else { return Ok(a.x) };
+    let trend = if b.value.gt(a.value) { Trend::Rising } else { Trend::Falling };
+    let mut f = Equation::new(f, trend);
+    let turned = |at: At<T>| At { value: f.sign * at.value, slope: f.sign * at.slope, ..at };
+    let ends = [a, b].map(turned);
+    let at = f.root(ends, approach)?;
+    f.differentiated(at).map(|root| root.at)
+}
+
 impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
     pub(super) fn new(f: F, trend: Trend) -> Self {
         Self { f, sign: trend.sign(), evaluations: 0 }

@@ -33,7 +33,7 @@ pub(crate) fn lowest<T: Real>(
 }
 
 /// Where, between 0 and 1, the cubic through values and slopes of both ends is lowest.
-fn turning_part<T: Real>([a, b]: [At<T>; 2]) -> T {
+pub(crate) fn turning_part<T: Real>([a, b]: [At<T>; 2]) -> T {
     let width = b.x - a.x;
     let [d0, d1] = [a.slope * width, b.slope * width];
     let rise = b.value - a.value;
