@@ -67,8 +67,7 @@ impl<T: Real> Approach<T> {
         // Below the normal range the spacing of numbers does not become less.
         let epsilon = number::<T>(<T as Real>::EPSILON);
         let normal = T::smallest_square() * epsilon * epsilon;
-        let tolerance = greater(larger, normal) * epsilon * number(0.5);
-        let tolerance = greater(tolerance, normal * epsilon);
+        let tolerance = greater(larger * number(0.5), normal) * epsilon;
         (width.is_finite() && width.gt(number(0.0))).then_some(Self { from, to, tolerance })
     }
 
@@ -181,7 +180,7 @@ impl<T: Real> Steps<T> {
             Slopes::Exact => ratio * ratio * step,
             Slopes::Secant => ratio * step,
         };
-        number::<T>(0.25).gt(ratio) && (self.tolerance * number(0.5)).ge(next)
+        (self.tolerance * number(0.5)).ge(next)
     }
 }
 

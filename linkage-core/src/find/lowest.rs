@@ -1,7 +1,7 @@
 //! The lowest point of a function between two places where it falls and rises: a dead point.
 
 use super::FindError;
-use super::approach::{Approach, At, Slopes, Trial, magnitude, number};
+use super::approach::{Approach, At, Slopes, Trial, number};
 use crate::Real;
 
 /// The lowest point between an end where the function falls and one where it rises, or the first
@@ -20,7 +20,7 @@ pub(crate) fn lowest<T: Real>(
     // How the slope itself rises at the ends is not known, and not asked for.
     let slope_at = |at: At<T>| At { x: at.x, value: at.slope, slope: number(0.0) };
     let start = a.x + (b.x - a.x) * turning_part([a, b]);
-    let mut last = if magnitude(a.slope).gt(magnitude(b.slope)) { b } else { a };
+    let mut last = a;
     let trial = |x| {
         let at = sample(x)?;
         let secant = (at.slope - last.slope) / (at.x - last.x);

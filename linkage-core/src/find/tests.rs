@@ -219,6 +219,11 @@ fn a_dead_point_between_the_ends_separates_the_trends() {
     let at = |between, trend| Search::new(between, trend).find(parabola).map(|root| root.at);
     assert_eq!(at([-2.0, 2.0], Trend::Rising), Ok(1.0));
     assert_eq!(at([-2.0, 3.0], Trend::Falling), Ok(-1.0));
+    // Also where the root of the other trend is an end.
+    assert_eq!(at([-1.0, 2.0], Trend::Rising), Ok(1.0));
+    assert_eq!(at([-2.0, 1.0], Trend::Falling), Ok(-1.0));
+    assert_eq!(at([1.0, 2.0], Trend::Rising), Ok(1.0));
+    assert_eq!(at([-2.0, -1.0], Trend::Falling), Ok(-1.0));
     // One that touches zero, and one that does not come near.
     let touching = |x: f64| [x * x, 2.0 * x];
     let found = Search::new([-1.0, 2.0], Trend::Rising).find(touching).expect("it touches");
@@ -230,4 +235,71 @@ fn a_dead_point_between_the_ends_separates_the_trends() {
         }
         other => panic!("{other:?}"),
     }
+}
+
+#[test]
+fn a_seed_does_not_lead_beyond_the_ends() {
+    // Beyond the upper end by less than the tolerance of the larger, lower one.
+    let beyond = 1.0 + 2.0 * f64::EPSILON;
+    let search = Search::new([-4.0, 1.0], Trend::Rising).near(1.0);
+    let found = search.find(|x| [x - beyond, 1.0]);
+    let by = 2.0 * f64::EPSILON;
+    assert_eq!(found, Err(FindError::NoSolution { at: 1.0, by }));
+}
+
+/// Where there is no slope to go by and the last bracket is two neighbours, the better of them.
+#[test]
+fn of_the_last_bracket_the_end_with_less_left_is_the_root() {
+    for (low, high) in [(1e-9, 1.0), (1.0, 1e-9)] {
+        let step = |x: f64| [if x < 0.7 { -low } else { high }, 0.0];
+        let root = Search::new([0.0, 1.0], Trend::Rising).find(step).expect("the signs differ");
+        assert_eq!(root.at < 0.7, low < high, "{root:?}");
+        assert!((root.at - 0.7).abs() <= 2.0 * f64::EPSILON, "{root:?}");
+    }
+}
+
+/// The first trial is right relative to the distance from the nearer end, on either side.
+#[test]
+fn a_search_begins_at_the_root_of_the_cubic() {
+    for away in [1e-15, 1e-9, 1e-3, 0.4] {
+        // (3 − 2u) u² has double roots of its slope at both ends.
+        let smooth = |u: f64| (3.0 - 2.0 * u) * u * u;
+        let [a, b] =
+            [(0.0, -away), (1.0, 1.0 - away)].map(|(x, value)| At { x, value, slope: 0.0 });
+        let found = start::cubic([a, b]);
+        assert!((smooth(found) - away).abs() <= 0.01 * away, "{away} {found}");
+        let [a, b] = [(2.0, away - 1.0), (3.0, away)].map(|(x, value)| At { x, value, slope: 0.0 });
+        let found = 3.0 - start::cubic([a, b]);
+        // Three itself has a last place.
+        let allowed = 0.01 * away + 4.0 * f64::EPSILON * away.sqrt() * 3.0;
+        assert!((smooth(found) - away).abs() <= allowed, "{away} {found}");
+    }
+    // Without slopes it is the root of the line.
+    let ends = [(0.0, -1.0), (1.0, 3.0)].map(|(x, value)| At { x, value, slope: f64::INFINITY });
+    assert_eq!(start::cubic(ends), 0.25);
+}
+
+/// The slope's root, as right as a root is.
+#[test]
+fn a_lowest_point_is_found_to_its_last_places() {
+    let mut random = Random(3);
+    let mut most = 0;
+    for _ in 0..1000 {
+        let (place, skew) = (random.between(-0.5, 0.5), random.between(-0.1, 0.1));
+        let f = |x: f64| {
+            let away = x - place;
+            let value = 1.0 - away.cos() + skew * away * away * away;
+            At { x, value, slope: away.sin() + 3.0 * skew * away * away }
+        };
+        let mut calls = 0;
+        let found = lowest([f(-1.0), f(0.9)], -1.0, u32::MAX, |x| {
+            calls += 1;
+            Ok(f(x))
+        });
+        let found = found.expect("numbers everywhere");
+        assert!((found.x - place).abs() <= 2.0 * f64::EPSILON, "{place} {skew} {found:?}");
+        most = most.max(calls);
+    }
+    std::println!("{most} evaluations of a lowest point at most");
+    assert!(most <= 8);
 }

@@ -3,7 +3,10 @@
 use std::prelude::v1::*;
 use std::vec::Vec;
 
+use super::limits;
 use super::walk::{Event, Walk};
+use crate::SolveError;
+use crate::tracker::{Clearance, Modes};
 
 fn events(f: impl FnMut(f64) -> [f64; 2], ends: [f64; 2]) -> Vec<Event<f64>> {
     let mut list = Vec::new();
@@ -104,12 +107,15 @@ fn a_turn_of_a_four_bar_takes_few_evaluations() {
 
 #[test]
 fn what_varies_fast_is_walked_in_short_steps() {
-    // Fifteen periods, whose slopes no panel's ends agree on.
-    let found = events(|x| [(15.0 * x).sin(), 15.0 * (15.0 * x).cos()], [0.1, 6.3]);
-    assert_eq!(found.len(), 30, "{found:?}");
-    for (count, event) in found.iter().enumerate() {
-        let zero = core::f64::consts::PI * (count + 1) as f64 / 15.0;
-        assert!((at(event) - zero).abs() < 2e-15, "{event:?}");
+    // Fifteen periods are a panel each, forty are none.
+    for periods in [15.0_f64, 40.0] {
+        let f = |x: f64| [(periods * x).sin(), periods * (periods * x).cos()];
+        let found = events(f, [0.03, 6.3]);
+        assert_eq!(found.len(), 2 * periods as usize, "{found:?}");
+        for (count, event) in found.iter().enumerate() {
+            let zero = core::f64::consts::PI * (count + 1) as f64 / periods;
+            assert!((at(event) - zero).abs() < 2e-15, "{event:?}");
+        }
     }
 }
 
@@ -119,4 +125,74 @@ fn numbers_that_are_none_are_refused() {
         let mut walk = Walk { f: |x: f64| if x > 0.9 { bad } else { [1.0, 0.0] }, zero: 0.0 };
         assert!(walk.events([0.0, 1.0], |_| ()).is_err());
     }
+}
+
+/// Two groups, the first between −1 and 1 and the second with the height h = √(1 − q²) of the first
+/// in its clearance, a polynomial: as a dyad's on a coupler is.
+#[derive(Clone, Copy)]
+struct Chained<'a> {
+    heights: &'a [f64],
+}
+
+impl Modes for Chained<'_> {
+    type Scalar = f64;
+    type Input = f64;
+    type Position = f64;
+    type Motion = f64;
+    type Clearances = [Clearance<f64>; 2];
+
+    const GROUPS: &'static [(&'static str, Option<usize>)] = &[("first", None), ("second", None)];
+
+    fn flip(&mut self, _: usize) {}
+
+    fn position(&self, q: f64) -> Result<f64, SolveError> {
+        let [first, second] = self.clearances(q, 0.0).map(|clearance| clearance.value);
+        let group = if first < -4e-16 { "first" } else { "second" };
+        // Rounding, as in a group's own rule; what is no number stands behind the first's limit.
+        let is_met = group == "second" && !(second < -1e-15);
+        if is_met { Ok(q) } else { Err(SolveError::OutOfReach { group, by: 1.0 }) }
+    }
+
+    fn motion(&self, q: f64, _: f64, _: f64) -> Result<f64, SolveError> {
+        self.position(q)
+    }
+
+    fn clearances(&self, q: f64, rate: f64) -> Self::Clearances {
+        let square = (1.0 - q) * (1.0 + q);
+        let height = square.sqrt();
+        let [value, slope] = polynomial(self.heights, height);
+        [
+            Clearance { value: square, rate: -2.0 * q * rate, scale: 1.0 },
+            Clearance { value, rate: slope * -q / height * rate, scale: 1.0 },
+        ]
+    }
+}
+
+#[test]
+fn a_group_behind_a_limit_is_followed_to_it() {
+    let mut wrong = 0;
+    for machine in 0..500_i32 {
+        let height = |prime: i32| 0.02 + 0.96 * f64::from(machine * prime % 503) / 503.0;
+        let mut heights = [101, 211].map(height);
+        heights.sort_by(f64::total_cmp);
+        let chained = Chained { heights: &heights };
+        let found = limits(&chained, [-1.5, 1.3]).expect("an interval");
+        // Positive below the lower height and above the upper one: at both ends and in the middle.
+        let [near, far] = heights.map(|height| ((1.0 - height) * (1.0 + height)).sqrt());
+        let expected = [[-1.0, -near], [-far, far], [near, 1.0]];
+        if heights[1] - heights[0] < 1e-3 {
+            continue;
+        }
+        wrong += usize::from(found.len() != 3);
+        assert_eq!(found.len(), 3, "{heights:?} {found:?}");
+        for (stretch, [from, to]) in found.iter().zip(expected) {
+            let error = (stretch.from.at - from).abs().max((stretch.to.at - to).abs());
+            // The input's rounding, and that of a height next to a limit.
+            assert!(
+                error <= 1e-14 / heights[0].min(heights[1] - heights[0]),
+                "{error:e} {heights:?}"
+            );
+        }
+    }
+    assert_eq!(wrong, 0);
 }
