@@ -1,8 +1,6 @@
 //! A crank-rocker that drives an RRP group: motion curves, and whether any such mechanism can be
 //! assembled and turn fully, asked of the solver itself.
 
-mod charts;
-
 use charts::{BLACK, COLOURS, Curve, GREY, Panel};
 use linkage_core::{SolveError, mechanism};
 

@@ -1,8 +1,6 @@
 //! A crank whose pin slides in the upright slot of a yoke: slides, velocities and accelerations
 //! over a turn at 10 rad/s.
 
-mod charts;
-
 use charts::{COLOURS, Curve, Panel};
 use linkage_core::{SolveError, mechanism};
 

@@ -1,7 +1,5 @@
 //! Excavator: the inputs are the lengths of the three cylinders, as its hydraulics give them.
 
-mod charts;
-
 use charts::{BLACK, COLOURS, Curve, GREY, Panel};
 use linkage_core::{SolveError, mechanism};
 

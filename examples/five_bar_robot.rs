@@ -2,8 +2,6 @@
 //! place. Inverse: the tool is a driven point and each arm is an RRR group between its pivot and
 //! the tool. Both are closed forms, and one undoes the other to rounding.
 
-mod charts;
-
 use std::f64::consts::TAU;
 
 use charts::{BLACK, COLOURS, Curve, GREY, Panel};

@@ -5,8 +5,6 @@
 //! acceleration over the 15 s of a cut, and where the pins and the blade are. The derivatives are
 //! exact; differences of the angle would be 25 % off in the acceleration near the ends.
 
-mod charts;
-
 use std::f64::consts::PI;
 
 use charts::{COLOURS, Curve, GREY, Panel};

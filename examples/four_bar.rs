@@ -1,8 +1,6 @@
 //! Four-bar with a closed vector loop: the table every 5° of both angles, angular velocities and
 //! angular accelerations at 250 rad/s, and the coupler drawn over a turn.
 
-mod charts;
-
 use charts::{BLACK, COLOURS, Curve, GREY, Panel};
 use linkage_core::{SolveError, mechanism};
 

@@ -1,8 +1,6 @@
 //! Theo Jansen's leg: one crank, four RRR groups' worth of bars, a foot that walks. Six legs on one
 //! shaft are one solver called with six phases.
 
-mod charts;
-
 use std::f64::consts::TAU;
 
 use charts::{COLOURS, Curve, GREY, Panel};

@@ -1,8 +1,6 @@
 //! How far machines go, found instead of stepped: which dimensions let the crank turn fully, which
 //! group stops it where they do not, and the stroke and time ratio where they do.
 
-mod charts;
-
 use std::f64::consts::{PI, TAU};
 
 use charts::{COLOURS, Curve, Panel};

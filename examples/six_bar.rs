@@ -1,7 +1,5 @@
 //! Six-bar of a crank, an RPR and an RPP group: a shaper whose swinging rod moves a ram.
 
-mod charts;
-
 use charts::{BLACK, COLOURS, Curve, GREY, Panel};
 use linkage_core::{SolveError, mechanism};
 

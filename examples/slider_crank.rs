@@ -1,8 +1,6 @@
 //! Slider-crank with an offset: an engine whose cylinder stands beside the shaft, its dead
 //! points, and how far the piston's motion is from harmonic.
 
-mod charts;
-
 use charts::{BLACK, COLOURS, Curve, GREY, Panel};
 use linkage_core::{SolveError, mechanism};
 

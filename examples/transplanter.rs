@@ -6,8 +6,6 @@
 //! The dimensions are parameters; a random search weighs several goals and improves them from a
 //! start by hand.
 
-mod charts;
-
 use std::f64::consts::TAU;
 
 use charts::{BLACK, COLOURS, Curve, GREY, Panel};

@@ -2,8 +2,6 @@
 //! (Whitworth), turns, and the bar drives a ram. The table compares the time ratio of the strokes
 //! with its formula.
 
-mod charts;
-
 use std::f64::consts::{PI, TAU};
 
 use charts::{BLACK, COLOURS, Curve, GREY, Panel};

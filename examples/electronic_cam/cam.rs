@@ -12,12 +12,13 @@
 //! K′ θ′² is the blade's acceleration at the crank speed θ′ and no crank acceleration. Over the
 //! rest of the turn the crank runs at a constant θ′, chosen so that the next cut begins after the
 //! wanted length, and cubic blends of θ′ lead there and back without a jump of θ″.
+#![no_std]
 
 use linkage_core::{Real, SolveError, mechanism};
 
 mechanism! {
     /// The shear's crank-rocker, whose coupler carries the upper blade.
-    pub(crate) struct FlyingShear {
+    pub struct FlyingShear {
         input theta: angle;
 
         ground A(0, 0), D(665.7mm, 0);
@@ -35,20 +36,26 @@ mechanism! {
 /// The strip that passes while the crank's speed is blended, in m.
 const BLEND: f64 = 0.06;
 
-/// What the strip did since the step before, in m, m/s and m/s².
+/// What the strip did since the step before.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Strip<T> {
-    pub(crate) advance: T,
-    pub(crate) speed: T,
-    pub(crate) acceleration: T,
+pub struct Strip<T> {
+    /// In m.
+    pub advance: T,
+    /// In m/s.
+    pub speed: T,
+    /// In m/s².
+    pub acceleration: T,
 }
 
-/// What the drive is to do, in rad, rad/s and rad/s².
+/// What the drive is to do.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Setpoint<T> {
-    pub(crate) angle: T,
-    pub(crate) speed: T,
-    pub(crate) acceleration: T,
+pub struct Setpoint<T> {
+    /// In rad.
+    pub angle: T,
+    /// In rad/s.
+    pub speed: T,
+    /// In rad/s².
+    pub acceleration: T,
 }
 
 /// The crank angle and its derivatives by the strip's travel, in rad, rad/m and rad/m².
@@ -68,7 +75,7 @@ enum Phase<T> {
 
 /// The electronic cam with all of its state.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Cam<T> {
+pub struct Cam<T> {
     shear: FlyingShear<T>,
     /// Where the blade meets the strip and where it leaves it.
     ends: [Coupling<T>; 2],
@@ -76,7 +83,7 @@ pub(crate) struct Cam<T> {
     meets: T,
     engaged: T,
     /// The cut length that was asked for, in m; more than two blends and the cut itself.
-    pub(crate) length: T,
+    pub length: T,
     phase: Phase<T>,
     /// The strip's travel in this phase, in m.
     travel: T,
@@ -86,7 +93,7 @@ pub(crate) struct Cam<T> {
 /// The floating-point operations of the dearest step, one with the blade in the strip: what the
 /// linkage costs, and 16 additions and multiplications and a division around it. The step that
 /// plans the way back needs 131.
-pub(crate) const WORST_CASE: u32 =
+pub const WORST_CASE: u32 =
     FlyingShear::COST.coefficients.total() + FlyingShear::COST.motion.total() + 17;
 
 impl<T: Real> Cam<T> {
@@ -95,7 +102,7 @@ impl<T: Real> Cam<T> {
     ///
     /// # Errors
     /// Those of the linkage.
-    pub(crate) fn new(enters: T, leaves: T, length: T) -> Result<Self, SolveError> {
+    pub fn new(enters: T, leaves: T, length: T) -> Result<Self, SolveError> {
         let shear = FlyingShear::default();
         let (enter, meets) = synchronous(&shear, enters)?;
         let (leave, parts) = synchronous(&shear, leaves)?;
@@ -115,7 +122,7 @@ impl<T: Real> Cam<T> {
     ///
     /// # Errors
     /// Those of the linkage, and none for a shear whose crank turns fully.
-    pub(crate) fn step(&mut self, strip: Strip<T>) -> Result<Setpoint<T>, SolveError> {
+    pub fn step(&mut self, strip: Strip<T>) -> Result<Setpoint<T>, SolveError> {
         self.travel = self.travel + strip.advance;
         let (coupling, phase) = match self.phase {
             Phase::Cutting { .. } if self.travel.ge(self.engaged) => {
@@ -140,7 +147,7 @@ impl<T: Real> Cam<T> {
     }
 
     /// Whether the blade is in the strip.
-    pub(crate) fn is_cutting(&self) -> bool {
+    pub fn is_cutting(&self) -> bool {
         matches!(self.phase, Phase::Cutting { .. })
     }
 

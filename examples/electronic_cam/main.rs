@@ -1,12 +1,8 @@
 //! Electronic cam of a flying shear: a drive that keeps the blade at the speed of the strip while
 //! it cuts, and makes the wanted length over the rest of the turn.
 //!
-//! The cam itself is in `cam.rs`, as it runs on the drive at 1 kHz, in double and in single
+//! The cam itself is in `cam.rs`, a crate of its own, as it runs on the drive at 1 kHz, in double and in single
 //! precision. Here are the line that it is tried on, the report of its cuts, and the chart.
-
-mod cam;
-#[path = "../charts/mod.rs"]
-mod charts;
 
 use std::f64::consts::{PI, TAU};
 

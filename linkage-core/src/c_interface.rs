@@ -32,6 +32,7 @@ const INVALID_LENGTH: i32 = 3;
 const NOT_FINITE: i32 = 4;
 const NULL_POINTER: i32 = 5;
 const INVALID_MODE: i32 = 6;
+const OFF_CIRCLE: i32 = 7;
 
 impl CError {
     /// There was an answer.
@@ -70,6 +71,7 @@ impl From<SolveError> for CError {
                 Self::NONE.in_group(INVALID_LENGTH, group).because_of(INVALID_LENGTH, name)
             }
             SolveError::NotFinite { name } => Self::NONE.because_of(NOT_FINITE, name),
+            SolveError::OffCircle { name, .. } => Self::NONE.because_of(OFF_CIRCLE, name),
         }
     }
 }
@@ -112,6 +114,8 @@ mod tests {
         assert_eq!(parts(SolveError::Singular { group }), (SINGULAR, 0.0, 6, 0));
         assert_eq!(parts(SolveError::Invalid { group, name }), (INVALID_LENGTH, 0.0, 6, 6));
         assert_eq!(parts(SolveError::NotFinite { name }), (NOT_FINITE, 0.0, 0, 6));
+        let off_circle = SolveError::OffCircle { name: "theta", amplitude: 0.5 };
+        assert_eq!(parts(off_circle), (OFF_CIRCLE, 0.0, 0, 5));
         assert_eq!(parts(CError::null_pointer("error")), (NULL_POINTER, 0.0, 0, 5));
         assert_eq!(parts(CError::NONE), (0, 0.0, 0, 0));
     }

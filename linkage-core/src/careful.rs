@@ -46,28 +46,92 @@ pub fn finite_result<T: Real>(
     Err(SolveError::NotFinite { name: blamed.1 })
 }
 
+/// How many ε of the spread a value may be wrong by: whoever is above that is above zero.
+pub(crate) const ROUNDINGS: f64 = 16.0;
+
 /// The value, (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²) / (4 l₁ l₂)², provided that circles of radii `l1` and
 /// `l2` about points d = (`dx`, `dy`) apart meet; zero where they fail to by at most four units in
-/// the last place of the longest of the three lengths. Where they meet and the value was rounded
-/// away, it is computed once more without rounding.
+/// the last place of the longest of the three lengths. Where rounding could have changed its sign,
+/// that is decided without rounding, and the value computed once more.
 ///
 /// # Errors
 /// `OutOfReach` by the distance that is missing, `Singular` where the centres coincide or where a
-/// derivative is asked for at the limit, `NotFinite` where a number is not.
+/// derivative is asked for at the limit, `NotFinite` where a number is not or where `l1` · `l2` is
+/// too small to be divided by.
 #[cold]
 pub(crate) fn reach_circles<T: Real>(
     value: T,
-    dx: T,
-    dy: T,
-    l1: T,
-    l2: T,
+    [dx, dy, l1, l2, spread]: [T; 5],
     group: &'static str,
 ) -> Result<T, SolveError> {
+    if is_certain(value, spread) {
+        return Ok(value);
+    }
     let (d, lengths) = ([dx.value(), dy.value()], [l1.value(), l2.value()]);
     let reach = limit::circles(d, lengths, width::<T>());
-    let lost = reach == Reach::Meets && value.value() <= 0.0;
-    let value = if lost { restored(value, limit::height_product(d, lengths)) } else { value };
-    reached(value, reach, group)
+    let is_product_sound = 4.0 * lengths[0] * lengths[1] >= smallest_normal::<T>();
+    if matches!(reach, Reach::Meets | Reach::AtLimit) && !is_product_sound {
+        return Err(SolveError::NotFinite { name: group });
+    }
+    let value = match reach {
+        Reach::Meets => restored(value, limit::height_product(d, lengths)),
+        _ => value,
+    };
+    reached(value, &[dx, dy, l1, l2], reach, group)
+}
+
+/// The value, (d² + l₁² − l₂²)/2d²: the share of the line between the centres at which the joint's
+/// foot stands. Where [`reach_circles`] decides without rounding on the height, so does this on the
+/// share; at the limit it puts the joint at the bar's length from its centre.
+#[cold]
+pub(crate) fn share_of_centres<T: Real>(value: T, [height, dx, dy, l1, l2, spread]: [T; 6]) -> T {
+    if is_certain(height, spread) {
+        return value;
+    }
+    let (d, lengths) = ([dx.value(), dy.value()], [l1.value(), l2.value()]);
+    match limit::circles(d, lengths, width::<T>()) {
+        Reach::Meets => restored(value, limit::foot(d, lengths)),
+        Reach::AtLimit => restored(value, limit::foot_on_line(d, lengths)),
+        Reach::Beyond(_) | Reach::Coincident | Reach::NotFinite => value,
+    }
+}
+
+/// The value, the square of a point's distance from the line through two joints `l` apart, provided
+/// that there is a point at the distances `r1` and `r2` from them. At the limit and in doubt as for
+/// [`reach_circles`].
+///
+/// # Errors
+/// Those of [`reach_circles`]; `NotFinite` where the square is below the number's normal range.
+#[cold]
+pub(crate) fn reach_distances<T: Real>(
+    value: T,
+    [l, r1, r2, spread]: [T; 4],
+    group: &'static str,
+) -> Result<T, SolveError> {
+    if is_certain(value, spread) {
+        return Ok(value);
+    }
+    let (d, lengths) = ([l.value(), 0.0], [r1.value(), r2.value()]);
+    let reach = limit::circles(d, lengths, width::<T>());
+    let value = match reach {
+        Reach::Meets => {
+            let height = 2.0 * lengths[0] * (lengths[1] / d[0]);
+            let product = limit::height_product(d, lengths);
+            let square = product * height * height;
+            if product > 0.0 && square < smallest_normal::<T>() {
+                return Err(SolveError::NotFinite { name: group });
+            }
+            restored(value, square)
+        }
+        _ => value,
+    };
+    reached(value, &[l, r1, r2], reach, group)
+}
+
+/// Whether the value is above zero whatever rounding did to it.
+fn is_certain<T: Real>(value: T, spread: T) -> bool {
+    let value = value.value();
+    value.is_finite() && value > ROUNDINGS * T::EPSILON * spread.value()
 }
 
 /// The squared length `value` between centres of circles of radii `l1` and `l2`, provided that it
@@ -92,8 +156,10 @@ pub(crate) fn square_of_centres<T: Real>(
     }
 }
 
-/// The value, at least zero, provided that |`t`| ≤ `l`; at the limit and errors as for
-/// [`reach_circles`].
+/// The value, (l − t)(l + t), provided that |`t`| ≤ `l`; at the limit as for [`reach_circles`].
+///
+/// # Errors
+/// Those of [`reach_circles`]; `NotFinite` where the value has left the number's normal range.
 #[cold]
 pub(crate) fn reach_line<T: Real>(
     value: T,
@@ -101,7 +167,15 @@ pub(crate) fn reach_line<T: Real>(
     l: T,
     group: &'static str,
 ) -> Result<T, SolveError> {
-    reached(value, limit::line(t.value(), l.value(), width::<T>()), group)
+    let reach = limit::line(t.value(), l.value(), width::<T>());
+    // One unit in the last place from the limit the product is ε l², which full precision of l²
+    // leaves in the normal range.
+    let has_room = l.value() * l.value() >= T::smallest_square().value();
+    let is_inside = t.value().abs() < l.value().abs();
+    if reach == Reach::Meets && is_inside && !has_room && value.value() < smallest_normal::<T>() {
+        return Err(SolveError::NotFinite { name: group });
+    }
+    reached(value, &[t, l], reach, group)
 }
 
 /// The value, at least zero, provided that |`e`| ≤ |(`bx`, `by`)|; at the limit and errors as for
@@ -114,7 +188,8 @@ pub(crate) fn reach_offset<T: Real>(
     e: T,
     group: &'static str,
 ) -> Result<T, SolveError> {
-    reached(value, limit::offset([bx.value(), by.value()], e.value(), width::<T>()), group)
+    let reach = limit::offset([bx.value(), by.value()], e.value(), width::<T>());
+    reached(value, &[bx, by, e], reach, group)
 }
 
 /// The value, provided that it is not zero.
@@ -172,30 +247,45 @@ pub(crate) fn square<T: Real>(value: T, group: &'static str) -> Result<T, SolveE
 }
 
 /// The value that goes with the answer, or the error.
-fn reached<T: Real>(value: T, reach: Reach, group: &'static str) -> Result<T, SolveError> {
+fn reached<T: Real>(
+    value: T,
+    operands: &[T],
+    reach: Reach,
+    group: &'static str,
+) -> Result<T, SolveError> {
     let real = value.value();
     match reach {
         Reach::Meets if !real.is_finite() => Err(SolveError::NotFinite { name: group }),
         Reach::Meets if real > 0.0 => Ok(value),
         // Zero, or below it by rounding: on the line of centres, where the square root of the
-        // value has no derivative.
-        Reach::Meets | Reach::AtLimit if value.is_constant() => Ok(T::lit(0.0, 0.0)),
+        // value has no derivative. That the value's own derivative is zero there does not help: a
+        // motion that touches the limit has a value like −x² or x², and a root like |x|.
+        Reach::Meets | Reach::AtLimit
+            if value.is_constant() && operands.iter().all(|operand| operand.is_constant()) =>
+        {
+            Ok(T::lit(0.0, 0.0))
+        }
         Reach::Meets | Reach::AtLimit | Reach::Coincident => Err(SolveError::Singular { group }),
         Reach::Beyond(by) => Err(SolveError::OutOfReach { group, by }),
         Reach::NotFinite => Err(SolveError::NotFinite { name: group }),
     }
 }
 
-/// The value with its derivatives, its real part as it would be without rounding.
+/// The value with its derivatives, its real part as it would be without rounding. What is added
+/// first leaves nothing of the rounded one.
 fn restored<T: Real>(value: T, exact: f64) -> T {
-    let missing = exact - value.value();
-    value + T::lit(missing, missing as f32)
+    let rounded = value.value();
+    value + T::lit(-rounded, -rounded as f32) + T::lit(exact, exact as f32)
+}
+
+/// The smallest number of full precision.
+fn smallest_normal<T: Real>() -> f64 {
+    T::smallest_square().value() * T::EPSILON * T::EPSILON
 }
 
 fn width<T: Real>() -> Width {
     // smallest_square is MIN_POSITIVE/ε², and the smallest number above zero MIN_POSITIVE·ε.
-    let epsilon = <T as Real>::EPSILON;
-    Width { epsilon, smallest: T::smallest_square().value() * epsilon * epsilon * epsilon }
+    Width { epsilon: T::EPSILON, smallest: smallest_normal::<T>() * T::EPSILON }
 }
 
 #[cfg(test)]
@@ -206,16 +296,21 @@ mod tests {
     const SINGULAR: SolveError = SolveError::Singular { group: GROUP };
     const NOT_FINITE: SolveError = SolveError::NotFinite { name: GROUP };
 
+    /// A value that may be wrong by 16 ε.
+    fn circles<T: Real>(value: T, [dx, dy, l1, l2]: [T; 4]) -> Result<T, SolveError> {
+        reach_circles(value, [dx, dy, l1, l2, T::lit(1.0, 1.0)], GROUP)
+    }
+
     #[test]
     fn a_pose_at_the_limit_has_its_inner_joint_on_the_line() {
         // Four units in the last place of 7.
         let beyond = 7.0 + 2.0_f64.powi(-48);
-        assert_eq!(reach_circles(-1e-16, beyond, 0.0, 3.0, 4.0, GROUP), Ok(0.0));
-        assert_eq!(reach_circles(1e-16, beyond, 0.0, 3.0, 4.0, GROUP), Ok(0.0));
-        assert_eq!(reach_circles(-1e-16, 7.0, 0.0, 3.0, 4.0, GROUP), Ok(0.0));
-        assert_eq!(reach_circles(2.0, 5.0, 0.0, 3.0, 4.0, GROUP), Ok(2.0));
+        assert_eq!(circles(-1e-16, [beyond, 0.0, 3.0, 4.0]), Ok(0.0));
+        assert_eq!(circles(1e-16, [beyond, 0.0, 3.0, 4.0]), Ok(0.0));
+        assert_eq!(circles(-1e-16, [7.0, 0.0, 3.0, 4.0]), Ok(0.0));
+        assert_eq!(circles(2.0, [5.0, 0.0, 3.0, 4.0]), Ok(2.0));
         assert_eq!(
-            reach_circles(-1.0, 7.5, 0.0, 3.0, 4.0, GROUP),
+            circles(-1.0, [7.5, 0.0, 3.0, 4.0]),
             Err(SolveError::OutOfReach { group: GROUP, by: 0.5 })
         );
         assert_eq!(reach_line(-1e-16_f32, 1.0_f32.next_up(), 1.0, GROUP), Ok(0.0));
@@ -233,15 +328,23 @@ mod tests {
     #[cfg(feature = "ad")]
     #[test]
     fn at_the_limit_only_a_constant_has_a_derivative() {
-        use num_dual::Dual;
+        use num_dual::{Dual, DualSVec};
         let [d, l1, l2] = [7.0, 3.0, 4.0].map(Dual::<f64>::from_re);
         let y = Dual::from_re(0.0);
-        let constant = reach_circles(Dual::from_re(-1e-16), d, y, l1, l2, GROUP).unwrap();
+        let constant = circles(Dual::from_re(-1e-16), [d, y, l1, l2]).unwrap();
         assert!(constant.re == 0.0 && constant.eps == 0.0);
         for real in [-1e-16, 0.0] {
-            let moving = reach_circles(Dual::new(real, 1.0), d, y, l1, l2, GROUP);
+            let moving = circles(Dual::new(real, 1.0), [d, y, l1, l2]);
             assert!(matches!(moving, Err(SINGULAR)));
         }
+        // A derivative that happens to be zero is one: the motion touches the limit.
+        let touching = DualSVec::<f64, 1>::from_re(0.0).derivative(0) * DualSVec::from_re(0.0);
+        let [d, l1, l2] = [7.0, 3.0, 4.0].map(DualSVec::<f64, 1>::from_re);
+        let y = DualSVec::from_re(0.0);
+        assert_eq!(circles(touching, [d, y, l1, l2]).map(|_| ()), Err(SINGULAR));
+        assert_eq!(circles(y, [d + touching, y, l1, l2]).map(|_| ()), Err(SINGULAR));
+        assert!(circles(y, [d, y, l1, l2]).is_ok());
+        let l2 = Dual::from_re(4.0);
         let inside = reach_line(Dual::new(3.0, 1.0), Dual::new(1.0, 1.0), l2, GROUP).unwrap();
         assert!(inside.re == 3.0 && inside.eps == 1.0);
         let steep = Dual::new(3.0, f64::INFINITY);
@@ -252,12 +355,12 @@ mod tests {
 
     #[test]
     fn what_is_not_finite_is_never_reached() {
-        assert_eq!(reach_circles(f64::NAN, 5.0, 0.0, 3.0, 4.0, GROUP), Err(NOT_FINITE));
-        assert_eq!(reach_circles(f64::INFINITY, 5.0, 0.0, 3.0, 4.0, GROUP), Err(NOT_FINITE));
-        assert_eq!(reach_circles(1.0, f64::NAN, 0.0, 3.0, 4.0, GROUP), Err(NOT_FINITE));
+        assert_eq!(circles(f64::NAN, [5.0, 0.0, 3.0, 4.0]), Err(NOT_FINITE));
+        assert_eq!(circles(f64::INFINITY, [5.0, 0.0, 3.0, 3.0]), Err(NOT_FINITE));
+        assert_eq!(circles(0.0, [f64::NAN, 0.0, 3.0, 4.0]), Err(NOT_FINITE));
         assert_eq!(reach_line(1.0, 0.0, f64::INFINITY, GROUP), Err(NOT_FINITE));
         assert_eq!(reach_offset(1.0, 0.0, 0.0, f64::NAN, GROUP), Err(NOT_FINITE));
-        assert_eq!(reach_circles(f64::NAN, 0.0, 0.0, 3.0, 3.0, GROUP), Err(SINGULAR));
+        assert_eq!(circles(f64::NAN, [0.0, 0.0, 3.0, 3.0]), Err(SINGULAR));
     }
 
     #[test]

@@ -25,6 +25,13 @@ pub enum SolveError {
         /// What is zero or negative, as written in the declaration.
         name: &'static str,
     },
+    /// A cosine and a sine that were given are too far from those of any angle.
+    OffCircle {
+        /// The input they were given for.
+        name: &'static str,
+        /// √(cos² + sin²), accepted from 0.9 to 1.1.
+        amplitude: f64,
+    },
     /// A result is not a finite number.
     NotFinite {
         /// The input or parameter to blame, or what left the number's range.
@@ -39,6 +46,9 @@ impl fmt::Display for SolveError {
             Self::Singular { group } => write!(f, "{group}: singular pose"),
             Self::Invalid { group, name } => {
                 write!(f, "{group}: `{name}` must be greater than zero")
+            }
+            Self::OffCircle { name, amplitude } => {
+                write!(f, "the cosine and sine of `{name}` have an amplitude of {amplitude}, not 1")
             }
             Self::NotFinite { name } => {
                 write!(f, "`{name}` leads to a result that is not finite")

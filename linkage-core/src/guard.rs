@@ -26,9 +26,26 @@ pub trait Guard<T: Scalar> {
     #[inline(always)]
     fn away(&mut self, _value: T, _least: T) {}
 
+    /// Marks whether `value` is above zero whatever rounding did to it, which is up to some
+    /// units in the last place of `spread`.
+    #[inline(always)]
+    fn above_rounding(&mut self, _value: T, _spread: T) {}
+
     /// See `careful::reach_circles`.
     #[inline(always)]
-    fn reach_circles(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
+    fn reach_circles(&mut self, value: T, _operands: [T; 5], _: &'static str) -> T {
+        value
+    }
+
+    /// See `careful::share_of_centres`.
+    #[inline(always)]
+    fn share_of_centres(&mut self, value: T, _operands: [T; 6], _: &'static str) -> T {
+        value
+    }
+
+    /// See `careful::reach_distances`.
+    #[inline(always)]
+    fn reach_distances(&mut self, value: T, _operands: [T; 4], _: &'static str) -> T {
         value
     }
 
@@ -112,6 +129,13 @@ impl<T: Scalar> Guard<T> for Marks<T::Mask> {
         self.and(value.ge(least));
     }
 
+    #[inline(always)]
+    fn above_rounding(&mut self, value: T, spread: T) {
+        const WIDE: f64 = careful::ROUNDINGS * f64::EPSILON;
+        const NARROW: f32 = careful::ROUNDINGS as f32 * f32::EPSILON;
+        self.and(value.gt(T::lit(WIDE, NARROW) * spread));
+    }
+
     /// The magnitude, compared: neither a square, which underflows, nor a disjunction, which
     /// masks do not have.
     #[inline(always)]
@@ -162,8 +186,16 @@ impl<T: Real> Guard<T> for Findings {
         angle.sin_cos()
     }
 
-    fn reach_circles(&mut self, value: T, dx: T, dy: T, l1: T, l2: T, group: &'static str) -> T {
-        self.keep(value, || careful::reach_circles(value, dx, dy, l1, l2, group))
+    fn reach_circles(&mut self, value: T, operands: [T; 5], group: &'static str) -> T {
+        self.keep(value, || careful::reach_circles(value, operands, group))
+    }
+
+    fn share_of_centres(&mut self, value: T, operands: [T; 6], _: &'static str) -> T {
+        self.keep(value, || Ok(careful::share_of_centres(value, operands)))
+    }
+
+    fn reach_distances(&mut self, value: T, operands: [T; 4], group: &'static str) -> T {
+        self.keep(value, || careful::reach_distances(value, operands, group))
     }
 
     fn reach_line(&mut self, value: T, t: T, l: T, group: &'static str) -> T {

@@ -136,6 +136,7 @@ mod primitive;
 #[doc(hidden)]
 pub mod private;
 pub mod range;
+mod resolver;
 mod results;
 mod scalar;
 mod sweep;

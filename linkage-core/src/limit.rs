@@ -67,6 +67,27 @@ pub(crate) fn height_product([dx, dy]: [f64; 2], [l1, l2]: [f64; 2]) -> f64 {
     (outer / four) * (inner / four)
 }
 
+/// (d² + l₁² − l₂²)/2d² for d = (`dx`, `dy`): where the foot of the joint stands on the line from the
+/// first centre to the second, as a share of it. Within a few last places.
+pub(crate) fn foot([dx, dy]: [f64; 2], [l1, l2]: [f64; 2]) -> f64 {
+    let Some(scale) = Scale::of([dx, dy, l1, l2]) else {
+        return f64::NAN;
+    };
+    let [dx, dy, l1, l2] = [dx, dy, l1, l2].map(|x| scale.down(x).abs());
+    let mut terms = [0.0; 8];
+    exact_products(&mut terms, [(dx, dx), (dy, dy), (l1, l1), (-l2, l2)]);
+    exact_sum(terms) / (2.0 * (dx * dx + dy * dy))
+}
+
+/// The same for a joint on the line: ± l₁/|d|, on the side on which the foot is.
+pub(crate) fn foot_on_line(d: [f64; 2], [l1, l2]: [f64; 2]) -> f64 {
+    let Some(scale) = Scale::of([d[0], d[1], l1, l2]) else {
+        return f64::NAN;
+    };
+    let share = scale.down(l1).abs() / distance(d.map(|x| scale.down(x)));
+    if foot(d, [l1, l2]) < 0.0 { -share } else { share }
+}
+
 /// Whether (`dx`, `dy`) is at least |`e`| long.
 pub(crate) fn offset([dx, dy]: [f64; 2], e: f64, width: Width) -> Reach {
     let Some(scale) = Scale::of([dx, dy, e]) else {
@@ -122,11 +143,16 @@ fn excess([dx, dy]: [f64; 2], [a, b, w]: [f64; 3]) -> f64 {
         (-2.0 * a, w),
         (-2.0 * b, w),
     ];
+    exact_products(&mut terms, products);
+    exact_sum(terms)
+}
+
+/// Each product and its rounding error, side by side.
+fn exact_products<const N: usize>(terms: &mut [f64], products: [(f64, f64); N]) {
     for ([product, error], (x, y)) in terms.as_chunks_mut().0.iter_mut().zip(products) {
         *product = x * y;
         *error = mul_err::<f64, Native>(x, y);
     }
-    exact_sum(terms)
 }
 
 fn distance([dx, dy]: [f64; 2]) -> f64 {

@@ -1,6 +1,7 @@
 //! `f32` and `f64` as scalars.
 
 use crate::kernels::{self, Float, Native};
+use crate::tracker::Enclosure;
 use crate::{Real, Scalar};
 
 /// The scalar implementation for one width: the kernels, and `libm` for what no solver computes
@@ -116,6 +117,13 @@ macro_rules! scalar {
             #[inline]
             fn is_constant(self) -> bool {
                 true
+            }
+
+            type Enclosing = Enclosure<Self>;
+
+            #[inline]
+            fn enclosing(self, radius: Self) -> Enclosure<Self> {
+                Enclosure::around(self, radius)
             }
         }
     };

@@ -1,8 +1,8 @@
 //! The only thing generated code may name.
 //!
 //! Everything it needs is re-exported here, the prelude's names included, so that it compiles
-//! where the prelude is switched off or `core` is shadowed. Nothing is defined here, and nothing
-//! here is part of the public interface.
+//! where the prelude is switched off or `core` is shadowed. Nothing here is part of the public
+//! interface.
 
 pub use core::clone::Clone;
 pub use core::cmp::PartialEq;
@@ -10,7 +10,7 @@ pub use core::convert::{From, Into};
 pub use core::default::Default;
 pub use core::fmt::{self, Debug, Formatter};
 pub use core::marker::{Copy, PhantomData};
-pub use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
+pub use core::ops::{Add, BitAnd, Div, Fn, Mul, Neg, Sub};
 pub use core::option::Option::{self, None, Some};
 pub use core::prelude::v1::derive;
 pub use core::primitive::{bool, f32, f64, i32, str, u32, usize};
@@ -21,6 +21,7 @@ pub use crate::careful::{finite_input, finite_result};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate};
 pub use crate::guard::{Findings, Guard, Marks};
+pub use crate::resolver::{found_on_circle, on_circle};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfMotion, OfPosition, OfVelocity, Progress, Series, Status, sweep,
 };
@@ -35,6 +36,11 @@ pub use crate::{
 pub use nalgebra::SMatrix;
 #[cfg(feature = "ad")]
 pub use num_dual::DualSVec;
+
+/// Imported under the names of arguments. A constant of the user's that has such a name would make
+/// a pattern of the argument; a function of that name in between hides it, and leaves the argument
+/// alone.
+pub const fn argument() {}
 
 /// Its argument where the feature `ad` is on: the macro that generates the code cannot see the
 /// features of the crate that runs it.

@@ -153,7 +153,24 @@ pub trait Real: Scalar<Mask = bool> {
     #[must_use]
     fn value(self) -> f64;
 
-    /// Whether no derivative is carried, or all of them are zero.
+    /// Whether no derivative is carried; of a type that always carries some, whether all are zero.
     #[must_use]
     fn is_constant(self) -> bool;
+
+    /// Ranges of numbers of this width, for following a motion.
+    #[doc(hidden)]
+    type Enclosing: Real;
+
+    /// The numbers no farther than `radius` from this one.
+    #[doc(hidden)]
+    #[must_use]
+    fn enclosing(self, radius: Self) -> Self::Enclosing;
+
+    /// The smallest and the largest number that this stands for: one and the same, except that a
+    /// range has two.
+    #[doc(hidden)]
+    #[must_use]
+    fn bounds(self) -> [f64; 2] {
+        [self.value(); 2]
+    }
 }

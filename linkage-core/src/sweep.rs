@@ -18,6 +18,11 @@ use crate::{Float, Fusion, LaneMask, Lanes, SolveError};
 
 /// What came of one pose, in a byte: the single call's answer without its details, which the
 /// single call still gives.
+///
+/// There is one difference. Without fused operations the exact product of numbers beyond 2⁹⁹⁶ (`f32`:
+/// 2¹¹⁵) cannot be made, and a call that needs it answers [`SolveError::NotFinite`]; a sweep that
+/// found fused instructions on the machine needs no splitting and may solve such a pose. What it
+/// calls solved is right.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Status {
@@ -32,6 +37,8 @@ pub enum Status {
     Invalid,
     /// See [`SolveError::NotFinite`].
     NotFinite,
+    /// See [`SolveError::OffCircle`].
+    OffCircle,
 }
 
 /// One input of a sweep: a number for each pose, or one number for all of them.
@@ -300,6 +307,7 @@ impl From<SolveError> for Status {
             SolveError::Singular { .. } => Self::Singular,
             SolveError::Invalid { .. } => Self::Invalid,
             SolveError::NotFinite { .. } => Self::NotFinite,
+            SolveError::OffCircle { .. } => Self::OffCircle,
         }
     }
 }

@@ -52,10 +52,10 @@ macro_rules! press {
 
 /// A four-bar of constants under any name.
 macro_rules! four_bar {
-    ($name:ident $(, $statement:tt)*) => {
+    ($name:ident $(, $($statement:tt)*)?) => {
         linkage_core::mechanism! {
             struct $name {
-                $($statement)*
+                $($($statement)*)?
                 input theta: angle;
                 ground A(0, 0), D(304.8mm, 0);
                 crank AB(A) -> B { length: 101.6mm, angle: theta }
@@ -124,6 +124,128 @@ mod beside_items_of_the_same_names {
     }
 }
 
+/// Types that are called what the language calls its own, and what is generic in the expansion.
+mod beside_types_named_like_the_languages {
+    #![allow(dead_code, non_camel_case_types, reason = "the items are there to be in the way")]
+
+    struct W;
+    struct F;
+    enum V {}
+    struct usize;
+    struct f64;
+    struct f32(());
+    enum str {}
+    mod bool {}
+    type u32 = ();
+    trait i32 {}
+    union u8 {
+        nothing: (),
+    }
+
+    press!(::linkage_core);
+    four_bar!(FourBar);
+    four_bar!(AmongTypes, export c;);
+
+    pub fn angle() -> ::core::primitive::f64 {
+        let position = FourBar::new().position(1.0);
+        position.map_or(::core::primitive::f64::NAN, |position| position.DC.angle())
+    }
+}
+
+/// Constants and statics that are called what arguments are, in lower case.
+mod beside_constants_named_like_arguments {
+    #![allow(dead_code, non_upper_case_globals, reason = "the items are there to be in the way")]
+    #![allow(non_camel_case_types, reason = "a unit struct is a pattern as well")]
+
+    const theta: f64 = 1.0;
+    static theta_rate: f64 = 1.0;
+    struct theta_acceleration;
+    struct cos(f64);
+    const sin: &str = "";
+    static out: f64 = 1.0;
+    struct status;
+    const progress: () = ();
+    const inputs: [f64; 2] = [0.0; 2];
+    const rates: f64 = 0.0;
+    static accelerations: f64 = 0.0;
+    const lift: f64 = 0.0;
+    const private: f64 = 0.0;
+    const from: () = ();
+    const to: () = ();
+    const why: () = ();
+    const name: () = ();
+    const value: () = ();
+    const answer: () = ();
+    const reason: () = ();
+
+    press!(::linkage_core);
+    four_bar!(FourBar);
+    four_bar!(AmongConstants, export c;);
+
+    pub fn angle() -> f64 {
+        FourBar::new().position(theta).map_or(f64::NAN, |position| position.DC.angle())
+    }
+}
+
+/// Traits whose methods every type has are called what generated code calls.
+mod beside_methods_of_every_type {
+    #![allow(dead_code, reason = "the methods are there to be in the way")]
+
+    trait Everywhere: Sized {
+        fn angle(&self) {}
+        fn rows(&self) {}
+        fn lift(&self) {}
+        fn position(&self) {}
+        fn core_position_at_(&self) {}
+        fn lit(self) {}
+        fn sqrt(self) {}
+        fn sin_cos(self) {}
+        fn sin_cos_near(self) {}
+        fn is_near(&self) {}
+        fn is_finite(&self) {}
+        fn above(&self) {}
+        fn flipped(self) {}
+    }
+
+    impl<A> Everywhere for A {}
+
+    press!(::linkage_core);
+    four_bar!(FourBar);
+    four_bar!(AmongMethods, export c;);
+
+    pub fn angle() -> f64 {
+        FourBar::new().position(1.0).map_or(f64::NAN, |position| position.DC.angle())
+    }
+}
+
+/// Macros that are called what the prelude's are, and functions.
+mod beside_macros_and_functions {
+    #![allow(dead_code, unused_macros, reason = "the items are there to be in the way")]
+
+    macro_rules! nothing_called {
+        ($($name:ident)*) => {$(
+            macro_rules! $name { () => { compile_error!("a macro of the user's") }; }
+        )*};
+    }
+    nothing_called!(vec matches assert debug_assert format with_ad Clone);
+
+    const fn theta() {}
+    const fn out() {}
+    const fn argument() {}
+    #[allow(non_snake_case, reason = "it is in the way")]
+    const fn Ok() {}
+    #[allow(non_snake_case, reason = "it is in the way")]
+    const fn Some() {}
+
+    press!(::linkage_core);
+    four_bar!(FourBar);
+    four_bar!(AmongMacros, export c;);
+
+    pub fn angle() -> f64 {
+        FourBar::new().position(1.0).map_or(f64::NAN, |position| position.DC.angle())
+    }
+}
+
 mod twice_in_one_module {
     four_bar!(First);
     four_bar!(Second);
@@ -172,6 +294,13 @@ fn every_declaration_solves() {
     let expected = beside_items_of_the_same_names::angle();
     assert!(expected.is_finite());
     assert_eq!(twice_in_one_module::angles(), [expected; 5]);
+    let beside = [
+        beside_types_named_like_the_languages::angle(),
+        beside_constants_named_like_arguments::angle(),
+        beside_methods_of_every_type::angle(),
+        beside_macros_and_functions::angle(),
+    ];
+    assert_eq!(beside, [expected; 4]);
     let [press, _] = under_another_name::PRESSES;
     let pin = press.position([1.0, 0.1]).expect("the press assembles").P;
     let bare = without_prelude::PRESS.position([1.0, 0.1]).expect("the press assembles").P;

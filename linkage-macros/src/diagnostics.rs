@@ -27,6 +27,11 @@ impl Extent {
         Self { first, last }
     }
 
+    /// From the first token of this to the last of the other.
+    pub(crate) fn to(self, end: Self) -> Self {
+        Self { first: self.first, last: end.last }
+    }
+
     /// The extent as two tokens.
     fn tokens(self) -> TokenStream {
         [self.first, self.last]

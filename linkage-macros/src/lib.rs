@@ -25,8 +25,12 @@ mod diagnostics;
 mod equations;
 mod exact;
 #[cfg(test)]
+mod expansions;
+#[cfg(test)]
 mod fuzz;
+mod interface;
 mod ir;
+mod lower;
 mod model;
 #[cfg(test)]
 mod oracle;
@@ -56,9 +60,8 @@ mod syntax;
 ///
 /// Mistakes are reported at the tokens that made them, all of one declaration together.
 ///
-/// The code relies on nothing of the module it stands in, and meets no name of the user's but two:
-/// an input's value is an argument of its name in lower case, so that no `const` or `static` in
-/// scope may be called so, and names that end in an underscore are the generated code's own.
+/// The code relies on nothing of the module it stands in, and meets no name of the user's, as long
+/// as none in scope ends in an underscore: such names are the generated code's own.
 /// `examples/four_bar_expanded.rs` in the repository shows all of it for one mechanism.
 #[proc_macro]
 pub fn mechanism(source: proc_macro::TokenStream) -> proc_macro::TokenStream {

@@ -5,7 +5,7 @@ use crate::diagnostics::{Diagnostics, Failure};
 use crate::exact::Exact;
 use crate::exact::enclosure::Enclosure;
 use crate::ir::interpret::{Given, Number, interpret};
-use crate::ir::program::{EntryKind, Program};
+use crate::ir::program::Program;
 use crate::model::mechanism::{Mechanism, ParamKind, Sign};
 use crate::{model, syntax};
 
@@ -110,8 +110,8 @@ pub(crate) fn defaults(mechanism: &Mechanism) -> Vec<Digits> {
 }
 
 /// What an entry gives.
-pub(crate) fn values(program: &Program, kind: EntryKind, given: &Given<Digits>) -> Vec<Digits> {
-    let entry = program.entries.iter().find(|entry| entry.kind == kind).expect("the entry exists");
+pub(crate) fn values(program: &Program, entry: &str, given: &Given<Digits>) -> Vec<Digits> {
+    let entry = program.answer(entry).expect("the entry exists");
     let values = interpret(program, given);
     entry.sinks.iter().map(|sink| values[sink.index()].clone()).collect()
 }

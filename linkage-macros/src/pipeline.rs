@@ -3,21 +3,25 @@
 use proc_macro2::TokenStream;
 
 use crate::diagnostics::{Diagnostics, Failure};
+use crate::exact::Scope;
+use crate::interface::Interface;
 use crate::ir::program::Program;
 use crate::model::mechanism::Mechanism;
 use crate::syntax::tree::Declaration;
-use crate::{codegen, equations, model, passes, syntax};
+use crate::{codegen, equations, lower, model, passes, syntax};
 
-/// The generated code, or the mistakes as compile errors beside stubs of what would have been
-/// generated, so that one mistake gives one message.
+/// The generated code, or the mistakes as compile errors beside what stands in for what would
+/// have been generated, so that one mistake gives one message.
 pub(crate) fn compile(source: TokenStream) -> TokenStream {
+    // The numbers of one declaration are not those of the next.
+    let _atoms = Scope::begin();
     let mut diagnostics = Diagnostics::new();
     let declaration = syntax::parse(source, &mut diagnostics);
     match resolved(declaration.as_ref(), diagnostics) {
-        Ok(mechanism) => codegen::generate(&mechanism, &program(&mechanism)),
+        Ok(mechanism) => code(&mechanism, &program(&mechanism)),
         Err(Failure(errors)) => {
-            let stubs = declaration.as_ref().map(codegen::stubs::stubs);
-            quote::quote! { #errors #stubs }
+            let stand_in = declaration.as_ref().map(stand_in);
+            quote::quote! { #errors #stand_in }
         }
     }
 }
@@ -43,4 +47,22 @@ fn program(mechanism: &Mechanism) -> Program {
     let program = equations::derive(mechanism, passes::RULES);
     // Nothing is left that no entry needs, and products are contracted into their sums.
     passes::optimise(&program)
+}
+
+/// Lowering and code generation.
+fn code(mechanism: &Mechanism, program: &Program) -> TokenStream {
+    // Every statement of every function is decided; what is left is to print them.
+    let lowered = lower::lower(mechanism, program);
+    codegen::generate(mechanism, &lowered)
+}
+
+/// The struct and its methods for a declaration of which not everything was understood. They never
+/// run: every result is zero.
+pub(crate) fn stand_in(declaration: &Declaration) -> TokenStream {
+    let mechanism = model::stand_in::stand_in(declaration);
+    let interface = Interface::of(&mechanism);
+    // Whether the one input is a driver's bare angle is not known; a method too many says nothing.
+    let answers = interface.entries.iter();
+    let answers = answers.map(|entry| (entry.name, interface.numbers(entry.result)));
+    code(&mechanism, &Program::of_zeros(answers))
 }

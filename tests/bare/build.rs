@@ -17,20 +17,23 @@ pub(crate) fn directory() -> PathBuf {
 
 /// This directory, where the sources are.
 pub(crate) fn sources() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bare")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("bare")
 }
+
+/// The root of the repository.
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
 /// One build at a time: they leave their results under the same name.
 static BUILDING: Mutex<()> = Mutex::new(());
 
 /// The package, written once.
 pub(crate) static PACKAGE: LazyLock<PathBuf> = LazyLock::new(|| {
-    let (root, package) = (Path::new(env!("CARGO_MANIFEST_DIR")), directory().join("package"));
+    let package = directory().join("package");
     fs::create_dir_all(&package).expect("a directory for the package");
-    let manifest = include_str!("package.toml").replace("@ROOT@", env!("CARGO_MANIFEST_DIR"));
+    let manifest = include_str!("package.toml").replace("@ROOT@", ROOT);
     fs::write(package.join("Cargo.toml"), manifest).expect("the package's manifest");
     // The versions that this workspace is tested with, all of them on this machine already.
-    fs::copy(root.join("Cargo.lock"), package.join("Cargo.lock")).expect("a lock file");
+    fs::copy(Path::new(ROOT).join("Cargo.lock"), package.join("Cargo.lock")).expect("a lock file");
     package
 });
 

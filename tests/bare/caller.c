@@ -1,4 +1,4 @@
-/* Calls the solvers from C and prints every answer bit by bit, for `tests/c_caller.rs` to compare
+/* Calls the solvers from C and prints every answer bit by bit, for `c_caller.rs` to compare
  * with what Rust computes. */
 #include <math.h>
 #include <stdio.h>
@@ -123,6 +123,9 @@ static void mistakes(void)
     CALL(tuned_four_bar_velocity, TunedFourBarVelocity, &bar, 3.141592653589793, 1.0);
     CALL(flying_shear_position, FlyingShearPosition, NAN);
     CALL(flying_shear_motion_f32, FlyingShearMotionF32, 1.0f, INFINITY, 0.0f);
+    /* A resolver without excitation, and one that was never converted to numbers near one. */
+    CALL(flying_shear_position_at, FlyingShearPosition, 0.0, 0.0);
+    CALL(flying_shear_motion_at_f32, FlyingShearMotionF32, -2.0f, -2.0f, 1.0f, 0.0f);
     /* Nobody asks why: the status alone says that, and nothing is written. */
     printf("silent %d\n", (int)flying_shear_position(NAN, NULL, NULL));
 }

@@ -2,12 +2,9 @@
 //! and a panic handler that cannot be linked, so that a panic anybody can reach is a link error.
 //!
 //! With a feature of `control` it holds, in place of the solvers, one thing that the proof has to
-//! catch; see `tests/bare_metal.rs`.
+//! catch; see `bare_metal.rs`.
 #![no_std]
 
-#[cfg(not(feature = "control"))]
-#[path = "../../examples/electronic_cam/cam.rs"]
-mod cam;
 #[cfg(feature = "control")]
 mod control;
 #[cfg(not(feature = "control"))]

@@ -6,7 +6,7 @@ use linkage_core::find::{FindError, Search, Trend};
 use linkage_core::range::{extrema, limits};
 use linkage_core::{Direction, Float, Lanes, Mask, Point, Real, Scalar, Tracker};
 
-use crate::cam::{Cam, Strip};
+use cam::{Cam, Strip};
 use crate::mechanisms::{
     Everything, Excavator, FlyingShear, FlyingShearPosition, SixBar, SliderCrank, TunedFourBar,
 };

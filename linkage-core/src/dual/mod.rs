@@ -47,6 +47,14 @@ pub trait Compose:
 
     /// Whether all derivatives pass the test.
     fn derivatives_all(self, test: impl Fn(Self::Part) -> bool) -> bool;
+
+    /// Whether no derivative is carried; of a type that always carries some, whether all are zero.
+    ///
+    /// A number that depends on something may have a derivative of zero, and √(x²) has none at
+    /// zero all the same.
+    fn has_no_derivative(self) -> bool {
+        self.derivatives_all(is_zero)
+    }
 }
 
 /// Whether a part, derivatives of its own included, is zero.
@@ -57,11 +65,7 @@ fn is_zero<T: Real>(part: T) -> bool {
 /// f(`x`) where the derivatives of f may be infinite: a constant does not meet them. The highest
 /// is the first to leave the range.
 fn compose_singular<D: Compose>(x: D, f: [D::Part; 4]) -> D {
-    if !f[D::ORDER].is_finite() && x.derivatives_all(is_zero) {
-        D::constant(f[0])
-    } else {
-        x.compose(f)
-    }
+    if !f[D::ORDER].is_finite() && x.has_no_derivative() { D::constant(f[0]) } else { x.compose(f) }
 }
 
 fn lit<T: Scalar>(value: f32) -> T {
@@ -231,7 +235,14 @@ impl<D: Compose> Real for D {
 
     #[inline]
     fn is_constant(self) -> bool {
-        self.real().is_constant() && self.derivatives_all(is_zero)
+        self.real().is_constant() && self.has_no_derivative()
+    }
+
+    type Enclosing = <D::Part as Real>::Enclosing;
+
+    /// Modes are a matter of values.
+    fn enclosing(self, radius: Self) -> Self::Enclosing {
+        self.real().enclosing(radius.real())
     }
 }
 

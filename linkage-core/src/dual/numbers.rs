@@ -140,6 +140,10 @@ impl<T: Part, const N: usize> Compose for DualSVec<T, N> {
     fn derivatives_all(self, test: impl Fn(T) -> bool) -> bool {
         all_of!(self.eps, test)
     }
+    #[inline]
+    fn has_no_derivative(self) -> bool {
+        self.eps.0.is_none()
+    }
 }
 
 impl<T: Part, const N: usize> Compose for Dual2SVec<T, N> {
@@ -152,6 +156,10 @@ impl<T: Part, const N: usize> Compose for Dual2SVec<T, N> {
     #[inline]
     fn derivatives_all(self, test: impl Fn(T) -> bool) -> bool {
         all_of!(self.v1, test) && all_of!(self.v2, test)
+    }
+    #[inline]
+    fn has_no_derivative(self) -> bool {
+        self.v1.0.is_none() && self.v2.0.is_none()
     }
 }
 
@@ -166,5 +174,9 @@ impl<T: Part, const M: usize, const N: usize> Compose for HyperDualVec<T, Const<
     #[inline]
     fn derivatives_all(self, test: impl Fn(T) -> bool) -> bool {
         all_of!(self.eps1, test) && all_of!(self.eps2, test) && all_of!(self.eps1eps2, test)
+    }
+    #[inline]
+    fn has_no_derivative(self) -> bool {
+        self.eps1.0.is_none() && self.eps2.0.is_none() && self.eps1eps2.0.is_none()
     }
 }

@@ -64,10 +64,7 @@ impl<T: Real> Approach<T> {
         let [from, to] = ends.map(constant);
         let width = to - from;
         let larger = greater(magnitude(from), magnitude(to));
-        // Below the normal range the spacing of numbers does not become less.
-        let epsilon = number::<T>(<T as Real>::EPSILON);
-        let normal = T::smallest_square() * epsilon * epsilon;
-        let tolerance = greater(larger * number(0.5), normal) * epsilon;
+        let tolerance = larger * number(0.5 * <T as Real>::EPSILON);
         (width.is_finite() && width.gt(number(0.0))).then_some(Self { from, to, tolerance })
     }
 

@@ -10,6 +10,11 @@ pub trait Float: Real + sealed::Sealed {
     #[doc(hidden)]
     const SPLITTER: Self;
 
+    /// The number without its sign.
+    #[doc(hidden)]
+    #[must_use]
+    fn magnitude(self) -> Self;
+
     /// a·b + c with one rounding, whatever the target.
     #[doc(hidden)]
     fn multiply_add(a: Self, b: Self, c: Self) -> Self;
@@ -30,6 +35,10 @@ impl Float for f64 {
     const SPLITTER: Self = 134_217_729.0;
 
     #[inline]
+    fn magnitude(self) -> Self {
+        self.abs()
+    }
+    #[inline]
     fn multiply_add(a: Self, b: Self, c: Self) -> Self {
         native::fma(a, b, c)
     }
@@ -42,6 +51,10 @@ impl Float for f64 {
 impl Float for f32 {
     const SPLITTER: Self = 4097.0;
 
+    #[inline]
+    fn magnitude(self) -> Self {
+        self.abs()
+    }
     #[inline]
     fn multiply_add(a: Self, b: Self, c: Self) -> Self {
         native::fmaf(a, b, c)

@@ -92,6 +92,6 @@ fn culprit(error: SolveError) -> &'static str {
         SolveError::OutOfReach { group, .. }
         | SolveError::Singular { group }
         | SolveError::Invalid { group, .. } => group,
-        SolveError::NotFinite { name } => name,
+        SolveError::NotFinite { name } | SolveError::OffCircle { name, .. } => name,
     }
 }

@@ -5,7 +5,9 @@
 //! panel and shows at none of its ends is missed: this is a search, not a proof.
 
 use crate::Real;
-use crate::find::{At, FindError, crossing, lowest, magnitude, number, turning_part};
+use crate::find::{
+    At, FindError, constant, crossing, greater, lowest, magnitude, number, turning_part,
+};
 
 /// What happens at a zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +38,7 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
     /// # Errors
     /// `NotFinite` where it is no number.
     pub(super) fn at(&mut self, x: T) -> Result<At<T>, FindError> {
-        let [value, slope] = (self.f)(x).map(crate::find::constant);
+        let [value, slope] = (self.f)(x).map(constant);
         let is_finite = value.is_finite() && slope.is_finite();
         if is_finite {
             Ok(At { x, value, slope })
@@ -93,7 +95,20 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
         Ok(end)
     }
 
+    /// The events of a piece: of its halves, where its cubic turns back and back again.
     fn piece(
+        &mut self,
+        [a, b]: [At<T>; 2],
+        tell: &mut impl FnMut(Event<T>),
+    ) -> Result<(), FindError> {
+        let Some(bend) = bend([a, b]) else { return self.arc([a, b], tell) };
+        let middle = self.at(a.x + (b.x - a.x) * bend)?;
+        self.arc([a, middle], tell)?;
+        self.arc([middle, b], tell)
+    }
+
+    /// The events of a piece that turns back at most once.
+    fn arc(
         &mut self,
         [a, b]: [At<T>; 2],
         tell: &mut impl FnMut(Event<T>),
@@ -161,13 +176,31 @@ fn half_way<T: Real>(a: T, b: T) -> T {
     a + (b - a) * number(0.5)
 }
 
-/// The cubic through values and slopes of both ends, at a part of the way between them.
-fn cubic_at<T: Real>([a, b]: [At<T>; 2], part: T) -> T {
+/// Where the cubic through values and slopes of both ends bends the other way, as a part of the
+/// way between them, if it goes against both ends' slopes there: between its two turns.
+fn bend<T: Real>([a, b]: [At<T>; 2]) -> Option<T> {
+    let [p, q, d0, d1] = coefficients([a, b]);
+    let none = number::<T>(0.0);
+    let part = -q / (number::<T>(3.0) * p);
+    let slope = (number::<T>(3.0) * p * part + number::<T>(2.0) * q) * part + d0;
+    let is_against = |slope: T, other: T| none.gt(slope * other);
+    let is_inside = part.gt(none) && number::<T>(1.0).gt(part);
+    (is_inside && is_against(slope, d0) && is_against(slope, d1)).then_some(part)
+}
+
+/// Of the cubic through values and slopes of both ends: the coefficients of the third and second
+/// power of the part of the way, and both slopes by it.
+fn coefficients<T: Real>([a, b]: [At<T>; 2]) -> [T; 4] {
     let width = b.x - a.x;
     let [d0, d1] = [a.slope * width, b.slope * width];
     let rise = b.value - a.value;
     let p = d0 + d1 - number::<T>(2.0) * rise;
-    let q = number::<T>(3.0) * rise - number::<T>(2.0) * d0 - d1;
+    [p, number::<T>(3.0) * rise - number::<T>(2.0) * d0 - d1, d0, d1]
+}
+
+/// The cubic at a part of the way between the ends.
+fn cubic_at<T: Real>([a, b]: [At<T>; 2], part: T) -> T {
+    let [p, q, d0, _] = coefficients([a, b]);
     ((p * part + q) * part + d0) * part + a.value
 }
 
@@ -178,6 +211,6 @@ fn is_cubic<T: Real>(a: At<T>, middle: At<T>, b: At<T>) -> bool {
     let [x, y, z] = [a, middle, b].map(|at| magnitude(at.value));
     let least = if x.gt(y) { y } else { x };
     let least = if least.gt(z) { z } else { least };
-    let most = crate::find::greater(crate::find::greater(x, y), z);
+    let most = greater(greater(x, y), z);
     (least * number(0.25)).ge(error) || (most * number(0.01)).ge(error)
 }

@@ -1,37 +1,47 @@
-//! The arguments of an entry point, and how its core reads them.
+//! The arguments of an entry point or routine, and how its statements read them.
+
+use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use super::names::text;
-use super::pieces::Pieces;
-use super::{Context, entry};
+use super::context::Context;
+use super::identifiers::text;
+use super::sweeps;
+use super::token_list::Tokens;
+use crate::interface::entries::Given;
 use crate::ir::graph::Node;
-use crate::ir::program::EntryKind;
+
+/// What all arguments of all functions are called.
+pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
+    let entries = cx.interface.entries.iter();
+    let names = entries.flat_map(|entry| Arguments::new(cx, entry.given).names);
+    let names = names.map(|name| name.to_string());
+    names.chain(sweeps::ARGUMENTS.map(str::to_string)).collect::<BTreeSet<_>>().into_iter()
+}
 
 /// One input: an argument for its value, rate and second rate; several: a record for each.
 pub(super) struct Arguments<'a> {
     cx: &'a Context<'a>,
-    kind: EntryKind,
+    given: &'static [Given],
     names: Vec<Ident>,
-    /// Whether each argument is a record of all inputs.
-    records: bool,
 }
 
 impl<'a> Arguments<'a> {
-    pub(super) fn new(cx: &'a Context<'a>, kind: EntryKind) -> Self {
-        let orders = entry::orders(kind);
+    pub(super) fn new(cx: &'a Context<'a>, given: &'static [Given]) -> Self {
         let plain = |name| Ident::new(name, Span::call_site());
-        let (records, mut names) = match &cx.mechanism.inputs[..] {
-            [_] if entry::takes_cosine(kind) => {
-                let rates = cx.names.only_input[1..].iter().cloned();
-                (false, [plain("cos"), plain("sin")].into_iter().chain(rates).collect())
-            }
-            [_] => (false, cx.names.only_input.clone()),
-            _ => (true, ["inputs", "rates", "accelerations"].map(plain).to_vec()),
+        let order = |nth: usize| match cx.inputs() {
+            None => cx.names.only_input[nth].clone(),
+            Some(_) => plain(["inputs", "rates", "accelerations"][nth]),
         };
-        names.truncate(orders + usize::from(entry::takes_cosine(kind)));
-        Self { cx, kind, names, records }
+        let name = |given: &Given| match given {
+            Given::Value => order(0),
+            Given::Rate => order(1),
+            Given::Acceleration => order(2),
+            Given::Cosine => plain("cos"),
+            Given::Sine => plain("sin"),
+        };
+        Self { cx, given, names: given.iter().map(name).collect() }
     }
 
     /// The arguments as a call passes them on.
@@ -41,12 +51,12 @@ impl<'a> Arguments<'a> {
 
     /// How a public function declares them, for numbers of this type.
     pub(super) fn declared(&self, scalar: &TokenStream) -> Vec<TokenStream> {
-        let ty = if self.records {
-            let into = self.cx.paths.item("Into");
-            let record = self.record(scalar);
-            quote!(impl #into<#record>)
-        } else {
-            scalar.clone()
+        let ty = match self.cx.inputs() {
+            Some(_) => {
+                let (into, record) = (self.cx.paths.item("Into"), self.ty(scalar));
+                quote!(impl #into<#record>)
+            }
+            None => scalar.clone(),
         };
         self.names.iter().map(|name| quote!(#name: #ty)).collect()
     }
@@ -59,56 +69,53 @@ impl<'a> Arguments<'a> {
 
     /// The type of every argument.
     pub(super) fn ty(&self, scalar: &TokenStream) -> TokenStream {
-        if self.records { self.record(scalar) } else { scalar.clone() }
+        match self.cx.inputs() {
+            Some(record) => quote!(#record<#scalar>),
+            None => scalar.clone(),
+        }
     }
 
     /// Whether each argument is a record of all inputs.
     pub(super) fn are_records(&self) -> bool {
-        self.records
+        self.cx.inputs().is_some()
     }
 
     /// Makes records of what a public function was given; nothing for plain numbers.
     pub(super) fn converted(&self, scalar: &TokenStream) -> TokenStream {
-        if !self.records {
-            return TokenStream::new();
-        }
-        let (names, record) = (&self.names, self.record(scalar));
-        let into = self.cx.paths.item("Into");
-        quote!(#(let #names: #record = #into::into(#names);)*)
+        let Some(record) = self.cx.inputs() else { return TokenStream::new() };
+        let (names, into) = (&self.names, self.cx.paths.item("Into"));
+        quote!(#(let #names: #record<#scalar> = #into::into(#names);)*)
     }
 
-    /// Names the arguments that a core does not read, so that none counts as forgotten.
-    pub(super) fn unread(&self, leaves: &[Node]) -> TokenStream {
-        let read: Vec<usize> = leaves.iter().filter_map(|&node| self.position_of(node)).collect();
+    /// Names the arguments that are not read, so that none counts as forgotten.
+    pub(super) fn unread(&self, reads: &[Node]) -> TokenStream {
+        let read: Vec<usize> = reads.iter().filter_map(|&node| self.position_of(node)).collect();
         let unread = self.names.iter().enumerate().filter(|(i, _)| !read.contains(i));
         unread.map(|(_, name)| quote!(let _ = #name;)).collect()
     }
 
-    fn record(&self, scalar: &TokenStream) -> TokenStream {
-        let input = &self.cx.names.input;
-        quote!(#input<#scalar>)
-    }
-
     /// Which argument a node reads.
     fn position_of(&self, node: Node) -> Option<usize> {
-        let shift = usize::from(entry::takes_cosine(self.kind));
-        match node {
-            Node::InputCos(_) => Some(0),
-            Node::InputSin(_) => Some(1),
-            Node::Input { order, .. } => Some(usize::from(order) + shift),
-            _ => None,
-        }
+        let given = match node {
+            Node::InputCos(_) => Given::Cosine,
+            Node::InputSin(_) => Given::Sine,
+            Node::Input { order, .. } => {
+                [Given::Value, Given::Rate, Given::Acceleration][usize::from(order)]
+            }
+            _ => return None,
+        };
+        self.given.iter().position(|&known| known == given)
     }
 
-    /// The expression by which a core reads an input or a parameter.
-    pub(super) fn leaf(&self, node: Node) -> Option<Pieces> {
+    /// The expression that reads an input or a parameter.
+    pub(super) fn read(&self, node: Node) -> Option<Tokens> {
         if let Node::Param(param) = node {
             let field = &self.cx.mechanism.params[param as usize].name;
             return Some(quote!(self.#field).into());
         }
         let name = &self.names[self.position_of(node)?];
         match node {
-            Node::Input { input, .. } if self.records => {
+            Node::Input { input, .. } if self.are_records() => {
                 let field = &self.cx.mechanism.inputs[input as usize].name;
                 Some(quote!(#name.#field).into())
             }

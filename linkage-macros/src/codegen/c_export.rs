@@ -4,17 +4,18 @@
 //! `reply_`, behind a test for null; everything else is the solver's own safe interface. The items
 //! stand in an unnamed constant, so that they meet no name of the user's.
 
+mod c_identifiers;
 mod header;
-mod names;
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use self::names::Width;
-use super::names::{function_name, generated, text};
-use super::rows::string;
-use super::{Context, entry, literal, solver};
-use crate::ir::program::{Entry, EntryKind};
+use self::c_identifiers::Width;
+use super::arguments::Arguments;
+use super::context::{Context, literal};
+use super::identifiers::{function_name, generated, string, text};
+use super::{results, solver};
+use crate::interface::entries::Entry;
 use crate::model::mechanism::{Param, ParamKind, Sign};
 
 /// Nothing unless the declaration says `export c;`.
@@ -24,14 +25,15 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     }
     let name = &cx.names.solver;
     let (header, parameters) = (header::text(cx), parameters(cx));
+    let [float, string] = ["f64", "str"].map(|item| cx.paths.item(item));
     let (read, reply) = (read(cx), reply(cx));
     let functions = Width::ALL
-        .map(|width| cx.program.entries.iter().map(move |entry| function(cx, entry, width)));
+        .map(|width| cx.interface.entries.iter().map(move |entry| function(cx, entry, width)));
     let functions = functions.into_iter().flatten();
     quote! {
-        impl #name<f64> {
+        impl #name<#float> {
             /// The header of the C functions that this mechanism exports, to be written to a file.
-            pub const C_HEADER: &'static str = #header;
+            pub const C_HEADER: &'static #string = #header;
         }
 
         #[allow(unsafe_code, reason = "C passes pointers; `export c` asked for functions it can call")]
@@ -43,8 +45,8 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
 const PARAMETERS: &str = "mechanism";
 
 /// What C calls the argument that an answer is written to.
-fn answer_name(kind: EntryKind) -> &'static str {
-    entry::method(kind).trim_end_matches("_at")
+fn answer_name(entry: &Entry) -> &'static str {
+    entry.name.trim_end_matches("_at")
 }
 
 /// The parameters in a layout that C can fill with anything; nothing without parameters.
@@ -98,8 +100,8 @@ fn mode(cx: &Context<'_>, param: &Param) -> TokenStream {
 
 /// The function that returns the parameters as declared.
 fn default(cx: &Context<'_>, width: Width) -> TokenStream {
-    let number = Ident::new(width.in_rust(), Span::call_site());
-    let name = function_name(&names::default(&cx.names.solver, width));
+    let number = cx.paths.item(width.in_rust());
+    let name = function_name(&c_identifiers::default(&cx.names.solver, width));
     let fields = cx.mechanism.params.iter().map(|param| {
         let field = &param.name;
         let value = match &param.kind {
@@ -132,12 +134,12 @@ fn read(cx: &Context<'_>) -> TokenStream {
     quote! {
         /// # Safety
         /// The pointer is null or points to a value.
-        unsafe fn read_<V: #copy>(from: *const V, name: &'static #str) -> #result<V, #error> {
-            if from.is_null() {
-                return #err(#error::null_pointer(name));
+        unsafe fn read_<V: #copy>(from_: *const V, name_: &'static #str) -> #result<V, #error> {
+            if from_.is_null() {
+                return #err(#error::null_pointer(name_));
             }
             // SAFETY: the pointer is not null, so by the caller's word it points to a value.
-            #ok(unsafe { from.read() })
+            #ok(unsafe { from_.read() })
         }
     }
 }
@@ -150,36 +152,36 @@ fn reply(cx: &Context<'_>) -> TokenStream {
         /// # Safety
         /// Each pointer is null or points to where a value of its type may be written.
         unsafe fn reply_<V>(
-            answer: #result<V, #error>,
-            to: *mut V,
-            name: &'static #str,
-            why: *mut #error,
+            answer_: #result<V, #error>,
+            to_: *mut V,
+            name_: &'static #str,
+            why_: *mut #error,
         ) -> #i32 {
-            let reason = match answer {
-                _ if to.is_null() => #error::null_pointer(name),
-                #ok(value) => {
+            let reason_ = match answer_ {
+                _ if to_.is_null() => #error::null_pointer(name_),
+                #ok(value_) => {
                     // SAFETY: the pointer is not null, so by the caller's word it can be written.
-                    unsafe { to.write(value) };
+                    unsafe { to_.write(value_) };
                     #error::NONE
                 }
-                #err(reason) => reason,
+                #err(reason_) => reason_,
             };
-            if !why.is_null() {
+            if !why_.is_null() {
                 // SAFETY: as above.
-                unsafe { why.write(reason) };
+                unsafe { why_.write(reason_) };
             }
-            reason.status
+            reason_.status
         }
     }
 }
 
 /// One entry point for one width.
 fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
-    let name = function_name(&names::function(&cx.names.solver, of.kind, width));
-    let method = function_name(entry::method(of.kind));
-    let number = Ident::new(width.in_rust(), Span::call_site());
+    let name = function_name(&c_identifiers::function(&cx.names.solver, of, width));
+    let method = function_name(of.name);
+    let number = cx.paths.item(width.in_rust());
     let number = quote!(#number);
-    let arguments = cx.arguments(of.kind);
+    let arguments = Arguments::new(cx, of.given);
     let labels = arguments.names().iter().map(|name| string(&text(name), name.span()));
     let names: Vec<Ident> = (0..labels.len()).map(|i| generated(&format!("q{i}_"))).collect();
     let ty = arguments.ty(&number);
@@ -188,9 +190,9 @@ fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
         false => (ty, TokenStream::new()),
     };
     let (solver, parameter) = called(cx, &number);
-    let value = entry::result_of(cx, of.kind, &number);
+    let value = results::ty(cx, of.result, &number);
     let [result, ok, error, i32] = ["Result", "Ok", "CError", "i32"].map(|i| cx.paths.item(i));
-    let label = answer_name(of.kind);
+    let label = answer_name(of);
     let (to, why, answer) = (generated("to_"), generated("why_"), generated("answer_"));
     quote! {
         #[unsafe(no_mangle)]

@@ -5,11 +5,14 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 
-use super::names::text;
-use super::results::Order;
-use super::units::{per_time, unit};
-use super::{Context, cost, entry, rows, turning};
-use crate::ir::program::{Entry, EntryKind};
+use super::context::Context;
+use super::identifiers::text;
+use super::{costs_in_words, ranges_in_words};
+use crate::interface::entries::{Entry, Given};
+use crate::interface::quantity::{Order, Quantity};
+use crate::interface::records::{Field, Kind, Record, Shape, Subject};
+use crate::interface::units_in_words::{per_time, unit};
+use crate::interface::{EntryId, labels};
 use crate::model::mechanism::{Input, Output, OutputKind, Param, ParamKind, Sign};
 
 /// The user's comments, then a paragraph of our own.
@@ -89,10 +92,14 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
         "Groups, in the order they are solved",
         groups.map(|group| format!("{} {}", group.keyword, group.title)).collect(),
     );
-    let turnings = cx.mechanism.turnings.iter();
-    page += &section("Range", turnings.map(|turning| turning::in_words(cx, turning)).collect());
-    let costs = cx.program.entries.iter().map(|entry| {
-        format!("`{}`: {}", entry::method(entry.kind), cost::in_words(cost::of(cx, entry)))
+    let ranges = cx.mechanism.rotatabilities.iter();
+    page += &section("Range", ranges.map(|found| ranges_in_words::in_words(cx, found)).collect());
+    let costs = cx.entries().map(|entry| {
+        format!(
+            "`{}`: {}",
+            cx.entry(entry).name,
+            costs_in_words::in_words(costs_in_words::of(cx, entry))
+        )
     });
     page += &section("Cost of one call", costs.collect());
     after(&cx.mechanism.docs, &page)
@@ -119,37 +126,50 @@ fn mode(param: &Param, default: Sign, words: [&str; 2]) -> String {
     format!("Assembly mode `{}`; as declared {word}.", text(&param.name))
 }
 
-pub(super) fn input(input: &Input) -> TokenStream {
+fn input(input: &Input) -> TokenStream {
     let unit = unit(input.dimension, Order::Position);
     let line =
         format!("Input `{}` in {unit}, its rates in {unit}/s and {unit}/s².", text(&input.name));
     after(&input.docs, &line)
 }
 
-pub(super) fn input_record(cx: &Context<'_>) -> TokenStream {
-    lines(&format!("The inputs of [`{}`], or their first or second rates.", text(&cx.names.solver)))
-}
-
-/// The record of all outputs at one order.
-pub(super) fn record(cx: &Context<'_>, order: Order) -> TokenStream {
-    let (what, units) = match order {
-        Order::Position => ("Positions", "metres and radians"),
-        Order::Velocity => ("Velocities", "m/s and rad/s"),
-        Order::Acceleration => ("Accelerations", "m/s² and rad/s²"),
-    };
-    lines(&format!("{what} of the outputs of [`{}`], in {units}.", text(&cx.names.solver)))
-}
-
-pub(super) fn motion(cx: &Context<'_>) -> TokenStream {
+pub(super) fn record(cx: &Context<'_>, record: &Record) -> TokenStream {
     let solver = text(&cx.names.solver);
-    lines(&format!("Position, velocity and acceleration of the outputs of [`{solver}`]."))
+    lines(&match record.kind {
+        Kind::Inputs => format!("The inputs of [`{solver}`], or their first or second rates."),
+        Kind::Outputs(order) => {
+            let (what, units) = match order {
+                Order::Position => ("Positions", "metres and radians"),
+                Order::Velocity => ("Velocities", "m/s and rad/s"),
+                Order::Acceleration => ("Accelerations", "m/s² and rad/s²"),
+            };
+            format!("{what} of the outputs of [`{solver}`], in {units}.")
+        }
+        Kind::Motion => {
+            format!("Position, velocity and acceleration of the outputs of [`{solver}`].")
+        }
+        Kind::Margins => format!(
+            "How far the groups of [`{solver}`] are from their limits, also where the pose does not \
+             exist."
+        ),
+    })
 }
 
-pub(super) fn margins(cx: &Context<'_>) -> TokenStream {
-    lines(&format!(
-        "How far the groups of [`{}`] are from their limits, also where the pose does not exist.",
-        text(&cx.names.solver)
-    ))
+/// A field of a record.
+pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
+    match field.subject {
+        Subject::Input(index) => input(&cx.mechanism.inputs[index]),
+        Subject::Output(index, order) => output(cx, &cx.mechanism.outputs[index], order),
+        Subject::Outputs(Order::Position) => quote! {
+            /// In metres and radians.
+        },
+        Subject::Outputs(Order::Velocity) => quote! {
+            /// In m/s and rad/s.
+        },
+        Subject::Outputs(Order::Acceleration) => quote! {
+            /// In m/s² and rad/s².
+        },
+    }
 }
 
 pub(super) fn rows(order: Order) -> TokenStream {
@@ -162,8 +182,8 @@ pub(super) fn rows(order: Order) -> TokenStream {
     })
 }
 
-/// A field of a record.
-pub(super) fn output(cx: &Context<'_>, output: &Output, order: Order) -> TokenStream {
+/// An output as a field of a record.
+fn output(cx: &Context<'_>, output: &Output, order: Order) -> TokenStream {
     let mut own = output.docs.clone();
     let of_thing: &[Attribute] = match output.kind {
         OutputKind::Point(point) => &cx.mechanism.points[point.index()].docs,
@@ -180,125 +200,98 @@ pub(super) fn output(cx: &Context<'_>, output: &Output, order: Order) -> TokenSt
 /// One output in words: what it is, what made it, its unit.
 pub(super) fn describe(cx: &Context<'_>, output: &Output, order: Order) -> String {
     let (mechanism, name) = (cx.mechanism, text(&output.field));
-    let group = |index: usize| {
-        let group = &mechanism.groups[index];
-        format!("{} {}", group.keyword, group.title)
-    };
-    let rate = match order {
-        Order::Position => "",
-        Order::Velocity => ", its rate",
-        Order::Acceleration => ", its second rate",
-    };
-    let quantity = |unit: &str| format!("{rate} in {unit}{}", per_time(order));
+    let words = Quantity::of(&output.kind).layout(order).words;
     match &output.kind {
         OutputKind::Point(point) => {
-            let made_by = &mechanism.points[point.index()].made_by;
-            format!("Point `{name}` ({made_by}): {}", place(order))
+            format!("Point `{name}` ({}): {words}", mechanism.maker(*point))
         }
-        OutputKind::Link { link, direction, slide } => {
-            let made_by = group(mechanism.links[link.index()].made_by.index());
-            let parts = [direction.then(|| turn(order)), slide.then(|| slid(order))];
-            let parts: Vec<_> = parts.into_iter().flatten().collect();
-            format!("Link `{name}` ({made_by}): {}", parts.join("; "))
+        OutputKind::Link { link, .. } => {
+            let made_by = mechanism.statement(mechanism.links[link.index()].made_by);
+            format!("Link `{name}` ({made_by}): {words}")
         }
         OutputKind::Value { dimension, .. } => {
-            format!("`{name}`{rate} in {}", unit(*dimension, order))
+            format!("`{name}`{words} in {}", unit(*dimension, order))
         }
-        OutputKind::Turn(_) => format!("Angle `{name}`: {}", turn(order)),
+        OutputKind::Angle(_) => format!("Angle `{name}`: {words}"),
         OutputKind::Margin(id) => {
-            format!("Distance of {} from its limit{}", group(id.index()), quantity("m"))
+            let group = mechanism.statement(*id);
+            format!("Distance of {group} from its limit{words} in m{}", per_time(order))
         }
         OutputKind::Transmission(id) => {
-            format!("Sine of the transmission angle of {}{rate}", group(id.index()))
+            format!("Sine of the transmission angle of {}{words}", mechanism.statement(*id))
         }
-    }
-}
-
-fn place(order: Order) -> &'static str {
-    match order {
-        Order::Position => "coordinates in m",
-        Order::Velocity => "velocity in m/s",
-        Order::Acceleration => "acceleration in m/s²",
-    }
-}
-
-fn turn(order: Order) -> &'static str {
-    match order {
-        Order::Position => "unit direction, counter-clockwise from +x",
-        Order::Velocity => "angular velocity in rad/s, counter-clockwise",
-        Order::Acceleration => "angular acceleration in rad/s², counter-clockwise",
-    }
-}
-
-fn slid(order: Order) -> &'static str {
-    match order {
-        Order::Position => "slide along its guide in m",
-        Order::Velocity => "rate of its slide in m/s",
-        Order::Acceleration => "second rate of its slide in m/s²",
-    }
-}
-
-/// What a function computes.
-pub(super) fn subject(kind: EntryKind) -> &'static str {
-    match kind {
-        EntryKind::Position | EntryKind::PositionAt => "Positions of the outputs",
-        EntryKind::Velocity | EntryKind::VelocityAt => "Velocities of the outputs",
-        EntryKind::Motion | EntryKind::MotionAt => {
-            "Positions, velocities and accelerations of the outputs"
-        }
-        EntryKind::Coefficients => "Kinematic coefficients ∂outputs/∂inputs",
-        EntryKind::Margins => "Distances of the groups from their limits",
     }
 }
 
 /// What goes in, and what the list of coefficients means.
-fn details(cx: &Context<'_>, kind: EntryKind) -> String {
-    let mut text = match &cx.mechanism.inputs[..] {
-        [only] => {
+fn details(cx: &Context<'_>, entry: &Entry) -> String {
+    let mut text = match (&cx.mechanism.inputs[..], cx.inputs()) {
+        ([only], _) => {
             let (name, unit) = (text(&only.name), unit(only.dimension, Order::Position));
-            let first = match entry::takes_cosine(kind) {
-                true => format!("`{name}` by its cosine and sine"),
-                false => format!("`{name}` in {unit}"),
-            };
-            let rates = [format!("its rate in {unit}/s"), format!("its second rate in {unit}/s²")];
-            let given: Vec<_> =
-                std::iter::once(first).chain(rates).take(entry::orders(kind)).collect();
-            format!("Given {}.", given.join(", "))
+            let given = entry.given.iter().filter_map(|given| match given {
+                Given::Cosine => {
+                    Some(format!("`{name}` by its cosine and sine (any amplitude from 0.9 to 1.1)"))
+                }
+                Given::Sine => None,
+                Given::Value => Some(format!("`{name}` in {unit}")),
+                Given::Rate => Some(format!("its rate in {unit}/s")),
+                Given::Acceleration => Some(format!("its second rate in {unit}/s²")),
+            });
+            format!("Given {}.", given.collect::<Vec<_>>().join(", "))
         }
-        _ => format!(
-            "Every order of the inputs is an array in the order of `INPUTS` or a [`{}`].",
-            cx.names.input
+        (_, Some(record)) => format!(
+            "Every order of the inputs is an array in the order of `INPUTS` or a [`{record}`]."
         ),
+        _ => String::new(),
     };
-    if kind == EntryKind::Coefficients {
+    if matches!(entry.result, Shape::Matrix { .. }) {
         text += "\nA row an output in the order of `OUTPUTS`, a column an input in the order of \
                  `INPUTS`; from the velocity equations.";
     }
     text
 }
 
-pub(super) fn straight(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+pub(super) fn fast_path(cx: &Context<'_>, id: EntryId) -> TokenStream {
+    let entry = cx.entry(id);
     lines(&format!(
         "{}, without a branch, and whether they may be used.\n\n{}\n\n\
          Where the mask says no, the numbers mean nothing. Costs {}.",
-        subject(entry.kind),
-        details(cx, entry.kind),
-        cost::in_words(cost::of(cx, entry)),
+        entry.subject,
+        details(cx, entry),
+        costs_in_words::in_words(costs_in_words::of(cx, id)),
     ))
 }
 
-pub(super) fn checked(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
+    let entry = cx.entry(id);
     lines(&format!(
         "{}.\n\n{}\n\nCosts {}.\n\n# Errors\n\
          The group that cannot be assembled, is singular or was given an invalid length, or the \
-         input or result that is not finite.",
-        subject(entry.kind),
-        details(cx, entry.kind),
-        cost::in_words(cost::of(cx, entry)),
+         input or result that is not finite.{}",
+        entry.subject,
+        details(cx, entry),
+        costs_in_words::in_words(costs_in_words::of(cx, id)),
+        exceptions(entry),
     ))
 }
 
-pub(super) fn sweep(cx: &Context<'_>, entry: &Entry) -> TokenStream {
+/// What is refused, or is not, in an entry point of this kind alone.
+fn exceptions(entry: &Entry) -> &'static str {
+    if entry.takes_cosine() {
+        return " `OffCircle` where the amplitude is no resolver's.";
+    }
+    match entry.name {
+        "coefficients" => " An input that no coefficient depends on is not looked at.",
+        "margins" => {
+            " A margin is there also beyond its own group's limit, but not behind another group \
+             that has no pose: the error names that one, and by how much it is out of reach."
+        }
+        _ => "",
+    }
+}
+
+pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {
+    let entry = cx.entry(id);
     lines(&format!(
         "{}, at many poses.\n\n{} Each is a slice with a number for every pose, or one number \
          for all.\n\n\
@@ -307,17 +300,14 @@ pub(super) fn sweep(cx: &Context<'_>, entry: &Entry) -> TokenStream {
          `{}` refuses has numbers that are none, and its error's kind in `status`. `progress` is told the \
          poses done and their total every few thousand poses; `()` tells nobody.\n\n\
          # Errors\nTwo slices are not of one length; nothing was computed.",
-        subject(entry.kind),
-        details(cx, entry.kind),
-        entry::method(entry.kind),
+        entry.subject,
+        details(cx, entry),
+        entry.name,
     ))
 }
 
-pub(super) fn careful(entry: &Entry) -> TokenStream {
-    lines(&format!(
-        "Why `solve_{}` gave no answer, or the answer at a limit.",
-        entry::method(entry.kind)
-    ))
+pub(super) fn slow_path(entry: &Entry) -> TokenStream {
+    lines(&format!("Why `solve_{}` gave no answer, or the answer at a limit.", entry.name))
 }
 
 pub(super) fn jacobian(cx: &Context<'_>) -> TokenStream {
@@ -332,7 +322,7 @@ pub(super) fn sensitivity(cx: &Context<'_>) -> TokenStream {
 
 fn matrix(cx: &Context<'_>, what: &str, columns: Vec<String>) -> String {
     let list = |names: Vec<String>| format!("`{}`", names.join("`, `"));
-    let rows = cx.mechanism.outputs.iter().flat_map(rows::of).collect();
+    let rows = cx.mechanism.outputs.iter().flat_map(labels::rows).collect();
     format!(
         "{what} by automatic differentiation of the position.\n\nRows: {}; columns: {}.\n\n\
          # Errors\nThose of `position`; `Singular` where a derivative does not exist.",

@@ -1,169 +1,130 @@
-//! The formulas of an entry point: a `let` for every node, and a call at every condition and
+//! The functions that hold formulas: a `let` for every node, and a call at every condition and
 //! angle. Whether a condition is marked or explained is up to the guard that is handed in.
 //!
 //! Position, velocity and motion share their formulas, which are most of what a mechanism expands
 //! to: the order is a constant, and what a lower one does not need is never compiled for it.
 
-use std::collections::HashSet;
 use std::iter;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::blocks::{Statement, lay_out};
-use super::body::{Body, Statements};
-use super::names::{function_name, generated};
-use super::pieces::Pieces;
-use super::results::Order;
-use super::{Context, entry, results};
-use crate::ir::graph::{Check, GuardId, Id};
-use crate::ir::liveness::{Course, unguarded};
-use crate::ir::program::{Entry, EntryKind};
+use super::arguments::Arguments;
+use super::context::Context;
+use super::identifiers::{function_name, generated};
+use super::results;
+use super::statements::Printer;
+use super::token_list::Tokens;
+use crate::interface::records::{Field, Record, Shape};
+use crate::lower::routine::{Routine, Stage};
 
-/// Position, velocity and motion of one kind of input: one function, which stops where nothing
-/// more is asked for.
-struct Family<'a>([&'a Entry; 3]);
-
-impl<'a> Family<'a> {
-    fn of(cx: &'a Context<'_>, kind: EntryKind) -> Option<Self> {
-        let kinds = match kind {
-            EntryKind::Position | EntryKind::Velocity | EntryKind::Motion => {
-                [EntryKind::Position, EntryKind::Velocity, EntryKind::Motion]
-            }
-            EntryKind::PositionAt | EntryKind::VelocityAt | EntryKind::MotionAt => {
-                [EntryKind::PositionAt, EntryKind::VelocityAt, EntryKind::MotionAt]
-            }
-            EntryKind::Coefficients | EntryKind::Margins => return None,
-        };
-        let [position, velocity, motion] = kinds.map(|kind| cx.entry(kind));
-        Some(Self([position?, velocity?, motion?]))
-    }
-
-    fn motion(&self) -> &'a Entry {
-        self.0[2]
-    }
-
-    fn name(&self) -> Ident {
-        let at = entry::takes_cosine(self.motion().kind);
-        function_name(if at { "formulas_at_" } else { "formulas_" })
-    }
+/// A stage of a routine, to be called.
+#[derive(Clone, Copy)]
+pub(super) struct Call {
+    pub routine: usize,
+    pub stage: usize,
 }
 
-/// The entry point that leads the function in which the formulas of this one stand.
-pub(super) fn leading<'a>(cx: &'a Context<'_>, entry: &'a Entry) -> &'a Entry {
-    Family::of(cx, entry.kind).map_or(entry, |family| family.motion())
+impl Call {
+    /// The result under the guard.
+    pub(super) fn under(self, cx: &Context<'_>, guard: &Ident) -> TokenStream {
+        let routine = &cx.lowered.routines[self.routine];
+        let name = function_name(&routine.name);
+        let arguments = Arguments::new(cx, routine.given);
+        let last = routine.stages.len() - 1;
+        if last == 0 {
+            let given = arguments.names();
+            return quote!(self.#name(&mut #guard, #(#given),*));
+        }
+        // A stage needs one order of the inputs less than the next.
+        let missing = last - self.stage;
+        let (given, _) = arguments.names().split_at(arguments.names().len() - missing);
+        let order = Literal::usize_unsuffixed(self.stage);
+        let rates = vec![generated("rest_"); missing];
+        let call = quote!(self.#name::<#order>(&mut #guard, #(#given,)* #(#rates),*));
+        if missing == 0 {
+            return call;
+        }
+        let (rest, field) = (standstill(cx), &stage_fields(cx, routine)[self.stage].name);
+        quote!({ #rest #call.#field })
+    }
 }
 
 /// The functions that hold the formulas of all entry points.
 pub(super) fn functions(cx: &Context<'_>) -> TokenStream {
-    let own = cx.program.entries.iter().filter(|entry| cx.has_formulas(entry));
-    own.filter_map(|entry| match Family::of(cx, entry.kind) {
-        Some(family) if entry.kind == family.motion().kind => Some(of_family(cx, &family)),
-        Some(_) => None,
-        None => Some(of_one(cx, entry)),
-    })
-    .collect()
+    cx.lowered.routines.iter().map(|routine| function(cx, routine)).collect()
 }
 
-/// The result of an entry point under the guard.
-pub(super) fn call(cx: &Context<'_>, entry: &Entry, guard: &Ident) -> TokenStream {
-    let arguments = cx.arguments(entry.kind);
-    let given = arguments.names();
-    let Some(family) = Family::of(cx, entry.kind) else {
-        let name = own_name(entry.kind);
-        return quote!(self.#name(&mut #guard, #(#given),*));
-    };
-    let order = family.0.iter().position(|known| known.kind == entry.kind).unwrap_or_default();
-    let (name, missing) = (family.name(), 2 - order);
-    let order = Literal::usize_unsuffixed(order);
-    let rest = standstill(cx, family.motion().kind);
-    let rates = vec![generated("rest_"); missing];
-    let call = quote!(self.#name::<#order>(&mut #guard, #(#given,)* #(#rates),*));
-    match missing {
-        0 => call,
-        1 => quote!({ #rest #call.velocity }),
-        _ => quote!({ #rest #call.position }),
+fn function(cx: &Context<'_>, routine: &Routine) -> TokenStream {
+    let (printer, name) = (Printer::new(cx, routine), function_name(&routine.name));
+    match &routine.stages[..] {
+        [only] => {
+            let lines = printer.statements(&only.statements);
+            let value = assemble(&printer, only);
+            definition(&printer, &name, &quote!(#lines #value))
+        }
+        stages => {
+            let ty = cx.paths.item("usize");
+            let name = quote!(#name<const ORDER: #ty>);
+            definition(&printer, &name, &in_stages(&printer, stages))
+        }
     }
+}
+
+fn assemble(printer: &Printer<'_>, stage: &Stage) -> TokenStream {
+    let mut values = stage.sinks.iter().map(|&sink| printer.value(sink));
+    results::assemble(printer.cx, stage.result, &mut values)
 }
 
 /// The rates of inputs that do not move.
-fn standstill(cx: &Context<'_>, kind: EntryKind) -> TokenStream {
+fn standstill(cx: &Context<'_>) -> TokenStream {
     let (rest, zero) = (generated("rest_"), cx.literal(0.0, 0.0));
-    if !cx.arguments(kind).are_records() {
-        return quote!(let #rest = #zero;);
-    }
-    let (record, fields) = (&cx.names.input, cx.mechanism.inputs.iter().map(|input| &input.name));
+    let Some(record) = cx.inputs() else { return quote!(let #rest = #zero;) };
+    let fields = cx.mechanism.inputs.iter().map(|input| &input.name);
     quote!(let #rest = #zero; let #rest = #record { #(#fields: #rest),* };)
 }
 
-fn own_name(kind: EntryKind) -> Ident {
-    function_name(&format!("formulas_{}_", entry::method(kind)))
-}
-
-fn of_one(cx: &Context<'_>, entry: &Entry) -> TokenStream {
-    let arguments = cx.arguments(entry.kind);
-    let bounds = cx.bounds.get(&entry.kind);
-    let body = Body { cx, arguments: &arguments, course: Course::Careful, bounds };
-    let statements = body.statements(&entry.sinks);
-    let kept = body.locals(entry.sinks.iter().copied());
-    let lines = lay_out(&statements.list, &kept, &cx.locals);
-    let values = entry.sinks.iter().map(|&sink| body.value(sink)).collect();
-    let value = results::assemble(cx, entry.kind, values);
-    function(&body, entry, &own_name(entry.kind), &statements, &quote!(#lines #value))
-}
-
-/// Position, velocity and acceleration one after the other, each followed by its record. The
-/// records of the orders that are not asked for hold zeros.
-fn of_family(cx: &Context<'_>, family: &Family<'_>) -> TokenStream {
-    let motion = family.motion();
-    let arguments = cx.arguments(motion.kind);
-    let bounds = cx.bounds.get(&motion.kind);
-    let body = Body { cx, arguments: &arguments, course: Course::Careful, bounds };
-    let (mut statements, mut done) = (Statements::default(), HashSet::new());
-    let mut ends = Vec::new();
-    for entry in family.0 {
-        body.add_statements(&mut statements, &mut done, &entry.sinks);
-        ends.push(statements.list.len());
+/// The record that the stages of a routine fill, a field each.
+fn record_of<'a>(cx: &Context<'a>, routine: &Routine) -> &'a Record {
+    match routine.result {
+        Shape::Record(record) => cx.record(record),
+        _ => unreachable!("what is computed in stages is a record"),
     }
-    let (mut lines, mut start, mut sinks) = (at_rest(cx), 0, &motion.sinks[..]);
-    let result = motion_of_records(cx);
-    for (nth, (order, end)) in Order::ALL.into_iter().zip(ends).enumerate() {
-        let (now, later) = (&statements.list[start..end], &statements.list[end..]);
-        let used_later = later.iter().flat_map(|statement| statement.uses.iter().copied());
-        let kept: Vec<Id> = used_later.chain(body.locals(sinks.iter().copied())).collect();
-        lines.extend(lay_out(now, &kept, &cx.locals));
-        let (own, rest) = sinks.split_at(results::count(cx, order));
-        let values = own.iter().map(|&sink| body.value(sink));
-        let (name, record) = (record_name(order), results::record_of(cx, order, values));
-        let nth = Literal::usize_unsuffixed(nth);
-        let stop =
-            (order != Order::Acceleration).then(|| quote!(if ORDER == #nth { return #result; }));
-        lines.extend(quote!(let #name = #record; #stop));
-        (start, sinks) = (end, rest);
+}
+
+fn stage_fields<'a>(cx: &Context<'a>, routine: &Routine) -> &'a [Field] {
+    &record_of(cx, routine).fields
+}
+
+/// Stage after stage, each followed by its record. The records of the stages that are not asked
+/// for hold zeros.
+fn in_stages(printer: &Printer<'_>, stages: &[Stage]) -> TokenStream {
+    let cx = printer.cx;
+    let record = record_of(cx, printer.routine);
+    let locals: Vec<Ident> =
+        record.fields.iter().map(|field| generated(&format!("{}_", field.name))).collect();
+    let mut lines = zeros(cx, &stages[1..], &locals[1..]);
+    let (name, fields) = (&record.name, record.fields.iter().map(|field| &field.name));
+    let result = quote!(#name { #(#fields: #locals),* });
+    for (nth, stage) in stages.iter().enumerate() {
+        lines.extend(printer.statements(&stage.statements));
+        let (local, value) = (&locals[nth], assemble(printer, stage));
+        let stop = (nth + 1 < stages.len()).then(|| {
+            let nth = Literal::usize_unsuffixed(nth);
+            quote!(if ORDER == #nth { return #result; })
+        });
+        lines.extend(quote!(let #local = #value; #stop));
     }
-    let (name, ty) = (family.name(), cx.paths.item("usize"));
-    let name = quote!(#name<const ORDER: #ty>);
-    function(&body, motion, &name, &statements, &quote!(#lines #result))
+    quote!(#lines #result)
 }
 
-fn record_name(order: Order) -> Ident {
-    generated(&format!("{}_", order.field()))
-}
-
-/// The result, made of the locals that hold its records.
-fn motion_of_records(cx: &Context<'_>) -> TokenStream {
-    let fields = Order::ALL.map(|order| function_name(order.field()));
-    let (name, records) = (&cx.names.motion, Order::ALL.map(record_name));
-    quote!(#name { #(#fields: #records),* })
-}
-
-/// The records of the orders that may not be asked for.
-fn at_rest(cx: &Context<'_>) -> TokenStream {
+/// The records of the stages that may not be asked for.
+fn zeros(cx: &Context<'_>, stages: &[Stage], locals: &[Ident]) -> TokenStream {
     let (zero, nought) = (generated("zero_"), cx.literal(0.0, 0.0));
-    let records = [Order::Velocity, Order::Acceleration].map(|order| {
-        let zeros = iter::repeat_n(Pieces::from(zero.clone()), results::count(cx, order));
-        let (name, record) = (record_name(order), results::record_of(cx, order, zeros));
-        quote!(let #name = #record;)
+    let records = stages.iter().zip(locals).map(|(stage, local)| {
+        let mut zeros = iter::repeat_with(|| Tokens::from(zero.clone()));
+        let record = results::assemble(cx, stage.result, &mut zeros);
+        quote!(let #local = #record;)
     });
     quote!(let #zero = #nought; #(#records)*)
 }
@@ -173,19 +134,14 @@ fn at_rest(cx: &Context<'_>) -> TokenStream {
 /// Inlined always: as a call of its own it would hand its results over through memory, one more
 /// time, which costs a four-bar's solve a tenth of its throughput and a fifth of its latency; and
 /// a sweep would run it on the instruction set of the rest of the program.
-fn function(
-    body: &Body<'_>,
-    entry: &Entry,
-    name: &impl ToTokens,
-    statements: &Statements,
-    lines: &TokenStream,
-) -> TokenStream {
-    let (cx, scalar) = (body.cx, &body.cx.names.scalar);
-    let unread = body.arguments.unread(&statements.leaves);
+fn definition(printer: &Printer<'_>, name: &impl ToTokens, lines: &TokenStream) -> TokenStream {
+    let (cx, routine, scalar) = (printer.cx, printer.routine, &printer.cx.names.scalar);
+    let scalar = quote!(#scalar);
+    let unread = printer.arguments.unread(&routine.reads);
     let (result, received) =
-        (entry::result(cx, entry.kind), body.arguments.received(&quote!(#scalar)));
+        (results::ty(cx, routine.result, &scalar), printer.arguments.received(&scalar));
     let (guard, guards) = (generated("guard_"), cx.paths.item("Guard"));
-    let unguarded = (!statements.is_guarded).then(|| quote!(let _ = #guard;));
+    let unguarded = (!routine.has_checks).then(|| quote!(let _ = #guard;));
     quote! {
         #[inline(always)]
         fn #name(&self, #guard: &mut impl #guards<#scalar>, #(#received),*) -> #result {
@@ -194,67 +150,4 @@ fn function(
             #lines
         }
     }
-}
-
-/// A condition as two calls: one that marks, unless bounds show that it is met, and one that
-/// looks. The value goes on as that one returns it.
-pub(super) fn condition(body: &Body<'_>, id: Id, value: Id, guard: GuardId) -> Statement {
-    let (cx, condition) = (body.cx, body.graph().condition(guard));
-    let looked_at = match condition.check {
-        Check::ReachCircles | Check::ReachLine | Check::ReachOffset | Check::Square => {
-            &condition.operands[..]
-        }
-        // These look at the value alone; the operands are there to be computed first.
-        Check::Nonzero | Check::Positive(_) => &[],
-    };
-    let look = function_name(match condition.check {
-        Check::ReachCircles => "reach_circles",
-        Check::ReachLine => "reach_line",
-        Check::ReachOffset => "reach_offset",
-        Check::Nonzero => "nonzero",
-        Check::Positive(_) => "positive",
-        Check::Square if condition.operands.is_empty() => "square",
-        Check::Square => "square_of_centres",
-    });
-    let group = &cx.program.groups[condition.group as usize];
-    let length = match &condition.check {
-        Check::Positive(name) => Some(name),
-        _ => None,
-    };
-    let length = length.into_iter();
-    let operands = [value].into_iter().chain(looked_at.iter().copied());
-    let name = cx.locals.name(id);
-    let values = operands.clone().map(|operand| body.value(operand));
-    let (guard, mark) = (generated("guard_"), mark(body, value, &condition.check));
-    Statement {
-        defines: vec![id],
-        uses: body.locals(operands),
-        code: quote! {
-            #mark
-            let #name = #guard.#look(#(#values,)* #group #(, #length)*);
-        },
-    }
-}
-
-/// The call that marks a condition; nothing where it is known to hold.
-fn mark(body: &Body<'_>, value: Id, check: &Check) -> Option<TokenStream> {
-    let cx = body.cx;
-    if *check == Check::Nonzero && body.is_above_zero(value) {
-        return None;
-    }
-    let least = match body.bounds {
-        Some(bounds) => bounds.least(cx, unguarded(body.graph(), value), check)?,
-        None if *check == Check::Square => {
-            let smallest = cx.scalar("smallest_square");
-            quote!(#smallest()).into()
-        }
-        None => cx.literal(0.0, 0.0),
-    };
-    let method = function_name(match check {
-        Check::ReachCircles | Check::Positive(_) => "above",
-        Check::ReachLine | Check::ReachOffset | Check::Square => "at_least",
-        Check::Nonzero => "away",
-    });
-    let (guard, value) = (generated("guard_"), body.value(value));
-    Some(quote!(#guard.#method(#value, #least);))
 }

@@ -7,8 +7,8 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use super::names::clear_of;
-use super::pieces::Pieces;
+use super::identifiers::clear_of;
+use super::token_list::Tokens;
 use crate::model::mechanism::Mechanism;
 
 pub(super) struct Paths {
@@ -36,9 +36,21 @@ impl Paths {
         }
     }
 
+    /// A function under the name of every argument: it hides a constant, a static or a unit struct
+    /// of the user's that has the name, whose pattern an argument would be. What is a function may
+    /// be an argument as well.
+    pub(super) fn import_arguments(&self, names: impl Iterator<Item = String>) -> TokenStream {
+        let module = &self.module;
+        let names = names.map(|name| Ident::new(&name, Span::call_site()));
+        quote! {
+            #[allow(unused_imports, reason = "a function hides a constant of its name, and no argument")]
+            use #module::{#(argument as #names),*};
+        }
+    }
+
     /// A type, trait, function or macro of the run-time crate, inside the unnamed constant.
-    pub(super) fn item(&self, name: &str) -> Pieces {
-        Pieces::path(self.alias.clone(), Ident::new(name, Span::call_site()))
+    pub(super) fn item(&self, name: &str) -> Tokens {
+        Tokens::path(self.alias.clone(), Ident::new(name, Span::call_site()))
     }
 
     /// The same beside the user's own items, where nothing was imported.

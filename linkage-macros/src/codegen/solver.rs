@@ -3,10 +3,12 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::names::{function_name, text};
-use super::pieces::Pieces;
-use super::{Context, cost, docs, literal, results, rows};
-use crate::model::mechanism::{Param, ParamKind, Sign};
+use super::context::{Context, literal};
+use super::identifiers::{function_name, text};
+use super::token_list::Tokens;
+use super::{costs_in_words, docs, identifiers, structs};
+use crate::interface::labels;
+use crate::model::mechanism::{Output, Param, ParamKind, Sign};
 
 /// What can be done without solving anything.
 pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
@@ -17,7 +19,7 @@ pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
 /// The struct itself.
 pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, visibility) = (&cx.names.solver, &cx.names.scalar, &cx.mechanism.visibility);
-    let (docs, attributes) = (docs::solver(cx), results::attributes(cx));
+    let (docs, attributes) = (docs::solver(cx), structs::attributes(cx));
     let fields = cx.mechanism.params.iter().map(|param| {
         let (docs, field) = (docs::param(param), &param.name);
         let ty = match mode_type(param) {
@@ -26,12 +28,12 @@ pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
         };
         quote!(#docs pub #field: #ty,)
     });
-    let phantom = cx.paths.outside("PhantomData");
+    let (phantom, float) = (cx.paths.outside("PhantomData"), cx.paths.outside("f64"));
     let marker = marker(cx).map(|(field, _)| quote!(#[doc(hidden)] pub #field: #phantom<#scalar>,));
     quote! {
         #docs
         #attributes
-        #visibility struct #name<#scalar = f64> { #(#fields)* #marker }
+        #visibility struct #name<#scalar = #float> { #(#fields)* #marker }
     }
 }
 
@@ -46,7 +48,7 @@ fn mode_type(param: &Param) -> Option<&'static str> {
 
 /// Without a numeric parameter nothing holds the type parameter; the field is public so that
 /// `..Solver::new()` stays usable: its name and its value, whose type has the value's name.
-pub(super) fn marker(cx: &Context<'_>) -> Option<(Ident, Pieces)> {
+pub(super) fn marker(cx: &Context<'_>) -> Option<(Ident, Tokens)> {
     let taken = |name: &str| cx.mechanism.params.iter().any(|param| param.name == name);
     let mut name = String::from("scalar_");
     while taken(&name) {
@@ -76,7 +78,7 @@ pub(super) fn construct(
 }
 
 /// The parameter as declared, a number by `lit` or as a plain literal.
-fn defaults(cx: &Context<'_>, number: impl Fn(f64, f32) -> Pieces) -> TokenStream {
+fn defaults(cx: &Context<'_>, number: impl Fn(f64, f32) -> Tokens) -> TokenStream {
     let number = |param: &Param| match &param.kind {
         ParamKind::Number { default, .. } => {
             number(default.to_f64(), default.to_f32()).into_token_stream()
@@ -105,22 +107,23 @@ fn default_variant(param: &Param) -> TokenStream {
 fn constants(cx: &Context<'_>) -> TokenStream {
     let name = &cx.names.solver;
     let new = defaults(cx, |wide, _| literal(wide));
-    let (outputs, rows) = (rows::literals(cx), cx.rows());
+    let (outputs, rows) = (output_rows(cx), cx.rows());
     let inputs = cx.mechanism.inputs.iter().map(|input| &input.name);
-    let inputs = inputs.map(|name| rows::string(&text(name), name.span()));
+    let inputs = inputs.map(|name| identifiers::string(&text(name), name.span()));
     let params = cx.numeric_params();
     let params: Vec<_> =
-        params.iter().map(|p| rows::string(&text(&p.name), p.name.span())).collect();
+        params.iter().map(|p| identifiers::string(&text(&p.name), p.name.span())).collect();
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
-    let (cost_type, cost) = (cx.paths.item("Cost"), cost::constant(cx));
+    let (cost_type, cost) = (cx.paths.item("Cost"), costs_in_words::constant(cx));
+    let [float, string] = ["f64", "str"].map(|name| cx.paths.item(name));
     quote! {
-        impl #name<f64> {
+        impl #name<#float> {
             /// The scalar rows of the results, in the order of every list of rows.
-            pub const OUTPUTS: [&'static str; #rows] = [#(#outputs),*];
+            pub const OUTPUTS: [&'static #string; #rows] = [#(#outputs),*];
             /// The inputs, in the order of the columns of Jacobians.
-            pub const INPUTS: [&'static str; #columns] = [#(#inputs),*];
+            pub const INPUTS: [&'static #string; #columns] = [#(#inputs),*];
             /// The numeric parameters, in the order of the columns of sensitivities.
-            pub const PARAMS: [&'static str; #numbers] = [#(#params),*];
+            pub const PARAMS: [&'static #string; #numbers] = [#(#params),*];
             /// The floating-point operations of one call.
             pub const COST: #cost_type = #cost;
 
@@ -130,6 +133,15 @@ fn constants(cx: &Context<'_>) -> TokenStream {
             pub const fn new() -> Self { #new }
         }
     }
+}
+
+/// All rows of the outputs.
+fn output_rows(cx: &Context<'_>) -> Vec<TokenStream> {
+    let rows = |output: &Output| {
+        let rows = labels::rows(output).into_iter();
+        rows.map(|row| identifiers::string(&row, output.field.span())).collect::<Vec<_>>()
+    };
+    cx.mechanism.outputs.iter().flat_map(rows).collect()
 }
 
 fn default(cx: &Context<'_>) -> TokenStream {
@@ -174,7 +186,7 @@ pub(super) fn lifted_number(
     value: &TokenStream,
     target: &TokenStream,
 ) -> TokenStream {
-    let (real, scalar) = (cx.paths.item("Real"), cx.paths.item("Scalar"));
+    let [real, scalar, narrow] = ["Real", "Scalar", "f32"].map(|name| cx.paths.item(name));
     let value = quote!(#real::value(#value));
-    quote!(<#target as #scalar>::lit(#value, #value as f32))
+    quote!(<#target as #scalar>::lit(#value, #value as #narrow))
 }

@@ -4,25 +4,38 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::names::{function_name, generated};
-use super::pieces::Pieces;
-use super::{Context, docs, entry, results, straight};
-use crate::ir::program::{Entry, EntryKind};
+use super::arguments::Arguments;
+use super::context::Context;
+use super::identifiers::{function_name, generated};
+use super::token_list::Tokens;
+use super::{docs, fast_path, results};
+use crate::interface::EntryId;
+use crate::interface::entries::Entry;
+use crate::interface::records::{Record, Shape};
+
+/// What a sweep's arguments beside the inputs are called.
+pub(super) const ARGUMENTS: [&str; 3] = ["out", "status", "progress"];
 
 /// `sweep_position`, `sweep_velocity`, `sweep_motion`; nothing for other entry points.
-pub(super) fn items(cx: &Context<'_>, entry: &Entry) -> Option<TokenStream> {
-    let kind = match entry.kind {
-        EntryKind::Position => "OfPosition",
-        EntryKind::Velocity => "OfVelocity",
-        EntryKind::Motion => "OfMotion",
-        _ => return None,
+pub(super) fn items(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
+    let entry = cx.entry(id);
+    let Shape::Record(record) = entry.result else { return None };
+    if !entry.sweeps {
+        return None;
+    }
+    let kind = match entry.name {
+        "position" => "OfPosition",
+        "velocity" => "OfVelocity",
+        _ => "OfMotion",
     };
     let sweep = Sweep {
         cx,
+        id,
         entry,
+        record: cx.record(record),
         kind: cx.paths.item(kind),
-        ins: Literal::usize_unsuffixed(entry::orders(entry.kind) * cx.mechanism.inputs.len()),
-        outs: Literal::usize_unsuffixed(entry.sinks.len()),
+        ins: Literal::usize_unsuffixed(entry.orders() * cx.mechanism.inputs.len()),
+        outs: Literal::usize_unsuffixed(cx.interface.numbers(entry.result)),
     };
     let (function, implementation) = (sweep.function(), sweep.implementation());
     Some(quote!(#function #implementation))
@@ -30,9 +43,12 @@ pub(super) fn items(cx: &Context<'_>, entry: &Entry) -> Option<TokenStream> {
 
 struct Sweep<'a> {
     cx: &'a Context<'a>,
+    id: EntryId,
     entry: &'a Entry,
+    /// What the entry point returns.
+    record: &'a Record,
     /// The run-time type that stands for the entry point.
-    kind: Pieces,
+    kind: Tokens,
     /// How many numbers a pose takes and gives.
     ins: Literal,
     outs: Literal,
@@ -41,12 +57,12 @@ struct Sweep<'a> {
 impl Sweep<'_> {
     /// What the user calls.
     fn function(&self) -> TokenStream {
-        let Self { cx, entry, kind, ins, outs } = self;
+        let Self { cx, entry, kind, ins, outs, .. } = self;
         let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
         let [float, series, status, progress, result, mismatch, sweep] =
             ["Float", "Series", "Status", "Progress", "Result", "LengthMismatch", "sweep"]
                 .map(|item| cx.paths.item(item));
-        let arguments = cx.arguments(entry.kind);
+        let arguments = Arguments::new(cx, entry.given);
         let values = quote!(#series<'series, #scalar>);
         let (declared, converted) = if arguments.are_records() {
             (arguments.declared(&values), arguments.converted(&values))
@@ -56,10 +72,10 @@ impl Sweep<'_> {
             (declared.collect(), quote!(#(let #names: #values = #into::into(#names);)*))
         };
         let inputs = self.inputs(arguments.names());
-        let record = entry::record(cx, entry.kind);
-        let outputs = results::components_of(cx, entry.kind, &quote!(out));
-        let function = function_name(&format!("sweep_{}", entry::method(entry.kind)));
-        let docs = docs::sweep(cx, entry);
+        let record = &self.record.name;
+        let outputs = results::components(cx, entry.result, &quote!(out));
+        let function = function_name(&format!("sweep_{}", entry.name));
+        let docs = docs::sweep(cx, self.id);
         quote! {
             impl<#scalar: #float> #name<#scalar> {
                 #docs
@@ -81,25 +97,28 @@ impl Sweep<'_> {
 
     /// The entry point as the run-time crate's loop calls it.
     fn implementation(&self) -> TokenStream {
-        let Self { cx, entry, kind, ins, outs } = self;
+        let Self { cx, entry, kind, ins, outs, .. } = self;
         let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
         let [float, fusion, mask, lanes, trait_, result, error, ok] =
             ["Float", "Fusion", "LaneMask", "Lanes", "Entry", "Result", "SolveError", "Ok"]
                 .map(|item| cx.paths.item(item));
+        let size = cx.paths.item("usize");
+        // A bare name is first looked for among the types, the user's included.
+        let width = function_name("W_");
         let [value, usable] = ["result_", "ok_"].map(generated);
-        let values = results::components_of(cx, entry.kind, &quote!(#value));
-        let (core, method) = (straight::core_name(entry), function_name(entry::method(entry.kind)));
+        let values = results::components(cx, entry.result, &quote!(#value));
+        let (core, method) = (fast_path::core_name(entry), function_name(entry.name));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.arguments(&locals);
         quote! {
             impl<#scalar: #float> #trait_<#kind, #scalar, #ins, #outs> for #name<#scalar> {
                 #[inline(always)]
-                fn solve_lanes<const W: usize, F: #fusion>(
+                fn solve_lanes<const #width: #size, F: #fusion>(
                     &self,
-                    [#(#locals),*]: [#lanes<#scalar, W, F>; #ins],
-                ) -> ([#lanes<#scalar, W, F>; #outs], #mask<W>) {
+                    [#(#locals),*]: [#lanes<#scalar, #width, F>; #ins],
+                ) -> ([#lanes<#scalar, #width, F>; #outs], #mask<#width>) {
                     let (#value, #usable) =
-                        self.lift::<#lanes<#scalar, W, F>>().#core(#(#arguments),*);
+                        self.lift::<#lanes<#scalar, #width, F>>().#core(#(#arguments),*);
                     ([#(#values),*], #usable)
                 }
 
@@ -126,17 +145,16 @@ impl Sweep<'_> {
     }
 
     fn numbered_locals(&self) -> Vec<Ident> {
-        let count = entry::orders(self.entry.kind) * self.cx.mechanism.inputs.len();
+        let count = self.entry.orders() * self.cx.mechanism.inputs.len();
         (0..count).map(|i| generated(&format!("x{i}_"))).collect()
     }
 
     /// The arguments of the single call, from as many locals as a pose has numbers.
     fn arguments(&self, locals: &[Ident]) -> Vec<TokenStream> {
         let inputs = &self.cx.mechanism.inputs;
-        if inputs.len() == 1 {
+        let Some(record) = self.cx.inputs() else {
             return locals.iter().map(|name| quote!(#name)).collect();
-        }
-        let record = &self.cx.names.input;
+        };
         let fields: Vec<_> = inputs.iter().map(|input| &input.name).collect();
         let argument = |values: &[Ident]| quote!(#record { #(#fields: #values),* });
         locals.chunks(inputs.len()).map(argument).collect()

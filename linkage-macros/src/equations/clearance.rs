@@ -4,29 +4,25 @@
 //! group's joints go, zero at a toggle and negative out of reach. Where it touches zero and turns
 //! back, the motion goes on through a change point and the root changes its sign, which is the
 //! mode; where it passes through zero, the motion ends. The value under the root is given with
-//! its rate, and with a scale against which the coordinates' rounding is small.
+//! its rates while the inputs move along a straight line, and with a scale: a small change of all
+//! lengths by a share δ of themselves changes the value by at most 4 δ of it.
 
-use crate::equations::jet::Jet;
-use crate::equations::kinematics::Kinematics;
-use crate::equations::motion::PointMotion;
-use crate::equations::symbol::{Sheet, Sym};
-use crate::equations::{free_inputs, rpr, rrp, rrr};
+use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::parts::Clearance;
+use crate::equations::symbol::Sheet;
+use crate::equations::{rpr, rrp, rrr};
 use crate::ir::program;
 use crate::model::mechanism::{Mechanism, Mode, Step};
-
-/// What stands under a group's square root, and the scale to measure it by.
-#[derive(Clone, Copy)]
-pub(super) struct Clearance<'s> {
-    pub value: Jet<'s>,
-    pub scale: Sym<'s>,
-}
 
 /// Of every group with an assembly mode, in solving order.
 pub(super) fn clearances<'s>(
     mechanism: &'s Mechanism,
     sheet: &'s Sheet<'s>,
 ) -> Vec<program::Clearance> {
-    let kinematics = Kinematics::of(sheet, mechanism, free_inputs(mechanism, sheet));
+    // Along a straight line the inputs' rates are constant.
+    let mut inputs = Source::free(mechanism, sheet);
+    inputs.iter_mut().for_each(|source| source.jet.accel = sheet.zero());
+    let kinematics = Kinematics::of(sheet, mechanism, inputs);
     mechanism.steps.iter().filter_map(|step| of_step(&kinematics, step)).collect()
 }
 
@@ -58,13 +54,10 @@ fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::C
         Mode::Param(param) => Some(param.0),
     };
     let Clearance { value, scale } = clearance;
-    let sinks = [value.value.id, value.rate.id, scale.id];
+    if value.is_fixed() {
+        // What never moves never changes its mode.
+        return None;
+    }
+    let sinks = [value.value.id, value.rate.id, value.accel.id, scale.id];
     Some(program::Clearance { group: group.0, param, sinks })
-}
-
-/// The sum of the squares that the vector from one point to the other is made of: its rounding is
-/// measured by them, not by its own length.
-pub(super) fn size<'s>(from: PointMotion<'s>, to: PointMotion<'s>) -> Sym<'s> {
-    let base = to.base - from.base;
-    base.dot(base) + (from.offset.dot(from.offset) + to.offset.dot(to.offset))
 }

@@ -12,14 +12,20 @@
 
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::parts::{GroupScope, LinkMotion, Solved};
 
-/// The crank's frame, and its pin where it has a length.
+/// The crank, and its pin where it has a length.
 pub(super) fn crank<'s>(
+    scope: &GroupScope<'s>,
     pivot: PointMotion<'s>,
     direction: Direction<'s>,
     length: Option<Jet<'s>>,
-) -> (Frame<'s>, Option<PointMotion<'s>>) {
+) -> Solved<'s> {
+    scope.call_vector("u", direction.u);
     let frame = Frame { origin: pivot, direction };
     let pin = length.map(|length| frame.place(length, Jet::zero(length.value.sheet())));
-    (frame, pin)
+    if let Some(pin) = pin {
+        scope.call_vector("r", pin.offset);
+    }
+    Solved { links: vec![LinkMotion { frame, slide: None }], pin }
 }

@@ -2,15 +2,15 @@
 
 use std::collections::HashMap;
 
-use crate::equations::groups::{Bar, Place as Standing, Quality};
 use crate::equations::jet::Jet;
-use crate::equations::motion::{Direction, Frame, PointMotion, Turned};
+use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::parts::{GroupScope, LimitMeasures, LinkMotion, Solved};
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::equations::{crank, guide, point, prp, rpp, rpr, rrp, rrr, slider};
 use crate::ir::graph::Node;
 use crate::model::mechanism::{
-    Carrier, Course, Expr, GroupId, GuideId, LinkId, Mechanism, Mode, OutputKind, Place, PointId,
-    Sign, Spot, Step,
+    Carrier, Expr, Group, GroupId, GuideDirection, GuideId, LinkId, Mechanism, Mode, OutputKind,
+    Placement, PointId, Sign, Step, Through,
 };
 
 /// An input as the sheet knows it.
@@ -21,11 +21,23 @@ pub(super) struct Source<'s> {
     pub unit: Option<Vector<'s>>,
 }
 
-/// A link's frame, and its slide where it slides.
-#[derive(Clone, Copy)]
-pub(super) struct LinkMotion<'s> {
-    pub frame: Frame<'s>,
-    pub slide: Option<Jet<'s>>,
+impl<'s> Source<'s> {
+    /// Inputs whose value, rate and second rate are given.
+    pub(super) fn free(mechanism: &Mechanism, sheet: &'s Sheet<'s>) -> Vec<Self> {
+        (0..mechanism.inputs.len() as u32)
+            .map(|input| {
+                let order = |order| sheet.node(Node::Input { input, order });
+                Self { jet: Jet { value: order(0), rate: order(1), accel: order(2) }, unit: None }
+            })
+            .collect()
+    }
+
+    /// The only input, its cosine and sine given in place of its value.
+    pub(super) fn on_the_circle(sheet: &'s Sheet<'s>) -> Self {
+        let order = |order| sheet.node(Node::Input { input: 0, order });
+        let unit = Vector { x: sheet.node(Node::InputCos(0)), y: sheet.node(Node::InputSin(0)) };
+        Self { jet: Jet { value: order(0), rate: order(1), accel: order(2) }, unit: Some(unit) }
+    }
 }
 
 /// Everything that the steps have placed so far.
@@ -39,7 +51,7 @@ pub(super) struct Kinematics<'s> {
     guides: Vec<Option<Frame<'s>>>,
     /// Where a point lies in the frame of what carries it.
     coordinates: HashMap<(Carrier, PointId), [Jet<'s>; 2]>,
-    qualities: HashMap<GroupId, Quality<'s>>,
+    qualities: HashMap<GroupId, LimitMeasures<'s>>,
 }
 
 impl<'s> Kinematics<'s> {
@@ -74,7 +86,7 @@ impl<'s> Kinematics<'s> {
         self.links[id.index()].expect("a step uses only what earlier steps have made")
     }
 
-    pub(super) fn quality(&self, group: GroupId) -> Option<Quality<'s>> {
+    pub(super) fn quality(&self, group: GroupId) -> Option<LimitMeasures<'s>> {
         self.qualities.get(&group).copied()
     }
 
@@ -104,8 +116,15 @@ impl<'s> Kinematics<'s> {
         self.points[id.index()] = Some(motion);
     }
 
-    fn set_link(&mut self, id: LinkId, frame: Frame<'s>, slide: Option<Jet<'s>>) {
-        self.links[id.index()] = Some(LinkMotion { frame, slide });
+    /// Takes over what a group has placed.
+    fn set_group(&mut self, group: GroupId, solved: &Solved<'s>) {
+        let Group { links, pin, .. } = &self.mechanism.groups[group.index()];
+        for (link, &motion) in links.iter().zip(&solved.links) {
+            self.links[link.index()] = Some(motion);
+        }
+        if let (&Some(pin), Some(motion)) = (pin, solved.pin) {
+            self.set_point(pin, motion);
+        }
     }
 
     /// Notes where a joint lies on the x axis of a link.
@@ -118,8 +137,8 @@ impl<'s> Kinematics<'s> {
         self.set_joint(link, joint, Jet::zero(self.sheet));
     }
 
-    fn set_bar(&mut self, link: LinkId, bar: Bar<'s>, joints: [PointId; 2], length: Jet<'s>) {
-        self.set_link(link, bar.frame(link), None);
+    /// Notes where a bar's joints lie on it.
+    fn set_bar(&mut self, link: LinkId, joints: [PointId; 2], length: Jet<'s>) {
         self.set_origin(link, joints[0]);
         self.set_joint(link, joints[1], length);
     }
@@ -141,8 +160,12 @@ impl<'s> Kinematics<'s> {
             Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) => true,
             Expr::Let(name) => name.index() < self.lets.len(),
             Expr::Slide(link) => self.links[link.index()].is_some(),
+            Expr::Coordinate(point, _) => self.points[point.index()].is_some(),
+            Expr::Distance(points) => points.iter().all(|p| self.points[p.index()].is_some()),
             Expr::Negate(value) => self.is_known(value),
-            Expr::Binary(_, sides) => sides.iter().all(|side| self.is_known(side)),
+            Expr::Chain(first, rest) => {
+                self.is_known(first) && rest.iter().all(|(_, operand)| self.is_known(operand))
+            }
             Expr::Call(_, arguments) => arguments.iter().all(|a| self.is_known(a)),
         }
     }
@@ -155,9 +178,10 @@ impl<'s> Kinematics<'s> {
         })
     }
 
-    fn standing(&self, group: GroupId) -> Standing<'s> {
+    fn scope(&self, group: GroupId) -> GroupScope<'s> {
+        let Group { title, links, .. } = &self.mechanism.groups[group.index()];
         let numerics = self.mechanism.numerics;
-        Standing { group: group.0, numerics, sheet: self.sheet }
+        GroupScope { group: group.0, title, links, numerics, sheet: self.sheet }
     }
 
     fn take(&mut self, step: &'s Step) {
@@ -185,18 +209,26 @@ impl<'s> Kinematics<'s> {
         self.set_point(id, PointMotion::fixed(Vector { x: at[0].value, y: at[1].value }));
     }
 
-    fn take_guide(&mut self, id: GuideId, carrier: Carrier, through: &Spot, course: &Course) {
+    fn take_guide(
+        &mut self,
+        id: GuideId,
+        carrier: Carrier,
+        through: &Through,
+        course: &GuideDirection,
+    ) {
         let frame = self.carrier(carrier);
         let (origin, from) = match through {
-            Spot::At(at) => {
+            Through::At(at) => {
                 let at = self.jets(at);
                 (self.spot(frame, carrier, at), at)
             }
-            Spot::Point(point) => (self.point(*point), self.coordinates[&(carrier, *point)]),
+            Through::Point(point) => (self.point(*point), self.coordinates[&(carrier, *point)]),
         };
         let guide = match course {
-            Course::Along(turn) => Frame { origin, direction: self.turned(frame.direction, turn) },
-            Course::Towards(to) => {
+            GuideDirection::Along(turn) => {
+                Frame { origin, direction: self.turned(frame.direction, turn) }
+            }
+            GuideDirection::Towards(to) => {
                 guide::towards(frame, origin, from, self.coordinates[&(carrier, *to)])
             }
         };
@@ -212,13 +244,13 @@ impl<'s> Kinematics<'s> {
         }
     }
 
-    fn take_point(&mut self, id: PointId, carrier: Carrier, place: &Place, group: GroupId) {
+    fn take_point(&mut self, id: PointId, carrier: Carrier, place: &Placement, group: GroupId) {
         let at = match place {
-            Place::Cartesian(at) => self.jets(at),
-            Place::Polar(radius, angle) => point::polar(self.jet(radius), self.jet(angle)),
-            Place::Distances { distances, length, side } => point::at_distances(
+            Placement::Cartesian(at) => self.jets(at),
+            Placement::Polar(radius, angle) => point::polar(self.jet(radius), self.jet(angle)),
+            Placement::Distances { distances, length, side } => point::at_distances(
                 group.0,
-                self.jets(distances),
+                [&distances[0], &distances[1]].map(|distance| self.length(distance, group.0)),
                 self.jet(length),
                 self.sign(*side),
             ),
@@ -236,20 +268,19 @@ impl<'s> Kinematics<'s> {
             Step::Crank { group, link, pivot, pin, angle, relative_to } => {
                 let direction = self.turned(self.carrier(*relative_to).direction, angle);
                 let length = pin.as_ref().map(|(_, length)| self.length(length, group.0));
-                let (frame, motion) = crank::crank(self.point(*pivot), direction, length);
-                self.set_link(*link, frame, None);
+                let solved =
+                    crank::crank(&self.scope(*group), self.point(*pivot), direction, length);
+                self.set_group(*group, &solved);
                 self.set_origin(*link, *pivot);
-                if let (Some((pin, _)), Some(motion), Some(length)) = (pin, motion, length) {
-                    self.set_point(*pin, motion);
+                if let (Some((pin, _)), Some(length)) = (pin, length) {
                     self.set_joint(*link, *pin, length);
                 }
             }
-            Step::Slider { link, guide, pin, slide, offset } => {
+            Step::Slider { group, link, guide, pin, slide, offset } => {
                 let (slide, offset) = (self.jet(slide), self.jet(offset));
-                let (frame, motion) = slider::slider(self.guide(*guide), slide, offset);
-                self.set_link(*link, frame, Some(slide));
+                let solved = slider::slider(&self.scope(*group), self.guide(*guide), slide, offset);
+                self.set_group(*group, &solved);
                 if let Some(pin) = pin {
-                    self.set_point(*pin, motion);
                     self.set_origin(*link, *pin);
                 }
             }
@@ -262,10 +293,10 @@ impl<'s> Kinematics<'s> {
         let joints = outer.map(|joint| self.point(joint));
         let [first, second] = lengths;
         let lengths = [self.length(first, group.0), self.length(second, group.0)];
-        let dyad = rrr::rrr(&self.standing(*group), joints, lengths, self.mode(*mode));
-        self.set_point(*pin, dyad.pin);
+        let solved = rrr::rrr(&self.scope(*group), joints, lengths, self.mode(*mode));
+        self.set_group(*group, &solved);
         for k in 0..2 {
-            self.set_bar(links[k], dyad.bars[k], [outer[k], *pin], lengths[k]);
+            self.set_bar(links[k], [outer[k], *pin], lengths[k]);
         }
         if self.wants_quality(*group) {
             self.qualities.insert(*group, rrr::quality(joints, lengths));
@@ -278,12 +309,10 @@ impl<'s> Kinematics<'s> {
         };
         let (b, guide) = (self.point(*outer), self.guide(*guide));
         let (length, offset) = (self.length(length, group.0), self.jet(offset));
-        let standing = self.standing(*group);
-        let dyad = rrp::rrp(&standing, b, guide, length, offset, self.mode(*mode));
-        self.set_point(*pin, dyad.pin);
-        self.set_bar(links[0], dyad.bar, [*outer, *pin], length);
-        let block = Frame { origin: dyad.pin, direction: guide.direction };
-        self.set_link(links[1], block, Some(dyad.slide));
+        let scope = self.scope(*group);
+        let solved = rrp::rrp(&scope, b, guide, length, offset, self.mode(*mode));
+        self.set_group(*group, &solved);
+        self.set_bar(links[0], [*outer, *pin], length);
         self.set_origin(links[1], *pin);
         if self.wants_quality(*group) {
             self.qualities.insert(*group, rrp::quality(b, guide, length, offset));
@@ -294,15 +323,9 @@ impl<'s> Kinematics<'s> {
         let Step::Rpr { group, links, outer, offset, mode } = step else { return };
         let joints = outer.map(|joint| self.point(joint));
         let offset = self.jet(offset);
-        let bar = rpr::rpr(&self.standing(*group), joints, offset, self.mode(*mode));
-        let direction = Direction {
-            u: bar.u,
-            omega: bar.omega,
-            alpha: bar.alpha,
-            turned: Some(Turned::start(Carrier::Link(links[1]), self.sheet)),
-        };
-        for (k, slide) in [Some(bar.slide), None].into_iter().enumerate() {
-            self.set_link(links[k], Frame { origin: joints[k], direction }, slide);
+        let solved = rpr::rpr(&self.scope(*group), joints, offset, self.mode(*mode));
+        self.set_group(*group, &solved);
+        for k in 0..2 {
             self.set_origin(links[k], outer[k]);
         }
         if self.wants_quality(*group) {
@@ -313,12 +336,10 @@ impl<'s> Kinematics<'s> {
     fn take_prp(&mut self, step: &'s Step) {
         let Step::Prp { group, links, guides, pin, offsets } = step else { return };
         let guides = guides.map(|guide| self.guide(guide));
-        let pair = prp::prp(&self.standing(*group), guides, self.jets(offsets));
-        self.set_point(*pin, pair.pin);
-        for k in 0..2 {
-            let frame = Frame { origin: pair.pin, direction: guides[k].direction };
-            self.set_link(links[k], frame, Some(pair.slides[k]));
-            self.set_origin(links[k], *pin);
+        let solved = prp::prp(&self.scope(*group), guides, self.jets(offsets));
+        self.set_group(*group, &solved);
+        for &link in links {
+            self.set_origin(link, *pin);
         }
         if self.wants_quality(*group) {
             self.qualities.insert(*group, prp::quality(guides));
@@ -330,13 +351,9 @@ impl<'s> Kinematics<'s> {
         let (b, rail) = (self.point(*outer), self.guide(*guide));
         let relative = self.turned(Direction::ground(self.sheet), slot);
         let slot = rpp::Slot { direction: self.turned(rail.direction, slot), relative };
-        let slides = rpp::rpp(&self.standing(*group), b, rail, slot, self.jets(offsets));
-        let foot = rail.place(slides.rail, Jet::zero(self.sheet));
-        let block = Frame { origin: b, direction: slot.direction };
-        self.set_link(links[0], block, Some(slides.slot));
+        let solved = rpp::rpp(&self.scope(*group), b, rail, slot, self.jets(offsets));
+        self.set_group(*group, &solved);
         self.set_origin(links[0], *outer);
-        let yoke = Frame { origin: foot, direction: rail.direction };
-        self.set_link(links[1], yoke, Some(slides.rail));
         if self.wants_quality(*group) {
             self.qualities.insert(*group, rpp::quality(rail, slot));
         }

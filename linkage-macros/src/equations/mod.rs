@@ -12,24 +12,24 @@
 //! the same code on numbers of twice the width:
 //!
 //! - next to each limit, at 1e-1 to 1e-15 of the lengths from it, with and without fused
-//!   operations (`tests/near_limits.rs` holds these bounds);
+//!   operations (`tests/limits/near_limits.rs` holds these bounds);
 //! - on ten million random poses a group and width, of lengths up to 100 : 1, of any place and size,
-//!   half of them next to a limit, without fused operations, and from the worst of them uphill
-//!   (`examples/worst_poses`, seed 1).
+//!   half of them next to a limit, without fused operations, and climbing from the worst of them
+//!   to one worse still: the hill-climbed worst case (`worst_poses` of the laboratory, seed 1).
 //!
-//! Uphill leads to poses whose data happen to matter little: joints on one axis, guides along
+//! The climb leads to poses whose data happen to matter little: joints on one axis, guides along
 //! another, results whose terms cancel. They fix a direction better than a unit vector of the
 //! width can hold, so a large factor there stands before a small error.
 
 mod clearance;
 mod crank;
 mod double_word;
-mod expressions;
-mod groups;
+mod expressed;
 mod guide;
 mod jet;
 mod kinematics;
 mod motion;
+mod parts;
 mod point;
 mod prp;
 mod rpp;
@@ -44,59 +44,67 @@ pub(crate) mod tests;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::motion::Direction;
-use crate::equations::symbol::{Sheet, Vector};
+use crate::equations::symbol::Sheet;
+use crate::interface::Interface;
+use crate::interface::entries::Entry;
+use crate::interface::quantity::Order;
+use crate::interface::records::{Kind, Shape, is_margin};
 use crate::ir::construct::Rule;
 use crate::ir::graph::{Id, Node};
-use crate::ir::liveness::{Course, live};
-use crate::ir::program::{Entry, EntryKind, Program};
+use crate::ir::liveness::{Path, live};
+use crate::ir::program::{Answer, Program};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
 /// The mechanism's program: one graph with every entry point's values, made under the rules.
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     let sheet = Sheet::new(rules);
-    let entries = entries(mechanism, &sheet, rules);
+    let answers = answers(mechanism, &sheet, rules);
     let clearances = clearance::clearances(mechanism, &sheet);
     Program {
         graph: sheet.into_graph(),
-        entries,
+        answers,
         clearances,
         groups: mechanism.groups.iter().map(|group| group.title.clone()).collect(),
     }
 }
 
-fn entries<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, rules: &[Rule]) -> Vec<Entry> {
-    let given = Kinematics::of(sheet, mechanism, free_inputs(mechanism, sheet));
-    let full = [EntryKind::Position, EntryKind::Velocity, EntryKind::Motion];
-    let mut entries = Vec::from(motion_entries(&given, full));
-    entries.push(coefficients(mechanism, sheet));
-    if has_bare_angle(mechanism, rules) {
-        let at = Kinematics::of(sheet, mechanism, vec![on_the_circle(sheet)]);
-        entries.extend(motion_entries(
-            &at,
-            [EntryKind::PositionAt, EntryKind::VelocityAt, EntryKind::MotionAt],
-        ));
+/// What every entry point that the mechanism can have asks, one after the other.
+fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, rules: &[Rule]) -> Vec<Answer> {
+    let interface = Interface::of(mechanism);
+    let given = Kinematics::of(sheet, mechanism, Source::free(mechanism, sheet));
+    let has_bare_angle = has_bare_angle(mechanism, rules);
+    let mut on_circle = None;
+    let mut answers = Vec::new();
+    for entry in &interface.entries {
+        let kinematics = match entry.takes_cosine() {
+            true if !has_bare_angle => continue,
+            true => on_circle.get_or_insert_with(|| {
+                Kinematics::of(sheet, mechanism, vec![Source::on_the_circle(sheet)])
+            }),
+            false => &given,
+        };
+        let sinks = sinks(&interface, entry, kinematics);
+        answers.push(Answer { entry: entry.name, sinks });
     }
-    if mechanism.outputs.iter().any(|output| is_quality(&output.kind)) {
-        entries.push(margins(&given));
-    }
-    entries
+    answers
 }
 
-/// Inputs whose value, rate and second rate are given.
-fn free_inputs<'s>(mechanism: &Mechanism, sheet: &'s Sheet<'s>) -> Vec<Source<'s>> {
-    (0..mechanism.inputs.len() as u32)
-        .map(|input| {
-            let order = |order| sheet.node(Node::Input { input, order });
-            Source { jet: Jet { value: order(0), rate: order(1), accel: order(2) }, unit: None }
-        })
-        .collect()
-}
-
-/// The only input, its cosine and sine given in place of its value.
-fn on_the_circle<'s>(sheet: &'s Sheet<'s>) -> Source<'s> {
-    let order = |order| sheet.node(Node::Input { input: 0, order });
-    let unit = Vector { x: sheet.node(Node::InputCos(0)), y: sheet.node(Node::InputSin(0)) };
-    Source { jet: Jet { value: order(0), rate: order(1), accel: order(2) }, unit: Some(unit) }
+/// The numbers of an entry point's result, in the order of its shape.
+fn sinks(interface: &Interface, entry: &Entry, kinematics: &Kinematics<'_>) -> Vec<Id> {
+    match entry.result {
+        Shape::Matrix { .. } => coefficients(kinematics.mechanism, kinematics.sheet),
+        Shape::Record(record) => match interface.record(record).kind {
+            Kind::Outputs(order) => components(kinematics, order),
+            Kind::Motion => {
+                Order::ALL.into_iter().flat_map(|order| components(kinematics, order)).collect()
+            }
+            Kind::Margins => margins(kinematics),
+            Kind::Inputs => unreachable!("inputs are no result"),
+        },
+        Shape::Number | Shape::List(_) | Shape::Quantity(..) => {
+            unreachable!("what an entry point returns is a record or a matrix")
+        }
+    }
 }
 
 /// Whether the only input occurs bare as an angle and nowhere else, so that its cosine and sine
@@ -107,129 +115,84 @@ fn has_bare_angle(mechanism: &Mechanism, rules: &[Rule]) -> bool {
         return false;
     }
     let trial = Sheet::new(rules);
-    let at = Kinematics::of(&trial, mechanism, vec![on_the_circle(&trial)]);
-    let sinks: Vec<Id> = positions(&at).into_iter().chain(rates(&at, Order::Second)).collect();
+    let at = Kinematics::of(&trial, mechanism, vec![Source::on_the_circle(&trial)]);
+    let sinks: Vec<Id> = [Order::Position, Order::Acceleration]
+        .into_iter()
+        .flat_map(|order| components(&at, order))
+        .collect();
     let graph = trial.into_graph();
-    let live = live(&graph, &sinks, Course::Careful);
+    let live = live(&graph, &sinks, Path::Slow);
     !graph.iter().any(|(id, node)| live[id.index()] && matches!(node, Node::Input { order: 0, .. }))
 }
 
-fn motion_entries(kinematics: &Kinematics<'_>, kinds: [EntryKind; 3]) -> [Entry; 3] {
-    let position = positions(kinematics);
-    let velocity = rates(kinematics, Order::First);
-    let acceleration = rates(kinematics, Order::Second);
-    let motion = [&position[..], &velocity, &acceleration].concat();
-    let [first, second, third] = kinds;
-    [
-        Entry { kind: first, sinks: position },
-        Entry { kind: second, sinks: velocity },
-        Entry { kind: third, sinks: motion },
-    ]
-}
-
 /// The velocities at a unit rate of each input in turn, the others at rest.
-fn coefficients<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Entry {
+fn coefficients<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Vec<Id> {
     let zero = sheet.zero();
     let sinks = (0..mechanism.inputs.len()).flat_map(|moving| {
-        let mut inputs = free_inputs(mechanism, sheet);
+        let mut inputs = Source::free(mechanism, sheet);
         for (index, source) in inputs.iter_mut().enumerate() {
             source.jet.rate = sheet.integer(i64::from(index == moving));
             source.jet.accel = zero;
         }
-        rates(&Kinematics::of(sheet, mechanism, inputs), Order::First)
+        components(&Kinematics::of(sheet, mechanism, inputs), Order::Velocity)
     });
-    Entry { kind: EntryKind::Coefficients, sinks: sinks.collect() }
+    sinks.collect()
 }
 
-fn margins(kinematics: &Kinematics<'_>) -> Entry {
-    let outputs = &kinematics.mechanism.outputs;
-    let sinks = outputs
-        .iter()
-        .filter(|output| is_quality(&output.kind))
-        .map(|output| value(kinematics, output).value.id)
-        .collect();
-    Entry { kind: EntryKind::Margins, sinks }
+/// What exists also where the pose does not.
+fn margins(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    let outputs = kinematics.mechanism.outputs.iter().filter(|output| is_margin(output));
+    outputs.map(|output| value(kinematics, output).value.id).collect()
 }
 
-fn is_quality(kind: &OutputKind) -> bool {
-    matches!(kind, OutputKind::Margin(_) | OutputKind::Transmission(_))
+/// The components of every output at one order, each output's in the order of its quantity's.
+fn components(kinematics: &Kinematics<'_>, order: Order) -> Vec<Id> {
+    let outputs = kinematics.mechanism.outputs.iter();
+    outputs.flat_map(|output| components_of(kinematics, output, order)).collect()
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Order {
-    First,
-    Second,
-}
-
-/// The components of every output's position.
-fn positions(kinematics: &Kinematics<'_>) -> Vec<Id> {
-    let mut sinks = Vec::new();
-    for output in &kinematics.mechanism.outputs {
-        match &output.kind {
-            OutputKind::Point(point) => {
-                let position = kinematics.point(*point).position();
-                sinks.extend([position.x.id, position.y.id]);
-            }
-            OutputKind::Link { link, direction, slide } => {
-                let link = kinematics.link(*link);
-                if *direction {
-                    let u = link.frame.direction.u;
-                    sinks.extend([u.x.id, u.y.id]);
-                }
-                if *slide {
-                    sinks.extend(link.slide.map(|slide| slide.value.id));
-                }
-            }
-            OutputKind::Turn(_) => {
-                let u = turn(kinematics, output).u;
-                sinks.extend([u.x.id, u.y.id]);
-            }
-            _ => sinks.push(value(kinematics, output).value.id),
+fn components_of(kinematics: &Kinematics<'_>, output: &Output, order: Order) -> Vec<Id> {
+    match &output.kind {
+        OutputKind::Point(point) => {
+            let point = kinematics.point(*point);
+            let at = match order {
+                Order::Position => point.position(),
+                Order::Velocity => point.velocity,
+                Order::Acceleration => point.acceleration,
+            };
+            vec![at.x.id, at.y.id]
         }
+        OutputKind::Link { link, direction, slide } => {
+            let link = kinematics.link(*link);
+            let turned = direction.then(|| of_direction(link.frame.direction, order));
+            let slid = slide.then_some(link.slide).flatten().map(|slide| of_jet(slide, order));
+            turned.into_iter().flatten().chain(slid).collect()
+        }
+        OutputKind::Angle(_) => of_direction(turn(kinematics, output), order),
+        _ => vec![of_jet(value(kinematics, output), order)],
     }
-    sinks
 }
 
-/// The components of every output's velocity or acceleration.
-fn rates(kinematics: &Kinematics<'_>, order: Order) -> Vec<Id> {
-    let of_direction = |direction: Direction<'_>| match order {
-        Order::First => direction.omega.id,
-        Order::Second => direction.alpha.id,
-    };
-    let of_jet = |jet: Jet<'_>| match order {
-        Order::First => jet.rate.id,
-        Order::Second => jet.accel.id,
-    };
-    let mut sinks = Vec::new();
-    for output in &kinematics.mechanism.outputs {
-        match &output.kind {
-            OutputKind::Point(point) => {
-                let point = kinematics.point(*point);
-                let rate = match order {
-                    Order::First => point.velocity,
-                    Order::Second => point.acceleration,
-                };
-                sinks.extend([rate.x.id, rate.y.id]);
-            }
-            OutputKind::Link { link, direction, slide } => {
-                let link = kinematics.link(*link);
-                if *direction {
-                    sinks.push(of_direction(link.frame.direction));
-                }
-                if *slide {
-                    sinks.extend(link.slide.map(of_jet));
-                }
-            }
-            OutputKind::Turn(_) => sinks.push(of_direction(turn(kinematics, output))),
-            _ => sinks.push(of_jet(value(kinematics, output))),
-        }
+/// A position is a unit vector, a rate the angle's.
+fn of_direction(direction: Direction<'_>, order: Order) -> Vec<Id> {
+    match order {
+        Order::Position => vec![direction.u.x.id, direction.u.y.id],
+        Order::Velocity => vec![direction.omega.id],
+        Order::Acceleration => vec![direction.alpha.id],
     }
-    sinks
+}
+
+fn of_jet(jet: Jet<'_>, order: Order) -> Id {
+    match order {
+        Order::Position => jet.value.id,
+        Order::Velocity => jet.rate.id,
+        Order::Acceleration => jet.accel.id,
+    }
 }
 
 /// A named angle as a direction.
 fn turn<'s>(kinematics: &Kinematics<'s>, output: &Output) -> Direction<'s> {
-    let OutputKind::Turn(turn) = &output.kind else { unreachable!("only named angles come here") };
+    let OutputKind::Angle(turn) = &output.kind else { unreachable!("only named angles come here") };
     kinematics.turned(Direction::ground(kinematics.sheet), turn)
 }
 

@@ -55,20 +55,20 @@ pub(crate) struct Direction<'s> {
     pub omega: Sym<'s>,
     pub alpha: Sym<'s>,
     /// Where the direction was made by turning another's.
-    pub turned: Option<Turned<'s>>,
+    pub turned: Option<RelativeAngle<'s>>,
 }
 
 /// Whose x a direction is turned from, and by which angle: two directions on one carrier enclose
 /// the difference of their angles, however small it is. Constant turns are kept apart, so that
 /// the angle between two directions of one moving link is a constant.
 #[derive(Clone, Copy)]
-pub(crate) struct Turned<'s> {
+pub(crate) struct RelativeAngle<'s> {
     carrier: Carrier,
     moving: Sym<'s>,
     constant: Sym<'s>,
 }
 
-impl<'s> Turned<'s> {
+impl<'s> RelativeAngle<'s> {
     /// The carrier's own x.
     pub(crate) fn start(carrier: Carrier, sheet: &'s Sheet<'s>) -> Self {
         Self { carrier, moving: sheet.zero(), constant: sheet.zero() }
@@ -117,6 +117,15 @@ impl<'s> PointMotion<'s> {
         self.base + self.offset
     }
 
+    /// The coordinates in ground axes, with their rates.
+    pub(crate) fn coordinates(self) -> [Jet<'s>; 2] {
+        let (value, rate, accel) = (self.position(), self.velocity, self.acceleration);
+        [
+            Jet { value: value.x, rate: rate.x, accel: accel.x },
+            Jet { value: value.y, rate: rate.y, accel: accel.y },
+        ]
+    }
+
     /// The vector from this point to the other.
     pub(crate) fn to(self, other: Self) -> Vector<'s> {
         (other.base - self.base) + (other.offset - self.offset)
@@ -160,7 +169,7 @@ impl<'s> Direction<'s> {
             u: Vector { x: one, y: zero },
             omega: zero,
             alpha: zero,
-            turned: Some(Turned::start(Carrier::Ground, sheet)),
+            turned: Some(RelativeAngle::start(Carrier::Ground, sheet)),
         }
     }
 

@@ -29,17 +29,18 @@
 //! ```
 //!
 //! # Error
-//! At most 4 times what the data allow next to a slot along its rail, however near. On random poses
-//! 2.5 times for positions, 2.3 for velocities, 2.6 for accelerations; uphill 3.3, 3.2 and 5.9.
+//! At most 4 times what the data allow next to a slot along its rail, however near. On
+//! random poses 2.5 times for positions, 2.3 for velocities, 2.6 for accelerations; in the
+//! hill-climbed worst case 3.3, 3.2 and 5.9.
 //!
 //! # Source
 //! As for PRP; the two directions enclose the slot's angle, whose sine and cosine are exact where
 //! it is a multiple of 90° or 30°. They are taken from β itself: the difference of the rounded
 //! angles of slot and rail would lose every digit that β is small by.
 
-use crate::equations::groups::{Place, Quality, Slides};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::parts::{GroupScope, LimitMeasures, LinkMotion, Solved};
 use crate::equations::symbol::Vector;
 use crate::ir::graph::Check;
 
@@ -51,24 +52,28 @@ pub(super) struct Slot<'s> {
 }
 
 pub(super) fn rpp<'s>(
-    place: &Place<'s>,
+    scope: &GroupScope<'s>,
     b: PointMotion<'s>,
     rail: Frame<'s>,
     slot: Slot<'s>,
     offsets: [Jet<'s>; 2],
-) -> Slides<'s> {
+) -> Solved<'s> {
     let (u1, n1) = (rail.direction.u, rail.direction.n());
     let (u2, n2) = (slot.direction.u, slot.direction.n());
     let Direction { u: Vector { x: cosine, y: sine }, omega: beta_rate, alpha: beta_accel, .. } =
         slot.relative;
-    let inverse = sine.provided(Check::Nonzero, place.group, &[]).recip();
+    let inverse = sine.provided(Check::Nonzero, scope.group, &[]).recip();
+    scope.call("inverse sin", inverse);
     let [e1, e2] = offsets;
 
     let from = rail.origin.to(b);
-    let y = place.sheet.det(u1.x, from.y, u1.y, from.x);
+    let y = scope.sheet.det(u1.x, from.y, u1.y, from.x);
     let s2 = (y - e1.value - e2.value * cosine) * inverse;
     let s1 = from.dot(u1) + e2.value * sine - s2 * cosine;
 
+    scope.call("y", y);
+    scope.call("s2", s2);
+    scope.call("s1", s1);
     let slides = |w: Vector<'s>| {
         let second = w.dot(n1) * inverse;
         [w.dot(u1) - second * cosine, second]
@@ -78,6 +83,8 @@ pub(super) fn rpp<'s>(
     let pushed = e1.rate * n1 + e2.rate * n2;
     let (carried, _) = rail.transport(from, pushed);
     let w = b.velocity - (carried + beta_rate * rho2.normal() + pushed);
+    scope.call_vector("rho2", rho2);
+    scope.call_vector("w", w);
     let rate = slides(w);
 
     let (_, carried) = rail.transport(from, w + pushed);
@@ -86,13 +93,18 @@ pub(super) fn rpp<'s>(
         - (beta_rate * (rail.direction.omega.twice() + beta_rate)) * rho2
         + beta_rate.twice() * sigma2.normal();
     let accel = slides(b.acceleration - (carried + turned + e1.accel * n1 + e2.accel * n2));
-    Slides {
-        rail: Jet { value: s1, rate: rate[0], accel: accel[0] },
-        slot: Jet { value: s2, rate: rate[1], accel: accel[1] },
-    }
+    let on_rail = Jet { value: s1, rate: rate[0], accel: accel[0] };
+    let in_slot = Jet { value: s2, rate: rate[1], accel: accel[1] };
+    let foot = rail.place(on_rail, Jet::zero(scope.sheet));
+    let link = |origin, direction, slide| LinkMotion {
+        frame: Frame { origin, direction },
+        slide: Some(slide),
+    };
+    let links = vec![link(b, slot.direction, in_slot), link(foot, rail.direction, on_rail)];
+    Solved { links, pin: None }
 }
 
 /// The sine of the angle between rail and slot, not negative.
-pub(super) fn quality<'s>(rail: Frame<'s>, slot: Slot<'s>) -> Quality<'s> {
-    Quality::of_directions(rail.direction, slot.direction, slot.relative.u.y)
+pub(super) fn quality<'s>(rail: Frame<'s>, slot: Slot<'s>) -> LimitMeasures<'s> {
+    LimitMeasures::of_directions(rail.direction, slot.direction, slot.relative.u.y)
 }

@@ -26,47 +26,51 @@
 //! `ahead` (+1): s positive.
 //!
 //! # Error
-//! At most 4 times what the data allow next to the limit, and without an offset at the pivot. On
-//! random poses 1.9 times for positions, 2.6 for velocities, 12.2 for accelerations; uphill 2.3, 3.4
-//! and 46. Where the joints' difference is exact, so is s, within ε of itself; `numerics
-//! compensated;` puts the rounding of that difference back where both joints are given by inputs
-//! and constants (`tests/compensated.rs`).
+//! At most 4 times what the data allow next to the limit, and without an offset at the
+//! pivot. On random poses 1.9 times for positions, 2.6 for velocities, 12.2 for accelerations; in
+//! the hill-climbed worst case 2.3, 3.4 and 46. Where the joints' difference is exact, so is s,
+//! within ε of itself; `numerics compensated;` puts the rounding of that difference back where both
+//! joints are given by inputs and constants (`tests/limits/compensated.rs`).
 //!
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.
 
-use crate::equations::clearance::{Clearance, size};
 use crate::equations::double_word::DoubleWord;
-use crate::equations::groups::{Place, Quality, SlottedBar, root_in_reach};
 use crate::equations::jet::Jet;
-use crate::equations::motion::PointMotion;
+use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
+use crate::equations::parts::{
+    Clearance, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
+};
 use crate::equations::symbol::Sym;
 use crate::ir::graph::Check;
-use crate::model::mechanism::Numerics;
+use crate::model::mechanism::{Carrier, Numerics};
 
 pub(super) fn rpr<'s>(
-    place: &Place<'s>,
+    scope: &GroupScope<'s>,
     [b, d]: [PointMotion<'s>; 2],
     offset: Jet<'s>,
     mode: Sym<'s>,
-) -> SlottedBar<'s> {
-    let from = d.to(b);
+) -> Solved<'s> {
+    let from = scope.call_vector("b", d.to(b));
     let e = offset.value;
     let square = from.dot(from);
-    let sound = square.provided(Check::Square, place.group, &[]);
+    let sound = scope.call("b2", square.provided(Check::Square, scope.group, &[]));
     let (s, u, inverse) = if e.is_zero() {
         // s² = b²: 1/s = s/b², the division beside the root, and u = b/s.
         let s = mode * sound.sqrt();
         let inverse = s * sound.recip();
         (s, inverse * from, inverse)
     } else {
-        let left = left_of_offset(place.numerics, [b, d], offset).value;
+        let left = left_of_offset(scope.numerics, [b, d], offset).value;
         let operands = [from.x, from.y, e];
-        let left = left.provided(Check::ReachOffset, place.group, &operands);
+        let left = scope.call("s2", left.provided(Check::ReachOffset, scope.group, &operands));
         let s = mode * left.sqrt();
         let u = sound.recip() * (s * from - e * from.normal());
-        (s, u, s * left.provided(Check::Nonzero, place.group, &[]).recip())
+        (s, u, s * left.provided(Check::Nonzero, scope.group, &[]).recip())
     };
+    scope.call("s", s);
+    scope.call("inverse s", inverse);
+    scope.call_vector("u", u);
     let [along, across] = b.rates_against(d, u);
     let omega = (across.velocity - offset.rate) * inverse;
     let slide_rate = if e.is_zero() {
@@ -79,7 +83,10 @@ pub(super) fn rpr<'s>(
     let slide_accel =
         along.acceleration + alpha * e + omega.squared() * s + (omega * offset.rate).twice();
     let slide = Jet { value: s, rate: slide_rate, accel: slide_accel };
-    SlottedBar { u, omega, alpha, slide }
+    let turned = Some(RelativeAngle::start(Carrier::Link(scope.links[1]), scope.sheet));
+    let direction = Direction { u, omega, alpha, turned };
+    let link = |origin, slide| LinkMotion { frame: Frame { origin, direction }, slide };
+    Solved { links: vec![link(b, Some(slide)), link(d, None)], pin: None }
 }
 
 /// s² = b² − e², which is smooth, vanishes at the limit and is negative out of reach; its value
@@ -105,17 +112,17 @@ pub(super) fn quality<'s>(
     numerics: Numerics,
     [b, d]: [PointMotion<'s>; 2],
     e: Jet<'s>,
-) -> Quality<'s> {
+) -> LimitMeasures<'s> {
     let [x, y] = d.jets_to(b);
     let reach = x.hypot(y);
     if e.is_zero() {
         let one = Jet::constant(e.value.sheet().integer(1));
-        return Quality { margin: Some(reach), transmission: one };
+        return LimitMeasures { margin: Some(reach), transmission: one };
     }
     let left = left_of_offset(numerics, [b, d], e);
     let zero = Jet::zero(e.value.sheet());
     let transmission = root_in_reach(left) / reach;
-    Quality { margin: Some(left / (reach + e.hypot(zero))), transmission }
+    LimitMeasures { margin: Some(left / (reach + e.hypot(zero))), transmission }
 }
 
 /// b² − e².

@@ -34,60 +34,66 @@
 //! `ahead` (+1): C ahead of the foot of B on the guide, along its direction.
 //!
 //! # Error
-//! At most 4 times what the data allow next to the limit. On random poses 2.2 times for positions,
-//! 10.5 for velocities, 7.1 for accelerations; uphill 2.8, 32 and 41, with guides nearly along an
-//! axis through the origin. The pin is as right as its slide or its bar is long, whichever carries
-//! it. With `numerics compensated;` X is within 2.5 ε of itself however near the limit, if length,
-//! offset and y are exact (`tests/compensated.rs`).
+//! At most 4 times what the data allow next to the limit. On random poses 2.2 times for
+//! positions, 10.5 for velocities, 7.1 for accelerations; in the hill-climbed worst case 2.8, 32
+//! and 41, with guides nearly along an axis through the origin. The pin is as right as its slide or
+//! its bar is long, whichever carries it. With `numerics compensated;` X is within 2.5 ε of itself
+//! however near the limit, if length, offset and y are exact (`tests/limits/compensated.rs`).
 //!
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (slider-crank) in the axes of the guide.
 
-use crate::equations::clearance::{Clearance, size};
 use crate::equations::double_word::DoubleWord;
-use crate::equations::groups::{Bar, Block, Place, Quality, SlidingDyad, root_in_reach};
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
+use crate::equations::parts::{
+    Bar, Block, Clearance, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
+};
 use crate::equations::symbol::Sym;
 use crate::ir::graph::Check;
 use crate::model::mechanism::Numerics;
 
 pub(super) fn rrp<'s>(
-    place: &Place<'s>,
+    scope: &GroupScope<'s>,
     b: PointMotion<'s>,
     guide: Frame<'s>,
     length: Jet<'s>,
     offset: Jet<'s>,
     mode: Sym<'s>,
-) -> SlidingDyad<'s> {
+) -> Solved<'s> {
     let (u, n) = (guide.direction.u, guide.direction.n());
-    let from = guide.origin.to(b);
-    let foot = from.dot(u);
-    let (l, t) = (length.value, across(b, guide, offset).value);
-    let square = match place.numerics {
+    let from = scope.call_vector("rho", guide.origin.to(b));
+    let foot = scope.call("x", from.dot(u));
+    let (l, t) = (length.value, scope.call("t", across(b, guide, offset).value));
+    let square = match scope.numerics {
         Numerics::Plain => legs(b, guide, length, offset).value,
         Numerics::Compensated => carried(l, offset.value, distance(b, guide)),
     };
-    let square = square.provided(Check::ReachLine, place.group, &[t, l]);
-    let reach = mode * square.sqrt();
-    let slide = foot + reach;
-    let r = reach * u + t * n;
+    let square = square.provided(Check::ReachLine, scope.group, &[t, l]);
+    let reach = scope.call("reach", mode * square.sqrt());
+    let slide = scope.call("slide", foot + reach);
+    let r = scope.call_vector("r", reach * u + t * n);
     let bar = Bar::new(b, r, length);
 
     // 1/X = X/X²: the division runs beside the root.
-    let inverse = reach * square.provided(Check::Nonzero, place.group, &[]).recip();
-    let v = b.velocity - guide.transport(from, place.sheet.zero_vector()).0;
+    let inverse = reach * square.provided(Check::Nonzero, scope.group, &[]).recip();
+    scope.call("inverse reach", inverse);
+    let v = b.velocity - guide.transport(from, scope.sheet.zero_vector()).0;
     let a = b.acceleration - guide.transport(from, v).1;
+    scope.call_vector("v", v);
+    scope.call_vector("a", a);
     // The bar's direction in the guide's axes; of a bar of constant length nothing of it remains.
     let (along, across) = (reach * l.recip(), t * l.recip());
     let omega = (offset.rate - v.dot(n) - length.rate * across) * inverse;
     let slide_rate = v.dot(u) - omega * t + length.rate * along;
+    scope.call("omega", omega);
     let coriolis = (omega * length.rate).twice();
     let pushed_across = length.accel * across + coriolis * along;
     let pushed_along = length.accel * along - coriolis * across;
     let alpha = (offset.accel - a.dot(n) + omega.squared() * t - pushed_across) * inverse;
     let slide_accel = a.dot(u) - alpha * t - omega.squared() * reach + pushed_along;
 
+    scope.call("alpha", alpha);
     let Direction { omega: guide_omega, alpha: guide_alpha, .. } = guide.direction;
     let bar = bar.turning(guide_omega + omega, guide_alpha + alpha);
     // A guide that stands still carries the pin, along an axis without touching the guide's own
@@ -103,7 +109,9 @@ pub(super) fn rrp<'s>(
         PointMotion { base: on_bar.base, offset: on_bar.offset, ..on_guide }
     };
     let slide = Jet { value: slide, rate: slide_rate, accel: slide_accel };
-    SlidingDyad { pin, bar, slide }
+    let block =
+        LinkMotion { frame: Frame { origin: pin, direction: guide.direction }, slide: Some(slide) };
+    Solved { links: vec![bar.link(scope.links[0]), block], pin: Some(pin) }
 }
 
 /// The distance y of B from the guide.
@@ -139,9 +147,9 @@ pub(super) fn quality<'s>(
     guide: Frame<'s>,
     l: Jet<'s>,
     offset: Jet<'s>,
-) -> Quality<'s> {
+) -> LimitMeasures<'s> {
     let square = legs(b, guide, l, offset);
-    Quality { margin: Some(square / l.twice()), transmission: root_in_reach(square) / l }
+    LimitMeasures { margin: Some(square / l.twice()), transmission: root_in_reach(square) / l }
 }
 
 /// X².

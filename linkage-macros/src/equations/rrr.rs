@@ -45,17 +45,17 @@
 //! W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle, for the product form.
 //!
 //! # Error
-//! At most 4 times what the data allow next to the stretched bars, to the folded ones, and where
-//! the outer joints of equal bars meet. On random poses 2.5 times for positions, 11.2 for
-//! velocities, 5.9 for accelerations; uphill 3.3, 25 and 16, where a long bar's end moves fast and
-//! the pin at its other end hardly: the velocity of a pin between moving joints is that of the first
-//! joint and its bar's.
+//! At most 4 times what the data allow next to the stretched bars, to the folded ones, and
+//! where the outer joints of equal bars meet. On random poses 2.5 times for positions, 11.2 for
+//! velocities, 5.9 for accelerations; in the hill-climbed worst case 3.3, 25 and 16, where a long
+//! bar's end moves fast and the pin at its other end hardly: the velocity of a pin between moving
+//! joints is that of the first joint and its bar's.
 //!
 //! With `numerics compensated;` S is right to a few last places however near the toggle, if lengths
 //! and joints are exact: constants count with all their digits, and the rounding errors of sums,
 //! of squares, and of the difference of two joints that are given by inputs and constants are put
 //! back. Directions are then within 5.5 ε, and ω and α lose no more than their own formulas do
-//! (`tests/compensated.rs`). A crank's pin is rounded before the group sees it, by as much as
+//! (`tests/limits/compensated.rs`). A crank's pin is rounded before the group sees it, by as much as
 //! the difference D − B is rounded after; neither is put back.
 //!
 //! # Numbers
@@ -63,11 +63,12 @@
 //! constants and accelerations are asked for. A parallelogram (l₂ = |AB|, l₃ … equal in pairs)
 //! passes through change points where a constant mode turns it into an antiparallelogram.
 
-use crate::equations::clearance::{Clearance, size};
 use crate::equations::double_word::DoubleWord;
-use crate::equations::groups::{Bar, Dyad, Place, Quality, root_in_reach};
 use crate::equations::jet::Jet;
 use crate::equations::motion::PointMotion;
+use crate::equations::parts::{
+    Bar, Clearance, GroupScope, LimitMeasures, Solved, root_in_reach, size,
+};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
 use crate::model::mechanism::Numerics;
@@ -91,70 +92,97 @@ struct Triangle<'s> {
 }
 
 pub(super) fn rrr<'s>(
-    place: &Place<'s>,
+    scope: &GroupScope<'s>,
     [b, d]: [PointMotion<'s>; 2],
     lengths: [Jet<'s>; 2],
     mode: Sym<'s>,
-) -> Dyad<'s> {
-    let line = b.to(d);
-    let triangle = triangle(place, [b, d], lengths, mode);
-    let across = triangle.height * line.normal();
-    let r2 = triangle.along[0] * line + across;
-    let r3 = across - triangle.along[1] * line;
+) -> Solved<'s> {
+    let line = scope.call_vector("d", b.to(d));
+    let triangle = triangle(scope, [b, d], lengths, mode);
+    let across = scope.call_vector("h d", triangle.height * line.normal());
+    let r2 = scope.call_vector("r2", triangle.along[0] * line + across);
+    let r3 = scope.call_vector("r3", across - triangle.along[1] * line);
 
     // 1/J = 1/(h d²) = 1/(2 l₂ l₃ √S) = √S/(2 l₂ l₃) · 1/S: the division runs beside the root.
-    let regular = triangle.square.provided(Check::Nonzero, place.group, &[]);
+    let regular = triangle.square.provided(Check::Nonzero, scope.group, &[]);
     let inverse = triangle.scale.twice() * triangle.root * regular.recip();
+    scope.call("inverse j", inverse);
     let bars = [Bar::new(b, r2, lengths[0]), Bar::new(d, r3, lengths[1])];
 
-    let w = bars[1].pushed_velocity() - bars[0].pushed_velocity();
-    let omega = [w.dot(r3) * inverse, w.dot(r2) * inverse];
+    let w = scope.call_vector("w", bars[1].pushed_velocity() - bars[0].pushed_velocity());
+    let omega = [(r3, "w r3"), (r2, "w r2")].map(|(r, name)| scope.call(name, w.dot(r)) * inverse);
+    scope.call("omega2", omega[0]);
+    scope.call("omega3", omega[1]);
     let [near, far] = [0, 1].map(|k| bars[k].lengthening_acceleration(omega[k]));
-    let g = far - near;
-    let [from_second, from_first] = centripetal(&triangle, lengths, omega, -w.dot(line) * inverse);
+    let g = scope.call_vector("g", far - near);
+    let folding = -w.dot(line) * inverse;
+    let [from_second, from_first] = centripetal(scope, &triangle, lengths, omega, folding);
     let alpha = [(g.dot(r3) + from_second) * inverse, (g.dot(r2) + from_first) * inverse];
 
     let bars = [bars[0].turning(omega[0], alpha[0]), bars[1].turning(omega[1], alpha[1])];
     // The pin is carried by the bar that stands on the ground, if one does: one sum less.
     let carrier = usize::from(d.is_fixed());
     let pin = bars[carrier].pin();
-    Dyad { pin, bars }
+    let links = bars.iter().zip(scope.links).map(|(bar, &link)| bar.link(link));
+    Solved { links: links.collect(), pin: Some(pin) }
 }
 
 fn triangle<'s>(
-    place: &Place<'s>,
+    scope: &GroupScope<'s>,
     joints: [PointMotion<'s>; 2],
     lengths: [Jet<'s>; 2],
     mode: Sym<'s>,
 ) -> Triangle<'s> {
     let (d, [l2, l3]) = (joints[0].to(joints[1]), lengths.map(|length| length.value));
     let operands = [d.x, d.y, l2, l3];
-    let inverse = d.dot(d).provided(Check::Square, place.group, &operands).recip();
+    let square = d.dot(d).provided(Check::Square, scope.group, &operands);
+    let inverse = scope.call("inverse d2", scope.call("d2", square).recip());
     let plain = half_sine(joints, lengths);
     let scale = plain.scale.value;
-    let (near, square) = match place.numerics {
-        Numerics::Plain => (plain.near.value, plain.square.value),
+    let (near, rounded, spread) = match scope.numerics {
+        Numerics::Plain => (plain.near.value, plain.square.value, spread(d, [l2, l3], scale)),
         Numerics::Compensated => {
             let [near, far] = carried(d, [l2, l3]);
-            (near, (near * scale) * (far * scale))
+            (near, (near * scale) * (far * scale), d.x.sheet().zero())
         }
     };
-    let square = square.provided(Check::ReachCircles, place.group, &operands);
-    let root = mode * square.sqrt();
-    let height = (l2 * l3).twice() * inverse * root;
+    scope.call("i", near);
+    let circles = [d.x, d.y, l2, l3, spread];
+    let square = scope.call("s", rounded.provided(Check::ReachCircles, scope.group, &circles));
+    let root = scope.call("root s", mode * square.sqrt());
+    let height = scope.call("h", (l2 * l3).twice() * inverse * root);
     // With equal bars a = b = d²/(2 d²) is one half: an identity wherever 1/d² exists.
     let (difference, half) = (l2 - l3, near.half());
     let shares = [half + l2 * difference, half - l3 * difference];
+    scope.call("a d2", shares[0]);
+    scope.call("b d2", shares[1]);
     let along = if difference.is_zero() {
         [d.x.sheet().integer(1).half(); 2]
     } else {
-        shares.map(|share| share * inverse)
+        let decided = |name, share: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
+            let operands = [rounded, d.x, d.y, near, far, spread];
+            let along = (share * inverse).provided(Check::ShareOfCentres, scope.group, &operands);
+            scope.call(name, along)
+        };
+        [decided("a", shares[0], [l2, l3]), decided("b", shares[1], [l3, l2])]
     };
     Triangle { scale, square, root, height, shares, half, along }
 }
 
+/// What S is rounded in the last places of. With i made of d² and (l₂ − l₃)², which its roundings are
+/// shares of, and d² the larger of the two where S is rounded up from below zero, S is wrong by up to
+/// 2.5 ε of d²/4l₂l₃; with d² affine in the crank's cosine and sine by up to 9 ε against the rounded
+/// joints that the limit is decided on (`passes/affine.rs`: 26 ε l²/2 for the form and as much for the
+/// joints at a shortest distance of 2 l). That is (l₂ + l₃)²/4l₂l₃ at most where there is a limit to
+/// pass, known before run time if the lengths are.
+fn spread<'s>(d: Vector<'s>, [l2, l3]: [Sym<'s>; 2], scale: Sym<'s>) -> Sym<'s> {
+    let square = if scale.is_constant() { (l2 + l3).squared() } else { d.dot(d) };
+    square * scale
+}
+
 /// (ω₂² r₂ − ω₃² r₃)·r₃ and ·r₂, with `folding` = ω₂ − ω₃.
 fn centripetal<'s>(
+    scope: &GroupScope<'s>,
     triangle: &Triangle<'s>,
     lengths: [Jet<'s>; 2],
     [omega2, omega3]: [Sym<'s>; 2],
@@ -162,9 +190,10 @@ fn centripetal<'s>(
 ) -> [Sym<'s>; 2] {
     let [l2, l3] = lengths.map(|length| length.value);
     let [to_second, to_third] = triangle.shares;
-    let (square2, square3) = (omega2.squared(), omega3.squared());
+    let square2 = scope.call("omega2 squared", omega2.squared());
+    let square3 = scope.call("omega3 squared", omega3.squared());
     if differ(l2, l3) {
-        let cosine = l2 * l3 - triangle.half;
+        let cosine = scope.call("r2 r3", l2 * l3 - triangle.half);
         return [
             square2 * cosine - square3 * l3.squared(),
             square2 * l2.squared() - square3 * cosine,
@@ -223,10 +252,13 @@ fn carried<'s>(d: Vector<'s>, lengths: [Sym<'s>; 2]) -> [Sym<'s>; 2] {
 
 /// Signed distance from the limit in metres, 2 l₂ l₃ S/d with slope one against d at both toggles,
 /// and sine of the transmission angle, 2 √S.
-pub(super) fn quality<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> Quality<'s> {
+pub(super) fn quality<'s>(
+    joints: [PointMotion<'s>; 2],
+    lengths: [Jet<'s>; 2],
+) -> LimitMeasures<'s> {
     let (square, [x, y]) = (half_sine(joints, lengths).square, joints[0].jets_to(joints[1]));
     let margin = square * ((lengths[0] * lengths[1]).twice() / x.hypot(y));
-    Quality { margin: Some(margin), transmission: root_in_reach(square).twice() }
+    LimitMeasures { margin: Some(margin), transmission: root_in_reach(square).twice() }
 }
 
 /// S. Where one bar is long or the joints are far away, so is the rounding of i against l₂ l₃.

@@ -5,14 +5,17 @@
 //! guide's direction as x.
 
 use crate::equations::jet::Jet;
-use crate::equations::motion::{Frame, PointMotion};
+use crate::equations::motion::Frame;
+use crate::equations::parts::{GroupScope, LinkMotion, Solved};
 
-/// The block's frame and its pin.
 pub(super) fn slider<'s>(
+    scope: &GroupScope<'s>,
     guide: Frame<'s>,
     slide: Jet<'s>,
     offset: Jet<'s>,
-) -> (Frame<'s>, PointMotion<'s>) {
+) -> Solved<'s> {
     let pin = guide.place(slide, offset);
-    (Frame { origin: pin, direction: guide.direction }, pin)
+    scope.call_vector("r", pin.offset);
+    let frame = Frame { origin: pin, direction: guide.direction };
+    Solved { links: vec![LinkMotion { frame, slide: Some(slide) }], pin: Some(pin) }
 }

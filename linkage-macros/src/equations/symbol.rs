@@ -64,6 +64,11 @@ impl<'s> Sheet<'s> {
         Vector { x: self.zero(), y: self.zero() }
     }
 
+    /// Gives the symbol a name in the generated code.
+    pub(crate) fn name(&self, sym: Sym<'s>, name: String) {
+        self.graph.borrow_mut().name(sym.id, name);
+    }
+
     /// a·b − c·d as one operation.
     pub(crate) fn det(&'s self, a: Sym<'s>, b: Sym<'s>, c: Sym<'s>, d: Sym<'s>) -> Sym<'s> {
         self.node(Node::Det([a.id, b.id, c.id, d.id]))

@@ -1,16 +1,20 @@
 //! Atoms: the numbers that arithmetic does not open.
 //!
-//! Equal atoms are the same place in memory, for as long as the compiler runs. So a number that
-//! is built of others shares them, however often it names them: a chain of groups of constants
-//! stays as small as the graph it came from, equality costs nothing, and each atom is evaluated
-//! once.
+//! Of equal atoms there is one. So a number that is built of others shares them, however often it
+//! names them: a chain of groups of constants stays as small as the graph it came from, equality
+//! costs nothing, and each atom is evaluated once.
+//!
+//! They are known to their thread, from when they are made until the [`Scope`] they were made in
+//! ends, which is that of a compilation: a server that compiles one declaration after the other
+//! keeps nothing of them.
 
+use core::borrow::Borrow;
+use core::cell::RefCell;
 use core::cmp::Ordering;
 use core::fmt::{self, Debug, Formatter};
 use core::hash::{Hash, Hasher};
-use core::ptr;
-use std::collections::HashMap;
-use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 use super::enclosure::Enclosure;
 use super::sum::Term;
@@ -35,40 +39,177 @@ pub(super) enum Kind {
     Sum(Exact),
 }
 
-/// An interned atom.
-#[derive(Clone, Copy)]
-pub(super) struct Atom(&'static Interned);
+/// An atom, the only one of its kind.
+#[derive(Clone)]
+pub(super) struct Atom(Rc<Known>);
 
-struct Interned {
+struct Known {
+    /// No two atoms of a thread ever have the same.
+    number: u64,
     kind: Kind,
-    /// The finest enclosure asked for so far.
-    finest: Mutex<Option<Enclosure>>,
+    /// How many atoms stand inside each other here.
+    depth: u32,
 }
 
-static ATOMS: LazyLock<Mutex<HashMap<Kind, Atom>>> = LazyLock::new(Mutex::default);
+/// An atom that is found by what it is.
+struct ByKind(Atom);
+
+impl Borrow<Kind> for ByKind {
+    fn borrow(&self) -> &Kind {
+        self.0.kind()
+    }
+}
+
+impl Hash for ByKind {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.0.kind().hash(state);
+    }
+}
+
+impl PartialEq for ByKind {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.kind() == other.0.kind()
+    }
+}
+
+impl Eq for ByKind {}
+
+/// The atoms of a thread.
+#[derive(Default)]
+struct Atoms {
+    by_kind: HashSet<ByKind>,
+    /// In the order they were made in: what an atom is made of stands before it.
+    made: Vec<Atom>,
+    /// The number of the next one.
+    next: u64,
+    /// The finest enclosure asked for so far, by the atom's number.
+    finest: HashMap<u64, Enclosure>,
+}
+
+thread_local! {
+    static ATOMS: RefCell<Atoms> = RefCell::default();
+}
+
+impl Atoms {
+    fn atom(&mut self, kind: Kind) -> Atom {
+        if let Some(ByKind(atom)) = self.by_kind.get(&kind) {
+            return atom.clone();
+        }
+        let depth = 1 + kind.argument().map_or(0, Exact::depth);
+        let atom = Atom(Rc::new(Known { number: self.next, kind, depth }));
+        self.next += 1;
+        self.by_kind.insert(ByKind(atom.clone()));
+        self.made.push(atom.clone());
+        atom
+    }
+
+    /// The atoms that are not yet known so finely among this one and what it is made of, the
+    /// innermost first.
+    fn coarse(&self, atom: &Atom, bits: u32) -> Vec<Atom> {
+        let is_coarse =
+            |atom: &Atom| self.finest.get(&atom.0.number).is_none_or(|finest| finest.bits() < bits);
+        let mut found = HashMap::new();
+        let mut next = vec![atom.clone()];
+        while let Some(atom) = next.pop() {
+            if !is_coarse(&atom) || found.contains_key(&atom.0.number) {
+                continue;
+            }
+            if let Some(Exact { form: Form::Sum(terms) }) = atom.kind().argument() {
+                let factors = terms.iter().flat_map(|term| &term.factors);
+                next.extend(factors.map(|factor| factor.atom.clone()));
+            }
+            found.insert(atom.0.number, atom);
+        }
+        let mut found: Vec<_> = found.into_values().collect();
+        found.sort_unstable_by_key(|atom| atom.0.number);
+        found
+    }
+
+    /// Forgets all but the first atoms.
+    fn truncate(&mut self, count: usize) {
+        // The last first: what it is made of is still held, so that no drop is inside another.
+        while self.made.len() > count {
+            let Some(last) = self.made.pop() else { return };
+            self.by_kind.remove(last.kind());
+            self.finest.remove(&last.0.number);
+        }
+    }
+}
+
+impl Drop for Atoms {
+    fn drop(&mut self) {
+        self.truncate(0);
+    }
+}
+
+/// Forgets the atoms that were made since it began, when it ends. No number that holds one of
+/// them may be used afterwards: an equal one would be another atom.
+pub(crate) struct Scope {
+    before: usize,
+}
+
+impl Scope {
+    pub(crate) fn begin() -> Self {
+        Self { before: known() }
+    }
+}
+
+impl Drop for Scope {
+    fn drop(&mut self) {
+        ATOMS.with_borrow_mut(|atoms| atoms.truncate(self.before));
+    }
+}
+
+/// How many atoms the thread knows.
+pub(crate) fn known() -> usize {
+    ATOMS.with_borrow(|atoms| atoms.made.len())
+}
+
+impl Kind {
+    /// What the atom is a function of.
+    fn argument(&self) -> Option<&Exact> {
+        match self {
+            Self::Pi => None,
+            Self::Root(argument)
+            | Self::Sin(argument)
+            | Self::Cos(argument)
+            | Self::Asin(argument)
+            | Self::Atan(argument)
+            | Self::Sum(argument) => Some(argument),
+        }
+    }
+}
 
 impl Atom {
     /// The atom of this kind, which is made unless it exists.
     pub(super) fn new(kind: Kind) -> Self {
-        let mut atoms = locked(&ATOMS);
-        if let Some(&atom) = atoms.get(&kind) {
-            return atom;
-        }
-        let interned = Interned { kind: kind.clone(), finest: Mutex::default() };
-        let atom = Self(Box::leak(Box::new(interned)));
-        atoms.insert(kind, atom);
-        atom
+        ATOMS.with_borrow_mut(|atoms| atoms.atom(kind))
     }
 
-    pub(super) fn kind(self) -> &'static Kind {
+    pub(super) fn kind(&self) -> &Kind {
         &self.0.kind
     }
 
+    pub(super) fn depth(&self) -> u32 {
+        self.0.depth
+    }
+
     /// See [`Exact::enclose`].
-    pub(super) fn enclosed(self, bits: u32) -> Option<Enclosure> {
-        if let Some(known) = locked(&self.0.finest).as_ref().filter(|known| known.bits() >= bits) {
-            return Some(known.with_bits(bits));
-        }
+    pub(super) fn enclosed(&self, bits: u32) -> Option<Enclosure> {
+        let number = self.0.number;
+        let known = ATOMS.with_borrow(|atoms| {
+            let finest = atoms.finest.get(&number).filter(|finest| finest.bits() >= bits);
+            finest.map(|finest| finest.with_bits(bits))
+        });
+        known.or_else(|| {
+            // What it is made of comes first, so that no call is inside another.
+            let coarse = ATOMS.with_borrow(|atoms| atoms.coarse(self, bits));
+            coarse.iter().try_fold(None, |_, atom| atom.enclosed_by_parts(bits).map(Some))?
+        })
+    }
+
+    /// The same, and remembers it.
+    fn enclosed_by_parts(&self, bits: u32) -> Option<Enclosure> {
         let enclosure = match self.kind() {
             Kind::Pi => Enclosure::pi(bits),
             Kind::Root(radicand) => radicand.enclosed(bits)?.sqrt()?,
@@ -78,12 +219,12 @@ impl Atom {
             Kind::Atan(tangent) => tangent.enclosed(bits)?.atan(),
             Kind::Sum(sum) => sum.enclosed(bits)?,
         };
-        *locked(&self.0.finest) = Some(enclosure.clone());
+        ATOMS.with_borrow_mut(|atoms| atoms.finest.insert(self.0.number, enclosure.clone()));
         Some(enclosure)
     }
 
     /// Whether the form alone says that the atom is positive.
-    pub(super) fn is_surely_positive(self) -> bool {
+    pub(super) fn is_surely_positive(&self) -> bool {
         match self.kind() {
             Kind::Pi | Kind::Root(_) => true,
             // Multiples of π are between 0 and 45°.
@@ -98,7 +239,7 @@ impl Atom {
 
 impl PartialEq for Atom {
     fn eq(&self, other: &Self) -> bool {
-        ptr::eq(self.0, other.0)
+        self.0.number == other.0.number
     }
 }
 
@@ -106,14 +247,21 @@ impl Eq for Atom {}
 
 impl Hash for Atom {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        ptr::hash(self.0, state);
+        self.0.number.hash(state);
     }
 }
 
-/// By what the atoms are, not by where: the same source is compiled to the same text.
+/// By what the atoms are: the same number has the same text, wherever it stands. Those that are
+/// deep come last and by when they were made, because comparing them is a call in a call.
 impl Ord for Atom {
     fn cmp(&self, other: &Self) -> Ordering {
-        if self == other { Ordering::Equal } else { self.kind().cmp(other.kind()) }
+        const DEEP: u32 = 32;
+        match (self == other, self.depth() > DEEP, other.depth() > DEEP) {
+            (true, ..) => Ordering::Equal,
+            (false, false, false) => self.kind().cmp(other.kind()),
+            (false, true, true) => self.0.number.cmp(&other.0.number),
+            (false, deep, other_deep) => deep.cmp(&other_deep),
+        }
     }
 }
 
@@ -128,9 +276,4 @@ impl Debug for Atom {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         write!(f, "`{}`", Exact::atom(self.kind().clone()))
     }
-}
-
-/// What is guarded is never left half written: a panic elsewhere does not spoil it.
-fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -4,7 +4,7 @@
 //! A number is a [`rational`] or a [`sum`] of products of [`atom`]s in normal form; [`root`] and
 //! [`angle`] hold the identities of roots and of sines and angles. [`evaluation`] finds what a
 //! number amounts to from an [`enclosure`], whose functions are in [`elementary`], and [`rounding`]
-//! makes it a float. [`literal`] and [`display`] are the ways in from text and out to it. No
+//! makes it a float; [`size`] says when there is too much of it. [`literal`] and [`display`] are the ways in from text and out to it. No
 //! identity of the expression graph belongs here: those are passes.
 
 mod angle;
@@ -17,6 +17,7 @@ mod literal;
 mod rational;
 mod root;
 mod rounding;
+mod size;
 mod sum;
 #[cfg(test)]
 mod tests;
@@ -27,6 +28,9 @@ use num_bigint::BigInt;
 use num_traits::One;
 
 use atom::Kind;
+pub(crate) use atom::Scope;
+#[cfg(test)]
+pub(crate) use atom::known as known_atoms;
 pub(crate) use enclosure::Enclosure;
 use rational::Rational;
 use rounding::{Format, NARROW, WIDE};

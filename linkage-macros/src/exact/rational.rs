@@ -4,6 +4,7 @@
 //! words, so that folding them costs nothing even where the compiler itself is not optimised.
 
 use core::cmp::Ordering;
+use core::hash::{Hash, Hasher};
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -13,7 +14,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 /// A reduced fraction with a positive denominator.
 ///
 /// Equal numbers are structurally equal: a number is `Small` whenever both its parts fit.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Rational {
     /// |numerator| ≤ `i64::MAX`, 0 < denominator.
     Small(i64, i64),
@@ -174,6 +175,31 @@ impl Rational {
                 BigRational::new_raw((*numerator).into(), (*denominator).into())
             }
             Self::Big(big) => big.as_ref().clone(),
+        }
+    }
+}
+
+/// By the parts of the reduced fractions. `BigRational` expands both into continued fractions to
+/// compare and to hash them, one call inside the other: thousands of long divisions, and as many
+/// frames on the stack.
+impl PartialEq for Rational {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Small(n1, d1), Self::Small(n2, d2)) => (n1, d1) == (n2, d2),
+            (Self::Big(a), Self::Big(b)) => (a.numer(), a.denom()) == (b.numer(), b.denom()),
+            _ => false,
+        }
+    }
+}
+
+impl Eq for Rational {}
+
+/// See [`Self::eq`].
+impl Hash for Rational {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        match self {
+            Self::Small(numerator, denominator) => (numerator, denominator).hash(state),
+            Self::Big(big) => (big.numer(), big.denom()).hash(state),
         }
     }
 }

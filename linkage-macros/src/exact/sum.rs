@@ -14,7 +14,7 @@ use super::{Exact, Form};
 const EXPANSION_LIMIT: usize = 16;
 
 /// An atom to a power that is not zero.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) struct Factor {
     pub(super) atom: Atom,
     pub(super) power: i32,
@@ -98,16 +98,16 @@ impl Exact {
         let has_divisor = |term: &Term| term.factors.iter().any(|f| f.is_sum() && f.power < 0);
         // The factor is made only where there is something to compare it with.
         terms.iter().any(has_divisor) && {
-            let divisor = self.as_factor().factors[0].atom;
+            let divisor = &self.as_factor().factors[0].atom;
             let is_divided = |term: &Term| {
-                term.factors.iter().any(|factor| factor.atom == divisor && factor.power < 0)
+                term.factors.iter().any(|factor| factor.atom == *divisor && factor.power < 0)
             };
             terms.iter().any(is_divided)
         }
     }
 
     /// What the number is, where it is an atom.
-    pub(super) fn as_atom(&self) -> Option<&'static Kind> {
+    pub(super) fn as_atom(&self) -> Option<&Kind> {
         let term = self.as_term().filter(|term| term.coefficient.is_one())?;
         match term.factors.as_slice() {
             [Factor { atom, power: 1 }] => Some(atom.kind()),
@@ -234,7 +234,7 @@ fn merged(a: &Term, b: &Term) -> Term {
     for factor in &b.factors {
         match factors.binary_search_by(|known| known.atom.cmp(&factor.atom)) {
             Ok(place) => factors[place].power += factor.power,
-            Err(place) => factors.insert(place, *factor),
+            Err(place) => factors.insert(place, factor.clone()),
         }
     }
     factors.retain(|factor| factor.power != 0);
@@ -250,7 +250,7 @@ fn rewritten(mut term: Term) -> Exact {
         return rewritten(term).product_of(&opened);
     }
     match open_sum(&mut term.factors) {
-        Some(terms) => sum_of_products(&[term], terms),
+        Some(terms) => sum_of_products(&[term], &terms),
         None => Exact::collect(vec![term]),
     }
 }
@@ -258,7 +258,7 @@ fn rewritten(mut term: Term) -> Exact {
 /// (√x)^(2k + 1) = x^k·√x: takes x^k out, of either sign.
 fn open_root(factors: &mut Vec<Factor>) -> Option<Exact> {
     let (place, radicand) = find(factors, |factor| match factor.atom.kind() {
-        Kind::Root(radicand) if factor.power != 1 => Some(radicand),
+        Kind::Root(radicand) if factor.power != 1 => Some(radicand.clone()),
         _ => None,
     })?;
     let power = factors[place].power;
@@ -270,7 +270,7 @@ fn open_root(factors: &mut Vec<Factor>) -> Option<Exact> {
 /// √(a·g)·√(b·g) of integers = g·√(a·b).
 fn join_roots(factors: &mut Vec<Factor>) -> Option<Exact> {
     let root_of_integer = |factor: &Factor| match factor.atom.kind() {
-        Kind::Root(Exact { form: Form::Rational(radicand) }) => Some(radicand),
+        Kind::Root(Exact { form: Form::Rational(radicand) }) => Some(radicand.clone()),
         _ => None,
     };
     let (first, m) = find(factors, root_of_integer)?;
@@ -278,18 +278,18 @@ fn join_roots(factors: &mut Vec<Factor>) -> Option<Exact> {
     factors.remove(first + 1 + between);
     factors.remove(first);
     // The fraction m/n = a/b is reduced, and √(a/b) = √(a·b)/b.
-    Some(Exact::root_of_rational(&m.div(n)).scaled(n))
+    Some(Exact::root_of_rational(&m.div(&n)).scaled(&n))
 }
 
 /// sin² x = 1 − cos² x.
 fn open_square_of_sine(factors: &mut Vec<Factor>) -> Option<Exact> {
     let (place, angle) = find(factors, |factor| match factor.atom.kind() {
-        Kind::Sin(angle) if factor.power > 1 => Some(angle),
+        Kind::Sin(angle) if factor.power > 1 => Some(angle.clone()),
         _ => None,
     })?;
     factors[place].power -= 2;
     factors.retain(|factor| factor.power != 0);
-    let cosine = Atom::new(Kind::Cos(angle.clone()));
+    let cosine = Atom::new(Kind::Cos(angle));
     let square = vec![Factor { atom: cosine, power: 2 }];
     Some(Exact::collect(vec![
         Term::rational(Rational::ONE),
@@ -298,16 +298,18 @@ fn open_square_of_sine(factors: &mut Vec<Factor>) -> Option<Exact> {
 }
 
 /// Takes out a small sum that no other sum multiplies or divides, and what is nothing but a sum.
-fn open_sum(factors: &mut Vec<Factor>) -> Option<&'static [Term]> {
-    let (place, terms) = find(factors, |factor| match factor.atom.kind() {
-        Kind::Sum(Exact { form: Form::Sum(terms) }) if factor.power == 1 => Some(terms),
-        _ => None,
-    })?;
+fn open_sum(factors: &mut Vec<Factor>) -> Option<Vec<Term>> {
+    let is_sum = |factor: &Factor| factor.is_sum() && factor.power == 1;
+    let place = factors.iter().position(is_sum)?;
+    let Kind::Sum(Exact { form: Form::Sum(terms) }) = factors[place].atom.kind() else {
+        return None;
+    };
     let alone = factors.len() == 1;
     let others = factors.iter().filter(|factor| factor.is_sum()).count() > 1;
     if !alone && (others || !is_expanded(terms.len(), terms.iter())) {
         return None;
     }
+    let terms = terms.clone();
     factors.remove(place);
     Some(terms)
 }

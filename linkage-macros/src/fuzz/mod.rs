@@ -4,6 +4,7 @@
 //! The ordinary run takes a few seconds. `LINKAGE_FUZZ=1000000 cargo test --release -p
 //! linkage-macros fuzz` mangles a million times, `LINKAGE_FUZZ_SEED` elsewhere.
 
+mod large;
 mod mangle;
 mod seeds;
 

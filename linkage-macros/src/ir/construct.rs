@@ -5,7 +5,7 @@
 
 use crate::exact::Exact;
 use crate::ir::graph::{Graph, Guard, Id, Node};
-use crate::ir::liveness::{Course, live};
+use crate::ir::liveness::{Path, live};
 use crate::ir::program::Program;
 
 /// Looks at a node that is about to be made and answers with what stands for it, if anything
@@ -49,7 +49,7 @@ pub(crate) fn rebuild_with(
     mut replacement: impl FnMut(&mut Maker<'_>, Id, &Moved) -> Option<Id>,
 ) -> Program {
     let old = &program.graph;
-    let live = live(old, &program.sinks(), Course::Careful);
+    let live = live(old, &program.sinks(), Path::Slow);
     let mut graph = Graph::new();
     let mut maker = Maker { graph: &mut graph, rules };
     let mut moved = Moved(vec![None; old.len()]);
@@ -61,15 +61,18 @@ pub(crate) fn rebuild_with(
                 maker.make(node)
             }
         };
+        if let Some(name) = old.name_of(id) {
+            maker.graph.name(new, name.to_string());
+        }
         moved.0[id.index()] = Some(new);
     }
-    let (mut entries, mut clearances) = (program.entries.clone(), program.clearances.clone());
-    let of_entries = entries.iter_mut().flat_map(|entry| &mut entry.sinks);
+    let (mut answers, mut clearances) = (program.answers.clone(), program.clearances.clone());
+    let of_answers = answers.iter_mut().flat_map(|answer| &mut answer.sinks);
     let of_clearances = clearances.iter_mut().flat_map(|clearance| &mut clearance.sinks);
-    for sink in of_entries.chain(of_clearances) {
+    for sink in of_answers.chain(of_clearances) {
         *sink = moved.of(*sink);
     }
-    Program { graph, entries, clearances, groups: program.groups.clone() }
+    Program { graph, answers, clearances, groups: program.groups.clone() }
 }
 
 /// Where the nodes of the old program are in the new one.

@@ -1,4 +1,4 @@
-//! What a set of sinks costs: floating-point operations of the straight line.
+//! What a set of sinks costs: floating-point operations of the fast path.
 //!
 //! Signs, comparisons and constants are free. What `linkage-core` computes by several operations
 //! counts as those of a target with a fused multiply-add.
@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use std::ops::AddAssign;
 
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::liveness::{Course, live, live_nodes, unguarded};
+use crate::ir::liveness::{Path, live, live_nodes, unguarded};
 
 /// Counts of floating-point operations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -33,7 +33,7 @@ impl AddAssign for Operations {
 
 /// The operations that computing the sinks takes, each node once.
 pub(crate) fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
-    let live = live(graph, sinks, Course::Straight);
+    let live = live(graph, sinks, Path::Fast);
     let mut total = Operations::default();
     let (mut turned, mut multiplied) = (HashSet::new(), HashSet::new());
     for (_, node) in live_nodes(graph, &live) {
@@ -46,6 +46,11 @@ pub(crate) fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
                 // A product that a fused operation shares with others is computed once where
                 // nothing is fused, and is no operation more where it is.
                 total.multiplications += u32::from(multiplied.insert(factors(graph, a, b)));
+            }
+            // The comparison with what is not known before run time takes its last places.
+            Node::Guard(..) => {
+                let spread = graph.spread(node).filter(|&id| graph.as_constant(id).is_none());
+                total.multiplications += u32::from(spread.is_some());
             }
             _ => total += of(node),
         }

@@ -38,7 +38,9 @@ pub(crate) enum Node {
         input: u32,
         order: u8,
     },
-    /// The cosine of an input, where an `_at` entry is given it.
+    /// The cosine of an input, where an `_at` entry is given it: with `InputSin` a point of the unit
+    /// circle, which rewrites may take for granted. The run-time crate divides the amplitude out
+    /// of what a resolver gives before any formula sees it.
     InputCos(u32),
     /// The sine of an input, where an `_at` entry is given it.
     InputSin(u32),
@@ -78,37 +80,53 @@ pub(crate) enum Node {
 }
 
 /// A condition on a value. In the generated code's straight line it is one comparison; where that
-/// fails, the careful path looks at the operands and decides.
+/// fails, the slow path looks at the operands and decides.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Guard {
     pub check: Check,
     /// The group whose failure it is: an index into `Program::groups`.
     pub group: u32,
-    /// What the careful path looks at.
+    /// What the slow path looks at.
     pub operands: Vec<Id>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Check {
-    /// Straight line: value > 0. Careful: circles of radii l₁ and l₂ about points d = (dx, dy)
-    /// apart must meet. Operands dx, dy, l₁, l₂. The value is
-    /// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²)/(4 l₁ l₂)²; where it is above zero only without rounding it is
+    /// Fast path: value above what rounding does to it. Slow path: circles of radii l₁ and l₂ about
+    /// points d = (dx, dy) apart must meet. Operands dx, dy, l₁, l₂ and the spread, a number that
+    /// rounding changes the value in the last places of. The value is
+    /// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²)/(4 l₁ l₂)²; where rounding could have changed its sign it is
     /// replaced by what it is without, and at the limit by 0.
     ReachCircles,
-    /// Straight line: value ≥ 0. Careful: |t| ≤ l. Operands t, l. At the limit the value is
-    /// replaced by 0.
+    /// Fast path: nothing. Slow path: where the `ReachCircles` of the first operand, its value, is
+    /// decided without rounding, so is this, (d² + l₁² − l₂²)/2d²; at the limit it is ± l₁/|d|. The
+    /// other operands are those of `ReachCircles`.
+    ShareOfCentres,
+    /// Fast path: value above what rounding does to it. Slow path: a point must have the
+    /// distances r₁ and r₂ from (0, 0) and (l, 0). Operands l, r₁, r₂ and the spread. The value is the
+    /// square of the point's y, replaced as that of `ReachCircles` is.
+    ReachDistances,
+    /// Fast path: value ≥ the smallest number of full precision. Slow path: |t| ≤ l. Operands t, l.
+    /// At the limit the value is replaced by 0.
     ReachLine,
-    /// Straight line: value ≥ 0. Careful: |e| ≤ |(bx, by)|. Operands bx, by, e. At the limit the
+    /// Fast path: value ≥ 0. Slow path: |e| ≤ |(bx, by)|. Operands bx, by, e. At the limit the
     /// value is replaced by 0.
     ReachOffset,
-    /// Straight line: |value| > 0. Careful: zero is `Singular`.
+    /// Fast path: |value| > 0. Slow path: zero is `Singular`.
     Nonzero,
-    /// Straight line: value > 0. Careful: zero or negative is `Invalid` with this name.
+    /// Fast path: value > 0. Slow path: zero or negative is `Invalid` with this name.
     Positive(String),
-    /// Straight line: value ≥ the smallest square of full precision. Careful: a squared length
+    /// Fast path: value ≥ the smallest square of full precision. Slow path: a squared length
     /// below it is refused, as `Singular` where it is the square of zero. With the operands of
     /// `ReachCircles` it is the square of d, and out of reach where the circles do not meet.
     Square,
+}
+
+impl Check {
+    /// Whether the last operand is a spread, which the straight line compares the value with.
+    pub(crate) fn has_spread(&self) -> bool {
+        matches!(self, Self::ReachCircles | Self::ReachDistances)
+    }
 }
 
 /// A constant, and which of 0, 1 and −1 it is: every sum and product asks, and the answer takes an
@@ -161,6 +179,8 @@ pub(crate) struct Graph {
     node_ids: HashMap<Node, Id, BuildHasherDefault<Mixer>>,
     constant_ids: HashMap<Exact, ConstantId>,
     guard_ids: HashMap<Guard, GuardId>,
+    /// What formulas call their values; most values have no name.
+    names: HashMap<Id, String>,
 }
 
 impl Graph {
@@ -204,6 +224,16 @@ impl Graph {
         self.guards.push(guard.clone());
         self.guard_ids.insert(guard, id);
         id
+    }
+
+    /// Gives the value a name, for whoever reads the generated code; the first one stays.
+    pub(crate) fn name(&mut self, id: Id, name: String) {
+        self.names.entry(id).or_insert(name);
+    }
+
+    /// What formulas call the value.
+    pub(crate) fn name_of(&self, id: Id) -> Option<&str> {
+        self.names.get(&id).map(|name| &name[..])
     }
 
     /// The value under the guard.
@@ -269,7 +299,20 @@ impl Graph {
         }
     }
 
-    /// Calls `f` with every operand, what only the careful path looks at included.
+    /// Calls `f` with every operand that the fast path computes or compares with.
+    pub(crate) fn for_fast_operands_of(&self, node: Node, f: &mut impl FnMut(Id)) {
+        node.for_operands(f);
+        self.spread(node).into_iter().for_each(f);
+    }
+
+    /// What a guard's value is compared with.
+    pub(crate) fn spread(&self, node: Node) -> Option<Id> {
+        let Node::Guard(_, guard) = node else { return None };
+        let guard = self.condition(guard);
+        guard.operands.last().copied().filter(|_| guard.check.has_spread())
+    }
+
+    /// Calls `f` with every operand, what only the slow path looks at included.
     pub(crate) fn for_operands_of(&self, node: Node, f: &mut impl FnMut(Id)) {
         if let Node::Guard(_, guard) = node {
             self.condition(guard).operands.iter().for_each(|&operand| f(operand));
@@ -279,7 +322,7 @@ impl Graph {
 }
 
 impl Node {
-    /// Calls `f` with every operand that the straight line computes with.
+    /// Calls `f` with every operand that the fast path computes with.
     pub(crate) fn for_operands(self, f: &mut impl FnMut(Id)) {
         self.map_operands(&mut |operand| {
             f(operand);

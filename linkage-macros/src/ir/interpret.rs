@@ -30,6 +30,21 @@ pub(crate) struct Given<N> {
     /// Value, rate and second rate of each input.
     pub inputs: Vec<[N; 3]>,
     pub params: Vec<N>,
+    /// Cosine and sine in place of the only input's value, where they are given: whatever numbers
+    /// these are, so that it shows what is made of each.
+    pub unit: Option<[N; 2]>,
+}
+
+impl<N: Number> Given<N> {
+    fn cos(&self, input: u32) -> N {
+        let of_value = || self.inputs[input as usize][0].cos();
+        self.unit.as_ref().map_or_else(of_value, |[cos, _]| cos.clone())
+    }
+
+    fn sin(&self, input: u32) -> N {
+        let of_value = || self.inputs[input as usize][0].sin();
+        self.unit.as_ref().map_or_else(of_value, |[_, sin]| sin.clone())
+    }
 }
 
 /// The value of every node.
@@ -43,8 +58,8 @@ pub(crate) fn interpret<N: Number>(program: &Program, given: &Given<N>) -> Vec<N
             Node::Input { input, order } => {
                 given.inputs[input as usize][usize::from(order)].clone()
             }
-            Node::InputCos(input) => given.inputs[input as usize][0].cos(),
-            Node::InputSin(input) => given.inputs[input as usize][0].sin(),
+            Node::InputCos(input) => given.cos(input),
+            Node::InputSin(input) => given.sin(input),
             Node::Param(param) | Node::Mode(param) => given.params[param as usize].clone(),
             Node::Neg(a) => v(a).neg(),
             Node::Add(a, b) => v(a).add(v(b)),

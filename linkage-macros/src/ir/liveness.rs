@@ -4,17 +4,17 @@ use crate::ir::graph::{Graph, Id, Node};
 
 /// Which of a guard's operands are followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Course {
-    /// What the straight line computes with: the guarded value alone.
-    Straight,
-    /// What the careful path looks at as well.
-    Careful,
-    /// What the straight line computes with; guards are passed by.
-    Open,
+pub(crate) enum Path {
+    /// What the fast path computes with: the guarded value, and what it is compared with.
+    Fast,
+    /// What the slow path looks at as well.
+    Slow,
+    /// What the fast path computes with; guards are passed by.
+    Unchecked,
 }
 
 /// For every node of the graph, whether one of the sinks needs it.
-pub(crate) fn live(graph: &Graph, sinks: &[Id], course: Course) -> Vec<bool> {
+pub(crate) fn live(graph: &Graph, sinks: &[Id], path: Path) -> Vec<bool> {
     let mut live = vec![false; graph.len()];
     for sink in sinks {
         live[sink.0 as usize] = true;
@@ -26,9 +26,10 @@ pub(crate) fn live(graph: &Graph, sinks: &[Id], course: Course) -> Vec<bool> {
         }
         let node = graph.node(Id(index as u32));
         let mut mark = |operand: Id| live[operand.0 as usize] = true;
-        match course {
-            Course::Straight | Course::Open => node.for_operands(&mut mark),
-            Course::Careful => graph.for_operands_of(node, &mut mark),
+        match path {
+            Path::Fast => graph.for_fast_operands_of(node, &mut mark),
+            Path::Unchecked => node.for_operands(&mut mark),
+            Path::Slow => graph.for_operands_of(node, &mut mark),
         }
     }
     live
@@ -42,7 +43,7 @@ pub(crate) fn live_nodes<'a>(
     graph.iter().filter(|(id, _)| live[id.0 as usize])
 }
 
-/// The node itself, or the value that it guards: guards compute nothing in the straight line.
+/// The node itself, or the value that it guards: guards compute nothing in the fast path.
 pub(crate) fn unguarded(graph: &Graph, mut id: Id) -> Id {
     while let Node::Guard(value, _) = graph.node(id) {
         id = value;

@@ -1,11 +1,12 @@
 //! What the equations make of a mechanism: one graph and the values each entry point asks of it.
 
+use crate::exact::Exact;
 use crate::ir::graph::{Graph, Id};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Program {
     pub graph: Graph,
-    pub entries: Vec<Entry>,
+    pub answers: Vec<Answer>,
     /// What following a motion through changes of mode looks at, group by group in solving order.
     pub clearances: Vec<Clearance>,
     /// The titles of the groups, by the numbers that guards carry.
@@ -13,37 +14,36 @@ pub(crate) struct Program {
 }
 
 impl Program {
-    /// The sinks of all entries and clearances.
+    /// A program in which every number of every result is zero, given how many each has.
+    pub(crate) fn of_zeros(answers: impl Iterator<Item = (&'static str, usize)>) -> Self {
+        let mut graph = Graph::new();
+        let zero = graph.constant(Exact::integer(0));
+        let answers = answers.map(|(entry, count)| Answer { entry, sinks: vec![zero; count] });
+        let answers = answers.collect();
+        Self { graph, answers, clearances: Vec::new(), groups: Vec::new() }
+    }
+
+    /// What the entry point asks, if there is one of this name.
+    #[cfg(test)]
+    pub(crate) fn answer(&self, entry: &str) -> Option<&Answer> {
+        self.answers.iter().find(|answer| answer.entry == entry)
+    }
+
+    /// The sinks of all entry points and clearances.
     pub(crate) fn sinks(&self) -> Vec<Id> {
-        let entries = self.entries.iter().flat_map(|entry| &entry.sinks);
+        let answers = self.answers.iter().flat_map(|answer| &answer.sinks);
         let clearances = self.clearances.iter().flat_map(|clearance| &clearance.sinks);
-        entries.chain(clearances).copied().collect()
+        answers.chain(clearances).copied().collect()
     }
 }
 
-/// An entry point of the generated solver.
+/// What one entry point asks of the graph.
 #[derive(Clone, Debug)]
-pub(crate) struct Entry {
-    pub kind: EntryKind,
-    /// The components of the result, in the order of the outputs and of each output's shape;
-    /// `motion`: positions, then velocities, then accelerations; `coefficients`: the velocities
-    /// for the first input's unit rate, then for the second's, ….
+pub(crate) struct Answer {
+    /// The entry point's name.
+    pub entry: &'static str,
+    /// The numbers of its result, in the order of the result's shape.
     pub sinks: Vec<Id>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum EntryKind {
-    Position,
-    Velocity,
-    Motion,
-    /// Velocities at unit rates: ∂outputs/∂inputs.
-    Coefficients,
-    /// The same three with the only input's cosine and sine given.
-    PositionAt,
-    VelocityAt,
-    MotionAt,
-    /// Margins and transmission alone, which exist also where the pose does not.
-    Margins,
 }
 
 /// How clear of its limit a group with an assembly mode is.
@@ -53,6 +53,7 @@ pub(crate) struct Clearance {
     pub group: u32,
     /// The parameter that holds the mode; none where it is a constant.
     pub param: Option<u32>,
-    /// Value, rate, and the scale to measure both by; of the inputs' values and rates.
-    pub sinks: [Id; 3],
+    /// Value, rate and second rate, of the inputs' values and constant rates, and the scale to
+    /// measure them by.
+    pub sinks: [Id; 4],
 }

@@ -5,15 +5,15 @@ use std::fmt::Write;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::program::Program;
 
-/// The program's nodes and the sinks of its entries.
+/// The program's nodes and the sinks of its entry points.
 pub(crate) fn text(program: &Program) -> String {
     let mut out = String::new();
     for (id, node) in program.graph.iter() {
         let _ = writeln!(out, "{} = {}", name(id), describe(&program.graph, node));
     }
-    for entry in &program.entries {
-        let sinks: Vec<_> = entry.sinks.iter().map(|&id| name(id)).collect();
-        let _ = writeln!(out, "{:?}: {}", entry.kind, sinks.join(" "));
+    for answer in &program.answers {
+        let sinks: Vec<_> = answer.sinks.iter().map(|&id| name(id)).collect();
+        let _ = writeln!(out, "{}: {}", answer.entry, sinks.join(" "));
     }
     out
 }

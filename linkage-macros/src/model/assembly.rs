@@ -8,14 +8,14 @@ use super::Resolver;
 use super::facts::Line;
 use super::folding::shown;
 use super::groups::Parts;
-use super::mechanism::{Carrier, Expr, GuideId, Length, LinkId, PointId, Turn};
+use super::mechanism::{AngleSum, Carrier, Expr, GuideId, Length, LinkId, PointId};
 
 /// |a|
 pub(super) fn absolute(value: &Exact) -> Exact {
     if value.signum().is_lt() { value.neg() } else { value.clone() }
 }
 
-impl Turn {
+impl AngleSum {
     /// The angle, where it is known when the mechanism is declared.
     pub(super) fn constant(&self) -> Option<&Exact> {
         self.links.is_empty().then(|| self.rest.constant()).flatten()
@@ -82,7 +82,7 @@ impl Resolver<'_> {
         &mut self,
         pivot: PointId,
         pin: PointId,
-        angle: &Turn,
+        angle: &AngleSum,
         length: &Expr,
     ) {
         let place = self.facts.place(pivot, Carrier::Ground).zip(angle.constant());

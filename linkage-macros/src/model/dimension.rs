@@ -6,36 +6,62 @@
 use super::mechanism::Dimension;
 
 impl Dimension {
-    pub(crate) const NUMBER: Self = Self { length: 0, mass: 0, angle: false };
-    pub(crate) const ANGLE: Self = Self { length: 0, mass: 0, angle: true };
-    pub(crate) const LENGTH: Self = Self { length: 1, mass: 0, angle: false };
-    pub(crate) const MASS: Self = Self { length: 0, mass: 1, angle: false };
+    pub(crate) const NUMBER: Self = Self { length: 0, mass: 0, time: 0, angle: false };
+    pub(crate) const ANGLE: Self = Self { angle: true, ..Self::NUMBER };
+    pub(crate) const LENGTH: Self = Self { length: 1, ..Self::NUMBER };
+    pub(crate) const MASS: Self = Self { mass: 1, ..Self::NUMBER };
+    pub(crate) const TIME: Self = Self { time: 1, ..Self::NUMBER };
+    /// A newton: kg m/s².
+    pub(crate) const FORCE: Self = Self { length: 1, mass: 1, time: -2, angle: false };
 
     /// Whether the quantity is a number or an angle, which counts as one.
     pub(super) fn is_plain(self) -> bool {
-        self.length == 0 && self.mass == 0
+        self.length == 0 && self.mass == 0 && self.time == 0
+    }
+
+    /// The dimension of a product with a power of the other. An angle stays one beside numbers.
+    pub(super) fn times(self, other: Self, power: i32) -> Self {
+        let sum = |mine: i32, its: i32| mine.saturating_add(its.saturating_mul(power));
+        let length = sum(self.length, other.length);
+        let mass = sum(self.mass, other.mass);
+        let time = sum(self.time, other.time);
+        let product = Self { length, mass, time, angle: false };
+        let is_angle = match power > 0 {
+            true => self.angle != other.angle,
+            false => self.angle && !other.angle,
+        };
+        Self { angle: is_angle && product.is_plain(), ..product }
     }
 
     /// The quantity with its article, for messages.
     pub(super) fn words(self) -> String {
-        match self {
-            Self::NUMBER => "a number".into(),
-            Self::ANGLE => "an angle".into(),
-            Self::LENGTH => "a length".into(),
-            Self::MASS => "a mass".into(),
-            Self { length: 2, mass: 0, .. } => "an area".into(),
-            Self { length: 3, mass: 0, .. } => "a volume".into(),
-            Self { length, mass, .. } => {
-                let unit = |name: &str, power: i32| match power {
-                    0 => None,
-                    1 => Some(name.to_string()),
-                    _ => Some(format!("{name}^{power}")),
-                };
-                let units: Vec<_> =
-                    [unit("m", length), unit("kg", mass)].into_iter().flatten().collect();
-                format!("a quantity in {}", units.join(" "))
-            }
+        let Self { length, mass, time, .. } = self;
+        let known = match (length, mass, time) {
+            (0, 0, 0) if self.angle => "an angle",
+            (0, 0, 0) => "a number",
+            (1, 0, 0) => "a length",
+            (2, 0, 0) => "an area",
+            (3, 0, 0) => "a volume",
+            (0, 1, 0) => "a mass",
+            (2, 1, 0) => "a moment of inertia",
+            (0, 0, 1) => "a time",
+            (1, 0, -1) => "a speed",
+            (1, 0, -2) => "an acceleration",
+            (1, 1, -2) => "a force",
+            (2, 1, -2) => "a torque",
+            _ => "",
+        };
+        if !known.is_empty() {
+            return known.into();
         }
+        let unit = |name: &str, power: i32| match power {
+            0 => None,
+            1 => Some(name.to_string()),
+            _ => Some(format!("{name}^{power}")),
+        };
+        let units = [unit("m", length), unit("kg", mass), unit("s", time)];
+        let units: Vec<_> = units.into_iter().flatten().collect();
+        format!("a quantity in {}", units.join(" "))
     }
 }
 
@@ -86,12 +112,7 @@ impl Measure {
         match (self, other) {
             (Self::Bare, Self::Bare | Self::NUMBER) | (Self::NUMBER, Self::Bare) => Self::Bare,
             (Self::Bare, known) | (known, Self::Bare) => known,
-            (Self::Known(a), Self::Known(b)) => {
-                let length = a.length.saturating_add(b.length);
-                let mass = a.mass.saturating_add(b.mass);
-                let angle = a.angle != b.angle && length == 0 && mass == 0;
-                Self::Known(Dimension { length, mass, angle })
-            }
+            (Self::Known(a), Self::Known(b)) => Self::Known(a.times(b, 1)),
         }
     }
 
@@ -99,13 +120,7 @@ impl Measure {
     pub(super) fn quotient(self, divisor: Self) -> Self {
         match (self, divisor) {
             (_, Self::Bare) | (Self::Bare, Self::NUMBER) => self,
-            (_, Self::Known(b)) => {
-                let a = self.dimension();
-                let length = a.length.saturating_sub(b.length);
-                let mass = a.mass.saturating_sub(b.mass);
-                let angle = a.angle && !b.angle && length == 0 && mass == 0;
-                Self::Known(Dimension { length, mass, angle })
-            }
+            (_, Self::Known(b)) => Self::Known(self.dimension().times(b, -1)),
         }
     }
 
@@ -113,8 +128,11 @@ impl Measure {
     pub(super) fn root(self) -> Option<Self> {
         match self {
             Self::Bare => Some(Self::Bare),
-            Self::Known(Dimension { length, mass, .. }) if length % 2 == 0 && mass % 2 == 0 => {
-                Some(Self::Known(Dimension { length: length / 2, mass: mass / 2, angle: false }))
+            Self::Known(Dimension { length, mass, time, .. })
+                if length % 2 == 0 && mass % 2 == 0 && time % 2 == 0 =>
+            {
+                let (length, mass, time) = (length / 2, mass / 2, time / 2);
+                Some(Self::Known(Dimension { length, mass, time, angle: false }))
             }
             Self::Known(_) => None,
         }
@@ -133,6 +151,23 @@ mod tests {
         assert_eq!(Measure::LENGTH.root(), None);
         assert_eq!(Measure::LENGTH.quotient(Measure::LENGTH), Measure::NUMBER);
         assert_eq!(Measure::Bare.quotient(area).dimension().words(), "a quantity in m^-2");
+    }
+
+    #[test]
+    fn forces_are_made_of_masses_lengths_and_times() {
+        let [mass, time, force] = [Dimension::MASS, Dimension::TIME, Dimension::FORCE];
+        let acceleration = Dimension::LENGTH.times(time, -2);
+        assert_eq!(acceleration.words(), "an acceleration");
+        assert_eq!(mass.times(acceleration, 1), force);
+        let torque = force.times(Dimension::LENGTH, 1);
+        assert_eq!(torque.words(), "a torque");
+        assert_eq!(torque.times(Dimension::ANGLE, -1), torque);
+        let inertia = mass.times(Dimension::LENGTH, 2);
+        assert_eq!(
+            Measure::Known(torque).quotient(Measure::Known(inertia)).root().unwrap(),
+            Measure::NUMBER.quotient(Measure::Known(time))
+        );
+        assert_eq!(force.times(Dimension::LENGTH, -1).words(), "a quantity in kg s^-2");
     }
 
     #[test]

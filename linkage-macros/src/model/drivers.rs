@@ -51,7 +51,14 @@ impl Resolver<'_> {
         if parts.group.pin.is_some() && pin.is_none() {
             return None;
         }
-        Some(Step::Slider { link: link?, guide: guide?, pin, slide: slide?, offset: offset? })
+        Some(Step::Slider {
+            group: parts.id,
+            link: link?,
+            guide: guide?,
+            pin,
+            slide: slide?,
+            offset: offset?,
+        })
     }
 
     /// The length of a bar, positive as far as that is known.

@@ -9,9 +9,8 @@ use crate::syntax::tree::{self, BinaryOp, ExprKind};
 use super::Resolver;
 use super::dimension::Measure;
 use super::folding::shown;
-use super::mechanism::{Dimension, Expr, Function, LinkId, Operator, ParamKind, Turn};
-use super::names::{Entity, Kind, NUMBERS};
-use super::units::{UNITS, unit};
+use super::mechanism::{AngleSum, Dimension, Expr, Function, LinkId, Operator, ParamKind};
+use super::names::{Entity, NUMBERS};
 
 /// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
 pub(super) struct Quantity {
@@ -23,6 +22,9 @@ pub(super) struct Quantity {
 /// Why a link's angle stands only in sums, times an integer.
 pub(super) const ANGLE_REASON: &str = "a link's angle is known up to whole turns: it stands in \
      sums of angles, times an integer, because other ratios jump at ±π";
+
+/// The function of two points.
+const DISTANCE: &str = "distance";
 
 const FUNCTIONS: [(&str, Function, usize); 9] = [
     ("sqrt", Function::Sqrt, 1),
@@ -37,16 +39,16 @@ const FUNCTIONS: [(&str, Function, usize); 9] = [
 ];
 
 impl Quantity {
-    fn plain(measure: Measure, rest: Expr) -> Self {
+    pub(super) fn plain(measure: Measure, rest: Expr) -> Self {
         Self { measure, links: Vec::new(), rest }
     }
 
-    fn constant(measure: Measure, value: Exact) -> Self {
+    pub(super) fn constant(measure: Measure, value: Exact) -> Self {
         Self::plain(measure, Expr::Constant(value))
     }
 
-    pub(super) fn turn(self) -> Turn {
-        Turn { links: self.links, rest: self.rest }
+    pub(super) fn turn(self) -> AngleSum {
+        AngleSum { links: self.links, rest: self.rest }
     }
 
     /// Keeps every multiple within ±(2³¹ − 1), so that a sign can always be changed.
@@ -84,7 +86,7 @@ impl Resolver<'_> {
     /// Resolves an expression, and reports every mistake in it.
     pub(super) fn quantity(&mut self, expr: &tree::Expr) -> Option<Quantity> {
         match &expr.kind {
-            ExprKind::Number { digits, unit } => self.literal(expr.span, digits, unit.as_deref()),
+            ExprKind::Number { digits, units } => self.literal(expr.span, digits, units),
             ExprKind::Name(name) if name == "pi" => {
                 Some(Quantity::constant(Measure::ANGLE, Exact::pi()))
             }
@@ -96,66 +98,54 @@ impl Resolver<'_> {
                 quantity.rest = quantity.rest.negated();
                 Some(quantity)
             }
-            ExprKind::Binary(operator, operands) => {
-                let [left, right] = &**operands;
-                let (a, b) = (self.quantity(left), self.quantity(right));
-                let (a, b) = (a?, b?);
-                let quantity = match operator {
-                    BinaryOp::Add => self.sum(Operator::Add, (left, a), (right, b)),
-                    BinaryOp::Sub => self.sum(Operator::Sub, (left, a), (right, b)),
-                    BinaryOp::Mul => self.product((left, a), (right, b)),
-                    BinaryOp::Div => self.quotient(a, (right, b)),
+            ExprKind::Chain(first, rest) => self.chain(first, rest),
+            ExprKind::Call(function, arguments) => {
+                let quantity = match function == DISTANCE {
+                    true => self.distance(function, arguments),
+                    false => self.call(function, arguments),
                 }?;
-                if let Expr::Constant(value) = &quantity.rest {
-                    self.number_can_be_held(expr.span, Some(value))?;
-                }
+                self.number_is_of_a_length(expr.span, quantity.rest.constant())?;
                 Some(quantity)
             }
-            ExprKind::Call(function, arguments) => self.call(function, arguments),
             // The names in it are among what was not read.
             ExprKind::Mistake => None,
         }
     }
 
-    /// A literal is a number, and its unit one of the known.
-    fn literal(&mut self, span: Extent, digits: &str, suffix: Option<&str>) -> Option<Quantity> {
-        let value = Exact::decimal(digits);
-        self.number_can_be_held(span, value.as_ref())?;
-        let value = value?;
-        let Some(suffix) = suffix else {
-            return Some(Quantity::constant(Measure::Bare, value));
-        };
-        if let Some((measure, factor)) = unit(suffix) {
-            return Some(Quantity::constant(measure, value.mul(&factor)));
+    /// One operation after the other, each on what the one before has made.
+    fn chain(&mut self, first: &tree::Expr, rest: &[(BinaryOp, tree::Expr)]) -> Option<Quantity> {
+        let (mut span, mut left) = (first.span, self.quantity(first));
+        for (operator, operand) in rest {
+            // What stands behind a mistake is still looked at.
+            let right = self.quantity(operand);
+            let sides = left.zip(right);
+            left = sides.and_then(|(left, right)| {
+                self.operation(*operator, (span, left), (operand, right))
+            });
+            span = span.to(operand.span);
         }
-        if suffix == "pi" || self.names.of_kinds(&NUMBERS).any(|name| name == suffix) {
-            let message = format!("write `{digits} * {suffix}`");
-            let reason = "letters directly behind a number are its unit";
-            self.diagnostics.error_because(span, message, reason);
-            return None;
-        }
-        let mut message = format!("no unit named `{suffix}`");
-        if let Some(near) = nearest(suffix, UNITS.into_iter()) {
-            message += &format!("; a unit with a similar name exists: `{near}`");
-        }
-        let reason = "lengths have `m mm cm um in`, angles `rad deg turn`, masses `kg g`";
-        self.diagnostics.error_because(span, message, reason);
-        None
+        let left = left?;
+        self.no_bare_number_beside_a_unit(first, rest, left.measure)?;
+        Some(left)
     }
 
-    /// A constant is one that floating point can hold: neither infinite nor lost as zero.
-    fn number_can_be_held(&mut self, span: Extent, value: Option<&Exact>) -> Option<()> {
-        let is_held = value.is_some_and(|value| {
-            let rounded = value.to_f64();
-            rounded.is_finite() && (rounded == 0.0) == value.is_zero()
-        });
-        if is_held {
-            return Some(());
+    fn operation(
+        &mut self,
+        operator: BinaryOp,
+        left: (Extent, Quantity),
+        right: (&tree::Expr, Quantity),
+    ) -> Option<Quantity> {
+        let span = left.0.to(right.0.span);
+        let quantity = match operator {
+            BinaryOp::Add => self.sum(Operator::Add, left, right),
+            BinaryOp::Sub => self.sum(Operator::Sub, left, right),
+            BinaryOp::Mul => self.product(left, (right.0.span, right.1)),
+            BinaryOp::Div => self.quotient(left.1, (right.0.span, right.1)),
+        }?;
+        if let Expr::Constant(value) = &quantity.rest {
+            self.number_can_be_held(span, Some(value))?;
         }
-        let message = "a number too large or too small; change its exponent";
-        let reason = "`f64` holds numbers between 1e-308 and 1e308";
-        self.diagnostics.error_because(span, message, reason);
-        None
+        Some(quantity)
     }
 
     fn named_number(&mut self, name: &Ident) -> Option<Quantity> {
@@ -183,71 +173,25 @@ impl Resolver<'_> {
         }
     }
 
-    /// What a link offers to expressions is its angle, and its slide if it slides.
-    fn member(&mut self, owner: &Ident, member: &Ident) -> Option<Quantity> {
-        if self.names.kind(owner) == Some(Kind::Point) {
-            let message =
-                format!("`{owner}` is a point, and a point's coordinates stand in no expression");
-            let reason = format!("`output {owner}` gives `x` and `y` as a result");
-            self.diagnostics.error_because(owner.span(), message, reason);
-            return None;
-        }
-        let link = self.link(owner);
-        match member.to_string().as_str() {
-            "angle" => Some(Quantity {
-                measure: Measure::ANGLE,
-                links: vec![(link?, 1)],
-                rest: Expr::zero(),
-            }),
-            "slide" => {
-                self.link_slides(owner, link?, member)?;
-                Some(Quantity::plain(Measure::LENGTH, Expr::Slide(link?)))
-            }
-            other => {
-                let message = format!("`{owner}.{other}` stands in no expression");
-                let reason = "a link has `angle`, and `slide` if it slides";
-                self.diagnostics.error_because(member.span(), message, reason);
-                None
-            }
-        }
-    }
-
-    /// Only a link that slides has a slide.
-    pub(super) fn link_slides(&mut self, name: &Ident, link: LinkId, at: &Ident) -> Option<()> {
-        let link = &self.mechanism.links[link.index()];
-        if link.slides {
-            return Some(());
-        }
-        let (group, made_by) = (link.made_by, &self.mechanism.groups[link.made_by.index()]);
-        let statement = format!("{} {}", made_by.keyword, made_by.title);
-        let sliding = self.mechanism.links.iter().find(|l| l.made_by == group && l.slides);
-        let reason = match sliding {
-            Some(sliding) => format!("of `{statement}`, `{}` slides", sliding.name),
-            None => format!("no link of `{statement}` slides on a guide"),
-        };
-        let message = format!("`{name}` does not slide");
-        self.diagnostics.error_because(at.span(), message, reason);
-        None
-    }
-
     /// The sides of a sum are quantities of one kind.
     fn sum(
         &mut self,
         operator: Operator,
-        (left, mut a): (&tree::Expr, Quantity),
+        (left, mut a): (Extent, Quantity),
         (right, b): (&tree::Expr, Quantity),
     ) -> Option<Quantity> {
         let Some(measure) = a.measure.sum(b.measure) else {
             let (found, wanted) = (b.measure.dimension(), a.measure.dimension());
             let message = format!("{} where {} belongs", found.words(), wanted.words());
             let sign = if operator == Operator::Add { '+' } else { '-' };
-            let reason = format!("what stands left of the `{sign}` is {}", wanted.words());
+            let left = || format!("what stands left of the `{sign}` is {}", wanted.words());
+            let reason = self.name_taken_for_a_unit(right).unwrap_or_else(left);
             self.diagnostics.error_because(right.span, message, reason);
             return None;
         };
         if measure == Measure::ANGLE {
             let left_is_small = self.bare_angle_is_within_a_turn(left, &a);
-            self.bare_angle_is_within_a_turn(right, &b).and(left_is_small)?;
+            self.bare_angle_is_within_a_turn(right.span, &b).and(left_is_small)?;
         }
         a.measure = measure;
         let sign = if operator == Operator::Add { 1 } else { -1 };
@@ -260,8 +204,8 @@ impl Resolver<'_> {
 
     fn product(
         &mut self,
-        (left, a): (&tree::Expr, Quantity),
-        (right, b): (&tree::Expr, Quantity),
+        (left, a): (Extent, Quantity),
+        (right, b): (Extent, Quantity),
     ) -> Option<Quantity> {
         let measure = a.measure.product(b.measure);
         // The factor of a link angle, if there is one, is the other side.
@@ -269,8 +213,8 @@ impl Resolver<'_> {
             (true, true) => {
                 return Some(Quantity::plain(measure, a.rest.combined(Operator::Mul, b.rest)?));
             }
-            (false, _) => (a, b, right.span),
-            (true, false) => (b, a, left.span),
+            (false, _) => (a, b, right),
+            (true, false) => (b, a, left),
         };
         let integer = factor.rest.constant().and_then(Exact::to_integer);
         let integer = integer.and_then(|k| i32::try_from(k).ok());
@@ -283,16 +227,12 @@ impl Resolver<'_> {
         Some(Quantity { measure, ..turn })
     }
 
-    fn quotient(
-        &mut self,
-        mut a: Quantity,
-        (right, b): (&tree::Expr, Quantity),
-    ) -> Option<Quantity> {
+    fn quotient(&mut self, mut a: Quantity, (right, b): (Extent, Quantity)) -> Option<Quantity> {
         if !b.links.is_empty() {
-            return self.link_angles_are_whole_multiples(right.span, &b.links);
+            return self.link_angles_are_whole_multiples(right, &b.links);
         }
         if b.rest.is_zero() {
-            self.diagnostics.error(right.span, "a division by zero");
+            self.diagnostics.error(right, "a division by zero");
             return None;
         }
         if !a.links.is_empty() {
@@ -302,7 +242,7 @@ impl Resolver<'_> {
                 _ => None,
             };
             if divided.is_none() {
-                return self.link_angles_are_whole_multiples(right.span, &links);
+                return self.link_angles_are_whole_multiples(right, &links);
             }
         }
         a.measure = a.measure.quotient(b.measure);
@@ -324,10 +264,15 @@ impl Resolver<'_> {
 
     fn call(&mut self, name: &Ident, arguments: &[tree::Expr]) -> Option<Quantity> {
         let found = FUNCTIONS.iter().find(|(known, ..)| name == known);
-        let values: Vec<_> = arguments.iter().map(|argument| self.quantity(argument)).collect();
         let Some(&(_, function, count)) = found else {
-            return self.function_exists(name);
+            self.function_exists(name);
+            // It may be a function of points.
+            let numbers = arguments.iter().filter(|argument| !self.is_a_point(argument));
+            let numbers: Vec<_> = numbers.collect();
+            numbers.into_iter().for_each(|argument| drop(self.quantity(argument)));
+            return None;
         };
+        let values: Vec<_> = arguments.iter().map(|argument| self.quantity(argument)).collect();
         if arguments.len() != count {
             let takes = if count == 1 { "one argument" } else { "two arguments" };
             let message = format!("`{name}` takes {takes}, and {} given", counted(arguments.len()));
@@ -351,15 +296,15 @@ impl Resolver<'_> {
     }
 
     /// Reports a function that does not exist, with the nearest one.
-    fn function_exists(&mut self, name: &Ident) -> Option<Quantity> {
+    fn function_exists(&mut self, name: &Ident) {
         let text = name.to_string();
         let mut message = format!("no function named `{text}`");
-        if let Some(near) = nearest(&text, FUNCTIONS.iter().map(|(known, ..)| *known)) {
+        let known = FUNCTIONS.iter().map(|(known, ..)| *known).chain([DISTANCE]);
+        if let Some(near) = nearest(&text, known) {
             message += &format!("; a function with a similar name exists: `{near}`");
         }
-        let reason = "the functions are `sqrt hypot sin cos tan asin acos atan atan2`";
+        let reason = "the functions are `sqrt hypot sin cos tan asin acos atan atan2 distance`";
         self.diagnostics.error_because(name.span(), message, reason);
-        None
     }
 
     /// Reports a function of constants where it has no value.
@@ -376,7 +321,7 @@ impl Resolver<'_> {
 }
 
 /// "3 are", "1 is"
-fn counted(count: usize) -> String {
+pub(super) fn counted(count: usize) -> String {
     match count {
         0 => "none is".into(),
         1 => "one is".into(),

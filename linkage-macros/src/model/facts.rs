@@ -21,6 +21,10 @@ pub(super) struct Facts {
     pub guides: Vec<GuideFacts>,
     /// Points and links in order of declaration.
     pub order: Vec<Entity>,
+    /// The longest length without a unit, and where it stands.
+    pub longest_bare_length: Option<(Exact, Extent)>,
+    /// Whether a length anywhere has a unit.
+    pub a_length_has_a_unit: bool,
     /// Which points belong to which bodies, and where other points stand still on one.
     places: Vec<Location>,
 }

@@ -53,7 +53,13 @@ impl Expr {
             Operator::Add if self.is_zero() => other,
             Operator::Sub if self.is_zero() => other.negated(),
             Operator::Add | Operator::Sub if other.is_zero() => self,
-            _ => Self::Binary(operator, Box::new([self, other])),
+            _ => match self {
+                Self::Chain(first, mut rest) => {
+                    rest.push((operator, other));
+                    Self::Chain(first, rest)
+                }
+                first => Self::Chain(Box::new(first), vec![(operator, other)]),
+            },
         })
     }
 

@@ -5,12 +5,13 @@ use syn::Attribute;
 
 use crate::diagnostics::nearest;
 use crate::syntax::tree;
+use crate::syntax::words::built_by;
 
 use super::Resolver;
 use super::anatomy::{Anatomy, Class, Joint, Pin, Reason};
 use super::facts::LinkFacts;
 use super::fields::Fields;
-use super::mechanism::{Group, GroupId, GuideId, Link, LinkId, Named, PointId};
+use super::mechanism::{Body, Group, GroupId, GuideId, Link, LinkId, Point, PointId};
 use super::names::{Entity, Kind};
 
 /// What a group statement has made and was given.
@@ -20,14 +21,14 @@ pub(super) struct Parts<'t> {
     pub id: GroupId,
     /// One a leg; `None` where the name was in error.
     pub links: Vec<Option<LinkId>>,
-    pub outer: Vec<Option<Stand>>,
+    pub outer: Vec<Option<OuterJoint>>,
     pub pin: Option<PointId>,
     pub fields: Fields<'t>,
 }
 
 /// What an outer joint stands on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stand {
+pub(super) enum OuterJoint {
     Point(PointId),
     Guide(GuideId),
 }
@@ -52,15 +53,15 @@ impl Parts<'_> {
 
     pub(super) fn point(&self, i: usize) -> Option<PointId> {
         match self.outer.get(i).copied().flatten()? {
-            Stand::Point(id) => Some(id),
-            Stand::Guide(_) => None,
+            OuterJoint::Point(id) => Some(id),
+            OuterJoint::Guide(_) => None,
         }
     }
 
     pub(super) fn guide(&self, i: usize) -> Option<GuideId> {
         match self.outer.get(i).copied().flatten()? {
-            Stand::Guide(id) => Some(id),
-            Stand::Point(_) => None,
+            OuterJoint::Guide(id) => Some(id),
+            OuterJoint::Point(_) => None,
         }
     }
 }
@@ -78,11 +79,17 @@ impl Resolver<'_> {
             self.fields(group, anatomy);
             return;
         }
-        let id = self.add_group(group.title(), anatomy.keyword);
-        let links = (group.legs.iter().zip(anatomy.slides))
+        let id = self.next_group();
+        let links: Vec<_> = (group.legs.iter().zip(anatomy.slides))
             .map(|(leg, slides)| self.add_link(docs, &leg.link, id, slides))
             .collect();
         let pin = self.pin(docs, group, anatomy, id);
+        self.mechanism.groups.push(Group {
+            keyword: group.keyword.clone(),
+            title: group.title(),
+            links: links.iter().copied().flatten().collect(),
+            pin,
+        });
         let outer = self.outer_joints(group, anatomy);
         let fields = self.fields(group, anatomy);
         let parts = Parts { group, anatomy, id, links, outer, pin, fields };
@@ -121,10 +128,9 @@ impl Resolver<'_> {
         }
     }
 
-    pub(super) fn add_group(&mut self, title: String, keyword: &'static str) -> GroupId {
-        let id = GroupId(self.mechanism.groups.len() as u32);
-        self.mechanism.groups.push(Group { title, keyword });
-        id
+    /// The id of the group that is about to be made.
+    pub(super) fn next_group(&self) -> GroupId {
+        GroupId(self.mechanism.groups.len() as u32)
     }
 
     fn add_link(
@@ -157,11 +163,11 @@ impl Resolver<'_> {
         &mut self,
         docs: &[Attribute],
         name: &Ident,
-        made_by: String,
+        part_of: Body,
     ) -> Option<PointId> {
         self.name_is_new(name)?;
         let id = PointId(self.mechanism.points.len() as u32);
-        self.mechanism.points.push(Named { name: name.clone(), docs: docs.to_vec(), made_by });
+        self.mechanism.points.push(Point { name: name.clone(), docs: docs.to_vec(), part_of });
         self.facts.points.push(false);
         self.facts.order.push(Entity::Point(id));
         self.names.bind(name, Entity::Point(id));
@@ -184,10 +190,7 @@ impl Resolver<'_> {
                 self.name_is_new(pin);
                 None
             }
-            (Some(pin), _) => {
-                let made_by = format!("{keyword} {}", self.mechanism.groups[id.index()].title);
-                self.add_point(docs, pin, made_by)
-            }
+            (Some(pin), _) => self.add_point(docs, pin, Body::Pin(id)),
             (None, Pin::Needed) if group.head_is_read => {
                 let message = format!("`{keyword}` makes a pin; name it with `-> C`");
                 let reason = format!("it reads `{}`", anatomy.form);
@@ -218,7 +221,7 @@ impl Resolver<'_> {
         false
     }
 
-    fn outer_joints(&mut self, group: &tree::Group, anatomy: &Anatomy) -> Vec<Option<Stand>> {
+    fn outer_joints(&mut self, group: &tree::Group, anatomy: &Anatomy) -> Vec<Option<OuterJoint>> {
         let outer: Vec<_> = (group.legs.iter().zip(anatomy.joints))
             .map(|(leg, &joint)| self.joint_stands_on_its_kind(leg.joint.as_ref()?, joint, anatomy))
             .collect();
@@ -235,12 +238,12 @@ impl Resolver<'_> {
         name: &Ident,
         joint: Joint,
         anatomy: &Anatomy,
-    ) -> Option<Stand> {
+    ) -> Option<OuterJoint> {
         let (reason, wrong, wanted) = match (joint, self.names.kind(name)) {
             (Joint::Revolute(reason), Some(Kind::Guide)) => (reason, Kind::Guide, Kind::Point),
             (Joint::Prismatic(reason), Some(Kind::Point)) => (reason, Kind::Point, Kind::Guide),
-            (Joint::Revolute(_), _) => return self.point(name).map(Stand::Point),
-            (Joint::Prismatic(_), _) => return self.guide(name).map(Stand::Guide),
+            (Joint::Revolute(_), _) => return self.point(name).map(OuterJoint::Point),
+            (Joint::Prismatic(_), _) => return self.guide(name).map(OuterJoint::Guide),
         };
         let keyword = anatomy.keyword;
         let (wrong, wanted) = (wrong.one(), wanted.one());
@@ -265,15 +268,22 @@ impl Resolver<'_> {
     }
 
     /// The two links of a group stand on two different things.
-    fn outer_joints_differ(&mut self, group: &tree::Group, first: Stand, second: Stand) -> bool {
+    fn outer_joints_differ(
+        &mut self,
+        group: &tree::Group,
+        first: OuterJoint,
+        second: OuterJoint,
+    ) -> bool {
         if first != second {
             return true;
         }
         let Some(joint) = &group.legs[1].joint else { return true };
         let message = format!("both links of `{}` stand on `{joint}`", group.keyword);
         let reason = match second {
-            Stand::Point(_) => "between two links on one point the inner joint is undetermined",
-            Stand::Guide(_) => "two links on one guide never cross",
+            OuterJoint::Point(_) => {
+                "between two links on one point the inner joint is undetermined"
+            }
+            OuterJoint::Guide(_) => "two links on one guide never cross",
         };
         self.diagnostics.error_because(joint.span(), message, reason);
         false
@@ -304,9 +314,10 @@ impl Resolver<'_> {
             _ => {
                 let near = nearest(&text, Anatomy::keywords());
                 let near = near.map(|near| format!("; one with a similar name exists: `{near}`"));
+                let known = || format!("they are {}", known_groups());
                 (
                     format!("no driver or group `{text}`{}", near.unwrap_or_default()),
-                    format!("they are {}", known_groups()),
+                    built_by(&text).map_or_else(known, str::to_string),
                 )
             }
         };

@@ -1,7 +1,6 @@
 //! Guides: lines with a direction, fixed in the ground or in a link.
 
 use proc_macro2::Ident;
-use syn::Attribute;
 
 use crate::exact::Exact;
 use crate::syntax::tree;
@@ -9,13 +8,13 @@ use crate::syntax::tree;
 use super::Resolver;
 use super::assembly::constants;
 use super::facts::{GuideFacts, Line};
-use super::mechanism::{Carrier, Course, GuideId, Named, PointId, Spot, Step};
+use super::mechanism::{Carrier, Guide, GuideDirection, GuideId, PointId, Step, Through};
 use super::names::Entity;
+use super::numbers::bare_name;
 
 impl Resolver<'_> {
     pub(super) fn guide_line(
         &mut self,
-        docs: &[Attribute],
         name: &Ident,
         on: Option<&Ident>,
         through: &tree::Spot,
@@ -34,14 +33,13 @@ impl Resolver<'_> {
         let (true, Some(carrier)) = (is_new, carrier) else {
             return;
         };
-        let made_by = on.map_or("guide".to_string(), |link| format!("guide on {link}"));
         let id = GuideId(self.mechanism.guides.len() as u32);
-        self.mechanism.guides.push(Named { name: name.clone(), docs: docs.to_vec(), made_by });
+        self.mechanism.guides.push(Guide { name: name.clone() });
         self.names.bind(name, Entity::Guide(id));
         let place = through.as_ref().and_then(|(_, place)| place.clone());
         let angle = match (&course, &place) {
-            (Some((Course::Along(turn), _)), _) => turn.constant().cloned(),
-            (Some((Course::Towards(_), Some(to))), Some(from)) => {
+            (Some((GuideDirection::Along(turn), _)), _) => turn.constant().cloned(),
+            (Some((GuideDirection::Towards(_), Some(to))), Some(from)) => {
                 to[1].sub(&from[1]).atan2(&to[0].sub(&from[0]))
             }
             _ => None,
@@ -67,16 +65,16 @@ impl Resolver<'_> {
         &mut self,
         spot: &tree::Spot,
         carrier: Option<Carrier>,
-    ) -> Option<(Spot, Option<[Exact; 2]>)> {
+    ) -> Option<(Through, Option<[Exact; 2]>)> {
         match spot {
             tree::Spot::At(place) => {
                 let place = self.lengths(place)?;
                 let at = constants(&place);
-                Some((Spot::At(place), at))
+                Some((Through::At(place), at))
             }
             tree::Spot::Point(name) => {
                 let (point, at) = self.point_lies_on_carrier(name, carrier)?;
-                Some((Spot::Point(point), at))
+                Some((Through::Point(point), at))
             }
             tree::Spot::Mistake => None,
         }
@@ -87,15 +85,31 @@ impl Resolver<'_> {
         &mut self,
         course: &tree::Course,
         carrier: Option<Carrier>,
-    ) -> Option<(Course, Option<[Exact; 2]>)> {
+    ) -> Option<(GuideDirection, Option<[Exact; 2]>)> {
         match course {
-            tree::Course::Along(angle) => Some((Course::Along(self.turn(angle)?), None)),
+            tree::Course::Along(angle) => {
+                self.axis_is_an_angle(angle)?;
+                Some((GuideDirection::Along(self.turn(angle)?), None))
+            }
             tree::Course::Towards(name) => {
                 let (point, at) = self.point_lies_on_carrier(name, carrier)?;
-                Some((Course::Towards(point), at))
+                Some((GuideDirection::Towards(point), at))
             }
             tree::Course::Mistake => None,
         }
+    }
+
+    /// An axis, by its name, is no angle.
+    fn axis_is_an_angle(&mut self, angle: &tree::Expr) -> Option<()> {
+        let name = bare_name(angle).filter(|name| self.names.kind(name).is_none());
+        let degrees = match name.map(ToString::to_string).as_deref() {
+            Some("x" | "X" | "horizontal") => "0deg",
+            Some("y" | "Y" | "vertical") => "90deg",
+            _ => return Some(()),
+        };
+        let message = format!("write `along {degrees}`");
+        self.diagnostics.error_because(angle.span, message, "a direction is an angle from +x");
+        None
     }
 
     /// A guide goes through points of the body it is fixed in.
@@ -154,14 +168,14 @@ impl Resolver<'_> {
         &mut self,
         name: &Ident,
         carrier: Option<Carrier>,
-        through: &Spot,
+        through: &Through,
         from: Option<&[Exact; 2]>,
-        course: &Course,
+        course: &GuideDirection,
     ) -> Option<()> {
-        let Course::Towards(to) = course else {
+        let GuideDirection::Towards(to) = course else {
             return Some(());
         };
-        let same = matches!(through, Spot::Point(point) if point == to);
+        let same = matches!(through, Through::Point(point) if point == to);
         let place = carrier.and_then(|carrier| self.facts.place(*to, carrier));
         let coincide = from
             .zip(place)
@@ -172,13 +186,13 @@ impl Resolver<'_> {
         let message = format!("`{name}` has no direction; choose two points that differ");
         let to = &self.mechanism.points[to.index()].name;
         let reason = match through {
-            Spot::Point(from) if self.mechanism.points[from.index()].name == *to => {
+            Through::Point(from) if self.mechanism.points[from.index()].name == *to => {
                 format!("it goes through `{to}` and towards `{to}`")
             }
-            Spot::Point(from) => {
+            Through::Point(from) => {
                 format!("`{}` and `{to}` coincide", self.mechanism.points[from.index()].name)
             }
-            Spot::At(_) => format!("it already goes through `{to}`"),
+            Through::At(_) => format!("it already goes through `{to}`"),
         };
         self.diagnostics.error_because(name.span(), message, reason);
         None

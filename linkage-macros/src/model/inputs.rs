@@ -11,10 +11,10 @@ use super::Resolver;
 use super::dimension::Measure;
 use super::facts::{LetFacts, ParamFacts};
 use super::mechanism::{Dimension, Input, InputId, LetId, Param, ParamId, ParamKind};
-use super::mentions::{expressions, names_in};
 use super::modes::mode_word;
 use super::names::Entity;
 use super::numbers::bare_name;
+use super::references::{expressions, names_in};
 use super::units::unit;
 
 const KINDS: [&str; 2] = ["angle", "length"];
@@ -51,7 +51,7 @@ impl Resolver<'_> {
             "number" if known.contains(&"number") => return Some(Dimension::NUMBER),
             _ => {}
         }
-        let kind_of_unit = unit(&text).and_then(|(measure, _)| match measure.dimension() {
+        let kind_of_unit = unit(&text).and_then(|(dimension, _)| match dimension {
             Dimension::ANGLE => Some("angle"),
             Dimension::LENGTH => Some("length"),
             _ => None,

@@ -8,39 +8,7 @@ use proc_macro2::Ident;
 use syn::{Attribute, Visibility};
 
 use crate::exact::Exact;
-use crate::model::mentions::Mentions;
-use crate::model::turning::Turning;
-
-macro_rules! ids {
-    ($($(#[$doc:meta])* $name:ident)*) => {$(
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-        pub(crate) struct $name(pub u32);
-
-        impl $name {
-            pub(crate) fn index(self) -> usize {
-                self.0 as usize
-            }
-        }
-    )*};
-}
-
-ids! {
-    /// An index into [`Mechanism::inputs`].
-    InputId
-    /// An index into [`Mechanism::params`].
-    ParamId
-    /// An index into [`Mechanism::lets`].
-    LetId
-    /// An index into [`Mechanism::points`].
-    PointId
-    /// An index into [`Mechanism::links`].
-    LinkId
-    /// An index into [`Mechanism::guides`].
-    GuideId
-    /// An index into [`Mechanism::groups`].
-    GroupId
-}
+pub(crate) use crate::model::ids::{GroupId, GuideId, InputId, LetId, LinkId, ParamId, PointId};
 
 pub(crate) struct Mechanism {
     pub docs: Vec<Attribute>,
@@ -49,10 +17,10 @@ pub(crate) struct Mechanism {
     pub inputs: Vec<Input>,
     pub params: Vec<Param>,
     /// Named expressions; a later one may use an earlier one.
-    pub lets: Vec<Turn>,
-    pub points: Vec<Named>,
+    pub lets: Vec<AngleSum>,
+    pub points: Vec<Point>,
     pub links: Vec<Link>,
-    pub guides: Vec<Named>,
+    pub guides: Vec<Guide>,
     /// Drivers and dyads, for messages and docs.
     pub groups: Vec<Group>,
     /// What places points, guides and links, in solving order: a step uses only what earlier
@@ -60,9 +28,9 @@ pub(crate) struct Mechanism {
     pub steps: Vec<Step>,
     pub outputs: Vec<Output>,
     /// What dyads of constants leave of the turns of cranks.
-    pub turnings: Vec<Turning>,
+    pub rotatabilities: Vec<Rotatability>,
     /// For editors.
-    pub mentions: Mentions,
+    pub references: References,
     pub numerics: Numerics,
     /// `crate = path;`, where given.
     pub crate_path: Option<syn::Path>,
@@ -70,12 +38,77 @@ pub(crate) struct Mechanism {
     pub export_c: bool,
 }
 
-/// A point or a guide: its name and how it is documented.
-pub(crate) struct Named {
+pub(crate) struct Point {
     pub name: Ident,
     pub docs: Vec<Attribute>,
-    /// What made it, for the docs: "ground", "crank AB", "rrr BC, DC", "point on BC".
-    pub made_by: String,
+    pub part_of: Body,
+}
+
+/// What a point is part of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Body {
+    Ground,
+    /// Placed on a link.
+    Link(LinkId),
+    /// The pin of a driver, or between the links of a dyad.
+    Pin(GroupId),
+    /// Driven in ground axes.
+    Driven(GroupId),
+}
+
+impl Mechanism {
+    /// The statement that makes a group, as errors and docs call it: `rrr BC, DC`.
+    pub(crate) fn statement(&self, group: GroupId) -> String {
+        let Group { keyword, title, .. } = &self.groups[group.index()];
+        format!("{keyword} {title}")
+    }
+
+    /// What made a point: `ground`, `crank AB`, `rrr BC, DC`, `point on BC`.
+    pub(crate) fn maker(&self, point: PointId) -> String {
+        match self.points[point.index()].part_of {
+            Body::Ground => "ground".to_string(),
+            Body::Link(link) => format!("point on {}", self.links[link.index()].name),
+            Body::Pin(group) => self.statement(group),
+            Body::Driven(_) => "driven point".to_string(),
+        }
+    }
+}
+
+pub(crate) struct Guide {
+    pub name: Ident,
+}
+
+/// Where a declaration makes its names and where it uses them, for editors.
+#[derive(Default)]
+pub(crate) struct References {
+    /// Every name where it is made, and the statement that makes it.
+    pub made: Vec<(Ident, String)>,
+    /// Every place where one of them is used.
+    pub used: Vec<Ident>,
+}
+
+/// What a dyad leaves of the turn of the crank it hangs on.
+pub(crate) struct Rotatability {
+    pub group: GroupId,
+    pub crank: LinkId,
+    /// The input that is the crank's angle, where one is it bare.
+    pub input: Option<InputId>,
+    pub range: Range,
+    /// The angles, in degrees, at which both assembly modes are one while the crank passes.
+    pub change_points: Vec<f64>,
+    /// Opposite links are of one length: crank and rocker, coupler and ground.
+    pub is_parallelogram: bool,
+    /// The comparison of lengths that decides it.
+    pub reason: String,
+}
+
+/// The angles of a crank at which a dyad assembles, in degrees.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Range {
+    Full,
+    /// From, to: one interval, or two that the crank cannot leave for each other.
+    Within(Vec<[f64; 2]>),
+    Never,
 }
 
 pub(crate) struct Input {
@@ -105,12 +138,13 @@ pub(crate) enum ParamKind {
     },
 }
 
-/// Powers of metre and kilogram (and second, for later); an angle counts as a number, except that
-/// `angle` remembers that it is one.
+/// Powers of metre, kilogram and second; an angle counts as a number, except that `angle` remembers
+/// that it is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Dimension {
     pub length: i32,
     pub mass: i32,
+    pub time: i32,
     pub angle: bool,
 }
 
@@ -122,11 +156,15 @@ pub(crate) struct Link {
     pub slides: bool,
 }
 
+/// A driver or a dyad, or a driven point, which is a group of its own.
 pub(crate) struct Group {
+    /// `crank`, `slider`, `rrr`, …, where it is written.
+    pub keyword: Ident,
     /// The links, as run-time errors name them: `"BC, DC"`.
     pub title: String,
-    /// `crank`, `slider`, `rrr`, …
-    pub keyword: &'static str,
+    /// In the order of the statement.
+    pub links: Vec<LinkId>,
+    pub pin: Option<PointId>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -166,9 +204,21 @@ pub(crate) enum Expr {
     Let(LetId),
     /// The slide of a link that slides.
     Slide(LinkId),
+    /// A coordinate of a point in ground axes.
+    Coordinate(PointId, Axis),
+    /// The distance between two points.
+    Distance([PointId; 2]),
     Negate(Box<Expr>),
-    Binary(Operator, Box<[Expr; 2]>),
+    /// One operation after the other, each on what the one before has made.
+    Chain(Box<Expr>, Vec<(Operator, Expr)>),
     Call(Function, Vec<Expr>),
+}
+
+/// An axis of the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axis {
+    X,
+    Y,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -194,30 +244,30 @@ pub(crate) enum Function {
 
 /// An angle (or any other number, then without link angles): Σ kᵢ·linkᵢ.angle + rest.
 #[derive(Clone, Debug)]
-pub(crate) struct Turn {
+pub(crate) struct AngleSum {
     pub links: Vec<(LinkId, i32)>,
     pub rest: Expr,
 }
 
-pub(crate) enum Course {
+pub(crate) enum GuideDirection {
     /// The angle against the carrier's x.
-    Along(Turn),
+    Along(AngleSum),
     Towards(PointId),
 }
 
-pub(crate) enum Spot {
+pub(crate) enum Through {
     /// Coordinates in the carrier's frame.
     At([Expr; 2]),
     Point(PointId),
 }
 
-pub(crate) enum Place {
+pub(crate) enum Placement {
     Cartesian([Expr; 2]),
     /// Distance from the carrier's origin, angle against its x.
     Polar(Expr, Expr),
     /// Distances from the carrier's two joints, `length` apart on its x; `Plus` is left of it.
     Distances {
-        distances: [Expr; 2],
+        distances: [Length; 2],
         length: Expr,
         side: Sign,
     },
@@ -232,14 +282,14 @@ pub(crate) enum Step {
     Guide {
         guide: GuideId,
         carrier: Carrier,
-        through: Spot,
-        course: Course,
+        through: Through,
+        course: GuideDirection,
     },
     /// A point of a link, or a driven point in ground axes.
     Point {
         point: PointId,
         carrier: Carrier,
-        place: Place,
+        place: Placement,
         group: GroupId,
     },
     Crank {
@@ -248,10 +298,11 @@ pub(crate) enum Step {
         pivot: PointId,
         /// The pin and its distance from the pivot; a body without a pin has neither.
         pin: Option<(PointId, Length)>,
-        angle: Turn,
+        angle: AngleSum,
         relative_to: Carrier,
     },
     Slider {
+        group: GroupId,
         link: LinkId,
         guide: GuideId,
         pin: Option<PointId>,
@@ -295,7 +346,7 @@ pub(crate) enum Step {
         links: [LinkId; 2],
         outer: PointId,
         guide: GuideId,
-        slot: Turn,
+        slot: AngleSum,
         offsets: [Expr; 2],
     },
 }
@@ -328,56 +379,9 @@ pub(crate) enum OutputKind {
         dimension: Dimension,
     },
     /// A named angle that contains link angles: given by its direction.
-    Turn(Turn),
+    Angle(AngleSum),
     /// Signed distance of the group from its limit.
     Margin(GroupId),
     /// Sine of the group's transmission angle.
     Transmission(GroupId),
-}
-
-/// The shape of an output in the result, and so the number and order of its components.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Shape {
-    /// Position, velocity and acceleration: x, y.
-    Point,
-    /// Position: cos, sin; velocity: omega; acceleration: alpha.
-    Direction,
-    /// Position: cos, sin, slide; velocity: omega, slide; acceleration: alpha, slide.
-    SlidingDirection,
-    /// The slide alone.
-    Slide,
-    /// A number.
-    Value,
-}
-
-impl OutputKind {
-    pub(crate) fn shape(&self) -> Shape {
-        match self {
-            Self::Point(_) => Shape::Point,
-            Self::Link { direction: true, slide: true, .. } => Shape::SlidingDirection,
-            Self::Link { direction: true, slide: false, .. } | Self::Turn(_) => Shape::Direction,
-            Self::Link { direction: false, .. } => Shape::Slide,
-            Self::Value { .. } | Self::Margin(_) | Self::Transmission(_) => Shape::Value,
-        }
-    }
-}
-
-impl Shape {
-    /// The number of components of a position.
-    pub(crate) fn positions(self) -> usize {
-        match self {
-            Self::SlidingDirection => 3,
-            Self::Point | Self::Direction => 2,
-            Self::Slide | Self::Value => 1,
-        }
-    }
-
-    /// The number of components of a velocity or an acceleration; these are also the scalar rows
-    /// of `OUTPUTS` (a direction's row is its angle).
-    pub(crate) fn rates(self) -> usize {
-        match self {
-            Self::Point | Self::SlidingDirection => 2,
-            Self::Direction | Self::Slide | Self::Value => 1,
-        }
-    }
 }

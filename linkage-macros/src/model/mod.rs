@@ -20,17 +20,22 @@ mod fields;
 mod folding;
 mod groups;
 mod guides;
+mod ids;
 mod inputs;
+mod literals;
 pub(crate) mod mechanism;
-pub(crate) mod mentions;
-mod modes;
+pub(crate) mod modes;
 mod names;
 mod numbers;
+mod order;
 mod outputs;
 mod points;
+mod readings;
+mod references;
+mod rotatability;
 mod settings;
-pub(crate) mod turning;
-mod units;
+pub(crate) mod stand_in;
+pub(crate) mod units;
 
 #[cfg(test)]
 mod tests;
@@ -39,9 +44,9 @@ use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 
 use facts::Facts;
-use mechanism::{Mechanism, Numerics};
-use mentions::Mentions;
+use mechanism::{Mechanism, Numerics, References};
 use names::Names;
+use order::TooEarly;
 
 /// The mechanism that the declaration means; `None` if anything in it was reported.
 pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
@@ -53,6 +58,7 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         mechanism: empty(tree),
         facts: Facts::default(),
         moves: false,
+        too_early: Vec::new(),
         use_is_hidden: false,
         number_is_unknown: false,
     };
@@ -63,10 +69,12 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     }
     resolver.names.go_to(tree.statements.len());
     resolver.outputs(tree);
+    resolver.statements_are_in_order(tree);
+    resolver.bare_lengths_are_of_a_machine();
     resolver.an_input_is_declared(tree);
     resolver.every_input_is_used(tree);
-    resolver.mechanism.turnings = turning::turnings(&resolver.mechanism);
-    resolver.cranks_can_turn(tree);
+    resolver.mechanism.rotatabilities = rotatability::rotatabilities(&resolver.mechanism);
+    resolver.cranks_can_turn();
     let mechanism = resolver.mechanism;
     (diagnostics.count() == before).then_some(mechanism)
 }
@@ -81,6 +89,8 @@ struct Resolver<'d> {
     facts: Facts,
     /// Whether the statement being resolved depends on an input so far.
     moves: bool,
+    /// Names used before they are made.
+    too_early: Vec<TooEarly>,
     /// Whether a mistake may have hidden the use of an input.
     use_is_hidden: bool,
     /// Whether an expression names a number that nothing declares.
@@ -98,7 +108,7 @@ impl Resolver<'_> {
             StatementKind::Let { name, value } => self.named_expression(name, value),
             StatementKind::Ground { points } => self.ground(docs, points),
             StatementKind::Guide { name, on, through, course } => {
-                self.guide_line(docs, name, on.as_ref(), through, course);
+                self.guide_line(name, on.as_ref(), through, course);
             }
             StatementKind::Point { name, on, place } => {
                 self.placed_point(docs, name, on.as_ref(), place);
@@ -127,8 +137,8 @@ fn empty(tree: &Declaration) -> Mechanism {
         groups: Vec::new(),
         steps: Vec::new(),
         outputs: Vec::new(),
-        turnings: Vec::new(),
-        mentions: Mentions::of(tree),
+        rotatabilities: Vec::new(),
+        references: References::of(tree),
         numerics: Numerics::Plain,
         crate_path: None,
         export_c: false,

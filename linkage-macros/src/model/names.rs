@@ -13,6 +13,7 @@ use crate::syntax::tree::{Declaration, Statement, StatementKind};
 
 use super::Resolver;
 use super::mechanism::{GuideId, InputId, LetId, LinkId, ParamId, PointId};
+use super::order::TooEarly;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -240,18 +241,14 @@ impl Resolver<'_> {
             return None;
         }
         if symbol.statement >= self.names.current {
-            let (message, reason) = if symbol.statement == self.names.current {
-                (
-                    format!("`{name}` is used inside the statement that makes it"),
-                    "a statement can use what earlier ones have made".to_string(),
-                )
+            if symbol.statement == self.names.current {
+                let message = format!("`{name}` is used inside the statement that makes it");
+                let reason = "a statement can use what earlier ones have made";
+                self.diagnostics.error_because(name.span(), message, reason);
             } else {
-                (
-                    format!("`{name}` is used before `{}` makes it", symbol.made_by),
-                    format!("move `{}` in front of this statement", symbol.made_by),
-                )
-            };
-            self.diagnostics.error_because(name.span(), message, reason);
+                let (user, maker) = (self.names.current, symbol.statement);
+                self.too_early.push(TooEarly { name: name.clone(), user, maker });
+            }
             return None;
         }
         let entity = symbol.entity?;
@@ -346,6 +343,9 @@ fn reason_for_kind(name: &Ident, found: &Symbol, wanted: &[Kind]) -> Option<Stri
         (Kind::Link, [Kind::Guide]) => Some(format!("declare a line on it: `guide g on {name} …`")),
         (Kind::Link, _) if wanted == NUMBERS => {
             Some(format!("its angle is `{name}.angle`, and `{name}.slide` its slide if it slides"))
+        }
+        (Kind::Point, _) if wanted == NUMBERS => {
+            Some(format!("its coordinates are `{name}.x` and `{name}.y`"))
         }
         (Kind::Point, [Kind::Link]) if found.is_a_pin => {
             Some(format!("it is the pin of `{}`: name the link", found.made_by))

@@ -3,15 +3,14 @@
 use proc_macro2::Ident;
 
 use crate::diagnostics::Extent;
-use crate::exact::Exact;
 use crate::syntax::tree::{self, ExprKind};
 
 use super::Resolver;
 use super::dimension::Measure;
 use super::expressions::{ANGLE_REASON, Quantity};
 use super::folding::shown;
-use super::mechanism::{Dimension, Expr, Function, ParamKind, Turn};
-use super::names::Entity;
+use super::mechanism::{AngleSum, Dimension, Expr, Function, ParamKind};
+use super::names::{Entity, Kind};
 
 impl Resolver<'_> {
     /// A length of either sign.
@@ -31,7 +30,7 @@ impl Resolver<'_> {
     }
 
     /// An angle, link angles included.
-    pub(super) fn turn(&mut self, expr: &tree::Expr) -> Option<Turn> {
+    pub(super) fn turn(&mut self, expr: &tree::Expr) -> Option<AngleSum> {
         let quantity = self.quantity(expr)?;
         self.dimension_fits(expr, &quantity, Dimension::ANGLE)?;
         Some(quantity.turn())
@@ -53,12 +52,20 @@ impl Resolver<'_> {
     ) -> Option<()> {
         if quantity.measure.fits(wanted) {
             return match wanted {
-                Dimension::ANGLE => self.bare_angle_is_within_a_turn(expr, quantity),
+                Dimension::ANGLE => self.bare_angle_is_within_a_turn(expr.span, quantity),
+                Dimension::LENGTH => {
+                    self.note_bare_length(expr.span, quantity);
+                    Some(())
+                }
                 _ => Some(()),
             };
         }
         let found = quantity.measure.dimension();
         let message = format!("{} where {} belongs", found.words(), wanted.words());
+        if let Some(reason) = self.name_taken_for_a_unit(expr) {
+            self.diagnostics.error_because(expr.span, message, reason);
+            return None;
+        }
         let reason = match (found, wanted) {
             (Dimension::ANGLE, Dimension::LENGTH) => {
                 "an angle times a length is a length, as in `theta * 20mm`"
@@ -72,42 +79,6 @@ impl Resolver<'_> {
             _ => "multiply or divide by what is missing",
         };
         self.diagnostics.error_because(expr.span, message, reason);
-        None
-    }
-
-    /// A number without a unit that is used as an angle is at most a full turn: more is a
-    /// forgotten `deg`.
-    pub(super) fn bare_angle_is_within_a_turn(
-        &mut self,
-        expr: &tree::Expr,
-        quantity: &Quantity,
-    ) -> Option<()> {
-        if quantity.measure != Measure::Bare {
-            return Some(());
-        }
-        let (value, span) = match &quantity.rest {
-            Expr::Constant(value) => (value.clone(), expr.span),
-            Expr::Param(id) => {
-                let facts = &mut self.facts.params[id.index()];
-                let ParamKind::Number { default, .. } = &self.mechanism.params[id.index()].kind
-                else {
-                    return Some(());
-                };
-                if facts.blamed {
-                    return None;
-                }
-                facts.blamed = !within_a_turn(default);
-                (default.clone(), facts.span)
-            }
-            _ => return Some(()),
-        };
-        if within_a_turn(&value) {
-            return Some(());
-        }
-        let value = shown(&value);
-        let message = format!("an angle of {value} without a unit; write `{value}deg`");
-        let reason = format!("a bare number is SI; if radians are meant, write `{value}rad`");
-        self.diagnostics.error_because(span, message, reason);
         None
     }
 
@@ -137,8 +108,9 @@ impl Resolver<'_> {
     /// A point of the ground is fixed: its coordinates depend on no input.
     pub(super) fn depends_on_no_input(&mut self, expr: &tree::Expr, point: &Ident) -> Option<()> {
         let span = self.first(expr, &|resolver, part| match &part.kind {
-            ExprKind::Member(..) => true,
-            ExprKind::Name(name) => {
+            // A link's angle or slide is no constant, even where the link stands still.
+            ExprKind::Member(owner, _) if resolver.names.kind(owner) == Some(Kind::Link) => true,
+            ExprKind::Member(name, _) | ExprKind::Name(name) => {
                 resolver.names.entity(name).is_some_and(|entity| resolver.facts.moves(entity))
             }
             _ => false,
@@ -161,12 +133,7 @@ impl Resolver<'_> {
         if asks(self, expr) {
             return Some(expr.span);
         }
-        match &expr.kind {
-            ExprKind::Negate(inner) => self.first(inner, asks),
-            ExprKind::Binary(_, operands) => operands.iter().find_map(|e| self.first(e, asks)),
-            ExprKind::Call(_, arguments) => arguments.iter().find_map(|e| self.first(e, asks)),
-            _ => None,
-        }
+        expr.parts().find_map(|part| self.first(part, asks))
     }
 
     /// The arguments of a function have the dimensions it is defined for.
@@ -235,11 +202,6 @@ impl Resolver<'_> {
         self.diagnostics.error(span, message);
         None
     }
-}
-
-fn within_a_turn(value: &Exact) -> bool {
-    let turn = Exact::pi().mul(&Exact::integer(2));
-    value.cmp_value(&turn).is_le() && value.cmp_value(&turn.neg()).is_ge()
 }
 
 /// The name of an expression that is a bare name.

@@ -13,9 +13,6 @@ use super::names::{Entity, Kind};
 
 const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
 
-/// What a rate may be called by whoever looks for it among the outputs.
-const RATES: [&str; 7] = ["velocity", "acceleration", "speed", "rate", "vx", "vy", "v"];
-
 impl Resolver<'_> {
     /// The outputs that are asked for; every moving point and every link where none is.
     pub(super) fn outputs(&mut self, tree: &Declaration) {
@@ -77,7 +74,7 @@ impl Resolver<'_> {
             let dimension = quantity.measure.dimension();
             OutputKind::Value { value: quantity.rest, dimension }
         } else {
-            OutputKind::Turn(quantity.turn())
+            OutputKind::Angle(quantity.turn())
         };
         if is_new.is_some() {
             self.give(name.span(), name.clone(), docs, kind);
@@ -116,7 +113,7 @@ impl Resolver<'_> {
                 let kind = if turn.links.is_empty() {
                     OutputKind::Value { value: turn.rest, dimension }
                 } else {
-                    OutputKind::Turn(turn)
+                    OutputKind::Angle(turn)
                 };
                 self.give(name.span(), name.clone(), docs, kind);
             }
@@ -144,20 +141,7 @@ impl Resolver<'_> {
     fn member_output(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
         let part = member.to_string();
         if self.names.kind(owner) == Some(Kind::Point) {
-            let (message, reason) = match RATES.contains(&part.as_str()) {
-                true => (
-                    format!("rates need no output of their own; write `output {owner}`"),
-                    format!(
-                        "`velocity` gives that of `{owner}`, and `motion` its acceleration too"
-                    ),
-                ),
-                false => (
-                    format!("a point is given whole; write `output {owner}`"),
-                    format!("the field `{owner}` has `x` and `y`"),
-                ),
-            };
-            self.diagnostics.error_because(member.span(), message, reason);
-            return;
+            return self.coordinate_output(docs, owner, member);
         }
         if !MEMBERS.contains(&part.as_str()) {
             self.link(owner);
@@ -189,6 +173,16 @@ impl Resolver<'_> {
         self.give_link(docs, member, link, kind);
     }
 
+    /// `blade.x`: the field `blade_x`.
+    fn coordinate_output(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
+        if let Some(quantity) = self.member(owner, member) {
+            let dimension = quantity.measure.dimension();
+            let field = format_ident!("{owner}_{member}", span = owner.span());
+            let kind = OutputKind::Value { value: quantity.rest, dimension };
+            self.give(member.span(), field, docs, kind);
+        }
+    }
+
     /// Reports a part that links do not have.
     fn member_exists(&mut self, owner: &Ident, member: &Ident) {
         let part = member.to_string();
@@ -216,8 +210,8 @@ impl Resolver<'_> {
     /// Only a dyad has a transmission angle, and only one that can be out of reach a margin.
     fn group_has_a_limit(&mut self, link: LinkId, member: &Ident) -> Option<()> {
         let group = self.mechanism.links[link.index()].made_by;
-        let keyword = self.mechanism.groups[group.index()].keyword;
-        let has = match keyword {
+        let keyword = self.mechanism.groups[group.index()].keyword.to_string();
+        let has = match &keyword[..] {
             "rrr" | "rrp" | "rpr" => true,
             "prp" | "rpp" => member == "transmission",
             _ => false,
@@ -226,7 +220,7 @@ impl Resolver<'_> {
             return Some(());
         }
         let message = format!("`{keyword}` has no `{member}`");
-        let reason = match keyword {
+        let reason = match &keyword[..] {
             "prp" | "rpp" => "it is never out of reach; `transmission` tells how far from parallel",
             _ => "a driver transmits what it is given; ask the dyads that follow",
         };

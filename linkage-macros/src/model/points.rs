@@ -9,12 +9,13 @@ use crate::syntax::tree::{self, Expr as Written};
 use super::Resolver;
 use super::assembly::{constants, polar};
 use super::folding::shown;
-use super::mechanism::{Carrier, Expr, LinkId, Place, Sign, Step};
+use super::mechanism::{Body, Carrier, Expr, Group, Length, LinkId, Placement, Sign, Step};
+use super::numbers::bare_name;
 
 impl Resolver<'_> {
     pub(super) fn ground(&mut self, docs: &[Attribute], points: &[(Ident, [Written; 2])]) {
         for (name, place) in points {
-            let point = self.add_point(docs, name, "ground".to_string());
+            let point = self.add_point(docs, name, Body::Ground);
             let at = [0, 1].map(|i| {
                 self.depends_on_no_input(&place[i], name)?;
                 self.length(&place[i])
@@ -46,23 +47,30 @@ impl Resolver<'_> {
             self.name_is_new(name);
             return;
         };
-        let (made_by, group) = match carrier {
-            Carrier::Ground => ("driven point".to_string(), None),
-            Carrier::Link(link) => {
-                let link = &self.mechanism.links[link.index()];
-                (format!("point on {}", link.name), Some(link.made_by))
-            }
+        let (part_of, group) = match carrier {
+            Carrier::Ground => (Body::Driven(self.next_group()), self.next_group()),
+            Carrier::Link(link) => (Body::Link(link), self.mechanism.links[link.index()].made_by),
         };
-        let Some(point) = self.add_point(docs, name, made_by) else {
+        let Some(point) = self.add_point(docs, name, part_of) else {
             return;
         };
+        if carrier == Carrier::Ground {
+            self.mechanism.groups.push(Group {
+                keyword: Ident::new("point", name.span()),
+                title: name.to_string(),
+                links: Vec::new(),
+                pin: Some(point),
+            });
+        }
         self.facts.points[point.index()] = self.moves;
+        if on.is_none() && !self.moves && matches!(place, Some(Placement::Cartesian(_))) {
+            self.fixed_point_is_ground(name);
+        }
         if carrier != Carrier::Ground || !self.moves {
             let at = place.as_ref().and_then(constant_place);
             self.facts.fix(point, carrier, at);
         }
         if let Some(place) = place {
-            let group = group.unwrap_or_else(|| self.add_group(name.to_string(), "point"));
             self.mechanism.steps.push(Step::Point { point, carrier, place, group });
         }
     }
@@ -72,13 +80,16 @@ impl Resolver<'_> {
         name: &Ident,
         carrier: Option<Carrier>,
         place: &tree::Place,
-    ) -> Option<Place> {
+    ) -> Option<Placement> {
         match place {
             tree::Place::Mistake => None,
-            tree::Place::Cartesian(place) => self.lengths(place).map(Place::Cartesian),
+            tree::Place::Cartesian(place) => {
+                self.place_is_not_polar(place)?;
+                self.lengths(place).map(Placement::Cartesian)
+            }
             tree::Place::Polar([radius, angle]) => {
                 let (radius, angle) = (self.length(radius), self.plain_angle(angle));
-                Some(Place::Polar(radius?, angle?))
+                Some(Placement::Polar(radius?, angle?))
             }
             tree::Place::Distances(distances, side) => {
                 let which = ["first", "second"];
@@ -86,16 +97,45 @@ impl Resolver<'_> {
                     let value = self.length(&distances[i])?;
                     let what = format!("the {} distance of `{name}`", which[i]);
                     self.length_is_positive(&distances[i], &value, &what)?;
-                    Some(value)
+                    let name = match bare_name(&distances[i]) {
+                        Some(name) => name.to_string(),
+                        None => format!("{} distance of {name}", which[i]),
+                    };
+                    Some(Length { value, name })
                 });
                 let side = self.side_is_left_or_right(side, name);
                 let length = self.distances_have_a_bar(name, carrier?)?;
                 let [first, second] = values;
                 let distances = [first?, second?];
                 self.distances_meet(name, carrier?, &distances, &length)?;
-                Some(Place::Distances { distances, length, side: side? })
+                Some(Placement::Distances { distances, length, side: side? })
             }
         }
+    }
+
+    /// Reports a point in ground axes that no input moves: its link was forgotten.
+    fn fixed_point_is_ground(&mut self, name: &Ident) {
+        let message = match self.mechanism.links.last() {
+            Some(link) => format!(
+                "`{name}` does not move; name its link, as in `point {name} on {} at …`",
+                link.name
+            ),
+            None => format!("`{name}` does not move; write `ground {name}(x, y);`"),
+        };
+        let reason = format!("a fixed point is declared by `ground {name}(x, y);`");
+        self.report(name.span(), message, (!self.mechanism.links.is_empty()).then_some(reason));
+    }
+
+    /// A distance and an angle are no coordinates `(x, y)`.
+    fn place_is_not_polar(&mut self, [_, second]: &[Written; 2]) -> Option<()> {
+        let is_angle = matches!(&second.kind, tree::ExprKind::Number { units, .. }
+            if matches!(&units[..], [(unit, 1)] if ["deg", "rad", "turn"].contains(&unit.as_str())));
+        if is_angle {
+            let message = "an angle where a length belongs";
+            let reason = "a distance and an angle are written `at polar (r, 20deg)`";
+            self.diagnostics.error_because(second.span, message, reason);
+        }
+        (!is_angle).then_some(())
     }
 
     /// Distances are measured from the two joints of a bar. Gives the bar's length.
@@ -122,15 +162,16 @@ impl Resolver<'_> {
         &mut self,
         name: &Ident,
         carrier: Carrier,
-        distances: &[Expr; 2],
+        distances: &[Length; 2],
         length: &Expr,
     ) -> Option<()> {
-        let (Some([a, b]), Some(l)) = (constants(distances), length.constant()) else {
+        let [first, second] = distances.each_ref().map(|distance| distance.value.constant());
+        let (Some(a), Some(b), Some(l)) = (first, second, length.constant()) else {
             return Some(());
         };
-        let difference = if a.cmp_value(&b).is_lt() { b.sub(&a) } else { a.sub(&b) };
-        let (sum, link) = (a.add(&b), self.link_name(carrier));
-        let (long, a, b) = (shown(l), shown(&a), shown(&b));
+        let difference = if a.cmp_value(b).is_lt() { b.sub(a) } else { a.sub(b) };
+        let (sum, link) = (a.add(b), self.link_name(carrier));
+        let (long, a, b) = (shown(l), shown(a), shown(b));
         let reason = if l.cmp_value(&sum).is_gt() {
             format!("`{link}` is {long} m, distances {a} m + {b} m reach {} m", shown(&sum))
         } else if l.cmp_value(&difference).is_lt() {
@@ -153,16 +194,17 @@ impl Resolver<'_> {
 }
 
 /// The coordinates of a place of constants.
-fn constant_place(place: &Place) -> Option<[Exact; 2]> {
+fn constant_place(place: &Placement) -> Option<[Exact; 2]> {
     match place {
-        Place::Cartesian(place) => constants(place),
-        Place::Polar(radius, angle) => polar(radius, angle),
-        Place::Distances { distances, length, side } => {
-            let ([a, b], l) = (constants(distances)?, length.constant()?);
+        Placement::Cartesian(place) => constants(place),
+        Placement::Polar(radius, angle) => polar(radius, angle),
+        Placement::Distances { distances, length, side } => {
+            let [first, second] = distances;
+            let (a, b, l) = (first.value.constant()?, second.value.constant()?, length.constant()?);
             let square = |x: &Exact| x.mul(x);
             // The two distances are the sides of a triangle on the bar.
-            let x = square(&a).sub(&square(&b)).add(&square(l)).div(&l.mul(&Exact::integer(2)))?;
-            let y = square(&a).sub(&square(&x)).sqrt()?;
+            let x = square(a).sub(&square(b)).add(&square(l)).div(&l.mul(&Exact::integer(2)))?;
+            let y = square(a).sub(&square(&x)).sqrt()?;
             Some([x, if *side == Sign::Plus { y } else { y.neg() }])
         }
     }

@@ -2,14 +2,10 @@
 
 use crate::exact::Exact;
 
-use super::dimension::Measure;
 use super::mechanism::Dimension;
 
-/// Every unit, for messages.
-pub(super) const UNITS: [&str; 10] = ["m", "mm", "cm", "um", "in", "rad", "deg", "turn", "kg", "g"];
-
-/// The measure of the unit and its exact value in SI.
-pub(super) fn unit(name: &str) -> Option<(Measure, Exact)> {
+/// What the unit measures and its exact value in SI.
+pub(super) fn unit(name: &str) -> Option<(Dimension, Exact)> {
     let ratio = |above: i64, below: i64| {
         Exact::integer(above).div(&Exact::integer(below)).expect("no unit divides by zero")
     };
@@ -24,14 +20,20 @@ pub(super) fn unit(name: &str) -> Option<(Measure, Exact)> {
         "turn" => (Dimension::ANGLE, Exact::pi().mul(&Exact::integer(2))),
         "kg" => (Dimension::MASS, Exact::integer(1)),
         "g" => (Dimension::MASS, ratio(1, 1000)),
+        "t" => (Dimension::MASS, Exact::integer(1000)),
+        "N" => (Dimension::FORCE, Exact::integer(1)),
+        "kN" => (Dimension::FORCE, Exact::integer(1000)),
+        "s" => (Dimension::TIME, Exact::integer(1)),
+        "ms" => (Dimension::TIME, ratio(1, 1000)),
         _ => return None,
     };
-    Some((Measure::Known(dimension), value))
+    Some((dimension, value))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::syntax::words::UNITS;
 
     #[test]
     fn units_are_exact() {
@@ -43,6 +45,9 @@ mod tests {
         assert_eq!(value("180", "deg"), Exact::pi());
         assert_eq!(value("0.5", "turn"), Exact::pi());
         assert_eq!(value("1500", "g"), value("1.5", "kg"));
+        assert_eq!(value("0.05", "t"), value("50", "kg"));
+        assert_eq!(value("0.05", "kN"), value("50", "N"));
+        assert_eq!(value("2500", "ms"), value("2.5", "s"));
         assert_eq!(value("1e6", "um"), value("100", "cm"));
     }
 

@@ -11,7 +11,7 @@ use std::collections::HashSet;
 
 use crate::ir::construct::rebuild_with;
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::liveness::{Course, live};
+use crate::ir::liveness::{Path, live};
 use crate::ir::program::Program;
 
 /// The program with products contracted into the sums that use them.
@@ -69,7 +69,7 @@ fn is_made_from(graph: &Graph, node: Id, other: Id) -> bool {
 /// For every node, whether somebody asks for the rounding error of this very operation.
 fn asked_for_errors(program: &Program) -> Vec<bool> {
     let graph = &program.graph;
-    let live = live(graph, &program.sinks(), Course::Careful);
+    let live = live(graph, &program.sinks(), Path::Slow);
     let mut asked = vec![false; graph.len()];
     mark_asked_errors(graph, &live, &mut asked);
     asked

@@ -13,7 +13,8 @@ pub(crate) fn fold_constants(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
         let holds = holds(check, maker.graph.as_constant(value)?);
         return holds.then_some(value);
     }
-    let value = evaluate(maker.graph, node)?;
+    // What would grow without bounds, along a chain of groups of constants, is left to run time.
+    let value = evaluate(maker.graph, node).filter(|value| !value.is_too_long_for_formulas())?;
     Some(maker.constant(value))
 }
 
@@ -21,9 +22,13 @@ pub(crate) fn fold_constants(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
 fn holds(check: &Check, value: &Exact) -> bool {
     match check {
         Check::Nonzero => value.signum() != Ordering::Equal,
-        Check::Positive(_) | Check::ReachCircles | Check::ReachLine | Check::ReachOffset => {
-            value.signum() == Ordering::Greater
-        }
+        Check::Positive(_)
+        | Check::ReachCircles
+        | Check::ReachDistances
+        | Check::ReachLine
+        | Check::ReachOffset => value.signum() == Ordering::Greater,
+        // A constant is not rounded before it is known.
+        Check::ShareOfCentres => true,
         // Far inside the range of squares that both f32 and f64 hold with full precision.
         Check::Square => (1e-24..1e24).contains(&value.to_f64()),
     }

@@ -8,7 +8,6 @@ use syn::{Attribute, Visibility};
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{Declaration, Statement, StatementKind, Unread};
 use super::words;
-use crate::diagnostics::nearest;
 
 const FORM: &str = "declare a mechanism: `pub struct Name { … }`";
 
@@ -53,8 +52,10 @@ impl Parser<'_> {
                 continue;
             }
             let Some(content) = self.take_group(Delimiter::Bracket) else {
-                let _ = self.expected::<()>("a doc comment");
-                break;
+                self.diagnostics.error(hash, "write `//` in front of a comment");
+                self.skip_statement();
+                self.take_skipped();
+                continue;
             };
             tokens.extend([TokenTree::Group(content)]);
             match Attribute::parse_outer.parse2(tokens) {
@@ -184,31 +185,4 @@ impl Parser<'_> {
         self.diagnostics.error_because(keyword.span(), message, reason);
         Err(Reported)
     }
-
-    /// What may have been meant by a word that begins no statement and was taken.
-    fn reason_of_unknown(&self, word: &str) -> String {
-        if word == "pub" {
-            return "leave it out: parameters and results are public".to_string();
-        }
-        if let Some(meant) = words::meant_by(word) {
-            return format!("what is meant may be `{meant}`");
-        }
-        let known = words::STATEMENTS.iter().chain(&words::GROUPS).copied();
-        if let Some(near) = nearest(word, known) {
-            return format!("a statement with a similar name exists: `{near}`");
-        }
-        if self.is_group(0, Delimiter::Parenthesis) {
-            return "a group begins with its keyword: `rrr BC(B), DC(D) -> C { … }`".to_string();
-        }
-        format!(
-            "statements are {} and the groups {}",
-            quoted(&words::STATEMENTS[..7]),
-            quoted(&words::GROUPS)
-        )
-    }
-}
-
-fn quoted(words: &[&str]) -> String {
-    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
-    quoted.join(", ")
 }

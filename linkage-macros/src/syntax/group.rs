@@ -37,7 +37,13 @@ impl Parser<'_> {
         match self.take_group(Delimiter::Brace) {
             Some(braces) => {
                 group.end = braces.span_close();
-                self.fields(&braces, &mut group);
+                if group.legs.len() > 2 && words::GROUPS.iter().any(|&word| group.keyword == word) {
+                    // Fields for three links would be reported a second time.
+                    group.fields_are_read = false;
+                    self.inside(&braces).give_up();
+                } else {
+                    self.fields(&braces, &mut group);
+                }
             }
             None => {
                 if group.head_is_read {
@@ -174,7 +180,7 @@ impl Parser<'_> {
             let mut field = Field { name, value: value.unwrap_or(mistake.clone()) };
             if failed {
                 inner.skip_field(first);
-            } else if !inner.field_ends() {
+            } else if inner.decimal_comma() || !inner.field_ends() {
                 field.value = mistake;
                 inner.skip_field(first);
             }
@@ -237,6 +243,18 @@ impl Parser<'_> {
             return self.refuse(&format!("write `:` after `{name}`"));
         }
         self.take_punct(':');
+        if name == "mode" {
+            // The model says what is written in place of `+1` and `-1` alike.
+            self.take_punct('+');
+        }
+        if let Some(TokenTree::Group(brackets)) = self.peek(0)
+            && brackets.delimiter() == Delimiter::Bracket
+        {
+            return self.refuse_because(
+                "write `(` and `)` in place of the brackets",
+                "two values of a field stand in parentheses",
+            );
+        }
         match self.pair_begins() {
             true => Ok(FieldValue::Pair(self.pair("`(first, second)`")?)),
             false if self.at_end() || self.is_punct(0, ',') => {

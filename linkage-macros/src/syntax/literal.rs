@@ -19,7 +19,8 @@ pub(super) struct Number {
 
 impl Number {
     pub(super) fn into_kind(self) -> ExprKind {
-        ExprKind::Number { digits: self.digits, unit: self.unit }
+        let units = self.unit.map(|unit| (unit, 1));
+        ExprKind::Number { digits: self.digits, units: units.into_iter().collect() }
     }
 }
 

@@ -27,10 +27,12 @@ mod expression;
 mod group;
 mod literal;
 mod recovery;
+mod slips;
 mod statement;
 mod tokens;
 pub(crate) mod tree;
-mod words;
+mod unit_products;
+pub(crate) mod words;
 
 #[cfg(test)]
 mod tests;

@@ -32,14 +32,16 @@ impl Aftermath {
     }
 
     fn give_up(&mut self, tree: &TokenTree) {
-        match tree {
-            TokenTree::Ident(word) => {
-                self.unread.insert(word.to_string());
+        // What is given up may be nested deeper than a stack of calls is.
+        let mut trees = vec![tree.clone()];
+        while let Some(tree) = trees.pop() {
+            match tree {
+                TokenTree::Ident(word) => {
+                    self.unread.insert(word.to_string());
+                }
+                TokenTree::Group(group) => trees.extend(group.stream()),
+                TokenTree::Punct(_) | TokenTree::Literal(_) => {}
             }
-            TokenTree::Group(group) => {
-                group.stream().into_iter().for_each(|tree| self.give_up(&tree));
-            }
-            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
         }
     }
 }

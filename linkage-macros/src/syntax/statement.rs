@@ -74,6 +74,7 @@ impl Parser<'_> {
     }
 
     fn param(&mut self) -> Parse<StatementKind> {
+        self.leave_out_mut();
         let name = self.new_name("a parameter")?;
         let kind = match self.take_punct(':') {
             true => {
@@ -107,6 +108,7 @@ impl Parser<'_> {
     }
 
     fn named_value(&mut self) -> Parse<StatementKind> {
+        self.leave_out_mut();
         let name = self.new_name("a value")?;
         let value = match () {
             () if self.take_punct('=') => self.expression(),
@@ -143,6 +145,9 @@ impl Parser<'_> {
                 continue;
             }
             if !self.take_punct(',') || self.is_punct(0, ';') || self.at_end() {
+                break;
+            }
+            if self.comma_ends_the_statement() {
                 break;
             }
         }
@@ -240,6 +245,9 @@ impl Parser<'_> {
                 break;
             }
             if !self.take_punct(',') && !self.missing_comma() {
+                break;
+            }
+            if self.comma_ends_the_statement() {
                 break;
             }
         }

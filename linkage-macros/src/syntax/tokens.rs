@@ -248,7 +248,7 @@ impl<'d> Parser<'d> {
         };
         self.next += 1;
         let word = ident.to_string();
-        let Some(refusal) = words::refusal(&word) else { return Ok(ident) };
+        let Some(refusal) = words::refusal(&word) else { return Ok(self.hyphenated(ident)) };
         let (message, reason) = refusal;
         self.diagnostics.error_because(ident.span(), format!("`{word}` {message}"), reason);
         Ok(self.aftermath.refuse(&ident))

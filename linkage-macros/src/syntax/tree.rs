@@ -143,6 +143,9 @@ pub(crate) struct OutputItem {
     pub value: Expr,
 }
 
+/// A unit and its power.
+pub(crate) type UnitPower = (String, i32);
+
 #[derive(Clone)]
 pub(crate) struct Expr {
     pub kind: ExprKind,
@@ -152,16 +155,19 @@ pub(crate) struct Expr {
 
 #[derive(Clone)]
 pub(crate) enum ExprKind {
-    /// The digits as written (underscores removed) and the unit behind them, if any.
+    /// The digits as written (underscores removed) and the powers of units behind them, none where
+    /// the number is bare. What is no unit stands there too, as the letters behind the digits.
     Number {
         digits: String,
-        unit: Option<String>,
+        units: Vec<UnitPower>,
     },
     Name(Ident),
     /// `ram.slide`, `BC.angle`
     Member(Ident, Ident),
     Negate(Box<Expr>),
-    Binary(BinaryOp, Box<[Expr; 2]>),
+    /// `a - b + c`: operands of one precedence, from left to right. They stand side by side, not
+    /// one inside the other, so that a long sum is not a deep one.
+    Chain(Box<Expr>, Vec<(BinaryOp, Expr)>),
     Call(Ident, Vec<Expr>),
     /// Left by a part that could not be parsed and was already reported.
     Mistake,
@@ -170,6 +176,21 @@ pub(crate) enum ExprKind {
 impl Expr {
     pub(crate) fn mistake(at: impl Into<Extent>) -> Self {
         Self { kind: ExprKind::Mistake, span: at.into() }
+    }
+
+    /// What the expression is made of, from left to right.
+    pub(crate) fn parts<'e>(&'e self) -> Box<dyn Iterator<Item = &'e Expr> + 'e> {
+        match &self.kind {
+            ExprKind::Negate(operand) => Box::new(std::iter::once(&**operand)),
+            ExprKind::Chain(first, rest) => {
+                Box::new(std::iter::once(&**first).chain(rest.iter().map(|(_, operand)| operand)))
+            }
+            ExprKind::Call(_, arguments) => Box::new(arguments.iter()),
+            ExprKind::Number { .. }
+            | ExprKind::Name(_)
+            | ExprKind::Member(..)
+            | ExprKind::Mistake => Box::new(std::iter::empty()),
+        }
     }
 
     pub(crate) fn is_mistake(&self) -> bool {

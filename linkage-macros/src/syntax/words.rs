@@ -44,8 +44,12 @@ const RUST: [&str; 53] = [
     "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield", "_",
 ];
 
-/// Unit suffixes, for recognising one that was written apart from its number.
-pub(super) const UNITS: [&str; 10] = ["m", "mm", "cm", "um", "in", "rad", "deg", "turn", "kg", "g"];
+/// The units a number may have.
+pub(crate) const UNITS: [&str; 15] =
+    ["m", "mm", "cm", "um", "in", "rad", "deg", "turn", "kg", "g", "t", "N", "kN", "s", "ms"];
+
+/// Units that are as likely a name: `2 s` may want an operator.
+pub(super) const LIKELY_NAMES: [&str; 3] = ["s", "t", "N"];
 
 pub(super) fn is_rust_keyword(word: &str) -> bool {
     RUST.contains(&word)
@@ -81,11 +85,32 @@ pub(super) fn meant_by(word: &str) -> Option<&'static str> {
         "const" | "static" | "var" | "def" => Some("let"),
         "fixed" | "pivot" | "base" | "frame" => Some("ground"),
         "line" | "rail" | "axis" => Some("guide"),
-        "marker" | "coupler" => Some("point"),
+        "marker" => Some("point"),
         "parameter" | "variable" => Some("param"),
         "motor" | "driver" => Some("crank"),
         "piston" | "actuator" => Some("slider"),
-        "use" => Some("crate"),
+        _ => None,
+    }
+}
+
+/// How the language builds what engineers have a word for, and it has none.
+pub(crate) fn built_by(word: &str) -> Option<&'static str> {
+    match word {
+        "gear" | "wheel" | "pulley" | "sprocket" | "belt" | "chain" => Some(
+            "a gear is a crank whose angle is a multiple of another's: \
+             `crank G(O) { angle: -2 * AB.angle }`",
+        ),
+        "rack" => Some("a rack is a slider, and its pinion a crank: `angle: ram.slide / 40mm`"),
+        "bar" | "rod" | "link" | "rocker" | "coupler" | "lever" | "arm" => Some(
+            "bars come in pairs, as dyads: `rrr BC(B), DC(D) -> C { lengths: (…, …), mode: left }`",
+        ),
+        "cylinder" | "strut" => Some(
+            "a cylinder is a bar whose length is an input: `rrr cyl(D), boom(A) -> C { lengths: \
+             (lift, 2m), mode: right }`",
+        ),
+        "joint" | "pin" | "hinge" | "revolute" | "prismatic" => {
+            Some("joints are made by the groups they belong to, and fixed ones by `ground`")
+        }
         _ => None,
     }
 }

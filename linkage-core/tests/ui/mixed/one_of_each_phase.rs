@@ -11,7 +11,7 @@ mechanism! {
         rrr BF(B), DF(D) -> F { length: (3m, 3m), mode: up }
         point P on BC at (1m, theta);
         let unused = 2m / 0;
-        output P, AB, F.x;
+        output P, AB, F.angle;
     }
 }
 

@@ -3,14 +3,18 @@
 
 use syn::{Attribute, Expr, ExprLit, Lit, Meta};
 
-use super::names::{Width, default, distinct, function, snake_case};
+use super::c_identifiers::{Width, default, distinct, function, snake_case};
 use super::{PARAMETERS, answer_name};
-use crate::codegen::names::text as plain;
-use crate::codegen::results::Order;
-use crate::codegen::units::unit;
-use crate::codegen::{Context, docs, entry};
-use crate::ir::program::{Entry, EntryKind};
-use crate::model::mechanism::{Output, Param, ParamKind};
+use crate::codegen::arguments::Arguments;
+use crate::codegen::context::Context;
+use crate::codegen::docs;
+use crate::codegen::identifiers::text as plain;
+use crate::interface::entries::Entry;
+use crate::interface::labels;
+use crate::interface::quantity::Order;
+use crate::interface::records::{self, Field, Kind, Shape, Subject};
+use crate::interface::units_in_words::unit;
+use crate::model::mechanism::{Param, ParamKind};
 
 /// What all headers share: status codes, modes and the records that outputs are made of.
 const SHARED: &str = include_str!("linkage.h");
@@ -100,12 +104,10 @@ impl Record {
 /// The types of one width.
 fn types(cx: &Context<'_>, width: Width) -> String {
     let parameters = (!cx.mechanism.params.is_empty()).then(|| parameters(cx, width));
-    let inputs = (cx.mechanism.inputs.len() > 1).then(|| inputs(cx, width));
-    let orders = Order::ALL.map(|order| record(cx, width, order));
-    let margins = cx.entry(EntryKind::Margins).map(|_| margins(cx, width));
-    let records = parameters.into_iter().chain(inputs).chain(orders);
-    let records = records.chain([motion(cx, width)]).chain(margins);
-    records.map(|record| record.text()).collect()
+    let records = cx.interface.records.iter();
+    let returned = records.filter(|record| crate::codegen::structs::is_returned(cx, record));
+    let records = returned.map(|of| record(cx, width, of));
+    parameters.into_iter().chain(records).map(|record| record.text()).collect()
 }
 
 fn parameters(cx: &Context<'_>, width: Width) -> Record {
@@ -129,71 +131,47 @@ fn parameters(cx: &Context<'_>, width: Width) -> Record {
     }
 }
 
-fn inputs(cx: &Context<'_>, width: Width) -> Record {
-    let fields = cx.mechanism.inputs.iter().map(|input| {
-        let unit = unit(input.dimension, Order::Position);
-        let about = format!("In {unit}, its rates in {unit}/s and {unit}/s²");
-        (width.in_c().to_string(), plain(&input.name), about)
-    });
-    Record {
-        about: format!("The inputs of {}, or their first or second rates.", cx.names.solver),
-        name: width.type_name(&plain(&cx.names.input)),
-        fields: fields.collect(),
-    }
-}
-
-/// The type of an output at one order.
-fn output_type(output: &Output, order: Order, width: Width) -> String {
-    match order.fields(output.kind.shape()).0 {
-        Some(ty) => width.type_name(&format!("Linkage{ty}")),
-        None => width.in_c().to_string(),
-    }
-}
-
-fn record(cx: &Context<'_>, width: Width, order: Order) -> Record {
-    let (what, name) = match order {
-        Order::Position => ("Positions", &cx.names.position),
-        Order::Velocity => ("Velocities", &cx.names.velocity),
-        Order::Acceleration => ("Accelerations", &cx.names.acceleration),
+fn record(cx: &Context<'_>, width: Width, of: &records::Record) -> Record {
+    let about = match of.kind {
+        Kind::Inputs => {
+            format!("The inputs of {}, or their first or second rates.", cx.names.solver)
+        }
+        Kind::Outputs(Order::Position) => "Positions of the outputs.".to_string(),
+        Kind::Outputs(Order::Velocity) => "Velocities of the outputs.".to_string(),
+        Kind::Outputs(Order::Acceleration) => "Accelerations of the outputs.".to_string(),
+        Kind::Motion => "Position, velocity and acceleration of the outputs.".to_string(),
+        Kind::Margins => "Distances of the groups from their limits.".to_string(),
     };
-    let field = |output: &Output| {
-        let ty = output_type(output, order, width);
-        (ty, plain(&output.field), docs::describe(cx, output, order))
+    let field = |field: &Field| {
+        let ty = type_of(cx, field.shape, width);
+        (ty, plain(&field.name), about_field(cx, field.subject))
     };
-    Record {
-        about: format!("{what} of the outputs."),
-        name: width.type_name(&plain(name)),
-        fields: cx.mechanism.outputs.iter().map(field).collect(),
+    let fields = of.fields.iter().map(field).collect();
+    Record { about, name: width.type_name(&plain(&of.name)), fields }
+}
+
+/// The type of a field.
+fn type_of(cx: &Context<'_>, shape: Shape, width: Width) -> String {
+    match shape {
+        Shape::Record(record) => width.type_name(&plain(&cx.record(record).name)),
+        Shape::Quantity(quantity, order) => match quantity.layout(order).record {
+            Some(record) => width.type_name(&format!("Linkage{record}")),
+            None => width.in_c().to_string(),
+        },
+        Shape::Number | Shape::List(_) | Shape::Matrix { .. } => width.in_c().to_string(),
     }
 }
 
-fn motion(cx: &Context<'_>, width: Width) -> Record {
-    let names = [&cx.names.position, &cx.names.velocity, &cx.names.acceleration];
-    let fields = [
-        ("position", "In m and rad"),
-        ("velocity", "In m/s and rad/s"),
-        ("acceleration", "In m/s² and rad/s²"),
-    ];
-    let fields = names.into_iter().zip(fields).map(|(name, (field, about))| {
-        (width.type_name(&plain(name)), field.to_string(), about.to_string())
-    });
-    Record {
-        about: "Position, velocity and acceleration of the outputs.".to_string(),
-        name: width.type_name(&plain(&cx.names.motion)),
-        fields: fields.collect(),
-    }
-}
-
-fn margins(cx: &Context<'_>, width: Width) -> Record {
-    let field = |output: &Output| {
-        let ty = output_type(output, Order::Position, width);
-        (ty, plain(&output.field), docs::describe(cx, output, Order::Position))
-    };
-    let outputs = cx.mechanism.outputs.iter().filter(|output| output.is_margin());
-    Record {
-        about: "Distances of the groups from their limits.".to_string(),
-        name: width.type_name(&plain(&cx.names.margins)),
-        fields: outputs.map(field).collect(),
+fn about_field(cx: &Context<'_>, subject: Subject) -> String {
+    match subject {
+        Subject::Input(index) => {
+            let unit = unit(cx.mechanism.inputs[index].dimension, Order::Position);
+            format!("In {unit}, its rates in {unit}/s and {unit}/s²")
+        }
+        Subject::Output(index, order) => docs::describe(cx, &cx.mechanism.outputs[index], order),
+        Subject::Outputs(Order::Position) => "In m and rad".to_string(),
+        Subject::Outputs(Order::Velocity) => "In m/s and rad/s".to_string(),
+        Subject::Outputs(Order::Acceleration) => "In m/s² and rad/s²".to_string(),
     }
 }
 
@@ -206,17 +184,17 @@ fn functions(cx: &Context<'_>, width: Width) -> String {
         let about = comment(&["The parameters as declared.".to_string()], "");
         text += &format!("\n{about}{ty} {name}(void);\n");
     }
-    text + &cx.program.entries.iter().map(|entry| prototype(cx, entry, width)).collect::<String>()
+    text + &cx.interface.entries.iter().map(|entry| prototype(cx, entry, width)).collect::<String>()
 }
 
 fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {
-    let (arguments, answer) = (cx.arguments(of.kind), answer_name(of.kind));
+    let (arguments, answer) = (Arguments::new(cx, of.given), answer_name(of));
     // The inputs come last here, so that they give way to the names that are always there.
     let fixed = [PARAMETERS, answer, "error"].map(str::to_string);
     let names = distinct(fixed.into_iter().chain(arguments.names().iter().map(plain)));
-    let ty = match arguments.are_records() {
-        true => format!("const {} *", width.type_name(&plain(&cx.names.input))),
-        false => format!("{} ", width.in_c()),
+    let ty = match cx.inputs() {
+        Some(record) => format!("const {} *", width.type_name(&plain(record))),
+        None => format!("{} ", width.in_c()),
     };
     let parameters = (!cx.mechanism.params.is_empty())
         .then(|| format!("const {} *{}", width.type_name(&plain(&cx.names.solver)), names[0]));
@@ -224,21 +202,22 @@ fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {
     let list: Vec<String> = parameters
         .into_iter()
         .chain(inputs)
-        .chain([answer_argument(cx, of.kind, width), "LinkageError *error".to_string()])
+        .chain([answer_argument(cx, of, width), "LinkageError *error".to_string()])
         .collect();
-    let mut about = vec![format!("{}.", docs::subject(of.kind))];
-    if of.kind == EntryKind::Coefficients {
-        about.push(format!("Row by row: {}.", crate::codegen::rows::names(cx).join(", ")));
+    let mut about = vec![format!("{}.", of.subject)];
+    if matches!(of.result, Shape::Matrix { .. }) {
+        about.push(format!("Row by row: {}.", labels::all_rows(cx.mechanism).join(", ")));
     }
-    let (about, name) = (comment(&about, ""), function(&cx.names.solver, of.kind, width));
+    let (about, name) = (comment(&about, ""), function(&cx.names.solver, of, width));
     format!("\n{about}LinkageStatus {name}({});\n", list.join(", "))
 }
 
 /// Where the answer goes.
-fn answer_argument(cx: &Context<'_>, kind: EntryKind, width: Width) -> String {
-    let name = answer_name(kind);
-    match entry::record(cx, kind) {
-        Some(record) => format!("{} *{name}", width.type_name(&plain(record))),
-        None => format!("{} {name}[{}][{}]", width.in_c(), cx.rows(), cx.columns()),
+fn answer_argument(cx: &Context<'_>, of: &Entry, width: Width) -> String {
+    let (name, ty) = (answer_name(of), type_of(cx, of.result, width));
+    match of.result {
+        Shape::Matrix { rows, columns } => format!("{ty} {name}[{rows}][{columns}]"),
+        Shape::List(count) => format!("{ty} {name}[{count}]"),
+        Shape::Number | Shape::Quantity(..) | Shape::Record(_) => format!("{ty} *{name}"),
     }
 }

@@ -10,7 +10,8 @@ enum {
     LINKAGE_INVALID_LENGTH = 3, /* the length `name` of the group is zero or negative */
     LINKAGE_NOT_FINITE = 4,     /* the input, parameter or result `name` is not finite */
     LINKAGE_NULL_POINTER = 5,   /* the argument `name` is null */
-    LINKAGE_INVALID_MODE = 6    /* the parameter `name` is none of the modes below */
+    LINKAGE_INVALID_MODE = 6,   /* the parameter `name` is none of the modes below */
+    LINKAGE_OFF_CIRCLE = 7      /* cos and sin of the input `name` are those of no angle */
 };
 
 /* Assembly modes, the values of parameters that are modes. */

@@ -38,20 +38,20 @@ fn nothing_unsafe_comes_without_the_statement() {
 #[test]
 fn every_entry_point_is_a_function_in_both_widths() {
     let (mechanism, program) = exported(four_bar());
-    let entries = program.entries.len();
+    let entries = program.answers.len();
     let text = expand(&(mechanism, program));
     // Beside the entry points, the defaults in both widths.
     assert_eq!(text.matches("#[unsafe(no_mangle)]").count(), 2 * (entries + 1), "{text}");
     let all = squeezed(&text);
     for part in [
-        "extern \"C\" fn four_bar_default() -> Parameters_<f64> { Parameters_ { crank: 0.08, elbow: 1 } }",
-        "unsafe extern \"C\" fn four_bar_position(mechanism_: *const Parameters_<f64>, q0_: f64, \
-         to_: *mut FourBarPosition<f64>, why_: *mut private::CError) \
+        "extern \"C\" fn four_bar_default() -> Parameters_<private::f64> { Parameters_ { crank: 0.08, elbow: 1 } }",
+        "unsafe extern \"C\" fn four_bar_position(mechanism_: *const Parameters_<private::f64>, q0_: private::f64, \
+         to_: *mut FourBarPosition<private::f64>, why_: *mut private::CError) \
          -> private::i32 {",
         "unsafe { read_(mechanism_, \"mechanism\") }?.solver_()?.position(q0_)?",
         "unsafe { reply_(answer_, to_, \"position\", why_) }",
         "elbow: private::c_side(self.elbow, \"elbow\")? }",
-        "to_: *mut FourBarMotion<f32>,",
+        "to_: *mut FourBarMotion<private::f32>,",
     ] {
         assert!(all.contains(part), "no `{part}` in\n{text}");
     }
@@ -72,8 +72,8 @@ fn records_that_c_sees_are_laid_out_as_c_lays_them_out() {
 fn several_inputs_come_by_pointers_and_modes_as_numbers() {
     let text = squeezed(&expand(&exported(table())));
     for part in [
-        "fn table_velocity(mechanism_: *const Parameters_<f64>, q0_: *const TableInput<f64>, \
-         q1_: *const TableInput<f64>,",
+        "fn table_velocity(mechanism_: *const Parameters_<private::f64>, q0_: *const TableInput<private::f64>, \
+         q1_: *const TableInput<private::f64>,",
         "let q1_ = unsafe { read_(q1_, \"rates\") }?;",
         "way: private::c_sense(self.way, \"way\")?,",
         "Parameters_ { way: -1, scalar_: private::PhantomData }",

@@ -5,12 +5,11 @@ use syn::{Attribute, Visibility};
 
 use crate::exact::Exact;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
-use crate::ir::program::{Entry, EntryKind, Program};
+use crate::ir::program::{Answer, Program};
 use crate::model::mechanism::*;
-use crate::model::mentions::Mentions;
 
-pub(super) const LENGTH: Dimension = Dimension { length: 1, mass: 0, angle: false };
-pub(super) const ANGLE: Dimension = Dimension { length: 0, mass: 0, angle: true };
+pub(super) const LENGTH: Dimension = Dimension::LENGTH;
+pub(super) const ANGLE: Dimension = Dimension::ANGLE;
 
 pub(super) fn ident(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
@@ -37,6 +36,15 @@ pub(super) fn output(field: &str, kind: OutputKind) -> Output {
     Output { field: ident(field), docs: Vec::new(), kind }
 }
 
+fn group(keyword: &str, title: &str, links: &[u32]) -> Group {
+    Group {
+        keyword: ident(keyword),
+        title: title.to_string(),
+        links: links.iter().map(|&link| LinkId(link)).collect(),
+        pin: None,
+    }
+}
+
 pub(super) fn mechanism(name: &str, inputs: Vec<Input>, outputs: Vec<Output>) -> Mechanism {
     Mechanism {
         docs: Vec::new(),
@@ -51,8 +59,8 @@ pub(super) fn mechanism(name: &str, inputs: Vec<Input>, outputs: Vec<Output>) ->
         groups: Vec::new(),
         steps: Vec::new(),
         outputs,
-        turnings: Vec::new(),
-        mentions: Mentions::default(),
+        rotatabilities: Vec::new(),
+        references: References::default(),
         numerics: Numerics::Plain,
         crate_path: None,
         export_c: false,
@@ -65,12 +73,12 @@ pub(super) fn one_value(build: impl FnOnce(&mut Graph) -> Id) -> (Mechanism, Pro
     let mechanism = mechanism("Tiny", vec![input("theta", ANGLE)], vec![output("y", kind)]);
     let mut graph = Graph::new();
     let sinks = vec![build(&mut graph)];
-    let entries = vec![Entry { kind: EntryKind::Position, sinks }];
+    let answers = vec![Answer { entry: "position", sinks }];
     (
         mechanism,
         Program {
             graph,
-            entries,
+            answers,
             clearances: Vec::new(),
             groups: vec!["BC, DC".to_string(), "E".to_string()],
         },
@@ -98,18 +106,14 @@ pub(super) fn four_bar() -> (Mechanism, Program) {
     let side = ParamKind::Side { default: Sign::Plus };
     let mode = Param { name: ident("elbow"), docs: Vec::new(), kind: side };
     shear.params = vec![number("crank", "0.08"), mode];
-    let made_by = "rrr BC, DC".to_string();
-    shear.points = vec![Named { name: ident("C"), docs: docs(" The coupler's pin."), made_by }];
+    let part_of = Body::Pin(GroupId(1));
+    shear.points = vec![Point { name: ident("C"), docs: docs(" The coupler's pin."), part_of }];
     shear.links = vec![link("AB", 0), link("BC", 1), link("DC", 1)];
-    let group = |keyword, title: &str| Group { title: title.to_string(), keyword };
-    shear.groups = vec![group("crank", "AB"), group("rrr", "BC, DC")];
+    shear.groups = vec![group("crank", "AB", &[0]), group("rrr", "BC, DC", &[1, 2])];
     (shear, four_bar_program())
 }
 
 fn four_bar_program() -> Program {
-    use EntryKind::{
-        Coefficients, Margins, Motion, MotionAt, Position, PositionAt, Velocity, VelocityAt,
-    };
     let mut graph = Graph::new();
     let angle = graph.push(Node::Input { input: 0, order: 0 });
     let rate = graph.push(Node::Input { input: 0, order: 1 });
@@ -128,20 +132,20 @@ fn four_bar_program() -> Program {
     let (pose_at, velocity_at, motion_at) = orders(&mut graph, given);
     let coefficients = pose.velocity(&mut graph, unit);
     let margin = vec![pose.sinks[6]];
-    let entries = [
-        (Position, pose.sinks),
-        (Velocity, velocity),
-        (Motion, motion),
-        (Coefficients, coefficients),
-        (PositionAt, pose_at.sinks),
-        (VelocityAt, velocity_at),
-        (MotionAt, motion_at),
-        (Margins, margin),
+    let answers = [
+        ("position", pose.sinks),
+        ("velocity", velocity),
+        ("motion", motion),
+        ("coefficients", coefficients),
+        ("position_at", pose_at.sinks),
+        ("velocity_at", velocity_at),
+        ("motion_at", motion_at),
+        ("margins", margin),
     ];
-    let entries = entries.map(|(kind, sinks)| Entry { kind, sinks }).to_vec();
+    let answers = answers.map(|(entry, sinks)| Answer { entry, sinks }).to_vec();
     Program {
         graph,
-        entries,
+        answers,
         clearances: Vec::new(),
         groups: vec!["AB".to_string(), "BC, DC".to_string()],
     }
@@ -178,7 +182,8 @@ impl Pose {
         let factors = [outside, inside].map(|factor| g.push(Node::Div(factor, reach)));
         let height = g.push(Node::Mul(factors[0], factors[1]));
         let lengths = [&l1, &l2].map(|length| g.constant(length.clone()));
-        let operands = vec![d[0], d[1], lengths[0], lengths[1]];
+        let spread = g.constant(exact("2"));
+        let operands = vec![d[0], d[1], lengths[0], lengths[1], spread];
         let height = g.guard(height, check(Check::ReachCircles, operands));
         let height = g.push(Node::Sqrt(height));
         let across = g.push(Node::Mul(mode, height));
@@ -258,19 +263,19 @@ pub(super) fn table() -> (Mechanism, Program) {
     let output_of =
         |link, direction| OutputKind::Link { link: LinkId(link), direction, slide: true };
     let sum = Expr::Input(InputId(0));
-    let area = Dimension { length: 2, mass: 0, angle: false };
+    let area = Dimension { length: 2, ..Dimension::NUMBER };
     let outputs = vec![
         output("ram", output_of(0, true)),
         output("bed", output_of(1, false)),
         output("area", OutputKind::Value { value: sum.clone(), dimension: area }),
-        output("turn", OutputKind::Turn(Turn { links: Vec::new(), rest: sum })),
+        output("turn", OutputKind::Angle(AngleSum { links: Vec::new(), rest: sum })),
     ];
     let mut table = mechanism("Table", vec![input("s", LENGTH), input("X", LENGTH)], outputs);
     table.visibility = Visibility::Inherited;
     let sense = ParamKind::Sense { default: Sign::Minus };
     table.params = vec![Param { name: ident("way"), docs: Vec::new(), kind: sense }];
     table.links = vec![link("ram"), link("bed")];
-    table.groups = vec![Group { title: "ram".to_string(), keyword: "slider" }];
+    table.groups = vec![group("slider", "ram", &[0])];
     let mut g = Graph::new();
     let [s, s1, x, x1] =
         [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(input, order)| g.push(Node::Input { input, order }));
@@ -282,13 +287,13 @@ pub(super) fn table() -> (Mechanism, Program) {
     let slide1 = g.push(Node::Mul(way, s1));
     let parts = [g.push(Node::Mul(s1, x)), g.push(Node::Mul(s, x1))];
     let area1 = g.push(Node::Add(parts[0], parts[1]));
-    let entries = vec![
-        Entry { kind: EntryKind::Position, sinks: vec![one, zero, slide, x, area, cos, sin] },
-        Entry { kind: EntryKind::Velocity, sinks: vec![zero, slide1, x1, area1, s1] },
-        Entry {
-            kind: EntryKind::Coefficients,
+    let answers = vec![
+        Answer { entry: "position", sinks: vec![one, zero, slide, x, area, cos, sin] },
+        Answer { entry: "velocity", sinks: vec![zero, slide1, x1, area1, s1] },
+        Answer {
+            entry: "coefficients",
             sinks: vec![zero, way, zero, x, one, zero, zero, one, s, zero],
         },
     ];
-    (table, Program { graph: g, entries, clearances: Vec::new(), groups: Vec::new() })
+    (table, Program { graph: g, answers, clearances: Vec::new(), groups: Vec::new() })
 }

@@ -1,4 +1,4 @@
-//! What conditions become, and what the straight line and the careful path make of them.
+//! What conditions become, and what the fast path and the slow path make of them.
 
 use super::fixture::{exact, one_value};
 use super::{angle, expand, function, squeezed};
@@ -9,14 +9,14 @@ fn a_guard_is_given_what_it_looks_at_and_its_value_goes_on() {
     let text = expand(&one_value(|g| {
         let (angle, l1) = (angle(g), g.constant(exact("0.25")));
         let looked_at = g.push(Node::Hypot(angle, angle));
-        let operands = vec![looked_at, looked_at, l1, l1];
+        let operands = vec![looked_at, looked_at, l1, l1, l1];
         let guarded = g.guard(angle, Guard { check: Check::ReachCircles, group: 0, operands });
         g.push(Node::Sqrt(guarded))
     }));
     let formulas = squeezed(function(&text, "formulas_position_"));
     assert!(formulas.contains("let v2_ = T::hypot(theta, theta);"), "{formulas}");
-    let call = "let v3_ = guard_.reach_circles(theta, v2_, v2_, T::lit(0.25, 0.25), \
-                T::lit(0.25, 0.25), \"BC, DC\"); let v4_ = T::sqrt(v3_);";
+    let call = "let v3_ = guard_.reach_circles(theta, [v2_, v2_, T::lit(0.25, 0.25), \
+                T::lit(0.25, 0.25), T::lit(0.25, 0.25)], \"BC, DC\"); let v4_ = T::sqrt(v3_);";
     assert!(formulas.contains(call), "{formulas}");
 }
 
@@ -62,14 +62,28 @@ fn guard(check: &Check, bounded: bool) -> Vec<String> {
 #[test]
 fn every_check_is_marked_and_looked_at() {
     for (check, mark, look) in [
-        (Check::ReachLine, "at_least", "reach_line(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")"),
         (Check::Nonzero, "away", "nonzero(v4_, \"BC, DC\")"),
         (Check::Positive("a".to_string()), "above", "positive(v4_, \"BC, DC\", \"a\")"),
-        (Check::ReachCircles, "above", "reach_circles(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")"),
+        (Check::ReachOffset, "at_least", "reach_offset(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")"),
     ] {
         let mark = format!("{mark}(v4_, T::lit(0.0, 0.0))");
         assert_eq!(guard(&check, false), [mark, look.to_string()]);
     }
+    let (mark, look) = ("above_rounding(v4_, v1_)", "[v1_, v1_, v1_, v1_], \"BC, DC\")");
+    for (check, name) in
+        [(Check::ReachCircles, "reach_circles"), (Check::ReachDistances, "reach_distances")]
+    {
+        let look = format!("{name}(v4_, {look}");
+        assert_eq!(guard(&check, false), [mark.to_string(), look.clone()]);
+        // A spread that is not known before run time is compared with in any case.
+        assert_eq!(guard(&check, true), ["sin_cos(theta)", mark, &look]);
+    }
+    let share = "share_of_centres(v4_, [v1_, v1_, v1_, v1_], \"BC, DC\")";
+    assert_eq!(guard(&Check::ShareOfCentres, false), [share]);
+    let look = "reach_line(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")";
+    let mark = "at_least(v4_, T::lit(2.2250738585072014e-308, 1.1754944e-38))";
+    assert_eq!(guard(&Check::ReachLine, false), [mark, look]);
+    assert_eq!(guard(&Check::ReachLine, true), ["sin_cos(theta)", mark, look]);
     let look = "square_of_centres(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")";
     assert_eq!(guard(&Check::Square, false), ["at_least(v4_, T::smallest_square())", look]);
     let mark = "at_least(v4_, T::lit(4.6e-277, 8.4e-25))";
@@ -90,7 +104,7 @@ fn what_is_above_zero_is_not_asked_whether_it_is_zero() {
     assert_eq!(formulas.matches(".nonzero").count(), 1, "{formulas}");
 }
 
-/// The mask of the straight line on a quotient of two numbers made from the angle's sine.
+/// The mask of the fast path on a quotient of two numbers made from the angle's sine.
 fn mask(divisor: impl FnOnce(&mut Graph, Id) -> Id) -> String {
     let text = expand(&one_value(|g| {
         let angle = angle(g);

@@ -7,14 +7,14 @@ mod guards;
 mod spans;
 mod turning;
 
-use super::generate;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::program::Program;
+use crate::lower::lower;
 use crate::model::mechanism::Mechanism;
 use fixture::{exact, four_bar, one_value, table};
 
 /// What the blocks in the unnamed constant implement.
-pub(super) fn associated_items(file: &syn::File) -> Vec<&syn::ImplItem> {
+pub(crate) fn associated_items(file: &syn::File) -> Vec<&syn::ImplItem> {
     let blocks = file.items.iter().filter_map(|item| match item {
         syn::Item::Const(item) => match &*item.expr {
             syn::Expr::Block(block) => Some(&block.block.stmts),
@@ -27,6 +27,11 @@ pub(super) fn associated_items(file: &syn::File) -> Vec<&syn::ImplItem> {
         _ => &[],
     };
     blocks.flatten().flat_map(of).collect()
+}
+
+/// Everything that the program expands to.
+fn generate(mechanism: &Mechanism, program: &Program) -> proc_macro2::TokenStream {
+    super::generate(mechanism, &lower(mechanism, program))
 }
 
 fn expand((mechanism, program): &(Mechanism, Program)) -> String {
@@ -66,14 +71,14 @@ fn angle(graph: &mut Graph) -> Id {
 fn the_four_bar_expands_to_the_whole_interface() {
     let text = expand(&four_bar());
     for part in [
-        "pub struct FourBar<T = f64> {",
+        "pub struct FourBar<T = ::linkage_core::private::f64> {",
         "pub elbow: ::linkage_core::private::Side,",
         "pub struct FourBarPosition<T> {",
         "pub BC: ::linkage_core::private::AngularVelocity<T>,",
         "pub struct FourBarMotion<T> {",
         "pub struct FourBarMargins<T> {",
-        "pub const INPUTS: [&'static str; 1] = [\"theta\"];",
-        "pub const PARAMS: [&'static str; 1] = [\"crank\"];",
+        "pub const INPUTS: [&'static private::str; 1] = [\"theta\"];",
+        "pub const PARAMS: [&'static private::str; 1] = [\"crank\"];",
         "crank: 0.08,",
         "crank: T::lit(0.08, 0.08),",
         "elbow: private::Side::Left,",
@@ -82,7 +87,7 @@ fn the_four_bar_expands_to_the_whole_interface() {
     ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
     }
-    let rows = "OUTPUTS: [&'static str; 5] = [\"C.x\", \"C.y\", \"BC.angle\", \"DC.angle\", \
+    let rows = "OUTPUTS: [&'static private::str; 5] = [\"C.x\", \"C.y\", \"BC.angle\", \"DC.angle\", \
                 \"DC.margin\"];";
     assert!(squeezed(&text).contains(rows), "{text}");
 }
@@ -270,7 +275,7 @@ fn a_sweep_takes_series_and_gives_components() {
             "sweep::<OfVelocity, _, _, 2, 5>(self, [theta, theta_rate],",
             "[out.C.x, out.C.y, out.BC.cos, out.BC.sin,",
             "impl<T: Float> Entry<OfVelocity, T, 2, 5> for FourBar<T> {",
-            "self.lift::<Lanes<T, W, F>>().core_velocity_(x0_, x1_);",
+            "self.lift::<Lanes<T, W_, F>>().core_velocity_(x0_, x1_);",
             "let result_ = self.velocity(x0_, x1_)?;",
             "Ok([result_.C.x, result_.C.y, result_.BC.omega,",
         ],

@@ -1,11 +1,10 @@
 //! What the docs say about the turn of a crank, and the solver's word on it.
 
-use crate::codegen::generate;
+use super::generate;
 use crate::equations;
 use crate::exact::Exact;
 use crate::ir::interpret::{Given, Number, interpret};
-use crate::ir::program::EntryKind;
-use crate::model::turning::Range;
+use crate::model::mechanism::Range;
 use crate::oracle::mechanism;
 use crate::passes;
 
@@ -94,8 +93,8 @@ fn assembles(source: &str) -> impl Fn(f64) -> bool {
     let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
     move |degrees: f64| {
         let inputs = vec![[degrees.to_radians(), 0.0, 0.0]];
-        let values = interpret(&program, &Given { inputs, params: Vec::new() });
-        let entry = program.entries.iter().find(|entry| entry.kind == EntryKind::Position);
+        let values = interpret(&program, &Given { inputs, params: Vec::new(), unit: None });
+        let entry = program.answer("position");
         let sinks = &entry.expect("there is a position").sinks;
         sinks.iter().all(|sink| values[sink.index()].is_finite())
     }
@@ -104,7 +103,7 @@ fn assembles(source: &str) -> impl Fn(f64) -> bool {
 /// The stated range holds the angles at which the solver assembles, and no others.
 fn agrees_with_the_solver(source: &str) {
     let (assembles, mechanism) = (assembles(source), mechanism(source));
-    let range = &mechanism.turnings.first().expect("something is said").range;
+    let range = &mechanism.rotatabilities.first().expect("something is said").range;
     // Steps that meet no limit of the cases below.
     for step in 0..3600 {
         let angle = f64::from(step) * 0.1 + 0.037;
@@ -199,7 +198,7 @@ fn one_change_point_is_found_where_the_lengths_just_reach() {
     assert!(said(&source).contains("At `theta` = 180° both"), "{}", said(&source));
     let source = two_bars("(3m, 0)", "(2.5m, 1.499999999999999m)");
     assert!(!said(&source).contains("both"), "{}", said(&source));
-    assert!(matches!(mechanism(&source).turnings[0].range, Range::Within(_)));
+    assert!(matches!(mechanism(&source).rotatabilities[0].range, Range::Within(_)));
 }
 
 #[test]

@@ -182,6 +182,15 @@ pub(crate) const VARIANTS: &[Variant] = &[
         inputs: TWO,
     },
     Variant {
+        name: "coordinates and distances",
+        source: moving!("rrr PX(P), FX(F) -> X { lengths: (0.7, 0.9), mode: left }"
+            "let reach = distance(P, X) / 2 + distance(X, O); point Y at (X.x + 0.1, 2 * P.y);"
+            "crank turned(O) -> H { length: distance(P, F), angle: B.y / 1m }"
+            "rrr HK(H), YK(Y) -> K { lengths: (reach, distance(A, O) + 1.1), mode: right }"
+            "output X, X.x, Y, K.y, H, reach, d = distance(K, X);"),
+        inputs: ONE,
+    },
+    Variant {
         name: "margins and transmission",
         source: moving!("rrr PX(P), FX(F) -> X { lengths: (0.7, 0.9), mode: left }"
             "rrp FC(F), block(way) -> C { length: 1.3, offset: 0.1, mode: ahead }"

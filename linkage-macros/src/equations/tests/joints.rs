@@ -1,7 +1,6 @@
 //! Positions against the conditions that the joints of each group state.
 
 use crate::ir::interpret::{Given, Number};
-use crate::ir::program::EntryKind;
 use crate::oracle::{Digits, defaults, mechanism, values};
 use crate::{equations, passes};
 
@@ -10,8 +9,8 @@ fn position(source: &str) -> Vec<Digits> {
     let mechanism = mechanism(source);
     let program = equations::derive(&mechanism, passes::RULES);
     let inputs = [0.7, 0.21].map(|q| [q, 0.0, 0.0].map(Digits::float)).to_vec();
-    let given = Given { inputs, params: defaults(&mechanism) };
-    values(&program, EntryKind::Position, &given)
+    let given = Given { inputs, params: defaults(&mechanism), unit: None };
+    values(&program, "position", &given)
 }
 
 fn to_f64(values: &[Digits]) -> Vec<f64> {

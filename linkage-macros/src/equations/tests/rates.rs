@@ -1,9 +1,9 @@
 //! Velocity and acceleration against differences of the position along q(t).
 
 use crate::equations::tests::declarations::VARIANTS;
+use crate::interface::quantity::{Order, Quantity};
 use crate::ir::interpret::{Given, Number};
-use crate::ir::program::EntryKind;
-use crate::model::mechanism::{Mechanism, Shape};
+use crate::model::mechanism::Mechanism;
 use crate::oracle::{Digits, defaults, derivatives, mechanism, values};
 use crate::{equations, passes};
 
@@ -14,9 +14,9 @@ fn rates_of(mechanism: &Mechanism, position: &[Digits], derivative: &[Digits]) -
     let mut rates = Vec::new();
     let mut at = 0;
     for output in &mechanism.outputs {
-        let shape = output.kind.shape();
-        let end = at + shape.positions();
-        if matches!(shape, Shape::Direction | Shape::SlidingDirection) {
+        let quantity = Quantity::of(&output.kind);
+        let end = at + quantity.layout(Order::Position).parts.len();
+        if matches!(quantity, Quantity::Direction | Quantity::SlidingDirection) {
             let turning =
                 position[at].mul(&derivative[at + 1]).sub(&position[at + 1].mul(&derivative[at]));
             rates.push(turning);
@@ -45,14 +45,15 @@ fn velocities_and_accelerations_are_derivatives_of_the_position() {
                 })
                 .collect(),
             params: defaults(&mechanism),
+            unit: None,
         };
         let now = given(&Digits::float(0.0));
-        let position = values(&program, EntryKind::Position, &now);
-        let (first, second) = derivatives(|t| values(&program, EntryKind::Position, &given(t)));
+        let position = values(&program, "position", &now);
+        let (first, second) = derivatives(|t| values(&program, "position", &given(t)));
         let velocity = rates_of(&mechanism, &position, &first);
         let acceleration = rates_of(&mechanism, &position, &second);
         let expected = [&position[..], &velocity, &acceleration].concat();
-        let motion = values(&program, EntryKind::Motion, &now);
+        let motion = values(&program, "motion", &now);
         assert_eq!(motion.len(), expected.len(), "{}", variant.name);
         for (index, (formula, truth)) in motion.iter().zip(&expected).enumerate() {
             // The differences are good to h⁶ times a sixth derivative: 2⁻²⁴⁰ times at most some
@@ -82,13 +83,14 @@ fn coefficients_are_the_velocities_at_unit_rates() {
                 .map(|(q, &rate)| [q[0], rate, 0.0].map(Digits::float))
                 .collect(),
             params: defaults(&mechanism),
+            unit: None,
         };
         let count = variant.inputs.len();
-        let coefficients = values(&program, EntryKind::Coefficients, &given(&vec![9.0; count]));
+        let coefficients = values(&program, "coefficients", &given(&vec![9.0; count]));
         for moving in 0..count {
             let mut rates = vec![0.0; count];
             rates[moving] = 1.0;
-            let velocity = values(&program, EntryKind::Velocity, &given(&rates));
+            let velocity = values(&program, "velocity", &given(&rates));
             let rows = coefficients.len() / count;
             for (row, truth) in velocity.iter().enumerate() {
                 let apart = coefficients[moving * rows + row].apart(truth);

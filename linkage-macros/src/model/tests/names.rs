@@ -104,14 +104,13 @@ fn what_is_used_was_made_earlier() {
         (
             CRANK,
             "rrr BC(P), DC(D) -> C { lengths: (3m, 3m), mode: left } point P on AB at (1m, 0);",
-            "P: `P` is used before `point P` makes it / move `point P` in front of this \
-             statement",
+            "P: `P` is used before `point P` makes it / this order works: `point P`, `rrr BC, DC`",
         ),
         (
             CRANK,
             "crank EF(D) -> F { length: far, angle: t } param far = 2m;",
-            "far: `far` is used before `param far` makes it / move `param far` in front of this \
-             statement",
+            "far: `far` is used before `param far` makes it / this order works: `param far`, \
+             `crank EF`",
         ),
         (
             CRANK,
@@ -123,10 +122,10 @@ fn what_is_used_was_made_earlier() {
             SIX_BAR,
             "crank X(A) -> Y { length: half, angle: t } let half = t * 1m / 2; crank Z(A) { \
              angle: half }",
-            "half: `half` is used before `let half` makes it / move `let half` in front of this \
-             statement\n\
-             half: a length where an angle belongs / a length divided by a length is a number, \
-             and so an angle: `s / 20mm`",
+            "half: a length where an angle belongs / a length divided by a length is a number, \
+             and so an angle: `s / 20mm`\n\
+             half: `half` is used before `let half` makes it / this order works: `let half`, \
+             `crank X`",
         ),
     ]);
 }
@@ -139,7 +138,11 @@ fn a_name_is_of_a_kind_that_belongs_there() {
             "rrr BC(AB), DC(D) -> C { lengths: (3m, 3m), mode: left }",
             "AB: `AB` is a link, not a point / name a joint of `AB`, or a `point` on it",
         ),
-        (CRANK, "output sum = B;", "B: `B` is a point, not a number"),
+        (
+            CRANK,
+            "output sum = B;",
+            "B: `B` is a point, not a number / its coordinates are `B.x` and `B.y`",
+        ),
         (
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: t, relative_to: A }",
@@ -148,7 +151,7 @@ fn a_name_is_of_a_kind_that_belongs_there() {
         (
             CRANK,
             "let x = B; let y = rail; guide rail through A along 0deg; let z = rail;",
-            "B: `B` is a point, not a number\n\
+            "B: `B` is a point, not a number / its coordinates are `B.x` and `B.y`\n\
              rail: `rail` is a guide, not a number\n\
              rail: `rail` is a guide, not a number",
         ),
@@ -259,5 +262,27 @@ fn settings_are_known_and_given_once() {
         (CRANK, "crate = a; crate = b;", "b: `crate` is given twice; remove one"),
         (CRANK, "export cpp;", "cpp: no export named `cpp`; write `export c;`"),
         (CRANK, "export c; export c;", "c: `export c` is given twice; remove one"),
+    ]);
+}
+
+/// One message for all names that are used too early, and none that sends statements to and fro.
+#[test]
+fn an_order_that_works_is_told_or_the_circle() {
+    check(&[
+        (
+            CRANK,
+            "rrr EC(E), DC(D) -> C { lengths: (3m, 3m), mode: left } point E on BE at (1m, 0); \
+             rrr BE(B), FE(F) -> G { lengths: (3m, 3m), mode: left } ground F(1m, 1m);",
+            "E: `E` is used before `point E` makes it / this order works: `ground F`, \
+             `rrr BE, FE`, `point E`, `rrr EC, DC`",
+        ),
+        (
+            CRANK,
+            "rrr BC(B), CF(F) -> C { lengths: (3m, 3m), mode: left } \
+             rrr DF(D), EF(C) -> F { lengths: (3m, 2m), mode: left } output C, F;",
+            "F: `rrr BC, CF` and `rrr DF, EF` need each other: a group of class III or higher / \
+             only drivers and dyads are solved in closed form; drive the chain at another link, so \
+             that each dyad stands on what is known",
+        ),
     ]);
 }

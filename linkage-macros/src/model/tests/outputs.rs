@@ -11,7 +11,8 @@ fn an_output_is_given_once() {
         (
             CRANK,
             "output B.angle;",
-            "angle: a point is given whole; write `output B` / the field `B` has `x` and `y`",
+            "angle: a point has no `angle`; it has `x` and `y` / write `B.x` or `B.y`; `output B` \
+             gives both",
         ),
         (
             SIX_BAR,
@@ -64,10 +65,13 @@ fn a_link_gives_what_it_has() {
             "output AB.slide;",
             "slide: `AB` does not slide / no link of `crank AB` slides on a guide",
         ),
+        (GUIDE, "output B.x, B, B.y, A.x;", ""),
+        (GUIDE, "output B.x, B.x;", "x: the output `B_x` is given twice; remove one"),
         (
             GUIDE,
-            "output B.x;",
-            "x: a point is given whole; write `output B` / the field `B` has `x` and `y`",
+            "output B.speed;",
+            "speed: rates need no output of their own; write `output B` / `velocity` gives that \
+             of `B`, and `motion` its acceleration too",
         ),
         (
             CRANK,
@@ -149,9 +153,20 @@ fn an_expression_has_a_name_of_its_own() {
         ),
         (
             CRANK,
-            "output sum = B.x;",
-            "B: `B` is a point, and a point's coordinates stand in no expression / `output B` \
-             gives `x` and `y` as a result",
+            "output sum = B.z;",
+            "z: a point has no `z`; it has `x` and `y` / write `B.x` or `B.y`; `output B` gives \
+             both",
+        ),
+        (
+            CRANK,
+            "output sum = AB.x;",
+            "x: `AB.x` stands in no expression / a link has `angle`, and `slide` if it slides; a \
+             point has `x` and `y`",
+        ),
+        (
+            CRANK,
+            "output sum = B + 1m;",
+            "B: `B` is a point, not a number / its coordinates are `B.x` and `B.y`",
         ),
     ]);
 }

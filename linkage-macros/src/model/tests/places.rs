@@ -129,3 +129,28 @@ fn a_point_has_a_place_on_its_link() {
         (CRANK, "point P at (t * 1m, 0);", ""),
     ]);
 }
+
+#[test]
+fn places_are_written_as_what_they_are() {
+    check(&[
+        (
+            CRANK,
+            "point P at (500mm, -60mm);",
+            "P: `P` does not move; name its link, as in `point P on AB at …` / a fixed point is \
+             declared by `ground P(x, y);`",
+        ),
+        (CRANK, "point P at (t * 500mm, -60mm); point Q on ground at (1m, 0);", ""),
+        (
+            CRANK,
+            "point P on AB at (500mm, 20deg);",
+            "20deg: an angle where a length belongs / a distance and an angle are written \
+             `at polar (r, 20deg)`",
+        ),
+        (
+            CRANK,
+            "guide up through A along y; guide flat through A along horizontal;",
+            "y: write `along 90deg` / a direction is an angle from +x\n\
+             horizontal: write `along 0deg` / a direction is an angle from +x",
+        ),
+    ]);
+}

@@ -1,6 +1,6 @@
 //! What legal declarations resolve to.
 
-use super::super::mechanism::Numerics;
+use super::super::mechanism::{Numerics, PointId};
 use super::text::text;
 use super::*;
 
@@ -103,7 +103,7 @@ fn points_and_guides_of_links_resolve() {
          crank AB(A) -> B at 1 `length of AB` turned t from ground
          rrr BC, DC on B, D -> C lengths 3 `length of BC`, 3 `length of DC` mode -
          point P on BC at polar (2, 0.5235987755982989) by rrr BC, DC
-         point Q on DC at distances (2, 1.5) of 3 - by rrr BC, DC
+         point Q on DC at distances (2 `first distance of Q`, 1.5 `second distance of Q`) of 3 - by rrr BC, DC
          point R on ground at ((1 * cos(t)), 0) by point R
          point S on ground at polar (1, 0) by point S
          guide slot on BC through P towards C
@@ -212,7 +212,7 @@ fn outputs_are_what_was_asked_for() {
 fn what_stands_still_is_no_default_output() {
     means(
         "input t: angle; ground A(0, 0), D(1m, 0); crank AB(A) -> B { length: 1m, angle: 30deg }
-         point P on AB at (1m, 0); point Q at (0, 1m); point R at (t * 1m, 0);
+         point P on AB at (1m, 0); point Q on ground at (0, 1m); point R at (t * 1m, 0);
          rrr BC(B), DC(D) -> C { lengths: (1m, 1m), mode: left }",
         "input t: an angle
          ground A(0, 0)
@@ -242,13 +242,17 @@ fn settings_are_kept() {
 fn doc_comments_are_kept_and_makers_named() {
     let (mechanism, _) = resolved(&format!(
         "{GUIDE} /// The rod.\n rrr BC(B), DC(D) -> C {{ lengths: (3m, 3m), mode: left }} \
-         /// The blade.\n point P on BC at (1m, 0); point R at (0, 0);"
+         /// The blade.\n point P on BC at (1m, 0); point R on ground at (0, 0);"
     ));
     let mechanism = mechanism.expect("nothing was reported");
     let points: Vec<_> = mechanism
         .points
         .iter()
-        .map(|point| format!("{} {} {}", point.name, point.made_by, point.docs.len()))
+        .enumerate()
+        .map(|(id, point)| {
+            let maker = mechanism.maker(PointId(id as u32));
+            format!("{} {maker} {}", point.name, point.docs.len())
+        })
         .collect();
     assert_eq!(
         points,

@@ -78,15 +78,21 @@ impl Names<'_> {
             Expr::Param(id) => self.0.params[id.index()].name.to_string(),
             Expr::Let(id) => format!("let{}", id.0),
             Expr::Slide(link) => format!("{}.slide", self.link(*link)),
+            Expr::Coordinate(point, axis) => {
+                format!("{}.{axis:?}", self.point(*point)).to_lowercase()
+            }
+            Expr::Distance([p, q]) => format!("distance({}, {})", self.point(*p), self.point(*q)),
             Expr::Negate(value) => format!("(-{})", self.expr(value)),
-            Expr::Binary(operator, sides) => {
-                let operator = match operator {
-                    Operator::Add => '+',
-                    Operator::Sub => '-',
-                    Operator::Mul => '*',
-                    Operator::Div => '/',
-                };
-                format!("({} {operator} {})", self.expr(&sides[0]), self.expr(&sides[1]))
+            Expr::Chain(first, rest) => {
+                rest.iter().fold(self.expr(first), |left, (operator, right)| {
+                    let operator = match operator {
+                        Operator::Add => '+',
+                        Operator::Sub => '-',
+                        Operator::Mul => '*',
+                        Operator::Div => '/',
+                    };
+                    format!("({left} {operator} {})", self.expr(right))
+                })
             }
             Expr::Call(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(|a| self.expr(a)).collect();
@@ -99,7 +105,7 @@ impl Names<'_> {
         format!("({}, {})", self.expr(first), self.expr(second))
     }
 
-    fn turn(&self, turn: &Turn) -> String {
+    fn turn(&self, turn: &AngleSum) -> String {
         let links = turn.links.iter().map(|(link, k)| format!("{k}*{}.angle", self.link(*link)));
         links.chain([self.expr(&turn.rest)]).collect::<Vec<_>>().join(" + ")
     }
@@ -114,25 +120,26 @@ impl Names<'_> {
             Step::Ground { point, at } => format!("ground {}{}", self.point(*point), self.pair(at)),
             Step::Guide { guide, carrier, through, course } => {
                 let through = match through {
-                    Spot::At(at) => self.pair(at),
-                    Spot::Point(point) => self.point(*point),
+                    Through::At(at) => self.pair(at),
+                    Through::Point(point) => self.point(*point),
                 };
                 let course = match course {
-                    Course::Along(turn) => format!("along {}", self.turn(turn)),
-                    Course::Towards(point) => format!("towards {}", self.point(*point)),
+                    GuideDirection::Along(turn) => format!("along {}", self.turn(turn)),
+                    GuideDirection::Towards(point) => format!("towards {}", self.point(*point)),
                 };
                 let (guide, carrier) = (self.guide(*guide), self.carrier(*carrier));
                 format!("guide {guide} on {carrier} through {through} {course}")
             }
             Step::Point { point, carrier, place, group } => {
                 let place = match place {
-                    Place::Cartesian(at) => self.pair(at),
-                    Place::Polar(radius, angle) => {
+                    Placement::Cartesian(at) => self.pair(at),
+                    Placement::Polar(radius, angle) => {
                         format!("polar ({}, {})", self.expr(radius), self.expr(angle))
                     }
-                    Place::Distances { distances, length, side } => format!(
-                        "distances {} of {} {}",
-                        self.pair(distances),
+                    Placement::Distances { distances, length, side } => format!(
+                        "distances ({}, {}) of {} {}",
+                        self.length(&distances[0]),
+                        self.length(&distances[1]),
                         self.expr(length),
                         sign(*side)
                     ),
@@ -149,7 +156,7 @@ impl Names<'_> {
                 let made = self.made(*group, &[*link]);
                 format!("{made}({pivot}){pin} turned {angle} from {base}")
             }
-            Step::Slider { link, guide, pin, slide, offset } => {
+            Step::Slider { link, guide, pin, slide, offset, .. } => {
                 let pin = pin.map_or(String::new(), |pin| format!(" -> {}", self.point(pin)));
                 let (guide, slide) = (self.guide(*guide), self.expr(slide));
                 let group = self.0.links[link.index()].made_by;
@@ -222,7 +229,7 @@ impl Names<'_> {
             OutputKind::Value { value, dimension } => {
                 format!("{} {}", dimension.words(), self.expr(value))
             }
-            OutputKind::Turn(turn) => format!("turn {}", self.turn(turn)),
+            OutputKind::Angle(turn) => format!("turn {}", self.turn(turn)),
             OutputKind::Margin(group) => format!("margin of {}", self.title(*group)),
             OutputKind::Transmission(group) => format!("transmission of {}", self.title(*group)),
         };

@@ -2,7 +2,7 @@
 
 use crate::exact::Exact;
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::program::{Entry, EntryKind, Program};
+use crate::ir::program::{Answer, Program};
 use crate::ir::text::text;
 use crate::passes::affine::square_distances;
 
@@ -22,10 +22,10 @@ fn square(x: &str, y: &str, length: &str, and: impl FnOnce(&mut Graph, [Id; 2]) 
         g.push(Node::Mul(component, component))
     });
     let sink = and(&mut g, squares);
-    let entries = vec![Entry { kind: EntryKind::Position, sinks: vec![sink] }];
+    let answers = vec![Answer { entry: "position", sinks: vec![sink] }];
     text(&square_distances(&Program {
         graph: g,
-        entries,
+        answers,
         clearances: Vec::new(),
         groups: Vec::new(),
     }))
@@ -46,7 +46,7 @@ fn a_distance_that_at_most_doubles_is_affine() {
     let beside = square("3", "0", "1", sum);
     assert!(starts_at(&beside, "10") && beside.contains(" = 6\n"), "{beside}");
     assert!(beside.contains("mul %13 %1\n"), "{beside}");
-    assert!(beside.trim_end().ends_with("%16 = sub %11 %14\nPosition: %16"), "{beside}");
+    assert!(beside.trim_end().ends_with("%16 = sub %11 %14\nposition: %16"), "{beside}");
     // The pivot inside the circle: 1 + 3² − 2·3·sin θ.
     let inside = square("0", "1", "3", sum);
     assert!(starts_at(&inside, "10") && inside.contains(" = 6\n"), "{inside}");
@@ -70,13 +70,13 @@ fn a_constant_beside_the_square_becomes_part_of_it() {
         let (square, limit) = (sum(g, squares), c(g, "49"));
         g.push(Node::Sub(limit, square))
     });
-    assert!(far.trim_end().ends_with(" = 39\n%19 = add %18 %14\nPosition: %19"), "{far}");
+    assert!(far.trim_end().ends_with(" = 39\n%19 = add %18 %14\nposition: %19"), "{far}");
 }
 
 #[test]
 fn a_distance_that_more_than_doubles_stays_a_sum_of_squares() {
     for near in [square("3", "0", "1.01", sum), square("1", "0", "1.1", sum)] {
-        assert!(near.trim_end().ends_with("%13 = add %7 %11\nPosition: %13"), "{near}");
+        assert!(near.trim_end().ends_with("%13 = add %7 %11\nposition: %13"), "{near}");
     }
 }
 
@@ -100,8 +100,8 @@ fn what_moves_on_no_circle_stays_a_sum_of_squares() {
     let x = g.push(Node::Sub(far, turned));
     let squares = [x, aside].map(|part| g.push(Node::Mul(part, part)));
     let sink = sum(&mut g, squares);
-    let entries = vec![Entry { kind: EntryKind::Position, sinks: vec![sink] }];
-    let program = Program { graph: g, entries, clearances: Vec::new(), groups: Vec::new() };
+    let answers = vec![Answer { entry: "position", sinks: vec![sink] }];
+    let program = Program { graph: g, answers, clearances: Vec::new(), groups: Vec::new() };
     let kept = text(&square_distances(&program));
     // 9² + 1² + 1 would be the constant of a circle.
     assert!(!starts_at(&kept, "83"), "{kept}");

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use proc_macro2::{TokenStream, TokenTree};
 
+use crate::lower::lower;
 use crate::oracle::mechanism;
 use crate::{codegen, equations, passes};
 
@@ -38,7 +39,7 @@ fn sizes(groups: usize) -> [usize; 3] {
     let mechanism = mechanism(&chain(groups));
     let written = equations::derive(&mechanism, passes::RULES);
     let left = passes::optimise(&written);
-    let code = codegen::generate(&mechanism, &left);
+    let code = codegen::generate(&mechanism, &lower(&mechanism, &left));
     [written.graph.len(), left.graph.len(), tokens(code)]
 }
 

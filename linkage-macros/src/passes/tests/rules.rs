@@ -3,7 +3,7 @@
 use crate::exact::Exact;
 use crate::ir::construct::{Maker, Rule, rebuild};
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::program::{Entry, EntryKind, Program};
+use crate::ir::program::{Answer, Program};
 use crate::ir::text::text;
 use crate::passes::{RULES, contract, fold, simplify};
 
@@ -11,8 +11,8 @@ use crate::passes::{RULES, contract, fold, simplify};
 fn program(build: impl FnOnce(&mut Graph) -> Id) -> Program {
     let mut graph = Graph::new();
     let sink = build(&mut graph);
-    let entries = vec![Entry { kind: EntryKind::Position, sinks: vec![sink] }];
-    Program { graph, entries, clearances: Vec::new(), groups: vec!["AB".into()] }
+    let answers = vec![Answer { entry: "position", sinks: vec![sink] }];
+    Program { graph, answers, clearances: Vec::new(), groups: vec!["AB".into()] }
 }
 
 fn x(graph: &mut Graph) -> Id {
@@ -34,7 +34,7 @@ fn c(graph: &mut Graph, digits: &str) -> Id {
 /// The sink as nested text after the rules.
 fn after(rules: &[Rule], build: impl FnOnce(&mut Graph) -> Id) -> String {
     let program = rebuild(&program(build), rules);
-    nested(&program.graph, program.entries[0].sinks[0])
+    nested(&program.graph, program.answers[0].sinks[0])
 }
 
 fn nested(graph: &Graph, id: Id) -> String {
@@ -116,7 +116,7 @@ fn what_no_sink_needs_is_left_behind() {
         g.push(Node::Mul(a, b));
         g.push(Node::Neg(a))
     });
-    assert_eq!(text(&rebuild(&program, &[])), "%0 = param 0\n%1 = neg %0\nPosition: %1\n");
+    assert_eq!(text(&rebuild(&program, &[])), "%0 = param 0\n%1 = neg %0\nposition: %1\n");
 }
 
 #[test]
@@ -137,7 +137,7 @@ fn a_rule_never_sees_a_node_twice() {
 
 fn fused(build: impl FnOnce(&mut Graph) -> Id) -> String {
     let program = contract::fuse_products(&program(build));
-    nested(&program.graph, program.entries[0].sinks[0])
+    nested(&program.graph, program.answers[0].sinks[0])
 }
 
 #[test]

@@ -56,6 +56,35 @@ fn products_and_powers() {
 }
 
 #[test]
+fn products_of_units() {
+    const ROWS: &[(&str, &str)] = &[
+        ("let x = 2(a);", "(: expected `;`, found `(` / a product is written with `*`"),
+        ("let x = 2(m + a);", "(: expected `;`, found `(` / a product is written with `*`"),
+        (
+            "let x = 2(N/m*s);",
+            "*: write every `*` in front of the first `/` / units are read from left to right, and \
+             `N/m*s` could mean two things",
+        ),
+        (
+            "let x = 2(N m);",
+            "m: expected `*`, `/` or `)`, found `m` / units are joined by `*` and `/`",
+        ),
+        ("let x = 2(m^x);", "(: expected `;`, found `(` / a product is written with `*`"),
+        (
+            "let x = 2(m^2.5);",
+            "2.5: expected a whole number from 1 to 9, found `2.5` / as in `m^2`",
+        ),
+        ("let x = 2(m^99);", "99: expected a whole number from 1 to 9, found `99` / as in `m^2`"),
+        ("let x = 2(N*);", "): expected a unit, found `)`"),
+        (
+            "let x = 2(1*s);",
+            "*: expected `/`, found `*` / a leading `1` is divided by a unit: `(1/s)`",
+        ),
+    ];
+    check_statements(ROWS);
+}
+
+#[test]
 fn what_is_no_expression() {
     const ROWS: &[(&str, &str)] = &[
         (

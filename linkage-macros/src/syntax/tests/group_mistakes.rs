@@ -175,3 +175,25 @@ fn missing_semicolons() {
     ];
     check_statements(ROWS);
 }
+
+#[test]
+fn habits_from_elsewhere() {
+    const ROWS: &[(&str, &str)] = &[
+        (
+            "crank AB(A) -> B { length: 0,08m, angle: t }",
+            "0: write `0.08m` / decimals stand behind a point",
+        ),
+        (
+            "crank AB(A) -> B { length: .08m, angle: t }",
+            ".: write `0.08m` / a digit stands in front of the decimal point",
+        ),
+        (
+            "rrr BC(B), DC(D) -> C { lengths: [632mm, 374mm], mode: left }",
+            "[: write `(` and `)` in place of the brackets / two values of a field stand in parentheses",
+        ),
+        // What is wrong with these is the model's to say, once.
+        ("rrr BC(B), DC(D) -> C { lengths: (1m, 1m), mode: +1 }", ""),
+        ("rrr BC(B), DC(D), EC(E) -> C { lengths: (1m, 1m, 1m), mode: left }", ""),
+    ];
+    check_statements(ROWS);
+}

@@ -151,21 +151,26 @@ fn pair(values: &[Expr; 2]) -> String {
 
 fn expr(value: &Expr) -> String {
     match &value.kind {
-        ExprKind::Number { digits, unit } => {
-            format!("{digits}{}", unit.as_deref().unwrap_or_default())
-        }
+        ExprKind::Number { digits, units } => match &units[..] {
+            [] => digits.clone(),
+            [(unit, 1)] => format!("{digits}{unit}"),
+            units => {
+                let units: Vec<_> = units.iter().map(|(u, power)| format!("{u}^{power}")).collect();
+                format!("{digits}({})", units.join(" "))
+            }
+        },
         ExprKind::Name(name) => name.to_string(),
         ExprKind::Member(link, member) => format!("{link}.{member}"),
         ExprKind::Negate(operand) => format!("(-{})", expr(operand)),
-        ExprKind::Binary(operator, operands) => {
+        ExprKind::Chain(first, rest) => rest.iter().fold(expr(first), |left, (operator, right)| {
             let sign = match operator {
                 BinaryOp::Add => '+',
                 BinaryOp::Sub => '-',
                 BinaryOp::Mul => '*',
                 BinaryOp::Div => '/',
             };
-            format!("({} {sign} {})", expr(&operands[0]), expr(&operands[1]))
-        }
+            format!("({left} {sign} {})", expr(right))
+        }),
         ExprKind::Call(name, arguments) => {
             format!("{name}({})", arguments.iter().map(expr).collect::<Vec<_>>().join(", "))
         }

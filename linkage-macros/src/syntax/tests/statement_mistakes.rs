@@ -208,3 +208,40 @@ fn points_on_links() {
     ];
     check_statements(ROWS);
 }
+
+#[test]
+fn habits_from_elsewhere() {
+    const ROWS: &[(&str, &str)] = &[
+        (
+            "use std::f64::consts::PI;",
+            "use: no statement begins with `use` / names of the crate are not known in here; `pi` \
+             is, and other numbers are declared: `param l = …`",
+        ),
+        (
+            "leg!(B);",
+            "leg: no statement begins with `leg` / macros are not expanded in here; let a \
+             `macro_rules!` write all of `mechanism!`",
+        ),
+        (
+            "ground A(0, 0), crank AB(A) -> B { length: 1m, angle: t }",
+            ",: write `;` in place of this `,`",
+        ),
+        ("output B, ground A(0, 0);", ",: write `;` in place of this `,`"),
+        (
+            "let mut x = 2m;",
+            "mut: leave out `mut` / what is declared does not change; a `param` can be set at run \
+             time",
+        ),
+        ("# a comment\noutput B;", "#: write `//` in front of a comment"),
+        (
+            "point upper-blade on BC at (1m, 0);",
+            "upper-blade: write `upper_blade` / a `-` in a name would be a difference",
+        ),
+        ("let x = .08m;", ".: write `0.08m` / a digit stands in front of the decimal point"),
+        (
+            "let d = |B - D|;",
+            "|: expected a number or a name, found `|` / a distance is written `distance(P, Q)`",
+        ),
+    ];
+    check_statements(ROWS);
+}

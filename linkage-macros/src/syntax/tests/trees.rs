@@ -183,3 +183,19 @@ fn spans_reach_from_the_first_to_the_last_token() {
     let [only] = &errors[..] else { panic!("the source has no mistake: {errors:?}") };
     assert_eq!(only.span().source_text().as_deref(), Some("2 * (a + sqrt(b)) - BC.angle"));
 }
+
+#[test]
+fn units_are_multiplied_in_parentheses() {
+    for (text, tree) in [
+        ("15(N/m)", "15(N^1 m^-1)"),
+        ("0.1(kg*m^2)", "0.1(kg^1 m^2)"),
+        ("9.81(m/s^2)", "9.81(m^1 s^-2)"),
+        ("2(1/s)", "2(s^-1)"),
+        ("40(N*m/deg/s)", "40(N^1 m^1 deg^-1 s^-1)"),
+        ("3(s^-1)", "3(s^-1)"),
+        ("5(m)", "5m"),
+        ("-5 (kN) * x", "((-5kN) * x)"),
+    ] {
+        assert_eq!(expression(text), tree, "{text}");
+    }
+}

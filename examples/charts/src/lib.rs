@@ -1,0 +1,108 @@
+//! The charts that the examples draw: curves over an input or over time, paths in the plane, and
+//! mechanisms drawn as lines. Nothing about one mechanism belongs here.
+
+use std::fs;
+use std::path::PathBuf;
+
+use kuva::prelude::*;
+
+/// Blue, vermilion, green, orange, purple, sky: told apart without colour vision too (Okabe and
+/// Ito).
+pub const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#e69f00", "#cc79a7", "#56b4e9"];
+/// For what stands behind the curves.
+pub const GREY: &str = "#b4b8bc";
+/// For the mechanism itself.
+pub const BLACK: &str = "#222222";
+
+/// A line through points.
+pub struct Curve {
+    points: Vec<(f64, f64)>,
+    name: Option<String>,
+    colour: String,
+    width: f64,
+}
+
+impl Curve {
+    /// A curve with a name in the legend.
+    pub fn named(name: &str, colour: &str, points: Vec<(f64, f64)>) -> Self {
+        Self { points, name: Some(name.to_owned()), colour: colour.to_owned(), width: 2.0 }
+    }
+
+    /// Links, drawn as a line through their joints, without a name.
+    pub fn links(colour: &str, joints: &[(f64, f64)]) -> Self {
+        Self { points: joints.to_vec(), name: None, colour: colour.to_owned(), width: 1.5 }
+    }
+}
+
+/// One system of axes.
+pub struct Panel {
+    title: String,
+    axes: [String; 2],
+    curves: Vec<Curve>,
+    in_the_plane: bool,
+}
+
+impl Panel {
+    /// Curves over an input or over time.
+    pub fn over(title: &str, axes: [&str; 2], curves: Vec<Curve>) -> Self {
+        let axes = axes.map(str::to_owned);
+        Self { title: title.to_owned(), axes, curves, in_the_plane: false }
+    }
+
+    /// Paths and links: both axes are lengths and drawn to one scale.
+    pub fn plane(title: &str, axes: [&str; 2], curves: Vec<Curve>) -> Self {
+        Self { in_the_plane: true, ..Self::over(title, axes, curves) }
+    }
+
+    fn drawn(self) -> (Vec<Plot>, Layout) {
+        let last = self.curves.iter().flat_map(|curve| &curve.points).map(|point| point.0);
+        let last = last.fold(f64::NEG_INFINITY, f64::max);
+        let plots: Vec<Plot> = self.curves.into_iter().map(drawn).collect();
+        let layout = Layout::auto_from_plots(&plots)
+            .with_title(self.title)
+            .with_x_label(self.axes[0].as_str())
+            .with_y_label(self.axes[1].as_str())
+            .with_legend_position(LegendPosition::OutsideRightTop)
+            .with_title_size(15)
+            .with_label_size(12)
+            .with_tick_size(10)
+            .with_body_size(11);
+        let layout = match (self.in_the_plane, last) {
+            (true, _) => layout.with_equal_aspect(),
+            // A turn of a crank in degrees.
+            (false, 360.0) => layout.with_x_axis_max(360.0).with_x_tick_step(60.0),
+            (false, _) => layout.with_x_axis_max(last),
+        };
+        (plots, layout)
+    }
+}
+
+fn drawn(curve: Curve) -> Plot {
+    let line = LinePlot::new()
+        .with_data(curve.points)
+        .with_color(curve.colour)
+        .with_stroke_width(curve.width);
+    Plot::Line(match curve.name {
+        Some(name) => line.with_legend(name),
+        None => line,
+    })
+}
+
+/// Writes the panels, `columns` in a row, to `target/charts/NAME.svg` and says so.
+pub fn write(name: &str, title: &str, columns: usize, panels: Vec<Panel>) {
+    let rows = panels.len().div_ceil(columns);
+    let (plots, layouts): (Vec<_>, Vec<_>) = panels.into_iter().map(Panel::drawn).unzip();
+    let scene = Figure::new(rows, columns)
+        .with_title(title)
+        .with_plots(plots)
+        .with_layouts(layouts)
+        .with_cell_size(600.0, 420.0)
+        .render();
+    let path: PathBuf = ["target", "charts", &format!("{name}.svg")].iter().collect();
+    let written = fs::create_dir_all("target/charts")
+        .and_then(|()| fs::write(&path, SvgBackend.render_scene(&scene)));
+    match written {
+        Ok(()) => println!("\nchart: {}", path.display()),
+        Err(error) => eprintln!("\nno chart: {}: {error}", path.display()),
+    }
+}

@@ -1,0 +1,123 @@
+//! Searches every group for the pose at which its answer is worst against what the data allow:
+//! random poses first, then uphill from the worst of them.
+//!
+//! `cargo run --release -p laboratory --bin worst_poses [poses] [seed]`, ten million poses a group by
+//! default. The same seed gives the same poses and the same climb; the two widths are searched side
+//! by side.
+
+use std::thread;
+use std::time::Instant;
+
+use linkage_tests::measured::poses::{self, Source};
+use linkage_tests::measured::{Measured, Pose, Width, compensated_rrr, prp, rpp, rpr, rrp, rrr};
+
+/// How many of the worst random poses are climbed from, and how many steps each.
+const STARTS: usize = 16;
+const STEPS: usize = 20_000;
+
+const ORDERS: [&str; 3] = ["position", "velocity", "acceleration"];
+
+/// A pose and the ratio of error to achievable error there.
+type Found<const I: usize, const P: usize> = (f64, Pose<I, P>);
+
+fn main() {
+    let mut arguments = std::env::args().skip(1);
+    let count =
+        arguments.next().map_or(10_000_000, |text| text.parse().expect("a number of poses"));
+    let seed = arguments.next().map_or(1, |text| text.parse().expect("a seed"));
+    println!("{count} poses a group and width, seed {seed}; error over achievable error\n");
+    println!("group    width   order         random  climbed  at");
+    let start = Instant::now();
+    thread::scope(|scope| {
+        for width in [Width::Double, Width::Single] {
+            scope.spawn(move || search_all(width, count, seed));
+        }
+    });
+    println!("\n{:.0} s", start.elapsed().as_secs_f64());
+}
+
+/// Every group in one width, and the bars once more with numbers carried to twice the width.
+fn search_all(width: Width, count: usize, seed: u64) {
+    search("rrr", width, count, seed, poses::rrr, |pose| rrr::measure(pose, width).map(ratios));
+    search("carried", width, count, seed, poses::rrr, |pose| {
+        compensated_rrr::measure(pose, width).map(ratios)
+    });
+    search("rrp", width, count, seed, poses::rrp, |pose| rrp::measure(pose, width).map(ratios));
+    search("rpr", width, count, seed, poses::rpr, |pose| rpr::measure(pose, width).map(ratios));
+    search("prp", width, count, seed, poses::prp, |pose| prp::measure(pose, width).map(ratios));
+    search("rpp", width, count, seed, poses::rpp, |pose| rpp::measure(pose, width).map(ratios));
+}
+
+/// The worst ratio of each order. What is not finite has left the range and counts as no error:
+/// a single-precision acceleration at 1e-15 from a toggle is beyond its largest number.
+fn ratios<const ROWS: usize>(orders: [[Measured; ROWS]; 3]) -> [f64; 3] {
+    orders.map(|rows| {
+        let ratios = rows.iter().map(|row| row.ratio()).filter(|ratio| ratio.is_finite());
+        ratios.fold(0.0, f64::max)
+    })
+}
+
+fn search<const I: usize, const P: usize>(
+    group: &str,
+    width: Width,
+    count: usize,
+    seed: u64,
+    draw: impl Fn(&mut Source) -> Pose<I, P>,
+    measure: impl Fn(&Pose<I, P>) -> Option<[f64; 3]>,
+) {
+    let mut source = Source::new(seed);
+    let mut worst: [Vec<Found<I, P>>; 3] = Default::default();
+    for _ in 0..count {
+        let pose = draw(&mut source).rounded(width);
+        let Some(ratios) = measure(&pose) else { continue };
+        for (kept, ratio) in worst.iter_mut().zip(ratios) {
+            if kept.len() < STARTS || kept.last().is_some_and(|last| ratio > last.0) {
+                kept.truncate(STARTS - 1);
+                let place = kept.partition_point(|other| other.0 >= ratio);
+                kept.insert(place, (ratio, pose));
+            }
+        }
+    }
+    for (order, starts) in worst.iter().enumerate() {
+        let Some(random) = starts.first() else { continue };
+        let climbs = starts.iter().map(|start| {
+            climb(&mut source, *start, width, |pose| measure(pose).map(|ratios| ratios[order]))
+        });
+        let best = climbs.fold(*random, |best, next| if next.0 > best.0 { next } else { best });
+        println!(
+            "{group:8} {:7} {:13} {:6.2} {:8.2}  {:?}",
+            format!("{width:?}"),
+            ORDERS[order],
+            random.0,
+            best.0,
+            best.1
+        );
+    }
+}
+
+/// Uphill by random changes of one number or all of them, from a last place to a hundredth.
+fn climb<const I: usize, const P: usize>(
+    source: &mut Source,
+    start: Found<I, P>,
+    width: Width,
+    measure: impl Fn(&Pose<I, P>) -> Option<f64>,
+) -> Found<I, P> {
+    let mut best = start;
+    for _ in 0..STEPS {
+        let mut pose = best.1;
+        let size = source.magnitude(-17.0, -2.0);
+        let numbers = pose.q.iter_mut().chain(&mut pose.rate).chain(&mut pose.second);
+        let numbers: Vec<&mut f64> = numbers.chain(&mut pose.params).collect();
+        let only = source.coin().then(|| (source.unit() * numbers.len() as f64) as usize);
+        for (place, number) in numbers.into_iter().enumerate() {
+            if only.is_none_or(|only| only == place) {
+                *number *= 1.0 + size * source.between(-1.0, 1.0);
+            }
+        }
+        let pose = pose.rounded(width);
+        if let Some(ratio) = measure(&pose).filter(|ratio| *ratio > best.0) {
+            best = (ratio, pose);
+        }
+    }
+    best
+}

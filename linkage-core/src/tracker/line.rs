@@ -1,0 +1,129 @@
+//! Clearances along a straight line of inputs.
+
+use super::{Clearance, Linear, Modes};
+use crate::{Real, Scalar};
+
+/// A straight line between two inputs, its parts counted from 0 to 1; it goes on beyond them.
+#[derive(Clone, Copy)]
+pub(super) struct Line<M: Modes> {
+    from: M::Input,
+    to: M::Input,
+    step: M::Input,
+}
+
+/// Clearance of one group at a place, and its rates along the line.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reading {
+    pub(super) value: f64,
+    pub(super) rate: f64,
+    pub(super) second_rate: f64,
+    pub(super) scale: f64,
+}
+
+/// All that a group's clearance and its rates are on a stretch.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ranges {
+    pub(super) value: [f64; 2],
+    pub(super) rate: [f64; 2],
+    pub(super) second_rate: [f64; 2],
+    pub(super) scale: [f64; 2],
+}
+
+/// The ranges of every group.
+pub(super) struct AllRanges<M: Modes>(M::Enclosures);
+
+impl<M: Modes> Line<M> {
+    pub(super) fn new(from: M::Input, to: M::Input) -> Self {
+        Self { from, to, step: to.minus(from) }
+    }
+
+    /// The line through an input along a direction.
+    pub(super) fn along(from: M::Input, step: M::Input) -> Self {
+        Self { from, to: from.plus(number::<M>(1.0), step), step }
+    }
+
+    /// The line from the same beginning to other inputs.
+    pub(super) fn to(&self, to: M::Input) -> Self {
+        Self::new(self.from, to)
+    }
+
+    /// The step from the beginning to the end, unless there is none.
+    pub(super) fn direction(&self) -> Option<M::Input> {
+        (!self.step.all(|number| number.value() == 0.0)).then_some(self.step)
+    }
+
+    pub(super) fn input(&self, part: f64) -> M::Input {
+        if part == 1.0 { self.to } else { self.from.plus(number::<M>(part), self.step) }
+    }
+
+    pub(super) fn reading(&self, solver: &M, part: f64, group: usize) -> Reading {
+        let clearances = solver.clearances(self.input(part), self.step);
+        match clearances.as_ref().get(group) {
+            Some(of) => {
+                let of = of.map(|number| number.value());
+                let (value, rate) = (of.value, of.rate);
+                Reading { value, rate, second_rate: of.second_rate, scale: of.scale }
+            }
+            None => Reading { value: 1.0, rate: 0.0, second_rate: 0.0, scale: 1.0 },
+        }
+    }
+
+    /// Between two parts.
+    pub(super) fn ranges(&self, solver: &M, [a, b]: [f64; 2]) -> AllRanges<M> {
+        // The end of a step is rounded, a part of it again, and their sum.
+        let radius = 0.5 * (b - a) + 4.0 * M::Scalar::EPSILON;
+        let none = self.step.minus(self.step);
+        let radius = none.plus(number::<M>(radius), self.step);
+        AllRanges(solver.enclosures(self.input(0.5 * (a + b)), radius, self.step))
+    }
+}
+
+impl<M: Modes> AllRanges<M> {
+    pub(super) fn of(&self, group: usize) -> Ranges {
+        match self.0.as_ref().get(group) {
+            Some(of) => {
+                let of = of.map(|range| range.bounds());
+                let (value, rate) = (of.value, of.rate);
+                Ranges { value, rate, second_rate: of.second_rate, scale: of.scale }
+            }
+            None => {
+                Ranges { value: [1.0; 2], rate: [0.0; 2], second_rate: [0.0; 2], scale: [1.0; 2] }
+            }
+        }
+    }
+}
+
+impl<T: Copy> Clearance<T> {
+    fn map<U>(self, f: impl Fn(T) -> U) -> Clearance<U> {
+        let Self { value, rate, second_rate, scale } = self;
+        Clearance { value: f(value), rate: f(rate), second_rate: f(second_rate), scale: f(scale) }
+    }
+}
+
+impl Reading {
+    /// Whether the clearance is below so many times its scale; no where it is no number.
+    pub(super) fn is_below(&self, threshold: f64) -> bool {
+        self.value < threshold * self.scale
+    }
+
+    /// Whether it is at least so many times its scale.
+    pub(super) fn is_above(&self, threshold: f64) -> bool {
+        self.scale > 0.0 && self.value >= threshold * self.scale
+    }
+
+    pub(super) fn is_finite(&self) -> bool {
+        let Self { value, rate, second_rate, scale } = *self;
+        scale > 0.0 && [value, rate, second_rate, scale].iter().all(|number| number.is_finite())
+    }
+}
+
+impl Ranges {
+    /// Whether it is everywhere at least so many times its scale.
+    pub(super) fn is_above(&self, threshold: f64) -> bool {
+        self.scale[0] > 0.0 && self.value[0] >= threshold * self.scale[1]
+    }
+}
+
+fn number<M: Modes>(value: f64) -> M::Scalar {
+    Scalar::lit(value, value as f32)
+}

@@ -1,0 +1,112 @@
+//! Jacobians and sensitivities by automatic differentiation: the position solver on dual numbers.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::arguments::Arguments;
+use super::context::Context;
+use super::identifiers::generated;
+use super::token_list::Tokens;
+use super::{docs, solver};
+use crate::interface::entries::Given;
+use crate::model::mechanism::Param;
+
+/// For `f32` and `f64`, and only where the run-time crate has its feature `ad`.
+pub(super) fn items(cx: &Context<'_>) -> TokenStream {
+    if cx.interface.find("position").is_none() {
+        return TokenStream::new();
+    }
+    let (with_ad, name, number) = (cx.paths.item("with_ad"), &cx.names.solver, &cx.names.scalar);
+    let differentiable = cx.paths.item("Differentiable");
+    let (jacobian, sensitivity) = (jacobian(cx), sensitivity(cx));
+    quote! {
+        #with_ad! {
+            impl<#number: #differentiable> #name<#number> { #jacobian #sensitivity }
+        }
+    }
+}
+
+fn jacobian(cx: &Context<'_>) -> TokenStream {
+    let arguments = Arguments::new(cx, &[Given::Value]);
+    let number = &cx.names.scalar;
+    let number = quote!(#number);
+    let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
+    let names = arguments.names();
+    let (rows, columns, docs) = (cx.rows(), cx.columns(), docs::jacobian(cx));
+    let (matrix, error, result) = (item(cx, "SMatrix"), item(cx, "SolveError"), item(cx, "Result"));
+    let (differentiate, ok) = (item(cx, "differentiate"), item(cx, "Ok"));
+    let dual = generated("dual_");
+    let (values, point) = match &cx.mechanism.inputs[..] {
+        [_] => (quote!([#(#names),*]), quote!([#dual])),
+        inputs => {
+            let fields = inputs.iter().map(|input| &input.name);
+            let record = names.first();
+            (quote!([#(#record.#fields),*]), quote!(#dual))
+        }
+    };
+    quote! {
+        #docs
+        pub fn jacobian(&self, #(#declared),*) -> #result<#matrix<#number, #rows, #columns>, #error> {
+            #converted
+            #differentiate(#values, |#point| #ok(self.lift().position(#dual)?.rows()))
+        }
+    }
+}
+
+/// With respect to the numeric parameters; none, none.
+fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
+    let params = cx.numeric_params();
+    if params.is_empty() {
+        return None;
+    }
+    let arguments = Arguments::new(cx, &[Given::Value]);
+    let number = &cx.names.scalar;
+    let number = quote!(#number);
+    let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
+    let (rows, docs) = (cx.rows(), docs::sensitivity(cx));
+    let columns = Literal::usize_unsuffixed(params.len());
+    let (matrix, error, result) = (item(cx, "SMatrix"), item(cx, "SolveError"), item(cx, "Result"));
+    let (differentiate, ok) = (item(cx, "differentiate"), item(cx, "Ok"));
+    let fields: Vec<_> = params.iter().map(|param| &param.name).collect();
+    let duals: Vec<_> = (0..fields.len()).map(|i| generated(&format!("p{i}_"))).collect();
+    let (name, at) = (&cx.names.solver, constant_inputs(cx));
+    let dual = |param: &Param| {
+        let index = fields.iter().position(|field| **field == param.name);
+        let dual = index.map(|index| &duals[index]);
+        quote!(#dual)
+    };
+    let keep = |param: &Param| {
+        let field = &param.name;
+        quote!(self.#field)
+    };
+    let solver = solver::construct(cx, &quote!(#name), dual, keep);
+    Some(quote! {
+        #docs
+        pub fn sensitivity(&self, #(#declared),*) -> #result<#matrix<#number, #rows, #columns>, #error> {
+            #converted
+            #differentiate([#(self.#fields),*], |[#(#duals),*]| #ok((#solver).position(#at)?.rows()))
+        }
+    })
+}
+
+/// The inputs as numbers without derivatives.
+fn constant_inputs(cx: &Context<'_>) -> TokenStream {
+    let arguments = Arguments::new(cx, &[Given::Value]);
+    let lifted = |value: TokenStream| solver::lifted_number(cx, &value, &quote!(_));
+    let inputs = arguments
+        .names()
+        .iter()
+        .flat_map(|argument| cx.mechanism.inputs.iter().map(move |input| (argument, &input.name)));
+    let Some(record) = cx.inputs() else {
+        return inputs.map(|(argument, _)| lifted(quote!(#argument))).collect();
+    };
+    let fields = inputs.map(|(argument, field)| {
+        let value = lifted(quote!(#argument.#field));
+        quote!(#field: #value)
+    });
+    quote!(#record { #(#fields),* })
+}
+
+fn item(cx: &Context<'_>, name: &str) -> Tokens {
+    cx.paths.item(name)
+}

@@ -1,0 +1,96 @@
+//! What every part of the generated code is printed from.
+
+use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use quote::quote;
+
+use super::identifiers::{Names, function_name};
+use super::paths::Paths;
+use super::token_list::Tokens;
+use crate::interface::entries::Entry;
+use crate::interface::records::{Record, RecordId};
+use crate::interface::{EntryId, Interface};
+use crate::ir::graph::Graph;
+use crate::ir::program::Program;
+use crate::lower::routine::{Compute, Lowered};
+use crate::model::mechanism::{Mechanism, Param, ParamKind};
+
+pub(super) struct Context<'a> {
+    pub mechanism: &'a Mechanism,
+    pub lowered: &'a Lowered<'a>,
+    pub interface: &'a Interface,
+    pub paths: Paths,
+    pub names: Names,
+}
+
+impl<'a> Context<'a> {
+    pub(super) fn new(mechanism: &'a Mechanism, lowered: &'a Lowered<'a>) -> Self {
+        let (paths, names) = (Paths::new(mechanism), Names::new(mechanism));
+        Self { mechanism, lowered, interface: &lowered.interface, paths, names }
+    }
+
+    pub(super) fn program(&self) -> &'a Program {
+        self.lowered.program
+    }
+
+    pub(super) fn graph(&self) -> &'a Graph {
+        &self.lowered.program.graph
+    }
+
+    pub(super) fn entries(&self) -> impl Iterator<Item = EntryId> + use<> {
+        self.interface.ids()
+    }
+
+    pub(super) fn entry(&self, id: EntryId) -> &'a Entry {
+        self.interface.entry(id)
+    }
+
+    pub(super) fn compute(&self, id: EntryId) -> &'a Compute {
+        &self.lowered.entries[id.index()]
+    }
+
+    pub(super) fn record(&self, id: RecordId) -> &'a Record {
+        self.interface.record(id)
+    }
+
+    /// The name of the record of several inputs.
+    pub(super) fn inputs(&self) -> Option<&'a Ident> {
+        self.interface.inputs.map(|id| &self.record(id).name)
+    }
+
+    /// The number of rows of `OUTPUTS`.
+    pub(super) fn rows(&self) -> Literal {
+        Literal::usize_unsuffixed(self.interface.rows)
+    }
+
+    /// The number of inputs.
+    pub(super) fn columns(&self) -> Literal {
+        Literal::usize_unsuffixed(self.interface.columns)
+    }
+
+    pub(super) fn numeric_params(&self) -> Vec<&'a Param> {
+        let numeric = |param: &&Param| matches!(param.kind, ParamKind::Number { .. });
+        self.mechanism.params.iter().filter(numeric).collect()
+    }
+
+    /// A function of the type parameter, which nothing but its bound can provide.
+    pub(super) fn scalar(&self, function: &str) -> Tokens {
+        Tokens::path(self.names.scalar.clone(), function_name(function))
+    }
+
+    /// A constant as the type parameter's number, rounded to each width.
+    pub(super) fn literal(&self, wide: f64, narrow: f32) -> Tokens {
+        let (lit, wide, narrow) = (self.scalar("lit"), literal(wide), literal(narrow));
+        quote!(#lit(#wide, #narrow)).into()
+    }
+}
+
+/// The shortest literal that means the number; an infinity, which none means, as a quotient.
+pub(super) fn literal(value: impl std::fmt::Debug) -> Tokens {
+    let digits = format!("{value:?}");
+    let magnitude = digits.trim_start_matches('-');
+    let tokens = match magnitude.parse::<Literal>() {
+        Ok(literal) => Tokens::from(TokenStream::from(TokenTree::from(literal))),
+        Err(_) => quote!((1.0 / 0.0)).into(),
+    };
+    if digits.starts_with('-') { tokens.negated() } else { tokens }
+}

@@ -1,0 +1,75 @@
+//! `COST`, and what a solver costs in words.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::context::Context;
+use crate::interface::EntryId;
+use crate::ir::cost::Operations;
+
+/// What an entry point costs.
+pub(super) fn of(cx: &Context<'_>, entry: EntryId) -> Operations {
+    cx.lowered.costs[entry.index()]
+}
+
+/// The initialiser of `COST`.
+pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
+    let [position, motion, coefficients] = ["position", "motion", "coefficients"].map(|name| {
+        let cost = cx.interface.find(name).map_or_else(Operations::default, |id| of(cx, id));
+        record(cx, cost)
+    });
+    let cost = cx.paths.item("Cost");
+    quote!(#cost { position: #position, motion: #motion, coefficients: #coefficients })
+}
+
+fn record(cx: &Context<'_>, cost: Operations) -> TokenStream {
+    let name = cx.paths.item("Operations");
+    let [additions, multiplications, divisions, roots, sines] =
+        [cost.additions, cost.multiplications, cost.divisions, cost.roots, cost.sines]
+            .map(Literal::u32_unsuffixed);
+    quote!(#name {
+        additions: #additions,
+        multiplications: #multiplications,
+        divisions: #divisions,
+        roots: #roots,
+        sines: #sines
+    })
+}
+
+/// `20 additions, 31 multiplications and 1 square root`; `no operation` where it is free.
+pub(super) fn in_words(cost: Operations) -> String {
+    let counts = [
+        (cost.additions, "addition"),
+        (cost.multiplications, "multiplication"),
+        (cost.divisions, "division"),
+        (cost.roots, "square root"),
+        (cost.sines, "sine-cosine pair"),
+    ];
+    let words: Vec<String> = counts
+        .iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, word)| match count {
+            1 => format!("1 {word}"),
+            _ => format!("{count} {word}s"),
+        })
+        .collect();
+    match &words[..] {
+        [] => "no operation".to_string(),
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cost_reads_as_a_sentence() {
+        let none = Operations::default();
+        assert_eq!(in_words(none), "no operation");
+        assert_eq!(in_words(Operations { divisions: 1, ..none }), "1 division");
+        let several = Operations { additions: 2, multiplications: 1, roots: 3, ..none };
+        assert_eq!(in_words(several), "2 additions, 1 multiplication and 3 square roots");
+    }
+}

@@ -1,0 +1,106 @@
+//! The names that generated code gives to types, arguments and locals.
+//!
+//! User identifiers appear as types, fields and strings only, with their own spans. A local under
+//! a bare user name would collide with a constant of that name in the user's scope.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::ToTokens;
+use syn::ext::IdentExt;
+
+use super::sweeps;
+use crate::model::mechanism::Mechanism;
+
+/// The names that do not come with the interface.
+pub(super) struct Names {
+    pub solver: Ident,
+    /// The arguments for the value, the rate and the second rate of an input that is the only one.
+    pub only_input: Vec<Ident>,
+    /// The type parameter of all of them: `T`.
+    pub scalar: Ident,
+    /// The type parameter that `lift` converts to: `U`.
+    pub lifted: Ident,
+}
+
+impl Names {
+    pub(super) fn new(mechanism: &Mechanism) -> Self {
+        let solver = mechanism.name.clone();
+        Self {
+            only_input: match &mechanism.inputs[..] {
+                [only] => ["", "_rate", "_acceleration"].map(|s| argument(&only.name, s)).to_vec(),
+                _ => Vec::new(),
+            },
+            scalar: clear_of("T", &solver),
+            lifted: clear_of("U", &solver),
+            solver,
+        }
+    }
+}
+
+/// The name of a type or module that does not hide a mechanism of the same name.
+pub(super) fn clear_of(preferred: &str, solver: &Ident) -> Ident {
+    let clash = if solver == preferred { "_" } else { "" };
+    Ident::new(&format!("{preferred}{clash}"), Span::call_site())
+}
+
+/// A local that no identifier outside the generated code can meet.
+pub(super) fn generated(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+/// A function that the generated code defines.
+pub(super) fn function_name(name: &str) -> Ident {
+    Ident::new(name, Span::call_site())
+}
+
+/// What given cosines are called.
+const CIRCLE: [&str; 2] = ["cos", "sin"];
+
+/// An argument named after an input, in lower case. The value itself has the input's span.
+fn argument(input: &Ident, suffix: &str) -> Ident {
+    let name = format!("{}{suffix}", input.unraw()).to_lowercase();
+    let span = if suffix.is_empty() { input.span() } else { Span::call_site() };
+    // The span keeps it apart from the locals; a keyword or a name that fits nowhere gets a tail,
+    // and so does what another argument is called.
+    let is_free = !sweeps::ARGUMENTS.iter().chain(&CIRCLE).any(|other| *other == name);
+    match syn::parse_str::<Ident>(&name) {
+        Ok(_) if is_free => Ident::new(&name, span),
+        _ => Ident::new(&format!("{name}_"), span),
+    }
+}
+
+/// A string about a user identifier, with its span.
+pub(super) fn string(text: &str, span: Span) -> TokenStream {
+    let mut literal = Literal::string(text);
+    literal.set_span(span);
+    literal.into_token_stream()
+}
+
+/// The identifier as the user wrote it, without `r#`.
+pub(super) fn text(ident: &Ident) -> String {
+    ident.unraw().to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use quote::format_ident;
+
+    use super::*;
+
+    #[test]
+    fn an_argument_is_a_lower_case_identifier() {
+        let named = |name: &str, suffix| argument(&format_ident!("{name}"), suffix).to_string();
+        assert_eq!(named("theta", "_rate"), "theta_rate");
+        assert_eq!(named("Q", ""), "q");
+        assert_eq!(named("As", ""), "as_");
+        assert_eq!(named("out", ""), "out_");
+        let raw = Ident::new_raw("type", Span::call_site());
+        assert_eq!(argument(&raw, "").to_string(), "type_");
+        assert_eq!(argument(&raw, "_rate").to_string(), "type_rate");
+    }
+
+    #[test]
+    fn a_mechanism_may_be_named_like_a_type_parameter() {
+        assert_eq!(clear_of("T", &format_ident!("T")), "T_");
+        assert_eq!(clear_of("T", &format_ident!("U")), "T");
+    }
+}

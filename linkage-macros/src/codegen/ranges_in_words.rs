@@ -1,0 +1,49 @@
+//! What the dimensions say about the turn of a crank, in words.
+
+use super::context::Context;
+use super::identifiers::text;
+use crate::model::mechanism::{Range, Rotatability};
+
+/// Over which angles a crank turns, why, and what happens at change points.
+pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
+    let group = cx.mechanism.statement(found.group);
+    let crank = text(&cx.mechanism.links[found.crank.index()].name);
+    let angle = match found.input {
+        Some(input) => text(&cx.mechanism.inputs[input.index()].name),
+        None => format!("{crank}.angle"),
+    };
+    let range = match &found.range {
+        Range::Full => format!("`{crank}` turns fully"),
+        Range::Within(intervals) => {
+            let words = intervals.iter().map(|[from, to]| match degrees(*to - *from).as_str() {
+                "0°" => format!("at {} alone", degrees(*from)),
+                _ => format!("from {} to {}", degrees(*from), degrees(*to)),
+            });
+            format!("`{angle}` {}", words.collect::<Vec<_>>().join(" or "))
+        }
+        Range::Never => "never".to_string(),
+    };
+    let mut line = format!("{group}: {range}; {}", found.reason);
+    if !found.change_points.is_empty() {
+        let angles: Vec<_> = found.change_points.iter().copied().map(degrees).collect();
+        let angles = angles.join(" and ");
+        line += &format!(
+            ". At `{angle}` = {angles} both assembly modes are one: velocities are `Singular` there, \
+             and a constant mode does not follow the motion through; `Tracker` does"
+        );
+    }
+    if found.is_parallelogram {
+        line += &format!(
+            ". These are the lengths of a parallelogram, which a constant mode turns into an \
+             antiparallelogram: make the rocker a crank with `relative_to: {crank}, angle: 0`"
+        );
+    }
+    line
+}
+
+/// An angle to a hundredth of a degree.
+fn degrees(angle: f64) -> String {
+    let hundredths = (angle * 100.0).round() / 100.0;
+    // Adding zero takes the sign off minus zero.
+    format!("{}°", hundredths + 0.0)
+}

@@ -1,0 +1,201 @@
+//! The statements of a routine, printed one by one.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::arguments::Arguments;
+use super::context::Context;
+use super::identifiers::{function_name, generated};
+use super::token_list::Tokens;
+use crate::ir::graph::{Id, Node};
+use crate::lower::routine::{Comparison, Condition, Reading, Routine, Statement, Threshold};
+use crate::model::mechanism::ParamKind;
+
+/// What the statements of one routine are printed with.
+pub(super) struct Printer<'a> {
+    pub cx: &'a Context<'a>,
+    pub arguments: Arguments<'a>,
+    pub routine: &'a Routine,
+}
+
+impl<'a> Printer<'a> {
+    pub(super) fn new(cx: &'a Context<'a>, routine: &'a Routine) -> Self {
+        Self { cx, arguments: Arguments::new(cx, routine.given), routine }
+    }
+
+    pub(super) fn statements(&self, statements: &[Statement]) -> TokenStream {
+        statements.iter().map(|statement| self.statement(statement)).collect()
+    }
+
+    fn statement(&self, statement: &Statement) -> TokenStream {
+        match statement {
+            Statement::Let(id) => {
+                let (name, expression) = (self.name(*id), self.expression(self.node(*id)));
+                quote!(let #name = #expression;)
+            }
+            Statement::SinCos { angle, sin, cos, is_checked } => {
+                self.sin_cos(*angle, [*sin, *cos], *is_checked)
+            }
+            Statement::Check(condition) => self.condition(condition),
+            Statement::Scope { statements, hands_on } => {
+                let names: Vec<Ident> = hands_on.iter().map(|&id| self.name(id)).collect();
+                // A tuple, or the bare name of a single local.
+                let pattern = match &names[..] {
+                    [only] => quote!(#only),
+                    _ => quote!((#(#names),*)),
+                };
+                let lines = self.statements(statements);
+                quote!(let #pattern = { #lines #pattern };)
+            }
+        }
+    }
+
+    fn name(&self, id: Id) -> Ident {
+        generated(&self.routine.locals.name(id))
+    }
+
+    fn node(&self, id: Id) -> Node {
+        self.cx.graph().node(id)
+    }
+
+    /// The expression that reads a node's value.
+    pub(super) fn value(&self, id: Id) -> Tokens {
+        self.read(&self.routine.reading(self.cx.graph(), id))
+    }
+
+    fn read(&self, reading: &Reading) -> Tokens {
+        match reading {
+            Reading::Leaf(node) => {
+                self.arguments.read(*node).expect("a routine reads what it is given")
+            }
+            Reading::Constant(node) => self.constant(*node),
+            Reading::Negated(inner) => self.read(inner).negated(),
+            Reading::Local(id) => self.name(*id).into(),
+        }
+    }
+
+    /// A constant as a number.
+    fn constant(&self, node: Node) -> Tokens {
+        let graph = self.cx.graph();
+        match node {
+            Node::Low(constant) => {
+                let value = graph.value(constant);
+                self.cx.literal(value.low_f64(), value.low_f32())
+            }
+            Node::Constant(constant) => {
+                let value = graph.value(constant);
+                self.cx.literal(value.to_f64(), value.to_f32())
+            }
+            _ => unreachable!("only constants are read as such"),
+        }
+    }
+
+    /// `let (sine, cosine) = …;` of an angle.
+    fn sin_cos(&self, angle: Id, pair: [Option<Id>; 2], is_checked: bool) -> TokenStream {
+        let [sin, cos] = pair.map(|id| match id.map(|id| self.name(id)) {
+            Some(name) => quote!(#name),
+            None => quote!(_),
+        });
+        let value = self.value(angle);
+        if is_checked {
+            let guard = generated("guard_");
+            quote!(let (#sin, #cos) = #guard.sin_cos(#value);)
+        } else {
+            let function = self.cx.scalar("sin_cos");
+            quote!(let (#sin, #cos) = #function(#value);)
+        }
+    }
+
+    /// A condition as two calls: one that compares, unless it is known to hold, and one that
+    /// diagnoses. What is compared with a spread is compared once more where limits ask for more. The value goes on as that one returns it.
+    fn condition(&self, condition: &Condition) -> TokenStream {
+        let (guard, name) = (generated("guard_"), self.name(condition.id));
+        let value = self.value(condition.value);
+        let comparison = condition.comparison.map(|(comparison, threshold)| {
+            let method = function_name(match comparison {
+                Comparison::Above => "above",
+                Comparison::AtLeast => "at_least",
+                Comparison::Away => "away",
+            });
+            let threshold = match threshold {
+                Threshold::SmallestSquare => {
+                    let smallest = self.cx.scalar("smallest_square");
+                    quote!(#smallest()).into()
+                }
+                Threshold::Number(wide, narrow) => self.cx.literal(wide, narrow as f32),
+            };
+            quote!(#guard.#method(#value, #threshold);)
+        });
+        let diagnosis = function_name(condition.diagnosis);
+        let above_rounding = condition.above_rounding.map(|spread| {
+            let spread = self.value(spread);
+            quote!(#guard.above_rounding(#value, #spread);)
+        });
+        let operands = condition.operands.iter().map(|&operand| self.value(operand));
+        let operands = match condition.in_a_list {
+            true => quote!([#(#operands),*],),
+            false => quote!(#(#operands,)*),
+        };
+        let group = &self.cx.program().groups[condition.group as usize];
+        let length = condition.length.iter();
+        quote! {
+            #comparison
+            #above_rounding
+            let #name = #guard.#diagnosis(#value, #operands #group #(, #length)*);
+        }
+    }
+
+    fn expression(&self, node: Node) -> TokenStream {
+        let v = |id| self.value(id);
+        let call = |function: &str, operands: &[Id]| {
+            let function = self.cx.scalar(function);
+            let operands = operands.iter().map(|&id| v(id));
+            quote!(#function(#(#operands),*))
+        };
+        let infix = |a, operator: TokenStream, b| {
+            let (a, b) = (v(a), v(b));
+            quote!(#a #operator #b)
+        };
+        match node {
+            Node::Neg(a) => {
+                let a = v(a);
+                quote!(-#a)
+            }
+            Node::Add(a, b) => infix(a, quote!(+), b),
+            Node::Sub(a, b) => infix(a, quote!(-), b),
+            Node::Mul(a, b) => infix(a, quote!(*), b),
+            Node::Div(a, b) => infix(a, quote!(/), b),
+            Node::Sqrt(a) => call("sqrt", &[a]),
+            Node::Tan(a) => call("tan", &[a]),
+            Node::Asin(a) => call("asin", &[a]),
+            Node::Acos(a) => call("acos", &[a]),
+            Node::Atan(a) => call("atan", &[a]),
+            Node::Atan2(y, x) => call("atan2", &[y, x]),
+            Node::Hypot(a, b) => call("hypot", &[a, b]),
+            Node::Det(operands) => call("det", &operands),
+            Node::MulErr(a, b) => call("mul_err", &[a, b]),
+            Node::AddErr(a, b) => call("add_err", &[a, b]),
+            Node::Fused(a, b, c) => call("fused", &[a, b, c]),
+            Node::Mode(param) => self.mode(param),
+            Node::Constant(_)
+            | Node::Low(_)
+            | Node::Input { .. }
+            | Node::InputCos(_)
+            | Node::InputSin(_)
+            | Node::Param(_)
+            | Node::Sin(_)
+            | Node::Cos(_)
+            | Node::Guard(..) => unreachable!("read in place, or a statement of its own kind"),
+        }
+    }
+
+    fn mode(&self, param: u32) -> TokenStream {
+        let param = &self.cx.mechanism.params[param as usize];
+        let ty = match param.kind {
+            ParamKind::Sense { .. } => self.cx.paths.item("Sense"),
+            ParamKind::Side { .. } | ParamKind::Number { .. } => self.cx.paths.item("Side"),
+        };
+        let (field, scalar) = (&param.name, &self.cx.names.scalar);
+        quote!(#ty::sign::<#scalar>(self.#field))
+    }
+}

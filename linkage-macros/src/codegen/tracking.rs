@@ -1,0 +1,165 @@
+//! What following a motion through changes of mode needs: how clear of its limits every group is,
+//! which parameter holds its mode, and arithmetic with whole results.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use super::context::Context;
+use super::identifiers::generated;
+use super::statements::Printer;
+use super::{results, structs};
+use crate::interface::EntryId;
+use crate::model::mechanism::ParamKind;
+
+/// `Modes` for the solver, and `Linear` for what goes in and comes out.
+pub(super) fn items(cx: &Context<'_>) -> TokenStream {
+    let [Some(position), Some(motion)] = ["position", "motion"].map(|name| cx.interface.find(name))
+    else {
+        return TokenStream::new();
+    };
+    let (modes, linear) = (modes(cx, position, motion), structs::linear(cx));
+    quote!(#modes #linear)
+}
+
+fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
+    let (solver, scalar) = (&cx.names.solver, &cx.names.scalar);
+    let number = quote!(#scalar);
+    let [position, motion] =
+        [position, motion].map(|id| results::ty(cx, cx.entry(id).result, &number));
+    let path = |name| cx.paths.item(name);
+    let [modes, real, clearance, result, error, usize_] =
+        ["Modes", "Real", "Clearance", "Result", "SolveError", "usize"].map(path);
+    let input = match cx.inputs() {
+        Some(record) => quote!(#record<#scalar>),
+        None => number,
+    };
+    let count = Literal::usize_unsuffixed(cx.program().clearances.len());
+    let [q, rate, acceleration, param] = ["q_", "rate_", "acceleration_", "param_"].map(generated);
+    let (groups, clearances, flips) = (groups(cx), clearances(cx), flips(cx, &param));
+    let enclosures = enclosures(cx);
+    quote! {
+        impl<#scalar: #real> #modes for #solver<#scalar> {
+            type Scalar = #scalar;
+            type Input = #input;
+            type Position = #position;
+            type Motion = #motion;
+            type Clearances = [#clearance<#scalar>; #count];
+            type Enclosures = [#clearance<<#scalar as #real>::Enclosing>; #count];
+
+            #groups
+
+            #[inline]
+            fn flip(&mut self, #param: #usize_) { #flips }
+
+            #[inline]
+            fn position(&self, #q: #input) -> #result<#position, #error> {
+                Self::position(self, #q)
+            }
+
+            #[inline]
+            fn motion(
+                &self,
+                #q: #input,
+                #rate: #input,
+                #acceleration: #input,
+            ) -> #result<#motion, #error> {
+                Self::motion(self, #q, #rate, #acceleration)
+            }
+
+            #clearances
+
+            #enclosures
+        }
+    }
+}
+
+/// The groups' titles, and the parameters that hold their modes.
+fn groups(cx: &Context<'_>) -> TokenStream {
+    let [option, some, none, usize_, str_] =
+        ["Option", "Some", "None", "usize", "str"].map(|name| cx.paths.item(name));
+    let groups = cx.program().clearances.iter().map(|clearance| {
+        let title = &cx.program().groups[clearance.group as usize];
+        let param = match clearance.param {
+            Some(param) => {
+                let param = Literal::u32_unsuffixed(param);
+                quote!(#some(#param))
+            }
+            None => quote!(#none),
+        };
+        quote!((#title, #param))
+    });
+    quote!(const GROUPS: &'static [(&'static #str_, #option<#usize_>)] = &[#(#groups),*];)
+}
+
+/// The mode that a parameter's number stands for becomes the other.
+fn flips(cx: &Context<'_>, param: &Ident) -> TokenStream {
+    let modes = cx.mechanism.params.iter().enumerate();
+    let modes = modes.filter(|(_, param)| !matches!(param.kind, ParamKind::Number { .. }));
+    let flips = modes.map(|(index, param)| {
+        let (index, field) = (Literal::usize_unsuffixed(index), &param.name);
+        quote!(#index => self.#field = self.#field.flipped(),)
+    });
+    let flips: TokenStream = flips.collect();
+    match flips.is_empty() {
+        true => quote!(let _ = #param;),
+        false => quote!(match #param { #flips _ => {} }),
+    }
+}
+
+/// A core without guards: what is out of reach is a number below zero here, not a refusal.
+fn clearances(cx: &Context<'_>) -> TokenStream {
+    let (scalar, clearance) = (&cx.names.scalar, cx.paths.item("Clearance"));
+    let printer = Printer::new(cx, &cx.lowered.clearances);
+    let routine = printer.routine;
+    let lines: TokenStream =
+        routine.stages.iter().map(|stage| printer.statements(&stage.statements)).collect();
+    let (received, unread) =
+        (printer.arguments.received(&quote!(#scalar)), printer.arguments.unread(&routine.reads));
+    let values = cx.program().clearances.iter().map(|group| {
+        let [value, rate, second_rate, scale] = group.sinks.map(|sink| printer.value(sink));
+        quote! {
+            #clearance { value: #value, rate: #rate, second_rate: #second_rate, scale: #scale }
+        }
+    });
+    quote! {
+        fn clearances(&self, #(#received),*) -> Self::Clearances {
+            #unread
+            #lines
+            [#(#values),*]
+        }
+    }
+}
+
+/// The same on ranges of numbers.
+fn enclosures(cx: &Context<'_>) -> TokenStream {
+    let scalar = &cx.names.scalar;
+    let number = quote!(#scalar);
+    let printer = Printer::new(cx, &cx.lowered.clearances);
+    let ty = printer.arguments.ty(&number);
+    let [real, modes] = ["Real", "Modes"].map(|name| cx.paths.item(name));
+    let [middle, radius, rate] = ["middle_", "radius_", "rate_"].map(generated);
+    let [none, solver] = ["none_", "solver_"].map(generated);
+    let around = |value: &Ident, radius: &dyn Fn(Option<&Ident>) -> TokenStream| {
+        let Some(record) = cx.inputs() else {
+            let radius = radius(None);
+            return quote!(#real::enclosing(#value, #radius));
+        };
+        let fields = cx.mechanism.inputs.iter().map(|input| {
+            let (field, radius) = (&input.name, radius(Some(&input.name)));
+            quote!(#field: #real::enclosing(#value.#field, #radius))
+        });
+        quote!(#record { #(#fields),* })
+    };
+    let range = around(&middle, &|field| match field {
+        Some(field) => quote!(#radius.#field),
+        None => quote!(#radius),
+    });
+    let (rates, zero) = (around(&rate, &|_| quote!(#none)), cx.literal(0.0, 0.0));
+    quote! {
+        fn enclosures(&self, #middle: #ty, #radius: #ty, #rate: #ty) -> Self::Enclosures {
+            let #none = #zero;
+            let #solver = self.lift::<<#scalar as #real>::Enclosing>();
+            #modes::clearances(&#solver, #range, #rates)
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Expressions of the declaration as jets and angles.
+
+use crate::equations::jet::Jet;
+use crate::equations::kinematics::Kinematics;
+use crate::equations::motion::Direction;
+use crate::equations::symbol::Vector;
+use crate::ir::graph::{Check, Node};
+use crate::model::mechanism::{AngleSum, Axis, Expr, Function, Length, Operator};
+
+impl<'s> Kinematics<'s> {
+    pub(super) fn jet(&self, expr: &Expr) -> Jet<'s> {
+        match expr {
+            Expr::Constant(value) => Jet::constant(self.sheet.constant(value.clone())),
+            Expr::Input(input) => self.inputs[input.index()].jet,
+            Expr::Param(param) => Jet::constant(self.sheet.node(Node::Param(param.0))),
+            Expr::Let(name) => self.lets[name.index()],
+            Expr::Slide(link) => self.link(*link).slide.expect("the model checked that it slides"),
+            Expr::Coordinate(point, axis) => {
+                let [x, y] = self.point(*point).coordinates();
+                if *axis == Axis::X { x } else { y }
+            }
+            Expr::Distance(points) => {
+                let [p, q] = points.map(|point| self.point(point));
+                let [x, y] = p.jets_to(q);
+                x.hypot(y)
+            }
+            Expr::Negate(value) => -self.jet(value),
+            Expr::Chain(first, rest) => rest.iter().fold(self.jet(first), |a, (operator, b)| {
+                let b = self.jet(b);
+                match operator {
+                    Operator::Add => a + b,
+                    Operator::Sub => a - b,
+                    Operator::Mul => a * b,
+                    Operator::Div => a / b,
+                }
+            }),
+            Expr::Call(function, arguments) => {
+                let arguments: Vec<_> = arguments.iter().map(|a| self.jet(a)).collect();
+                call(*function, &arguments)
+            }
+        }
+    }
+
+    pub(super) fn jets(&self, pair: &[Expr; 2]) -> [Jet<'s>; 2] {
+        [self.jet(&pair[0]), self.jet(&pair[1])]
+    }
+
+    /// A length, provided that it is positive.
+    pub(super) fn length(&self, length: &Length, group: u32) -> Jet<'s> {
+        let jet = self.jet(&length.value);
+        let check = Check::Positive(length.name.clone());
+        Jet { value: jet.value.provided(check, group, &[]), ..jet }
+    }
+
+    /// The direction at an angle to another. Multiples of link angles are powers of the links'
+    /// unit vectors, so no arc tangent is needed and nothing jumps.
+    pub(super) fn turned(&self, from: Direction<'s>, turn: &AngleSum) -> Direction<'s> {
+        let mut direction = from;
+        for &(link, times) in &turn.links {
+            let of_link = self.link(link).frame.direction;
+            let factor = self.sheet.integer(i64::from(times));
+            direction = Direction {
+                u: direction.u.turned(power(of_link.u, times)),
+                omega: direction.omega + factor * of_link.omega,
+                alpha: direction.alpha + factor * of_link.alpha,
+                turned: None,
+            };
+        }
+        let rest = self.jet(&turn.rest);
+        if rest.is_zero() {
+            return direction;
+        }
+        if let Expr::Input(input) = turn.rest
+            && let Some(unit) = self.inputs[input.index()].unit
+        {
+            return Direction { turned: None, ..direction.turned_by(rest, unit) };
+        }
+        direction.turned_by(rest, Vector { x: rest.value.cos(), y: rest.value.sin() })
+    }
+}
+
+/// The direction at `times` its angle, by repeated squaring.
+fn power<'s>(u: Vector<'s>, times: i32) -> Vector<'s> {
+    let mut base = if times < 0 { u.conjugate() } else { u };
+    let mut left = times.unsigned_abs();
+    let mut result: Option<Vector<'s>> = None;
+    while left > 0 {
+        if left & 1 == 1 {
+            result = Some(result.map_or(base, |result| result.turned(base)));
+        }
+        left >>= 1;
+        if left > 0 {
+            base = base.turned(base);
+        }
+    }
+    let sheet = u.x.sheet();
+    result.unwrap_or_else(|| Vector { x: sheet.integer(1), y: sheet.zero() })
+}
+
+fn call<'s>(function: Function, arguments: &[Jet<'s>]) -> Jet<'s> {
+    match (function, arguments) {
+        (Function::Sqrt, [a]) => a.sqrt(),
+        (Function::Sin, [a]) => a.sin_cos().0,
+        (Function::Cos, [a]) => a.sin_cos().1,
+        (Function::Tan, [a]) => a.tan(),
+        (Function::Asin, [a]) => a.asin(),
+        (Function::Acos, [a]) => a.acos(),
+        (Function::Atan, [a]) => a.atan(),
+        (Function::Atan2, [y, x]) => y.atan2(*x),
+        (Function::Hypot, [x, y]) => x.hypot(*y),
+        _ => unreachable!("the model checked the number of arguments"),
+    }
+}

@@ -1,0 +1,205 @@
+//! What the groups share: where a group stands, what is known of it once it is solved, and the bar
+//! and the block as parts of a dyad.
+
+use crate::equations::jet::Jet;
+use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
+use crate::equations::symbol::{Sheet, Sym, Vector};
+use crate::model::mechanism::{Carrier, LinkId, Numerics};
+
+/// How far a group is from its limit.
+#[derive(Clone, Copy)]
+pub(super) struct LimitMeasures<'s> {
+    /// Signed distance from the limit in metres; `None` for groups that have no reach to run
+    /// out of.
+    pub margin: Option<Jet<'s>>,
+    /// Sine of the transmission angle, not negative.
+    pub transmission: Jet<'s>,
+}
+
+impl<'s> LimitMeasures<'s> {
+    /// Of two slides: the size of the sine of the angle between their directions, which has the
+    /// rates of the cross product, with the sign of the cross product.
+    pub(super) fn of_directions(a: Direction<'s>, b: Direction<'s>, sine: Sym<'s>) -> Self {
+        let ([ax, ay], [bx, by]) = (a.jets(), b.jets());
+        let cross = Jet { value: sine, ..ax * by - ay * bx };
+        Self { margin: None, transmission: cross.hypot(Jet::zero(sine.sheet())) }
+    }
+}
+
+/// The root of what is negative out of reach; zero there.
+pub(super) fn root_in_reach(square: Jet<'_>) -> Jet<'_> {
+    let size = square.value.hypot(square.value.sheet().zero());
+    Jet { value: (square.value + size).half(), ..square }.sqrt()
+}
+
+/// How clear of its limit a group with an assembly mode is, for following a motion: what stands
+/// under its square root, and the scale to measure it by.
+#[derive(Clone, Copy)]
+pub(super) struct Clearance<'s> {
+    pub value: Jet<'s>,
+    pub scale: Sym<'s>,
+}
+
+/// The sum of the squares that the vector from one point to the other is made of: its rounding is
+/// measured by them, not by its own length.
+pub(super) fn size<'s>(from: PointMotion<'s>, to: PointMotion<'s>) -> Sym<'s> {
+    let base = to.base - from.base;
+    base.dot(base) + (from.offset.dot(from.offset) + to.offset.dot(to.offset))
+}
+
+/// The group whose failure a guard reports, its links, and how it is to compute.
+pub(super) struct GroupScope<'s> {
+    pub group: u32,
+    pub title: &'s str,
+    pub links: &'s [LinkId],
+    pub numerics: Numerics,
+    pub sheet: &'s Sheet<'s>,
+}
+
+impl<'s> GroupScope<'s> {
+    /// The symbol under the letter that the derivation calls it by: in the generated code `h` of
+    /// the group `BC, DC` is `bc_dc_h_`.
+    pub(super) fn call(&self, letter: &str, symbol: Sym<'s>) -> Sym<'s> {
+        self.sheet.name(symbol, format!("{} {letter}", self.title));
+        symbol
+    }
+
+    pub(super) fn call_vector(&self, letter: &str, vector: Vector<'s>) -> Vector<'s> {
+        self.call(&format!("{letter} x"), vector.x);
+        self.call(&format!("{letter} y"), vector.y);
+        vector
+    }
+}
+
+/// A link's frame, and its slide where it slides.
+#[derive(Clone, Copy)]
+pub(super) struct LinkMotion<'s> {
+    pub frame: Frame<'s>,
+    pub slide: Option<Jet<'s>>,
+}
+
+/// What a driver or a dyad has placed: its links in the order of the statement, and its pin.
+pub(super) struct Solved<'s> {
+    pub links: Vec<LinkMotion<'s>>,
+    pub pin: Option<PointMotion<'s>>,
+}
+
+/// A bar from its outer joint to the pin.
+#[derive(Clone, Copy)]
+pub(super) struct Bar<'s> {
+    outer: PointMotion<'s>,
+    /// From the outer joint to the pin.
+    r: Vector<'s>,
+    length: Jet<'s>,
+    omega: Sym<'s>,
+    alpha: Sym<'s>,
+}
+
+impl<'s> Bar<'s> {
+    pub(super) fn new(outer: PointMotion<'s>, r: Vector<'s>, length: Jet<'s>) -> Self {
+        let zero = r.x.sheet().zero();
+        Self { outer, r, length, omega: zero, alpha: zero }
+    }
+
+    pub(super) fn turning(self, omega: Sym<'s>, alpha: Sym<'s>) -> Self {
+        Self { omega, alpha, ..self }
+    }
+
+    /// The unit vector from the outer joint to the pin.
+    fn u(self) -> Vector<'s> {
+        self.length.value.recip() * self.r
+    }
+
+    /// The pin's velocity but for the bar's turning: v + l̇ u.
+    pub(super) fn pushed_velocity(self) -> Vector<'s> {
+        self.outer.velocity + self.length.rate * self.u()
+    }
+
+    /// The pin's acceleration but for the bar's turning: a + l̈ u + 2 ω l̇ u⊥.
+    pub(super) fn lengthening_acceleration(self, omega: Sym<'s>) -> Vector<'s> {
+        let coriolis = (omega * self.length.rate).twice() * self.u().normal();
+        self.outer.acceleration + (self.length.accel * self.u() + coriolis)
+    }
+
+    /// The pin's acceleration but for the angular one: a + l̈ u + 2 ω l̇ u⊥ − ω² r.
+    pub(super) fn pushed_acceleration(self, omega: Sym<'s>) -> Vector<'s> {
+        self.lengthening_acceleration(omega) - omega.squared() * self.r
+    }
+
+    /// The pin at the bar's end.
+    pub(super) fn pin(self) -> PointMotion<'s> {
+        PointMotion {
+            base: self.outer.base,
+            offset: self.outer.offset + self.r,
+            velocity: self.pushed_velocity() + self.omega * self.r.normal(),
+            acceleration: self.pushed_acceleration(self.omega) + self.alpha * self.r.normal(),
+            swing: None,
+        }
+    }
+
+    /// The bar as a link: origin at its outer joint, x towards the pin.
+    pub(super) fn link(self, link: LinkId) -> LinkMotion<'s> {
+        let direction = Direction {
+            u: self.u(),
+            omega: self.omega,
+            alpha: self.alpha,
+            turned: Some(RelativeAngle::start(Carrier::Link(link), self.r.x.sheet())),
+        };
+        LinkMotion { frame: Frame { origin: self.outer, direction }, slide: None }
+    }
+}
+
+/// A block on a guide, at a known slide.
+#[derive(Clone, Copy)]
+pub(super) struct Block<'s> {
+    guide: Frame<'s>,
+    /// From the guide's origin to the block's pin.
+    rho: Vector<'s>,
+    offset: Jet<'s>,
+}
+
+impl<'s> Block<'s> {
+    pub(super) fn new(guide: Frame<'s>, slide: Sym<'s>, offset: Jet<'s>) -> Self {
+        Self { guide, rho: guide.vector(slide, offset.value), offset }
+    }
+
+    pub(super) fn direction(self) -> Vector<'s> {
+        self.guide.direction.u
+    }
+
+    /// The pin's velocity but for the slide's: transport and changing offset.
+    pub(super) fn carried_velocity(self) -> Vector<'s> {
+        let zero = self.rho.x.sheet().zero();
+        let sigma = self.guide.vector(zero, self.offset.rate);
+        self.guide.transport(self.rho, sigma).0 + sigma
+    }
+
+    /// The pin's acceleration but for the slide's own: transport, Coriolis and changing offset.
+    pub(super) fn carried_acceleration(self, slide_rate: Sym<'s>) -> Vector<'s> {
+        let sigma = self.guide.vector(slide_rate, self.offset.rate);
+        let zero = self.rho.x.sheet().zero();
+        self.guide.transport(self.rho, sigma).1 + self.guide.vector(zero, self.offset.accel)
+    }
+
+    /// The pin, its slide's rates and its carried acceleration being known.
+    pub(super) fn pin(
+        self,
+        slide_rate: Sym<'s>,
+        slide_accel: Sym<'s>,
+        carried: Vector<'s>,
+    ) -> PointMotion<'s> {
+        let u = self.direction();
+        PointMotion {
+            base: self.guide.origin.base,
+            offset: self.guide.origin.offset + self.rho,
+            velocity: self.carried_velocity() + slide_rate * u,
+            acceleration: carried + slide_accel * u,
+            swing: None,
+        }
+    }
+
+    /// The pin's position against a point of the ground.
+    pub(super) fn offset_from(self, base: Vector<'s>) -> Vector<'s> {
+        (self.guide.origin.base - base) + (self.guide.origin.offset + self.rho)
+    }
+}

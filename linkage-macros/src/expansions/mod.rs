@@ -1,0 +1,166 @@
+//! What every declaration of the workspace expands to, by hashes that are kept beside this file.
+//!
+//! A change of the compiler that means to change no generated code shows here that it changed
+//! none; one that means to shows which declarations it touched. Of each the file holds three
+//! hashes: of the exact tokens; of the tokens with the generated locals numbered anew, so that
+//! other names of locals are told from other code; and of what stands in where the declaration has
+//! mistakes. After an intended change
+//! `LINKAGE_RENEW=1 cargo test -p linkage-macros expansions` writes the file anew, in a commit that
+//! says why.
+
+mod declarations;
+mod fingerprint;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use proc_macro2::TokenStream;
+
+use crate::diagnostics::Diagnostics;
+use crate::{fuzz, pipeline, syntax};
+use declarations::Declaration;
+use fingerprint::{exact, numbered_anew};
+
+/// A declaration's own tokens tell equal names apart, wherever they stand.
+type Key = (String, String);
+
+/// The hashes of one expansion.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Hashes {
+    exact: String,
+    renumbered: String,
+    stand_in: String,
+}
+
+/// How an expansion differs from the one that is kept.
+const NEW: &str = "declared anew or otherwise";
+const GONE: &str = "declared no more, or otherwise";
+const RENAMED: &str = "expands to the same under other names of locals";
+const STAND_IN: &str = "has another stand-in";
+const CHANGED: &str = "expands to other code";
+
+fn kept_in() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("src/expansions/hashes.txt")
+}
+
+impl Hashes {
+    fn of(declaration: &Declaration) -> Self {
+        let expansion = pipeline::compile(declaration.tokens.clone());
+        let messages = fuzz::messages(expansion.clone());
+        assert!(messages.is_empty(), "{}: {messages:?}", declaration.name);
+        Self {
+            exact: exact(expansion.clone()),
+            renumbered: numbered_anew(expansion),
+            stand_in: exact(stand_in(declaration.tokens.clone())),
+        }
+    }
+
+    fn difference(&self, kept: &Self) -> Option<&'static str> {
+        match () {
+            () if self == kept => None,
+            () if self.renumbered != kept.renumbered => Some(CHANGED),
+            () if self.exact != kept.exact => Some(RENAMED),
+            () => Some(STAND_IN),
+        }
+    }
+}
+
+/// What would stand in if the declaration had mistakes.
+fn stand_in(tokens: TokenStream) -> TokenStream {
+    let mut diagnostics = Diagnostics::new();
+    let tree = syntax::parse(tokens, &mut diagnostics);
+    assert!(diagnostics.into_errors().is_empty());
+    pipeline::stand_in(&tree.expect("it expands"))
+}
+
+fn all() -> BTreeMap<Key, Hashes> {
+    let mut all = BTreeMap::new();
+    for declaration in declarations::all() {
+        let key = (declaration.name.clone(), exact(declaration.tokens.clone()));
+        all.entry(key).or_insert_with(|| Hashes::of(&declaration));
+    }
+    all
+}
+
+fn to_text(all: &BTreeMap<Key, Hashes>) -> String {
+    let line = |((name, source), hashes): (&Key, &Hashes)| {
+        let Hashes { exact, renumbered, stand_in } = hashes;
+        format!("{name}: {source} {exact} {renumbered} {stand_in}\n")
+    };
+    all.iter().map(line).collect()
+}
+
+fn from_text(text: &str) -> BTreeMap<Key, Hashes> {
+    let line = |line: &str| {
+        let (name, hashes) = line.rsplit_once(": ")?;
+        let [source, exact, renumbered, stand_in] =
+            hashes.split(' ').map(str::to_string).collect::<Vec<_>>().try_into().ok()?;
+        Some(((name.to_string(), source), Hashes { exact, renumbered, stand_in }))
+    };
+    text.lines().map(|text| line(text).expect("a line is a name and four hashes")).collect()
+}
+
+/// What differs, by how it does.
+fn differences(
+    made: &BTreeMap<Key, Hashes>,
+    kept: &BTreeMap<Key, Hashes>,
+) -> BTreeMap<&'static str, Vec<String>> {
+    let mut found: BTreeMap<_, Vec<String>> = BTreeMap::new();
+    for (key, hashes) in made {
+        let difference = kept.get(key).map_or(Some(NEW), |kept| hashes.difference(kept));
+        if let Some(difference) = difference {
+            found.entry(difference).or_default().push(key.0.clone());
+        }
+    }
+    let gone = kept.keys().filter(|key| !made.contains_key(key));
+    for (name, _) in gone {
+        found.entry(GONE).or_default().push(name.clone());
+    }
+    found
+}
+
+#[test]
+fn no_declaration_expands_to_other_code_than_before() {
+    let made = all();
+    if std::env::var_os("LINKAGE_RENEW").is_some() {
+        return fs::write(kept_in(), to_text(&made)).expect("the hashes can be written");
+    }
+    let kept = from_text(&fs::read_to_string(kept_in()).expect("the hashes are there"));
+    let differences = differences(&made, &kept);
+    let lines = differences.iter().map(|(how, names)| format!("{how}: {}\n", names.join(", ")));
+    assert!(
+        differences.is_empty(),
+        "\n{}If that is meant, LINKAGE_RENEW=1 writes the hashes anew, in a commit that says why.",
+        lines.collect::<String>()
+    );
+}
+
+#[test]
+fn declarations_are_found_in_every_kind_of_place() {
+    let names: Vec<_> = declarations::all().map(|declaration| declaration.name).collect();
+    // An example, a test's, one inside a function, a variant of a group.
+    for name in ["FlyingShear", "JansenLeg", "Whitworth", "variant: crank"] {
+        assert!(names.iter().any(|known| known == name), "{name} is not among {names:?}");
+    }
+    assert!(names.len() > 150, "{}", names.len());
+}
+
+#[test]
+fn other_code_and_other_names_are_told_apart() {
+    let hashes = |source: &str| {
+        let tokens: TokenStream = source.parse().expect("these are tokens");
+        let (exact, renumbered) = (exact(tokens.clone()), numbered_anew(tokens));
+        Hashes { exact, renumbered, stand_in: String::new() }
+    };
+    let before = hashes("fn a() { let (v1_, x_) = f(q); g(v1_) } fn b() { let v9_ = 1; v9_ }");
+    for (source, difference) in [
+        ("fn a() { let (u_, v_) = f(q); g(u_) } fn b() { let u_ = 1; u_ }", Some(RENAMED)),
+        ("fn a() { let (v1_, x_) = f(q); g(x_) } fn b() { let v9_ = 1; v9_ }", Some(CHANGED)),
+        ("fn a() { let (v1_, x_) = f(q); g(v1_) } fn b() { let v9_ = 2; v9_ }", Some(CHANGED)),
+        ("fn a() { let (v1_, x_) = h(q); g(v1_) } fn b() { let v9_ = 1; v9_ }", Some(CHANGED)),
+        ("fn a() { let (v1_, x_) = f(q); g(v1_) } fn b() { let v9_ = 1; v9_ }", None),
+    ] {
+        assert_eq!(hashes(source).difference(&before), difference, "{source}");
+    }
+}

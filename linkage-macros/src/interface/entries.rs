@@ -1,0 +1,84 @@
+//! The entry points: what each is called, given and returns.
+
+use crate::interface::records::{RecordId, Shape};
+
+/// What an argument says of the inputs: each is a number, or a record of several inputs' numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Given {
+    Value,
+    Rate,
+    Acceleration,
+    /// Of the only input, in place of its value; a sine follows.
+    Cosine,
+    Sine,
+}
+
+/// An entry point.
+#[derive(Clone, Debug)]
+pub(crate) struct Entry {
+    /// The function that returns a `Result`; `solve_` in front is that of the fast path.
+    pub name: &'static str,
+    pub given: &'static [Given],
+    pub result: Shape,
+    /// What it computes, in words.
+    pub subject: &'static str,
+    /// Whether it has a `sweep_` over slices.
+    pub sweeps: bool,
+}
+
+impl Entry {
+    /// How many orders of the inputs it is given: values, rates, second rates.
+    pub(crate) fn orders(&self) -> usize {
+        self.given.len() - usize::from(self.takes_cosine())
+    }
+
+    /// Whether the only input is given by its cosine and sine.
+    pub(crate) fn takes_cosine(&self) -> bool {
+        self.given.first() == Some(&Given::Cosine)
+    }
+
+    /// What is given beside the inputs' values.
+    pub(crate) fn rates(&self) -> &'static [Given] {
+        &self.given[if self.takes_cosine() { 2 } else { 1 }..]
+    }
+}
+
+const POSITIONS: &str = "Positions of the outputs";
+const VELOCITIES: &str = "Velocities of the outputs";
+const MOTIONS: &str = "Positions, velocities and accelerations of the outputs";
+const COEFFICIENTS: &str = "Kinematic coefficients ∂outputs/∂inputs";
+const MARGINS: &str = "Distances of the groups from their limits";
+
+/// Every entry point that there may be, in the order in which they are computed and documented.
+/// Those that are given a cosine exist only where the formulas need the value nowhere else.
+pub(super) fn all(
+    rows: usize,
+    columns: usize,
+    [position, velocity, _]: [RecordId; 3],
+    motion: RecordId,
+    margins: Option<RecordId>,
+) -> Vec<Entry> {
+    use Given::{Acceleration, Cosine, Rate, Sine, Value};
+    let entry =
+        |name, given, result, subject| Entry { name, given, result, subject, sweeps: false };
+    let sweeping = |name, given, result, subject| Entry {
+        sweeps: true,
+        ..entry(name, given, Shape::Record(result), subject)
+    };
+    let at = |name, given, result, subject| entry(name, given, Shape::Record(result), subject);
+    let mut entries = vec![
+        sweeping("position", &[Value], position, POSITIONS),
+        sweeping("velocity", &[Value, Rate], velocity, VELOCITIES),
+        sweeping("motion", &[Value, Rate, Acceleration], motion, MOTIONS),
+        entry("coefficients", &[Value], Shape::Matrix { rows, columns }, COEFFICIENTS),
+    ];
+    if columns == 1 {
+        entries.extend([
+            at("position_at", &[Cosine, Sine], position, POSITIONS),
+            at("velocity_at", &[Cosine, Sine, Rate], velocity, VELOCITIES),
+            at("motion_at", &[Cosine, Sine, Rate, Acceleration], motion, MOTIONS),
+        ]);
+    }
+    entries.extend(margins.map(|margins| at("margins", &[Value], margins, MARGINS)));
+    entries
+}

@@ -1,0 +1,69 @@
+//! What `OUTPUTS` calls the scalar rows, and errors the single numbers of a result.
+
+use syn::ext::IdentExt;
+
+use crate::interface::Interface;
+use crate::interface::quantity::{Order, Quantity};
+use crate::interface::records::{Field, Shape, Subject};
+use crate::model::mechanism::{Mechanism, Output, OutputKind};
+
+/// The rows of one output, `blade.x` and `blade.y`.
+pub(crate) fn rows(output: &Output) -> Vec<String> {
+    let field = output.field.unraw().to_string();
+    let ending = |ending: &str| match field.strip_suffix(&format!("_{ending}")) {
+        Some(link) => format!("{link}.{ending}"),
+        None => field.clone(),
+    };
+    match &output.kind {
+        OutputKind::Margin(_) => vec![ending("margin")],
+        OutputKind::Transmission(_) => vec![ending("transmission")],
+        OutputKind::Angle(_) | OutputKind::Value { .. } => vec![field],
+        kind => Quantity::of(kind).rows().iter().map(|row| format!("{field}.{row}")).collect(),
+    }
+}
+
+/// All rows.
+pub(crate) fn all_rows(mechanism: &Mechanism) -> Vec<String> {
+    mechanism.outputs.iter().flat_map(rows).collect()
+}
+
+/// What an error calls each number of a result, in the order of the sinks.
+pub(crate) fn of_result(interface: &Interface, mechanism: &Mechanism, shape: Shape) -> Vec<String> {
+    match shape {
+        Shape::Record(id) => {
+            let fields = interface.record(id).fields.iter();
+            fields.flat_map(|field| of_field(interface, mechanism, field)).collect()
+        }
+        Shape::Matrix { .. } => {
+            let inputs = mechanism.inputs.iter().map(|input| input.name.unraw().to_string());
+            let rows = all_rows(mechanism);
+            let column =
+                |input| rows.iter().map(move |row| format!("coefficient of {input} of {row}"));
+            inputs.flat_map(|input| column(input).collect::<Vec<_>>()).collect()
+        }
+        Shape::Number | Shape::List(_) | Shape::Quantity(..) => Vec::new(),
+    }
+}
+
+fn of_field(interface: &Interface, mechanism: &Mechanism, field: &Field) -> Vec<String> {
+    match field.subject {
+        Subject::Output(index, order) => of_output(&mechanism.outputs[index], order),
+        Subject::Outputs(_) => of_result(interface, mechanism, field.shape),
+        Subject::Input(index) => vec![mechanism.inputs[index].name.unraw().to_string()],
+    }
+}
+
+/// The components of an output: a direction has two of them for its one row.
+fn of_output(output: &Output, order: Order) -> Vec<String> {
+    let mut rows = rows(output);
+    let parts = Quantity::of(&output.kind).layout(order).parts;
+    if parts.len() > rows.len() {
+        rows.insert(0, rows[0].clone());
+    }
+    let derivative = match order {
+        Order::Position => "",
+        Order::Velocity => "velocity of ",
+        Order::Acceleration => "acceleration of ",
+    };
+    rows.into_iter().map(|row| format!("{derivative}{row}")).collect()
+}

@@ -1,0 +1,88 @@
+//! What the solver offers: which functions, what each is given, what it returns, and what every
+//! number in that is called.
+//!
+//! It is known before any formula is, and said once: the equations fill it in, and the generated
+//! code, its documentation and the C header read it. Nothing here computes and nothing prints.
+
+pub(crate) mod entries;
+pub(crate) mod labels;
+pub(crate) mod quantity;
+pub(crate) mod records;
+pub(crate) mod units_in_words;
+
+use crate::interface::entries::Entry;
+use crate::interface::quantity::Quantity;
+use crate::interface::records::{Record, RecordId, Records, Shape};
+use crate::model::mechanism::Mechanism;
+
+/// See the module's documentation.
+pub(crate) struct Interface {
+    pub records: Vec<Record>,
+    pub entries: Vec<Entry>,
+    /// The record of several inputs, if there are several.
+    pub inputs: Option<RecordId>,
+    /// The number of scalar rows of the outputs.
+    pub rows: usize,
+    /// The number of inputs.
+    pub columns: usize,
+}
+
+/// An index into [`Interface::entries`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct EntryId(usize);
+
+impl Interface {
+    /// Everything that a solver of the mechanism could offer.
+    pub(crate) fn of(mechanism: &Mechanism) -> Self {
+        let rows = mechanism.outputs.iter().map(|output| Quantity::of(&output.kind).rows().len());
+        let (rows, columns) = (rows.sum(), mechanism.inputs.len());
+        let Records { list: records, input: inputs, orders, motion, margins } =
+            Records::of(mechanism);
+        let entries = entries::all(rows, columns, orders, motion, margins);
+        Self { records, entries, inputs, rows, columns }
+    }
+
+    /// The same with these entry points alone, in this order.
+    pub(crate) fn limited_to<'n>(mut self, names: impl Iterator<Item = &'n str>) -> Self {
+        let known = self.entries;
+        let entry = |name: &str| known.iter().find(|entry| entry.name == name).cloned();
+        self.entries = names.filter_map(entry).collect();
+        self
+    }
+
+    pub(crate) fn entry(&self, id: EntryId) -> &Entry {
+        &self.entries[id.0]
+    }
+
+    pub(crate) fn ids(&self) -> impl Iterator<Item = EntryId> + use<> {
+        (0..self.entries.len()).map(EntryId)
+    }
+
+    /// The entry point of this name, if it is offered.
+    pub(crate) fn find(&self, name: &str) -> Option<EntryId> {
+        self.entries.iter().position(|entry| entry.name == name).map(EntryId)
+    }
+
+    pub(crate) fn record(&self, id: RecordId) -> &Record {
+        &self.records[id.index()]
+    }
+
+    /// How many numbers a result of this shape has.
+    pub(crate) fn numbers(&self, shape: Shape) -> usize {
+        match shape {
+            Shape::Number => 1,
+            Shape::List(count) => count,
+            Shape::Quantity(quantity, order) => quantity.layout(order).parts.len(),
+            Shape::Matrix { rows, columns } => rows * columns,
+            Shape::Record(id) => {
+                self.record(id).fields.iter().map(|field| self.numbers(field.shape)).sum()
+            }
+        }
+    }
+}
+
+impl EntryId {
+    pub(crate) fn index(self) -> usize {
+        self.0
+    }
+}

@@ -1,0 +1,229 @@
+//! What a result is made of: a point has x and y, a direction cosine and sine, a slide a length.
+//!
+//! One table says of each quantity, position, velocity and acceleration apart, which record of the
+//! run-time crate holds it, what its components are called there and in the generated code, which
+//! scalar rows it has in `OUTPUTS`, and what it is in words. Whatever lists components follows it.
+
+use crate::model::mechanism::OutputKind;
+
+/// How often a result was differentiated by time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Order {
+    Position,
+    Velocity,
+    Acceleration,
+}
+
+impl Order {
+    pub(crate) const ALL: [Self; 3] = [Self::Position, Self::Velocity, Self::Acceleration];
+}
+
+/// What an output is, and so the number and order of its components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Quantity {
+    Point,
+    /// A link's direction, or a named angle's.
+    Direction,
+    /// The direction of a link that slides, and its slide.
+    SlidingDirection,
+    /// The slide alone.
+    Slide,
+    /// A number: a named expression, a margin, the sine of a transmission angle.
+    Value,
+}
+
+/// A component.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct Part {
+    /// Its field in the record; nothing where there is no record.
+    pub field: &'static str,
+    /// The end of the name of the local that holds it.
+    pub local: &'static str,
+}
+
+/// How a quantity is laid out at one order.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct Layout {
+    /// The record of the run-time crate; none for a plain number.
+    pub record: Option<&'static str>,
+    /// The components, in the order of the record's fields and of an entry point's sinks.
+    pub parts: &'static [Part],
+    /// The scalar rows; of a direction the angle, at every order. A number's row has no name of
+    /// its own.
+    pub rows: &'static [&'static str],
+    /// What it is, and its unit; of a number only its unit says more.
+    pub words: &'static str,
+}
+
+impl Quantity {
+    /// What an output is.
+    pub(crate) fn of(kind: &OutputKind) -> Self {
+        match kind {
+            OutputKind::Point(_) => Self::Point,
+            OutputKind::Link { direction: true, slide: true, .. } => Self::SlidingDirection,
+            OutputKind::Link { direction: true, slide: false, .. } | OutputKind::Angle(_) => {
+                Self::Direction
+            }
+            OutputKind::Link { direction: false, .. } => Self::Slide,
+            OutputKind::Value { .. } | OutputKind::Margin(_) | OutputKind::Transmission(_) => {
+                Self::Value
+            }
+        }
+    }
+
+    pub(crate) fn layout(self, order: Order) -> &'static Layout {
+        let layouts = match self {
+            Self::Point => &POINT,
+            Self::Direction => &DIRECTION,
+            Self::SlidingDirection => &SLIDING_DIRECTION,
+            Self::Slide => &SLIDE,
+            Self::Value => &VALUE,
+        };
+        let [position, velocity, acceleration] = layouts;
+        match order {
+            Order::Position => position,
+            Order::Velocity => velocity,
+            Order::Acceleration => acceleration,
+        }
+    }
+
+    /// The scalar rows, of which there are as many at every order.
+    pub(crate) fn rows(self) -> &'static [&'static str] {
+        self.layout(Order::Position).rows
+    }
+}
+
+const fn part(field: &'static str, local: &'static str) -> Part {
+    Part { field, local }
+}
+
+const POINT: [Layout; 3] = [
+    Layout {
+        record: Some("Point"),
+        parts: &[part("x", "x"), part("y", "y")],
+        rows: &["x", "y"],
+        words: "coordinates in m",
+    },
+    Layout {
+        record: Some("Point"),
+        parts: &[part("x", "vx"), part("y", "vy")],
+        rows: &["x", "y"],
+        words: "velocity in m/s",
+    },
+    Layout {
+        record: Some("Point"),
+        parts: &[part("x", "ax"), part("y", "ay")],
+        rows: &["x", "y"],
+        words: "acceleration in m/s²",
+    },
+];
+
+const DIRECTION: [Layout; 3] = [
+    Layout {
+        record: Some("Direction"),
+        parts: &[part("cos", "cos"), part("sin", "sin")],
+        rows: &["angle"],
+        words: "unit direction, counter-clockwise from +x",
+    },
+    Layout {
+        record: Some("AngularVelocity"),
+        parts: &[part("omega", "omega")],
+        rows: &["angle"],
+        words: "angular velocity in rad/s, counter-clockwise",
+    },
+    Layout {
+        record: Some("AngularAcceleration"),
+        parts: &[part("alpha", "alpha")],
+        rows: &["angle"],
+        words: "angular acceleration in rad/s², counter-clockwise",
+    },
+];
+
+const SLIDING_DIRECTION: [Layout; 3] = [
+    Layout {
+        record: Some("SlidingDirection"),
+        parts: &[part("cos", "cos"), part("sin", "sin"), part("slide", "slide")],
+        rows: &["angle", "slide"],
+        words: "unit direction, counter-clockwise from +x; slide along its guide in m",
+    },
+    Layout {
+        record: Some("SlidingVelocity"),
+        parts: &[part("omega", "omega"), part("slide", "slide_rate")],
+        rows: &["angle", "slide"],
+        words: "angular velocity in rad/s, counter-clockwise; rate of its slide in m/s",
+    },
+    Layout {
+        record: Some("SlidingAcceleration"),
+        parts: &[part("alpha", "alpha"), part("slide", "slide_acceleration")],
+        rows: &["angle", "slide"],
+        words: "angular acceleration in rad/s², counter-clockwise; second rate of its slide in m/s²",
+    },
+];
+
+const SLIDE: [Layout; 3] = [
+    Layout {
+        record: Some("Slide"),
+        parts: &[part("slide", "slide")],
+        rows: &["slide"],
+        words: "slide along its guide in m",
+    },
+    Layout {
+        record: Some("Slide"),
+        parts: &[part("slide", "slide_rate")],
+        rows: &["slide"],
+        words: "rate of its slide in m/s",
+    },
+    Layout {
+        record: Some("Slide"),
+        parts: &[part("slide", "slide_acceleration")],
+        rows: &["slide"],
+        words: "second rate of its slide in m/s²",
+    },
+];
+
+const VALUE: [Layout; 3] = [
+    Layout { record: None, parts: &[part("", "value")], rows: &[""], words: "" },
+    Layout { record: None, parts: &[part("", "rate")], rows: &[""], words: ", its rate" },
+    Layout {
+        record: None,
+        parts: &[part("", "acceleration")],
+        rows: &[""],
+        words: ", its second rate",
+    },
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [Quantity; 5] = [
+        Quantity::Point,
+        Quantity::Direction,
+        Quantity::SlidingDirection,
+        Quantity::Slide,
+        Quantity::Value,
+    ];
+
+    #[test]
+    fn rates_have_a_component_a_row() {
+        for quantity in ALL {
+            let rows = quantity.rows();
+            for order in [Order::Velocity, Order::Acceleration] {
+                let Layout { parts, rows: these, .. } = quantity.layout(order);
+                assert_eq!((parts.len(), *these), (rows.len(), rows), "{quantity:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_position_has_two_components_for_an_angle_and_one_for_every_other_row() {
+        for quantity in ALL {
+            let Layout { parts, rows, .. } = quantity.layout(Order::Position);
+            let fields: Vec<_> = parts.iter().map(|part| part.field).collect();
+            let expected: Vec<_> = (rows.iter())
+                .flat_map(|&row| if row == "angle" { vec!["cos", "sin"] } else { vec![row] })
+                .collect();
+            assert_eq!(fields, expected, "{quantity:?}");
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! A program made into routines.
+
+use std::collections::HashSet;
+
+use super::locals;
+use super::overflow::Overflow;
+use super::plan::{Plan, Way};
+use super::routine::{Adapted, Asked, Compute, Locals, Lowered, Routine, Stage};
+use super::schedule::Schedule;
+use super::scopes::lay_out;
+use super::witnesses::witnesses;
+use crate::interface::entries::Given;
+use crate::interface::records::Shape;
+use crate::interface::{EntryId, Interface};
+use crate::ir::cost::{Operations, operations};
+use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::liveness::{Path, live, live_nodes};
+use crate::ir::program::Program;
+use crate::lower::routine::is_leaf;
+use crate::model::mechanism::Mechanism;
+
+/// The routines of everything that the program has answers for.
+pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
+    let names = program.answers.iter().map(|answer| answer.entry);
+    let interface = Interface::of(mechanism).limited_to(names);
+    let (plan, locals) = (Plan::of(&interface), locals::named(mechanism, &interface, program));
+    let builder = Builder { program, interface, locals };
+    let overflows: Vec<_> = plan.routines.iter().map(|entries| builder.overflow(entries)).collect();
+    let routines = plan.routines.iter().zip(&overflows);
+    let routines = routines.map(|(entries, overflow)| builder.routine(entries, overflow.as_ref()));
+    let routines = routines.collect();
+    let ids: Vec<EntryId> = builder.interface.ids().collect();
+    let costs = ids.iter().map(|&id| builder.cost(id, plan.ways[id.index()])).collect();
+    let entries = ids.iter().map(|&id| match plan.ways[id.index()] {
+        Way::Via { entry, given } => Compute::Via { entry, given },
+        Way::Own { routine, stage } => {
+            let asked = builder.asked(id, overflows[routine].as_ref());
+            Compute::Own { routine, stage, asked }
+        }
+    });
+    let (entries, clearances) = (entries.collect(), builder.clearances());
+    let Builder { program, interface, .. } = builder;
+    Lowered { program, interface, routines, entries, costs, clearances }
+}
+
+struct Builder<'p> {
+    program: &'p Program,
+    interface: Interface,
+    locals: Locals,
+}
+
+impl Builder<'_> {
+    fn graph(&self) -> &Graph {
+        &self.program.graph
+    }
+
+    fn sinks(&self, entry: EntryId) -> &[Id] {
+        &self.program.answers[entry.index()].sinks
+    }
+
+    /// The last stage is everything that a routine computes.
+    fn overflow(&self, entries: &[EntryId]) -> Option<Overflow> {
+        Overflow::of(self.graph(), self.sinks(*entries.last()?))
+    }
+
+    fn routine(&self, entries: &[EntryId], overflow: Option<&Overflow>) -> Routine {
+        let last = *entries.last().expect("a routine has a stage");
+        let given = self.interface.entry(last).given;
+        let name = match (entries, given.first()) {
+            ([only], _) => format!("formulas_{}_", self.interface.entry(*only).name),
+            (_, Some(Given::Cosine)) => "formulas_at_".to_string(),
+            _ => "formulas_".to_string(),
+        };
+        let mut schedule = Schedule::new(self.graph(), &self.locals, Path::Slow, overflow);
+        let statements: Vec<_> =
+            entries.iter().map(|&entry| schedule.stage(self.sinks(entry))).collect();
+        let locals = locals::with_letters(&self.locals, self.graph(), &statements.concat());
+        let result = self.interface.entry(last).result;
+        let mut stages = Vec::new();
+        let mut rest = self.sinks(last);
+        for (nth, (shape, own)) in
+            self.parts(entries, result).into_iter().zip(&statements).enumerate()
+        {
+            let later = statements[nth + 1..].iter().flatten();
+            let used_later = later.flat_map(|statement| schedule.uses(statement));
+            let kept: Vec<Id> = used_later.chain(schedule.read(rest.iter().copied())).collect();
+            let (sinks, further) = rest.split_at(self.interface.numbers(shape));
+            let statements = lay_out(&schedule, own.clone(), &kept);
+            stages.push(Stage { result: shape, sinks: sinks.to_vec(), statements });
+            rest = further;
+        }
+        let Schedule { reads, has_checks, path, .. } = schedule;
+        Routine { name, given, result, path, stages, reads, has_checks, locals }
+    }
+
+    /// What each stage adds to the result: of several, a record.
+    fn parts(&self, entries: &[EntryId], result: Shape) -> Vec<Shape> {
+        match (entries, result) {
+            ([_, _, ..], Shape::Record(record)) => {
+                self.interface.record(record).fields.iter().map(|field| field.shape).collect()
+            }
+            _ => vec![result],
+        }
+    }
+
+    /// A routine without checks, because out of reach is a number below zero here.
+    fn clearances(&self) -> Routine {
+        let sinks: Vec<Id> =
+            self.program.clearances.iter().flat_map(|clearance| clearance.sinks).collect();
+        let mut schedule = Schedule::new(self.graph(), &self.locals, Path::Unchecked, None);
+        let statements = schedule.stage(&sinks);
+        let locals = locals::with_letters(&self.locals, self.graph(), &statements);
+        let kept = schedule.read(sinks.iter().copied());
+        let statements = lay_out(&schedule, statements, &kept);
+        let Schedule { reads, has_checks, path, .. } = schedule;
+        Routine {
+            name: "clearances".to_string(),
+            given: &[Given::Value, Given::Rate],
+            result: Shape::List(sinks.len()),
+            path,
+            stages: vec![Stage { result: Shape::List(sinks.len()), sinks, statements }],
+            reads,
+            has_checks,
+            locals,
+        }
+    }
+
+    fn asked(&self, entry: EntryId, overflow: Option<&Overflow>) -> Asked {
+        let (graph, sinks) = (self.graph(), self.sinks(entry));
+        let place = |id| sinks.iter().position(|&sink| sink == id);
+        let live = live(graph, sinks, Path::Slow);
+        let read = live_nodes(graph, &live).map(|(_, node)| node).filter(|&node| is_leaf(node));
+        let mut seen = HashSet::new();
+        let is_known = |id| matches!(graph.node(id), Node::Constant(_) | Node::Mode(_));
+        let results = sinks.iter().enumerate();
+        let results = results.filter(|&(_, &sink)| !is_known(sink) && seen.insert(sink));
+        Asked {
+            witnesses: witnesses(graph, sinks).into_iter().filter_map(place).collect(),
+            limits: overflow.map(|overflow| overflow.limits(graph, sinks)),
+            given: read.collect(),
+            results: results.map(|(at, _)| at).collect(),
+        }
+    }
+
+    fn cost(&self, entry: EntryId, way: Way) -> Operations {
+        let of = |entry| operations(self.graph(), self.sinks(entry));
+        match way {
+            Way::Via { entry, given: Adapted::CosineAndSine } => {
+                let cost = of(entry);
+                Operations { sines: cost.sines + 1, ..cost }
+            }
+            _ => of(entry),
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! What the values of the graph are called in the generated code: a component of a result after
+//! the user's name for it, a value of a derivation after its group and its letter there, everything
+//! else by its number.
+
+use std::collections::{HashMap, HashSet};
+
+use syn::ext::IdentExt;
+
+use super::routine::{Locals, Statement};
+use super::schedule::defines;
+use crate::interface::Interface;
+use crate::interface::quantity::{Order, Quantity};
+use crate::interface::records::{Kind, Shape};
+use crate::ir::graph::Graph;
+use crate::ir::program::Program;
+use crate::model::mechanism::{Mechanism, Output};
+
+/// The names of the locals that hold components of results.
+pub(super) fn named(mechanism: &Mechanism, interface: &Interface, program: &Program) -> Locals {
+    let mut names = HashMap::new();
+    let is_motion = |shape| match shape {
+        Shape::Record(record) => interface.record(record).kind == Kind::Motion,
+        _ => false,
+    };
+    let motions = interface.entries.iter().zip(&program.answers);
+    for (_, answer) in motions.filter(|(entry, _)| is_motion(entry.result)) {
+        let labels = Order::ALL.into_iter().flat_map(|order| components(mechanism, order));
+        // Upper and lower case may make one name of two.
+        let mut taken = HashMap::new();
+        for (label, &sink) in labels.zip(&answer.sinks) {
+            // Whether a letter of another alphabet may stand in a name is for others to know.
+            let is_its_own = *taken.entry(label.clone()).or_insert(sink) == sink;
+            if is_its_own && label.is_ascii() {
+                names.entry(sink).or_insert(label);
+            }
+        }
+    }
+    let components = names.keys().copied().collect();
+    Locals { names, components }
+}
+
+/// The same with the letters of the derivations. Two values of one routine may have one letter, as
+/// the velocities at unit rates of two inputs have: the later one gets a number.
+pub(super) fn with_letters(components: &Locals, graph: &Graph, statements: &[Statement]) -> Locals {
+    let mut locals = components.clone();
+    let mut taken: HashSet<String> = components.names.values().cloned().collect();
+    for id in statements.iter().flat_map(defines) {
+        let Some(letter) = graph.name_of(id).filter(|name| name.is_ascii()) else { continue };
+        if locals.components.contains(&id) {
+            continue;
+        }
+        let stem = single_underscores(&letter.to_lowercase().replace([' ', ','], "_"));
+        let numbered = (2..).map(|number| format!("{stem}{number}_"));
+        let mut names = std::iter::once(stem.clone()).chain(numbered);
+        let free = names.find(|name| taken.insert(name.clone()));
+        locals.names.extend(free.map(|name| (id, name)));
+    }
+    locals
+}
+
+/// What the components of all outputs are called at one order, in the order of the sinks.
+fn components(mechanism: &Mechanism, order: Order) -> Vec<String> {
+    let of = |output: &Output| {
+        let field = output.field.unraw().to_string().to_lowercase();
+        let parts = Quantity::of(&output.kind).layout(order).parts;
+        parts.iter().map(move |part| single_underscores(&format!("{field}_{}_", part.local)))
+    };
+    mechanism.outputs.iter().flat_map(of).collect()
+}
+
+/// The name without the double underscores that the compiler frowns upon.
+fn single_underscores(name: &str) -> String {
+    let parts: Vec<&str> = name.split('_').filter(|part| !part.is_empty()).collect();
+    format!("{}_", parts.join("_"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_local_has_one_underscore_between_its_words_and_one_behind() {
+        assert_eq!(single_underscores("a__b__x_"), "a_b_x_");
+        assert_eq!(single_underscores("_b_x_"), "b_x_");
+    }
+}

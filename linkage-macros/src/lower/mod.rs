@@ -1,0 +1,21 @@
+//! A program as routines: each a list of statements, in stages, with what it asks on the way and
+//! what has to be asked before its result may be used.
+//!
+//! Everything about the generated code that has to be decided is decided here; `codegen` prints it.
+//! `plan` says which entry point computes for itself, `ranges` how large values can become,
+//! `overflow` what is asked so that none overflows, `witnesses` which results stand for all,
+//! `checks` what a condition becomes, `schedule` in which order statements stand, `scopes` which
+//! stand together, `locals` what they are called.
+
+mod build;
+mod checks;
+mod locals;
+mod overflow;
+mod plan;
+mod ranges;
+pub(crate) mod routine;
+mod schedule;
+mod scopes;
+mod witnesses;
+
+pub(crate) use build::lower;

@@ -1,0 +1,123 @@
+//! How the fast path knows that its results are finite.
+//!
+//! Asking the results is right always, and late: all of them have to be kept until the last is
+//! there. Where limits on the inputs and on the divisors keep every value from overflowing, these
+//! are asked instead, which are known early. That is decided here, for each width of its own; a
+//! number that carries derivatives is asked for its results in any case, because a derivative may
+//! overflow where the value does not.
+
+use super::checks::Spread;
+use super::ranges::{Assumed, Thresholds, Values};
+use super::routine::{Limits, Threshold};
+use super::witnesses::witnesses;
+use crate::ir::graph::{Check, Graph, Id, Node};
+use crate::ir::liveness::{Path, live, live_nodes};
+
+/// What the fast path asks of inputs and divisors in place of its results.
+pub(super) struct Overflow {
+    wide: Option<Width>,
+    narrow: Option<Width>,
+}
+
+/// What is asked of one width.
+struct Width {
+    thresholds: Thresholds,
+    /// On inputs and rates; on second rates its square.
+    input: f64,
+}
+
+/// From what asks least to what asks most. A pose beyond the limits is not lost: the slow path
+/// finds what there is to find.
+const WIDE: [Assumed; 3] = [wide(1e60, 0.0), wide(1e60, 1e-30), wide(1e20, 1e-30)];
+const NARROW: [Assumed; 4] =
+    [narrow(1e6, 0.0), narrow(1e6, 1e-7), narrow(65_536.0, 1e-6), narrow(8192.0, 1e-5)];
+
+/// Squares of full precision begin at the smallest normal number over ε².
+const fn wide(input: f64, share: f64) -> Assumed {
+    let (normal, epsilon) = (f64::MIN_POSITIVE, f64::EPSILON);
+    Assumed { input, share, square: 4.6e-277, normal, epsilon, largest: 1e300, factor: 1e297 }
+}
+
+const fn narrow(input: f64, share: f64) -> Assumed {
+    let (normal, epsilon) = (f32::MIN_POSITIVE as f64, f32::EPSILON as f64);
+    Assumed { input, share, square: 8.4e-25, normal, epsilon, largest: 1e37, factor: 1e34 }
+}
+
+impl Overflow {
+    /// What to ask so that no value overflows on the way to the sinks, if there is such a thing and
+    /// fewer questions come of it.
+    pub(super) fn of(graph: &Graph, sinks: &[Id]) -> Option<Self> {
+        let asked = asked(graph, sinks).len();
+        if asked > 0 && asked >= witnesses(graph, sinks).len() {
+            return None;
+        }
+        let values = Values::new(graph, &live(graph, sinks, Path::Fast));
+        let first = |ladder: &[Assumed]| {
+            let width = |assumed: &Assumed| {
+                Some(Width { thresholds: values.thresholds(assumed)?, input: assumed.input })
+            };
+            ladder.iter().find_map(width)
+        };
+        let (wide, narrow) = (first(&WIDE), first(&NARROW));
+        (wide.is_some() || narrow.is_some()).then_some(Self { wide, narrow })
+    }
+
+    /// The least that the condition on a value is to find there; nothing where ranges show that it
+    /// holds, or where a spread that is known at run time asks for more.
+    pub(super) fn threshold(
+        &self,
+        value: Id,
+        check: &Check,
+        spread: Option<Spread<'_>>,
+    ) -> Option<Threshold> {
+        let sign = |assumed: Assumed| match (check, spread) {
+            (Check::Square, _) => assumed.square,
+            (Check::ReachLine, _) => assumed.normal,
+            (_, Some(Spread::Known(spread))) => assumed.rounding_of(spread),
+            _ => 0.0,
+        };
+        let of = |width: &Option<Width>, assumed: Assumed| match width {
+            Some(width) => width.thresholds.get(&value).copied().unwrap_or(Some(sign(assumed))),
+            None => Some(sign(assumed)),
+        };
+        let (wide, narrow) = (of(&self.wide, WIDE[0]), of(&self.narrow, NARROW[0]));
+        let asked = wide.or(narrow)?;
+        // What is above rounding is above zero.
+        let is_sign_alone = asked + narrow.unwrap_or(0.0) == 0.0;
+        if matches!(spread, Some(Spread::AtRunTime(_))) && is_sign_alone {
+            return None;
+        }
+        Some(Threshold::Number(wide.unwrap_or(0.0), narrow.unwrap_or(0.0)))
+    }
+
+    /// The limits on the inputs that lead to some of the sinks.
+    pub(super) fn limits(&self, graph: &Graph, sinks: &[Id]) -> Limits {
+        let input = |width: &Option<Width>, largest| width.as_ref().map_or(largest, |w| w.input);
+        let first = [input(&self.wide, f64::MAX), input(&self.narrow, f64::from(f32::MAX))];
+        let limit = |node| match node {
+            Node::Input { order: 2, .. } => (node, first.map(|bound| bound * bound)),
+            _ => (node, first),
+        };
+        Limits {
+            wide: self.wide.is_some(),
+            narrow: self.narrow.is_some(),
+            inputs: asked(graph, sinks).into_iter().map(limit).collect(),
+        }
+    }
+}
+
+/// The inputs and rates that limits are asked of: those that not only sines and cosines read.
+fn asked(graph: &Graph, sinks: &[Id]) -> Vec<Node> {
+    let live = live(graph, sinks, Path::Fast);
+    let mut only_turned = vec![true; graph.len()];
+    sinks.iter().for_each(|sink| only_turned[sink.index()] = false);
+    for (_, node) in live_nodes(graph, &live) {
+        if !matches!(node, Node::Sin(_) | Node::Cos(_)) {
+            node.for_operands(&mut |operand| only_turned[operand.index()] = false);
+        }
+    }
+    live_nodes(graph, &live)
+        .filter(|&(id, node)| matches!(node, Node::Input { .. }) && !only_turned[id.index()])
+        .map(|(_, node)| node)
+        .collect()
+}

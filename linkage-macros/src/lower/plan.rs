@@ -1,0 +1,99 @@
+//! Which entry point computes for itself, which share their formulas, and which goes by way of
+//! another.
+
+use super::routine::Adapted;
+use crate::interface::entries::{Entry, Given};
+use crate::interface::quantity::Order;
+use crate::interface::records::{Kind, Shape};
+use crate::interface::{EntryId, Interface};
+
+/// How every entry point comes to its numbers.
+pub(super) struct Plan {
+    /// Formulas that are written down together: of one entry point, or of several, each of which
+    /// goes on where the one before it stops.
+    pub routines: Vec<Vec<EntryId>>,
+    pub ways: Vec<Way>,
+}
+
+/// How an entry point comes to its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    /// By formulas of its own, as a stage of a routine.
+    Own { routine: usize, stage: usize },
+    /// By those of another entry point.
+    Via { entry: EntryId, given: Adapted },
+}
+
+impl Plan {
+    pub(super) fn of(interface: &Interface) -> Self {
+        let ids: Vec<EntryId> = interface.ids().collect();
+        let vias: Vec<_> = ids.iter().map(|&id| via(interface, id)).collect();
+        let mut routines: Vec<Vec<EntryId>> = Vec::new();
+        for &id in ids.iter().filter(|id| vias[id.index()].is_none()) {
+            match family(interface, id) {
+                // The last of a family leads it.
+                Some(family) if family[2] == id => routines.push(family.to_vec()),
+                Some(_) => {}
+                None => routines.push(vec![id]),
+            }
+        }
+        let own = |id: EntryId| {
+            routines.iter().enumerate().find_map(|(routine, stages)| {
+                let stage = stages.iter().position(|&stage| stage == id)?;
+                Some(Way::Own { routine, stage })
+            })
+        };
+        let way = |&id: &EntryId| {
+            vias[id.index()].or_else(|| own(id)).expect("what goes no way has formulas")
+        };
+        let ways = ids.iter().map(way).collect();
+        Self { routines, ways }
+    }
+}
+
+/// The way by another entry point, if there is one.
+fn via(interface: &Interface, id: EntryId) -> Option<Way> {
+    let own = interface.entry(id);
+    let find = |given: Adapted, does: &dyn Fn(&Entry) -> bool| {
+        let entry = interface.ids().find(|&other| does(interface.entry(other)))?;
+        Some(Way::Via { entry, given })
+    };
+    match own.result {
+        Shape::Matrix { columns: 1, .. } => find(Adapted::UnitRate, &|other| {
+            other.given == [Given::Value, Given::Rate]
+                && order_of(interface, other) == Some(Order::Velocity)
+        }),
+        _ if own.takes_cosine() => None,
+        result => find(Adapted::CosineAndSine, &|other| {
+            other.result == result && other.takes_cosine() && other.rates() == own.rates()
+        }),
+    }
+}
+
+/// The order of the record of outputs that an entry point returns.
+fn order_of(interface: &Interface, entry: &Entry) -> Option<Order> {
+    let Shape::Record(record) = entry.result else { return None };
+    match interface.record(record).kind {
+        Kind::Outputs(order) => Some(order),
+        _ => None,
+    }
+}
+
+/// Position, velocity and motion of one kind of input, of which the entry point is one: what each
+/// computes is part of what the next does.
+fn family(interface: &Interface, id: EntryId) -> Option<[EntryId; 3]> {
+    let takes_cosine = interface.entry(id).takes_cosine();
+    let find = |does: &dyn Fn(&Entry) -> bool| {
+        interface.ids().find(|&other| {
+            let other = interface.entry(other);
+            other.takes_cosine() == takes_cosine && does(other)
+        })
+    };
+    let of_order = |order| find(&|entry| order_of(interface, entry) == Some(order));
+    let motion = |entry: &Entry| match entry.result {
+        Shape::Record(record) => interface.record(record).kind == Kind::Motion,
+        _ => false,
+    };
+    let family = [of_order(Order::Position)?, of_order(Order::Velocity)?, find(&motion)?];
+    family.contains(&id).then_some(family)
+}

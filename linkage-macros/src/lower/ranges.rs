@@ -1,0 +1,305 @@
+//! How large the values of a graph can become in floating-point arithmetic.
+//!
+//! Where every input is bounded and every divisor bounded away from zero, intervals show that no
+//! value overflows, and then none needs to be asked whether it is finite: it is enough to ask the
+//! inputs and the divisors, which are known early. An interval is widened by more than the
+//! rounding of either width at every node, so it holds for the computed values, not for the real
+//! ones alone.
+
+#[cfg(test)]
+mod tests;
+
+use std::collections::HashMap;
+
+use crate::exact::Exact;
+use crate::ir::graph::{Check, Graph, Guard, Id, Node};
+use crate::ir::liveness::{live_nodes, unguarded};
+
+/// What is assumed of one width of numbers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Assumed {
+    /// The largest magnitude of an input that is not an angle in a sine, and of its rate; of its
+    /// second rate the square of it.
+    pub input: f64,
+    /// The least magnitude of a divisor that a guard keeps from zero, as a share of its largest.
+    pub share: f64,
+    /// The smallest square of full precision.
+    pub square: f64,
+    /// The smallest number of full precision.
+    pub normal: f64,
+    /// The distance from 1 to the next number.
+    pub epsilon: f64,
+    /// What is not to be exceeded.
+    pub largest: f64,
+    /// What a factor is not to exceed where its product's rounding error is asked for.
+    pub factor: f64,
+}
+
+impl Assumed {
+    /// What rounding does to a value of this spread, as the run-time crate counts it.
+    pub(super) fn rounding_of(&self, spread: &Exact) -> f64 {
+        16.0 * self.epsilon * spread.to_f64()
+    }
+}
+
+/// What the fast path has to ask where no result can overflow: the least value, or magnitude,
+/// of what each guard guards, by the unguarded node. Zero where the sign is enough, and
+/// `None` where nothing is left to ask.
+pub(crate) type Thresholds = HashMap<Id, Option<f64>>;
+
+/// More than the relative error of any operation in either width.
+const SLACK: f64 = 1e-6;
+
+/// More than what underflow takes from a value in either width.
+const TINY: f64 = 1e-35;
+
+/// The values that a node can take: `low ≤ x ≤ high`, and |x| ≥ `away`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Range {
+    low: f64,
+    high: f64,
+    away: f64,
+}
+
+/// The live nodes of a graph and the ranges of its constants, which hold under any limits.
+pub(crate) struct Values<'a> {
+    graph: &'a Graph,
+    live: Vec<(Id, Node)>,
+    constants: Vec<Option<Range>>,
+}
+
+impl<'a> Values<'a> {
+    pub(crate) fn new(graph: &'a Graph, live: &[bool]) -> Self {
+        let mut constants = vec![None; graph.len()];
+        let live: Vec<_> = live_nodes(graph, live).collect();
+        for &(id, node) in &live {
+            let value = |constant| graph.value(constant).to_f64();
+            constants[id.index()] = match node {
+                Node::Constant(constant) => Some(Range::point(value(constant))),
+                Node::Low(constant) => Some(Range::about(value(constant).abs() * SLACK)),
+                _ => None,
+            };
+        }
+        Self { graph, live, constants }
+    }
+
+    /// The thresholds of all guards under the limits, if every live value is bounded.
+    pub(crate) fn thresholds(&self, limits: &Assumed) -> Option<Thresholds> {
+        let (graph, ranges) = (self.graph, self.constants.clone());
+        let mut bounds = Bounds { graph, limits, ranges, thresholds: HashMap::new() };
+        for &(id, node) in &self.live {
+            let range = match bounds.of(id) {
+                Some(constant) => constant,
+                None => bounds.range(node)?,
+            };
+            if range.largest() >= limits.largest {
+                return None;
+            }
+            bounds.ranges[id.index()] = Some(range);
+        }
+        Some(bounds.thresholds)
+    }
+}
+
+struct Bounds<'a> {
+    graph: &'a Graph,
+    limits: &'a Assumed,
+    ranges: Vec<Option<Range>>,
+    thresholds: Thresholds,
+}
+
+impl Bounds<'_> {
+    fn of(&self, id: Id) -> Option<Range> {
+        self.ranges[id.index()]
+    }
+
+    fn range(&mut self, node: Node) -> Option<Range> {
+        let limits = self.limits;
+        Some(match node {
+            Node::Constant(_) | Node::Low(_) => return None,
+            Node::Input { order: 0 | 1, .. } => Range::about(limits.input),
+            Node::Input { .. } => Range::about(limits.input * limits.input),
+            Node::InputCos(_) | Node::InputSin(_) => Range::about(1.0).rounded(),
+            Node::Sin(angle) | Node::Cos(angle) => {
+                self.of(angle)?;
+                Range::about(1.0).rounded()
+            }
+            // A parameter can be anything.
+            Node::Param(_) => return None,
+            Node::Mode(_) => Range { low: -1.0, high: 1.0, away: 1.0 },
+            Node::Neg(a) => self.of(a)?.negated(),
+            Node::Add(a, b) => self.of(a)?.plus(self.of(b)?).rounded(),
+            Node::Sub(a, b) => self.of(a)?.plus(self.of(b)?.negated()).rounded(),
+            Node::Mul(a, b) => self.product(a, b)?.rounded(),
+            Node::Fused(a, b, c) => self.product(a, b)?.rounded().plus(self.of(c)?).rounded(),
+            Node::Det([a, b, c, d]) => {
+                self.exact_product(a, b)?.plus(self.exact_product(c, d)?.negated()).rounded()
+            }
+            Node::Div(a, b) => self.quotient(a, b)?.rounded(),
+            Node::Sqrt(a) => self.of(a)?.root()?.rounded(),
+            Node::Hypot(a, b) => {
+                Range::about(self.of(a)?.largest() + self.of(b)?.largest()).rounded()
+            }
+            Node::MulErr(a, b) => Range::about(self.exact_product(a, b)?.largest() * SLACK),
+            Node::AddErr(a, b) => Range::about(self.of(a)?.plus(self.of(b)?).largest() * SLACK),
+            Node::Asin(a) | Node::Acos(a) | Node::Atan(a) => {
+                self.of(a)?;
+                Range::about(3.2)
+            }
+            Node::Atan2(a, b) => {
+                self.of(a)?;
+                self.of(b)?;
+                Range::about(3.2)
+            }
+            Node::Tan(_) => return None,
+            Node::Guard(value, guard) => self.guarded(value, self.graph.condition(guard))?,
+        })
+    }
+
+    fn product(&self, a: Id, b: Id) -> Option<Range> {
+        let (x, y) = (self.of(a)?, self.of(b)?);
+        Some(if unguarded(self.graph, a) == unguarded(self.graph, b) {
+            x.squared()
+        } else {
+            x.times(y)
+        })
+    }
+
+    /// The product where its rounding error is asked for: without fused operations the factors are
+    /// split by a multiplication with up to 2²⁷ + 1 (f32: 2¹² + 1), which must not overflow.
+    fn exact_product(&self, a: Id, b: Id) -> Option<Range> {
+        let room = |id| self.of(id).filter(|range| range.largest() < self.limits.factor);
+        room(a).and(room(b)).and_then(|_| self.product(a, b))
+    }
+
+    /// √x/x is 1/√x: the quotient of the two ranges would be far too wide.
+    fn quotient(&self, a: Id, b: Id) -> Option<Range> {
+        let (x, y) = (self.of(a)?, self.of(b)?);
+        match self.graph.node(unguarded(self.graph, a)) {
+            Node::Sqrt(under) if unguarded(self.graph, under) == unguarded(self.graph, b) => {
+                y.root()?.reciprocal()
+            }
+            _ => Some(x.times(y.reciprocal()?)),
+        }
+    }
+
+    /// The range that the fast path goes on with, once it has asked for the threshold.
+    fn guarded(&mut self, value: Id, Guard { check, operands, .. }: &Guard) -> Option<Range> {
+        if *check == Check::ShareOfCentres {
+            return self.of(value);
+        }
+        let range = self.of(value)?;
+        let share = self.limits.share * range.largest();
+        let least = match check {
+            Check::Square => self.limits.square.max(share),
+            Check::ReachLine => self.limits.normal.max(share),
+            _ if check.has_spread() => {
+                let spread = operands.last().and_then(|&spread| self.graph.as_constant(spread));
+                spread.map_or(share, |spread| self.limits.rounding_of(spread).max(share))
+            }
+            _ => share,
+        };
+        let known = match check {
+            Check::Nonzero => range.away,
+            _ => range.low,
+        };
+        let threshold = (known <= least || known <= 0.0).then_some(least);
+        if range.largest() <= least {
+            return None;
+        }
+        let id = unguarded(self.graph, value);
+        let asked = self.thresholds.entry(id).or_insert(threshold);
+        // Asked more than once, a value is asked for the most.
+        *asked = match (*asked, threshold) {
+            (Some(one), Some(other)) => Some(one.max(other)),
+            (one, other) => one.or(other),
+        };
+        Some(match (threshold, check) {
+            (None, _) => range,
+            (Some(least), Check::Nonzero) => Range { away: least, ..range },
+            (Some(least), _) => Range { low: least, away: least, ..range },
+        })
+    }
+}
+
+impl Range {
+    fn point(value: f64) -> Self {
+        Self { low: value, high: value, away: value.abs() }.rounded()
+    }
+
+    /// From −`magnitude` to `magnitude`.
+    fn about(magnitude: f64) -> Self {
+        Self { low: -magnitude, high: magnitude, away: 0.0 }
+    }
+
+    fn of(low: f64, high: f64) -> Self {
+        let away = if low > 0.0 {
+            low
+        } else if high < 0.0 {
+            -high
+        } else {
+            0.0
+        };
+        Self { low, high, away }
+    }
+
+    fn largest(self) -> f64 {
+        self.low.abs().max(self.high.abs())
+    }
+
+    /// With the rounding of the operation that made it, which does not change a sign.
+    fn rounded(self) -> Self {
+        let slack = SLACK * self.largest() + TINY;
+        let inward = |x: f64| (x * (1.0 - SLACK) - TINY).max(0.0);
+        Self {
+            low: if self.low >= 0.0 { inward(self.low) } else { self.low - slack },
+            high: if self.high <= 0.0 { -inward(-self.high) } else { self.high + slack },
+            away: inward(self.away),
+        }
+    }
+
+    fn negated(self) -> Self {
+        Self { low: -self.high, high: -self.low, ..self }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self::of(self.low + other.low, self.high + other.high)
+    }
+
+    fn times(self, other: Self) -> Self {
+        let corners = [
+            self.low * other.low,
+            self.low * other.high,
+            self.high * other.low,
+            self.high * other.high,
+        ];
+        let (low, high) = corners
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)));
+        Self { low, high, away: self.away * other.away }
+    }
+
+    fn squared(self) -> Self {
+        let (low, high) = (self.away * self.away, self.largest() * self.largest());
+        Self { low, high, away: low }
+    }
+
+    fn reciprocal(self) -> Option<Self> {
+        let (least, most) = (1.0 / self.largest(), 1.0 / self.away);
+        if !most.is_finite() {
+            return None;
+        }
+        Some(if self.low > 0.0 {
+            Self::of(least, most)
+        } else if self.high < 0.0 {
+            Self::of(-most, -least)
+        } else {
+            Self { low: -most, high: most, away: least }
+        })
+    }
+
+    /// The root, of what cannot be negative.
+    fn root(self) -> Option<Self> {
+        (self.low >= 0.0).then(|| Self::of(self.low.sqrt(), self.high.sqrt()))
+    }
+}

@@ -1,0 +1,132 @@
+//! Which thresholds come of which graphs.
+
+use super::*;
+use crate::exact::Exact;
+use crate::ir::graph::Guard;
+
+const WIDE: Assumed = Assumed {
+    input: 1e60,
+    share: 1e-30,
+    square: 1e-276,
+    normal: 2.3e-308,
+    epsilon: 2.3e-16,
+    largest: 1e300,
+    factor: 1e297,
+};
+
+struct Sample {
+    graph: Graph,
+    angle: Id,
+    rate: Id,
+}
+
+fn sample() -> Sample {
+    let mut graph = Graph::new();
+    let angle = graph.push(Node::Input { input: 0, order: 0 });
+    let rate = graph.push(Node::Input { input: 0, order: 1 });
+    Sample { graph, angle, rate }
+}
+
+impl Sample {
+    fn number(&mut self, value: f64) -> Id {
+        self.graph.constant(Exact::float(value).unwrap())
+    }
+
+    fn push(&mut self, node: Node) -> Id {
+        self.graph.push(node)
+    }
+
+    fn guard(&mut self, value: Id, check: Check) -> Id {
+        self.graph.guard(value, Guard { check, group: 0, operands: Vec::new() })
+    }
+
+    /// a + b·cos θ.
+    fn affine(&mut self, a: f64, b: f64) -> Id {
+        let (cos, a, b) = (self.push(Node::Cos(self.angle)), self.number(a), self.number(b));
+        let product = self.push(Node::Mul(b, cos));
+        self.push(Node::Add(a, product))
+    }
+
+    fn thresholds(&self, limits: &Assumed) -> Option<Thresholds> {
+        Values::new(&self.graph, &vec![true; self.graph.len()]).thresholds(limits)
+    }
+}
+
+#[test]
+fn what_is_known_to_be_large_is_not_asked() {
+    let mut sample = sample();
+    let square = sample.affine(3.0, 2.0);
+    let sound = sample.guard(square, Check::Square);
+    let one = sample.number(1.0);
+    sample.push(Node::Div(one, sound));
+    assert_eq!(sample.thresholds(&WIDE).unwrap()[&square], None);
+}
+
+#[test]
+fn a_divisor_that_may_vanish_has_a_threshold_and_a_root_has_not() {
+    let mut sample = sample();
+    let product = sample.affine(2.0, 2.0);
+    let reach = sample.guard(product, Check::ReachCircles);
+    let root = sample.push(Node::Sqrt(reach));
+    let loose = Assumed { share: 0.0, ..WIDE };
+    assert_eq!(sample.thresholds(&loose).unwrap()[&product], Some(0.0));
+    // Behind 1/√x the sign alone is not enough.
+    sample.push(Node::Div(root, reach));
+    assert!(sample.thresholds(&loose).is_none());
+    let threshold = sample.thresholds(&WIDE).unwrap()[&product].unwrap();
+    assert!((threshold / 4e-30 - 1.0).abs() < 1e-5, "{threshold}");
+}
+
+#[test]
+fn overflow_is_found_at_the_node_where_it_happens() {
+    let mut sample = sample();
+    let square = sample.push(Node::Mul(sample.rate, sample.rate));
+    assert!(sample.thresholds(&WIDE).is_some());
+    let fourth = sample.push(Node::Mul(square, square));
+    assert!(sample.thresholds(&WIDE).is_some());
+    sample.push(Node::Mul(fourth, square));
+    assert!(sample.thresholds(&WIDE).is_none());
+}
+
+#[test]
+fn a_square_is_not_negative_and_a_product_may_be() {
+    let mut sample = sample();
+    let sine = sample.push(Node::Sin(sample.angle));
+    let cosine = sample.push(Node::Cos(sample.angle));
+    let square = sample.push(Node::Mul(sine, sine));
+    sample.push(Node::Sqrt(square));
+    assert!(sample.thresholds(&WIDE).is_some());
+    let product = sample.push(Node::Mul(sine, cosine));
+    sample.push(Node::Sqrt(product));
+    assert!(sample.thresholds(&WIDE).is_none());
+}
+
+#[test]
+fn a_product_that_underflows_is_not_away_from_zero() {
+    let mut sample = sample();
+    let small = sample.number(1e-20);
+    let square = sample.push(Node::Mul(small, small));
+    let one = sample.number(1.0);
+    sample.push(Node::Div(one, square));
+    assert!(sample.thresholds(&WIDE).is_none());
+}
+
+#[test]
+fn a_parameter_may_be_anything() {
+    let mut sample = sample();
+    sample.push(Node::Param(0));
+    assert!(sample.thresholds(&WIDE).is_none());
+}
+
+#[test]
+fn a_factor_of_an_exact_product_must_leave_room_to_be_split() {
+    let mut sample = sample();
+    let (large, small) = (sample.number(1e299), sample.number(1e-290));
+    sample.push(Node::Mul(large, small));
+    assert!(sample.thresholds(&WIDE).is_some());
+    for exact in [Node::MulErr(large, small), Node::Det([small, large, small, small])] {
+        let mut graph = sample.graph.clone();
+        graph.push(exact);
+        assert!(Values::new(&graph, &vec![true; graph.len()]).thresholds(&WIDE).is_none());
+    }
+}

@@ -1,0 +1,216 @@
+//! The types of what is printed: routines, stages, statements, and what an entry point asks.
+//!
+//! A statement names nodes of the graph; there is no second language of expressions.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::interface::entries::Given;
+use crate::interface::records::Shape;
+use crate::interface::{EntryId, Interface};
+use crate::ir::cost::Operations;
+use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::liveness::{Path, unguarded};
+use crate::ir::program::Program;
+
+/// A program, ready to be printed.
+pub(crate) struct Lowered<'p> {
+    pub program: &'p Program,
+    /// What the program has answers for.
+    pub interface: Interface,
+    pub routines: Vec<Routine>,
+    /// How each entry point comes to its numbers.
+    pub entries: Vec<Compute>,
+    /// What one call of each entry point takes.
+    pub costs: Vec<Operations>,
+    /// How clear of their limits the groups are, for following a motion; without checks, because
+    /// out of reach is a number below zero there.
+    pub clearances: Routine,
+}
+
+/// How an entry point comes to its numbers.
+pub(crate) enum Compute {
+    /// By formulas of its own, as a stage of a routine.
+    Own { routine: usize, stage: usize, asked: Asked },
+    /// By those of another entry point, which is given what was made of its own arguments.
+    Via { entry: EntryId, given: Adapted },
+}
+
+/// What is given in place of an entry point's own arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Adapted {
+    /// The only input's cosine and sine: where they can be given, its value is needed nowhere
+    /// else, so the formulas are written once, for them.
+    CosineAndSine,
+    /// A rate of one: the only input's coefficients are the velocities at its unit rate.
+    UnitRate,
+}
+
+/// A function that holds formulas.
+pub(crate) struct Routine {
+    pub name: String,
+    pub given: &'static [Given],
+    /// What the stages make together.
+    pub result: Shape,
+    pub path: Path,
+    /// One after the other: each uses what those before it have computed.
+    pub stages: Vec<Stage>,
+    /// The inputs and parameters it reads, in the order of the graph.
+    pub reads: Vec<Node>,
+    /// Whether it asks anything of anybody.
+    pub has_checks: bool,
+    pub locals: Locals,
+}
+
+/// Statements that end in a result.
+pub(crate) struct Stage {
+    pub result: Shape,
+    pub sinks: Vec<Id>,
+    pub statements: Vec<Statement>,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum Statement {
+    Let(Id),
+    /// Sine and cosine of one angle in one call, at the place of whichever comes first.
+    SinCos {
+        angle: Id,
+        sin: Option<Id>,
+        cos: Option<Id>,
+        is_checked: bool,
+    },
+    Check(Condition),
+    /// Statements of which these locals alone are used later.
+    Scope {
+        statements: Vec<Statement>,
+        hands_on: Vec<Id>,
+    },
+}
+
+/// A condition on a value. The fast path compares; the slow path diagnoses.
+#[derive(Clone, Debug)]
+pub(crate) struct Condition {
+    /// The node that goes on: the value, or what stands for it at a limit.
+    pub id: Id,
+    pub value: Id,
+    /// What the fast path asks; nothing where the condition is known to hold.
+    pub comparison: Option<(Comparison, Threshold)>,
+    /// What the fast path asks whether the value is above the rounding of.
+    pub above_rounding: Option<Id>,
+    /// The slow path's question, and the numbers it looks at beside the value.
+    pub diagnosis: &'static str,
+    pub operands: Vec<Id>,
+    /// Whether the operands are handed over together.
+    pub in_a_list: bool,
+    /// Whose failure it is: an index into `Program::groups`.
+    pub group: u32,
+    /// The name of a length that has to be positive.
+    pub length: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Comparison {
+    /// value > threshold
+    Above,
+    /// value ≥ threshold
+    AtLeast,
+    /// |value| > threshold
+    Away,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Threshold {
+    /// The smallest square of full precision of the number's own width.
+    SmallestSquare,
+    /// In double and in single precision.
+    Number(f64, f64),
+}
+
+/// What is asked beside the conditions on the way, before a result may be used. Results and
+/// witnesses are indices into the stage's sinks and those of the stages before it.
+#[derive(Clone, Debug)]
+pub(crate) struct Asked {
+    /// The fast path asks whether the sum of these is finite.
+    pub witnesses: Vec<usize>,
+    /// What it asks instead of numbers of the widths that these limits keep from overflowing.
+    pub limits: Option<Limits>,
+    /// The slow path asks these whether they are finite: first what is given, …
+    pub given: Vec<Node>,
+    /// … in the end what comes out.
+    pub results: Vec<usize>,
+}
+
+/// Within these limits no value overflows on the way.
+#[derive(Clone, Debug)]
+pub(crate) struct Limits {
+    /// Whether there are limits for double precision.
+    pub wide: bool,
+    /// Whether there are for single precision.
+    pub narrow: bool,
+    /// The largest magnitude of each of these inputs in either width.
+    pub inputs: Vec<(Node, [f64; 2])>,
+}
+
+/// What the values of a routine are called, and which are written down where they are used.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Locals {
+    pub names: HashMap<Id, String>,
+    /// Components of results: these are bound to a name even where a sign alone makes them.
+    pub components: HashSet<Id>,
+}
+
+/// How a value is read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Reading {
+    /// An input or a parameter.
+    Leaf(Node),
+    /// A number.
+    Constant(Node),
+    /// Another reading behind a sign.
+    Negated(Box<Reading>),
+    Local(Id),
+}
+
+/// Whether the node is an input or a parameter.
+pub(crate) fn is_leaf(node: Node) -> bool {
+    matches!(node, Node::Input { .. } | Node::InputCos(_) | Node::InputSin(_) | Node::Param(_))
+}
+
+impl Locals {
+    pub(crate) fn name(&self, id: Id) -> String {
+        self.names.get(&id).cloned().unwrap_or_else(|| format!("v{}_", id.0))
+    }
+
+    /// How a node's value is read: constants and signs say more where they are used than a name
+    /// would. A routine without checks sees through conditions.
+    pub(crate) fn reading(&self, graph: &Graph, path: Path, id: Id) -> Reading {
+        let id = match path {
+            Path::Fast | Path::Unchecked => unguarded(graph, id),
+            Path::Slow => id,
+        };
+        match graph.node(id) {
+            node if is_leaf(node) => Reading::Leaf(node),
+            node @ (Node::Constant(_) | Node::Low(_)) => Reading::Constant(node),
+            Node::Neg(operand) if !self.components.contains(&id) => {
+                Reading::Negated(Box::new(self.reading(graph, path, operand)))
+            }
+            _ => Reading::Local(id),
+        }
+    }
+}
+
+impl Reading {
+    /// The local that is read, if one is.
+    pub(crate) fn local(&self) -> Option<Id> {
+        match self {
+            Self::Leaf(_) | Self::Constant(_) => None,
+            Self::Negated(inner) => inner.local(),
+            Self::Local(id) => Some(*id),
+        }
+    }
+}
+
+impl Routine {
+    pub(crate) fn reading(&self, graph: &Graph, id: Id) -> Reading {
+        self.locals.reading(graph, self.path, id)
+    }
+}

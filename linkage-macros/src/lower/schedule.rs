@@ -1,0 +1,138 @@
+//! In which order the values of a routine are computed: the graph's own, operands before their
+//! users, with sine and cosine of one angle at the place of whichever comes first.
+
+use std::collections::{HashMap, HashSet};
+
+use super::checks;
+use super::overflow::Overflow;
+use super::routine::{Locals, Statement, is_leaf};
+use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::liveness::{Path, live, live_nodes};
+
+/// What has been scheduled so far, and what it reads from outside.
+pub(super) struct Schedule<'a> {
+    pub graph: &'a Graph,
+    pub locals: &'a Locals,
+    pub path: Path,
+    /// What is asked of divisors in place of results.
+    pub overflow: Option<&'a Overflow>,
+    done: HashSet<Id>,
+    /// The inputs and parameters that are read, in the order of the graph.
+    pub reads: Vec<Node>,
+    /// Whether anything is asked of anybody.
+    pub has_checks: bool,
+}
+
+/// The sine and the cosine of one angle, as far as they are needed.
+#[derive(Clone, Copy, Default)]
+struct Pair {
+    sin: Option<Id>,
+    cos: Option<Id>,
+}
+
+impl<'a> Schedule<'a> {
+    pub(super) fn new(
+        graph: &'a Graph,
+        locals: &'a Locals,
+        path: Path,
+        overflow: Option<&'a Overflow>,
+    ) -> Self {
+        let (done, reads) = (HashSet::new(), Vec::new());
+        Self { graph, locals, path, overflow, done, reads, has_checks: false }
+    }
+
+    /// What the sinks need beyond what was scheduled before.
+    pub(super) fn stage(&mut self, sinks: &[Id]) -> Vec<Statement> {
+        let graph = self.graph;
+        let live = live(graph, sinks, self.path);
+        let mut pairs = pairs(graph, &live);
+        let mut statements = Vec::new();
+        for (id, node) in live_nodes(graph, &live) {
+            if !self.done.insert(id) {
+                continue;
+            }
+            self.has_checks |= self.is_checked(node);
+            let statement = match node {
+                _ if is_leaf(node) => {
+                    self.reads.push(node);
+                    None
+                }
+                Node::Constant(_) | Node::Low(_) => None,
+                Node::Neg(_) if !self.locals.components.contains(&id) => None,
+                Node::Sin(angle) | Node::Cos(angle) => pairs.remove(&angle).map(|pair| {
+                    let Pair { sin, cos } = pair;
+                    Statement::SinCos { angle, sin, cos, is_checked: self.is_checked(node) }
+                }),
+                Node::Guard(..) if self.path == Path::Unchecked => None,
+                Node::Guard(value, guard) => Some(Statement::Check(checks::condition(
+                    graph,
+                    self.overflow,
+                    id,
+                    value,
+                    graph.condition(guard),
+                ))),
+                _ => Some(Statement::Let(id)),
+            };
+            statements.extend(statement);
+        }
+        statements
+    }
+
+    /// Conditions are, and angles that are not constant: a large one takes more than the fast
+    /// path's reduction.
+    fn is_checked(&self, node: Node) -> bool {
+        let is_constant = |id| matches!(self.graph.node(id), Node::Constant(_));
+        self.path != Path::Unchecked
+            && match node {
+                Node::Guard(..) => true,
+                Node::Sin(angle) | Node::Cos(angle) => !is_constant(angle),
+                _ => false,
+            }
+    }
+
+    /// The locals among the nodes.
+    pub(super) fn read(&self, ids: impl IntoIterator<Item = Id>) -> Vec<Id> {
+        let reading = |id| self.locals.reading(self.graph, self.path, id).local();
+        ids.into_iter().filter_map(reading).collect()
+    }
+
+    /// The locals that a statement reads.
+    pub(super) fn uses(&self, statement: &Statement) -> Vec<Id> {
+        match statement {
+            Statement::Let(id) => {
+                let mut operands = Vec::new();
+                self.graph.node(*id).for_operands(&mut |operand| operands.push(operand));
+                self.read(operands)
+            }
+            Statement::SinCos { angle, .. } => self.read([*angle]),
+            Statement::Check(condition) => {
+                self.read([condition.value].into_iter().chain(condition.operands.iter().copied()))
+            }
+            Statement::Scope { statements, .. } => {
+                statements.iter().flat_map(|statement| self.uses(statement)).collect()
+            }
+        }
+    }
+}
+
+/// The locals that a statement binds.
+pub(super) fn defines(statement: &Statement) -> Vec<Id> {
+    match statement {
+        Statement::Let(id) => vec![*id],
+        Statement::SinCos { sin, cos, .. } => sin.iter().chain(cos).copied().collect(),
+        Statement::Check(condition) => vec![condition.id],
+        Statement::Scope { hands_on, .. } => hands_on.clone(),
+    }
+}
+
+fn pairs(graph: &Graph, live: &[bool]) -> HashMap<Id, Pair> {
+    let mut pairs: HashMap<Id, Pair> = HashMap::new();
+    for (id, node) in live_nodes(graph, live) {
+        match node {
+            Node::Sin(angle) => pairs.entry(angle).or_default().sin = Some(id),
+            Node::Cos(angle) => pairs.entry(angle).or_default().cos = Some(id),
+            _ => {}
+        }
+    }
+    pairs
+}

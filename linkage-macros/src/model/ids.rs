@@ -1,0 +1,32 @@
+//! Ids of what a mechanism is made of: indices into its lists, a type for each.
+
+macro_rules! ids {
+    ($($(#[$doc:meta])* $name:ident)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub(crate) struct $name(pub u32);
+
+        impl $name {
+            pub(crate) fn index(self) -> usize {
+                self.0 as usize
+            }
+        }
+    )*};
+}
+
+ids! {
+    /// An index into `Mechanism::inputs`.
+    InputId
+    /// An index into `Mechanism::params`.
+    ParamId
+    /// An index into `Mechanism::lets`.
+    LetId
+    /// An index into `Mechanism::points`.
+    PointId
+    /// An index into `Mechanism::links`.
+    LinkId
+    /// An index into `Mechanism::guides`.
+    GuideId
+    /// An index into `Mechanism::groups`.
+    GroupId
+}

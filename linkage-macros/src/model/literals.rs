@@ -1,0 +1,242 @@
+//! Numbers as written: their units, and what a number without one is taken for.
+
+use crate::diagnostics::{Extent, nearest};
+use crate::exact::Exact;
+use crate::syntax::tree::{self, BinaryOp, ExprKind, UnitPower};
+use crate::syntax::words::UNITS;
+
+use super::Resolver;
+use super::assembly::absolute;
+use super::dimension::Measure;
+use super::expressions::Quantity;
+use super::folding::shown;
+use super::mechanism::{Dimension, Expr, ParamKind};
+use super::names::NUMBERS;
+use super::units::unit;
+
+/// A bare length from which on a unit is asked for, in metres: few mechanisms are as long, and most
+/// numbers of millimetres are longer.
+const LONG: i64 = 100;
+
+impl Resolver<'_> {
+    /// A literal is a number, and its units are among the known.
+    pub(super) fn literal(
+        &mut self,
+        span: Extent,
+        digits: &str,
+        units: &[UnitPower],
+    ) -> Option<Quantity> {
+        let value = Exact::decimal(digits);
+        self.number_can_be_held(span, value.as_ref())?;
+        let mut value = value?;
+        if units.is_empty() {
+            return Some(Quantity::constant(Measure::Bare, value));
+        }
+        let mut dimension = Dimension::NUMBER;
+        for (name, power) in units {
+            let Some((of_unit, factor)) = unit(name) else {
+                self.unit_exists(span, digits, name);
+                return None;
+            };
+            for _ in 0..power.unsigned_abs() {
+                let scaled = if *power > 0 { Some(value.mul(&factor)) } else { value.div(&factor) };
+                value = scaled.expect("no unit is zero");
+            }
+            dimension = dimension.times(of_unit, *power);
+        }
+        self.number_can_be_held(span, Some(&value))?;
+        self.facts.a_length_has_a_unit |= dimension.length != 0;
+        Some(Quantity::constant(Measure::Known(dimension), value))
+    }
+
+    /// Reports letters behind a number that are no unit.
+    fn unit_exists(&mut self, span: Extent, digits: &str, suffix: &str) {
+        if suffix == "pi" || self.names.of_kinds(&NUMBERS).any(|name| name == suffix) {
+            let message = format!("write `{digits} * {suffix}`");
+            let reason = "letters directly behind a number are its unit";
+            self.diagnostics.error_because(span, message, reason);
+            return;
+        }
+        let mut message = format!("no unit named `{suffix}`");
+        // One letter is near to any two.
+        let known = UNITS.into_iter().filter(|unit| unit.len() > 1);
+        if let Some(near) = nearest(suffix, known) {
+            message += &format!("; a unit with a similar name exists: `{near}`");
+        }
+        let reason = "lengths have `m mm cm um in`, angles `rad deg turn`, masses `kg g t`, forces \
+                      `N kN`, times `s ms`; products stand in parentheses, as in `15(N/m)`";
+        self.diagnostics.error_because(span, message, reason);
+    }
+
+    /// A constant has no more digits than can be reckoned with exactly.
+    pub(super) fn number_is_of_a_length(
+        &mut self,
+        span: Extent,
+        value: Option<&Exact>,
+    ) -> Option<()> {
+        if !value.is_some_and(Exact::is_too_long) {
+            return Some(());
+        }
+        let message = "a number of more than 1200 digits; write it rounded";
+        let reason = "constants are exact: a product has the digits of both its factors";
+        self.diagnostics.error_because(span, message, reason);
+        None
+    }
+
+    /// A constant is one that floating point can hold: neither infinite nor lost as zero.
+    pub(super) fn number_can_be_held(&mut self, span: Extent, value: Option<&Exact>) -> Option<()> {
+        self.number_is_of_a_length(span, value)?;
+        let is_held = value.is_some_and(|value| {
+            let rounded = value.to_f64();
+            rounded.is_finite() && (rounded == 0.0) == value.is_zero()
+        });
+        if is_held {
+            return Some(());
+        }
+        let message = "a number too large or too small; change its exponent";
+        let reason = "`f64` holds numbers between 1e-308 and 1e308";
+        self.diagnostics.error_because(span, message, reason);
+        None
+    }
+
+    /// What to write where the letters behind a number are a unit and the name of a number: `2s`.
+    pub(super) fn name_taken_for_a_unit(&self, expr: &tree::Expr) -> Option<String> {
+        let ExprKind::Number { digits, units } = &expr.kind else { return None };
+        let [(unit, 1)] = &units[..] else { return None };
+        let declared = self.names.of_kinds(&NUMBERS).any(|name| name == unit);
+        declared.then(|| {
+            format!("letters directly behind a number are its unit; write `{digits} * {unit}`")
+        })
+    }
+
+    /// A number without a unit that is used as an angle is at most a full turn: more is a
+    /// forgotten `deg`.
+    pub(super) fn bare_angle_is_within_a_turn(
+        &mut self,
+        at: Extent,
+        quantity: &Quantity,
+    ) -> Option<()> {
+        if quantity.measure != Measure::Bare {
+            return Some(());
+        }
+        let (value, span) = match &quantity.rest {
+            Expr::Constant(value) => (value.clone(), at),
+            Expr::Param(id) => {
+                let facts = &mut self.facts.params[id.index()];
+                let ParamKind::Number { default, .. } = &self.mechanism.params[id.index()].kind
+                else {
+                    return Some(());
+                };
+                if facts.blamed {
+                    return None;
+                }
+                facts.blamed = !within_a_turn(default);
+                (default.clone(), facts.span)
+            }
+            _ => return Some(()),
+        };
+        if within_a_turn(&value) {
+            return Some(());
+        }
+        let value = shown(&value);
+        let message = format!("an angle of {value} without a unit; write `{value}deg`");
+        let reason = format!("a bare number is SI; if radians are meant, write `{value}rad`");
+        self.diagnostics.error_because(span, message, reason);
+        None
+    }
+
+    /// A number without a unit is SI: beside `10mm` or `90deg` it looks like a forgotten unit.
+    pub(super) fn no_bare_number_beside_a_unit(
+        &mut self,
+        first: &tree::Expr,
+        rest: &[(BinaryOp, tree::Expr)],
+        measure: Measure,
+    ) -> Option<()> {
+        let is_sum = matches!(rest.first(), Some((BinaryOp::Add | BinaryOp::Sub, _)));
+        let operands = || std::iter::once(first).chain(rest.iter().map(|(_, operand)| operand));
+        let (si, other, units) = match measure {
+            Measure::LENGTH => (["m", "metres"], "mm", &["mm", "cm", "um", "in"][..]),
+            Measure::ANGLE => (["rad", "radians"], "deg", &["deg", "turn"][..]),
+            _ => return Some(()),
+        };
+        if !is_sum || !operands().any(|operand| is_measured_in(operand, units)) {
+            return Some(());
+        }
+        let Some((expr, digits)) = operands().find_map(|operand| Some((operand, bare(operand)?)))
+        else {
+            return Some(());
+        };
+        let message =
+            format!("write the unit of `{digits}`: `{digits}{other}` or `{digits}{}`", si[0]);
+        let reason = format!("a number without a unit is in {}", si[1]);
+        self.diagnostics.error_because(expr.span, message, reason);
+        None
+    }
+
+    /// Remembers the longest of the lengths that have no unit.
+    pub(super) fn note_bare_length(&mut self, span: Extent, quantity: &Quantity) {
+        if quantity.measure != Measure::Bare {
+            return;
+        }
+        let (value, span) = match &quantity.rest {
+            Expr::Constant(value) => (value, span),
+            Expr::Param(id) => match &self.mechanism.params[id.index()].kind {
+                ParamKind::Number { default, .. } => (default, self.facts.params[id.index()].span),
+                _ => return,
+            },
+            _ => return,
+        };
+        let longest = self.facts.longest_bare_length.as_ref();
+        let value = absolute(value);
+        if longest.is_none_or(|(longest, _)| value.cmp_value(longest).is_gt()) {
+            self.facts.longest_bare_length = Some((value, span));
+        }
+    }
+
+    /// A declaration whose lengths have no units at all has none that only millimetres explain.
+    pub(super) fn bare_lengths_are_of_a_machine(&mut self) {
+        let Some((length, span)) = &self.facts.longest_bare_length else {
+            return;
+        };
+        if self.facts.a_length_has_a_unit || length.cmp_value(&Exact::integer(LONG)).is_lt() {
+            return;
+        }
+        let length = shown(length);
+        let message =
+            format!("a length of {length} m; write `{length}mm`, or `{length}m` if it is meant");
+        let reason = "no length of this declaration has a unit, and a bare number is in metres";
+        self.diagnostics.error_because(*span, message, reason);
+    }
+}
+
+/// Whether the expression is a number with one of these units, or a product with one.
+fn is_measured_in(expr: &tree::Expr, units: &[&str]) -> bool {
+    match &expr.kind {
+        ExprKind::Number { units: own, .. } => {
+            own.iter().any(|(unit, _)| units.contains(&unit.as_str()))
+        }
+        ExprKind::Negate(inner) => is_measured_in(inner, units),
+        ExprKind::Chain(first, rest) => {
+            let is_product = matches!(rest.first(), Some((BinaryOp::Mul | BinaryOp::Div, _)));
+            let mut operands = std::iter::once(&**first).chain(rest.iter().map(|(_, o)| o));
+            is_product && operands.any(|operand| is_measured_in(operand, units))
+        }
+        _ => false,
+    }
+}
+
+/// The digits of a number without a unit that is not zero.
+fn bare(expr: &tree::Expr) -> Option<&str> {
+    match &expr.kind {
+        ExprKind::Number { digits, units } if units.is_empty() => {
+            digits.contains(|c: char| ('1'..='9').contains(&c)).then_some(digits)
+        }
+        ExprKind::Negate(inner) => bare(inner),
+        _ => None,
+    }
+}
+
+fn within_a_turn(value: &Exact) -> bool {
+    let turn = Exact::pi().mul(&Exact::integer(2));
+    value.cmp_value(&turn).is_le() && value.cmp_value(&turn.neg()).is_ge()
+}

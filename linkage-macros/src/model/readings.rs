@@ -1,0 +1,149 @@
+//! What expressions read off the points and links that are placed already: coordinates, distances,
+//! angles and slides.
+
+use proc_macro2::Ident;
+
+use crate::syntax::tree;
+
+use super::Resolver;
+use super::dimension::Measure;
+use super::expressions::{Quantity, counted};
+use super::mechanism::{Axis, Carrier, Expr, LinkId, PointId, Step};
+use super::names::Kind;
+use super::numbers::bare_name;
+
+/// What a rate may be called by whoever looks for it among the members of a point.
+const RATES: [&str; 7] = ["velocity", "acceleration", "speed", "rate", "vx", "vy", "v"];
+
+impl Resolver<'_> {
+    /// What an expression reads of a point or a link.
+    pub(super) fn member(&mut self, owner: &Ident, member: &Ident) -> Option<Quantity> {
+        match self.names.kind(owner) {
+            Some(Kind::Point) => {
+                let point = self.point(owner);
+                let axis = self.axis(owner, member);
+                let value = self.coordinate(point?, axis?);
+                Some(Quantity::plain(Measure::LENGTH, value))
+            }
+            _ => self.member_of_link(owner, member),
+        }
+    }
+
+    /// A point has two coordinates.
+    pub(super) fn axis(&mut self, owner: &Ident, member: &Ident) -> Option<Axis> {
+        let part = member.to_string();
+        let (message, reason) = match part.as_str() {
+            "x" => return Some(Axis::X),
+            "y" => return Some(Axis::Y),
+            rate if RATES.contains(&rate) => (
+                format!("rates need no output of their own; write `output {owner}`"),
+                format!("`velocity` gives that of `{owner}`, and `motion` its acceleration too"),
+            ),
+            _ => (
+                format!("a point has no `{part}`; it has `x` and `y`"),
+                format!("write `{owner}.x` or `{owner}.y`; `output {owner}` gives both"),
+            ),
+        };
+        self.diagnostics.error_because(member.span(), message, reason);
+        None
+    }
+
+    /// A coordinate in ground axes: a number where the point stands still at a known place, the
+    /// expression it was declared with where it is a point of the ground.
+    fn coordinate(&self, point: PointId, axis: Axis) -> Expr {
+        let of = |[x, y]: &[Expr; 2]| if axis == Axis::X { x.clone() } else { y.clone() };
+        if let Some(at) = self.facts.place(point, Carrier::Ground) {
+            return of(&at.clone().map(Expr::Constant));
+        }
+        let declared = self.mechanism.steps.iter().find_map(|step| match step {
+            Step::Ground { point: known, at } if *known == point => Some(of(at)),
+            _ => None,
+        });
+        declared.unwrap_or(Expr::Coordinate(point, axis))
+    }
+
+    /// `distance(P, Q)`: a number where both points are fixed to one body.
+    pub(super) fn distance(&mut self, name: &Ident, arguments: &[tree::Expr]) -> Option<Quantity> {
+        let points: Vec<_> = arguments.iter().map(|argument| self.end(argument)).collect();
+        let [p, q] = points[..] else {
+            let message =
+                format!("`{name}` takes two points, and {} given", counted(arguments.len()));
+            self.diagnostics.error(name.span(), message);
+            return None;
+        };
+        let (p, q) = (p?, q?);
+        if p == q {
+            let message = "the distance of a point from itself is zero; name two points";
+            self.diagnostics.error(arguments[1].span, message);
+            return None;
+        }
+        let value = match self.facts.between(p, q) {
+            Some([x, y]) => Expr::Constant(x.hypot(&y)),
+            None => Expr::Distance([p, q]),
+        };
+        Some(Quantity::plain(Measure::LENGTH, value))
+    }
+
+    /// Whether the expression is the bare name of a point.
+    pub(super) fn is_a_point(&self, expr: &tree::Expr) -> bool {
+        bare_name(expr).is_some_and(|name| self.names.kind(name) == Some(Kind::Point))
+    }
+
+    /// An end of a distance is a point, by its name.
+    fn end(&mut self, argument: &tree::Expr) -> Option<PointId> {
+        match bare_name(argument) {
+            Some(name) => self.point(name),
+            None if argument.is_mistake() => None,
+            None => {
+                let message = "a distance is between two points; write a point's name";
+                let reason = "as in `distance(B, C)`; a point of a link is declared with `point`";
+                self.diagnostics.error_because(argument.span, message, reason);
+                None
+            }
+        }
+    }
+
+    /// What a link offers to expressions is its angle, and its slide if it slides.
+    fn member_of_link(&mut self, owner: &Ident, member: &Ident) -> Option<Quantity> {
+        let link = self.link(owner);
+        match member.to_string().as_str() {
+            "angle" => Some(Quantity {
+                measure: Measure::ANGLE,
+                links: vec![(link?, 1)],
+                rest: Expr::zero(),
+            }),
+            "slide" => {
+                self.link_slides(owner, link?, member)?;
+                Some(Quantity::plain(Measure::LENGTH, Expr::Slide(link?)))
+            }
+            other => {
+                let message = format!("`{owner}.{other}` stands in no expression");
+                let reason = match other {
+                    "x" | "y" => {
+                        "a link has `angle`, and `slide` if it slides; a point has `x` and `y`"
+                    }
+                    _ => "a link has `angle`, and `slide` if it slides",
+                };
+                self.diagnostics.error_because(member.span(), message, reason);
+                None
+            }
+        }
+    }
+
+    /// Only a link that slides has a slide.
+    pub(super) fn link_slides(&mut self, name: &Ident, link: LinkId, at: &Ident) -> Option<()> {
+        let link = &self.mechanism.links[link.index()];
+        if link.slides {
+            return Some(());
+        }
+        let (group, statement) = (link.made_by, self.mechanism.statement(link.made_by));
+        let sliding = self.mechanism.links.iter().find(|l| l.made_by == group && l.slides);
+        let reason = match sliding {
+            Some(sliding) => format!("of `{statement}`, `{}` slides", sliding.name),
+            None => format!("no link of `{statement}` slides on a guide"),
+        };
+        let message = format!("`{name}` does not slide");
+        self.diagnostics.error_because(at.span(), message, reason);
+        None
+    }
+}

@@ -1,0 +1,110 @@
+//! Where a declaration makes its names and where it uses them, so that every one of them reaches
+//! the generated code and editors find their way from one to the other.
+
+use std::collections::HashSet;
+
+use proc_macro2::Ident;
+
+use crate::syntax::tree::{
+    Course, Declaration, Expr, ExprKind, FieldValue, Place, Spot, Statement, StatementKind,
+};
+
+use super::mechanism::References;
+use super::names::{declared_by, title};
+
+impl References {
+    pub(super) fn of(tree: &Declaration) -> Self {
+        let mut references = Self::default();
+        for statement in &tree.statements {
+            for (name, _) in declared_by(statement) {
+                references.made.push((name.clone(), title(statement, &name.to_string())));
+            }
+        }
+        let known: HashSet<_> = references.made.iter().map(|(name, _)| name.to_string()).collect();
+        for statement in &tree.statements {
+            let mut used = |name: &Ident| {
+                // Modes and what a crank's angle is relative to may also be words.
+                if known.contains(&name.to_string()) {
+                    references.used.push(name.clone());
+                }
+            };
+            joints(statement).into_iter().for_each(&mut used);
+            expressions(statement, &mut |expr| names_in(expr, &mut used));
+        }
+        references
+    }
+}
+
+/// Every name that a statement uses, as written.
+pub(super) fn names_used(statement: &Statement) -> Vec<Ident> {
+    let mut names: Vec<_> = joints(statement).into_iter().cloned().collect();
+    expressions(statement, &mut |expr| names_in(expr, &mut |name| names.push(name.clone())));
+    names
+}
+
+/// The points, links and guides that a statement builds on.
+fn joints(statement: &Statement) -> Vec<&Ident> {
+    match &statement.kind {
+        StatementKind::Guide { on, through, course, .. } => {
+            let through = match through {
+                Spot::Point(point) => Some(point),
+                Spot::At(_) | Spot::Mistake => None,
+            };
+            let towards = match course {
+                Course::Towards(point) => Some(point),
+                Course::Along(_) | Course::Mistake => None,
+            };
+            on.iter().chain(through).chain(towards).collect()
+        }
+        StatementKind::Point { on, .. } => on.iter().collect(),
+        StatementKind::Group(group) => {
+            group.legs.iter().filter_map(|leg| leg.joint.as_ref()).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Calls `f` with every expression of the statement.
+pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
+    match &statement.kind {
+        StatementKind::Param { default: value, .. } | StatementKind::Let { value, .. } => f(value),
+        StatementKind::Ground { points } => {
+            points.iter().flat_map(|(_, place)| place).for_each(f);
+        }
+        StatementKind::Guide { through, course, .. } => {
+            if let Spot::At(place) = through {
+                place.iter().for_each(&mut *f);
+            }
+            if let Course::Along(angle) = course {
+                f(angle);
+            }
+        }
+        StatementKind::Point { place, .. } => match place {
+            Place::Cartesian(values) | Place::Polar(values) | Place::Distances(values, _) => {
+                values.iter().for_each(f);
+            }
+            Place::Mistake => {}
+        },
+        StatementKind::Group(group) => {
+            for field in &group.fields {
+                match &field.value {
+                    FieldValue::One(value) => f(value),
+                    FieldValue::Pair(values) => values.iter().for_each(&mut *f),
+                }
+            }
+        }
+        StatementKind::Output { items } => items.iter().for_each(|item| f(&item.value)),
+        StatementKind::Input { .. }
+        | StatementKind::Numerics { .. }
+        | StatementKind::Crate { .. }
+        | StatementKind::Export { .. } => {}
+    }
+}
+
+/// Calls `f` with every name in the expression.
+pub(super) fn names_in(expr: &Expr, f: &mut impl FnMut(&Ident)) {
+    if let ExprKind::Name(name) | ExprKind::Member(name, _) = &expr.kind {
+        f(name);
+    }
+    expr.parts().for_each(|part| names_in(part, f));
+}

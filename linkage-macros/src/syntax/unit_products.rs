@@ -1,0 +1,97 @@
+//! Products of units behind a number: `15(N/m)`, `0.1(kg*m^2)`, `2(1/s)`.
+//!
+//! They are read from left to right. Behind a `/` stands no `*`: whoever writes `N/m*s` may mean
+//! either of two things.
+
+use proc_macro2::{Delimiter, Group, TokenTree};
+
+use super::tokens::{Parse, Parser};
+use super::tree::UnitPower;
+use super::words::UNITS;
+
+/// No quantity of mechanics has a higher power of a unit, and powers of powers must not overflow.
+const HIGHEST_POWER: i32 = 9;
+
+/// Whether the parentheses hold units and nothing else that has a name.
+fn holds_units(group: &Group) -> bool {
+    let mut names = group.stream().into_iter().filter_map(|tree| match tree {
+        TokenTree::Ident(name) => Some(name.to_string()),
+        TokenTree::Group(_) => Some(String::new()),
+        _ => None,
+    });
+    let is_unit = |name: String| UNITS.contains(&name.as_str());
+    names.next().is_some_and(is_unit) && names.all(is_unit)
+}
+
+impl Parser<'_> {
+    /// The product of units that stands next, if one does.
+    pub(super) fn unit_product(&mut self) -> Parse<Option<Vec<UnitPower>>> {
+        let Some(TokenTree::Group(group)) = self.peek(0) else { return Ok(None) };
+        if group.delimiter() != Delimiter::Parenthesis || !holds_units(group) {
+            return Ok(None);
+        }
+        let group = group.clone();
+        self.take();
+        let mut inner = self.inside(&group);
+        let units = inner.units();
+        if units.is_err() {
+            inner.give_up();
+        }
+        units.map(Some)
+    }
+
+    fn units(&mut self) -> Parse<Vec<UnitPower>> {
+        let mut units = Vec::new();
+        let mut sign = 1;
+        if self.is_number("1") {
+            self.take();
+            if !self.is_punct(0, '/') {
+                return self.expected_because("`/`", "a leading `1` is divided by a unit: `(1/s)`");
+            }
+        } else {
+            units.push(self.unit_power(sign)?);
+        }
+        while !self.at_end() {
+            if self.take_punct('/') {
+                sign = -1;
+            } else if self.is_punct(0, '*') && sign < 0 {
+                return self.refuse_because(
+                    "write every `*` in front of the first `/`",
+                    "units are read from left to right, and `N/m*s` could mean two things",
+                );
+            } else if !self.take_punct('*') {
+                return self.expected_because("`*`, `/` or `)`", "units are joined by `*` and `/`");
+            }
+            units.push(self.unit_power(sign)?);
+        }
+        Ok(units)
+    }
+
+    /// `m^2`
+    fn unit_power(&mut self, sign: i32) -> Parse<UnitPower> {
+        let unit = match self.peek_ident(0).map(ToString::to_string) {
+            Some(unit) => unit,
+            None => return self.expected("a unit"),
+        };
+        self.take();
+        if !self.take_punct('^') {
+            return Ok((unit, sign));
+        }
+        let negative = self.take_punct('-');
+        let power = match self.peek(0) {
+            Some(TokenTree::Literal(literal)) => literal.to_string().parse::<i32>().ok(),
+            _ => None,
+        };
+        match power.filter(|power| (1..=HIGHEST_POWER).contains(power)) {
+            Some(power) => {
+                self.take();
+                Ok((unit, if negative { -power } else { power } * sign))
+            }
+            None => self.expected_because("a whole number from 1 to 9", "as in `m^2`"),
+        }
+    }
+
+    fn is_number(&self, text: &str) -> bool {
+        matches!(self.peek(0), Some(TokenTree::Literal(literal)) if literal.to_string() == text)
+    }
+}

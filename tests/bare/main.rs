@@ -1,0 +1,8 @@
+//! Solvers on a machine that has nothing, and called from C.
+#![cfg(target_os = "linux")]
+
+mod bare_metal;
+mod build;
+mod c_caller;
+#[allow(unreachable_pub, reason = "the library exports them")]
+mod mechanisms;

@@ -1,0 +1,6 @@
+//! Automatic differentiation and the formulas agree, to every order, and without the heap.
+
+mod awkward;
+mod exact;
+mod tabulated;
+mod without_heap;

@@ -1,0 +1,4 @@
+//! What a user of a generated solver types and reads.
+
+mod generated;
+mod messages;

@@ -1,0 +1,13 @@
+//! Positions, velocities and accelerations are right: published and computed tables, planted
+//! poses, exact identities, wherever a mechanism stands and however large it is.
+
+mod chains;
+mod coefficients;
+mod identities;
+mod modes;
+mod placement;
+mod planted;
+mod published_tables;
+mod readings;
+mod scale;
+mod tabulated;

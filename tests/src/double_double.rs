@@ -1,0 +1,240 @@
+//! A number of two `f64`, some 31 digits, on which the generated code runs as on any other: what it
+//! answers is the truth for a solver in `f64` or `f32`.
+//!
+//! Literals are taken as the narrower solver takes them, rounded once to its width, so that what
+//! differs is the solver's own arithmetic. Near a limit the truth loses digits as the solver does,
+//! half of its 31 at the worst, which leaves as many as are needed.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use linkage_core::Scalar;
+
+/// High + low, with |low| at most half a unit in the last place of high. `NARROW` is the truth
+/// for `f32`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DoubleDouble<const NARROW: bool = false> {
+    pub high: f64,
+    pub low: f64,
+}
+
+fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let part = sum - a;
+    (sum, (a - (sum - part)) + (b - part))
+}
+
+fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    (sum, b - (sum - a))
+}
+
+fn two_product(a: f64, b: f64) -> (f64, f64) {
+    let product = a * b;
+    if cfg!(target_feature = "fma") {
+        return (product, a.mul_add(b, -product));
+    }
+    let split = |x: f64| {
+        let scaled = 134_217_729.0 * x;
+        let high = scaled - (scaled - x);
+        (high, x - high)
+    };
+    let ((a1, a2), (b1, b2)) = (split(a), split(b));
+    (product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2)
+}
+
+impl<const NARROW: bool> DoubleDouble<NARROW> {
+    pub const fn new(high: f64) -> Self {
+        Self { high, low: 0.0 }
+    }
+
+    const fn pair(high: f64, low: f64) -> Self {
+        Self { high, low }
+    }
+
+    fn of((high, low): (f64, f64)) -> Self {
+        let (high, low) = quick_two_sum(high, low);
+        Self { high, low }
+    }
+
+    /// Taylor's series of sine and cosine, for |x| ≤ π/4: at an eighth of the angle the terms fall
+    /// below 2⁻¹¹⁰ before the 23rd power; then the angle is doubled three times.
+    fn taylor(self) -> (Self, Self) {
+        let x = self * Self::new(0.125);
+        let square = x * x;
+        let series = |start: u32, first: Self| {
+            let mut term = first;
+            (0..11).fold(first, |sum, step| {
+                let power = f64::from(start + 2 * step);
+                term = -(term * square) / Self::new((power + 1.0) * (power + 2.0));
+                sum + term
+            })
+        };
+        // 1 − cos rather than cos: doubling then loses nothing near zero.
+        let mut sin = series(1, x);
+        let mut below = -series(2, -(square * Self::new(0.5)));
+        for _ in 0..3 {
+            let cos = Self::new(1.0) - below;
+            below = Self::new(2.0) * (sin * sin);
+            sin = Self::new(2.0) * (sin * cos);
+        }
+        (sin, Self::new(1.0) - below)
+    }
+}
+
+/// π/2 to 160 bits.
+const HALF_PI: [f64; 3] =
+    [core::f64::consts::FRAC_PI_2, 6.123233995736766e-17, -1.4973849048591698e-33];
+
+impl<const NARROW: bool> Add for DoubleDouble<NARROW> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let (high, error) = two_sum(self.high, other.high);
+        let (low, rest) = two_sum(self.low, other.low);
+        let (high, error) = quick_two_sum(high, error + low);
+        Self::of((high, error + rest))
+    }
+}
+
+impl<const NARROW: bool> Neg for DoubleDouble<NARROW> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::pair(-self.high, -self.low)
+    }
+}
+
+impl<const NARROW: bool> Sub for DoubleDouble<NARROW> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<const NARROW: bool> Mul for DoubleDouble<NARROW> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let (high, error) = two_product(self.high, other.high);
+        Self::of((high, error + (self.high * other.low + self.low * other.high)))
+    }
+}
+
+impl<const NARROW: bool> Div for DoubleDouble<NARROW> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let first = self.high / other.high;
+        let rest = self - other * Self::new(first);
+        let second = rest.high / other.high;
+        let rest = rest - other * Self::new(second);
+        Self::of(two_sum(first, second)) + Self::new(rest.high / other.high)
+    }
+}
+
+impl<const NARROW: bool> Scalar for DoubleDouble<NARROW> {
+    type Mask = bool;
+
+    fn lit(wide: f64, narrow: f32) -> Self {
+        Self::new(if NARROW { f64::from(narrow) } else { wide })
+    }
+    fn sqrt(self) -> Self {
+        if self.high <= 0.0 {
+            return Self::new(self.high.sqrt());
+        }
+        let root = Self::new(self.high.sqrt());
+        let root = root + (self - root * root) / (root + root);
+        root + (self - root * root) / (root + root)
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        let turns = (self.high / HALF_PI[0]).round();
+        let part = |word: f64| Self::of(two_product(turns, word));
+        let (sin, cos) =
+            (((self - part(HALF_PI[0])) - part(HALF_PI[1])) - part(HALF_PI[2])).taylor();
+        match turns.rem_euclid(4.0) as u8 {
+            0 => (sin, cos),
+            1 => (cos, -sin),
+            2 => (-sin, -cos),
+            _ => (-cos, sin),
+        }
+    }
+    fn sin_cos_near(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+    fn is_near(self) -> bool {
+        self.high.abs() < 1e6
+    }
+    fn tan(self) -> Self {
+        let (sin, cos) = self.sin_cos();
+        sin / cos
+    }
+    fn asin(self) -> Self {
+        self.atan2(((Self::new(1.0) - self) * (Self::new(1.0) + self)).sqrt())
+    }
+    fn acos(self) -> Self {
+        ((Self::new(1.0) - self) * (Self::new(1.0) + self)).sqrt().atan2(self)
+    }
+    fn atan(self) -> Self {
+        self.atan2(Self::new(1.0))
+    }
+    /// The angle in `f64`, and what turning back by it leaves, which is below 2⁻⁵².
+    fn atan2(self, x: Self) -> Self {
+        let angle = Self::new((self.high + 0.0).atan2(x.high));
+        let (sin, cos) = angle.sin_cos();
+        angle + (self * cos - x * sin) / self.hypot(x)
+    }
+    fn hypot(self, other: Self) -> Self {
+        (self * self + other * other).sqrt()
+    }
+    fn det(a: Self, b: Self, c: Self, d: Self) -> Self {
+        a * b - c * d
+    }
+    /// Nothing is lost that would matter.
+    fn mul_err(_: Self, _: Self) -> Self {
+        Self::new(0.0)
+    }
+    fn add_err(_: Self, _: Self) -> Self {
+        Self::new(0.0)
+    }
+    fn fused(a: Self, b: Self, c: Self) -> Self {
+        a * b + c
+    }
+    fn ge(self, other: Self) -> bool {
+        (self - other).high >= 0.0
+    }
+    fn gt(self, other: Self) -> bool {
+        (self - other).high > 0.0
+    }
+    fn is_finite(self) -> bool {
+        self.high.is_finite()
+    }
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+    fn smallest_square() -> Self {
+        Self::new(1e-200)
+    }
+}
+
+#[cfg(test)]
+const SQRT: [f64; 2] = [0.8366600265340756, -4.12265279558505e-17];
+#[cfg(test)]
+const RECIPROCAL: [f64; 2] = [1.4285714285714286, 5.890979314337566e-17];
+#[cfg(test)]
+const SIN: [f64; 2] = [-0.7040813137533816, -1.9646969196301474e-17];
+#[cfg(test)]
+const COS: [f64; 2] = [0.7101193587160628, -2.4815747415365305e-17];
+#[cfg(test)]
+const ANGLE: [f64; 2] = [-2.9669204545815537, 1.8713204772237422e-16];
+
+/// Against digits of mpmath's.
+#[test]
+fn two_words_hold_thirty_digits() {
+    type Number = DoubleDouble<false>;
+    let close = |found: Number, high: f64, low: f64| {
+        let error = (found - Number::pair(high, low)).high.abs();
+        assert!(error <= 1e-30 * high.abs(), "{found:?} for {high:e} + {low:e}");
+    };
+    let x = Number::new(0.7);
+    close(x.sqrt(), SQRT[0], SQRT[1]);
+    close(Number::new(1.0) / x, RECIPROCAL[0], RECIPROCAL[1]);
+    let (sin, cos) = Number::new(12345.678).sin_cos();
+    close(sin, SIN[0], SIN[1]);
+    close(cos, COS[0], COS[1]);
+    close(Number::new(-0.3).atan2(Number::new(-1.7)), ANGLE[0], ANGLE[1]);
+}

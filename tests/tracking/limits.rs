@@ -1,0 +1,91 @@
+//! Where a tracker must refuse, and what it counts as a change point.
+
+use core::f64::consts::FRAC_PI_2;
+use linkage_core::{Float, Side, SolveError, Tracker};
+use linkage_tests::mechanisms::change_points::*;
+use linkage_tests::mechanisms::scaled_change_points::*;
+
+/// 92° from one side of the change point at 0 to the other.
+#[test]
+fn a_step_above_a_quarter_turn_keeps_a_parallelogram() {
+    let mut tracker = Tracker::new(Parallelogram::new());
+    assert!(tracker.motion(1.5785, 1.0, 0.0).is_ok());
+    let m = tracker.motion(-0.0215, 1.0, 0.0).unwrap();
+    assert!((m.velocity.DC.omega - 1.0).abs() < 1e-7, "{m:?}");
+}
+
+/// Rates at the end of the number's range overflow in an interpolation where they do not alone.
+#[test]
+fn what_is_interpolated_is_a_number_or_an_error() {
+    fn check<T: Float>(rows: Result<[T; 13], SolveError>) {
+        match rows {
+            Ok(rows) => assert!(rows.iter().all(|row| row.is_finite()), "{rows:?}"),
+            Err(error) => assert!(matches!(error, SolveError::NotFinite { .. }), "{error}"),
+        }
+    }
+    fn rows<T: Float>(m: ParallelogramMotion<T>) -> [T; 13] {
+        let (p, v, a) = (m.position, m.velocity, m.acceleration);
+        [
+            p.C.x, p.C.y, p.DC.cos, p.DC.sin, v.C.x, v.C.y, v.BC.omega, v.DC.omega, a.C.x, a.C.y,
+            a.BC.alpha, a.DC.alpha, p.BC.sin,
+        ]
+    }
+    for elbow in [Side::Left, Side::Right] {
+        for second in [4e307, -4e307, f64::MAX, 1e308] {
+            let mut wide = Tracker::new(Parallelogram { elbow, ..Parallelogram::new() });
+            assert!(wide.motion(-1.6, 1.0, 0.0).is_ok());
+            check(wide.motion(0.01, 0.36, second).map(rows));
+        }
+        for second in [2.808_152_1e38, -1e38, f32::MAX] {
+            let mut narrow = Tracker::new(Parallelogram::<f32> { elbow, ..Default::default() });
+            assert!(narrow.motion(2.704_713_6, 1.0, 0.0).is_ok());
+            check(narrow.motion(3.141_646_9, 1.0, second).map(rows));
+        }
+    }
+}
+
+/// A first pose on a change point, at a rate whose square is no number of the width.
+#[test]
+fn a_first_pose_is_a_number_or_an_error() {
+    for unit in [0.1, 1.0, 1e-9] {
+        for (theta, rate) in [(FRAC_PI_2, 3.2e-165), (3.2e-165, FRAC_PI_2), (FRAC_PI_2, 1e200)] {
+            for second in [1e308, -1e308, 1.0] {
+                let solver = ScaledSliderCrank { unit, ..ScaledSliderCrank::new() };
+                match Tracker::new(solver).motion(theta, rate, second) {
+                    Ok(m) => {
+                        let (v, a) = (m.velocity, m.acceleration);
+                        let rows = [v.C.x, v.C.y, v.BC.omega, a.C.x, a.C.y, a.BC.alpha];
+                        assert!(rows.iter().all(|row| row.is_finite()), "{m:?}");
+                    }
+                    Err(SolveError::NotFinite { .. } | SolveError::Singular { .. }) => {}
+                    Err(error) => panic!("{error}"),
+                }
+            }
+        }
+    }
+}
+
+/// A parallelogram at a ground of 1000.1, whose bars miss the change point by a part in 10¹⁴ …
+/// 10⁻⁹ either way, turns through it as one does.
+#[test]
+fn a_change_point_missed_by_less_than_counts_is_one() {
+    for unit in [1e-9, 500.05, 1e9] {
+        for misfit in [-3e-9, -1e-10, -1e-14, 0.0, 1e-14, 1e-12, 1e-10, 3e-9] {
+            for step in [0.5_f64, 7.0, 33.0, 91.0, 180.0] {
+                let base = 2.0 * unit * (1.0 + misfit);
+                let solver = ScaledPairs { unit, base, ..ScaledPairs::new() };
+                let mut tracker = Tracker::new(solver);
+                for i in 0..((720.0 / step) as u32) {
+                    let theta = (20.0 + step * f64::from(i)).to_radians();
+                    let m = tracker.motion(theta, 1.0, 0.0).unwrap_or_else(|error| {
+                        panic!("× {unit:e} misfit {misfit:e} step {step}: {theta}: {error}")
+                    });
+                    assert!(
+                        (m.velocity.DC.omega - 1.0).abs() < 1e-2,
+                        "× {unit:e} misfit {misfit:e} step {step}: {theta}: {m:?}"
+                    );
+                }
+            }
+        }
+    }
+}
