@@ -150,7 +150,7 @@ impl Modes for Chained<'_> {
         let [first, second] = self.clearances(q, 0.0).map(|clearance| clearance.value);
         let group = if first < -4e-16 { "first" } else { "second" };
         // Rounding, as in a group's own rule; what is no number stands behind the first's limit.
-        let is_met = group == "second" && !(second < -1e-15);
+        let is_met = group == "second" && (second.is_nan() || second >= -1e-15);
         if is_met { Ok(q) } else { Err(SolveError::OutOfReach { group, by: 1.0 }) }
     }
 
