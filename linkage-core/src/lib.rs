@@ -127,6 +127,7 @@ mod diagnosis;
 #[cfg(feature = "ad")]
 mod dual;
 mod error;
+pub mod find;
 mod kernels;
 mod lanes;
 mod limit;
@@ -135,6 +136,7 @@ mod modes;
 mod primitive;
 #[doc(hidden)]
 pub mod private;
+pub mod range;
 mod record;
 mod resolver;
 mod results;
