@@ -354,6 +354,29 @@ mod tests {
     }
 
     #[test]
+    fn what_is_in_doubt_is_what_it_is_without_rounding() {
+        // Four last places of 7 beyond it, and a value that 16 ε may have raised from below zero.
+        let beyond = 7.0 + 2.0_f64.powi(-48);
+        assert_eq!(circles(4.0 * f64::EPSILON, [beyond, 0.0, 3.0, 4.0]), Ok(0.0));
+        let near = 7.0_f64.next_down();
+        let exact = limit::height_product([near, 0.0], [3.0, 4.0]);
+        assert!(exact > 0.0);
+        assert_eq!(reach_circles(0.3, [near, 0.0, 3.0, 4.0, 1e20], GROUP), Ok(exact));
+        // Folded, the shorter bar's end is behind its own joint.
+        let folded = 1.0_f64.next_down();
+        let share = |l1, l2| share_of_centres(0.3, [0.0, folded, 0.0, l1, l2, 1.0]);
+        assert_eq!((share(3.0, 4.0), share(4.0, 3.0)), (-3.0 / folded, 4.0 / folded));
+        // 1 and 0.6, 0.8: a right angle, 0.48 high.
+        let square = reach_distances(0.3, [1.0, 0.6, 0.8, 1e20], GROUP).unwrap();
+        assert!((square - 0.2304_f64).abs() <= 1e-15, "{square}");
+        // A square that leaves the range, and a product that nothing can be divided by.
+        let tiny = reach_distances(0.0, [1e-22_f32, 0.6e-22, 0.6e-22, 0.0], GROUP);
+        assert_eq!(tiny, Err(NOT_FINITE));
+        let thin = reach_circles(0.0, [1e-9_f32, 0.0, 1e-30, 1e-9, 1e30], GROUP);
+        assert_eq!(thin, Err(NOT_FINITE));
+    }
+
+    #[test]
     fn what_is_not_finite_is_never_reached() {
         assert_eq!(circles(f64::NAN, [5.0, 0.0, 3.0, 4.0]), Err(NOT_FINITE));
         assert_eq!(circles(f64::INFINITY, [5.0, 0.0, 3.0, 3.0]), Err(NOT_FINITE));

@@ -258,6 +258,8 @@ mod tests {
         assert!(!marked(|m| m.at_least(1e-320, f64::smallest_square())));
         assert!(!marked(|m| m.above(0.0, 0.0)));
         assert!(marked(|m| m.above(2.0, 1.0)) && !marked(|m| m.above(1.0, 1.0)));
+        assert!(marked(|m| m.above_rounding(1e-13, 1.0)));
+        assert!(!marked(|m| m.above_rounding(1e-13, 1000.0)));
         assert!(marked(|m| m.away(-1e-300, 0.0)));
         assert!(!marked(|m| m.away(0.0, 0.0)));
         assert!(marked(|m| m.away(-2.0, 1.0)) && !marked(|m| m.away(-1.0, 1.0)));

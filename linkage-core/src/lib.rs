@@ -126,6 +126,7 @@ mod derivatives;
 #[cfg(feature = "ad")]
 mod dual;
 mod error;
+pub mod find;
 mod guard;
 mod kernels;
 mod lanes;
@@ -134,6 +135,7 @@ mod modes;
 mod primitive;
 #[doc(hidden)]
 pub mod private;
+pub mod range;
 mod resolver;
 mod results;
 mod scalar;

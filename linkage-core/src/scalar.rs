@@ -146,6 +146,9 @@ pub trait Real: Scalar<Mask = bool> {
     /// The distance from 1 to the next number of this width.
     const EPSILON: f64;
 
+    /// The order of the derivatives that are carried.
+    const ORDER: u32 = 0;
+
     /// The value without derivatives, widened.
     #[must_use]
     fn value(self) -> f64;

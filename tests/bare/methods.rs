@@ -1,7 +1,9 @@
 //! What a solver offers beside its C functions, each behind a symbol: the straight lines, the
 //! rows, angles, conversion to another width, several numbers side by side, sweeps over slices,
-//! trackers; and a controller that is made of them.
+//! trackers, searches, ranges; and a controller that is made of them.
 
+use linkage_core::find::{FindError, Search, Trend};
+use linkage_core::range::{extrema, limits};
 use linkage_core::{Direction, Float, Lanes, Mask, Point, Real, Scalar, Tracker};
 
 use cam::{Cam, Strip};
@@ -33,6 +35,10 @@ symbols! {
     methods_lanes_f32 = lanes::<f32>;
     methods_tracker = tracker::<f64>;
     methods_tracker_f32 = tracker::<f32>;
+    methods_range = range::<f64>;
+    methods_range_f32 = range::<f32>;
+    methods_find = find::<f64>;
+    methods_find_f32 = find::<f32>;
     methods_cam = cam::<f64>;
     methods_cam_f32 = cam::<f32>;
 }
@@ -134,6 +140,32 @@ fn tracker<T: Float>(x: T) -> T {
         sum = sum + position.C.x + motion.acceleration.C.x + position_of_ram.E.x;
     }
     sum
+}
+
+fn find<T: Real>(x: T) -> T {
+    let ram = SliderCrank::<T>::default();
+    let search = Search::new([x, x + x], Trend::Falling).near(x * x).slack(x);
+    let one = T::lit(1.0, 1.0);
+    let root = search.find(|theta| {
+        let (position, velocity) = (ram.solve_position(theta).0, ram.solve_velocity(theta, one).0);
+        [position.C.x - x, velocity.C.x]
+    });
+    match root {
+        Ok(root) => root.at,
+        Err(FindError::NoSolution { at, by }) => T::lit(at + by, x.value() as f32),
+        Err(_) => x,
+    }
+}
+
+fn range<T: Real>(x: T) -> T {
+    let six_bar = SixBar::<T>::default();
+    let Ok(stretches) = limits(&six_bar, [x, x + x]) else { return x };
+    let turns = extrema([x, x * x], |theta| {
+        let at = six_bar.motion(theta, x, x)?;
+        Ok([at.position.E.x, at.velocity.E.x, at.acceleration.E.x])
+    });
+    let Ok(turns) = turns else { return x };
+    stretches.iter().fold(turns.stroke(), |sum, stretch| sum + stretch.width())
 }
 
 /// The electronic cam of the examples, over enough strip for every phase of it.

@@ -226,6 +226,7 @@ impl<D: Compose> Scalar for D {
 
 impl<D: Compose> Real for D {
     const EPSILON: f64 = <D::Part as Real>::EPSILON;
+    const ORDER: u32 = <D::Part as Real>::ORDER + <D as Compose>::ORDER as u32;
 
     #[inline]
     fn value(self) -> f64 {

@@ -1,0 +1,97 @@
+//! What the solver says of a stretch that its clearances allow.
+//!
+//! The stretch is sampled, and where there is no pose, its end is moved to the last input at which
+//! there is one: by rounding at a limit, and elsewhere to where a dimension is none any more.
+
+use super::limits::Chart;
+use super::{End, RangeError, Stop, Stretch, Stretches};
+use crate::find::{constant, number};
+use crate::tracker::Modes;
+use crate::{Real, SolveError};
+
+/// Samples of a stretch beside its beginning.
+const SAMPLES: u32 = 32;
+
+/// Halvings between an input with a pose and one without: until they are neighbours, but next to
+/// zero.
+const HALVINGS: u32 = 64;
+
+/// Adds what the solver leaves of a stretch.
+pub(super) fn confirm<T: Real, M: Modes<Scalar = T, Input = T>>(
+    solver: &M,
+    stretch: &Stretch<T>,
+    to: &mut Stretches<T>,
+) -> Result<(), RangeError> {
+    let chart = Chart::of(stretch);
+    let mut last = Sample::of(solver, stretch.from);
+    let mut open = last.refusal.is_none().then_some(stretch.from);
+    for sample in 1..=SAMPLES {
+        let here = if sample == SAMPLES {
+            Sample::of(solver, stretch.to)
+        } else {
+            let (at, _) = chart.at(number(f64::from(sample) / f64::from(SAMPLES)));
+            Sample::of(solver, End { at, stop: Stop::Edge })
+        };
+        match (last.refusal, here.refusal) {
+            (None, Some(_)) => {
+                if let Some(from) = open.take() {
+                    to.push(from, boundary(solver, last, here))?;
+                }
+            }
+            (Some(_), None) => open = Some(boundary(solver, here, last)),
+            _ => {}
+        }
+        last = here;
+    }
+    open.map_or(Ok(()), |from| to.push(from, stretch.to))
+}
+
+/// An input that was tried.
+#[derive(Clone, Copy)]
+struct Sample<T> {
+    end: End<T>,
+    /// Why there is no pose.
+    refusal: Option<SolveError>,
+}
+
+impl<T: Real> Sample<T> {
+    /// At a change point a pose may be undetermined although the machine can be assembled.
+    fn of<M: Modes<Scalar = T, Input = T>>(solver: &M, end: End<T>) -> Self {
+        let is_asked = !matches!(end.stop, Stop::ChangePoint { .. });
+        let refusal = is_asked.then(|| solver.position(constant(end.at)).err()).flatten();
+        Self { end, refusal }
+    }
+}
+
+/// The last input with a pose on the way from one that has one to one that has none.
+fn boundary<T: Real, M: Modes<Scalar = T, Input = T>>(
+    solver: &M,
+    with: Sample<T>,
+    without: Sample<T>,
+) -> End<T> {
+    let (mut inside, mut outside) = (constant(with.end.at), constant(without.end.at));
+    let mut refusal = without.refusal;
+    for _ in 0..HALVINGS {
+        let middle = inside + (outside - inside) * number(0.5);
+        match solver.position(middle).err() {
+            None => inside = middle,
+            Some(error) => (outside, refusal) = (middle, Some(error)),
+        }
+    }
+    let group = refusal.map_or("", culprit);
+    // The same limit, a rounding away: it moves with the dimensions as it did.
+    let is_same = without.end.stop == Stop::Limit { group };
+    let derivatives = without.end.at - constant(without.end.at);
+    let at = if is_same { inside + derivatives } else { inside };
+    End { at, stop: Stop::Limit { group } }
+}
+
+/// The group that has no pose, or what is not finite.
+fn culprit(error: SolveError) -> &'static str {
+    match error {
+        SolveError::OutOfReach { group, .. }
+        | SolveError::Singular { group }
+        | SolveError::Invalid { group, .. } => group,
+        SolveError::NotFinite { name } | SolveError::OffCircle { name, .. } => name,
+    }
+}

@@ -1,0 +1,184 @@
+//! Where an output turns back.
+
+use core::ops::Deref;
+
+use super::walk::{Event, Walk};
+use super::{MOST, RangeError};
+use crate::find::{Approach, constant, greater, magnitude, number};
+use crate::{Real, SolveError};
+
+/// Which way an output turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// From rising to falling.
+    Maximum,
+    /// From falling to rising.
+    Minimum,
+}
+
+/// A place where an output turns back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremum<T> {
+    /// The input, with the derivatives that the output's numbers carry.
+    pub at: T,
+    /// The output there.
+    pub value: T,
+    /// Which way it turns.
+    pub turn: Turn,
+}
+
+/// The places where an output turns back, in rising order of the input: a slice without a heap.
+#[derive(Clone, Copy, Debug)]
+pub struct Extrema<T> {
+    list: [Extremum<T>; MOST],
+    count: usize,
+    /// Input and output at the ends.
+    ends: [[T; 2]; 2],
+}
+
+impl<T: Real> Extrema<T> {
+    /// Input and output where the output is smallest, the ends included.
+    #[must_use]
+    pub fn least(&self) -> [T; 2] {
+        self.all().fold(self.ends[0], |least, at| if least[1].gt(at[1]) { at } else { least })
+    }
+
+    /// Input and output where the output is greatest, the ends included.
+    #[must_use]
+    pub fn greatest(&self) -> [T; 2] {
+        self.all().fold(self.ends[0], |most, at| if at[1].gt(most[1]) { at } else { most })
+    }
+
+    /// How far the output goes: a ram's stroke, a rocker's swing.
+    #[must_use]
+    pub fn stroke(&self) -> T {
+        self.greatest()[1] - self.least()[1]
+    }
+
+    fn all(&self) -> impl Iterator<Item = [T; 2]> {
+        self.iter().map(|extremum| [extremum.at, extremum.value]).chain(self.ends)
+    }
+}
+
+impl<T> Deref for Extrema<T> {
+    type Target = [Extremum<T>];
+
+    fn deref(&self) -> &[Extremum<T>] {
+        self.list.get(..self.count).unwrap_or(&[])
+    }
+}
+
+/// Where an output turns back between two inputs. The function gives the output with its first and
+/// second derivative by the input.
+///
+/// ```
+/// use linkage_core::mechanism;
+/// use linkage_core::range::extrema;
+///
+/// mechanism! {
+///     struct Press {
+///         input theta: angle;
+///         ground A(0, 0);
+///         guide bed through (0, 30mm) along 0deg;
+///         crank AB(A) -> B           { length: 80mm, angle: theta }
+///         rrp   BC(B), ram(bed) -> C { length: 250mm, mode: ahead }
+///         output ram.slide;
+///     }
+/// }
+///
+/// use core::f64::consts::PI;
+/// let press = Press::new();
+/// let turns = extrema([-PI, PI], |theta| {
+///     let at = press.motion(theta, 1.0, 0.0)?;
+///     Ok([at.position.ram.slide, at.velocity.ram.slide, at.acceleration.ram.slide])
+/// })?;
+/// assert_eq!(turns.len(), 2);
+/// let stroke = f64::sqrt(0.33 * 0.33 - 0.03 * 0.03) - f64::sqrt(0.17 * 0.17 - 0.03 * 0.03);
+/// assert!((turns.stroke() - stroke).abs() < 1e-15);
+/// # Ok::<(), linkage_core::range::RangeError>(())
+/// ```
+///
+/// The output is to be smooth: the angle of a link that passes ±π is not, but
+/// [`angle_near`](crate::Direction::angle_near) an angle within its swing is, and so is its angle
+/// from another link. A velocity's extremes take its own derivatives, which
+/// `differentiate_twice` gives.
+///
+/// An output that rests, to the rounding of its value, does not turn.
+///
+/// # Errors
+/// See [`RangeError`]; the first of the function's errors.
+pub fn extrema<T: Real>(
+    between: [T; 2],
+    mut f: impl FnMut(T) -> Result<[T; 3], SolveError>,
+) -> Result<Extrema<T>, RangeError> {
+    let [from, to] = between;
+    if Approach::new(between).is_none() {
+        return Err(RangeError::Interval { from: from.value(), to: to.value() });
+    }
+    let ends = between.map(constant);
+    let zero = rest(ends, &mut f)?;
+    let mut found = Extrema::between(ends, &mut f)?;
+    let mut failure = None;
+    let rate = |x| match f(x) {
+        Ok([_, rate, second]) => [rate, second],
+        Err(error) => {
+            failure = failure.or(Some(error));
+            [number(f64::NAN); 2]
+        }
+    };
+    let mut places = Ok(());
+    let walked = Walk { f: rate, zero }.events(ends, |event| {
+        let (at, turn) = match event {
+            Event::Falls(at) => (at, Turn::Maximum),
+            Event::Rises(at) => (at, Turn::Minimum),
+            Event::Touches(_) => return,
+        };
+        places = places.and(found.push(Extremum { at, value: at, turn }));
+    });
+    if walked.is_err() {
+        return Err(failure.unwrap_or(NO_NUMBER).into());
+    }
+    places?;
+    for extremum in found.list.iter_mut().take(found.count) {
+        let [value, ..] = f(extremum.at)?;
+        extremum.value = value;
+    }
+    Ok(found)
+}
+
+const NO_NUMBER: SolveError = SolveError::NotFinite { name: "the output" };
+
+/// A rate that rounding alone cannot tell from zero.
+fn rest<T: Real>(
+    [from, to]: [T; 2],
+    f: &mut impl FnMut(T) -> Result<[T; 3], SolveError>,
+) -> Result<T, RangeError> {
+    let mut size = number::<T>(0.0);
+    for part in [0.0, 0.3, 0.6, 1.0] {
+        let [value, rate, _] = f(from + (to - from) * number(part))?.map(constant);
+        size = greater(size, greater(magnitude(rate), magnitude(value) / (to - from)));
+    }
+    Ok(size * number(64.0 * <T as Real>::EPSILON))
+}
+
+impl<T: Real> Extrema<T> {
+    fn between(
+        ends: [T; 2],
+        f: &mut impl FnMut(T) -> Result<[T; 3], SolveError>,
+    ) -> Result<Self, RangeError> {
+        let [from, to] = ends;
+        let [[first, ..], [last, ..]] = [f(from)?, f(to)?];
+        if !(first.is_finite() && last.is_finite()) {
+            return Err(NO_NUMBER.into());
+        }
+        let none = Extremum { at: from, value: first, turn: Turn::Maximum };
+        Ok(Self { list: [none; MOST], count: 0, ends: [[from, first], [to, last]] })
+    }
+
+    fn push(&mut self, extremum: Extremum<T>) -> Result<(), RangeError> {
+        let place = self.list.get_mut(self.count).ok_or(RangeError::TooMany)?;
+        *place = extremum;
+        self.count += 1;
+        Ok(())
+    }
+}

@@ -1,0 +1,202 @@
+//! Zeros of functions that are made to be missed.
+
+use std::prelude::v1::*;
+use std::vec::Vec;
+
+use super::limits;
+use super::walk::{Event, Walk};
+use crate::SolveError;
+use crate::tracker::{Clearance, Enclosure, Modes};
+
+fn events(f: impl FnMut(f64) -> [f64; 2], ends: [f64; 2]) -> Vec<Event<f64>> {
+    let mut list = Vec::new();
+    let mut walk = Walk { f, zero: 64.0 * f64::EPSILON };
+    walk.events(ends, |event| list.push(event)).expect("numbers everywhere");
+    list
+}
+
+fn at(event: &Event<f64>) -> f64 {
+    let (Event::Rises(at) | Event::Falls(at) | Event::Touches(at)) = *event;
+    at
+}
+
+/// The product of the distances from a dozen places, its sign and its slope.
+fn polynomial(roots: &[f64], x: f64) -> [f64; 2] {
+    roots
+        .iter()
+        .fold([1.0, 0.0], |[value, slope], root| [value * (x - root), slope * (x - root) + value])
+}
+
+#[test]
+fn zeros_close_together_and_far_apart_are_told_in_order() {
+    for gap in [0.3, 1e-2, 1e-4, 1e-6, 3e-7] {
+        // A dip below zero, and with the sign turned a hump above it, at any place in a panel.
+        for place in 0..50 {
+            let middle = -0.9 + 0.037 * f64::from(place);
+            let roots = [middle - gap, middle + gap];
+            for sign in [1.0, -1.0] {
+                let found = events(|x| polynomial(&roots, x).map(|y| sign * y), [-1.5, 1.7]);
+                assert_eq!(found.len(), 2, "{gap} {middle} {sign} {found:?}");
+                let falls_first = matches!(found[..], [Event::Falls(_), Event::Rises(_)]);
+                let rises_first = matches!(found[..], [Event::Rises(_), Event::Falls(_)]);
+                assert!(if sign > 0.0 { falls_first } else { rises_first }, "{found:?}");
+                for (event, root) in found.iter().zip(roots) {
+                    // Each root is as right as the difference of squares is: ε over the gap.
+                    assert!((at(event) - root).abs() <= 4.0 * f64::EPSILON * (1.0 + 1.0 / gap));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_touches_zero_is_told_from_what_misses_it() {
+    for place in 0..50 {
+        let middle = -0.9 + 0.037 * f64::from(place);
+        let parabola = |above: f64| {
+            events(|x| [(x - middle) * (x - middle) + above, 2.0 * (x - middle)], [-1.5, 1.7])
+        };
+        let touching = parabola(0.0);
+        assert!(matches!(touching[..], [Event::Touches(_)]), "{middle} {touching:?}");
+        assert!((at(&touching[0]) - middle).abs() < 1e-7);
+        assert!(parabola(1e-12).is_empty() && parabola(0.1).is_empty());
+        assert_eq!(parabola(-1e-12).len(), 2);
+        // From below nothing opens but what is zero to rounding, where a sample falls on it.
+        let below = |x: f64| [-(x - middle) * (x - middle), -2.0 * (x - middle)];
+        let found = events(below, [-1.5, 1.7]);
+        assert!(found.len() <= 2 && found.iter().all(|event| (at(event) - middle).abs() < 2e-7));
+    }
+    // At a sample, exactly, and at an end of the way.
+    for middle in [0.0, 0.25, 0.5, 0.5625, 1.0] {
+        let found = events(|x| [(x - middle) * (x - middle), 2.0 * (x - middle)], [-1.0, 1.0]);
+        assert!(found.len() <= 1, "{middle} {found:?}");
+        assert!(middle == 1.0 || matches!(found[..], [Event::Touches(_)]), "{middle} {found:?}");
+        let found = events(|x| [x - middle, 1.0], [-1.0, 1.0]);
+        assert!(matches!(found[..], [Event::Rises(_)]), "{middle} {found:?}");
+        assert!((at(&found[0]) - middle).abs() <= f64::EPSILON, "{middle} {found:?}");
+    }
+}
+
+/// The clearance of a four-bar's dyad: zeros of two kinds in one product, with the number of
+/// evaluations that they take.
+#[test]
+fn a_turn_of_a_four_bar_takes_few_evaluations() {
+    let mut most = [0, 0];
+    for machine in 0..400_i32 {
+        let length = |prime: i32| 0.2 + 1.8 * f64::from(machine * prime % 401) / 401.0;
+        let [crank, coupler, rocker, base] = [101, 211, 307, 17].map(length);
+        let mut calls = 0;
+        let f = |angle: f64| {
+            calls += 1;
+            let square = crank * crank + base * base - 2.0 * crank * base * angle.cos();
+            let rate = 2.0 * crank * base * angle.sin();
+            let outer = (coupler + rocker) * (coupler + rocker) - square;
+            let inner = square - (coupler - rocker) * (coupler - rocker);
+            let scale = coupler * coupler * rocker * rocker;
+            [outer * inner / scale, rate * (outer - inner) / scale]
+        };
+        let found = events(f, [-3.2, 3.08]);
+        assert!(found.len() <= 4, "{found:?}");
+        let kind = usize::from(!found.is_empty());
+        most[kind] = most[kind].max(calls);
+    }
+    std::println!("{most:?} evaluations without and with a limit");
+    // 33 samples, and six trials for each of up to four limits and for a dip.
+    assert!(most[0] <= 40 && most[1] <= 65, "{most:?}");
+}
+
+#[test]
+fn what_varies_fast_is_walked_in_short_steps() {
+    // Fifteen periods are a panel each, forty are none.
+    for periods in [15.0_f64, 40.0] {
+        let f = |x: f64| [(periods * x).sin(), periods * (periods * x).cos()];
+        let found = events(f, [0.03, 6.3]);
+        assert_eq!(found.len(), 2 * periods as usize, "{found:?}");
+        for (count, event) in found.iter().enumerate() {
+            let zero = core::f64::consts::PI * (count + 1) as f64 / periods;
+            assert!((at(event) - zero).abs() < 2e-15, "{event:?}");
+        }
+    }
+}
+
+#[test]
+fn numbers_that_are_none_are_refused() {
+    for bad in [[f64::NAN, 1.0], [1.0, f64::INFINITY]] {
+        let mut walk = Walk { f: |x: f64| if x > 0.9 { bad } else { [1.0, 0.0] }, zero: 0.0 };
+        assert!(walk.events([0.0, 1.0], |_| ()).is_err());
+    }
+}
+
+/// Two groups, the first between −1 and 1 and the second with the height h = √(1 − q²) of the first
+/// in its clearance, a polynomial: as a dyad's on a coupler is.
+#[derive(Clone, Copy)]
+struct Chained<'a> {
+    heights: &'a [f64],
+}
+
+impl Modes for Chained<'_> {
+    type Scalar = f64;
+    type Input = f64;
+    type Position = f64;
+    type Motion = f64;
+    type Clearances = [Clearance<f64>; 2];
+    type Enclosures = [Clearance<Enclosure<f64>>; 0];
+
+    const GROUPS: &'static [(&'static str, Option<usize>)] = &[("first", None), ("second", None)];
+
+    fn flip(&mut self, _: usize) {}
+
+    fn position(&self, q: f64) -> Result<f64, SolveError> {
+        let [first, second] = self.clearances(q, 0.0).map(|clearance| clearance.value);
+        let group = if first < -4e-16 { "first" } else { "second" };
+        // Rounding, as in a group's own rule; what is no number stands behind the first's limit.
+        let is_met = group == "second" && (second.is_nan() || second >= -1e-15);
+        if is_met { Ok(q) } else { Err(SolveError::OutOfReach { group, by: 1.0 }) }
+    }
+
+    fn motion(&self, q: f64, _: f64, _: f64) -> Result<f64, SolveError> {
+        self.position(q)
+    }
+
+    fn clearances(&self, q: f64, rate: f64) -> Self::Clearances {
+        let square = (1.0 - q) * (1.0 + q);
+        let height = square.sqrt();
+        let ([value, slope], nan) = (polynomial(self.heights, height), f64::NAN);
+        [
+            Clearance { value: square, rate: -2.0 * q * rate, second_rate: nan, scale: 1.0 },
+            Clearance { value, rate: slope * -q / height * rate, second_rate: nan, scale: 1.0 },
+        ]
+    }
+
+    fn enclosures(&self, _: f64, _: f64, _: f64) -> Self::Enclosures {
+        []
+    }
+}
+
+/// Heights of the first group at which the second is at its limit, several of them within a piece
+/// of the way to the first one's: where the input goes with their square, they are apart.
+#[test]
+fn a_group_behind_a_limit_is_followed_to_it() {
+    for machine in 0..400_i32 {
+        let part = f64::from(machine) / 400.0;
+        let lowest = 0.02 + 0.3 * part * part;
+        let heights = [1.0, 1.5, 2.2].map(|times| times * lowest);
+        let chained = Chained { heights: &heights };
+        // Positive between the lower two heights and above the upper one.
+        let [q0, q1, q2] = heights.map(|height| ((1.0 - height) * (1.0 + height)).sqrt());
+        let assert_found = |between, expected: &[[f64; 2]]| {
+            let found = limits(&chained, between).expect("an interval");
+            assert_eq!(found.len(), expected.len(), "{heights:?} {:?}", &*found);
+            for (stretch, [from, to]) in found.iter().zip(expected) {
+                let error = (stretch.from.at - from).abs().max((stretch.to.at - to).abs());
+                // The rounding of the input, and what that of the polynomial, the product of two
+                // differences of heights smaller than themselves, makes of it.
+                let allowed = 8.0 * f64::EPSILON * (1.0 + 1.0 / lowest);
+                assert!(error <= allowed, "{error:e} {heights:?}");
+            }
+        };
+        assert_found([-1.5, 1.3], &[[-q0, -q1], [-q2, q2], [q1, q0]]);
+        assert_found([-1.5, 0.0], &[[-q0, -q1], [-q2, 0.0]]);
+        assert_found([-0.1, 1.3], &[[-0.1, q2], [q1, q0]]);
+    }
+}

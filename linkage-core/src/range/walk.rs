@@ -1,0 +1,216 @@
+//! Where a smooth function comes through zero between two places, and where it only touches it.
+//!
+//! The way is walked in panels that a cubic describes. In each a change of sign is closed in on,
+//! and a dip whose cubic comes near zero is followed to its lowest point. What is narrower than a
+//! panel and shows at none of its ends is missed: this is a search, not a proof.
+
+use crate::Real;
+use crate::find::{
+    At, FindError, constant, crossing, greater, lowest, magnitude, number, turning_part,
+};
+
+/// What happens at a zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Event<T> {
+    /// The function becomes positive.
+    Rises(T),
+    /// It becomes negative.
+    Falls(T),
+    /// It comes down to zero, as far as rounding can tell, and stays positive.
+    Touches(T),
+}
+
+/// Panels of two pieces each, before any is divided.
+const PANELS: u32 = 16;
+
+/// The shortest piece, as a part of the way.
+const SHORTEST: f64 = 1.0 / 2048.0;
+
+/// A function, and how far from zero rounding may put it where it is zero.
+pub(super) struct Walk<F, T> {
+    pub(super) f: F,
+    pub(super) zero: T,
+}
+
+impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
+    /// f without the derivatives that its numbers carry.
+    ///
+    /// # Errors
+    /// `NotFinite` where it is no number.
+    pub(super) fn at(&mut self, x: T) -> Result<At<T>, FindError> {
+        let [value, slope] = (self.f)(x).map(constant);
+        let is_finite = value.is_finite() && slope.is_finite();
+        if is_finite {
+            Ok(At { x, value, slope })
+        } else {
+            Err(FindError::NotFinite { at: x.value() })
+        }
+    }
+
+    /// Whether the value counts as above zero: zero itself does.
+    pub(super) fn is_positive(&self, at: At<T>) -> bool {
+        at.value.ge(-self.zero)
+    }
+
+    /// Tells every event between two places, in order.
+    ///
+    /// # Errors
+    /// `NotFinite` where f is no number.
+    pub(super) fn events(
+        &mut self,
+        [from, to]: [T; 2],
+        mut tell: impl FnMut(Event<T>),
+    ) -> Result<(), FindError> {
+        let width = to - from;
+        let mut here = self.at(from)?;
+        for panel in 1..=PANELS {
+            let part = f64::from(panel) / f64::from(PANELS);
+            let goal = if panel == PANELS { to } else { from + width * number(part) };
+            // At most as many pieces as the shortest are of a panel.
+            while goal.gt(here.x) {
+                here = self.stretch(here, goal, width, &mut tell)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The events from here to the end of the longest stretch that a cubic describes, at most to
+    /// the goal: that end.
+    fn stretch(
+        &mut self,
+        here: At<T>,
+        goal: T,
+        width: T,
+        tell: &mut impl FnMut(Event<T>),
+    ) -> Result<At<T>, FindError> {
+        let mut end = self.at(goal)?;
+        let mut middle = self.at(half_way(here.x, goal))?;
+        let shortest = width * number(SHORTEST);
+        while (end.x - here.x).gt(shortest) && !is_cubic(here, middle, end) {
+            end = middle;
+            middle = self.at(half_way(here.x, end.x))?;
+        }
+        self.piece([here, middle], tell)?;
+        self.piece([middle, end], tell)?;
+        Ok(end)
+    }
+
+    /// The events of a piece: of its halves, where its cubic turns back and back again.
+    fn piece(
+        &mut self,
+        [a, b]: [At<T>; 2],
+        tell: &mut impl FnMut(Event<T>),
+    ) -> Result<(), FindError> {
+        let Some(bend) = bend([a, b]) else { return self.arc([a, b], tell) };
+        let middle = self.at(a.x + (b.x - a.x) * bend)?;
+        self.arc([a, middle], tell)?;
+        self.arc([middle, b], tell)
+    }
+
+    /// The events of a piece that turns back at most once.
+    fn arc(
+        &mut self,
+        [a, b]: [At<T>; 2],
+        tell: &mut impl FnMut(Event<T>),
+    ) -> Result<(), FindError> {
+        match (self.is_positive(a), self.is_positive(b)) {
+            (true, false) => tell(Event::Falls(self.root([a, b])?)),
+            (false, true) => tell(Event::Rises(self.root([b, a])?)),
+            (true, true) => {
+                let Some(least) = self.turn([a, b], number(1.0))? else { return Ok(()) };
+                if !self.is_positive(least) {
+                    tell(Event::Falls(self.root([a, least])?));
+                    tell(Event::Rises(self.root([b, least])?));
+                } else if self.zero.ge(least.value) {
+                    tell(Event::Touches(least.x));
+                }
+            }
+            (false, false) => {
+                let Some(most) = self.turn([a, b], number(-1.0))? else { return Ok(()) };
+                if most.value.gt(self.zero) {
+                    tell(Event::Rises(self.root([most, a])?));
+                    tell(Event::Falls(self.root([most, b])?));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The root between a value that counts as positive and one that does not.
+    fn root(&mut self, [positive, negative]: [At<T>; 2]) -> Result<T, FindError> {
+        if !positive.value.gt(number(0.0)) {
+            // Zero to rounding: the root is here, as near as the slope can tell.
+            let step = -positive.value / positive.slope;
+            let least = magnitude(negative.x - positive.x);
+            return Ok(if least.ge(magnitude(step)) { positive.x + step } else { positive.x });
+        }
+        let ends =
+            if negative.x.gt(positive.x) { [positive, negative] } else { [negative, positive] };
+        crossing(ends, &mut self.f)
+    }
+
+    /// The lowest point of a dip (`sign` 1) or the highest of a hump (−1), if there is one between
+    /// two places that comes near zero: at most to where it is beyond zero for certain.
+    fn turn(&mut self, ends: [At<T>; 2], sign: T) -> Result<Option<At<T>>, FindError> {
+        let turned = |at: At<T>| At { value: sign * at.value, slope: sign * at.slope, ..at };
+        let [a, b] = ends.map(turned);
+        let none = number::<T>(0.0);
+        if !(none.gt(a.slope) && b.slope.ge(none)) {
+            return Ok(None);
+        }
+        let nearer = if a.value.gt(b.value) { b.value } else { a.value };
+        if cubic_at([a, b], turning_part([a, b])).gt(nearer * number(NEAR) + self.zero) {
+            return Ok(None);
+        }
+        let floor = -self.zero;
+        let found = lowest([a, b], floor, u32::MAX, |x| self.at(x).map(turned))?;
+        Ok(Some(turned(found)))
+    }
+}
+
+/// A dip is followed if its cubic comes below this part of the lower end: a cubic that meets the
+/// value in the middle of a panel to one part in a hundred is not wrong by more than that.
+const NEAR: f64 = 0.15;
+
+fn half_way<T: Real>(a: T, b: T) -> T {
+    a + (b - a) * number(0.5)
+}
+
+/// Where the cubic through values and slopes of both ends bends the other way, as a part of the
+/// way between them, if it goes against both ends' slopes there: between its two turns.
+fn bend<T: Real>([a, b]: [At<T>; 2]) -> Option<T> {
+    let [p, q, d0, d1] = coefficients([a, b]);
+    let none = number::<T>(0.0);
+    let part = -q / (number::<T>(3.0) * p);
+    let slope = (number::<T>(3.0) * p * part + number::<T>(2.0) * q) * part + d0;
+    let is_against = |slope: T, other: T| none.gt(slope * other);
+    let is_inside = part.gt(none) && number::<T>(1.0).gt(part);
+    (is_inside && is_against(slope, d0) && is_against(slope, d1)).then_some(part)
+}
+
+/// Of the cubic through values and slopes of both ends: the coefficients of the third and second
+/// power of the part of the way, and both slopes by it.
+fn coefficients<T: Real>([a, b]: [At<T>; 2]) -> [T; 4] {
+    let width = b.x - a.x;
+    let [d0, d1] = [a.slope * width, b.slope * width];
+    let rise = b.value - a.value;
+    let p = d0 + d1 - number::<T>(2.0) * rise;
+    [p, number::<T>(3.0) * rise - number::<T>(2.0) * d0 - d1, d0, d1]
+}
+
+/// The cubic at a part of the way between the ends.
+fn cubic_at<T: Real>([a, b]: [At<T>; 2], part: T) -> T {
+    let [p, q, d0, _] = coefficients([a, b]);
+    ((p * part + q) * part + d0) * part + a.value
+}
+
+/// Whether the cubic of the ends meets the value in the middle: to a quarter of the smallest of
+/// the three, or to one part in a hundred of the largest.
+fn is_cubic<T: Real>(a: At<T>, middle: At<T>, b: At<T>) -> bool {
+    let error = magnitude(cubic_at([a, b], number(0.5)) - middle.value);
+    let [x, y, z] = [a, middle, b].map(|at| magnitude(at.value));
+    let least = if x.gt(y) { y } else { x };
+    let least = if least.gt(z) { z } else { least };
+    let most = greater(greater(x, y), z);
+    (least * number(0.25)).ge(error) || (most * number(0.01)).ge(error)
+}
