@@ -19,10 +19,11 @@ use crate::{Float, Fusion, LaneMask, Lanes, SolveError};
 /// What came of one pose, in a byte: the single call's answer without its details, which the
 /// single call still gives.
 ///
-/// There is one difference. Without fused operations the exact product of numbers beyond 2⁹⁹⁶ (`f32`:
+/// There are two differences. Without fused operations the exact product of numbers beyond 2⁹⁹⁶ (`f32`:
 /// 2¹¹⁵) cannot be made, and a call that needs it answers [`SolveError::NotFinite`]; a sweep that
-/// found fused instructions on the machine needs no splitting and may solve such a pose. What it
-/// calls solved is right.
+/// found fused instructions on the machine needs no splitting and may solve such a pose. And behind
+/// a group whose pin was rounded otherwise, a pose that is at its limit in the one may be a rounding
+/// away from it in the other, which then has a velocity. What a sweep calls solved is right.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Status {
