@@ -530,28 +530,28 @@ const _: () = {
             };
             let b_x_ = T::lit(0.1016, 0.1016) * cos;
             let b_y_ = T::lit(0.1016, 0.1016) * sin;
-            let v172_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
+            let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
             let v174_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
-            let v175_ = guard_.square_of_centres(
+            let bc_dc_d2_ = guard_.square_of_centres(
                 v174_,
-                v172_,
+                bc_dc_d_x_,
                 -b_y_,
                 T::lit(0.254, 0.254),
                 T::lit(0.1778, 0.1778),
                 "BC, DC",
             );
-            let v176_ = T::lit(1.0, 1.0) / v175_;
-            let v177_ =
+            let bc_dc_inverse_d2_ = T::lit(1.0, 1.0) / bc_dc_d2_;
+            let bc_dc_i_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
-            let v178_ = T::lit(0.1806448, 0.1806448) - v177_;
-            let v179_ = T::lit(5.535725357165, 5.5357256) * v177_;
+            let v178_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
+            let v179_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
             let v180_ = T::lit(5.535725357165, 5.5357256) * v178_;
             let v181_ = v179_ * v180_;
-            let v182_ = guard_.reach_circles(
+            let bc_dc_s_ = guard_.reach_circles(
                 v181_,
                 [
-                    v172_,
+                    bc_dc_d_x_,
                     -b_y_,
                     T::lit(0.254, 0.254),
                     T::lit(0.1778, 0.1778),
@@ -559,17 +559,17 @@ const _: () = {
                 ],
                 "BC, DC",
             );
-            let v183_ = T::sqrt(v182_);
-            let v184_ = T::lit(0.0903224, 0.0903224) * v176_;
-            let v185_ = v183_ * v184_;
-            let v187_ = T::fused(T::lit(0.5, 0.5), v177_, T::lit(0.0193548, 0.0193548));
-            let v188_ = T::fused(T::lit(0.5, 0.5), v177_, -T::lit(0.01354836, 0.01354836));
-            let v189_ = v176_ * v187_;
-            let v190_ = guard_.share_of_centres(
+            let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
+            let v184_ = T::lit(0.0903224, 0.0903224) * bc_dc_inverse_d2_;
+            let bc_dc_h_ = bc_dc_root_s_ * v184_;
+            let bc_dc_a_d2_ = T::fused(T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0193548, 0.0193548));
+            let bc_dc_b_d2_ = T::fused(T::lit(0.5, 0.5), bc_dc_i_, -T::lit(0.01354836, 0.01354836));
+            let v189_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
+            let bc_dc_a_ = guard_.share_of_centres(
                 v189_,
                 [
                     v181_,
-                    v172_,
+                    bc_dc_d_x_,
                     -b_y_,
                     T::lit(0.254, 0.254),
                     T::lit(0.1778, 0.1778),
@@ -577,12 +577,12 @@ const _: () = {
                 ],
                 "BC, DC",
             );
-            let v191_ = v176_ * v188_;
-            let v192_ = guard_.share_of_centres(
+            let v191_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
+            let bc_dc_b_ = guard_.share_of_centres(
                 v191_,
                 [
                     v181_,
-                    v172_,
+                    bc_dc_d_x_,
                     -b_y_,
                     T::lit(0.1778, 0.1778),
                     T::lit(0.254, 0.254),
@@ -590,17 +590,17 @@ const _: () = {
                 ],
                 "BC, DC",
             );
-            let v193_ = b_y_ * v185_;
-            let v194_ = v172_ * v185_;
-            let v197_ = T::fused(v172_, v190_, v193_);
-            let v198_ = T::fused(-b_y_, v190_, v194_);
-            let v202_ = T::fused(-v172_, v192_, v193_);
-            let c_y_ = T::fused(b_y_, v192_, v194_);
-            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * v202_;
+            let bc_dc_h_d_x_ = b_y_ * bc_dc_h_;
+            let bc_dc_h_d_y_ = bc_dc_d_x_ * bc_dc_h_;
+            let bc_dc_r2_x_ = T::fused(bc_dc_d_x_, bc_dc_a_, bc_dc_h_d_x_);
+            let bc_dc_r2_y_ = T::fused(-b_y_, bc_dc_a_, bc_dc_h_d_y_);
+            let bc_dc_r3_x_ = T::fused(-bc_dc_d_x_, bc_dc_b_, bc_dc_h_d_x_);
+            let c_y_ = T::fused(b_y_, bc_dc_b_, bc_dc_h_d_y_);
+            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * bc_dc_r3_x_;
             let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
-            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * v197_;
-            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * v198_;
-            let c_x_ = T::lit(0.3048, 0.3048) + v202_;
+            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_x_;
+            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_y_;
+            let c_x_ = T::lit(0.3048, 0.3048) + bc_dc_r3_x_;
             let position_ = FourBarPosition {
                 AB: private::Direction { cos, sin },
                 B: private::Point { x: b_x_, y: b_y_ },
@@ -615,22 +615,22 @@ const _: () = {
                     acceleration: acceleration_,
                 };
             }
-            let v161_ = theta_rate * b_y_;
-            let b_vx_ = -v161_;
+            let bc_dc_w_x_ = theta_rate * b_y_;
+            let b_vx_ = -bc_dc_w_x_;
             let b_vy_ = theta_rate * b_x_;
-            let v204_ = guard_.nonzero(v182_, "BC, DC");
-            let v205_ = T::lit(11.07145071433, 11.071451) * v183_;
+            let v204_ = guard_.nonzero(bc_dc_s_, "BC, DC");
+            let v205_ = T::lit(11.07145071433, 11.071451) * bc_dc_root_s_;
             let v206_ = T::lit(1.0, 1.0) / v204_;
-            let v207_ = v205_ * v206_;
-            let v212_ = v161_ * v202_;
-            let v215_ = T::fused(-b_vy_, c_y_, v212_);
-            let bc_omega_ = v207_ * v215_;
-            let v217_ = v161_ * v197_;
-            let v219_ = T::fused(-b_vy_, v198_, v217_);
-            let dc_omega_ = v207_ * v219_;
+            let bc_dc_inverse_j_ = v205_ * v206_;
+            let v212_ = bc_dc_w_x_ * bc_dc_r3_x_;
+            let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v212_);
+            let bc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r3_;
+            let v217_ = bc_dc_w_x_ * bc_dc_r2_x_;
+            let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v217_);
+            let dc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r2_;
             let v242_ = c_y_ * dc_omega_;
             let c_vx_ = -v242_;
-            let c_vy_ = v202_ * dc_omega_;
+            let c_vy_ = bc_dc_r3_x_ * dc_omega_;
             let velocity_ = FourBarVelocity {
                 AB: private::AngularVelocity { omega: theta_rate },
                 B: private::Point { x: b_vx_, y: b_vy_ },
@@ -648,29 +648,29 @@ const _: () = {
             let v16_ = theta_rate * theta_rate;
             let v164_ = theta_acceleration * b_y_;
             let v165_ = theta_acceleration * b_x_;
-            let v168_ = T::fused(v16_, b_x_, v164_);
-            let b_ax_ = -v168_;
+            let bc_dc_g_x_ = T::fused(v16_, b_x_, v164_);
+            let b_ax_ = -bc_dc_g_x_;
             let b_ay_ = T::fused(-v16_, b_y_, v165_);
-            let v221_ = bc_omega_ * bc_omega_;
-            let v222_ = dc_omega_ * dc_omega_;
-            let v223_ = T::fused(-T::lit(0.5, 0.5), v177_, T::lit(0.0451612, 0.0451612));
-            let v224_ = v221_ * v223_;
-            let v226_ = T::fused(-T::lit(0.03161284, 0.03161284), v222_, v224_);
-            let v227_ = T::lit(0.064516, 0.064516) * v221_;
-            let v230_ = T::fused(-v222_, v223_, v227_);
-            let v231_ = v168_ * v202_;
+            let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
+            let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
+            let bc_dc_r2_r3_ = T::fused(-T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0451612, 0.0451612));
+            let v224_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
+            let v226_ = T::fused(-T::lit(0.03161284, 0.03161284), bc_dc_omega3_squared_, v224_);
+            let v227_ = T::lit(0.064516, 0.064516) * bc_dc_omega2_squared_;
+            let v230_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v227_);
+            let v231_ = bc_dc_g_x_ * bc_dc_r3_x_;
             let v234_ = T::fused(-b_ay_, c_y_, v231_);
             let v235_ = v226_ + v234_;
-            let bc_alpha_ = v207_ * v235_;
-            let v237_ = v168_ * v197_;
-            let v239_ = T::fused(-b_ay_, v198_, v237_);
+            let bc_alpha_ = bc_dc_inverse_j_ * v235_;
+            let v237_ = bc_dc_g_x_ * bc_dc_r2_x_;
+            let v239_ = T::fused(-b_ay_, bc_dc_r2_y_, v237_);
             let v240_ = v230_ + v239_;
-            let dc_alpha_ = v207_ * v240_;
-            let v245_ = v202_ * v222_;
-            let v246_ = c_y_ * v222_;
+            let dc_alpha_ = bc_dc_inverse_j_ * v240_;
+            let v245_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
+            let v246_ = c_y_ * bc_dc_omega3_squared_;
             let v249_ = T::fused(c_y_, dc_alpha_, v245_);
             let c_ax_ = -v249_;
-            let c_ay_ = T::fused(v202_, dc_alpha_, -v246_);
+            let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v246_);
             let acceleration_ = FourBarAcceleration {
                 AB: private::AngularAcceleration { alpha: theta_acceleration },
                 B: private::Point { x: b_ax_, y: b_ay_ },
@@ -1362,25 +1362,25 @@ const _: () = {
             let (ab_sin_, ab_cos_) = T::sin_cos(theta);
             let b_x_ = T::lit(0.1016, 0.1016) * ab_cos_;
             let b_y_ = T::lit(0.1016, 0.1016) * ab_sin_;
-            let v11_ = theta_rate * b_y_;
+            let bc_dc_w_x_ = theta_rate * b_y_;
             let b_vy_ = theta_rate * b_x_;
             let v16_ = theta_rate * theta_rate;
-            let v17_ = b_x_ * v16_;
-            let v18_ = b_y_ * v16_;
-            let v26_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
-            let v37_ = v11_ * v26_;
+            let bc_dc_g_x_ = b_x_ * v16_;
+            let bc_dc_g_y_ = b_y_ * v16_;
+            let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
+            let v37_ = bc_dc_w_x_ * bc_dc_d_x_;
             let v38_ = v37_ + v37_;
-            let v39_ = v11_ * v11_;
+            let v39_ = bc_dc_w_x_ * bc_dc_w_x_;
             let v40_ = T::lit(2.0, 2.0) * v39_;
             let v41_ = b_y_ * b_vy_;
             let v42_ = v41_ + v41_;
             let v43_ = b_vy_ * b_vy_;
             let v44_ = T::lit(2.0, 2.0) * v43_;
             let v45_ = v38_ + v42_;
-            let v47_ =
+            let bc_dc_i_ =
                 T::fused(-T::lit(0.06193536, 0.06193536), ab_cos_, T::lit(0.09741916, 0.09741916));
-            let v49_ = T::lit(0.1806448, 0.1806448) - v47_;
-            let v50_ = T::lit(5.535725357165, 5.5357256) * v47_;
+            let v49_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
+            let v50_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
             let v51_ = T::lit(5.535725357165, 5.5357256) * v45_;
             let v52_ = T::lit(5.535725357165, 5.5357256) * v49_;
             let v53_ = v50_ * v52_;
@@ -1388,11 +1388,11 @@ const _: () = {
             let v57_ = T::fused(-v50_, v51_, v54_);
             let v58_ = v51_ * v51_;
             let v59_ = T::lit(2.0, 2.0) * v58_;
-            let v254_ = v17_ * v26_;
-            let v255_ = T::fused(v17_, v26_, v40_);
+            let v254_ = bc_dc_g_x_ * bc_dc_d_x_;
+            let v255_ = T::fused(bc_dc_g_x_, bc_dc_d_x_, v40_);
             let v256_ = v254_ + v255_;
-            let v257_ = b_y_ * v18_;
-            let v258_ = T::fused(-b_y_, v18_, v44_);
+            let v257_ = b_y_ * bc_dc_g_y_;
+            let v258_ = T::fused(-b_y_, bc_dc_g_y_, v44_);
             let v259_ = v258_ - v257_;
             let v260_ = v256_ + v259_;
             let v261_ = T::lit(5.535725357165, 5.5357256) * v260_;

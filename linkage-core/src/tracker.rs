@@ -127,7 +127,7 @@ pub trait Modes: Copy {
 /// step of any length; whatever change points lie on it, the modes in the end are those to which
 /// the motion leads, or there is an error. A step is looked at as a whole first. If a group comes
 /// close to its limit, or ranges are too wide to tell, the step is followed in stretches of which
-/// everything can be proved, at most 4096 of them; and as many again for each of eight poses around
+/// everything can be proved, at most 16,384 of them; and as many again for each of eight poses around
 /// a change point from which the result is interpolated (up to three times, where the motion does
 /// not go on so far). This is the one place in this crate in which work is not the same at every
 /// call; there is no heap, and no panic.
@@ -152,8 +152,9 @@ pub trait Modes: Copy {
 ///
 /// Where a clearance is below 4 √ε of its scale a pose lies on the change point: nobody can tell
 /// before or behind. Change points of two groups that are so close together are passed at once, and
-/// a tracker's modes stay those of the last pose before. Below ε^(1/4) of the scale the rounding of
-/// a velocity would show, and results are interpolated over the change point.
+/// a tracker's modes stay those of the last pose before. Below 1.2e-4
+/// (`f32`: 4.8e-3) of the scale the rounding of rates would show, and results are interpolated over
+/// the change point.
 ///
 /// A first pose that lies on a change point has the modes of the solver behind it, along the given
 /// rates; without rates, or with rates whose squares leave the numbers' range, nothing is known of
@@ -248,15 +249,22 @@ struct Thresholds {
     /// From this on no mode changes nearby: a change point that counts as zero is at least three
     /// times as far below as it can be above zero, so that the sign of the rate is sure.
     clear: f64,
-    /// Below this the rounding of a velocity, ε over the clearance, is larger than the error of an
-    /// interpolation over as wide a range.
+    /// Below this the rounding of an acceleration, ε over the third power of the distance w to the
+    /// change point, is larger than the error of an interpolation by eight nodes about w away,
+    /// (w/ρ)⁸, where the motion is a power series as far as ρ: w¹¹ = ε ρ⁸. The clearance there is
+    /// about ½ w² of its scale, and ρ is 0.3 rad for links that turn back three times as fast as
+    /// they came, as an antiparallelogram's does.
     near: f64,
 }
+
+/// ½ (ε ρ⁸)^(2/11) with ρ = 0.3.
+const NEAR: [f64; 2] = [1.2e-4, 4.8e-3];
 
 impl Thresholds {
     fn of<T: Real>() -> Self {
         let zero = sqrt(T::EPSILON);
-        Self { zero, clear: 4.0 * zero, near: sqrt(zero) }
+        let near = if T::EPSILON <= f64::EPSILON { NEAR[0] } else { NEAR[1] };
+        Self { zero, clear: 4.0 * zero, near }
     }
 }
 
@@ -266,4 +274,21 @@ fn title<M: Modes>(group: usize) -> &'static str {
 
 fn param<M: Modes>(group: usize) -> Option<usize> {
     M::GROUPS.get(group).and_then(|of| of.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thresholds_are_what_they_are_derived_to_be() {
+        fn check<T: Real>() {
+            let Thresholds { zero, clear, near } = Thresholds::of::<T>();
+            let derived = 0.5 * (T::EPSILON * 0.3_f64.powi(8)).powf(2.0 / 11.0);
+            assert!((near / derived - 1.0).abs() < 0.05, "{near} for {derived}");
+            assert!(zero * zero == T::EPSILON && zero < clear && clear < near);
+        }
+        check::<f64>();
+        check::<f32>();
+    }
 }

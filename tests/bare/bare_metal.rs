@@ -114,12 +114,13 @@ fn places_that_panic(library: &Path) -> Vec<String> {
 }
 
 #[test]
+#[ignore = "release builds of all solvers: `.ci/run` makes them"]
 fn solvers_stand_alone() {
     prove("3");
 }
 
 #[test]
-#[ignore = "four more release builds of all solvers"]
+#[ignore = "release builds of all solvers: `.ci/run` makes them"]
 fn solvers_stand_alone_at_every_optimisation_level() {
     for level in LEVELS {
         prove(level);
@@ -133,6 +134,7 @@ fn linked(control: &str, level: &str) -> Result<(), String> {
 }
 
 #[test]
+#[ignore = "release builds of all solvers: `.ci/run` makes them"]
 fn a_reachable_panic_is_caught_at_every_optimisation_level() {
     for level in LEVELS {
         assert_eq!(linked("control", level), Ok(()));
@@ -142,6 +144,7 @@ fn a_reachable_panic_is_caught_at_every_optimisation_level() {
 }
 
 #[test]
+#[ignore = "release builds of all solvers: `.ci/run` makes them"]
 fn the_heap_is_caught() {
     let error = library("boxing", "3").expect_err("there is no allocator");
     assert!(error.contains("no global memory allocator found"), "{error}");
@@ -150,6 +153,7 @@ fn the_heap_is_caught() {
 }
 
 #[test]
+#[ignore = "release builds of all solvers: `.ci/run` makes them"]
 fn the_standard_library_is_caught() {
     let error = library("printing", "3").expect_err("there are two panic handlers");
     assert!(error.contains("panic_impl") && error.contains("std"), "{error}");

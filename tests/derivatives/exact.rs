@@ -329,12 +329,12 @@ where
 
 #[test]
 fn jacobians_and_sensitivities_are_those_of_fifty_digits() {
-    slopes_are_tabulated::<Bars>(slopes::BARS);
-    slopes_are_tabulated::<Press>(slopes::PRESS);
-    slopes_are_tabulated::<QuickReturn>(slopes::QUICK_RETURN);
-    slopes_are_tabulated::<CrossedGuides>(slopes::CROSSED_GUIDES);
-    slopes_are_tabulated::<Yoke>(slopes::YOKE);
-    slopes_are_tabulated::<Manipulator>(slopes::MANIPULATOR);
+    slopes_are_tabulated::<Bars>(&slopes::BARS);
+    slopes_are_tabulated::<Press>(&slopes::PRESS);
+    slopes_are_tabulated::<QuickReturn>(&slopes::QUICK_RETURN);
+    slopes_are_tabulated::<CrossedGuides>(&slopes::CROSSED_GUIDES);
+    slopes_are_tabulated::<Yoke>(&slopes::YOKE);
+    slopes_are_tabulated::<Manipulator>(&slopes::MANIPULATOR);
 }
 
 /// The tables round their conditions up to two digits.
@@ -353,10 +353,10 @@ fn conditions_are_tabulated<M: Differentiated>(cases: &[Case]) {
 
 #[test]
 fn conditions_by_dual_numbers_are_those_of_the_tables() {
-    conditions_are_tabulated::<Bars>(slopes::BARS);
-    conditions_are_tabulated::<Press>(slopes::PRESS);
-    conditions_are_tabulated::<QuickReturn>(slopes::QUICK_RETURN);
-    conditions_are_tabulated::<CrossedGuides>(slopes::CROSSED_GUIDES);
-    conditions_are_tabulated::<Yoke>(slopes::YOKE);
-    conditions_are_tabulated::<Manipulator>(slopes::MANIPULATOR);
+    conditions_are_tabulated::<Bars>(&slopes::BARS);
+    conditions_are_tabulated::<Press>(&slopes::PRESS);
+    conditions_are_tabulated::<QuickReturn>(&slopes::QUICK_RETURN);
+    conditions_are_tabulated::<CrossedGuides>(&slopes::CROSSED_GUIDES);
+    conditions_are_tabulated::<Yoke>(&slopes::YOKE);
+    conditions_are_tabulated::<Manipulator>(&slopes::MANIPULATOR);
 }

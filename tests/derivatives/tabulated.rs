@@ -102,7 +102,7 @@ fn variable_dimensions_differentiate_to_their_motion() {
 
 #[test]
 fn a_long_chain_differentiates_to_its_motion() {
-    let table = tables::moving_bases::MOVING_BASES;
+    let table = &tables::moving_bases::MOVING_BASES;
     differentiated!(table, MovingBases::new(), MovingBases::OUTPUTS, only, SIX_GROUPS);
 }
 

@@ -11,4 +11,5 @@ mod overflow;
 mod refusals;
 mod resolvers;
 mod right_or_refused;
+mod slides;
 mod statuses;

@@ -46,23 +46,23 @@ pub fn table() -> (Vec<Line>, Vec<Refusal>) {
             }
         }
     };
-    add("rrr", hard::RRR, BARS, &stacked_rrr::<f64>);
-    add("rrr, f32", hard::RRR_F32, BARS, &stacked_rrr::<f32>);
-    add("four-bar", hard::FOUR_BAR_LEFT, FOUR_BAR, &|case| four_bar(case.inputs, Side::Left));
-    add("four-bar", hard::FOUR_BAR_RIGHT, FOUR_BAR, &|case| four_bar(case.inputs, Side::Right));
-    add("parallelogram", hard::FOUR_BAR_LEFT, FOUR_BAR, &|case| {
-        parallelogram(case.inputs, Side::Left)
+    add("rrr", &hard::RRR, BARS, &stacked_rrr::<f64>);
+    add("rrr, f32", &hard::RRR_F32, BARS, &stacked_rrr::<f32>);
+    add("four-bar", &hard::FOUR_BAR_LEFT, FOUR_BAR, &|case| four_bar(&case.inputs, Side::Left));
+    add("four-bar", &hard::FOUR_BAR_RIGHT, FOUR_BAR, &|case| four_bar(&case.inputs, Side::Right));
+    add("parallelogram", &hard::FOUR_BAR_LEFT, FOUR_BAR, &|case| {
+        parallelogram(&case.inputs, Side::Left)
     });
-    add("parallelogram", hard::FOUR_BAR_RIGHT, FOUR_BAR, &|case| {
-        parallelogram(case.inputs, Side::Right)
+    add("parallelogram", &hard::FOUR_BAR_RIGHT, FOUR_BAR, &|case| {
+        parallelogram(&case.inputs, Side::Right)
     });
-    add("four-bar", hard::KITE, FOUR_BAR, &|case| four_bar(case.inputs, Side::Left));
-    add("kite", hard::KITE, FOUR_BAR, &|case| kite(case.inputs));
-    add("slider-crank", hard::SLIDER_CRANK, PISTON, &|case| slider_crank(case.inputs));
-    add("prp", hard::PRP, GUIDES, &|case| prp(case.inputs));
-    add("rpp", hard::RPP, YOKE, &|case| rpp(case.inputs));
-    add("rpr", hard::RPR, BAR, &|case| rpr(case.inputs));
-    add("rpr, centric", &hard::RPR[..2], BAR, &|case| centric_rpr(case.inputs));
+    add("four-bar", &hard::KITE, FOUR_BAR, &|case| four_bar(&case.inputs, Side::Left));
+    add("kite", &hard::KITE, FOUR_BAR, &|case| kite(&case.inputs));
+    add("slider-crank", &hard::SLIDER_CRANK, PISTON, &|case| slider_crank(&case.inputs));
+    add("prp", &hard::PRP, GUIDES, &|case| prp(&case.inputs));
+    add("rpp", &hard::RPP, YOKE, &|case| rpp(&case.inputs));
+    add("rpr", &hard::RPR, BAR, &|case| rpr(&case.inputs));
+    add("rpr, centric", &hard::RPR[..2], BAR, &|case| centric_rpr(&case.inputs));
     (lines, refusals)
 }
 
@@ -73,7 +73,7 @@ fn compare(
     values: &[f64],
 ) -> Vec<Line> {
     assert_eq!((values.len(), names.len()), (case.truth.len(), case.truth.len()));
-    let rows = values.iter().zip(case.truth).zip(names);
+    let rows = values.iter().zip(&case.truth).zip(names);
     rows.map(|((value, (high, low, achievable)), quantity)| Line {
         mechanism,
         case: case.name,
@@ -94,7 +94,7 @@ fn pair<T: Real>(x: f64, y: f64) -> [T; 2] {
 
 /// Bx, By, Dx, Dy, l2, l3, vBx, vBy, aBx, aBy. The pin is where the case's Cy says.
 fn stacked_rrr<T: Real>(case: &Case) -> Answer {
-    let q = case.inputs;
+    let q = &case.inputs;
     let elbow = if case.truth[1].0 >= q[1] { Side::Left } else { Side::Right };
     let group = StackedRrr::<T> {
         dx: number(q[2]),

@@ -73,6 +73,7 @@ stepped!(ScaledKite: DC, C, |unit| {});
 stepped!(ScaledPivot: bar, C, |unit| {});
 stepped!(ScaledOffset: bar, C, |unit| {});
 stepped!(ScaledChain: CE, E, |unit| {});
+stepped!(ScaledTwins: EH, E, |unit| {});
 
 /// A walk's sample: the angle, what the tracker found there, and a solver with the modes there,
 /// unless it lies so near a change point that a tracker cannot begin there in a given mode. All
@@ -187,6 +188,7 @@ fn all(pairs: usize) {
     all_sizes::<ScaledPivot<f64>, ScaledPivot<f32>>(pairs);
     all_sizes::<ScaledOffset<f64>, ScaledOffset<f32>>(pairs);
     all_sizes::<ScaledChain<f64>, ScaledChain<f32>>(pairs);
+    all_sizes::<ScaledTwins<f64>, ScaledTwins<f32>>(pairs);
 }
 
 /// The bars of the parallelogram crossed.

@@ -30,8 +30,8 @@ fn nearby_of<M: Modes>(line: &Line<M>, solver: &M, group: usize) -> Option<Nearb
         return None;
     }
     let mut at = 0.0;
-    // Every turn more than halves a distance that is `near` at first, in squares, and `zero` at
-    // last: ε^(1/4) in `f64`, 13 binary digits.
+    // A distance whose square was `near` is less than half with every turn, where there is a change
+    // point at all, and its square `zero` in the end: 13 halvings of the square in `f64`.
     for _ in 0..16 {
         let off = here.rate / here.second_rate;
         let above = 0.5 * here.rate * off;

@@ -15,7 +15,7 @@ pub(super) enum Finding {
     Ended(f64),
     /// Too little.
     Divide,
-    /// It cannot be told from zero on all of the stretch.
+    /// Too little, and there is nothing to divide.
     Lost,
 }
 
@@ -73,9 +73,8 @@ pub(super) fn judge(
             };
         }
     }
-    let is_zero = is_known && ranges.value[1] <= zero * ranges.scale[0];
     // Parts of the way are numbers: below their last places there is nothing to divide.
-    if is_zero || length <= f64::EPSILON { Finding::Lost } else { Finding::Divide }
+    if length <= f64::EPSILON { Finding::Lost } else { Finding::Divide }
 }
 
 /// The least value of the parabola through a reading with this second rate, up to `length` from
@@ -168,12 +167,13 @@ mod tests {
     }
 
     #[test]
-    fn what_bends_both_ways_is_divided_and_what_is_flat_is_lost() {
+    fn what_bends_both_ways_is_divided_until_nothing_is_left() {
         let wave =
             |x: f64| [(9.0 * x).cos() + 0.999_999, -9.0 * (9.0 * x).sin(), -81.0 * (9.0 * x).cos()];
         assert!(matches!(judged(0.0, 1.0, wave), Finding::Divide));
         let flat = |_: f64| [1e-9, 0.0, 0.0];
-        assert!(matches!(judged(0.0, 1.0, flat), Finding::Lost));
+        assert!(matches!(judged(0.0, 1.0, flat), Finding::Divide));
+        assert!(matches!(judged(0.0, 1e-16, flat), Finding::Lost));
         let unknown = |_: f64| [f64::NAN, f64::NAN, f64::NAN];
         assert!(matches!(judged(0.0, 1.0, unknown), Finding::Divide));
         let high = |_: f64| [1.0, 0.0, 0.0];

@@ -8,8 +8,12 @@ use core::hash::{Hash, Hasher};
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_rational::BigRational;
+use num_rational::Ratio;
 use num_traits::{One, Signed, ToPrimitive, Zero};
+
+/// `num-rational` has this name behind a feature. Where the workspace builds the macro and `nalgebra`
+/// together, `nalgebra` would get that feature too, and the target a second `num-bigint`.
+pub(super) type BigRational = Ratio<BigInt>;
 
 /// A reduced fraction with a positive denominator.
 ///

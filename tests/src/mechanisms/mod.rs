@@ -19,6 +19,7 @@ pub mod right_or_refused;
 pub mod scaled_change_points;
 pub mod set_points;
 pub mod single_groups;
+pub mod slides;
 pub mod stacked_sliders;
 pub mod statuses;
 pub mod variable_dimensions;

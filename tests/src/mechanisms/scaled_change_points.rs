@@ -115,3 +115,24 @@ mechanism! {
         output E, DC, CE;
     }
 }
+
+mechanism! {
+    /// Two four-bars with bars equal in pairs in a row, flat at once, the second turning up to nine
+    /// times as fast as the crank where both are crossed; and a rod behind them.
+    pub struct ScaledTwins {
+        input theta: angle;
+        param unit = 1m;
+        param elbow: mode = right;
+        param knee: mode = left;
+        param side: mode = ahead;
+
+        ground A(0, 0), D(2 * unit, 0), F(4 * unit, 0);
+        guide rail through F along 30deg;
+        crank AB(A) -> B              { length: unit, angle: theta }
+        rrr   BC(B), DC(D) -> C       { lengths: (2 * unit, unit), mode: elbow }
+        rrr   CE(C), FE(F) -> E       { lengths: (2 * unit, unit), mode: knee }
+        rrp   EH(E), block(rail) -> H { length: 5 * unit, mode: side }
+
+        output E, H, EH;
+    }
+}

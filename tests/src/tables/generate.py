@@ -12,12 +12,12 @@ HERE = Path(__file__).parent
 
 
 def number(x):
-    """An f64 literal and what is missing from it, to about 22 digits together."""
+    """An f64 and what is missing from it, to about 22 digits together."""
     if abs(x) < mpf(10) ** -60:  # Zero, but for the noise of differentiating.
-        return "0.0, 0.0"
+        return "0.0 0.0"
     high = float(x)
     low = x - mpf(high)
-    return f"{high!r}, 0.0" if abs(low) < mpf(10) ** -60 else f"{high!r}, {float(low):.6e}"
+    return f"{high!r} 0.0" if abs(low) < mpf(10) ** -60 else f"{high!r} {float(low):.6e}"
 
 
 def rounded_up(x):
@@ -29,36 +29,26 @@ def rounded_up(x):
 
 
 def floats(values):
-    return "&[" + ", ".join(repr(float(v)) for v in values) + "]"
+    return " ".join(repr(float(v)) for v in values)
 
 
 def table(name, mechanism, rows):
-    """One table: the constant `name` with a row per (inputs, rates, second rates)."""
+    """One table, with a pose per (inputs, rates, second rates)."""
     lines, names = [], None
     for q, rate, second in rows:
         exact = [[mpf(x) for x in vector] for vector in (q, rate, second)]
         truth, conditions = table_row(mechanism, *exact)
         names = names or list(truth)
-        lines.append("    Row {")
-        for field, vector in zip(("input", "rate", "second"), (q, rate, second)):
-            lines.append(f"        {field}: {floats(vector)},")
-        for order, field in enumerate(("position", "velocity", "acceleration")):
-            lines.append(f"        {field}: &[")
-            for row in names:
-                condition = rounded_up(conditions[row][order])
-                lines.append(f"            T({number(truth[row][order])}, {condition}),")
-            lines.append("        ],")
-        lines.append("    },")
-    head = f"#[rustfmt::skip]\npub(crate) const {name}: Table = Table {{\n    outputs: &["
-    head += ", ".join(f'"{row}"' for row in names) + "],\n    rows: &[\n"
-    return head + "\n".join("    " + line for line in lines) + "\n    ],\n};\n"
+        lines.append("pose " + " | ".join(floats(vector) for vector in (q, rate, second)))
+        for row in names:
+            orders = zip(truth[row], conditions[row])
+            lines.append("  " + " | ".join(f"{number(t)} {rounded_up(c)}" for t, c in orders))
+    return "\n".join([f"table {name}", "outputs " + " ".join(names), *lines]) + "\n"
 
 
 def write(file, about, tables):
-    text = f"//! {about}\n//!\n"
-    text += "//! Computed with 150 digits by `generate.py` of this folder; no published source.\n"
-    text += '#![allow(clippy::approx_constant, reason = "a tabulated angle may be half a turn")]\n\n'
-    text += "use super::truth::{Row, Table, Truth as T};\n"
+    text = f"# {about}\n"
+    text += "# Computed with 150 digits by `generate.py` of this folder; no published source.\n"
     for each in tables:
         text += "\n" + table(*each)
     (HERE / file).write_text(text)
@@ -143,12 +133,12 @@ def degrees(step):
 
 def main():
     write(
-        "four_bar.rs",
+        "four_bar.txt",
         "Four-bar 304.8/101.6/254.0/177.8 mm at 250 rad/s: every 5° of a turn.",
         [("FOUR_BAR", declared.four_bar, turns(degrees(5), 250, 0))],
     )
     write(
-        "rpp_systems.rs",
+        "rpp_systems.txt",
         "A crank with an RPP group, and the six-bar crank + RPR + RPP, at 10 rad/s.",
         [
             ("CRANK_RPP", declared.crank_rpp, turns(degrees(30), 10, 0)),
@@ -156,19 +146,19 @@ def main():
         ],
     )
     write(
-        "flying_shear.rs",
+        "flying_shear.txt",
         "Strip-mill flying shear under its drive law, every 1.5 s over 15 s.",
         [("FLYING_SHEAR", declared.flying_shear, list(shear_rows()))],
     )
-    write("single_groups.rs", "One group each, with offsets, in both modes.", single_groups())
+    write("single_groups.txt", "One group each, with offsets, in both modes.", single_groups())
     write(
-        "variable_dimensions.rs",
+        "variable_dimensions.txt",
         "Every dimension that a group or a point has, depending on an input.",
         variable_dimensions(),
     )
-    write("drivers.rs", "Sliders, geared and relative cranks, lengths that are inputs.", drivers())
+    write("drivers.txt", "Sliders, geared and relative cranks, lengths that are inputs.", drivers())
     write(
-        "moving_bases.rs",
+        "moving_bases.txt",
         "A mechanism of fourteen links: every group stands on something that moves.",
         [("MOVING_BASES", declared.moving_bases, turns([-1.5, 0.25, 1.5, 2.75], 1.25, -2.5))],
     )

@@ -1,4 +1,4 @@
-"""Writes `slopes.rs`: derivatives of the mechanisms in `tests/src/mechanisms/differentiated.rs` by
+"""Writes `slopes.txt`: derivatives of the mechanisms in `tests/src/mechanisms/differentiated.rs` by
 each of their inputs and dimensions, with 150 digits (`python3 slopes.py`, needs mpmath).
 
 Each function places what the Rust declaration of the same name places; its numbers are the inputs
@@ -114,40 +114,30 @@ def column(mechanism, numbers, mode, by):
             for i, value in enumerate(slopes(mechanism, nudged, mode, by)):
                 change = abs(value - truth[i])
                 conditions[i] += change / NUDGE if change > mpf(10) ** -70 else 0
-    return ", ".join(f"({number(v)}, {rounded_up(c)})" for v, c in zip(truth, conditions))
+    return " | ".join(f"{number(v)} {rounded_up(c)}" for v, c in zip(truth, conditions))
 
 
 def case(mechanism, numbers, mode):
     exact = [mpf(x) for x in numbers]
-    yield f"    // {mechanism.__name__}: " + ", ".join(rows(mechanism, exact, mode))
-    yield "    Case {"
-    yield f"        is_flipped: {'false' if mode > 0 else 'true'},"
-    yield f"        numbers: &[{', '.join(repr(float(x)) for x in numbers)}],"
-    yield "        columns: &["
+    given = " ".join(repr(float(x)) for x in numbers)
+    yield f"case {'declared' if mode > 0 else 'flipped'} | {given}"
     for by in range(len(numbers)):
-        yield f"            &[{column(mechanism, exact, mode, by)}],"
-    yield "        ],"
-    yield "    },"
+        yield "  " + column(mechanism, exact, mode, by)
 
 
 def main():
-    text = "//! Derivatives of `tests/src/mechanisms/differentiated.rs` by their inputs and dimensions.\n//!\n"
-    text += "//! Computed with 150 digits by `slopes.py` of this folder; no published source.\n\n"
-    text += "/// A number to about 22 digits, high part and low part, and its condition.\n"
-    text += "pub(crate) type Slope = (f64, f64, f64);\n\n"
-    text += "/// A state, and a column for every input and then for every dimension: all rows' slopes.\n"
-    text += "pub(crate) struct Case {\n    pub(crate) is_flipped: bool,\n"
-    text += "    pub(crate) numbers: &'static [f64],\n"
-    text += "    pub(crate) columns: &'static [&'static [Slope]],\n}\n"
+    text = "# Derivatives of `tests/src/mechanisms/differentiated.rs` by their inputs and dimensions.\n"
+    text += "# Computed with 150 digits by `slopes.py` of this folder; no published source.\n"
     for mechanism in dict.fromkeys(mechanism for mechanism, _ in CASES):
         lines = []
         for other, numbers in CASES:
             if other is mechanism:
                 for mode in (+1, -1)[: MODES.get(mechanism, 1)]:
                     lines += case(mechanism, numbers, mode)
-        text += f"\n#[rustfmt::skip]\npub(crate) const {mechanism.__name__.upper()}: &[Case] = &[\n"
-        text += "\n".join(lines) + "\n];\n"
-    (HERE / "slopes.rs").write_text(text)
+        names = rows(mechanism, [mpf(x) for x in numbers], +1)
+        text += f"\ntable {mechanism.__name__.upper()}\noutputs {' '.join(names)}\n"
+        text += "\n".join(lines) + "\n"
+    (HERE / "slopes.txt").write_text(text)
     print(len(text))
 
 

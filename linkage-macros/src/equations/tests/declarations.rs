@@ -164,6 +164,18 @@ pub(crate) const VARIANTS: &[Variant] = &[
         inputs: ONE,
     },
     Variant {
+        name: "rpp on a moving rail with a driven slot and driven offsets",
+        source: moving!("rpp block(F), yoke(way) { slot: 1 + 0.2 * q, offsets: (0.05m * q, 0.1m * q) }"
+            "point X on block at (0.3, 0.1); point Y on yoke at (0.1, 0.2);"),
+        inputs: ONE,
+    },
+    Variant {
+        name: "guide towards a driven place",
+        source: fixed!("point T on AB at (0.5 + s, 0.4 + 0.2m * q); guide line on AB through B towards T;"
+            "slider a(line) -> U { slide: 0.3m * q, offset: 0.1 }"),
+        inputs: TWO,
+    },
+    Variant {
         name: "guides towards points",
         source: moving!("guide line on body through P towards R; guide ground_line through A towards O;"
             "slider a(line) -> U { slide: 0.3m * q, offset: 0.1 }"

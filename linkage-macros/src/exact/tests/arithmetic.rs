@@ -2,10 +2,9 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use super::super::rational::{Rational, square_part};
+use super::super::rational::{BigRational, Rational, square_part};
 
 /// Numbers at which words overflow, and ordinary ones.
 fn samples() -> Vec<BigRational> {

@@ -116,6 +116,18 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         [22, 45, 2, 1, 1],
     ),
     (
+        "rrr, bars that differ by a seventh",
+        after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.6), mode: left } output C;"),
+        [11, 15, 1, 1, 1],
+        [24, 46, 2, 1, 1],
+    ),
+    (
+        "rrr, bars that differ by less",
+        after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.601), mode: left } output C;"),
+        [11, 15, 1, 1, 1],
+        [25, 49, 2, 1, 1],
+    ),
+    (
         "rrr, first bar",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output BC;"),
         [9, 17, 1, 1, 1],
