@@ -133,7 +133,10 @@ impl<T: Real> Stretches<T> {
     /// Whether the mechanism can be assembled at every input between the ends that were asked for.
     #[must_use]
     pub fn is_whole(&self) -> bool {
-        matches!(**self, [Stretch { from, to }] if from.stop == Stop::Edge && to.stop == Stop::Edge)
+        matches!(
+            **self,
+            [Stretch { from: End { stop: Stop::Edge, .. }, to: End { stop: Stop::Edge, .. } }]
+        )
     }
 
     fn new() -> Self {

@@ -189,7 +189,7 @@ fn of_group<T: Real, M: Modes<Scalar = T, Input = T>>(
 /// The end of the interval, or the limit that it lies on.
 fn edge_at_limit<T: Real>(end: End<T>, at: At<T>, group: &'static str) -> End<T> {
     let zero = number::<T>(64.0 * <T as Real>::EPSILON);
-    if end.stop != Stop::Edge || magnitude(at.value).gt(zero) {
+    if !matches!(end.stop, Stop::Edge) || magnitude(at.value).gt(zero) {
         return end;
     }
     // Where the value is zero to rounding, so is the slope at a change point.
