@@ -5,9 +5,8 @@
 //! the first error. They look at the operands a condition came from rather than at the value that
 //! was computed from them, and at real parts only, except where a derivative does not exist.
 
-use crate::checks::FirstError;
 use crate::limit::{self, Reach, Width};
-use crate::{Real, Record, SolveError};
+use crate::{Real, SolveError};
 
 /// Whether an input, or a parameter, is finite.
 ///
@@ -45,48 +44,6 @@ pub fn finite_result<T: Real>(
         }
     }
     Err(SolveError::NotFinite { name: blamed.1 })
-}
-
-/// The slow path of an entry point that returns a record: what is `given` must be finite, then every
-/// condition of the formulas be met, then each number of the result be finite.
-///
-/// # Errors
-/// The first that is not so.
-#[cold]
-pub fn diagnose<T: Real, R: Record<Number = T> + Copy>(
-    given: &[(T, &'static str)],
-    formulas: impl FnOnce(&mut FirstError) -> R,
-) -> Result<R, SolveError> {
-    let result = conditions_met(given, formulas)?;
-    let mut numbers = R::LABELS.iter().zip(result.into_array());
-    numbers.try_for_each(|(name, value)| finite_result(value, name, given))?;
-    Ok(result)
-}
-
-/// The same of one that returns anything else: `results` says which of its numbers are asked.
-///
-/// # Errors
-/// See [`diagnose`].
-#[cold]
-pub fn diagnose_all<T: Real, R: Copy, const N: usize>(
-    given: &[(T, &'static str)],
-    formulas: impl FnOnce(&mut FirstError) -> R,
-    results: impl FnOnce(R) -> [(T, &'static str); N],
-) -> Result<R, SolveError> {
-    let result = conditions_met(given, formulas)?;
-    results(result).iter().try_for_each(|&(value, name)| finite_result(value, name, given))?;
-    Ok(result)
-}
-
-fn conditions_met<T: Real, R>(
-    given: &[(T, &'static str)],
-    formulas: impl FnOnce(&mut FirstError) -> R,
-) -> Result<R, SolveError> {
-    given.iter().try_for_each(|&(value, name)| finite_input(value, name))?;
-    let mut first = FirstError::new();
-    let result = formulas(&mut first);
-    first.first()?;
-    Ok(result)
 }
 
 /// How many ε of the spread a value may be wrong by: whoever is above that is above zero.

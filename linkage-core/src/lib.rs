@@ -141,6 +141,7 @@ mod record;
 mod resolver;
 mod results;
 mod scalar;
+mod slow_path;
 mod sweep;
 mod tracker;
 

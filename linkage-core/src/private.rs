@@ -21,8 +21,9 @@ pub use crate::c_interface::{CError, c_sense, c_side};
 pub use crate::checks::{AllMet, Checks, FirstError};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate};
-pub use crate::diagnosis::{diagnose, diagnose_all, finite_input, finite_result};
+pub use crate::diagnosis::{finite_input, finite_result};
 pub use crate::resolver::{found_on_circle, on_circle};
+pub use crate::slow_path::{diagnose, diagnose_all};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfMotion, OfPosition, OfVelocity, Progress, Series, Status, sweep,
 };

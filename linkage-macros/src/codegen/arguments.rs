@@ -6,8 +6,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::identifiers::text;
-use super::sweeps;
+use super::identifiers::{SWEEP_ARGUMENTS, text};
 use super::token_list::Tokens;
 use crate::interface::entries::Given;
 use crate::ir::graph::Node;
@@ -17,7 +16,7 @@ pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
     let entries = cx.interface.entries.iter();
     let names = entries.flat_map(|entry| Arguments::new(cx, entry.given).names);
     let names = names.map(|name| name.to_string());
-    names.chain(sweeps::ARGUMENTS.map(str::to_string)).collect::<BTreeSet<_>>().into_iter()
+    names.chain(SWEEP_ARGUMENTS.map(str::to_string)).collect::<BTreeSet<_>>().into_iter()
 }
 
 /// One input: an argument for its value, rate and second rate; several: a record for each.

@@ -7,7 +7,6 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::ToTokens;
 use syn::ext::IdentExt;
 
-use super::sweeps;
 use crate::model::mechanism::Mechanism;
 
 /// The names that do not come with the interface.
@@ -52,6 +51,9 @@ pub(super) fn function_name(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
 }
 
+/// What a sweep's arguments beside the inputs are called.
+pub(super) const SWEEP_ARGUMENTS: [&str; 3] = ["out", "status", "progress"];
+
 /// What given cosines are called.
 const CIRCLE: [&str; 2] = ["cos", "sin"];
 
@@ -61,7 +63,7 @@ fn argument(input: &Ident, suffix: &str) -> Ident {
     let span = if suffix.is_empty() { input.span() } else { Span::call_site() };
     // The span keeps it apart from the locals; a keyword or a name that fits nowhere gets a tail,
     // and so does what another argument is called.
-    let is_free = !sweeps::ARGUMENTS.iter().chain(&CIRCLE).any(|other| *other == name);
+    let is_free = !SWEEP_ARGUMENTS.iter().chain(&CIRCLE).any(|other| *other == name);
     match syn::parse_str::<Ident>(&name) {
         Ok(_) if is_free => Ident::new(&name, span),
         _ => Ident::new(&format!("{name}_"), span),

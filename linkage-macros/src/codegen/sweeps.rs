@@ -13,9 +13,6 @@ use crate::interface::EntryId;
 use crate::interface::entries::Entry;
 use crate::interface::records::{Record, Shape};
 
-/// What a sweep's arguments beside the inputs are called.
-pub(super) const ARGUMENTS: [&str; 3] = ["out", "status", "progress"];
-
 /// `sweep_position`, `sweep_velocity`, `sweep_motion`; nothing for other entry points.
 pub(super) fn items(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     let entry = cx.entry(id);

@@ -1,9 +1,8 @@
 //! What a condition becomes: a comparison for the fast path, unless it is known to hold, and a
 //! question for the slow path.
 
-use super::overflow::Overflow;
+use super::overflow::{Overflow, Spread};
 use super::routine::{Comparison, Condition, Threshold};
-use crate::exact::Exact;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::liveness::unguarded;
 
@@ -42,13 +41,6 @@ pub(super) fn condition(
         group: guard.group,
         length,
     }
-}
-
-/// What a value that rounding may have moved across its limit is rounded in the last places of.
-#[derive(Clone, Copy)]
-pub(super) enum Spread<'g> {
-    Known(&'g Exact),
-    AtRunTime(Id),
 }
 
 fn spread(graph: &Graph, id: Id) -> Option<Spread<'_>> {

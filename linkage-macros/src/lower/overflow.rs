@@ -6,10 +6,10 @@
 //! number that carries derivatives is asked for its results in any case, because a derivative may
 //! overflow where the value does not.
 
-use super::checks::Spread;
 use super::ranges::{Assumed, Thresholds, Values};
 use super::routine::{Limits, Threshold};
 use super::witnesses::witnesses;
+use crate::exact::Exact;
 use crate::ir::graph::{Check, Graph, Id, Node};
 use crate::ir::liveness::{Path, live, live_nodes};
 
@@ -17,6 +17,13 @@ use crate::ir::liveness::{Path, live, live_nodes};
 pub(super) struct Overflow {
     wide: Option<Width>,
     narrow: Option<Width>,
+}
+
+/// What a value that rounding may have moved across its limit is rounded in the last places of.
+#[derive(Clone, Copy)]
+pub(super) enum Spread<'g> {
+    Known(&'g Exact),
+    AtRunTime(Id),
 }
 
 /// What is asked of one width.
