@@ -73,6 +73,12 @@ pub trait Guard<T: Scalar> {
         value
     }
 
+    /// See `careful::not_negative`.
+    #[inline(always)]
+    fn not_negative(&mut self, value: T, _: &'static str, _: &'static str) -> T {
+        value
+    }
+
     /// See `careful::square`.
     #[inline(always)]
     fn square(&mut self, value: T, _: &'static str) -> T {
@@ -212,6 +218,10 @@ impl<T: Real> Guard<T> for Findings {
 
     fn positive(&mut self, value: T, group: &'static str, name: &'static str) -> T {
         self.keep(value, || careful::positive(value, group, name))
+    }
+
+    fn not_negative(&mut self, value: T, group: &'static str, name: &'static str) -> T {
+        self.keep(value, || careful::not_negative(value, group, name))
     }
 
     fn square(&mut self, value: T, group: &'static str) -> T {

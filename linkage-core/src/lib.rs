@@ -142,7 +142,7 @@ mod scalar;
 mod sweep;
 mod tracker;
 
-pub use cost::{Cost, Operations};
+pub use cost::{Cost, ForcesCost, Operations};
 #[cfg(feature = "ad")]
 pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_twice};
 pub use error::SolveError;
@@ -150,8 +150,8 @@ pub use kernels::{Float, Fused, Fusion, Plain};
 pub use lanes::{LaneMask, Lanes};
 pub use modes::{Sense, Side};
 pub use results::{
-    AngularAcceleration, AngularVelocity, Direction, Point, Slide, SlidingAcceleration,
-    SlidingDirection, SlidingVelocity,
+    AngularAcceleration, AngularVelocity, Direction, Force, GuideForce, Point, Slide,
+    SlidingAcceleration, SlidingDirection, SlidingVelocity,
 };
 pub use scalar::{Mask, Real, Scalar};
 pub use sweep::{LengthMismatch, Progress, Series, Status};

@@ -1,6 +1,6 @@
 //! The records that entry points take and return.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
@@ -24,9 +24,9 @@ pub(super) fn is_returned(cx: &Context<'_>, record: &Record) -> bool {
 /// What can be done with them.
 pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
     let implementation = |record: &Record| match record.kind {
-        Kind::Inputs => from_list(cx, record),
+        Kind::Inputs | Kind::Loads => from_list(cx, record),
         Kind::Outputs(order) => rows(cx, record, order),
-        Kind::Motion | Kind::Margins => TokenStream::new(),
+        Kind::Motion | Kind::Margins | Kind::Forces | Kind::ForcesOf(_) => TokenStream::new(),
     };
     cx.interface.records.iter().map(implementation).collect()
 }
@@ -59,9 +59,12 @@ fn definition(cx: &Context<'_>, record: &Record) -> TokenStream {
     let fields: Vec<_> = fields.collect();
     // What is as declared by us alone stands on lines of its own.
     let last = (record.kind == Kind::Motion).then(|| quote!(,));
+    let named = matches!(record.kind, Kind::ForcesOf(_))
+        .then(|| quote!(#[allow(non_camel_case_types, reason = "names are as declared")]));
     quote! {
         #docs
         #attributes
+        #named
         #visibility struct #name<#scalar> { #(#fields),* #last }
     }
 }
@@ -97,7 +100,7 @@ fn rows_of(field: &Field) -> Vec<TokenStream> {
 fn from_list(cx: &Context<'_>, record: &Record) -> TokenStream {
     let (name, scalar, from) = (&record.name, &cx.names.scalar, cx.paths.item("From"));
     let fields: Vec<_> = record.fields.iter().map(|field| &field.name).collect();
-    let count = cx.columns();
+    let count = Literal::usize_unsuffixed(fields.len());
     // Lower-case locals of their own: a field's name may be that of a constant.
     let locals: Vec<_> = (0..fields.len()).map(|i| generated(&format!("q{i}_"))).collect();
     quote! {
