@@ -97,6 +97,12 @@ pub trait Checks<T: Scalar> {
         value
     }
 
+    /// See `diagnosis::not_negative`.
+    #[inline(always)]
+    fn not_negative(&mut self, value: T, _: &'static str, _: &'static str) -> T {
+        value
+    }
+
     /// See `diagnosis::square`.
     #[inline(always)]
     fn square(&mut self, value: T, _: &'static str) -> T {
@@ -236,6 +242,10 @@ impl<T: Real> Checks<T> for FirstError {
 
     fn positive(&mut self, value: T, group: &'static str, name: &'static str) -> T {
         self.keep(value, || diagnosis::positive(value, group, name))
+    }
+
+    fn not_negative(&mut self, value: T, group: &'static str, name: &'static str) -> T {
+        self.keep(value, || diagnosis::not_negative(value, group, name))
     }
 
     fn square(&mut self, value: T, group: &'static str) -> T {

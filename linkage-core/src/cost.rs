@@ -28,6 +28,21 @@ pub struct Cost {
     pub coefficients: Operations,
 }
 
+/// What a solver with masses or loads costs, as `COST` of the generated struct states it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ForcesCost {
+    /// Of `position`.
+    pub position: Operations,
+    /// Of `motion`: position, velocity and acceleration together.
+    pub motion: Operations,
+    /// Of `coefficients`.
+    pub coefficients: Operations,
+    /// Of `forces`.
+    pub forces: Operations,
+    /// Of `statics`.
+    pub statics: Operations,
+}
+
 impl Operations {
     /// All operations, each counted once whatever it costs.
     #[must_use]
@@ -53,6 +68,14 @@ impl fmt::Display for Cost {
             "position: {}; motion: {}; coefficients: {}",
             self.position, self.motion, self.coefficients
         )
+    }
+}
+
+impl fmt::Display for ForcesCost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { position, motion, coefficients, forces, statics } = *self;
+        let motion = Cost { position, motion, coefficients };
+        write!(f, "{motion}; forces: {forces}; statics: {statics}")
     }
 }
 

@@ -228,6 +228,26 @@ pub(crate) fn positive<T: Real>(
     }
 }
 
+/// The value, a mass or an inertia, provided that it is not negative.
+///
+/// # Errors
+/// `Invalid` with its name where it is, `NotFinite` with its name where it is not a number.
+#[cold]
+pub(crate) fn not_negative<T: Real>(
+    value: T,
+    group: &'static str,
+    name: &'static str,
+) -> Result<T, SolveError> {
+    let real = value.value();
+    if real.is_nan() {
+        Err(SolveError::NotFinite { name })
+    } else if real >= 0.0 {
+        Ok(value)
+    } else {
+        Err(SolveError::Invalid { group, name })
+    }
+}
+
 /// The value, a squared length that something is divided by, provided that it is in the range in
 /// which a square carries full precision.
 ///

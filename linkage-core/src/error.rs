@@ -18,11 +18,11 @@ pub enum SolveError {
         /// The links of the group, or the output that has no derivative.
         group: &'static str,
     },
-    /// A length given at run time is zero or negative.
+    /// A length given at run time is zero or negative, or a mass or an inertia negative.
     Invalid {
         /// The links of the group.
         group: &'static str,
-        /// What is zero or negative, as written in the declaration.
+        /// What is out of range, as written in the declaration.
         name: &'static str,
     },
     /// A cosine and a sine that were given are too far from those of any angle.
@@ -44,6 +44,9 @@ impl fmt::Display for SolveError {
         match *self {
             Self::OutOfReach { group, by } => write!(f, "{group}: out of reach by {by} m"),
             Self::Singular { group } => write!(f, "{group}: singular pose"),
+            Self::Invalid { group, name } if is_mass(name) => {
+                write!(f, "{group}: `{name}` must not be negative")
+            }
             Self::Invalid { group, name } => {
                 write!(f, "{group}: `{name}` must be greater than zero")
             }
@@ -55,6 +58,11 @@ impl fmt::Display for SolveError {
             }
         }
     }
+}
+
+/// Whether the name is that of a mass or an inertia; a length bears its link's, without a space.
+fn is_mass(name: &str) -> bool {
+    name.starts_with("mass on ") || name.starts_with("inertia on ")
 }
 
 impl core::error::Error for SolveError {}

@@ -145,7 +145,7 @@ mod slow_path;
 mod sweep;
 mod tracker;
 
-pub use cost::{Cost, Operations};
+pub use cost::{Cost, ForcesCost, Operations};
 #[cfg(feature = "ad")]
 pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_twice};
 pub use error::SolveError;
@@ -155,8 +155,8 @@ pub use mechanism::Mechanism;
 pub use modes::{Sense, Side};
 pub use record::Record;
 pub use results::{
-    AngularAcceleration, AngularVelocity, Direction, Point, Slide, SlidingAcceleration,
-    SlidingDirection, SlidingVelocity,
+    AngularAcceleration, AngularVelocity, Direction, Force, GuideForce, Point, Slide,
+    SlidingAcceleration, SlidingDirection, SlidingVelocity,
 };
 pub use scalar::{Mask, Real, Scalar};
 pub use sweep::{LengthMismatch, Progress, Series, Status};

@@ -30,9 +30,9 @@ pub use crate::sweep::{
 pub use crate::tracker::{Clearance, Modes};
 pub use crate::with_ad_ as with_ad;
 pub use crate::{
-    AngularAcceleration, AngularVelocity, Cost, Direction, Float, Fusion, LaneMask, Lanes, Mask,
-    Mechanism, Operations, Point, Real, Record, Scalar, Sense, Side, Slide, SlidingAcceleration,
-    SlidingDirection, SlidingVelocity, SolveError,
+    AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, ForcesCost, Fusion,
+    GuideForce, LaneMask, Lanes, Mask, Mechanism, Operations, Point, Real, Record, Scalar, Sense,
+    Side, Slide, SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError,
 };
 #[cfg(feature = "ad")]
 pub use nalgebra::SMatrix;

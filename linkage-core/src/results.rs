@@ -16,6 +16,27 @@ pub struct Point<T> {
     pub y: T,
 }
 
+/// A force in ground axes, in newtons. Its docs name what it acts on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Force<T> {
+    /// The component along ground x.
+    pub x: T,
+    /// The component along ground y.
+    pub y: T,
+}
+
+/// What a guide exerts on the link that slides on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct GuideForce<T> {
+    /// The force in newtons at the origin of the link's frame, along the guide's normal, which is
+    /// 90° counter-clockwise of its direction.
+    pub normal: T,
+    /// The couple in N·m, counter-clockwise positive.
+    pub couple: T,
+}
+
 /// The unit vector along a link's x axis, in ground axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
@@ -86,6 +107,15 @@ impl<T> From<SlidingDirection<T>> for Direction<T> {
     #[inline]
     fn from(sliding: SlidingDirection<T>) -> Self {
         Self { cos: sliding.cos, sin: sliding.sin }
+    }
+}
+
+impl<T: Scalar> Force<T> {
+    /// The magnitude in newtons: one square root, computed when called.
+    #[inline]
+    #[must_use]
+    pub fn magnitude(self) -> T {
+        self.x.hypot(self.y)
     }
 }
 

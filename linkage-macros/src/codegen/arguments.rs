@@ -39,6 +39,10 @@ impl<'a> Arguments<'a> {
             Given::Acceleration => order(2),
             Given::Cosine => plain("cos"),
             Given::Sine => plain("sin"),
+            Given::Loads => match &cx.mechanism.dynamics.loads[..] {
+                [only] => super::identifiers::argument(&only.name, ""),
+                _ => plain("loads"),
+            },
         };
         Self { cx, given, names: given.iter().map(name).collect() }
     }
@@ -50,23 +54,26 @@ impl<'a> Arguments<'a> {
 
     /// How a public function declares them, for numbers of this type.
     pub(super) fn declared(&self, scalar: &TokenStream) -> Vec<TokenStream> {
-        let ty = match self.cx.inputs() {
-            Some(_) => {
-                let (into, record) = (self.cx.paths.item("Into"), self.ty(scalar));
-                quote!(impl #into<#record>)
+        let declare = |(given, name): (&Given, &Ident)| match self.record(*given) {
+            Some(record) => {
+                let (into, ty) = (self.cx.paths.item("Into"), quote!(#record<#scalar>));
+                quote!(#name: impl #into<#ty>)
             }
-            None => scalar.clone(),
+            None => quote!(#name: #scalar),
         };
-        self.names.iter().map(|name| quote!(#name: #ty)).collect()
+        self.given.iter().zip(&self.names).map(declare).collect()
     }
 
     /// How a private function declares them: as the records themselves.
     pub(super) fn received(&self, scalar: &TokenStream) -> Vec<TokenStream> {
-        let ty = self.ty(scalar);
-        self.names.iter().map(|name| quote!(#name: #ty)).collect()
+        let receive = |(given, name): (&Given, &Ident)| match self.record(*given) {
+            Some(record) => quote!(#name: #record<#scalar>),
+            None => quote!(#name: #scalar),
+        };
+        self.given.iter().zip(&self.names).map(receive).collect()
     }
 
-    /// The type of every argument.
+    /// The type of every argument that is about the inputs.
     pub(super) fn ty(&self, scalar: &TokenStream) -> TokenStream {
         match self.cx.inputs() {
             Some(record) => quote!(#record<#scalar>),
@@ -74,16 +81,27 @@ impl<'a> Arguments<'a> {
         }
     }
 
-    /// Whether each argument is a record of all inputs.
+    /// The record that an argument is; none for a number.
+    fn record(&self, given: Given) -> Option<&Ident> {
+        match given {
+            Given::Loads => self.cx.loads(),
+            _ => self.cx.inputs(),
+        }
+    }
+
+    /// Whether each argument about the inputs is a record of all of them.
     pub(super) fn are_records(&self) -> bool {
         self.cx.inputs().is_some()
     }
 
     /// Makes records of what a public function was given; nothing for plain numbers.
     pub(super) fn converted(&self, scalar: &TokenStream) -> TokenStream {
-        let Some(record) = self.cx.inputs() else { return TokenStream::new() };
-        let (names, into) = (&self.names, self.cx.paths.item("Into"));
-        quote!(#(let #names: #record<#scalar> = #into::into(#names);)*)
+        let into = self.cx.paths.item("Into");
+        let convert = |(given, name): (&Given, &Ident)| {
+            let record = self.record(*given)?;
+            Some(quote!(let #name: #record<#scalar> = #into::into(#name);))
+        };
+        self.given.iter().zip(&self.names).filter_map(convert).collect()
     }
 
     /// Names the arguments that are not read, so that none counts as forgotten.
@@ -98,6 +116,7 @@ impl<'a> Arguments<'a> {
         let given = match node {
             Node::InputCos(_) => Given::Cosine,
             Node::InputSin(_) => Given::Sine,
+            Node::Load(_) => Given::Loads,
             Node::Input { order, .. } => {
                 [Given::Value, Given::Rate, Given::Acceleration][usize::from(order)]
             }
@@ -118,6 +137,10 @@ impl<'a> Arguments<'a> {
                 let field = &self.cx.mechanism.inputs[input as usize].name;
                 Some(quote!(#name.#field).into())
             }
+            Node::Load(load) if self.cx.loads().is_some() => {
+                let field = &self.cx.mechanism.dynamics.loads[load as usize].name;
+                Some(quote!(#name.#field).into())
+            }
             _ => Some(name.clone().into()),
         }
     }
@@ -126,6 +149,7 @@ impl<'a> Arguments<'a> {
     pub(super) fn label(&self, node: Node) -> Option<String> {
         match node {
             Node::Param(param) => Some(text(&self.cx.mechanism.params[param as usize].name)),
+            Node::Load(load) => Some(text(&self.cx.mechanism.dynamics.loads[load as usize].name)),
             Node::InputCos(_) => Some("cos".to_string()),
             Node::InputSin(_) => Some("sin".to_string()),
             Node::Input { input, order } => {

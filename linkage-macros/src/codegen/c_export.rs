@@ -27,8 +27,8 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     let (header, parameters) = (header::text(cx), parameters(cx));
     let [float, string] = ["f64", "str"].map(|item| cx.paths.item(item));
     let (read, reply) = (read(cx), reply(cx));
-    let functions = Width::ALL
-        .map(|width| cx.interface.entries.iter().map(move |entry| function(cx, entry, width)));
+    let functions =
+        Width::ALL.map(|width| exported(cx).map(move |entry| function(cx, entry, width)));
     let functions = functions.into_iter().flatten();
     quote! {
         impl #name<#float> {
@@ -39,6 +39,11 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
         #[allow(unsafe_code, reason = "C passes pointers; `export c` asked for functions it can call")]
         const _: () = { #parameters #read #reply #(#functions)* };
     }
+}
+
+/// What C can call: what is about forces is Rust's alone.
+fn exported<'a>(cx: &Context<'a>) -> impl Iterator<Item = &'a Entry> {
+    cx.interface.entries.iter().filter(|entry| !entry.is_about_forces())
 }
 
 /// What C calls the declaration's parameters together.

@@ -59,6 +59,11 @@ impl<'a> Context<'a> {
         self.interface.inputs.map(|id| &self.record(id).name)
     }
 
+    /// The name of the record of several loads.
+    pub(super) fn loads(&self) -> Option<&'a Ident> {
+        self.interface.loads.map(|id| &self.record(id).name)
+    }
+
     /// The number of rows of `OUTPUTS`.
     pub(super) fn rows(&self) -> Literal {
         Literal::usize_unsuffixed(self.interface.rows)

@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
+use super::token_list::Tokens;
 use crate::interface::EntryId;
 use crate::ir::cost::Operations;
 
@@ -12,14 +13,24 @@ pub(super) fn of(cx: &Context<'_>, entry: EntryId) -> Operations {
     cx.lowered.costs[entry.index()]
 }
 
+/// The type of `COST`.
+pub(super) fn ty(cx: &Context<'_>) -> Tokens {
+    cx.paths.item(if cx.interface.find("forces").is_some() { "ForcesCost" } else { "Cost" })
+}
+
 /// The initialiser of `COST`.
 pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
-    let [position, motion, coefficients] = ["position", "motion", "coefficients"].map(|name| {
+    let of = |name: &str| {
         let cost = cx.interface.find(name).map_or_else(Operations::default, |id| of(cx, id));
         record(cx, cost)
+    };
+    let [position, motion, coefficients] = ["position", "motion", "coefficients"].map(of);
+    let cost = ty(cx);
+    let forces = cx.interface.find("forces").map(|_| {
+        let [forces, statics] = ["forces", "statics"].map(of);
+        quote!(, forces: #forces, statics: #statics)
     });
-    let cost = cx.paths.item("Cost");
-    quote!(#cost { position: #position, motion: #motion, coefficients: #coefficients })
+    quote!(#cost { position: #position, motion: #motion, coefficients: #coefficients #forces })
 }
 
 fn record(cx: &Context<'_>, cost: Operations) -> TokenStream {

@@ -7,7 +7,7 @@ use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 
 use super::context::Context;
 use super::identifiers::text;
-use super::{costs_in_words, ranges_in_words};
+use super::{costs_in_words, forces, ranges_in_words};
 use crate::interface::entries::{Entry, Given};
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Field, Kind, Record, Shape, Subject};
@@ -16,14 +16,14 @@ use crate::interface::{EntryId, labels};
 use crate::model::mechanism::{Input, Output, OutputKind, Param, ParamKind, Sign};
 
 /// The user's comments, then a paragraph of our own.
-fn after(own: &[Attribute], paragraph: &str) -> TokenStream {
+pub(super) fn after(own: &[Attribute], paragraph: &str) -> TokenStream {
     let gap = (!own.is_empty()).then(|| quote!(#[doc = ""]));
     let lines = lines(paragraph);
     quote!(#(#own)* #gap #lines)
 }
 
 /// One doc attribute of many lines: a token costs the compiler as much as a line does.
-fn lines(paragraph: &str) -> TokenStream {
+pub(super) fn lines(paragraph: &str) -> TokenStream {
     let spaced = |line: String| if line.is_empty() { line } else { format!(" {line}") };
     let text: Vec<String> = paragraph.lines().flat_map(wrapped).map(spaced).collect();
     let text = text.join("\n");
@@ -86,6 +86,8 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
     let outputs = cx.mechanism.outputs.iter();
     page +=
         &section("Outputs", outputs.map(|output| describe(cx, output, Order::Position)).collect());
+    let efforts = 0..cx.mechanism.dynamics.asked.len();
+    page += &section("Forces", efforts.map(|index| forces::describe(cx, index)).collect());
     let groups = cx.mechanism.groups.iter();
     page += &section(
         "Groups, in the order they are solved",
@@ -147,6 +149,14 @@ pub(super) fn record(cx: &Context<'_>, record: &Record) -> TokenStream {
         Kind::Motion => {
             format!("Position, velocity and acceleration of the outputs of [`{solver}`].")
         }
+        Kind::Loads => format!("The loads of [`{solver}`]."),
+        Kind::Forces => {
+            format!("Efforts of the drives of [`{solver}`] and reactions of its joints.")
+        }
+        Kind::ForcesOf(first) => {
+            let owner = text(&cx.mechanism.dynamics.asked[first].owner);
+            format!("What was asked about the forces of `{owner}`, of [`{solver}`].")
+        }
         Kind::Margins => format!(
             "How far the groups of [`{solver}`] are from their limits, also where the pose does not \
              exist."
@@ -158,6 +168,9 @@ pub(super) fn record(cx: &Context<'_>, record: &Record) -> TokenStream {
 pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
     match field.subject {
         Subject::Input(index) => input(&cx.mechanism.inputs[index]),
+        Subject::Load(index) => forces::load(&cx.mechanism.dynamics.loads[index]),
+        Subject::Effort(index) => forces::effort(cx, index),
+        Subject::Efforts(index) => forces::owner(cx, index),
         Subject::Output(index, order) => output(cx, &cx.mechanism.outputs[index], order),
         Subject::Outputs(Order::Position) => quote! {
             /// In metres and radians.
@@ -235,6 +248,7 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
                 Given::Value => Some(format!("`{name}` in {unit}")),
                 Given::Rate => Some(format!("its rate in {unit}/s")),
                 Given::Acceleration => Some(format!("its second rate in {unit}/s²")),
+                Given::Loads => None,
             });
             format!("Given {}.", given.collect::<Vec<_>>().join(", "))
         }
@@ -243,6 +257,9 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
         ),
         _ => String::new(),
     };
+    if entry.given.contains(&Given::Loads) {
+        text += &forces::loads(cx);
+    }
     if matches!(entry.result, Shape::Matrix { .. }) {
         text += "\nA row an output in the order of `OUTPUTS`, a column an input in the order of \
                  `INPUTS`; from the velocity equations.";

@@ -58,7 +58,7 @@ pub(super) const SWEEP_ARGUMENTS: [&str; 3] = ["out", "status", "progress"];
 const CIRCLE: [&str; 2] = ["cos", "sin"];
 
 /// An argument named after an input, in lower case. The value itself has the input's span.
-fn argument(input: &Ident, suffix: &str) -> Ident {
+pub(super) fn argument(input: &Ident, suffix: &str) -> Ident {
     let name = format!("{}{suffix}", input.unraw()).to_lowercase();
     let span = if suffix.is_empty() { input.span() } else { Span::call_site() };
     // The span keeps it apart from the locals; a keyword or a name that fits nowhere gets a tail,

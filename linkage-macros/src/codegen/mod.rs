@@ -15,6 +15,7 @@ mod costs_in_words;
 mod docs;
 mod editor_names;
 mod fast_path;
+mod forces;
 mod formulas;
 mod identifiers;
 mod paths;

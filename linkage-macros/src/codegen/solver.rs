@@ -7,7 +7,7 @@ use super::context::{Context, literal};
 use super::identifiers::{function_name, text};
 use super::token_list::Tokens;
 use super::{costs_in_words, docs, identifiers, structs};
-use crate::interface::labels;
+use crate::interface::{forces, labels};
 use crate::model::mechanism::{Output, Param, ParamKind, Sign};
 
 /// What can be done without solving anything.
@@ -114,7 +114,8 @@ fn constants(cx: &Context<'_>) -> TokenStream {
     let params: Vec<_> =
         params.iter().map(|p| identifiers::string(&text(&p.name), p.name.span())).collect();
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
-    let (cost_type, cost) = (cx.paths.item("Cost"), costs_in_words::constant(cx));
+    let (cost_type, cost) = (costs_in_words::ty(cx), costs_in_words::constant(cx));
+    let forces = force_rows(cx);
     let [float, string] = ["f64", "str"].map(|name| cx.paths.item(name));
     quote! {
         impl #name<#float> {
@@ -124,6 +125,7 @@ fn constants(cx: &Context<'_>) -> TokenStream {
             pub const INPUTS: [&'static #string; #columns] = [#(#inputs),*];
             /// The numeric parameters, in the order of the columns of sensitivities.
             pub const PARAMS: [&'static #string; #numbers] = [#(#params),*];
+            #forces
             /// The floating-point operations of one call.
             pub const COST: #cost_type = #cost;
 
@@ -132,6 +134,28 @@ fn constants(cx: &Context<'_>) -> TokenStream {
             #[must_use]
             pub const fn new() -> Self { #new }
         }
+    }
+}
+
+/// The rows of forces, and the loads; nothing where nothing is asked about forces.
+fn force_rows(cx: &Context<'_>) -> TokenStream {
+    let dynamics = &cx.mechanism.dynamics;
+    if dynamics.asked.is_empty() {
+        return TokenStream::new();
+    }
+    let rows: Vec<_> = (dynamics.asked.iter())
+        .flat_map(|asked| forces::rows(asked).into_iter().map(|row| (row, asked.field.span())))
+        .map(|(row, span)| identifiers::string(&row, span))
+        .collect();
+    let loads: Vec<_> = (dynamics.loads.iter())
+        .map(|load| identifiers::string(&text(&load.name), load.name.span()))
+        .collect();
+    let [rows_count, loads_count] = [rows.len(), loads.len()].map(Literal::usize_unsuffixed);
+    quote! {
+        /// The numbers of `forces` and `statics`, in the order of their fields.
+        pub const FORCES: [&'static str; #rows_count] = [#(#rows),*];
+        /// The loads, in the order in which they are given.
+        pub const LOADS: [&'static str; #loads_count] = [#(#loads),*];
     }
 }
 

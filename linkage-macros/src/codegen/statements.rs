@@ -183,6 +183,7 @@ impl<'a> Printer<'a> {
             | Node::InputCos(_)
             | Node::InputSin(_)
             | Node::Param(_)
+            | Node::Load(_)
             | Node::Sin(_)
             | Node::Cos(_)
             | Node::Guard(..) => unreachable!("read in place, or a statement of its own kind"),

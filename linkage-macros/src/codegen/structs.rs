@@ -26,9 +26,9 @@ pub(super) fn is_returned(cx: &Context<'_>, record: &Record) -> bool {
 /// What can be done with them.
 pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
     let implementation = |record: &Record| match record.kind {
-        Kind::Inputs => from_list(cx, record),
+        Kind::Inputs | Kind::Loads => from_list(cx, record),
         Kind::Outputs(order) => rows(cx, record, order),
-        Kind::Motion | Kind::Margins => TokenStream::new(),
+        Kind::Motion | Kind::Margins | Kind::Forces | Kind::ForcesOf(_) => TokenStream::new(),
     };
     let returned = cx.interface.record_ids().filter(|&id| is_returned(cx, cx.record(id)));
     let arrays = returned.map(|id| as_array(cx, id));
@@ -64,9 +64,12 @@ fn definition(cx: &Context<'_>, record: &Record) -> TokenStream {
     let fields: Vec<_> = fields.collect();
     // What is as declared by us alone stands on lines of its own.
     let last = (record.kind == Kind::Motion).then(|| quote!(,));
+    let named = matches!(record.kind, Kind::ForcesOf(_))
+        .then(|| quote!(#[allow(non_camel_case_types, reason = "names are as declared")]));
     quote! {
         #docs
         #attributes
+        #named
         #visibility struct #name<#scalar> { #(#fields),* #last }
     }
 }
@@ -100,7 +103,8 @@ fn rows_of(field: &Field) -> Vec<TokenStream> {
 
 /// How a plain list becomes the record of several inputs.
 fn from_list(cx: &Context<'_>, record: &Record) -> TokenStream {
-    let (name, scalar, count) = (&record.name, &cx.names.scalar, cx.columns());
+    let (name, scalar) = (&record.name, &cx.names.scalar);
+    let count = Literal::usize_unsuffixed(record.fields.len());
     let [from, trait_] = ["From", "Record"].map(|item| cx.paths.item(item));
     let list = generated("list_");
     quote! {

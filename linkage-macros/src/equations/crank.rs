@@ -27,5 +27,5 @@ pub(super) fn crank<'s>(
     if let Some(pin) = pin {
         scope.call_vector("r", pin.offset);
     }
-    Solved { links: vec![LinkMotion { frame, slide: None }], pin }
+    Solved { links: vec![LinkMotion { frame, slide: None }], pin, levers: None }
 }

@@ -13,6 +13,7 @@ impl<'s> Kinematics<'s> {
             Expr::Constant(value) => Jet::constant(self.sheet.constant(value.clone())),
             Expr::Input(input) => self.inputs[input.index()].jet,
             Expr::Param(param) => Jet::constant(self.sheet.node(Node::Param(param.0))),
+            Expr::Load(load) => Jet::constant(self.sheet.node(Node::Load(load.0))),
             Expr::Let(name) => self.lets[name.index()],
             Expr::Slide(link) => self.link(*link).slide.expect("the model checked that it slides"),
             Expr::Coordinate(point, axis) => {

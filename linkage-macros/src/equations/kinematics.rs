@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
-use crate::equations::parts::{GroupScope, LimitMeasures, LinkMotion, Solved};
+use crate::equations::parts::{GroupScope, Levers, LimitMeasures, LinkMotion, Solved};
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::equations::{crank, guide, point, prp, rpp, rpr, rrp, rrr, slider};
 use crate::ir::graph::Node;
@@ -52,6 +52,10 @@ pub(super) struct Kinematics<'s> {
     /// Where a point lies in the frame of what carries it.
     coordinates: HashMap<(Carrier, PointId), [Jet<'s>; 2]>,
     qualities: HashMap<GroupId, LimitMeasures<'s>>,
+    levers: HashMap<GroupId, Levers<'s>>,
+    /// Of links between an outer joint and a pin: the vector from one to the other, its length, and
+    /// the pin.
+    bars: HashMap<LinkId, (Vector<'s>, Jet<'s>, PointId)>,
 }
 
 impl<'s> Kinematics<'s> {
@@ -70,6 +74,8 @@ impl<'s> Kinematics<'s> {
             guides: vec![None; mechanism.guides.len()],
             coordinates: HashMap::new(),
             qualities: HashMap::new(),
+            levers: HashMap::new(),
+            bars: HashMap::new(),
         };
         for step in &mechanism.steps {
             kinematics.take(step);
@@ -94,7 +100,21 @@ impl<'s> Kinematics<'s> {
         self.guides[id.index()].expect("a step uses only what earlier steps have made")
     }
 
-    fn carrier(&self, carrier: Carrier) -> Frame<'s> {
+    /// Of a link between an outer joint and a pin: the vector, its length, and the pin.
+    pub(super) fn bar(&self, link: LinkId) -> Option<(Vector<'s>, Jet<'s>, PointId)> {
+        self.bars.get(&link).copied()
+    }
+
+    pub(super) fn levers(&self, group: GroupId) -> &Levers<'s> {
+        &self.levers[&group]
+    }
+
+    /// Where a point lies in the frame of what carries it.
+    pub(super) fn coordinates(&self, carrier: Carrier, point: PointId) -> [Jet<'s>; 2] {
+        self.coordinates[&(carrier, point)]
+    }
+
+    pub(super) fn carrier(&self, carrier: Carrier) -> Frame<'s> {
         match carrier {
             Carrier::Ground => Frame::ground(self.sheet),
             Carrier::Link(link) => self.link(link).frame,
@@ -125,6 +145,7 @@ impl<'s> Kinematics<'s> {
         if let (&Some(pin), Some(motion)) = (pin, solved.pin) {
             self.set_point(pin, motion);
         }
+        self.levers.extend(solved.levers.map(|levers| (group, levers)));
     }
 
     /// Notes where a joint lies on the x axis of a link.
@@ -138,9 +159,10 @@ impl<'s> Kinematics<'s> {
     }
 
     /// Notes where a bar's joints lie on it.
-    fn set_bar(&mut self, link: LinkId, joints: [PointId; 2], length: Jet<'s>) {
+    fn set_bar(&mut self, link: LinkId, vector: Vector<'s>, joints: [PointId; 2], length: Jet<'s>) {
         self.set_origin(link, joints[0]);
         self.set_joint(link, joints[1], length);
+        self.bars.insert(link, (vector, length, joints[1]));
     }
 
     /// Named expressions become known as soon as what they contain is.
@@ -157,7 +179,7 @@ impl<'s> Kinematics<'s> {
     /// Whether everything in the expression has been placed.
     fn is_known(&self, expr: &Expr) -> bool {
         match expr {
-            Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) => true,
+            Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => true,
             Expr::Let(name) => name.index() < self.lets.len(),
             Expr::Slide(link) => self.links[link.index()].is_some(),
             Expr::Coordinate(point, _) => self.points[point.index()].is_some(),
@@ -274,6 +296,8 @@ impl<'s> Kinematics<'s> {
                 self.set_origin(*link, *pivot);
                 if let (Some((pin, _)), Some(length)) = (pin, length) {
                     self.set_joint(*link, *pin, length);
+                    let vector = solved.links[0].frame.vector(length.value, self.sheet.zero());
+                    self.bars.insert(*link, (vector, length, *pin));
                 }
             }
             Step::Slider { group, link, guide, pin, slide, offset } => {
@@ -296,7 +320,9 @@ impl<'s> Kinematics<'s> {
         let solved = rrr::rrr(&self.scope(*group), joints, lengths, self.mode(*mode));
         self.set_group(*group, &solved);
         for k in 0..2 {
-            self.set_bar(links[k], [outer[k], *pin], lengths[k]);
+            if let Some(Levers::Rrr(levers)) = solved.levers {
+                self.set_bar(links[k], levers.r[k], [outer[k], *pin], lengths[k]);
+            }
         }
         if self.wants_quality(*group) {
             self.qualities.insert(*group, rrr::quality(joints, lengths));
@@ -312,7 +338,9 @@ impl<'s> Kinematics<'s> {
         let scope = self.scope(*group);
         let solved = rrp::rrp(&scope, b, guide, length, offset, self.mode(*mode));
         self.set_group(*group, &solved);
-        self.set_bar(links[0], [*outer, *pin], length);
+        if let Some(Levers::Rrp(levers)) = solved.levers {
+            self.set_bar(links[0], levers.r, [*outer, *pin], length);
+        }
         self.set_origin(links[1], *pin);
         if self.wants_quality(*group) {
             self.qualities.insert(*group, rrp::quality(b, guide, length, offset));

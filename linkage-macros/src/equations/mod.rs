@@ -25,6 +25,7 @@ mod clearance;
 mod crank;
 mod double_word;
 mod expressed;
+mod forces;
 mod guide;
 mod jet;
 mod kinematics;
@@ -46,7 +47,7 @@ use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::motion::Direction;
 use crate::equations::symbol::Sheet;
 use crate::interface::Interface;
-use crate::interface::entries::Entry;
+use crate::interface::entries::{Entry, Given};
 use crate::interface::quantity::Order;
 use crate::interface::records::{Kind, Shape, is_margin};
 use crate::ir::construct::Rule;
@@ -99,7 +100,13 @@ fn sinks(interface: &Interface, entry: &Entry, kinematics: &Kinematics<'_>) -> V
                 Order::ALL.into_iter().flat_map(|order| components(kinematics, order)).collect()
             }
             Kind::Margins => margins(kinematics),
-            Kind::Inputs => unreachable!("inputs are no result"),
+            Kind::Forces if entry.given.contains(&Given::Acceleration) => {
+                forces::in_motion(kinematics)
+            }
+            Kind::Forces => forces::at_rest(kinematics),
+            Kind::Inputs | Kind::Loads | Kind::ForcesOf(_) => {
+                unreachable!("what is given or a part of a result is none itself")
+            }
         },
         Shape::Number | Shape::List(_) | Shape::Quantity(..) => {
             unreachable!("what an entry point returns is a record or a matrix")
@@ -119,6 +126,8 @@ fn has_bare_angle(mechanism: &Mechanism, rules: &[Rule]) -> bool {
     let sinks: Vec<Id> = [Order::Position, Order::Acceleration]
         .into_iter()
         .flat_map(|order| components(&at, order))
+        .chain(forces::in_motion(&at))
+        .chain(forces::at_rest(&at))
         .collect();
     let graph = trial.into_graph();
     let live = live(&graph, &sinks, Path::Slow);

@@ -4,6 +4,7 @@
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
 use crate::equations::symbol::{Sheet, Sym, Vector};
+use crate::equations::{prp, rpp, rpr, rrp, rrr};
 use crate::model::mechanism::{Carrier, LinkId, Numerics};
 
 /// How far a group is from its limit.
@@ -82,6 +83,8 @@ pub(super) struct LinkMotion<'s> {
 pub(super) struct Solved<'s> {
     pub links: Vec<LinkMotion<'s>>,
     pub pin: Option<PointMotion<'s>>,
+    /// Of a dyad.
+    pub levers: Option<Levers<'s>>,
 }
 
 /// A bar from its outer joint to the pin.
@@ -99,6 +102,11 @@ impl<'s> Bar<'s> {
     pub(super) fn new(outer: PointMotion<'s>, r: Vector<'s>, length: Jet<'s>) -> Self {
         let zero = r.x.sheet().zero();
         Self { outer, r, length, omega: zero, alpha: zero }
+    }
+
+    /// From the outer joint to the pin.
+    pub(super) fn vector(self) -> Vector<'s> {
+        self.r
     }
 
     pub(super) fn turning(self, omega: Sym<'s>, alpha: Sym<'s>) -> Self {
@@ -147,6 +155,33 @@ impl<'s> Bar<'s> {
         };
         LinkMotion { frame: Frame { origin: self.outer, direction }, slide: None }
     }
+}
+
+/// What acts on a link but for the joints of its own group: the force, and the moment about the
+/// link's origin, its outer joint.
+#[derive(Clone, Copy)]
+pub(super) struct Acting<'s> {
+    pub force: Vector<'s>,
+    pub moment: Sym<'s>,
+}
+
+/// What a guide exerts on the link that slides on it: a force along its normal, at the origin of the
+/// link's frame, and a couple.
+#[derive(Clone, Copy)]
+pub(super) struct GuideReaction<'s> {
+    pub normal: Sym<'s>,
+    pub couple: Sym<'s>,
+}
+
+/// What the reactions of a solved group are made of: the vectors of its position and the inverse
+/// that its velocities have.
+#[derive(Clone, Copy)]
+pub(super) enum Levers<'s> {
+    Rrr(rrr::Levers<'s>),
+    Rrp(rrp::Levers<'s>),
+    Rpr(rpr::Levers<'s>),
+    Prp(prp::Levers<'s>),
+    Rpp(rpp::Levers<'s>),
 }
 
 /// A block on a guide, at a known slide.

@@ -16,6 +16,18 @@
 //! w = v₂ − v₁: ṡ₁ = (w × u₂)/Δ, ṡ₂ = (w × u₁)/Δ; the same with accelerations, w replaced by the
 //! difference of the transport, Coriolis and offset accelerations.
 //!
+//! # Reactions
+//! With L all that acts on the pin from outside the group, F and M what acts on the blocks but for
+//! their own joints, M about C: each block is free along its guide,
+//!
+//! ```text
+//! P₂ = ((F₂·u₁) n₂ + ((F₃ + L)·u₂) n₁)/Δ      P₃ = L − P₂
+//! N₁ = −(F₂ + P₂)·n₁      T₁ = −M₂            N₂ = −(F₃ + P₃)·n₂      T₂ = −M₃
+//! ```
+//!
+//! from P₂·u₁ = −F₂·u₁ and P₂·u₂ = (F₃ + L)·u₂, with n₂·u₁ = −Δ and n₁·u₂ = Δ. N and T are the guide's
+//! on its block, at C.
+//!
 //! # Error
 //! At most 4 times what the data allow between nearly parallel guides of one carrier,
 //! however near. On random poses 20 times for positions, 10.1 for velocities, 15.1 for
@@ -29,8 +41,10 @@
 
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Frame, PointMotion};
-use crate::equations::parts::{Block, GroupScope, LimitMeasures, LinkMotion, Solved};
-use crate::equations::symbol::Vector;
+use crate::equations::parts::{
+    Acting, Block, GroupScope, GuideReaction, Levers as Solution, LimitMeasures, LinkMotion, Solved,
+};
+use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
 
 pub(super) fn prp<'s>(
@@ -68,7 +82,41 @@ pub(super) fn prp<'s>(
         frame: Frame { origin: pin, direction: guides[k].direction },
         slide: Some(Jet { value: value[k], rate: rate[k], accel: accel[k] }),
     };
-    Solved { links: vec![block(0), block(1)], pin: Some(pin) }
+    Solved {
+        links: vec![block(0), block(1)],
+        pin: Some(pin),
+        levers: Some(Solution::Prp(Levers { u: [u1, u2], inverse })),
+    }
+}
+
+/// The guides' directions and 1/Δ.
+#[derive(Clone, Copy)]
+pub(super) struct Levers<'s> {
+    u: [Vector<'s>; 2],
+    inverse: Sym<'s>,
+}
+
+/// The pin's forces on the blocks, and the guides'.
+pub(super) struct Reactions<'s> {
+    pub inner: [Vector<'s>; 2],
+    pub guides: [GuideReaction<'s>; 2],
+}
+
+pub(super) fn reactions<'s>(
+    Levers { u: [u1, u2], inverse }: Levers<'s>,
+    [first, second]: [Acting<'s>; 2],
+    on_pin: Vector<'s>,
+) -> Reactions<'s> {
+    let [along_first, along_second] =
+        [first.force.dot(u1) * inverse, (second.force + on_pin).dot(u2) * inverse];
+    let on_first = along_first * u2.normal() + along_second * u1.normal();
+    let on_second = on_pin - on_first;
+    let guide = |link: Acting<'s>, by_pin: Vector<'s>, u: Vector<'s>| GuideReaction {
+        normal: -(link.force + by_pin).dot(u.normal()),
+        couple: -link.moment,
+    };
+    let guides = [guide(first, on_first, u1), guide(second, on_second, u2)];
+    Reactions { inner: [on_first, on_second], guides }
 }
 
 /// Two guides along the axes cross where one gives x and the other gives y, without arithmetic.

@@ -28,6 +28,20 @@
 //!            + β̈ ρ₂⊥ − β̇ (2 ω₁ + β̇) ρ₂ + 2 β̇ σ₂⊥)
 //! ```
 //!
+//! # Reactions
+//! With F and M what acts on block (2) and yoke (3) but for their own joints, M about B and about the
+//! yoke's point Q on the rail, from which B lies at e₁ n₁ + s₂ u₂ + e₂ n₂:
+//!
+//! ```text
+//! N₂ = −F₃·u₁/σ              T₂ = −M₂
+//! N₁ = N₂ c − F₃·n₁          T₁ = T₂ − M₃ + N₂ (s₂ + e₁ σ)
+//! R_B = −F₂ − N₂ n₂
+//! ```
+//!
+//! N₂ and T₂ are the slot's on the block, at B; N₁ and T₁ the rail's on the yoke, at Q: the slot's
+//! opposite −N₂ n₂ at B has the moment −N₂ (B − Q)·u₂ about it. A driven offset e₁ moves the slot
+//! against the yoke, which stays on its rail: its effort is N₂ c, not N₁.
+//!
 //! # Error
 //! At most 4 times what the data allow next to a slot along its rail, however near. On
 //! random poses 2.5 times for positions, 2.3 for velocities, 2.6 for accelerations; in the
@@ -40,8 +54,10 @@
 
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
-use crate::equations::parts::{GroupScope, LimitMeasures, LinkMotion, Solved};
-use crate::equations::symbol::Vector;
+use crate::equations::parts::{
+    Acting, GroupScope, GuideReaction, Levers as Solution, LimitMeasures, LinkMotion, Solved,
+};
+use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
 
 /// The slot's direction, and the same in the rail's axes.
@@ -93,6 +109,7 @@ pub(super) fn rpp<'s>(
         - (beta_rate * (rail.direction.omega.twice() + beta_rate)) * rho2
         + beta_rate.twice() * sigma2.normal();
     let accel = slides(b.acceleration - (carried + turned + e1.accel * n1 + e2.accel * n2));
+    let levers = Levers { rail: u1, slot: u2, cosine, inverse, arm: s2 + e1.value * sine };
     let on_rail = Jet { value: s1, rate: rate[0], accel: accel[0] };
     let in_slot = Jet { value: s2, rate: rate[1], accel: accel[1] };
     let foot = rail.place(on_rail, Jet::zero(scope.sheet));
@@ -101,7 +118,41 @@ pub(super) fn rpp<'s>(
         slide: Some(slide),
     };
     let links = vec![link(b, slot.direction, in_slot), link(foot, rail.direction, on_rail)];
-    Solved { links, pin: None }
+    Solved { links, pin: None, levers: Some(Solution::Rpp(levers)) }
+}
+
+/// The directions of rail and slot, c and 1/σ, and s₂ + e₁ σ.
+#[derive(Clone, Copy)]
+pub(super) struct Levers<'s> {
+    rail: Vector<'s>,
+    slot: Vector<'s>,
+    cosine: Sym<'s>,
+    inverse: Sym<'s>,
+    arm: Sym<'s>,
+}
+
+/// The outer joint's force on the block, what the slot exerts on the block and the rail on the yoke.
+pub(super) struct Reactions<'s> {
+    pub outer: Vector<'s>,
+    pub slot: GuideReaction<'s>,
+    pub rail: GuideReaction<'s>,
+    /// N₂ c, the effort of the offset e₁.
+    pub offset_effort: Sym<'s>,
+}
+
+pub(super) fn reactions<'s>(
+    Levers { rail, slot, cosine, inverse, arm }: Levers<'s>,
+    [block, yoke]: [Acting<'s>; 2],
+) -> Reactions<'s> {
+    let normal = -(yoke.force.dot(rail) * inverse);
+    let by_slot = GuideReaction { normal, couple: -block.moment };
+    let offset_effort = normal * cosine;
+    let by_rail = GuideReaction {
+        normal: offset_effort - yoke.force.dot(rail.normal()),
+        couple: by_slot.couple - yoke.moment + normal * arm,
+    };
+    let outer = -(block.force + normal * slot.normal());
+    Reactions { outer, slot: by_slot, rail: by_rail, offset_effort }
 }
 
 /// The sine of the angle between rail and slot, not negative.

@@ -22,6 +22,16 @@
 //!
 //! where ṡ is Δv·u + ω e without what cancels in it; without an offset it is Δv·u.
 //!
+//! # Reactions
+//! With F and M what acts on block (2) and bar (3) but for their own joints, M about B and about D:
+//!
+//! ```text
+//! N = (M₃ + M₂)/s      T = −M₂
+//! R_B = −F₂ − N n      R_D = −F₃ + N n
+//! ```
+//!
+//! N and T are the bar's on the block, at B: the bar's own moment about D is M₃ − T − s N = 0.
+//!
 //! # Sign
 //! `ahead` (+1): s positive.
 //!
@@ -39,9 +49,10 @@ use crate::equations::double_word::DoubleWord;
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
 use crate::equations::parts::{
-    Clearance, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
+    Acting, Clearance, GroupScope, GuideReaction, Levers as Solution, LimitMeasures, LinkMotion,
+    Solved, root_in_reach, size,
 };
-use crate::equations::symbol::Sym;
+use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
 use crate::model::mechanism::{Carrier, Numerics};
 
@@ -86,7 +97,34 @@ pub(super) fn rpr<'s>(
     let turned = Some(RelativeAngle::start(Carrier::Link(scope.links[1]), scope.sheet));
     let direction = Direction { u, omega, alpha, turned };
     let link = |origin, slide| LinkMotion { frame: Frame { origin, direction }, slide };
-    Solved { links: vec![link(b, Some(slide)), link(d, None)], pin: None }
+    Solved {
+        links: vec![link(b, Some(slide)), link(d, None)],
+        pin: None,
+        levers: Some(Solution::Rpr(Levers { n: u.normal(), inverse })),
+    }
+}
+
+/// The bar's normal and 1/s.
+#[derive(Clone, Copy)]
+pub(super) struct Levers<'s> {
+    n: Vector<'s>,
+    inverse: Sym<'s>,
+}
+
+/// The outer joints' forces on block and bar, and what the bar exerts on the block.
+pub(super) struct Reactions<'s> {
+    pub outer: [Vector<'s>; 2],
+    pub guide: GuideReaction<'s>,
+}
+
+pub(super) fn reactions<'s>(
+    Levers { n, inverse }: Levers<'s>,
+    [block, bar]: [Acting<'s>; 2],
+) -> Reactions<'s> {
+    let normal = (bar.moment + block.moment) * inverse;
+    let push = normal * n;
+    let guide = GuideReaction { normal, couple: -block.moment };
+    Reactions { outer: [-(block.force + push), push - bar.force], guide }
 }
 
 /// s² = b² − e², which is smooth, vanishes at the limit and is negative out of reach; its value

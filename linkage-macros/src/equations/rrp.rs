@@ -30,6 +30,20 @@
 //! Seen from the ground the bar turns with ω_g + ω. What guide and bar have in common never enters
 //! and need not cancel.
 //!
+//! # Reactions
+//! With L all that acts on the pin from outside the group, F and M what acts on bar (2) and block (3)
+//! but for their own joints, M about B and about C: the forces along the guide on block and pin
+//! are the bar's, and the bar's moment gives what is across,
+//!
+//! ```text
+//! p_u = (L + F₃)·u               p_n = (t p_u − M₂)/X
+//! P₂ = p_u u + p_n n             P₃ = L − P₂
+//! N = p_n − (F₃ + L)·n           T = −M₃
+//! R_B = −F₂ − P₂
+//! ```
+//!
+//! with the velocities' 1/X. N and T are the guide's on the block, at the pin.
+//!
 //! # Sign
 //! `ahead` (+1): C ahead of the foot of B on the guide, along its direction.
 //!
@@ -47,9 +61,10 @@ use crate::equations::double_word::DoubleWord;
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{
-    Bar, Block, Clearance, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
+    Acting, Bar, Block, Clearance, GroupScope, GuideReaction, Levers as Solution, LimitMeasures,
+    LinkMotion, Solved, root_in_reach, size,
 };
-use crate::equations::symbol::Sym;
+use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
 use crate::model::mechanism::Numerics;
 
@@ -111,7 +126,42 @@ pub(super) fn rrp<'s>(
     let slide = Jet { value: slide, rate: slide_rate, accel: slide_accel };
     let block =
         LinkMotion { frame: Frame { origin: pin, direction: guide.direction }, slide: Some(slide) };
-    Solved { links: vec![bar.link(scope.links[0]), block], pin: Some(pin) }
+    Solved {
+        links: vec![bar.link(scope.links[0]), block],
+        pin: Some(pin),
+        levers: Some(Solution::Rrp(Levers { r: bar.vector(), u, n, across: t, inverse })),
+    }
+}
+
+/// The bar's vector, the guide's axes, t of the bar in them, and 1/X.
+#[derive(Clone, Copy)]
+pub(super) struct Levers<'s> {
+    pub r: Vector<'s>,
+    u: Vector<'s>,
+    n: Vector<'s>,
+    across: Sym<'s>,
+    inverse: Sym<'s>,
+}
+
+/// The pin's forces on bar and block, the outer joint's on the bar, the guide's on the block.
+pub(super) struct Reactions<'s> {
+    pub inner: [Vector<'s>; 2],
+    pub outer: Vector<'s>,
+    pub guide: GuideReaction<'s>,
+}
+
+pub(super) fn reactions<'s>(
+    levers: Levers<'s>,
+    [bar, block]: [Acting<'s>; 2],
+    on_pin: Vector<'s>,
+) -> Reactions<'s> {
+    let Levers { u, n, across, inverse, .. } = levers;
+    let outside = on_pin + block.force;
+    let along = outside.dot(u);
+    let normal = (across * along - bar.moment) * inverse;
+    let on_bar = along * u + normal * n;
+    let guide = GuideReaction { normal: normal - outside.dot(n), couple: -block.moment };
+    Reactions { inner: [on_bar, on_pin - on_bar], outer: -(bar.force + on_bar), guide }
 }
 
 /// The distance y of B from the guide.

@@ -37,6 +37,19 @@
 //! Nothing cancels in that if the shorter bar has the larger weight: p = l₃/(l₂ + l₃). The products
 //! with r₂ and r₃ are those of d and of the angle between the bars, r₂·r₃ = l₂ l₃ − i/2.
 //!
+//! # Reactions
+//! With L all that acts on the pin from outside the group, F and M what acts on a bar but for its own
+//! joints, M about its outer joint, the moments of both bars give the pin's force P₂ on the first:
+//!
+//! ```text
+//! M₃' = M₃ + r₃ × L
+//! P₂ = −(M₃' r₂ + M₂ r₃)/J       P₃ = L − P₂
+//! R_B = −F₂ − P₂                 R_D = −F₃ − P₃
+//! ```
+//!
+//! from M₂ + r₂ × P₂ = 0 and M₃ + r₃ × P₃ = 0: two products with the velocities' 1/J. They hold with
+//! driven lengths, too: r₂ × P₂ is the moment of tube and rod together.
+//!
 //! # Sign
 //! `left` (+1): C on the left of the directed line B → D.
 //!
@@ -67,7 +80,8 @@ use crate::equations::double_word::DoubleWord;
 use crate::equations::jet::Jet;
 use crate::equations::motion::PointMotion;
 use crate::equations::parts::{
-    Bar, Clearance, GroupScope, LimitMeasures, Solved, root_in_reach, size,
+    Acting, Bar, Clearance, GroupScope, Levers as Solution, LimitMeasures, Solved, root_in_reach,
+    size,
 };
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
@@ -124,7 +138,37 @@ pub(super) fn rrr<'s>(
     let carrier = usize::from(d.is_fixed());
     let pin = bars[carrier].pin();
     let links = bars.iter().zip(scope.links).map(|(bar, &link)| bar.link(link));
-    Solved { links: links.collect(), pin: Some(pin) }
+    Solved {
+        links: links.collect(),
+        pin: Some(pin),
+        levers: Some(Solution::Rrr(Levers { r: [r2, r3], inverse })),
+    }
+}
+
+/// The vectors of the bars and 1/J.
+#[derive(Clone, Copy)]
+pub(super) struct Levers<'s> {
+    pub r: [Vector<'s>; 2],
+    inverse: Sym<'s>,
+}
+
+/// The pin's forces on the bars, and those of the outer joints.
+pub(super) struct Reactions<'s> {
+    pub inner: [Vector<'s>; 2],
+    pub outer: [Vector<'s>; 2],
+}
+
+pub(super) fn reactions<'s>(
+    Levers { r: [r2, r3], inverse }: Levers<'s>,
+    [first, second]: [Acting<'s>; 2],
+    on_pin: Vector<'s>,
+) -> Reactions<'s> {
+    let from_second = (second.moment + r3.cross(on_pin)) * inverse;
+    let from_first = first.moment * inverse;
+    let on_first = -(from_second * r2 + from_first * r3);
+    let on_second = on_pin - on_first;
+    let outer = [-(first.force + on_first), -(second.force + on_second)];
+    Reactions { inner: [on_first, on_second], outer }
 }
 
 fn triangle<'s>(

@@ -17,5 +17,5 @@ pub(super) fn slider<'s>(
     let pin = guide.place(slide, offset);
     scope.call_vector("r", pin.offset);
     let frame = Frame { origin: pin, direction: guide.direction };
-    Solved { links: vec![LinkMotion { frame, slide: Some(slide) }], pin: Some(pin) }
+    Solved { links: vec![LinkMotion { frame, slide: Some(slide) }], pin: Some(pin), levers: None }
 }

@@ -242,6 +242,11 @@ impl<'s> Vector<'s> {
         self.x * other.x + self.y * other.y
     }
 
+    /// a × b, positive where b is counter-clockwise of a.
+    pub(crate) fn cross(self, other: Self) -> Sym<'s> {
+        self.x * other.y - self.y * other.x
+    }
+
     /// The normal 90° counter-clockwise of it, of the same length.
     pub(crate) fn normal(self) -> Self {
         Self { x: -self.y, y: self.x }

@@ -11,6 +11,8 @@ pub(crate) enum Given {
     /// Of the only input, in place of its value; a sine follows.
     Cosine,
     Sine,
+    /// The loads, a number or a record of several.
+    Loads,
 }
 
 /// An entry point.
@@ -35,6 +37,11 @@ impl Entry {
     /// Whether the only input is given by its cosine and sine.
     pub(crate) fn takes_cosine(&self) -> bool {
         self.given.first() == Some(&Given::Cosine)
+    }
+
+    /// Whether it is about forces.
+    pub(crate) fn is_about_forces(&self) -> bool {
+        self.name.starts_with("forces") || self.name.starts_with("statics")
     }
 
     /// What is given beside the inputs' values.
@@ -80,5 +87,38 @@ pub(super) fn all(
         ]);
     }
     entries.extend(margins.map(|margins| at("margins", &[Value], margins, MARGINS)));
+    entries
+}
+
+const FORCES: &str = "Efforts of drives and reactions of joints in motion";
+const STATICS: &str = "Efforts of drives and reactions of joints at rest";
+
+/// The entry points about forces: in motion, and at rest.
+pub(super) fn of_forces(columns: usize, has_loads: bool, forces: RecordId) -> Vec<Entry> {
+    use Given::{Acceleration, Cosine, Loads, Rate, Sine, Value};
+    type Lists = [&'static [Given]; 4];
+    let [moving, resting, moving_at, resting_at]: Lists = match has_loads {
+        false => [
+            &[Value, Rate, Acceleration],
+            &[Value],
+            &[Cosine, Sine, Rate, Acceleration],
+            &[Cosine, Sine],
+        ],
+        true => [
+            &[Value, Rate, Acceleration, Loads],
+            &[Value, Loads],
+            &[Cosine, Sine, Rate, Acceleration, Loads],
+            &[Cosine, Sine, Loads],
+        ],
+    };
+    let result = Shape::Record(forces);
+    let entry = |name, given, subject| Entry { name, given, result, subject, sweeps: false };
+    let mut entries = vec![entry("forces", moving, FORCES), entry("statics", resting, STATICS)];
+    if columns == 1 {
+        entries.extend([
+            entry("forces_at", moving_at, FORCES),
+            entry("statics_at", resting_at, STATICS),
+        ]);
+    }
     entries
 }

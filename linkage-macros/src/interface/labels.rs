@@ -2,9 +2,9 @@
 
 use syn::ext::IdentExt;
 
-use crate::interface::Interface;
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Field, Shape, Subject};
+use crate::interface::{Interface, forces};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
 /// The rows of one output, `blade.x` and `blade.y`.
@@ -50,6 +50,9 @@ fn of_field(interface: &Interface, mechanism: &Mechanism, field: &Field) -> Vec<
         Subject::Output(index, order) => of_output(&mechanism.outputs[index], order),
         Subject::Outputs(_) => of_result(interface, mechanism, field.shape),
         Subject::Input(index) => vec![mechanism.inputs[index].name.unraw().to_string()],
+        Subject::Load(index) => vec![mechanism.dynamics.loads[index].name.unraw().to_string()],
+        Subject::Effort(index) => forces::rows(&mechanism.dynamics.asked[index]),
+        Subject::Efforts(_) => of_result(interface, mechanism, field.shape),
     }
 }
 

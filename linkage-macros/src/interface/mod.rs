@@ -5,6 +5,7 @@
 //! code, its documentation and the C header read it. Nothing here computes and nothing prints.
 
 pub(crate) mod entries;
+pub(crate) mod forces;
 pub(crate) mod labels;
 pub(crate) mod quantity;
 pub(crate) mod records;
@@ -21,6 +22,8 @@ pub(crate) struct Interface {
     pub entries: Vec<Entry>,
     /// The record of several inputs, if there are several.
     pub inputs: Option<RecordId>,
+    /// The record of several loads, if there are several.
+    pub loads: Option<RecordId>,
     /// The number of scalar rows of the outputs.
     pub rows: usize,
     /// The number of inputs.
@@ -36,10 +39,14 @@ impl Interface {
     pub(crate) fn of(mechanism: &Mechanism) -> Self {
         let rows = mechanism.outputs.iter().map(|output| Quantity::of(&output.kind).rows().len());
         let (rows, columns) = (rows.sum(), mechanism.inputs.len());
-        let Records { list: records, input: inputs, orders, motion, margins } =
+        let Records { list: records, input: inputs, orders, motion, margins, loads, forces } =
             Records::of(mechanism);
-        let entries = entries::all(rows, columns, orders, motion, margins);
-        Self { records, entries, inputs, rows, columns }
+        let mut entries = entries::all(rows, columns, orders, motion, margins);
+        if let Some(forces) = forces {
+            let has_loads = !mechanism.dynamics.loads.is_empty();
+            entries.extend(entries::of_forces(columns, has_loads, forces));
+        }
+        Self { records, entries, inputs, loads, rows, columns }
     }
 
     /// The same with these entry points alone, in this order.

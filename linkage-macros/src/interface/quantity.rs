@@ -30,6 +30,10 @@ pub(crate) enum Quantity {
     Slide,
     /// A number: a named expression, a margin, the sine of a transmission angle.
     Value,
+    /// A force in ground axes.
+    Force,
+    /// What a guide exerts on what slides on it.
+    GuideForce,
 }
 
 /// A component.
@@ -78,6 +82,8 @@ impl Quantity {
             Self::SlidingDirection => &SLIDING_DIRECTION,
             Self::Slide => &SLIDE,
             Self::Value => &VALUE,
+            Self::Force => &FORCE,
+            Self::GuideForce => &GUIDE_FORCE,
         };
         let [position, velocity, acceleration] = layouts;
         match order {
@@ -191,6 +197,25 @@ const VALUE: [Layout; 3] = [
         words: ", its second rate",
     },
 ];
+
+/// A force is no derivative of anything: it is laid out alike at every order.
+const FORCE: [Layout; 3] = [const {
+    Layout {
+        record: Some("Force"),
+        parts: &[part("x", "x"), part("y", "y")],
+        rows: &["x", "y"],
+        words: "in N",
+    }
+}; 3];
+
+const GUIDE_FORCE: [Layout; 3] = [const {
+    Layout {
+        record: Some("GuideForce"),
+        parts: &[part("normal", "normal"), part("couple", "couple")],
+        rows: &["normal", "couple"],
+        words: "normal force in N and couple in N·m",
+    }
+}; 3];
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,7 @@
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
+use crate::interface::forces;
 use crate::interface::quantity::{Order, Quantity};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
@@ -56,6 +57,12 @@ pub(crate) enum Kind {
     Motion,
     /// The outputs that exist also where the pose does not.
     Margins,
+    /// Several loads.
+    Loads,
+    /// What is asked about forces, by what it belongs to.
+    Forces,
+    /// The same of one input or link: an index into the mechanism's asked-for forces, its first.
+    ForcesOf(usize),
 }
 
 #[derive(Debug)]
@@ -74,6 +81,12 @@ pub(crate) enum Subject {
     Output(usize, Order),
     /// All outputs.
     Outputs(Order),
+    /// An index into the mechanism's loads.
+    Load(usize),
+    /// An index into the mechanism's asked-for forces.
+    Effort(usize),
+    /// Those of one input or link, of which this is the first.
+    Efforts(usize),
 }
 
 /// Whether an output exists also where the pose does not.
@@ -97,6 +110,8 @@ pub(super) struct Records {
     pub orders: [RecordId; 3],
     pub motion: RecordId,
     pub margins: Option<RecordId>,
+    pub loads: Option<RecordId>,
+    pub forces: Option<RecordId>,
 }
 
 impl Records {
@@ -111,11 +126,27 @@ impl Records {
         let motion = add(motion(mechanism, orders));
         let has_margins = mechanism.outputs.iter().any(is_margin);
         let margins = has_margins.then(|| add(margins(mechanism)));
-        Self { list, input, orders, motion, margins }
+        let loads = (mechanism.dynamics.loads.len() > 1).then(|| add(forces::loads(mechanism)));
+        let owners = forces::owners(mechanism);
+        let fields: Vec<_> = owners
+            .iter()
+            .map(|owned| {
+                let record = forces::of_owner(mechanism, owned.clone());
+                forces::field_of_owner(mechanism, owned.start, add(record))
+            })
+            .collect();
+        let forces =
+            (!fields.is_empty()).then(|| add(record(mechanism, "Forces", Kind::Forces, fields)));
+        Self { list, input, orders, motion, margins, loads, forces }
     }
 }
 
-fn record(mechanism: &Mechanism, suffix: &str, kind: Kind, fields: Vec<Field>) -> Record {
+pub(super) fn record(
+    mechanism: &Mechanism,
+    suffix: &str,
+    kind: Kind,
+    fields: Vec<Field>,
+) -> Record {
     let name = format!("{}{suffix}", mechanism.name.unraw());
     Record { name: Ident::new(&name, mechanism.name.span()), kind, fields }
 }

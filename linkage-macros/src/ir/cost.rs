@@ -81,6 +81,7 @@ fn of(node: Node) -> Operations {
         | Node::InputCos(_)
         | Node::InputSin(_)
         | Node::Param(_)
+        | Node::Load(_)
         | Node::Mode(_)
         | Node::Low(_)
         | Node::Neg(_)

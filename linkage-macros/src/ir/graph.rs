@@ -66,6 +66,8 @@ pub(crate) enum Node {
     InputSin(u32),
     /// A numeric parameter.
     Param(u32),
+    /// A load: a force, a torque or a number that a call is given.
+    Load(u32),
     /// A mode parameter as +1 or −1.
     Mode(u32),
     Neg(Id),
@@ -136,6 +138,8 @@ pub(crate) enum Check {
     Nonzero,
     /// Fast path: value > 0. Slow path: zero or negative is `Invalid` with this name.
     Positive(String),
+    /// Fast path: value ≥ 0. Slow path: negative is `Invalid` with this name.
+    NotNegative(String),
     /// Fast path: value ≥ the smallest square of full precision. Slow path: a squared length
     /// below it is refused, as `Singular` where it is the square of zero. With the operands of
     /// `ReachCircles` it is the square of d, and out of reach where the circles do not meet.
@@ -358,6 +362,7 @@ impl Node {
             | Self::InputCos(_)
             | Self::InputSin(_)
             | Self::Param(_)
+            | Self::Load(_)
             | Self::Mode(_)
             | Self::Low(_) => self,
             Self::Neg(a) => Self::Neg(f(a)),

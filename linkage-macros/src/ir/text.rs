@@ -30,6 +30,7 @@ fn describe(graph: &Graph, node: Node) -> String {
         Node::InputCos(input) => format!("cos(input {input})"),
         Node::InputSin(input) => format!("sin(input {input})"),
         Node::Param(param) => format!("param {param}"),
+        Node::Load(load) => format!("load {load}"),
         Node::Mode(param) => format!("mode {param}"),
         Node::Guard(value, guard) => {
             let guard = graph.condition(guard);

@@ -15,7 +15,7 @@ pub(super) fn condition(
 ) -> Condition {
     let operands = match guard.check {
         // These look at the value alone; the operands are there to be computed first.
-        Check::Nonzero | Check::Positive(_) => Vec::new(),
+        Check::Nonzero | Check::Positive(_) | Check::NotNegative(_) => Vec::new(),
         _ => guard.operands.clone(),
     };
     let spread = spread(graph, id);
@@ -27,7 +27,7 @@ pub(super) fn condition(
         None => None,
     };
     let length = match &guard.check {
-        Check::Positive(name) => Some(name.clone()),
+        Check::Positive(name) | Check::NotNegative(name) => Some(name.clone()),
         _ => None,
     };
     Condition {
@@ -58,6 +58,7 @@ fn diagnosis(guard: &Guard) -> &'static str {
         Check::ReachOffset => "reach_offset",
         Check::Nonzero => "nonzero",
         Check::Positive(_) => "positive",
+        Check::NotNegative(_) => "not_negative",
         Check::Square if guard.operands.is_empty() => "square",
         Check::Square => "square_of_centres",
     }
@@ -75,7 +76,9 @@ fn comparison(
         Check::ShareOfCentres => return None,
         Check::Nonzero if is_above_zero(graph, value) => return None,
         Check::ReachCircles | Check::ReachDistances | Check::Positive(_) => Comparison::Above,
-        Check::ReachLine | Check::ReachOffset | Check::Square => Comparison::AtLeast,
+        Check::ReachLine | Check::ReachOffset | Check::Square | Check::NotNegative(_) => {
+            Comparison::AtLeast
+        }
         Check::Nonzero => Comparison::Away,
     };
     let threshold = match (overflow, check) {

@@ -124,8 +124,8 @@ impl Bounds<'_> {
                 self.of(angle)?;
                 Range::about(1.0).rounded()
             }
-            // A parameter can be anything.
-            Node::Param(_) => return None,
+            // A parameter can be anything, and so can a load.
+            Node::Param(_) | Node::Load(_) => return None,
             Node::Mode(_) => Range { low: -1.0, high: 1.0, away: 1.0 },
             Node::Neg(a) => self.of(a)?.negated(),
             Node::Add(a, b) => self.of(a)?.plus(self.of(b)?).rounded(),

@@ -172,7 +172,10 @@ pub(crate) enum Reading {
 
 /// Whether the node is an input or a parameter.
 pub(crate) fn is_leaf(node: Node) -> bool {
-    matches!(node, Node::Input { .. } | Node::InputCos(_) | Node::InputSin(_) | Node::Param(_))
+    matches!(
+        node,
+        Node::Input { .. } | Node::InputCos(_) | Node::InputSin(_) | Node::Param(_) | Node::Load(_)
+    )
 }
 
 impl Locals {

@@ -14,6 +14,9 @@ impl Dimension {
     /// A newton: kg m/s².
     pub(crate) const FORCE: Self = Self { length: 1, mass: 1, time: -2, angle: false };
 
+    pub(crate) const TORQUE: Self = Self { length: 2, ..Self::FORCE };
+    pub(crate) const INERTIA: Self = Self { length: 2, mass: 1, ..Self::NUMBER };
+
     /// Whether the quantity is a number or an angle, which counts as one.
     pub(super) fn is_plain(self) -> bool {
         self.length == 0 && self.mass == 0 && self.time == 0

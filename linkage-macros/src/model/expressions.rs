@@ -10,7 +10,7 @@ use super::Resolver;
 use super::dimension::Measure;
 use super::folding::shown;
 use super::mechanism::{AngleSum, Dimension, Expr, Function, LinkId, Operator, ParamKind};
-use super::names::{Entity, NUMBERS};
+use super::names::{Entity, Kind, NUMBERS};
 
 /// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
 pub(super) struct Quantity {
@@ -149,6 +149,12 @@ impl Resolver<'_> {
     }
 
     fn named_number(&mut self, name: &Ident) -> Option<Quantity> {
+        if self.names.kind(name) == Some(Kind::Load) {
+            self.load_stands_in_a_force(name)?;
+            let Entity::Load(id) = self.usable(name, &[Kind::Load])? else { return None };
+            let dimension = self.mechanism.dynamics.loads[id.index()].dimension;
+            return Some(Quantity::plain(Measure::Known(dimension), Expr::Load(id)));
+        }
         match self.usable(name, &NUMBERS)? {
             Entity::Input(id) => {
                 let measure = Measure::Known(self.mechanism.inputs[id.index()].dimension);
@@ -169,7 +175,7 @@ impl Resolver<'_> {
                 let measure = self.facts.lets[id.index()].measure;
                 Some(Quantity { measure, links: turn.links.clone(), rest })
             }
-            Entity::Point(_) | Entity::Link(_) | Entity::Guide(_) => None,
+            Entity::Point(_) | Entity::Link(_) | Entity::Guide(_) | Entity::Load(_) => None,
         }
     }
 

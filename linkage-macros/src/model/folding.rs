@@ -8,7 +8,7 @@ use crate::exact::Exact;
 use super::mechanism::{Expr, Function, Operator};
 
 impl Expr {
-    pub(super) const fn is_constant(&self) -> bool {
+    pub(crate) const fn is_constant(&self) -> bool {
         matches!(self, Self::Constant(_))
     }
 
@@ -20,7 +20,7 @@ impl Expr {
         }
     }
 
-    pub(super) fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         Self::Constant(Exact::integer(0))
     }
 

@@ -29,4 +29,6 @@ ids! {
     GuideId
     /// An index into `Mechanism::groups`.
     GroupId
+    /// An index into `Dynamics::loads`.
+    LoadId
 }

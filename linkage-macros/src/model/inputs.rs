@@ -165,7 +165,8 @@ impl Resolver<'_> {
         }
         let mut used = Vec::new();
         for statement in &tree.statements {
-            if !matches!(statement.kind, StatementKind::Let { .. }) {
+            // A force moves nothing by itself.
+            if !matches!(statement.kind, StatementKind::Let { .. } | StatementKind::Action(_)) {
                 expressions(statement, &mut |expr| add_names(expr, &mut used));
             }
         }

@@ -8,7 +8,10 @@ use proc_macro2::Ident;
 use syn::{Attribute, Visibility};
 
 use crate::exact::Exact;
-pub(crate) use crate::model::ids::{GroupId, GuideId, InputId, LetId, LinkId, ParamId, PointId};
+use crate::model::dynamics::Dynamics;
+pub(crate) use crate::model::ids::{
+    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId,
+};
 
 pub(crate) struct Mechanism {
     pub docs: Vec<Attribute>,
@@ -29,6 +32,8 @@ pub(crate) struct Mechanism {
     pub outputs: Vec<Output>,
     /// What dyads of constants leave of the turns of cranks.
     pub rotatabilities: Vec<Rotatability>,
+    /// Masses, and what acts.
+    pub dynamics: Dynamics,
     /// For editors.
     pub references: References,
     pub numerics: Numerics,
@@ -200,6 +205,8 @@ pub(crate) enum Expr {
     Constant(Exact),
     Input(InputId),
     Param(ParamId),
+    /// A load, in the values of forces and torques alone.
+    Load(LoadId),
     /// The part of a named expression that is not a multiple of link angles.
     Let(LetId),
     /// The slide of a link that slides.

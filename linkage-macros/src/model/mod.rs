@@ -9,11 +9,14 @@
 //! Nothing here knows how a mechanism is solved: no formula, and of numbers only what the rules
 //! need of constants.
 
+mod actions;
 mod anatomy;
 mod assembly;
 mod dimension;
 mod drivers;
 mod dyads;
+pub(crate) mod dynamics;
+mod dynamics_outputs;
 mod expressions;
 mod facts;
 mod fields;
@@ -43,6 +46,7 @@ mod tests;
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 
+use dynamics::Dynamics;
 use facts::Facts;
 use mechanism::{Mechanism, Numerics, References};
 use names::Names;
@@ -61,6 +65,8 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         too_early: Vec::new(),
         use_is_hidden: false,
         number_is_unknown: false,
+        takes_loads: false,
+        gravity_at: None,
     };
     for (index, statement) in tree.statements.iter().enumerate() {
         resolver.names.go_to(index);
@@ -73,6 +79,7 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     resolver.bare_lengths_are_of_a_machine();
     resolver.an_input_is_declared(tree);
     resolver.every_input_is_used(tree);
+    resolver.actions_have_an_effect(tree);
     resolver.mechanism.rotatabilities = rotatability::rotatabilities(&resolver.mechanism);
     resolver.cranks_can_turn();
     let mechanism = resolver.mechanism;
@@ -95,6 +102,10 @@ struct Resolver<'d> {
     use_is_hidden: bool,
     /// Whether an expression names a number that nothing declares.
     number_is_unknown: bool,
+    /// Whether loads may stand in the expression being resolved.
+    takes_loads: bool,
+    /// Where gravity is given.
+    gravity_at: Option<proc_macro2::Span>,
 }
 
 impl Resolver<'_> {
@@ -116,6 +127,8 @@ impl Resolver<'_> {
             StatementKind::Group(group) => self.group(docs, group),
             // Outputs may name anything, wherever they stand: they come last.
             StatementKind::Output { .. } => {}
+            StatementKind::Load { names, kind } => self.load(docs, names, kind.as_ref()),
+            StatementKind::Action(action) => self.action(action),
             StatementKind::Numerics { mode } => self.numerics(mode),
             StatementKind::Crate { path } => self.crate_path(path),
             StatementKind::Export { language } => self.export(language),
@@ -138,6 +151,7 @@ fn empty(tree: &Declaration) -> Mechanism {
         steps: Vec::new(),
         outputs: Vec::new(),
         rotatabilities: Vec::new(),
+        dynamics: Dynamics::default(),
         references: References::of(tree),
         numerics: Numerics::Plain,
         crate_path: None,

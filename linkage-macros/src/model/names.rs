@@ -12,7 +12,7 @@ use crate::diagnostics::{Extent, nearest};
 use crate::syntax::tree::{Declaration, Statement, StatementKind};
 
 use super::Resolver;
-use super::mechanism::{GuideId, InputId, LetId, LinkId, ParamId, PointId};
+use super::mechanism::{GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId};
 use super::order::TooEarly;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +23,7 @@ pub(super) enum Kind {
     Point,
     Link,
     Guide,
+    Load,
 }
 
 /// What may stand in an expression.
@@ -37,6 +38,7 @@ impl Kind {
             Self::Point => "point",
             Self::Link => "link",
             Self::Guide => "guide",
+            Self::Load => "load",
         }
     }
 
@@ -55,6 +57,7 @@ pub(super) enum Entity {
     Point(PointId),
     Link(LinkId),
     Guide(GuideId),
+    Load(LoadId),
 }
 
 /// A name that was declared, correctly or not.
@@ -157,7 +160,9 @@ pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
             let links = group.legs.iter().map(|leg| (&leg.link, Kind::Link));
             links.chain(group.pin.iter().map(|pin| (pin, Kind::Point))).collect()
         }
-        StatementKind::Output { .. }
+        StatementKind::Load { names, .. } => names.iter().map(|n| (n, Kind::Load)).collect(),
+        StatementKind::Action(_)
+        | StatementKind::Output { .. }
         | StatementKind::Numerics { .. }
         | StatementKind::Crate { .. }
         | StatementKind::Export { .. } => Vec::new(),
@@ -176,7 +181,9 @@ pub(super) fn title(statement: &Statement, name: &str) -> String {
         StatementKind::Group(group) => {
             format!("{} {}", group.keyword, group.title())
         }
-        StatementKind::Output { .. }
+        StatementKind::Load { .. } => format!("load {name}"),
+        StatementKind::Action(_)
+        | StatementKind::Output { .. }
         | StatementKind::Numerics { .. }
         | StatementKind::Crate { .. }
         | StatementKind::Export { .. } => String::new(),

@@ -36,7 +36,7 @@ impl Resolver<'_> {
         Some(quantity.turn())
     }
 
-    fn scalar(&mut self, expr: &tree::Expr, wanted: Dimension) -> Option<Expr> {
+    pub(super) fn scalar(&mut self, expr: &tree::Expr, wanted: Dimension) -> Option<Expr> {
         let quantity = self.quantity(expr)?;
         self.dimension_fits(expr, &quantity, wanted)?;
         self.no_link_angle(expr, &quantity)?;

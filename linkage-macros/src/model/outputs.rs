@@ -26,6 +26,12 @@ impl Resolver<'_> {
             }
         }
         if !is_asked {
+            self.every_effort_is_given();
+        }
+        // Who asks for forces alone has asked nothing about the motion.
+        if !is_asked
+            || !self.mechanism.dynamics.asked.is_empty() && self.mechanism.outputs.is_empty()
+        {
             self.every_moving_thing_is_given();
         }
     }
@@ -139,6 +145,9 @@ impl Resolver<'_> {
 
     /// `DC.angle`, `ram.slide`, `BC.margin`, `BC.transmission`
     fn member_output(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
+        if self.effort_output(docs, owner, member) {
+            return;
+        }
         let part = member.to_string();
         if self.names.kind(owner) == Some(Kind::Point) {
             return self.coordinate_output(docs, owner, member);

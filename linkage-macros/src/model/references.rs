@@ -57,6 +57,7 @@ fn joints(statement: &Statement) -> Vec<&Ident> {
             on.iter().chain(through).chain(towards).collect()
         }
         StatementKind::Point { on, .. } => on.iter().collect(),
+        StatementKind::Action(action) => action.names(),
         StatementKind::Group(group) => {
             group.legs.iter().filter_map(|leg| leg.joint.as_ref()).collect()
         }
@@ -94,7 +95,9 @@ pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
             }
         }
         StatementKind::Output { items } => items.iter().for_each(|item| f(&item.value)),
+        StatementKind::Action(action) => action.expressions().into_iter().for_each(f),
         StatementKind::Input { .. }
+        | StatementKind::Load { .. }
         | StatementKind::Numerics { .. }
         | StatementKind::Crate { .. }
         | StatementKind::Export { .. } => {}

@@ -13,6 +13,7 @@ use std::collections::HashMap;
 use proc_macro2::{Ident, Span};
 
 use crate::exact::Exact;
+use crate::model::dynamics::{Dynamics, Load};
 use crate::model::mechanism::{
     AngleSum, Body, Dimension, Expr, Group, GroupId, Input, Link, LinkId, Mechanism, Numerics,
     Output, OutputKind, Param, ParamKind, Point, PointId, References, Sign,
@@ -71,6 +72,7 @@ impl StandIn {
             steps: Vec::new(),
             outputs: Vec::new(),
             rotatabilities: Vec::new(),
+            dynamics: Dynamics::default(),
             references: References::default(),
             numerics: Numerics::Plain,
             crate_path: None,
@@ -99,6 +101,8 @@ impl StandIn {
             StatementKind::Group(group) => self.group(group),
             StatementKind::Crate { path } => self.mechanism.crate_path = Some(path.clone()),
             StatementKind::Export { language } => self.mechanism.export_c |= language == "c",
+            StatementKind::Load { names, .. } => names.iter().for_each(|name| self.load(name)),
+            StatementKind::Action(_) => {}
             StatementKind::Guide { .. }
             | StatementKind::Output { .. }
             | StatementKind::Numerics { .. } => {}
@@ -110,6 +114,13 @@ impl StandIn {
         if inputs.iter().all(|input| input.name != *name) {
             let (name, docs) = (name.clone(), Vec::new());
             inputs.push(Input { name, docs, dimension: NUMBER });
+        }
+    }
+
+    fn load(&mut self, name: &Ident) {
+        let loads = &mut self.mechanism.dynamics.loads;
+        if loads.iter().all(|load| load.name != *name) {
+            loads.push(Load { name: name.clone(), docs: Vec::new(), dimension: NUMBER });
         }
     }
 

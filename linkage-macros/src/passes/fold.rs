@@ -22,6 +22,7 @@ pub(crate) fn fold_constants(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
 fn holds(check: &Check, value: &Exact) -> bool {
     match check {
         Check::Nonzero => value.signum() != Ordering::Equal,
+        Check::NotNegative(_) => value.signum() != Ordering::Less,
         Check::Positive(_)
         | Check::ReachCircles
         | Check::ReachDistances
@@ -68,6 +69,7 @@ fn evaluate(graph: &Graph, node: Node) -> Option<Exact> {
         | Node::InputCos(_)
         | Node::InputSin(_)
         | Node::Param(_)
+        | Node::Load(_)
         | Node::Mode(_)
         | Node::Guard(..) => None,
     }

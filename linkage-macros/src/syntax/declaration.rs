@@ -168,7 +168,7 @@ impl Parser<'_> {
             return found;
         };
         let word = keyword.to_string();
-        if words::is_reserved(&word) {
+        if words::is_reserved(&word) && !words::STATEMENTS.contains(&word.as_str()) {
             let _ = self.refuse::<()>(&format!("`{word}` is reserved for a later statement"));
             self.take();
             return Err(Reported);

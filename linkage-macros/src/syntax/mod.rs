@@ -10,6 +10,12 @@
 //!                                        (`along` expression | `towards` POINT) `;`
 //!            | `point` NAME (`on` LINK)? `at` (pair | `polar` pair | `distances` pair SIDE) `;`
 //!            | WORD (LINK `(` JOINT `)`),* (`->` PIN)? `{` (FIELD `:` (expression | pair)),* `}`
+//!            | `gravity` pair `;` | `load` NAME,* `:` KIND `;`
+//!            | `mass` expression `on` NAME (`at` (pair | POINT) | `uniform`)?
+//!                                            (`inertia` expression)? `;`
+//!            | `inertia` expression `on` LINK `;`
+//!            | `force` (pair (`in` NAME)? `on` POINT | expression `between` POINT `and` POINT) `;`
+//!            | `torque` expression (`on` LINK | `between` LINK `and` LINK) `;`
 //!            | `output` ((NAME `=`)? expression),* `;`
 //!            | `numerics` WORD `;` | `crate` `=` path `;` | `export` WORD `;`
 //! pair         `(` expression `,` expression `)`
@@ -22,6 +28,7 @@
 //!
 //! Which words are kinds, units, fields, functions, modes and group keywords is not known here.
 
+pub(crate) mod action;
 mod declaration;
 mod expression;
 mod group;

@@ -116,6 +116,13 @@ impl Parser<'_> {
                 named && [':', ',', '='].iter().any(|&sign| self.is_punct(2, sign))
             }
             "let" | "output" | "numerics" | "export" => named,
+            "gravity" => self.is_group(1, Delimiter::Parenthesis),
+            "load" => named && [':', ','].iter().any(|&sign| self.is_punct(2, sign)),
+            // `inertia` also stands inside a mass, and a load is of a kind `force`.
+            "mass" | "force" | "torque" => match self.peek(1) {
+                Some(TokenTree::Punct(_)) | None => false,
+                Some(_) => true,
+            },
             "guide" | "point" => named && self.peek_ident(2).is_some(),
             "ground" => named && paren,
             group => words::GROUPS.contains(&group) && named && paren,

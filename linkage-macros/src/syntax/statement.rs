@@ -26,7 +26,7 @@ impl Parser<'_> {
             "numerics" => self.numerics(),
             "crate" => self.crate_path(),
             "export" => self.export(),
-            _ => return None,
+            _ => self.action(keyword)?,
         };
         if parsed.is_ok() {
             self.semicolon();
@@ -334,14 +334,6 @@ impl Parser<'_> {
                 Err(Reported)
             }
         }
-    }
-
-    /// What was parsed, or `fallback` behind the tokens that are given up with it.
-    fn or_skip<T>(&mut self, parsed: Parse<T>, fallback: T) -> T {
-        parsed.unwrap_or_else(|Reported| {
-            self.skip_statement();
-            fallback
-        })
     }
 }
 

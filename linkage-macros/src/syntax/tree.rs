@@ -8,6 +8,7 @@ use proc_macro2::{Ident, Span};
 use syn::{Attribute, Visibility};
 
 use crate::diagnostics::Extent;
+use crate::syntax::action::Action;
 
 /// `pub struct Name { statements }`.
 pub(crate) struct Declaration {
@@ -58,6 +59,10 @@ pub(crate) enum StatementKind {
     Point { name: Ident, on: Option<Ident>, place: Place },
     /// Everything with braces of fields: crank, slider and the dyads.
     Group(Group),
+    /// `load cut: force;`; without a kind only after a mistake.
+    Load { names: Vec<Ident>, kind: Option<Ident> },
+    /// What has mass, and what acts.
+    Action(Action),
     /// `output blade, DC.angle, fold = BC.angle - DC.angle;`
     Output { items: Vec<OutputItem> },
     /// `numerics compensated;`

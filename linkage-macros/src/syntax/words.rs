@@ -1,15 +1,18 @@
 //! The words of the language: which begin a statement, and which cannot be chosen as names.
 
 /// Words that begin a statement without braces.
-pub(super) const STATEMENTS: [&str; 10] =
-    ["input", "param", "let", "ground", "guide", "point", "output", "numerics", "crate", "export"];
+pub(super) const STATEMENTS: [&str; 16] = [
+    "input", "param", "let", "ground", "guide", "point", "output", "numerics", "crate", "export",
+    "gravity", "load", "mass", "inertia", "force", "torque",
+];
 
 /// Words that begin a statement with braces: drivers, then Assur groups.
 pub(super) const GROUPS: [&str; 7] = ["crank", "slider", "rrr", "rrp", "rpr", "prp", "rpp"];
 
 /// Words that keep their place for the statements of today and of later versions.
-const RESERVED: [&str; 21] = [
+const RESERVED: [&str; 22] = [
     "mass",
+    "inertia",
     "force",
     "torque",
     "spring",

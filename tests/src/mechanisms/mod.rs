@@ -7,6 +7,7 @@ pub mod differentiated;
 pub mod driven_groups;
 pub mod drivers;
 pub mod exact_inputs;
+pub mod forces;
 pub mod identities;
 pub mod margins;
 pub mod moving_bases;

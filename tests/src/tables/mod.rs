@@ -1,5 +1,6 @@
 //! Tables of truth, and the programs that compute them.
 
+pub mod forces;
 pub mod four_bar_published;
 pub mod hard;
 pub mod slopes;

@@ -141,6 +141,7 @@ fn record(cx: &Context<'_>, width: Width, of: &records::Record) -> Record {
         Kind::Outputs(Order::Acceleration) => "Accelerations of the outputs.".to_string(),
         Kind::Motion => "Position, velocity and acceleration of the outputs.".to_string(),
         Kind::Margins => "Distances of the groups from their limits.".to_string(),
+        Kind::Loads | Kind::Forces | Kind::ForcesOf(_) => String::new(),
     };
     let field = |field: &Field| {
         let ty = type_of(cx, field.shape, width);
@@ -172,6 +173,7 @@ fn about_field(cx: &Context<'_>, subject: Subject) -> String {
         Subject::Outputs(Order::Position) => "In m and rad".to_string(),
         Subject::Outputs(Order::Velocity) => "In m/s and rad/s".to_string(),
         Subject::Outputs(Order::Acceleration) => "In m/s² and rad/s²".to_string(),
+        Subject::Load(_) | Subject::Effort(_) | Subject::Efforts(_) => String::new(),
     }
 }
 
@@ -184,7 +186,7 @@ fn functions(cx: &Context<'_>, width: Width) -> String {
         let about = comment(&["The parameters as declared.".to_string()], "");
         text += &format!("\n{about}{ty} {name}(void);\n");
     }
-    text + &cx.interface.entries.iter().map(|entry| prototype(cx, entry, width)).collect::<String>()
+    text + &super::exported(cx).map(|entry| prototype(cx, entry, width)).collect::<String>()
 }
 
 fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {

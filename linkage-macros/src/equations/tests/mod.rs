@@ -3,5 +3,7 @@
 //! own conditions.
 
 pub(crate) mod declarations;
+mod forces;
 mod joints;
+mod newton_euler;
 mod rates;

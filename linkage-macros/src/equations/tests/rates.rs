@@ -45,6 +45,7 @@ fn velocities_and_accelerations_are_derivatives_of_the_position() {
                 })
                 .collect(),
             params: defaults(&mechanism),
+            loads: Vec::new(),
             unit: None,
         };
         let now = given(&Digits::float(0.0));
@@ -83,6 +84,7 @@ fn coefficients_are_the_velocities_at_unit_rates() {
                 .map(|(q, &rate)| [q[0], rate, 0.0].map(Digits::float))
                 .collect(),
             params: defaults(&mechanism),
+            loads: Vec::new(),
             unit: None,
         };
         let count = variant.inputs.len();

@@ -1,5 +1,6 @@
 //! The rules on tiny declarations: what they resolve to, and every mistake with its token.
 
+mod actions;
 mod constants;
 mod expressions;
 mod fields;

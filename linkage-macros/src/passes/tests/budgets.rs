@@ -74,6 +74,42 @@ fn constants_leave_no_trace() {
     assert_eq!(cost(spelt, "motion"), cost(plain, "motion"));
 }
 
+/// A four-bar of three uniform bars under gravity, and what is asked of it.
+macro_rules! heavy_four_bar {
+    ($output:literal) => {
+        concat!(
+            "struct M { input q: angle; ground A(0, 0), D(0.75, 0); gravity (0, -9.81);",
+            "crank AB(A) -> B { length: 0.25, angle: q }",
+            "rrr BC(B), DC(D) -> C { lengths: (0.51, 0.5), mode: left }",
+            "mass 0.05221 on AB uniform; mass 0.10421 on BC uniform; mass 0.10221 on DC uniform;",
+            $output,
+            "}"
+        )
+    };
+}
+
+/// All operations before products are contracted into sums.
+fn written(source: &str, entry: &str) -> u32 {
+    let program = equations::derive(&mechanism(source), passes::RULES);
+    let entry = program.answer(entry).expect("the entry exists");
+    let Operations { additions, multiplications, divisions, roots, sines } =
+        operations(&program.graph, &entry.sinks);
+    additions + multiplications + divisions + roots + sines
+}
+
+#[test]
+fn forces_keep_their_budgets() {
+    let drive = heavy_four_bar!("output q.drive;");
+    let all = heavy_four_bar!("output q.drive, AB.A, AB.B, BC.B, BC.C, DC.C, DC.D;");
+    let one = heavy_four_bar!("output DC.D;");
+    let found = [drive, all].map(|source| [written(source, "forces"), written(source, "statics")]);
+    let [[drive, drive_at_rest], [all, all_at_rest]] = found;
+    let text = format!("{found:?}");
+    assert!(drive <= 100 && drive_at_rest <= 51, "{text}");
+    assert!(all <= 132 && all_at_rest <= 54, "{text}");
+    assert!(written(one, "forces") < all && written(one, "statics") < all_at_rest, "{text}");
+}
+
 /// Name, declaration, and the budgets of position and motion.
 const CASES: &[(&str, &str, Budget, Budget)] = &[
     ("crank", after_crank!("output B;"), [0, 2, 0, 0, 1], [2, 9, 0, 0, 1]),

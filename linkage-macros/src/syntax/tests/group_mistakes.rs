@@ -120,7 +120,7 @@ fn outputs_and_settings() {
 #[test]
 fn words_that_begin_no_statement() {
     const ROWS: &[(&str, &str)] = &[
-        ("mass BC { }", "mass: `mass` is reserved for a later statement"),
+        ("damper BC { }", "damper: `damper` is reserved for a later statement"),
         ("spring s(A) {}", "spring: `spring` is reserved for a later statement"),
         (
             "gorund A(0, 0);",

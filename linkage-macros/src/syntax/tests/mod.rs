@@ -1,5 +1,6 @@
 //! The parser on tiny declarations: trees in text form, and mistakes with their tokens.
 
+mod actions;
 mod expression_mistakes;
 mod group_mistakes;
 mod recovery;
@@ -8,6 +9,7 @@ mod trees;
 
 use std::fmt::Write;
 
+use super::action::{Action, MassPlace};
 use super::parse;
 use super::tree::*;
 use crate::diagnostics::Diagnostics;
@@ -116,6 +118,39 @@ fn kind(kind: &StatementKind) -> String {
             )
         }
         StatementKind::Export { language } => format!("export {language}"),
+        StatementKind::Load { names, kind } => {
+            let kind = kind.as_ref().map_or("?".to_string(), ToString::to_string);
+            format!("load {}: {kind}", list(names))
+        }
+        StatementKind::Action(action) => self::action(action),
+    }
+}
+
+fn action(action: &Action) -> String {
+    match action {
+        Action::Gravity { value, .. } => format!("gravity {}", pair(value)),
+        Action::Mass { value, on, place, inertia } => {
+            let place = match place {
+                MassPlace::Here => String::new(),
+                MassPlace::At(at) => format!(" at {}", pair(at)),
+                MassPlace::Point(point) => format!(" at {point}"),
+                MassPlace::Uniform(_) => " uniform".to_string(),
+            };
+            let inertia = inertia.as_ref().map(|value| format!(" inertia {}", expr(value)));
+            format!("mass {} on {on}{place}{}", expr(value), inertia.unwrap_or_default())
+        }
+        Action::Inertia { value, on } => format!("inertia {} on {on}", expr(value)),
+        Action::Force { value, axes, on } => {
+            let axes = axes.as_ref().map(|axes| format!(" in {axes}")).unwrap_or_default();
+            format!("force {}{axes} on {on}", pair(value))
+        }
+        Action::ForceBetween { value, points: [p, q] } => {
+            format!("force {} between {p} and {q}", expr(value))
+        }
+        Action::Torque { value, on } => format!("torque {} on {on}", expr(value)),
+        Action::TorqueBetween { value, bodies: [a, b] } => {
+            format!("torque {} between {a} and {b}", expr(value))
+        }
     }
 }
 

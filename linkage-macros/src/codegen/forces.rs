@@ -1,0 +1,124 @@
+//! What rustdoc says about forces: of each, which body acts on which, its sign and its unit.
+
+use proc_macro2::TokenStream;
+
+use super::context::Context;
+use super::docs::{after, lines};
+use super::identifiers::text;
+use crate::interface::quantity::Order;
+use crate::interface::units_in_words::unit;
+use crate::model::dynamics::{Asked, Effort, Load, Owner};
+use crate::model::mechanism::{Carrier, Dimension, LinkId, PointId, Step};
+
+pub(super) fn load(load: &Load) -> TokenStream {
+    let unit = unit(load.dimension, Order::Position);
+    after(&load.docs, &format!("Load `{}` in {unit}.", text(&load.name)))
+}
+
+/// How the loads are given.
+pub(super) fn loads(cx: &Context<'_>) -> String {
+    match (&cx.mechanism.dynamics.loads[..], cx.loads()) {
+        ([only], _) => {
+            let unit = unit(only.dimension, Order::Position);
+            format!("\nThe load `{}` is in {unit}.", text(&only.name))
+        }
+        (_, Some(record)) => {
+            format!("\nThe loads are an array in the order of `LOADS` or a [`{record}`].")
+        }
+        _ => String::new(),
+    }
+}
+
+/// A field of the record of one owner.
+pub(super) fn effort(cx: &Context<'_>, index: usize) -> TokenStream {
+    let asked = &cx.mechanism.dynamics.asked[index];
+    after(&asked.docs, &format!("{}.", sentence(cx, asked)))
+}
+
+/// The field of an owner.
+pub(super) fn owner(cx: &Context<'_>, first: usize) -> TokenStream {
+    let owner = text(&cx.mechanism.dynamics.asked[first].owner);
+    lines(&format!("Forces of `{owner}`."))
+}
+
+/// One effort in a list.
+pub(super) fn describe(cx: &Context<'_>, index: usize) -> String {
+    let asked = &cx.mechanism.dynamics.asked[index];
+    let path = format!("{}.{}", text(&asked.owner), text(&asked.field));
+    format!("`{path}`: {}", sentence(cx, asked))
+}
+
+fn sentence(cx: &Context<'_>, asked: &Asked) -> String {
+    let link = |id: LinkId| text(&cx.mechanism.links[id.index()].name);
+    let point = |id: PointId| text(&cx.mechanism.points[id.index()].name);
+    match asked.effort {
+        Effort::Input(id) => {
+            let input = &cx.mechanism.inputs[id.index()];
+            let (name, unit) = (text(&input.name), effort_unit(input.dimension));
+            format!("effort of `{name}` in {unit}: the power that drives put in, over its rate")
+        }
+        Effort::Drive(id) => driven(cx, id),
+        Effort::Push(id) => {
+            format!(
+                "force in N that drives the length of `{}`; positive pushes its ends apart",
+                link(id)
+            )
+        }
+        Effort::Pin(id, joint) => {
+            let by = match cx.mechanism.owner(joint) {
+                Some(Owner::Ground) => "the ground".to_string(),
+                Some(Owner::Link(by)) => format!("`{}`", link(by)),
+                _ => format!("the pin `{}`", point(joint)),
+            };
+            format!("force in N on `{}` at `{}`, exerted by {by}", link(id), point(joint))
+        }
+        Effort::Bearing(id, joint) => {
+            let standing = cx.mechanism.standing();
+            let others = standing.iter().filter(|(at, _)| *at == joint);
+            let others: Vec<_> = others.map(|&(_, by)| format!("`{}`", link(by))).collect();
+            format!(
+                "force in N on `{}` at `{}`, exerted by all that stand on it: {}",
+                link(id),
+                point(joint),
+                others.join(", ")
+            )
+        }
+        Effort::Guide(id) => format!(
+            "normal force in N on `{0}` at the origin of its frame, along the normal of `{1}`, and \
+             couple in N·m on `{0}`, both exerted by `{1}`",
+            link(id),
+            text(&asked.field)
+        ),
+    }
+}
+
+/// The effort whose product with a rate is a power.
+fn effort_unit(dimension: Dimension) -> String {
+    match dimension.length {
+        0 => "N·m".to_string(),
+        1 => "N".to_string(),
+        _ => unit(dimension, Order::Position),
+    }
+}
+
+/// What drives a crank or a slider, and against what.
+fn driven(cx: &Context<'_>, id: LinkId) -> String {
+    let name = text(&cx.mechanism.links[id.index()].name);
+    let found = cx.mechanism.steps.iter().find_map(|step| match step {
+        Step::Crank { link, relative_to, .. } if *link == id => Some(match relative_to {
+            Carrier::Ground => {
+                format!("couple in N·m on `{name}`, exerted by its drive against the ground")
+            }
+            Carrier::Link(against) => format!(
+                "couple in N·m on `{name}`, exerted by its drive against `{}`",
+                text(&cx.mechanism.links[against.index()].name)
+            ),
+        }),
+        Step::Slider { link, guide, .. } if *link == id => Some(format!(
+            "force in N on `{name}` along `{}`, exerted by its drive against what carries that",
+            text(&cx.mechanism.guides[guide.index()].name)
+        )),
+        _ => None,
+    });
+    found.unwrap_or_else(|| format!("effort of the drive of `{name}`"))
+}

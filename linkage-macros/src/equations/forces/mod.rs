@@ -1,0 +1,92 @@
+//! Forces: what acts on every link, and what that asks of the drives and joints.
+//!
+//! # What acts
+//! [`loads`] puts masses, weights, inertia and applied forces on the links. About a link's own outer
+//! joint O, at r = G − O fixed in the link,
+//!
+//! ```text
+//! M_O = r × m (g − a_O) − J_O α      J_O = J + m r²
+//! F   = m (g − a_G)                  a_G = a_O + α r⊥ − ω² r
+//! ```
+//!
+//! with neither ω² nor a_G in a moment. All masses of a link add up in Σm, Σm r and ΣJ_O.
+//!
+//! # Reactions
+//! [`walk`] goes backwards over the steps: later groups stand only on earlier links, so each group is
+//! complete when it is reached, states its reactions (its own file does), and puts their
+//! opposites on what carries it. [`transmit`] does the same for a driven dimension that contains the
+//! angle or slide of an earlier link: a gear, a rack.
+//!
+//! # An effort alone
+//! [`power`] takes it from the power of all that acts, without any reaction.
+//!
+//! # Signs
+//! Moments are counter-clockwise positive. A reaction acts on the link it is named after. A guide
+//! exerts its normal force at the origin of the link's frame, and a couple. An effort is what the drive
+//! exerts on the link; of an input, power put in over its rate.
+//!
+//! # Source
+//! Norton, Design of Machinery, ch. 11 (dynamic force analysis, dyad by dyad) and ch. 10 (Eksergian's
+//! equation); J. J. Uicker, G. R. Pennock, J. E. Shigley, Theory of Machines and Mechanisms.
+
+mod loads;
+mod power;
+mod transmit;
+mod walk;
+
+use crate::equations::kinematics::{Kinematics, Source};
+use crate::ir::graph::Id;
+use crate::model::dynamics::Effort;
+use crate::model::mechanism::InputId;
+
+pub(super) use walk::Walk;
+
+/// What `forces` gives: in the order in which it is asked.
+pub(super) fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    let asked = || kinematics.mechanism.dynamics.asked.iter();
+    if asked().next().is_none() {
+        return Vec::new();
+    }
+    let inputs: Option<Vec<InputId>> = asked()
+        .map(|asked| match asked.effort {
+            Effort::Input(input) => Some(input),
+            _ => None,
+        })
+        .collect();
+    match inputs {
+        Some(inputs) => power::efforts(kinematics, &inputs),
+        None => by_walk(kinematics),
+    }
+}
+
+/// What `statics` gives: the same at rest.
+pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    if kinematics.mechanism.dynamics.asked.is_empty() {
+        return Vec::new();
+    }
+    let zero = kinematics.sheet.zero();
+    let inputs = kinematics.inputs.iter().map(|source| {
+        let mut source: Source<'_> = *source;
+        (source.jet.rate, source.jet.accel) = (zero, zero);
+        source
+    });
+    by_walk(&Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs.collect()))
+}
+
+fn by_walk(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    let walk = Walk::of(kinematics);
+    let asked = kinematics.mechanism.dynamics.asked.iter();
+    asked.flat_map(|asked| walk.components(asked.effort)).map(|sym| sym.id).collect()
+}
+
+/// The state at a unit rate of one input, the others at rest, without second rates.
+fn at_unit_rate<'s>(kinematics: &Kinematics<'s>, moving: usize) -> Kinematics<'s> {
+    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+    let inputs = kinematics.inputs.iter().enumerate().map(|(index, source)| {
+        let mut source = *source;
+        source.jet.rate = sheet.integer(i64::from(index == moving));
+        source.jet.accel = sheet.zero();
+        source
+    });
+    Kinematics::of(sheet, mechanism, inputs.collect())
+}

@@ -1,0 +1,153 @@
+//! Driven dimensions: the effort of a dimension goes to the inputs in it, and to what it reads of
+//! earlier links.
+//!
+//! A dimension d(x) driven with the effort E does the work E ∂d/∂x δx. So it counts E ∂d/∂q in the
+//! effort of an input q; and what it contains of an earlier link, an angle, a slide, a coordinate,
+//! is pushed back with −E ∂d/∂x: a couple, a force along the guide, a force on the point. That is how
+//! gears and racks transmit. The derivatives are taken backwards through the expression.
+
+use crate::equations::forces::Walk;
+use crate::equations::symbol::{Sym, Vector};
+use crate::model::mechanism::{
+    AngleSum, Axis, Carrier, Expr, Function, Operator, Placement, PointId,
+};
+
+impl<'s> Walk<'_, 's> {
+    /// An angle driven with a couple.
+    pub(super) fn transmit_turn(&mut self, turn: &AngleSum, effort: Sym<'s>) {
+        for &(link, times) in &turn.links {
+            let factor = self.sheet().integer(i64::from(times));
+            // What holds the gear train is not modelled: the ground takes the rest.
+            self.turn_against_ground(Carrier::Link(link), -(factor * effort));
+        }
+        self.transmit(&turn.rest, effort);
+    }
+
+    /// A dimension driven with an effort.
+    pub(super) fn transmit(&mut self, expr: &Expr, effort: Sym<'s>) {
+        if effort.is_zero() || !self.kinematics.mechanism.moves(expr) {
+            return;
+        }
+        match expr {
+            Expr::Constant(_) | Expr::Param(_) | Expr::Load(_) => {}
+            Expr::Input(input) => self.add_effort(*input, effort),
+            Expr::Let(id) => {
+                let mechanism = self.kinematics.mechanism;
+                self.transmit(&mechanism.lets[id.index()].rest, effort);
+            }
+            Expr::Slide(link) => self.push_slide(*link, -effort),
+            Expr::Coordinate(point, axis) => {
+                let zero = self.sheet().zero();
+                let force = match axis {
+                    Axis::X => Vector { x: -effort, y: zero },
+                    Axis::Y => Vector { x: zero, y: -effort },
+                };
+                self.push_against_ground(*point, force);
+            }
+            Expr::Distance([p, q]) => {
+                let line = self.kinematics.point(*p).to(self.kinematics.point(*q));
+                let force = (effort / line.x.hypot(line.y)) * line;
+                self.push(*p, force);
+                self.push(*q, -force);
+            }
+            Expr::Negate(value) => self.transmit(value, -effort),
+            Expr::Chain(first, rest) => self.transmit_chain(first, rest, effort),
+            Expr::Call(function, arguments) => self.transmit_call(*function, arguments, effort),
+        }
+    }
+
+    /// One operation after the other, from the last back to the first.
+    fn transmit_chain(&mut self, first: &Expr, rest: &[(Operator, Expr)], effort: Sym<'s>) {
+        let value = |expr: &Expr| self.kinematics.jet(expr).value;
+        let mut left = vec![value(first)];
+        for (operator, operand) in rest {
+            let (a, b) = (left[left.len() - 1], value(operand));
+            left.push(match operator {
+                Operator::Add => a + b,
+                Operator::Sub => a - b,
+                Operator::Mul => a * b,
+                Operator::Div => a / b,
+            });
+        }
+        let mut effort = effort;
+        for (nth, (operator, operand)) in rest.iter().enumerate().rev() {
+            let (a, b) = (left[nth], self.kinematics.jet(operand).value);
+            let (on_left, on_right) = match operator {
+                Operator::Add => (effort, effort),
+                Operator::Sub => (effort, -effort),
+                Operator::Mul => (effort * b, effort * a),
+                Operator::Div => (effort / b, -(effort * left[nth + 1] / b)),
+            };
+            self.transmit(operand, on_right);
+            effort = on_left;
+        }
+        self.transmit(first, effort);
+    }
+
+    fn transmit_call(&mut self, function: Function, arguments: &[Expr], effort: Sym<'s>) {
+        let values: Vec<_> = arguments.iter().map(|a| self.kinematics.jet(a).value).collect();
+        let one = self.sheet().integer(1);
+        let a = values[0];
+        let leg = || ((one - a) * (one + a)).sqrt();
+        let slopes = match (function, values.get(1)) {
+            (Function::Sqrt, _) => vec![a.sqrt().twice().recip()],
+            (Function::Sin, _) => vec![a.cos()],
+            (Function::Cos, _) => vec![-a.sin()],
+            (Function::Tan, _) => vec![one + a.tan().squared()],
+            (Function::Asin, _) => vec![leg().recip()],
+            (Function::Acos, _) => vec![-leg().recip()],
+            (Function::Atan, _) => vec![(one + a.squared()).recip()],
+            (Function::Atan2, Some(&x)) => {
+                let square = x.squared() + a.squared();
+                vec![x / square, -(a / square)]
+            }
+            (Function::Hypot, Some(&y)) => {
+                let root = a.hypot(y);
+                vec![a / root, y / root]
+            }
+            (Function::Atan2 | Function::Hypot, None) => {
+                unreachable!("the model checked the number of arguments")
+            }
+        };
+        for (argument, slope) in arguments.iter().zip(slopes) {
+            self.transmit(argument, effort * slope);
+        }
+    }
+
+    /// A place in a frame, its coordinates driven with these efforts.
+    pub(super) fn transmit_place(
+        &mut self,
+        (carrier, point): (Carrier, PointId),
+        place: &Placement,
+        [along, across]: [Sym<'s>; 2],
+    ) {
+        let [x, y] = self.kinematics.coordinates(carrier, point).map(|jet| jet.value);
+        match place {
+            Placement::Cartesian(at) => {
+                self.transmit(&at[0], along);
+                self.transmit(&at[1], across);
+            }
+            Placement::Polar(radius, angle) => {
+                let phi = self.kinematics.jet(angle).value;
+                self.transmit(radius, along * phi.cos() + across * phi.sin());
+                self.transmit(angle, across * x - along * y);
+            }
+            // From x = (r₁² − r₂² + l²)/2l and y² = r₁² − x².
+            Placement::Distances { distances: [first, second], length, .. } => {
+                let (first, second) = (&first.value, &second.value);
+                if !self.kinematics.mechanism.moves(first)
+                    && !self.kinematics.mechanism.moves(second)
+                    && !self.kinematics.mechanism.moves(length)
+                {
+                    return;
+                }
+                let value = |expr: &Expr| self.kinematics.jet(expr).value;
+                let (r1, r2, l) = (value(first), value(second), value(length));
+                let on_x = along - across * x / y;
+                self.transmit(first, (on_x * r1) / l + across * r1 / y);
+                self.transmit(second, -((on_x * r2) / l));
+                self.transmit(length, on_x * (l - x) / l);
+            }
+        }
+    }
+}

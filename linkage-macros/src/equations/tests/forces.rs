@@ -1,0 +1,463 @@
+//! Reactions and efforts against Newton's and Euler's equations of every part in a hundred digits,
+//! against the virtual power of all that acts, and against what the ground carries.
+
+use crate::equations::forces::{Walk, in_motion};
+use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::symbol::Sheet;
+use crate::equations::tests::declarations::VARIANTS;
+use crate::equations::tests::newton_euler::{Matrix, Motion};
+use crate::exact::Exact;
+use crate::ir::graph::Id;
+use crate::ir::interpret::{Given, Number, interpret};
+use crate::ir::program::{Answer, Program};
+use crate::model::dynamics::{Asked, Effort, Owner};
+use crate::model::mechanism::{Expr, InputId, Mechanism, PointId};
+use crate::oracle::{Digits, defaults, mechanism};
+use crate::passes;
+
+/// The declaration with mass on every link and pin, and with forces and torques everywhere.
+fn loaded(source: &str) -> String {
+    let plain = mechanism(source);
+    let mut added = String::from("gravity (0.7, -9.81);");
+    for (index, link) in plain.links.iter().enumerate() {
+        let (x, m) = (0.1 + 0.07 * index as f64, 1.3 + 0.4 * index as f64);
+        added += &format!("mass {m} on {0} at ({x}, -0.05) inertia 0.03;", link.name);
+        added += &format!("mass 0.6 on {0} at (-0.02, {x}); inertia 0.01 on {0};", link.name);
+        added += &format!("torque {} on {};", m - 2.0, link.name);
+        let q = &plain.inputs[0].name;
+        let q = if plain.inputs[0].dimension.angle { format!("0.1m * {q}") } else { q.to_string() };
+        added += &format!("mass 0.4 on {} at ({q} - 0.02, 0.03) inertia 0.02;", link.name);
+        added += &format!("mass 0.2 on {} at (0.05, 2 * {q});", link.name);
+    }
+    let points = (0..plain.points.len() as u32).map(PointId);
+    let mut previous = None;
+    for (index, point) in points.enumerate() {
+        let name = &plain.points[point.index()].name;
+        match plain.owner(point) {
+            Some(Owner::Ground) | None => continue,
+            Some(Owner::Point(_)) => added += &format!("mass {} on {name};", 0.3 + index as f64),
+            Some(Owner::Link(_)) => {}
+        }
+        added += &format!("force ({}, {}) on {name};", 3.0 - index as f64, 1.5 * index as f64);
+        let owner = plain.owner(point);
+        if let Some((other, known)) = previous.replace((name, owner))
+            && known != owner
+        {
+            added += &format!("force {} between {other} and {name};", 2.5 + index as f64);
+        }
+    }
+    let (body, _) = source.rsplit_once('}').expect("a declaration ends with a brace");
+    format!("{body} {added} }}")
+}
+
+/// Everything that the tests compare, as nodes.
+struct Nodes {
+    motion: Motion<Id>,
+    /// At a unit rate of each input.
+    units: Vec<Motion<Id>>,
+    found: Vec<(Effort, Vec<Id>)>,
+    inputs: Vec<Id>,
+    by_power: Vec<Id>,
+    ground: [Id; 3],
+    readings: Vec<(String, Id)>,
+}
+
+fn with_every_input_asked(mut mechanism: Mechanism) -> Mechanism {
+    let inputs = mechanism.inputs.iter().enumerate();
+    let asked = inputs.map(|(index, input)| Asked {
+        owner: input.name.clone(),
+        field: input.name.clone(),
+        docs: Vec::new(),
+        effort: Effort::Input(InputId(index as u32)),
+    });
+    mechanism.dynamics.asked = asked.collect();
+    mechanism
+}
+
+fn nodes<'s>(kinematics: &Kinematics<'s>) -> Nodes {
+    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+    let walk = Walk::of(kinematics);
+    let units = (0..mechanism.inputs.len()).map(|moving| {
+        let mut inputs = Source::free(mechanism, sheet);
+        for (index, source) in inputs.iter_mut().enumerate() {
+            source.jet.rate = sheet.integer(i64::from(index == moving));
+            source.jet.accel = sheet.zero();
+        }
+        Motion::of(&Kinematics::of(sheet, mechanism, inputs))
+    });
+    let id = |expr: Expr| (format!("{expr:?}"), kinematics.jet(&expr).value.id);
+    let inputs = (0..mechanism.inputs.len() as u32).map(|input| Expr::Input(InputId(input)));
+    let mut readings: Vec<_> = inputs.map(id).collect();
+    let mut leaves = Vec::new();
+    leaves_of(mechanism, &mut leaves);
+    readings.extend(leaves.into_iter().map(id));
+    let found = walk
+        .found()
+        .map(|(effort, numbers)| (effort, numbers.iter().map(|number| number.id).collect()));
+    let ground = walk.ground;
+    Nodes {
+        motion: Motion::of(kinematics),
+        units: units.collect(),
+        found: found.collect(),
+        inputs: walk.input_efforts().iter().map(|effort| effort.id).collect(),
+        by_power: in_motion(kinematics),
+        ground: [ground.force.x.id, ground.force.y.id, ground.moment.id],
+        readings,
+    }
+}
+
+/// Every slide, coordinate and distance that may be read.
+fn leaves_of(mechanism: &Mechanism, leaves: &mut Vec<Expr>) {
+    use crate::model::mechanism::{Axis, LinkId};
+    let links = mechanism.links.iter().enumerate().filter(|(_, link)| link.slides);
+    leaves.extend(links.map(|(index, _)| Expr::Slide(LinkId(index as u32))));
+    let points: Vec<_> = (0..mechanism.points.len() as u32).map(PointId).collect();
+    for &p in &points {
+        leaves.extend([Axis::X, Axis::Y].map(|axis| Expr::Coordinate(p, axis)));
+        leaves.extend(points.iter().filter(|&&q| q != p).map(|&q| Expr::Distance([p, q])));
+    }
+}
+
+fn jets<'s>(mechanism: &Mechanism, sheet: &'s Sheet<'s>, at_rest: bool) -> Vec<Source<'s>> {
+    let mut inputs = Source::free(mechanism, sheet);
+    for source in inputs.iter_mut().filter(|_| at_rest) {
+        (source.jet.rate, source.jet.accel) = (sheet.zero(), sheet.zero());
+    }
+    inputs
+}
+
+fn whole(n: i64) -> Digits {
+    Digits::exact(&Exact::integer(n))
+}
+
+/// Compares everything in one pose; 1e-40 of the largest force.
+fn check(name: &str, source: &str, inputs: &[[f64; 3]]) {
+    compare(name, source, inputs, [Against::Matrix, Against::Power], false);
+    compare(&format!("{name}, at rest"), source, inputs, [Against::Matrix, Against::Power], true);
+}
+
+/// What a pose is compared against.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Against {
+    Matrix,
+    /// Virtual power, and what the ground carries.
+    Power,
+}
+
+fn compare(
+    name: &str,
+    source: &str,
+    inputs: &[[f64; 3]],
+    truths: impl AsRef<[Against]>,
+    inputs_rest: bool,
+) {
+    let truths = truths.as_ref();
+    let mechanism = with_every_input_asked(mechanism(source));
+    let sheet = Sheet::new(passes::RULES);
+    let nodes = nodes(&Kinematics::of(&sheet, &mechanism, jets(&mechanism, &sheet, inputs_rest)));
+    let (graph, groups) = (sheet.into_graph(), Vec::new());
+    let answers = vec![Answer { entry: "forces", sinks: Vec::new() }];
+    let program = Program { graph, answers, clearances: Vec::new(), groups };
+    let given = Given {
+        inputs: inputs.iter().map(|q| q.map(Digits::float)).collect(),
+        params: defaults(&mechanism),
+        loads: vec![Digits::float(1.75); mechanism.dynamics.loads.len()],
+        unit: None,
+    };
+    let values = interpret(&program, &given);
+    let motion = nodes.motion.values(&values);
+    let reading = |expr: &Expr| match expr {
+        Expr::Param(id) => given.params[id.index()].clone(),
+        Expr::Load(id) => given.loads[id.index()].clone(),
+        leaf => {
+            let text = format!("{leaf:?}");
+            let found = nodes.readings.iter().find(|(known, _)| *known == text);
+            values[found.expect("every reading has a node").1.index()].clone()
+        }
+    };
+    let again = Sheet::new(passes::RULES);
+    let kinematics = Kinematics::of(&again, &mechanism, jets(&mechanism, &again, inputs_rest));
+    let expected = match truths.contains(&Against::Matrix) {
+        true => Matrix::solved(&kinematics, &motion, &reading),
+        false => Vec::new(),
+    };
+    let largest = expected.iter().flat_map(|(_, numbers)| numbers).map(|n| n.to_f64().abs());
+    let scale = largest.fold(1.0, f64::max);
+    let close = |what: String, found: &Digits, truth: &Digits| {
+        let apart = found.sub(truth).to_f64().abs() / scale;
+        let (found, truth) = (found.to_f64(), truth.to_f64());
+        assert!(apart < 1e-40, "{name}: {what} is {found} and should be {truth}\n{source}");
+    };
+    for (effort, numbers) in &expected {
+        let known = nodes.found.iter().find(|(known, _)| known == effort);
+        let (_, found) = known.unwrap_or_else(|| panic!("{name}: no {effort:?}"));
+        assert_eq!(found.len(), numbers.len(), "{name}: {effort:?}");
+        for (id, truth) in found.iter().zip(numbers) {
+            close(format!("{effort:?}"), &values[id.index()], truth);
+        }
+    }
+    assert!(
+        expected.len() >= mechanism.links.len() || !truths.contains(&Against::Matrix),
+        "{name}"
+    );
+    for (input, unit) in nodes.units.iter().enumerate() {
+        let unit = unit.values(&values);
+        let power = motion.applied.iter().zip(&unit.applied).fold(whole(0), |sum, (now, unit)| {
+            let force =
+                now.force[0].mul(&unit.velocity[0]).add(&now.force[1].mul(&unit.velocity[1]));
+            sum.add(&force).add(&now.couple.mul(&unit.omega))
+        });
+        let truth = power.neg();
+        close(format!("effort of input {input}"), &values[nodes.inputs[input].index()], &truth);
+        close(format!("power of input {input}"), &values[nodes.by_power[input].index()], &truth);
+    }
+    let mut total = [whole(0), whole(0), whole(0)];
+    for applied in &motion.applied {
+        let [x, y] = &applied.force;
+        let moment = applied.at[0].mul(y).sub(&applied.at[1].mul(x)).add(&applied.couple);
+        total = [total[0].add(x), total[1].add(y), total[2].add(&moment)];
+    }
+    for (id, truth) in nodes.ground.iter().zip(&total) {
+        close("the ground's share".to_string(), &values[id.index()], truth);
+    }
+}
+
+#[test]
+fn every_variant_agrees_with_newton_and_euler() {
+    for variant in VARIANTS {
+        check(variant.name, &loaded(variant.source), variant.inputs);
+    }
+}
+
+/// Numbers that repeat: Knuth's linear congruence.
+#[derive(Clone)]
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// To three decimals, so that a declaration stays readable.
+    fn within(&mut self, low: f64, high: f64) -> f64 {
+        ((low + (high - low) * self.unit()) * 1000.0).round() / 1000.0
+    }
+
+    fn one<'a, T>(&mut self, all: &'a [T]) -> &'a T {
+        &all[((self.unit() * all.len() as f64) as usize).min(all.len() - 1)]
+    }
+}
+
+/// A mechanism in the making: what new groups may stand on.
+#[derive(Clone)]
+struct Topology {
+    random: Random,
+    text: String,
+    points: Vec<String>,
+    links: Vec<String>,
+    guides: Vec<String>,
+    sliding: Vec<String>,
+    count: usize,
+    /// Whether places on links may read slides, which the matrix knows nothing of.
+    reads_anywhere: bool,
+}
+
+impl Topology {
+    fn of(seed: u64, reads_anywhere: bool) -> Self {
+        let text = "input q: angle; input s: length; ground A(0, 0), D(1.1, 0.1);\
+             guide rail through (0.3, -0.6) along 10deg;\
+             crank AB(A) -> B { length: 0.3, angle: q } slider ram(rail) -> P { slide: s }";
+        let names = |names: &[&str]| names.iter().map(ToString::to_string).collect();
+        let mut topology = Self {
+            random: Random(seed),
+            text: text.to_string(),
+            points: names(&["A", "B", "D", "P"]),
+            links: names(&["AB", "ram"]),
+            guides: names(&["rail"]),
+            sliding: names(&["ram"]),
+            count: 0,
+            reads_anywhere,
+        };
+        topology.random.unit();
+        topology
+    }
+
+    /// A length that may be driven.
+    fn length(&mut self, low: f64, high: f64) -> String {
+        let constant = self.random.within(low, high);
+        let kind = self.random.unit();
+        let sliding = self.random.one(&self.sliding).clone();
+        match kind {
+            kind if kind < 0.12 => format!("{constant} + 0.2 * s"),
+            kind if kind < 0.24 => format!("{constant} + 0.05m * q"),
+            kind if kind < 0.32 => format!("{constant} + 0.1 * {sliding}.slide"),
+            _ => format!("{constant}"),
+        }
+    }
+
+    /// A coordinate on a link.
+    fn coordinate(&mut self, low: f64, high: f64) -> String {
+        if self.reads_anywhere {
+            return self.length(low, high);
+        }
+        let constant = self.random.within(low, high);
+        match self.random.unit() {
+            kind if kind < 0.2 => format!("{constant} + 0.05m * q"),
+            _ => constant.to_string(),
+        }
+    }
+
+    fn angle(&mut self) -> String {
+        let constant = self.random.within(-2.0, 2.0);
+        let kind = self.random.unit();
+        let link = self.random.one(&self.links).clone();
+        let sliding = self.random.one(&self.sliding).clone();
+        match kind {
+            kind if kind < 0.2 => format!("{constant} + 0.3 * q"),
+            kind if kind < 0.35 => format!("{constant} - 2 * {link}.angle"),
+            kind if kind < 0.5 => format!("{constant} + {sliding}.slide / 0.7m"),
+            _ => format!("{constant}"),
+        }
+    }
+
+    fn two_points(&mut self) -> [String; 2] {
+        loop {
+            let pair = [(); 2].map(|()| self.random.one(&self.points).clone());
+            if pair[0] != pair[1] {
+                return pair;
+            }
+        }
+    }
+
+    /// The declaration with one statement more.
+    fn grown(&mut self) {
+        self.count += 1;
+        let n = self.count;
+        let (l, m, pin) = (format!("l{n}"), format!("m{n}"), format!("C{n}"));
+        let [b, d] = self.two_points();
+        let guide = self.random.one(&self.guides).clone();
+        let [first, second] = [self.length(0.7, 1.4), self.length(0.7, 1.4)];
+        let offset = self.length(-0.1, 0.1);
+        let side = *self.random.one(&["left", "right"]);
+        let sense = *self.random.one(&["ahead", "behind"]);
+        let mut made = vec![l.clone()];
+        let statement = match self.random.within(0.0, 9.0) as u32 {
+            0 => {
+                let (angle, against) = (self.angle(), self.random.one(&self.links).clone());
+                self.points.push(pin.clone());
+                format!(
+                    "crank {l}({b}) -> {pin} {{ length: {offset} + 0.3, angle: {angle}, relative_to: {against} }}"
+                )
+            }
+            1 => {
+                self.points.push(pin.clone());
+                self.sliding.push(l.clone());
+                format!("slider {l}({guide}) -> {pin} {{ slide: {first}, offset: {offset} }}")
+            }
+            2 | 3 => {
+                self.points.push(pin.clone());
+                made.push(m.clone());
+                format!(
+                    "rrr {l}({b}), {m}({d}) -> {pin} {{ lengths: ({first}, {second}), mode: {side} }}"
+                )
+            }
+            4 => {
+                self.points.push(pin.clone());
+                self.sliding.push(m.clone());
+                made.push(m.clone());
+                format!(
+                    "rrp {l}({b}), {m}({guide}) -> {pin} {{ length: {first}, offset: {offset}, mode: {sense} }}"
+                )
+            }
+            5 => {
+                self.sliding.push(l.clone());
+                made.push(m.clone());
+                format!("rpr {l}({b}), {m}({d}) {{ offset: {offset}, mode: {sense} }}")
+            }
+            6 => {
+                self.sliding.extend([l.clone(), m.clone()]);
+                made.push(m.clone());
+                let angle = self.angle();
+                format!(
+                    "rpp {l}({b}), {m}({guide}) {{ slot: {angle}, offsets: ({offset}, {first} / 5) }}"
+                )
+            }
+            7 => {
+                let (on, angle) = (self.random.one(&self.links).clone(), self.angle());
+                let (x, y) = (self.coordinate(-0.1, 0.1), self.coordinate(0.1, 0.3));
+                self.guides.push(format!("g{n}"));
+                made.clear();
+                format!("guide g{n} on {on} through ({x}, {y}) along {angle};")
+            }
+            _ => {
+                let on = self.random.one(&self.links).clone();
+                let (x, y) = (self.coordinate(-0.1, 0.1), self.coordinate(0.1, 0.3));
+                self.points.push(pin.clone());
+                made.clear();
+                format!("point {pin} on {on} at ({x}, {y});")
+            }
+        };
+        self.text += &statement;
+        self.links.extend(made);
+    }
+}
+
+/// Whether the declaration is one and assembles at the pose, well off its limits.
+fn assembles(source: &str, inputs: &[[f64; 3]]) -> bool {
+    let mut diagnostics = crate::diagnostics::Diagnostics::new();
+    let tree = crate::syntax::parse(source.parse().expect("tokens"), &mut diagnostics);
+    let mechanism = tree.and_then(|tree| crate::model::resolve(&tree, &mut diagnostics));
+    drop(diagnostics.into_errors());
+    let Some(mechanism) = mechanism else { return false };
+    let program = crate::equations::derive(&mechanism, passes::RULES);
+    let inputs = inputs.to_vec();
+    let given = Given { inputs, params: Vec::new(), loads: vec![0.0; 9], unit: None };
+    let values = interpret(&program, &given);
+    let motion = program.answer("motion").expect("there is a motion");
+    // Accelerations grow next to limits, and what stands on them loses digits.
+    motion.sinks.iter().all(|sink| values[sink.index()].abs() < 300.0)
+}
+
+/// A random mechanism of up to a dozen links that assembles, and its number of statements.
+fn random_mechanism(seed: u64, reads_anywhere: bool, inputs: &[[f64; 3]]) -> (String, usize) {
+    let mut topology = Topology::of(seed * 7919 + 1, reads_anywhere);
+    let mut statements = 0;
+    for _ in 0..30 {
+        let before = topology.clone();
+        topology.grown();
+        if assembles(&format!("struct M {{ {} }}", topology.text), inputs) {
+            statements += 1;
+        } else {
+            let random = Random(topology.random.0);
+            topology = Topology { random, count: topology.count, ..before };
+        }
+        if topology.links.len() > 12 {
+            break;
+        }
+    }
+    (loaded(&format!("struct M {{ {} }}", topology.text)), statements)
+}
+
+const POSE: [[f64; 3]; 2] = [[0.7, 1.3, -0.6], [0.41, -0.4, 0.9]];
+
+#[test]
+fn random_topologies_agree_with_newton_and_euler() {
+    let mut statements = 0;
+    for seed in 0..10 {
+        let (source, count) = random_mechanism(seed, false, &POSE);
+        check(&format!("seed {seed}"), &source, &POSE);
+        statements += count;
+    }
+    assert!(statements > 60, "{statements}");
+}
+
+#[test]
+fn random_places_agree_with_virtual_power() {
+    for seed in 100..112 {
+        let (source, _) = random_mechanism(seed, true, &POSE);
+        compare(&format!("seed {seed}"), &source, &POSE, [Against::Power], false);
+        compare(&format!("seed {seed}, at rest"), &source, &POSE, [Against::Power], true);
+    }
+}

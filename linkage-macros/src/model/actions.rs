@@ -1,0 +1,389 @@
+//! What has mass, and what acts.
+
+use proc_macro2::{Ident, Span};
+use syn::Attribute;
+
+use crate::diagnostics::nearest;
+use crate::syntax::action::{Action, MassPlace as Written};
+use crate::syntax::tree::{self, Declaration, ExprKind, StatementKind};
+
+use super::Resolver;
+use super::dynamics::{Axes, Force, Load, Mass, MassPlace, Owner, Quantity, Torque};
+use super::folding::shown;
+use super::mechanism::{Carrier, Dimension, Expr, LinkId, LoadId, ParamKind, PointId};
+use super::names::{Entity, Kind};
+
+const LOAD_KINDS: [&str; 3] = ["force", "torque", "number"];
+
+impl Resolver<'_> {
+    pub(super) fn load(&mut self, docs: &[Attribute], names: &[Ident], kind: Option<&Ident>) {
+        let dimension = kind.and_then(|kind| self.load_kind(kind));
+        for name in names {
+            let is_new = self.name_is_new(name).is_some();
+            let (true, Some(dimension)) = (is_new, dimension) else { continue };
+            let loads = &mut self.mechanism.dynamics.loads;
+            let id = LoadId(loads.len() as u32);
+            loads.push(Load { name: name.clone(), docs: docs.to_vec(), dimension });
+            self.names.bind(name, Entity::Load(id));
+        }
+    }
+
+    fn load_kind(&mut self, kind: &Ident) -> Option<Dimension> {
+        let text = kind.to_string();
+        match text.as_str() {
+            "force" => return Some(Dimension::FORCE),
+            "torque" => return Some(Dimension::TORQUE),
+            "number" => return Some(Dimension::NUMBER),
+            _ => {}
+        }
+        let mut message = format!("no load kind named `{text}`");
+        if let Some(near) = nearest(&text, LOAD_KINDS.into_iter()) {
+            message += &format!("; one with a similar name exists: `{near}`");
+        }
+        let reason = "it is `force`, `torque` or `number`";
+        self.diagnostics.error_because(kind.span(), message, reason);
+        None
+    }
+
+    pub(super) fn action(&mut self, action: &Action) {
+        match action {
+            Action::Gravity { at, value } => self.gravity(*at, value),
+            Action::Mass { value, on, place, inertia } => {
+                let mass = self.mass(value, on, place, inertia.as_ref());
+                self.mechanism.dynamics.masses.extend(mass);
+            }
+            Action::Inertia { value, on } => {
+                let mass = self.inertia(value, on);
+                self.mechanism.dynamics.masses.extend(mass);
+            }
+            Action::Force { value, axes, on } => {
+                let force = self.force(value, axes.as_ref(), on);
+                self.mechanism.dynamics.forces.extend(force);
+            }
+            Action::ForceBetween { value, points } => {
+                let force = self.force_between(value, points);
+                self.mechanism.dynamics.forces.extend(force);
+            }
+            Action::Torque { value, on } => {
+                let on = self.link(on).map(Carrier::Link);
+                let value = self.acting(value, Dimension::TORQUE);
+                self.mechanism.dynamics.torques.extend(torque(on, None, value));
+            }
+            Action::TorqueBetween { value, bodies } => {
+                let torque = self.torque_between(value, bodies);
+                self.mechanism.dynamics.torques.extend(torque);
+            }
+        }
+    }
+
+    /// Gravity is given once, and no input changes it.
+    fn gravity(&mut self, at: Span, value: &[tree::Expr; 2]) {
+        let acceleration = Dimension::LENGTH.times(Dimension::TIME, -2);
+        let value = [0, 1].map(|k| {
+            self.changes_with_no_input(&value[k], "gravity")?;
+            self.scalar(&value[k], acceleration)
+        });
+        if self.gravity_at.replace(at).is_some() {
+            let message = "gravity is given twice; remove one";
+            self.diagnostics.error(at, message);
+        }
+        if let [Some(x), Some(y)] = value {
+            self.mechanism.dynamics.gravity = Some([x, y]);
+        }
+    }
+
+    /// A number of the machine itself: constants and parameters.
+    fn changes_with_no_input(&mut self, expr: &tree::Expr, what: &str) -> Option<()> {
+        let span = self.first(expr, &|resolver, part| match &part.kind {
+            ExprKind::Member(owner, _) if resolver.names.kind(owner) == Some(Kind::Link) => true,
+            ExprKind::Member(name, _) | ExprKind::Name(name) => {
+                resolver.names.entity(name).is_some_and(|entity| resolver.facts.moves(entity))
+            }
+            _ => false,
+        });
+        let Some(span) = span else { return Some(()) };
+        let message = format!("{what} cannot depend on an input");
+        let reason = "it is made of constants and parameters";
+        self.diagnostics.error_because(span, message, reason);
+        None
+    }
+
+    fn mass(
+        &mut self,
+        value: &tree::Expr,
+        on: &Ident,
+        place: &Written,
+        inertia: Option<&tree::Expr>,
+    ) -> Option<Mass> {
+        let name = format!("mass on {on}");
+        let mass = self.not_negative(value, Dimension::MASS, "a mass", name);
+        let inertia = match inertia {
+            Some(inertia) => {
+                let name = format!("inertia on {on}");
+                let value =
+                    self.not_negative(inertia, Dimension::INERTIA, "a moment of inertia", name);
+                Some((inertia, value))
+            }
+            None => None,
+        };
+        let place = self.mass_place(on, place)?;
+        let mass = mass?;
+        let inertia = match (inertia, &place) {
+            (None, _) => Quantity::zero(),
+            (Some((written, _)), MassPlace::Uniform(..)) => {
+                return self.inertia_is_superfluous(written, "`uniform` means m l²/12");
+            }
+            (Some((written, _)), MassPlace::Pin(_)) => {
+                let reason =
+                    "a mass on a pin is a point; what turns is a link: `mass … on BC at C`";
+                return self.inertia_is_superfluous(written, reason);
+            }
+            (Some((_, inertia)), _) => inertia?,
+        };
+        Some(Mass { place, mass, inertia })
+    }
+
+    fn inertia_is_superfluous<T>(&mut self, inertia: &tree::Expr, reason: &str) -> Option<T> {
+        self.diagnostics.error_because(inertia.span, "leave this inertia out", reason);
+        None
+    }
+
+    fn inertia(&mut self, value: &tree::Expr, on: &Ident) -> Option<Mass> {
+        let name = format!("inertia on {on}");
+        let inertia = self.not_negative(value, Dimension::INERTIA, "a moment of inertia", name);
+        let place = MassPlace::At(self.link(on)?, [Expr::zero(), Expr::zero()]);
+        Some(Mass { place, mass: Quantity::zero(), inertia: inertia? })
+    }
+
+    /// A mass or an inertia of constants and parameters; a constant one is not below zero.
+    fn not_negative(
+        &mut self,
+        expr: &tree::Expr,
+        dimension: Dimension,
+        what: &str,
+        name: String,
+    ) -> Option<Quantity> {
+        let fixed = self.changes_with_no_input(expr, what);
+        let value = self.scalar(expr, dimension)?;
+        fixed?;
+        let (constant, span) = match &value {
+            Expr::Constant(constant) => (constant, expr.span),
+            Expr::Param(id) => match &self.mechanism.params[id.index()].kind {
+                ParamKind::Number { default, .. } => (default, self.facts.params[id.index()].span),
+                _ => return None,
+            },
+            _ => return Some(Quantity { value, name }),
+        };
+        if constant.signum().is_lt() {
+            let message = format!("{what} of {}; make it zero or greater", shown(constant));
+            self.diagnostics.error(span, message);
+            return None;
+        }
+        Some(Quantity { value, name })
+    }
+
+    fn mass_place(&mut self, on: &Ident, place: &Written) -> Option<MassPlace> {
+        match place {
+            Written::Here => self.point_mass(on),
+            Written::At(place) => {
+                let (link, place) = (self.link(on), self.lengths(place));
+                Some(MassPlace::At(link?, place?))
+            }
+            Written::Point(point) => {
+                let link = self.link(on);
+                let id = self.point(point);
+                let (link, id) = (link?, id?);
+                self.point_is_on_link(point, id, link)?;
+                Some(MassPlace::Point(link, id))
+            }
+            Written::Uniform(at) => {
+                let link = self.link(on)?;
+                Some(MassPlace::Uniform(link, self.bar_is_uniform(on, link, *at)?))
+            }
+        }
+    }
+
+    /// A mass without a place is a point mass on a pin or a driven point, or on a point of a link.
+    fn point_mass(&mut self, on: &Ident) -> Option<MassPlace> {
+        if self.names.kind(on) == Some(Kind::Link) {
+            self.link(on)?;
+            let message = format!("say where on `{on}` the mass is");
+            let reason = format!("`… on {on} at (x, y)`, `… on {on} at G` or `… on {on} uniform`");
+            self.diagnostics.error_because(on.span(), message, reason);
+            return None;
+        }
+        let point = self.point(on)?;
+        match self.mechanism.owner(point)? {
+            Owner::Ground => self.ground_moves_nothing(on, "mass"),
+            Owner::Link(link) => Some(MassPlace::Point(link, point)),
+            Owner::Point(point) => Some(MassPlace::Pin(point)),
+        }
+    }
+
+    fn ground_moves_nothing<T>(&mut self, point: &Ident, what: &str) -> Option<T> {
+        let message =
+            format!("`{point}` is a point of the ground, and a {what} there does nothing");
+        let reason = "name a point of a link, a pin or a driven point";
+        self.diagnostics.error_because(point.span(), message, reason);
+        None
+    }
+
+    /// A place by name is a point of the link.
+    fn point_is_on_link(&mut self, name: &Ident, point: PointId, link: LinkId) -> Option<()> {
+        let carrier = Carrier::Link(link);
+        if self.facts.belongs_to(point, carrier) {
+            return Some(());
+        }
+        if !self.facts.links[link.index()].has_its_joints {
+            return None;
+        }
+        let points: Vec<_> = (self.facts.points_of(carrier))
+            .map(|point| format!("`{}`", self.mechanism.points[point.index()].name))
+            .collect();
+        let link = &self.mechanism.links[link.index()].name;
+        let message = format!("`{name}` is no point of `{link}`");
+        let reason = match points.as_slice() {
+            [] => format!("declare one: `point {name}1 on {link} at (…, …);`"),
+            _ => format!("its points are {}", points.join(", ")),
+        };
+        self.diagnostics.error_because(name.span(), message, reason);
+        None
+    }
+
+    /// Mass is spread evenly over a bar of constant length alone.
+    fn bar_is_uniform(&mut self, name: &Ident, link: LinkId, at: Span) -> Option<Expr> {
+        let facts = &self.facts.links[link.index()];
+        let (is_bar, length) = (facts.is_bar, facts.length.clone());
+        let message = match &length {
+            _ if !is_bar => format!("`{name}` is no bar with two joints, and cannot be `uniform`"),
+            Some(length) if self.mechanism.moves(length) => {
+                format!("the length of `{name}` changes, and it cannot be `uniform`")
+            }
+            _ => return length,
+        };
+        let reason = format!("give its centre: `… on {name} at (x, y) inertia …`");
+        self.diagnostics.error_because(at, message, reason);
+        None
+    }
+
+    /// The value of a force or a torque: loads may stand in it.
+    fn acting(&mut self, expr: &tree::Expr, dimension: Dimension) -> Option<Expr> {
+        self.takes_loads = true;
+        let value = self.scalar(expr, dimension);
+        self.takes_loads = false;
+        value
+    }
+
+    /// A load stands in the value of a force or a torque, and nowhere else.
+    pub(super) fn load_stands_in_a_force(&mut self, name: &Ident) -> Option<()> {
+        if self.takes_loads {
+            return Some(());
+        }
+        let message = format!("`{name}` is a load, and stands in the values of forces and torques");
+        let reason = "what the mechanism is made of and how it moves depends on no load";
+        self.diagnostics.error_because(name.span(), message, reason);
+        None
+    }
+
+    fn force(
+        &mut self,
+        value: &[tree::Expr; 2],
+        axes: Option<&Ident>,
+        on: &Ident,
+    ) -> Option<Force> {
+        let value = [0, 1].map(|k| self.acting(&value[k], Dimension::FORCE));
+        let axes = match axes {
+            None => Some(Axes::Body(Carrier::Ground)),
+            Some(name) => match self.usable(name, &[Kind::Link, Kind::Guide]) {
+                Some(Entity::Link(link)) => Some(Axes::Body(Carrier::Link(link))),
+                Some(Entity::Guide(guide)) => Some(Axes::Guide(guide)),
+                _ => None,
+            },
+        };
+        let point = self.moved_point(on);
+        let [x, y] = value;
+        Some(Force::At { point: point?, value: [x?, y?], axes: axes? })
+    }
+
+    /// A point that a force moves, or tries to.
+    fn moved_point(&mut self, name: &Ident) -> Option<PointId> {
+        let point = self.point(name)?;
+        match self.mechanism.owner(point)? {
+            Owner::Ground => self.ground_moves_nothing(name, "force"),
+            _ => Some(point),
+        }
+    }
+
+    fn force_between(&mut self, value: &tree::Expr, names: &[Ident; 2]) -> Option<Force> {
+        let value = self.acting(value, Dimension::FORCE);
+        let points = [0, 1].map(|k| self.point(&names[k]));
+        let [p, q] = [points[0]?, points[1]?];
+        let owners = [p, q].map(|point| self.mechanism.owner(point));
+        if p == q || owners[0]? == owners[1]? {
+            let message = match p == q {
+                true => "a force acts between two points".to_string(),
+                false => format!("`{}` and `{}` are points of one body", names[0], names[1]),
+            };
+            let reason = "what acts inside a body moves nothing";
+            self.diagnostics.error_because(names[1].span(), message, reason);
+            return None;
+        }
+        Some(Force::Between { points: [p, q], value: value? })
+    }
+
+    fn torque_between(&mut self, value: &tree::Expr, names: &[Ident; 2]) -> Option<Torque> {
+        let value = self.acting(value, Dimension::TORQUE);
+        let bodies = [0, 1].map(|k| match names[k] == "ground" {
+            true => Some(Carrier::Ground),
+            false => self.link(&names[k]).map(Carrier::Link),
+        });
+        let [against, on] = [bodies[0]?, bodies[1]?];
+        if on == against {
+            let message = "a torque acts between two bodies";
+            let reason = "what acts inside a body moves nothing";
+            self.diagnostics.error_because(names[1].span(), message, reason);
+            return None;
+        }
+        torque(Some(on), Some(against), value)
+    }
+
+    /// Every load is used, and gravity has a mass to pull.
+    pub(super) fn actions_have_an_effect(&mut self, tree: &Declaration) {
+        let mut named = Vec::new();
+        let mut masses = tree.unread.may_hold("mass");
+        for statement in &tree.statements {
+            if let StatementKind::Action(action) = &statement.kind {
+                masses |= matches!(action, Action::Mass { .. });
+                for expr in action.expressions() {
+                    super::references::names_in(expr, &mut |name| named.push(name.to_string()));
+                }
+            }
+        }
+        for load in &self.mechanism.dynamics.loads {
+            let name = load.name.to_string();
+            if named.contains(&name) || tree.unread.may_hold(&name) {
+                continue;
+            }
+            let message = format!("nothing uses the load `{name}`; use it or remove it");
+            let reason = match load.dimension {
+                Dimension::TORQUE => format!("as in `torque {name} on BC`"),
+                _ => format!("as in `force (0, -{name}) on P`"),
+            };
+            self.diagnostics.error_because(load.name.span(), message, reason);
+        }
+        if let Some(at) = self.gravity_at.filter(|_| !masses) {
+            let message = "gravity without a mass does nothing; declare one or remove it";
+            self.diagnostics.error_because(at, message, "as in `mass 2kg on BC uniform`");
+        }
+    }
+}
+
+impl Quantity {
+    fn zero() -> Self {
+        Self { value: Expr::zero(), name: String::new() }
+    }
+}
+
+fn torque(on: Option<Carrier>, against: Option<Carrier>, value: Option<Expr>) -> Option<Torque> {
+    Some(Torque { on: on?, against, value: value? })
+}

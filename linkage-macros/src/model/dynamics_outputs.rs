@@ -1,0 +1,225 @@
+//! Forces that are asked for: `theta.drive`, `AB.drive`, `BC.push`, `BC.B`, `block.rail`.
+
+use proc_macro2::Ident;
+use quote::format_ident;
+use syn::Attribute;
+
+use super::Resolver;
+use super::dynamics::{Asked, Effort, Owner};
+use super::mechanism::{InputId, LinkId, PointId, Step};
+use super::names::{Entity, Kind};
+
+/// What a link has to offer: fields and what they are.
+type Efforts = Vec<(Ident, Effort)>;
+
+impl Resolver<'_> {
+    /// Whether the output is about a force; then it was looked at.
+    pub(super) fn effort_output(
+        &mut self,
+        docs: &[Attribute],
+        owner: &Ident,
+        member: &Ident,
+    ) -> bool {
+        let word = member.to_string();
+        match self.names.kind(owner) {
+            Some(Kind::Input) if ["drive", "push", "force", "torque"].contains(&&word[..]) => {
+                self.input_effort(docs, owner, member);
+            }
+            Some(Kind::Link) if word == "drive" || word == "push" => {
+                if let Some(link) = self.link(owner) {
+                    self.driven_effort(docs, owner, link, member);
+                }
+            }
+            Some(Kind::Link) => {
+                let is_named =
+                    matches!(self.names.kind(member), Some(Kind::Point | Kind::Guide | Kind::Link));
+                if !is_named || ["angle", "slide", "margin", "transmission"].contains(&&word[..]) {
+                    return false;
+                }
+                if let Some(link) = self.link(owner) {
+                    self.joint_effort(docs, owner, link, member);
+                }
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    fn input_effort(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
+        if member != "drive" {
+            let message = format!("write `{owner}.drive`");
+            let reason = "an input's effort is a torque or a force, as the input is";
+            return self.diagnostics.error_because(member.span(), message, reason);
+        }
+        if let Some(Entity::Input(id)) = self.usable(owner, &[Kind::Input]) {
+            self.ask(docs, owner, member, Effort::Input(id));
+        }
+    }
+
+    /// `AB.drive`, `BC.push`
+    fn driven_effort(&mut self, docs: &[Attribute], owner: &Ident, link: LinkId, member: &Ident) {
+        let efforts = self.efforts_of(link);
+        let found = efforts.iter().find(|(field, effort)| {
+            field == member && matches!(effort, Effort::Drive(_) | Effort::Push(_))
+        });
+        if let Some(&(_, effort)) = found {
+            return self.ask(docs, owner, member, effort);
+        }
+        let group = &self.mechanism.groups[self.mechanism.links[link.index()].made_by.index()];
+        let (message, reason) = match (member == "drive", &group.keyword.to_string()[..]) {
+            (true, "crank" | "slider") | (false, _) => (
+                format!("no length of `{owner}` is driven, and nothing pushes its ends apart"),
+                "`push` is the force of a bar whose length depends on an input".to_string(),
+            ),
+            (true, keyword) => (
+                format!("`{owner}` is a link of `{keyword}` and has no drive"),
+                format!("cranks and sliders are driven; {}", self.known_efforts(&efforts, owner)),
+            ),
+        };
+        self.diagnostics.error_because(member.span(), message, reason);
+    }
+
+    /// `BC.B`, `block.rail`
+    fn joint_effort(&mut self, docs: &[Attribute], owner: &Ident, link: LinkId, member: &Ident) {
+        let efforts = self.efforts_of(link);
+        if let Some(&(_, effort)) = efforts.iter().find(|(field, _)| field == member) {
+            return self.ask(docs, owner, member, effort);
+        }
+        let message = format!("`{owner}` does not touch `{member}`");
+        let reason = self.known_efforts(&efforts, owner);
+        self.diagnostics.error_because(member.span(), message, reason);
+    }
+
+    fn known_efforts(&self, efforts: &Efforts, owner: &Ident) -> String {
+        let known: Vec<_> = efforts.iter().map(|(field, _)| format!("`{owner}.{field}`")).collect();
+        match known.is_empty() {
+            true => format!("no force of `{owner}` is known"),
+            false => format!("there is {}", super::names::listed(&known, "and")),
+        }
+    }
+
+    fn ask(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident, effort: Effort) {
+        if self.mechanism.dynamics.is_empty() && !self.a_force_may_be_unread() {
+            let message =
+                format!("nothing has mass and nothing acts, so `{owner}.{member}` is zero");
+            let reason = "declare what does: `mass 2kg on BC uniform`, `force (0, -10N) on P`";
+            return self.diagnostics.error_because(member.span(), message, reason);
+        }
+        let asked = &mut self.mechanism.dynamics.asked;
+        if asked.iter().any(|known| known.effort == effort) {
+            let message = format!("the output `{owner}.{member}` is given twice; remove one");
+            return self.diagnostics.error(member.span(), message);
+        }
+        // What has one owner is one field of the result.
+        let behind = asked.iter().rposition(|known| known.owner == *owner);
+        let (owner, field) = (owner.clone(), member.clone());
+        let asked_for = Asked { owner, field, docs: docs.to_vec(), effort };
+        asked.insert(behind.map_or(asked.len(), |last| last + 1), asked_for);
+    }
+
+    /// Whether a mistake may have hidden what acts.
+    fn a_force_may_be_unread(&self) -> bool {
+        let words = ["mass", "inertia", "force", "torque"];
+        words.iter().any(|word| self.unread.may_hold(word)) || self.diagnostics.count() > 0
+    }
+
+    /// Every drive and reaction, where anything has mass or acts.
+    pub(super) fn every_effort_is_given(&mut self) {
+        if self.mechanism.dynamics.is_empty() {
+            return;
+        }
+        let drive = |name: &Ident| Ident::new("drive", name.span());
+        let inputs = self.mechanism.inputs.iter().enumerate();
+        let inputs: Vec<_> = inputs
+            .map(|(index, input)| {
+                let (owner, field) = (input.name.clone(), drive(&input.name));
+                Asked {
+                    owner,
+                    field,
+                    docs: Vec::new(),
+                    effort: Effort::Input(InputId(index as u32)),
+                }
+            })
+            .collect();
+        let links = (0..self.mechanism.links.len()).map(|index| LinkId(index as u32));
+        let links = links.flat_map(|link| {
+            let declared = &self.mechanism.links[link.index()];
+            self.efforts_of(link).into_iter().map(|(field, effort)| Asked {
+                owner: declared.name.clone(),
+                field,
+                docs: declared.docs.clone(),
+                effort,
+            })
+        });
+        let links: Vec<_> = links.collect();
+        self.mechanism.dynamics.asked = inputs.into_iter().chain(links).collect();
+    }
+
+    /// Drive, push, joints and guides of a link.
+    fn efforts_of(&self, link: LinkId) -> Efforts {
+        let steps = &self.mechanism.steps;
+        let mut efforts: Efforts = steps.iter().flat_map(|step| self.of_step(step, link)).collect();
+        // Points of its own that others stand on.
+        let mut own: Vec<PointId> = Vec::new();
+        for (point, _) in self.mechanism.standing() {
+            let is_own = self.mechanism.owner(point) == Some(Owner::Link(link));
+            if is_own && !own.contains(&point) {
+                own.push(point);
+            }
+        }
+        let bearing = |point: PointId| (self.point_name(point), Effort::Bearing(link, point));
+        efforts.extend(own.into_iter().map(bearing));
+        efforts
+    }
+
+    fn of_step(&self, step: &Step, link: LinkId) -> Efforts {
+        let pin = |point: &PointId| (self.point_name(*point), Effort::Pin(link, *point));
+        let guide = |name: &Ident| (name.clone(), Effort::Guide(link));
+        let guides = &self.mechanism.guides;
+        let drive = || (format_ident!("drive"), Effort::Drive(link));
+        let push = || (format_ident!("push"), Effort::Push(link));
+        let place = |links: &[LinkId; 2]| links.iter().position(|known| *known == link);
+        let of_link = |link: LinkId| &self.mechanism.links[link.index()].name;
+        match step {
+            Step::Crank { link: own, pivot, pin: end, .. } if *own == link => {
+                let driven = end.as_ref().filter(|(_, l)| self.mechanism.moves(&l.value));
+                [drive()].into_iter().chain(driven.map(|_| push())).chain([pin(pivot)]).collect()
+            }
+            Step::Slider { link: own, guide: on, .. } if *own == link => {
+                vec![drive(), guide(&guides[on.index()].name)]
+            }
+            Step::Rrr { links, outer, pin: inner, lengths, .. } => {
+                let Some(k) = place(links) else { return Vec::new() };
+                let driven = self.mechanism.moves(&lengths[k].value).then(push);
+                driven.into_iter().chain([pin(&outer[k]), pin(inner)]).collect()
+            }
+            Step::Rrp { links, outer, guide: on, pin: inner, length, .. } => match place(links) {
+                Some(0) => {
+                    let driven = self.mechanism.moves(&length.value).then(push);
+                    driven.into_iter().chain([pin(outer), pin(inner)]).collect()
+                }
+                Some(_) => vec![pin(inner), guide(&guides[on.index()].name)],
+                None => Vec::new(),
+            },
+            Step::Rpr { links, outer, .. } => match place(links) {
+                Some(0) => vec![pin(&outer[0]), guide(of_link(links[1]))],
+                Some(_) => vec![pin(&outer[1])],
+                None => Vec::new(),
+            },
+            Step::Prp { links, guides: on, pin: inner, .. } => match place(links) {
+                Some(k) => vec![pin(inner), guide(&guides[on[k].index()].name)],
+                None => Vec::new(),
+            },
+            Step::Rpp { links, outer, guide: on, .. } => match place(links) {
+                Some(0) => vec![pin(outer), guide(of_link(links[1]))],
+                Some(_) => vec![guide(&guides[on.index()].name)],
+                None => Vec::new(),
+            },
+            _ => Vec::new(),
+        }
+    }
+
+    fn point_name(&self, point: PointId) -> Ident {
+        self.mechanism.points[point.index()].name.clone()
+    }
+}

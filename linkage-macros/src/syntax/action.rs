@@ -1,0 +1,222 @@
+//! Statements about forces: what has mass, what acts, and what a call is given of that.
+//!
+//! The quantity comes first, then its place; none of these statements declares a name but `load`.
+
+use proc_macro2::{Delimiter, Ident, Span, TokenTree};
+
+use super::tokens::{Parse, Parser, Reported};
+use super::tree::{Expr, StatementKind};
+
+/// `gravity`, `mass`, `inertia`, `force` or `torque`.
+pub(crate) enum Action {
+    /// `gravity (0, -g);` and where it stands.
+    Gravity { at: Span, value: [Expr; 2] },
+    /// `mass 2kg on BC at G inertia 0.1(kg*m^2);`
+    Mass { value: Expr, on: Ident, place: MassPlace, inertia: Option<Expr> },
+    /// `inertia J on AB;`
+    Inertia { value: Expr, on: Ident },
+    /// `force (0, -f) in BC on P;`
+    Force { value: [Expr; 2], axes: Option<Ident>, on: Ident },
+    /// `force f between P and Q;`
+    ForceBetween { value: Expr, points: [Ident; 2] },
+    /// `torque t on DC;`
+    Torque { value: Expr, on: Ident },
+    /// `torque t between AB and DC;`
+    TorqueBetween { value: Expr, bodies: [Ident; 2] },
+}
+
+/// Where a mass is.
+pub(crate) enum MassPlace {
+    /// Nothing is said: the mass is on a point.
+    Here,
+    /// `at (x, y)` in the link's frame.
+    At([Expr; 2]),
+    /// `at G`
+    Point(Ident),
+    /// `uniform`, and where the word stands.
+    Uniform(Span),
+}
+
+const MASS_FORMS: &str = "a mass is `mass 2kg on BC at G`, `… on BC at (x, y)`, \
+                          `… on BC uniform` or, on a pin or point, `mass 2kg on C`";
+const FORCE_FORMS: &str = "a force is `force (fx, fy) on P` or `force f between P and Q`";
+const TORQUE_FORMS: &str = "a torque is `torque t on BC` or `torque t between BC and DC`";
+
+impl Action {
+    /// The names that the statement builds on.
+    pub(crate) fn names(&self) -> Vec<&Ident> {
+        match self {
+            Self::Gravity { .. } => Vec::new(),
+            Self::Mass { on, place: MassPlace::Point(point), .. } => vec![on, point],
+            Self::Mass { on, .. } | Self::Inertia { on, .. } | Self::Torque { on, .. } => vec![on],
+            Self::Force { axes, on, .. } => axes.iter().chain([on]).collect(),
+            Self::ForceBetween { points: ends, .. } | Self::TorqueBetween { bodies: ends, .. } => {
+                ends.iter().collect()
+            }
+        }
+    }
+
+    /// The expressions in it, from left to right.
+    pub(crate) fn expressions(&self) -> Vec<&Expr> {
+        match self {
+            Self::Gravity { value, .. } | Self::Force { value, .. } => value.iter().collect(),
+            Self::Mass { value, place, inertia, .. } => {
+                let place: &[Expr] = match place {
+                    MassPlace::At(place) => place,
+                    MassPlace::Here | MassPlace::Point(_) | MassPlace::Uniform(_) => &[],
+                };
+                [value].into_iter().chain(place).chain(inertia).collect()
+            }
+            Self::Inertia { value, .. }
+            | Self::ForceBetween { value, .. }
+            | Self::Torque { value, .. }
+            | Self::TorqueBetween { value, .. } => vec![value],
+        }
+    }
+}
+
+impl Parser<'_> {
+    /// The statement whose first word is `keyword`, which was taken; `None` where the word begins
+    /// none of these.
+    pub(super) fn action(&mut self, keyword: &Ident) -> Option<Parse<StatementKind>> {
+        let parsed = match keyword.to_string().as_str() {
+            "load" => return Some(self.load()),
+            "gravity" => self.gravity(keyword.span()),
+            "mass" => self.mass(),
+            "inertia" => self.inertia(),
+            "force" => self.force(),
+            "torque" => self.torque(),
+            _ => return None,
+        };
+        Some(parsed.map(StatementKind::Action))
+    }
+
+    fn load(&mut self) -> Parse<StatementKind> {
+        let mut names = vec![self.new_name("a load")?];
+        while self.take_punct(',') {
+            if self.peek_ident(0).is_none() {
+                break;
+            }
+            names.extend(self.new_name("a load"));
+        }
+        let first = names[0].clone();
+        let kind = match self.take_punct(':') {
+            true => self.word("`force`, `torque` or `number`").map(Some),
+            false => self.refuse_because(
+                &format!("say what `{first}` is: `load {first}: force;`"),
+                "a load is a `force`, a `torque` or a `number`",
+            ),
+        };
+        let kind = self.or_skip(kind, None);
+        Ok(StatementKind::Load { names, kind })
+    }
+
+    fn gravity(&mut self, at: Span) -> Parse<Action> {
+        if !self.is_group(0, Delimiter::Parenthesis) {
+            return self.expected_because(
+                "`(gx, gy)`",
+                "gravity is an acceleration in ground axes: `gravity (0, -9.81);`",
+            );
+        }
+        Ok(Action::Gravity { at, value: self.pair("`(gx, gy)`")? })
+    }
+
+    fn mass(&mut self) -> Parse<Action> {
+        let value = self.expression()?;
+        if !self.take_word("on") {
+            return self.expected_because("`on`", MASS_FORMS);
+        }
+        let on = self.name_of("a link or a point")?;
+        let place = match () {
+            () if self.is_word(0, "uniform") => {
+                let at = self.here();
+                self.take();
+                MassPlace::Uniform(at)
+            }
+            () if self.take_word("at") => match self.is_group(0, Delimiter::Parenthesis) {
+                true => MassPlace::At(self.pair("`(x, y)`")?),
+                false if self.peek_ident(0).is_none() => {
+                    return self.expected_because("a point or `(x, y)`", MASS_FORMS);
+                }
+                false => MassPlace::Point(self.name_of("a point")?),
+            },
+            () => MassPlace::Here,
+        };
+        let inertia = match self.take_word("inertia") {
+            true => Some(self.expression()?),
+            false => None,
+        };
+        Ok(Action::Mass { value, on, place, inertia })
+    }
+
+    fn inertia(&mut self) -> Parse<Action> {
+        let value = self.expression()?;
+        if !self.take_word("on") {
+            return self.expected_because("`on`", "an inertia is `inertia 0.1(kg*m^2) on AB`");
+        }
+        Ok(Action::Inertia { value, on: self.name_of("a link")? })
+    }
+
+    fn force(&mut self) -> Parse<Action> {
+        if self.is_a_vector() {
+            let value = self.pair("`(fx, fy)`")?;
+            let axes = match self.take_word("in") {
+                true => Some(self.name_of("a link or a guide")?),
+                false => None,
+            };
+            if !self.take_word("on") {
+                let what = if axes.is_some() { "`on`" } else { "`on` or `in`" };
+                return self.expected_because(what, FORCE_FORMS);
+            }
+            return Ok(Action::Force { value, axes, on: self.name_of("a point")? });
+        }
+        let value = self.expression()?;
+        if self.is_word(0, "on") {
+            return self.refuse_because(
+                "a force on a point has two components; write `force (fx, fy) on P`",
+                FORCE_FORMS,
+            );
+        }
+        let points = self.ends("a point", FORCE_FORMS)?;
+        Ok(Action::ForceBetween { value, points })
+    }
+
+    /// Whether the parentheses that stand next hold two components.
+    fn is_a_vector(&self) -> bool {
+        let Some(TokenTree::Group(group)) = self.peek(0) else { return false };
+        let is_comma = |tree: TokenTree| matches!(tree, TokenTree::Punct(p) if p.as_char() == ',');
+        group.delimiter() == Delimiter::Parenthesis
+            && (group.stream().into_iter().any(is_comma)
+                || self.is_word(1, "on")
+                || self.is_word(1, "in"))
+    }
+
+    fn torque(&mut self) -> Parse<Action> {
+        let value = self.expression()?;
+        if self.take_word("on") {
+            return Ok(Action::Torque { value, on: self.name_of("a link")? });
+        }
+        let bodies = self.ends("a link or `ground`", TORQUE_FORMS)?;
+        Ok(Action::TorqueBetween { value, bodies })
+    }
+
+    /// `between P and Q`
+    fn ends(&mut self, what: &str, forms: &str) -> Parse<[Ident; 2]> {
+        if !self.take_word("between") {
+            return self.expected_because("`on` or `between`", forms);
+        }
+        let first = self.name_of(what)?;
+        if !self.take_word("and") {
+            return self.expected_because("`and`", forms);
+        }
+        Ok([first, self.name_of(what)?])
+    }
+
+    /// What was parsed, or `fallback` behind the tokens that are given up with it.
+    pub(super) fn or_skip<T>(&mut self, parsed: Parse<T>, fallback: T) -> T {
+        parsed.unwrap_or_else(|Reported| {
+            self.skip_statement();
+            fallback
+        })
+    }
+}

@@ -1,0 +1,5 @@
+//! Forces of whole mechanisms: published course works, balances, loads, bad input, derivatives.
+
+mod balance;
+mod interface;
+mod published;

@@ -1,0 +1,91 @@
+//! Mechanisms with masses and loads.
+
+use linkage_core::mechanism;
+
+mechanism! {
+    /// Four-bar of uniform bars, whose weight can be switched off.
+    pub struct HeavyFourBar {
+        input theta: angle;
+        param g = 9.81(m/s^2);
+        ground A(0, 0), D(750mm, 0);
+        crank AB(A) -> B { length: 250mm, angle: theta }
+        rrr BC(B), DC(D) -> C { lengths: (510mm, 500mm), mode: left }
+        gravity (0, -g);
+        mass 52.21g on AB uniform;
+        mass 104.21g on BC uniform;
+        mass 102.21g on DC uniform;
+    }
+}
+
+mechanism! {
+    /// The same, asked for its torque alone.
+    pub struct DrivenFourBar {
+        input theta: angle;
+        param g = 9.81(m/s^2);
+        ground A(0, 0), D(750mm, 0);
+        crank AB(A) -> B { length: 250mm, angle: theta }
+        rrr BC(B), DC(D) -> C { lengths: (510mm, 500mm), mode: left }
+        gravity (0, -g);
+        mass 52.21g on AB uniform;
+        mass 104.21g on BC uniform;
+        mass 102.21g on DC uniform;
+        output theta.drive;
+    }
+}
+
+mechanism! {
+    /// Six-bar of crank, RPR and RPP group.
+    pub struct HeavySixBar {
+        input theta: angle;
+        ground A(0, 0), D(0, -1m);
+        guide rail through (0, 800mm) along 0deg;
+        crank AB(A) -> B { length: 400mm, angle: theta }
+        rpr block(B), rod(D) {}
+        point E on rod at (1.6m, 0);
+        rpp slider(E), yoke(rail) { slot: 90deg }
+        gravity (0, -9.8(m/s^2));
+        mass 1.2kg on AB at (0.2m, 0) inertia 0.016(kg*m^2);
+        mass 1.5kg on block at (0, 0);
+        mass 10kg on rod at (0.8m, 0) inertia 2.2(kg*m^2);
+        output block.B, block.rod, rod.D, AB.drive;
+    }
+}
+
+mechanism! {
+    /// A press with a load on its ram, and dimensions to tune.
+    pub struct Press {
+        input theta: angle;
+        param r = 100mm;
+        param counterweight = 2kg;
+        load work: force;
+        load friction: torque;
+        ground A(0, 0);
+        guide way through (0, 0) along -90deg;
+        crank AB(A) -> B { length: r, angle: theta }
+        rrp BC(B), ram(way) -> C { length: 400mm, mode: ahead }
+        gravity (0, -9.81(m/s^2));
+        mass counterweight on AB at (-r, 0);
+        mass 3kg on BC uniform;
+        mass 8kg on ram at (0, 0) inertia 0.1(kg*m^2);
+        force (0, work) on C;
+        torque friction between ground and AB;
+    }
+}
+
+mechanism! {
+    /// A lift on a cylinder, two inputs, a single load, a rod that moves with the length.
+    pub struct Lift {
+        input lift: length;
+        input tilt: angle;
+        load cargo: force;
+        ground A(0, 0), D(0.8m, -0.2m);
+        rrr tube(D), boom(A) -> C { lengths: (lift, 1.2m), mode: right }
+        crank jib(C) -> T { length: 0.9m, angle: tilt, relative_to: boom }
+        gravity (0, -9.81(m/s^2));
+        mass 12kg on tube at (0.3m, 0) inertia 0.2(kg*m^2);
+        mass 4kg on tube at (lift - 0.25m, 0);
+        mass 20kg on boom uniform;
+        mass 9kg on jib uniform;
+        force (0, -cargo) on T;
+    }
+}
