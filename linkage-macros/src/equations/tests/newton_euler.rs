@@ -2,6 +2,8 @@
 //! every drive unknown, in a hundred digits. It knows nothing of groups, of the order in which they
 //! are solved, or of moments about joints; what it shares with the formulas is the motion.
 
+mod readings;
+
 use std::collections::HashMap;
 
 use crate::equations::kinematics::Kinematics;
@@ -11,10 +13,10 @@ use crate::ir::graph::Id;
 use crate::ir::interpret::Number;
 use crate::model::dynamics::{Axes, Effort, Force, MassPlace, Owner};
 use crate::model::mechanism::{
-    AngleSum, Carrier, Expr, Function, GuideDirection, GuideId, LinkId, Mechanism, Operator,
-    PointId, Step, Through,
+    AngleSum, Carrier, Expr, GuideDirection, GuideId, LinkId, Mechanism, PointId, Step, Through,
 };
 use crate::oracle::Digits;
+use readings::{readings, slope};
 
 /// A vector of two nodes, or of their values.
 pub(super) type Pair<T> = [T; 2];
@@ -698,81 +700,5 @@ impl<'k, 's> Matrix<'k, 's> {
         };
         let found = self.names.iter();
         found.map(|(effort, at)| (*effort, solution[*at..*at + count(effort)].to_vec())).collect()
-    }
-}
-
-/// What an expression reads of earlier links.
-fn readings(mechanism: &Mechanism, expr: &Expr, leaves: &mut Vec<Expr>) {
-    match expr {
-        Expr::Slide(_) | Expr::Coordinate(..) | Expr::Distance(_) => {
-            if !leaves.iter().any(|known| same(known, expr)) {
-                leaves.push(expr.clone());
-            }
-        }
-        Expr::Let(id) => readings(mechanism, &mechanism.lets[id.index()].rest, leaves),
-        Expr::Negate(value) => readings(mechanism, value, leaves),
-        Expr::Chain(first, rest) => {
-            readings(mechanism, first, leaves);
-            rest.iter().for_each(|(_, operand)| readings(mechanism, operand, leaves));
-        }
-        Expr::Call(_, arguments) => {
-            arguments.iter().for_each(|argument| readings(mechanism, argument, leaves));
-        }
-        Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => {}
-    }
-}
-
-fn same(a: &Expr, b: &Expr) -> bool {
-    format!("{a:?}") == format!("{b:?}")
-}
-
-/// ∂expr/∂leaf by a central difference with the step 2⁻¹⁰⁰: good to h² = 2⁻²⁰⁰.
-fn slope(
-    mechanism: &Mechanism,
-    expr: &Expr,
-    leaf: &Expr,
-    given: &dyn Fn(&Expr) -> Digits,
-) -> Digits {
-    let step = Digits::float(0.5f64.powi(100));
-    let at = |shift: &Digits| {
-        let leaf_at = |asked: &Expr| match same(asked, leaf) {
-            true => given(asked).add(shift),
-            false => given(asked),
-        };
-        evaluate(mechanism, expr, &leaf_at)
-    };
-    at(&step).sub(&at(&step.neg())).div(&step.mul(&whole(2)))
-}
-
-fn evaluate(mechanism: &Mechanism, expr: &Expr, given: &dyn Fn(&Expr) -> Digits) -> Digits {
-    let value = |expr: &Expr| evaluate(mechanism, expr, given);
-    match expr {
-        Expr::Constant(constant) => Digits::exact(constant),
-        Expr::Let(id) => value(&mechanism.lets[id.index()].rest),
-        Expr::Negate(inner) => value(inner).neg(),
-        Expr::Chain(first, rest) => rest.iter().fold(value(first), |a, (operator, b)| {
-            let b = value(b);
-            match operator {
-                Operator::Add => a.add(&b),
-                Operator::Sub => a.sub(&b),
-                Operator::Mul => a.mul(&b),
-                Operator::Div => a.div(&b),
-            }
-        }),
-        Expr::Call(function, arguments) => {
-            let [a, b] = [arguments.first(), arguments.last()].map(|a| value(a.expect("one")));
-            match function {
-                Function::Sqrt => a.sqrt(),
-                Function::Sin => a.sin(),
-                Function::Cos => a.cos(),
-                Function::Tan => a.tan(),
-                Function::Asin => a.asin(),
-                Function::Acos => a.acos(),
-                Function::Atan => a.atan(),
-                Function::Atan2 => a.atan2(&b),
-                Function::Hypot => a.hypot(&b),
-            }
-        }
-        leaf => given(leaf),
     }
 }
