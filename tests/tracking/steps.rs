@@ -176,10 +176,16 @@ const UNITS: [f64; 3] = [1e-9, 1.0, 1e9];
 fn all_sizes<S64: Stepped, S32: Stepped>(pairs: usize) {
     let mut random = Random::new(13);
     let (mut compared, mut refused) = (0, 0);
-    for unit in UNITS {
-        for [of_width, without_answer] in
-            [compare::<S64>(unit, pairs, &mut random), compare::<S32>(unit, pairs, &mut random)]
+    for (nth, unit) in UNITS.into_iter().enumerate() {
+        // Few steps are of one width a size: a walk takes longer than they do.
+        let widths = if pairs > 100 { [true, true] } else { [nth != 1, nth == 1] };
+        for (is_double, _) in
+            [true, false].into_iter().zip(widths).filter(|&(_, is_asked)| is_asked)
         {
+            let [of_width, without_answer] = match is_double {
+                true => compare::<S64>(unit, pairs, &mut random),
+                false => compare::<S32>(unit, pairs, &mut random),
+            };
             compared += of_width;
             refused += without_answer;
         }
@@ -226,7 +232,7 @@ impl<T: Float> Stepped for Anti<T> {
 /// A thousand pairs of all mechanisms, sizes and widths together.
 #[test]
 fn a_step_of_any_length_finds_the_branch() {
-    all(20);
+    all(40);
 }
 
 #[test]
