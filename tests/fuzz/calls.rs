@@ -72,7 +72,7 @@ impl At<'_> {
         let kind = answer.as_ref().map_or_else(kind_of, |_| "Ok");
         *self.calls.answers.entry(kind).or_default() += 1;
         if let Err(SolveError::OutOfReach { by, .. }) = answer
-            && !(by >= 0.0)
+            && (by < 0.0 || by.is_nan())
         {
             self.wrong(entry, "out of reach by what is no distance", &by);
         }

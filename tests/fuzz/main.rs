@@ -4,6 +4,8 @@
 //! The ordinary run makes 10⁵ calls. `LINKAGE_FUZZ=100000000 cargo test --release -p
 //! linkage-tests --test fuzz -- --nocapture` makes 10⁸, `LINKAGE_FUZZ_SEED` others.
 
+#![allow(clippy::needless_update, reason = "a mechanism may have one parameter or several")]
+
 mod calls;
 #[macro_use]
 mod mechanism;

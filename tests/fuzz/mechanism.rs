@@ -73,7 +73,7 @@ fn compare<M: Fuzzed<N, P>, T: Number, const N: usize, const P: usize>(
     for Found { entry, rows, share } in found {
         let Some(worst) = error::<M, T, N, P>(state, rows) else { return };
         let worst = worst / share;
-        if !(worst <= M::OPERATIONS) {
+        if worst > M::OPERATIONS || worst.is_nan() {
             at.wrong(entry, "wrong", &(worst, rows));
         }
         let name = format!("{}::{entry} in {}", M::NAME, T::NAME);

@@ -1,6 +1,8 @@
 //! What an answer says of itself: a sweep beside the single call, margins behind a group that cannot
 //! be assembled, inputs that nothing depends on.
 
+#![allow(clippy::needless_update, reason = "a mechanism may have one parameter or several")]
+
 use linkage_core::{Slide, SolveError, Status};
 use linkage_tests::mechanisms::statuses::*;
 
