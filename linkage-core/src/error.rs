@@ -2,8 +2,11 @@
 
 use core::fmt;
 
+use crate::shown::{Digits, Length};
+
 /// Why a solver gave no answer. The group is named by its links, as declared: `"BC, DC"`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum SolveError {
     /// The group cannot be assembled: its joints are too far apart or too close together.
@@ -42,8 +45,12 @@ pub enum SolveError {
 impl fmt::Display for SolveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::OutOfReach { group, by } => write!(f, "{group}: out of reach by {by} m"),
-            Self::Singular { group } => write!(f, "{group}: singular pose"),
+            Self::OutOfReach { group, by } => {
+                write!(f, "{group}: out of reach by {}", Length(by))
+            }
+            Self::Singular { group } => {
+                write!(f, "{group}: at a dead point, where this is undefined")
+            }
             Self::Invalid { group, name } if is_mass(name) => {
                 write!(f, "{group}: `{name}` must not be negative")
             }
@@ -51,6 +58,7 @@ impl fmt::Display for SolveError {
                 write!(f, "{group}: `{name}` must be greater than zero")
             }
             Self::OffCircle { name, amplitude } => {
+                let amplitude = Digits(amplitude);
                 write!(f, "the cosine and sine of `{name}` have an amplitude of {amplitude}, not 1")
             }
             Self::NotFinite { name } => {
