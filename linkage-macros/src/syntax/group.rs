@@ -4,6 +4,7 @@
 
 use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
+use super::anatomy::Anatomy;
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{Expr, Field, FieldValue, Group, Leg};
 use super::words;
@@ -134,15 +135,7 @@ impl Parser<'_> {
     }
 
     fn missing_braces(&mut self, keyword: &Ident) {
-        let fields = match keyword.to_string().as_str() {
-            "crank" => "{ length: …, angle: … }",
-            "slider" => "{ slide: … }",
-            "rrr" => "{ lengths: (…, …), mode: … }",
-            "rrp" => "{ length: …, mode: … }",
-            "prp" => "{ }",
-            "rpp" => "{ slot: … }",
-            _ => "{ … }",
-        };
+        let fields = Anatomy::of(&keyword.to_string()).map_or("{ … }".into(), Anatomy::braces);
         let message = match self.is_group(0, Delimiter::Parenthesis)
             || self.is_group(0, Delimiter::Bracket)
         {
