@@ -10,7 +10,7 @@ use syn::{Attribute, Visibility};
 use crate::exact::Exact;
 use crate::model::dynamics::Dynamics;
 pub(crate) use crate::model::ids::{
-    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId,
+    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId,
 };
 use crate::reach::turn::Turn;
 
@@ -205,6 +205,11 @@ pub(crate) enum Expr {
     Coordinate(PointId, Axis),
     /// The distance between two points.
     Distance([PointId; 2]),
+    /// How far a spring between two bodies is turned from its free angle.
+    Twist(SpringId),
+    /// The rate of a sum of angles, or of any other number, in the values of forces and torques
+    /// alone.
+    Rate(Box<AngleSum>),
     Negate(Box<Expr>),
     /// One operation after the other, each on what the one before has made.
     Chain(Box<Expr>, Vec<(Operator, Expr)>),

@@ -8,9 +8,10 @@ use std::collections::HashMap;
 
 use proc_macro2::Ident;
 
+use crate::syntax::action::Action;
 use crate::syntax::tree::{Declaration, Statement, StatementKind};
 
-use super::mechanism::{GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId};
+use super::mechanism::{GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -21,6 +22,7 @@ pub(super) enum Kind {
     Link,
     Guide,
     Load,
+    Spring,
 }
 
 /// What may stand in an expression.
@@ -36,6 +38,7 @@ impl Kind {
             Self::Link => "link",
             Self::Guide => "guide",
             Self::Load => "load",
+            Self::Spring => "spring",
         }
     }
 
@@ -55,6 +58,7 @@ pub(super) enum Entity {
     Link(LinkId),
     Guide(GuideId),
     Load(LoadId),
+    Spring(SpringId),
 }
 
 /// A name that was declared, correctly or not.
@@ -158,6 +162,9 @@ pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
             links.chain(group.pin.iter().map(|pin| (pin, Kind::Point))).collect()
         }
         StatementKind::Load { names, .. } => names.iter().map(|n| (n, Kind::Load)).collect(),
+        StatementKind::Action(Action::Spring { name, .. }) => {
+            name.iter().map(|name| (name, Kind::Spring)).collect()
+        }
         StatementKind::Action(_)
         | StatementKind::Output { .. }
         | StatementKind::Numerics { .. }
@@ -179,6 +186,7 @@ pub(super) fn title(statement: &Statement, name: &str) -> String {
             format!("{} {}", group.keyword, group.title())
         }
         StatementKind::Load { .. } => format!("load {name}"),
+        StatementKind::Action(Action::Spring { .. }) => format!("spring {name}"),
         StatementKind::Action(_)
         | StatementKind::Output { .. }
         | StatementKind::Numerics { .. }

@@ -24,6 +24,8 @@ pub(crate) enum Class {
     Rpr,
     Prp,
     Rpp,
+    /// No group at all, but its fields are read like one's.
+    Spring,
 }
 
 /// An outer joint: what it stands on, and what says so.
@@ -75,11 +77,11 @@ pub(crate) enum Modes {
     Sense,
 }
 
-const fn needed(name: &'static str, meaning: &'static str) -> FieldRule {
+pub(crate) const fn needed(name: &'static str, meaning: &'static str) -> FieldRule {
     FieldRule { name, pair: false, needed: Needed::Always, meaning }
 }
 
-const fn optional(name: &'static str, meaning: &'static str) -> FieldRule {
+pub(crate) const fn optional(name: &'static str, meaning: &'static str) -> FieldRule {
     FieldRule { name, pair: false, needed: Needed::Never, meaning }
 }
 
