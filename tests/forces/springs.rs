@@ -71,7 +71,10 @@ fn where_its_ends_meet_a_spring_is_singular() {
     let meeting = Meeting::new();
     let refused = meeting.statics(0.0);
     assert_eq!(refused, Err(SolveError::Singular { group: "spring E, B" }));
-    assert_eq!(refused.unwrap_err().to_string(), "spring E, B: its ends meet, and it has no direction");
+    assert_eq!(
+        refused.unwrap_err().to_string(),
+        "spring E, B: its ends meet, and it has no direction"
+    );
     let refused = Meeting::<f32>::default().forces(0.0, 1.0, 0.0);
     assert_eq!(refused, Err(SolveError::Singular { group: "spring E, B" }));
     // As near as numbers come to it the direction is that of the line, and the force 5 N.

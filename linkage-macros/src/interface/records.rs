@@ -63,6 +63,7 @@ pub(crate) enum Kind {
     Forces,
     /// The same of one input or link: an index into the mechanism's asked-for forces, its first.
     ForcesOf(usize),
+    Energy,
 }
 
 #[derive(Debug)]
@@ -87,6 +88,8 @@ pub(crate) enum Subject {
     Effort(usize),
     /// Those of one input or link, of which this is the first.
     Efforts(usize),
+    /// Kinetic or potential.
+    Energy(&'static str),
 }
 
 /// Whether an output exists also where the pose does not.
@@ -112,6 +115,7 @@ pub(super) struct Records {
     pub margins: Option<RecordId>,
     pub loads: Option<RecordId>,
     pub forces: Option<RecordId>,
+    pub energy: Option<RecordId>,
 }
 
 impl Records {
@@ -131,13 +135,16 @@ impl Records {
         let fields: Vec<_> = owners
             .iter()
             .map(|owned| {
-                let record = forces::of_owner(mechanism, owned.clone());
-                forces::field_of_owner(mechanism, owned.start, add(record))
+                forces::field_of_the_whole(mechanism, owned.start).unwrap_or_else(|| {
+                    let record = forces::of_owner(mechanism, owned.clone());
+                    forces::field_of_owner(mechanism, owned.start, add(record))
+                })
             })
             .collect();
         let forces =
             (!fields.is_empty()).then(|| add(record(mechanism, "Forces", Kind::Forces, fields)));
-        Self { list, input, orders, motion, margins, loads, forces }
+        let energy = mechanism.dynamics.energy.then(|| add(forces::energy(mechanism)));
+        Self { list, input, orders, motion, margins, loads, forces, energy }
     }
 }
 
