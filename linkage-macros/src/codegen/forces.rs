@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 
 use super::context::Context;
-use super::docs::{after, lines};
+use super::doc_comments::{after, lines};
 use super::identifiers::text;
 use crate::interface::forces::path;
 use crate::interface::quantity::Order;

@@ -12,7 +12,7 @@ use crate::model::dynamics::Dynamics;
 pub(crate) use crate::model::ids::{
     GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId,
 };
-pub(crate) use crate::model::ranges::{Range, Rotatability};
+use crate::reach::turn::Turn;
 
 pub(crate) struct Mechanism {
     pub docs: Vec<Attribute>,
@@ -91,6 +91,19 @@ pub(crate) struct References {
     pub made: Vec<(Ident, String)>,
     /// Every place where one of them is used.
     pub used: Vec<Ident>,
+}
+
+/// What a dyad leaves of the turn of the crank it hangs on.
+pub(crate) struct Rotatability {
+    pub group: GroupId,
+    pub crank: LinkId,
+    /// The input that is the crank's angle, where one is it bare.
+    pub input: Option<InputId>,
+    pub turn: Turn,
+    /// Opposite links are of one length: crank and rocker, coupler and ground.
+    pub is_parallelogram: bool,
+    /// The comparison of lengths that decides it.
+    pub reason: String,
 }
 
 pub(crate) struct Input {

@@ -10,7 +10,6 @@
 //! need of constants.
 
 mod actions;
-mod anatomy;
 mod assembly;
 mod dimension;
 mod drivers;
@@ -34,7 +33,6 @@ mod numbers;
 mod order;
 mod outputs;
 mod points;
-mod ranges;
 mod readings;
 mod references;
 mod rotatability;
@@ -42,6 +40,7 @@ mod settings;
 mod springs;
 pub(crate) mod stand_in;
 pub(crate) mod units;
+mod uses;
 
 #[cfg(test)]
 mod tests;
@@ -52,8 +51,7 @@ use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 use dynamics::Dynamics;
 use facts::Facts;
 use mechanism::{Mechanism, Numerics, References};
-use names::Names;
-use order::TooEarly;
+use names::{Names, TooEarly};
 
 /// The mechanism that the declaration means; `None` if anything in it was reported.
 pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
