@@ -124,11 +124,17 @@ mod tests {
 
     const LIMITS: Thresholds = Thresholds { zero: 1e-8, clear: 4e-8, near: 1e-4 };
 
-    /// A clearance with its rates, and their ranges by sampling: good enough for polynomials.
     fn judged(from: f64, to: f64, f: impl Fn(f64) -> [f64; 3]) -> Finding {
+        judged_at(1.0, from, to, f)
+    }
+
+    /// A clearance of this scale with its rates, and their ranges by sampling: good enough for
+    /// polynomials.
+    fn judged_at(scale: f64, from: f64, to: f64, f: impl Fn(f64) -> [f64; 3]) -> Finding {
+        let f = |x: f64| f(x).map(|number| scale * number);
         let read = |x: f64| {
             let [value, rate, second_rate] = f(x);
-            Reading { value, rate, second_rate, scale: 1.0 }
+            Reading { value, rate, second_rate, scale }
         };
         let range = |index: usize| {
             let samples = (0..=1000).map(|i| f(from + (to - from) * f64::from(i) / 1e3)[index]);
@@ -137,7 +143,7 @@ mod tests {
             samples.fold([f64::MAX, f64::MIN], add)
         };
         let ranges =
-            Ranges { value: range(0), rate: range(1), second_rate: range(2), scale: [1.0; 2] };
+            Ranges { value: range(0), rate: range(1), second_rate: range(2), scale: [scale; 2] };
         judge([(from, read(from)), (to, read(to))], &ranges, LIMITS, read)
     }
 
@@ -157,6 +163,21 @@ mod tests {
         assert!(matches!(judged(0.0, 1.0, parabola(-1.1e-8)), Finding::Ended(_)));
         assert!(matches!(judged(0.0, 0.3 - 1e-6, parabola(0.0)), Finding::Quiet));
         assert!(matches!(judged(0.3 + 1e-6, 1.0, parabola(0.0)), Finding::Quiet));
+    }
+
+    /// Squares of lengths are 1e18 times as large where lengths are 1e9 times.
+    #[test]
+    fn a_parabola_is_judged_alike_at_every_size() {
+        for scale in [1e-36, 1e-18, 1e18, 1e36] {
+            for low in [0.0, 0.9e-8, -0.9e-8] {
+                let found = judged_at(scale, 0.0, 1.0, parabola(low));
+                assert!(matches!(found, Finding::Touching(_)), "{low} of {scale:e}: {found:?}");
+            }
+            let missed = judged_at(scale, 0.0, 1.0, parabola(1.1e-8));
+            assert!(matches!(missed, Finding::Quiet), "{scale:e}: {missed:?}");
+            let ended = judged_at(scale, 0.0, 1.0, parabola(-1.1e-8));
+            assert!(matches!(ended, Finding::Ended(_)), "{scale:e}: {ended:?}");
+        }
     }
 
     /// What falls through zero has ended where it is found below by more than rounding, however
