@@ -17,7 +17,7 @@ pub(super) fn absolute(value: &Exact) -> Exact {
 
 impl AngleSum {
     /// The angle, where it is known when the mechanism is declared.
-    pub(super) fn constant(&self) -> Option<&Exact> {
+    pub(crate) fn constant(&self) -> Option<&Exact> {
         self.links.is_empty().then(|| self.rest.constant()).flatten()
     }
 }

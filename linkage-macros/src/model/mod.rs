@@ -12,6 +12,7 @@
 mod actions;
 mod anatomy;
 mod assembly;
+mod coincidence;
 mod dimension;
 mod drivers;
 mod dyads;
@@ -151,6 +152,7 @@ fn empty(tree: &Declaration) -> Mechanism {
         steps: Vec::new(),
         outputs: Vec::new(),
         rotatabilities: Vec::new(),
+        known: Vec::new(),
         dynamics: Dynamics::default(),
         references: References::of(tree),
         numerics: Numerics::Plain,
