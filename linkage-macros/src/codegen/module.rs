@@ -18,12 +18,17 @@ pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
         return code.clone();
     }
     let (module, visibility) = (name(&cx.names.solver), &cx.mechanism.visibility);
-    let absent = cx.paths.outside("Absent");
+    // What stands in for a declaration with mistakes may lack what was asked for; only names that
+    // were understood are for editors.
+    let is_understood = !cx.mechanism.references.made.is_empty();
+    let absent = is_understood.then(|| {
+        let absent = cx.paths.outside("Absent");
+        quote!(#[doc(hidden)] pub use #absent as _;)
+    });
     quote! {
         #[allow(non_snake_case, reason = "it is named after the mechanism")]
         mod #module {
-            #[doc(hidden)]
-            pub use #absent as _;
+            #absent
             #code
         }
         #[allow(unused_imports, clippy::wildcard_imports, reason = "all that stands in the module")]
