@@ -101,7 +101,10 @@
 //!   fused operations come from the standard library, which the optimiser understands better than
 //!   the assembly that stands in for them without it.
 //!
-//! Without `ad` and `std` the crate is `no_std` and needs `libm` alone. It never allocates, and no
+//! - `sketch`: pictures and films of mechanisms; every solver has `sketch` and `film` then. It needs
+//!   the standard library and nothing else, and changes nothing of the solvers.
+//!
+//! Without `ad`, `std` and `sketch` the crate is `no_std` and needs `libm` alone. It never allocates, and no
 //! solver panics.
 //!
 //! # Precision and targets
@@ -141,6 +144,8 @@ mod record;
 mod resolver;
 mod results;
 mod scalar;
+#[cfg(feature = "sketch")]
+pub mod sketch;
 mod slow_path;
 mod sweep;
 mod tracker;

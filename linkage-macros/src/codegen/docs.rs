@@ -56,6 +56,12 @@ fn wrapped(line: &str) -> Vec<String> {
 
 /// The words of the user's comments, to be put behind our own.
 fn quoted(own: &[Attribute]) -> String {
+    let words = words(own);
+    if words.is_empty() { words } else { format!(": {words}") }
+}
+
+/// The words of the user's comments in one line.
+pub(super) fn words(own: &[Attribute]) -> String {
     let words = own.iter().filter_map(|attribute| match &attribute.meta {
         Meta::NameValue(MetaNameValue {
             value: Expr::Lit(ExprLit { lit: Lit::Str(line), .. }),
@@ -64,7 +70,7 @@ fn quoted(own: &[Attribute]) -> String {
         _ => None,
     });
     let words: Vec<String> = words.flat_map(|line| words_of(&line)).collect();
-    if words.is_empty() { String::new() } else { format!(": {}", words.join(" ")) }
+    words.join(" ")
 }
 
 fn words_of(line: &str) -> Vec<String> {

@@ -31,6 +31,7 @@ mod jet;
 mod kinematics;
 mod motion;
 mod parts;
+pub(crate) mod placing;
 mod point;
 mod prp;
 mod rpp;

@@ -46,7 +46,7 @@ fn kept_in() -> PathBuf {
 
 impl Hashes {
     fn of(declaration: &Declaration) -> Self {
-        let expansion = pipeline::compile(declaration.tokens.clone());
+        let expansion = pipeline::compile(declaration.tokens.clone(), false);
         let messages = fuzz::messages(expansion.clone());
         assert!(messages.is_empty(), "{}: {messages:?}", declaration.name);
         Self {
@@ -71,7 +71,7 @@ fn stand_in(tokens: TokenStream) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
     let tree = syntax::parse(tokens, &mut diagnostics);
     assert!(diagnostics.into_errors().is_empty());
-    pipeline::stand_in(&tree.expect("it expands"))
+    pipeline::stand_in(&tree.expect("it expands"), false)
 }
 
 fn all() -> BTreeMap<Key, Hashes> {
