@@ -2,6 +2,7 @@
 //! them. What is drawn here is drawn by `linkage_core::sketch`; what is said here is how each moves.
 
 pub mod declarations;
+pub mod figures;
 pub mod motions;
 pub mod page;
 

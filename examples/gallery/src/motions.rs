@@ -16,6 +16,7 @@ pub struct Piece {
     pub name: &'static str,
     /// What one sees.
     pub text: &'static str,
+    /// The motion.
     pub film: Film,
 }
 
@@ -135,9 +136,9 @@ fn designed() -> Vec<Piece> {
     vec![
         Piece {
             name: "electronic_cam::FlyingShear",
-            text: "The shear of the electronic cam, to and fro by 60°.",
+            text: "The shear of the electronic cam, to and fro by 240°.",
             film: electronic_cam::FlyingShear::new()
-                .film(shares().map(|s| 2.0 + PI / 3.0 * s))
+                .film(shares().map(|s| 2.0 + 4.0 * PI / 3.0 * s))
                 .trace("blade")
                 .there_and_back(),
         },

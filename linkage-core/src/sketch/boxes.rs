@@ -58,6 +58,12 @@ impl Box2 {
 
     /// How much of a line is inside (Liang and Barsky).
     pub(super) fn length_inside(self, [a, b]: [Spot; 2]) -> f64 {
+        let is_aside = |axis: usize| {
+            a[axis].max(b[axis]) < self.low[axis] || a[axis].min(b[axis]) > self.high[axis]
+        };
+        if is_aside(0) || is_aside(1) {
+            return 0.0;
+        }
         let along = [b[0] - a[0], b[1] - a[1]];
         let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
         for axis in 0..2 {

@@ -8,7 +8,7 @@ use super::gaps::messages;
 use super::labels;
 use super::picture::{Picture, is_ground, revolutes};
 use super::scene::Spot;
-use super::style::{FONT, JOINT, LABEL, MARGIN, SMALL, text_width};
+use super::style::{FONT, JOINT, LABEL, SMALL, text_width};
 use super::svg::{Timing, escaped, pair, rigid, short};
 use super::{symbols, traces};
 
@@ -24,9 +24,8 @@ impl Picture<'_> {
     pub(super) fn svg(&self, is_film: bool) -> String {
         let timing = (is_film && self.scene.len() > 1)
             .then_some(Timing { seconds: self.options.seconds, frames: self.scene.len() });
-        let bottom = MARGIN - 18.0;
         let scale = symbols::scale_bar(self.view.scale, self.page[0], self.options.unit);
-        let (footers, below) = self.footers(self.page[1] - bottom, &scale);
+        let (footers, below) = self.footers(self.line, &scale);
         let [width, height] = [self.page[0], self.page[1] + below].map(short);
         let palette = &self.palette;
         let mut svg = format!(
@@ -162,7 +161,10 @@ impl Picture<'_> {
     /// that.
     fn footers(&self, line: f64, scale: &(f64, String)) -> (String, f64) {
         let palette = &self.palette;
-        let (mut svg, mut x) = symbols::drawn_scale(scale, line, palette);
+        let (mut svg, mut x) = match self.options.has_scale {
+            true => symbols::drawn_scale(scale, line, palette),
+            false => (String::new(), 0.0),
+        };
         let (mut y, mut below) = (line, 0.0);
         x += 28.0;
         let mut lines = messages(self.scene, self.options.unit);

@@ -91,6 +91,12 @@ impl Film {
         self
     }
 
+    /// How long the motion takes, in seconds.
+    #[must_use]
+    pub const fn duration(&self) -> f64 {
+        self.options.seconds
+    }
+
     /// Shows so many poses at equal steps at once, all but the first faintly.
     #[must_use]
     pub const fn poses(mut self, count: usize) -> Self {
@@ -138,6 +144,18 @@ impl Film {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// The names of all points.
+    #[must_use]
+    pub const fn points(&self) -> &'static [&'static str] {
+        self.scene.plan.points
+    }
+
+    /// The names of all links.
+    #[must_use]
+    pub const fn links(&self) -> &'static [&'static str] {
+        self.scene.plan.links
     }
 
     /// Where a point is in a pose, in metres in ground axes.
@@ -351,6 +369,13 @@ macro_rules! asked_of_a_picture {
             #[must_use]
             pub const fn unit(mut self, unit: Unit) -> Self {
                 self.options.unit = Some(unit);
+                self
+            }
+
+            /// Leaves the scale out.
+            #[must_use]
+            pub const fn without_scale(mut self) -> Self {
+                self.options.has_scale = false;
                 self
             }
 

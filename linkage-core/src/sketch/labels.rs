@@ -108,7 +108,7 @@ pub(super) fn place(labels: Vec<Label>, samples: &[usize], obstacles: &[Obstacle
 /// Twelve directions at two distances, from the upper right on.
 fn places(half: Spot) -> impl Iterator<Item = Spot> {
     let directions = [-45, -135, 45, 135, 0, 180, -90, 90, -20, -160, 20, 160_i32];
-    let gaps = [JOINT + 4.5, JOINT + 12.0];
+    let gaps = [JOINT + 4.5, JOINT + 12.0, JOINT + 20.0];
     gaps.into_iter().flat_map(move |gap| {
         directions.into_iter().map(move |degrees| {
             let (sin, cos) = f64::from(degrees).to_radians().sin_cos();

@@ -26,6 +26,7 @@ pub(super) struct Options {
     pub unit: Option<Unit>,
     pub title: Option<String>,
     pub forces: Vec<(String, Vec<[f64; 2]>)>,
+    pub has_scale: bool,
     pub poses: usize,
     pub seconds: f64,
 }
@@ -40,6 +41,7 @@ impl Default for Options {
             unit: None,
             title: None,
             forces: Vec::new(),
+            has_scale: true,
             poses: 1,
             seconds: 4.0,
         }
@@ -61,6 +63,8 @@ pub(super) struct Picture<'s> {
     pub(super) arcs: Vec<(Spot, f64, bool)>,
     pub(super) labels: Vec<Placed>,
     pub(super) page: Spot,
+    /// Where the scale stands.
+    pub(super) line: f64,
 }
 
 impl<'s> Picture<'s> {
@@ -83,6 +87,7 @@ impl<'s> Picture<'s> {
             arcs: Vec::new(),
             labels: Vec::new(),
             page: [0.0; 2],
+            line: 0.0,
         };
         picture.fit()?;
         picture.place_supports();
@@ -98,7 +103,8 @@ impl<'s> Picture<'s> {
     /// The scale at which everything fits: what is measured in pixels does not grow with it, so it is
     /// found in a few steps.
     fn fit(&mut self) -> Result<(), SketchError> {
-        let room = [self.options.width - 2.0 * MARGIN, HEIGHT - 2.0 * MARGIN - self.head()];
+        let room =
+            [self.options.width - 2.0 * MARGIN, HEIGHT - MARGIN - FOOT - BELOW - self.head()];
         for _ in 0..6 {
             self.make()?;
             let [width, height] = self.extent().size();
@@ -186,9 +192,9 @@ impl<'s> Picture<'s> {
         scene.plan.statements.iter().filter_map(of).collect()
     }
 
-    /// Up to twelve poses by which places are chosen.
+    /// Up to sixteen poses by which places are chosen.
     fn samples(&self) -> Vec<usize> {
-        let count = self.scene.len().min(24);
+        let count = self.scene.len().min(16);
         (0..count)
             .map(|nth| nth * (self.scene.len() - 1) / count.max(2).saturating_sub(1))
             .collect()
@@ -199,7 +205,7 @@ impl<'s> Picture<'s> {
         let pivots = revolutes(scene).into_iter().filter(|&point| is_ground(scene, point));
         let pivots: Vec<Spot> =
             pivots.filter_map(|point| Some(self.view.pixels(scene.point(0, point)?))).collect();
-        let obstacles: Vec<Obstacles> = samples.iter().map(|&f| self.obstacles(f)).collect();
+        let obstacles = self.obstacles_in(&samples);
         for &at in &pivots {
             let cost = |way: f64| {
                 let covered = symbols::support_box(at, way);
@@ -216,7 +222,7 @@ impl<'s> Picture<'s> {
                     .sum();
                 (lines + 20.0 * joints.count() as f64) / samples.len() as f64 + 0.2 * others
             };
-            let ways = WAYS.into_iter().zip([0.0, 2.0, 2.0, 4.0]);
+            let ways = WAYS.into_iter().zip([0.0, 6.0, 6.0, 9.0]);
             let best = ways.min_by(|a, b| (cost(a.0) + a.1).total_cmp(&(cost(b.0) + b.1)));
             self.supports.extend(best.map(|(way, _)| (at, way)));
         }
@@ -246,24 +252,26 @@ impl<'s> Picture<'s> {
                 let lines = obstacles.iter().flat_map(|pose| &pose.lines);
                 let lines: f64 = lines.map(|&(line, _)| covered.length_inside(line)).sum();
                 let in_box = |spot: &&Spot| boxes.iter().any(|b| b.grown(3.0).holds(**spot));
-                lines / obstacles.len() as f64 + 30.0 * points.iter().filter(in_box).count() as f64
+                3.0 * lines / obstacles.len() as f64
+                    + 3.0 * points.iter().filter(in_box).count() as f64
             };
-            let middles = (0..12).map(|nth| 30.0 * f64::from(nth) - 30.0);
+            let middles = (0..18).map(|nth| 20.0 * f64::from(nth) - 20.0);
             let best = middles.min_by(|a, b| cost(*a).total_cmp(&cost(*b)));
             self.arcs.extend(best.map(|middle| (at, middle, is_clockwise)));
         }
     }
 
-    /// What labels should not cover in one pose.
-    fn obstacles(&self, frame: usize) -> Obstacles {
+    /// What labels should not cover, in each of these poses.
+    fn obstacles_in(&self, frames: &[usize]) -> Vec<Obstacles> {
+        let (rails, traces) = (self.rails(), self.traces.iter().flat_map(Trace::lines).collect());
+        let still = Obstacles { traces, ..self.standing_obstacles(&rails) };
+        frames.iter().map(|&frame| self.obstacles(frame, still.clone())).collect()
+    }
+
+    /// What is in the way in all poses.
+    fn standing_obstacles(&self, rails: &[(super::svg::Seat, [f64; 2])]) -> Obstacles {
         let mut obstacles = Obstacles::default();
-        for body in &self.bodies {
-            for (shape, line) in body.shapes.iter().zip(body.lines(frame)) {
-                let sides = line.windows(2).map(|ends| ([ends[0], ends[1]], shape.half_width()));
-                obstacles.lines.extend(sides);
-            }
-        }
-        for (seat, ends) in self.rails() {
+        for &(seat, ends) in rails {
             obstacles.lines.push((ends.map(|x| seat.place([x, 0.0])), 1.0));
             obstacles.boxes.extend(symbols::rail_boxes(seat, ends));
         }
@@ -271,12 +279,24 @@ impl<'s> Picture<'s> {
         obstacles.boxes.extend(supports.map(|&(at, way)| symbols::support_box(at, way)));
         for &(at, middle, _) in &self.arcs {
             let points = symbols::arc_points(at, middle);
-            obstacles.lines.extend(points.windows(2).map(|ends| ([ends[0], ends[1]], 3.0)));
+            // A text there would be read as part of the arrow.
+            let covered = points.windows(2).map(|ends| Box2::around([ends[0], ends[1]]));
+            obstacles.boxes.extend(covered.map(|covered| covered.grown(5.0)));
+        }
+        obstacles
+    }
+
+    fn obstacles(&self, frame: usize, standing: Obstacles) -> Obstacles {
+        let mut obstacles = standing;
+        for body in &self.bodies {
+            for (shape, line) in body.shapes.iter().zip(body.lines(frame)) {
+                let sides = line.windows(2).map(|ends| ([ends[0], ends[1]], shape.half_width()));
+                obstacles.lines.extend(sides);
+            }
         }
         let points = 0..self.scene.plan.points.len();
         let points = points.filter_map(|point| self.scene.point(frame, point));
         obstacles.joints.extend(points.map(|at| self.view.pixels(at)));
-        obstacles.traces.extend(self.traces.iter().flat_map(Trace::lines));
         obstacles.traces.extend(self.forces.iter().filter_map(|force| force.line(frame)));
         obstacles
     }
@@ -309,24 +329,25 @@ impl<'s> Picture<'s> {
         let mut labels: Vec<Label> = wanted.iter().map(label).collect();
         labels.sort_by_key(|label| !label.is_wanted);
         let samples = self.samples();
-        let obstacles: Vec<Obstacles> = samples.iter().map(|&f| self.obstacles(f)).collect();
+        let obstacles = self.obstacles_in(&samples);
         self.labels = labels::place(labels, &samples, &obstacles);
         Ok(())
     }
 
     /// Moves everything so that nothing is cut off, and sizes the page.
     fn settle(&mut self) {
-        let content = self.extent();
         let texts = self.labels.iter().map(Placed::extent);
         let supports = self.supports.iter().map(|&(at, way)| symbols::support_box(at, way));
-        let all = texts.chain(supports).fold(content.grown(MARGIN - EDGE), Box2::with).grown(EDGE);
-        // Texts and supports have moved nothing if they stay in the margin.
-        let shift = [-all.low[0], self.head() - all.low[1]];
-        if shift[0].abs() > 0.01 || shift[1].abs() > 0.01 {
-            self.shift(shift);
-        }
-        let [width, height] = all.size();
-        self.page = [width.max(MIN_WIDTH), height + self.head()];
+        let rails = self.rails().into_iter();
+        let rails = rails.flat_map(|(seat, ends)| symbols::rail_boxes(seat, ends));
+        let shown = texts.chain(supports).chain(rails).fold(self.extent(), Box2::with);
+        let content = self.extent();
+        // Texts and supports may stand in the margin, but not at its end.
+        let low = [0, 1].map(|axis| (content.low[axis] - MARGIN).min(shown.low[axis] - EDGE));
+        let right = (content.high[0] + MARGIN).max(shown.high[0] + EDGE);
+        self.shift([-low[0], self.head() - low[1]]);
+        self.line = (content.high[1] + FOOT).max(shown.high[1] + EDGE + 8.0) - low[1] + self.head();
+        self.page = [(right - low[0]).max(MIN_WIDTH), self.line + BELOW];
     }
 
     fn shift(&mut self, by: Spot) {
@@ -344,6 +365,9 @@ impl<'s> Picture<'s> {
     }
 }
 
+/// From what is drawn to the line of the scale, and from there to the end of the page.
+const FOOT: f64 = 28.0;
+const BELOW: f64 = 18.0;
 /// What is left free around texts.
 const EDGE: f64 = 8.0;
 /// The page is wide enough for the scale.

@@ -57,7 +57,7 @@ impl Shape {
         let (paper, ink) = (palette.paper, palette.ink);
         match self {
             Self::Bar(ends) => line(ends, "5"),
-            Self::Stub(ends) => line(ends, "4"),
+            Self::Stub(ends) => line(ends, "5"),
             Self::Hull(corners) => format!(
                 r#"<path d="{}" stroke="{colour}" stroke-width="4" fill="{colour}" fill-opacity=".16"/>"#,
                 path(corners, true)

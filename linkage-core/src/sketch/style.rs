@@ -64,9 +64,10 @@ impl Theme {
 
 /// Around everything.
 pub(super) const MARGIN: f64 = 46.0;
-/// The largest page.
+/// The largest page. On a higher one the straight lines between 120 poses of a turn would part joints
+/// by more than a tenth of a pixel.
 pub(super) const WIDTH: f64 = 720.0;
-pub(super) const HEIGHT: f64 = 640.0;
+pub(super) const HEIGHT: f64 = 608.0;
 /// A joint's circle.
 pub(super) const JOINT: f64 = 4.6;
 /// A block, along its guide and across.

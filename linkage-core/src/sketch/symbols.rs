@@ -119,6 +119,8 @@ pub(super) fn arc_arrow(at: Spot, middle: f64, is_clockwise: bool, ink: &str) ->
 pub(super) fn arrow([from, to]: [Spot; 2], head: f64, is_double: bool) -> String {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let length = dx.hypot(dy).max(1e-9);
+    // A short arrow has a small head.
+    let head = head.min(0.45 * length);
     let (ux, uy) = (dx / length * head, dy / length * head);
     let barbs = |tip: Spot, sign: f64| {
         let barb = |side: f64| {

@@ -72,15 +72,12 @@ impl Trace {
     /// The link that carries the point: of a pin the last one.
     pub(super) fn link(&self, scene: &Scene) -> Option<usize> {
         let joints = scene.plan.statements.iter().filter(|made| made.point() == Some(self.point));
-        joints
-            .flat_map(|made| made.joints())
-            .filter(|joint| joint.1 == self.point)
-            .last()
-            .map(|j| j.0)
+        joints.flat_map(|made| made.joints()).rfind(|joint| joint.1 == self.point).map(|j| j.0)
     }
 
+    /// About where it goes: every third pose is enough to keep texts away.
     pub(super) fn lines(&self) -> Vec<[Spot; 2]> {
-        self.at.windows(2).filter_map(|ends| Some([ends[0]?, ends[1]?])).collect()
+        self.at.windows(4).step_by(3).filter_map(|ends| Some([ends[0]?, ends[3]?])).collect()
     }
 
     /// A line with a gap wherever the point is missing, and dots at equal steps of time.
