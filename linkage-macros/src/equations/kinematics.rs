@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 
 use crate::equations::jet::Jet;
+use crate::equations::levers::Levers;
 use crate::equations::motion::{Direction, Frame, PointMotion};
-use crate::equations::parts::{GroupScope, Levers, LimitMeasures, LinkMotion, Solved};
+use crate::equations::parts::{GroupScope, LimitMeasures, LinkMotion, Solved};
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::equations::{crank, guide, point, prp, rpp, rpr, rrp, rrr, slider};
 use crate::ir::graph::Node;
@@ -46,6 +47,9 @@ pub(super) struct Kinematics<'s> {
     pub mechanism: &'s Mechanism,
     pub inputs: Vec<Source<'s>>,
     pub lets: Vec<Jet<'s>>,
+    /// What rates are multiplied by where forces ask for them: the only input's rate, in the state
+    /// at its unit rate.
+    pub tempo: Option<Sym<'s>>,
     points: Vec<Option<PointMotion<'s>>>,
     links: Vec<Option<LinkMotion<'s>>>,
     guides: Vec<Option<Frame<'s>>>,
@@ -69,6 +73,7 @@ impl<'s> Kinematics<'s> {
             mechanism,
             inputs,
             lets: Vec::new(),
+            tempo: None,
             points: vec![None; mechanism.points.len()],
             links: vec![None; mechanism.links.len()],
             guides: vec![None; mechanism.guides.len()],
@@ -82,6 +87,11 @@ impl<'s> Kinematics<'s> {
         }
         kinematics.name_lets();
         kinematics
+    }
+
+    /// A rate of this state as that of the motion.
+    pub(super) fn in_tempo(&self, rate: Sym<'s>) -> Sym<'s> {
+        self.tempo.map_or(rate, |tempo| tempo * rate)
     }
 
     pub(super) fn point(&self, id: PointId) -> PointMotion<'s> {
@@ -184,6 +194,8 @@ impl<'s> Kinematics<'s> {
             Expr::Slide(link) => self.links[link.index()].is_some(),
             Expr::Coordinate(point, _) => self.points[point.index()].is_some(),
             Expr::Distance(points) => points.iter().all(|p| self.points[p.index()].is_some()),
+            // Neither stands in what places anything.
+            Expr::Twist(_) | Expr::Rate(_) => true,
             Expr::Negate(value) => self.is_known(value),
             Expr::Chain(first, rest) => {
                 self.is_known(first) && rest.iter().all(|(_, operand)| self.is_known(operand))

@@ -26,6 +26,9 @@ pub(super) const ANGLE_REASON: &str = "a link's angle is known up to whole turns
 /// The function of two points.
 const DISTANCE: &str = "distance";
 
+/// The function that forces alone may depend on.
+const RATE: &str = "rate";
+
 const FUNCTIONS: [(&str, Function, usize); 9] = [
     ("sqrt", Function::Sqrt, 1),
     ("hypot", Function::Hypot, 2),
@@ -100,9 +103,10 @@ impl Resolver<'_> {
             }
             ExprKind::Chain(first, rest) => self.chain(first, rest),
             ExprKind::Call(function, arguments) => {
-                let quantity = match function == DISTANCE {
-                    true => self.distance(function, arguments),
-                    false => self.call(function, arguments),
+                let quantity = match () {
+                    () if function == DISTANCE => self.distance(function, arguments),
+                    () if function == RATE => self.rate(function, arguments),
+                    () => self.call(function, arguments),
                 }?;
                 self.number_is_of_a_length(expr.span, quantity.rest.constant())?;
                 Some(quantity)
@@ -175,7 +179,11 @@ impl Resolver<'_> {
                 let measure = self.facts.lets[id.index()].measure;
                 Some(Quantity { measure, links: turn.links.clone(), rest })
             }
-            Entity::Point(_) | Entity::Link(_) | Entity::Guide(_) | Entity::Load(_) => None,
+            Entity::Point(_)
+            | Entity::Link(_)
+            | Entity::Guide(_)
+            | Entity::Load(_)
+            | Entity::Spring(_) => None,
         }
     }
 
@@ -305,11 +313,12 @@ impl Resolver<'_> {
     fn function_exists(&mut self, name: &Ident) {
         let text = name.to_string();
         let mut message = format!("no function named `{text}`");
-        let known = FUNCTIONS.iter().map(|(known, ..)| *known).chain([DISTANCE]);
+        let known = FUNCTIONS.iter().map(|(known, ..)| *known).chain([DISTANCE, RATE]);
         if let Some(near) = nearest(&text, known) {
             message += &format!("; a function with a similar name exists: `{near}`");
         }
-        let reason = "the functions are `sqrt hypot sin cos tan asin acos atan atan2 distance`";
+        let reason = "the functions are `sqrt hypot sin cos tan asin acos atan atan2 distance`, and \
+                      `rate` in the values of forces and torques";
         self.diagnostics.error_because(name.span(), message, reason);
     }
 

@@ -2,6 +2,7 @@
 
 use crate::diagnostics::Extent;
 use crate::exact::Exact;
+use crate::reach::line::Line;
 
 use super::dimension::Measure;
 use super::mechanism::{Carrier, Expr, GuideId, PointId};
@@ -62,12 +63,6 @@ pub(super) struct GuideFacts {
     pub angle: Option<Exact>,
 }
 
-#[derive(Clone)]
-pub(super) struct Line {
-    pub through: [Exact; 2],
-    pub angle: Exact,
-}
-
 struct Location {
     carrier: Carrier,
     point: PointId,
@@ -82,8 +77,8 @@ impl Facts {
     pub(super) fn moves(&self, entity: Entity) -> bool {
         match entity {
             Entity::Input(_) => true,
-            // A load moves nothing.
-            Entity::Param(_) | Entity::Load(_) => false,
+            // A load moves nothing, and a spring is no part of the motion.
+            Entity::Param(_) | Entity::Load(_) | Entity::Spring(_) => false,
             Entity::Let(id) => self.lets[id.index()].moves,
             Entity::Point(id) => self.points[id.index()],
             Entity::Link(id) => self.links[id.index()].moves,

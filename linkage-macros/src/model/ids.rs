@@ -31,4 +31,6 @@ ids! {
     GroupId
     /// An index into `Dynamics::loads`.
     LoadId
+    /// An index into `Dynamics::springs`.
+    SpringId
 }

@@ -10,8 +10,9 @@ use syn::{Attribute, Visibility};
 use crate::exact::Exact;
 use crate::model::dynamics::Dynamics;
 pub(crate) use crate::model::ids::{
-    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId,
+    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId,
 };
+use crate::reach::turn::Turn;
 
 pub(crate) struct Mechanism {
     pub docs: Vec<Attribute>,
@@ -110,22 +111,11 @@ pub(crate) struct Rotatability {
     pub crank: LinkId,
     /// The input that is the crank's angle, where one is it bare.
     pub input: Option<InputId>,
-    pub range: Range,
-    /// The angles, in degrees, at which both assembly modes are one while the crank passes.
-    pub change_points: Vec<f64>,
+    pub turn: Turn,
     /// Opposite links are of one length: crank and rocker, coupler and ground.
     pub is_parallelogram: bool,
     /// The comparison of lengths that decides it.
     pub reason: String,
-}
-
-/// The angles of a crank at which a dyad assembles, in degrees.
-#[derive(Debug, PartialEq)]
-pub(crate) enum Range {
-    Full,
-    /// From, to: one interval, or two that the crank cannot leave for each other.
-    Within(Vec<[f64; 2]>),
-    Never,
 }
 
 pub(crate) struct Input {
@@ -227,6 +217,11 @@ pub(crate) enum Expr {
     Coordinate(PointId, Axis),
     /// The distance between two points.
     Distance([PointId; 2]),
+    /// How far a spring between two bodies is turned from its free angle.
+    Twist(SpringId),
+    /// The rate of a sum of angles, or of any other number, in the values of forces and torques
+    /// alone.
+    Rate(Box<AngleSum>),
     Negate(Box<Expr>),
     /// One operation after the other, each on what the one before has made.
     Chain(Box<Expr>, Vec<(Operator, Expr)>),

@@ -10,7 +10,6 @@
 //! need of constants.
 
 mod actions;
-mod anatomy;
 mod assembly;
 mod dimension;
 mod drivers;
@@ -37,8 +36,10 @@ mod readings;
 mod references;
 mod rotatability;
 mod settings;
+mod springs;
 pub(crate) mod stand_in;
 pub(crate) mod units;
+mod uses;
 
 #[cfg(test)]
 mod tests;
@@ -49,8 +50,7 @@ use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 use dynamics::Dynamics;
 use facts::Facts;
 use mechanism::{Mechanism, Numerics, References};
-use names::Names;
-use order::TooEarly;
+use names::{Names, TooEarly};
 
 /// The mechanism that the declaration means; `None` if anything in it was reported.
 pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
@@ -65,7 +65,7 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         too_early: Vec::new(),
         use_is_hidden: false,
         number_is_unknown: false,
-        takes_loads: false,
+        is_about_forces: false,
         gravity_at: None,
     };
     for (index, statement) in tree.statements.iter().enumerate() {
@@ -102,8 +102,9 @@ struct Resolver<'d> {
     use_is_hidden: bool,
     /// Whether an expression names a number that nothing declares.
     number_is_unknown: bool,
-    /// Whether loads may stand in the expression being resolved.
-    takes_loads: bool,
+    /// Whether the expression being resolved is the value of a force or a torque, in which loads and
+    /// rates may stand.
+    is_about_forces: bool,
     /// Where gravity is given.
     gravity_at: Option<proc_macro2::Span>,
 }
@@ -128,7 +129,7 @@ impl Resolver<'_> {
             // Outputs may name anything, wherever they stand: they come last.
             StatementKind::Output { .. } => {}
             StatementKind::Load { names, kind } => self.load(docs, names, kind.as_ref()),
-            StatementKind::Action(action) => self.action(action),
+            StatementKind::Action(action) => self.action(docs, action),
             StatementKind::Numerics { mode } => self.numerics(mode),
             StatementKind::Crate { path } => self.crate_path(path),
             StatementKind::Export { language } => self.export(language),

@@ -5,6 +5,7 @@ use quote::format_ident;
 use syn::Attribute;
 
 use crate::diagnostics::nearest;
+use crate::syntax::anatomy::Anatomy;
 use crate::syntax::tree::{Declaration, Expr, ExprKind, OutputItem, StatementKind};
 
 use super::Resolver;
@@ -135,6 +136,13 @@ impl Resolver<'_> {
                 format!("an expression of it is given by a name: `output twice = 2 * {name}`")
             }
             Some(Kind::Guide) => "the link that carries it has a direction".to_string(),
+            Some(Kind::Spring) => {
+                format!(
+                    "between points it has `{name}.force` and `{name}.length`, between links \
+                         `{name}.torque` and `{name}.angle`"
+                )
+            }
+            Some(Kind::Load) => "it is given, at each call".to_string(),
             _ => return Some(()),
         };
         let kind = kind.map_or(String::new(), Kind::one);
@@ -220,18 +228,14 @@ impl Resolver<'_> {
     fn group_has_a_limit(&mut self, link: LinkId, member: &Ident) -> Option<()> {
         let group = self.mechanism.links[link.index()].made_by;
         let keyword = self.mechanism.groups[group.index()].keyword.to_string();
-        let has = match &keyword[..] {
-            "rrr" | "rrp" | "rpr" => true,
-            "prp" | "rpp" => member == "transmission",
-            _ => false,
-        };
-        if has {
+        let anatomy = Anatomy::of(&keyword)?;
+        if anatomy.has_a_limit() || anatomy.is_dyad() && member == "transmission" {
             return Some(());
         }
         let message = format!("`{keyword}` has no `{member}`");
-        let reason = match &keyword[..] {
-            "prp" | "rpp" => "it is never out of reach; `transmission` tells how far from parallel",
-            _ => "a driver transmits what it is given; ask the dyads that follow",
+        let reason = match anatomy.is_dyad() {
+            true => "it is never out of reach; `transmission` tells how far from parallel",
+            false => "a driver transmits what it is given; ask the dyads that follow",
         };
         self.diagnostics.error_because(member.span(), message, reason);
         None
@@ -262,7 +266,7 @@ impl Resolver<'_> {
     }
 
     /// A field of the result is given once.
-    fn give(&mut self, span: Span, field: Ident, docs: &[Attribute], kind: OutputKind) {
+    pub(super) fn give(&mut self, span: Span, field: Ident, docs: &[Attribute], kind: OutputKind) {
         if self.mechanism.outputs.iter().any(|output| output.field == field) {
             let message = format!("the output `{field}` is given twice; remove one");
             self.diagnostics.error(span, message);

@@ -4,6 +4,7 @@
 
 use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
+use super::anatomy::Anatomy;
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{Expr, Field, FieldValue, Group, Leg};
 use super::words;
@@ -21,19 +22,17 @@ impl Parser<'_> {
 
     /// The group behind its keyword.
     pub(super) fn group(&mut self, keyword: Ident) -> Group {
-        let mut group = Group {
-            keyword,
-            legs: Vec::new(),
-            pin: None,
-            fields: Vec::new(),
-            end: self.end(),
-            head_is_read: true,
-            fields_are_read: true,
-        };
+        let mut group = Group::without_links(keyword, self.end());
         if self.head(&mut group).is_err() {
             group.head_is_read = false;
             self.skip_to_braces();
         }
+        self.fields_in_braces(&mut group);
+        group
+    }
+
+    /// What stands behind the head of a statement with braces.
+    pub(super) fn fields_in_braces(&mut self, group: &mut Group) {
         match self.take_group(Delimiter::Brace) {
             Some(braces) => {
                 group.end = braces.span_close();
@@ -42,7 +41,7 @@ impl Parser<'_> {
                     group.fields_are_read = false;
                     self.inside(&braces).give_up();
                 } else {
-                    self.fields(&braces, &mut group);
+                    self.fields(&braces, group);
                 }
             }
             None => {
@@ -57,7 +56,6 @@ impl Parser<'_> {
         if self.take_skipped() {
             self.take_punct(';');
         }
-        group
     }
 
     /// Legs and pin.
@@ -134,14 +132,10 @@ impl Parser<'_> {
     }
 
     fn missing_braces(&mut self, keyword: &Ident) {
-        let fields = match keyword.to_string().as_str() {
-            "crank" => "{ length: …, angle: … }",
-            "slider" => "{ slide: … }",
-            "rrr" => "{ lengths: (…, …), mode: … }",
-            "rrp" => "{ length: …, mode: … }",
-            "prp" => "{ }",
-            "rpp" => "{ slot: … }",
-            _ => "{ … }",
+        let fields = match Anatomy::of(&keyword.to_string()) {
+            Some(anatomy) => anatomy.braces(),
+            None if keyword == "spring" => "{ stiffness: …, free_length: … }".to_string(),
+            None => "{ … }".to_string(),
         };
         let message = match self.is_group(0, Delimiter::Parenthesis)
             || self.is_group(0, Delimiter::Bracket)

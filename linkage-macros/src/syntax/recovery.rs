@@ -115,7 +115,7 @@ impl Parser<'_> {
             "input" | "param" => {
                 named && [':', ',', '='].iter().any(|&sign| self.is_punct(2, sign))
             }
-            "let" | "output" | "numerics" | "export" => named,
+            "let" | "output" | "numerics" | "export" | "spring" => named,
             "gravity" => self.is_group(1, Delimiter::Parenthesis),
             "load" => named && [':', ','].iter().any(|&sign| self.is_punct(2, sign)),
             // `inertia` also stands inside a mass, and a load is of a kind `force`.

@@ -1,13 +1,13 @@
 //! The words of the language: which begin a statement, and which cannot be chosen as names.
 
 /// Words that begin a statement without braces.
-pub(super) const STATEMENTS: [&str; 16] = [
+pub(super) const STATEMENTS: [&str; 17] = [
     "input", "param", "let", "ground", "guide", "point", "output", "numerics", "crate", "export",
-    "gravity", "load", "mass", "inertia", "force", "torque",
+    "gravity", "load", "mass", "inertia", "force", "torque", "spring",
 ];
 
 /// Words that begin a statement with braces: drivers, then Assur groups.
-pub(super) const GROUPS: [&str; 7] = ["crank", "slider", "rrr", "rrp", "rpr", "prp", "rpp"];
+pub(super) use super::anatomy::KEYWORDS as GROUPS;
 
 /// Words that keep their place for the statements of today and of later versions.
 const RESERVED: [&str; 22] = [
@@ -36,7 +36,18 @@ const RESERVED: [&str; 22] = [
 ];
 
 /// Words that stand for something wherever an expression or a reference may stand.
-const MEANINGFUL: [&str; 6] = ["pi", "ground", "left", "right", "ahead", "behind"];
+const MEANINGFUL: [&str; 9] = [
+    "pi",
+    "ground",
+    "left",
+    "right",
+    "ahead",
+    "behind",
+    // Outputs of the whole mechanism.
+    "energy",
+    "shaking",
+    "centre_of_mass",
+];
 
 /// Strict and reserved keywords of every Rust edition; generated fields could not bear them.
 const RUST: [&str; 53] = [
@@ -110,6 +121,10 @@ pub(crate) fn built_by(word: &str) -> Option<&'static str> {
         "cylinder" | "strut" => Some(
             "a cylinder is a bar whose length is an input: `rrr cyl(D), boom(A) -> C { lengths: \
              (lift, 2m), mode: right }`",
+        ),
+        "damper" | "dashpot" | "shock_absorber" => Some(
+            "a damper is a spring without stiffness: `spring between P and Q { damping: \
+             10(N*s/m) }`",
         ),
         "joint" | "pin" | "hinge" | "revolute" | "prismatic" => {
             Some("joints are made by the groups they belong to, and fixed ones by `ground`")

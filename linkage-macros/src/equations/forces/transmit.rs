@@ -50,6 +50,7 @@ impl<'s> Walk<'_, 's> {
                 self.push(*p, force);
                 self.push(*q, -force);
             }
+            Expr::Twist(_) | Expr::Rate(_) => unreachable!("neither is part of a dimension"),
             Expr::Negate(value) => self.transmit(value, -effort),
             Expr::Chain(first, rest) => self.transmit_chain(first, rest, effort),
             Expr::Call(function, arguments) => self.transmit_call(*function, arguments, effort),
