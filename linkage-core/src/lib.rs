@@ -106,7 +106,6 @@
 //! - `nalgebra` (comes with `ad`): points and directions as nalgebra's, and comparisons by `approx`.
 //! - `mint`: points as mint's.
 //! - `serde`: points, directions and modes to be written and read, errors to be written.
-//!
 //! - `sketch`: pictures and films of mechanisms; every solver has `sketch` and `film` then. It needs
 //!   the standard library and nothing else, and changes nothing of the solvers.
 //!

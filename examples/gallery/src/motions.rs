@@ -119,10 +119,7 @@ fn more() -> Vec<Piece> {
         Piece {
             name: "range::FourBar",
             text: "A base too long for its bars: where the circles do not meet there is no pose.",
-            film: range::FourBar { base: 0.39, ..range::FourBar::new() }
-                .film(turn())
-                .trace("C")
-                .seconds(6.0),
+            film: range::FourBar { base: 0.39 }.film(turn()).trace("C").seconds(6.0),
         },
         Piece {
             name: "range::Shaper",

@@ -181,9 +181,9 @@ impl Figure {
             );
             self.head(tip, at, ink);
             let aside = along(36.0);
-            let (nx, ny) = (if text == "x" { (sin, cos) } else { (sin, cos) });
-            let sign = if text == "x" { 1.0 } else { -1.0 };
-            let place = [aside[0] + sign * 11.0 * nx, aside[1] + sign * 11.0 * ny];
+            // Beside the arrow, outside the corner of both.
+            let sign = if text == "x" { 11.0 } else { -11.0 };
+            let place = [aside[0] + sign * sin, aside[1] + sign * cos];
             self.words(place, text, ink, &italic());
         }
         self

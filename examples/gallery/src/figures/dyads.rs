@@ -95,7 +95,7 @@ pub(super) fn rrp(ink: Ink) -> Result<String, SketchError> {
     let bar = sketch.link("BC")?;
     let text = "rrp BC(B), block(rail) -> C { length, offset, mode: ahead }";
     Ok(Figure::new(sketch, ink, 440.0, text)?
-        .room([0.0, 0.0, 70.0, 44.0])
+        .room([0.0, 16.0, 70.0, 44.0])
         .other(0, &[b, behind])
         .joint(behind)
         .arrow([k, [1.05, 0.0]])
@@ -156,7 +156,7 @@ pub(super) fn prp(ink: Ink) -> Result<String, SketchError> {
         [at[0] + by * u.cos, at[1] + by * u.sin]
     };
     let text = "prp p(first), q(second) -> C { offsets: (offset1, offset2) }";
-    Ok(Figure::new(sketch, ink, 440.0, text)?
+    Ok(Figure::new(sketch, ink, 540.0, text)?
         .room([0.0, 30.0, 60.0, 30.0])
         .arrow([k, ahead(first, p, 0.28)])
         .arrow([l, ahead(second, q, 0.28)])
@@ -165,9 +165,9 @@ pub(super) fn prp(ink: Ink) -> Result<String, SketchError> {
         .distance([first, c], 34.0, "offset1", [-28.0, -4.0])
         .distance([c, second], 40.0, "offset2", [6.0, -12.0])
         .name(k, [-6.0, -16.0], "K")
-        .name(l, [-14.0, 6.0], "L")
-        .name(c, [-10.0, 18.0], "C")
-        .link(0, first, [-22.0, -12.0], "p")
+        .name(l, [14.0, 8.0], "L")
+        .name(c, [-14.0, -8.0], "C")
+        .link(0, first, [22.0, 12.0], "p")
         .link(1, second, [20.0, 8.0], "q")
         .svg())
 }
@@ -190,11 +190,11 @@ pub(super) fn rpp(ink: Ink) -> Result<String, SketchError> {
         .distance([start, b], 34.0, "block.slide", [-36.0, -8.0])
         .distance([foot, k], 42.0, "yoke.slide", [0.0, 12.0])
         .distance([corner, foot], 92.0, "offset1", [30.0, 0.0])
-        .distance([corner, start], -26.0, "offset2", [-14.0, 14.0])
+        .distance([corner, start], -26.0, "offset2", [-34.0, 12.0])
         .name(k, [-4.0, -16.0], "K")
         .name(b, [20.0, 8.0], "B")
         .name([0.25, 0.0], [0.0, -12.0], "rail")
-        .link(0, b, [28.0, -12.0], "block")
+        .link(0, b, [36.0, -10.0], "block")
         .link(1, foot, [-32.0, -16.0], "yoke")
         .svg())
 }

@@ -24,12 +24,10 @@ mechanism! {
 
 mechanism! {
     struct OnLink {
-        input x, y: length;
+        input s: length;
         ground B(0, 0);
-        point C at (x, y);
-        crank BC(B) { angle: atan2(y, x) }
-        point E on BC at (hypot(x, y), 0);
-        point P on BC at (0.5m, 0.3m);
+        crank BC(B) -> C { length: 1.12m, angle: 12deg }
+        point P on BC at (0.5m + s, 0.3m);
     }
 }
 
@@ -46,10 +44,10 @@ mechanism! {
 
 mechanism! {
     struct Polar {
-        input q: angle;
+        input s: length;
         ground B(0, 0);
-        crank BC(B) -> C { length: 1.2m, angle: q }
-        point P on BC at polar (0.75m, 35deg);
+        crank BC(B) -> C { length: 1.2m, angle: 8deg }
+        point P on BC at polar (0.75m + s, 35deg);
         point R on BC at distances (0.55m, 0.95m) right;
     }
 }
@@ -67,10 +65,10 @@ pub(super) fn crank(ink: Ink) -> Result<String, SketchError> {
         .axis([a, [1.0, 0.0]])
         .axes(link)
         .distance([a, b], 26.0, "length", [-18.0, -10.0])
-        .angle(a, [0.0, 0.6_f64.to_degrees()], 72.0, "angle")
-        .name(a, [-16.0, -8.0], "A")
+        .angle(a, [0.0, 0.6_f64.to_degrees()], 76.0, "angle")
+        .name(a, [-30.0, 14.0], "A")
         .name(b, [14.0, -10.0], "B")
-        .link(0, [0.6 * b[0], 0.6 * b[1]], [14.0, 14.0], "AB")
+        .link(0, [0.85 * b[0], 0.85 * b[1]], [12.0, 14.0], "AB")
         .svg())
 }
 
@@ -103,7 +101,7 @@ pub(super) fn guide(ink: Ink) -> Result<String, SketchError> {
         .arrow([p, end])
         .axes(bar)
         .angle(p, [8.0, 33.0], 118.0, "along")
-        .name(b, [-16.0, -8.0], "B")
+        .name(b, [4.0, 18.0], "B")
         .name(c, [16.0, -8.0], "C")
         .name(p, [-10.0, -12.0], "P")
         .link(0, [0.6 * c[0], 0.6 * c[1]], [0.0, 16.0], "BC")
@@ -112,36 +110,37 @@ pub(super) fn guide(ink: Ink) -> Result<String, SketchError> {
 }
 
 pub(super) fn point(ink: Ink) -> Result<String, SketchError> {
-    let sketch = OnLink::new().sketch([1.1, 0.25])?;
+    let sketch = OnLink::new().sketch(0.0)?;
     let [b, c, p] = [at(&sketch, "B")?, at(&sketch, "C")?, at(&sketch, "P")?];
     let link = sketch.link("BC")?;
     let (cos, sin) = (link.direction.cos, link.direction.sin);
     let foot = [0.5 * cos, 0.5 * sin];
     let figure = Figure::new(sketch, ink, 400.0, "point P on BC at (x, y);")?;
     Ok(figure
+        .room([0.0, 0.0, 0.0, 26.0])
         .axes(link)
         .distance([foot, b], 34.0, "x", [4.0, 12.0])
         .distance([foot, p], -46.0, "y", [12.0, 4.0])
-        .name(b, [-16.0, -8.0], "B")
+        .axis([foot, p])
+        .name(b, [-14.0, -12.0], "B")
         .name(c, [16.0, -8.0], "C")
         .name(p, [-4.0, -16.0], "P")
         .svg())
 }
 
 pub(super) fn polar(ink: Ink) -> Result<String, SketchError> {
-    let sketch = Polar::new().sketch(0.15)?;
+    let sketch = Polar::new().sketch(0.0)?;
     let [b, c] = [at(&sketch, "B")?, at(&sketch, "C")?];
     let [p, r] = [at(&sketch, "P")?, at(&sketch, "R")?];
-    let tilt = 0.15_f64.to_degrees();
     let text = "point P on BC at polar (r, phi);  point R on BC at distances (r1, r2) right;";
     let figure = Figure::new(sketch, ink, 430.0, text)?;
     Ok(figure
         .room([0.0, 20.0, 0.0, 20.0])
         .distance([b, p], 26.0, "r", [-8.0, -10.0])
-        .angle(b, [tilt, tilt + 35.0], 88.0, "phi")
+        .angle(b, [8.0, 43.0], 110.0, "phi")
         .distance([b, r], -24.0, "r1", [-10.0, 10.0])
         .distance([r, c], -24.0, "r2", [10.0, 10.0])
-        .name(b, [-18.0, -10.0], "B")
+        .name(b, [-4.0, -18.0], "B")
         .name(c, [16.0, -8.0], "C")
         .name(p, [10.0, -14.0], "P")
         .name(r, [0.0, 18.0], "R")

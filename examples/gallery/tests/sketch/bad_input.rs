@@ -34,7 +34,7 @@ fn an_empty_path_is_an_error_and_an_unassembled_pose_the_solvers() {
     assert!(matches!(nothing.still().to_svg(), Err(SketchError::EmptyPath)));
     assert!(nothing.is_empty() && nothing.gaps().is_empty());
     assert!(nothing.there_and_back().following().to_html().is_err());
-    let far = range::FourBar { base: 1.0, ..range::FourBar::new() };
+    let far = range::FourBar { base: 1.0 };
     assert_eq!(far.sketch(0.0).unwrap_err(), far.position(0.0).unwrap_err());
     assert!(matches!(shear.sketch(f64::NAN), Err(SolveError::NotFinite { name: "theta" })));
     assert!(shear.film([0.0]).point(1, "B").is_err());
@@ -55,7 +55,7 @@ fn any_number_is_drawn_or_said_to_be_none() {
             let _ = film.following().there_and_back().to_svg().unwrap();
         }
         for base in [0.39, -0.39, 0.0] {
-            let bar = range::FourBar { base: base * q, ..range::FourBar::new() };
+            let bar = range::FourBar { base: base * q };
             parse(&bar.film([0.0, q]).unit(Unit::Cm).title("<&>").to_svg().unwrap());
         }
         let film = five_bar_robot::Inverse::new().film([[q, 0.3], [0.0, q]]);

@@ -8,7 +8,7 @@ use linkage_core::sketch::Film;
 use super::xml::{Element, numbers, parse};
 
 fn four_bar() -> Film {
-    range::FourBar { base: 0.39, ..range::FourBar::new() }.film(turn())
+    range::FourBar { base: 0.39 }.film(turn())
 }
 
 /// Whether an element is shown at a share of the film's time.
@@ -54,9 +54,9 @@ fn what_cannot_be_placed_is_hidden_exactly_there() {
 /// Both ends of the arrow, and how long it is on the page, against `by`.
 #[test]
 fn the_arrow_is_as_long_as_what_is_missing() {
-    let solver = range::FourBar { base: 0.39, ..range::FourBar::new() };
+    let solver = range::FourBar { base: 0.39 };
     let far = solver.film([std::f64::consts::PI]);
-    let near = range::FourBar { base: 0.02, ..range::FourBar::new() };
+    let near = range::FourBar { base: 0.02 };
     // The distance of the pivots is below the difference of the bars.
     let short = near.film([std::f64::consts::PI * 0.999]);
     for (film, outcome) in [(far, solver.position(std::f64::consts::PI).err()), (short, None)] {
@@ -80,7 +80,7 @@ fn the_arrow_is_as_long_as_what_is_missing() {
 
 #[test]
 fn a_film_wholly_out_of_reach_says_so() {
-    let film = range::FourBar { base: 1.0, ..range::FourBar::new() }.film(turn());
+    let film = range::FourBar { base: 1.0 }.film(turn());
     let text = film.to_svg().unwrap();
     parse(&text);
     assert!(text.contains("BC, DC: 650 mm out of reach at worst"), "{text}");
