@@ -27,7 +27,8 @@ pub use crate::resolver::{found_on_circle, on_circle};
 pub use crate::sketch::{Drawn, Film, Made, Plan, Sketch, place, place_open};
 pub use crate::slow_path::{diagnose, diagnose_all};
 pub use crate::sweep::{
-    Entry, LengthMismatch, OfMotion, OfPosition, OfVelocity, Progress, Series, Status, sweep,
+    Entry, LengthMismatch, OfEnergy, OfForces, OfMotion, OfPosition, OfStatics, OfVelocity,
+    Progress, Series, Status, sweep,
 };
 pub use crate::tracker::{Clearance, Modes};
 pub use crate::with_ad_ as with_ad;
@@ -35,7 +36,7 @@ pub use crate::with_sketch_ as with_sketch;
 pub use crate::{
     AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, ForcesCost, Fusion,
     GuideForce, LaneMask, Lanes, Mask, Mechanism, Operations, Point, Real, Record, Scalar, Sense,
-    Side, Slide, SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError,
+    Shaking, Side, Slide, SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError,
 };
 #[cfg(feature = "sketch")]
 pub use core::iter::IntoIterator;

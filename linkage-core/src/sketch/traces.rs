@@ -106,7 +106,8 @@ const DOTS: usize = 12;
 
 /// Faint copies of every link but the first pose's, a path a link.
 pub(super) fn ghosts(scene: &Scene, bodies: &[Body], poses: usize) -> Vec<(Option<usize>, String)> {
-    if poses < 2 || scene.len() < 2 {
+    let poses = poses.min(scene.len());
+    if poses < 2 {
         return Vec::new();
     }
     let last = scene.len() - 1;
