@@ -83,7 +83,7 @@ const EXPECTED: Places =
     [-0.5 * (0.05221 + 0.10421) * 0.25, 0.0, -0.5 * (0.10221 + 0.10421) * 0.5, 0.0];
 
 fn main() -> Result<(), SolveError> {
-    let before = objective([0.0; 4])?;
+    let before = objective([0.0_f64; 4])?;
     let (places, after, count) = balanced();
     println!("shaking force, root of the mean square over a turn at 120 rpm:");
     println!("  without counterweights {:.4} N", before.sqrt());
@@ -107,7 +107,7 @@ mod tests {
         for (found, exact) in places.into_iter().zip(EXPECTED) {
             assert!((found - exact).abs() < 1e-8, "{places:?}");
         }
-        let before = objective([0.0; 4]).unwrap();
+        let before = objective([0.0_f64; 4]).unwrap();
         assert!(after < 1e-12 * before && count < 100, "{after} {count}");
     }
 
@@ -116,7 +116,7 @@ mod tests {
         let places = [0.03, -0.02, 0.05, 0.04];
         let exact = gradient(places).unwrap();
         for k in 0..4 {
-            let h = 1e-5;
+            let h = 1e-5_f64;
             let at = |step: f64| {
                 let mut places = places;
                 places[k] += step;
