@@ -19,3 +19,4 @@ mod scopes;
 mod witnesses;
 
 pub(crate) use build::lower;
+pub(crate) use build::lower_placing;
