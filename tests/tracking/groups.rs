@@ -146,6 +146,10 @@ fn a_mode_that_cannot_follow_is_named() {
     assert!(torn.motion(2.0, 1.0, 0.0).is_ok());
     let singular = SolveError::Singular { group: "CE, FE" };
     assert_eq!(torn.motion(4.0, 1.0, 0.0).unwrap_err(), singular);
+    let mut behind = Tracker::new(TornBehind::new());
+    assert!(behind.motion(2.0, 1.0, 0.0).is_ok());
+    let singular = SolveError::Singular { group: "BC, DC" };
+    assert_eq!(behind.motion(4.0, 1.0, 0.0).unwrap_err(), singular);
     let mut constant = Tracker::new(ConstantMode::new());
     assert!(constant.position(2.0).is_ok());
     let singular = SolveError::Singular { group: "BC, DC" };

@@ -89,3 +89,70 @@ fn a_change_point_missed_by_less_than_counts_is_one() {
         }
     }
 }
+
+/// Two parallelograms in a row, each of which misses the change point by less than counts, turn
+/// through it together.
+#[test]
+fn two_change_points_missed_by_less_than_counts_are_passed_at_once() {
+    for (first, second) in [(-3e-9, 3e-9), (-3e-9, 0.0), (3e-9, -3e-9), (0.0, -3e-9), (3e-9, 3e-9)]
+    {
+        let grounds = [first, second].map(|misfit| 2.0 * (1.0 + misfit));
+        for step in [0.5_f64, 7.0, 33.0, 91.0, 180.0] {
+            let [first, second] = grounds;
+            let mut tracker = Tracker::new(TwoGrounds { first, second, ..TwoGrounds::new() });
+            for i in 0..((720.0 / step) as u32) {
+                let theta = (20.0 + step * f64::from(i)).to_radians();
+                let m = tracker
+                    .motion(theta, 1.0, 0.0)
+                    .unwrap_or_else(|error| panic!("{grounds:?} by {step}: {theta}: {error}"));
+                let rates = [m.velocity.DC.omega - 1.0, m.velocity.FE.omega - 1.0];
+                // √(misfit) of the bars' angle, over the distance of an interpolation's nodes.
+                assert!(
+                    rates.iter().all(|rate| rate.abs() < 1e-2),
+                    "{grounds:?} by {step}: {theta}: {m:?}"
+                );
+            }
+        }
+    }
+}
+
+/// A group that turns three times as fast as the crank, and misses its change point by more than
+/// counts but so little that the whole gap lies next to the first group's change point, ends the
+/// motion there.
+#[test]
+fn a_gap_beside_a_change_point_ends_the_motion() {
+    // What is below the root, (d² − 1)/8, is −misfit/2, and counts as zero down to √ε of its scale of
+    // 10/16: misfits of up to 1.9e-8.
+    for misfit in [2.2e-8, 3e-8, 4e-8, 1e-7, 1e-6] {
+        // Crossed bars: DC turns by −3 where the crank passes 0, and C comes within 1 − 2 misfit of
+        // F, which bars of 2 and 1 do not reach.
+        let second = 2.0 * (1.0 - misfit);
+        let start = TwoGrounds { second, elbow: Side::Left, ..TwoGrounds::new() };
+        for knee in [Side::Left, Side::Right] {
+            let mut tracker = Tracker::new(TwoGrounds { knee, ..start });
+            assert!(tracker.motion(-0.5, 1.0, 0.0).is_ok(), "{misfit}");
+            let beyond = tracker.motion(0.5, 1.0, 0.0);
+            assert!(beyond.is_err(), "{misfit}: {beyond:?}");
+        }
+    }
+}
+
+/// A first pose on a change point has the modes of the poses to come, on whichever side of the
+/// change point rounding has put it.
+#[test]
+fn a_first_pose_on_a_change_point_looks_ahead() {
+    for off in [0.0, 1e-9, -1e-9, 1e-6, -1e-6, 1e-5, -1e-5] {
+        for (rate, elbow) in
+            [(1.0, Side::Left), (1.0, Side::Right), (-1.0, Side::Left), (-1.0, Side::Right)]
+        {
+            let solver = Parallelogram { elbow, ..Parallelogram::new() };
+            let mut tracker = Tracker::new(solver);
+            let first = tracker.motion(FRAC_PI_2 * 2.0 + off, rate, 0.0).unwrap();
+            let next = FRAC_PI_2 * 2.0 + rate;
+            let (found, wanted) =
+                (tracker.motion(next, rate, 0.0).unwrap(), solver.motion(next, rate, 0.0).unwrap());
+            let by = found.velocity.DC.omega - wanted.velocity.DC.omega;
+            assert!(by.abs() < 1e-12, "{off} at {rate}, {elbow:?}: {first:?}, {found:?}");
+        }
+    }
+}

@@ -137,6 +137,21 @@ mechanism! {
 }
 
 mechanism! {
+    /// The same in the other order: the parallelogram comes second.
+    pub struct TornBehind {
+        input theta: angle;
+        param elbow: mode = left;
+
+        ground A(0, 0), D(2m, 0), F(3m, 1m);
+        crank AB(A) -> B        { length: 1m, angle: theta }
+        rrr   BE(B), FE(F) -> E { lengths: (3m, 2.5m), mode: elbow }
+        rrr   BC(B), DC(D) -> C { lengths: (2m, 1m), mode: elbow }
+
+        output FE, DC;
+    }
+}
+
+mechanism! {
     /// A parallelogram whose mode cannot change.
     pub struct ConstantMode {
         input theta: angle;

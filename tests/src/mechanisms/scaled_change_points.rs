@@ -136,3 +136,21 @@ mechanism! {
         output E, H, EH;
     }
 }
+
+mechanism! {
+    /// Two four-bars in a row, flat at once where both grounds are of two metres.
+    pub struct TwoGrounds {
+        input theta: angle;
+        param first = 2m;
+        param second = 2m;
+        param elbow: mode = left;
+        param knee: mode = left;
+
+        ground A(0, 0), D(first, 0), F(first + second, 0);
+        crank AB(A) -> B        { length: 1m, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (2m, 1m), mode: elbow }
+        rrr   CE(C), FE(F) -> E { lengths: (2m, 1m), mode: knee }
+
+        output DC, FE;
+    }
+}
