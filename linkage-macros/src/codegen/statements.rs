@@ -184,6 +184,7 @@ impl<'a> Printer<'a> {
             | Node::InputSin(_)
             | Node::Param(_)
             | Node::Load(_)
+            | Node::Drive(_)
             | Node::Sin(_)
             | Node::Cos(_)
             | Node::Guard(..) => unreachable!("read in place, or a statement of its own kind"),

@@ -31,6 +31,7 @@ pub(crate) struct Given<N> {
     pub inputs: Vec<[N; 3]>,
     pub params: Vec<N>,
     pub loads: Vec<N>,
+    pub drives: Vec<N>,
     /// Cosine and sine in place of the only input's value, where they are given: whatever numbers
     /// these are, so that it shows what is made of each.
     pub unit: Option<[N; 2]>,
@@ -63,6 +64,7 @@ pub(crate) fn interpret<N: Number>(program: &Program, given: &Given<N>) -> Vec<N
             Node::InputSin(input) => given.sin(input),
             Node::Param(param) | Node::Mode(param) => given.params[param as usize].clone(),
             Node::Load(load) => given.loads[load as usize].clone(),
+            Node::Drive(input) => given.drives[input as usize].clone(),
             Node::Neg(a) => v(a).neg(),
             Node::Add(a, b) => v(a).add(v(b)),
             Node::Sub(a, b) => v(a).sub(v(b)),
