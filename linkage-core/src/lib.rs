@@ -145,7 +145,7 @@ mod slow_path;
 mod sweep;
 mod tracker;
 
-pub use cost::{Cost, ForcesCost, Operations};
+pub use cost::{Cost, ForcesCost, Operations, SearchCost, SearchingCost};
 #[cfg(feature = "ad")]
 pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_twice};
 pub use error::SolveError;

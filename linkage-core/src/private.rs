@@ -22,6 +22,8 @@ pub use crate::checks::{AllMet, Checks, FirstError};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate};
 pub use crate::diagnosis::{finite_input, finite_result};
+pub use crate::find::unknown::root;
+pub use crate::find::{FindError, Trend};
 pub use crate::resolver::{found_on_circle, on_circle};
 pub use crate::slow_path::{diagnose, diagnose_all};
 pub use crate::sweep::{
@@ -31,8 +33,9 @@ pub use crate::tracker::{Clearance, Modes};
 pub use crate::with_ad_ as with_ad;
 pub use crate::{
     AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, ForcesCost, Fusion,
-    GuideForce, LaneMask, Lanes, Mask, Mechanism, Operations, Point, Real, Record, Scalar, Sense,
-    Side, Slide, SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError,
+    GuideForce, LaneMask, Lanes, Mask, Mechanism, Operations, Point, Real, Record, Scalar,
+    SearchCost, SearchingCost, Sense, Side, Slide, SlidingAcceleration, SlidingDirection,
+    SlidingVelocity, SolveError,
 };
 #[cfg(feature = "ad")]
 pub use nalgebra::SMatrix;

@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
+use super::searches;
 use super::token_list::Tokens;
 use crate::interface::EntryId;
 use crate::ir::cost::Operations;
@@ -15,7 +16,11 @@ pub(super) fn of(cx: &Context<'_>, entry: EntryId) -> Operations {
 
 /// The type of `COST`.
 pub(super) fn ty(cx: &Context<'_>) -> Tokens {
-    cx.paths.item(if cx.interface.find("forces").is_some() { "ForcesCost" } else { "Cost" })
+    cx.paths.item(match () {
+        () if cx.searches() => "SearchingCost",
+        () if cx.interface.find("forces").is_some() => "ForcesCost",
+        () => "Cost",
+    })
 }
 
 /// The initialiser of `COST`.
@@ -30,10 +35,16 @@ pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
         let [forces, statics] = ["forces", "statics"].map(of);
         quote!(, forces: #forces, statics: #statics)
     });
-    quote!(#cost { position: #position, motion: #motion, coefficients: #coefficients #forces })
+    let searches = cx.searches().then(|| {
+        let searches = searches::costs(cx);
+        quote!(, searches: #searches)
+    });
+    quote! {
+        #cost { position: #position, motion: #motion, coefficients: #coefficients #forces #searches }
+    }
 }
 
-fn record(cx: &Context<'_>, cost: Operations) -> TokenStream {
+pub(super) fn record(cx: &Context<'_>, cost: Operations) -> TokenStream {
     let name = cx.paths.item("Operations");
     let [additions, multiplications, divisions, roots, sines] =
         [cost.additions, cost.multiplications, cost.divisions, cost.roots, cost.sines]

@@ -2,10 +2,10 @@
 
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
-use crate::equations::motion::Direction;
+use crate::equations::motion::{Direction, Frame};
 use crate::equations::symbol::Vector;
 use crate::ir::graph::{Check, Node};
-use crate::model::mechanism::{AngleSum, Axis, Expr, Function, Length, Operator};
+use crate::model::mechanism::{AngleSum, Axis, Expr, Function, GuideId, Length, Operator, PointId};
 
 impl<'s> Kinematics<'s> {
     pub(super) fn jet(&self, expr: &Expr) -> Jet<'s> {
@@ -14,6 +14,7 @@ impl<'s> Kinematics<'s> {
             Expr::Input(input) => self.inputs[input.index()].jet,
             Expr::Param(param) => Jet::constant(self.sheet.node(Node::Param(param.0))),
             Expr::Load(load) => Jet::constant(self.sheet.node(Node::Load(load.0))),
+            Expr::Unknown(unknown) => self.unknowns[unknown.index()],
             Expr::Let(name) => self.lets[name.index()],
             Expr::Slide(link) => self.link(*link).slide.expect("the model checked that it slides"),
             Expr::Coordinate(point, axis) => {
@@ -25,6 +26,7 @@ impl<'s> Kinematics<'s> {
                 let [x, y] = p.jets_to(q);
                 x.hypot(y)
             }
+            Expr::Offset(point, guide) => self.offset(*point, *guide),
             Expr::Negate(value) => -self.jet(value),
             Expr::Chain(first, rest) => rest.iter().fold(self.jet(first), |a, (operator, b)| {
                 let b = self.jet(b);
@@ -40,6 +42,14 @@ impl<'s> Kinematics<'s> {
                 call(*function, &arguments)
             }
         }
+    }
+
+    /// The offset of a point from a guide's line. A function of its own: what it holds does not stand
+    /// on the stack of a deep expression.
+    fn offset(&self, point: PointId, guide: GuideId) -> Jet<'s> {
+        let Frame { origin, direction } = self.guide(guide);
+        let ([x, y], [ux, uy]) = (origin.jets_to(self.point(point)), direction.jets());
+        ux * y - uy * x
     }
 
     pub(super) fn jets(&self, pair: &[Expr; 2]) -> [Jet<'s>; 2] {

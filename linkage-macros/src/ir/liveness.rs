@@ -43,6 +43,19 @@ pub(crate) fn live_nodes<'a>(
     graph.iter().filter(|(id, _)| live[id.0 as usize])
 }
 
+/// For every node, whether its value depends on a trial: it is computed inside a search alone.
+pub(crate) fn tried(graph: &Graph) -> Vec<bool> {
+    let mut tried = vec![false; graph.len()];
+    for (id, node) in graph.iter() {
+        let mut depends = matches!(node, Node::Trial(_));
+        if !matches!(node, Node::Root(_)) {
+            graph.for_operands_of(node, &mut |operand| depends |= tried[operand.index()]);
+        }
+        tried[id.index()] = depends;
+    }
+    tried
+}
+
 /// The node itself, or the value that it guards: guards compute nothing in the fast path.
 pub(crate) fn unguarded(graph: &Graph, mut id: Id) -> Id {
     while let Node::Guard(value, _) = graph.node(id) {

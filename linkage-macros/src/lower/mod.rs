@@ -16,6 +16,8 @@ mod ranges;
 pub(crate) mod routine;
 mod schedule;
 mod scopes;
+mod searches;
 mod witnesses;
 
 pub(crate) use build::lower;
+pub(crate) use searches::TRIAL;

@@ -185,7 +185,12 @@ impl Mechanism {
     pub(crate) fn moves(&self, expr: &Expr) -> bool {
         match expr {
             Expr::Constant(_) | Expr::Param(_) | Expr::Load(_) => false,
-            Expr::Input(_) | Expr::Slide(_) | Expr::Coordinate(..) | Expr::Distance(_) => true,
+            Expr::Input(_)
+            | Expr::Unknown(_)
+            | Expr::Slide(_)
+            | Expr::Coordinate(..)
+            | Expr::Distance(_)
+            | Expr::Offset(..) => true,
             Expr::Let(id) => {
                 let turn = &self.lets[id.index()];
                 !turn.links.is_empty() || self.moves(&turn.rest)

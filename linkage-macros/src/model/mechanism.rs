@@ -10,7 +10,7 @@ use syn::{Attribute, Visibility};
 use crate::exact::Exact;
 use crate::model::dynamics::Dynamics;
 pub(crate) use crate::model::ids::{
-    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId,
+    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, UnknownId,
 };
 
 pub(crate) struct Mechanism {
@@ -19,6 +19,8 @@ pub(crate) struct Mechanism {
     pub name: Ident,
     pub inputs: Vec<Input>,
     pub params: Vec<Param>,
+    /// What equations fix, in solving order.
+    pub unknowns: Vec<Unknown>,
     /// Named expressions; a later one may use an earlier one.
     pub lets: Vec<AngleSum>,
     pub points: Vec<Point>,
@@ -122,6 +124,35 @@ pub(crate) struct Input {
     pub dimension: Dimension,
 }
 
+/// A number that an equation fixes.
+pub(crate) struct Unknown {
+    pub name: Ident,
+    pub docs: Vec<Attribute>,
+    pub dimension: Dimension,
+    /// Its title is the unknown's name: what fails with it.
+    pub group: GroupId,
+    /// Where it is looked for, lower end first.
+    pub between: [Expr; 2],
+    /// How many steps stand before `unknown`, and before `solve`: what lies between depends on the
+    /// trial.
+    pub steps: [usize; 2],
+    pub equation: Equation,
+    /// The sign of the slope of left − right at the wanted root.
+    pub mode: Sign,
+    /// Where the root is expected.
+    pub near: Option<Expr>,
+}
+
+/// What is zero at the root.
+pub(crate) enum Equation {
+    /// left − right
+    Difference([Expr; 2]),
+    /// An angle, within half a turn.
+    Turn(AngleSum),
+    /// The distance of two points is a length.
+    Distance { points: [PointId; 2], length: Length, is_left: bool },
+}
+
 pub(crate) struct Param {
     pub name: Ident,
     pub docs: Vec<Attribute>,
@@ -207,6 +238,8 @@ pub(crate) enum Expr {
     Param(ParamId),
     /// A load, in the values of forces and torques alone.
     Load(LoadId),
+    /// What an equation fixes.
+    Unknown(UnknownId),
     /// The part of a named expression that is not a multiple of link angles.
     Let(LetId),
     /// The slide of a link that slides.
@@ -215,6 +248,8 @@ pub(crate) enum Expr {
     Coordinate(PointId, Axis),
     /// The distance between two points.
     Distance([PointId; 2]),
+    /// The distance of a point from a guide's line, positive on the side of its normal.
+    Offset(PointId, GuideId),
     Negate(Box<Expr>),
     /// One operation after the other, each on what the one before has made.
     Chain(Box<Expr>, Vec<(Operator, Expr)>),

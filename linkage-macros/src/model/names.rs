@@ -12,7 +12,7 @@ use crate::diagnostics::{Extent, nearest};
 use crate::syntax::tree::{Declaration, Statement, StatementKind};
 
 use super::Resolver;
-use super::mechanism::{GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId};
+use super::mechanism::{GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, UnknownId};
 use super::order::TooEarly;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,10 +24,11 @@ pub(super) enum Kind {
     Link,
     Guide,
     Load,
+    Unknown,
 }
 
 /// What may stand in an expression.
-pub(super) const NUMBERS: [Kind; 3] = [Kind::Input, Kind::Param, Kind::Let];
+pub(super) const NUMBERS: [Kind; 4] = [Kind::Input, Kind::Param, Kind::Let, Kind::Unknown];
 
 impl Kind {
     pub(super) fn word(self) -> &'static str {
@@ -39,17 +40,18 @@ impl Kind {
             Self::Link => "link",
             Self::Guide => "guide",
             Self::Load => "load",
+            Self::Unknown => "unknown",
         }
     }
 
     /// The word with its article.
     pub(super) fn one(self) -> String {
-        let article = if self == Self::Input { "an" } else { "a" };
+        let article = if matches!(self, Self::Input | Self::Unknown) { "an" } else { "a" };
         format!("{article} {}", self.word())
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Entity {
     Input(InputId),
     Param(ParamId),
@@ -58,6 +60,7 @@ pub(super) enum Entity {
     Link(LinkId),
     Guide(GuideId),
     Load(LoadId),
+    Unknown(UnknownId),
 }
 
 /// A name that was declared, correctly or not.
@@ -136,6 +139,11 @@ impl Names {
             .and_then(|symbol| symbol.entity)
     }
 
+    /// What the statement in hand has made of the name.
+    pub(super) fn made(&self, name: &Ident) -> Option<Entity> {
+        self.symbol(name).and_then(|symbol| symbol.entity)
+    }
+
     /// All names of these kinds, in order of declaration.
     pub(super) fn of_kinds(&self, kinds: &[Kind]) -> impl Iterator<Item = &str> {
         self.symbols.iter().filter(|s| kinds.contains(&s.kind)).map(|s| s.name.as_str())
@@ -153,6 +161,7 @@ pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
         StatementKind::Input { names, .. } => names.iter().map(|n| (n, Kind::Input)).collect(),
         StatementKind::Param { name, .. } => vec![(name, Kind::Param)],
         StatementKind::Let { name, .. } => vec![(name, Kind::Let)],
+        StatementKind::Unknown { name, .. } => vec![(name, Kind::Unknown)],
         StatementKind::Ground { points } => points.iter().map(|p| (&p.0, Kind::Point)).collect(),
         StatementKind::Guide { name, .. } => vec![(name, Kind::Guide)],
         StatementKind::Point { name, .. } => vec![(name, Kind::Point)],
@@ -161,7 +170,8 @@ pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
             links.chain(group.pin.iter().map(|pin| (pin, Kind::Point))).collect()
         }
         StatementKind::Load { names, .. } => names.iter().map(|n| (n, Kind::Load)).collect(),
-        StatementKind::Action(_)
+        StatementKind::Solve(_)
+        | StatementKind::Action(_)
         | StatementKind::Output { .. }
         | StatementKind::Numerics { .. }
         | StatementKind::Crate { .. }
@@ -175,6 +185,8 @@ pub(super) fn title(statement: &Statement, name: &str) -> String {
         StatementKind::Input { .. } => format!("input {name}"),
         StatementKind::Param { .. } => format!("param {name}"),
         StatementKind::Let { .. } => format!("let {name}"),
+        StatementKind::Unknown { .. } => format!("unknown {name}"),
+        StatementKind::Solve(solve) => format!("solve {}", solve.unknown),
         StatementKind::Ground { .. } => format!("ground {name}"),
         StatementKind::Guide { .. } => format!("guide {name}"),
         StatementKind::Point { .. } => format!("point {name}"),
@@ -260,6 +272,7 @@ impl Resolver<'_> {
         }
         let entity = symbol.entity?;
         self.moves |= self.facts.moves(entity);
+        self.follows |= self.searched.as_ref().is_some_and(|searched| searched.reaches(entity));
         Some(entity)
     }
 
@@ -314,7 +327,9 @@ impl Resolver<'_> {
 
 /// "input, parameter or `let`"
 fn words(kinds: &[Kind]) -> String {
-    let words: Vec<_> = kinds.iter().map(|kind| kind.word()).collect();
+    // What is searched is not among what is usually meant.
+    let usual = kinds.iter().filter(|&&kind| kind != Kind::Unknown || kinds.len() == 1);
+    let words: Vec<_> = usual.map(|kind| kind.word()).collect();
     listed(&words, "or")
 }
 

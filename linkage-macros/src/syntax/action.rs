@@ -6,6 +6,7 @@ use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{Expr, StatementKind};
+use crate::diagnostics::Extent;
 
 /// `gravity`, `mass`, `inertia`, `force` or `torque`.
 pub(crate) enum Action {
@@ -53,6 +54,15 @@ impl Action {
             Self::ForceBetween { points: ends, .. } | Self::TorqueBetween { bodies: ends, .. } => {
                 ends.iter().collect()
             }
+        }
+    }
+
+    /// Where it stands, for what is said of all of it.
+    pub(crate) fn place(&self) -> Extent {
+        match (self, &self.expressions()[..]) {
+            (Self::Gravity { at, .. }, _) => (*at).into(),
+            (_, [first, ..]) => first.span,
+            (_, []) => Span::call_site().into(),
         }
     }
 

@@ -635,6 +635,13 @@ impl<'k, 's> Matrix<'k, 's> {
                 self.act(column, on_q, b, &force, &none);
                 self.act(column, on_p, a, &negative(&force), &none);
             }
+            Expr::Offset(point, guide) => {
+                let u = &self.motion.guides[guide.index()].1;
+                let at = &self.motion.points[point.index()];
+                let force = scaled(&[u[1].neg(), u[0].clone()], push);
+                self.act(column, part_of(self.kinematics, *point), at, &force, &none);
+                self.act(column, self.carrier_of(*guide), at, &negative(&force), &none);
+            }
             _ => unreachable!("only readings are leaves"),
         }
     }

@@ -158,7 +158,7 @@ fn a_function_is_known_and_has_its_arguments() {
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: sine(t) }",
             "sine: no function named `sine`; a function with a similar name exists: `sin` / the \
-             functions are `sqrt hypot sin cos tan asin acos atan atan2 distance`",
+             functions are `sqrt hypot sin cos tan asin acos atan atan2 distance offset`",
         ),
         (
             CRANK,
@@ -354,7 +354,7 @@ fn a_distance_is_between_two_points() {
             CRANK,
             "output d = distence(A, B);",
             "distence: no function named `distence`; a function with a similar name exists: \
-             `distance` / the functions are `sqrt hypot sin cos tan asin acos atan atan2 distance`",
+             `distance` / the functions are `sqrt hypot sin cos tan asin acos atan atan2 distance offset`",
         ),
         (
             CRANK,

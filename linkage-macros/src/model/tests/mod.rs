@@ -13,6 +13,7 @@ mod resolved;
 mod slips;
 mod text;
 mod together;
+mod unknowns;
 
 use super::mechanism::Mechanism;
 use super::resolve;
