@@ -2,8 +2,11 @@
 
 use core::fmt;
 
+use crate::shown::{Digits, Length};
+
 /// Why a solver gave no answer. The group is named by its links, as declared: `"BC, DC"`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum SolveError {
     /// The group cannot be assembled: its joints are too far apart or too close together.
@@ -13,14 +16,16 @@ pub enum SolveError {
         /// How much is missing, in metres.
         by: f64,
     },
-    /// The group is at a toggle or otherwise undetermined: what was asked for is undefined there.
+    /// The group is at a toggle or otherwise undetermined: what was asked for is undefined there. A
+    /// spring, or a force between two points, is so where they meet.
     Singular {
-        /// The links of the group, or the output that has no derivative.
+        /// The links of the group, or the output that has no derivative, or `spring P, Q`.
         group: &'static str,
     },
-    /// A length given at run time is zero or negative, or a mass or an inertia negative.
+    /// A length given at run time is zero or negative, or a mass, an inertia or a number of a spring
+    /// negative.
     Invalid {
-        /// The links of the group.
+        /// The links of the group, or the spring.
         group: &'static str,
         /// What is out of range, as written in the declaration.
         name: &'static str,
@@ -50,18 +55,26 @@ pub enum SolveError {
 impl fmt::Display for SolveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::OutOfReach { group, by } => write!(f, "{group}: out of reach by {by} m"),
-            Self::Singular { group } => write!(f, "{group}: singular pose"),
+            Self::OutOfReach { group, by } => {
+                write!(f, "{group}: out of reach by {}", Length(by))
+            }
+            Self::Singular { group } if acts_along_a_line(group) => {
+                write!(f, "{group}: its ends meet, and it has no direction")
+            }
+            Self::Singular { group } => {
+                write!(f, "{group}: at a dead point, where this is undefined")
+            }
             Self::NoSolution { unknown, by } => {
                 write!(f, "{unknown}: no solution between its ends, {by} is missing")
             }
-            Self::Invalid { group, name } if is_mass(name) => {
+            Self::Invalid { group, name } if is_mass(name) || is_spring(group) => {
                 write!(f, "{group}: `{name}` must not be negative")
             }
             Self::Invalid { group, name } => {
                 write!(f, "{group}: `{name}` must be greater than zero")
             }
             Self::OffCircle { name, amplitude } => {
+                let amplitude = Digits(amplitude);
                 write!(f, "the cosine and sine of `{name}` have an amplitude of {amplitude}, not 1")
             }
             Self::NotFinite { name } => {
@@ -74,6 +87,16 @@ impl fmt::Display for SolveError {
 /// Whether the name is that of a mass or an inertia; a length bears its link's, without a space.
 fn is_mass(name: &str) -> bool {
     name.starts_with("mass on ") || name.starts_with("inertia on ")
+}
+
+/// Whether the group is a spring or a force between two points.
+fn acts_along_a_line(group: &str) -> bool {
+    is_spring(group) || group.starts_with("force ")
+}
+
+/// Whether the group is a spring; no link can be called so.
+fn is_spring(group: &str) -> bool {
+    group.starts_with("spring ")
 }
 
 impl core::error::Error for SolveError {}

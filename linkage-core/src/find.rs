@@ -38,6 +38,7 @@ use equation::Equation;
 pub(crate) use equation::crossing;
 pub(crate) use lowest::{lowest, turning_part};
 
+use crate::shown::Digits;
 use crate::{Real, Scalar};
 
 /// The sign of the slope that f has at the wanted root. Like an assembly mode it is a choice
@@ -118,6 +119,7 @@ impl fmt::Display for FindError {
                 write!(f, "{from} to {to} is no interval of finite numbers in rising order")
             }
             Self::NoSolution { at, by } => {
+                let by = Digits(by);
                 write!(f, "no solution between the ends: {by} is missing at {at}")
             }
             Self::NotFinite { at } => write!(f, "the equation is not a number at {at}"),

@@ -4,6 +4,9 @@
 //! class II, and compiled to straight-line code for position, velocity and acceleration. This
 //! crate is what the generated code runs on: the numbers, the results, the errors.
 //!
+//! **[The reference](crate::reference)** has [the language](reference::language),
+//! [what is generated](reference::solver) and [recipes](reference::recipes).
+//!
 //! # A mechanism
 //!
 //! ```
@@ -100,6 +103,9 @@
 //! - `std` (default): sweeps choose the instruction set while the program runs; square roots and
 //!   fused operations come from the standard library, which the optimiser understands better than
 //!   the assembly that stands in for them without it.
+//! - `nalgebra` (comes with `ad`): points and directions as nalgebra's, and comparisons by `approx`.
+//! - `mint`: points as mint's.
+//! - `serde`: points, directions and modes to be written and read, errors to be written.
 //!
 //! Without `ad` and `std` the crate is `no_std` and needs `libm` alone. It never allocates, and no
 //! solver panics.
@@ -111,15 +117,17 @@
 //! results are the same bits on every such target, a microcontroller and the machine it is
 //! developed on included.
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![deny(unsafe_code)]
 
 extern crate self as linkage_core;
 
-#[cfg(any(feature = "std", feature = "ad", test))]
+#[cfg(any(feature = "std", feature = "nalgebra", test))]
 extern crate std;
 
 mod c_interface;
 mod checks;
+mod conversions;
 mod cost;
 #[cfg(feature = "ad")]
 mod derivatives;
@@ -133,14 +141,17 @@ mod lanes;
 mod limit;
 mod mechanism;
 mod modes;
+mod plane;
 mod primitive;
 #[doc(hidden)]
 pub mod private;
 pub mod range;
 mod record;
+pub mod reference;
 mod resolver;
 mod results;
 mod scalar;
+mod shown;
 mod slow_path;
 mod sweep;
 mod tracker;
@@ -159,12 +170,16 @@ pub use results::{
     SlidingAcceleration, SlidingDirection, SlidingVelocity,
 };
 pub use scalar::{Mask, Real, Scalar};
-pub use sweep::{LengthMismatch, Progress, Series, Status};
+pub use sweep::{LengthMismatch, Progress, Series, Status, unwanted};
 pub use tracker::Tracker;
 
+#[cfg(feature = "nalgebra")]
+pub use nalgebra;
 #[cfg(feature = "ad")]
-pub use {nalgebra, num_dual};
+pub use num_dual;
 
+/// [The reference](crate::reference) has every statement, and machines to copy from.
+///
 #[cfg(feature = "macros")]
 pub use linkage_macros::mechanism;
 

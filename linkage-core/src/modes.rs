@@ -7,6 +7,7 @@ use crate::Scalar;
 
 /// On which side the inner joint of an `rrr` group lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
     /// Left of the line from the first outer joint to the second, looking along it.
     Left,
@@ -16,6 +17,7 @@ pub enum Side {
 
 /// Which way along a sliding direction a group is assembled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Sense {
     /// Further along the positive direction.
     Ahead,

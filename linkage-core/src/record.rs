@@ -1,6 +1,6 @@
 //! Inputs and results as arrays of numbers.
 
-use crate::Scalar;
+use crate::{Direction, Point, Scalar};
 
 /// A record of numbers that can be taken as an array: a position, a velocity, an acceleration, a
 /// motion, margins, or several inputs.
@@ -43,6 +43,59 @@ pub trait Record: Sized {
     /// The record of the numbers.
     #[must_use]
     fn from_array(array: Self::Array) -> Self;
+
+    /// The points of the record and their names; of velocities and accelerations, theirs. Of forces
+    /// the reactions in ground axes, by their paths.
+    ///
+    /// ```
+    /// # use linkage_core::{Record, mechanism};
+    /// # mechanism! {
+    /// #     struct Crank { input q: angle; ground A(0, 0); crank AB(A) -> B { length: 1m, angle: q } }
+    /// # }
+    /// let p = Crank::new().position(0.0)?;
+    /// assert!(p.points().eq([("B", p.B)]));
+    /// assert!(p.links().eq([("AB", p.AB)]));
+    /// # Ok::<(), linkage_core::SolveError>(())
+    /// ```
+    fn points(self) -> impl Iterator<Item = (&'static str, Point<Self::Number>)>
+    where
+        Self::Number: Copy,
+    {
+        pairs(self).filter_map(|([x_label, y_label], [x, y])| {
+            let name = x_label.strip_suffix(".x")?;
+            (y_label.strip_suffix(".y") == Some(name)).then_some((plain(name), Point { x, y }))
+        })
+    }
+
+    /// The directions of the links of a position, and their names. A link that slides is among
+    /// them, without its slide.
+    fn links(self) -> impl Iterator<Item = (&'static str, Direction<Self::Number>)>
+    where
+        Self::Number: Copy,
+    {
+        pairs(self).filter_map(|(labels, [cos, sin])| {
+            let name = labels[0].strip_suffix(".angle")?;
+            (labels[0] == labels[1]).then_some((plain(name), Direction { cos, sin }))
+        })
+    }
+}
+
+/// Every two numbers that follow each other, and their labels.
+fn pairs<R: Record>(record: R) -> impl Iterator<Item = ([&'static str; 2], [R::Number; 2])>
+where
+    R::Number: Copy,
+{
+    let numbers = record.into_array();
+    (1..R::LABELS.len()).filter_map(move |second| {
+        let labels = [*R::LABELS.get(second - 1)?, *R::LABELS.get(second)?];
+        let numbers = numbers.as_ref();
+        Some((labels, [*numbers.get(second - 1)?, *numbers.get(second)?]))
+    })
+}
+
+/// A name without what it is a rate of: `blade` of `velocity of blade`.
+fn plain(name: &'static str) -> &'static str {
+    name.rsplit(' ').next().unwrap_or(name)
 }
 
 /// A single input is a record of one number.

@@ -7,7 +7,8 @@
 use crate::{Real, Scalar};
 
 /// A point in ground axes, its velocity or its acceleration: metres, m/s or m/s².
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct Point<T> {
     /// The component along ground x.
@@ -17,7 +18,8 @@ pub struct Point<T> {
 }
 
 /// A force in ground axes, in newtons. Its docs name what it acts on.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct Force<T> {
     /// The component along ground x.
@@ -27,7 +29,8 @@ pub struct Force<T> {
 }
 
 /// What a guide exerts on the link that slides on it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct GuideForce<T> {
     /// The force in newtons at the origin of the link's frame, along the guide's normal, which is
@@ -39,6 +42,7 @@ pub struct GuideForce<T> {
 
 /// The unit vector along a link's x axis, in ground axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct Direction<T> {
     /// The cosine of the link's angle.
@@ -49,6 +53,7 @@ pub struct Direction<T> {
 
 /// The direction of a link that slides, and how far it has slid.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct SlidingDirection<T> {
     /// The cosine of the link's angle.
@@ -60,7 +65,8 @@ pub struct SlidingDirection<T> {
 }
 
 /// The slide of a link that does not turn, or its first or second rate: metres, m/s or m/s².
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct Slide<T> {
     /// The distance along the guide, positive along its direction.
@@ -68,7 +74,8 @@ pub struct Slide<T> {
 }
 
 /// The angular velocity of a link.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct AngularVelocity<T> {
     /// In rad/s, counter-clockwise positive.
@@ -76,7 +83,8 @@ pub struct AngularVelocity<T> {
 }
 
 /// The angular velocity of a link that slides, and the rate of its slide.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct SlidingVelocity<T> {
     /// In rad/s, counter-clockwise positive.
@@ -86,7 +94,8 @@ pub struct SlidingVelocity<T> {
 }
 
 /// The angular acceleration of a link.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct AngularAcceleration<T> {
     /// In rad/s², counter-clockwise positive.
@@ -94,7 +103,8 @@ pub struct AngularAcceleration<T> {
 }
 
 /// The angular acceleration of a link that slides, and the second rate of its slide.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct SlidingAcceleration<T> {
     /// In rad/s², counter-clockwise positive.

@@ -14,7 +14,7 @@ mod tests;
 
 use core::fmt;
 
-use crate::{Float, Fusion, LaneMask, Lanes, SolveError};
+use crate::{Float, Fusion, LaneMask, Lanes, Record, SolveError};
 
 /// What came of one pose, in a byte: the single call's answer without its details, which the
 /// single call still gives.
@@ -93,6 +93,30 @@ pub enum OfVelocity {}
 /// The entry point `motion`.
 #[derive(Debug)]
 pub enum OfMotion {}
+
+/// Slices for what is not wanted of a sweep: every field an empty one. It stands for the rest behind
+/// the fields that are:
+///
+/// ```
+/// # use linkage_core::{Point, mechanism, unwanted};
+/// # mechanism! {
+/// #     struct Crank { input q: angle; ground A(0, 0); crank AB(A) -> B { length: 1m, angle: q } }
+/// # }
+/// let q = [0.0, 0.5, 1.0];
+/// let (mut x, mut y) = ([0.0; 3], [0.0; 3]);
+/// let b = Point { x: &mut x[..], y: &mut y };
+/// Crank::new().sweep_position(&q, CrankPosition { B: b, ..unwanted() }, &mut [], ())?;
+/// assert_eq!(x[0], 1.0);
+/// # Ok::<(), linkage_core::LengthMismatch>(())
+/// ```
+#[must_use]
+pub fn unwanted<'a, R, T, const N: usize>() -> R
+where
+    R: Record<Number = &'a mut [T], Array = [&'a mut [T]; N]>,
+    T: 'a,
+{
+    R::from_array(core::array::from_fn(|_| Default::default()))
+}
 
 /// Poses between two reports of progress: a fraction of a millisecond's work.
 const REPORT_EVERY: usize = 4096;
@@ -349,7 +373,7 @@ impl<'a, T, const N: usize> From<&'a [T; N]> for Series<'a, T> {
     }
 }
 
-#[cfg(any(feature = "std", feature = "ad"))]
+#[cfg(any(feature = "std", feature = "nalgebra"))]
 impl<'a, T> From<&'a std::vec::Vec<T>> for Series<'a, T> {
     #[inline]
     fn from(values: &'a std::vec::Vec<T>) -> Self {

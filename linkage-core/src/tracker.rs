@@ -41,7 +41,12 @@ pub struct Clearance<T> {
     pub scale: T,
 }
 
-/// A solver whose assembly modes can be followed; implemented by generated code.
+/// A solver whose assembly modes can be followed; implemented by generated code, unless something is
+/// searched: between its ends an unknown keeps the trend that its equation is declared with.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be followed through changes of mode",
+    note = "a mechanism with `solve` keeps its modes and its trend: it has no `Tracker` and no `limits`"
+)]
 pub trait Modes: Copy {
     /// The numbers it computes with.
     type Scalar: Real;

@@ -78,8 +78,8 @@ mod syntax;
 ///
 /// A dyad has two links, two outer joints and one inner joint; its letters name them in order, and
 /// so does its statement: `link(outer joint), link(outer joint) -> inner pin`. An R outer joint
-/// takes a point, a P outer joint takes a guide, and an inner P joint makes no pin. The README of
-/// `linkage-core` lists every statement.
+/// takes a point, a P outer joint takes a guide, and an inner P joint makes no pin. The module
+/// `linkage_core::reference` has every statement, what is generated, and machines to copy from.
 ///
 /// Mistakes are reported at the tokens that made them, all of one declaration together.
 ///

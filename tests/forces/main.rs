@@ -3,3 +3,4 @@
 mod balance;
 mod interface;
 mod published;
+mod springs;

@@ -3,6 +3,7 @@
 
 mod at_the_limit;
 mod compensated;
+mod double_words;
 mod exact_inputs;
 mod hard_cases;
 mod margins;

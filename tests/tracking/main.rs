@@ -2,5 +2,6 @@
 
 mod change_points;
 mod groups;
+mod interpolated;
 mod limits;
 mod steps;

@@ -193,19 +193,6 @@ fn all_sizes<S64: Stepped, S32: Stepped>(pairs: usize) {
     assert!(100 * refused <= compared, "{}: {refused} of {compared} refused", S64::NAME);
 }
 
-/// The steps of every mechanism, so many of each size and width.
-fn all(pairs: usize) {
-    all_sizes::<ScaledPairs<f64>, ScaledPairs<f32>>(pairs);
-    all_sizes::<Anti<f64>, Anti<f32>>(pairs);
-    all_sizes::<ScaledFourBar<f64>, ScaledFourBar<f32>>(pairs);
-    all_sizes::<ScaledSliderCrank<f64>, ScaledSliderCrank<f32>>(pairs);
-    all_sizes::<ScaledKite<f64>, ScaledKite<f32>>(pairs);
-    all_sizes::<ScaledPivot<f64>, ScaledPivot<f32>>(pairs);
-    all_sizes::<ScaledOffset<f64>, ScaledOffset<f32>>(pairs);
-    all_sizes::<ScaledChain<f64>, ScaledChain<f32>>(pairs);
-    all_sizes::<ScaledTwins<f64>, ScaledTwins<f32>>(pairs);
-}
-
 /// The bars of the parallelogram crossed.
 #[derive(Clone, Copy)]
 struct Anti<T>(ScaledPairs<T>);
@@ -229,14 +216,31 @@ impl<T: Float> Stepped for Anti<T> {
     }
 }
 
-/// A thousand pairs of all mechanisms, sizes and widths together.
-#[test]
-fn a_step_of_any_length_finds_the_branch() {
-    all(40);
+/// A thousand pairs of all mechanisms, sizes and widths together in an ordinary run, and a hundred
+/// thousand of each mechanism where they are asked for.
+macro_rules! steps {
+    ($($name:ident, $all:ident: $solver:ident;)*) => {$(
+        #[test]
+        fn $name() {
+            all_sizes::<$solver<f64>, $solver<f32>>(40);
+        }
+
+        #[test]
+        #[ignore = "a thousand times as many steps, minutes without optimisation"]
+        fn $all() {
+            all_sizes::<$solver<f64>, $solver<f32>>(100_000 / 6);
+        }
+    )*};
 }
 
-#[test]
-#[ignore = "a thousand times as many steps, minutes without optimisation"]
-fn a_hundred_thousand_steps_find_their_branch() {
-    all(100_000 / 6);
+steps! {
+    a_parallelogram_steps, a_parallelogram_steps_everywhere: ScaledPairs;
+    an_antiparallelogram_steps, an_antiparallelogram_steps_everywhere: Anti;
+    a_four_bar_steps, a_four_bar_steps_everywhere: ScaledFourBar;
+    a_slider_crank_steps, a_slider_crank_steps_everywhere: ScaledSliderCrank;
+    a_kite_steps, a_kite_steps_everywhere: ScaledKite;
+    a_block_over_its_pivot_steps, a_block_over_its_pivot_steps_everywhere: ScaledPivot;
+    a_block_with_an_offset_steps, a_block_with_an_offset_steps_everywhere: ScaledOffset;
+    a_chain_steps, a_chain_steps_everywhere: ScaledChain;
+    twins_step, twins_step_everywhere: ScaledTwins;
 }

@@ -7,8 +7,8 @@ use super::docs::{after, lines};
 use super::identifiers::text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
-use crate::model::dynamics::{Asked, Effort, Load, Owner};
-use crate::model::mechanism::{Carrier, Dimension, LinkId, PointId, Step};
+use crate::model::dynamics::{Asked, Effort, Ends, Load, Owner};
+use crate::model::mechanism::{Carrier, Dimension, LinkId, PointId, SpringId, Step};
 
 pub(super) fn load(load: &Load) -> TokenStream {
     let unit = unit(load.dimension, Order::Position);
@@ -83,12 +83,30 @@ fn sentence(cx: &Context<'_>, asked: &Asked) -> String {
                 others.join(", ")
             )
         }
+        Effort::Spring(id) => spring(cx, id),
         Effort::Guide(id) => format!(
             "normal force in N on `{0}` at the origin of its frame, along the normal of `{1}`, and \
              couple in N·m on `{0}`, both exerted by `{1}`",
             link(id),
             text(&asked.field)
         ),
+    }
+}
+
+/// What a spring exerts on which of its ends.
+fn spring(cx: &Context<'_>, id: SpringId) -> String {
+    let spring = &cx.mechanism.dynamics.springs[id.index()];
+    match spring.ends {
+        Ends::Points(points) => {
+            let [p, q] = points.map(|id| text(&cx.mechanism.points[id.index()].name));
+            format!(
+                "force in N on `{q}`, away from `{p}`, and its opposite on `{p}`: positive pushes them apart"
+            )
+        }
+        Ends::Bodies(bodies) => {
+            let [first, second] = bodies.map(|body| cx.mechanism.body_name(body));
+            format!("couple in N·m on `{second}`, counter-clockwise, and its opposite on `{first}`")
+        }
     }
 }
 

@@ -1,9 +1,10 @@
 //! Expressions of the declaration as jets and angles.
 
+use crate::equations::forces::springs;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame};
-use crate::equations::symbol::Vector;
+use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::{Check, Node};
 use crate::model::mechanism::{AngleSum, Axis, Expr, Function, GuideId, Length, Operator, PointId};
 
@@ -27,6 +28,9 @@ impl<'s> Kinematics<'s> {
                 x.hypot(y)
             }
             Expr::Offset(point, guide) => self.offset(*point, *guide),
+            Expr::Twist(spring) => springs::twist(self, *spring),
+            // A force's value has no use for its own rates.
+            Expr::Rate(turn) => Jet::constant(self.in_tempo(self.rate(turn))),
             Expr::Negate(value) => -self.jet(value),
             Expr::Chain(first, rest) => rest.iter().fold(self.jet(first), |a, (operator, b)| {
                 let b = self.jet(b);
@@ -50,6 +54,13 @@ impl<'s> Kinematics<'s> {
         let Frame { origin, direction } = self.guide(guide);
         let ([x, y], [ux, uy]) = (origin.jets_to(self.point(point)), direction.jets());
         ux * y - uy * x
+    }
+
+    fn rate(&self, turn: &AngleSum) -> Sym<'s> {
+        turn.links.iter().fold(self.jet(&turn.rest).rate, |sum, &(link, times)| {
+            let omega = self.link(link).frame.direction.omega;
+            sum + self.sheet.integer(i64::from(times)) * omega
+        })
     }
 
     pub(super) fn jets(&self, pair: &[Expr; 2]) -> [Jet<'s>; 2] {

@@ -50,6 +50,9 @@ pub(super) struct Kinematics<'s> {
     /// What equations fix, as far as it is known.
     pub unknowns: Vec<Jet<'s>>,
     pub closures: Vec<Closure>,
+    /// What rates are multiplied by where forces ask for them: the only input's rate, in the state
+    /// at its unit rate.
+    pub tempo: Option<Sym<'s>>,
     points: Vec<Option<PointMotion<'s>>>,
     links: Vec<Option<LinkMotion<'s>>>,
     guides: Vec<Option<Frame<'s>>>,
@@ -117,6 +120,7 @@ impl<'s> Kinematics<'s> {
             unknowns: Vec::new(),
             closures: Vec::new(),
             taken: 0,
+            tempo: None,
             points: vec![None; mechanism.points.len()],
             links: vec![None; mechanism.links.len()],
             guides: vec![None; mechanism.guides.len()],
@@ -134,6 +138,11 @@ impl<'s> Kinematics<'s> {
             self.take(step);
         }
         self.taken = end;
+    }
+
+    /// A rate of this state as that of the motion.
+    pub(super) fn in_tempo(&self, rate: Sym<'s>) -> Sym<'s> {
+        self.tempo.map_or(rate, |tempo| tempo * rate)
     }
 
     pub(super) fn point(&self, id: PointId) -> PointMotion<'s> {
@@ -240,6 +249,8 @@ impl<'s> Kinematics<'s> {
             Expr::Offset(point, guide) => {
                 self.points[point.index()].is_some() && self.guides[guide.index()].is_some()
             }
+            // Neither stands in what places anything.
+            Expr::Twist(_) | Expr::Rate(_) => true,
             Expr::Negate(value) => self.is_known(value),
             Expr::Chain(first, rest) => {
                 self.is_known(first) && rest.iter().all(|(_, operand)| self.is_known(operand))

@@ -66,13 +66,7 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
         [] => clearance::clearances(mechanism, &sheet),
         _ => Vec::new(),
     };
-    Program {
-        graph: sheet.into_graph(),
-        answers,
-        clearances,
-        closures,
-        groups: mechanism.groups.iter().map(|group| group.title.clone()).collect(),
-    }
+    Program { graph: sheet.into_graph(), answers, clearances, closures, groups: mechanism.titles() }
 }
 
 /// What every entry point that the mechanism can have asks, one after the other, and the conditions
@@ -84,12 +78,14 @@ fn answers<'s>(
 ) -> (Vec<Answer>, Vec<Closure>) {
     let interface = Interface::of(mechanism);
     let given = Kinematics::of(sheet, mechanism, Source::free(mechanism, sheet));
-    let has_bare_angle = has_bare_angle(mechanism, rules);
+    let [moves_bare, acts_bare] =
+        [motion_sinks, force_sinks].map(|sinks| has_bare_angle(mechanism, rules, sinks));
     let mut on_circle = None;
     let mut answers = Vec::new();
     for entry in &interface.entries {
+        let is_bare = moves_bare && (acts_bare || !entry.is_about_forces());
         let kinematics = match entry.takes_cosine() {
-            true if !has_bare_angle => continue,
+            true if !is_bare => continue,
             true => on_circle.get_or_insert_with(|| {
                 Kinematics::of(sheet, mechanism, vec![Source::on_the_circle(sheet)])
             }),
@@ -127,24 +123,31 @@ fn sinks(interface: &Interface, entry: &Entry, kinematics: &Kinematics<'_>) -> V
     }
 }
 
-/// Whether the only input occurs bare as an angle and nowhere else, so that its cosine and sine
-/// can be given in its place: whether, given them, its value is needed nowhere.
-fn has_bare_angle(mechanism: &Mechanism, rules: &[Rule]) -> bool {
+/// Whether the only input occurs bare as an angle and nowhere else on the way to these sinks, so that
+/// its cosine and sine can be given in its place: whether, given them, its value is needed nowhere.
+fn has_bare_angle(
+    mechanism: &Mechanism,
+    rules: &[Rule],
+    sinks: fn(&Kinematics<'_>) -> Vec<Id>,
+) -> bool {
     let [input] = &mechanism.inputs[..] else { return false };
     if !input.dimension.angle {
         return false;
     }
     let trial = Sheet::new(rules);
-    let at = Kinematics::of(&trial, mechanism, vec![Source::on_the_circle(&trial)]);
-    let sinks: Vec<Id> = [Order::Position, Order::Acceleration]
-        .into_iter()
-        .flat_map(|order| components(&at, order))
-        .chain(forces::in_motion(&at))
-        .chain(forces::at_rest(&at))
-        .collect();
+    let sinks = sinks(&Kinematics::of(&trial, mechanism, vec![Source::on_the_circle(&trial)]));
     let graph = trial.into_graph();
     let live = live(&graph, &sinks, Path::Slow);
     !graph.iter().any(|(id, node)| live[id.index()] && matches!(node, Node::Input { order: 0, .. }))
+}
+
+fn motion_sinks(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    let orders = [Order::Position, Order::Acceleration].into_iter();
+    orders.flat_map(|order| components(kinematics, order)).collect()
+}
+
+fn force_sinks(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    [forces::in_motion(kinematics), forces::at_rest(kinematics)].concat()
 }
 
 /// The velocities at a unit rate of each input in turn, the others at rest.

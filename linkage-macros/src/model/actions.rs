@@ -12,6 +12,7 @@ use super::dynamics::{Axes, Force, Load, Mass, MassPlace, Owner, Quantity, Torqu
 use super::folding::shown;
 use super::mechanism::{Carrier, Dimension, Expr, LinkId, LoadId, ParamKind, PointId};
 use super::names::{Entity, Kind};
+use super::springs::is_rate;
 
 const LOAD_KINDS: [&str; 3] = ["force", "torque", "number"];
 
@@ -45,7 +46,7 @@ impl Resolver<'_> {
         None
     }
 
-    pub(super) fn action(&mut self, action: &Action) {
+    pub(super) fn action(&mut self, docs: &[Attribute], action: &Action) {
         match action {
             Action::Gravity { at, value } => self.gravity(*at, value),
             Action::Mass { value, on, place, inertia } => {
@@ -73,6 +74,7 @@ impl Resolver<'_> {
                 let torque = self.torque_between(value, bodies);
                 self.mechanism.dynamics.torques.extend(torque);
             }
+            Action::Spring { name, ends, fields } => self.spring(docs, name, ends, fields),
         }
     }
 
@@ -93,7 +95,7 @@ impl Resolver<'_> {
     }
 
     /// A number of the machine itself: constants and parameters.
-    fn changes_with_no_input(&mut self, expr: &tree::Expr, what: &str) -> Option<()> {
+    pub(super) fn changes_with_no_input(&mut self, expr: &tree::Expr, what: &str) -> Option<()> {
         let span = self.first(expr, &|resolver, part| match &part.kind {
             ExprKind::Member(owner, _) if resolver.names.kind(owner) == Some(Kind::Link) => true,
             ExprKind::Member(name, _) | ExprKind::Name(name) => {
@@ -101,7 +103,9 @@ impl Resolver<'_> {
             }
             _ => false,
         });
-        let Some(span) = span else { return Some(()) };
+        // Of a rate it is said that it stands elsewhere.
+        let of_a_rate = self.first(expr, &|_, part| is_rate(part)).is_some();
+        let Some(span) = span.filter(|_| !of_a_rate) else { return Some(()) };
         let message = format!("{what} cannot depend on an input");
         let reason = "it is made of constants and parameters";
         self.diagnostics.error_because(span, message, reason);
@@ -155,8 +159,9 @@ impl Resolver<'_> {
         Some(Mass { place, mass: Quantity::zero(), inertia: inertia? })
     }
 
-    /// A mass or an inertia of constants and parameters; a constant one is not below zero.
-    fn not_negative(
+    /// A mass, an inertia or a number of a spring, made of constants and parameters; a constant one is
+    /// not below zero.
+    pub(super) fn not_negative(
         &mut self,
         expr: &tree::Expr,
         dimension: Dimension,
@@ -268,15 +273,15 @@ impl Resolver<'_> {
 
     /// The value of a force or a torque: loads may stand in it.
     fn acting(&mut self, expr: &tree::Expr, dimension: Dimension) -> Option<Expr> {
-        self.takes_loads = true;
+        self.is_about_forces = true;
         let value = self.scalar(expr, dimension);
-        self.takes_loads = false;
+        self.is_about_forces = false;
         value
     }
 
     /// A load stands in the value of a force or a torque, and nowhere else.
     pub(super) fn load_stands_in_a_force(&mut self, name: &Ident) -> Option<()> {
-        if self.takes_loads {
+        if self.is_about_forces {
             return Some(());
         }
         let message = format!("`{name}` is a load, and stands in the values of forces and torques");
@@ -316,35 +321,47 @@ impl Resolver<'_> {
 
     fn force_between(&mut self, value: &tree::Expr, names: &[Ident; 2]) -> Option<Force> {
         let value = self.acting(value, Dimension::FORCE);
+        let points = self.two_points(names, "a force acts")?;
+        Some(Force::Between { points, value: value? })
+    }
+
+    /// Points of two bodies.
+    pub(super) fn two_points(&mut self, names: &[Ident; 2], what: &str) -> Option<[PointId; 2]> {
         let points = [0, 1].map(|k| self.point(&names[k]));
         let [p, q] = [points[0]?, points[1]?];
         let owners = [p, q].map(|point| self.mechanism.owner(point));
         if p == q || owners[0]? == owners[1]? {
             let message = match p == q {
-                true => "a force acts between two points".to_string(),
+                true => format!("{what} between two points"),
                 false => format!("`{}` and `{}` are points of one body", names[0], names[1]),
             };
             let reason = "what acts inside a body moves nothing";
             self.diagnostics.error_because(names[1].span(), message, reason);
             return None;
         }
-        Some(Force::Between { points: [p, q], value: value? })
+        Some([p, q])
     }
 
     fn torque_between(&mut self, value: &tree::Expr, names: &[Ident; 2]) -> Option<Torque> {
         let value = self.acting(value, Dimension::TORQUE);
+        let [against, on] = self.two_bodies(names, "a torque acts")?;
+        torque(Some(on), Some(against), value)
+    }
+
+    /// Links, or the ground and a link.
+    pub(super) fn two_bodies(&mut self, names: &[Ident; 2], what: &str) -> Option<[Carrier; 2]> {
         let bodies = [0, 1].map(|k| match names[k] == "ground" {
             true => Some(Carrier::Ground),
             false => self.link(&names[k]).map(Carrier::Link),
         });
-        let [against, on] = [bodies[0]?, bodies[1]?];
-        if on == against {
-            let message = "a torque acts between two bodies";
+        let [first, second] = [bodies[0]?, bodies[1]?];
+        if first == second {
+            let message = format!("{what} between two bodies");
             let reason = "what acts inside a body moves nothing";
             self.diagnostics.error_because(names[1].span(), message, reason);
             return None;
         }
-        torque(Some(on), Some(against), value)
+        Some([first, second])
     }
 
     /// Every load is used, and gravity has a mass to pull.
@@ -379,7 +396,7 @@ impl Resolver<'_> {
 }
 
 impl Quantity {
-    fn zero() -> Self {
+    pub(super) fn zero() -> Self {
         Self { value: Expr::zero(), name: String::new() }
     }
 }

@@ -24,6 +24,8 @@ pub(super) enum Class {
     Rpr,
     Prp,
     Rpp,
+    /// No group at all, but its fields are read like one's.
+    Spring,
 }
 
 /// An outer joint: what it stands on, and what says so.
@@ -79,7 +81,7 @@ const fn needed(name: &'static str, meaning: &'static str) -> FieldRule {
     FieldRule { name, pair: false, needed: Needed::Always, meaning }
 }
 
-const fn optional(name: &'static str, meaning: &'static str) -> FieldRule {
+pub(super) const fn optional(name: &'static str, meaning: &'static str) -> FieldRule {
     FieldRule { name, pair: false, needed: Needed::Never, meaning }
 }
 

@@ -127,6 +127,14 @@ impl Measure {
         }
     }
 
+    /// The measure of a rate; a bare number's is bare.
+    pub(super) fn per_time(self) -> Self {
+        match self {
+            Self::Bare => Self::Bare,
+            Self::Known(dimension) => Self::Known(dimension.times(Dimension::TIME, -1)),
+        }
+    }
+
     /// The measure of a square root, if the exponents can be halved.
     pub(super) fn root(self) -> Option<Self> {
         match self {

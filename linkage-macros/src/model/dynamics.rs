@@ -5,7 +5,8 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use super::mechanism::{
-    Carrier, Dimension, Expr, GuideId, InputId, LinkId, Mechanism, Placement, PointId, Step,
+    Body, Carrier, Dimension, Expr, GuideId, InputId, LinkId, Mechanism, Placement, PointId,
+    SpringId, Step,
 };
 
 /// Everything that a declaration says about forces; empty where it says nothing.
@@ -17,6 +18,7 @@ pub(crate) struct Dynamics {
     pub masses: Vec<Mass>,
     pub forces: Vec<Force>,
     pub torques: Vec<Torque>,
+    pub springs: Vec<Spring>,
     /// What `forces` and `statics` give.
     pub asked: Vec<Asked>,
 }
@@ -44,7 +46,8 @@ pub(crate) struct Mass {
     pub inertia: Quantity,
 }
 
-/// A mass or an inertia: not negative, and no input changes it.
+/// A mass, an inertia or a number of a spring: no input changes it, and of all but the free angle
+/// no parameter may make it negative.
 pub(crate) struct Quantity {
     pub value: Expr,
     /// What an error calls it.
@@ -89,6 +92,25 @@ pub(crate) struct Torque {
     pub value: Expr,
 }
 
+/// A spring and damper, with the names that errors have for its numbers.
+pub(crate) struct Spring {
+    pub name: Option<Ident>,
+    pub docs: Vec<Attribute>,
+    pub ends: Ends,
+    pub stiffness: Quantity,
+    pub damping: Quantity,
+    /// The length or the angle at which it is slack.
+    pub free: Quantity,
+}
+
+/// What a spring stands between.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Ends {
+    Points([PointId; 2]),
+    /// A torsion spring: its angle is that of the second against the first.
+    Bodies([Carrier; 2]),
+}
+
 /// A force, couple or effort in the mechanism, as a field of a field of the result.
 pub(crate) struct Asked {
     /// The input or link whose it is.
@@ -113,16 +135,75 @@ pub(crate) enum Effort {
     Bearing(LinkId, PointId),
     /// Normal force and couple on the link by the guide it slides on.
     Guide(LinkId),
+    /// What a spring exerts on its ends: positive pushes them apart, or turns the second body
+    /// forwards.
+    Spring(SpringId),
 }
 
 impl Dynamics {
     /// Whether anything has mass or acts.
     pub(crate) fn is_empty(&self) -> bool {
-        self.masses.is_empty() && self.forces.is_empty() && self.torques.is_empty()
+        let Self { masses, forces, torques, springs, .. } = self;
+        masses.is_empty() && forces.is_empty() && torques.is_empty() && springs.is_empty()
     }
 }
 
 impl Mechanism {
+    /// What errors call the groups, and behind them what acts along a line between two points, which
+    /// has no direction where they meet: springs, then forces.
+    pub(crate) fn titles(&self) -> Vec<String> {
+        let groups = self.groups.iter().map(|group| group.title.clone());
+        let springs = self.dynamics.springs.iter().map(|spring| self.spring_title(spring));
+        let forces = self.dynamics.forces.iter().map(|force| match force {
+            Force::Between { points, .. } => format!("force {}", self.pair(*points)),
+            Force::At { .. } => String::new(),
+        });
+        groups.chain(springs).chain(forces).collect()
+    }
+
+    fn spring_title(&self, spring: &Spring) -> String {
+        match (&spring.name, spring.ends) {
+            (Some(name), _) => format!("spring {name}"),
+            (None, Ends::Points(points)) => format!("spring {}", self.pair(points)),
+            (None, Ends::Bodies(bodies)) => {
+                let [first, second] = bodies.map(|body| self.body_name(body));
+                format!("spring {first}, {second}")
+            }
+        }
+    }
+
+    fn pair(&self, points: [PointId; 2]) -> String {
+        let [p, q] = points.map(|point| &self.points[point.index()].name);
+        format!("{p}, {q}")
+    }
+
+    /// `ground` or the link.
+    pub(crate) fn body_name(&self, body: Carrier) -> String {
+        match body {
+            Carrier::Ground => "ground".to_string(),
+            Carrier::Link(link) => self.links[link.index()].name.to_string(),
+        }
+    }
+
+    /// The number of a spring's title among [`Self::titles`].
+    pub(crate) fn title_of_spring(&self, spring: usize) -> u32 {
+        (self.groups.len() + spring) as u32
+    }
+
+    /// The number of a force's title among [`Self::titles`].
+    pub(crate) fn title_of_force(&self, force: usize) -> u32 {
+        (self.groups.len() + self.dynamics.springs.len() + force) as u32
+    }
+
+    /// The group that makes the pin or the driven point.
+    pub(crate) fn group_of(&self, point: PointId) -> u32 {
+        match self.points[point.index()].part_of {
+            Body::Pin(group) | Body::Driven(group) => group.0,
+            Body::Link(link) => self.links[link.index()].made_by.0,
+            Body::Ground => 0,
+        }
+    }
+
     /// What the point belongs to; none where the step that makes it is missing.
     pub(crate) fn owner(&self, point: PointId) -> Option<Owner> {
         self.steps.iter().find_map(|step| match step {
@@ -190,7 +271,9 @@ impl Mechanism {
             | Expr::Slide(_)
             | Expr::Coordinate(..)
             | Expr::Distance(_)
-            | Expr::Offset(..) => true,
+            | Expr::Offset(..)
+            | Expr::Twist(_)
+            | Expr::Rate(_) => true,
             Expr::Let(id) => {
                 let turn = &self.lets[id.index()];
                 !turn.links.is_empty() || self.moves(&turn.rest)

@@ -6,8 +6,9 @@ use syn::Attribute;
 
 use super::Resolver;
 use super::dynamics::{Asked, Effort, Owner};
-use super::mechanism::{InputId, LinkId, PointId, Step};
+use super::mechanism::{InputId, LinkId, PointId, SpringId, Step};
 use super::names::{Entity, Kind};
+use super::springs::parts;
 
 /// What a link has to offer: fields and what they are.
 type Efforts = Vec<(Ident, Effort)>;
@@ -25,6 +26,7 @@ impl Resolver<'_> {
             Some(Kind::Input) if ["drive", "push", "force", "torque"].contains(&&word[..]) => {
                 self.input_effort(docs, owner, member);
             }
+            Some(Kind::Spring) => self.spring_output(docs, owner, member),
             Some(Kind::Link) if word == "drive" || word == "push" => {
                 if let Some(link) = self.link(owner) {
                     self.driven_effort(docs, owner, link, member);
@@ -98,7 +100,13 @@ impl Resolver<'_> {
         }
     }
 
-    fn ask(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident, effort: Effort) {
+    pub(super) fn ask(
+        &mut self,
+        docs: &[Attribute],
+        owner: &Ident,
+        member: &Ident,
+        effort: Effort,
+    ) {
         if self.mechanism.dynamics.is_empty() && !self.a_force_may_be_unread() {
             let message =
                 format!("nothing has mass and nothing acts, so `{owner}.{member}` is zero");
@@ -119,7 +127,7 @@ impl Resolver<'_> {
 
     /// Whether a mistake may have hidden what acts.
     fn a_force_may_be_unread(&self) -> bool {
-        let words = ["mass", "inertia", "force", "torque"];
+        let words = ["mass", "inertia", "force", "torque", "spring"];
         words.iter().any(|word| self.unread.may_hold(word)) || self.diagnostics.count() > 0
     }
 
@@ -152,7 +160,15 @@ impl Resolver<'_> {
             })
         });
         let links: Vec<_> = links.collect();
-        self.mechanism.dynamics.asked = inputs.into_iter().chain(links).collect();
+        let springs = self.mechanism.dynamics.springs.iter().enumerate();
+        let springs = springs.filter_map(|(index, spring)| {
+            let owner = spring.name.clone()?;
+            let field = Ident::new(parts(spring.ends)[0], owner.span());
+            let effort = Effort::Spring(SpringId(index as u32));
+            Some(Asked { owner, field, docs: spring.docs.clone(), effort })
+        });
+        let springs: Vec<_> = springs.collect();
+        self.mechanism.dynamics.asked = inputs.into_iter().chain(links).chain(springs).collect();
     }
 
     /// Drive, push, joints and guides of a link.

@@ -29,6 +29,9 @@ const DISTANCE: &str = "distance";
 /// The function of a point and a guide.
 const OFFSET: &str = "offset";
 
+/// The function that forces alone may depend on.
+const RATE: &str = "rate";
+
 const FUNCTIONS: [(&str, Function, usize); 9] = [
     ("sqrt", Function::Sqrt, 1),
     ("hypot", Function::Hypot, 2),
@@ -106,6 +109,7 @@ impl Resolver<'_> {
                 let quantity = match () {
                     () if function == DISTANCE => self.distance(function, arguments),
                     () if function == OFFSET => self.offset_from_guide(function, arguments),
+                    () if function == RATE => self.rate(function, arguments),
                     () => self.call(function, arguments),
                 }?;
                 self.number_is_of_a_length(expr.span, quantity.rest.constant())?;
@@ -183,7 +187,11 @@ impl Resolver<'_> {
                 let measure = Measure::Known(self.mechanism.unknowns[id.index()].dimension);
                 Some(Quantity::plain(measure, Expr::Unknown(id)))
             }
-            Entity::Point(_) | Entity::Link(_) | Entity::Guide(_) | Entity::Load(_) => None,
+            Entity::Point(_)
+            | Entity::Link(_)
+            | Entity::Guide(_)
+            | Entity::Load(_)
+            | Entity::Spring(_) => None,
         }
     }
 
@@ -313,12 +321,12 @@ impl Resolver<'_> {
     fn function_exists(&mut self, name: &Ident) {
         let text = name.to_string();
         let mut message = format!("no function named `{text}`");
-        let known = FUNCTIONS.iter().map(|(known, ..)| *known).chain([DISTANCE, OFFSET]);
+        let known = FUNCTIONS.iter().map(|(known, ..)| *known).chain([DISTANCE, OFFSET, RATE]);
         if let Some(near) = nearest(&text, known) {
             message += &format!("; a function with a similar name exists: `{near}`");
         }
         let reason = "the functions are `sqrt hypot sin cos tan asin acos atan atan2 distance \
-                      offset`";
+                      offset`, and `rate` in the values of forces and torques";
         self.diagnostics.error_because(name.span(), message, reason);
     }
 

@@ -101,6 +101,7 @@ impl Resolver<'_> {
             Class::Rpr => self.rpr(&parts),
             Class::Prp => self.prp(&parts),
             Class::Rpp => self.rpp(&parts),
+            Class::Spring => None,
         };
         self.mechanism.steps.extend(step);
         self.facts_of_what_was_made(&parts);

@@ -33,4 +33,6 @@ ids! {
     UnknownId
     /// An index into `Dynamics::loads`.
     LoadId
+    /// An index into `Dynamics::springs`.
+    SpringId
 }

@@ -10,7 +10,7 @@ use syn::{Attribute, Visibility};
 use crate::exact::Exact;
 use crate::model::dynamics::Dynamics;
 pub(crate) use crate::model::ids::{
-    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, UnknownId,
+    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
 };
 
 pub(crate) struct Mechanism {
@@ -250,6 +250,11 @@ pub(crate) enum Expr {
     Distance([PointId; 2]),
     /// The distance of a point from a guide's line, positive on the side of its normal.
     Offset(PointId, GuideId),
+    /// How far a spring between two bodies is turned from its free angle.
+    Twist(SpringId),
+    /// The rate of a sum of angles, or of any other number, in the values of forces and torques
+    /// alone.
+    Rate(Box<AngleSum>),
     Negate(Box<Expr>),
     /// One operation after the other, each on what the one before has made.
     Chain(Box<Expr>, Vec<(Operator, Expr)>),

@@ -38,6 +38,7 @@ mod references;
 mod rotatability;
 mod settings;
 mod solves;
+mod springs;
 pub(crate) mod stand_in;
 pub(crate) mod units;
 mod unknowns;
@@ -68,7 +69,7 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         too_early: Vec::new(),
         use_is_hidden: false,
         number_is_unknown: false,
-        takes_loads: false,
+        is_about_forces: false,
         gravity_at: None,
         searched: None,
         follows: false,
@@ -111,8 +112,9 @@ struct Resolver<'d> {
     use_is_hidden: bool,
     /// Whether an expression names a number that nothing declares.
     number_is_unknown: bool,
-    /// Whether loads may stand in the expression being resolved.
-    takes_loads: bool,
+    /// Whether the expression being resolved is the value of a force or a torque, in which loads and
+    /// rates may stand.
+    is_about_forces: bool,
     /// Where gravity is given.
     gravity_at: Option<proc_macro2::Span>,
     /// The unknown between its `unknown` and its `solve`.
@@ -145,7 +147,7 @@ impl Resolver<'_> {
             // Outputs may name anything, wherever they stand: they come last.
             StatementKind::Output { .. } => {}
             StatementKind::Load { names, kind } => self.load(docs, names, kind.as_ref()),
-            StatementKind::Action(action) => self.action(action),
+            StatementKind::Action(action) => self.action(docs, action),
             StatementKind::Numerics { mode } => self.numerics(mode),
             StatementKind::Crate { path } => self.crate_path(path),
             StatementKind::Export { language } => self.export(language),

@@ -9,10 +9,13 @@ use std::collections::HashMap;
 use proc_macro2::Ident;
 
 use crate::diagnostics::{Extent, nearest};
+use crate::syntax::action::Action;
 use crate::syntax::tree::{Declaration, Statement, StatementKind};
 
 use super::Resolver;
-use super::mechanism::{GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, UnknownId};
+use super::mechanism::{
+    GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
+};
 use super::order::TooEarly;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +28,7 @@ pub(super) enum Kind {
     Guide,
     Load,
     Unknown,
+    Spring,
 }
 
 /// What may stand in an expression.
@@ -41,6 +45,7 @@ impl Kind {
             Self::Guide => "guide",
             Self::Load => "load",
             Self::Unknown => "unknown",
+            Self::Spring => "spring",
         }
     }
 
@@ -61,6 +66,7 @@ pub(super) enum Entity {
     Guide(GuideId),
     Load(LoadId),
     Unknown(UnknownId),
+    Spring(SpringId),
 }
 
 /// A name that was declared, correctly or not.
@@ -170,6 +176,9 @@ pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
             links.chain(group.pin.iter().map(|pin| (pin, Kind::Point))).collect()
         }
         StatementKind::Load { names, .. } => names.iter().map(|n| (n, Kind::Load)).collect(),
+        StatementKind::Action(Action::Spring { name, .. }) => {
+            name.iter().map(|name| (name, Kind::Spring)).collect()
+        }
         StatementKind::Solve(_)
         | StatementKind::Action(_)
         | StatementKind::Output { .. }
@@ -194,6 +203,7 @@ pub(super) fn title(statement: &Statement, name: &str) -> String {
             format!("{} {}", group.keyword, group.title())
         }
         StatementKind::Load { .. } => format!("load {name}"),
+        StatementKind::Action(Action::Spring { .. }) => format!("spring {name}"),
         StatementKind::Action(_)
         | StatementKind::Output { .. }
         | StatementKind::Numerics { .. }

@@ -149,6 +149,13 @@ impl Resolver<'_> {
                 format!("an expression of it is given by a name: `output twice = 2 * {name}`")
             }
             Some(Kind::Guide) => "the link that carries it has a direction".to_string(),
+            Some(Kind::Spring) => {
+                format!(
+                    "between points it has `{name}.force` and `{name}.length`, between links \
+                         `{name}.torque` and `{name}.angle`"
+                )
+            }
+            Some(Kind::Load) => "it is given, at each call".to_string(),
             _ => return Some(()),
         };
         let kind = kind.map_or(String::new(), Kind::one);
@@ -276,7 +283,7 @@ impl Resolver<'_> {
     }
 
     /// A field of the result is given once.
-    fn give(&mut self, span: Span, field: Ident, docs: &[Attribute], kind: OutputKind) {
+    pub(super) fn give(&mut self, span: Span, field: Ident, docs: &[Attribute], kind: OutputKind) {
         if self.mechanism.outputs.iter().any(|output| output.field == field) {
             let message = format!("the output `{field}` is given twice; remove one");
             self.diagnostics.error(span, message);

@@ -15,6 +15,15 @@ use super::numbers::bare_name;
 /// What a rate may be called by whoever looks for it among the members of a point.
 const RATES: [&str; 7] = ["velocity", "acceleration", "speed", "rate", "vx", "vy", "v"];
 
+/// What to write where friction is meant.
+const FRICTION: &str = "friction that follows from a reaction is implicit; of a known normal force it \
+                        is smooth: `-mu * 50N * v / hypot(v, 0.001(m/s))`, `v` a `rate`";
+
+/// What links and inputs have as outputs about forces.
+fn is_of_forces(word: &str) -> bool {
+    ["drive", "push", "normal", "couple"].contains(&word)
+}
+
 impl Resolver<'_> {
     /// What an expression reads of a point or a link.
     pub(super) fn member(&mut self, owner: &Ident, member: &Ident) -> Option<Quantity> {
@@ -24,6 +33,10 @@ impl Resolver<'_> {
                 let axis = self.axis(owner, member);
                 let value = self.coordinate(point?, axis?);
                 Some(Quantity::plain(Measure::LENGTH, value))
+            }
+            Some(Kind::Input) if is_of_forces(&member.to_string()) => {
+                self.friction_is_implicit(member);
+                None
             }
             _ => self.member_of_link(owner, member),
         }
@@ -177,6 +190,10 @@ impl Resolver<'_> {
                 self.link_slides(owner, link?, member)?;
                 Some(Quantity::plain(Measure::LENGTH, Expr::Slide(link?)))
             }
+            other if is_of_forces(other) || self.names.kind(member).is_some() => {
+                self.friction_is_implicit(member);
+                None
+            }
             other => {
                 let message = format!("`{owner}.{other}` stands in no expression");
                 let reason = match other {
@@ -189,6 +206,12 @@ impl Resolver<'_> {
                 None
             }
         }
+    }
+
+    /// A reaction follows from all that acts: what acts cannot follow from it, too.
+    fn friction_is_implicit(&mut self, member: &Ident) {
+        let message = "no expression reads a reaction or an effort";
+        self.diagnostics.error_because(member.span(), message, FRICTION);
     }
 
     /// Only a link that slides has a slide.

@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use crate::syntax::tree::{
-    Course, Declaration, Expr, ExprKind, FieldValue, Place, Spot, Statement, StatementKind,
+    Course, Declaration, Expr, ExprKind, Place, Spot, Statement, StatementKind,
 };
 
 use super::mechanism::References;
@@ -87,14 +87,7 @@ pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
             }
             Place::Mistake => {}
         },
-        StatementKind::Group(group) => {
-            for field in &group.fields {
-                match &field.value {
-                    FieldValue::One(value) => f(value),
-                    FieldValue::Pair(values) => values.iter().for_each(&mut *f),
-                }
-            }
-        }
+        StatementKind::Group(group) => group.values().for_each(f),
         StatementKind::Unknown { between, .. } => between.iter().flatten().for_each(f),
         StatementKind::Solve(solve) => {
             solve.equation.iter().flatten().chain(&solve.near).for_each(f);

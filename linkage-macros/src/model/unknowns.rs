@@ -160,6 +160,8 @@ impl Resolver<'_> {
         let reaches = |entity| searched.reaches(entity);
         match expr {
             Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => false,
+            // Of forces alone.
+            Expr::Twist(_) | Expr::Rate(_) => false,
             Expr::Unknown(id) => *id == searched.id,
             Expr::Let(id) => reaches(Entity::Let(*id)),
             Expr::Slide(link) => reaches(Entity::Link(*link)),

@@ -5,10 +5,10 @@
 use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Expr, StatementKind};
+use super::tree::{Expr, Group, StatementKind};
 use crate::diagnostics::Extent;
 
-/// `gravity`, `mass`, `inertia`, `force` or `torque`.
+/// `gravity`, `mass`, `inertia`, `force`, `torque` or `spring`.
 pub(crate) enum Action {
     /// `gravity (0, -g);` and where it stands.
     Gravity { at: Span, value: [Expr; 2] },
@@ -24,6 +24,9 @@ pub(crate) enum Action {
     Torque { value: Expr, on: Ident },
     /// `torque t between AB and DC;`
     TorqueBetween { value: Expr, bodies: [Ident; 2] },
+    /// `spring shock between P and Q { stiffness: 15(N/m), free_length: 0.3m }`: two points, or two
+    /// bodies. Its fields are read like those of a group.
+    Spring { name: Option<Ident>, ends: [Ident; 2], fields: Group },
 }
 
 /// Where a mass is.
@@ -41,6 +44,8 @@ pub(crate) enum MassPlace {
 const MASS_FORMS: &str = "a mass is `mass 2kg on BC at G`, `… on BC at (x, y)`, \
                           `… on BC uniform` or, on a pin or point, `mass 2kg on C`";
 const FORCE_FORMS: &str = "a force is `force (fx, fy) on P` or `force f between P and Q`";
+const SPRING_FORM: &str = "a spring is `spring between P and Q { stiffness: 15(N/m), free_length: \
+                           0.3m }`, between two points or two links, and may have a name";
 const TORQUE_FORMS: &str = "a torque is `torque t on BC` or `torque t between BC and DC`";
 
 impl Action {
@@ -54,6 +59,7 @@ impl Action {
             Self::ForceBetween { points: ends, .. } | Self::TorqueBetween { bodies: ends, .. } => {
                 ends.iter().collect()
             }
+            Self::Spring { ends, .. } => ends.iter().collect(),
         }
     }
 
@@ -81,6 +87,7 @@ impl Action {
             | Self::ForceBetween { value, .. }
             | Self::Torque { value, .. }
             | Self::TorqueBetween { value, .. } => vec![value],
+            Self::Spring { fields, .. } => fields.values().collect(),
         }
     }
 }
@@ -96,6 +103,7 @@ impl Parser<'_> {
             "inertia" => self.inertia(),
             "force" => self.force(),
             "torque" => self.torque(),
+            "spring" => self.spring(keyword),
             _ => return None,
         };
         Some(parsed.map(StatementKind::Action))
@@ -208,6 +216,21 @@ impl Parser<'_> {
         }
         let bodies = self.ends("a link or `ground`", TORQUE_FORMS)?;
         Ok(Action::TorqueBetween { value, bodies })
+    }
+
+    fn spring(&mut self, keyword: &Ident) -> Parse<Action> {
+        let name = match (self.is_word(0, "between"), self.peek_ident(0).is_some()) {
+            (true, _) => None,
+            (false, true) => Some(self.new_name("a spring")?),
+            (false, false) => return self.expected_because("a name or `between`", SPRING_FORM),
+        };
+        if !self.is_word(0, "between") {
+            return self.expected_because("`between`", SPRING_FORM);
+        }
+        let ends = self.ends("a point or a link", SPRING_FORM)?;
+        let mut fields = Group::without_links(keyword.clone(), self.end());
+        self.fields_in_braces(&mut fields);
+        Ok(Action::Spring { name, ends, fields })
     }
 
     /// `between P and Q`

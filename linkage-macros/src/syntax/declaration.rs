@@ -169,7 +169,11 @@ impl Parser<'_> {
         };
         let word = keyword.to_string();
         if words::is_reserved(&word) && !words::STATEMENTS.contains(&word.as_str()) {
-            let _ = self.refuse::<()>(&format!("`{word}` is reserved for a later statement"));
+            let message = format!("`{word}` is reserved for a later statement");
+            let _ = match words::built_by(&word) {
+                Some(instead) => self.refuse_because::<()>(&message, instead),
+                None => self.refuse(&message),
+            };
             self.take();
             return Err(Reported);
         }

@@ -21,19 +21,17 @@ impl Parser<'_> {
 
     /// The group behind its keyword.
     pub(super) fn group(&mut self, keyword: Ident) -> Group {
-        let mut group = Group {
-            keyword,
-            legs: Vec::new(),
-            pin: None,
-            fields: Vec::new(),
-            end: self.end(),
-            head_is_read: true,
-            fields_are_read: true,
-        };
+        let mut group = Group::without_links(keyword, self.end());
         if self.head(&mut group).is_err() {
             group.head_is_read = false;
             self.skip_to_braces();
         }
+        self.fields_in_braces(&mut group);
+        group
+    }
+
+    /// What stands behind the head of a statement with braces.
+    pub(super) fn fields_in_braces(&mut self, group: &mut Group) {
         match self.take_group(Delimiter::Brace) {
             Some(braces) => {
                 group.end = braces.span_close();
@@ -42,7 +40,7 @@ impl Parser<'_> {
                     group.fields_are_read = false;
                     self.inside(&braces).give_up();
                 } else {
-                    self.fields(&braces, &mut group);
+                    self.fields(&braces, group);
                 }
             }
             None => {
@@ -57,7 +55,6 @@ impl Parser<'_> {
         if self.take_skipped() {
             self.take_punct(';');
         }
-        group
     }
 
     /// Legs and pin.
@@ -141,6 +138,7 @@ impl Parser<'_> {
             "rrp" => "{ length: …, mode: … }",
             "prp" => "{ }",
             "rpp" => "{ slot: … }",
+            "spring" => "{ stiffness: …, free_length: … }",
             _ => "{ … }",
         };
         let message = match self.is_group(0, Delimiter::Parenthesis)

@@ -29,7 +29,8 @@ impl Parser<'_> {
             "export" => self.export(),
             _ => self.action(keyword)?,
         };
-        if parsed.is_ok() {
+        // A spring ends with its braces.
+        if parsed.is_ok() && keyword != "spring" {
             self.semicolon();
         }
         Some(parsed)

@@ -106,6 +106,27 @@ pub(crate) struct Solve {
 }
 
 impl Group {
+    /// What has fields, but neither links nor a pin.
+    pub(super) fn without_links(keyword: Ident, end: Span) -> Self {
+        Self {
+            keyword,
+            legs: Vec::new(),
+            pin: None,
+            fields: Vec::new(),
+            end,
+            head_is_read: true,
+            fields_are_read: true,
+        }
+    }
+
+    /// The values of its fields.
+    pub(crate) fn values(&self) -> impl Iterator<Item = &Expr> {
+        self.fields.iter().flat_map(|field| match &field.value {
+            FieldValue::One(value) => std::slice::from_ref(value),
+            FieldValue::Pair(values) => values,
+        })
+    }
+
     /// The links, as messages and run-time errors name the group.
     pub(crate) fn title(&self) -> String {
         self.legs.iter().map(|leg| leg.link.to_string()).collect::<Vec<_>>().join(", ")

@@ -1,9 +1,9 @@
 //! The words of the language: which begin a statement, and which cannot be chosen as names.
 
 /// Words that begin a statement without braces.
-pub(super) const STATEMENTS: [&str; 18] = [
+pub(super) const STATEMENTS: [&str; 19] = [
     "input", "param", "let", "ground", "guide", "point", "output", "numerics", "crate", "export",
-    "gravity", "load", "mass", "inertia", "force", "torque", "unknown", "solve",
+    "gravity", "load", "mass", "inertia", "force", "torque", "spring", "unknown", "solve",
 ];
 
 /// Words that begin a statement with braces: drivers, then Assur groups.
@@ -36,7 +36,18 @@ const RESERVED: [&str; 22] = [
 ];
 
 /// Words that stand for something wherever an expression or a reference may stand.
-const MEANINGFUL: [&str; 6] = ["pi", "ground", "left", "right", "ahead", "behind"];
+const MEANINGFUL: [&str; 9] = [
+    "pi",
+    "ground",
+    "left",
+    "right",
+    "ahead",
+    "behind",
+    // Outputs of the whole mechanism.
+    "energy",
+    "shaking",
+    "centre_of_mass",
+];
 
 /// Strict and reserved keywords of every Rust edition; generated fields could not bear them.
 const RUST: [&str; 53] = [
@@ -110,6 +121,10 @@ pub(crate) fn built_by(word: &str) -> Option<&'static str> {
         "cylinder" | "strut" => Some(
             "a cylinder is a bar whose length is an input: `rrr cyl(D), boom(A) -> C { lengths: \
              (lift, 2m), mode: right }`",
+        ),
+        "damper" | "dashpot" | "shock_absorber" => Some(
+            "a damper is a spring without stiffness: `spring between P and Q { damping: \
+             10(N*s/m) }`",
         ),
         "joint" | "pin" | "hinge" | "revolute" | "prismatic" => {
             Some("joints are made by the groups they belong to, and fixed ones by `ground`")

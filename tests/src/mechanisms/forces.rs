@@ -89,3 +89,46 @@ mechanism! {
         force (0, -cargo) on T;
     }
 }
+
+mechanism! {
+    /// A crank between springs of every kind.
+    pub struct SprungCrank {
+        input theta: angle;
+        param k = 150(N/m);
+        param c = 3(N*s/m);
+        ground A(0, 0), D(500mm, 0), E(200mm, 0), O(-300mm, 100mm);
+        crank AB(A) -> B { length: 200mm, angle: theta }
+        /// Between the crank's pin and the frame.
+        spring shock between D and B { stiffness: k, free_length: 0.25m, damping: c }
+        spring soft between O and B { stiffness: 20(N/m), free_length: 0 }
+        spring coil between ground and AB { stiffness: 2(N*m/rad), free_angle: 30deg, damping: 0.1(N*m*s) }
+        torque -0.4(N*m*s) * rate(AB.angle) on AB;
+        output theta.drive, shock.force, coil.torque, shock.length, coil.angle;
+    }
+}
+
+mechanism! {
+    /// A pin that runs through the end of its spring, and a rope that only pulls.
+    pub struct Meeting {
+        input theta: angle;
+        ground A(0, 0), E(200mm, 0), D(800mm, 0);
+        crank AB(A) -> B { length: 200mm, angle: theta }
+        spring between E and B { stiffness: 100(N/m), free_length: 50mm }
+        let slack = distance(D, B) - 0.7m;
+        force -500(N/m) * (slack + hypot(slack, 1mm)) / 2 between D and B;
+        output theta.drive;
+    }
+}
+
+mechanism! {
+    /// A rocker on a torsion spring and two dampers against its coupler.
+    pub struct SprungRocker {
+        input theta: angle;
+        ground A(0, 0), D(750mm, 0);
+        crank AB(A) -> B { length: 250mm, angle: theta }
+        rrr BC(B), DC(D) -> C { lengths: (510mm, 500mm), mode: left }
+        spring stop between ground and DC { stiffness: 12(N*m/rad), free_angle: 90deg }
+        spring joint between BC and DC { damping: 0.7(N*m*s) }
+        force (-2(N*s/m) * rate(C.x), -2(N*s/m) * rate(C.y)) on C;
+    }
+}

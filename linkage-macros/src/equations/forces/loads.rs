@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use crate::equations::forces::springs;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Frame, PointMotion};
@@ -47,15 +48,15 @@ impl<'s> Masses<'s> {
         let mut masses = Self { links: HashMap::new(), points: Vec::new(), moving: Vec::new() };
         let zero = kinematics.sheet.zero();
         for declared in &kinematics.mechanism.dynamics.masses {
-            let link = match &declared.place {
-                MassPlace::Pin(_) => None,
+            let mechanism = kinematics.mechanism;
+            let group = match &declared.place {
+                MassPlace::Pin(point) => mechanism.group_of(*point),
                 MassPlace::Point(link, _)
                 | MassPlace::At(link, _)
-                | MassPlace::Uniform(link, _) => Some(*link),
+                | MassPlace::Uniform(link, _) => mechanism.links[link.index()].made_by.0,
             };
-            let mass = not_negative(kinematics, &declared.mass, link);
-            let mut inertia = not_negative(kinematics, &declared.inertia, link);
-            let mechanism = kinematics.mechanism;
+            let mass = not_negative(kinematics, &declared.mass, group);
+            let mut inertia = not_negative(kinematics, &declared.inertia, group);
             // Not their rates, which are zero at rest, tell whether coordinates are driven.
             let (link, at, place) = match &declared.place {
                 MassPlace::Pin(point) => {
@@ -110,16 +111,15 @@ impl<'s> Masses<'s> {
 }
 
 /// A mass that a parameter makes is asked for its sign where it is used.
-fn not_negative<'s>(
+pub(super) fn not_negative<'s>(
     kinematics: &Kinematics<'s>,
     quantity: &Quantity,
-    link: Option<LinkId>,
+    group: u32,
 ) -> Sym<'s> {
     let value = kinematics.jet(&quantity.value).value;
     if value.is_constant() || quantity.name.is_empty() {
         return value;
     }
-    let group = link.map_or(0, |link| kinematics.mechanism.links[link.index()].made_by.0);
     value.provided(Check::NotNegative(quantity.name.clone()), group, &[])
 }
 
@@ -212,8 +212,8 @@ fn between<'s>(mass: Sym<'s>, at_pin: Sym<'s>, [a_o, a_c]: [Vector<'s>; 2]) -> V
 
 /// A force that the declaration puts on a point, and the point.
 pub(super) fn applied<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s>)> {
-    let forces = kinematics.mechanism.dynamics.forces.iter();
-    let forces = forces.flat_map(|force| match force {
+    let forces = kinematics.mechanism.dynamics.forces.iter().enumerate();
+    let forces = forces.flat_map(|(index, force)| match force {
         Force::At { point, value, axes } => {
             let [x, y] = kinematics.jets(value).map(|jet| jet.value);
             let force = match axes {
@@ -225,13 +225,32 @@ pub(super) fn applied<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'
         }
         Force::Between { points, value } => {
             let value = kinematics.jet(value).value;
-            let [p, q] = points.map(|point| kinematics.point(point));
-            let line = p.to(q);
-            let push = (value / line.x.hypot(line.y)) * line;
+            let line =
+                Line::between(kinematics, *points, kinematics.mechanism.title_of_force(index));
+            let push = (value * line.inverse) * line.vector;
             vec![(points[0], -push), (points[1], push)]
         }
     });
-    forces.collect()
+    forces.chain(springs::forces(kinematics)).collect()
+}
+
+/// The line between two points, which must not meet.
+pub(super) struct Line<'s> {
+    pub vector: Vector<'s>,
+    pub length: Sym<'s>,
+    /// One over the length.
+    pub inverse: Sym<'s>,
+}
+
+impl<'s> Line<'s> {
+    pub(super) fn between(kinematics: &Kinematics<'s>, points: [PointId; 2], title: u32) -> Self {
+        let [p, q] = points.map(|point| kinematics.point(point));
+        let vector = p.to(q);
+        let square = vector.dot(vector).provided(Check::Square, title, &[]);
+        // 1/L = L/L²: the division runs beside the root.
+        let length = square.sqrt();
+        Self { vector, length, inverse: length * square.recip() }
+    }
 }
 
 /// A couple that the declaration puts on a body, and the body.
@@ -241,7 +260,7 @@ pub(super) fn torques<'s>(kinematics: &Kinematics<'s>) -> Vec<(Carrier, Sym<'s>)
         let value = kinematics.jet(&torque.value).value;
         [Some((torque.on, value)), torque.against.map(|against| (against, -value))]
     });
-    torques.flatten().collect()
+    torques.flatten().chain(springs::couples(kinematics)).collect()
 }
 
 /// What the body of a point is; a point without a step belongs to nothing that moves.

@@ -1,7 +1,8 @@
 //! Forces: what acts on every link, and what that asks of the drives and joints.
 //!
 //! # What acts
-//! [`loads`] puts masses, weights, inertia and applied forces on the links. About a link's own outer
+//! [`loads`] puts masses, weights, inertia and applied forces on the links, and [`springs`] what stands
+//! between their points and between themselves. About a link's own outer
 //! joint O, at r = G − O fixed in the link,
 //!
 //! ```text
@@ -31,6 +32,7 @@
 
 mod loads;
 mod power;
+pub(super) mod springs;
 mod transmit;
 mod walk;
 
@@ -88,5 +90,9 @@ fn at_unit_rate<'s>(kinematics: &Kinematics<'s>, moving: usize) -> Kinematics<'s
         source.jet.accel = sheet.zero();
         source
     });
-    Kinematics::of(sheet, mechanism, inputs.collect())
+    let mut unit = Kinematics::of(sheet, mechanism, inputs.collect());
+    if let [only] = &kinematics.inputs[..] {
+        unit.tempo = Some(only.jet.rate);
+    }
+    unit
 }

@@ -91,7 +91,7 @@ struct Sum<'s> {
 fn of_the_only_input<'s>(kinematics: &Kinematics<'s>, unit: &Kinematics<'s>) -> Sym<'s> {
     let (masses, g) = (Masses::of(unit), gravity(unit));
     let zero = unit.sheet.zero();
-    let mut sum = Sum { mass: zero, slope: zero, force: applied_power(kinematics, unit) };
+    let mut sum = Sum { mass: zero, slope: zero, force: applied_power(unit, unit) };
     let pivots = Pivots::of(unit);
     let mut swinging: HashMap<LinkId, Sym<'s>> = HashMap::new();
     let mut swing = |link: LinkId, inertia: Sym<'s>| {

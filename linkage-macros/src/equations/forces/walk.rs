@@ -7,6 +7,7 @@ use std::collections::HashMap;
 use crate::equations::forces::loads::{
     self, Masses, MovingPlace, applied, gravity, of_masses, torques,
 };
+use crate::equations::forces::springs;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Frame;
@@ -72,6 +73,7 @@ impl<'k, 's> Walk<'k, 's> {
                 let Vector { x, y } = self.standing.get(&point).copied().unwrap_or(zero);
                 vec![x, y]
             }
+            Effort::Spring(spring) => vec![springs::effort(self.kinematics, spring.index())],
             other => self.found[&other].clone(),
         }
     }

@@ -13,7 +13,7 @@ use crate::ir::graph::Id;
 use crate::ir::interpret::{Given, Number, interpret};
 use crate::ir::program::{Answer, Program};
 use crate::model::dynamics::{Asked, Effort, Owner};
-use crate::model::mechanism::{Expr, GuideId, InputId, Mechanism, PointId};
+use crate::model::mechanism::{Expr, GuideId, InputId, Link, Mechanism, PointId};
 use crate::oracle::{Digits, defaults, mechanism};
 use crate::passes;
 use topologies::random_mechanism;
@@ -22,13 +22,13 @@ use topologies::random_mechanism;
 fn loaded(source: &str) -> String {
     let plain = mechanism(source);
     let mut added = String::from("gravity (0.7, -9.81);");
+    let q = &plain.inputs[0].name;
+    let q = if plain.inputs[0].dimension.angle { format!("0.1m * {q}") } else { q.to_string() };
     for (index, link) in plain.links.iter().enumerate() {
         let (x, m) = (0.1 + 0.07 * index as f64, 1.3 + 0.4 * index as f64);
         added += &format!("mass {m} on {0} at ({x}, -0.05) inertia 0.03;", link.name);
         added += &format!("mass 0.6 on {0} at (-0.02, {x}); inertia 0.01 on {0};", link.name);
         added += &format!("torque {} on {};", m - 2.0, link.name);
-        let q = &plain.inputs[0].name;
-        let q = if plain.inputs[0].dimension.angle { format!("0.1m * {q}") } else { q.to_string() };
         added += &format!("mass 0.4 on {} at ({q} - 0.02, 0.03) inertia 0.02;", link.name);
         added += &format!("mass 0.2 on {} at (0.05, 2 * {q});", link.name);
     }
@@ -42,15 +42,63 @@ fn loaded(source: &str) -> String {
             Some(Owner::Link(_)) => {}
         }
         added += &format!("force ({}, {}) on {name};", 3.0 - index as f64, 1.5 * index as f64);
+        added += &format!(
+            "force (-0.4(N*s/m) * rate({name}.x + {q}), 0.2(N*s/m) * rate({name}.y - {q})) on {name};"
+        );
         let owner = plain.owner(point);
         if let Some((other, known)) = previous.replace((name, owner))
             && known != owner
         {
             added += &format!("force {} between {other} and {name};", 2.5 + index as f64);
+            added += &format!(
+                "force -1(N*s/m) * rate(distance({other}, {name}) + 0.1 * ({q})) between {name} and {other};"
+            );
+            added +=
+                &format!("spring s{index} between {name} and {other} {{ {} }}", numbers(index));
         }
+    }
+    for (index, pair) in plain.links.windows(2).enumerate() {
+        added += &on_a_pair(&plain, pair, index);
     }
     let (body, _) = source.rsplit_once('}').expect("a declaration ends with a brace");
     format!("{body} {added} }}")
+}
+
+/// A spring's numbers: with and without damping and free length.
+fn numbers(index: usize) -> &'static str {
+    match index % 4 {
+        0 => "stiffness: 11, free_length: 0.4, damping: 0.7",
+        1 => "stiffness: 7, free_length: 0",
+        2 => "damping: 1.3",
+        _ => "stiffness: 9, free_length: 0.2",
+    }
+}
+
+/// A torsion spring where no driver says the angle, and dampers between the two links.
+fn on_a_pair(plain: &Mechanism, pair: &[Link], index: usize) -> String {
+    let [a, b] = [&pair[0], &pair[1]];
+    let mut added =
+        format!("torque -0.3(N*m*s) * rate({0}.angle - 2 * {1}.angle) on {0};", a.name, b.name);
+    if a.slides {
+        added +=
+            &format!("torque 0.2(N*s) * rate({}.slide) between {} and {};", a.name, a.name, b.name);
+    }
+    // Where drivers say an angle, it may be turns away from what two unit vectors enclose.
+    let is_free = |link: &Link| {
+        let keyword = &plain.groups[link.made_by.index()].keyword;
+        !link.slides && keyword != "crank" && keyword != "slider"
+    };
+    let first = match (is_free(a), is_free(b)) {
+        (true, true) if a.made_by != b.made_by => a.name.to_string(),
+        (false, true) => "ground".to_string(),
+        _ => return added,
+    };
+    let free = 0.2 * index as f64;
+    added += &format!(
+        "spring between {first} and {} {{ stiffness: 2.5, free_angle: {free}, damping: 0.4 }}",
+        b.name
+    );
+    added
 }
 
 /// Everything that the tests compare, as nodes.

@@ -11,6 +11,7 @@ mod outputs;
 mod places;
 mod resolved;
 mod slips;
+mod springs;
 mod text;
 mod together;
 mod unknowns;

@@ -82,6 +82,8 @@ impl Names<'_> {
             Expr::Coordinate(point, axis) => {
                 format!("{}.{axis:?}", self.point(*point)).to_lowercase()
             }
+            Expr::Twist(id) => format!("twist {}", id.index()),
+            Expr::Rate(turn) => format!("rate({})", self.turn(turn)),
             Expr::Distance([p, q]) => format!("distance({}, {})", self.point(*p), self.point(*q)),
             Expr::Offset(point, guide) => {
                 format!("offset({}, {})", self.point(*point), self.guide(*guide))

@@ -164,6 +164,10 @@ fn action(action: &Action) -> String {
         Action::TorqueBetween { value, bodies: [a, b] } => {
             format!("torque {} between {a} and {b}", expr(value))
         }
+        Action::Spring { name, ends: [a, b], fields } => {
+            let name = name.as_ref().map(|name| format!("{name} ")).unwrap_or_default();
+            format!("spring {name}between {a} and {b} {{ {} }}", self::fields(fields))
+        }
     }
 }
 
@@ -173,16 +177,16 @@ fn group(group: &Group) -> String {
         None => format!("{}(?)", leg.link),
     });
     let pin = group.pin.as_ref().map(|pin| format!(" -> {pin}")).unwrap_or_default();
+    let legs = legs.collect::<Vec<_>>().join(", ");
+    format!("{} {legs}{pin} {{ {} }}", group.keyword, fields(group))
+}
+
+fn fields(group: &Group) -> String {
     let fields = group.fields.iter().map(|field| match &field.value {
         FieldValue::One(value) => format!("{}: {}", field.name, expr(value)),
         FieldValue::Pair(values) => format!("{}: {}", field.name, pair(values)),
     });
-    format!(
-        "{} {}{pin} {{ {} }}",
-        group.keyword,
-        legs.collect::<Vec<_>>().join(", "),
-        fields.collect::<Vec<_>>().join(", ")
-    )
+    fields.collect::<Vec<_>>().join(", ")
 }
 
 fn carrier(on: &Option<proc_macro2::Ident>) -> String {

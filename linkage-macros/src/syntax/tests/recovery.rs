@@ -12,7 +12,7 @@ fn every_mistake_of_a_declaration_is_reported() {
          ground A(0, 0;), D(1m 0);
          ground type(0, 0)
          crank AB(A) => B { length: 80 mm, angle theta, relative_to: ground }
-         spring BC { at: (0, 0) }
+         triad BC { at: (0, 0) }
          rrr BC(B), DC() -> C { lengths: (632mm, 0x10), mode: left }
          point blade on BC (1, 2)
          output blade DC.angle(), fold = 2 pi",
@@ -29,7 +29,7 @@ type: `type` is a Rust keyword; choose another name / names become fields and ar
 =: write `->` / it points to the pin that is made
 mm: drop the space: `80mm` / a unit stands directly behind its number
 theta: write `:` after `angle`
-spring: `spring` is reserved for a later statement
+triad: `triad` is reserved for a later statement
 ): expected the name of a point or a guide, found `)` / points are declared by `ground` or made \
          by groups, guides by `guide`
 0x10: write `0x10` in decimal / a number is decimal, with its unit directly behind it: `632mm`, \

@@ -23,6 +23,7 @@ pub(super) fn readings(mechanism: &Mechanism, expr: &Expr, leaves: &mut Vec<Expr
             arguments.iter().for_each(|argument| readings(mechanism, argument, leaves));
         }
         Expr::Constant(_) | Expr::Input(_) | Expr::Unknown(_) | Expr::Param(_) | Expr::Load(_) => {}
+        Expr::Twist(_) | Expr::Rate(_) => unreachable!("neither is part of a dimension"),
     }
 }
 

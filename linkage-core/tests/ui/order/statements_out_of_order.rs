@@ -1,0 +1,15 @@
+use linkage_core::mechanism;
+
+mechanism! {
+    pub struct M {
+        input theta: angle;
+        ground A(0, 0), D(4m, 0), F(5m, 0);
+        rrr BC(B), DC(D) -> C { lengths: (3m, 3m), mode: left }
+        rrr CE(C), FE(F) -> E { lengths: (2m, 3m), mode: left }
+        crank AB(A) -> B { length: 1m, angle: theta }
+    }
+}
+
+fn main() {
+    let _ = M::new().position(0.3);
+}

@@ -1,0 +1,15 @@
+use linkage_core::mechanism;
+
+mechanism! {
+    pub struct M {
+        input theta: angle;
+        ground A(0, 0), D(4m, 0);
+        crank AB(A) -> B { length: 1m, angle: theta }
+        guide rail through A along y;
+        rrp BC(B), ram(rail) -> C { length: 3m, mode: ahead }
+    }
+}
+
+fn main() {
+    let _ = M::new().position(0.3);
+}

@@ -1,0 +1,235 @@
+//! Springs and dampers.
+//!
+//! # Between two points
+//! With d from the first to the second, L = |d|, and what pushes the ends apart
+//!
+//! ```text
+//! S = −k (L − L₀) − c L̇      L̇ = (d·ḋ)/L
+//! ```
+//!
+//! the force on the second is (S/L) d, its opposite on the first. Where the ends meet there is no
+//! direction, unless L₀ = 0 and c = 0: then the force is −k d, without a root. Energy: ½ k (L − L₀)².
+//!
+//! # Between two bodies
+//! φ is the angle of the second against the first and the free angle; on the second acts −k φ − c φ̇,
+//! its opposite on the first. Energy: ½ k φ². Where what drives both says their angles, as sums of
+//! inputs and slides, or where they differ by such a sum, φ is that sum. Elsewhere it comes from the
+//! two unit vectors and lies in (−π, π].
+//!
+//! # Source
+//! Norton, Design of Machinery, ch. 10 and 15.
+
+use crate::equations::forces::loads::{Line, not_negative};
+use crate::equations::jet::Jet;
+use crate::equations::kinematics::Kinematics;
+use crate::equations::symbol::{Sym, Vector};
+use crate::model::dynamics::{Ends, Spring};
+use crate::model::mechanism::{
+    AngleSum, Carrier, GuideDirection, GuideId, LinkId, PointId, SpringId, Step,
+};
+
+/// Stiffness, damping, and the length or angle at which it is slack.
+struct Numbers<'s> {
+    stiffness: Sym<'s>,
+    damping: Sym<'s>,
+    free: Sym<'s>,
+}
+
+fn numbers<'s>(kinematics: &Kinematics<'s>, index: usize) -> Numbers<'s> {
+    let mechanism = kinematics.mechanism;
+    let Spring { stiffness, damping, free, ends, .. } = &mechanism.dynamics.springs[index];
+    let title = mechanism.title_of_spring(index);
+    Numbers {
+        stiffness: not_negative(kinematics, stiffness, title),
+        damping: not_negative(kinematics, damping, title),
+        free: match ends {
+            Ends::Points(_) => not_negative(kinematics, free, title),
+            Ends::Bodies(_) => kinematics.jet(&free.value).value,
+        },
+    }
+}
+
+/// The springs between points, with their numbers in the declaration.
+fn between_points<'k>(
+    kinematics: &'k Kinematics<'_>,
+) -> impl Iterator<Item = (usize, [PointId; 2])> + 'k {
+    let springs = kinematics.mechanism.dynamics.springs.iter().enumerate();
+    springs.filter_map(|(index, spring)| match spring.ends {
+        Ends::Points(points) => Some((index, points)),
+        Ends::Bodies(_) => None,
+    })
+}
+
+fn between_bodies<'k>(
+    kinematics: &'k Kinematics<'_>,
+) -> impl Iterator<Item = (usize, [Carrier; 2])> + 'k {
+    let springs = kinematics.mechanism.dynamics.springs.iter().enumerate();
+    springs.filter_map(|(index, spring)| match spring.ends {
+        Ends::Bodies(bodies) => Some((index, bodies)),
+        Ends::Points(_) => None,
+    })
+}
+
+/// What springs put on their ends.
+pub(super) fn forces<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s>)> {
+    let forces = between_points(kinematics).flat_map(|(index, points)| {
+        let force = force(kinematics, index, points);
+        [(points[0], -force), (points[1], force)]
+    });
+    forces.collect()
+}
+
+/// The force on the second point.
+fn force<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) -> Vector<'s> {
+    let Numbers { stiffness, damping, free } = numbers(kinematics, index);
+    if free.is_zero() && damping.is_zero() {
+        let [p, q] = points.map(|point| kinematics.point(point));
+        return -(stiffness * p.to(q));
+    }
+    let line = line(kinematics, index, points);
+    (push(kinematics, index, points) * line.inverse) * line.vector
+}
+
+fn line<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) -> Line<'s> {
+    Line::between(kinematics, points, kinematics.mechanism.title_of_spring(index))
+}
+
+/// What pushes the ends apart.
+fn push<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) -> Sym<'s> {
+    let Numbers { stiffness, damping, free } = numbers(kinematics, index);
+    if free.is_zero() && damping.is_zero() {
+        return -(stiffness * length(kinematics, points));
+    }
+    let line = line(kinematics, index, points);
+    let [x, y] = points.map(|point| kinematics.point(point).velocity);
+    let closing = line.vector.dot(y - x) * line.inverse;
+    -(stiffness * (line.length - free) + damping * kinematics.in_tempo(closing))
+}
+
+/// A length that may be zero.
+fn length<'s>(kinematics: &Kinematics<'s>, points: [PointId; 2]) -> Sym<'s> {
+    let [p, q] = points.map(|point| kinematics.point(point));
+    let vector = p.to(q);
+    vector.dot(vector).sqrt()
+}
+
+/// What torsion springs put on bodies.
+pub(super) fn couples<'s>(kinematics: &Kinematics<'s>) -> Vec<(Carrier, Sym<'s>)> {
+    let couples = between_bodies(kinematics).flat_map(|(index, [first, second])| {
+        let couple = couple(kinematics, index);
+        [(first, -couple), (second, couple)]
+    });
+    couples.collect()
+}
+
+/// The couple on the second body.
+fn couple<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
+    let Numbers { stiffness, damping, .. } = numbers(kinematics, index);
+    let twist = twist(kinematics, SpringId(index as u32));
+    -(stiffness * twist.value + damping * kinematics.in_tempo(twist.rate))
+}
+
+/// What the spring exerts: a push or a couple.
+pub(super) fn effort<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
+    match kinematics.mechanism.dynamics.springs[index].ends {
+        Ends::Points(points) => push(kinematics, index, points),
+        Ends::Bodies(_) => couple(kinematics, index),
+    }
+}
+
+/// How far a spring between two bodies is turned from its free angle.
+pub(in crate::equations) fn twist<'s>(kinematics: &Kinematics<'s>, id: SpringId) -> Jet<'s> {
+    let mechanism = kinematics.mechanism;
+    let Ends::Bodies([first, second]) = mechanism.dynamics.springs[id.index()].ends else {
+        unreachable!("the model asks springs between bodies alone")
+    };
+    let free = numbers(kinematics, id.index()).free;
+    let mut turned = Turned { links: Vec::new(), rest: Jet::constant(-free) };
+    turned.add_body(kinematics, second, 1);
+    turned.add_body(kinematics, first, -1);
+    if turned.links.iter().all(|(_, times)| *times == 0) {
+        return turned.rest;
+    }
+    let [first, second] = [first, second].map(|body| kinematics.carrier(body).direction);
+    let unit = Vector { x: free.cos(), y: free.sin() };
+    let (sine, cosine) = first.turned_by(Jet::constant(free), unit).sin_cos_to(second);
+    let (rate, accel) = (second.omega - first.omega, second.alpha - first.alpha);
+    Jet { value: sine.atan2(cosine), rate, accel }
+}
+
+/// An angle as a sum: what drives bodies says by how much they are turned, of the others their own
+/// angles remain.
+struct Turned<'s> {
+    links: Vec<(LinkId, i64)>,
+    rest: Jet<'s>,
+}
+
+impl<'s> Turned<'s> {
+    fn add_body(&mut self, kinematics: &Kinematics<'s>, body: Carrier, times: i64) {
+        let Carrier::Link(link) = body else { return };
+        for step in &kinematics.mechanism.steps {
+            match step {
+                Step::Crank { link: own, angle, relative_to, .. } if *own == link => {
+                    self.add_body(kinematics, *relative_to, times);
+                    return self.add_turn(kinematics, angle, times);
+                }
+                Step::Slider { link: own, guide, .. } if *own == link => {
+                    return self.add_guide(kinematics, link, *guide, times);
+                }
+                Step::Rrp { links: [_, block], guide, .. } if *block == link => {
+                    return self.add_guide(kinematics, link, *guide, times);
+                }
+                Step::Prp { links, guides, .. } if links.contains(&link) => {
+                    let guide = guides[usize::from(links[1] == link)];
+                    return self.add_guide(kinematics, link, guide, times);
+                }
+                Step::Rpr { links: [block, bar], .. } if *block == link => {
+                    return self.add_body(kinematics, Carrier::Link(*bar), times);
+                }
+                Step::Rpp { links: [block, yoke], guide, slot, .. } => {
+                    if *block == link {
+                        self.add_body(kinematics, Carrier::Link(*yoke), times);
+                        return self.add_turn(kinematics, slot, times);
+                    }
+                    if *yoke == link {
+                        return self.add_guide(kinematics, link, *guide, times);
+                    }
+                }
+                _ => {}
+            }
+        }
+        self.add_link(link, times);
+    }
+
+    fn add_link(&mut self, link: LinkId, times: i64) {
+        match self.links.iter_mut().find(|(known, _)| *known == link) {
+            Some((_, sum)) => *sum += times,
+            None => self.links.push((link, times)),
+        }
+    }
+
+    fn add_turn(&mut self, kinematics: &Kinematics<'s>, turn: &AngleSum, times: i64) {
+        for &(link, own) in &turn.links {
+            self.add_body(kinematics, Carrier::Link(link), times * i64::from(own));
+        }
+        let factor = kinematics.sheet.integer(times);
+        self.rest = self.rest + kinematics.jet(&turn.rest).times(factor);
+    }
+
+    /// A guide through two points has the angle of whatever lies on it.
+    fn add_guide(&mut self, kinematics: &Kinematics<'s>, link: LinkId, guide: GuideId, times: i64) {
+        let found = kinematics.mechanism.steps.iter().find_map(|step| match step {
+            Step::Guide { guide: made, carrier, course, .. } if *made == guide => {
+                Some((*carrier, course))
+            }
+            _ => None,
+        });
+        match found {
+            Some((carrier, GuideDirection::Along(turn))) => {
+                self.add_body(kinematics, carrier, times);
+                self.add_turn(kinematics, turn, times);
+            }
+            _ => self.add_link(link, times),
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! What acts on the parts: weight and inertia of each mass for itself, forces, torques and springs, each
+//! written down as in a textbook, in ground axes.
+
+use super::{Applied, Part, ids, part, part_of, part_of_carrier};
+use crate::equations::kinematics::Kinematics;
+use crate::equations::symbol::{Sym, Vector};
+use crate::ir::graph::Id;
+use crate::model::dynamics::{Axes, Ends, Force, MassPlace, Spring};
+use crate::model::mechanism::{Carrier, Expr, PointId};
+
+pub(super) fn acting(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
+    let (masses, applied) = (masses(kinematics), applied(kinematics));
+    masses.into_iter().chain(applied).chain(springs(kinematics)).collect()
+}
+
+/// Weight and inertia of every mass: m (g − a_G) at G and −J α.
+fn masses(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
+    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+    let value = |expr: &Expr| kinematics.jet(expr).value;
+    let g = match &mechanism.dynamics.gravity {
+        Some([x, y]) => Vector { x: value(x), y: value(y) },
+        None => sheet.zero_vector(),
+    };
+    let of = |declared: &crate::model::dynamics::Mass| {
+        let mass = value(&declared.mass.value);
+        let (link, at, inertia, moves) = match &declared.place {
+            MassPlace::Pin(point) => {
+                let motion = kinematics.point(*point);
+                return Applied {
+                    part: Part::Pin(*point),
+                    at: ids(motion.position()),
+                    force: ids(mass * (g - motion.acceleration)),
+                    couple: sheet.zero().id,
+                    velocity: ids(motion.velocity),
+                    omega: sheet.zero().id,
+                };
+            }
+            MassPlace::Point(link, point) => {
+                let carrier = Carrier::Link(*link);
+                let at = kinematics.coordinates(carrier, *point);
+                let moves = mechanism.coordinates_move(carrier, *point)[0];
+                (*link, at, value(&declared.inertia.value), moves)
+            }
+            MassPlace::At(link, at) => {
+                let moves = mechanism.moves(&at[0]);
+                (*link, kinematics.jets(at), value(&declared.inertia.value), moves)
+            }
+            MassPlace::Uniform(link, length) => {
+                let length = kinematics.jet(length);
+                let zero = kinematics.jet(&Expr::zero());
+                let inertia = mass * length.value * length.value / sheet.integer(12);
+                (*link, [length.times(sheet.integer(1).half()), zero], inertia, false)
+            }
+        };
+        let frame = kinematics.link(link).frame;
+        let motion = frame.place(at[0], at[1]);
+        Applied {
+            part: part(mechanism, link, moves),
+            at: ids(motion.position()),
+            force: ids(mass * (g - motion.acceleration)),
+            couple: (-(inertia * frame.direction.alpha)).id,
+            velocity: ids(motion.velocity),
+            omega: frame.direction.omega.id,
+        }
+    };
+    mechanism.dynamics.masses.iter().map(of).collect()
+}
+
+/// The declaration's forces and torques.
+fn applied(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
+    let dynamics = &kinematics.mechanism.dynamics;
+    let value = |expr: &Expr| kinematics.jet(expr).value;
+    let force = |point: PointId, value: Vector<'_>| force(kinematics, point, value);
+    let mut all = Vec::new();
+    for declared in &dynamics.forces {
+        match declared {
+            Force::At { point, value: [x, y], axes } => {
+                let (x, y) = (value(x), value(y));
+                let u = match axes {
+                    Axes::Body(carrier) => kinematics.carrier(*carrier).direction.u,
+                    Axes::Guide(guide) => kinematics.guide(*guide).direction.u,
+                };
+                all.push(force(*point, x * u + y * u.normal()));
+            }
+            Force::Between { points: [p, q], value: push } => {
+                let d = kinematics.point(*q).position() - kinematics.point(*p).position();
+                let along = value(push) / (d.x * d.x + d.y * d.y).sqrt();
+                all.push(force(*p, -(along * d)));
+                all.push(force(*q, along * d));
+            }
+        }
+    }
+    for torque in &dynamics.torques {
+        let couple = value(&torque.value);
+        all.push(turn(kinematics, torque.on, couple));
+        all.extend(torque.against.map(|against| turn(kinematics, against, -couple)));
+    }
+    all
+}
+
+/// A force on a point, and so on the part that it belongs to.
+fn force(kinematics: &Kinematics<'_>, point: PointId, force: Vector<'_>) -> Applied<Id> {
+    let (motion, zero) = (kinematics.point(point), kinematics.sheet.zero().id);
+    Applied {
+        part: part_of(kinematics, point),
+        at: ids(motion.position()),
+        force: ids(force),
+        couple: zero,
+        velocity: ids(motion.velocity),
+        omega: zero,
+    }
+}
+
+fn turn(kinematics: &Kinematics<'_>, carrier: Carrier, couple: Sym<'_>) -> Applied<Id> {
+    let zero = kinematics.sheet.zero().id;
+    Applied {
+        part: part_of_carrier(carrier),
+        at: [zero; 2],
+        force: [zero; 2],
+        couple: couple.id,
+        velocity: [zero; 2],
+        omega: kinematics.carrier(carrier).direction.omega.id,
+    }
+}
+
+/// Springs and dampers, from absolute positions, velocities and unit vectors.
+fn springs(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
+    let of = |spring: &Spring| {
+        let [k, c, free] = [&spring.stiffness, &spring.damping, &spring.free]
+            .map(|number| kinematics.jet(&number.value).value);
+        match spring.ends {
+            Ends::Points([p, q]) => {
+                let [a, b] = [p, q].map(|point| kinematics.point(point));
+                let (d, v) = (b.position() - a.position(), b.velocity - a.velocity);
+                let length = (d.x * d.x + d.y * d.y).sqrt();
+                let pull = k * (length - free) + c * ((d.x * v.x + d.y * v.y) / length);
+                let on_p = (pull / length) * d;
+                [force(kinematics, p, on_p), force(kinematics, q, -on_p)]
+            }
+            Ends::Bodies([a, b]) => {
+                let [u, v] = [a, b].map(|body| kinematics.carrier(body).direction);
+                let (cos, sin) = (free.cos(), free.sin());
+                let slack = [u.u.x * cos - u.u.y * sin, u.u.x * sin + u.u.y * cos];
+                let sine = v.u.y * slack[0] - v.u.x * slack[1];
+                let turned = sine.atan2(v.u.x * slack[0] + v.u.y * slack[1]);
+                let back = k * turned + c * (v.omega - u.omega);
+                [turn(kinematics, a, back), turn(kinematics, b, -back)]
+            }
+        }
+    };
+    kinematics.mechanism.dynamics.springs.iter().flat_map(of).collect()
+}

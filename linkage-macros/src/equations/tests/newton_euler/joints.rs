@@ -1,0 +1,208 @@
+//! What joints and drives can exert: a column of the matrix an unknown.
+
+use super::matrix::Matrix;
+use super::{
+    Pair, Part, cross, has_readings, normal, part_of, part_of_carrier, part_of_point, whole,
+};
+use crate::ir::interpret::Number;
+use crate::model::dynamics::Effort;
+use crate::model::mechanism::{
+    Carrier, Expr, GuideDirection, GuideId, LinkId, Placement, PointId, Step, Through,
+};
+use crate::oracle::Digits;
+
+impl<'k> Matrix<'k, '_> {
+    fn revolute(&mut self, link: LinkId, on: Part, by: Part, point: PointId) {
+        let at = &self.motion.points[point.index()];
+        self.names.push((Effort::Pin(link, point), self.columns.len()));
+        for axis in Self::axes() {
+            let column = self.pair([on, by], at, &axis, 0);
+            self.columns.push(column);
+        }
+    }
+
+    /// A normal force at a point, and a couple. What the offset does is the normal force's.
+    fn prismatic(
+        &mut self,
+        name: Option<LinkId>,
+        parts: [Part; 2],
+        at: &Pair<Digits>,
+        n: &Pair<Digits>,
+    ) -> [usize; 2] {
+        let zero = [whole(0), whole(0)];
+        let first = self.columns.len();
+        self.names.extend(name.map(|link| (Effort::Guide(link), first)));
+        let columns = [self.pair(parts, at, n, 0), self.pair(parts, at, &zero, 1)];
+        self.columns.extend(columns);
+        [first, first + 1]
+    }
+
+    /// A bar, and its rod where its length is driven.
+    fn bar(&mut self, link: LinkId, outer: PointId, pin: PointId, length: &Expr) {
+        self.revolute(link, Part::Link(link), part_of(self.kinematics, outer), outer);
+        let part = match self.kinematics.mechanism.moves(length) {
+            true => Part::Rod(link),
+            false => Part::Link(link),
+        };
+        self.revolute(link, part, Part::Pin(pin), pin);
+        self.rod(link, pin, length);
+    }
+
+    /// The rod slides in the bar at the pin.
+    fn rod(&mut self, link: LinkId, pin: PointId, length: &Expr) {
+        if !self.kinematics.mechanism.moves(length) {
+            return;
+        }
+        let (u, at) = (&self.motion.directions[link.index()], &self.motion.points[pin.index()]);
+        let parts = [Part::Rod(link), Part::Link(link)];
+        self.prismatic(None, parts, at, &normal(u));
+        let column = self.pair(parts, at, u, 0);
+        let drive = self.columns.len();
+        self.columns.push(column);
+        if !has_readings(self.kinematics.mechanism, length) {
+            self.names.push((Effort::Push(link), drive));
+        }
+        self.transmit(length, &[(drive, whole(1))]);
+    }
+
+    pub(super) fn carrier_of(&self, guide: GuideId) -> Part {
+        let mut steps = self.kinematics.mechanism.steps.iter();
+        let found = steps.find_map(|step| match step {
+            Step::Guide { guide: made, carrier, through, .. } if *made == guide => {
+                Some(match through {
+                    Through::Point(point) => part_of_point(self.kinematics, *carrier, *point),
+                    Through::At(_) => part_of_carrier(*carrier),
+                })
+            }
+            _ => None,
+        });
+        found.expect("every guide has a step")
+    }
+
+    /// A link on a guide, and what turns the guide.
+    fn on_guide(
+        &mut self,
+        link: LinkId,
+        guide: GuideId,
+        [on, by]: [Part; 2],
+        along: Option<usize>,
+    ) -> [usize; 2] {
+        let (k, u) = &self.motion.guides[guide.index()];
+        let at = self.motion.origins[link.index()].clone();
+        let unknowns = self.prismatic(Some(link), [on, by], &at, &normal(u));
+        let steps = self.kinematics.mechanism.steps.iter();
+        let turn = steps.filter_map(|step| match step {
+            Step::Guide { guide: made, course: GuideDirection::Along(turn), .. }
+                if *made == guide =>
+            {
+                Some(turn)
+            }
+            _ => None,
+        });
+        let arm = [at[0].sub(&k[0]), at[1].sub(&k[1])];
+        for turn in turn {
+            let mut effort = vec![(unknowns[0], cross(&arm, &normal(u))), (unknowns[1], whole(1))];
+            effort.extend(along.map(|along| (along, cross(&arm, u))));
+            self.transmit_turn(turn, &effort);
+        }
+        unknowns
+    }
+
+    pub(super) fn joints(&mut self, step: &'k Step) {
+        match step {
+            Step::Ground { .. } | Step::Guide { .. } => {}
+            Step::Point { point, carrier: Carrier::Ground, place, .. } => {
+                // Held by the ground: two unknowns that nobody asks for.
+                let at = &self.motion.points[point.index()];
+                let first = self.columns.len();
+                for axis in Self::axes() {
+                    let column = self.pair([Part::Pin(*point), Part::Ground], at, &axis, 0);
+                    self.columns.push(column);
+                }
+                if let Placement::Cartesian(place) = place {
+                    self.transmit(&place[0], &[(first, whole(1))]);
+                    self.transmit(&place[1], &[(first + 1, whole(1))]);
+                }
+            }
+            Step::Point { .. } => {}
+            Step::Crank { link, pivot, pin, angle, relative_to, .. } => {
+                let own = Part::Link(*link);
+                self.revolute(*link, own, part_of(self.kinematics, *pivot), *pivot);
+                let zero = [whole(0), whole(0)];
+                let column = self.pair([own, part_of_carrier(*relative_to)], &zero, &zero, 1);
+                let drive = self.drive(Effort::Drive(*link), column);
+                self.transmit_turn(angle, &[(drive, whole(1))]);
+                if let Some((pin, length)) = pin {
+                    self.rod(*link, *pin, &length.value);
+                }
+            }
+            Step::Slider { link, guide, slide, offset, .. } => {
+                let parts = [Part::Link(*link), self.carrier_of(*guide)];
+                let (at, u) =
+                    (&self.motion.origins[link.index()], &self.motion.guides[guide.index()].1);
+                let column = self.pair(parts, at, u, 0);
+                let drive = self.drive(Effort::Drive(*link), column);
+                let [normal, _] = self.on_guide(*link, *guide, parts, Some(drive));
+                self.transmit(slide, &[(drive, whole(1))]);
+                self.transmit(offset, &[(normal, whole(1))]);
+            }
+            _ => self.dyad(step),
+        }
+    }
+
+    fn dyad(&mut self, step: &'k Step) {
+        match step {
+            Step::Rrr { links, outer, pin, lengths, .. } => {
+                for k in 0..2 {
+                    self.bar(links[k], outer[k], *pin, &lengths[k].value);
+                }
+            }
+            Step::Rrp { links, outer, guide, pin, length, offset, .. } => {
+                self.bar(links[0], *outer, *pin, &length.value);
+                self.revolute(links[1], Part::Link(links[1]), Part::Pin(*pin), *pin);
+                let parts = [Part::Link(links[1]), self.carrier_of(*guide)];
+                let [normal, _] = self.on_guide(links[1], *guide, parts, None);
+                self.transmit(offset, &[(normal, whole(1))]);
+            }
+            Step::Rpr { links, outer, offset, .. } => {
+                for k in 0..2 {
+                    let by = part_of(self.kinematics, outer[k]);
+                    self.revolute(links[k], Part::Link(links[k]), by, outer[k]);
+                }
+                let (at, u) = (
+                    &self.motion.points[outer[0].index()],
+                    &self.motion.directions[links[1].index()],
+                );
+                let parts = links.map(Part::Link);
+                let [normal, _] = self.prismatic(Some(links[0]), parts, at, &normal(u));
+                self.transmit(offset, &[(normal, whole(1))]);
+            }
+            Step::Prp { links, guides, pin, offsets, .. } => {
+                for k in 0..2 {
+                    let own = Part::Link(links[k]);
+                    self.revolute(links[k], own, Part::Pin(*pin), *pin);
+                    let parts = [own, self.carrier_of(guides[k])];
+                    let [normal, _] = self.on_guide(links[k], guides[k], parts, None);
+                    self.transmit(&offsets[k], &[(normal, whole(1))]);
+                }
+            }
+            Step::Rpp { links, outer, guide, slot, offsets, .. } => {
+                let by = part_of(self.kinematics, *outer);
+                self.revolute(links[0], Part::Link(links[0]), by, *outer);
+                let at = &self.motion.points[outer.index()];
+                let [u2, u1] = [0, 1].map(|k| &self.motion.directions[links[k].index()]);
+                let parts = links.map(Part::Link);
+                let [across, couple] = self.prismatic(Some(links[0]), parts, at, &normal(u2));
+                let rail = [Part::Link(links[1]), self.carrier_of(*guide)];
+                self.on_guide(links[1], *guide, rail, None);
+                // The slot moves along n₁ against the yoke with e₁, along n₂ with e₂, and turns.
+                let cosine = u1[0].mul(&u2[0]).add(&u1[1].mul(&u2[1]));
+                self.transmit(&offsets[0], &[(across, cosine)]);
+                self.transmit(&offsets[1], &[(across, whole(1))]);
+                let slide = self.motion.slides[links[0].index()].clone().expect("it slides");
+                self.transmit_turn(slot, &[(across, slide), (couple, whole(1))]);
+            }
+            _ => unreachable!("the others are no dyads"),
+        }
+    }
+}

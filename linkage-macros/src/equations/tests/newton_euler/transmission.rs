@@ -1,0 +1,94 @@
+//! Driven dimensions that read earlier links: what drives them pushes back on what they read.
+
+use super::matrix::{Column, Matrix};
+use super::readings::{readings, slope};
+use super::{Pair, Part, negative, normal, part_of, whole};
+use crate::ir::interpret::Number;
+use crate::model::mechanism::{AngleSum, Axis, Expr, LinkId, Step};
+use crate::oracle::Digits;
+
+impl Matrix<'_, '_> {
+    /// An effort, a sum of unknowns with factors, of an angle.
+    pub(super) fn transmit_turn(&mut self, turn: &AngleSum, effort: &[(usize, Digits)]) {
+        let zero = [whole(0), whole(0)];
+        for &(link, times) in &turn.links {
+            for (unknown, factor) in effort {
+                let couple = factor.mul(&whole(-i64::from(times)));
+                let mut column = std::mem::take(&mut self.columns[*unknown]);
+                self.act(&mut column, Part::Link(link), &zero, &zero, &couple);
+                self.columns[*unknown] = column;
+            }
+        }
+        self.transmit(&turn.rest, effort);
+    }
+
+    /// The same of any dimension: what it reads of earlier links is pushed back.
+    pub(super) fn transmit(&mut self, expr: &Expr, effort: &[(usize, Digits)]) {
+        let mut leaves = Vec::new();
+        readings(self.kinematics.mechanism, expr, &mut leaves);
+        for leaf in leaves {
+            let slope = slope(self.kinematics.mechanism, expr, &leaf, self.given);
+            for (unknown, factor) in effort {
+                let push = slope.mul(factor).neg();
+                let mut column = std::mem::take(&mut self.columns[*unknown]);
+                self.push_reading(&mut column, &leaf, &push);
+                self.columns[*unknown] = column;
+            }
+        }
+    }
+
+    fn push_reading(&self, column: &mut Column, leaf: &Expr, push: &Digits) {
+        let scaled = |v: &Pair<Digits>, by: &Digits| [v[0].mul(by), v[1].mul(by)];
+        let none = whole(0);
+        match leaf {
+            Expr::Slide(link) => {
+                let u = &self.motion.directions[link.index()];
+                let at = &self.motion.origins[link.index()];
+                let force = scaled(u, push);
+                self.act(column, Part::Link(*link), at, &force, &none);
+                self.act(column, self.under(*link), at, &negative(&force), &none);
+            }
+            Expr::Coordinate(point, axis) => {
+                let [x, y] = Self::axes();
+                let axis = if *axis == Axis::X { x } else { y };
+                let part = part_of(self.kinematics, *point);
+                let at = &self.motion.points[point.index()];
+                self.act(column, part, at, &scaled(&axis, push), &none);
+            }
+            Expr::Distance([p, q]) => {
+                let [a, b] = [p, q].map(|point| &self.motion.points[point.index()]);
+                let d = [b[0].sub(&a[0]), b[1].sub(&a[1])];
+                let force = scaled(&d, &push.div(&d[0].hypot(&d[1])));
+                let [on_p, on_q] = [p, q].map(|point| part_of(self.kinematics, *point));
+                self.act(column, on_q, b, &force, &none);
+                self.act(column, on_p, a, &negative(&force), &none);
+            }
+            Expr::Offset(point, guide) => {
+                let u = &self.motion.guides[guide.index()].1;
+                let at = &self.motion.points[point.index()];
+                let force = scaled(&normal(u), push);
+                self.act(column, part_of(self.kinematics, *point), at, &force, &none);
+                self.act(column, self.carrier_of(*guide), at, &negative(&force), &none);
+            }
+            _ => unreachable!("only readings are leaves"),
+        }
+    }
+
+    /// What a link slides on.
+    fn under(&self, link: LinkId) -> Part {
+        let mut steps = self.kinematics.mechanism.steps.iter();
+        let found = steps.find_map(|step| match step {
+            Step::Slider { link: own, guide, .. } if *own == link => Some(self.carrier_of(*guide)),
+            Step::Rrp { links, guide, .. } if links[1] == link => Some(self.carrier_of(*guide)),
+            Step::Rpr { links, .. } if links[0] == link => Some(Part::Link(links[1])),
+            Step::Prp { links, guides, .. } => {
+                let place = links.iter().position(|own| *own == link)?;
+                Some(self.carrier_of(guides[place]))
+            }
+            Step::Rpp { links, .. } if links[0] == link => Some(Part::Link(links[1])),
+            Step::Rpp { links, guide, .. } if links[1] == link => Some(self.carrier_of(*guide)),
+            _ => None,
+        });
+        found.expect("what slides was made by a step")
+    }
+}

@@ -1,0 +1,266 @@
+//! Springs and dampers: between two points, or between two bodies.
+
+use proc_macro2::Ident;
+use quote::format_ident;
+use syn::Attribute;
+
+use crate::syntax::tree::{Expr, ExprKind, Group};
+
+use super::Resolver;
+use super::anatomy::{Anatomy, Class, FieldRule, Pin, optional};
+use super::dynamics::{Effort, Ends, Quantity, Spring};
+use super::fields::Fields;
+use super::mechanism::{self, Dimension, OutputKind, SpringId};
+use super::names::{Entity, Kind};
+
+const DAMPING: FieldRule = optional("damping", "what it exerts against its rate, `10(N*s/m)`");
+
+const BETWEEN_POINTS: Anatomy = Anatomy {
+    keyword: "spring",
+    class: Class::Spring,
+    joints: &[],
+    pin: Pin::Optional,
+    fields: &[
+        optional("stiffness", "the force over the length, `15(N/m)`"),
+        optional("free_length", "the length at which it is slack"),
+        DAMPING,
+    ],
+    modes: None,
+    slides: [false; 2],
+    form: "spring between P and Q { stiffness: 15(N/m), free_length: 0.3m }",
+};
+
+const BETWEEN_BODIES: Anatomy = Anatomy {
+    fields: &[
+        optional("stiffness", "the couple over the angle, `5(N*m/rad)`"),
+        optional("free_angle", "the angle of the second body against the first where it is slack"),
+        DAMPING,
+    ],
+    form: "spring between AB and DC { stiffness: 5(N*m/rad), free_angle: 30deg }",
+    ..BETWEEN_POINTS
+};
+
+impl Resolver<'_> {
+    pub(super) fn spring(
+        &mut self,
+        docs: &[Attribute],
+        name: &Option<Ident>,
+        ends: &[Ident; 2],
+        fields: &Group,
+    ) {
+        let is_new = name.as_ref().is_none_or(|name| self.name_is_new(name).is_some());
+        let spring = match self.is_between_bodies(ends) {
+            true => self.torsion_spring(ends, fields),
+            false => self.straight_spring(ends, fields),
+        };
+        if let (true, Some(spring)) = (is_new, spring) {
+            let springs = &mut self.mechanism.dynamics.springs;
+            let id = SpringId(springs.len() as u32);
+            springs.push(Spring { name: name.clone(), docs: docs.to_vec(), ..spring });
+            name.iter().for_each(|name| self.names.bind(name, Entity::Spring(id)));
+        }
+    }
+
+    /// Whether one of the ends is a body: then the other should be one, too.
+    fn is_between_bodies(&self, ends: &[Ident; 2]) -> bool {
+        ends.iter().any(|end| end == "ground" || self.names.kind(end) == Some(Kind::Link))
+    }
+
+    fn straight_spring(&mut self, names: &[Ident; 2], group: &Group) -> Option<Spring> {
+        let ends = self.two_points(names, "a spring is");
+        let fields = self.fields(group, &BETWEEN_POINTS);
+        let per_length = Dimension::FORCE.times(Dimension::LENGTH, -1);
+        let stiffness = self.number_of_spring(&fields, "stiffness", "a stiffness", per_length);
+        let free =
+            self.number_of_spring(&fields, "free_length", "a free length", Dimension::LENGTH);
+        let damping = self.damping(&fields, per_length);
+        self.spring_does_something(group, &fields)?;
+        if fields.one("stiffness").is_some() && fields.is_left_out("free_length") {
+            let message = "missing field `free_length`";
+            let reason = "a spring is measured from the length at which it is slack; `0` will do";
+            self.diagnostics.error_because(group.end, message, reason);
+            return None;
+        }
+        let spring = Spring {
+            name: None,
+            docs: Vec::new(),
+            ends: Ends::Points(ends?),
+            stiffness: stiffness?,
+            damping: damping?,
+            free: free?,
+        };
+        self.damper_has_a_length(&fields, &spring)?;
+        Some(spring)
+    }
+
+    /// A damper acts along a line, and where its ends may meet there is none.
+    fn damper_has_a_length(&mut self, fields: &Fields, spring: &Spring) -> Option<()> {
+        let is_damped = !spring.damping.value.is_zero();
+        let meets = fields.one("free_length").is_some() && spring.free.value.is_zero();
+        if !is_damped || !meets {
+            return Some(());
+        }
+        let message = "a spring of no free length has no damping; leave it out";
+        let reason = "where its ends meet, a damper has no direction: what brakes a point in every \
+                      direction is `force (-c * rate(P.x), -c * rate(P.y)) on P`";
+        let at = fields.one("damping").map(|damping| damping.span)?;
+        self.diagnostics.error_because(at, message, reason);
+        None
+    }
+
+    fn torsion_spring(&mut self, names: &[Ident; 2], group: &Group) -> Option<Spring> {
+        let ends = self.two_bodies(names, "a spring between links is");
+        let fields = self.fields(group, &BETWEEN_BODIES);
+        let stiffness =
+            self.number_of_spring(&fields, "stiffness", "a stiffness", Dimension::TORQUE);
+        let damping = self.damping(&fields, Dimension::TORQUE);
+        let free = match fields.one("free_angle") {
+            None => Some(mechanism::Expr::zero()),
+            Some(angle) => {
+                let fixed = self.changes_with_no_input(angle, "a free angle");
+                let angle = self.plain_angle(angle);
+                fixed.and(angle)
+            }
+        };
+        self.spring_does_something(group, &fields)?;
+        Some(Spring {
+            name: None,
+            docs: Vec::new(),
+            ends: Ends::Bodies(ends?),
+            stiffness: stiffness?,
+            damping: damping?,
+            free: Quantity { value: free?, name: "free_angle".to_string() },
+        })
+    }
+
+    fn damping(&mut self, fields: &Fields, stiffness: Dimension) -> Option<Quantity> {
+        let dimension = stiffness.times(Dimension::TIME, 1);
+        self.number_of_spring(fields, "damping", "a damping", dimension)
+    }
+
+    /// A number that is zero where it is left out.
+    fn number_of_spring(
+        &mut self,
+        fields: &Fields,
+        field: &str,
+        what: &str,
+        dimension: Dimension,
+    ) -> Option<Quantity> {
+        match fields.one(field) {
+            Some(value) => self.not_negative(value, dimension, what, field.to_string()),
+            None => Some(Quantity::zero()),
+        }
+    }
+
+    /// A spring without stiffness and damping is none.
+    fn spring_does_something(&mut self, group: &Group, fields: &Fields) -> Option<()> {
+        if !fields.is_left_out("stiffness") || !fields.is_left_out("damping") {
+            return Some(());
+        }
+        let message = "a spring of no stiffness and no damping does nothing";
+        let reason = "write `stiffness: …`, `damping: …` or both";
+        self.diagnostics.error_because(group.end, message, reason);
+        None
+    }
+
+    /// `rate(x)`: in the values of forces and torques, of what moves.
+    pub(super) fn rate(
+        &mut self,
+        name: &Ident,
+        arguments: &[Expr],
+    ) -> Option<super::expressions::Quantity> {
+        let about_forces = std::mem::take(&mut self.is_about_forces);
+        let argument = match arguments {
+            [argument] => self.argument_of_rate(argument),
+            _ => {
+                let found = super::expressions::counted(arguments.len());
+                let message = format!("`{name}` takes one argument, and {found} given");
+                self.diagnostics.error(name.span(), message);
+                None
+            }
+        };
+        self.is_about_forces = about_forces;
+        if !about_forces {
+            let message = "a `rate` stands in the values of forces and torques alone";
+            let reason = "what the mechanism is made of depends on no rate; of outputs, `velocity` \
+                          gives the rates";
+            self.diagnostics.error_because(name.span(), message, reason);
+            return None;
+        }
+        argument
+    }
+
+    fn argument_of_rate(&mut self, argument: &Expr) -> Option<super::expressions::Quantity> {
+        let load = self.first(argument, &|resolver, part| match &part.kind {
+            ExprKind::Name(name) => resolver.names.kind(name) == Some(Kind::Load),
+            _ => false,
+        });
+        let nested = self.first(
+            argument,
+            &|_, part| matches!(&part.kind, ExprKind::Call(function, _) if function == "rate"),
+        );
+        let mistake = match (load, nested) {
+            (Some(at), _) => {
+                Some((at, "a load has no rate", "it is a number that each call is given"))
+            }
+            (None, Some(at)) => Some((
+                at,
+                "a rate of a rate is an acceleration, on which no force may depend",
+                "what resists acceleration is a mass, `mass 2kg on P`, or an inertia",
+            )),
+            (None, None) => None,
+        };
+        if let Some((at, message, reason)) = mistake {
+            self.diagnostics.error_because(at, message, reason);
+            return None;
+        }
+        let quantity = self.quantity(argument)?;
+        if quantity.links.is_empty() && !self.mechanism.moves(&quantity.rest) {
+            let message = "nothing here moves, and its rate is zero";
+            let reason = "a rate is that of an input, a link's `angle` or `slide`, a point's `x` or \
+                          `y`, or a `distance`";
+            self.diagnostics.error_because(argument.span, message, reason);
+            return None;
+        }
+        let measure = quantity.measure.per_time();
+        let rate = mechanism::Expr::Rate(Box::new(quantity.turn()));
+        Some(super::expressions::Quantity::plain(measure, rate))
+    }
+
+    /// `shock.force`, `shock.length`; `clutch.torque`, `clutch.angle`.
+    pub(super) fn spring_output(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
+        let Some(Entity::Spring(id)) = self.usable(owner, &[Kind::Spring]) else { return };
+        let spring = &self.mechanism.dynamics.springs[id.index()];
+        let (parts, ends, own) = (parts(spring.ends), spring.ends, spring.docs.clone());
+        match parts.iter().position(|part| member == part) {
+            Some(0) => self.ask(docs, owner, member, Effort::Spring(id)),
+            Some(_) => {
+                let field = format_ident!("{owner}_{member}", span = owner.span());
+                let (value, dimension) = match ends {
+                    Ends::Points(points) => (mechanism::Expr::Distance(points), Dimension::LENGTH),
+                    Ends::Bodies(_) => (mechanism::Expr::Twist(id), Dimension::ANGLE),
+                };
+                let kind = OutputKind::Value { value, dimension };
+                self.give(member.span(), field, &[docs, &own].concat(), kind);
+            }
+            None => {
+                let message = format!("the spring `{owner}` has no `{member}`");
+                let reason = format!("it has `{}` and `{}`", parts[0], parts[1]);
+                self.diagnostics.error_because(member.span(), message, reason);
+            }
+        }
+    }
+}
+
+/// What a spring has to offer: what it exerts, and how far it is stretched or turned.
+pub(super) fn parts(ends: Ends) -> [&'static str; 2] {
+    match ends {
+        Ends::Points(_) => ["force", "length"],
+        Ends::Bodies(_) => ["torque", "angle"],
+    }
+}
+
+/// Whether the expression is a rate.
+pub(super) fn is_rate(expr: &Expr) -> bool {
+    matches!(&expr.kind, ExprKind::Call(function, _) if function == "rate")
+}
