@@ -200,7 +200,7 @@ fn set_points_of_random_crank_rockers() {
     }
     record.print("rocker");
     assert!(record.most <= Search::<f64>::MOST && record.mean() <= 7.3, "{}", record.mean());
-    assert!(record.error <= 2.0, "{}", record.error);
+    assert!(record.error <= 1.0, "{}", record.error);
 }
 
 /// Ends that lie up to 0.6 rad beyond both dead points.

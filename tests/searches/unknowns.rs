@@ -38,7 +38,7 @@ const WISHBONE: [[f64; 7]; 5] = [
         0.001102807493508521072099147,
         2.6382221379011620936,
         -0.355910107215406,
-        0.2015139285925827208115228,
+        0.2015139285825927208115228,
         -0.07259078082047487749,
         0.414767307539651890349048,
     ],
@@ -217,8 +217,10 @@ fn a_bracket_that_cannot_be_assembled_names_the_group() {
         matches!(short, Err(SolveError::OutOfReach { group: "BC, DC", by }) if by > 0.0),
         "{short:?}"
     );
-    let long = Short { rod: 2.5 }.position(1.5).expect("a longer rod reaches");
-    assert!((0.08..1.4).contains(&long.theta), "{long:?}");
+    // From 5° to 80° the rocker's pin goes down behind its highest point.
+    let long = Short { rod: 2.5, ..Short::new() };
+    assert!(matches!(long.position(1.8), Err(SolveError::NoSolution { .. })));
+    assert!(long.position(1.99).expect("on its way up").theta < 0.5);
 }
 
 /// A target within four last places of an end gives that end, where there are no rates.
@@ -233,6 +235,12 @@ fn dead_points_have_a_pose_and_no_rates() {
             let at = ram.position(x).expect("at the end");
             close(at.theta, theta, 1e-7);
             close(at.C.x, x, 3e-16);
+            if x == end {
+                // Rounded, this end may be a last place inside, where the drive races.
+                let rate = ram.velocity(x, 1.0).map(|v| v.theta);
+                assert!(rate.map_or_else(|e| e == singular, |rate| rate.abs() > 1e7), "{rate:?}");
+                continue;
+            }
             assert_eq!(ram.velocity(x, 1.0), Err(singular), "{x}");
             assert_eq!(ram.motion(x, 0.0, 0.0), Err(singular));
             assert_eq!(ram.coefficients(x), Err(singular));

@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use std::ops::AddAssign;
 
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::liveness::{Path, live, live_nodes, tried, unguarded};
+use crate::ir::liveness::{Path, live, live_nodes, trial_nodes, tried, unguarded};
 
 /// Counts of floating-point operations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -40,9 +40,7 @@ pub(crate) fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
 
 /// The operations of one trial of an equation, given its sides and its slope.
 pub(crate) fn operations_of_trial(graph: &Graph, sides: &[Id]) -> Operations {
-    let live = live(graph, sides, Path::Unchecked);
-    let tried = tried(graph);
-    of_nodes(graph, live_nodes(graph, &live).filter(|(id, _)| tried[id.index()]))
+    of_nodes(graph, trial_nodes(graph, sides).into_iter())
 }
 
 fn of_nodes(graph: &Graph, nodes: impl Iterator<Item = (Id, Node)>) -> Operations {

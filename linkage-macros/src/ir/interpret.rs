@@ -3,7 +3,7 @@
 
 use crate::exact::Exact;
 use crate::ir::graph::{Id, Node, Sought};
-use crate::ir::liveness::{Path, live, live_nodes, tried};
+use crate::ir::liveness::{trial_nodes, tried};
 use crate::ir::program::Program;
 
 /// A number that a program can be computed with.
@@ -75,10 +75,9 @@ fn root<N: Number>(program: &Program, given: &Given<N>, values: &mut [N], sought
     let [from, to] = sought.between.map(|end| values[end.index()].clone());
     let middle = from.add(&to).mul(&half);
     let mut trial = sought.near.map_or(middle, |near| values[near.index()].clone()).point();
-    let (live, tried) =
-        (live(&program.graph, &sought.sides, Path::Unchecked), tried(&program.graph));
+    let nodes = trial_nodes(&program.graph, &sought.sides);
     for _ in 0..STEPS {
-        for (id, node) in live_nodes(&program.graph, &live).filter(|(id, _)| tried[id.index()]) {
+        for &(id, node) in &nodes {
             values[id.index()] = value(program, given, values, node, Some(&trial));
         }
         let [left, right, slope] = sought.sides.map(|side| values[side.index()].clone());

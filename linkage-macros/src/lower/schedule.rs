@@ -50,7 +50,7 @@ impl<'a> Schedule<'a> {
     pub(super) fn stage(&mut self, sinks: &[Id]) -> Vec<Statement> {
         let graph = self.graph;
         let live = live(graph, sinks, self.path);
-        let mut pairs = pairs(graph, &live);
+        let mut pairs = pairs(live_nodes(graph, &live));
         let mut statements = Vec::new();
         for (id, node) in live_nodes(graph, &live) {
             if self.tried[id.index()] || !self.done.insert(id) {
@@ -144,9 +144,9 @@ pub(super) fn defines(statement: &Statement) -> Vec<Id> {
     }
 }
 
-pub(super) fn pairs(graph: &Graph, live: &[bool]) -> HashMap<Id, Pair> {
+pub(super) fn pairs(nodes: impl Iterator<Item = (Id, Node)>) -> HashMap<Id, Pair> {
     let mut pairs: HashMap<Id, Pair> = HashMap::new();
-    for (id, node) in live_nodes(graph, live) {
+    for (id, node) in nodes {
         match node {
             Node::Sin(angle) => pairs.entry(angle).or_default().sin = Some(id),
             Node::Cos(angle) => pairs.entry(angle).or_default().cos = Some(id),

@@ -7,7 +7,7 @@ use super::schedule::pairs;
 use crate::interface::records::Shape;
 use crate::ir::cost::operations_of_trial;
 use crate::ir::graph::{Graph, Id, Node, Sought};
-use crate::ir::liveness::{Path, live, live_nodes, tried};
+use crate::ir::liveness::{Path, trial_nodes, tried};
 use crate::ir::program::Program;
 use crate::model::mechanism::Mechanism;
 
@@ -28,8 +28,8 @@ pub(super) fn searches(mechanism: &Mechanism, program: &Program) -> Vec<Search> 
 }
 
 fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
-    let (live, tried) = (live(graph, &sought.sides, Path::Unchecked), tried(graph));
-    let of_trial = || live_nodes(graph, &live).filter(|(id, _)| tried[id.index()]);
+    let (tried, nodes) = (tried(graph), trial_nodes(graph, &sought.sides));
+    let of_trial = || nodes.iter().copied();
     let is_constant = |id: Id| matches!(graph.node(id), Node::Constant(_) | Node::Low(_));
     let mut given: Vec<Id> = Vec::new();
     let mut give = |id: Id| {
@@ -39,7 +39,7 @@ fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
     };
     sought.between.into_iter().chain(sought.near).chain(sought.sides).for_each(&mut give);
     of_trial().for_each(|(_, node)| node.for_operands(&mut give));
-    let mut pairs = pairs(graph, &live);
+    let mut pairs = pairs(of_trial());
     let mut statements = Vec::new();
     for (id, node) in of_trial() {
         statements.extend(match node {

@@ -75,9 +75,10 @@ mechanism! {
         input psi: angle;
         unknown theta: angle between (20deg, 140deg);
         ground A(0, 0), D(665.7mm, 0);
+        crank pointer(D)        { angle: psi }
         crank AB(A) -> B        { length: 80mm, angle: theta }
         rrr   BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: right }
-        solve theta { DC.angle = psi, mode: falling }
+        solve theta { DC.angle = pointer.angle, mode: falling }
         output theta, C, DC.angle;
     }
 }
