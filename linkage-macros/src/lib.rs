@@ -13,6 +13,7 @@
 //! | `diagnostics` | collects mistakes, stops at the barriers | |
 //! | `exact` | real constants without error, rounded once | |
 //! | `syntax` | tokens and spans into a tree | resolve a name |
+//! | `reach` | what constant dimensions say before anything is solved, exactly | know a mechanism |
 //! | `model` | names into ids, dimensions, one function a rule | know how a mechanism is solved |
 //! | `interface` | what is offered: entry points, records, units, labels | compute or print |
 //! | `ir` | the expression graph, its cost, its text, its interpreter | know a mechanism |
@@ -31,6 +32,7 @@
 //! | room | the length `632mm` | the input `theta` | the mode `elbow` | a mistake, `632kg` |
 //! |---|---|---|---|---|
 //! | `syntax` | digits, unit, span | a name | a name | a number like another |
+//! | `reach` | what constant dimensions say before anything is solved, exactly | know a mechanism |
 //! | `model` | `Expr::Constant`, 79/125 m, not zero or less | `Expr::Input`, an angle | `Mode::Param` | a message at its token; what follows is a stand-in |
 //! | `interface` | | an argument of every entry point, a column | | the same signatures |
 //! | `equations` | a jet whose rates are zeros that leave no trace | a jet: value, rate, second rate | the sign of √S in `rrr.rs` | |
@@ -59,6 +61,7 @@ mod model;
 mod oracle;
 mod passes;
 mod pipeline;
+mod reach;
 mod syntax;
 
 /// Declares a planar mechanism and generates its solver.

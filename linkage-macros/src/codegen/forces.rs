@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 
 use super::context::Context;
-use super::docs::{after, lines};
+use super::doc_comments::{after, lines};
 use super::identifiers::text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;

@@ -12,6 +12,7 @@ mod c_export;
 mod checked;
 mod context;
 mod costs_in_words;
+mod doc_comments;
 mod docs;
 mod editor_names;
 mod fast_path;

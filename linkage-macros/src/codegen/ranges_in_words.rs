@@ -2,7 +2,8 @@
 
 use super::context::Context;
 use super::identifiers::text;
-use crate::model::mechanism::{Range, Rotatability};
+use crate::model::mechanism::Rotatability;
+use crate::reach::turn::Range;
 
 /// Over which angles a crank turns, why, and what happens at change points.
 pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
@@ -12,7 +13,7 @@ pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
         Some(input) => text(&cx.mechanism.inputs[input.index()].name),
         None => format!("{crank}.angle"),
     };
-    let range = match &found.range {
+    let range = match &found.turn.range {
         Range::Full => format!("`{crank}` turns fully"),
         Range::Within(intervals) => {
             let words = intervals.iter().map(|[from, to]| match degrees(*to - *from).as_str() {
@@ -24,8 +25,8 @@ pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
         Range::Never => "never".to_string(),
     };
     let mut line = format!("{group}: {range}; {}", found.reason);
-    if !found.change_points.is_empty() {
-        let angles: Vec<_> = found.change_points.iter().copied().map(degrees).collect();
+    if !found.turn.change_points.is_empty() {
+        let angles: Vec<_> = found.turn.change_points.iter().copied().map(degrees).collect();
         let angles = angles.join(" and ");
         line += &format!(
             ". At `{angle}` = {angles} both assembly modes are one: velocities are `Singular` there, \

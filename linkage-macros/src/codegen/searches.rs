@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::context::Context;
 use super::costs_in_words;
-use super::docs;
+use super::doc_comments;
 use super::identifiers::{function_name, generated, text};
 use super::statements::Printer;
 use crate::interface::quantity::Order;
@@ -52,7 +52,7 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
 
 fn docs(cx: &Context<'_>, search: &Search) -> TokenStream {
     let unknown = &cx.mechanism.unknowns[search.sought.unknown as usize];
-    docs::lines(&format!(
+    doc_comments::lines(&format!(
         "Where `{}` solves its equation, and the size that its rounding is measured by.",
         text(&unknown.name)
     ))

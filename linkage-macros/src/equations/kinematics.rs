@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 
 use crate::equations::jet::Jet;
+use crate::equations::levers::Levers;
 use crate::equations::motion::{Direction, Frame, PointMotion};
-use crate::equations::parts::{GroupScope, Levers, LimitMeasures, LinkMotion, Solved};
+use crate::equations::parts::{GroupScope, LimitMeasures, LinkMotion, Solved};
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::equations::{crank, guide, point, prp, rpp, rpr, rrp, rrr, slider, unknown};
 use crate::ir::graph::Node;

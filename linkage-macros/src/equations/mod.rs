@@ -29,6 +29,7 @@ mod forces;
 mod guide;
 mod jet;
 mod kinematics;
+mod levers;
 mod motion;
 mod parts;
 mod point;

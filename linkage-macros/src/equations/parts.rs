@@ -2,9 +2,9 @@
 //! and the block as parts of a dyad.
 
 use crate::equations::jet::Jet;
+use crate::equations::levers::Levers;
 use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
 use crate::equations::symbol::{Sheet, Sym, Vector};
-use crate::equations::{prp, rpp, rpr, rrp, rrr};
 use crate::model::mechanism::{Carrier, LinkId, Numerics};
 
 /// How far a group is from its limit.
@@ -171,17 +171,6 @@ pub(super) struct Acting<'s> {
 pub(super) struct GuideReaction<'s> {
     pub normal: Sym<'s>,
     pub couple: Sym<'s>,
-}
-
-/// What the reactions of a solved group are made of: the vectors of its position and the inverse
-/// that its velocities have.
-#[derive(Clone, Copy)]
-pub(super) enum Levers<'s> {
-    Rrr(rrr::Levers<'s>),
-    Rrp(rrp::Levers<'s>),
-    Rpr(rpr::Levers<'s>),
-    Prp(prp::Levers<'s>),
-    Rpp(rpp::Levers<'s>),
 }
 
 /// A block on a guide, at a known slide.

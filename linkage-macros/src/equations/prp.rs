@@ -40,11 +40,12 @@
 //! Cramer's rule; W. Kahan for the 2×2 determinants.
 
 use crate::equations::jet::Jet;
+use crate::equations::levers::{self, Levers};
 use crate::equations::motion::{Frame, PointMotion};
 use crate::equations::parts::{
-    Acting, Block, GroupScope, GuideReaction, Levers as Solution, LimitMeasures, LinkMotion, Solved,
+    Acting, Block, GroupScope, GuideReaction, LimitMeasures, LinkMotion, Solved,
 };
-use crate::equations::symbol::{Sym, Vector};
+use crate::equations::symbol::Vector;
 use crate::ir::graph::Check;
 
 pub(super) fn prp<'s>(
@@ -85,15 +86,8 @@ pub(super) fn prp<'s>(
     Solved {
         links: vec![block(0), block(1)],
         pin: Some(pin),
-        levers: Some(Solution::Prp(Levers { u: [u1, u2], inverse })),
+        levers: Some(Levers::Prp(levers::Prp { u: [u1, u2], inverse })),
     }
-}
-
-/// The guides' directions and 1/Δ.
-#[derive(Clone, Copy)]
-pub(super) struct Levers<'s> {
-    u: [Vector<'s>; 2],
-    inverse: Sym<'s>,
 }
 
 /// The pin's forces on the blocks, and the guides'.
@@ -103,7 +97,7 @@ pub(super) struct Reactions<'s> {
 }
 
 pub(super) fn reactions<'s>(
-    Levers { u: [u1, u2], inverse }: Levers<'s>,
+    levers::Prp { u: [u1, u2], inverse }: levers::Prp<'s>,
     [first, second]: [Acting<'s>; 2],
     on_pin: Vector<'s>,
 ) -> Reactions<'s> {

@@ -53,9 +53,10 @@
 //! angles of slot and rail would lose every digit that β is small by.
 
 use crate::equations::jet::Jet;
+use crate::equations::levers::{self, Levers};
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{
-    Acting, GroupScope, GuideReaction, Levers as Solution, LimitMeasures, LinkMotion, Solved,
+    Acting, GroupScope, GuideReaction, LimitMeasures, LinkMotion, Solved,
 };
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
@@ -109,7 +110,7 @@ pub(super) fn rpp<'s>(
         - (beta_rate * (rail.direction.omega.twice() + beta_rate)) * rho2
         + beta_rate.twice() * sigma2.normal();
     let accel = slides(b.acceleration - (carried + turned + e1.accel * n1 + e2.accel * n2));
-    let levers = Levers { rail: u1, slot: u2, cosine, inverse, arm: s2 + e1.value * sine };
+    let levers = levers::Rpp { rail: u1, slot: u2, cosine, inverse, arm: s2 + e1.value * sine };
     let on_rail = Jet { value: s1, rate: rate[0], accel: accel[0] };
     let in_slot = Jet { value: s2, rate: rate[1], accel: accel[1] };
     let foot = rail.place(on_rail, Jet::zero(scope.sheet));
@@ -118,17 +119,7 @@ pub(super) fn rpp<'s>(
         slide: Some(slide),
     };
     let links = vec![link(b, slot.direction, in_slot), link(foot, rail.direction, on_rail)];
-    Solved { links, pin: None, levers: Some(Solution::Rpp(levers)) }
-}
-
-/// The directions of rail and slot, c and 1/σ, and s₂ + e₁ σ.
-#[derive(Clone, Copy)]
-pub(super) struct Levers<'s> {
-    rail: Vector<'s>,
-    slot: Vector<'s>,
-    cosine: Sym<'s>,
-    inverse: Sym<'s>,
-    arm: Sym<'s>,
+    Solved { links, pin: None, levers: Some(Levers::Rpp(levers)) }
 }
 
 /// The outer joint's force on the block, what the slot exerts on the block and the rail on the yoke.
@@ -141,7 +132,7 @@ pub(super) struct Reactions<'s> {
 }
 
 pub(super) fn reactions<'s>(
-    Levers { rail, slot, cosine, inverse, arm }: Levers<'s>,
+    levers::Rpp { rail, slot, cosine, inverse, arm }: levers::Rpp<'s>,
     [block, yoke]: [Acting<'s>; 2],
 ) -> Reactions<'s> {
     let normal = -(yoke.force.dot(rail) * inverse);

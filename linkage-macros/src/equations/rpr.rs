@@ -47,10 +47,11 @@
 
 use crate::equations::double_word::DoubleWord;
 use crate::equations::jet::Jet;
+use crate::equations::levers::{self, Levers};
 use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
 use crate::equations::parts::{
-    Acting, Clearance, GroupScope, GuideReaction, Levers as Solution, LimitMeasures, LinkMotion,
-    Solved, root_in_reach, size,
+    Acting, Clearance, GroupScope, GuideReaction, LimitMeasures, LinkMotion, Solved, root_in_reach,
+    size,
 };
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
@@ -100,15 +101,8 @@ pub(super) fn rpr<'s>(
     Solved {
         links: vec![link(b, Some(slide)), link(d, None)],
         pin: None,
-        levers: Some(Solution::Rpr(Levers { n: u.normal(), inverse })),
+        levers: Some(Levers::Rpr(levers::Rpr { n: u.normal(), inverse })),
     }
-}
-
-/// The bar's normal and 1/s.
-#[derive(Clone, Copy)]
-pub(super) struct Levers<'s> {
-    n: Vector<'s>,
-    inverse: Sym<'s>,
 }
 
 /// The outer joints' forces on block and bar, and what the bar exerts on the block.
@@ -118,7 +112,7 @@ pub(super) struct Reactions<'s> {
 }
 
 pub(super) fn reactions<'s>(
-    Levers { n, inverse }: Levers<'s>,
+    levers::Rpr { n, inverse }: levers::Rpr<'s>,
     [block, bar]: [Acting<'s>; 2],
 ) -> Reactions<'s> {
     let normal = (bar.moment + block.moment) * inverse;

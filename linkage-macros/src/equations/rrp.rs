@@ -59,10 +59,11 @@
 
 use crate::equations::double_word::DoubleWord;
 use crate::equations::jet::Jet;
+use crate::equations::levers::{self, Levers};
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{
-    Acting, Bar, Block, Clearance, GroupScope, GuideReaction, Levers as Solution, LimitMeasures,
-    LinkMotion, Solved, root_in_reach, size,
+    Acting, Bar, Block, Clearance, GroupScope, GuideReaction, LimitMeasures, LinkMotion, Solved,
+    root_in_reach, size,
 };
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
@@ -129,18 +130,8 @@ pub(super) fn rrp<'s>(
     Solved {
         links: vec![bar.link(scope.links[0]), block],
         pin: Some(pin),
-        levers: Some(Solution::Rrp(Levers { r: bar.vector(), u, n, across: t, inverse })),
+        levers: Some(Levers::Rrp(levers::Rrp { r: bar.vector(), u, n, across: t, inverse })),
     }
-}
-
-/// The bar's vector, the guide's axes, t of the bar in them, and 1/X.
-#[derive(Clone, Copy)]
-pub(super) struct Levers<'s> {
-    pub r: Vector<'s>,
-    u: Vector<'s>,
-    n: Vector<'s>,
-    across: Sym<'s>,
-    inverse: Sym<'s>,
 }
 
 /// The pin's forces on bar and block, the outer joint's on the bar, the guide's on the block.
@@ -151,11 +142,11 @@ pub(super) struct Reactions<'s> {
 }
 
 pub(super) fn reactions<'s>(
-    levers: Levers<'s>,
+    levers: levers::Rrp<'s>,
     [bar, block]: [Acting<'s>; 2],
     on_pin: Vector<'s>,
 ) -> Reactions<'s> {
-    let Levers { u, n, across, inverse, .. } = levers;
+    let levers::Rrp { u, n, across, inverse, .. } = levers;
     let outside = on_pin + block.force;
     let along = outside.dot(u);
     let normal = (across * along - bar.moment) * inverse;

@@ -78,10 +78,10 @@
 
 use crate::equations::double_word::DoubleWord;
 use crate::equations::jet::Jet;
+use crate::equations::levers::{self, Levers};
 use crate::equations::motion::PointMotion;
 use crate::equations::parts::{
-    Acting, Bar, Clearance, GroupScope, Levers as Solution, LimitMeasures, Solved, root_in_reach,
-    size,
+    Acting, Bar, Clearance, GroupScope, LimitMeasures, Solved, root_in_reach, size,
 };
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
@@ -141,15 +141,8 @@ pub(super) fn rrr<'s>(
     Solved {
         links: links.collect(),
         pin: Some(pin),
-        levers: Some(Solution::Rrr(Levers { r: [r2, r3], inverse })),
+        levers: Some(Levers::Rrr(levers::Rrr { r: [r2, r3], inverse })),
     }
-}
-
-/// The vectors of the bars and 1/J.
-#[derive(Clone, Copy)]
-pub(super) struct Levers<'s> {
-    pub r: [Vector<'s>; 2],
-    inverse: Sym<'s>,
 }
 
 /// The pin's forces on the bars, and those of the outer joints.
@@ -159,7 +152,7 @@ pub(super) struct Reactions<'s> {
 }
 
 pub(super) fn reactions<'s>(
-    Levers { r: [r2, r3], inverse }: Levers<'s>,
+    levers::Rrr { r: [r2, r3], inverse }: levers::Rrr<'s>,
     [first, second]: [Acting<'s>; 2],
     on_pin: Vector<'s>,
 ) -> Reactions<'s> {

@@ -4,6 +4,7 @@
 //! It is known before any formula is, and said once: the equations fill it in, and the generated
 //! code, its documentation and the C header read it. Nothing here computes and nothing prints.
 
+mod catalogue;
 pub(crate) mod entries;
 pub(crate) mod forces;
 pub(crate) mod labels;
@@ -11,9 +12,10 @@ pub(crate) mod quantity;
 pub(crate) mod records;
 pub(crate) mod units_in_words;
 
+use crate::interface::catalogue::Records;
 use crate::interface::entries::Entry;
 use crate::interface::quantity::Quantity;
-use crate::interface::records::{Record, RecordId, Records, Shape};
+use crate::interface::records::{Record, RecordId, Shape};
 use crate::model::mechanism::Mechanism;
 
 /// See the module's documentation.

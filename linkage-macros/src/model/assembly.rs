@@ -3,39 +3,17 @@
 //! Everything here is exact: a group that just reaches is not refused.
 
 use crate::exact::Exact;
+use crate::reach::absolute;
 
 use super::Resolver;
-use super::facts::Line;
 use super::folding::shown;
 use super::groups::Parts;
 use super::mechanism::{AngleSum, Carrier, Expr, GuideId, Length, LinkId, PointId};
-
-/// |a|
-pub(super) fn absolute(value: &Exact) -> Exact {
-    if value.signum().is_lt() { value.neg() } else { value.clone() }
-}
 
 impl AngleSum {
     /// The angle, where it is known when the mechanism is declared.
     pub(super) fn constant(&self) -> Option<&Exact> {
         self.links.is_empty().then(|| self.rest.constant()).flatten()
-    }
-}
-
-impl Line {
-    /// The distance of the place from the line, along its normal.
-    pub(super) fn distance(&self, [x, y]: &[Exact; 2]) -> Exact {
-        let (dx, dy) = (x.sub(&self.through[0]), y.sub(&self.through[1]));
-        dy.mul(&self.angle.cos()).sub(&dx.mul(&self.angle.sin()))
-    }
-
-    /// The place at `slide` along the line and `offset` along its normal.
-    fn at(&self, slide: &Exact, offset: &Exact) -> [Exact; 2] {
-        let (cos, sin) = (self.angle.cos(), self.angle.sin());
-        [
-            self.through[0].add(&slide.mul(&cos)).sub(&offset.mul(&sin)),
-            self.through[1].add(&slide.mul(&sin)).add(&offset.mul(&cos)),
-        ]
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::diagnostics::Extent;
 use crate::exact::Exact;
+use crate::reach::line::Line;
 
 use super::dimension::Measure;
 use super::mechanism::{Carrier, Expr, GuideId, PointId};
@@ -62,12 +63,6 @@ pub(super) struct GuideFacts {
     pub line: Option<Line>,
     /// Its angle on its carrier, if that is constant.
     pub angle: Option<Exact>,
-}
-
-#[derive(Clone)]
-pub(super) struct Line {
-    pub through: [Exact; 2],
-    pub angle: Exact,
 }
 
 struct Location {

@@ -6,8 +6,8 @@ use crate::diagnostics::nearest;
 use crate::syntax::tree::{Expr, Field, FieldValue, Group};
 
 use super::Resolver;
-use super::anatomy::{Anatomy, FieldRule, Needed};
 use super::names::listed;
+use crate::syntax::anatomy::{Anatomy, FieldRule, Needed};
 
 /// The fields that are known and of the right shape.
 pub(super) struct Fields<'t> {

@@ -8,11 +8,11 @@ use crate::syntax::tree;
 use crate::syntax::words::built_by;
 
 use super::Resolver;
-use super::anatomy::{Anatomy, Class, Joint, Pin, Reason};
 use super::facts::LinkFacts;
 use super::fields::Fields;
 use super::mechanism::{Body, Group, GroupId, GuideId, Link, LinkId, Point, PointId};
 use super::names::{Entity, Kind};
+use crate::syntax::anatomy::{Anatomy, Class, Joint, KEYWORDS, Pin, Reason};
 
 /// What a group statement has made and was given.
 pub(super) struct Parts<'t> {
@@ -313,7 +313,7 @@ impl Resolver<'_> {
                 "outer joint of the first link, inner joint, outer joint of the second".to_string(),
             ),
             _ => {
-                let near = nearest(&text, Anatomy::keywords());
+                let near = nearest(&text, KEYWORDS.into_iter());
                 let near = near.map(|near| format!("; one with a similar name exists: `{near}`"));
                 let known = || format!("they are {}", known_groups());
                 (
@@ -327,7 +327,7 @@ impl Resolver<'_> {
 }
 
 fn known_groups() -> String {
-    Anatomy::keywords().map(|known| format!("`{known}`")).collect::<Vec<_>>().join(", ")
+    KEYWORDS.into_iter().map(|known| format!("`{known}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// The dyad whose first or third letter is the other one.

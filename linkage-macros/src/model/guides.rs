@@ -3,11 +3,12 @@
 use proc_macro2::Ident;
 
 use crate::exact::Exact;
+use crate::reach::line::Line;
 use crate::syntax::tree;
 
 use super::Resolver;
 use super::assembly::constants;
-use super::facts::{GuideFacts, Line};
+use super::facts::GuideFacts;
 use super::mechanism::{Carrier, Guide, GuideDirection, GuideId, PointId, Step, Through};
 use super::names::Entity;
 use super::numbers::bare_name;

@@ -6,13 +6,13 @@ use crate::syntax::tree::{self, BinaryOp, ExprKind, UnitPower};
 use crate::syntax::words::UNITS;
 
 use super::Resolver;
-use super::assembly::absolute;
 use super::dimension::Measure;
 use super::expressions::Quantity;
 use super::folding::shown;
 use super::mechanism::{Dimension, Expr, ParamKind};
 use super::names::NUMBERS;
 use super::units::unit;
+use crate::reach::absolute;
 
 /// A bare length from which on a unit is asked for, in metres: few mechanisms are as long, and most
 /// numbers of millimetres are longer.

@@ -12,6 +12,7 @@ use crate::model::dynamics::Dynamics;
 pub(crate) use crate::model::ids::{
     GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
 };
+use crate::reach::turn::Turn;
 
 pub(crate) struct Mechanism {
     pub docs: Vec<Attribute>,
@@ -100,22 +101,11 @@ pub(crate) struct Rotatability {
     pub crank: LinkId,
     /// The input that is the crank's angle, where one is it bare.
     pub input: Option<InputId>,
-    pub range: Range,
-    /// The angles, in degrees, at which both assembly modes are one while the crank passes.
-    pub change_points: Vec<f64>,
+    pub turn: Turn,
     /// Opposite links are of one length: crank and rocker, coupler and ground.
     pub is_parallelogram: bool,
     /// The comparison of lengths that decides it.
     pub reason: String,
-}
-
-/// The angles of a crank at which a dyad assembles, in degrees.
-#[derive(Debug, PartialEq)]
-pub(crate) enum Range {
-    Full,
-    /// From, to: one interval, or two that the crank cannot leave for each other.
-    Within(Vec<[f64; 2]>),
-    Never,
 }
 
 pub(crate) struct Input {

@@ -10,7 +10,6 @@
 //! need of constants.
 
 mod actions;
-mod anatomy;
 mod assembly;
 mod dimension;
 mod drivers;
@@ -42,6 +41,7 @@ mod springs;
 pub(crate) mod stand_in;
 pub(crate) mod units;
 mod unknowns;
+mod uses;
 
 #[cfg(test)]
 mod tests;
@@ -52,8 +52,7 @@ use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 use dynamics::Dynamics;
 use facts::Facts;
 use mechanism::{Mechanism, Numerics, References};
-use names::Names;
-use order::TooEarly;
+use names::{Names, TooEarly};
 use unknowns::Searched;
 
 /// The mechanism that the declaration means; `None` if anything in it was reported.

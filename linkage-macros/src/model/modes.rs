@@ -6,18 +6,11 @@ use crate::diagnostics::nearest;
 use crate::syntax::tree::{Expr, Group};
 
 use super::Resolver;
-use super::anatomy::{Anatomy, Class, Modes};
 use super::fields::Fields;
 use super::mechanism::{Mode, ParamKind, Sign};
 use super::names::{Entity, Kind};
 use super::numbers::bare_name;
-
-impl Anatomy {
-    /// Only an rpr, where one mode is almost always meant, has a default.
-    pub(super) fn mode_is_needed(&self) -> bool {
-        self.modes.is_some() && self.class != Class::Rpr
-    }
-}
+use crate::syntax::anatomy::{Anatomy, Modes};
 
 impl Modes {
     fn sign(self, word: &str) -> Option<Sign> {

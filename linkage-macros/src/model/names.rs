@@ -8,15 +8,12 @@ use std::collections::HashMap;
 
 use proc_macro2::Ident;
 
-use crate::diagnostics::{Extent, nearest};
 use crate::syntax::action::Action;
 use crate::syntax::tree::{Declaration, Statement, StatementKind};
 
-use super::Resolver;
 use super::mechanism::{
     GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
 };
-use super::order::TooEarly;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -70,28 +67,28 @@ pub(super) enum Entity {
 }
 
 /// A name that was declared, correctly or not.
-struct Symbol {
-    name: String,
-    kind: Kind,
+pub(super) struct Symbol {
+    pub name: String,
+    pub kind: Kind,
     /// The index of the statement.
-    statement: usize,
+    pub statement: usize,
     /// The statement as messages call it: `crank AB`, `param l`.
-    made_by: String,
+    pub made_by: String,
     /// Whether it is the pin of a group.
-    is_a_pin: bool,
+    pub is_a_pin: bool,
     /// `None` until its statement is reached, and for good where that was in error.
-    entity: Option<Entity>,
+    pub entity: Option<Entity>,
     /// Whether its statement was reached, so that another declaration is the second.
-    declared: bool,
+    pub declared: bool,
     /// Whether another declaration was reached: what is meant by the name is unknown from there.
-    ambiguous: bool,
+    pub ambiguous: bool,
 }
 
 pub(super) struct Names {
-    symbols: Vec<Symbol>,
-    by_name: HashMap<String, usize>,
+    pub symbols: Vec<Symbol>,
+    pub by_name: HashMap<String, usize>,
     /// The statement being resolved.
-    current: usize,
+    pub current: usize,
 }
 
 impl Names {
@@ -155,7 +152,7 @@ impl Names {
         self.symbols.iter().filter(|s| kinds.contains(&s.kind)).map(|s| s.name.as_str())
     }
 
-    fn symbol(&self, name: &Ident) -> Option<&Symbol> {
+    pub(super) fn symbol(&self, name: &Ident) -> Option<&Symbol> {
         self.by_name.get(&name.to_string()).map(|&index| &self.symbols[index])
     }
 }
@@ -212,146 +209,6 @@ pub(super) fn title(statement: &Statement, name: &str) -> String {
     }
 }
 
-impl Resolver<'_> {
-    /// A name is declared once.
-    pub(super) fn name_is_new(&mut self, name: &Ident) -> Option<()> {
-        let text = name.to_string();
-        let index = *self.names.by_name.get(&text)?;
-        let symbol = &mut self.names.symbols[index];
-        if symbol.declared {
-            symbol.ambiguous = true;
-            let reason = format!("the first `{text}` is made by `{}`", symbol.made_by);
-            let message = format!("the name `{text}` is taken; choose another");
-            self.diagnostics.error_because(name.span(), message, reason);
-            return None;
-        }
-        symbol.declared = true;
-        Some(())
-    }
-
-    pub(super) fn point(&mut self, name: &Ident) -> Option<PointId> {
-        match self.usable(name, &[Kind::Point])? {
-            Entity::Point(id) => Some(id),
-            _ => None,
-        }
-    }
-
-    pub(super) fn link(&mut self, name: &Ident) -> Option<LinkId> {
-        match self.usable(name, &[Kind::Link])? {
-            Entity::Link(id) => Some(id),
-            _ => None,
-        }
-    }
-
-    pub(super) fn guide(&mut self, name: &Ident) -> Option<GuideId> {
-        match self.usable(name, &[Kind::Guide])? {
-            Entity::Guide(id) => Some(id),
-            _ => None,
-        }
-    }
-
-    /// A name that is used exists, is of a kind that belongs there, and was made earlier. A name
-    /// whose own declaration was in error, or that has two, gives nothing, and no message.
-    pub(super) fn usable(&mut self, name: &Ident, kinds: &[Kind]) -> Option<Entity> {
-        let Some(symbol) = self.names.symbol(name) else {
-            match self.unread.may_hold(&name.to_string()) {
-                true => self.name_is_unknown(kinds),
-                false => self.name_exists(name, kinds),
-            }
-            return None;
-        };
-        if symbol.ambiguous {
-            return None;
-        }
-        if !kinds.contains(&symbol.kind) {
-            let message = format!("`{name}` is {}, not {}", symbol.kind.one(), one_of(kinds));
-            let reason = reason_for_kind(name, symbol, kinds);
-            self.report(name.span(), message, reason);
-            return None;
-        }
-        if symbol.statement >= self.names.current {
-            if symbol.statement == self.names.current {
-                let message = format!("`{name}` is used inside the statement that makes it");
-                let reason = "a statement can use what earlier ones have made";
-                self.diagnostics.error_because(name.span(), message, reason);
-            } else {
-                let (user, maker) = (self.names.current, symbol.statement);
-                self.too_early.push(TooEarly { name: name.clone(), user, maker });
-            }
-            return None;
-        }
-        let entity = symbol.entity?;
-        self.moves |= self.facts.moves(entity);
-        self.follows |= self.searched.as_ref().is_some_and(|searched| searched.reaches(entity));
-        Some(entity)
-    }
-
-    /// What stands for a number and is not known may be an input, or hold one.
-    fn name_is_unknown(&mut self, kinds: &[Kind]) {
-        if kinds == NUMBERS {
-            self.use_is_hidden = true;
-            self.number_is_unknown = true;
-        }
-    }
-
-    /// Reports a name that nothing declares, with the nearest one of the kinds that belong there.
-    fn name_exists(&mut self, name: &Ident, kinds: &[Kind]) {
-        self.name_is_unknown(kinds);
-        let text = name.to_string();
-        let mut message = format!("no {} named `{text}`", words(kinds));
-        let mut reason = None;
-        match nearest(&text, self.names.of_kinds(kinds)) {
-            Some(near) => {
-                let kind = self.names.symbols[self.names.by_name[near]].kind;
-                message += &format!("; {} with a similar name exists: `{near}`", kind.one());
-            }
-            None => {
-                let earlier = |symbol: &&Symbol| {
-                    kinds.contains(&symbol.kind) && symbol.statement < self.names.current
-                };
-                let known: Vec<_> = self.names.symbols.iter().filter(earlier).collect();
-                if (1..=8).contains(&known.len()) {
-                    let known: Vec<_> = known.iter().map(|s| format!("`{}`", s.name)).collect();
-                    reason = Some(format!("declared so far: {}", known.join(", ")));
-                } else if known.is_empty() && kinds == NUMBERS {
-                    reason = Some(format!("declare it: `input {text}: angle;`"));
-                }
-            }
-        }
-        self.report(name.span(), message, reason);
-    }
-
-    /// Reports a mistake, with its second line where there is one.
-    pub(super) fn report(
-        &mut self,
-        span: impl Into<Extent>,
-        message: impl std::fmt::Display,
-        reason: Option<impl std::fmt::Display>,
-    ) {
-        match reason {
-            Some(reason) => self.diagnostics.error_because(span, message, reason),
-            None => self.diagnostics.error(span, message),
-        }
-    }
-}
-
-/// "input, parameter or `let`"
-fn words(kinds: &[Kind]) -> String {
-    // What is searched is not among what is usually meant.
-    let usual = kinds.iter().filter(|&&kind| kind != Kind::Unknown || kinds.len() == 1);
-    let words: Vec<_> = usual.map(|kind| kind.word()).collect();
-    listed(&words, "or")
-}
-
-/// "a point or a link"; what stands in an expression is a number, whoever declares it.
-fn one_of(kinds: &[Kind]) -> String {
-    if kinds == NUMBERS {
-        return "a number".to_string();
-    }
-    let words: Vec<_> = kinds.iter().map(|kind| kind.one()).collect();
-    listed(&words, "or")
-}
-
 /// "a, b or c"
 pub(super) fn listed<S: AsRef<str>>(words: &[S], joint: &str) -> String {
     let mut text = String::new();
@@ -366,25 +223,9 @@ pub(super) fn listed<S: AsRef<str>>(words: &[S], joint: &str) -> String {
     text
 }
 
-/// What to write instead, where a name of one kind stands where another belongs.
-fn reason_for_kind(name: &Ident, found: &Symbol, wanted: &[Kind]) -> Option<String> {
-    match (found.kind, wanted) {
-        (Kind::Link, [Kind::Point]) => {
-            Some(format!("name a joint of `{name}`, or a `point` on it"))
-        }
-        (Kind::Link, [Kind::Guide]) => Some(format!("declare a line on it: `guide g on {name} …`")),
-        (Kind::Link, _) if wanted == NUMBERS => {
-            Some(format!("its angle is `{name}.angle`, and `{name}.slide` its slide if it slides"))
-        }
-        (Kind::Point, _) if wanted == NUMBERS => {
-            Some(format!("its coordinates are `{name}.x` and `{name}.y`"))
-        }
-        (Kind::Point, [Kind::Link]) if found.is_a_pin => {
-            Some(format!("it is the pin of `{}`: name the link", found.made_by))
-        }
-        (Kind::Point, [Kind::Link]) => {
-            Some("a link is what a `crank`, `slider` or dyad makes".into())
-        }
-        _ => None,
-    }
+/// A name that a statement uses and a later one makes.
+pub(super) struct TooEarly {
+    pub name: Ident,
+    pub user: usize,
+    pub maker: usize,
 }

@@ -13,13 +13,6 @@ use super::Resolver;
 use super::names::{declared_by, listed, title};
 use super::references::names_used;
 
-/// A name that a statement uses and a later one makes.
-pub(super) struct TooEarly {
-    pub name: Ident,
-    pub user: usize,
-    pub maker: usize,
-}
-
 /// Which statements each statement needs.
 struct Needs(Vec<BTreeSet<usize>>);
 

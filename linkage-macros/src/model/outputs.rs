@@ -5,6 +5,7 @@ use quote::format_ident;
 use syn::Attribute;
 
 use crate::diagnostics::nearest;
+use crate::syntax::anatomy::Anatomy;
 use crate::syntax::tree::{Declaration, Expr, ExprKind, OutputItem, StatementKind};
 
 use super::Resolver;
@@ -241,18 +242,14 @@ impl Resolver<'_> {
     fn group_has_a_limit(&mut self, link: LinkId, member: &Ident) -> Option<()> {
         let group = self.mechanism.links[link.index()].made_by;
         let keyword = self.mechanism.groups[group.index()].keyword.to_string();
-        let has = match &keyword[..] {
-            "rrr" | "rrp" | "rpr" => true,
-            "prp" | "rpp" => member == "transmission",
-            _ => false,
-        };
-        if has {
+        let anatomy = Anatomy::of(&keyword)?;
+        if anatomy.has_a_limit() || anatomy.is_dyad() && member == "transmission" {
             return Some(());
         }
         let message = format!("`{keyword}` has no `{member}`");
-        let reason = match &keyword[..] {
-            "prp" | "rpp" => "it is never out of reach; `transmission` tells how far from parallel",
-            _ => "a driver transmits what it is given; ask the dyads that follow",
+        let reason = match anatomy.is_dyad() {
+            true => "it is never out of reach; `transmission` tells how far from parallel",
+            false => "a driver transmits what it is given; ask the dyads that follow",
         };
         self.diagnostics.error_because(member.span(), message, reason);
         None

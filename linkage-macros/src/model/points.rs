@@ -4,6 +4,7 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use crate::exact::Exact;
+use crate::reach::{absolute, triangle};
 use crate::syntax::tree::{self, Expr as Written};
 
 use super::Resolver;
@@ -169,7 +170,7 @@ impl Resolver<'_> {
         let (Some(a), Some(b), Some(l)) = (first, second, length.constant()) else {
             return Some(());
         };
-        let difference = if a.cmp_value(b).is_lt() { b.sub(a) } else { a.sub(b) };
+        let difference = absolute(&a.sub(b));
         let (sum, link) = (a.add(b), self.link_name(carrier));
         let (long, a, b) = (shown(l), shown(a), shown(b));
         let reason = if l.cmp_value(&sum).is_gt() {
@@ -200,11 +201,8 @@ fn constant_place(place: &Placement) -> Option<[Exact; 2]> {
         Placement::Polar(radius, angle) => polar(radius, angle),
         Placement::Distances { distances, length, side } => {
             let [first, second] = distances;
-            let (a, b, l) = (first.value.constant()?, second.value.constant()?, length.constant()?);
-            let square = |x: &Exact| x.mul(x);
-            // The two distances are the sides of a triangle on the bar.
-            let x = square(a).sub(&square(b)).add(&square(l)).div(&l.mul(&Exact::integer(2)))?;
-            let y = square(a).sub(&square(&x)).sqrt()?;
+            let distances = [first.value.constant()?, second.value.constant()?];
+            let [x, y] = triangle::apex(distances, length.constant()?)?;
             Some([x, if *side == Sign::Plus { y } else { y.neg() }])
         }
     }

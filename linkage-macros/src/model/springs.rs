@@ -7,11 +7,11 @@ use syn::Attribute;
 use crate::syntax::tree::{Expr, ExprKind, Group};
 
 use super::Resolver;
-use super::anatomy::{Anatomy, Class, FieldRule, Pin, optional};
 use super::dynamics::{Effort, Ends, Quantity, Spring};
 use super::fields::Fields;
 use super::mechanism::{self, Dimension, OutputKind, SpringId};
 use super::names::{Entity, Kind};
+use crate::syntax::anatomy::{Anatomy, Class, FieldRule, Pin, optional};
 
 const DAMPING: FieldRule = optional("damping", "what it exerts against its rate, `10(N*s/m)`");
 

@@ -18,6 +18,7 @@ use crate::model::mechanism::{
     AngleSum, Body, Dimension, Expr, Group, GroupId, Input, Link, LinkId, Mechanism, Numerics,
     Output, OutputKind, Param, ParamKind, Point, PointId, References, Sign,
 };
+use crate::syntax::anatomy::Anatomy;
 use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, StatementKind};
 
 const NUMBER: Dimension = Dimension::NUMBER;
@@ -318,13 +319,7 @@ fn asked_for(statement: &tree::Statement) -> &[OutputItem] {
 
 /// Which legs of a group slide; where the group is not known, its links have every field.
 fn sliding(keyword: &str) -> [bool; 2] {
-    match keyword {
-        "crank" | "rrr" => [false, false],
-        "slider" => [true, false],
-        "rrp" => [false, true],
-        "rpr" => [true, false],
-        _ => [true, true],
-    }
+    Anatomy::of(keyword).map_or([true; 2], |anatomy| anatomy.slides)
 }
 
 fn value() -> OutputKind {

@@ -6,13 +6,14 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use crate::exact::Exact;
+use crate::reach::turn::Range;
 use crate::syntax::tree::{self, Declaration, StatementKind};
 
 use super::Resolver;
 use super::folding::shown_in_degrees;
 use super::inputs::KINDS;
 use super::mechanism::{
-    AngleSum, Dimension, Equation, Expr, Group, ParamKind, Range, Sign, Step, Unknown, UnknownId,
+    AngleSum, Dimension, Equation, Expr, Group, ParamKind, Sign, Step, Unknown, UnknownId,
 };
 use super::names::Entity;
 
@@ -200,13 +201,14 @@ impl Resolver<'_> {
             let ends = &self.mechanism.unknowns[id.index()].between;
             let [Some(from), Some(to)] = ends.each_ref().map(Expr::constant) else { continue };
             let [from, to] = [from, to].map(|end| end.to_f64().to_degrees());
-            let found = self.mechanism.rotatabilities.iter().find_map(|found| match &found.range {
-                Range::Within(stretches) if found.crank == *link && links.is_empty() => {
-                    let outside = outside(stretches, [from, to])?;
-                    Some((found, outside, stretches))
-                }
-                _ => None,
-            });
+            let found =
+                self.mechanism.rotatabilities.iter().find_map(|found| match &found.turn.range {
+                    Range::Within(stretches) if found.crank == *link && links.is_empty() => {
+                        let outside = outside(stretches, [from, to])?;
+                        Some((found, outside, stretches))
+                    }
+                    _ => None,
+                });
             let Some((found, end, stretches)) = found else { continue };
             let crank = &self.mechanism.links[link.index()].name;
             let title = &self.mechanism.groups[found.group.index()].title;

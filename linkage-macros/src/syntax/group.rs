@@ -4,6 +4,7 @@
 
 use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
+use super::anatomy::Anatomy;
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{Expr, Field, FieldValue, Group, Leg};
 use super::words;
@@ -131,15 +132,10 @@ impl Parser<'_> {
     }
 
     fn missing_braces(&mut self, keyword: &Ident) {
-        let fields = match keyword.to_string().as_str() {
-            "crank" => "{ length: …, angle: … }",
-            "slider" => "{ slide: … }",
-            "rrr" => "{ lengths: (…, …), mode: … }",
-            "rrp" => "{ length: …, mode: … }",
-            "prp" => "{ }",
-            "rpp" => "{ slot: … }",
-            "spring" => "{ stiffness: …, free_length: … }",
-            _ => "{ … }",
+        let fields = match Anatomy::of(&keyword.to_string()) {
+            Some(anatomy) => anatomy.braces(),
+            None if keyword == "spring" => "{ stiffness: …, free_length: … }".to_string(),
+            None => "{ … }".to_string(),
         };
         let message = match self.is_group(0, Delimiter::Parenthesis)
             || self.is_group(0, Delimiter::Bracket)

@@ -28,9 +28,11 @@
 //! field, or behind the closing parenthesis), so that all mistakes of a declaration are reported
 //! together; a statement that got as far as its name stays in the tree.
 //!
-//! Which words are kinds, units, fields, functions, modes and group keywords is not known here.
+//! Which words are kinds, units and functions is not known here; what a group's statement is made of
+//! stands in `anatomy`.
 
 pub(crate) mod action;
+pub(crate) mod anatomy;
 mod declaration;
 mod expression;
 mod group;

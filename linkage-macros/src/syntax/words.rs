@@ -7,7 +7,7 @@ pub(super) const STATEMENTS: [&str; 19] = [
 ];
 
 /// Words that begin a statement with braces: drivers, then Assur groups.
-pub(super) const GROUPS: [&str; 7] = ["crank", "slider", "rrr", "rrp", "rpr", "prp", "rpp"];
+pub(super) use super::anatomy::KEYWORDS as GROUPS;
 
 /// Words that keep their place for the statements of today and of later versions.
 const RESERVED: [&str; 22] = [

@@ -4,9 +4,9 @@ use super::{generate, line_by_line};
 use crate::equations;
 use crate::exact::Exact;
 use crate::ir::interpret::{Given, Number, interpret};
-use crate::model::mechanism::Range;
 use crate::oracle::mechanism;
 use crate::passes;
+use crate::reach::turn::Range;
 
 /// Double precision, in which a group out of reach is not a number.
 impl Number for f64 {
@@ -108,7 +108,7 @@ fn assembles(source: &str) -> impl Fn(f64) -> bool {
 /// The stated range holds the angles at which the solver assembles, and no others.
 fn agrees_with_the_solver(source: &str) {
     let (assembles, mechanism) = (assembles(source), mechanism(source));
-    let range = &mechanism.rotatabilities.first().expect("something is said").range;
+    let range = &mechanism.rotatabilities.first().expect("something is said").turn.range;
     // Steps that meet no limit of the cases below.
     for step in 0..3600 {
         let angle = f64::from(step) * 0.1 + 0.037;
@@ -203,7 +203,7 @@ fn one_change_point_is_found_where_the_lengths_just_reach() {
     assert!(said(&source).contains("At `theta` = 180° both"), "{}", said(&source));
     let source = two_bars("(3m, 0)", "(2.5m, 1.499999999999999m)");
     assert!(!said(&source).contains("both"), "{}", said(&source));
-    assert!(matches!(mechanism(&source).rotatabilities[0].range, Range::Within(_)));
+    assert!(matches!(mechanism(&source).rotatabilities[0].turn.range, Range::Within(_)));
 }
 
 #[test]

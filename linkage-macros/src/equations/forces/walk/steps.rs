@@ -2,7 +2,8 @@
 //! what carries them.
 
 use super::Walk;
-use crate::equations::parts::{Acting, GuideReaction, Levers};
+use crate::equations::levers::Levers;
+use crate::equations::parts::{Acting, GuideReaction};
 use crate::equations::symbol::{Sym, Vector};
 use crate::equations::{prp, rpp, rpr, rrp, rrr};
 use crate::model::dynamics::Effort;

@@ -1,7 +1,7 @@
 //! What every driver and dyad is made of: its joints, whether it makes a pin, its fields, its
 //! modes, and which of its links slide.
 
-pub(super) struct Anatomy {
+pub(crate) struct Anatomy {
     pub keyword: &'static str,
     pub class: Class,
     /// The outer joints, one a link.
@@ -16,7 +16,7 @@ pub(super) struct Anatomy {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Class {
+pub(crate) enum Class {
     Crank,
     Slider,
     Rrr,
@@ -30,7 +30,7 @@ pub(super) enum Class {
 
 /// An outer joint: what it stands on, and what says so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Joint {
+pub(crate) enum Joint {
     /// Stands on a point.
     Revolute(Reason),
     /// Stands on a guide.
@@ -38,7 +38,7 @@ pub(super) enum Joint {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Reason {
+pub(crate) enum Reason {
     /// The letter of the keyword that names the joint.
     Letter(&'static str),
     /// What the driver does.
@@ -46,14 +46,14 @@ pub(super) enum Reason {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Pin {
+pub(crate) enum Pin {
     Needed,
     Optional,
     /// With the reason why there is none.
     None(&'static str),
 }
 
-pub(super) struct FieldRule {
+pub(crate) struct FieldRule {
     pub name: &'static str,
     pub pair: bool,
     pub needed: Needed,
@@ -62,7 +62,7 @@ pub(super) struct FieldRule {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Needed {
+pub(crate) enum Needed {
     Always,
     /// Needed where the statement makes a pin, and refused where it does not.
     WithPin,
@@ -70,18 +70,18 @@ pub(super) enum Needed {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Modes {
+pub(crate) enum Modes {
     /// `left` or `right`.
     Side,
     /// `ahead` or `behind`.
     Sense,
 }
 
-const fn needed(name: &'static str, meaning: &'static str) -> FieldRule {
+pub(crate) const fn needed(name: &'static str, meaning: &'static str) -> FieldRule {
     FieldRule { name, pair: false, needed: Needed::Always, meaning }
 }
 
-pub(super) const fn optional(name: &'static str, meaning: &'static str) -> FieldRule {
+pub(crate) const fn optional(name: &'static str, meaning: &'static str) -> FieldRule {
     FieldRule { name, pair: false, needed: Needed::Never, meaning }
 }
 
@@ -195,18 +195,52 @@ const ANATOMIES: [Anatomy; 7] = [
     },
 ];
 
+/// The words that begin the statement of a driver or of a dyad.
+pub(crate) const KEYWORDS: [&str; ANATOMIES.len()] = {
+    let mut words = [""; ANATOMIES.len()];
+    let mut i = 0;
+    while i < words.len() {
+        words[i] = ANATOMIES[i].keyword;
+        i += 1;
+    }
+    words
+};
+
 impl Anatomy {
-    pub(super) fn of(keyword: &str) -> Option<&'static Self> {
+    pub(crate) fn of(keyword: &str) -> Option<&'static Self> {
         ANATOMIES.iter().find(|anatomy| anatomy.keyword == keyword)
     }
 
-    /// All drivers and dyads.
-    pub(super) fn keywords() -> impl Iterator<Item = &'static str> {
-        ANATOMIES.iter().map(|anatomy| anatomy.keyword)
+    /// Whether it is a dyad and not a driver: a dyad has a transmission angle.
+    pub(crate) fn is_dyad(&self) -> bool {
+        self.joints.len() == 2
+    }
+
+    /// Whether it can be out of reach: its two modes meet where it just reaches.
+    pub(crate) fn has_a_limit(&self) -> bool {
+        self.modes.is_some()
+    }
+
+    /// The fields that must be written, as an example: `{ length: …, angle: … }`.
+    pub(super) fn braces(&self) -> String {
+        let needed = self.fields.iter().filter(|field| field.needed != Needed::Never);
+        let mut fields: Vec<String> = needed
+            .map(|field| format!("{}: {}", field.name, if field.pair { "(…, …)" } else { "…" }))
+            .collect();
+        fields.extend(self.mode_is_needed().then(|| "mode: …".to_string()));
+        match fields.is_empty() {
+            true => "{ }".to_string(),
+            false => format!("{{ {} }}", fields.join(", ")),
+        }
+    }
+
+    /// Only an rpr, where one mode is almost always meant, has a default.
+    pub(crate) fn mode_is_needed(&self) -> bool {
+        self.modes.is_some() && self.class != Class::Rpr
     }
 
     /// The names of its fields, the mode included.
-    pub(super) fn field_names(&self) -> Vec<&'static str> {
+    pub(crate) fn field_names(&self) -> Vec<&'static str> {
         let mut names: Vec<_> = self.fields.iter().map(|field| field.name).collect();
         names.extend(self.modes.map(|_| "mode"));
         names
@@ -214,7 +248,7 @@ impl Anatomy {
 }
 
 impl Modes {
-    pub(super) fn words(self) -> [&'static str; 2] {
+    pub(crate) fn words(self) -> [&'static str; 2] {
         match self {
             Self::Side => ["left", "right"],
             Self::Sense => ["ahead", "behind"],
