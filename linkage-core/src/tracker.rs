@@ -146,6 +146,25 @@ pub trait Modes: Copy {
 ///   that does not change: as `Singular`.
 /// - What leaves the range of numbers, on the way or in the result: as `NotFinite`.
 ///
+/// - While compiling: a mechanism in which something is searched (`solve`). Between its ends an
+///   unknown keeps the trend that its equation is declared with.
+///
+/// ```compile_fail,E0277
+/// # use linkage_core::{mechanism, Tracker};
+/// mechanism! {
+///     struct Press {
+///         input x: length;
+///         ground A(0, 0);
+///         guide bed through (0, 0) along 0deg;
+///         unknown theta: angle between (0, 180deg);
+///         crank AB(A) -> B           { length: 80mm, angle: theta }
+///         rrp   BC(B), ram(bed) -> C { length: 250mm, mode: ahead }
+///         solve theta { ram.slide = x, mode: falling }
+///     }
+/// }
+/// let tracker = Tracker::new(Press::new());
+/// ```
+///
 /// # What counts as a change point
 /// The dimensions of a mechanism are rounded, so that its bars never lie on one line exactly. With
 /// ε = 2⁻⁵² (`f32`: 2⁻²³), a group passes a change point where its clearance, the value under the

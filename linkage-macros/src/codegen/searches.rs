@@ -26,6 +26,7 @@ pub(super) fn functions(cx: &Context<'_>) -> TokenStream {
 fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     let (printer, scalar) = (Printer::new(cx, &search.routine), &cx.names.scalar);
     let given = search.given.iter().map(|&id| printer.name(id));
+    let count = Literal::usize_unsuffixed(search.given.len());
     let [result, error, option, trend] =
         ["Result", "FindError", "Option", "Trend"].map(|item| cx.paths.item(item));
     let (find, trial) = (cx.paths.item("root"), generated(TRIAL));
@@ -41,7 +42,7 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     let (name, docs) = (function_name(&search.routine.name), docs(cx, search));
     quote! {
         #docs
-        fn #name(&self, #(#given: #scalar),*) -> #result<[#scalar; 2], #error> {
+        fn #name(&self, [#(#given),*]: [#scalar; #count]) -> #result<[#scalar; 2], #error> {
             #find([#(#between),*], #trend::#mode, #near, |#trial: #scalar| {
                 #(#lines)*
                 [#(#sides),*]

@@ -62,7 +62,7 @@ impl<'a> Printer<'a> {
         });
         let unknown = &self.cx.mechanism.unknowns[search.sought.unknown as usize].name;
         let (root, unknown) = (self.name(root), text(unknown));
-        quote!(let (#root, #size) = #guard.root(self.#function(#(#given),*), #unknown);)
+        quote!(let (#root, #size) = #guard.root(self.#function([#(#given),*]), #unknown);)
     }
 
     pub(super) fn name(&self, id: Id) -> Ident {

@@ -136,7 +136,8 @@ impl Resolver<'_> {
     /// Ends are constants and parameters.
     fn end_depends_on_no_input(&mut self, end: &tree::Expr, name: &Ident) -> Option<()> {
         let Some(at) = self.moving_part(end) else { return Some(()) };
-        let message = format!("the ends of `{name}` stand still: constants and parameters");
+        let message =
+            format!("the ends of `{name}` depend on no input; write constants or parameters");
         let reason = "the machine has to be assembled from end to end, whatever the inputs are";
         self.diagnostics.error_because(at, message, reason);
         None

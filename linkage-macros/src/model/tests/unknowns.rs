@@ -83,8 +83,8 @@ fn ends_are_known_in_order_and_within_a_turn() {
         ),
         (
             "(x / 1m, 170deg)",
-            "x: the ends of `theta` stand still: constants and parameters / the machine has to be \
-             assembled from end to end, whatever the inputs are",
+            "x: the ends of `theta` depend on no input; write constants or parameters / the machine \
+             has to be assembled from end to end, whatever the inputs are",
         ),
         (
             "(10mm, 170deg)",
