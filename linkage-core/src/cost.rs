@@ -41,6 +41,8 @@ pub struct ForcesCost {
     pub forces: Operations,
     /// Of `statics`.
     pub statics: Operations,
+    /// Of `energy`; nothing where it is not asked for.
+    pub energy: Operations,
 }
 
 /// What finding one unknown costs.
@@ -100,9 +102,9 @@ impl fmt::Display for Cost {
 
 impl fmt::Display for ForcesCost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { position, motion, coefficients, forces, statics } = *self;
+        let Self { position, motion, coefficients, forces, statics, energy } = *self;
         let motion = Cost { position, motion, coefficients };
-        write!(f, "{motion}; forces: {forces}; statics: {statics}")
+        write!(f, "{motion}; forces: {forces}; statics: {statics}; energy: {energy}")
     }
 }
 

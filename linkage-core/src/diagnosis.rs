@@ -5,47 +5,15 @@
 //! the first error. They look at the operands a condition came from rather than at the value that
 //! was computed from them, and at real parts only, except where a derivative does not exist.
 
-use crate::find::FindError;
+mod search;
+mod size;
+
+pub(crate) use search::{closed, moving, no_root, open_by};
+pub use size::{finite_input, finite_result};
+pub(crate) use size::{nonzero, not_negative, positive, square};
+
 use crate::limit::{self, Reach, Width};
-use crate::{Real, Scalar, SolveError};
-
-/// Whether an input, or a parameter, is finite.
-///
-/// # Errors
-/// `NotFinite` with its name.
-#[cold]
-pub fn finite_input<T: Real>(value: T, name: &'static str) -> Result<(), SolveError> {
-    if value.is_finite() { Ok(()) } else { Err(SolveError::NotFinite { name }) }
-}
-
-/// Whether a result is finite, `given` being what it was made from.
-///
-/// # Errors
-/// `Singular` where only a derivative that it carries is not finite. Else `NotFinite`: with the
-/// name of the largest of the given numbers whose fourth power leaves the number's range, as a
-/// rate that is squared on the way does, or with the result's own name where there is none.
-#[cold]
-pub fn finite_result<T: Real>(
-    value: T,
-    name: &'static str,
-    given: &[(T, &'static str)],
-) -> Result<(), SolveError> {
-    if value.is_finite() {
-        return Ok(());
-    }
-    if value.value().is_finite() {
-        return Err(SolveError::Singular { group: name });
-    }
-    let mut blamed = (0.0, name);
-    for &(number, name) in given {
-        let square = number * number;
-        let size = number.value().max(-number.value());
-        if !(square * square).value().is_finite() && size > blamed.0 {
-            blamed = (size, name);
-        }
-    }
-    Err(SolveError::NotFinite { name: blamed.1 })
-}
+use crate::{Real, SolveError};
 
 /// How many ε of the spread a value may be wrong by: whoever is above that is above zero.
 pub(crate) const ROUNDINGS: f64 = 16.0;
@@ -191,136 +159,6 @@ pub(crate) fn reach_offset<T: Real>(
 ) -> Result<T, SolveError> {
     let reach = limit::offset([bx.value(), by.value()], e.value(), width::<T>());
     reached(value, &[bx, by, e], reach, group)
-}
-
-/// Why an unknown has no root; where its equation is not a number, the trial at which it is none.
-#[cold]
-pub(crate) fn no_root(error: FindError, unknown: &'static str) -> (SolveError, Option<f64>) {
-    match error {
-        FindError::Interval { .. } => {
-            (SolveError::Invalid { group: unknown, name: "width of between" }, None)
-        }
-        FindError::NoSolution { by, .. } => (SolveError::NoSolution { unknown, by }, None),
-        FindError::NotFinite { at } => (SolveError::NotFinite { name: unknown }, Some(at)),
-        FindError::Singular { .. } => (SolveError::Singular { group: unknown }, None),
-    }
-}
-
-/// What the sides of an equation of this size may differ by at a root: 64 √ε of it. A search ends
-/// where steps below 2⁻²² of its width no longer become shorter; that, 64 times, for `f64`.
-pub(crate) fn open_by<T: Scalar>(size: T) -> T {
-    // √ε of either width: 2⁻²⁶ and, for 2⁻²³, 2⁻¹¹·⁵.
-    T::lit(9.5367431640625e-7, 0.022_097_087) * size
-}
-
-/// Whether an equation is closed in the final pose.
-///
-/// # Errors
-/// `NoSolution` where it is not: its difference jumps from one sign to the other.
-#[cold]
-pub(crate) fn closed<T: Real>(
-    difference: T,
-    size: T,
-    unknown: &'static str,
-) -> Result<(), SolveError> {
-    if !difference.value().is_finite() {
-        return Err(SolveError::NotFinite { name: unknown });
-    }
-    if difference.is_within(open_by(size)) {
-        return Ok(());
-    }
-    Err(SolveError::NoSolution { unknown, by: difference.value().abs() })
-}
-
-/// The slope of an equation by its unknown, provided that it is the wanted way, and not by rounding
-/// alone.
-///
-/// # Errors
-/// `Singular` where it is not, at a dead point; `NotFinite` where it is not a number.
-#[cold]
-pub(crate) fn moving<T: Real>(slope: T, spread: T, unknown: &'static str) -> Result<T, SolveError> {
-    let real = slope.value();
-    if real.is_nan() {
-        Err(SolveError::NotFinite { name: unknown })
-    } else if real > ROUNDINGS * T::EPSILON * spread.value() {
-        Ok(slope)
-    } else {
-        Err(SolveError::Singular { group: unknown })
-    }
-}
-
-/// The value, provided that it is not zero.
-///
-/// # Errors
-/// `Singular` where it is zero, `NotFinite` where it is not a number.
-#[cold]
-pub(crate) fn nonzero<T: Real>(value: T, group: &'static str) -> Result<T, SolveError> {
-    let real = value.value();
-    if real.is_nan() {
-        Err(SolveError::NotFinite { name: group })
-    } else if real == 0.0 {
-        Err(SolveError::Singular { group })
-    } else {
-        Ok(value)
-    }
-}
-
-/// The value, a length, provided that it is greater than zero.
-///
-/// # Errors
-/// `Invalid` with its name where it is not, `NotFinite` with its name where it is not a number.
-#[cold]
-pub(crate) fn positive<T: Real>(
-    value: T,
-    group: &'static str,
-    name: &'static str,
-) -> Result<T, SolveError> {
-    let real = value.value();
-    if real.is_nan() {
-        Err(SolveError::NotFinite { name })
-    } else if real > 0.0 {
-        Ok(value)
-    } else {
-        Err(SolveError::Invalid { group, name })
-    }
-}
-
-/// The value, a mass or an inertia, provided that it is not negative.
-///
-/// # Errors
-/// `Invalid` with its name where it is, `NotFinite` with its name where it is not a number.
-#[cold]
-pub(crate) fn not_negative<T: Real>(
-    value: T,
-    group: &'static str,
-    name: &'static str,
-) -> Result<T, SolveError> {
-    let real = value.value();
-    if real.is_nan() {
-        Err(SolveError::NotFinite { name })
-    } else if real >= 0.0 {
-        Ok(value)
-    } else {
-        Err(SolveError::Invalid { group, name })
-    }
-}
-
-/// The value, a squared length that something is divided by, provided that it is in the range in
-/// which a square carries full precision.
-///
-/// # Errors
-/// `Singular` where it is zero, `NotFinite` with the group's name where it is below
-/// [`Scalar::smallest_square`](crate::Scalar::smallest_square), infinite or not a number.
-#[cold]
-pub(crate) fn square<T: Real>(value: T, group: &'static str) -> Result<T, SolveError> {
-    let real = value.value();
-    if real == 0.0 {
-        Err(SolveError::Singular { group })
-    } else if real.is_finite() && real >= T::smallest_square().value() {
-        Ok(value)
-    } else {
-        Err(SolveError::NotFinite { name: group })
-    }
 }
 
 /// The value that goes with the answer, or the error.

@@ -166,7 +166,7 @@ pub use mechanism::Mechanism;
 pub use modes::{Sense, Side};
 pub use record::Record;
 pub use results::{
-    AngularAcceleration, AngularVelocity, Direction, Force, GuideForce, Point, Slide,
+    AngularAcceleration, AngularVelocity, Direction, Force, GuideForce, Point, Shaking, Slide,
     SlidingAcceleration, SlidingDirection, SlidingVelocity,
 };
 pub use scalar::{Mask, Real, Scalar};

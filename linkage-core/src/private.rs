@@ -27,14 +27,15 @@ pub use crate::find::{FindError, Trend};
 pub use crate::resolver::{found_on_circle, on_circle};
 pub use crate::slow_path::{diagnose, diagnose_all};
 pub use crate::sweep::{
-    Entry, LengthMismatch, OfMotion, OfPosition, OfVelocity, Progress, Series, Status, sweep,
+    Entry, LengthMismatch, OfEnergy, OfForces, OfMotion, OfPosition, OfStatics, OfVelocity,
+    Progress, Series, Status, sweep,
 };
 pub use crate::tracker::{Clearance, Modes};
 pub use crate::with_ad_ as with_ad;
 pub use crate::{
     AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, ForcesCost, Fusion,
     GuideForce, LaneMask, Lanes, Mask, Mechanism, Operations, Point, Real, Record, Scalar,
-    SearchCost, SearchingCost, Sense, Side, Slide, SlidingAcceleration, SlidingDirection,
+    SearchCost, SearchingCost, Sense, Shaking, Side, Slide, SlidingAcceleration, SlidingDirection,
     SlidingVelocity, SolveError,
 };
 #[cfg(feature = "ad")]

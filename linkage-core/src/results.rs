@@ -40,6 +40,19 @@ pub struct GuideForce<T> {
     pub couple: T,
 }
 
+/// What the inertia of all masses puts on the ground, weight and applied forces left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
+pub struct Shaking<T> {
+    /// The force along ground x in newtons.
+    pub x: T,
+    /// The force along ground y in newtons.
+    pub y: T,
+    /// The couple about the ground's origin in N·m, counter-clockwise positive.
+    pub couple: T,
+}
+
 /// The unit vector along a link's x axis, in ground axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

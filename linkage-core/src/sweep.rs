@@ -118,6 +118,18 @@ where
     R::from_array(core::array::from_fn(|_| Default::default()))
 }
 
+/// The entry point `forces`.
+#[derive(Debug)]
+pub enum OfForces {}
+
+/// The entry point `statics`.
+#[derive(Debug)]
+pub enum OfStatics {}
+
+/// The entry point `energy`.
+#[derive(Debug)]
+pub enum OfEnergy {}
+
 /// Poses between two reports of progress: a fraction of a millisecond's work.
 const REPORT_EVERY: usize = 4096;
 

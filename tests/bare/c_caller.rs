@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 use std::sync::LazyLock;
 
 use crate::build::{directory, library, sources, text};
-use crate::mechanisms::{self, Excavator, FlyingShear, TunedFourBar};
+use crate::mechanisms::{self, Excavator, FlyingShear, HeavyPress, TunedFourBar};
 use linkage_core::{Side, SolveError};
 
 /// Compiles a C program against the library and runs it.
@@ -28,7 +28,7 @@ fn run_c(library: &Path, source: &Path) -> Output {
 }
 
 /// What every header is called, and its text.
-const HEADERS: [(&str, &str); 7] = [
+const HEADERS: [(&str, &str); 8] = [
     ("flying_shear.h", FlyingShear::C_HEADER),
     ("tuned_four_bar.h", TunedFourBar::C_HEADER),
     ("slider_crank.h", mechanisms::SliderCrank::C_HEADER),
@@ -36,6 +36,7 @@ const HEADERS: [(&str, &str); 7] = [
     ("crossed_guides.h", mechanisms::CrossedGuides::C_HEADER),
     ("excavator.h", Excavator::C_HEADER),
     ("everything.h", mechanisms::Everything::C_HEADER),
+    ("heavy_press.h", HeavyPress::C_HEADER),
 ];
 
 /// Where the headers are, written once: tests run side by side.
@@ -109,6 +110,15 @@ fn four_bar(report: &mut Report, theta: f64, coupler: f64, elbow: Side) {
     report.add("tuned_four_bar_motion_f32", narrow.motion(theta as f32, 2.0, 0.5));
 }
 
+fn press(report: &mut Report, theta: f64, loads: [f64; 2]) {
+    let (wide, narrow) = (HeavyPress::new(), HeavyPress::<f32>::default());
+    report.add("heavy_press_forces", wide.forces(theta, 3.0, -2.0, loads));
+    report.add("heavy_press_statics", wide.statics(theta, loads));
+    report.add("heavy_press_energy", wide.energy(theta, 3.0));
+    let narrow = narrow.forces(theta as f32, 3.0, -2.0, loads.map(|load| load as f32));
+    report.add("heavy_press_forces_f32", narrow);
+}
+
 fn excavator(report: &mut Report, inputs: [f64; 3]) {
     let (wide, narrow) = (Excavator::new(), Excavator::<f32>::default());
     let motion = wide.motion(inputs, [0.1, -0.2, 0.3], [0.01, 0.02, -0.03]);
@@ -166,7 +176,9 @@ fn expected() -> String {
         four_bar(&mut report, 0.25 * f64::from(i), 0.125, Side::Right);
         let by = f64::from(i);
         excavator(&mut report, [2.3125 + 0.0625 * by, 2.25 + 0.03125 * by, 1.90625 + 0.03125 * by]);
+        press(&mut report, 0.25 * by, [100.0 * by, 2.5]);
     }
+    press(&mut report, 0.5, [f64::NAN, 1.0]);
     for part in ["four_bar_motion 0 ", "four_bar_motion 1 ", "motion_f32 1 ", "excavator_motion 0 "]
     {
         assert!(report.0.contains(part), "the poses are all of one kind: no `{part}`");

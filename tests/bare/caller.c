@@ -7,6 +7,7 @@
 #include "flying_shear.h"
 #include "tuned_four_bar.h"
 #include "excavator.h"
+#include "heavy_press.h"
 
 /* What an answer holds before the call, and has to hold after a call that fails. */
 #define UNTOUCHED 0xa5
@@ -44,6 +45,19 @@ static void report(const char *name, LinkageStatus status, const LinkageError *e
         LinkageStatus status = function(__VA_ARGS__, answer, &error);             \
         report(#function, status, &error, answer, sizeof answer);                 \
     } while (0)
+
+static void press(double theta, double work, double friction)
+{
+    const HeavyPress parameters = heavy_press_default();
+    const HeavyPressF32 narrow_parameters = heavy_press_default_f32();
+    const HeavyPressLoads loads = { work, friction };
+    const HeavyPressLoadsF32 narrow = { (float)work, (float)friction };
+    CALL(heavy_press_forces, HeavyPressForces, &parameters, theta, 3.0, -2.0, &loads);
+    CALL(heavy_press_statics, HeavyPressForces, &parameters, theta, &loads);
+    CALL(heavy_press_energy, HeavyPressEnergy, &parameters, theta, 3.0);
+    CALL(heavy_press_forces_f32, HeavyPressForcesF32, &narrow_parameters, (float)theta, 3.0f, -2.0f,
+         &narrow);
+}
 
 static void shear(double theta, double rate, double acceleration)
 {
@@ -138,7 +152,9 @@ int main(void)
         four_bar(0.25 * i, 0.254, LINKAGE_LEFT);
         four_bar(0.25 * i, 0.125, LINKAGE_RIGHT);
         excavator(2.3125 + 0.0625 * i, 2.25 + 0.03125 * i, 1.90625 + 0.03125 * i);
+        press(0.25 * i, 100.0 * i, 2.5);
     }
+    press(0.5, NAN, 1.0);
     mistakes();
     return 0;
 }

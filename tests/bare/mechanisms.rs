@@ -144,3 +144,30 @@ mechanism! {
         export c;
     }
 }
+
+mechanism! {
+    /// A press with mass, springs and loads.
+    pub struct HeavyPress {
+        input theta: angle;
+        param counterweight = 2kg;
+        load work: force;
+        load friction: torque;
+
+        ground A(0, 0), O(0.3m, -0.6m);
+        guide way through (0, 0) along -90deg;
+
+        crank AB(A) -> B          { length: 100mm, angle: theta }
+        rrp   BC(B), ram(way) -> C { length: 400mm, mode: ahead }
+
+        gravity (0, -9.81);
+        mass counterweight on AB at (-100mm, 0);
+        mass 3kg on BC uniform;
+        mass 8kg on ram at (0, 0) inertia 0.1(kg*m^2);
+        force (0, work) on C;
+        torque friction - 0.2(N*m*s) * rate(theta) on AB;
+        spring balance between O and C { stiffness: 900(N/m), free_length: 0.2m, damping: 30(N*s/m) }
+
+        output AB, C, theta.drive, AB.A, BC.C, ram.way, balance.force, shaking, energy;
+        export c;
+    }
+}

@@ -4,11 +4,12 @@
 
 use linkage_core::find::{FindError, Search, Trend};
 use linkage_core::range::{extrema, limits};
-use linkage_core::{Direction, Float, Lanes, Mask, Point, Real, Scalar, Tracker};
+use linkage_core::{Direction, Float, Lanes, Mask, Point, Real, Record, Scalar, Tracker};
 
 use cam::{Cam, Strip};
 use crate::mechanisms::{
-    Everything, Excavator, FlyingShear, FlyingShearPosition, SixBar, SliderCrank, TunedFourBar,
+    Everything, Excavator, FlyingShear, FlyingShearPosition, HeavyPress, HeavyPressForces,
+    HeavyPressLoads, SixBar, SliderCrank, TunedFourBar,
 };
 
 macro_rules! symbols {
@@ -44,7 +45,7 @@ symbols! {
 }
 
 macro_rules! sweeps {
-    ($($name:ident: $number:ident;)+) => {$(
+    ($($name:ident = $sweep:ident: $number:ident;)+) => {$(
         /// As many poses as the caller says.
         #[unsafe(no_mangle)]
         extern "C" fn $name(angles: *const $number, to: *mut $number, poses: usize) -> bool {
@@ -55,14 +56,16 @@ macro_rules! sweeps {
                     core::slice::from_raw_parts_mut(to, poses),
                 )
             };
-            sweep(angles, to)
+            $sweep(angles, to)
         }
     )+};
 }
 
 sweeps! {
-    methods_sweep: f64;
-    methods_sweep_f32: f32;
+    methods_sweep = sweep: f64;
+    methods_sweep_f32 = sweep: f32;
+    methods_sweep_forces = sweep_forces: f64;
+    methods_sweep_forces_f32 = sweep_forces: f32;
 }
 
 fn sweep<T: Float>(angles: &[T], to: &mut [T]) -> bool {
@@ -74,6 +77,15 @@ fn sweep<T: Float>(angles: &[T], to: &mut [T]) -> bool {
         DC_transmission: &mut [],
     };
     FlyingShear::<T>::default().sweep_position(angles, wanted, &mut [], ()).is_ok()
+}
+
+fn sweep_forces<T: Float>(angles: &[T], to: &mut [T]) -> bool {
+    let mut wanted = HeavyPressForces::from_array([(); 11].map(|()| &mut [][..]));
+    wanted.theta.drive = to;
+    let [speed, still] = [T::lit(3.0, 3.0), T::lit(0.0, 0.0)];
+    let loads = HeavyPressLoads { work: speed.into(), friction: still.into() };
+    let press = HeavyPress::<T>::default();
+    press.sweep_forces(angles, speed, still, loads, wanted, &mut [], ()).is_ok()
 }
 
 /// The value where the mask allows it.

@@ -4,3 +4,4 @@ mod balance;
 mod interface;
 mod published;
 mod springs;
+mod together;

@@ -159,6 +159,15 @@ mod tests {
         assert!(matches!(judged(0.3 + 1e-6, 1.0, parabola(0.0)), Finding::Quiet));
     }
 
+    /// What falls through zero has ended where it is found below by more than rounding, however
+    /// little that is.
+    #[test]
+    fn what_falls_through_zero_has_ended() {
+        let falling = |x: f64| [1e-9 - 3e-8 * x, -3e-8, 0.0];
+        assert!(matches!(judged(0.0, 1.0, falling), Finding::Ended(at) if at == 1.0));
+        assert!(matches!(judged(0.0, 0.3, falling), Finding::Quiet));
+    }
+
     /// Of two stretches that meet at the lowest place one holds it.
     #[test]
     fn the_lowest_place_belongs_to_one_stretch() {

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::identifiers::{SWEEP_ARGUMENTS, text};
+use super::identifiers::{SWEEP_ARGUMENTS, argument, text};
 use super::token_list::Tokens;
 use crate::interface::entries::Given;
 use crate::ir::graph::Node;
@@ -17,6 +17,17 @@ pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
     let names = entries.flat_map(|entry| Arguments::new(cx, entry.given).names);
     let names = names.map(|name| name.to_string());
     names.chain(SWEEP_ARGUMENTS.map(str::to_string)).collect::<BTreeSet<_>>().into_iter()
+}
+
+/// A record, and its fields.
+pub(super) type Fields<'a> = (&'a Ident, Vec<&'a Ident>);
+
+/// A load may be called like an argument that is about the inputs: then it gets a tail.
+fn clear_of(names: &[Ident], mut name: Ident) -> Ident {
+    while names.contains(&name) {
+        name = Ident::new(&format!("{name}_"), name.span());
+    }
+    name
 }
 
 /// One input: an argument for its value, rate and second rate; several: a record for each.
@@ -33,18 +44,22 @@ impl<'a> Arguments<'a> {
             None => cx.names.only_input[nth].clone(),
             Some(_) => plain(["inputs", "rates", "accelerations"][nth]),
         };
-        let name = |given: &Given| match given {
-            Given::Value => order(0),
-            Given::Rate => order(1),
-            Given::Acceleration => order(2),
-            Given::Cosine => plain("cos"),
-            Given::Sine => plain("sin"),
-            Given::Loads => match &cx.mechanism.dynamics.loads[..] {
-                [only] => super::identifiers::argument(&only.name, ""),
-                _ => plain("loads"),
-            },
-        };
-        Self { cx, given, names: given.iter().map(name).collect() }
+        let mut names: Vec<Ident> = Vec::new();
+        for given in given {
+            let name = match given {
+                Given::Value => order(0),
+                Given::Rate => order(1),
+                Given::Acceleration => order(2),
+                Given::Cosine => plain("cos"),
+                Given::Sine => plain("sin"),
+                Given::Loads => match &cx.mechanism.dynamics.loads[..] {
+                    [only] => clear_of(&names, argument(&only.name, "")),
+                    _ => clear_of(&names, plain("loads")),
+                },
+            };
+            names.push(name);
+        }
+        Self { cx, given, names }
     }
 
     /// The arguments as a call passes them on.
@@ -73,25 +88,28 @@ impl<'a> Arguments<'a> {
         self.given.iter().zip(&self.names).map(receive).collect()
     }
 
-    /// The type of every argument that is about the inputs.
-    pub(super) fn ty(&self, scalar: &TokenStream) -> TokenStream {
-        match self.cx.inputs() {
-            Some(record) => quote!(#record<#scalar>),
-            None => scalar.clone(),
+    /// Each argument with the record that it is and that record's fields; a number has none.
+    pub(super) fn parts(&self) -> impl Iterator<Item = (&Ident, Option<Fields<'a>>)> {
+        self.given.iter().zip(&self.names).map(|(given, name)| {
+            let fields = self.record(*given).map(|record| (record, self.fields(*given)));
+            (name, fields)
+        })
+    }
+
+    fn fields(&self, given: Given) -> Vec<&'a Ident> {
+        let mechanism = self.cx.mechanism;
+        match given {
+            Given::Loads => mechanism.dynamics.loads.iter().map(|load| &load.name).collect(),
+            _ => mechanism.inputs.iter().map(|input| &input.name).collect(),
         }
     }
 
     /// The record that an argument is; none for a number.
-    fn record(&self, given: Given) -> Option<&Ident> {
+    fn record(&self, given: Given) -> Option<&'a Ident> {
         match given {
             Given::Loads => self.cx.loads(),
             _ => self.cx.inputs(),
         }
-    }
-
-    /// Whether each argument about the inputs is a record of all of them.
-    pub(super) fn are_records(&self) -> bool {
-        self.cx.inputs().is_some()
     }
 
     /// Makes records of what a public function was given; nothing for plain numbers.
@@ -133,7 +151,7 @@ impl<'a> Arguments<'a> {
         }
         let name = &self.names[self.position_of(node)?];
         match node {
-            Node::Input { input, .. } if self.are_records() => {
+            Node::Input { input, .. } if self.cx.inputs().is_some() => {
                 let field = &self.cx.mechanism.inputs[input as usize].name;
                 Some(quote!(#name.#field).into())
             }

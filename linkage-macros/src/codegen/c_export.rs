@@ -27,8 +27,9 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     let (header, parameters) = (header::text(cx), parameters(cx));
     let [float, string] = ["f64", "str"].map(|item| cx.paths.item(item));
     let (read, reply) = (read(cx), reply(cx));
+    let entries = &cx.interface.entries;
     let functions =
-        Width::ALL.map(|width| exported(cx).map(move |entry| function(cx, entry, width)));
+        Width::ALL.map(|width| entries.iter().map(move |entry| function(cx, entry, width)));
     let functions = functions.into_iter().flatten();
     quote! {
         impl #name<#float> {
@@ -39,11 +40,6 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
         #[allow(unsafe_code, reason = "C passes pointers; `export c` asked for functions it can call")]
         const _: () = { #parameters #read #reply #(#functions)* };
     }
-}
-
-/// What C can call: what is about forces is Rust's alone.
-fn exported<'a>(cx: &Context<'a>) -> impl Iterator<Item = &'a Entry> {
-    cx.interface.entries.iter().filter(|entry| !entry.is_about_forces())
 }
 
 /// What C calls the declaration's parameters together.
@@ -130,7 +126,9 @@ fn default(cx: &Context<'_>, width: Width) -> TokenStream {
 
 /// What a pointer of C's points to.
 fn read(cx: &Context<'_>) -> TokenStream {
-    let takes_pointers = !cx.mechanism.params.is_empty() || cx.mechanism.inputs.len() > 1;
+    let takes_pointers = !cx.mechanism.params.is_empty()
+        || cx.mechanism.inputs.len() > 1
+        || cx.mechanism.dynamics.loads.len() > 1;
     if !takes_pointers {
         return TokenStream::new();
     }
@@ -187,13 +185,18 @@ fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
     let number = cx.paths.item(width.in_rust());
     let number = quote!(#number);
     let arguments = Arguments::new(cx, of.given);
-    let labels = arguments.names().iter().map(|name| string(&text(name), name.span()));
-    let names: Vec<Ident> = (0..labels.len()).map(|i| generated(&format!("q{i}_"))).collect();
-    let ty = arguments.ty(&number);
-    let (ty, read) = match arguments.are_records() {
-        true => (quote!(*const #ty), quote!(#(let #names = unsafe { read_(#names, #labels) }?;)*)),
-        false => (ty, TokenStream::new()),
-    };
+    let names: Vec<Ident> =
+        (0..arguments.names().len()).map(|i| generated(&format!("q{i}_"))).collect();
+    let (mut declared, mut read) = (TokenStream::new(), TokenStream::new());
+    for ((argument, record), name) in arguments.parts().zip(&names) {
+        let Some((record, _)) = record else {
+            declared.extend(quote!(#name: #number,));
+            continue;
+        };
+        let label = string(&text(argument), argument.span());
+        declared.extend(quote!(#name: *const #record<#number>,));
+        read.extend(quote!(let #name = unsafe { read_(#name, #label) }?;));
+    }
     let (solver, parameter) = called(cx, &number);
     let value = results::ty(cx, of.result, &number);
     let [result, ok, error, i32] = ["Result", "Ok", "CError", "i32"].map(|i| cx.paths.item(i));
@@ -202,7 +205,7 @@ fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
     quote! {
         #[unsafe(no_mangle)]
         unsafe extern "C" fn #name(
-            #parameter #(#names: #ty,)* #to: *mut #value, #why: *mut #error,
+            #parameter #declared #to: *mut #value, #why: *mut #error,
         ) -> #i32 {
             let #answer = (|| -> #result<#value, #error> {
                 #read

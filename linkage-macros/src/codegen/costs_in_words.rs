@@ -18,9 +18,13 @@ pub(super) fn of(cx: &Context<'_>, entry: EntryId) -> Operations {
 pub(super) fn ty(cx: &Context<'_>) -> Tokens {
     cx.paths.item(match () {
         () if cx.searches() => "SearchingCost",
-        () if cx.interface.find("forces").is_some() => "ForcesCost",
+        () if is_about_forces(cx) => "ForcesCost",
         () => "Cost",
     })
+}
+
+fn is_about_forces(cx: &Context<'_>) -> bool {
+    ["forces", "energy"].iter().any(|name| cx.interface.find(name).is_some())
 }
 
 /// The initialiser of `COST`.
@@ -31,9 +35,9 @@ pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
     };
     let [position, motion, coefficients] = ["position", "motion", "coefficients"].map(of);
     let cost = ty(cx);
-    let forces = cx.interface.find("forces").map(|_| {
-        let [forces, statics] = ["forces", "statics"].map(of);
-        quote!(, forces: #forces, statics: #statics)
+    let forces = is_about_forces(cx).then(|| {
+        let [forces, statics, energy] = ["forces", "statics", "energy"].map(of);
+        quote!(, forces: #forces, statics: #statics, energy: #energy)
     });
     let searches = cx.searches().then(|| {
         let searches = searches::costs(cx);

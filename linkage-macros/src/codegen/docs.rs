@@ -118,6 +118,7 @@ pub(super) fn record(cx: &Context<'_>, record: &Record) -> TokenStream {
             format!("Position, velocity and acceleration of the outputs of [`{solver}`].")
         }
         Kind::Loads => format!("The loads of [`{solver}`]."),
+        Kind::Energy => format!("The energy of [`{solver}`]."),
         Kind::Forces => {
             format!("Efforts of the drives of [`{solver}`] and reactions of its joints.")
         }
@@ -139,6 +140,13 @@ pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
         Subject::Load(index) => forces::load(&cx.mechanism.dynamics.loads[index]),
         Subject::Effort(index) => forces::effort(cx, index),
         Subject::Efforts(index) => forces::owner(cx, index),
+        Subject::Energy("kinetic") => quote! {
+            /// In J: ½ m v² + ½ J ω² of every mass.
+        },
+        Subject::Energy(_) => quote! {
+            /// In J: of every mass in the field of gravity, zero at the ground's origin, and of every
+            /// spring, zero where it is slack.
+        },
         Subject::Output(index, order) => output(cx, &cx.mechanism.outputs[index], order),
         Subject::Outputs(Order::Position) => quote! {
             /// In metres and radians.
@@ -193,6 +201,7 @@ pub(super) fn describe(cx: &Context<'_>, output: &Output, order: Order) -> Strin
             format!("`{name}`{words} in {}", unit(*dimension, order))
         }
         OutputKind::Angle(_) => format!("Angle `{name}`: {words}"),
+        OutputKind::CentreOfMass => format!("Centre of all masses: {words}"),
         OutputKind::Margin(id) => {
             let group = mechanism.statement(*id);
             format!("Distance of {group} from its limit{words} in m{}", per_time(order))

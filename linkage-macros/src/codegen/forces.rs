@@ -5,6 +5,7 @@ use proc_macro2::TokenStream;
 use super::context::Context;
 use super::doc_comments::{after, lines};
 use super::identifiers::text;
+use crate::interface::forces::path;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::model::dynamics::{Asked, Effort, Ends, Load, Owner};
@@ -44,8 +45,7 @@ pub(super) fn owner(cx: &Context<'_>, first: usize) -> TokenStream {
 /// One effort in a list.
 pub(super) fn describe(cx: &Context<'_>, index: usize) -> String {
     let asked = &cx.mechanism.dynamics.asked[index];
-    let path = format!("{}.{}", text(&asked.owner), text(&asked.field));
-    format!("`{path}`: {}", sentence(cx, asked))
+    format!("`{}`: {}", path(asked), sentence(cx, asked))
 }
 
 fn sentence(cx: &Context<'_>, asked: &Asked) -> String {
@@ -84,6 +84,12 @@ fn sentence(cx: &Context<'_>, asked: &Asked) -> String {
             )
         }
         Effort::Spring(id) => spring(cx, id),
+        Effort::Shaking => {
+            "what inertia puts on the ground, as if all links were one body, without \
+                            weight and applied forces: force in N and, about the ground's origin, \
+                            couple in N·m"
+                .to_string()
+        }
         Effort::Guide(id) => format!(
             "normal force in N on `{0}` at the origin of its frame, along the normal of `{1}`, and \
              couple in N·m on `{0}`, both exerted by `{1}`",

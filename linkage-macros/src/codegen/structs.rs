@@ -28,7 +28,9 @@ pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
     let implementation = |record: &Record| match record.kind {
         Kind::Inputs | Kind::Loads => from_list(cx, record),
         Kind::Outputs(order) => rows(cx, record, order),
-        Kind::Motion | Kind::Margins | Kind::Forces | Kind::ForcesOf(_) => TokenStream::new(),
+        Kind::Motion | Kind::Margins | Kind::Forces | Kind::ForcesOf(_) | Kind::Energy => {
+            TokenStream::new()
+        }
     };
     let returned = cx.interface.record_ids().filter(|&id| is_returned(cx, cx.record(id)));
     let arrays = returned.map(|id| as_array(cx, id));

@@ -4,7 +4,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::arguments::Arguments;
+use super::arguments::{Arguments, Fields};
 use super::context::Context;
 use super::identifiers::{function_name, generated};
 use super::token_list::Tokens;
@@ -13,7 +13,7 @@ use crate::interface::EntryId;
 use crate::interface::entries::Entry;
 use crate::interface::records::{Record, Shape};
 
-/// `sweep_position`, `sweep_velocity`, `sweep_motion`; nothing for other entry points.
+/// `sweep_position` and its kin; nothing for entry points that have none.
 pub(super) fn items(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     let entry = cx.entry(id);
     let Shape::Record(record) = entry.result else { return None };
@@ -23,15 +23,23 @@ pub(super) fn items(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     let kind = match entry.name {
         "position" => "OfPosition",
         "velocity" => "OfVelocity",
+        "forces" => "OfForces",
+        "statics" => "OfStatics",
+        "energy" => "OfEnergy",
         _ => "OfMotion",
     };
+    let arguments = Arguments::new(cx, entry.given);
+    let ins =
+        arguments.parts().map(|(_, record)| record.map_or(1, |(_, fields)| fields.len())).sum();
     let sweep = Sweep {
         cx,
         id,
         entry,
         record: cx.record(record),
         kind: cx.paths.item(kind),
-        ins: Literal::usize_unsuffixed(entry.orders() * cx.mechanism.inputs.len()),
+        arguments,
+        numbers: ins,
+        ins: Literal::usize_unsuffixed(ins),
         outs: Literal::usize_unsuffixed(cx.interface.numbers(entry.result)),
     };
     let (function, implementation) = (sweep.function(), sweep.implementation());
@@ -42,6 +50,9 @@ struct Sweep<'a> {
     cx: &'a Context<'a>,
     id: EntryId,
     entry: &'a Entry,
+    arguments: Arguments<'a>,
+    /// How many numbers a pose takes.
+    numbers: usize,
     /// What the entry point returns.
     record: &'a Record,
     /// The run-time type that stands for the entry point.
@@ -59,16 +70,15 @@ impl Sweep<'_> {
         let [float, series, status, progress, result, mismatch, sweep] =
             ["Float", "Series", "Status", "Progress", "Result", "LengthMismatch", "sweep"]
                 .map(|item| cx.paths.item(item));
-        let arguments = Arguments::new(cx, entry.given);
         let values = quote!(#series<'series, #scalar>);
-        let (declared, converted) = if arguments.are_records() {
-            (arguments.declared(&values), arguments.converted(&values))
-        } else {
-            let (into, names) = (cx.paths.item("Into"), arguments.names());
-            let declared = names.iter().map(|name| quote!(#name: impl #into<#values>));
-            (declared.collect(), quote!(#(let #names: #values = #into::into(#names);)*))
-        };
-        let inputs = self.inputs(arguments.names());
+        let into = cx.paths.item("Into");
+        let (mut declared, mut converted) = (Vec::new(), TokenStream::new());
+        for (name, record) in self.arguments.parts() {
+            let ty = record.map_or(values.clone(), |(record, _)| quote!(#record<#values>));
+            declared.push(quote!(#name: impl #into<#ty>));
+            converted.extend(quote!(let #name: #ty = #into::into(#name);));
+        }
+        let inputs = self.inputs();
         let record = &self.record.name;
         let as_array = cx.paths.item("Record");
         let function = function_name(&format!("sweep_{}", entry.name));
@@ -106,7 +116,7 @@ impl Sweep<'_> {
         let as_array = cx.paths.item("Record");
         let (core, method) = (fast_path::core_name(entry), function_name(entry.name));
         let locals: Vec<_> = self.numbered_locals();
-        let arguments = self.arguments(&locals);
+        let arguments = self.call(&locals);
         let (given, solved) = match cx.searches() {
             // Poses are searched one by one: the mask says no, and a single call follows.
             true => {
@@ -144,30 +154,31 @@ impl Sweep<'_> {
         }
     }
 
-    /// The numbers of a pose, each input's values first, then their rates.
-    fn inputs(&self, arguments: &[Ident]) -> Vec<TokenStream> {
-        let inputs = &self.cx.mechanism.inputs;
-        if inputs.len() == 1 {
-            return arguments.iter().map(|name| quote!(#name)).collect();
-        }
-        let fields: Vec<_> = inputs.iter().map(|input| &input.name).collect();
-        let of = |name| fields.iter().map(move |field| quote!(#name.#field));
-        arguments.iter().flat_map(of).collect()
+    /// The numbers of a pose, argument by argument.
+    fn inputs(&self) -> Vec<TokenStream> {
+        let of = |(name, record): (&Ident, Option<Fields<'_>>)| match record {
+            None => vec![quote!(#name)],
+            Some((_, fields)) => fields.iter().map(|field| quote!(#name.#field)).collect(),
+        };
+        self.arguments.parts().flat_map(of).collect()
     }
 
     fn numbered_locals(&self) -> Vec<Ident> {
-        let count = self.entry.orders() * self.cx.mechanism.inputs.len();
-        (0..count).map(|i| generated(&format!("x{i}_"))).collect()
+        (0..self.numbers).map(|i| generated(&format!("x{i}_"))).collect()
     }
 
     /// The arguments of the single call, from as many locals as a pose has numbers.
-    fn arguments(&self, locals: &[Ident]) -> Vec<TokenStream> {
-        let inputs = &self.cx.mechanism.inputs;
-        let Some(record) = self.cx.inputs() else {
-            return locals.iter().map(|name| quote!(#name)).collect();
+    fn call(&self, locals: &[Ident]) -> Vec<TokenStream> {
+        let mut rest = locals;
+        let argument = |(_, record): (&Ident, Option<Fields<'_>>)| {
+            let (own, further) =
+                rest.split_at(record.as_ref().map_or(1, |(_, fields)| fields.len()));
+            rest = further;
+            match record {
+                None => quote!(#(#own)*),
+                Some((record, fields)) => quote!(#record { #(#fields: #own),* }),
+            }
         };
-        let fields: Vec<_> = inputs.iter().map(|input| &input.name).collect();
-        let argument = |values: &[Ident]| quote!(#record { #(#fields: #values),* });
-        locals.chunks(inputs.len()).map(argument).collect()
+        self.arguments.parts().map(argument).collect()
     }
 }

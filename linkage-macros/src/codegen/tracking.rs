@@ -137,8 +137,10 @@ fn clearances(cx: &Context<'_>) -> TokenStream {
 fn enclosures(cx: &Context<'_>) -> TokenStream {
     let scalar = &cx.names.scalar;
     let number = quote!(#scalar);
-    let printer = Printer::new(cx, &cx.lowered.clearances);
-    let ty = printer.arguments.ty(&number);
+    let ty = match cx.inputs() {
+        Some(record) => quote!(#record<#number>),
+        None => number.clone(),
+    };
     let [real, modes] = ["Real", "Modes"].map(|name| cx.paths.item(name));
     let [middle, radius, rate] = ["middle_", "radius_", "rate_"].map(generated);
     let [none, solver] = ["none_", "solver_"].map(generated);

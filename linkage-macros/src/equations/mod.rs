@@ -114,6 +114,7 @@ fn sinks(interface: &Interface, entry: &Entry, kinematics: &Kinematics<'_>) -> V
                 forces::in_motion(kinematics)
             }
             Kind::Forces => forces::at_rest(kinematics),
+            Kind::Energy => forces::energy(kinematics),
             Kind::Inputs | Kind::Loads | Kind::ForcesOf(_) => {
                 unreachable!("what is given or a part of a result is none itself")
             }
@@ -148,7 +149,8 @@ fn motion_sinks(kinematics: &Kinematics<'_>) -> Vec<Id> {
 }
 
 fn force_sinks(kinematics: &Kinematics<'_>) -> Vec<Id> {
-    [forces::in_motion(kinematics), forces::at_rest(kinematics)].concat()
+    [forces::in_motion(kinematics), forces::at_rest(kinematics), forces::energy(kinematics)]
+        .concat()
 }
 
 /// The velocities at a unit rate of each input in turn, the others at rest.
@@ -195,6 +197,10 @@ fn components_of(kinematics: &Kinematics<'_>, output: &Output, order: Order) -> 
             turned.into_iter().flatten().chain(slid).collect()
         }
         OutputKind::Angle(_) => of_direction(turn(kinematics, output), order),
+        OutputKind::CentreOfMass => {
+            let centre = forces::centre_of_mass(kinematics)[order as usize];
+            vec![centre.x.id, centre.y.id]
+        }
         _ => vec![of_jet(value(kinematics, output), order)],
     }
 }

@@ -112,18 +112,7 @@ pub(super) fn rrp<'s>(
     scope.call("alpha", alpha);
     let Direction { omega: guide_omega, alpha: guide_alpha, .. } = guide.direction;
     let bar = bar.turning(guide_omega + omega, guide_alpha + alpha);
-    // A guide that stands still carries the pin, along an axis without touching the guide's own
-    // coordinate; elsewhere the pin is nearer to B than to the guide's origin.
-    let block = Block::new(guide, slide, offset);
-    let on_guide = block.pin(slide_rate, slide_accel, block.carried_acceleration(slide_rate));
-    let on_bar = bar.pin();
-    let pin = if !guide.is_fixed() {
-        on_bar
-    } else if u.x.is_zero() || u.y.is_zero() {
-        on_guide
-    } else {
-        PointMotion { base: on_bar.base, offset: on_bar.offset, ..on_guide }
-    };
+    let pin = pin(guide, bar, Block::new(guide, slide, offset), slide_rate, slide_accel);
     let slide = Jet { value: slide, rate: slide_rate, accel: slide_accel };
     let block =
         LinkMotion { frame: Frame { origin: pin, direction: guide.direction }, slide: Some(slide) };
@@ -131,6 +120,28 @@ pub(super) fn rrp<'s>(
         links: vec![bar.link(scope.links[0]), block],
         pin: Some(pin),
         levers: Some(Levers::Rrp(levers::Rrp { r: bar.vector(), u, n, across: t, inverse })),
+    }
+}
+
+/// The pin as the bar's end and as the block's. A guide that stands still carries it, along an axis
+/// without touching the guide's own coordinate; elsewhere the pin is nearer to B than to the guide's
+/// origin.
+fn pin<'s>(
+    guide: Frame<'s>,
+    bar: Bar<'s>,
+    block: Block<'s>,
+    slide_rate: Sym<'s>,
+    slide_accel: Sym<'s>,
+) -> PointMotion<'s> {
+    let on_guide = block.pin(slide_rate, slide_accel, block.carried_acceleration(slide_rate));
+    let on_bar = bar.pin();
+    let u = guide.direction.u;
+    if !guide.is_fixed() {
+        on_bar
+    } else if u.x.is_zero() || u.y.is_zero() {
+        on_guide
+    } else {
+        PointMotion { base: on_bar.base, offset: on_bar.offset, ..on_guide }
     }
 }
 

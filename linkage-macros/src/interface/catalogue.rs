@@ -18,6 +18,7 @@ pub(super) struct Records {
     pub margins: Option<RecordId>,
     pub loads: Option<RecordId>,
     pub forces: Option<RecordId>,
+    pub energy: Option<RecordId>,
 }
 
 impl Records {
@@ -37,13 +38,16 @@ impl Records {
         let fields: Vec<_> = owners
             .iter()
             .map(|owned| {
-                let record = forces::of_owner(mechanism, owned.clone());
-                forces::field_of_owner(mechanism, owned.start, add(record))
+                forces::field_of_the_whole(mechanism, owned.start).unwrap_or_else(|| {
+                    let record = forces::of_owner(mechanism, owned.clone());
+                    forces::field_of_owner(mechanism, owned.start, add(record))
+                })
             })
             .collect();
         let forces =
             (!fields.is_empty()).then(|| add(record(mechanism, "Forces", Kind::Forces, fields)));
-        Self { list, input, orders, motion, margins, loads, forces }
+        let energy = mechanism.dynamics.energy.then(|| add(forces::energy(mechanism)));
+        Self { list, input, orders, motion, margins, loads, forces, energy }
     }
 }
 

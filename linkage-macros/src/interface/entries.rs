@@ -29,19 +29,14 @@ pub(crate) struct Entry {
 }
 
 impl Entry {
-    /// How many orders of the inputs it is given: values, rates, second rates.
-    pub(crate) fn orders(&self) -> usize {
-        self.given.len() - usize::from(self.takes_cosine())
-    }
-
     /// Whether the only input is given by its cosine and sine.
     pub(crate) fn takes_cosine(&self) -> bool {
         self.given.first() == Some(&Given::Cosine)
     }
 
-    /// Whether it is about forces.
+    /// Whether it is about forces or energy.
     pub(crate) fn is_about_forces(&self) -> bool {
-        self.name.starts_with("forces") || self.name.starts_with("statics")
+        ["forces", "statics", "energy"].iter().any(|name| self.name.starts_with(name))
     }
 
     /// What is given beside the inputs' values.
@@ -112,13 +107,26 @@ pub(super) fn of_forces(columns: usize, has_loads: bool, forces: RecordId) -> Ve
         ],
     };
     let result = Shape::Record(forces);
-    let entry = |name, given, subject| Entry { name, given, result, subject, sweeps: false };
-    let mut entries = vec![entry("forces", moving, FORCES), entry("statics", resting, STATICS)];
+    let entry = |name, given, subject, sweeps| Entry { name, given, result, subject, sweeps };
+    let mut entries =
+        vec![entry("forces", moving, FORCES, true), entry("statics", resting, STATICS, true)];
     if columns == 1 {
         entries.extend([
-            entry("forces_at", moving_at, FORCES),
-            entry("statics_at", resting_at, STATICS),
+            entry("forces_at", moving_at, FORCES, false),
+            entry("statics_at", resting_at, STATICS, false),
         ]);
+    }
+    entries
+}
+
+/// Of what moves, and of what is lifted or sprung.
+pub(super) fn of_energy(columns: usize, energy: RecordId) -> Vec<Entry> {
+    use Given::{Cosine, Rate, Sine, Value};
+    let (result, subject) = (Shape::Record(energy), "Kinetic and potential energy");
+    let entry = |name, given, sweeps| Entry { name, given, result, subject, sweeps };
+    let mut entries = vec![entry("energy", &[Value, Rate][..], true)];
+    if columns == 1 {
+        entries.push(entry("energy_at", &[Cosine, Sine, Rate], false));
     }
     entries
 }

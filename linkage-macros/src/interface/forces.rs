@@ -17,12 +17,21 @@ pub(crate) fn shape(effort: Effort) -> Shape {
         Effort::Input(_) | Effort::Drive(_) | Effort::Push(_) | Effort::Spring(_) => Shape::Number,
         Effort::Pin(..) | Effort::Bearing(..) => Shape::Quantity(Quantity::Force, Order::Position),
         Effort::Guide(_) => Shape::Quantity(Quantity::GuideForce, Order::Position),
+        Effort::Shaking => Shape::Quantity(Quantity::Shaking, Order::Position),
+    }
+}
+
+/// Where it is in the result.
+pub(crate) fn path(asked: &Asked) -> String {
+    match asked.effort {
+        Effort::Shaking => asked.owner.unraw().to_string(),
+        _ => format!("{}.{}", asked.owner.unraw(), asked.field.unraw()),
     }
 }
 
 /// The scalar rows of an effort: `BC.B.x`, `theta.drive`.
 pub(crate) fn rows(asked: &Asked) -> Vec<String> {
-    let path = format!("{}.{}", asked.owner.unraw(), asked.field.unraw());
+    let path = path(asked);
     match shape(asked.effort) {
         Shape::Quantity(quantity, _) => {
             quantity.rows().iter().map(|row| format!("{path}.{row}")).collect()
@@ -53,6 +62,26 @@ pub(super) fn of_owner(mechanism: &Mechanism, owned: Range<usize>) -> Record {
         subject: Subject::Effort(index),
     });
     record(mechanism, &suffix, Kind::ForcesOf(first), fields.collect())
+}
+
+/// What has no owner but the whole mechanism: a field of its own.
+pub(super) fn field_of_the_whole(mechanism: &Mechanism, index: usize) -> Option<Field> {
+    let asked = &mechanism.dynamics.asked[index];
+    matches!(asked.effort, Effort::Shaking).then(|| Field {
+        name: asked.owner.clone(),
+        shape: shape(asked.effort),
+        subject: Subject::Effort(index),
+    })
+}
+
+/// The two parts of the energy.
+pub(super) fn energy(mechanism: &Mechanism) -> Record {
+    let fields = ["kinetic", "potential"].map(|part| Field {
+        name: Ident::new(part, proc_macro2::Span::call_site()),
+        shape: Shape::Number,
+        subject: Subject::Energy(part),
+    });
+    record(mechanism, "Energy", Kind::Energy, fields.into())
 }
 
 pub(super) fn field_of_owner(mechanism: &Mechanism, first: usize, record: RecordId) -> Field {

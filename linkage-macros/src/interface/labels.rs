@@ -52,6 +52,7 @@ fn of_field(interface: &Interface, mechanism: &Mechanism, field: &Field) -> Vec<
         Subject::Input(index) => vec![mechanism.inputs[index].name.unraw().to_string()],
         Subject::Load(index) => vec![mechanism.dynamics.loads[index].name.unraw().to_string()],
         Subject::Effort(index) => forces::rows(&mechanism.dynamics.asked[index]),
+        Subject::Energy(part) => vec![format!("{part} energy")],
         Subject::Efforts(_) => of_result(interface, mechanism, field.shape),
     }
 }

@@ -41,12 +41,23 @@ impl Interface {
     pub(crate) fn of(mechanism: &Mechanism) -> Self {
         let rows = mechanism.outputs.iter().map(|output| Quantity::of(&output.kind).rows().len());
         let (rows, columns) = (rows.sum(), mechanism.inputs.len());
-        let Records { list: records, input: inputs, orders, motion, margins, loads, forces } =
-            Records::of(mechanism);
+        let Records {
+            list: records,
+            input: inputs,
+            orders,
+            motion,
+            margins,
+            loads,
+            forces,
+            energy,
+        } = Records::of(mechanism);
         let mut entries = entries::all(rows, columns, orders, motion, margins);
         if let Some(forces) = forces {
             let has_loads = !mechanism.dynamics.loads.is_empty();
             entries.extend(entries::of_forces(columns, has_loads, forces));
+        }
+        if let Some(energy) = energy {
+            entries.extend(entries::of_energy(columns, energy));
         }
         Self { records, entries, inputs, loads, rows, columns }
     }

@@ -34,6 +34,8 @@ pub(crate) enum Quantity {
     Force,
     /// What a guide exerts on what slides on it.
     GuideForce,
+    /// What inertia puts on the ground.
+    Shaking,
 }
 
 /// A component.
@@ -63,7 +65,7 @@ impl Quantity {
     /// What an output is.
     pub(crate) fn of(kind: &OutputKind) -> Self {
         match kind {
-            OutputKind::Point(_) => Self::Point,
+            OutputKind::Point(_) | OutputKind::CentreOfMass => Self::Point,
             OutputKind::Link { direction: true, slide: true, .. } => Self::SlidingDirection,
             OutputKind::Link { direction: true, slide: false, .. } | OutputKind::Angle(_) => {
                 Self::Direction
@@ -84,6 +86,7 @@ impl Quantity {
             Self::Value => &VALUE,
             Self::Force => &FORCE,
             Self::GuideForce => &GUIDE_FORCE,
+            Self::Shaking => &SHAKING,
         };
         let [position, velocity, acceleration] = layouts;
         match order {
@@ -214,6 +217,15 @@ const GUIDE_FORCE: [Layout; 3] = [const {
         parts: &[part("normal", "normal"), part("couple", "couple")],
         rows: &["normal", "couple"],
         words: "normal force in N and couple in N·m",
+    }
+}; 3];
+
+const SHAKING: [Layout; 3] = [const {
+    Layout {
+        record: Some("Shaking"),
+        parts: &[part("x", "x"), part("y", "y"), part("couple", "couple")],
+        rows: &["x", "y", "couple"],
+        words: "force in N and couple in N·m",
     }
 }; 3];
 

@@ -67,6 +67,7 @@ pub(crate) enum Kind {
     Forces,
     /// The same of one input or link: an index into the mechanism's asked-for forces, its first.
     ForcesOf(usize),
+    Energy,
 }
 
 #[derive(Debug)]
@@ -91,6 +92,8 @@ pub(crate) enum Subject {
     Effort(usize),
     /// Those of one input or link, of which this is the first.
     Efforts(usize),
+    /// Kinetic or potential.
+    Energy(&'static str),
 }
 
 /// Whether an output exists also where the pose does not.

@@ -4,13 +4,12 @@ use proc_macro2::{Ident, Span};
 use syn::Attribute;
 
 use crate::diagnostics::nearest;
-use crate::syntax::action::{Action, MassPlace as Written};
+use crate::syntax::action::Action;
 use crate::syntax::tree::{self, Declaration, ExprKind, StatementKind};
 
 use super::Resolver;
-use super::dynamics::{Axes, Force, Load, Mass, MassPlace, Owner, Quantity, Torque};
-use super::folding::shown;
-use super::mechanism::{Carrier, Dimension, Expr, LinkId, LoadId, ParamKind, PointId};
+use super::dynamics::{Axes, Force, Load, Owner, Torque};
+use super::mechanism::{Carrier, Dimension, Expr, LoadId, PointId};
 use super::names::{Entity, Kind};
 use super::springs::is_rate;
 
@@ -112,162 +111,11 @@ impl Resolver<'_> {
         None
     }
 
-    fn mass(
-        &mut self,
-        value: &tree::Expr,
-        on: &Ident,
-        place: &Written,
-        inertia: Option<&tree::Expr>,
-    ) -> Option<Mass> {
-        let name = format!("mass on {on}");
-        let mass = self.not_negative(value, Dimension::MASS, "a mass", name);
-        let inertia = match inertia {
-            Some(inertia) => {
-                let name = format!("inertia on {on}");
-                let value =
-                    self.not_negative(inertia, Dimension::INERTIA, "a moment of inertia", name);
-                Some((inertia, value))
-            }
-            None => None,
-        };
-        let place = self.mass_place(on, place)?;
-        let mass = mass?;
-        let inertia = match (inertia, &place) {
-            (None, _) => Quantity::zero(),
-            (Some((written, _)), MassPlace::Uniform(..)) => {
-                return self.inertia_is_superfluous(written, "`uniform` means m l²/12");
-            }
-            (Some((written, _)), MassPlace::Pin(_)) => {
-                let reason =
-                    "a mass on a pin is a point; what turns is a link: `mass … on BC at C`";
-                return self.inertia_is_superfluous(written, reason);
-            }
-            (Some((_, inertia)), _) => inertia?,
-        };
-        Some(Mass { place, mass, inertia })
-    }
-
-    fn inertia_is_superfluous<T>(&mut self, inertia: &tree::Expr, reason: &str) -> Option<T> {
-        self.diagnostics.error_because(inertia.span, "leave this inertia out", reason);
-        None
-    }
-
-    fn inertia(&mut self, value: &tree::Expr, on: &Ident) -> Option<Mass> {
-        let name = format!("inertia on {on}");
-        let inertia = self.not_negative(value, Dimension::INERTIA, "a moment of inertia", name);
-        let place = MassPlace::At(self.link(on)?, [Expr::zero(), Expr::zero()]);
-        Some(Mass { place, mass: Quantity::zero(), inertia: inertia? })
-    }
-
-    /// A mass, an inertia or a number of a spring, made of constants and parameters; a constant one is
-    /// not below zero.
-    pub(super) fn not_negative(
-        &mut self,
-        expr: &tree::Expr,
-        dimension: Dimension,
-        what: &str,
-        name: String,
-    ) -> Option<Quantity> {
-        let fixed = self.changes_with_no_input(expr, what);
-        let value = self.scalar(expr, dimension)?;
-        fixed?;
-        let (constant, span) = match &value {
-            Expr::Constant(constant) => (constant, expr.span),
-            Expr::Param(id) => match &self.mechanism.params[id.index()].kind {
-                ParamKind::Number { default, .. } => (default, self.facts.params[id.index()].span),
-                _ => return None,
-            },
-            _ => return Some(Quantity { value, name }),
-        };
-        if constant.signum().is_lt() {
-            let message = format!("{what} of {}; make it zero or greater", shown(constant));
-            self.diagnostics.error(span, message);
-            return None;
-        }
-        Some(Quantity { value, name })
-    }
-
-    fn mass_place(&mut self, on: &Ident, place: &Written) -> Option<MassPlace> {
-        match place {
-            Written::Here => self.point_mass(on),
-            Written::At(place) => {
-                let (link, place) = (self.link(on), self.lengths(place));
-                Some(MassPlace::At(link?, place?))
-            }
-            Written::Point(point) => {
-                let link = self.link(on);
-                let id = self.point(point);
-                let (link, id) = (link?, id?);
-                self.point_is_on_link(point, id, link)?;
-                Some(MassPlace::Point(link, id))
-            }
-            Written::Uniform(at) => {
-                let link = self.link(on)?;
-                Some(MassPlace::Uniform(link, self.bar_is_uniform(on, link, *at)?))
-            }
-        }
-    }
-
-    /// A mass without a place is a point mass on a pin or a driven point, or on a point of a link.
-    fn point_mass(&mut self, on: &Ident) -> Option<MassPlace> {
-        if self.names.kind(on) == Some(Kind::Link) {
-            self.link(on)?;
-            let message = format!("say where on `{on}` the mass is");
-            let reason = format!("`… on {on} at (x, y)`, `… on {on} at G` or `… on {on} uniform`");
-            self.diagnostics.error_because(on.span(), message, reason);
-            return None;
-        }
-        let point = self.point(on)?;
-        match self.mechanism.owner(point)? {
-            Owner::Ground => self.ground_moves_nothing(on, "mass"),
-            Owner::Link(link) => Some(MassPlace::Point(link, point)),
-            Owner::Point(point) => Some(MassPlace::Pin(point)),
-        }
-    }
-
-    fn ground_moves_nothing<T>(&mut self, point: &Ident, what: &str) -> Option<T> {
+    pub(super) fn ground_moves_nothing<T>(&mut self, point: &Ident, what: &str) -> Option<T> {
         let message =
             format!("`{point}` is a point of the ground, and a {what} there does nothing");
         let reason = "name a point of a link, a pin or a driven point";
         self.diagnostics.error_because(point.span(), message, reason);
-        None
-    }
-
-    /// A place by name is a point of the link.
-    fn point_is_on_link(&mut self, name: &Ident, point: PointId, link: LinkId) -> Option<()> {
-        let carrier = Carrier::Link(link);
-        if self.facts.belongs_to(point, carrier) {
-            return Some(());
-        }
-        if !self.facts.links[link.index()].has_its_joints {
-            return None;
-        }
-        let points: Vec<_> = (self.facts.points_of(carrier))
-            .map(|point| format!("`{}`", self.mechanism.points[point.index()].name))
-            .collect();
-        let link = &self.mechanism.links[link.index()].name;
-        let message = format!("`{name}` is no point of `{link}`");
-        let reason = match points.as_slice() {
-            [] => format!("declare one: `point {name}1 on {link} at (…, …);`"),
-            _ => format!("its points are {}", points.join(", ")),
-        };
-        self.diagnostics.error_because(name.span(), message, reason);
-        None
-    }
-
-    /// Mass is spread evenly over a bar of constant length alone.
-    fn bar_is_uniform(&mut self, name: &Ident, link: LinkId, at: Span) -> Option<Expr> {
-        let facts = &self.facts.links[link.index()];
-        let (is_bar, length) = (facts.is_bar, facts.length.clone());
-        let message = match &length {
-            _ if !is_bar => format!("`{name}` is no bar with two joints, and cannot be `uniform`"),
-            Some(length) if self.mechanism.moves(length) => {
-                format!("the length of `{name}` changes, and it cannot be `uniform`")
-            }
-            _ => return length,
-        };
-        let reason = format!("give its centre: `… on {name} at (x, y) inertia …`");
-        self.diagnostics.error_because(at, message, reason);
         None
     }
 
@@ -392,12 +240,6 @@ impl Resolver<'_> {
             let message = "gravity without a mass does nothing; declare one or remove it";
             self.diagnostics.error_because(at, message, "as in `mass 2kg on BC uniform`");
         }
-    }
-}
-
-impl Quantity {
-    pub(super) fn zero() -> Self {
-        Self { value: Expr::zero(), name: String::new() }
     }
 }
 

@@ -21,6 +21,8 @@ pub(crate) struct Dynamics {
     pub springs: Vec<Spring>,
     /// What `forces` and `statics` give.
     pub asked: Vec<Asked>,
+    /// Whether `energy` is given.
+    pub energy: bool,
 }
 
 /// A number given at each call.
@@ -113,9 +115,9 @@ pub(crate) enum Ends {
 
 /// A force, couple or effort in the mechanism, as a field of a field of the result.
 pub(crate) struct Asked {
-    /// The input or link whose it is.
+    /// The input, link or spring whose it is.
     pub owner: Ident,
-    /// The point, guide or word behind the dot.
+    /// The point, guide or word behind the dot; what is the whole mechanism's has its owner again.
     pub field: Ident,
     pub docs: Vec<Attribute>,
     pub effort: Effort,
@@ -138,6 +140,9 @@ pub(crate) enum Effort {
     /// What a spring exerts on its ends: positive pushes them apart, or turns the second body
     /// forwards.
     Spring(SpringId),
+    /// What inertia puts on the ground, as if all of it were one body: force, and couple about the
+    /// origin.
+    Shaking,
 }
 
 impl Dynamics {

@@ -1,4 +1,5 @@
-//! Forces that are asked for: `theta.drive`, `AB.drive`, `BC.push`, `BC.B`, `block.rail`.
+//! Forces that are asked for: `theta.drive`, `AB.drive`, `BC.push`, `BC.B`, `block.rail`, and what is
+//! the whole mechanism's: `energy`, `shaking`, `centre_of_mass`.
 
 use proc_macro2::Ident;
 use quote::format_ident;
@@ -6,9 +7,20 @@ use syn::Attribute;
 
 use super::Resolver;
 use super::dynamics::{Asked, Effort, Owner};
-use super::mechanism::{InputId, LinkId, PointId, SpringId, Step};
+use super::mechanism::{InputId, LinkId, OutputKind, PointId, SpringId, Step};
 use super::names::{Entity, Kind};
 use super::springs::parts;
+
+/// Outputs of the whole mechanism.
+const WHOLE: [&str; 3] = ["energy", "shaking", "centre_of_mass"];
+
+/// What drives a link.
+const EFFORTS: [&str; 2] = ["drive", "push"];
+
+/// Words behind a link that mean something, whatever points are called.
+fn is_meant(word: &str) -> bool {
+    ["drive", "push", "angle", "slide", "margin", "transmission"].contains(&word)
+}
 
 /// What a link has to offer: fields and what they are.
 type Efforts = Vec<(Ident, Effort)>;
@@ -22,12 +34,30 @@ impl Resolver<'_> {
         member: &Ident,
     ) -> bool {
         let word = member.to_string();
+        if WHOLE.iter().any(|whole| owner == whole) {
+            let message = format!("write `{owner}`");
+            let reason = format!("`{word}` is a field of its result");
+            self.diagnostics.error_because(member.span(), message, reason);
+            return true;
+        }
         match self.names.kind(owner) {
             Some(Kind::Input) if ["drive", "push", "force", "torque"].contains(&&word[..]) => {
                 self.input_effort(docs, owner, member);
             }
             Some(Kind::Spring) => self.spring_output(docs, owner, member),
-            Some(Kind::Link) if word == "drive" || word == "push" => {
+            Some(Kind::Link) if self.names.kind(member) == Some(Kind::Point) && is_meant(&word) => {
+                match self.link(owner) {
+                    Some(link) if self.touches(link, member) => {
+                        self.point_is_renamed(owner, member)
+                    }
+                    Some(link) if EFFORTS.contains(&&word[..]) => {
+                        self.driven_effort(docs, owner, link, member);
+                    }
+                    Some(_) => return false,
+                    None => {}
+                }
+            }
+            Some(Kind::Link) if EFFORTS.contains(&&word[..]) => {
                 if let Some(link) = self.link(owner) {
                     self.driven_effort(docs, owner, link, member);
                 }
@@ -35,12 +65,42 @@ impl Resolver<'_> {
             Some(Kind::Link) => {
                 let is_named =
                     matches!(self.names.kind(member), Some(Kind::Point | Kind::Guide | Kind::Link));
-                if !is_named || ["angle", "slide", "margin", "transmission"].contains(&&word[..]) {
+                if !is_named || is_meant(&word) {
                     return false;
                 }
                 if let Some(link) = self.link(owner) {
                     self.joint_effort(docs, owner, link, member);
                 }
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// Whether the output is one of the whole mechanism; then it was looked at.
+    pub(super) fn output_of_the_whole(&mut self, docs: &[Attribute], name: &Ident) -> bool {
+        let dynamics = &self.mechanism.dynamics;
+        let [has_mass, has_spring] = [!dynamics.masses.is_empty(), !dynamics.springs.is_empty()];
+        match name.to_string().as_str() {
+            "energy" if has_mass || has_spring || self.a_force_may_be_unread() => {
+                if std::mem::replace(&mut self.mechanism.dynamics.energy, true) {
+                    self.diagnostics
+                        .error(name.span(), "the output `energy` is given twice; remove one");
+                }
+            }
+            "shaking" if has_mass || self.a_force_may_be_unread() => {
+                self.ask(docs, name, name, Effort::Shaking);
+            }
+            "centre_of_mass" if has_mass || self.a_force_may_be_unread() => {
+                self.give(name.span(), name.clone(), docs, OutputKind::CentreOfMass);
+            }
+            word @ ("energy" | "shaking" | "centre_of_mass") => {
+                let message = match word {
+                    "energy" => "nothing has mass and nothing is sprung, so there is no energy",
+                    _ => "nothing has mass; declare what has",
+                };
+                let reason = "as in `mass 2kg on BC uniform`";
+                self.diagnostics.error_because(name.span(), message, reason);
             }
             _ => return false,
         }
@@ -92,6 +152,22 @@ impl Resolver<'_> {
         self.diagnostics.error_because(member.span(), message, reason);
     }
 
+    /// Whether a point is a joint of the link.
+    fn touches(&self, link: LinkId, point: &Ident) -> bool {
+        let is_joint = |effort: &Effort| matches!(effort, Effort::Pin(..) | Effort::Bearing(..));
+        self.efforts_of(link).iter().any(|(field, effort)| field == point && is_joint(effort))
+    }
+
+    /// `AB.drive`, where a joint of `AB` is called `drive`, would be two things.
+    fn point_is_renamed(&mut self, owner: &Ident, point: &Ident) {
+        let message = format!("rename the point `{point}`");
+        let reason = format!(
+            "`{owner}.{point}` is something else of every link: the force at that joint needs another \
+             name"
+        );
+        self.diagnostics.error_because(point.span(), message, reason);
+    }
+
     fn known_efforts(&self, efforts: &Efforts, owner: &Ident) -> String {
         let known: Vec<_> = efforts.iter().map(|(field, _)| format!("`{owner}.{field}`")).collect();
         match known.is_empty() {
@@ -115,7 +191,11 @@ impl Resolver<'_> {
         }
         let asked = &mut self.mechanism.dynamics.asked;
         if asked.iter().any(|known| known.effort == effort) {
-            let message = format!("the output `{owner}.{member}` is given twice; remove one");
+            let path = match effort {
+                Effort::Shaking => owner.to_string(),
+                _ => format!("{owner}.{member}"),
+            };
+            let message = format!("the output `{path}` is given twice; remove one");
             return self.diagnostics.error(member.span(), message);
         }
         // What has one owner is one field of the result.
@@ -133,7 +213,9 @@ impl Resolver<'_> {
 
     /// Every drive and reaction, where anything has mass or acts.
     pub(super) fn every_effort_is_given(&mut self) {
-        if self.mechanism.dynamics.is_empty() {
+        let dynamics = &mut self.mechanism.dynamics;
+        dynamics.energy = !dynamics.masses.is_empty() || !dynamics.springs.is_empty();
+        if dynamics.is_empty() {
             return;
         }
         let drive = |name: &Ident| Ident::new("drive", name.span());
@@ -168,7 +250,15 @@ impl Resolver<'_> {
             Some(Asked { owner, field, docs: spring.docs.clone(), effort })
         });
         let springs: Vec<_> = springs.collect();
-        self.mechanism.dynamics.asked = inputs.into_iter().chain(links).chain(springs).collect();
+        let asked: Vec<Asked> = inputs.into_iter().chain(links).chain(springs).collect();
+        for (nth, known) in asked.iter().enumerate() {
+            let is_same = |other: &&Asked| other.owner == known.owner && other.field == known.field;
+            // The effort of a drive comes first, and has the span of its link.
+            if asked[..nth].iter().any(|other| is_same(&other)) {
+                self.point_is_renamed(&known.owner, &known.field);
+            }
+        }
+        self.mechanism.dynamics.asked = asked;
     }
 
     /// Drive, push, joints and guides of a link.

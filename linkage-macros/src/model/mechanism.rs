@@ -421,4 +421,6 @@ pub(crate) enum OutputKind {
     Margin(GroupId),
     /// Sine of the group's transmission angle.
     Transmission(GroupId),
+    /// The centre of all masses.
+    CentreOfMass,
 }

@@ -25,6 +25,7 @@ mod guides;
 mod ids;
 mod inputs;
 mod literals;
+mod masses;
 pub(crate) mod mechanism;
 pub(crate) mod modes;
 mod names;

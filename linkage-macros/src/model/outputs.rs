@@ -30,9 +30,9 @@ impl Resolver<'_> {
             self.every_effort_is_given();
         }
         // Who asks for forces alone has asked nothing about the motion.
-        if !is_asked
-            || !self.mechanism.dynamics.asked.is_empty() && self.mechanism.outputs.is_empty()
-        {
+        let dynamics = &self.mechanism.dynamics;
+        let is_about_forces = !dynamics.asked.is_empty() || dynamics.energy;
+        if !is_asked || is_about_forces && self.mechanism.outputs.is_empty() {
             self.every_moving_thing_is_given();
         }
     }
@@ -106,7 +106,7 @@ impl Resolver<'_> {
 
     /// `blade`: a point, a link, or a `let`.
     fn whole_output(&mut self, docs: &[Attribute], name: &Ident) {
-        if self.output_is_a_result(name).is_none() {
+        if self.output_of_the_whole(docs, name) || self.output_is_a_result(name).is_none() {
             return;
         }
         match self.usable(name, &[Kind::Point, Kind::Link, Kind::Let, Kind::Unknown]) {

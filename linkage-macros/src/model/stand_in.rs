@@ -5,6 +5,7 @@
 //! every name it mentions but no step that places anything; with a program whose results are all
 //! zero, the code generated from it has the signatures of the real one. It never runs.
 
+mod forces;
 #[cfg(test)]
 mod tests;
 
@@ -30,6 +31,7 @@ pub(crate) fn stand_in(declaration: &Declaration) -> Mechanism {
         stand_in.declare(&statement.kind);
     }
     stand_in.choose_outputs(declaration);
+    stand_in.give_forces(declaration);
     stand_in.mechanism
 }
 
@@ -40,6 +42,7 @@ struct StandIn {
     things: HashMap<String, Thing>,
     /// Points and links as they were declared.
     order: Vec<Ident>,
+    guides: Vec<Ident>,
 }
 
 #[derive(Clone, Copy)]
@@ -80,7 +83,7 @@ impl StandIn {
             crate_path: None,
             export_c: false,
         };
-        Self { mechanism, things: HashMap::new(), order: Vec::new() }
+        Self { mechanism, things: HashMap::new(), order: Vec::new(), guides: Vec::new() }
     }
 
     fn declare(&mut self, statement: &StatementKind) {
@@ -112,8 +115,8 @@ impl StandIn {
             StatementKind::Export { language } => self.mechanism.export_c |= language == "c",
             StatementKind::Load { names, .. } => names.iter().for_each(|name| self.load(name)),
             StatementKind::Action(_) => {}
-            StatementKind::Guide { .. }
-            | StatementKind::Solve(_)
+            StatementKind::Guide { name, .. } => self.guides.push(name.clone()),
+            StatementKind::Solve(_)
             | StatementKind::Output { .. }
             | StatementKind::Numerics { .. } => {}
         }
@@ -220,6 +223,11 @@ impl StandIn {
             return true;
         }
         match &item.value.kind {
+            ExprKind::Name(name) if name == "energy" || name == "shaking" => true,
+            ExprKind::Name(name) if name == "centre_of_mass" => {
+                self.push(name.clone(), OutputKind::CentreOfMass);
+                true
+            }
             ExprKind::Name(name) => match self.things.get(&name.to_string()) {
                 Some(&thing) => {
                     let kind = self.whole(thing);
@@ -228,9 +236,15 @@ impl StandIn {
                 }
                 None => false,
             },
-            ExprKind::Member(link, member) => self.member(link, member),
+            ExprKind::Member(link, member) => self.is_a_force(member) || self.member(link, member),
             _ => false,
         }
+    }
+
+    /// Whether a link or an input has this about forces: all of that is given in any case.
+    fn is_a_force(&self, member: &Ident) -> bool {
+        let is_word = ["drive", "push", "force", "torque"].iter().any(|word| member == word);
+        is_word || self.things.contains_key(&member.to_string()) || self.guides.contains(member)
     }
 
     fn member(&mut self, name: &Ident, member: &Ident) -> bool {

@@ -132,3 +132,66 @@ mechanism! {
         force (-2(N*s/m) * rate(C.x), -2(N*s/m) * rate(C.y)) on C;
     }
 }
+
+mechanism! {
+    /// A four-bar with masses of every kind, asked for what they do together.
+    pub struct ShakenFourBar {
+        input theta: angle;
+        param extra = 30g;
+        ground A(100mm, -50mm), D(850mm, 0);
+        crank AB(A) -> B { length: 250mm, angle: theta }
+        rrr BC(B), DC(D) -> C { lengths: (510mm, 500mm), mode: left }
+        point G on BC at (200mm, 80mm);
+        gravity (0, -9.81);
+        mass 52.21g on AB uniform;
+        mass 104.21g on BC at G inertia 0.002(kg*m^2);
+        mass 102.21g on DC uniform;
+        mass extra on C;
+        inertia 0.001(kg*m^2) on AB;
+        mass 20g on BC at (100mm * sin(theta), -30mm) inertia 0.0001(kg*m^2);
+        output energy, shaking, centre_of_mass, theta.drive, AB.drive, AB.A, DC.D, AB, BC, DC, B, C, G;
+    }
+}
+
+mechanism! {
+    /// A lift on a cylinder and a spring, asked for what its masses do together.
+    pub struct SprungLift {
+        input lift: length;
+        input tilt: angle;
+        ground A(0, 0), D(0.8m, -0.2m);
+        rrr tube(D), boom(A) -> C { lengths: (lift, 1.2m), mode: right }
+        crank jib(C) -> T { length: 0.9m, angle: tilt, relative_to: boom }
+        gravity (0, -9.81(m/s^2));
+        mass 12kg on tube at (0.3m, 0) inertia 0.2(kg*m^2);
+        mass 4kg on tube at (lift - 0.25m, 0);
+        mass 20kg on boom uniform;
+        mass 9kg on jib uniform;
+        mass 3kg on C;
+        spring between D and T { stiffness: 900(N/m), free_length: 0.4m, damping: 40(N*s/m) }
+        spring between boom and jib { stiffness: 30(N*m/rad), free_angle: 0.3rad, damping: 2(N*m*s) }
+        output energy, shaking, centre_of_mass, lift.drive, tilt.drive, dT = distance(D, T);
+    }
+}
+
+mechanism! {
+    /// Loads that are called like what is given beside them.
+    pub struct Loads {
+        input theta: angle;
+        load theta_rate: force;
+        ground A(0, 0);
+        crank AB(A) -> B { length: 100mm, angle: theta }
+        force (0, -theta_rate) on B;
+    }
+}
+
+mechanism! {
+    /// Several inputs and one load of their name.
+    pub struct Rates {
+        input a, b: angle;
+        load rates: torque;
+        ground A(0, 0);
+        crank AB(A) -> B { length: 100mm, angle: a }
+        crank BC(B) -> C { length: 100mm, angle: b }
+        torque rates between AB and BC;
+    }
+}

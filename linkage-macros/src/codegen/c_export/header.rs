@@ -1,14 +1,15 @@
 //! The text of the header: the types and functions as C sees them, field for field what the
 //! generated Rust lays out.
 
+use proc_macro2::Ident;
 use syn::{Attribute, Expr, ExprLit, Lit, Meta};
 
 use super::c_identifiers::{Width, default, distinct, function, snake_case};
 use super::{PARAMETERS, answer_name};
 use crate::codegen::arguments::Arguments;
 use crate::codegen::context::Context;
-use crate::codegen::docs;
 use crate::codegen::identifiers::text as plain;
+use crate::codegen::{docs, forces};
 use crate::interface::entries::Entry;
 use crate::interface::labels;
 use crate::interface::quantity::Order;
@@ -18,6 +19,9 @@ use crate::model::mechanism::{Param, ParamKind};
 
 /// What all headers share: status codes, modes and the records that outputs are made of.
 const SHARED: &str = include_str!("linkage.h");
+
+/// The records that forces are made of, where they are asked for.
+const FORCES: &str = include_str!("forces.h");
 
 /// The whole header.
 pub(super) fn text(cx: &Context<'_>) -> String {
@@ -32,6 +36,9 @@ pub(super) fn text(cx: &Context<'_>) -> String {
         cx.columns(),
         cx.rows(),
     );
+    if cx.interface.find("forces").is_some() {
+        header += &format!("\n{FORCES}");
+    }
     for width in Width::ALL {
         header += &types(cx, width);
     }
@@ -141,7 +148,12 @@ fn record(cx: &Context<'_>, width: Width, of: &records::Record) -> Record {
         Kind::Outputs(Order::Acceleration) => "Accelerations of the outputs.".to_string(),
         Kind::Motion => "Position, velocity and acceleration of the outputs.".to_string(),
         Kind::Margins => "Distances of the groups from their limits.".to_string(),
-        Kind::Loads | Kind::Forces | Kind::ForcesOf(_) => String::new(),
+        Kind::Loads => format!("The loads of {}.", cx.names.solver),
+        Kind::Forces => "Efforts of the drives and reactions of the joints.".to_string(),
+        Kind::ForcesOf(first) => {
+            format!("Forces of {}.", plain(&cx.mechanism.dynamics.asked[first].owner))
+        }
+        Kind::Energy => "Kinetic and potential energy.".to_string(),
     };
     let field = |field: &Field| {
         let ty = type_of(cx, field.shape, width);
@@ -173,7 +185,14 @@ fn about_field(cx: &Context<'_>, subject: Subject) -> String {
         Subject::Outputs(Order::Position) => "In m and rad".to_string(),
         Subject::Outputs(Order::Velocity) => "In m/s and rad/s".to_string(),
         Subject::Outputs(Order::Acceleration) => "In m/s² and rad/s²".to_string(),
-        Subject::Load(_) | Subject::Effort(_) | Subject::Efforts(_) => String::new(),
+        Subject::Load(index) => {
+            format!("In {}", unit(cx.mechanism.dynamics.loads[index].dimension, Order::Position))
+        }
+        Subject::Effort(index) => forces::describe(cx, index),
+        Subject::Efforts(first) => {
+            format!("Forces of {}", plain(&cx.mechanism.dynamics.asked[first].owner))
+        }
+        Subject::Energy(_) => "In J".to_string(),
     }
 }
 
@@ -186,7 +205,8 @@ fn functions(cx: &Context<'_>, width: Width) -> String {
         let about = comment(&["The parameters as declared.".to_string()], "");
         text += &format!("\n{about}{ty} {name}(void);\n");
     }
-    text + &super::exported(cx).map(|entry| prototype(cx, entry, width)).collect::<String>()
+    let entries = cx.interface.entries.iter();
+    text + &entries.map(|entry| prototype(cx, entry, width)).collect::<String>()
 }
 
 fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {
@@ -194,13 +214,15 @@ fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {
     // The inputs come last here, so that they give way to the names that are always there.
     let fixed = [PARAMETERS, answer, "error"].map(str::to_string);
     let names = distinct(fixed.into_iter().chain(arguments.names().iter().map(plain)));
-    let ty = match cx.inputs() {
+    let ty = |record: Option<&Ident>| match record {
         Some(record) => format!("const {} *", width.type_name(&plain(record))),
         None => format!("{} ", width.in_c()),
     };
     let parameters = (!cx.mechanism.params.is_empty())
         .then(|| format!("const {} *{}", width.type_name(&plain(&cx.names.solver)), names[0]));
-    let inputs = names[3..].iter().map(|name| format!("{ty}{name}"));
+    let inputs = arguments.parts().zip(&names[3..]);
+    let inputs =
+        inputs.map(|((_, record), name)| format!("{}{name}", ty(record.map(|(record, _)| record))));
     let list: Vec<String> = parameters
         .into_iter()
         .chain(inputs)

@@ -181,10 +181,10 @@ pub(super) fn of_masses<'s>(
     kinematics: &Kinematics<'s>,
     link: LinkId,
     inertia: Inertia<'s>,
+    g: Vector<'s>,
 ) -> Acting<'s> {
     let Frame { origin, direction } = kinematics.link(link).frame;
     let centre = Centre::of(kinematics, link, inertia);
-    let g = gravity(kinematics);
     let moment = centre.cross(g - origin.acceleration) - inertia.second * direction.alpha;
     let pulled = match centre.pin.filter(|_| centre.across.is_zero()) {
         Some(pin) => between(

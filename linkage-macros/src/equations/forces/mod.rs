@@ -19,7 +19,8 @@
 //! angle or slide of an earlier link: a gear, a rack.
 //!
 //! # An effort alone
-//! [`power`] takes it from the power of all that acts, without any reaction.
+//! [`power`] takes it from the power of all that acts, without any reaction, on masses [`reduced`] to
+//! what moves alike. [`together`] is what all masses do as one: energy, shaking, centre of mass.
 //!
 //! # Signs
 //! Moments are counter-clockwise positive. A reaction acts on the link it is named after. A guide
@@ -32,15 +33,17 @@
 
 mod loads;
 mod power;
+mod reduced;
 pub(super) mod springs;
+mod together;
 mod transmit;
 mod walk;
 
 use crate::equations::kinematics::{Kinematics, Source};
 use crate::ir::graph::Id;
 use crate::model::dynamics::Effort;
-use crate::model::mechanism::InputId;
 
+pub(super) use together::centre_of_mass;
 pub(super) use walk::Walk;
 
 /// What `forces` gives: in the order in which it is asked.
@@ -49,15 +52,30 @@ pub(super) fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {
     if asked().next().is_none() {
         return Vec::new();
     }
-    let inputs: Option<Vec<InputId>> = asked()
-        .map(|asked| match asked.effort {
-            Effort::Input(input) => Some(input),
-            _ => None,
-        })
-        .collect();
-    match inputs {
-        Some(inputs) => power::efforts(kinematics, &inputs),
-        None => by_walk(kinematics),
+    let alone: Option<Vec<Vec<Id>>> =
+        asked().map(|asked| alone(kinematics, asked.effort)).collect();
+    alone.map_or_else(|| by_walk(kinematics), |numbers| numbers.concat())
+}
+
+/// What can be had without any reaction.
+fn alone(kinematics: &Kinematics<'_>, effort: Effort) -> Option<Vec<Id>> {
+    match effort {
+        Effort::Input(input) => Some(vec![power::effort(kinematics, input).id]),
+        Effort::Spring(spring) => Some(vec![springs::effort(kinematics, spring.index()).id]),
+        Effort::Shaking => Some(together::shaking(kinematics).map(|number| number.id).into()),
+        Effort::Drive(_)
+        | Effort::Push(_)
+        | Effort::Pin(..)
+        | Effort::Bearing(..)
+        | Effort::Guide(_) => None,
+    }
+}
+
+/// Kinetic and potential energy, where they are given.
+pub(super) fn energy(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    match kinematics.mechanism.dynamics.energy {
+        true => together::energy(kinematics).map(|part| part.id).into(),
+        false => Vec::new(),
     }
 }
 

@@ -137,6 +137,27 @@ pub(super) fn effort<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
     }
 }
 
+/// What all springs store: ½ k (L − L₀)² and ½ k φ².
+pub(super) fn energy<'s>(kinematics: &Kinematics<'s>) -> Sym<'s> {
+    let straight = between_points(kinematics).map(|(index, points)| {
+        let Numbers { stiffness, free, .. } = numbers(kinematics, index);
+        let square = match free.is_zero() {
+            true => {
+                let [p, q] = points.map(|point| kinematics.point(point));
+                let vector = p.to(q);
+                vector.dot(vector)
+            }
+            false => (length(kinematics, points) - free).squared(),
+        };
+        stiffness.half() * square
+    });
+    let twisted = between_bodies(kinematics).map(|(index, _)| {
+        let twist = twist(kinematics, SpringId(index as u32)).value;
+        numbers(kinematics, index).stiffness.half() * twist.squared()
+    });
+    straight.chain(twisted).fold(kinematics.sheet.zero(), |sum, energy| sum + energy)
+}
+
 /// How far a spring between two bodies is turned from its free angle.
 pub(in crate::equations) fn twist<'s>(kinematics: &Kinematics<'s>, id: SpringId) -> Jet<'s> {
     let mechanism = kinematics.mechanism;

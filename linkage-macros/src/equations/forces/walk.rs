@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use crate::equations::forces::loads::{
     self, Masses, MovingPlace, applied, gravity, of_masses, torques,
 };
-use crate::equations::forces::springs;
+use crate::equations::forces::{springs, together};
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Frame;
@@ -73,6 +73,7 @@ impl<'k, 's> Walk<'k, 's> {
                 let Vector { x, y } = self.standing.get(&point).copied().unwrap_or(zero);
                 vec![x, y]
             }
+            Effort::Shaking => together::shaking(self.kinematics).into(),
             Effort::Spring(spring) => vec![springs::effort(self.kinematics, spring.index())],
             other => self.found[&other].clone(),
         }
@@ -94,7 +95,7 @@ impl<'k, 's> Walk<'k, 's> {
         let kinematics = self.kinematics;
         let (masses, g) = (Masses::of(kinematics), gravity(kinematics));
         for (link, inertia) in masses.by_link() {
-            let own = of_masses(kinematics, link, inertia);
+            let own = of_masses(kinematics, link, inertia, g);
             self.add(link, own);
         }
         for &(point, mass) in &masses.points {

@@ -251,3 +251,28 @@ fn any_statements_have_stubs() {
         proc_macro2::extra::invalidate_current_thread_spans();
     }
 }
+
+#[test]
+fn forces_are_offered_where_something_has_mass_or_acts() {
+    const MACHINE: &str = "input t: angle; load cut: force; ground A(0, 0), D(1m, 0);
+        guide rail through A along 0; crank AB(A) -> B { length: 1m, angle: t }
+        rrr BC(B), DC(D) -> C { lengths: (1m), mode: left } slider ram(rail) -> P { slide: 1m }";
+    let source = |more: &str| format!("pub struct M {{ {MACHINE} {more} }}");
+    let names = ["forces", "statics", "energy", "sweep_forces", "solve_statics"];
+    for acting in ["mass 1kg on BC uniform;", "mass 1kgg on;", "spring s between A and C { }"] {
+        let file = expand(&source(acting));
+        let methods = methods(&file);
+        assert!(names.iter().all(|name| methods.iter().any(|known| known == name)), "{acting}");
+        let of =
+            |link: &str| fields(&file, &format!("MForcesOf{link}")).expect("there is a record");
+        assert_eq!(of("AB"), "drive: T, push: T, A: Force<T>, B: Force<T>");
+        assert_eq!(of("DC"), "push: T, D: Force<T>, C: Force<T>");
+        assert_eq!(of("ram"), "drive: T, rail: GuideForce<T>, P: Force<T>");
+        assert_eq!(of("t"), "drive: T");
+        let all = fields(&file, "MForces").expect("there is a record");
+        assert!(all.ends_with("shaking: Shaking<T>"), "{all}");
+    }
+    let file = expand(&source("spring s between A and C { }"));
+    assert_eq!(fields(&file, "MForcesOfs").expect("a record"), "force: T");
+    assert!(!methods(&expand(&source(""))).iter().any(|name| name == "forces"));
+}

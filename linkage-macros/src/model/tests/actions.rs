@@ -257,3 +257,53 @@ fn outputs_about_forces_name_what_touches() {
          BC uniform`, `force (0, -10N) on P`",
     )]);
 }
+
+#[test]
+fn the_whole_mechanism_has_outputs_of_its_own() {
+    const NONE: &str = "nothing has mass; declare what has / as in `mass 2kg on BC uniform`";
+    check(&[
+        (CRANK, "mass 1kg on B; output energy, shaking, centre_of_mass;", ""),
+        (CRANK, "spring between B and D { damping: 2 } output energy;", ""),
+        (
+            CRANK,
+            "force (1N, 0) on B; output energy;",
+            "energy: nothing has mass and nothing is sprung, so there is no energy / as in `mass 2kg \
+             on BC uniform`",
+        ),
+        (CRANK, "force (1N, 0) on B; output shaking;", &format!("shaking: {NONE}")),
+        (CRANK, "output centre_of_mass;", &format!("centre_of_mass: {NONE}")),
+        (
+            CRANK,
+            "mass 1kg on B; output energy.kinetic;",
+            "kinetic: write `energy` / `kinetic` is a field of its result",
+        ),
+        (
+            CRANK,
+            "mass 1kg on B; output energy, shaking, energy, shaking;",
+            "energy: the output `energy` is given twice; remove one\nshaking: the output `shaking` \
+             is given twice; remove one",
+        ),
+    ]);
+}
+
+#[test]
+fn a_joint_called_like_an_effort_is_renamed() {
+    const CRANK: &str = "input t: angle; ground drive(0, 0), angle(1m, 0); \
+                         crank AB(drive) -> B { length: 1m, angle: t } mass 1kg on B;";
+    const REASON: &str =
+        "is something else of every link: the force at that joint needs another name";
+    check(&[
+        (
+            CRANK,
+            "output AB.drive;",
+            &format!("drive: rename the point `drive` / `AB.drive` {REASON}"),
+        ),
+        (CRANK, "", &format!("drive: rename the point `drive` / `AB.drive` {REASON}")),
+        (CRANK, "output AB.angle, t.drive;", ""),
+        (
+            CRANK,
+            "rpr block(B), bar(angle) {} output bar.angle;",
+            &format!("angle: rename the point `angle` / `bar.angle` {REASON}"),
+        ),
+    ]);
+}

@@ -7,6 +7,7 @@ mod fields;
 
 mod groups;
 mod names;
+mod numbers;
 mod outputs;
 mod places;
 mod resolved;

@@ -226,6 +226,7 @@ impl Names<'_> {
 
     fn output(&self, output: &Output) -> String {
         let what = match &output.kind {
+            OutputKind::CentreOfMass => "centre of mass".to_string(),
             OutputKind::Point(point) => format!("point {}", self.point(*point)),
             OutputKind::Link { link, direction, slide } => {
                 let link = self.link(*link);
