@@ -106,6 +106,8 @@
 //! - `nalgebra` (comes with `ad`): points and directions as nalgebra's, and comparisons by `approx`.
 //! - `mint`: points as mint's.
 //! - `serde`: points, directions and modes to be written and read, errors to be written.
+//! - `sketch`: pictures and films of mechanisms; every solver has `sketch` and `film` then. It needs
+//!   the standard library and nothing else, and changes nothing of the solvers.
 //!
 //! Without `ad` and `std` the crate is `no_std` and needs `libm` alone. It never allocates, and no
 //! solver panics.
@@ -152,6 +154,8 @@ mod resolver;
 mod results;
 mod scalar;
 mod shown;
+#[cfg(feature = "sketch")]
+pub mod sketch;
 mod slow_path;
 mod sweep;
 mod tracker;

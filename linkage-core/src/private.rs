@@ -25,6 +25,8 @@ pub use crate::diagnosis::{finite_input, finite_result};
 pub use crate::find::unknown::root;
 pub use crate::find::{FindError, Trend};
 pub use crate::resolver::{found_on_circle, on_circle};
+#[cfg(feature = "sketch")]
+pub use crate::sketch::{Drawn, Film, Made, Plan, Sketch, place, place_open};
 pub use crate::slow_path::{diagnose, diagnose_all};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfEnergy, OfForces, OfMotion, OfPosition, OfStatics, OfVelocity,
@@ -32,16 +34,21 @@ pub use crate::sweep::{
 };
 pub use crate::tracker::{Clearance, Modes};
 pub use crate::with_ad_ as with_ad;
+pub use crate::with_sketch_ as with_sketch;
 pub use crate::{
     AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, ForcesCost, Fusion,
     GuideForce, LaneMask, Lanes, Mask, Mechanism, Operations, Point, Real, Record, Scalar,
     SearchCost, SearchingCost, Sense, Shaking, Side, Slide, SlidingAcceleration, SlidingDirection,
     SlidingVelocity, SolveError,
 };
+#[cfg(feature = "sketch")]
+pub use core::iter::IntoIterator;
 #[cfg(feature = "ad")]
 pub use nalgebra::SMatrix;
 #[cfg(feature = "ad")]
 pub use num_dual::DualSVec;
+#[cfg(feature = "sketch")]
+pub use std::vec::Vec;
 
 /// Imported under the names of arguments. A constant of the user's that has such a name would make
 /// a pattern of the argument; a function of that name in between hides it, and leaves the argument
@@ -62,5 +69,21 @@ macro_rules! with_ad_ {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! with_ad_ {
+    ($($code:tt)*) => {};
+}
+
+/// Its argument where the feature `sketch` is on.
+#[cfg(feature = "sketch")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! with_sketch_ {
+    ($($code:tt)*) => { $($code)* };
+}
+
+/// Nothing, as the feature `sketch` is off.
+#[cfg(not(feature = "sketch"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! with_sketch_ {
     ($($code:tt)*) => {};
 }

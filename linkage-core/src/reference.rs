@@ -3,6 +3,7 @@
 //! | page | what is on it |
 //! |---|---|
 //! | [`language`] | how a machine is cut into Assur groups; every statement; frames and signs |
+//! | [`figures`] | the statements drawn: frames, signs, dimensions, modes |
 //! | [`expressions`] | numbers, units, functions, what an expression can read |
 //! | [`forces`] | masses and loads; efforts of drives and reactions of joints |
 //! | [`solver`] | what is generated and how it is called; errors, sweeps, derivatives |
@@ -17,6 +18,55 @@
 
 pub mod language {
     #![doc = include_str!("../docs/language.md")]
+}
+
+pub mod figures {
+    //! A figure for each statement, every place in it computed by a solver: frames, dimensions,
+    //! and dotted what the other mode makes. What the letters mean is in [the
+    //! language](super::language).
+    //!
+    //! # Drivers
+    //! <div>
+    #![doc = include_str!("figures/crank.svg")]
+    //! </div>
+    //!
+    //! <div>
+    #![doc = include_str!("figures/slider.svg")]
+    //! </div>
+    //!
+    //! # Groups
+    //! <div>
+    #![doc = include_str!("figures/rrr.svg")]
+    //! </div>
+    //!
+    //! <div>
+    #![doc = include_str!("figures/rrp.svg")]
+    //! </div>
+    //!
+    //! <div>
+    #![doc = include_str!("figures/rpr.svg")]
+    //! </div>
+    //!
+    //! <div>
+    #![doc = include_str!("figures/prp.svg")]
+    //! </div>
+    //!
+    //! <div>
+    #![doc = include_str!("figures/rpp.svg")]
+    //! </div>
+    //!
+    //! # Guides and points of links
+    //! <div>
+    #![doc = include_str!("figures/guide.svg")]
+    //! </div>
+    //!
+    //! <div>
+    #![doc = include_str!("figures/point.svg")]
+    //! </div>
+    //!
+    //! <div>
+    #![doc = include_str!("figures/polar.svg")]
+    //! </div>
 }
 
 pub mod expressions {

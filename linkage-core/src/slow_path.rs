@@ -36,7 +36,7 @@ pub fn diagnose_all<T: Real, R: Copy, const N: usize>(
     Ok(result)
 }
 
-fn conditions_met<T: Real, R>(
+pub(crate) fn conditions_met<T: Real, R>(
     given: &[(T, &'static str)],
     formulas: impl FnOnce(&mut FirstError) -> R,
 ) -> Result<R, SolveError> {

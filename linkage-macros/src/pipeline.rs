@@ -11,16 +11,22 @@ use crate::syntax::tree::Declaration;
 use crate::{codegen, equations, lower, model, passes, syntax};
 
 /// The generated code, or the mistakes as compile errors beside what stands in for what would
-/// have been generated, so that one mistake gives one message.
-pub(crate) fn compile(source: TokenStream) -> TokenStream {
+/// have been generated, so that one mistake gives one message. With what the mechanism is drawn by
+/// where that `is_drawn`.
+pub(crate) fn compile(source: TokenStream, is_drawn: bool) -> TokenStream {
     // The numbers of one declaration are not those of the next.
     let _atoms = Scope::begin();
     let mut diagnostics = Diagnostics::new();
     let declaration = syntax::parse(source, &mut diagnostics);
     match resolved(declaration.as_ref(), diagnostics) {
-        Ok(mechanism) => code(&mechanism, &program(&mechanism)),
+        Ok(mechanism) => {
+            // A film follows the motion through changes of mode, which nothing that is searched does.
+            let is_drawn = is_drawn && mechanism.unknowns.is_empty();
+            let placing = is_drawn.then(|| placing(&mechanism));
+            code(&mechanism, &program(&mechanism), placing.as_ref())
+        }
         Err(Failure(errors)) => {
-            let stand_in = declaration.as_ref().map(stand_in);
+            let stand_in = declaration.as_ref().map(|declaration| stand_in(declaration, is_drawn));
             quote::quote! { #errors #stand_in }
         }
     }
@@ -49,20 +55,27 @@ fn program(mechanism: &Mechanism) -> Program {
     passes::optimise(&program)
 }
 
+/// The same for the program by which the mechanism is drawn, which shares nothing with the solver's.
+fn placing(mechanism: &Mechanism) -> Program {
+    passes::optimise(&equations::placing::derive(mechanism, passes::RULES))
+}
+
 /// Lowering and code generation.
-fn code(mechanism: &Mechanism, program: &Program) -> TokenStream {
+fn code(mechanism: &Mechanism, program: &Program, placing: Option<&Program>) -> TokenStream {
     // Every statement of every function is decided; what is left is to print them.
     let lowered = lower::lower(mechanism, program);
-    codegen::generate(mechanism, &lowered)
+    let placing = placing.map(|program| lower::lower_placing(mechanism, program));
+    codegen::generate(mechanism, &lowered, placing.as_ref())
 }
 
 /// The struct and its methods for a declaration of which not everything was understood. They never
 /// run: every result is zero.
-pub(crate) fn stand_in(declaration: &Declaration) -> TokenStream {
+pub(crate) fn stand_in(declaration: &Declaration, is_drawn: bool) -> TokenStream {
     let mechanism = model::stand_in::stand_in(declaration);
     let interface = Interface::of(&mechanism);
     // Whether the one input is a driver's bare angle is not known; a method too many says nothing.
     let answers = interface.entries.iter();
     let answers = answers.map(|entry| (entry.name, interface.numbers(entry.result)));
-    code(&mechanism, &Program::of_zeros(answers))
+    let nothing = is_drawn.then(|| Program::of_zeros([(equations::placing::ENTRY, 0)].into_iter()));
+    code(&mechanism, &Program::of_zeros(answers), nothing.as_ref())
 }

@@ -18,6 +18,12 @@ use crate::model::mechanism::{Input, Output, OutputKind, Param, ParamKind, Sign}
 
 /// The words of the user's comments, to be put behind our own.
 fn quoted(own: &[Attribute]) -> String {
+    let words = words(own);
+    if words.is_empty() { words } else { format!(": {words}") }
+}
+
+/// The words of the user's comments in one line.
+pub(super) fn words(own: &[Attribute]) -> String {
     let words = own.iter().filter_map(|attribute| match &attribute.meta {
         Meta::NameValue(MetaNameValue {
             value: Expr::Lit(ExprLit { lit: Lit::Str(line), .. }),
@@ -26,7 +32,7 @@ fn quoted(own: &[Attribute]) -> String {
         _ => None,
     });
     let words: Vec<String> = words.flat_map(|line| words_of(&line)).collect();
-    if words.is_empty() { String::new() } else { format!(": {}", words.join(" ")) }
+    words.join(" ")
 }
 
 fn words_of(line: &str) -> Vec<String> {

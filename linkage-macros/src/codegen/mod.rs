@@ -14,6 +14,7 @@ mod context;
 mod costs_in_words;
 mod doc_comments;
 mod docs;
+mod drawing;
 mod editor_names;
 mod fast_path;
 mod forces;
@@ -41,17 +42,23 @@ use self::context::Context;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 
-/// Everything that the declaration of a mechanism expands to.
-pub(crate) fn generate(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStream {
+/// Everything that the declaration of a mechanism expands to; what it is drawn by only where the
+/// program that places it is given.
+pub(crate) fn generate(
+    mechanism: &Mechanism,
+    lowered: &Lowered<'_>,
+    placing: Option<&Lowered<'_>>,
+) -> TokenStream {
+    let drawing = placing.map(|placing| drawing::items(mechanism, placing));
     let cx = Context::new(mechanism, lowered);
     let (solver, records) = (solver::definition(&cx), structs::definitions(&cx));
-    let implementations = implementations(&cx);
+    let implementations = implementations(&cx, drawing);
     quote! { #solver #records #implementations }
 }
 
 /// All that is done with the structs, in an unnamed constant: what it imports meets no name of the
 /// user's, and its paths are short.
-fn implementations(cx: &Context<'_>) -> TokenStream {
+fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStream {
     let import = cx.paths.import();
     let arguments = cx.paths.import_arguments(arguments::all_names(cx));
     let (solver, records) = (solver::implementation(cx), structs::implementations(cx));
@@ -82,6 +89,7 @@ fn implementations(cx: &Context<'_>) -> TokenStream {
             #as_mechanism
             #c_export
             #references
+            #drawing
         };
     }
 }

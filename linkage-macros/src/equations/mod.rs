@@ -32,6 +32,7 @@ mod kinematics;
 mod levers;
 mod motion;
 mod parts;
+pub(crate) mod placing;
 mod point;
 mod prp;
 mod rpp;

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Group, TokenStream, TokenTree};
 
 use crate::diagnostics::Diagnostics;
 use crate::{fuzz, pipeline, syntax};
@@ -46,7 +46,7 @@ fn kept_in() -> PathBuf {
 
 impl Hashes {
     fn of(declaration: &Declaration) -> Self {
-        let expansion = pipeline::compile(declaration.tokens.clone());
+        let expansion = pipeline::compile(declaration.tokens.clone(), false);
         let messages = fuzz::messages(expansion.clone());
         assert!(messages.is_empty(), "{}: {messages:?}", declaration.name);
         Self {
@@ -71,7 +71,7 @@ fn stand_in(tokens: TokenStream) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
     let tree = syntax::parse(tokens, &mut diagnostics);
     assert!(diagnostics.into_errors().is_empty());
-    pipeline::stand_in(&tree.expect("it expands"))
+    pipeline::stand_in(&tree.expect("it expands"), false)
 }
 
 fn all() -> BTreeMap<Key, Hashes> {
@@ -163,4 +163,69 @@ fn other_code_and_other_names_are_told_apart() {
     ] {
         assert_eq!(hashes(source).difference(&before), difference, "{source}");
     }
+}
+
+/// What a declaration expands to where it can be drawn, without what it is drawn by; and that.
+fn taken_apart(stream: TokenStream) -> (TokenStream, TokenStream) {
+    let (mut solver, mut drawing) = (Vec::<TokenTree>::new(), TokenStream::new());
+    for tree in stream {
+        let TokenTree::Group(group) = tree else {
+            solver.push(tree);
+            continue;
+        };
+        // `private::with_sketch! { … }` is five tokens and a group.
+        let called =
+            solver.iter().rev().nth(1).is_some_and(
+                |tree| matches!(tree, TokenTree::Ident(name) if name == "with_sketch"),
+            );
+        if called {
+            solver.truncate(solver.len() - 5);
+            drawing.extend(group.stream());
+            continue;
+        }
+        let (inner, drawn) = taken_apart(group.stream());
+        solver.push(Group::new(group.delimiter(), inner).into());
+        drawing.extend(drawn);
+    }
+    (solver.into_iter().collect(), drawing)
+}
+
+fn count(stream: TokenStream) -> usize {
+    stream
+        .into_iter()
+        .map(|tree| match tree {
+            TokenTree::Group(group) => 2 + count(group.stream()),
+            _ => 1,
+        })
+        .sum()
+}
+
+#[test]
+fn a_drawing_changes_nothing_of_the_solver_and_is_a_quarter_of_it_at_most() {
+    let names = ["FlyingShear", "JansenLeg", "Excavator", "SixBar", "Whitworth", "CrankYoke"];
+    let mut seen = std::collections::BTreeSet::new();
+    let chosen = |declaration: &Declaration| {
+        names.contains(&&declaration.name[..]) || declaration.name.starts_with("variant: ")
+    };
+    for declaration in declarations::all().filter(chosen) {
+        if !seen.insert(declaration.name.clone()) {
+            continue;
+        }
+        let plain = pipeline::compile(declaration.tokens.clone(), false);
+        let drawn = pipeline::compile(declaration.tokens.clone(), true);
+        let (solver, drawing) = taken_apart(drawn);
+        assert_eq!(exact(solver.clone()), exact(plain), "{}", declaration.name);
+        let (solver, drawing) = (count(solver), count(drawing));
+        println!(
+            "{}: {:.1} % of {solver}",
+            declaration.name,
+            100.0 * drawing as f64 / solver as f64
+        );
+        assert!(
+            drawing > 0 && 4 * drawing <= solver,
+            "{}: {drawing} of {solver}",
+            declaration.name
+        );
+    }
+    assert!(seen.len() > 30, "{}", seen.len());
 }

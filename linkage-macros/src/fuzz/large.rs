@@ -11,7 +11,7 @@ use crate::{exact, pipeline};
 fn messages_on_stack(kib: usize, source: String) -> Vec<String> {
     let compile = move || {
         let tokens = source.parse().expect("these are tokens");
-        messages(pipeline::compile(tokens))
+        messages(pipeline::compile(tokens, true))
     };
     let thread = std::thread::Builder::new().stack_size(kib << 10).spawn(compile);
     thread.expect("a thread can be started").join().expect("the compiler does not panic")
@@ -131,7 +131,7 @@ fn the_end_of_a_compilation_is_the_end_of_its_numbers() {
     for i in 1..=200 {
         let angle = format!("q + sqrt({i}.5) * 1rad + atan(sin({i}deg) / (sqrt(2) + {i}))");
         let tokens = crank("", &angle).parse().expect("these are tokens");
-        assert_eq!(messages(pipeline::compile(tokens)), [""; 0]);
+        assert_eq!(messages(pipeline::compile(tokens, true)), [""; 0]);
         assert_eq!(exact::known_atoms(), 0);
         proc_macro2::extra::invalidate_current_thread_spans();
     }

@@ -59,7 +59,7 @@ impl Tally {
                 return;
             }
         }
-        let output = catch_unwind(AssertUnwindSafe(|| pipeline::compile(source.clone())));
+        let output = catch_unwind(AssertUnwindSafe(|| pipeline::compile(source.clone(), true)));
         let output = output.unwrap_or_else(|_| panic!("the compiler panicked on\n{source}"));
         if let Err(error) = syn::parse2::<syn::File>(output.clone()) {
             panic!("{error}: what is no Rust was made of\n{source}\n{output}");
@@ -105,7 +105,8 @@ fn mangled_declarations_are_compiled_or_reported() {
 #[test]
 fn what_is_mangled_is_valid() {
     for source in seeds::all() {
-        let output = pipeline::compile(source.parse().expect("a declaration is made of tokens"));
+        let output =
+            pipeline::compile(source.parse().expect("a declaration is made of tokens"), true);
         assert_eq!(messages(output), [""; 0], "{source}");
     }
 }

@@ -45,6 +45,21 @@ pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<
     Lowered { program, interface, routines, entries, costs, clearances, searches }
 }
 
+/// The only routine of a program that places what is drawn.
+pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
+    // What it takes and returns is no entry point: the records of the solver's own are enough.
+    let interface = Interface::of(mechanism).limited_to(std::iter::empty());
+    // What is drawn is not searched.
+    let searches = Vec::new();
+    let builder = Builder { program, interface, locals: Locals::default(), searches };
+    let sinks = &program.answers[0].sinks;
+    let routine = builder.listing("placed_", &[Given::Value], Path::Slow, sinks);
+    let clearances = builder.clearances();
+    let Builder { interface, searches, .. } = builder;
+    let (routines, entries, costs) = (vec![routine], Vec::new(), Vec::new());
+    Lowered { program, interface, routines, entries, costs, clearances, searches }
+}
+
 struct Builder<'p> {
     program: &'p Program,
     interface: Interface,
@@ -116,18 +131,27 @@ impl Builder<'_> {
     fn clearances(&self) -> Routine {
         let sinks: Vec<Id> =
             self.program.clearances.iter().flat_map(|clearance| clearance.sinks).collect();
-        let mut schedule = Schedule::new(self.graph(), &self.locals, Path::Unchecked, None, &[]);
-        let statements = schedule.stage(&sinks);
+        self.listing("clearances", &[Given::Value, Given::Rate], Path::Unchecked, &sinks)
+    }
+
+    /// A routine that returns the sinks in a list.
+    fn listing(&self, name: &str, given: &'static [Given], path: Path, sinks: &[Id]) -> Routine {
+        let mut schedule = Schedule::new(self.graph(), &self.locals, path, None, &self.searches);
+        let statements = schedule.stage(sinks);
         let locals = locals::with_letters(&self.locals, self.graph(), &statements);
         let kept = schedule.read(sinks.iter().copied());
         let statements = lay_out(&schedule, statements, &kept);
         let Schedule { reads, has_checks, path, .. } = schedule;
         Routine {
-            name: "clearances".to_string(),
-            given: &[Given::Value, Given::Rate],
+            name: name.to_string(),
+            given,
             result: Shape::List(sinks.len()),
             path,
-            stages: vec![Stage { result: Shape::List(sinks.len()), sinks, statements }],
+            stages: vec![Stage {
+                result: Shape::List(sinks.len()),
+                sinks: sinks.to_vec(),
+                statements,
+            }],
             reads,
             has_checks,
             locals,

@@ -20,4 +20,5 @@ mod searches;
 mod witnesses;
 
 pub(crate) use build::lower;
+pub(crate) use build::lower_placing;
 pub(crate) use searches::TRIAL;

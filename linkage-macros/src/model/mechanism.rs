@@ -65,6 +65,18 @@ pub(crate) enum Body {
 }
 
 impl Mechanism {
+    pub(crate) fn point_ids(&self) -> impl Iterator<Item = PointId> + use<> {
+        (0..self.points.len() as u32).map(PointId)
+    }
+
+    pub(crate) fn link_ids(&self) -> impl Iterator<Item = LinkId> + use<> {
+        (0..self.links.len() as u32).map(LinkId)
+    }
+
+    pub(crate) fn guide_ids(&self) -> impl Iterator<Item = GuideId> + use<> {
+        (0..self.guides.len() as u32).map(GuideId)
+    }
+
     /// The statement that makes a group, as errors and docs call it: `rrr BC, DC`.
     pub(crate) fn statement(&self, group: GroupId) -> String {
         let Group { keyword, title, .. } = &self.groups[group.index()];

@@ -32,7 +32,7 @@ fn expansion() -> TokenStream {
         TokenTree::Group(group) => Some(group.stream()),
         _ => None,
     });
-    super::line_by_line(pipeline::compile(body.expect("the macro has an argument")))
+    super::line_by_line(pipeline::compile(body.expect("the macro has an argument"), false))
 }
 
 /// The tokens one by one, without the commas that only layout asks for.

@@ -15,7 +15,7 @@ fn expand(source: &str) -> File {
     let tokens = source.parse().expect("the source is made of Rust's tokens");
     let tree = parse(tokens, &mut diagnostics).expect("the declaration has a name");
     drop(diagnostics.into_errors());
-    syn::parse2(pipeline::stand_in(&tree)).expect("stubs are Rust")
+    syn::parse2(pipeline::stand_in(&tree, false)).expect("stubs are Rust")
 }
 
 /// The fields of a generated struct as `name: type`, without paths; `None` where there is no such

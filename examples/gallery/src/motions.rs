@@ -1,0 +1,203 @@
+//! How every mechanism moves.
+
+use std::f64::consts::{PI, TAU};
+
+use linkage_core::sketch::Film;
+
+use crate::declarations::{
+    calibration, crank_rocker_slider, crank_rpp, driving_torque, electronic_cam, excavator,
+    five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, range, six_bar,
+    slider_crank, transplanter, whitworth,
+};
+
+/// A film and where it is from.
+pub struct Piece {
+    /// The example and the struct.
+    pub name: &'static str,
+    /// What one sees.
+    pub text: &'static str,
+    /// The motion.
+    pub film: Film,
+}
+
+/// Poses of a film.
+pub const POSES: u32 = 121;
+
+/// As many angles as poses, once round and counter-clockwise.
+pub fn turn() -> impl Iterator<Item = f64> + Clone {
+    (0..POSES).map(|k| f64::from(k) * TAU / f64::from(POSES - 1))
+}
+
+/// Shares of the way, from 0 to 1.
+fn shares() -> impl Iterator<Item = f64> + Clone {
+    (0..POSES).map(|k| f64::from(k) / f64::from(POSES - 1))
+}
+
+/// Every mechanism of the examples.
+pub fn pieces() -> Vec<Piece> {
+    let mut pieces = vec![
+        Piece {
+            name: "flying_shear::FlyingShear",
+            text: "A strip mill's flying shear: the coupler carries the upper blade.",
+            film: flying_shear::FlyingShear::new().film(turn()).trace("blade"),
+        },
+        Piece {
+            name: "six_bar::SixBar",
+            text: "Crank, swinging rod and ram: a quick return.",
+            film: six_bar::SixBar::new().film(turn()).trace("E"),
+        },
+        Piece {
+            name: "excavator::Excavator",
+            text: "Boom, stick and bucket, each moved by a cylinder, over one digging cycle.",
+            film: excavator::Excavator::new().film(digging()).trace("tooth").seconds(7.5),
+        },
+        Piece {
+            name: "jansen_leg::JansenLeg",
+            text: "A leg of Jansen's walkers: the foot's path is straight where it carries.",
+            film: jansen_leg::JansenLeg::new().film(turn().map(|q| -q)).trace("foot"),
+        },
+        Piece {
+            name: "four_bar::FourBar",
+            text: "A crank-rocker.",
+            film: four_bar::FourBar::new().film(turn()).trace("C"),
+        },
+        Piece {
+            name: "slider_crank::OffsetSliderCrank",
+            text: "Crank, connecting rod and piston; the cylinder's axis passes beside the shaft.",
+            film: slider_crank::OffsetSliderCrank::new().film(turn()),
+        },
+        Piece {
+            name: "crank_rocker_slider::CrankRockerSlider",
+            text: "Crank, rocker, and a connecting rod to a block.",
+            film: crank_rocker_slider::CrankRockerSlider::new().film(turn()).trace("E"),
+        },
+        Piece {
+            name: "crank_rpp::CrankYoke",
+            text: "A Scotch yoke: the block slides in the slot of the yoke, the yoke on its rail.",
+            film: crank_rpp::CrankYoke::new().film(turn()),
+        },
+    ];
+    pieces.extend(more());
+    pieces.extend(designed());
+    pieces
+}
+
+fn more() -> Vec<Piece> {
+    vec![
+        Piece {
+            name: "whitworth::Shaper",
+            text: "A shaper's quick return: the bar swings about its lower pivot.",
+            film: whitworth::Shaper::new().film(turn()),
+        },
+        Piece {
+            name: "whitworth::Whitworth",
+            text: "Whitworth's form: the bar goes round.",
+            film: whitworth::Whitworth::new().film(turn()),
+        },
+        Piece {
+            name: "five_bar_robot::Forward",
+            text: "Two motors and a tool that goes round a circle, forward: angles are given.",
+            film: five_bar_robot::Forward::new().film(motors()).trace("P").seconds(5.0),
+        },
+        Piece {
+            name: "five_bar_robot::Inverse",
+            text: "The same, inverse: the tool's place is given.",
+            film: five_bar_robot::Inverse::new().film(circle()).trace("P").seconds(5.0),
+        },
+        Piece {
+            name: "transplanter::Transplanter",
+            text: "A double-crank five-bar with a bill that sets seedlings.",
+            film: transplanter::Transplanter::new()
+                .film(turn().map(|q| [-q, 0.5 - q]))
+                .trace("bill"),
+        },
+        Piece {
+            name: "driving_torque::FourBar",
+            text: "What the shaft and the rocker's pivot exert on their bars at four turns a second.",
+            film: loaded(),
+        },
+        Piece {
+            name: "range::FourBar",
+            text: "A base too long for its bars: where the circles do not meet there is no pose.",
+            film: range::FourBar { base: 0.39 }.film(turn()).trace("C").seconds(6.0),
+        },
+        Piece {
+            name: "range::Shaper",
+            text: "A shaper whose bar passes beside its pivot.",
+            film: range::Shaper::new().film(turn()),
+        },
+    ]
+}
+
+fn designed() -> Vec<Piece> {
+    vec![
+        Piece {
+            name: "electronic_cam::FlyingShear",
+            text: "The shear of the electronic cam, to and fro by 240°.",
+            film: electronic_cam::FlyingShear::new()
+                .film(shares().map(|s| 2.0 + 4.0 * PI / 3.0 * s))
+                .trace("blade")
+                .there_and_back(),
+        },
+        Piece {
+            name: "calibration::SixBar",
+            text: "The six-bar whose fourteen dimensions are found from measured poses.",
+            film: calibration::SixBar::new().film(turn()).trace("F"),
+        },
+        Piece {
+            name: "function_generator::FunctionGenerator",
+            text: "A rocker that shall turn as its pointer does.",
+            film: function_generator::FunctionGenerator::new()
+                .film(shares().map(|s| s * PI / 2.0))
+                .there_and_back(),
+        },
+        Piece {
+            name: "function_generator::Transmission",
+            text: "Its transmission angle is that between coupler and rocker.",
+            film: function_generator::Transmission::new().film(turn()),
+        },
+    ]
+}
+
+/// Lengths of the excavator's cylinders through the corners of a digging cycle, at rest in each.
+fn digging() -> impl Iterator<Item = [f64; 3]> {
+    const CORNERS: [[f64; 3]; 6] = [
+        [2.35, 2.65, 1.80],
+        [2.15, 2.75, 1.85],
+        [2.15, 3.20, 2.10],
+        [2.30, 3.45, 2.35],
+        [2.75, 3.30, 2.40],
+        [2.35, 2.65, 1.80],
+    ];
+    shares().map(|share| {
+        let at = share * (CORNERS.len() - 1) as f64;
+        let leg = (at as usize).min(CORNERS.len() - 2);
+        let s = at - leg as f64;
+        let blend = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
+        let (from, to) = (CORNERS[leg], CORNERS[leg + 1]);
+        std::array::from_fn(|i| from[i] + (to[i] - from[i]) * blend)
+    })
+}
+
+/// A circle of the robot's tool.
+fn circle() -> impl Iterator<Item = [f64; 2]> {
+    turn().map(|q| [0.06 * q.cos(), 0.3 + 0.06 * q.sin()])
+}
+
+/// The motors' angles on it.
+fn motors() -> Vec<[f64; 2]> {
+    let inverse = five_bar_robot::Inverse::new();
+    let angles = circle().map(|at| inverse.position(at).map(|p| [p.AB.angle(), p.DE.angle()]));
+    angles.map(|angles| angles.expect("the circle is in reach")).collect()
+}
+
+/// Reactions at constant speed.
+fn loaded() -> Film {
+    let solver = driving_torque::FourBar::new();
+    let rate = 4.0 * TAU;
+    let forces = turn().map(|q| solver.forces(q, rate, 0.0).expect("the crank turns fully"));
+    let forces: Vec<_> = forces.collect();
+    let film = solver.film(turn());
+    film.force("A", forces.iter().map(|f| [f.AB.A.x, f.AB.A.y]))
+        .force("D", forces.iter().map(|f| [f.DC.D.x, f.DC.D.y]))
+}

@@ -1,0 +1,121 @@
+//! What a browser makes of the films. Debian's `chromium` has to be there:
+//! `cargo test --release -p gallery -- --ignored browser`.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use gallery::pieces;
+
+/// Every seventh pose is looked at.
+const STEP: usize = 7;
+
+/// Chromium without a window, with a profile of its own.
+fn chromium(folder: &Path) -> Command {
+    let mut command = Command::new("chromium");
+    command
+        .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"])
+        .args(["--disable-background-networking", "--disable-component-update", "--disable-sync"])
+        .arg(format!("--user-data-dir={}", folder.join("profile").display()));
+    command
+}
+
+/// Runs a page and returns what it leaves in its only `pre`.
+fn run(page: &str, name: &str) -> String {
+    let folder = std::env::temp_dir().join(format!("gallery_{name}_{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("page.html");
+    fs::write(&file, page).unwrap();
+    let output = chromium(&folder)
+        .args(["--virtual-time-budget=8000", "--dump-dom"])
+        .arg(format!("file://{}", file.display()))
+        .output()
+        .expect("chromium can be started");
+    let dom = String::from_utf8(output.stdout).unwrap();
+    let _ = fs::remove_dir_all(&folder);
+    let (_, behind) = dom.split_once("<pre>").expect("the page has a pre");
+    behind.split_once("</pre>").expect("it ends").0.to_string()
+}
+
+/// Sets the time and reads where the circles are.
+const READ: &str = r#"
+// Times can be set once the films have begun, which is after the page has been loaded.
+addEventListener("load", () => setTimeout(() => {
+  const lines = [];
+  document.querySelectorAll("svg").forEach((film, nth) => {
+    const [poses, seconds] = counts[nth];
+    film.pauseAnimations();
+    for (let pose = 0; pose + 1 < poses; pose += STEP) {
+      film.setCurrentTime(pose / (poses - 1) * seconds);
+      for (const circle of film.querySelectorAll("circle[data-point]")) {
+        if (getComputedStyle(circle.parentNode).opacity === "0") continue;
+        const m = circle.getCTM(), x = circle.cx.baseVal.value, y = circle.cy.baseVal.value;
+        lines.push([nth, pose, circle.dataset.point, m.a * x + m.c * y + m.e, m.b * x + m.d * y + m.f].join(" "));
+      }
+    }
+  });
+  document.querySelector("pre").textContent = lines.join("\n");
+}, 300));
+"#;
+
+#[test]
+#[ignore = "needs chromium"]
+fn a_browser_has_every_joint_where_the_solver_has_it() {
+    let pieces = pieces();
+    let mut page = String::from("<!DOCTYPE html><body><pre></pre>");
+    let mut counts = String::new();
+    for piece in &pieces {
+        page += &piece.film.to_svg().unwrap();
+        write!(counts, "[{}, {}],", piece.film.len(), piece.film.duration()).unwrap();
+    }
+    let read = READ.replace("STEP", &STEP.to_string());
+    write!(page, "<script>const counts = [{counts}];{read}</script>").unwrap();
+    let lines = run(&page, "joints");
+    let (mut seen, mut worst) = (0, 0.0_f64);
+    for line in lines.lines() {
+        let parts: Vec<&str> = line.split(' ').collect();
+        let [film, pose, point, x, y] = parts[..] else { panic!("{line}") };
+        let film = &pieces[film.parse::<usize>().unwrap()].film;
+        let at = film.point(pose.parse().unwrap(), point).expect("what is shown exists");
+        let [px, py] = film.view().unwrap().pixels([at.x, at.y]);
+        let (x, y): (f64, f64) = (x.parse().unwrap(), y.parse().unwrap());
+        worst = worst.max((x - px).hypot(y - py));
+        seen += 1;
+    }
+    println!("{seen} joints, at most {worst:.4} px off");
+    assert!(seen > 1000, "{seen}");
+    assert!(worst < 0.02, "{worst}");
+}
+
+/// A picture of a page with one film in an `<img>` after some time.
+fn shot(text: &str, name: &str, milliseconds: u32) -> Vec<u8> {
+    let folder = std::env::temp_dir().join(format!("gallery_{name}_{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let page = folder.join("page.html");
+    fs::write(folder.join("film.svg"), text).unwrap();
+    fs::write(&page, "<!DOCTYPE html><img src=\"film.svg\">").unwrap();
+    let picture = folder.join("shot.png");
+    chromium(&folder)
+        .arg(format!("--virtual-time-budget={milliseconds}"))
+        .arg(format!("--screenshot={}", picture.display()))
+        .arg(format!("file://{}", page.display()))
+        .output()
+        .expect("chromium can be started");
+    let bytes = fs::read(picture).expect("there is a picture");
+    let _ = fs::remove_dir_all(&folder);
+    bytes
+}
+
+#[test]
+#[ignore = "needs chromium"]
+fn a_film_plays_as_an_image_too() {
+    for piece in pieces().iter().take(5) {
+        let text = piece.film.to_svg().unwrap();
+        let name = piece.name.replace("::", "_");
+        assert!(shot(&text, &name, 300) != shot(&text, &name, 1300), "{} stands still", piece.name);
+        // A still does not.
+        let still = piece.film.still().to_svg().unwrap();
+        assert!(shot(&still, &name, 300) == shot(&still, &name, 1300), "{} moves", piece.name);
+    }
+}

@@ -1,0 +1,10 @@
+//! Drawings against the solvers: what a picture's text says is where the solver puts it.
+
+mod bad_input;
+mod browser;
+mod gaps;
+mod motion;
+mod placed;
+mod snapshots;
+mod text;
+mod xml;

@@ -1,0 +1,91 @@
+//! Pictures and films of mechanisms, drawn from their declarations by the symbols of kinematic
+//! diagrams (feature `sketch`).
+//!
+//! ```
+//! use linkage_core::mechanism;
+//! use std::f64::consts::TAU;
+//!
+//! mechanism! {
+//!     /// A crank-rocker.
+//!     struct Rocker {
+//!         input theta: angle;
+//!         ground A(0, 0), D(665.7mm, 0);
+//!         crank AB(A) -> B        { length: 80mm, angle: theta }
+//!         rrr   BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: right }
+//!         point blade on BC at (500mm, -60mm);
+//!     }
+//! }
+//!
+//! let rocker = Rocker::new();
+//! let still = rocker.sketch(2.0)?.to_svg()?;
+//! let turn = (0..=120).map(|k| f64::from(k) * TAU / 120.0);
+//! let film = rocker.film(turn).trace("blade").seconds(3.0);
+//! assert!(still.len() < 8_000 && film.to_svg()?.len() < 40_000);
+//! assert!(film.gaps().is_empty());
+//! # Ok::<(), linkage_core::sketch::SketchError>(())
+//! ```
+//!
+//! Everything declared is drawn, whether an output asks for it or not. A film is animated SVG
+//! without scripts (SMIL): it plays in a browser, also as an image on a page. A pose that cannot be
+//! assembled is a gap of the film, never bridged: how far the links of the failed group reach is
+//! shown instead, and what is missing between them.
+//!
+//! Lengths are in metres, coordinates those of the ground, forces in newtons. Pictures are at most
+//! 720 pixels wide and 640 high, but for texts, to one scale in both directions.
+
+mod bodies;
+mod boxes;
+mod drawn;
+mod error;
+mod film;
+mod gaps;
+mod labels;
+mod page;
+mod picture;
+mod plan;
+mod scene;
+mod shapes;
+mod style;
+mod svg;
+mod symbols;
+mod traces;
+
+pub use error::SketchError;
+pub use film::{Film, FilmGap, Sketch, Still};
+pub use plan::Drawn;
+#[doc(hidden)]
+pub use plan::{Made, Plan, place, place_open};
+pub use style::{Theme, Unit};
+pub use svg::View;
+
+use crate::{Direction, Point};
+use scene::Scene;
+
+/// Where a link is: its frame in ground axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinkPose {
+    /// The frame's origin, in metres.
+    pub origin: Point<f64>,
+    /// The unit vector along its x.
+    pub direction: Direction<f64>,
+}
+
+fn point_of(scene: &Scene, pose: usize, name: &str) -> Result<Point<f64>, SketchError> {
+    let point = traces::point(scene.plan, name)?;
+    let pose = scene.frames().nth(pose).ok_or(SketchError::EmptyPath)?;
+    let [x, y] = scene.point(pose, point).ok_or_else(|| missing(scene, pose))?;
+    Ok(Point { x, y })
+}
+
+fn link_of(scene: &Scene, pose: usize, name: &str) -> Result<LinkPose, SketchError> {
+    let link = traces::link(scene.plan, name)?;
+    let pose = scene.frames().nth(pose).ok_or(SketchError::EmptyPath)?;
+    let frame = scene.link(pose, link).ok_or_else(|| missing(scene, pose))?;
+    let ([x, y], scene::Pose { cos, sin, .. }) = (frame.origin, frame);
+    Ok(LinkPose { origin: Point { x, y }, direction: Direction { cos, sin } })
+}
+
+/// Only what failed is missing.
+fn missing(scene: &Scene, pose: usize) -> SketchError {
+    scene.failure(pose).map_or(SketchError::EmptyPath, |failure| failure.error.into())
+}

@@ -1,0 +1,228 @@
+//! Where a pose cannot be assembled: how far each link of the failed group reaches, and what is
+//! missing between them.
+
+use std::format;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use super::boxes::Box2;
+use super::plan::Made;
+use super::scene::{Scene, Spot};
+use super::style::{Palette, Unit};
+use super::svg::{Seat, Timing, View, fine, number, rigid};
+use super::symbols::arrow;
+use crate::SolveError;
+
+/// A statement that fails in some poses.
+pub(super) struct Gap {
+    /// In which poses.
+    pub fails: Vec<bool>,
+    reaches: Vec<Reach>,
+    /// What is missing, from one reach to the other, on the page.
+    missing: Vec<Option<[Spot; 2]>>,
+}
+
+/// How far a link reaches.
+struct Reach {
+    link: usize,
+    /// The middle of a circle, or a place of a line; its radius, none for a line.
+    seats: Vec<Option<Seat>>,
+    radii: Option<Vec<Option<f64>>>,
+}
+
+/// Every statement that fails somewhere.
+pub(super) fn gaps(scene: &Scene, view: View) -> Vec<Gap> {
+    let statements = scene.plan.statements.iter().enumerate();
+    let of = |(statement, &made): (usize, &Made)| {
+        let fails: Vec<bool> = scene.frames().map(|f| fails(scene, f, statement)).collect();
+        fails.contains(&true).then(|| gap(scene, view, statement, made, fails))
+    };
+    statements.filter_map(of).collect()
+}
+
+fn fails(scene: &Scene, frame: usize, statement: usize) -> bool {
+    scene.failure(frame).is_some_and(|failure| {
+        failure.statement == Some(statement)
+            && matches!(failure.error, SolveError::OutOfReach { .. })
+    })
+}
+
+fn gap(scene: &Scene, view: View, statement: usize, made: Made, fails: Vec<bool>) -> Gap {
+    let circle = |link: usize, point: usize, nth: usize| Reach {
+        link,
+        seats: scene
+            .frames()
+            .map(|f| Some(Seat { at: view.pixels(scene.point(f, point)?), degrees: 0.0 }))
+            .collect(),
+        radii: Some(
+            scene
+                .frames()
+                .map(|f| {
+                    let radius = view.scale * scene.dimension(f, statement, nth).abs();
+                    radius.is_finite().then_some(radius)
+                })
+                .collect(),
+        ),
+    };
+    let reaches: Vec<Reach> = match made {
+        Made::Rrr(links, outer, ..) => {
+            (0..2).map(|nth| circle(links[nth], outer[nth], nth)).collect()
+        }
+        Made::Rrp([bar, block], outer, guide, ..) => {
+            let line = |f: usize| {
+                let pose = scene.guide(f, guide)?;
+                let offset = scene.dimension(f, statement, 1);
+                let foot = pose.local(scene.point(f, outer)?)[0];
+                Some(view.seat(pose.moved_to(pose.place([foot, offset]))))
+            };
+            let seats = scene.frames().map(line).collect();
+            [circle(bar, outer, 0), Reach { link: block, seats, radii: None }].into()
+        }
+        Made::Rpr([block, bar], [sleeve, pivot]) => {
+            let mut own = circle(block, sleeve, 0);
+            if let Some(radii) = &mut own.radii {
+                radii.iter_mut().for_each(|radius| *radius = Some(0.0));
+            }
+            [own, circle(bar, pivot, 0)].into()
+        }
+        _ => Vec::new(),
+    };
+    let missing =
+        scene.frames().map(|f| if fails[f] { between(&reaches, f) } else { None }).collect();
+    Gap { fails, reaches, missing }
+}
+
+/// The shortest way from what the first link reaches to what the second one does.
+fn between(reaches: &[Reach], frame: usize) -> Option<[Spot; 2]> {
+    let [first, second] = reaches else { return None };
+    let (a, b) = (first.seats[frame]?, second.seats[frame]?);
+    let r = first.radii.as_ref()?[frame]?;
+    let (dx, dy) = (b.at[0] - a.at[0], b.at[1] - a.at[1]);
+    let d = dx.hypot(dy);
+    let u = if d > 1e-9 { [dx / d, dy / d] } else { [1.0, 0.0] };
+    let from = |at: Spot, along: f64| [at[0] + along * u[0], at[1] + along * u[1]];
+    let Some(radii) = &second.radii else {
+        // The line through b: its foot below a is b itself.
+        return Some([from(a.at, r), b.at]);
+    };
+    let s = radii[frame]?;
+    Some(match () {
+        () if d > r + s => [from(a.at, r), from(b.at, -s)],
+        () if r > s => [from(a.at, r), from(b.at, s)],
+        () => [from(a.at, -r), from(b.at, -s)],
+    })
+}
+
+impl Gap {
+    /// What is drawn of it, over all poses in which it fails.
+    pub(super) fn extent(&self) -> Box2 {
+        let mut all = Box2::NOTHING;
+        for frame in (0..self.fails.len()).filter(|&frame| self.fails[frame]) {
+            for reach in &self.reaches {
+                let Some(seat) = reach.seats[frame] else { continue };
+                let radius = match &reach.radii {
+                    Some(radii) => radii[frame].unwrap_or(0.0),
+                    None => HALF_LINE,
+                };
+                all = all.with(Box2::about(seat.at, [radius; 2]));
+            }
+        }
+        all
+    }
+
+    pub(super) fn drawn(
+        &self,
+        timing: Option<Timing>,
+        colour: impl Fn(usize) -> &'static str,
+        palette: &Palette,
+    ) -> String {
+        let mut content = String::new();
+        for reach in &self.reaches {
+            let look = format!(
+                r#"fill="none" stroke="{}" stroke-width="1.6" stroke-dasharray="5 4""#,
+                colour(reach.link)
+            );
+            let shape = match &reach.radii {
+                Some(radii) => {
+                    let Some(radii) = super::svg::filled(radii) else { continue };
+                    if radii.iter().all(|&radius| radius == 0.0) {
+                        continue;
+                    }
+                    let radii: Vec<String> = radii.into_iter().map(fine).collect();
+                    let grows = timing.map(|timing| timing.animate("r", &radii));
+                    format!(
+                        r#"<circle r="{}" {look}>{}</circle>"#,
+                        radii[0],
+                        grows.unwrap_or_default()
+                    )
+                }
+                None => format!(r#"<path d="M-{HALF_LINE} 0H{HALF_LINE}" {look}/>"#),
+            };
+            content += &rigid(&self.only_failing(&reach.seats), timing, "", &shape);
+        }
+        content + &self.arrow(timing, palette)
+    }
+
+    /// Seats in the poses around a failure: one more at each side, so that nothing starts with a
+    /// jump; hidden elsewhere.
+    fn only_failing(&self, seats: &[Option<Seat>]) -> Vec<Option<Seat>> {
+        seats.iter().zip(&self.fails).map(|(seat, fails)| seat.filter(|_| *fails)).collect()
+    }
+
+    fn arrow(&self, timing: Option<Timing>, palette: &Palette) -> String {
+        let Some(ends) = super::svg::filled(&self.missing) else { return String::new() };
+        let paths: Vec<String> = ends.into_iter().map(|ends| arrow(ends, 8.0, true)).collect();
+        let seen: Vec<bool> = self.missing.iter().map(Option::is_some).collect();
+        let hidden = if seen[0] { "" } else { r#" opacity="0""# };
+        let moves = timing
+            .map(|timing| timing.animate("d", &paths) + &timing.visible(&seen))
+            .unwrap_or_default();
+        format!(
+            r#"<path d="{}"{hidden} fill="none" stroke="{}" stroke-width="2">{moves}</path>"#,
+            paths[0], palette.ink
+        )
+    }
+}
+
+/// Half of the line along which a pin would slide.
+const HALF_LINE: f64 = 120.0;
+
+/// A sentence for each group that fails, and for each other reason.
+pub(super) fn messages(scene: &Scene, unit: Option<Unit>) -> Vec<String> {
+    let mut found: Vec<(&'static str, SolveError)> = Vec::new();
+    for failure in scene.frames().filter_map(|frame| scene.failure(frame)) {
+        let group = match failure.error {
+            SolveError::OutOfReach { group, .. }
+            | SolveError::Singular { group }
+            | SolveError::Invalid { group, .. }
+            | SolveError::NoSolution { unknown: group, .. } => group,
+            SolveError::NotFinite { name } | SolveError::OffCircle { name, .. } => name,
+        };
+        let by = |error: &SolveError| match *error {
+            SolveError::OutOfReach { by, .. } => by,
+            _ => 0.0,
+        };
+        match found.iter_mut().find(|(name, _)| *name == group) {
+            Some((_, worst)) if by(worst) < by(&failure.error) => *worst = failure.error,
+            Some(_) => {}
+            None => found.push((group, failure.error)),
+        }
+    }
+    let at_worst = if scene.len() > 1 { " at worst" } else { "" };
+    let sentence = |(_, error): (_, SolveError)| match error {
+        SolveError::OutOfReach { group, by } => {
+            format!("{group}: {} out of reach{at_worst}", distance(by, unit))
+        }
+        error => error.to_string(),
+    };
+    found.into_iter().map(sentence).collect()
+}
+
+/// Three digits, in a unit that suits.
+fn distance(metres: f64, unit: Option<Unit>) -> String {
+    let unit = unit.unwrap_or(if metres < 1.0 { Unit::Mm } else { Unit::M });
+    let (name, per_metre) = unit.of();
+    let value = metres * per_metre;
+    let decimals = (2 - value.abs().max(1e-9).log10().floor() as i32).clamp(0, 9) as usize;
+    format!("{} {name}", number(value, decimals))
+}

@@ -1,0 +1,238 @@
+//! What generated code says of a mechanism that is to be drawn: names, what hangs on what, and
+//! where everything stands.
+
+use std::string::String;
+use std::vec::Vec;
+
+use crate::checks::{Checks, FirstError};
+use crate::diagnosis::finite_result;
+use crate::find::FindError;
+use crate::slow_path::conditions_met;
+use crate::tracker::Modes;
+use crate::{Scalar, SolveError};
+
+/// A solver that can be drawn; implemented by generated code.
+pub trait Drawn: Modes<Scalar = f64> {
+    /// What was declared.
+    const PLAN: Plan;
+
+    /// Where everything stands, in the order that [`Layout`] tells.
+    ///
+    /// # Errors
+    /// The first group that cannot be assembled.
+    fn place(&self, q: Self::Input) -> Result<Vec<f64>, SolveError>;
+
+    /// The same whatever fails: what hangs on a failed group is no number.
+    fn place_open(&self, q: Self::Input) -> Vec<f64>;
+}
+
+/// The declaration, every name a place in the lists of names.
+#[derive(Clone, Copy, Debug)]
+pub struct Plan {
+    /// The mechanism's name.
+    pub name: &'static str,
+    /// Its doc comment, in one line.
+    pub docs: &'static str,
+    /// The points' names.
+    pub points: &'static [&'static str],
+    /// The links' names.
+    pub links: &'static [&'static str],
+    /// The guides' names.
+    pub guides: &'static [&'static str],
+    /// What places them, in solving order.
+    pub statements: &'static [Made],
+}
+
+/// A statement: links, then what they stand on, then the pin.
+#[derive(Clone, Copy, Debug)]
+pub enum Made {
+    /// A fixed point.
+    Ground(usize),
+    /// A guide, and the link that carries it.
+    Guide(usize, Option<usize>),
+    /// A point, and the link that carries it; none for a driven point.
+    Point(usize, Option<usize>),
+    /// Link, pivot, pin; whether it turns with an input against the ground, and whether its
+    /// length changes with one.
+    Crank(usize, usize, Option<usize>, [bool; 2]),
+    /// Link, guide, pin; whether it slides with an input.
+    Slider(usize, usize, Option<usize>, bool),
+    /// Bars, outer joints, pin; whose length changes with an input.
+    Rrr([usize; 2], [usize; 2], usize, [bool; 2]),
+    /// Bar and block, outer joint, guide, pin; whether the bar's length changes with an input.
+    Rrp([usize; 2], usize, usize, usize, bool),
+    /// Block and bar, outer joints.
+    Rpr([usize; 2], [usize; 2]),
+    /// Blocks, guides, pin.
+    Prp([usize; 2], [usize; 2], usize),
+    /// Block and yoke, outer joint, rail.
+    Rpp([usize; 2], usize, usize),
+}
+
+impl Made {
+    /// How many lengths and offsets it has.
+    pub(super) fn dimensions(self) -> usize {
+        match self {
+            Self::Ground(_) | Self::Guide(..) | Self::Point(..) => 0,
+            Self::Crank(_, _, pin, _) => usize::from(pin.is_some()),
+            Self::Slider(..) | Self::Rpr(..) => 1,
+            Self::Rrr(..) | Self::Rrp(..) | Self::Prp(..) | Self::Rpp(..) => 2,
+        }
+    }
+
+    /// The links that it makes.
+    pub(super) fn links(self) -> Vec<usize> {
+        match self {
+            Self::Ground(_) | Self::Guide(..) | Self::Point(..) => Vec::new(),
+            Self::Crank(link, ..) | Self::Slider(link, ..) => [link].into(),
+            Self::Rrr(links, ..)
+            | Self::Rrp(links, ..)
+            | Self::Rpr(links, ..)
+            | Self::Prp(links, ..)
+            | Self::Rpp(links, ..) => links.into(),
+        }
+    }
+
+    /// The point that it makes.
+    pub(super) fn point(self) -> Option<usize> {
+        match self {
+            Self::Ground(point) | Self::Point(point, _) => Some(point),
+            Self::Crank(_, _, pin, _) | Self::Slider(_, _, pin, _) => pin,
+            Self::Rrr(_, _, pin, _) | Self::Rrp(_, _, _, pin, _) | Self::Prp(_, _, pin) => {
+                Some(pin)
+            }
+            Self::Guide(..) | Self::Rpr(..) | Self::Rpp(..) => None,
+        }
+    }
+
+    /// The points that its links turn about.
+    pub(super) fn outer(self) -> Vec<usize> {
+        match self {
+            Self::Crank(_, pivot, ..) => [pivot].into(),
+            Self::Rrr(_, outer, ..) | Self::Rpr(_, outer) => outer.into(),
+            Self::Rrp(_, outer, ..) | Self::Rpp(_, outer, _) => [outer].into(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The guides that its links slide on, and which link does.
+    pub(super) fn slides(self) -> Vec<(usize, usize)> {
+        match self {
+            Self::Slider(link, guide, ..) => [(link, guide)].into(),
+            Self::Rrp(links, _, guide, ..) | Self::Rpp(links, _, guide) => {
+                [(links[1], guide)].into()
+            }
+            Self::Prp(links, guides, _) => [(links[0], guides[0]), (links[1], guides[1])].into(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The link that carries what it makes.
+    pub(super) fn carrier(self) -> Option<usize> {
+        match self {
+            Self::Guide(_, carrier) | Self::Point(_, carrier) => carrier,
+            _ => None,
+        }
+    }
+
+    /// The joints of its links: link and point.
+    pub(super) fn joints(self) -> Vec<(usize, usize)> {
+        match self {
+            Self::Ground(_) | Self::Guide(..) => Vec::new(),
+            Self::Point(point, carrier) => carrier.into_iter().map(|link| (link, point)).collect(),
+            Self::Crank(link, pivot, pin, _) => {
+                [Some(pivot), pin].into_iter().flatten().map(|point| (link, point)).collect()
+            }
+            Self::Slider(link, _, pin, _) => pin.into_iter().map(|point| (link, point)).collect(),
+            Self::Rrr(links, outer, pin, _) => {
+                [(links[0], outer[0]), (links[0], pin), (links[1], outer[1]), (links[1], pin)]
+                    .into()
+            }
+            Self::Rrp(links, outer, _, pin, _) => {
+                [(links[0], outer), (links[0], pin), (links[1], pin)].into()
+            }
+            Self::Rpr(links, outer) => [(links[0], outer[0]), (links[1], outer[1])].into(),
+            Self::Prp(links, _, pin) => [(links[0], pin), (links[1], pin)].into(),
+            Self::Rpp(links, outer, _) => [(links[0], outer)].into(),
+        }
+    }
+}
+
+impl Plan {
+    /// What errors call the group of a statement.
+    pub(super) fn title(&self, made: Made) -> String {
+        match (made, &made.links()[..]) {
+            (Made::Point(point, None), _) => self.points[point].into(),
+            (_, links) => {
+                let names: Vec<&str> = links.iter().map(|&link| self.links[link]).collect();
+                names.join(", ")
+            }
+        }
+    }
+
+    /// What the number at this place is about.
+    fn name_of(&self, place: usize) -> &'static str {
+        let layout = Layout::of(self);
+        match place {
+            _ if place < layout.links => self.points[place / 2],
+            _ if place < layout.guides => self.links[(place - layout.links) / 5],
+            _ if place < layout.dimensions => self.guides[(place - layout.guides) / 4],
+            _ => self.name,
+        }
+    }
+}
+
+/// Where the numbers of each kind begin: two a point, five a link (origin, cosine, sine, slide),
+/// four a guide (origin, cosine, sine), then the statements' dimensions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Layout {
+    pub links: usize,
+    pub guides: usize,
+    pub dimensions: usize,
+}
+
+impl Layout {
+    pub(super) fn of(plan: &Plan) -> Self {
+        let links = 2 * plan.points.len();
+        let guides = links + 5 * plan.links.len();
+        Self { links, guides, dimensions: guides + 4 * plan.guides.len() }
+    }
+}
+
+/// Goes on whatever a condition says.
+#[derive(Clone, Copy, Debug)]
+pub struct Regardless;
+
+impl Checks<f64> for Regardless {
+    fn root(&mut self, found: Result<[f64; 2], FindError>, _: &'static str) -> (f64, f64) {
+        let [at, size] = found.unwrap_or([f64::NAN; 2]);
+        (at, size)
+    }
+
+    fn closed(&mut self, _: f64, _: f64, _: &'static str) {}
+
+    fn sin_cos(&mut self, angle: f64) -> (f64, f64) {
+        Scalar::sin_cos(angle)
+    }
+}
+
+/// What [`Drawn::place`] does with the formulas.
+///
+/// # Errors
+/// What is given and not finite, the first condition that is not met, or a result that is not
+/// finite.
+pub fn place<const N: usize>(
+    plan: &Plan,
+    given: &[(f64, &'static str)],
+    formulas: impl FnOnce(&mut FirstError) -> [f64; N],
+) -> Result<Vec<f64>, SolveError> {
+    let placed = conditions_met(given, formulas)?;
+    let mut numbers = placed.iter().enumerate();
+    numbers.try_for_each(|(place, &value)| finite_result(value, plan.name_of(place), given))?;
+    Ok(placed.into())
+}
+
+/// What [`Drawn::place_open`] does with the formulas.
+pub fn place_open<const N: usize>(formulas: impl FnOnce(&mut Regardless) -> [f64; N]) -> Vec<f64> {
+    formulas(&mut Regardless).into()
+}

@@ -1,0 +1,96 @@
+//! Colours and sizes: everything about the look that is not a shape.
+
+/// On which paper a picture is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Theme {
+    /// Dark ink on white.
+    #[default]
+    Light,
+    /// Light ink on near black.
+    Dark,
+}
+
+/// The unit of the scale bar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Millimetres.
+    Mm,
+    /// Centimetres.
+    Cm,
+    /// Metres.
+    M,
+}
+
+impl Unit {
+    /// The name, and how many there are in a metre.
+    pub(super) fn of(self) -> (&'static str, f64) {
+        match self {
+            Self::Mm => ("mm", 1e3),
+            Self::Cm => ("cm", 1e2),
+            Self::M => ("m", 1.0),
+        }
+    }
+}
+
+/// The colours of a theme.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Palette {
+    pub paper: &'static str,
+    pub ink: &'static str,
+    /// For what only explains.
+    pub quiet: &'static str,
+    /// The links', by their declaration: told apart without colour vision too (Okabe and Ito).
+    pub links: [&'static str; 6],
+}
+
+impl Theme {
+    pub(super) fn palette(self) -> Palette {
+        match self {
+            Self::Light => Palette {
+                paper: "#ffffff",
+                ink: "#222222",
+                quiet: "#8a9096",
+                links: ["#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"],
+            },
+            Self::Dark => Palette {
+                paper: "#0d1117",
+                ink: "#e6edf3",
+                quiet: "#7d8590",
+                links: ["#f08a3c", "#4ea1e0", "#2fc99b", "#e39cc4", "#f2b53b", "#7cc7f2"],
+            },
+        }
+    }
+}
+
+/// Around everything.
+pub(super) const MARGIN: f64 = 46.0;
+/// The largest page. On a higher one the straight lines between 120 poses of a turn would part joints
+/// by more than a tenth of a pixel.
+pub(super) const WIDTH: f64 = 720.0;
+pub(super) const HEIGHT: f64 = 608.0;
+/// A joint's circle.
+pub(super) const JOINT: f64 = 4.6;
+/// A block, along its guide and across.
+pub(super) const BLOCK: [f64; 2] = [26.0, 17.0];
+/// Height of a tube.
+pub(super) const TUBE: f64 = 14.0;
+/// A support: half the base of its triangle, its height, half the base line.
+pub(super) const SUPPORT: [f64; 3] = [10.0, 17.0, 17.0];
+/// What a guide is longer than the travel of its blocks' middles, at both ends.
+pub(super) const OVERRUN: f64 = 27.0;
+/// Size of labels, and of what explains.
+pub(super) const LABEL: f64 = 13.0;
+pub(super) const SMALL: f64 = 12.0;
+pub(super) const FONT: &str = "Helvetica Neue,Arial,Liberation Sans,sans-serif";
+
+/// How wide a text is at a size of one, as the fonts above have it, or a little more.
+pub(super) fn text_width(text: &str) -> f64 {
+    let width = |letter: char| match letter {
+        'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ' ' | '\'' => 0.3,
+        'f' | 't' | 'r' | '-' | '(' | ')' => 0.36,
+        'm' | 'w' | 'M' | 'W' => 0.9,
+        'A'..='Z' => 0.72,
+        _ => 0.58,
+    };
+    text.chars().map(width).sum()
+}

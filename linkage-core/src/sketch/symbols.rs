@@ -1,0 +1,161 @@
+//! What stands still: supports, rails, circles of cranks, arrows, the scale.
+
+use std::format;
+use std::string::String;
+use std::vec::Vec;
+
+use super::boxes::Box2;
+use super::scene::Spot;
+use super::style::{FONT, Palette, SMALL, SUPPORT, Unit, text_width};
+use super::svg::{Seat, fine, pair, path, short};
+
+/// Which way a support stands: the angles by which the upright one is turned.
+pub(super) const WAYS: [f64; 4] = [0.0, 90.0, -90.0, 180.0];
+
+/// What a support covers.
+pub(super) fn support_box(at: Spot, way: f64) -> Box2 {
+    let seat = Seat { at, degrees: way };
+    let [_, height, half] = SUPPORT;
+    Box2::around([[-half - 3.0, -2.0], [half + 1.0, height + 8.0]].map(|spot| seat.place(spot)))
+}
+
+/// A support below a joint, turned.
+pub(super) fn support(at: Spot, way: f64, palette: &Palette) -> String {
+    let turned = if way == 0.0 { String::new() } else { format!(" rotate({way})") };
+    let (paper, ink) = (palette.paper, palette.ink);
+    format!(
+        r#"<g transform="translate({}){turned}" stroke="{ink}" stroke-linecap="round" stroke-linejoin="round" fill="none"><path d="M0 0L-10 17H10Z" fill="{paper}" stroke-width="1.6"/><path d="M-17 17H17" stroke-width="1.6"/><path d="M-11 17l-6 7M-4 17l-6 7M3 17l-6 7M10 17l-6 7M17 17l-6 7" stroke-width="1"/></g>"#,
+        pair(at)
+    )
+}
+
+/// A guide of the ground, hatched on the side away from its normal.
+pub(super) fn rail(seat: Seat, [start, end]: [f64; 2], palette: &Palette) -> String {
+    let turned = match super::svg::number(seat.degrees, 3) {
+        degrees if degrees == "0" => String::new(),
+        degrees => format!(" rotate({degrees})"),
+    };
+    let hatches: String =
+        hatches([start, end]).into_iter().map(|x| format!("M{} 0l-6 7", short(x))).collect();
+    format!(
+        r#"<g transform="translate({}){turned}" stroke="{}" stroke-linecap="round" fill="none"><path d="M{} 0H{}" stroke-width="1.6"/><path d="{hatches}" stroke-width="1"/></g>"#,
+        pair(seat.at),
+        palette.ink,
+        short(start),
+        short(end),
+    )
+}
+
+/// Four at both ends.
+fn hatches([start, end]: [f64; 2]) -> Vec<f64> {
+    let steps = [0.0, 6.0, 12.0, 18.0];
+    let left = steps.iter().map(|step| start + 6.0 + step);
+    let right = steps.iter().map(|step| end - step);
+    left.chain(right).collect()
+}
+
+/// What the ends of a rail cover.
+pub(super) fn rail_boxes(seat: Seat, [start, end]: [f64; 2]) -> [Box2; 2] {
+    [[start, start + 26.0], [end - 26.0, end]]
+        .map(|[a, b]| Box2::around([[a, -1.0], [b, 8.0]].map(|spot| seat.place(spot))))
+}
+
+/// The circle of a crank's pin, or the part of it that the pin goes through.
+pub(super) fn crank_circle(at: Spot, radius: f64, swept: Option<[f64; 2]>, quiet: &str) -> String {
+    let look =
+        format!(r#"fill="none" stroke="{quiet}" stroke-width="1" stroke-dasharray="9 3 2 3""#);
+    match swept {
+        None => format!(
+            r#"<circle cx="{}" cy="{}" r="{}" {look}/>"#,
+            fine(at[0]),
+            fine(at[1]),
+            fine(radius)
+        ),
+        Some([from, to]) => {
+            let large = u8::from(to - from > 180.0);
+            let [start, end] = [from, to].map(|degrees| on_circle(at, radius, degrees));
+            let radius = fine(radius);
+            let (start, end) = (pair(start), pair(end));
+            format!(r#"<path d="M{start}A{radius} {radius} 0 {large} 1 {end}" {look}/>"#)
+        }
+    }
+}
+
+/// A place on a circle, the angle as the page has it.
+pub(super) fn on_circle([x, y]: Spot, radius: f64, degrees: f64) -> Spot {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    [x + radius * cos, y + radius * sin]
+}
+
+/// Radius and half the angle of the arrow that says how a crank turns.
+pub(super) const ARC: f64 = 20.0;
+pub(super) const HALF_ARC: f64 = 50.0;
+
+/// Points of that arrow, around the middle angle.
+pub(super) fn arc_points(at: Spot, middle: f64) -> Vec<Spot> {
+    (-4..=4).map(|nth| on_circle(at, ARC, middle + f64::from(nth) * HALF_ARC / 4.0)).collect()
+}
+
+/// The arrow itself; clockwise on the page is a negative input's way.
+pub(super) fn arc_arrow(at: Spot, middle: f64, is_clockwise: bool, ink: &str) -> String {
+    let sign = if is_clockwise { 1.0 } else { -1.0 };
+    // The head is as long as 22° of the arc.
+    let (tail, neck, tip) =
+        (middle - sign * HALF_ARC, middle + sign * (HALF_ARC - 20.0), middle + sign * HALF_ARC);
+    let [start, end] = [tail, neck].map(|degrees| pair(on_circle(at, ARC, degrees)));
+    let head = [
+        on_circle(at, ARC, tip + sign * 2.0),
+        on_circle(at, ARC - 4.0, neck - sign * 1.0),
+        on_circle(at, ARC + 4.0, neck - sign * 1.0),
+    ];
+    let sweep = u8::from(is_clockwise);
+    format!(
+        r#"<path d="M{start}A{ARC} {ARC} 0 0 {sweep} {end}" fill="none" stroke="{ink}" stroke-width="1.6" stroke-linecap="round"/><path d="{}" fill="{ink}"/>"#,
+        path(&head, true)
+    )
+}
+
+/// The path of an arrow from one place to another, with heads of this length.
+pub(super) fn arrow([from, to]: [Spot; 2], head: f64, is_double: bool) -> String {
+    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+    let length = dx.hypot(dy).max(1e-9);
+    // A short arrow has a small head.
+    let head = head.min(0.45 * length);
+    let (ux, uy) = (dx / length * head, dy / length * head);
+    let barbs = |tip: Spot, sign: f64| {
+        let barb = |side: f64| {
+            [tip[0] - sign * ux - side * 0.4 * uy, tip[1] - sign * uy + side * 0.4 * ux]
+        };
+        format!("M{}L{}L{}", pair(barb(1.0)), pair(tip), pair(barb(-1.0)))
+    };
+    let back = if is_double { barbs(from, -1.0) } else { String::new() };
+    format!("M{}L{}{}{back}", pair(from), pair(to), barbs(to, 1.0))
+}
+
+/// How long the scale bar is, in pixels, and what it says.
+pub(super) fn scale_bar(scale: f64, width: f64, unit: Option<Unit>) -> (f64, String) {
+    let most = 0.2 * width / scale;
+    let power = 10_f64.powf(most.log10().floor());
+    let steps = [5.0, 2.0, 1.0].map(|step| step * power);
+    let length = steps.into_iter().find(|&step| step <= most).unwrap_or(power);
+    let unit = unit.unwrap_or(if length < 0.9999 { Unit::Mm } else { Unit::M });
+    let (name, per_metre) = unit.of();
+    (length * scale, format!("{} {name}", super::svg::number(length * per_metre, 6)))
+}
+
+/// The bar with its text behind it; how far both reach.
+pub(super) fn drawn_scale(
+    (length, text): &(f64, String),
+    bottom: f64,
+    palette: &Palette,
+) -> (String, f64) {
+    let (quiet, end, y) = (palette.quiet, short(20.0 + length), short(bottom));
+    let reach = 20.0 + length + 8.0 + SMALL * text_width(text);
+    let drawn = format!(
+        r#"<path d="M20 {y}H{end}M20 {top}v8M{end} {top}v8" fill="none" stroke="{quiet}" stroke-width="1.6"/><text x="{}" y="{}" font-family="{FONT}" font-size="{SMALL}" fill="{quiet}">{text}</text>"#,
+        short(28.0 + length),
+        short(bottom + 4.0),
+        top = short(bottom - 4.0),
+    );
+    (drawn, reach)
+}

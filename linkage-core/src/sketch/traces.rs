@@ -1,0 +1,241 @@
+//! The paths of points, faint poses, and forces.
+
+use std::format;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use super::bodies::Body;
+use super::boxes::Box2;
+use super::error::SketchError;
+use super::plan::Plan;
+use super::scene::{Scene, Spot};
+use super::style::Palette;
+use super::svg::{Timing, View, number, path, short};
+use super::symbols::arrow;
+
+/// The point of this name.
+pub(super) fn point(plan: &Plan, name: &str) -> Result<usize, SketchError> {
+    find(plan.points, name, "point")
+}
+
+/// The link of this name.
+pub(super) fn link(plan: &Plan, name: &str) -> Result<usize, SketchError> {
+    find(plan.links, name, "link")
+}
+
+fn find(
+    names: &'static [&'static str],
+    name: &str,
+    kind: &'static str,
+) -> Result<usize, SketchError> {
+    names.iter().position(|known| *known == name).ok_or_else(|| {
+        let nearest = names.iter().copied().min_by_key(|known| distance(name, known));
+        SketchError::UnknownName { name: name.to_string(), kind, nearest }
+    })
+}
+
+/// How many letters differ, a change of case counting half (Wagner and Fischer).
+fn distance(a: &str, b: &str) -> usize {
+    let letters: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=letters.len()).map(|nth| 2 * nth).collect();
+    for (nth, letter) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = 2 * (nth + 1);
+        for (at, other) in letters.iter().enumerate() {
+            let change = match () {
+                () if letter == *other => 0,
+                () if letter.eq_ignore_ascii_case(other) => 1,
+                () => 2,
+            };
+            let best = (diagonal + change).min(row[at] + 2).min(row[at + 1] + 2);
+            diagonal = row[at + 1];
+            row[at + 1] = best;
+        }
+    }
+    row[letters.len()]
+}
+
+/// The path of a point.
+#[derive(Clone, Debug)]
+pub(super) struct Trace {
+    pub point: usize,
+    /// Where the point is in each pose, on the page.
+    at: Vec<Option<Spot>>,
+}
+
+impl Trace {
+    pub(super) fn new(scene: &Scene, view: View, point: usize) -> Self {
+        let at = scene.frames().map(|f| Some(view.pixels(scene.point(f, point)?))).collect();
+        Self { point, at }
+    }
+
+    /// The link that carries the point: of a pin the last one.
+    pub(super) fn link(&self, scene: &Scene) -> Option<usize> {
+        let joints = scene.plan.statements.iter().filter(|made| made.point() == Some(self.point));
+        joints.flat_map(|made| made.joints()).rfind(|joint| joint.1 == self.point).map(|j| j.0)
+    }
+
+    /// About where it goes: every third pose is enough to keep texts away.
+    pub(super) fn lines(&self) -> Vec<[Spot; 2]> {
+        self.at.windows(4).step_by(3).filter_map(|ends| Some([ends[0]?, ends[3]?])).collect()
+    }
+
+    /// A line with a gap wherever the point is missing, and dots at equal steps of time.
+    pub(super) fn drawn(&self, colour: &str) -> String {
+        let runs = self.at.split(Option::is_none).filter(|run| run.len() > 1);
+        let line: String = runs
+            .map(|run| path(&run.iter().copied().flatten().collect::<Vec<_>>(), false))
+            .collect();
+        if line.is_empty() {
+            return String::new();
+        }
+        let last = self.at.len() - 1;
+        let steps = (0..=DOTS).map(|nth| nth * last / DOTS);
+        let mut dots: Vec<Spot> = steps.filter_map(|frame| self.at[frame]).collect();
+        dots.dedup_by(|a, b| (a[0] - b[0]).hypot(a[1] - b[1]) < 1.0);
+        let dot = |[x, y]: Spot| format!("M{} {}h0", short(x), short(y));
+        let dots: String = dots.into_iter().map(dot).collect();
+        format!(
+            r#"<path d="{line}" fill="none" stroke="{colour}" stroke-width="2" stroke-linejoin="round"/><path d="{dots}" stroke="{colour}" stroke-width="5.2" stroke-linecap="round"/>"#
+        )
+    }
+}
+
+/// Steps of time of a trace.
+const DOTS: usize = 12;
+
+/// Faint copies of every link but the first pose's, a path a link.
+pub(super) fn ghosts(scene: &Scene, bodies: &[Body], poses: usize) -> Vec<(Option<usize>, String)> {
+    let poses = poses.min(scene.len());
+    if poses < 2 {
+        return Vec::new();
+    }
+    let last = scene.len() - 1;
+    // Of a closed motion the last pose is the first.
+    let steps = if is_closed(scene) { poses } else { poses - 1 };
+    let frames = (1..poses).map(|nth| nth * last / steps);
+    let frames: Vec<usize> = frames.filter(|&frame| frame > 0).collect();
+    let mut ghosts: Vec<(Option<usize>, String)> = Vec::new();
+    for body in bodies {
+        let mut drawn = String::new();
+        for &frame in &frames {
+            for (shape, line) in body.shapes.iter().zip(body.lines(frame)) {
+                if shape.is_long() {
+                    drawn += &path(&line, false);
+                }
+            }
+        }
+        if drawn.is_empty() {
+            continue;
+        }
+        match ghosts.iter_mut().find(|(link, _)| *link == body.link) {
+            Some((_, path)) => *path += &drawn,
+            None => ghosts.push((body.link, drawn)),
+        }
+    }
+    ghosts
+}
+
+/// Whether the motion ends where it began, to a billionth of the mechanism's size.
+pub(super) fn is_closed(scene: &Scene) -> bool {
+    let last = scene.len() - 1;
+    let points = 0..scene.plan.points.len();
+    let all = points.clone().filter_map(|point| scene.point(0, point));
+    let size = Box2::around(all).size();
+    let near = 1e-9 * (size[0].max(0.0) + size[1].max(0.0));
+    points.into_iter().all(|point| match (scene.point(0, point), scene.point(last, point)) {
+        (Some(a), Some(b)) => (a[0] - b[0]).hypot(a[1] - b[1]) <= near,
+        (None, None) => true,
+        _ => false,
+    })
+}
+
+/// A force on a point, in every pose.
+#[derive(Clone, Debug)]
+pub(super) struct Force {
+    pub point: usize,
+    /// From where to where the arrow goes, on the page.
+    ends: Vec<Option<[Spot; 2]>>,
+    /// The largest of all forces, in newtons.
+    largest: f64,
+}
+
+/// Length of the largest force's arrow.
+const LONGEST: f64 = 80.0;
+
+impl Force {
+    /// All forces, to one scale.
+    pub(super) fn all(
+        scene: &Scene,
+        view: View,
+        forces: &[(String, Vec<[f64; 2]>)],
+    ) -> Result<Vec<Self>, SketchError> {
+        let sizes = forces.iter().flat_map(|(_, force)| force).map(|[x, y]| x.hypot(*y));
+        let largest = sizes.filter(|size| size.is_finite()).fold(0.0, f64::max);
+        let of = |(name, force): &(String, Vec<[f64; 2]>)| {
+            let point = point(scene.plan, name)?;
+            let ends = |frame: usize| {
+                // One force is the same in all poses.
+                let &[x, y] = force.get(frame).or(force.last())?;
+                let at = view.pixels(scene.point(frame, point)?);
+                let tip = [at[0] + x / largest * LONGEST, at[1] - y / largest * LONGEST];
+                tip.iter().all(|x| x.is_finite()).then_some([at, tip])
+            };
+            Ok(Self { point, ends: scene.frames().map(ends).collect(), largest })
+        };
+        forces.iter().map(of).collect()
+    }
+
+    pub(super) fn extent(&self) -> Box2 {
+        Box2::around(self.ends.iter().flatten().flatten().copied())
+    }
+
+    pub(super) fn line(&self, frame: usize) -> Option<[Spot; 2]> {
+        self.ends[frame]
+    }
+
+    pub(super) fn shift(&mut self, by: Spot) {
+        let ends = self.ends.iter_mut().flatten().flatten();
+        ends.for_each(|spot| *spot = [spot[0] + by[0], spot[1] + by[1]]);
+    }
+
+    pub(super) fn drawn(&self, timing: Option<Timing>, palette: &Palette) -> String {
+        let Some(ends) = super::svg::filled(&self.ends) else { return String::new() };
+        let paths: Vec<String> = ends.into_iter().map(|ends| arrow(ends, 8.0, false)).collect();
+        let seen: Vec<bool> = self.ends.iter().map(Option::is_some).collect();
+        let hidden = if seen[0] { "" } else { r#" opacity="0""# };
+        let moves = timing
+            .map(|timing| timing.animate("d", &paths) + &timing.visible(&seen))
+            .unwrap_or_default();
+        format!(
+            r#"<path d="{}"{hidden} fill="none" stroke="{}" stroke-width="2" stroke-linecap="round">{moves}</path>"#,
+            paths[0], palette.ink
+        )
+    }
+}
+
+/// What the longest arrow stands for.
+pub(super) fn force_scale(forces: &[Force]) -> Option<String> {
+    let largest = forces.first()?.largest;
+    let (value, unit) = if largest >= 1e3 { (largest / 1e3, "kN") } else { (largest, "N") };
+    let decimals = (2 - value.max(1e-9).log10().floor() as i32).clamp(0, 9) as usize;
+    Some(format!("longest arrow: {} {unit}", number(value, decimals)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_name_is_named() {
+        const NAMES: &[&str] = &["B", "blade", "C"];
+        let nearest = |name| match find(NAMES, name, "point") {
+            Err(SketchError::UnknownName { nearest, .. }) => nearest,
+            _ => None,
+        };
+        assert_eq!(nearest("Blade"), Some("blade"));
+        assert_eq!(nearest("b"), Some("B"));
+        assert_eq!(nearest("c"), Some("C"));
+        assert_eq!(find(NAMES, "C", "point").ok(), Some(2));
+    }
+}

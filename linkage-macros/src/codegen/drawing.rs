@@ -1,0 +1,217 @@
+//! What the feature `sketch` adds: where everything stands, what it is called and what hangs on what.
+//! The drawing itself is in the run-time crate, once.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use super::arguments::Arguments;
+use super::context::Context;
+use super::formulas;
+use super::identifiers::{generated, text};
+use crate::interface::entries::Given;
+use crate::lower::routine::Lowered;
+use crate::model::mechanism::{AngleSum, Carrier, Length, Mechanism, Step};
+
+/// Nothing where the run-time crate has no feature `sketch`: Cargo may turn the macro's on for
+/// another build of that crate.
+pub(super) fn items(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStream {
+    let cx = Context::new(mechanism, lowered);
+    let (with_sketch, name, scalar) =
+        (cx.paths.item("with_sketch"), &cx.names.solver, &cx.names.scalar);
+    let (any, float) = (cx.paths.item("Scalar"), cx.paths.item("f64"));
+    let (formulas, drawn, methods) = (formulas::functions(&cx), drawn(&cx), methods(&cx));
+    quote! {
+        #with_sketch! {
+            impl<#scalar: #any> #name<#scalar> { #formulas }
+            #drawn
+            impl #name<#float> { #methods }
+        }
+    }
+}
+
+/// The inputs as the solver takes them.
+fn input(cx: &Context<'_>) -> TokenStream {
+    let float = cx.paths.item("f64");
+    match cx.inputs() {
+        Some(record) => quote!(#record<#float>),
+        None => quote!(#float),
+    }
+}
+
+fn drawn(cx: &Context<'_>) -> TokenStream {
+    let (name, float) = (&cx.names.solver, cx.paths.item("f64"));
+    let path = |name| cx.paths.item(name);
+    let [drawn, plan_type, vec, result, error, place, place_open] =
+        ["Drawn", "Plan", "Vec", "Result", "SolveError", "place", "place_open"].map(path);
+    let routine = &cx.lowered.routines[0];
+    let arguments = Arguments::new(cx, &[Given::Value]);
+    let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
+    let given = routine.reads.iter().filter_map(read);
+    let given: Vec<_> = given.map(|(value, label)| quote!((#value, #label))).collect();
+    let (q, checks, input) = (&arguments.names()[0], generated("checks_"), input(cx));
+    let formulas = formulas::Call { routine: 0, stage: 0 }.under(cx, &quote!(#checks));
+    let unused = given.is_empty().then(|| quote!(let _ = #q;));
+    let plan = plan(cx);
+    quote! {
+        impl #drawn for #name<#float> {
+            const PLAN: #plan_type = #plan;
+
+            fn place(&self, #q: #input) -> #result<#vec<#float>, #error> {
+                #unused
+                #place(&Self::PLAN, &[#(#given),*], |#checks| #formulas)
+            }
+
+            fn place_open(&self, #q: #input) -> #vec<#float> {
+                #place_open(|#checks| #formulas)
+            }
+        }
+    }
+}
+
+fn methods(cx: &Context<'_>) -> TokenStream {
+    let path = |name| cx.paths.item(name);
+    let [into, into_iterator, sketch, film, result, error] =
+        ["Into", "IntoIterator", "Sketch", "Film", "Result", "SolveError"].map(path);
+    let ([q, inputs], input) = (["q_", "path_"].map(generated), input(cx));
+    quote! {
+        /// The mechanism as it stands at the inputs, to be drawn.
+        ///
+        /// # Errors
+        /// Those of `position`, whatever the outputs are.
+        pub fn sketch(&self, #q: impl #into<#input>) -> #result<#sketch, #error> {
+            #sketch::of(self, #into::into(#q))
+        }
+
+        /// The mechanism as it moves through the inputs, one pose each, to be drawn. Poses out of
+        /// reach are gaps of the film.
+        #[must_use]
+        pub fn film(&self, #inputs: impl #into_iterator<Item = impl #into<#input>>) -> #film {
+            #film::of(*self, #inputs)
+        }
+    }
+}
+
+/// Names and statements, ids being places in the lists of names.
+fn plan(cx: &Context<'_>) -> TokenStream {
+    let (mechanism, plan) = (cx.mechanism, cx.paths.item("Plan"));
+    let name = text(&mechanism.name);
+    let docs = super::docs::words(&mechanism.docs);
+    let names = |names: Vec<&Ident>| {
+        let names = names.into_iter().map(text);
+        quote!(&[#(#names),*])
+    };
+    let points = names(mechanism.points.iter().map(|point| &point.name).collect());
+    let links = names(mechanism.links.iter().map(|link| &link.name).collect());
+    let guides = names(mechanism.guides.iter().map(|guide| &guide.name).collect());
+    let statements = mechanism.steps.iter().map(|step| statement(cx, step));
+    quote! {
+        #plan {
+            name: #name,
+            docs: #docs,
+            points: #points,
+            links: #links,
+            guides: #guides,
+            statements: &[#(#statements),*],
+        }
+    }
+}
+
+fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {
+    let made = cx.paths.item("Made");
+    let on = |carrier: Carrier| match carrier {
+        Carrier::Ground => {
+            let none = cx.paths.item("None");
+            quote!(#none)
+        }
+        Carrier::Link(link) => some(cx, link.0),
+    };
+    let driven = |length: &Length| cx.mechanism.moves(&length.value);
+    match step {
+        Step::Ground { point, .. } => {
+            let point = number(point.0);
+            quote!(#made::Ground(#point))
+        }
+        Step::Guide { guide, carrier, .. } => {
+            let (guide, carrier) = (number(guide.0), on(*carrier));
+            quote!(#made::Guide(#guide, #carrier))
+        }
+        Step::Point { point, carrier, .. } => {
+            let (point, carrier) = (number(point.0), on(*carrier));
+            quote!(#made::Point(#point, #carrier))
+        }
+        Step::Crank { link, pivot, pin, angle, relative_to, .. } => {
+            let (link, pivot) = (number(link.0), number(pivot.0));
+            let end = match pin {
+                Some((pin, _)) => some(cx, pin.0),
+                None => {
+                    let none = cx.paths.item("None");
+                    quote!(#none)
+                }
+            };
+            let turns = *relative_to == Carrier::Ground && turns(cx.mechanism, angle);
+            let driven = pin.as_ref().is_some_and(|(_, length)| driven(length));
+            quote!(#made::Crank(#link, #pivot, #end, [#turns, #driven]))
+        }
+        Step::Slider { link, guide, pin, slide, .. } => {
+            let (link, guide) = (number(link.0), number(guide.0));
+            let moves = cx.mechanism.moves(slide);
+            let pin = match pin {
+                Some(pin) => some(cx, pin.0),
+                None => {
+                    let none = cx.paths.item("None");
+                    quote!(#none)
+                }
+            };
+            quote!(#made::Slider(#link, #guide, #pin, #moves))
+        }
+        _ => dyad(cx, step),
+    }
+}
+
+fn dyad(cx: &Context<'_>, step: &Step) -> TokenStream {
+    let made = cx.paths.item("Made");
+    let driven = |length: &Length| cx.mechanism.moves(&length.value);
+    match step {
+        Step::Rrr { links, outer, pin, lengths, .. } => {
+            let (links, outer, pin) =
+                (links.map(|l| number(l.0)), outer.map(|p| number(p.0)), number(pin.0));
+            let driven = [driven(&lengths[0]), driven(&lengths[1])];
+            quote!(#made::Rrr([#(#links),*], [#(#outer),*], #pin, [#(#driven),*]))
+        }
+        Step::Rrp { links, outer, guide, pin, length, .. } => {
+            let links = links.map(|l| number(l.0));
+            let [outer, guide, pin] = [outer.0, guide.0, pin.0].map(number);
+            let driven = driven(length);
+            quote!(#made::Rrp([#(#links),*], #outer, #guide, #pin, #driven))
+        }
+        Step::Rpr { links, outer, .. } => {
+            let (links, outer) = (links.map(|l| number(l.0)), outer.map(|p| number(p.0)));
+            quote!(#made::Rpr([#(#links),*], [#(#outer),*]))
+        }
+        Step::Prp { links, guides, pin, .. } => {
+            let (links, guides, pin) =
+                (links.map(|l| number(l.0)), guides.map(|g| number(g.0)), number(pin.0));
+            quote!(#made::Prp([#(#links),*], [#(#guides),*], #pin))
+        }
+        Step::Rpp { links, outer, guide, .. } => {
+            let links = links.map(|l| number(l.0));
+            let [outer, guide] = [outer.0, guide.0].map(number);
+            quote!(#made::Rpp([#(#links),*], #outer, #guide))
+        }
+        _ => unreachable!("only dyads come here"),
+    }
+}
+
+/// Whether the angle changes with an input.
+fn turns(mechanism: &Mechanism, angle: &AngleSum) -> bool {
+    !angle.links.is_empty() || mechanism.moves(&angle.rest)
+}
+
+fn number(id: u32) -> Literal {
+    Literal::u32_unsuffixed(id)
+}
+
+fn some(cx: &Context<'_>, id: u32) -> TokenStream {
+    let (some, id) = (cx.paths.item("Some"), number(id));
+    quote!(#some(#id))
+}

@@ -1,0 +1,67 @@
+//! Where everything that is declared stands, whether an output asks for it or not: what a drawing
+//! is made of.
+//!
+//! It is a program of its own with a graph of its own: more sinks in the solver's graph would
+//! change which of its products are contracted and what is computed when.
+
+use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::symbol::{Sheet, Sym};
+use crate::ir::construct::Rule;
+use crate::ir::program::{Answer, Program};
+use crate::model::mechanism::{Mechanism, Step};
+
+/// Point after point x and y; link after link the frame's origin, the direction's cosine and sine,
+/// and the slide, zero where it has none; guide after guide origin, cosine and sine; statement after
+/// statement its [`dimensions`].
+pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
+    let sheet = Sheet::new(rules);
+    let kinematics = Kinematics::of(&sheet, mechanism, Source::free(mechanism, &sheet));
+    let mut placed: Vec<Sym<'_>> = Vec::new();
+    for point in mechanism.point_ids() {
+        let at = kinematics.point(point).position();
+        placed.extend([at.x, at.y]);
+    }
+    for link in mechanism.link_ids() {
+        let motion = kinematics.link(link);
+        let (origin, u) = (motion.frame.origin.position(), motion.frame.direction.u);
+        let slide = motion.slide.map_or(sheet.zero(), |slide| slide.value);
+        placed.extend([origin.x, origin.y, u.x, u.y, slide]);
+    }
+    for guide in mechanism.guide_ids() {
+        let frame = kinematics.guide(guide);
+        let (origin, u) = (frame.origin.position(), frame.direction.u);
+        placed.extend([origin.x, origin.y, u.x, u.y]);
+    }
+    placed.extend(mechanism.steps.iter().flat_map(|step| dimensions(&kinematics, step)));
+    let sinks = placed.into_iter().map(|symbol| symbol.id).collect();
+    Program {
+        graph: sheet.into_graph(),
+        answers: vec![Answer { entry: ENTRY, sinks }],
+        clearances: Vec::new(),
+        closures: Vec::new(),
+        groups: mechanism.groups.iter().map(|group| group.title.clone()).collect(),
+    }
+}
+
+/// What the program's only entry is called.
+pub(crate) const ENTRY: &str = "place";
+
+/// The lengths and offsets of a statement, in its own order: known also where the group that they
+/// belong to cannot be assembled.
+fn dimensions<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Vec<Sym<'s>> {
+    let jets = match step {
+        Step::Ground { .. } | Step::Guide { .. } | Step::Point { .. } => vec![],
+        Step::Crank { pin, .. } => {
+            pin.iter().map(|(_, length)| kinematics.jet(&length.value)).collect()
+        }
+        Step::Rrr { lengths, .. } => {
+            lengths.iter().map(|length| kinematics.jet(&length.value)).collect()
+        }
+        Step::Rrp { length, offset, .. } => {
+            vec![kinematics.jet(&length.value), kinematics.jet(offset)]
+        }
+        Step::Slider { offset, .. } | Step::Rpr { offset, .. } => vec![kinematics.jet(offset)],
+        Step::Prp { offsets, .. } | Step::Rpp { offsets, .. } => kinematics.jets(offsets).to_vec(),
+    };
+    jets.into_iter().map(|jet| jet.value).collect()
+}
