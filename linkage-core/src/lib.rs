@@ -127,6 +127,7 @@ extern crate self as linkage_core;
 #[cfg(any(feature = "std", feature = "nalgebra", test))]
 extern crate std;
 
+mod absent;
 mod c_interface;
 mod checks;
 mod conversions;
@@ -160,7 +161,8 @@ mod slow_path;
 mod sweep;
 mod tracker;
 
-pub use cost::{Cost, ForcesCost, Operations};
+pub use absent::Inputs;
+pub use cost::{Cost, ForcesCost, Operations, SearchCost, SearchingCost};
 #[cfg(feature = "ad")]
 pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_twice};
 pub use error::SolveError;

@@ -100,8 +100,8 @@ impl<'a> Arguments<'a> {
     pub(super) fn declared(&self, scalar: &TokenStream) -> Vec<TokenStream> {
         let declare = |(name, form): (&Ident, Form<'_>)| match form {
             Form::Record(record, _) => {
-                let (into, ty) = (self.cx.paths.item("Into"), quote!(#record<#scalar>));
-                quote!(#name: impl #into<#ty>)
+                let (inputs, ty) = (self.cx.paths.item("Inputs"), quote!(#record<#scalar>));
+                quote!(#name: impl #inputs<#ty>)
             }
             form => {
                 let ty = form.ty(scalar);

@@ -33,6 +33,7 @@ fn describe(graph: &Graph, node: Node) -> String {
         Node::Load(load) => format!("load {load}"),
         Node::Drive(input) => format!("drive {input}"),
         Node::Mode(param) => format!("mode {param}"),
+        Node::Trial(unknown) => format!("trial of unknown {unknown}"),
         Node::Guard(value, guard) => {
             let guard = graph.condition(guard);
             format!("{} if {:?} of group {}", name(value), guard.check, guard.group)
@@ -65,6 +66,8 @@ fn operation(node: Node) -> &'static str {
         Node::MulErr(..) => "mul_err",
         Node::AddErr(..) => "add_err",
         Node::Fused(..) => "fused",
+        Node::Root(_) => "root",
+        Node::Size(_) => "size",
         _ => "leaf",
     }
 }
