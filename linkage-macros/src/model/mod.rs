@@ -11,6 +11,7 @@
 
 mod actions;
 mod assembly;
+mod class_three;
 mod coincidence;
 mod dimension;
 mod drivers;
