@@ -14,6 +14,22 @@ pub const GREY: &str = "#b4b8bc";
 /// For what stands still.
 pub const BLACK: &str = "#222222";
 
+/// The colour of a way to solve, wherever it is compared with others.
+pub fn colour_of(method: &str) -> &'static str {
+    match method {
+        "generated" | "this solver" => COLOURS[1],
+        "generated, compensated" | "compensated" => BLACK,
+        "generated, sweep" => "#f0b28c",
+        "what the data allow" => GREY,
+        "half angles" => COLOURS[2],
+        "tuned by hand" => COLOURS[5],
+        "Newton" => COLOURS[4],
+        "num-dual" => COLOURS[3],
+        // What a textbook has.
+        _ => COLOURS[0],
+    }
+}
+
 /// A line through points.
 pub struct Curve {
     points: Vec<(f64, f64)>,
