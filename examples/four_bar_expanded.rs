@@ -8,542 +8,1116 @@
 
 // What `mechanism!` makes of the declaration.
 
-/// A crank-rocker of 12, 4, 10 and 7 inches.
-///
-/// Solver of position, velocity and acceleration in closed form.
-///
-/// # Inputs
-/// - `theta` in rad
-///
-/// # Outputs
-/// - Link `AB` (crank AB): unit direction, counter-clockwise from +x
-/// - Point `B` (crank AB): coordinates in m
-/// - Link `BC` (rrr BC, DC): unit direction, counter-clockwise from +x
-/// - Link `DC` (rrr BC, DC): unit direction, counter-clockwise from +x
-/// - Point `C` (rrr BC, DC): coordinates in m
-///
-/// # Groups, in the order they are solved
-/// - crank AB
-/// - rrr BC, DC
-///
-/// # Range
-/// - rrr BC, DC: `AB` turns fully; |BD| runs from 0.2032 m to 0.4064 m, and the bars reach from
-///   0.0762 m to 0.4318 m
-///
-/// # Cost of one call
-/// - `position`: 11 additions, 21 multiplications, 1 division, 1 square root and 1 sine-cosine
-///   pair
-/// - `velocity`: 12 additions, 29 multiplications, 2 divisions, 1 square root and 1 sine-cosine
-///   pair
-/// - `motion`: 24 additions, 54 multiplications, 2 divisions, 1 square root and 1 sine-cosine
-///   pair
-/// - `coefficients`: 12 additions, 27 multiplications, 2 divisions, 1 square root and 1
-///   sine-cosine pair
-/// - `position_at`: 11 additions, 21 multiplications, 1 division and 1 square root
-/// - `velocity_at`: 12 additions, 29 multiplications, 2 divisions and 1 square root
-/// - `motion_at`: 24 additions, 54 multiplications, 2 divisions and 1 square root
-#[::linkage_core::private::derive(
-    ::linkage_core::private::Clone,
-    ::linkage_core::private::Copy,
-    ::linkage_core::private::Debug,
-    ::linkage_core::private::PartialEq
-)]
-#[allow(
-    dead_code,
-    non_snake_case,
-    clippy::derive_partial_eq_without_eq,
-    reason = "names are as declared, and results are there to choose from"
-)]
-pub struct FourBar<T = ::linkage_core::private::f64> {
+#[allow(non_snake_case, reason = "it is named after the mechanism")]
+mod FourBar_ {
     #[doc(hidden)]
-    pub scalar_: ::linkage_core::private::PhantomData<T>,
-}
-
-/// Positions of the outputs of [`FourBar`], in metres and radians.
-#[::linkage_core::private::derive(
-    ::linkage_core::private::Clone,
-    ::linkage_core::private::Copy,
-    ::linkage_core::private::Debug,
-    ::linkage_core::private::PartialEq
-)]
-#[allow(
-    dead_code,
-    non_snake_case,
-    clippy::derive_partial_eq_without_eq,
-    reason = "names are as declared, and results are there to choose from"
-)]
-pub struct FourBarPosition<T> {
-    /// Link `AB` (crank AB): unit direction, counter-clockwise from +x.
-    pub AB: ::linkage_core::private::Direction<T>,
-    /// Point `B` (crank AB): coordinates in m.
-    pub B: ::linkage_core::private::Point<T>,
-    /// Link `BC` (rrr BC, DC): unit direction, counter-clockwise from +x.
-    pub BC: ::linkage_core::private::Direction<T>,
-    /// Link `DC` (rrr BC, DC): unit direction, counter-clockwise from +x.
-    pub DC: ::linkage_core::private::Direction<T>,
-    /// Point `C` (rrr BC, DC): coordinates in m.
-    pub C: ::linkage_core::private::Point<T>,
-}
-
-/// Velocities of the outputs of [`FourBar`], in m/s and rad/s.
-#[::linkage_core::private::derive(
-    ::linkage_core::private::Clone,
-    ::linkage_core::private::Copy,
-    ::linkage_core::private::Debug,
-    ::linkage_core::private::PartialEq
-)]
-#[allow(
-    dead_code,
-    non_snake_case,
-    clippy::derive_partial_eq_without_eq,
-    reason = "names are as declared, and results are there to choose from"
-)]
-pub struct FourBarVelocity<T> {
-    /// Link `AB` (crank AB): angular velocity in rad/s, counter-clockwise.
-    pub AB: ::linkage_core::private::AngularVelocity<T>,
-    /// Point `B` (crank AB): velocity in m/s.
-    pub B: ::linkage_core::private::Point<T>,
-    /// Link `BC` (rrr BC, DC): angular velocity in rad/s, counter-clockwise.
-    pub BC: ::linkage_core::private::AngularVelocity<T>,
-    /// Link `DC` (rrr BC, DC): angular velocity in rad/s, counter-clockwise.
-    pub DC: ::linkage_core::private::AngularVelocity<T>,
-    /// Point `C` (rrr BC, DC): velocity in m/s.
-    pub C: ::linkage_core::private::Point<T>,
-}
-
-/// Accelerations of the outputs of [`FourBar`], in m/s² and rad/s².
-#[::linkage_core::private::derive(
-    ::linkage_core::private::Clone,
-    ::linkage_core::private::Copy,
-    ::linkage_core::private::Debug,
-    ::linkage_core::private::PartialEq
-)]
-#[allow(
-    dead_code,
-    non_snake_case,
-    clippy::derive_partial_eq_without_eq,
-    reason = "names are as declared, and results are there to choose from"
-)]
-pub struct FourBarAcceleration<T> {
-    /// Link `AB` (crank AB): angular acceleration in rad/s², counter-clockwise.
-    pub AB: ::linkage_core::private::AngularAcceleration<T>,
-    /// Point `B` (crank AB): acceleration in m/s².
-    pub B: ::linkage_core::private::Point<T>,
-    /// Link `BC` (rrr BC, DC): angular acceleration in rad/s², counter-clockwise.
-    pub BC: ::linkage_core::private::AngularAcceleration<T>,
-    /// Link `DC` (rrr BC, DC): angular acceleration in rad/s², counter-clockwise.
-    pub DC: ::linkage_core::private::AngularAcceleration<T>,
-    /// Point `C` (rrr BC, DC): acceleration in m/s².
-    pub C: ::linkage_core::private::Point<T>,
-}
-
-/// Position, velocity and acceleration of the outputs of [`FourBar`].
-#[::linkage_core::private::derive(
-    ::linkage_core::private::Clone,
-    ::linkage_core::private::Copy,
-    ::linkage_core::private::Debug,
-    ::linkage_core::private::PartialEq
-)]
-#[allow(
-    dead_code,
-    non_snake_case,
-    clippy::derive_partial_eq_without_eq,
-    reason = "names are as declared, and results are there to choose from"
-)]
-pub struct FourBarMotion<T> {
-    /// In metres and radians.
-    pub position: FourBarPosition<T>,
-    /// In m/s and rad/s.
-    pub velocity: FourBarVelocity<T>,
-    /// In m/s² and rad/s².
-    pub acceleration: FourBarAcceleration<T>,
-}
-
-#[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
-const _: () = {
-    use ::linkage_core::private;
-    #[allow(unused_imports, reason = "no mechanism needs all of them")]
-    use private::{
-        AllMet, AngularAcceleration, AngularVelocity, Checks, Clearance, Cost, Default, Direction,
-        Entry, FirstError, Float, From, Fusion, Into, LaneMask, Lanes, LengthMismatch, Mask,
-        Mechanism, Modes, OfMotion, OfPosition, OfVelocity, Ok, Operations, Option, PhantomData,
-        Point, Progress, Real, Record, Result, Scalar, Series, Side, Slide, SlidingAcceleration,
-        SlidingDirection, SlidingVelocity, SolveError, Some, Status, f64, str, usize,
-    };
-
-    #[allow(
-        unused_imports,
-        reason = "a function hides a constant of its name, and no argument"
+    pub use ::linkage_core::private::Absent as _;
+    /// A crank-rocker of 12, 4, 10 and 7 inches.
+    ///
+    /// Solver of position, velocity and acceleration in closed form.
+    ///
+    /// # Inputs
+    /// - `theta` in rad
+    ///
+    /// # Outputs
+    /// - Link `AB` (crank AB): unit direction, counter-clockwise from +x
+    /// - Point `B` (crank AB): coordinates in m
+    /// - Link `BC` (rrr BC, DC): unit direction, counter-clockwise from +x
+    /// - Link `DC` (rrr BC, DC): unit direction, counter-clockwise from +x
+    /// - Point `C` (rrr BC, DC): coordinates in m
+    ///
+    /// # Groups, in the order they are solved
+    /// - crank AB: length 101.6 mm, angle `theta`
+    /// - rrr BC, DC: lengths 254 mm and 177.8 mm, `C` on the left seen from `B` to `D`; assembles
+    ///   while |BD| is from 76.2 mm to 431.8 mm
+    ///
+    /// # Range
+    /// - rrr BC, DC: `AB` turns fully; |BD| runs from 0.2032 m to 0.4064 m, and the bars reach from
+    ///   0.0762 m to 0.4318 m
+    ///
+    /// # Cost of one call
+    /// - `position`: 11 additions, 21 multiplications, 1 division, 1 square root and 1 sine-cosine
+    ///   pair
+    /// - `velocity`: 12 additions, 29 multiplications, 2 divisions, 1 square root and 1 sine-cosine
+    ///   pair
+    /// - `motion`: 24 additions, 54 multiplications, 2 divisions, 1 square root and 1 sine-cosine
+    ///   pair
+    /// - `coefficients`: 12 additions, 27 multiplications, 2 divisions, 1 square root and 1
+    ///   sine-cosine pair
+    /// - `position_at`: 11 additions, 21 multiplications, 1 division and 1 square root
+    /// - `velocity_at`: 12 additions, 29 multiplications, 2 divisions and 1 square root
+    /// - `motion_at`: 24 additions, 54 multiplications, 2 divisions and 1 square root
+    #[::linkage_core::private::derive(
+        ::linkage_core::private::Clone,
+        ::linkage_core::private::Copy,
+        ::linkage_core::private::Debug,
+        ::linkage_core::private::PartialEq
     )]
-    use ::linkage_core::private::{
-        argument as cos, argument as out, argument as progress, argument as sin,
-        argument as status, argument as theta, argument as theta_acceleration,
-        argument as theta_rate,
-    };
+    #[allow(
+        dead_code,
+        non_snake_case,
+        clippy::derive_partial_eq_without_eq,
+        reason = "names are as declared, and results are there to choose from"
+    )]
+    pub struct FourBar<T = ::linkage_core::private::f64> {
+        #[doc(hidden)]
+        pub use_new_: ::linkage_core::private::PhantomData<T>,
+    }
 
-    impl FourBar<f64> {
-        /// The scalar rows of the results, in the order of every list of rows.
-        pub const OUTPUTS: [&'static str; 7] =
-            ["AB.angle", "B.x", "B.y", "BC.angle", "DC.angle", "C.x", "C.y"];
+    /// Positions of the outputs of [`FourBar`], in metres and radians.
+    #[::linkage_core::private::derive(
+        ::linkage_core::private::Clone,
+        ::linkage_core::private::Copy,
+        ::linkage_core::private::Debug,
+        ::linkage_core::private::PartialEq
+    )]
+    #[allow(
+        dead_code,
+        non_snake_case,
+        clippy::derive_partial_eq_without_eq,
+        reason = "names are as declared, and results are there to choose from"
+    )]
+    pub struct FourBarPosition<T> {
+        /// Link `AB` (crank AB): unit direction, counter-clockwise from +x.
+        pub AB: ::linkage_core::private::Direction<T>,
+        /// Point `B` (crank AB): coordinates in m.
+        pub B: ::linkage_core::private::Point<T>,
+        /// Link `BC` (rrr BC, DC): unit direction, counter-clockwise from +x.
+        pub BC: ::linkage_core::private::Direction<T>,
+        /// Link `DC` (rrr BC, DC): unit direction, counter-clockwise from +x.
+        pub DC: ::linkage_core::private::Direction<T>,
+        /// Point `C` (rrr BC, DC): coordinates in m.
+        pub C: ::linkage_core::private::Point<T>,
+    }
 
-        /// The inputs, in the order of the columns of Jacobians.
-        pub const INPUTS: [&'static str; 1] = ["theta"];
+    /// Velocities of the outputs of [`FourBar`], in m/s and rad/s.
+    #[::linkage_core::private::derive(
+        ::linkage_core::private::Clone,
+        ::linkage_core::private::Copy,
+        ::linkage_core::private::Debug,
+        ::linkage_core::private::PartialEq
+    )]
+    #[allow(
+        dead_code,
+        non_snake_case,
+        clippy::derive_partial_eq_without_eq,
+        reason = "names are as declared, and results are there to choose from"
+    )]
+    pub struct FourBarVelocity<T> {
+        /// Link `AB` (crank AB): angular velocity in rad/s, counter-clockwise.
+        pub AB: ::linkage_core::private::AngularVelocity<T>,
+        /// Point `B` (crank AB): velocity in m/s.
+        pub B: ::linkage_core::private::Point<T>,
+        /// Link `BC` (rrr BC, DC): angular velocity in rad/s, counter-clockwise.
+        pub BC: ::linkage_core::private::AngularVelocity<T>,
+        /// Link `DC` (rrr BC, DC): angular velocity in rad/s, counter-clockwise.
+        pub DC: ::linkage_core::private::AngularVelocity<T>,
+        /// Point `C` (rrr BC, DC): velocity in m/s.
+        pub C: ::linkage_core::private::Point<T>,
+    }
 
-        /// The numeric parameters, in the order of the columns of sensitivities.
-        pub const PARAMS: [&'static str; 0] = [];
+    /// Accelerations of the outputs of [`FourBar`], in m/s² and rad/s².
+    #[::linkage_core::private::derive(
+        ::linkage_core::private::Clone,
+        ::linkage_core::private::Copy,
+        ::linkage_core::private::Debug,
+        ::linkage_core::private::PartialEq
+    )]
+    #[allow(
+        dead_code,
+        non_snake_case,
+        clippy::derive_partial_eq_without_eq,
+        reason = "names are as declared, and results are there to choose from"
+    )]
+    pub struct FourBarAcceleration<T> {
+        /// Link `AB` (crank AB): angular acceleration in rad/s², counter-clockwise.
+        pub AB: ::linkage_core::private::AngularAcceleration<T>,
+        /// Point `B` (crank AB): acceleration in m/s².
+        pub B: ::linkage_core::private::Point<T>,
+        /// Link `BC` (rrr BC, DC): angular acceleration in rad/s², counter-clockwise.
+        pub BC: ::linkage_core::private::AngularAcceleration<T>,
+        /// Link `DC` (rrr BC, DC): angular acceleration in rad/s², counter-clockwise.
+        pub DC: ::linkage_core::private::AngularAcceleration<T>,
+        /// Point `C` (rrr BC, DC): acceleration in m/s².
+        pub C: ::linkage_core::private::Point<T>,
+    }
 
-        /// The floating-point operations of one call.
-        pub const COST: Cost = Cost {
-            position: Operations {
-                additions: 11,
-                multiplications: 21,
-                divisions: 1,
-                roots: 1,
-                sines: 1,
-            },
-            motion: Operations {
-                additions: 24,
-                multiplications: 54,
-                divisions: 2,
-                roots: 1,
-                sines: 1,
-            },
-            coefficients: Operations {
-                additions: 12,
-                multiplications: 27,
-                divisions: 2,
-                roots: 1,
-                sines: 1,
-            },
+    /// Position, velocity and acceleration of the outputs of [`FourBar`].
+    #[::linkage_core::private::derive(
+        ::linkage_core::private::Clone,
+        ::linkage_core::private::Copy,
+        ::linkage_core::private::Debug,
+        ::linkage_core::private::PartialEq
+    )]
+    #[allow(
+        dead_code,
+        non_snake_case,
+        clippy::derive_partial_eq_without_eq,
+        reason = "names are as declared, and results are there to choose from"
+    )]
+    pub struct FourBarMotion<T> {
+        /// In metres and radians.
+        pub position: FourBarPosition<T>,
+        /// In m/s and rad/s.
+        pub velocity: FourBarVelocity<T>,
+        /// In m/s² and rad/s².
+        pub acceleration: FourBarAcceleration<T>,
+    }
+
+    #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
+    const _: () = {
+        use ::linkage_core::private;
+        #[allow(unused_imports, reason = "no mechanism needs all of them")]
+        use private::{
+            AllMet, AngularAcceleration, AngularVelocity, Checks, Clearance, Cost, Default,
+            Direction, Entry, FirstError, Float, From, Fusion, Inputs, Into, LaneMask, Lanes,
+            LengthMismatch, Mask, Mechanism, Modes, OfMotion, OfPosition, OfVelocity, Ok,
+            Operations, Option, PhantomData, Point, Progress, Real, Record, Result, Scalar, Series,
+            Side, Slide, SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError, Some,
+            Status, f64, str, usize,
         };
 
-        /// The solver with all parameters at their declared values.
-        #[inline]
-        #[must_use]
-        pub const fn new() -> Self {
-            Self { scalar_: PhantomData }
-        }
-    }
+        #[allow(
+            unused_imports,
+            reason = "a function hides a constant of its name, and no argument"
+        )]
+        use ::linkage_core::private::{
+            argument as cos, argument as out, argument as progress, argument as sin,
+            argument as status, argument as theta, argument as theta_acceleration,
+            argument as theta_rate,
+        };
 
-    impl<T: Scalar> Default for FourBar<T> {
-        /// The solver with all parameters at their declared values, rounded once.
-        #[inline]
-        fn default() -> Self {
-            Self { scalar_: PhantomData }
-        }
-    }
+        impl FourBar<f64> {
+            /// The scalar rows of the results, in the order of every list of rows.
+            pub const OUTPUTS: [&'static str; 7] =
+                ["AB.angle", "B.x", "B.y", "BC.angle", "DC.angle", "C.x", "C.y"];
 
-    impl<T: Real> FourBar<T> {
-        /// The same solver on other numbers, the parameters without derivatives.
-        #[inline]
-        #[must_use]
-        pub fn lift<U: Scalar>(&self) -> FourBar<U> {
-            FourBar { scalar_: PhantomData }
-        }
-    }
+            /// The inputs, in the order of the columns of Jacobians.
+            pub const INPUTS: [&'static str; 1] = ["theta"];
 
-    impl<T> Record for FourBarPosition<T> {
-        type Number = T;
-        type Array = [T; 10];
+            /// The numeric parameters, in the order of the columns of sensitivities.
+            pub const PARAMS: [&'static str; 0] = [];
 
-        const LABELS: &'static [&'static str] = &[
-            "AB.angle", "AB.angle", "B.x", "B.y", "BC.angle", "BC.angle", "DC.angle", "DC.angle",
-            "C.x", "C.y",
-        ];
-
-        #[inline(always)]
-        fn into_array(self) -> [T; 10] {
-            [
-                self.AB.cos,
-                self.AB.sin,
-                self.B.x,
-                self.B.y,
-                self.BC.cos,
-                self.BC.sin,
-                self.DC.cos,
-                self.DC.sin,
-                self.C.x,
-                self.C.y,
-            ]
+            /// The floating-point operations of one call.
+            pub const COST: Cost = Cost {
+                position: Operations {
+                    additions: 11,
+                    multiplications: 21,
+                    divisions: 1,
+                    roots: 1,
+                    sines: 1,
+                },
+                motion: Operations {
+                    additions: 24,
+                    multiplications: 54,
+                    divisions: 2,
+                    roots: 1,
+                    sines: 1,
+                },
+                coefficients: Operations {
+                    additions: 12,
+                    multiplications: 27,
+                    divisions: 2,
+                    roots: 1,
+                    sines: 1,
+                },
+            };
         }
 
-        #[inline]
-        fn from_array([n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_]: [T; 10]) -> Self {
-            FourBarPosition {
-                AB: Direction { cos: n0_, sin: n1_ },
-                B: Point { x: n2_, y: n3_ },
-                BC: Direction { cos: n4_, sin: n5_ },
-                DC: Direction { cos: n6_, sin: n7_ },
-                C: Point { x: n8_, y: n9_ },
+        impl<T> FourBar<T> {
+            /// The solver with all parameters at their declared values, in `f64`.
+            #[inline]
+            #[must_use]
+            pub const fn new() -> FourBar<f64>
+            where
+                f64: private::Is<T>,
+            {
+                FourBar { use_new_: PhantomData }
             }
         }
-    }
 
-    impl<T> Record for FourBarVelocity<T> {
-        type Number = T;
-        type Array = [T; 7];
-
-        const LABELS: &'static [&'static str] = &[
-            "velocity of AB.angle",
-            "velocity of B.x",
-            "velocity of B.y",
-            "velocity of BC.angle",
-            "velocity of DC.angle",
-            "velocity of C.x",
-            "velocity of C.y",
-        ];
-
-        #[inline(always)]
-        fn into_array(self) -> [T; 7] {
-            [self.AB.omega, self.B.x, self.B.y, self.BC.omega, self.DC.omega, self.C.x, self.C.y]
-        }
-
-        #[inline]
-        fn from_array([n0_, n1_, n2_, n3_, n4_, n5_, n6_]: [T; 7]) -> Self {
-            FourBarVelocity {
-                AB: AngularVelocity { omega: n0_ },
-                B: Point { x: n1_, y: n2_ },
-                BC: AngularVelocity { omega: n3_ },
-                DC: AngularVelocity { omega: n4_ },
-                C: Point { x: n5_, y: n6_ },
+        impl<T: Scalar> Default for FourBar<T> {
+            /// The solver with all parameters at their declared values, rounded once.
+            #[inline]
+            fn default() -> Self {
+                Self { use_new_: PhantomData }
             }
         }
-    }
 
-    impl<T> Record for FourBarAcceleration<T> {
-        type Number = T;
-        type Array = [T; 7];
-
-        const LABELS: &'static [&'static str] = &[
-            "acceleration of AB.angle",
-            "acceleration of B.x",
-            "acceleration of B.y",
-            "acceleration of BC.angle",
-            "acceleration of DC.angle",
-            "acceleration of C.x",
-            "acceleration of C.y",
-        ];
-
-        #[inline(always)]
-        fn into_array(self) -> [T; 7] {
-            [self.AB.alpha, self.B.x, self.B.y, self.BC.alpha, self.DC.alpha, self.C.x, self.C.y]
-        }
-
-        #[inline]
-        fn from_array([n0_, n1_, n2_, n3_, n4_, n5_, n6_]: [T; 7]) -> Self {
-            FourBarAcceleration {
-                AB: AngularAcceleration { alpha: n0_ },
-                B: Point { x: n1_, y: n2_ },
-                BC: AngularAcceleration { alpha: n3_ },
-                DC: AngularAcceleration { alpha: n4_ },
-                C: Point { x: n5_, y: n6_ },
+        impl<T: Real> FourBar<T> {
+            /// The same solver on other numbers, the parameters without derivatives.
+            #[inline]
+            #[must_use]
+            pub fn lift<U: Scalar>(&self) -> FourBar<U> {
+                FourBar { use_new_: PhantomData }
             }
         }
-    }
 
-    impl<T> Record for FourBarMotion<T> {
-        type Number = T;
-        type Array = [T; 24];
+        impl<T> Record for FourBarPosition<T> {
+            type Number = T;
+            type Array = [T; 10];
 
-        const LABELS: &'static [&'static str] = &[
-            "AB.angle",
-            "AB.angle",
-            "B.x",
-            "B.y",
-            "BC.angle",
-            "BC.angle",
-            "DC.angle",
-            "DC.angle",
-            "C.x",
-            "C.y",
-            "velocity of AB.angle",
-            "velocity of B.x",
-            "velocity of B.y",
-            "velocity of BC.angle",
-            "velocity of DC.angle",
-            "velocity of C.x",
-            "velocity of C.y",
-            "acceleration of AB.angle",
-            "acceleration of B.x",
-            "acceleration of B.y",
-            "acceleration of BC.angle",
-            "acceleration of DC.angle",
-            "acceleration of C.x",
-            "acceleration of C.y",
-        ];
+            const LABELS: &'static [&'static str] = &[
+                "AB.angle", "AB.angle", "B.x", "B.y", "BC.angle", "BC.angle", "DC.angle",
+                "DC.angle", "C.x", "C.y",
+            ];
 
-        #[inline(always)]
-        fn into_array(self) -> [T; 24] {
-            let [n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_] =
-                Record::into_array(self.position);
-            let [n10_, n11_, n12_, n13_, n14_, n15_, n16_] = Record::into_array(self.velocity);
-            let [n17_, n18_, n19_, n20_, n21_, n22_, n23_] = Record::into_array(self.acceleration);
-            [
-                n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_, n10_, n11_, n12_, n13_, n14_,
-                n15_, n16_, n17_, n18_, n19_, n20_, n21_, n22_, n23_,
-            ]
-        }
-
-        #[inline]
-        fn from_array(
-            [
-                n0_,
-                n1_,
-                n2_,
-                n3_,
-                n4_,
-                n5_,
-                n6_,
-                n7_,
-                n8_,
-                n9_,
-                n10_,
-                n11_,
-                n12_,
-                n13_,
-                n14_,
-                n15_,
-                n16_,
-                n17_,
-                n18_,
-                n19_,
-                n20_,
-                n21_,
-                n22_,
-                n23_,
-            ]: [T; 24],
-        ) -> Self {
-            Self {
-                position: Record::from_array([n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_]),
-                velocity: Record::from_array([n10_, n11_, n12_, n13_, n14_, n15_, n16_]),
-                acceleration: Record::from_array([n17_, n18_, n19_, n20_, n21_, n22_, n23_]),
-            }
-        }
-    }
-
-    impl<T: Scalar> FourBarPosition<T> {
-        /// The rows in the order of `OUTPUTS`; a direction's row is its angle in (−π, π].
-        #[inline]
-        #[must_use]
-        pub fn rows(&self) -> [T; 7] {
-            [
-                self.AB.angle(),
-                self.B.x,
-                self.B.y,
-                self.BC.angle(),
-                self.DC.angle(),
-                self.C.x,
-                self.C.y,
-            ]
-        }
-    }
-
-    impl<T: Scalar> FourBarVelocity<T> {
-        /// The rows in the order of `OUTPUTS`; a direction's row is ω.
-        #[inline]
-        #[must_use]
-        pub fn rows(&self) -> [T; 7] {
-            [self.AB.omega, self.B.x, self.B.y, self.BC.omega, self.DC.omega, self.C.x, self.C.y]
-        }
-    }
-
-    impl<T: Scalar> FourBarAcceleration<T> {
-        /// The rows in the order of `OUTPUTS`; a direction's row is α.
-        #[inline]
-        #[must_use]
-        pub fn rows(&self) -> [T; 7] {
-            [self.AB.alpha, self.B.x, self.B.y, self.BC.alpha, self.DC.alpha, self.C.x, self.C.y]
-        }
-    }
-
-    impl<T: Scalar> FourBar<T> {
-        /// Positions of the outputs, without a branch, and whether they may be used.
-        ///
-        /// Given `theta` in rad.
-        ///
-        /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
-        /// division, 1 square root and 1 sine-cosine pair.
-        #[inline]
-        #[must_use]
-        pub fn solve_position(&self, theta: T) -> (FourBarPosition<T>, T::Mask) {
-            self.core_position_(theta)
-        }
-
-        #[inline(always)]
-        fn core_position_(&self, theta: T) -> (FourBarPosition<T>, T::Mask) {
-            let (sin_, cos_) = T::sin_cos_near(theta);
-            let (result_, ok_) = self.core_position_at_(cos_, sin_);
-            (result_, T::is_near(theta) & ok_)
-        }
-
-        /// Velocities of the outputs, without a branch, and whether they may be used.
-        ///
-        /// Given `theta` in rad, its rate in rad/s.
-        ///
-        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
-        /// divisions, 1 square root and 1 sine-cosine pair.
-        #[inline]
-        #[must_use]
-        pub fn solve_velocity(&self, theta: T, theta_rate: T) -> (FourBarVelocity<T>, T::Mask) {
-            self.core_velocity_(theta, theta_rate)
-        }
-
-        #[inline(always)]
-        fn core_velocity_(&self, theta: T, theta_rate: T) -> (FourBarVelocity<T>, T::Mask) {
-            let (sin_, cos_) = T::sin_cos_near(theta);
-            let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
-            (result_, T::is_near(theta) & ok_)
-        }
-
-        /// Positions, velocities and accelerations of the outputs, without a branch, and whether they
-        /// may be used.
-        ///
-        /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s².
-        ///
-        /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
-        /// divisions, 1 square root and 1 sine-cosine pair.
-        #[inline]
-        #[must_use]
-        pub fn solve_motion(
-            &self,
-            theta: T,
-            theta_rate: T,
-            theta_acceleration: T,
-        ) -> (FourBarMotion<T>, T::Mask) {
-            self.core_motion_(theta, theta_rate, theta_acceleration)
-        }
-
-        #[inline(always)]
-        fn core_motion_(
-            &self,
-            theta: T,
-            theta_rate: T,
-            theta_acceleration: T,
-        ) -> (FourBarMotion<T>, T::Mask) {
-            let (sin_, cos_) = T::sin_cos_near(theta);
-            let (result_, ok_) = self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
-            (result_, T::is_near(theta) & ok_)
-        }
-
-        /// Kinematic coefficients ∂outputs/∂inputs, without a branch, and whether they may be used.
-        ///
-        /// Given `theta` in rad.
-        /// A row an output in the order of `OUTPUTS`, a column an input in the order of `INPUTS`; from
-        /// the velocity equations.
-        ///
-        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 27 multiplications, 2
-        /// divisions, 1 square root and 1 sine-cosine pair.
-        #[inline]
-        #[must_use]
-        pub fn solve_coefficients(&self, theta: T) -> ([[T; 1]; 7], T::Mask) {
-            self.core_coefficients_(theta)
-        }
-
-        #[inline(always)]
-        fn core_coefficients_(&self, theta: T) -> ([[T; 1]; 7], T::Mask) {
-            let (result_, ok_) = self.core_velocity_(theta, T::lit(1.0, 1.0));
-            (
+            #[inline(always)]
+            fn into_array(self) -> [T; 10] {
                 [
+                    self.AB.cos,
+                    self.AB.sin,
+                    self.B.x,
+                    self.B.y,
+                    self.BC.cos,
+                    self.BC.sin,
+                    self.DC.cos,
+                    self.DC.sin,
+                    self.C.x,
+                    self.C.y,
+                ]
+            }
+
+            #[inline]
+            fn from_array([n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_]: [T; 10]) -> Self {
+                FourBarPosition {
+                    AB: Direction { cos: n0_, sin: n1_ },
+                    B: Point { x: n2_, y: n3_ },
+                    BC: Direction { cos: n4_, sin: n5_ },
+                    DC: Direction { cos: n6_, sin: n7_ },
+                    C: Point { x: n8_, y: n9_ },
+                }
+            }
+        }
+
+        impl<T> Record for FourBarVelocity<T> {
+            type Number = T;
+            type Array = [T; 7];
+
+            const LABELS: &'static [&'static str] = &[
+                "AB.omega",
+                "velocity of B.x",
+                "velocity of B.y",
+                "BC.omega",
+                "DC.omega",
+                "velocity of C.x",
+                "velocity of C.y",
+            ];
+
+            #[inline(always)]
+            fn into_array(self) -> [T; 7] {
+                [
+                    self.AB.omega,
+                    self.B.x,
+                    self.B.y,
+                    self.BC.omega,
+                    self.DC.omega,
+                    self.C.x,
+                    self.C.y,
+                ]
+            }
+
+            #[inline]
+            fn from_array([n0_, n1_, n2_, n3_, n4_, n5_, n6_]: [T; 7]) -> Self {
+                FourBarVelocity {
+                    AB: AngularVelocity { omega: n0_ },
+                    B: Point { x: n1_, y: n2_ },
+                    BC: AngularVelocity { omega: n3_ },
+                    DC: AngularVelocity { omega: n4_ },
+                    C: Point { x: n5_, y: n6_ },
+                }
+            }
+        }
+
+        impl<T> Record for FourBarAcceleration<T> {
+            type Number = T;
+            type Array = [T; 7];
+
+            const LABELS: &'static [&'static str] = &[
+                "AB.alpha",
+                "acceleration of B.x",
+                "acceleration of B.y",
+                "BC.alpha",
+                "DC.alpha",
+                "acceleration of C.x",
+                "acceleration of C.y",
+            ];
+
+            #[inline(always)]
+            fn into_array(self) -> [T; 7] {
+                [
+                    self.AB.alpha,
+                    self.B.x,
+                    self.B.y,
+                    self.BC.alpha,
+                    self.DC.alpha,
+                    self.C.x,
+                    self.C.y,
+                ]
+            }
+
+            #[inline]
+            fn from_array([n0_, n1_, n2_, n3_, n4_, n5_, n6_]: [T; 7]) -> Self {
+                FourBarAcceleration {
+                    AB: AngularAcceleration { alpha: n0_ },
+                    B: Point { x: n1_, y: n2_ },
+                    BC: AngularAcceleration { alpha: n3_ },
+                    DC: AngularAcceleration { alpha: n4_ },
+                    C: Point { x: n5_, y: n6_ },
+                }
+            }
+        }
+
+        impl<T> Record for FourBarMotion<T> {
+            type Number = T;
+            type Array = [T; 24];
+
+            const LABELS: &'static [&'static str] = &[
+                "AB.angle",
+                "AB.angle",
+                "B.x",
+                "B.y",
+                "BC.angle",
+                "BC.angle",
+                "DC.angle",
+                "DC.angle",
+                "C.x",
+                "C.y",
+                "AB.omega",
+                "velocity of B.x",
+                "velocity of B.y",
+                "BC.omega",
+                "DC.omega",
+                "velocity of C.x",
+                "velocity of C.y",
+                "AB.alpha",
+                "acceleration of B.x",
+                "acceleration of B.y",
+                "BC.alpha",
+                "DC.alpha",
+                "acceleration of C.x",
+                "acceleration of C.y",
+            ];
+
+            #[inline(always)]
+            fn into_array(self) -> [T; 24] {
+                let [n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_] =
+                    Record::into_array(self.position);
+                let [n10_, n11_, n12_, n13_, n14_, n15_, n16_] = Record::into_array(self.velocity);
+                let [n17_, n18_, n19_, n20_, n21_, n22_, n23_] =
+                    Record::into_array(self.acceleration);
+                [
+                    n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_, n10_, n11_, n12_, n13_, n14_,
+                    n15_, n16_, n17_, n18_, n19_, n20_, n21_, n22_, n23_,
+                ]
+            }
+
+            #[inline]
+            fn from_array(
+                [
+                    n0_,
+                    n1_,
+                    n2_,
+                    n3_,
+                    n4_,
+                    n5_,
+                    n6_,
+                    n7_,
+                    n8_,
+                    n9_,
+                    n10_,
+                    n11_,
+                    n12_,
+                    n13_,
+                    n14_,
+                    n15_,
+                    n16_,
+                    n17_,
+                    n18_,
+                    n19_,
+                    n20_,
+                    n21_,
+                    n22_,
+                    n23_,
+                ]: [T; 24],
+            ) -> Self {
+                Self {
+                    position: Record::from_array([
+                        n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_,
+                    ]),
+                    velocity: Record::from_array([n10_, n11_, n12_, n13_, n14_, n15_, n16_]),
+                    acceleration: Record::from_array([n17_, n18_, n19_, n20_, n21_, n22_, n23_]),
+                }
+            }
+        }
+
+        impl<T: Scalar> FourBarPosition<T> {
+            /// The rows in the order of `OUTPUTS`; a direction's row is its angle in (−π, π].
+            #[inline]
+            #[must_use]
+            pub fn rows(&self) -> [T; 7] {
+                [
+                    self.AB.angle(),
+                    self.B.x,
+                    self.B.y,
+                    self.BC.angle(),
+                    self.DC.angle(),
+                    self.C.x,
+                    self.C.y,
+                ]
+            }
+        }
+
+        impl<T: Scalar> FourBarVelocity<T> {
+            /// The rows in the order of `OUTPUTS`; a direction's row is ω.
+            #[inline]
+            #[must_use]
+            pub fn rows(&self) -> [T; 7] {
+                [
+                    self.AB.omega,
+                    self.B.x,
+                    self.B.y,
+                    self.BC.omega,
+                    self.DC.omega,
+                    self.C.x,
+                    self.C.y,
+                ]
+            }
+        }
+
+        impl<T: Scalar> FourBarAcceleration<T> {
+            /// The rows in the order of `OUTPUTS`; a direction's row is α.
+            #[inline]
+            #[must_use]
+            pub fn rows(&self) -> [T; 7] {
+                [
+                    self.AB.alpha,
+                    self.B.x,
+                    self.B.y,
+                    self.BC.alpha,
+                    self.DC.alpha,
+                    self.C.x,
+                    self.C.y,
+                ]
+            }
+        }
+
+        impl<T: Scalar> FourBar<T> {
+            /// Positions of the outputs, without a branch, and whether they may be used.
+            ///
+            /// Given `theta` in rad.
+            ///
+            /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
+            /// division, 1 square root and 1 sine-cosine pair.
+            #[inline]
+            #[must_use]
+            pub fn solve_position(&self, theta: T) -> (FourBarPosition<T>, T::Mask) {
+                self.core_position_(theta)
+            }
+
+            #[inline(always)]
+            fn core_position_(&self, theta: T) -> (FourBarPosition<T>, T::Mask) {
+                let (sin_, cos_) = T::sin_cos_near(theta);
+                let (result_, ok_) = self.core_position_at_(cos_, sin_);
+                (result_, T::is_near(theta) & ok_)
+            }
+
+            /// Velocities of the outputs, without a branch, and whether they may be used.
+            ///
+            /// Given `theta` in rad, its rate in rad/s.
+            ///
+            /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
+            /// divisions, 1 square root and 1 sine-cosine pair.
+            #[inline]
+            #[must_use]
+            pub fn solve_velocity(&self, theta: T, theta_rate: T) -> (FourBarVelocity<T>, T::Mask) {
+                self.core_velocity_(theta, theta_rate)
+            }
+
+            #[inline(always)]
+            fn core_velocity_(&self, theta: T, theta_rate: T) -> (FourBarVelocity<T>, T::Mask) {
+                let (sin_, cos_) = T::sin_cos_near(theta);
+                let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
+                (result_, T::is_near(theta) & ok_)
+            }
+
+            /// Positions, velocities and accelerations of the outputs, without a branch, and whether they
+            /// may be used.
+            ///
+            /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s².
+            ///
+            /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
+            /// divisions, 1 square root and 1 sine-cosine pair.
+            #[inline]
+            #[must_use]
+            pub fn solve_motion(
+                &self,
+                theta: T,
+                theta_rate: T,
+                theta_acceleration: T,
+            ) -> (FourBarMotion<T>, T::Mask) {
+                self.core_motion_(theta, theta_rate, theta_acceleration)
+            }
+
+            #[inline(always)]
+            fn core_motion_(
+                &self,
+                theta: T,
+                theta_rate: T,
+                theta_acceleration: T,
+            ) -> (FourBarMotion<T>, T::Mask) {
+                let (sin_, cos_) = T::sin_cos_near(theta);
+                let (result_, ok_) =
+                    self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+                (result_, T::is_near(theta) & ok_)
+            }
+
+            /// Kinematic coefficients ∂outputs/∂inputs, without a branch, and whether they may be used.
+            ///
+            /// Given `theta` in rad.
+            /// A row an output in the order of `OUTPUTS`, a column an input in the order of `INPUTS`; from
+            /// the velocity equations.
+            ///
+            /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 27 multiplications, 2
+            /// divisions, 1 square root and 1 sine-cosine pair.
+            #[inline]
+            #[must_use]
+            pub fn solve_coefficients(&self, theta: T) -> ([[T; 1]; 7], T::Mask) {
+                self.core_coefficients_(theta)
+            }
+
+            #[inline(always)]
+            fn core_coefficients_(&self, theta: T) -> ([[T; 1]; 7], T::Mask) {
+                let (result_, ok_) = self.core_velocity_(theta, T::lit(1.0, 1.0));
+                (
+                    [
+                        [result_.AB.omega],
+                        [result_.B.x],
+                        [result_.B.y],
+                        [result_.BC.omega],
+                        [result_.DC.omega],
+                        [result_.C.x],
+                        [result_.C.y],
+                    ],
+                    ok_,
+                )
+            }
+
+            /// Positions of the outputs, without a branch, and whether they may be used.
+            ///
+            /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1).
+            ///
+            /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
+            /// division and 1 square root.
+            #[inline]
+            #[must_use]
+            pub fn solve_position_at(&self, cos: T, sin: T) -> (FourBarPosition<T>, T::Mask) {
+                let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                let (result_, ok_) = self.core_position_at_(cos_, sin_);
+                (result_, ok_ & near_)
+            }
+
+            #[inline(always)]
+            fn core_position_at_(&self, cos: T, sin: T) -> (FourBarPosition<T>, T::Mask) {
+                let mut all_met_ = AllMet::new();
+                let result_ = {
+                    let rest_ = T::lit(0.0, 0.0);
+                    self.formulas_at_::<0>(&mut all_met_, cos, sin, rest_, rest_).position
+                };
+                (
+                    result_,
+                    all_met_.all()
+                        & (if T::plain(true, true) {
+                            <T::Mask as Mask>::ALL
+                        } else {
+                            T::is_finite(
+                                ((result_.B.x + result_.DC.cos) + result_.DC.sin)
+                                    + ((result_.BC.cos + result_.BC.sin) + result_.C.x),
+                            )
+                        }),
+                )
+            }
+
+            /// Velocities of the outputs, without a branch, and whether they may be used.
+            ///
+            /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s.
+            ///
+            /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
+            /// divisions and 1 square root.
+            #[inline]
+            #[must_use]
+            pub fn solve_velocity_at(
+                &self,
+                cos: T,
+                sin: T,
+                theta_rate: T,
+            ) -> (FourBarVelocity<T>, T::Mask) {
+                let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
+                (result_, ok_ & near_)
+            }
+
+            #[inline(always)]
+            fn core_velocity_at_(
+                &self,
+                cos: T,
+                sin: T,
+                theta_rate: T,
+            ) -> (FourBarVelocity<T>, T::Mask) {
+                let mut all_met_ = AllMet::new();
+                let result_ = {
+                    let rest_ = T::lit(0.0, 0.0);
+                    self.formulas_at_::<1>(&mut all_met_, cos, sin, theta_rate, rest_).velocity
+                };
+                (
+                    result_,
+                    all_met_.all()
+                        & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
+                        & (if T::plain(true, true) {
+                            <T::Mask as Mask>::ALL
+                        } else {
+                            T::is_finite(
+                                (result_.B.x + result_.BC.omega) + (result_.C.x + result_.C.y),
+                            )
+                        }),
+                )
+            }
+
+            /// Positions, velocities and accelerations of the outputs, without a branch, and whether they
+            /// may be used.
+            ///
+            /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s, its
+            /// second rate in rad/s².
+            ///
+            /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
+            /// divisions and 1 square root.
+            #[inline]
+            #[must_use]
+            pub fn solve_motion_at(
+                &self,
+                cos: T,
+                sin: T,
+                theta_rate: T,
+                theta_acceleration: T,
+            ) -> (FourBarMotion<T>, T::Mask) {
+                let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                let (result_, ok_) =
+                    self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+                (result_, ok_ & near_)
+            }
+
+            #[inline(always)]
+            fn core_motion_at_(
+                &self,
+                cos: T,
+                sin: T,
+                theta_rate: T,
+                theta_acceleration: T,
+            ) -> (FourBarMotion<T>, T::Mask) {
+                let mut all_met_ = AllMet::new();
+                let result_ =
+                    self.formulas_at_::<2>(&mut all_met_, cos, sin, theta_rate, theta_acceleration);
+                (
+                    result_,
+                    all_met_.all()
+                        & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
+                        & T::is_within(
+                            theta_acceleration,
+                            T::lit(9.999999999999998e119, 1000000000000.0),
+                        )
+                        & (if T::plain(true, true) {
+                            <T::Mask as Mask>::ALL
+                        } else {
+                            T::is_finite(
+                                (((result_.velocity.B.x + result_.acceleration.B.x)
+                                    + result_.position.DC.cos)
+                                    + ((result_.position.DC.sin + result_.position.BC.cos)
+                                        + result_.position.BC.sin))
+                                    + (((result_.acceleration.BC.alpha + result_.velocity.C.x)
+                                        + result_.velocity.C.y)
+                                        + ((result_.acceleration.C.x + result_.acceleration.C.y)
+                                            + result_.position.C.x)),
+                            )
+                        }),
+                )
+            }
+
+            #[inline(always)]
+            fn formulas_at_<const ORDER: usize>(
+                &self,
+                checks_: &mut impl Checks<T>,
+                cos: T,
+                sin: T,
+                theta_rate: T,
+                theta_acceleration: T,
+            ) -> FourBarMotion<T> {
+                let zero_ = T::lit(0.0, 0.0);
+                let velocity_ = Record::from_array([zero_; 7]);
+                let acceleration_ = Record::from_array([zero_; 7]);
+                let b_x_ = T::lit(0.1016, 0.1016) * cos;
+                let b_y_ = T::lit(0.1016, 0.1016) * sin;
+                let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
+                let v174_ =
+                    T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
+                let bc_dc_d2_ = checks_.square_of_centres(
+                    v174_,
+                    bc_dc_d_x_,
+                    -b_y_,
+                    T::lit(0.254, 0.254),
+                    T::lit(0.1778, 0.1778),
+                    "BC, DC",
+                );
+                let bc_dc_inverse_d2_ = T::lit(1.0, 1.0) / bc_dc_d2_;
+                let bc_dc_i_ =
+                    T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
+                let v178_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
+                let v179_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
+                let v180_ = T::lit(5.535725357165, 5.5357256) * v178_;
+                let v181_ = v179_ * v180_;
+                let bc_dc_s_ = checks_.reach_circles(
+                    v181_,
+                    [
+                        bc_dc_d_x_,
+                        -b_y_,
+                        T::lit(0.254, 0.254),
+                        T::lit(0.1778, 0.1778),
+                        T::lit(1.0321428571428573, 1.0321429),
+                    ],
+                    "BC, DC",
+                );
+                let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
+                let v184_ = T::lit(0.0903224, 0.0903224) * bc_dc_inverse_d2_;
+                let bc_dc_h_ = bc_dc_root_s_ * v184_;
+                let bc_dc_a_d2_ =
+                    T::fused(T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0193548, 0.0193548));
+                let bc_dc_b_d2_ =
+                    T::fused(T::lit(0.5, 0.5), bc_dc_i_, -T::lit(0.01354836, 0.01354836));
+                let v189_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
+                let bc_dc_a_ = checks_.share_of_centres(
+                    v189_,
+                    [
+                        v181_,
+                        bc_dc_d_x_,
+                        -b_y_,
+                        T::lit(0.254, 0.254),
+                        T::lit(0.1778, 0.1778),
+                        T::lit(1.0321428571428573, 1.0321429),
+                    ],
+                    "BC, DC",
+                );
+                let v191_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
+                let bc_dc_b_ = checks_.share_of_centres(
+                    v191_,
+                    [
+                        v181_,
+                        bc_dc_d_x_,
+                        -b_y_,
+                        T::lit(0.1778, 0.1778),
+                        T::lit(0.254, 0.254),
+                        T::lit(1.0321428571428573, 1.0321429),
+                    ],
+                    "BC, DC",
+                );
+                let bc_dc_h_d_x_ = b_y_ * bc_dc_h_;
+                let bc_dc_h_d_y_ = bc_dc_d_x_ * bc_dc_h_;
+                let bc_dc_r2_x_ = T::fused(bc_dc_d_x_, bc_dc_a_, bc_dc_h_d_x_);
+                let bc_dc_r2_y_ = T::fused(-b_y_, bc_dc_a_, bc_dc_h_d_y_);
+                let bc_dc_r3_x_ = T::fused(-bc_dc_d_x_, bc_dc_b_, bc_dc_h_d_x_);
+                let c_y_ = T::fused(b_y_, bc_dc_b_, bc_dc_h_d_y_);
+                let dc_cos_ = T::lit(5.62429696287964, 5.624297) * bc_dc_r3_x_;
+                let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
+                let bc_cos_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_x_;
+                let bc_sin_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_y_;
+                let c_x_ = T::lit(0.3048, 0.3048) + bc_dc_r3_x_;
+                let position_ = FourBarPosition {
+                    AB: Direction { cos, sin },
+                    B: Point { x: b_x_, y: b_y_ },
+                    BC: Direction { cos: bc_cos_, sin: bc_sin_ },
+                    DC: Direction { cos: dc_cos_, sin: dc_sin_ },
+                    C: Point { x: c_x_, y: c_y_ },
+                };
+                if ORDER == 0 {
+                    return FourBarMotion {
+                        position: position_,
+                        velocity: velocity_,
+                        acceleration: acceleration_,
+                    };
+                }
+                let bc_dc_w_x_ = theta_rate * b_y_;
+                let b_vx_ = -bc_dc_w_x_;
+                let b_vy_ = theta_rate * b_x_;
+                let v204_ = checks_.nonzero(bc_dc_s_, "BC, DC");
+                let v205_ = T::lit(11.07145071433, 11.071451) * bc_dc_root_s_;
+                let v206_ = T::lit(1.0, 1.0) / v204_;
+                let bc_dc_inverse_j_ = v205_ * v206_;
+                let v212_ = bc_dc_w_x_ * bc_dc_r3_x_;
+                let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v212_);
+                let bc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r3_;
+                let v217_ = bc_dc_w_x_ * bc_dc_r2_x_;
+                let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v217_);
+                let dc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r2_;
+                let v242_ = c_y_ * dc_omega_;
+                let c_vx_ = -v242_;
+                let c_vy_ = bc_dc_r3_x_ * dc_omega_;
+                let velocity_ = FourBarVelocity {
+                    AB: AngularVelocity { omega: theta_rate },
+                    B: Point { x: b_vx_, y: b_vy_ },
+                    BC: AngularVelocity { omega: bc_omega_ },
+                    DC: AngularVelocity { omega: dc_omega_ },
+                    C: Point { x: c_vx_, y: c_vy_ },
+                };
+                if ORDER == 1 {
+                    return FourBarMotion {
+                        position: position_,
+                        velocity: velocity_,
+                        acceleration: acceleration_,
+                    };
+                }
+                let v16_ = theta_rate * theta_rate;
+                let v164_ = theta_acceleration * b_y_;
+                let v165_ = theta_acceleration * b_x_;
+                let bc_dc_g_x_ = T::fused(v16_, b_x_, v164_);
+                let b_ax_ = -bc_dc_g_x_;
+                let b_ay_ = T::fused(-v16_, b_y_, v165_);
+                let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
+                let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
+                let bc_dc_r2_r3_ =
+                    T::fused(-T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0451612, 0.0451612));
+                let v224_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
+                let v226_ = T::fused(-T::lit(0.03161284, 0.03161284), bc_dc_omega3_squared_, v224_);
+                let v227_ = T::lit(0.064516, 0.064516) * bc_dc_omega2_squared_;
+                let v230_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v227_);
+                let v231_ = bc_dc_g_x_ * bc_dc_r3_x_;
+                let v234_ = T::fused(-b_ay_, c_y_, v231_);
+                let v235_ = v226_ + v234_;
+                let bc_alpha_ = bc_dc_inverse_j_ * v235_;
+                let v237_ = bc_dc_g_x_ * bc_dc_r2_x_;
+                let v239_ = T::fused(-b_ay_, bc_dc_r2_y_, v237_);
+                let v240_ = v230_ + v239_;
+                let dc_alpha_ = bc_dc_inverse_j_ * v240_;
+                let v245_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
+                let v246_ = c_y_ * bc_dc_omega3_squared_;
+                let v249_ = T::fused(c_y_, dc_alpha_, v245_);
+                let c_ax_ = -v249_;
+                let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v246_);
+                let acceleration_ = FourBarAcceleration {
+                    AB: AngularAcceleration { alpha: theta_acceleration },
+                    B: Point { x: b_ax_, y: b_ay_ },
+                    BC: AngularAcceleration { alpha: bc_alpha_ },
+                    DC: AngularAcceleration { alpha: dc_alpha_ },
+                    C: Point { x: c_ax_, y: c_ay_ },
+                };
+                FourBarMotion {
+                    position: position_,
+                    velocity: velocity_,
+                    acceleration: acceleration_,
+                }
+            }
+        }
+
+        impl<T: Real> FourBar<T> {
+            /// Positions of the outputs.
+            ///
+            /// Given `theta` in rad.
+            ///
+            /// Costs 11 additions, 21 multiplications, 1 division, 1 square root and 1 sine-cosine pair.
+            ///
+            /// # Errors
+            /// The group that cannot be assembled, is singular or was given an invalid length, or the input
+            /// or result that is not finite.
+            #[inline]
+            pub fn position(&self, theta: T) -> Result<FourBarPosition<T>, SolveError> {
+                let (result_, ok_) = { self.core_position_(theta) };
+                if ok_ { Ok(result_) } else { self.diagnose_position_(theta) }
+            }
+
+            /// Velocities of the outputs.
+            ///
+            /// Given `theta` in rad, its rate in rad/s.
+            ///
+            /// Costs 12 additions, 29 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+            ///
+            /// # Errors
+            /// The group that cannot be assembled, is singular or was given an invalid length, or the input
+            /// or result that is not finite.
+            #[inline]
+            pub fn velocity(
+                &self,
+                theta: T,
+                theta_rate: T,
+            ) -> Result<FourBarVelocity<T>, SolveError> {
+                let (result_, ok_) = { self.core_velocity_(theta, theta_rate) };
+                if ok_ { Ok(result_) } else { self.diagnose_velocity_(theta, theta_rate) }
+            }
+
+            /// Positions, velocities and accelerations of the outputs.
+            ///
+            /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s².
+            ///
+            /// Costs 24 additions, 54 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+            ///
+            /// # Errors
+            /// The group that cannot be assembled, is singular or was given an invalid length, or the input
+            /// or result that is not finite.
+            #[inline]
+            pub fn motion(
+                &self,
+                theta: T,
+                theta_rate: T,
+                theta_acceleration: T,
+            ) -> Result<FourBarMotion<T>, SolveError> {
+                let (result_, ok_) = { self.core_motion_(theta, theta_rate, theta_acceleration) };
+                if ok_ {
+                    Ok(result_)
+                } else {
+                    self.diagnose_motion_(theta, theta_rate, theta_acceleration)
+                }
+            }
+
+            /// Kinematic coefficients ∂outputs/∂inputs.
+            ///
+            /// Given `theta` in rad.
+            /// A row an output in the order of `OUTPUTS`, a column an input in the order of `INPUTS`; from
+            /// the velocity equations.
+            ///
+            /// Costs 12 additions, 27 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+            ///
+            /// # Errors
+            /// The group that cannot be assembled, is singular or was given an invalid length, or the input
+            /// or result that is not finite. An input that no coefficient depends on is not looked at.
+            #[inline]
+            pub fn coefficients(&self, theta: T) -> Result<[[T; 1]; 7], SolveError> {
+                let (result_, ok_) = { self.core_coefficients_(theta) };
+                if ok_ { Ok(result_) } else { self.diagnose_coefficients_(theta) }
+            }
+
+            /// Positions of the outputs.
+            ///
+            /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1).
+            ///
+            /// Costs 11 additions, 21 multiplications, 1 division and 1 square root.
+            ///
+            /// # Errors
+            /// The group that cannot be assembled, is singular or was given an invalid length, or the input
+            /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
+            #[inline]
+            pub fn position_at(&self, cos: T, sin: T) -> Result<FourBarPosition<T>, SolveError> {
+                let (result_, ok_) = {
+                    let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                    let (result_, ok_) = self.core_position_at_(cos_, sin_);
+                    (result_, ok_ & near_)
+                };
+                if ok_ {
+                    Ok(result_)
+                } else {
+                    let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
+                    self.diagnose_position_at_(cos_, sin_)
+                }
+            }
+
+            /// Velocities of the outputs.
+            ///
+            /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s.
+            ///
+            /// Costs 12 additions, 29 multiplications, 2 divisions and 1 square root.
+            ///
+            /// # Errors
+            /// The group that cannot be assembled, is singular or was given an invalid length, or the input
+            /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
+            #[inline]
+            pub fn velocity_at(
+                &self,
+                cos: T,
+                sin: T,
+                theta_rate: T,
+            ) -> Result<FourBarVelocity<T>, SolveError> {
+                let (result_, ok_) = {
+                    let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                    let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
+                    (result_, ok_ & near_)
+                };
+                if ok_ {
+                    Ok(result_)
+                } else {
+                    let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
+                    self.diagnose_velocity_at_(cos_, sin_, theta_rate)
+                }
+            }
+
+            /// Positions, velocities and accelerations of the outputs.
+            ///
+            /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s, its
+            /// second rate in rad/s².
+            ///
+            /// Costs 24 additions, 54 multiplications, 2 divisions and 1 square root.
+            ///
+            /// # Errors
+            /// The group that cannot be assembled, is singular or was given an invalid length, or the input
+            /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
+            #[inline]
+            pub fn motion_at(
+                &self,
+                cos: T,
+                sin: T,
+                theta_rate: T,
+                theta_acceleration: T,
+            ) -> Result<FourBarMotion<T>, SolveError> {
+                let (result_, ok_) = {
+                    let (cos_, sin_, near_) = private::on_circle(cos, sin);
+                    let (result_, ok_) =
+                        self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+                    (result_, ok_ & near_)
+                };
+                if ok_ {
+                    Ok(result_)
+                } else {
+                    let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
+                    self.diagnose_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
+                }
+            }
+
+            /// Why `solve_position` gave no answer, or the answer at a limit.
+            #[cold]
+            #[inline(never)]
+            fn diagnose_position_(&self, theta: T) -> Result<FourBarPosition<T>, SolveError> {
+                private::finite_input(theta, "theta")?;
+                let (sin_, cos_) = T::sin_cos(theta);
+                self.diagnose_position_at_(cos_, sin_)
+            }
+
+            /// Why `solve_velocity` gave no answer, or the answer at a limit.
+            #[cold]
+            #[inline(never)]
+            fn diagnose_velocity_(
+                &self,
+                theta: T,
+                theta_rate: T,
+            ) -> Result<FourBarVelocity<T>, SolveError> {
+                private::finite_input(theta, "theta")?;
+                let (sin_, cos_) = T::sin_cos(theta);
+                self.diagnose_velocity_at_(cos_, sin_, theta_rate)
+            }
+
+            /// Why `solve_motion` gave no answer, or the answer at a limit.
+            #[cold]
+            #[inline(never)]
+            fn diagnose_motion_(
+                &self,
+                theta: T,
+                theta_rate: T,
+                theta_acceleration: T,
+            ) -> Result<FourBarMotion<T>, SolveError> {
+                private::finite_input(theta, "theta")?;
+                let (sin_, cos_) = T::sin_cos(theta);
+                self.diagnose_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
+            }
+
+            /// Why `solve_coefficients` gave no answer, or the answer at a limit.
+            #[cold]
+            #[inline(never)]
+            fn diagnose_coefficients_(&self, theta: T) -> Result<[[T; 1]; 7], SolveError> {
+                let result_ = self.diagnose_velocity_(theta, T::lit(1.0, 1.0))?;
+                Ok([
                     [result_.AB.omega],
                     [result_.B.x],
                     [result_.B.y],
@@ -551,877 +1125,380 @@ const _: () = {
                     [result_.DC.omega],
                     [result_.C.x],
                     [result_.C.y],
-                ],
-                ok_,
-            )
-        }
-
-        /// Positions of the outputs, without a branch, and whether they may be used.
-        ///
-        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1).
-        ///
-        /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
-        /// division and 1 square root.
-        #[inline]
-        #[must_use]
-        pub fn solve_position_at(&self, cos: T, sin: T) -> (FourBarPosition<T>, T::Mask) {
-            let (cos_, sin_, near_) = private::on_circle(cos, sin);
-            let (result_, ok_) = self.core_position_at_(cos_, sin_);
-            (result_, ok_ & near_)
-        }
-
-        #[inline(always)]
-        fn core_position_at_(&self, cos: T, sin: T) -> (FourBarPosition<T>, T::Mask) {
-            let mut all_met_ = AllMet::new();
-            let result_ = {
-                let rest_ = T::lit(0.0, 0.0);
-                self.formulas_at_::<0>(&mut all_met_, cos, sin, rest_, rest_).position
-            };
-            (
-                result_,
-                all_met_.all()
-                    & (if T::plain(true, true) {
-                        <T::Mask as Mask>::ALL
-                    } else {
-                        T::is_finite(
-                            ((result_.B.x + result_.DC.cos) + result_.DC.sin)
-                                + ((result_.BC.cos + result_.BC.sin) + result_.C.x),
-                        )
-                    }),
-            )
-        }
-
-        /// Velocities of the outputs, without a branch, and whether they may be used.
-        ///
-        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s.
-        ///
-        /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
-        /// divisions and 1 square root.
-        #[inline]
-        #[must_use]
-        pub fn solve_velocity_at(
-            &self,
-            cos: T,
-            sin: T,
-            theta_rate: T,
-        ) -> (FourBarVelocity<T>, T::Mask) {
-            let (cos_, sin_, near_) = private::on_circle(cos, sin);
-            let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
-            (result_, ok_ & near_)
-        }
-
-        #[inline(always)]
-        fn core_velocity_at_(
-            &self,
-            cos: T,
-            sin: T,
-            theta_rate: T,
-        ) -> (FourBarVelocity<T>, T::Mask) {
-            let mut all_met_ = AllMet::new();
-            let result_ = {
-                let rest_ = T::lit(0.0, 0.0);
-                self.formulas_at_::<1>(&mut all_met_, cos, sin, theta_rate, rest_).velocity
-            };
-            (
-                result_,
-                all_met_.all()
-                    & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
-                    & (if T::plain(true, true) {
-                        <T::Mask as Mask>::ALL
-                    } else {
-                        T::is_finite((result_.B.x + result_.BC.omega) + (result_.C.x + result_.C.y))
-                    }),
-            )
-        }
-
-        /// Positions, velocities and accelerations of the outputs, without a branch, and whether they
-        /// may be used.
-        ///
-        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s, its
-        /// second rate in rad/s².
-        ///
-        /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
-        /// divisions and 1 square root.
-        #[inline]
-        #[must_use]
-        pub fn solve_motion_at(
-            &self,
-            cos: T,
-            sin: T,
-            theta_rate: T,
-            theta_acceleration: T,
-        ) -> (FourBarMotion<T>, T::Mask) {
-            let (cos_, sin_, near_) = private::on_circle(cos, sin);
-            let (result_, ok_) = self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
-            (result_, ok_ & near_)
-        }
-
-        #[inline(always)]
-        fn core_motion_at_(
-            &self,
-            cos: T,
-            sin: T,
-            theta_rate: T,
-            theta_acceleration: T,
-        ) -> (FourBarMotion<T>, T::Mask) {
-            let mut all_met_ = AllMet::new();
-            let result_ =
-                self.formulas_at_::<2>(&mut all_met_, cos, sin, theta_rate, theta_acceleration);
-            (
-                result_,
-                all_met_.all()
-                    & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
-                    & T::is_within(
-                        theta_acceleration,
-                        T::lit(9.999999999999998e119, 1000000000000.0),
-                    )
-                    & (if T::plain(true, true) {
-                        <T::Mask as Mask>::ALL
-                    } else {
-                        T::is_finite(
-                            (((result_.velocity.B.x + result_.acceleration.B.x)
-                                + result_.position.DC.cos)
-                                + ((result_.position.DC.sin + result_.position.BC.cos)
-                                    + result_.position.BC.sin))
-                                + (((result_.acceleration.BC.alpha + result_.velocity.C.x)
-                                    + result_.velocity.C.y)
-                                    + ((result_.acceleration.C.x + result_.acceleration.C.y)
-                                        + result_.position.C.x)),
-                        )
-                    }),
-            )
-        }
-
-        #[inline(always)]
-        fn formulas_at_<const ORDER: usize>(
-            &self,
-            checks_: &mut impl Checks<T>,
-            cos: T,
-            sin: T,
-            theta_rate: T,
-            theta_acceleration: T,
-        ) -> FourBarMotion<T> {
-            let zero_ = T::lit(0.0, 0.0);
-            let velocity_ = Record::from_array([zero_; 7]);
-            let acceleration_ = Record::from_array([zero_; 7]);
-            let b_x_ = T::lit(0.1016, 0.1016) * cos;
-            let b_y_ = T::lit(0.1016, 0.1016) * sin;
-            let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
-            let v174_ =
-                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
-            let bc_dc_d2_ = checks_.square_of_centres(
-                v174_,
-                bc_dc_d_x_,
-                -b_y_,
-                T::lit(0.254, 0.254),
-                T::lit(0.1778, 0.1778),
-                "BC, DC",
-            );
-            let bc_dc_inverse_d2_ = T::lit(1.0, 1.0) / bc_dc_d2_;
-            let bc_dc_i_ =
-                T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
-            let v178_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
-            let v179_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
-            let v180_ = T::lit(5.535725357165, 5.5357256) * v178_;
-            let v181_ = v179_ * v180_;
-            let bc_dc_s_ = checks_.reach_circles(
-                v181_,
-                [
-                    bc_dc_d_x_,
-                    -b_y_,
-                    T::lit(0.254, 0.254),
-                    T::lit(0.1778, 0.1778),
-                    T::lit(1.0321428571428573, 1.0321429),
-                ],
-                "BC, DC",
-            );
-            let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
-            let v184_ = T::lit(0.0903224, 0.0903224) * bc_dc_inverse_d2_;
-            let bc_dc_h_ = bc_dc_root_s_ * v184_;
-            let bc_dc_a_d2_ = T::fused(T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0193548, 0.0193548));
-            let bc_dc_b_d2_ = T::fused(T::lit(0.5, 0.5), bc_dc_i_, -T::lit(0.01354836, 0.01354836));
-            let v189_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
-            let bc_dc_a_ = checks_.share_of_centres(
-                v189_,
-                [
-                    v181_,
-                    bc_dc_d_x_,
-                    -b_y_,
-                    T::lit(0.254, 0.254),
-                    T::lit(0.1778, 0.1778),
-                    T::lit(1.0321428571428573, 1.0321429),
-                ],
-                "BC, DC",
-            );
-            let v191_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
-            let bc_dc_b_ = checks_.share_of_centres(
-                v191_,
-                [
-                    v181_,
-                    bc_dc_d_x_,
-                    -b_y_,
-                    T::lit(0.1778, 0.1778),
-                    T::lit(0.254, 0.254),
-                    T::lit(1.0321428571428573, 1.0321429),
-                ],
-                "BC, DC",
-            );
-            let bc_dc_h_d_x_ = b_y_ * bc_dc_h_;
-            let bc_dc_h_d_y_ = bc_dc_d_x_ * bc_dc_h_;
-            let bc_dc_r2_x_ = T::fused(bc_dc_d_x_, bc_dc_a_, bc_dc_h_d_x_);
-            let bc_dc_r2_y_ = T::fused(-b_y_, bc_dc_a_, bc_dc_h_d_y_);
-            let bc_dc_r3_x_ = T::fused(-bc_dc_d_x_, bc_dc_b_, bc_dc_h_d_x_);
-            let c_y_ = T::fused(b_y_, bc_dc_b_, bc_dc_h_d_y_);
-            let dc_cos_ = T::lit(5.62429696287964, 5.624297) * bc_dc_r3_x_;
-            let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
-            let bc_cos_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_x_;
-            let bc_sin_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_y_;
-            let c_x_ = T::lit(0.3048, 0.3048) + bc_dc_r3_x_;
-            let position_ = FourBarPosition {
-                AB: Direction { cos, sin },
-                B: Point { x: b_x_, y: b_y_ },
-                BC: Direction { cos: bc_cos_, sin: bc_sin_ },
-                DC: Direction { cos: dc_cos_, sin: dc_sin_ },
-                C: Point { x: c_x_, y: c_y_ },
-            };
-            if ORDER == 0 {
-                return FourBarMotion {
-                    position: position_,
-                    velocity: velocity_,
-                    acceleration: acceleration_,
-                };
+                ])
             }
-            let bc_dc_w_x_ = theta_rate * b_y_;
-            let b_vx_ = -bc_dc_w_x_;
-            let b_vy_ = theta_rate * b_x_;
-            let v204_ = checks_.nonzero(bc_dc_s_, "BC, DC");
-            let v205_ = T::lit(11.07145071433, 11.071451) * bc_dc_root_s_;
-            let v206_ = T::lit(1.0, 1.0) / v204_;
-            let bc_dc_inverse_j_ = v205_ * v206_;
-            let v212_ = bc_dc_w_x_ * bc_dc_r3_x_;
-            let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v212_);
-            let bc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r3_;
-            let v217_ = bc_dc_w_x_ * bc_dc_r2_x_;
-            let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v217_);
-            let dc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r2_;
-            let v242_ = c_y_ * dc_omega_;
-            let c_vx_ = -v242_;
-            let c_vy_ = bc_dc_r3_x_ * dc_omega_;
-            let velocity_ = FourBarVelocity {
-                AB: AngularVelocity { omega: theta_rate },
-                B: Point { x: b_vx_, y: b_vy_ },
-                BC: AngularVelocity { omega: bc_omega_ },
-                DC: AngularVelocity { omega: dc_omega_ },
-                C: Point { x: c_vx_, y: c_vy_ },
-            };
-            if ORDER == 1 {
-                return FourBarMotion {
-                    position: position_,
-                    velocity: velocity_,
-                    acceleration: acceleration_,
-                };
-            }
-            let v16_ = theta_rate * theta_rate;
-            let v164_ = theta_acceleration * b_y_;
-            let v165_ = theta_acceleration * b_x_;
-            let bc_dc_g_x_ = T::fused(v16_, b_x_, v164_);
-            let b_ax_ = -bc_dc_g_x_;
-            let b_ay_ = T::fused(-v16_, b_y_, v165_);
-            let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
-            let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
-            let bc_dc_r2_r3_ = T::fused(-T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0451612, 0.0451612));
-            let v224_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
-            let v226_ = T::fused(-T::lit(0.03161284, 0.03161284), bc_dc_omega3_squared_, v224_);
-            let v227_ = T::lit(0.064516, 0.064516) * bc_dc_omega2_squared_;
-            let v230_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v227_);
-            let v231_ = bc_dc_g_x_ * bc_dc_r3_x_;
-            let v234_ = T::fused(-b_ay_, c_y_, v231_);
-            let v235_ = v226_ + v234_;
-            let bc_alpha_ = bc_dc_inverse_j_ * v235_;
-            let v237_ = bc_dc_g_x_ * bc_dc_r2_x_;
-            let v239_ = T::fused(-b_ay_, bc_dc_r2_y_, v237_);
-            let v240_ = v230_ + v239_;
-            let dc_alpha_ = bc_dc_inverse_j_ * v240_;
-            let v245_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
-            let v246_ = c_y_ * bc_dc_omega3_squared_;
-            let v249_ = T::fused(c_y_, dc_alpha_, v245_);
-            let c_ax_ = -v249_;
-            let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v246_);
-            let acceleration_ = FourBarAcceleration {
-                AB: AngularAcceleration { alpha: theta_acceleration },
-                B: Point { x: b_ax_, y: b_ay_ },
-                BC: AngularAcceleration { alpha: bc_alpha_ },
-                DC: AngularAcceleration { alpha: dc_alpha_ },
-                C: Point { x: c_ax_, y: c_ay_ },
-            };
-            FourBarMotion { position: position_, velocity: velocity_, acceleration: acceleration_ }
-        }
-    }
 
-    impl<T: Real> FourBar<T> {
-        /// Positions of the outputs.
-        ///
-        /// Given `theta` in rad.
-        ///
-        /// Costs 11 additions, 21 multiplications, 1 division, 1 square root and 1 sine-cosine pair.
-        ///
-        /// # Errors
-        /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
-        #[inline]
-        pub fn position(&self, theta: T) -> Result<FourBarPosition<T>, SolveError> {
-            let (result_, ok_) = { self.core_position_(theta) };
-            if ok_ { Ok(result_) } else { self.diagnose_position_(theta) }
-        }
-
-        /// Velocities of the outputs.
-        ///
-        /// Given `theta` in rad, its rate in rad/s.
-        ///
-        /// Costs 12 additions, 29 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
-        ///
-        /// # Errors
-        /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
-        #[inline]
-        pub fn velocity(&self, theta: T, theta_rate: T) -> Result<FourBarVelocity<T>, SolveError> {
-            let (result_, ok_) = { self.core_velocity_(theta, theta_rate) };
-            if ok_ { Ok(result_) } else { self.diagnose_velocity_(theta, theta_rate) }
-        }
-
-        /// Positions, velocities and accelerations of the outputs.
-        ///
-        /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s².
-        ///
-        /// Costs 24 additions, 54 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
-        ///
-        /// # Errors
-        /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite.
-        #[inline]
-        pub fn motion(
-            &self,
-            theta: T,
-            theta_rate: T,
-            theta_acceleration: T,
-        ) -> Result<FourBarMotion<T>, SolveError> {
-            let (result_, ok_) = { self.core_motion_(theta, theta_rate, theta_acceleration) };
-            if ok_ {
-                Ok(result_)
-            } else {
-                self.diagnose_motion_(theta, theta_rate, theta_acceleration)
-            }
-        }
-
-        /// Kinematic coefficients ∂outputs/∂inputs.
-        ///
-        /// Given `theta` in rad.
-        /// A row an output in the order of `OUTPUTS`, a column an input in the order of `INPUTS`; from
-        /// the velocity equations.
-        ///
-        /// Costs 12 additions, 27 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
-        ///
-        /// # Errors
-        /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite. An input that no coefficient depends on is not looked at.
-        #[inline]
-        pub fn coefficients(&self, theta: T) -> Result<[[T; 1]; 7], SolveError> {
-            let (result_, ok_) = { self.core_coefficients_(theta) };
-            if ok_ { Ok(result_) } else { self.diagnose_coefficients_(theta) }
-        }
-
-        /// Positions of the outputs.
-        ///
-        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1).
-        ///
-        /// Costs 11 additions, 21 multiplications, 1 division and 1 square root.
-        ///
-        /// # Errors
-        /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
-        #[inline]
-        pub fn position_at(&self, cos: T, sin: T) -> Result<FourBarPosition<T>, SolveError> {
-            let (result_, ok_) = {
-                let (cos_, sin_, near_) = private::on_circle(cos, sin);
-                let (result_, ok_) = self.core_position_at_(cos_, sin_);
-                (result_, ok_ & near_)
-            };
-            if ok_ {
-                Ok(result_)
-            } else {
-                let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
-                self.diagnose_position_at_(cos_, sin_)
-            }
-        }
-
-        /// Velocities of the outputs.
-        ///
-        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s.
-        ///
-        /// Costs 12 additions, 29 multiplications, 2 divisions and 1 square root.
-        ///
-        /// # Errors
-        /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
-        #[inline]
-        pub fn velocity_at(
-            &self,
-            cos: T,
-            sin: T,
-            theta_rate: T,
-        ) -> Result<FourBarVelocity<T>, SolveError> {
-            let (result_, ok_) = {
-                let (cos_, sin_, near_) = private::on_circle(cos, sin);
-                let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
-                (result_, ok_ & near_)
-            };
-            if ok_ {
-                Ok(result_)
-            } else {
-                let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
-                self.diagnose_velocity_at_(cos_, sin_, theta_rate)
-            }
-        }
-
-        /// Positions, velocities and accelerations of the outputs.
-        ///
-        /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s, its
-        /// second rate in rad/s².
-        ///
-        /// Costs 24 additions, 54 multiplications, 2 divisions and 1 square root.
-        ///
-        /// # Errors
-        /// The group that cannot be assembled, is singular or was given an invalid length, or the input
-        /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
-        #[inline]
-        pub fn motion_at(
-            &self,
-            cos: T,
-            sin: T,
-            theta_rate: T,
-            theta_acceleration: T,
-        ) -> Result<FourBarMotion<T>, SolveError> {
-            let (result_, ok_) = {
-                let (cos_, sin_, near_) = private::on_circle(cos, sin);
-                let (result_, ok_) =
-                    self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
-                (result_, ok_ & near_)
-            };
-            if ok_ {
-                Ok(result_)
-            } else {
-                let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
-                self.diagnose_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
-            }
-        }
-
-        /// Why `solve_position` gave no answer, or the answer at a limit.
-        #[cold]
-        #[inline(never)]
-        fn diagnose_position_(&self, theta: T) -> Result<FourBarPosition<T>, SolveError> {
-            private::finite_input(theta, "theta")?;
-            let (sin_, cos_) = T::sin_cos(theta);
-            self.diagnose_position_at_(cos_, sin_)
-        }
-
-        /// Why `solve_velocity` gave no answer, or the answer at a limit.
-        #[cold]
-        #[inline(never)]
-        fn diagnose_velocity_(
-            &self,
-            theta: T,
-            theta_rate: T,
-        ) -> Result<FourBarVelocity<T>, SolveError> {
-            private::finite_input(theta, "theta")?;
-            let (sin_, cos_) = T::sin_cos(theta);
-            self.diagnose_velocity_at_(cos_, sin_, theta_rate)
-        }
-
-        /// Why `solve_motion` gave no answer, or the answer at a limit.
-        #[cold]
-        #[inline(never)]
-        fn diagnose_motion_(
-            &self,
-            theta: T,
-            theta_rate: T,
-            theta_acceleration: T,
-        ) -> Result<FourBarMotion<T>, SolveError> {
-            private::finite_input(theta, "theta")?;
-            let (sin_, cos_) = T::sin_cos(theta);
-            self.diagnose_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
-        }
-
-        /// Why `solve_coefficients` gave no answer, or the answer at a limit.
-        #[cold]
-        #[inline(never)]
-        fn diagnose_coefficients_(&self, theta: T) -> Result<[[T; 1]; 7], SolveError> {
-            let result_ = self.diagnose_velocity_(theta, T::lit(1.0, 1.0))?;
-            Ok([
-                [result_.AB.omega],
-                [result_.B.x],
-                [result_.B.y],
-                [result_.BC.omega],
-                [result_.DC.omega],
-                [result_.C.x],
-                [result_.C.y],
-            ])
-        }
-
-        /// Why `solve_position_at` gave no answer, or the answer at a limit.
-        #[cold]
-        #[inline(never)]
-        fn diagnose_position_at_(&self, cos: T, sin: T) -> Result<FourBarPosition<T>, SolveError> {
-            private::diagnose(&[(cos, "cos"), (sin, "sin")], |checks_| {
-                let rest_ = T::lit(0.0, 0.0);
-                self.formulas_at_::<0>(checks_, cos, sin, rest_, rest_).position
-            })
-        }
-
-        /// Why `solve_velocity_at` gave no answer, or the answer at a limit.
-        #[cold]
-        #[inline(never)]
-        fn diagnose_velocity_at_(
-            &self,
-            cos: T,
-            sin: T,
-            theta_rate: T,
-        ) -> Result<FourBarVelocity<T>, SolveError> {
-            private::diagnose(
-                &[(theta_rate, "theta_rate"), (cos, "cos"), (sin, "sin")],
-                |checks_| {
+            /// Why `solve_position_at` gave no answer, or the answer at a limit.
+            #[cold]
+            #[inline(never)]
+            fn diagnose_position_at_(
+                &self,
+                cos: T,
+                sin: T,
+            ) -> Result<FourBarPosition<T>, SolveError> {
+                private::diagnose(&[(cos, "cos"), (sin, "sin")], |checks_| {
                     let rest_ = T::lit(0.0, 0.0);
-                    self.formulas_at_::<1>(checks_, cos, sin, theta_rate, rest_).velocity
-                },
-            )
-        }
+                    self.formulas_at_::<0>(checks_, cos, sin, rest_, rest_).position
+                })
+            }
 
-        /// Why `solve_motion_at` gave no answer, or the answer at a limit.
-        #[cold]
-        #[inline(never)]
-        fn diagnose_motion_at_(
-            &self,
-            cos: T,
-            sin: T,
-            theta_rate: T,
-            theta_acceleration: T,
-        ) -> Result<FourBarMotion<T>, SolveError> {
-            private::diagnose(
-                &[
-                    (theta_rate, "theta_rate"),
-                    (theta_acceleration, "theta_acceleration"),
-                    (cos, "cos"),
-                    (sin, "sin"),
-                ],
-                |checks_| self.formulas_at_::<2>(checks_, cos, sin, theta_rate, theta_acceleration),
-            )
-        }
-    }
+            /// Why `solve_velocity_at` gave no answer, or the answer at a limit.
+            #[cold]
+            #[inline(never)]
+            fn diagnose_velocity_at_(
+                &self,
+                cos: T,
+                sin: T,
+                theta_rate: T,
+            ) -> Result<FourBarVelocity<T>, SolveError> {
+                private::diagnose(
+                    &[(theta_rate, "theta_rate"), (cos, "cos"), (sin, "sin")],
+                    |checks_| {
+                        let rest_ = T::lit(0.0, 0.0);
+                        self.formulas_at_::<1>(checks_, cos, sin, theta_rate, rest_).velocity
+                    },
+                )
+            }
 
-    impl<T: Float> FourBar<T> {
-        /// Positions of the outputs, at many poses.
-        ///
-        /// Given `theta` in rad. Each is a slice with a number for every pose, or one number for all.
-        ///
-        /// Every component of the results goes to a slice of its own in `out`, as many long as there
-        /// are poses, or empty where it is not wanted; `status` is such a slice too. A pose that
-        /// `position` refuses has numbers that are none, and its error's kind in `status`. `progress`
-        /// is told the poses done and their total every few thousand poses; `()` tells nobody.
-        ///
-        /// # Errors
-        /// Two slices are not of one length; nothing was computed.
-        pub fn sweep_position<'series>(
-            &self,
-            theta: impl Into<Series<'series, T>>,
-            out: FourBarPosition<&mut [T]>,
-            status: &mut [Status],
-            progress: impl Progress,
-        ) -> Result<(), LengthMismatch> {
-            let theta: Series<'series, T> = Into::into(theta);
-            private::sweep::<OfPosition, _, _, 1, 10>(
-                self,
-                [theta],
-                Record::into_array(out),
-                status,
-                progress,
-            )
-        }
-    }
-
-    impl<T: Float> Entry<OfPosition, T, 1, 10> for FourBar<T> {
-        #[inline(always)]
-        fn solve_lanes<const W_: usize, F: Fusion>(
-            &self,
-            [x0_]: [Lanes<T, W_, F>; 1],
-        ) -> ([Lanes<T, W_, F>; 10], LaneMask<W_>) {
-            let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_position_(x0_);
-            (Record::into_array(result_), ok_)
-        }
-
-        fn solve_one(&self, [x0_]: [T; 1]) -> Result<[T; 10], SolveError> {
-            Ok(Record::into_array(self.position(x0_)?))
-        }
-    }
-
-    impl<T: Float> FourBar<T> {
-        /// Velocities of the outputs, at many poses.
-        ///
-        /// Given `theta` in rad, its rate in rad/s. Each is a slice with a number for every pose, or
-        /// one number for all.
-        ///
-        /// Every component of the results goes to a slice of its own in `out`, as many long as there
-        /// are poses, or empty where it is not wanted; `status` is such a slice too. A pose that
-        /// `velocity` refuses has numbers that are none, and its error's kind in `status`. `progress`
-        /// is told the poses done and their total every few thousand poses; `()` tells nobody.
-        ///
-        /// # Errors
-        /// Two slices are not of one length; nothing was computed.
-        pub fn sweep_velocity<'series>(
-            &self,
-            theta: impl Into<Series<'series, T>>,
-            theta_rate: impl Into<Series<'series, T>>,
-            out: FourBarVelocity<&mut [T]>,
-            status: &mut [Status],
-            progress: impl Progress,
-        ) -> Result<(), LengthMismatch> {
-            let theta: Series<'series, T> = Into::into(theta);
-            let theta_rate: Series<'series, T> = Into::into(theta_rate);
-            private::sweep::<OfVelocity, _, _, 2, 7>(
-                self,
-                [theta, theta_rate],
-                Record::into_array(out),
-                status,
-                progress,
-            )
-        }
-    }
-
-    impl<T: Float> Entry<OfVelocity, T, 2, 7> for FourBar<T> {
-        #[inline(always)]
-        fn solve_lanes<const W_: usize, F: Fusion>(
-            &self,
-            [x0_, x1_]: [Lanes<T, W_, F>; 2],
-        ) -> ([Lanes<T, W_, F>; 7], LaneMask<W_>) {
-            let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_velocity_(x0_, x1_);
-            (Record::into_array(result_), ok_)
-        }
-
-        fn solve_one(&self, [x0_, x1_]: [T; 2]) -> Result<[T; 7], SolveError> {
-            Ok(Record::into_array(self.velocity(x0_, x1_)?))
-        }
-    }
-
-    impl<T: Float> FourBar<T> {
-        /// Positions, velocities and accelerations of the outputs, at many poses.
-        ///
-        /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s². Each is a slice with a
-        /// number for every pose, or one number for all.
-        ///
-        /// Every component of the results goes to a slice of its own in `out`, as many long as there
-        /// are poses, or empty where it is not wanted; `status` is such a slice too. A pose that
-        /// `motion` refuses has numbers that are none, and its error's kind in `status`. `progress` is
-        /// told the poses done and their total every few thousand poses; `()` tells nobody.
-        ///
-        /// # Errors
-        /// Two slices are not of one length; nothing was computed.
-        pub fn sweep_motion<'series>(
-            &self,
-            theta: impl Into<Series<'series, T>>,
-            theta_rate: impl Into<Series<'series, T>>,
-            theta_acceleration: impl Into<Series<'series, T>>,
-            out: FourBarMotion<&mut [T]>,
-            status: &mut [Status],
-            progress: impl Progress,
-        ) -> Result<(), LengthMismatch> {
-            let theta: Series<'series, T> = Into::into(theta);
-            let theta_rate: Series<'series, T> = Into::into(theta_rate);
-            let theta_acceleration: Series<'series, T> = Into::into(theta_acceleration);
-            private::sweep::<OfMotion, _, _, 3, 24>(
-                self,
-                [theta, theta_rate, theta_acceleration],
-                Record::into_array(out),
-                status,
-                progress,
-            )
-        }
-    }
-
-    impl<T: Float> Entry<OfMotion, T, 3, 24> for FourBar<T> {
-        #[inline(always)]
-        fn solve_lanes<const W_: usize, F: Fusion>(
-            &self,
-            [x0_, x1_, x2_]: [Lanes<T, W_, F>; 3],
-        ) -> ([Lanes<T, W_, F>; 24], LaneMask<W_>) {
-            let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_motion_(x0_, x1_, x2_);
-            (Record::into_array(result_), ok_)
-        }
-
-        fn solve_one(&self, [x0_, x1_, x2_]: [T; 3]) -> Result<[T; 24], SolveError> {
-            Ok(Record::into_array(self.motion(x0_, x1_, x2_)?))
-        }
-    }
-    private::with_ad! {
-        impl<T: private::Differentiable> FourBar<T> {
-            /// ∂outputs/∂inputs by automatic differentiation of the position.
-            ///
-            /// Rows: `AB.angle`, `B.x`, `B.y`, `BC.angle`, `DC.angle`, `C.x`, `C.y`; columns: `theta`.
-            ///
-            /// # Errors
-            /// Those of `position`; `Singular` where a derivative does not exist.
-            pub fn jacobian(&self, theta: T) -> Result<private::SMatrix<T, 7, 1>, SolveError> {
-                private::differentiate(
-                    [theta],
-                    |[dual_]| Ok(self.lift().position(dual_)?.rows()),
+            /// Why `solve_motion_at` gave no answer, or the answer at a limit.
+            #[cold]
+            #[inline(never)]
+            fn diagnose_motion_at_(
+                &self,
+                cos: T,
+                sin: T,
+                theta_rate: T,
+                theta_acceleration: T,
+            ) -> Result<FourBarMotion<T>, SolveError> {
+                private::diagnose(
+                    &[
+                        (theta_rate, "theta_rate"),
+                        (theta_acceleration, "theta_acceleration"),
+                        (cos, "cos"),
+                        (sin, "sin"),
+                    ],
+                    |checks_| {
+                        self.formulas_at_::<2>(checks_, cos, sin, theta_rate, theta_acceleration)
+                    },
                 )
             }
         }
-    }
 
-    impl<T: Real> Modes for FourBar<T> {
-        type Scalar = T;
-        type Input = T;
-        type Position = FourBarPosition<T>;
-        type Motion = FourBarMotion<T>;
-        type Clearances = [Clearance<T>; 1];
-        type Enclosures = [Clearance<<T as Real>::Enclosing>; 1];
-
-        const GROUPS: &'static [(&'static str, Option<usize>)] = &[("BC, DC", private::None)];
-
-        #[inline]
-        fn flip(&mut self, param_: usize) {
-            let _ = param_;
+        impl<T: Float> FourBar<T> {
+            /// Positions of the outputs, at many poses.
+            ///
+            /// Given `theta` in rad. Each is a slice with a number for every pose, or one number for all.
+            ///
+            /// Every component of the results goes to a slice of its own in `out`, as many long as there
+            /// are poses, or empty where it is not wanted; `status` is such a slice too. Where `position`
+            /// would be an error, the numbers are NaN and `status` has the error's kind. `progress` is told
+            /// how many poses are done, and how many there are, every few thousand poses; `()` tells
+            /// nobody.
+            ///
+            /// # Errors
+            /// Two slices are not of one length; nothing was computed.
+            pub fn sweep_position<'series>(
+                &self,
+                theta: impl Into<Series<'series, T>>,
+                out: FourBarPosition<&mut [T]>,
+                status: &mut [Status],
+                progress: impl Progress,
+            ) -> Result<(), LengthMismatch> {
+                let theta: Series<'series, T> = Into::into(theta);
+                private::sweep::<OfPosition, _, _, 1, 10>(
+                    self,
+                    [theta],
+                    Record::into_array(out),
+                    status,
+                    progress,
+                )
+            }
         }
 
-        #[inline]
-        fn position(&self, q_: T) -> Result<FourBarPosition<T>, SolveError> {
-            Self::position(self, q_)
+        impl<T: Float> Entry<OfPosition, T, 1, 10> for FourBar<T> {
+            #[inline(always)]
+            fn solve_lanes<const W_: usize, F: Fusion>(
+                &self,
+                [x0_]: [Lanes<T, W_, F>; 1],
+            ) -> ([Lanes<T, W_, F>; 10], LaneMask<W_>) {
+                let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_position_(x0_);
+                (Record::into_array(result_), ok_)
+            }
+
+            fn solve_one(&self, [x0_]: [T; 1]) -> Result<[T; 10], SolveError> {
+                Ok(Record::into_array(self.position(x0_)?))
+            }
         }
 
-        #[inline]
-        fn motion(
-            &self,
-            q_: T,
-            rate_: T,
-            acceleration_: T,
-        ) -> Result<FourBarMotion<T>, SolveError> {
-            Self::motion(self, q_, rate_, acceleration_)
+        impl<T: Float> FourBar<T> {
+            /// Velocities of the outputs, at many poses.
+            ///
+            /// Given `theta` in rad, its rate in rad/s. Each is a slice with a number for every pose, or
+            /// one number for all.
+            ///
+            /// Every component of the results goes to a slice of its own in `out`, as many long as there
+            /// are poses, or empty where it is not wanted; `status` is such a slice too. Where `velocity`
+            /// would be an error, the numbers are NaN and `status` has the error's kind. `progress` is told
+            /// how many poses are done, and how many there are, every few thousand poses; `()` tells
+            /// nobody.
+            ///
+            /// # Errors
+            /// Two slices are not of one length; nothing was computed.
+            pub fn sweep_velocity<'series>(
+                &self,
+                theta: impl Into<Series<'series, T>>,
+                theta_rate: impl Into<Series<'series, T>>,
+                out: FourBarVelocity<&mut [T]>,
+                status: &mut [Status],
+                progress: impl Progress,
+            ) -> Result<(), LengthMismatch> {
+                let theta: Series<'series, T> = Into::into(theta);
+                let theta_rate: Series<'series, T> = Into::into(theta_rate);
+                private::sweep::<OfVelocity, _, _, 2, 7>(
+                    self,
+                    [theta, theta_rate],
+                    Record::into_array(out),
+                    status,
+                    progress,
+                )
+            }
         }
 
-        fn clearances(&self, theta: T, theta_rate: T) -> Self::Clearances {
-            let (ab_sin_, ab_cos_) = T::sin_cos(theta);
-            let b_x_ = T::lit(0.1016, 0.1016) * ab_cos_;
-            let b_y_ = T::lit(0.1016, 0.1016) * ab_sin_;
-            let bc_dc_w_x_ = theta_rate * b_y_;
-            let b_vy_ = theta_rate * b_x_;
-            let v16_ = theta_rate * theta_rate;
-            let bc_dc_g_x_ = b_x_ * v16_;
-            let bc_dc_g_y_ = b_y_ * v16_;
-            let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
-            let v37_ = bc_dc_w_x_ * bc_dc_d_x_;
-            let v38_ = v37_ + v37_;
-            let v39_ = bc_dc_w_x_ * bc_dc_w_x_;
-            let v40_ = T::lit(2.0, 2.0) * v39_;
-            let v41_ = b_y_ * b_vy_;
-            let v42_ = v41_ + v41_;
-            let v43_ = b_vy_ * b_vy_;
-            let v44_ = T::lit(2.0, 2.0) * v43_;
-            let v45_ = v38_ + v42_;
-            let bc_dc_i_ =
-                T::fused(-T::lit(0.06193536, 0.06193536), ab_cos_, T::lit(0.09741916, 0.09741916));
-            let v49_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
-            let v50_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
-            let v51_ = T::lit(5.535725357165, 5.5357256) * v45_;
-            let v52_ = T::lit(5.535725357165, 5.5357256) * v49_;
-            let v53_ = v50_ * v52_;
-            let v54_ = v51_ * v52_;
-            let v57_ = T::fused(-v50_, v51_, v54_);
-            let v58_ = v51_ * v51_;
-            let v59_ = T::lit(2.0, 2.0) * v58_;
-            let v254_ = bc_dc_g_x_ * bc_dc_d_x_;
-            let v255_ = T::fused(bc_dc_g_x_, bc_dc_d_x_, v40_);
-            let v256_ = v254_ + v255_;
-            let v257_ = b_y_ * bc_dc_g_y_;
-            let v258_ = T::fused(-b_y_, bc_dc_g_y_, v44_);
-            let v259_ = v258_ - v257_;
-            let v260_ = v256_ + v259_;
-            let v261_ = T::lit(5.535725357165, 5.5357256) * v260_;
-            let v264_ = T::fused(v52_, v261_, -v59_);
-            let v266_ = T::fused(-v50_, v261_, v264_);
-            [Clearance {
-                value: v53_,
-                rate: v57_,
-                second_rate: v266_,
-                scale: T::lit(0.5517857142857143, 0.5517857),
-            }]
+        impl<T: Float> Entry<OfVelocity, T, 2, 7> for FourBar<T> {
+            #[inline(always)]
+            fn solve_lanes<const W_: usize, F: Fusion>(
+                &self,
+                [x0_, x1_]: [Lanes<T, W_, F>; 2],
+            ) -> ([Lanes<T, W_, F>; 7], LaneMask<W_>) {
+                let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_velocity_(x0_, x1_);
+                (Record::into_array(result_), ok_)
+            }
+
+            fn solve_one(&self, [x0_, x1_]: [T; 2]) -> Result<[T; 7], SolveError> {
+                Ok(Record::into_array(self.velocity(x0_, x1_)?))
+            }
         }
 
-        fn enclosures(&self, middle_: T, radius_: T, rate_: T) -> Self::Enclosures {
-            let none_ = T::lit(0.0, 0.0);
-            let solver_ = self.lift::<<T as Real>::Enclosing>();
-            Modes::clearances(
-                &solver_,
-                Real::enclosing(middle_, radius_),
-                Real::enclosing(rate_, none_),
-            )
-        }
-    }
-
-    impl<T: Real> Mechanism for FourBar<T> {
-        type Scalar = T;
-        type Inputs = [T; 1];
-        type Rows = [T; 7];
-        type Coefficients = [[T; 1]; 7];
-
-        const NAME: &'static str = "FourBar";
-        const INPUTS: &'static [&'static str] = &FourBar::<f64>::INPUTS;
-        const OUTPUTS: &'static [&'static str] = &FourBar::<f64>::OUTPUTS;
-        fn inputs(value_: impl private::FnMut(usize) -> T) -> Self::Inputs {
-            private::from_fn(value_)
-        }
-
-        fn position(&self, [q_]: Self::Inputs) -> Result<Self::Rows, SolveError> {
-            Ok(self.position(q_)?.rows())
-        }
-
-        fn velocity(
-            &self,
-            [q_]: Self::Inputs,
-            [rate_]: Self::Inputs,
-        ) -> Result<Self::Rows, SolveError> {
-            Ok(self.velocity(q_, rate_)?.rows())
-        }
-
-        fn motion(
-            &self,
-            [q_]: Self::Inputs,
-            [rate_]: Self::Inputs,
-            [acceleration_]: Self::Inputs,
-        ) -> Result<[Self::Rows; 3], SolveError> {
-            let result_ = self.motion(q_, rate_, acceleration_)?;
-            Ok([result_.position.rows(), result_.velocity.rows(), result_.acceleration.rows()])
+        impl<T: Float> FourBar<T> {
+            /// Positions, velocities and accelerations of the outputs, at many poses.
+            ///
+            /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s². Each is a slice with a
+            /// number for every pose, or one number for all.
+            ///
+            /// Every component of the results goes to a slice of its own in `out`, as many long as there
+            /// are poses, or empty where it is not wanted; `status` is such a slice too. Where `motion`
+            /// would be an error, the numbers are NaN and `status` has the error's kind. `progress` is told
+            /// how many poses are done, and how many there are, every few thousand poses; `()` tells
+            /// nobody.
+            ///
+            /// # Errors
+            /// Two slices are not of one length; nothing was computed.
+            pub fn sweep_motion<'series>(
+                &self,
+                theta: impl Into<Series<'series, T>>,
+                theta_rate: impl Into<Series<'series, T>>,
+                theta_acceleration: impl Into<Series<'series, T>>,
+                out: FourBarMotion<&mut [T]>,
+                status: &mut [Status],
+                progress: impl Progress,
+            ) -> Result<(), LengthMismatch> {
+                let theta: Series<'series, T> = Into::into(theta);
+                let theta_rate: Series<'series, T> = Into::into(theta_rate);
+                let theta_acceleration: Series<'series, T> = Into::into(theta_acceleration);
+                private::sweep::<OfMotion, _, _, 3, 24>(
+                    self,
+                    [theta, theta_rate, theta_acceleration],
+                    Record::into_array(out),
+                    status,
+                    progress,
+                )
+            }
         }
 
-        fn coefficients(&self, [q_]: Self::Inputs) -> Result<Self::Coefficients, SolveError> {
-            self.coefficients(q_)
-        }
-    }
+        impl<T: Float> Entry<OfMotion, T, 3, 24> for FourBar<T> {
+            #[inline(always)]
+            fn solve_lanes<const W_: usize, F: Fusion>(
+                &self,
+                [x0_, x1_, x2_]: [Lanes<T, W_, F>; 3],
+            ) -> ([Lanes<T, W_, F>; 24], LaneMask<W_>) {
+                let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_motion_(x0_, x1_, x2_);
+                (Record::into_array(result_), ok_)
+            }
 
-    #[allow(dead_code, non_snake_case, reason = "names are as declared, and for editors alone")]
-    struct Names_ {
-        /// `theta`, made by `input theta`.
-        theta: (),
-        /// `A`, made by `ground A`.
-        A: (),
-        /// `D`, made by `ground D`.
-        D: (),
-    }
-
-    #[allow(dead_code, reason = "for editors alone")]
-    impl Names_ {
-        fn uses_<T>(&self, position_: &FourBarPosition<T>) {
-            let _ = (&self.A, &self.theta, &position_.B, &self.D);
+            fn solve_one(&self, [x0_, x1_, x2_]: [T; 3]) -> Result<[T; 24], SolveError> {
+                Ok(Record::into_array(self.motion(x0_, x1_, x2_)?))
+            }
         }
-    }
-};
+        private::with_ad! {
+            impl<T: private::Differentiable> FourBar<T> {
+                /// ∂outputs/∂inputs by automatic differentiation of the position.
+                ///
+                /// Rows: `AB.angle`, `B.x`, `B.y`, `BC.angle`, `DC.angle`, `C.x`, `C.y`; columns: `theta`.
+                ///
+                /// # Errors
+                /// Those of `position`; `Singular` where a derivative does not exist.
+                pub fn jacobian(&self, theta: T) -> Result<private::SMatrix<T, 7, 1>, SolveError> {
+                    private::differentiate(
+                        [theta],
+                        |[dual_]| Ok(self.lift().position(dual_)?.rows()),
+                    )
+                }
+            }
+        }
+
+        impl<T: Real> Modes for FourBar<T> {
+            type Scalar = T;
+            type Input = T;
+            type Position = FourBarPosition<T>;
+            type Motion = FourBarMotion<T>;
+            type Clearances = [Clearance<T>; 1];
+            type Enclosures = [Clearance<<T as Real>::Enclosing>; 1];
+
+            const GROUPS: &'static [(&'static str, Option<usize>)] = &[("BC, DC", private::None)];
+
+            #[inline]
+            fn flip(&mut self, param_: usize) {
+                let _ = param_;
+            }
+
+            #[inline]
+            fn position(&self, q_: T) -> Result<FourBarPosition<T>, SolveError> {
+                Self::position(self, q_)
+            }
+
+            #[inline]
+            fn motion(
+                &self,
+                q_: T,
+                rate_: T,
+                acceleration_: T,
+            ) -> Result<FourBarMotion<T>, SolveError> {
+                Self::motion(self, q_, rate_, acceleration_)
+            }
+
+            fn clearances(&self, theta: T, theta_rate: T) -> Self::Clearances {
+                let (ab_sin_, ab_cos_) = T::sin_cos(theta);
+                let b_x_ = T::lit(0.1016, 0.1016) * ab_cos_;
+                let b_y_ = T::lit(0.1016, 0.1016) * ab_sin_;
+                let bc_dc_w_x_ = theta_rate * b_y_;
+                let b_vy_ = theta_rate * b_x_;
+                let v16_ = theta_rate * theta_rate;
+                let bc_dc_g_x_ = b_x_ * v16_;
+                let bc_dc_g_y_ = b_y_ * v16_;
+                let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
+                let v37_ = bc_dc_w_x_ * bc_dc_d_x_;
+                let v38_ = v37_ + v37_;
+                let v39_ = bc_dc_w_x_ * bc_dc_w_x_;
+                let v40_ = T::lit(2.0, 2.0) * v39_;
+                let v41_ = b_y_ * b_vy_;
+                let v42_ = v41_ + v41_;
+                let v43_ = b_vy_ * b_vy_;
+                let v44_ = T::lit(2.0, 2.0) * v43_;
+                let v45_ = v38_ + v42_;
+                let bc_dc_i_ = T::fused(
+                    -T::lit(0.06193536, 0.06193536),
+                    ab_cos_,
+                    T::lit(0.09741916, 0.09741916),
+                );
+                let v49_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
+                let v50_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
+                let v51_ = T::lit(5.535725357165, 5.5357256) * v45_;
+                let v52_ = T::lit(5.535725357165, 5.5357256) * v49_;
+                let v53_ = v50_ * v52_;
+                let v54_ = v51_ * v52_;
+                let v57_ = T::fused(-v50_, v51_, v54_);
+                let v58_ = v51_ * v51_;
+                let v59_ = T::lit(2.0, 2.0) * v58_;
+                let v254_ = bc_dc_g_x_ * bc_dc_d_x_;
+                let v255_ = T::fused(bc_dc_g_x_, bc_dc_d_x_, v40_);
+                let v256_ = v254_ + v255_;
+                let v257_ = b_y_ * bc_dc_g_y_;
+                let v258_ = T::fused(-b_y_, bc_dc_g_y_, v44_);
+                let v259_ = v258_ - v257_;
+                let v260_ = v256_ + v259_;
+                let v261_ = T::lit(5.535725357165, 5.5357256) * v260_;
+                let v264_ = T::fused(v52_, v261_, -v59_);
+                let v266_ = T::fused(-v50_, v261_, v264_);
+                [Clearance {
+                    value: v53_,
+                    rate: v57_,
+                    second_rate: v266_,
+                    scale: T::lit(0.5517857142857143, 0.5517857),
+                }]
+            }
+
+            fn enclosures(&self, middle_: T, radius_: T, rate_: T) -> Self::Enclosures {
+                let none_ = T::lit(0.0, 0.0);
+                let solver_ = self.lift::<<T as Real>::Enclosing>();
+                Modes::clearances(
+                    &solver_,
+                    Real::enclosing(middle_, radius_),
+                    Real::enclosing(rate_, none_),
+                )
+            }
+        }
+
+        impl<T: Real> Mechanism for FourBar<T> {
+            type Scalar = T;
+            type Inputs = [T; 1];
+            type Rows = [T; 7];
+            type Coefficients = [[T; 1]; 7];
+
+            const NAME: &'static str = "FourBar";
+            const INPUTS: &'static [&'static str] = &FourBar::<f64>::INPUTS;
+            const OUTPUTS: &'static [&'static str] = &FourBar::<f64>::OUTPUTS;
+            fn inputs(value_: impl private::FnMut(usize) -> T) -> Self::Inputs {
+                private::from_fn(value_)
+            }
+
+            fn position(&self, [q_]: Self::Inputs) -> Result<Self::Rows, SolveError> {
+                Ok(self.position(q_)?.rows())
+            }
+
+            fn velocity(
+                &self,
+                [q_]: Self::Inputs,
+                [rate_]: Self::Inputs,
+            ) -> Result<Self::Rows, SolveError> {
+                Ok(self.velocity(q_, rate_)?.rows())
+            }
+
+            fn motion(
+                &self,
+                [q_]: Self::Inputs,
+                [rate_]: Self::Inputs,
+                [acceleration_]: Self::Inputs,
+            ) -> Result<[Self::Rows; 3], SolveError> {
+                let result_ = self.motion(q_, rate_, acceleration_)?;
+                Ok([result_.position.rows(), result_.velocity.rows(), result_.acceleration.rows()])
+            }
+
+            fn coefficients(&self, [q_]: Self::Inputs) -> Result<Self::Coefficients, SolveError> {
+                self.coefficients(q_)
+            }
+        }
+
+        #[allow(dead_code, non_snake_case, reason = "names are as declared, and for editors alone")]
+        struct Names_ {
+            /// `theta`, made by `input theta`.
+            theta: (),
+            /// `A`, made by `ground A`.
+            A: (),
+            /// `D`, made by `ground D`.
+            D: (),
+        }
+
+        #[allow(dead_code, reason = "for editors alone")]
+        impl Names_ {
+            fn uses_<T>(&self, position_: &FourBarPosition<T>) {
+                let _ = (&self.A, &self.theta, &position_.B, &self.D);
+            }
+        }
+    };
+}
+
+#[allow(unused_imports, clippy::wildcard_imports, reason = "all that stands in the module")]
+pub use FourBar_::*;
 
 // The program.
 

@@ -127,6 +127,7 @@ extern crate self as linkage_core;
 #[cfg(any(feature = "std", feature = "nalgebra", test))]
 extern crate std;
 
+mod absent;
 mod c_interface;
 mod checks;
 mod conversions;
@@ -160,6 +161,7 @@ mod slow_path;
 mod sweep;
 mod tracker;
 
+pub use absent::Inputs;
 pub use cost::{Cost, ForcesCost, Operations};
 #[cfg(feature = "ad")]
 pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_twice};

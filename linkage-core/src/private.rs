@@ -17,6 +17,7 @@ pub use core::prelude::v1::derive;
 pub use core::primitive::{bool, f32, f64, i32, str, u32, usize};
 pub use core::result::Result::{self, Err, Ok};
 
+pub use crate::absent::*;
 pub use crate::c_interface::{CError, c_sense, c_side};
 pub use crate::checks::{AllMet, Checks, FirstError};
 #[cfg(feature = "ad")]

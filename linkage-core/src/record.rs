@@ -21,7 +21,7 @@ use crate::{Direction, Point, Scalar};
 /// }
 ///
 /// let velocity = Crank::new().velocity(0.0, 2.0)?;
-/// let expected = [("velocity of AB.angle", 2.0), ("velocity of B.x", 0.0), ("velocity of B.y", 2.0)];
+/// let expected = [("AB.omega", 2.0), ("velocity of B.x", 0.0), ("velocity of B.y", 2.0)];
 /// assert_eq!(table(velocity), expected);
 /// # Ok::<(), linkage_core::SolveError>(())
 /// ```
@@ -32,7 +32,7 @@ pub trait Record: Sized {
     /// `[Number; N]`, in the order of the record's fields and their components.
     type Array: AsRef<[Self::Number]> + AsMut<[Self::Number]> + IntoIterator<Item = Self::Number>;
 
-    /// What each number is, as errors call it: `C.x`, `velocity of DC.angle`. A direction holds two
+    /// What each number is, as errors call it: `C.x`, `velocity of C.x`, `DC.omega`. A direction holds two
     /// numbers, cosine and sine, under the label of its angle.
     const LABELS: &'static [&'static str];
 

@@ -14,7 +14,7 @@ mod generated {
     pub struct Crank<T = p::f64> {
         pub radius: T,
         pub elbow: p::Side,
-        pub scalar_: p::PhantomData<T>,
+        pub use_new_: p::PhantomData<T>,
     }
 
     impl<T: p::Scalar> p::Copy for Crank<T> {}
@@ -33,7 +33,7 @@ mod generated {
 
     impl<T: p::Scalar> p::Default for Crank<T> {
         fn default() -> Self {
-            Self { radius: T::lit(0.25, 0.25), elbow: p::Side::Left, scalar_: p::PhantomData }
+            Self { radius: T::lit(0.25, 0.25), elbow: p::Side::Left, use_new_: p::PhantomData }
         }
     }
 
@@ -92,7 +92,7 @@ mod generated {
         pub fn lift<U: p::Scalar>(&self) -> Crank<U> {
             let radius = p::Real::value(self.radius);
             let radius = U::lit(radius, radius as p::f32);
-            Crank { radius, elbow: self.elbow, scalar_: p::PhantomData }
+            Crank { radius, elbow: self.elbow, use_new_: p::PhantomData }
         }
     }
 

@@ -273,10 +273,10 @@ mod under_names_of_generated_code {
     linkage_core::mechanism! {
         pub struct Named {
             input out: angle;
-            param scalar_: mode = left;
+            param use_new_: mode = left;
             ground status(0, 0), progress(304.8mm, 0);
             crank rows(status) -> x { length: 101.6mm, angle: out }
-            rrr cos(x), omega(progress) -> position { lengths: (254mm, 177.8mm), mode: scalar_ }
+            rrr cos(x), omega(progress) -> position { lengths: (254mm, 177.8mm), mode: use_new_ }
         }
     }
 

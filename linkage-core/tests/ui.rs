@@ -72,6 +72,7 @@ fn messages(file: &str, library: &Path) -> String {
         !message.starts_with("error: aborting due to") && !message.starts_with("For more info")
     });
     let messages = of_the_file.collect::<Vec<_>>().join("\n\n");
+    assert!(!messages.contains(HERE), "{file} shows a file of the library: {messages}");
     if messages.is_empty() { messages } else { messages.trim_end().to_owned() + "\n" }
 }
 

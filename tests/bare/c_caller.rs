@@ -28,7 +28,7 @@ fn run_c(library: &Path, source: &Path) -> Output {
 }
 
 /// What every header is called, and its text.
-const HEADERS: [(&str, &str); 8] = [
+const HEADERS: [(&str, &str); 9] = [
     ("flying_shear.h", FlyingShear::C_HEADER),
     ("tuned_four_bar.h", TunedFourBar::C_HEADER),
     ("slider_crank.h", mechanisms::SliderCrank::C_HEADER),
@@ -37,6 +37,7 @@ const HEADERS: [(&str, &str); 8] = [
     ("excavator.h", Excavator::C_HEADER),
     ("everything.h", mechanisms::Everything::C_HEADER),
     ("heavy_press.h", HeavyPress::C_HEADER),
+    ("driven_four_bar.h", mechanisms::DrivenFourBar::C_HEADER),
 ];
 
 /// Where the headers are, written once: tests run side by side.

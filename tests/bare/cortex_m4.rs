@@ -13,8 +13,8 @@ use core::hint::black_box;
 #[cfg(target_os = "none")]
 use board::{Console, instructions};
 use cam::{Cam, FlyingShear, Strip};
-use linkage_core::Real;
-use mechanisms::{SixBar, SliderCrank, TunedFourBar};
+use linkage_core::{Real, Record};
+use mechanisms::{DrivenFourBar, HeavyPress, SixBar, SliderCrank, TunedFourBar};
 
 /// How often each function is called; poses all around the turn.
 const CALLS: u16 = 100;
@@ -114,6 +114,20 @@ macro_rules! width {
         report!($to, $number, "six-bar, `motion`", SixBar::<$number>::default(), |s, a| {
             s.motion(a, 12.0, 3.0).map(|m| m.acceleration.E).map(|a| [a.x, a.y])
         });
+        report!(
+            $to,
+            $number,
+            "four-bar, `forces`: its drive",
+            DrivenFourBar::<$number>::default(),
+            |s, a| { s.forces(a, 12.0, 3.0).map(|f| [f.theta.drive]) }
+        );
+        report!(
+            $to,
+            $number,
+            "press, `forces` of everything",
+            HeavyPress::<$number>::default(),
+            |s, a| { s.forces(a, 12.0, 3.0, [100.0, 2.0]).map(Record::into_array) }
+        );
         report!($to, $number, "electronic cam, ten steps", cam::<$number>(), |s, a| {
             let (mut cam, mut last) = (s, a);
             for _ in 0..10 {

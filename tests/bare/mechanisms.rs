@@ -171,3 +171,23 @@ mechanism! {
         export c;
     }
 }
+
+mechanism! {
+    /// Four-bar of uniform bars, asked for its torque alone.
+    pub struct DrivenFourBar {
+        input theta: angle;
+
+        ground A(0, 0), D(750mm, 0);
+
+        crank AB(A) -> B        { length: 250mm, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (510mm, 500mm), mode: left }
+
+        gravity (0, -9.81);
+        mass 52.21g on AB uniform;
+        mass 104.21g on BC uniform;
+        mass 102.21g on DC uniform;
+
+        output C, theta.drive;
+        export c;
+    }
+}

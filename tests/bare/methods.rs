@@ -64,8 +64,8 @@ macro_rules! sweeps {
 sweeps! {
     methods_sweep = sweep: f64;
     methods_sweep_f32 = sweep: f32;
-    methods_sweep_forces = sweep_forces: f64;
-    methods_sweep_forces_f32 = sweep_forces: f32;
+    methods_sweep_heavy = sweep_forces: f64;
+    methods_sweep_heavy_f32 = sweep_forces: f32;
 }
 
 fn sweep<T: Float>(angles: &[T], to: &mut [T]) -> bool {

@@ -73,6 +73,16 @@ assert_achieved! { a_slot_nearly_along_its_rail: slot_along_rail of rpp, FOUR }
 assert_achieved! { a_rod_behind_a_four_bar: chained_rod of chained_press, FOUR }
 assert_achieved! { bars_behind_a_four_bar: chained_stretched of chained_bars, FOUR }
 
+/// At rest and in motion: reactions have the inverse that velocities have, and no other.
+const REACTIONS: [f64; 3] = [4.0, 4.0, 8.0];
+
+assert_achieved! { reactions_of_stretched_bars: stretched of rrr_forces, REACTIONS }
+assert_achieved! { reactions_of_folded_bars: folded of rrr_forces, REACTIONS }
+assert_achieved! { reactions_of_a_bar_square_to_its_guide: square_to_guide of rrp_forces, REACTIONS }
+assert_achieved! { reactions_of_a_block_at_its_offset: at_offset of rpr_forces, REACTIONS }
+assert_achieved! { reactions_of_nearly_parallel_guides: parallel_guides of prp_forces, REACTIONS }
+assert_achieved! { reactions_of_a_slot_nearly_along_its_rail: slot_along_rail of rpp_forces, REACTIONS }
+
 /// The pose with every length `size` times as large: all numbers but the angles among the inputs
 /// and parameters.
 fn sized<const I: usize, const P: usize>(

@@ -84,6 +84,6 @@ fn rates_of_readings_are_derivatives() {
 #[test]
 fn rows_are_named_as_their_fields() {
     let names =
-        ["blade.x", "blade.y", "blade_x", "H_y", "W.x", "W.y", "rope", "bar", "span", "H.x", "H.y"];
+        ["blade.x", "blade.y", "blade.x", "H.y", "W.x", "W.y", "rope", "bar", "span", "H.x", "H.y"];
     assert_eq!(Rope::OUTPUTS, names);
 }

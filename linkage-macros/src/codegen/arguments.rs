@@ -71,8 +71,8 @@ impl<'a> Arguments<'a> {
     pub(super) fn declared(&self, scalar: &TokenStream) -> Vec<TokenStream> {
         let declare = |(given, name): (&Given, &Ident)| match self.record(*given) {
             Some(record) => {
-                let (into, ty) = (self.cx.paths.item("Into"), quote!(#record<#scalar>));
-                quote!(#name: impl #into<#ty>)
+                let (inputs, ty) = (self.cx.paths.item("Inputs"), quote!(#record<#scalar>));
+                quote!(#name: impl #inputs<#ty>)
             }
             None => quote!(#name: #scalar),
         };

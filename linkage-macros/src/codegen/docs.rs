@@ -8,7 +8,7 @@ use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 use super::context::Context;
 use super::doc_comments::{after, lines};
 use super::identifiers::text;
-use super::{costs_in_words, forces, ranges_in_words};
+use super::{costs_in_words, forces, groups_in_words, ranges_in_words};
 use crate::interface::entries::{Entry, Given};
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Field, Kind, Record, Shape, Subject};
@@ -59,7 +59,7 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
     let groups = cx.mechanism.groups.iter();
     page += &section(
         "Groups, in the order they are solved",
-        groups.map(|group| format!("{} {}", group.keyword, group.title)).collect(),
+        groups.enumerate().map(|(index, _)| groups_in_words::in_words(cx, index)).collect(),
     );
     let ranges = cx.mechanism.rotatabilities.iter();
     page += &section("Range", ranges.map(|found| ranges_in_words::in_words(cx, found)).collect());
@@ -84,15 +84,17 @@ pub(super) fn param(param: &Param) -> TokenStream {
                 default.to_f64()
             )
         }
-        ParamKind::Side { default } => mode(param, *default, ["left", "right"]),
-        ParamKind::Sense { default } => mode(param, *default, ["ahead", "behind"]),
+        ParamKind::Side { default } => mode(param, *default, "Side", ["left", "right"]),
+        ParamKind::Sense { default } => mode(param, *default, "Sense", ["ahead", "behind"]),
     };
     after(&param.docs, &line)
 }
 
-fn mode(param: &Param, default: Sign, words: [&str; 2]) -> String {
+fn mode(param: &Param, default: Sign, ty: &str, words: [&str; 2]) -> String {
     let word = words[usize::from(default == Sign::Minus)];
-    format!("Assembly mode `{}`; as declared {word}.", text(&param.name))
+    let [plus, minus] =
+        words.map(|word| format!("`{ty}::{}{}`", word[..1].to_uppercase(), &word[1..]));
+    format!("Assembly mode `{}`, {plus} or {minus}; as declared {word}.", text(&param.name))
 }
 
 fn input(input: &Input) -> TokenStream {
@@ -289,9 +291,9 @@ pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {
         "{}, at many poses.\n\n{} Each is a slice with a number for every pose, or one number \
          for all.\n\n\
          Every component of the results goes to a slice of its own in `out`, as many long as there \
-         are poses, or empty where it is not wanted; `status` is such a slice too. A pose that \
-         `{}` refuses has numbers that are none, and its error's kind in `status`. `progress` is told the \
-         poses done and their total every few thousand poses; `()` tells nobody.\n\n\
+         are poses, or empty where it is not wanted; `status` is such a slice too. Where \
+         `{}` would be an error, the numbers are NaN and `status` has the error's kind. `progress` is told \
+         how many poses are done, and how many there are, every few thousand poses; `()` tells nobody.\n\n\
          # Errors\nTwo slices are not of one length; nothing was computed.",
         entry.subject,
         details(cx, entry),
@@ -315,7 +317,7 @@ pub(super) fn sensitivity(cx: &Context<'_>) -> TokenStream {
 
 fn matrix(cx: &Context<'_>, what: &str, columns: Vec<String>) -> String {
     let list = |names: Vec<String>| format!("`{}`", names.join("`, `"));
-    let rows = cx.mechanism.outputs.iter().flat_map(labels::rows).collect();
+    let rows = labels::all_rows(cx.mechanism);
     format!(
         "{what} by automatic differentiation of the position.\n\nRows: {}; columns: {}.\n\n\
          # Errors\nThose of `position`; `Singular` where a derivative does not exist.",

@@ -19,7 +19,9 @@ mod editor_names;
 mod fast_path;
 mod forces;
 mod formulas;
+mod groups_in_words;
 mod identifiers;
+mod module;
 mod paths;
 mod ranges_in_words;
 mod results;
@@ -52,7 +54,7 @@ pub(crate) fn generate(
     let cx = Context::new(mechanism, lowered);
     let (solver, records) = (solver::definition(&cx), structs::definitions(&cx));
     let implementations = implementations(&cx, drawing);
-    quote! { #solver #records #implementations }
+    module::around(&cx, &quote! { #solver #records #implementations })
 }
 
 /// All that is done with the structs, in an unnamed constant: what it imports meets no name of the

@@ -9,6 +9,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::identifiers::clear_of;
+use super::module;
 use super::token_list::Tokens;
 use crate::model::mechanism::Mechanism;
 
@@ -22,7 +23,7 @@ pub(super) struct Paths {
 }
 
 /// What is imported: types, traits and variants that most mechanisms need.
-const IMPORTED: [&str; 45] = [
+const IMPORTED: [&str; 46] = [
     "AllMet",
     "AngularAcceleration",
     "AngularVelocity",
@@ -36,6 +37,7 @@ const IMPORTED: [&str; 45] = [
     "Float",
     "From",
     "Fusion",
+    "Inputs",
     "Into",
     "LaneMask",
     "Lanes",
@@ -73,7 +75,13 @@ const IMPORTED: [&str; 45] = [
 impl Paths {
     pub(super) fn new(mechanism: &Mechanism, own: Vec<String>) -> Self {
         let module = match &mechanism.crate_path {
-            Some(path) => quote!(#path::private),
+            Some(path) => {
+                let path = match module::can_hold(mechanism) {
+                    true => module::seen_from_inside(path),
+                    false => quote!(#path),
+                };
+                quote!(#path::private)
+            }
             None => quote!(::linkage_core::private),
         };
         Self { module, alias: clear_of("private", &mechanism.name), own }

@@ -6,7 +6,7 @@ use quote::{ToTokens, quote};
 use super::context::{Context, literal};
 use super::identifiers::{function_name, text};
 use super::token_list::Tokens;
-use super::{costs_in_words, docs, identifiers, structs};
+use super::{costs_in_words, docs, identifiers, module, structs};
 use crate::interface::{forces, labels};
 use crate::model::mechanism::{Output, Param, ParamKind, Sign};
 
@@ -18,7 +18,8 @@ pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
 
 /// The struct itself.
 pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
-    let (name, scalar, visibility) = (&cx.names.solver, &cx.names.scalar, &cx.mechanism.visibility);
+    let (name, scalar, visibility) =
+        (&cx.names.solver, &cx.names.scalar, module::visibility_inside(cx));
     let (docs, attributes) = (docs::solver(cx), structs::attributes(cx));
     let fields = cx.mechanism.params.iter().map(|param| {
         let (docs, field) = (docs::param(param), &param.name);
@@ -46,11 +47,12 @@ fn mode_type(param: &Param) -> Option<&'static str> {
     }
 }
 
-/// Without a numeric parameter nothing holds the type parameter; the field is public so that
-/// `..Solver::new()` stays usable: its name and its value, whose type has the value's name.
+/// Without a numeric parameter nothing holds the type parameter: the field that does, by its name
+/// and its value, whose type has the value's name. The field is public, so that `..Solver::new()`
+/// stays usable, and its name says what to write in place of `Solver {}`.
 pub(super) fn marker(cx: &Context<'_>) -> Option<(Ident, Tokens)> {
     let taken = |name: &str| cx.mechanism.params.iter().any(|param| param.name == name);
-    let mut name = String::from("scalar_");
+    let mut name = String::from("use_new_");
     while taken(&name) {
         name.push('_');
     }
@@ -78,7 +80,11 @@ pub(super) fn construct(
 }
 
 /// The parameter as declared, a number by `lit` or as a plain literal.
-fn defaults(cx: &Context<'_>, number: impl Fn(f64, f32) -> Tokens) -> TokenStream {
+fn defaults(
+    cx: &Context<'_>,
+    name: &TokenStream,
+    number: impl Fn(f64, f32) -> Tokens,
+) -> TokenStream {
     let number = |param: &Param| match &param.kind {
         ParamKind::Number { default, .. } => {
             number(default.to_f64(), default.to_f32()).into_token_stream()
@@ -90,7 +96,7 @@ fn defaults(cx: &Context<'_>, number: impl Fn(f64, f32) -> Tokens) -> TokenStrea
         let variant = default_variant(param);
         quote!(#ty::#variant)
     };
-    construct(cx, &quote!(Self), number, mode)
+    construct(cx, name, number, mode)
 }
 
 fn default_variant(param: &Param) -> TokenStream {
@@ -105,8 +111,8 @@ fn default_variant(param: &Param) -> TokenStream {
 
 /// What needs no type parameter to be written.
 fn constants(cx: &Context<'_>) -> TokenStream {
-    let name = &cx.names.solver;
-    let new = defaults(cx, |wide, _| literal(wide));
+    let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
+    let new = defaults(cx, &quote!(#name), |wide, _| literal(wide));
     let (outputs, rows) = (output_rows(cx), cx.rows());
     let inputs = cx.mechanism.inputs.iter().map(|input| &input.name);
     let inputs = inputs.map(|name| identifiers::string(&text(name), name.span()));
@@ -116,7 +122,7 @@ fn constants(cx: &Context<'_>) -> TokenStream {
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
     let (cost_type, cost) = (costs_in_words::ty(cx), costs_in_words::constant(cx));
     let forces = force_rows(cx);
-    let [float, string] = ["f64", "str"].map(|name| cx.paths.item(name));
+    let [float, string, is] = ["f64", "str", "Is"].map(|name| cx.paths.item(name));
     quote! {
         impl #name<#float> {
             /// The scalar rows of the results, in the order of every list of rows.
@@ -129,10 +135,13 @@ fn constants(cx: &Context<'_>) -> TokenStream {
             /// The floating-point operations of one call.
             pub const COST: #cost_type = #cost;
 
-            /// The solver with all parameters at their declared values.
+        }
+
+        impl<#scalar> #name<#scalar> {
+            /// The solver with all parameters at their declared values, in `f64`.
             #[inline]
             #[must_use]
-            pub const fn new() -> Self { #new }
+            pub const fn new() -> #name<#float> where #float: #is<#scalar> { #new }
         }
     }
 }
@@ -162,7 +171,7 @@ fn force_rows(cx: &Context<'_>) -> TokenStream {
 /// All rows of the outputs.
 fn output_rows(cx: &Context<'_>) -> Vec<TokenStream> {
     let rows = |output: &Output| {
-        let rows = labels::rows(output).into_iter();
+        let rows = labels::rows(cx.mechanism, output).into_iter();
         rows.map(|row| identifiers::string(&row, output.field.span())).collect::<Vec<_>>()
     };
     cx.mechanism.outputs.iter().flat_map(rows).collect()
@@ -171,7 +180,7 @@ fn output_rows(cx: &Context<'_>) -> Vec<TokenStream> {
 fn default(cx: &Context<'_>) -> TokenStream {
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (default, any) = (cx.paths.item("Default"), cx.paths.item("Scalar"));
-    let value = defaults(cx, |wide, narrow| cx.literal(wide, narrow));
+    let value = defaults(cx, &quote!(Self), |wide, narrow| cx.literal(wide, narrow));
     quote! {
         impl<#scalar: #any> #default for #name<#scalar> {
             /// The solver with all parameters at their declared values, rounded once.

@@ -4,10 +4,10 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::docs;
 use super::identifiers::generated;
 use super::results::{self, read, ty};
 use super::token_list::Tokens;
+use super::{docs, module};
 use crate::interface::labels;
 use crate::interface::quantity::Order;
 use crate::interface::records::{Field, Kind, Record, RecordId, Shape};
@@ -56,7 +56,8 @@ pub(super) fn attributes(cx: &Context<'_>) -> TokenStream {
 }
 
 fn definition(cx: &Context<'_>, record: &Record) -> TokenStream {
-    let (name, scalar, visibility) = (&record.name, &cx.names.scalar, &cx.mechanism.visibility);
+    let (name, scalar, visibility) =
+        (&record.name, &cx.names.scalar, module::visibility_inside(cx));
     let (docs, attributes) = (docs::record(cx, record), attributes(cx));
     let fields = record.fields.iter().map(|field| {
         let (docs, name) = (docs::field(cx, field), &field.name);

@@ -71,11 +71,14 @@ impl Sweep<'_> {
             ["Float", "Series", "Status", "Progress", "Result", "LengthMismatch", "sweep"]
                 .map(|item| cx.paths.item(item));
         let values = quote!(#series<'series, #scalar>);
-        let into = cx.paths.item("Into");
+        let [into, inputs] = ["Into", "Inputs"].map(|item| cx.paths.item(item));
         let (mut declared, mut converted) = (Vec::new(), TokenStream::new());
         for (name, record) in self.arguments.parts() {
-            let ty = record.map_or(values.clone(), |(record, _)| quote!(#record<#values>));
-            declared.push(quote!(#name: impl #into<#ty>));
+            let (ty, given) = match record {
+                Some((record, _)) => (quote!(#record<#values>), &inputs),
+                None => (values.clone(), &into),
+            };
+            declared.push(quote!(#name: impl #given<#ty>));
             converted.extend(quote!(let #name: #ty = #into::into(#name);));
         }
         let inputs = self.inputs();

@@ -5,10 +5,11 @@ use syn::ext::IdentExt;
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Field, Shape, Subject};
 use crate::interface::{Interface, forces};
-use crate::model::mechanism::{Mechanism, Output, OutputKind};
+use crate::model::mechanism::{Expr, Mechanism, Output, OutputKind};
 
-/// The rows of one output, `blade.x` and `blade.y`.
-pub(crate) fn rows(output: &Output) -> Vec<String> {
+/// The rows of one output, `blade.x` and `blade.y`: called as the declaration writes them, also
+/// where their field has another name, `blade_x`.
+pub(crate) fn rows(mechanism: &Mechanism, output: &Output) -> Vec<String> {
     let field = output.field.unraw().to_string();
     let ending = |ending: &str| match field.strip_suffix(&format!("_{ending}")) {
         Some(link) => format!("{link}.{ending}"),
@@ -17,6 +18,13 @@ pub(crate) fn rows(output: &Output) -> Vec<String> {
     match &output.kind {
         OutputKind::Margin(_) => vec![ending("margin")],
         OutputKind::Transmission(_) => vec![ending("transmission")],
+        OutputKind::Value { value: Expr::Coordinate(point, _), .. } => {
+            let point = mechanism.points[point.index()].name.unraw().to_string();
+            let part = [("_x", ".x"), ("_y", ".y")].into_iter().find_map(|(ending, part)| {
+                (field == format!("{point}{ending}")).then(|| format!("{point}{part}"))
+            });
+            vec![part.unwrap_or(field)]
+        }
         OutputKind::Angle(_) | OutputKind::Value { .. } => vec![field],
         kind => Quantity::of(kind).rows().iter().map(|row| format!("{field}.{row}")).collect(),
     }
@@ -24,7 +32,7 @@ pub(crate) fn rows(output: &Output) -> Vec<String> {
 
 /// All rows.
 pub(crate) fn all_rows(mechanism: &Mechanism) -> Vec<String> {
-    mechanism.outputs.iter().flat_map(rows).collect()
+    mechanism.outputs.iter().flat_map(|output| rows(mechanism, output)).collect()
 }
 
 /// What an error calls each number of a result, in the order of the sinks.
@@ -47,7 +55,7 @@ pub(crate) fn of_result(interface: &Interface, mechanism: &Mechanism, shape: Sha
 
 fn of_field(interface: &Interface, mechanism: &Mechanism, field: &Field) -> Vec<String> {
     match field.subject {
-        Subject::Output(index, order) => of_output(&mechanism.outputs[index], order),
+        Subject::Output(index, order) => of_output(mechanism, &mechanism.outputs[index], order),
         Subject::Outputs(_) => of_result(interface, mechanism, field.shape),
         Subject::Input(index) => vec![mechanism.inputs[index].name.unraw().to_string()],
         Subject::Load(index) => vec![mechanism.dynamics.loads[index].name.unraw().to_string()],
@@ -58,16 +66,20 @@ fn of_field(interface: &Interface, mechanism: &Mechanism, field: &Field) -> Vec<
 }
 
 /// The components of an output: a direction has two of them for its one row.
-fn of_output(output: &Output, order: Order) -> Vec<String> {
-    let mut rows = rows(output);
+fn of_output(mechanism: &Mechanism, output: &Output, order: Order) -> Vec<String> {
+    let mut rows = rows(mechanism, output);
     let parts = Quantity::of(&output.kind).layout(order).parts;
     if parts.len() > rows.len() {
         rows.insert(0, rows[0].clone());
     }
-    let derivative = match order {
-        Order::Position => "",
-        Order::Velocity => "velocity of ",
-        Order::Acceleration => "acceleration of ",
+    let (derivative, of_angle) = match order {
+        Order::Position => return rows,
+        Order::Velocity => ("velocity of ", "omega"),
+        Order::Acceleration => ("acceleration of ", "alpha"),
     };
-    rows.into_iter().map(|row| format!("{derivative}{row}")).collect()
+    let rate = |row: String| match row.strip_suffix(".angle") {
+        Some(link) => format!("{link}.{of_angle}"),
+        None => format!("{derivative}{row}"),
+    };
+    rows.into_iter().map(rate).collect()
 }

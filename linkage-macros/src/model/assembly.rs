@@ -12,7 +12,7 @@ use super::mechanism::{AngleSum, Carrier, Expr, GuideId, Length, LinkId, PointId
 
 impl AngleSum {
     /// The angle, where it is known when the mechanism is declared.
-    pub(super) fn constant(&self) -> Option<&Exact> {
+    pub(crate) fn constant(&self) -> Option<&Exact> {
         self.links.is_empty().then(|| self.rest.constant()).flatten()
     }
 }

@@ -15,6 +15,7 @@ impl Resolver<'_> {
         let [first, second] = lengths;
         let (outer, lengths) = ([parts.point(0)?, parts.point(1)?], [first?, second?]);
         self.bars_meet(parts, outer, &lengths)?;
+        self.constants_say(parts.id, outer, &lengths);
         Some(Step::Rrr {
             group: parts.id,
             links: parts.both_links()?,

@@ -13,7 +13,7 @@ impl Expr {
     }
 
     /// The value, where it is known when the mechanism is declared.
-    pub(super) fn constant(&self) -> Option<&Exact> {
+    pub(crate) fn constant(&self) -> Option<&Exact> {
         match self {
             Self::Constant(value) => Some(value),
             _ => None,

@@ -33,6 +33,8 @@ pub(crate) struct Mechanism {
     pub outputs: Vec<Output>,
     /// What dyads of constants leave of the turns of cranks.
     pub rotatabilities: Vec<Rotatability>,
+    /// What constants say of groups, for their docs.
+    pub known: Vec<Known>,
     /// Masses, and what acts.
     pub dynamics: Dynamics,
     /// For editors.
@@ -103,6 +105,15 @@ pub(crate) struct References {
     pub made: Vec<(Ident, String)>,
     /// Every place where one of them is used.
     pub used: Vec<Ident>,
+}
+
+/// What constants say of a group.
+pub(crate) struct Known {
+    pub group: GroupId,
+    /// How far apart its outer joints are.
+    pub span: Option<Exact>,
+    /// The earlier point on which its pin is in one of its modes.
+    pub coincides_with: Option<PointId>,
 }
 
 /// What a dyad leaves of the turn of the crank it hangs on.

@@ -11,6 +11,7 @@
 
 mod actions;
 mod assembly;
+mod coincidence;
 mod dimension;
 mod drivers;
 mod dyads;
@@ -153,6 +154,7 @@ fn empty(tree: &Declaration) -> Mechanism {
         steps: Vec::new(),
         outputs: Vec::new(),
         rotatabilities: Vec::new(),
+        known: Vec::new(),
         dynamics: Dynamics::default(),
         references: References::of(tree),
         numerics: Numerics::Plain,

@@ -76,6 +76,7 @@ impl StandIn {
             steps: Vec::new(),
             outputs: Vec::new(),
             rotatabilities: Vec::new(),
+            known: Vec::new(),
             dynamics: Dynamics::default(),
             references: References::default(),
             numerics: Numerics::Plain,

@@ -11,11 +11,12 @@ pub mod families;
 pub mod poses;
 
 use core::array::from_fn;
-use linkage_core::{Scalar, Sense, Side};
+use linkage_core::{Record, Scalar, Sense, Side};
 use num_dual::{Derivative, DualSVec};
 
 use crate::double_double::DoubleDouble;
 use crate::mechanisms::driven_groups::*;
+use crate::mechanisms::heavy_groups::*;
 use crate::mechanisms::near_limits::*;
 
 /// Inputs with their rates, the dimensions, and the mode.
@@ -137,16 +138,42 @@ macro_rules! given {
     };
 }
 
+macro_rules! labels {
+    (motion $mechanism:ident) => {
+        $mechanism::OUTPUTS
+    };
+    (forces $mechanism:ident) => {
+        $mechanism::FORCES
+    };
+}
+
+/// Of a motion positions, velocities and accelerations; of forces those at rest, twice, and those in
+/// motion.
+macro_rules! orders {
+    (motion $solver:ident, $q:expr, $rate:expr, $second:expr) => {{
+        let (m, ok) = $solver.solve_motion($q, $rate, $second);
+        ok.then(|| [m.position.rows(), m.velocity.rows(), m.acceleration.rows()])
+    }};
+    (forces $solver:ident, $q:expr, $rate:expr, $second:expr) => {{
+        let (resting, still) = $solver.solve_statics($q);
+        let (moving, ok) = $solver.solve_forces($q, $rate, $second);
+        let resting = resting.into_array();
+        (still && ok).then(|| [resting, resting, moving.into_array()])
+    }};
+}
+
 macro_rules! measured {
-    ($(#[$doc:meta])* $function:ident: $mechanism:ident, $inputs:literal $count:ident,
+    ($(#[$doc:meta])* $function:ident: $kind:ident of $mechanism:ident, $inputs:literal $count:ident,
      $params:literal $(params)? $(param)? { $($param:ident)* } $(, $mode:ident $Mode:ident $plus:ident $minus:ident)?) => {
         $(#[$doc])*
         pub mod $function {
             use super::*;
 
-            pub const ROWS: usize = $mechanism::OUTPUTS.len();
+            /// What the rows are called.
+            pub const LABELS: &[&str] = &labels!($kind $mechanism);
+            pub const ROWS: usize = LABELS.len();
 
-            /// Positions, velocities and accelerations, if the solver answers.
+            /// What is measured, if the solver answers.
             fn rows<T: Scalar<Mask = bool>>(
                 numbers: Numbers<T, $inputs, $params>,
                 plus: bool,
@@ -158,8 +185,7 @@ macro_rules! measured {
                 };
                 let _ = plus;
                 let Numbers { q, rate, second, .. } = numbers;
-                let (m, ok) = solver.solve_motion(given!($count q), given!($count rate), given!($count second));
-                ok.then(|| [m.position.rows(), m.velocity.rows(), m.acceleration.rows()])
+                orders!($kind solver, given!($count q), given!($count rate), given!($count second))
             }
 
             /// What half a unit in the last place of everything changes, at data moved by units.
@@ -208,7 +234,7 @@ macro_rules! measured {
                 let mut orders = from_fn(|order| {
                     from_fn(|row| {
                         let [high, low] = truth[order][row];
-                        let is_angle = order == 0 && $mechanism::OUTPUTS[row].ends_with("angle");
+                        let is_angle = order == 0 && LABELS[row].ends_with("angle");
                         let away = found[order][row] - high;
                         let turns = if is_angle { (away / core::f64::consts::TAU).round() } else { 0.0 };
                         Measured {
@@ -218,7 +244,7 @@ macro_rules! measured {
                     })
                 });
                 let joined = |mut orders: [[Measured; ROWS]; 3]| {
-                    orders.iter_mut().for_each(|rows| join_points(&$mechanism::OUTPUTS, rows));
+                    orders.iter_mut().for_each(|rows| join_points(LABELS, rows));
                     orders
                 };
                 let is_large = |row: &Measured| row.ratio() > 2.0;
@@ -241,35 +267,55 @@ macro_rules! measured {
 
 measured! {
     /// Two bars between driven points.
-    rrr: DrivenRrr, 4 inputs, 2 params { l1 l2 }, elbow Side Left Right
+    rrr: motion of DrivenRrr, 4 inputs, 2 params { l1 l2 }, elbow Side Left Right
 }
 measured! {
     /// A bar between a driven point and a driven guide.
-    rrp: DrivenRrp, 5 inputs, 2 params { l e }, side Sense Ahead Behind
+    rrp: motion of DrivenRrp, 5 inputs, 2 params { l e }, side Sense Ahead Behind
 }
 measured! {
     /// A bar about a driven point through a block on another.
-    rpr: DrivenRpr, 4 inputs, 1 param { e }, side Sense Ahead Behind
+    rpr: motion of DrivenRpr, 4 inputs, 1 param { e }, side Sense Ahead Behind
 }
 measured! {
     /// A pin between two driven guides.
-    prp: DrivenPrp, 6 inputs, 2 params { e1 e2 }
+    prp: motion of DrivenPrp, 6 inputs, 2 params { e1 e2 }
 }
 measured! {
     /// A yoke on a driven guide, its slot on a driven point.
-    rpp: DrivenRpp, 5 inputs, 3 params { slot e1 e2 }
+    rpp: motion of DrivenRpp, 5 inputs, 3 params { slot e1 e2 }
+}
+measured! {
+    /// Reactions of two bars.
+    rrr_forces: forces of HeavyRrr, 4 inputs, 2 params { l1 l2 }, elbow Side Left Right
+}
+measured! {
+    /// Reactions of a bar and a block.
+    rrp_forces: forces of HeavyRrp, 5 inputs, 2 params { l e }, side Sense Ahead Behind
+}
+measured! {
+    /// Reactions of a block on a bar.
+    rpr_forces: forces of HeavyRpr, 4 inputs, 1 param { e }, side Sense Ahead Behind
+}
+measured! {
+    /// Reactions of two blocks.
+    prp_forces: forces of HeavyPrp, 6 inputs, 2 params { e1 e2 }
+}
+measured! {
+    /// Reactions of a yoke.
+    rpp_forces: forces of HeavyRpp, 5 inputs, 3 params { slot e1 e2 }
 }
 measured! {
     /// A press behind a crank-rocker.
-    chained_press: ChainedPress, 1 input, 12 params
+    chained_press: motion of ChainedPress, 1 input, 12 params
         { rod dx dy kx ky slope crank_length coupler rocker ex ey e }
 }
 measured! {
     /// A four-bar on the rocker of another.
-    chained_bars: ChainedBars, 1 input, 9 params
+    chained_bars: motion of ChainedBars, 1 input, 9 params
         { l1 l2 dx dy gx gy crank_length coupler rocker }
 }
 measured! {
     /// Two bars with products carried to twice the width.
-    compensated_rrr: CompensatedRrr, 4 inputs, 2 params { l1 l2 }, elbow Side Left Right
+    compensated_rrr: motion of CompensatedRrr, 4 inputs, 2 params { l1 l2 }, elbow Side Left Right
 }

@@ -15,7 +15,7 @@ fn exported((mut mechanism, program): (Mechanism, Program)) -> (Mechanism, Progr
 
 /// The text of `C_HEADER`.
 fn header((mechanism, program): &(Mechanism, Program)) -> String {
-    let file: syn::File = syn::parse2(generate(mechanism, program)).expect("a list of items");
+    let file = super::file(generate(mechanism, program));
     let text = associated_items(&file).into_iter().find_map(|item| match item {
         ImplItem::Const(item) if item.ident == "C_HEADER" => match &item.expr {
             Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value()),
@@ -76,7 +76,7 @@ fn several_inputs_come_by_pointers_and_modes_as_numbers() {
          q1_: *const TableInput<f64>,",
         "let q1_ = unsafe { read_(q1_, \"rates\") }?;",
         "way: private::c_sense(self.way, \"way\")?,",
-        "Parameters_ { way: -1, scalar_: PhantomData }",
+        "Parameters_ { way: -1, use_new_: PhantomData }",
     ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
     }

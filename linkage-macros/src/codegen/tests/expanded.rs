@@ -73,13 +73,17 @@ fn text(stream: TokenStream) -> String {
     let hidden = take_macro_body(&mut file);
     let shown = prettyplease::unparse(&file);
     let hidden = prettyplease::unparse(&syn::parse2(hidden).expect("a macro of items"));
-    let hidden: String = hidden.lines().map(|line| format!("        {line}\n")).collect();
-    spaced(&shown.replace("with_ad! {}", &format!("with_ad! {{\n{hidden}    }}")))
+    let hidden: String = hidden.lines().map(|line| format!("            {line}\n")).collect();
+    spaced(&shown.replace("with_ad! {}", &format!("with_ad! {{\n{hidden}        }}")))
 }
 
-/// Takes what `with_ad!` is given out of the unnamed constant.
+/// Takes what `with_ad!` is given out of the unnamed constant in the module.
 fn take_macro_body(file: &mut syn::File) -> TokenStream {
-    for item in &mut file.items {
+    let modules = file.items.iter_mut().filter_map(|item| match item {
+        syn::Item::Mod(module) => module.content.as_mut(),
+        _ => None,
+    });
+    for item in modules.flat_map(|(_, items)| items) {
         let syn::Item::Const(item) = item else { continue };
         let syn::Expr::Block(block) = &mut *item.expr else { continue };
         for statement in &mut block.block.stmts {

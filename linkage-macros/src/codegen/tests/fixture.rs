@@ -60,6 +60,7 @@ pub(super) fn mechanism(name: &str, inputs: Vec<Input>, outputs: Vec<Output>) ->
         steps: Vec::new(),
         outputs,
         rotatabilities: Vec::new(),
+        known: Vec::new(),
         dynamics: Default::default(),
         references: References::default(),
         numerics: Numerics::Plain,

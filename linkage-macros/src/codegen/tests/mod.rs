@@ -3,6 +3,7 @@
 mod c_export;
 mod expanded;
 mod fixture;
+mod groups;
 mod guards;
 mod spans;
 mod turning;
@@ -66,8 +67,18 @@ pub(super) fn line_by_line(stream: TokenStream) -> TokenStream {
 
 fn expand((mechanism, program): &(Mechanism, Program)) -> String {
     let tokens = line_by_line(generate(mechanism, program));
-    let file = syn::parse2(tokens).expect("the expansion is a list of items");
-    prettyplease::unparse(&file)
+    prettyplease::unparse(&file(tokens))
+}
+
+/// The items of the expansion, out of their module.
+pub(crate) fn file(tokens: TokenStream) -> syn::File {
+    let mut file: syn::File = syn::parse2(tokens).expect("the expansion is a list of items");
+    let content = file.items.iter_mut().find_map(|item| match item {
+        syn::Item::Mod(module) => module.content.take(),
+        _ => None,
+    });
+    file.items = content.map_or(file.items, |(_, items)| items);
+    file
 }
 
 /// The text of one function, from its name to the closing brace at its own depth.
@@ -133,7 +144,7 @@ fn docs_pass_the_users_words_on_and_say_what_a_thing_is() {
         "    /// The coupler's pin.\n    ///\n    /// Point `C` (rrr BC, DC): velocity in m/s.\n    pub C:",
         "    /// Link `BC` (rrr BC, DC): angular velocity in rad/s, counter-clockwise.\n    pub BC:",
         "    /// Parameter `crank` in m; as declared 0.08.\n    pub crank: T,",
-        "    /// Assembly mode `elbow`; as declared left.\n    pub elbow:",
+        "    /// Assembly mode `elbow`, `Side::Left` or `Side::Right`; as declared left.\n    pub elbow:",
     ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
     }
@@ -189,7 +200,7 @@ fn several_inputs_are_a_record_or_an_array() {
     assert!(all.contains("struct TableInput<T> {"), "{text}");
     assert!(all.contains("From<[T; 2]> for TableInput<T> {"), "{text}");
     assert!(all.contains("fn from(list_: [T; 2]) -> Self { Record::from_array(list_) }"), "{text}");
-    assert!(all.contains("rates: impl Into<TableInput<T>>"));
+    assert!(all.contains("rates: impl Inputs<TableInput<T>>"));
     assert!(all.contains("let rates: TableInput<T> = Into::into(rates);"));
     let formulas = squeezed(function(&text, "formulas_velocity_"));
     assert!(formulas.contains("let v12_ = rates.s * inputs.X;"), "{formulas}");
@@ -215,7 +226,7 @@ fn coefficients_are_a_row_an_output_and_a_column_an_input() {
 #[test]
 fn without_numeric_parameters_a_hidden_field_keeps_the_type_parameter() {
     let text = expand(&table());
-    let hidden = "#[doc(hidden)]\n    pub scalar_: ::linkage_core::private::PhantomData<T>,";
+    let hidden = "#[doc(hidden)]\n    pub use_new_: ::linkage_core::private::PhantomData<T>,";
     assert!(text.contains(hidden), "{text}");
     assert!(!text.contains("fn sensitivity"), "{text}");
     assert!(text.contains("way: private::Sense::Behind,"), "{text}");
@@ -318,7 +329,7 @@ fn a_sweep_over_several_inputs_takes_a_record_of_series() {
     assert_has(
         &table(),
         &[
-            "inputs: impl Into<TableInput<Series<'series, T>>>,",
+            "inputs: impl Inputs<TableInput<Series<'series, T>>>,",
             "let rates: TableInput<Series<'series, T>> = Into::into(rates);",
             "[inputs.s, inputs.X, rates.s, rates.X]",
             "core_velocity_(TableInput { s: x0_, X: x1_ }, TableInput { s: x2_, X: x3_ });",

@@ -81,8 +81,7 @@ fn bar_and_block(line: &str, fields: &str) -> String {
 fn said(source: &str) -> String {
     let mechanism = mechanism(source);
     let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
-    let file: syn::File =
-        syn::parse2(line_by_line(generate(&mechanism, &program))).expect("a list of items");
+    let file = super::file(line_by_line(generate(&mechanism, &program)));
     let text = prettyplease::unparse(&file).replace("\n///   ", " ");
     let line = text.split_once("# Range\n/// - ").map(|(_, rest)| rest.lines().next());
     line.flatten().unwrap_or_default().to_string()

@@ -10,12 +10,14 @@ use std::time::Instant;
 
 use linkage_tests::measured::poses::{self, Source};
 use linkage_tests::measured::{Measured, Pose, Width, compensated_rrr, prp, rpp, rpr, rrp, rrr};
+use linkage_tests::measured::{prp_forces, rpp_forces, rpr_forces, rrp_forces, rrr_forces};
 
 /// How many of the worst random poses are climbed from, and how many steps each.
 const STARTS: usize = 16;
 const STEPS: usize = 20_000;
 
 const ORDERS: [&str; 3] = ["position", "velocity", "acceleration"];
+const FORCES: [&str; 3] = ["statics", "", "forces"];
 
 /// A pose and the ratio of error to achievable error there.
 type Found<const I: usize, const P: usize> = (f64, Pose<I, P>);
@@ -38,14 +40,39 @@ fn main() {
 
 /// Every group in one width, and the bars once more with numbers carried to twice the width.
 fn search_all(width: Width, count: usize, seed: u64) {
-    search("rrr", width, count, seed, poses::rrr, |pose| rrr::measure(pose, width).map(ratios));
-    search("carried", width, count, seed, poses::rrr, |pose| {
+    search(("rrr", ORDERS), width, count, seed, poses::rrr, |pose| {
+        rrr::measure(pose, width).map(ratios)
+    });
+    search(("carried", ORDERS), width, count, seed, poses::rrr, |pose| {
         compensated_rrr::measure(pose, width).map(ratios)
     });
-    search("rrp", width, count, seed, poses::rrp, |pose| rrp::measure(pose, width).map(ratios));
-    search("rpr", width, count, seed, poses::rpr, |pose| rpr::measure(pose, width).map(ratios));
-    search("prp", width, count, seed, poses::prp, |pose| prp::measure(pose, width).map(ratios));
-    search("rpp", width, count, seed, poses::rpp, |pose| rpp::measure(pose, width).map(ratios));
+    search(("rrp", ORDERS), width, count, seed, poses::rrp, |pose| {
+        rrp::measure(pose, width).map(ratios)
+    });
+    search(("rpr", ORDERS), width, count, seed, poses::rpr, |pose| {
+        rpr::measure(pose, width).map(ratios)
+    });
+    search(("prp", ORDERS), width, count, seed, poses::prp, |pose| {
+        prp::measure(pose, width).map(ratios)
+    });
+    search(("rpp", ORDERS), width, count, seed, poses::rpp, |pose| {
+        rpp::measure(pose, width).map(ratios)
+    });
+    search(("rrr", FORCES), width, count, seed, poses::rrr, |pose| {
+        rrr_forces::measure(pose, width).map(ratios)
+    });
+    search(("rrp", FORCES), width, count, seed, poses::rrp, |pose| {
+        rrp_forces::measure(pose, width).map(ratios)
+    });
+    search(("rpr", FORCES), width, count, seed, poses::rpr, |pose| {
+        rpr_forces::measure(pose, width).map(ratios)
+    });
+    search(("prp", FORCES), width, count, seed, poses::prp, |pose| {
+        prp_forces::measure(pose, width).map(ratios)
+    });
+    search(("rpp", FORCES), width, count, seed, poses::rpp, |pose| {
+        rpp_forces::measure(pose, width).map(ratios)
+    });
 }
 
 /// The worst ratio of each order. What is not finite has left the range and counts as no error:
@@ -58,7 +85,7 @@ fn ratios<const ROWS: usize>(orders: [[Measured; ROWS]; 3]) -> [f64; 3] {
 }
 
 fn search<const I: usize, const P: usize>(
-    group: &str,
+    (group, orders): (&str, [&str; 3]),
     width: Width,
     count: usize,
     seed: u64,
@@ -79,7 +106,7 @@ fn search<const I: usize, const P: usize>(
         }
     }
     for (order, starts) in worst.iter().enumerate() {
-        let Some(random) = starts.first() else { continue };
+        let Some(random) = starts.first().filter(|_| !orders[order].is_empty()) else { continue };
         let climbs = starts.iter().map(|start| {
             climb(&mut source, *start, width, |pose| measure(pose).map(|ratios| ratios[order]))
         });
@@ -87,7 +114,7 @@ fn search<const I: usize, const P: usize>(
         println!(
             "{group:8} {:7} {:13} {:6.2} {:8.2}  {:?}",
             format!("{width:?}"),
-            ORDERS[order],
+            orders[order],
             random.0,
             best.0,
             best.1

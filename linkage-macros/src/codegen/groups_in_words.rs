@@ -1,0 +1,253 @@
+//! What the docs say of every group: its dimensions, its mode, and where it can be assembled.
+
+use proc_macro2::Ident;
+
+use super::context::Context;
+use super::identifiers::text;
+use crate::exact::Exact;
+use crate::model::mechanism::{
+    AngleSum, Carrier, Expr, Group, GroupId, Known, Length, LinkId, Mechanism, Mode, PointId, Sign,
+    Step,
+};
+
+/// The group with this index: `rrr BC, DC: lengths 632 mm and 374 mm, …`.
+pub(super) fn in_words(cx: &Context<'_>, index: usize) -> String {
+    let mechanism = cx.mechanism;
+    let Group { keyword, title, .. } = &mechanism.groups[index];
+    let words = Words { mechanism };
+    let step = mechanism.steps.iter().find_map(|step| words.step(step, index));
+    match step {
+        Some(step) => format!("{keyword} {title}: {step}"),
+        None => format!("{keyword} {title}"),
+    }
+}
+
+struct Words<'a> {
+    mechanism: &'a Mechanism,
+}
+
+impl Words<'_> {
+    /// The step in words, if it is the group's.
+    fn step(&self, step: &Step, index: usize) -> Option<String> {
+        let words = match step {
+            Step::Crank { group, pin, angle, relative_to, .. } if group.index() == index => {
+                self.crank(pin.as_ref(), angle, *relative_to)
+            }
+            Step::Slider { group, slide, offset, .. } if group.index() == index => {
+                format!("slide {}{}", self.length(slide), self.offset(offset))
+            }
+            Step::Rrr { group, outer, pin, lengths, mode, .. } if group.index() == index => {
+                self.rrr(*group, *outer, *pin, lengths, *mode)
+            }
+            Step::Rrp { group, outer, pin, length, offset, mode, .. } if group.index() == index => {
+                self.rrp([*outer, *pin], length, offset, *mode)
+            }
+            Step::Rpr { group, links, outer, offset, mode } if group.index() == index => {
+                self.rpr(links[1], *outer, offset, *mode)
+            }
+            Step::Prp { group, offsets, .. } if group.index() == index => {
+                format!("{}assembles where the guides are not parallel", self.offsets(offsets))
+            }
+            Step::Rpp { group, slot, offsets, .. } if group.index() == index => {
+                let range = match slot.constant() {
+                    Some(_) => "assembles everywhere",
+                    None => "assembles where the slot is not along the rail",
+                };
+                format!("slot at {}, {}{range}", self.angle(slot), self.offsets(offsets))
+            }
+            _ => return None,
+        };
+        Some(words)
+    }
+
+    fn crank(
+        &self,
+        pin: Option<&(PointId, Length)>,
+        angle: &AngleSum,
+        relative_to: Carrier,
+    ) -> String {
+        let length = pin.map(|(_, length)| format!("length {}, ", self.length(&length.value)));
+        let from = match relative_to {
+            Carrier::Ground => String::new(),
+            Carrier::Link(link) => format!(" from `{}`", self.link(link)),
+        };
+        format!("{}angle {}{from}", length.unwrap_or_default(), self.angle(angle))
+    }
+
+    fn rrr(
+        &self,
+        group: GroupId,
+        outer: [PointId; 2],
+        pin: PointId,
+        lengths: &[Length; 2],
+        mode: Mode,
+    ) -> String {
+        let [b, d] = outer.map(|point| self.point(point));
+        let pin = self.point(pin);
+        let [first, second] = [0, 1].map(|i| self.length(&lengths[i].value));
+        let side = match mode {
+            Mode::Fixed(Sign::Plus) => "on the left".to_string(),
+            Mode::Fixed(Sign::Minus) => "on the right".to_string(),
+            Mode::Param(param) => format!(
+                "on the side that `{}` says",
+                text(&self.mechanism.params[param.index()].name)
+            ),
+        };
+        let known = self.mechanism.known.iter().find(|known| known.group == group);
+        let range = self.range_of_rrr([b, d], lengths, known.and_then(|known| known.span.as_ref()));
+        let mut words = format!(
+            "lengths {first} and {second}, `{pin}` {side} seen from `{b}` to `{d}`; \
+             assembles while {range}"
+        );
+        if let Some(Known { coincides_with: Some(point), .. }) = known {
+            let point = self.point(*point);
+            words += &format!(
+                ". `{point}` is as far from `{b}` and `{d}` as `{pin}`: one of the modes puts `{pin}` onto \
+                 `{point}`, and the machine is the other"
+            );
+        }
+        words
+    }
+
+    /// Between which lengths of what: of a cylinder, its own; of anything else, the distance between
+    /// the outer joints.
+    fn range_of_rrr(
+        &self,
+        [b, d]: [&Ident; 2],
+        lengths: &[Length; 2],
+        span: Option<&Exact>,
+    ) -> String {
+        let [first, second] = [&lengths[0].value, &lengths[1].value];
+        let driven = match (first, second) {
+            (Expr::Input(input), other) | (other, Expr::Input(input)) => {
+                other.constant().zip(span).map(|(other, span)| (*input, other, span))
+            }
+            _ => None,
+        };
+        if let Some((input, other, span)) = driven {
+            let input = text(&self.mechanism.inputs[input.index()].name);
+            return format!("`{input}` is {}", between(other, span));
+        }
+        match (first.constant(), second.constant()) {
+            (Some(first), Some(second)) => format!("|{b}{d}| is {}", between(first, second)),
+            _ => format!("|{b}{d}| is between the difference of the lengths and their sum"),
+        }
+    }
+
+    fn rrp(&self, points: [PointId; 2], length: &Length, offset: &Expr, mode: Mode) -> String {
+        let [outer, pin] = points.map(|point| self.point(point));
+        let length = self.length(&length.value);
+        let (sense, offset) = (self.sense(mode, "ahead of", "behind"), self.offset(offset));
+        format!(
+            "length {length}{offset}, `{pin}` {sense} the foot of `{outer}`; assembles while `{outer}` is no \
+             farther than {length} from the line on which `{pin}` slides"
+        )
+    }
+
+    fn rpr(&self, bar: LinkId, outer: [PointId; 2], offset: &Expr, mode: Mode) -> String {
+        let ([b, d], bar) = (outer.map(|point| self.point(point)), self.link(bar));
+        let sense = self.sense(mode, "positive", "negative");
+        let range = match offset.constant() {
+            Some(offset) if offset.is_zero() => format!("assembles while `{b}` is not on `{d}`"),
+            Some(offset) => {
+                format!("assembles while |{b}{d}| is at least {}", metres(&absolute(offset)))
+            }
+            None => format!("assembles while |{b}{d}| is at least the offset"),
+        };
+        let offset = self.offset(offset);
+        let offset = offset.strip_prefix(", ").map(|offset| format!("{offset}, "));
+        let offset = offset.unwrap_or_default();
+        format!("{offset}block on the {sense} side of `{bar}`; {range}")
+    }
+
+    fn sense(&self, mode: Mode, plus: &str, minus: &str) -> String {
+        match mode {
+            Mode::Fixed(Sign::Plus) => plus.to_string(),
+            Mode::Fixed(Sign::Minus) => minus.to_string(),
+            Mode::Param(param) => {
+                let name = text(&self.mechanism.params[param.index()].name);
+                format!("{plus} or {minus}, as `{name}` says,")
+            }
+        }
+    }
+
+    /// `, offset 5 mm`; nothing where there is none.
+    fn offset(&self, offset: &Expr) -> String {
+        match offset.constant() {
+            Some(offset) if offset.is_zero() => String::new(),
+            _ => format!(", offset {}", self.length(offset)),
+        }
+    }
+
+    /// `offsets 5 mm and 0 m; `; nothing where there are none.
+    fn offsets(&self, offsets: &[Expr; 2]) -> String {
+        let is_zero = |offset: &Expr| offset.constant().is_some_and(Exact::is_zero);
+        if offsets.iter().all(is_zero) {
+            return String::new();
+        }
+        let [first, second] = [0, 1].map(|i| self.length(&offsets[i]));
+        format!("offsets {first} and {second}; ")
+    }
+
+    fn length(&self, value: &Expr) -> String {
+        self.number(value, metres)
+    }
+
+    fn angle(&self, angle: &AngleSum) -> String {
+        match &angle.links[..] {
+            [] => self.number(&angle.rest, degrees),
+            _ => "as driven".to_string(),
+        }
+    }
+
+    /// A constant as a number, what has a name by it.
+    fn number(&self, value: &Expr, constant: fn(&Exact) -> String) -> String {
+        match value {
+            Expr::Constant(value) => constant(value),
+            Expr::Input(input) => {
+                format!("`{}`", text(&self.mechanism.inputs[input.index()].name))
+            }
+            Expr::Param(param) => {
+                format!("`{}`", text(&self.mechanism.params[param.index()].name))
+            }
+            _ => "as computed".to_string(),
+        }
+    }
+
+    fn point(&self, point: PointId) -> &Ident {
+        &self.mechanism.points[point.index()].name
+    }
+
+    fn link(&self, link: LinkId) -> &Ident {
+        &self.mechanism.links[link.index()].name
+    }
+}
+
+/// From the difference of two lengths to their sum.
+fn between(first: &Exact, second: &Exact) -> String {
+    format!("from {} to {}", metres(&absolute(&first.sub(second))), metres(&first.add(second)))
+}
+
+fn absolute(value: &Exact) -> Exact {
+    if value.signum().is_lt() { value.neg() } else { value.clone() }
+}
+
+/// A length in millimetres below a metre, else in metres, to six digits.
+fn metres(value: &Exact) -> String {
+    let metres = value.to_f64();
+    match metres.abs() {
+        size if size > 0.0 && size < 1.0 => format!("{} mm", short(metres * 1e3)),
+        _ => format!("{} m", short(metres)),
+    }
+}
+
+fn degrees(value: &Exact) -> String {
+    format!("{}°", short(value.to_f64().to_degrees()))
+}
+
+/// Six digits, without the zeros behind them.
+fn short(value: f64) -> String {
+    let text = format!("{value:.5e}");
+    // Adding zero takes the sign off minus zero.
+    text.parse::<f64>().map_or(text, |rounded| (rounded + 0.0).to_string())
+}

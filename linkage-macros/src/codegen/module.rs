@@ -1,0 +1,80 @@
+//! The module around the generated code, and what it changes about visibilities and paths.
+//!
+//! A second mechanism of one name would have the compiler report every function and trait of it as
+//! defined twice. In a module of its own it reports the module, once: what is inside belongs to
+//! another struct then.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+use syn::Visibility;
+
+use super::context::Context;
+use super::identifiers::{function_name, text};
+use crate::model::mechanism::Mechanism;
+
+/// The code in its module, and its items where the declaration stands.
+pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
+    if !can_hold(cx.mechanism) {
+        return code.clone();
+    }
+    let (module, visibility) = (name(&cx.names.solver), &cx.mechanism.visibility);
+    // What stands in for a declaration with mistakes may lack what was asked for; only names that
+    // were understood are for editors.
+    let is_understood = !cx.mechanism.references.made.is_empty();
+    let absent = is_understood.then(|| {
+        let absent = cx.paths.outside("Absent");
+        quote!(#[doc(hidden)] pub use #absent as _;)
+    });
+    quote! {
+        #[allow(non_snake_case, reason = "it is named after the mechanism")]
+        mod #module {
+            #absent
+            #code
+        }
+        #[allow(unused_imports, clippy::wildcard_imports, reason = "all that stands in the module")]
+        #visibility use #module::*;
+    }
+}
+
+fn name(solver: &Ident) -> Ident {
+    function_name(&format!("{}_", text(solver)))
+}
+
+/// A path that begins with a name may mean an import beside the declaration, which cannot be seen
+/// from inside a module.
+pub(super) fn can_hold(mechanism: &Mechanism) -> bool {
+    let Some(path) = &mechanism.crate_path else { return true };
+    let first = path.segments.first().map(|segment| segment.ident.to_string());
+    let is_start = |first: String| ["crate", "self", "super"].contains(&first.as_str());
+    path.leading_colon.is_some() || first.is_some_and(is_start)
+}
+
+/// A path, as it reads inside the module.
+pub(super) fn seen_from_inside(path: &syn::Path) -> TokenStream {
+    let first = path.segments.first().map(|segment| segment.ident.to_string());
+    match first.as_deref() {
+        Some("super") => quote!(super::#path),
+        Some("self") => {
+            let rest = path.segments.iter().skip(1);
+            quote!(super #(::#rest)*)
+        }
+        _ => quote!(#path),
+    }
+}
+
+/// How visible the structs are inside the module, so that they are outside what is declared.
+pub(super) fn visibility_inside(cx: &Context<'_>) -> TokenStream {
+    let visibility = &cx.mechanism.visibility;
+    if !can_hold(cx.mechanism) {
+        return quote!(#visibility);
+    }
+    match visibility {
+        Visibility::Inherited => quote!(pub(super)),
+        Visibility::Restricted(restricted) => match seen_from_inside(&restricted.path) {
+            path if path.to_string() == "crate" => quote!(pub(crate)),
+            path if path.to_string() == "super" => quote!(pub(super)),
+            path => quote!(pub(in #path)),
+        },
+        Visibility::Public(_) => quote!(#visibility),
+    }
+}
