@@ -20,6 +20,7 @@ mod dynamics_outputs;
 mod expressions;
 mod facts;
 mod fields;
+mod findings;
 mod folding;
 mod groups;
 mod guides;
