@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
+use super::searches;
 use super::token_list::Tokens;
 use crate::interface::EntryId;
 use crate::ir::cost::Operations;
@@ -15,7 +16,11 @@ pub(super) fn of(cx: &Context<'_>, entry: EntryId) -> Operations {
 
 /// The type of `COST`.
 pub(super) fn ty(cx: &Context<'_>) -> Tokens {
-    cx.paths.item(if is_about_forces(cx) { "ForcesCost" } else { "Cost" })
+    cx.paths.item(match () {
+        () if cx.searches() => "SearchingCost",
+        () if is_about_forces(cx) => "ForcesCost",
+        () => "Cost",
+    })
 }
 
 fn is_about_forces(cx: &Context<'_>) -> bool {
@@ -34,10 +39,16 @@ pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
         let [forces, statics, energy] = ["forces", "statics", "energy"].map(of);
         quote!(, forces: #forces, statics: #statics, energy: #energy)
     });
-    quote!(#cost { position: #position, motion: #motion, coefficients: #coefficients #forces })
+    let searches = cx.searches().then(|| {
+        let searches = searches::costs(cx);
+        quote!(, searches: #searches)
+    });
+    quote! {
+        #cost { position: #position, motion: #motion, coefficients: #coefficients #forces #searches }
+    }
 }
 
-fn record(cx: &Context<'_>, cost: Operations) -> TokenStream {
+pub(super) fn record(cx: &Context<'_>, cost: Operations) -> TokenStream {
     let name = cx.paths.item("Operations");
     let [additions, multiplications, divisions, roots, sines] =
         [cost.additions, cost.multiplications, cost.divisions, cost.roots, cost.sines]

@@ -8,7 +8,7 @@ use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 use super::context::Context;
 use super::doc_comments::{after, lines};
 use super::identifiers::text;
-use super::{costs_in_words, forces, groups_in_words, ranges_in_words};
+use super::{costs_in_words, forces, groups_in_words, ranges_in_words, searches};
 use crate::interface::entries::{Entry, Given};
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Field, Kind, Record, Shape, Subject};
@@ -41,7 +41,12 @@ fn words_of(line: &str) -> Vec<String> {
 
 /// The struct of the mechanism: the page a user lands on.
 pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
-    let mut page = String::from("Solver of position, velocity and acceleration in closed form.\n");
+    let mut page = String::from(match cx.searches() {
+        false => "Solver of position, velocity and acceleration in closed form.\n",
+        true => {
+            "Solver of position, velocity and acceleration: in closed form, but for what is searched.\n"
+        }
+    });
     let section = |title: &str, items: Vec<String>| match items.is_empty() {
         true => String::new(),
         false => format!("\n# {title}\n- {}\n", items.join("\n- ")),
@@ -61,6 +66,7 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
         "Groups, in the order they are solved",
         groups.enumerate().map(|(index, _)| groups_in_words::in_words(cx, index)).collect(),
     );
+    page += &section("Searches, in every call", searches::in_words(cx));
     let ranges = cx.mechanism.rotatabilities.iter();
     page += &section("Range", ranges.map(|found| ranges_in_words::in_words(cx, found)).collect());
     let costs = cx.entries().map(|entry| {
@@ -249,9 +255,10 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
 pub(super) fn fast_path(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
     lines(&format!(
-        "{}, without a branch, and whether they may be used.\n\n{}\n\n\
+        "{}, {}and whether they may be used.\n\n{}\n\n\
          Where the mask says no, the numbers mean nothing. Costs {}.",
         entry.subject,
+        if cx.searches() { "" } else { "without a branch, " },
         details(cx, entry),
         costs_in_words::in_words(costs_in_words::of(cx, id)),
     ))
@@ -262,13 +269,16 @@ pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
     lines(&format!(
         "{}.\n\n{}\n\nCosts {}.\n\n# Errors\n\
          The group that cannot be assembled, is singular or was given an invalid length, or the \
-         input or result that is not finite.{}",
+         input or result that is not finite.{}{}",
         entry.subject,
         details(cx, entry),
         costs_in_words::in_words(costs_in_words::of(cx, id)),
         exceptions(entry),
+        if cx.searches() { NO_SOLUTION } else { "" },
     ))
 }
+
+const NO_SOLUTION: &str = " `NoSolution` where an equation has no root between its ends.";
 
 /// What is refused, or is not, in an entry point of this kind alone.
 fn exceptions(entry: &Entry) -> &'static str {

@@ -120,16 +120,31 @@ impl Sweep<'_> {
         let (core, method) = (fast_path::core_name(entry), function_name(entry.name));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.call(&locals);
+        let (given, solved) = match cx.searches() {
+            // Poses are searched one by one: the mask says no, and a single call follows.
+            true => {
+                let scalar_ = cx.paths.item("Scalar");
+                let ty = quote!(#lanes<#scalar, #width, F>);
+                let nothing = quote!(let #value = <#ty as #scalar_>::lit(0.0, 0.0););
+                (quote!(_), quote!(#nothing ([#value; #outs], #scalar_::gt(#value, #value))))
+            }
+            false => (
+                quote!([#(#locals),*]),
+                quote! {
+                    let (#value, #usable) =
+                        self.lift::<#lanes<#scalar, #width, F>>().#core(#(#arguments),*);
+                    (#as_array::into_array(#value), #usable)
+                },
+            ),
+        };
         quote! {
             impl<#scalar: #float> #trait_<#kind, #scalar, #ins, #outs> for #name<#scalar> {
                 #[inline(always)]
                 fn solve_lanes<const #width: #size, F: #fusion>(
                     &self,
-                    [#(#locals),*]: [#lanes<#scalar, #width, F>; #ins],
+                    #given: [#lanes<#scalar, #width, F>; #ins],
                 ) -> ([#lanes<#scalar, #width, F>; #outs], #mask<#width>) {
-                    let (#value, #usable) =
-                        self.lift::<#lanes<#scalar, #width, F>>().#core(#(#arguments),*);
-                    (#as_array::into_array(#value), #usable)
+                    #solved
                 }
 
                 fn solve_one(

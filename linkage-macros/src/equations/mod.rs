@@ -43,6 +43,7 @@ mod slider;
 mod symbol;
 #[cfg(test)]
 pub(crate) mod tests;
+mod unknown;
 
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::{Kinematics, Source};
@@ -55,19 +56,28 @@ use crate::interface::records::{Kind, Shape, is_margin};
 use crate::ir::construct::Rule;
 use crate::ir::graph::{Id, Node};
 use crate::ir::liveness::{Path, live};
-use crate::ir::program::{Answer, Program};
+use crate::ir::program::{Answer, Closure, Program};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
 /// The mechanism's program: one graph with every entry point's values, made under the rules.
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     let sheet = Sheet::new(rules);
-    let answers = answers(mechanism, &sheet, rules);
-    let clearances = clearance::clearances(mechanism, &sheet);
-    Program { graph: sheet.into_graph(), answers, clearances, groups: mechanism.titles() }
+    let (answers, closures) = answers(mechanism, &sheet, rules);
+    // How far a search goes on beyond a limit is not known: nothing follows it.
+    let clearances = match &mechanism.unknowns[..] {
+        [] => clearance::clearances(mechanism, &sheet),
+        _ => Vec::new(),
+    };
+    Program { graph: sheet.into_graph(), answers, clearances, closures, groups: mechanism.titles() }
 }
 
-/// What every entry point that the mechanism can have asks, one after the other.
-fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, rules: &[Rule]) -> Vec<Answer> {
+/// What every entry point that the mechanism can have asks, one after the other, and the conditions
+/// of what they search.
+fn answers<'s>(
+    mechanism: &'s Mechanism,
+    sheet: &'s Sheet<'s>,
+    rules: &[Rule],
+) -> (Vec<Answer>, Vec<Closure>) {
     let interface = Interface::of(mechanism);
     let given = Kinematics::of(sheet, mechanism, Source::free(mechanism, sheet));
     let [moves_bare, acts_bare] =
@@ -86,7 +96,9 @@ fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, rules: &[Rule]) -
         let sinks = sinks(&interface, entry, kinematics);
         answers.push(Answer { entry: entry.name, sinks });
     }
-    answers
+    let of_circle = on_circle.iter().flat_map(|at| &at.closures);
+    let closures = given.closures.iter().chain(of_circle).copied().collect();
+    (answers, closures)
 }
 
 /// The numbers of an entry point's result, in the order of its shape.

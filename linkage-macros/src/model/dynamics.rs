@@ -272,9 +272,11 @@ impl Mechanism {
         match expr {
             Expr::Constant(_) | Expr::Param(_) | Expr::Load(_) => false,
             Expr::Input(_)
+            | Expr::Unknown(_)
             | Expr::Slide(_)
             | Expr::Coordinate(..)
             | Expr::Distance(_)
+            | Expr::Offset(..)
             | Expr::Twist(_)
             | Expr::Rate(_) => true,
             Expr::Let(id) => {

@@ -10,6 +10,9 @@ use crate::reach::turn::Range;
 
 /// Double precision, in which a group out of reach is not a number.
 impl Number for f64 {
+    fn point(&self) -> Self {
+        *self
+    }
     fn exact(value: &Exact) -> Self {
         value.to_f64()
     }

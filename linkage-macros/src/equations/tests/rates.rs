@@ -1,6 +1,6 @@
 //! Velocity and acceleration against differences of the position along q(t).
 
-use crate::equations::tests::declarations::VARIANTS;
+use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 use crate::interface::quantity::{Order, Quantity};
 use crate::ir::interpret::{Given, Number};
 use crate::model::mechanism::Mechanism;
@@ -30,7 +30,7 @@ fn rates_of(mechanism: &Mechanism, position: &[Digits], derivative: &[Digits]) -
 
 #[test]
 fn velocities_and_accelerations_are_derivatives_of_the_position() {
-    for variant in VARIANTS {
+    for variant in VARIANTS.iter().chain(UNKNOWNS) {
         let mechanism = mechanism(variant.source);
         let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
         let given = |t: &Digits| Given {
@@ -73,7 +73,7 @@ fn velocities_and_accelerations_are_derivatives_of_the_position() {
 
 #[test]
 fn coefficients_are_the_velocities_at_unit_rates() {
-    for variant in VARIANTS {
+    for variant in VARIANTS.iter().chain(UNKNOWNS) {
         let mechanism = mechanism(variant.source);
         let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
         let given = |rates: &[f64]| Given {

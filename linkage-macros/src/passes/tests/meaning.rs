@@ -1,7 +1,7 @@
 //! A program means the same before and after every pass, in 55 digits.
 
 use crate::equations;
-use crate::equations::tests::declarations::VARIANTS;
+use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 use crate::exact::Exact;
 use crate::ir::construct::{Rule, rebuild};
 use crate::ir::interpret::{Given, Number};
@@ -20,7 +20,7 @@ fn no_pass_changes_a_value() {
         ("fuse", contract::fuse_products),
         ("all", optimise),
     ];
-    for variant in VARIANTS {
+    for variant in VARIANTS.iter().chain(UNKNOWNS) {
         let mechanism = mechanism(variant.source);
         let given = Given {
             inputs: variant.inputs.iter().map(|q| q.map(Digits::float)).collect(),
