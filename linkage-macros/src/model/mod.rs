@@ -21,6 +21,7 @@ mod dynamics_outputs;
 mod expressions;
 mod facts;
 mod fields;
+mod findings;
 mod folding;
 mod groups;
 mod guides;
