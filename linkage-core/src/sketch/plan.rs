@@ -16,7 +16,7 @@ pub trait Drawn: Modes<Scalar = f64> {
     /// What was declared.
     const PLAN: Plan;
 
-    /// Where everything stands, in the order that [`Layout`] tells.
+    /// Where everything stands, in the order of `Layout`.
     ///
     /// # Errors
     /// The first group that cannot be assembled.

@@ -11,6 +11,7 @@
 
 mod actions;
 mod assembly;
+mod class_three;
 mod coincidence;
 mod dimension;
 mod drivers;
@@ -20,6 +21,7 @@ mod dynamics_outputs;
 mod expressions;
 mod facts;
 mod fields;
+mod findings;
 mod folding;
 mod groups;
 mod guides;

@@ -22,15 +22,23 @@ const SHARED: &str = include_str!("linkage.h");
 /// The records that forces are made of, where they are asked for.
 const FORCES: &str = include_str!("forces.h");
 
+/// The status of mechanisms in which something is searched.
+const NO_SOLUTION: &str = "\
+/* The unknown `name` has no solution between its ends; `by` is left of its equation. */
+#define LINKAGE_NO_SOLUTION 8
+
+";
+
 /// The whole header.
 pub(super) fn text(cx: &Context<'_>) -> String {
     let solver = plain(&cx.names.solver);
     let guard = snake_case(&solver).to_uppercase();
     let about = about(cx, &solver);
+    let no_solution = if cx.searches() { NO_SOLUTION } else { "" };
     let mut header = format!(
         "{about}\n#ifndef {guard}_H\n#define {guard}_H\n\n\
          #include <stddef.h>\n#include <stdint.h>\n\n\
-         #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{SHARED}\n\
+         #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{SHARED}\n{no_solution}\
          #define {guard}_INPUTS {}\n#define {guard}_OUTPUTS {}\n",
         cx.columns(),
         cx.rows(),
