@@ -1,7 +1,7 @@
 //! A crank-rocker that drives an RRP group: motion curves, and whether any such mechanism can be
 //! assembled and turn fully, asked of the solver itself.
 
-use charts::{BLACK, COLOURS, Curve, GREY, Panel};
+use charts::{COLOURS, Curve, Panel};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -66,36 +66,24 @@ fn main() -> Result<(), SolveError> {
             Err((degrees, error)) => println!("stops at {degrees}°: {error}"),
         }
     }
-    chart(&machine, [rocker, slides, speeds, seconds])
+    chart([rocker, slides, speeds, seconds]);
+    Ok(())
 }
 
-fn chart(machine: &CrankRockerSlider, tables: [Vec<(f64, f64)>; 4]) -> Result<(), SolveError> {
-    let mut poses = vec![Curve::links(BLACK, &[(100.0, 260.0), (480.0, 260.0)])];
-    for step in 0..12 {
-        let p = machine.position(f64::from(step) * 30_f64.to_radians())?;
-        let mm = |x: f64, y: f64| (x * 1e3, y * 1e3);
-        let (b, c) = (mm(p.B.x, p.B.y), mm(p.C.x, p.C.y));
-        let (e, f) = (mm(p.E.x, p.E.y), mm(p.F.x, p.F.y));
-        poses.push(Curve::links(COLOURS[0], &[(0.0, 0.0), b, c]));
-        poses.push(Curve::links(GREY, &[(200.0, -40.0), e]));
-        poses.push(Curve::links(COLOURS[1], &[e, f]));
-    }
-    let [rocker, slides, speeds, seconds] = tables;
+fn chart([rocker, slides, speeds, seconds]: [Vec<(f64, f64)>; 4]) {
     let crank = "crank in deg";
     let over = |name, unit, curve: &[(f64, f64)]| {
-        Panel::over(name, [crank, unit], vec![Curve::links(COLOURS[1], curve)])
+        Panel::over(name, [crank, unit], vec![Curve::line(COLOURS[1], curve)])
     };
     charts::write(
         "crank_rocker_slider",
         "Crank-rocker with a slider at 10 rad/s",
-        3,
+        2,
         vec![
-            Panel::plane("Poses every 30°", ["x in mm", "y in mm"], poses),
             over("Rocker", "deg", &rocker),
             over("Block", "mm", &slides),
             over("Block velocity", "m/s", &speeds),
             over("Block acceleration", "m/s²", &seconds),
         ],
     );
-    Ok(())
 }

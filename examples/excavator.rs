@@ -1,6 +1,6 @@
 //! Excavator: the inputs are the lengths of the three cylinders, as its hydraulics give them.
 
-use charts::{BLACK, COLOURS, Curve, GREY, Panel};
+use charts::{BLACK, COLOURS, Curve, Panel};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -97,30 +97,13 @@ fn main() -> Result<(), SolveError> {
             println!("  {name}: lift {:6.2}, crowd {:6.2}, curl {:6.2} mm", row[0], row[1], row[2]);
         }
     }
-    chart(&digger, path, speeds, volumes)
+    chart(&path, &speeds, volumes);
+    Ok(())
 }
 
-fn chart(
-    digger: &Excavator,
-    path: Vec<(f64, f64)>,
-    speeds: Vec<(f64, f64)>,
-    rates: [Vec<(f64, f64)>; 3],
-) -> Result<(), SolveError> {
-    let at = |point: linkage_core::Point<f64>| (point.x, point.y);
-    let (o, f) = ((0.0, 1.7), (0.6, 1.2));
-    let mut plane = vec![Curve::links(BLACK, &[(-1.5, 0.0), (10.0, 0.0)])];
-    for corner in [2, 4, 0] {
-        let p = digger.position(CYCLE[corner])?;
-        let colour = if corner == 0 { COLOURS[0] } else { GREY };
-        plane.push(Curve::links(colour, &[o, at(p.G), at(p.H), at(p.S), o]));
-        plane.push(Curve::links(colour, &[at(p.S), at(p.J), at(p.N), at(p.K), at(p.T), at(p.S)]));
-        plane.push(Curve::links(colour, &[at(p.T), at(p.W), at(p.tooth), at(p.T)]));
-        plane.push(Curve::links(colour, &[at(p.K), at(p.V), at(p.W)]));
-        for ram in [[f, at(p.G)], [at(p.H), at(p.J)], [at(p.N), at(p.V)]] {
-            plane.push(Curve::links(if corner == 0 { COLOURS[3] } else { GREY }, &ram));
-        }
-    }
-    plane.push(Curve::links(COLOURS[1], &path));
+fn chart(path: &[(f64, f64)], speeds: &[(f64, f64)], rates: [Vec<(f64, f64)>; 3]) {
+    let plane =
+        vec![Curve::line(BLACK, &[(-1.5, 0.0), (10.0, 0.0)]), Curve::line(COLOURS[1], path)];
     let names = ["lift", "crowd", "curl"];
     let rates = rates.into_iter().zip(names).zip(COLOURS);
     let rates = rates.map(|((curve, name), colour)| Curve::named(name, colour, curve)).collect();
@@ -129,14 +112,9 @@ fn chart(
         "Excavator, one digging cycle",
         3,
         vec![
-            Panel::plane(
-                "Three corners of the cycle and the tooth's path",
-                ["x in m", "y in m"],
-                plane,
-            ),
+            Panel::plane("The tooth's path over the ground", ["x in m", "y in m"], plane),
             Panel::over("Cylinder speeds", ["t in s", "m/s"], rates),
-            Panel::over("Tooth speed", ["t in s", "m/s"], vec![Curve::links(COLOURS[1], &speeds)]),
+            Panel::over("Tooth speed", ["t in s", "m/s"], vec![Curve::line(COLOURS[1], speeds)]),
         ],
     );
-    Ok(())
 }

@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use charts::{BLACK, COLOURS, Curve, GREY, Panel};
+use charts::{COLOURS, Curve, Panel};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -98,19 +98,17 @@ fn chart(
     rates: [Vec<(f64, f64)>; 2],
 ) -> Result<(), SolveError> {
     let mm = |point: linkage_core::Point<f64>| (point.x * 1e3, point.y * 1e3);
-    let mut plane = vec![Curve::links(BLACK, &[(-60.0, 0.0), (60.0, 0.0)])];
-    let mut circle = vec![];
+    let mut paths = [vec![], vec![], vec![]];
     for step in 0..=96 {
         let [place, ..] = task(f64::from(step) / 96.0);
         let motors = inverse.position(place)?;
         let p = forward.position([motors.AB.angle(), motors.DE.angle()])?;
-        circle.push(mm(p.P));
-        if step % 12 == 0 {
-            let (b, e, tool) = (mm(p.B), mm(p.E), mm(p.P));
-            plane.push(Curve::links(GREY, &[(-60.0, 0.0), b, tool, e, (60.0, 0.0)]));
+        for (path, pin) in paths.iter_mut().zip([p.B, p.E, p.P]) {
+            path.push(mm(pin));
         }
     }
-    plane.push(Curve::links(COLOURS[1], &circle));
+    let named = ["left crank's pin", "right crank's pin", "tool"].into_iter().zip(COLOURS);
+    let paths = named.zip(paths).map(|((name, colour), path)| Curve::named(name, colour, path));
     let [left, right] = motors;
     let [left_rate, right_rate] = rates;
     let two = |one, other| {
@@ -121,7 +119,7 @@ fn chart(
         "Five-bar robot on a circle",
         3,
         vec![
-            Panel::plane("Poses", ["x in mm", "y in mm"], plane),
+            Panel::plane("Paths", ["x in mm", "y in mm"], paths.collect()),
             Panel::over("Motors", ["t in s", "deg"], two(left, right)),
             Panel::over("Motor speeds", ["t in s", "rad/s"], two(left_rate, right_rate)),
         ],

@@ -7,7 +7,7 @@
 
 use std::f64::consts::PI;
 
-use charts::{COLOURS, Curve, GREY, Panel};
+use charts::{COLOURS, Curve, Panel};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -85,27 +85,16 @@ fn chart(shear: &FlyingShear) -> Result<(), SolveError> {
         turn_c.push((p.C.x * 1e3, p.C.y * 1e3));
         turn_blade.push((p.blade.x * 1e3, p.blade.y * 1e3));
     }
-    let start = shear.position(drive(0.0)[0])?;
-    let joint = |x: f64, y: f64| (x * 1e3, y * 1e3);
-    let bars = [
-        joint(0.0, 0.0),
-        joint(start.B.x, start.B.y),
-        joint(start.C.x, start.C.y),
-        joint(0.6657, 0.0),
-    ];
-    let arm = [bars[1], joint(start.blade.x, start.blade.y), bars[2]];
     let paths = vec![
-        Curve::links(GREY, &bars),
-        Curve::links(GREY, &arm),
         Curve::named("a whole turn", COLOURS[5], turn_b),
-        Curve::links(COLOURS[5], &turn_c),
-        Curve::links(COLOURS[5], &turn_blade),
+        Curve::line(COLOURS[5], &turn_c),
+        Curve::line(COLOURS[5], &turn_blade),
         Curve::named("crank pin B", COLOURS[0], b),
         Curve::named("rocker pin C", COLOURS[1], c),
         Curve::named("blade", COLOURS[2], blade),
     ];
     let over = |title, unit, curve| {
-        Panel::over(title, ["t in s", unit], vec![Curve::links(COLOURS[0], curve)])
+        Panel::over(title, ["t in s", unit], vec![Curve::line(COLOURS[0], curve)])
     };
     charts::write(
         "flying_shear",

@@ -1,7 +1,7 @@
 //! Four-bar with a closed vector loop: the table every 5° of both angles, angular velocities and
 //! angular accelerations at 250 rad/s, and the coupler drawn over a turn.
 
-use charts::{BLACK, COLOURS, Curve, GREY, Panel};
+use charts::{COLOURS, Curve, Panel};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -41,34 +41,23 @@ fn main() -> Result<(), SolveError> {
             table.push((degrees, value));
         }
     }
-    chart(&bars, tables)
+    chart(tables);
+    Ok(())
 }
 
-fn chart(bars: &FourBar, tables: [Vec<(f64, f64)>; 6]) -> Result<(), SolveError> {
-    let [coupler, rocker, w3, w4, a3, a4] = tables;
+fn chart([coupler, rocker, w3, w4, a3, a4]: [Vec<(f64, f64)>; 6]) {
     let two = |first, second| {
         vec![Curve::named("coupler", COLOURS[0], first), Curve::named("rocker", COLOURS[1], second)]
     };
-    let mut poses = Vec::new();
-    for step in 0..24 {
-        let p = bars.position(f64::from(step) * 15_f64.to_radians())?;
-        let (b, c) = ((p.B.x * 1e3, p.B.y * 1e3), (p.C.x * 1e3, p.C.y * 1e3));
-        poses.push(Curve::links(GREY, &[(0.0, 0.0), b]));
-        poses.push(Curve::links(COLOURS[0], &[b, c]));
-        poses.push(Curve::links(GREY, &[c, (304.8, 0.0)]));
-    }
-    poses.push(Curve::links(BLACK, &[(0.0, 0.0), (304.8, 0.0)]));
     let crank = "crank in deg";
     charts::write(
         "four_bar",
         "Four-bar at 250 rad/s",
-        2,
+        3,
         vec![
-            Panel::plane("Coupler every 15°", ["x in mm", "y in mm"], poses),
             Panel::over("Angles", [crank, "deg"], two(coupler, rocker)),
             Panel::over("Angular velocities", [crank, "rad/s"], two(w3, w4)),
             Panel::over("Angular accelerations", [crank, "rad/s²"], two(a3, a4)),
         ],
     );
-    Ok(())
 }

@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use charts::{COLOURS, Curve, GREY, Panel};
+use charts::{COLOURS, Curve, Panel};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -74,20 +74,12 @@ fn main() -> Result<(), SolveError> {
 
 fn chart(leg: &JansenLeg) -> Result<(), SolveError> {
     let cm = |point: linkage_core::Point<f64>| (point.x * 1e2, point.y * 1e2);
-    let d = (-38.0, -7.8);
-    let (mut poses, mut path, mut heights) = (vec![], vec![], vec![]);
+    let (mut path, mut heights) = (vec![], vec![]);
     for step in 0..=180 {
         path.push(cm(leg.position(f64::from(step) * TAU / 180.0)?.foot));
     }
     for (number, colour) in COLOURS.into_iter().enumerate() {
         let phase = number as f64 * TAU / 6.0;
-        let p = leg.position(phase)?;
-        let (b, u, l) = (cm(p.B), cm(p.U), cm(p.L));
-        let (e, f, foot) = (cm(p.E), cm(p.F), cm(p.foot));
-        let colour_of_leg = if number == 0 { colour } else { GREY };
-        poses.push(Curve::links(colour_of_leg, &[(0.0, 0.0), b, u, e, d, u]));
-        poses.push(Curve::links(colour_of_leg, &[b, l, d]));
-        poses.push(Curve::links(colour_of_leg, &[e, f, foot, l, f]));
         let mut height = vec![];
         for step in 0..=120 {
             let theta = f64::from(step) * TAU / 120.0;
@@ -95,14 +87,13 @@ fn chart(leg: &JansenLeg) -> Result<(), SolveError> {
         }
         heights.push(Curve::named(&format!("leg {}", number + 1), colour, height));
     }
-    poses.rotate_left(3);
-    poses.push(Curve::links(COLOURS[1], &path));
+    let path = vec![Curve::line(COLOURS[1], &path)];
     charts::write(
         "jansen_leg",
         "Jansen's leg",
         2,
         vec![
-            Panel::plane("Six poses and the foot's path", ["x in cm", "y in cm"], poses),
+            Panel::plane("The foot's path", ["x in cm", "y in cm"], path),
             Panel::over("Feet of six legs on one shaft", ["crank in deg", "height in cm"], heights),
         ],
     );

@@ -1,6 +1,6 @@
 //! Six-bar of a crank, an RPR and an RPP group: a shaper whose swinging rod moves a ram.
 
-use charts::{BLACK, COLOURS, Curve, GREY, Panel};
+use charts::{COLOURS, Curve, Panel};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -47,24 +47,15 @@ fn main() -> Result<(), SolveError> {
         speeds.push((f64::from(degrees), v.ram.slide));
         seconds.push((f64::from(degrees), a.ram.slide));
     }
-    let mut poses = vec![Curve::links(BLACK, &[(-0.9, 0.8), (0.9, 0.8)])];
-    for step in 0..12 {
-        let p = shaper.position(f64::from(step) * 30_f64.to_radians())?;
-        let (b, e) = ((p.B.x, p.B.y), (p.E.x, p.E.y));
-        poses.push(Curve::links(COLOURS[0], &[(0.0, 0.0), b]));
-        poses.push(Curve::links(GREY, &[(0.0, -1.0), e]));
-        poses.push(Curve::links(COLOURS[1], &[e, (p.ram.slide, 0.8)]));
-    }
     let crank = "crank in deg";
     let ram = |name, unit, curve: &[(f64, f64)]| {
-        Panel::over(name, [crank, unit], vec![Curve::links(COLOURS[1], curve)])
+        Panel::over(name, [crank, unit], vec![Curve::line(COLOURS[1], curve)])
     };
     charts::write(
         "six_bar",
         "Crank, swinging rod and ram at 10 rad/s",
-        2,
+        3,
         vec![
-            Panel::plane("Poses every 30°", ["x in m", "y in m"], poses),
             ram("Ram", "m", &slides),
             ram("Ram velocity", "m/s", &speeds),
             ram("Ram acceleration", "m/s²", &seconds),

@@ -1,7 +1,7 @@
 //! Slider-crank with an offset: an engine whose cylinder stands beside the shaft, its dead
 //! points, and how far the piston's motion is from harmonic.
 
-use charts::{BLACK, COLOURS, Curve, GREY, Panel};
+use charts::{COLOURS, Curve, Panel};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -92,21 +92,12 @@ fn chart() -> Result<(), SolveError> {
         speeds.push(Curve::named(&name, colour, speed));
         seconds.push(Curve::named(&name, colour, second));
     }
-    let engine = OffsetSliderCrank::new();
-    let mut poses = vec![Curve::links(BLACK, &[(-12.0, 60.0), (-12.0, 190.0)])];
-    for step in 0..12 {
-        let p = engine.position(f64::from(step) * 30_f64.to_radians())?;
-        let (b, top) = ((p.B.x * 1e3, p.B.y * 1e3), (p.P.x * 1e3, p.P.y * 1e3));
-        poses.push(Curve::links(GREY, &[(0.0, 0.0), b]));
-        poses.push(Curve::links(COLOURS[1], &[b, top]));
-    }
     let crank = "crank in deg";
     charts::write(
         "slider_crank",
         "Slider-crank with an offset at 3000 rpm",
-        2,
+        3,
         vec![
-            Panel::plane("Poses every 30°", ["x in mm", "y in mm"], poses),
             Panel::over("Piston", [crank, "mm"], slides),
             Panel::over("Piston velocity", [crank, "m/s"], speeds),
             Panel::over("Piston acceleration", [crank, "km/s²"], seconds),

@@ -204,26 +204,24 @@ fn chart(start: &Design, best: &Design) -> Result<(), SolveError> {
     let paths = vec![
         Curve::named("by hand", GREY, path(start)?),
         Curve::named("improved", COLOURS[1], path(best)?),
-        Curve::links(BLACK, &[(-150.0, 0.0), (600.0, 0.0)]),
+        Curve::line(BLACK, &[(-150.0, 0.0), (600.0, 0.0)]),
     ];
     let mm = |point: linkage_core::Point<f64>| (point.x * 1e3, point.y * 1e3);
-    let mut poses = Vec::new();
-    for step in 0..8 {
-        let p = best.linkage.position(best.cranks(f64::from(step) * TAU / 8.0))?;
-        poses.push(Curve::links(GREY, &[(0.0, 0.0), mm(p.B), mm(p.C), mm(p.E), (160.0, 60.0)]));
-        poses.push(Curve::links(COLOURS[0], &[mm(p.B), mm(p.bill), mm(p.C)]));
-    }
     let mut closed = Vec::new();
     for step in 0..=120 {
         closed.push(mm(best.linkage.position(best.cranks(f64::from(step) * TAU / 120.0))?.bill));
     }
-    poses.push(Curve::links(COLOURS[1], &closed));
+    let closed = vec![Curve::line(COLOURS[1], &closed)];
     charts::write(
         "transplanter",
         "Rice transplanter",
         2,
         vec![
-            Panel::plane("Improved, in the machine's frame", ["x in mm", "y in mm"], poses),
+            Panel::plane(
+                "The improved bill in the machine's frame",
+                ["x in mm", "y in mm"],
+                closed,
+            ),
             Panel::plane("The bill relative to the ground", ["x in mm", "height in mm"], paths),
         ],
     );

@@ -4,7 +4,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use charts::{BLACK, COLOURS, Curve, GREY, Panel};
+use charts::{COLOURS, Curve, Panel};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -102,15 +102,6 @@ fn chart(shaper: &Shaper, press: &Whitworth) -> Result<(), SolveError> {
         swings.push((at, shaper.velocity(at.to_radians(), TAU)?.ram.slide));
         turns.push((at, press.velocity(at.to_radians(), TAU)?.ram.slide));
     }
-    let mm = |x: f64, y: f64| (x * 1e3, y * 1e3);
-    let mut poses = vec![Curve::links(BLACK, &[(-650.0, 50.0), (-200.0, 50.0)])];
-    for step in 0..12 {
-        let p = shaper.position(f64::from(step) * TAU / 12.0)?;
-        let (b, e, f) = (mm(p.B.x, p.B.y), mm(p.E.x, p.E.y), mm(p.F.x, p.F.y));
-        poses.push(Curve::links(COLOURS[0], &[(0.0, 0.0), b]));
-        poses.push(Curve::links(GREY, &[(0.0, -250.0), e]));
-        poses.push(Curve::links(COLOURS[1], &[e, f]));
-    }
     let speeds = vec![
         Curve::named("bar swings", COLOURS[0], swings),
         Curve::named("bar turns", COLOURS[1], turns),
@@ -118,11 +109,8 @@ fn chart(shaper: &Shaper, press: &Whitworth) -> Result<(), SolveError> {
     charts::write(
         "whitworth",
         "Quick return",
-        2,
-        vec![
-            Panel::plane("Shaper every 30°", ["x in mm", "y in mm"], poses),
-            Panel::over("Ram velocity at 1 turn/s", ["crank in deg", "m/s"], speeds),
-        ],
+        1,
+        vec![Panel::over("Ram velocity at 1 turn/s", ["crank in deg", "m/s"], speeds)],
     );
     Ok(())
 }

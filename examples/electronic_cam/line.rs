@@ -222,7 +222,7 @@ fn chart([wide, narrow]: &[Record; 2], engagement: [f64; 3]) -> Result<(), Solve
         Curve::named("f64", COLOURS[0], wide.errors()),
         Curve::named("f32", COLOURS[1], narrow.errors()),
     ];
-    let crank = |curve: &[(f64, f64)]| vec![Curve::links(COLOURS[0], curve)];
+    let crank = |curve: &[(f64, f64)]| vec![Curve::line(COLOURS[0], curve)];
     let over_time = |title, unit, curves| Panel::over(title, ["t in s", unit], curves);
     charts::write(
         "electronic_cam",

@@ -17,7 +17,7 @@ fn main() {
     let files = single.chain(FOLDERS.map(|file| examples.join(file)));
     let mut files: Vec<PathBuf> = files.collect();
     files.sort();
-    let mut modules = String::new();
+    let (mut modules, mut names) = (String::new(), String::new());
     for file in files {
         let text = fs::read_to_string(&file).expect("the example can be read");
         let declarations = declarations(&text);
@@ -25,8 +25,13 @@ fn main() {
             let module = module(&examples, &file);
             writeln!(modules, "/// The example's.\npub mod {module} {{ use linkage_core::mechanism; {declarations} }}")
                 .expect("a string takes everything");
+            for name in structs(&declarations) {
+                write!(names, "\"{module}::{name}\", ").expect("a string takes everything");
+            }
         }
     }
+    writeln!(modules, "/// All of them.\npub const NAMES: &[&str] = &[{names}];")
+        .expect("a string takes everything");
     let out = env::var_os("OUT_DIR").expect("a build script has one");
     fs::write(Path::new(&out).join("declarations.rs"), modules).expect("it can be written");
 }
@@ -36,6 +41,12 @@ fn module(examples: &Path, file: &Path) -> String {
     let below = file.strip_prefix(examples).expect("the file is below");
     let first = below.components().next().expect("it has a name").as_os_str();
     first.to_string_lossy().trim_end_matches(".rs").to_string()
+}
+
+/// What is declared.
+fn structs(declarations: &str) -> impl Iterator<Item = &str> {
+    let behind = declarations.split("pub struct ").skip(1);
+    behind.filter_map(|behind| behind.split(|c: char| !c.is_alphanumeric()).next())
 }
 
 /// Every block from a line `mechanism! {` to the next brace at the margin.

@@ -13,7 +13,8 @@ use crate::{Sense, Side, SolveError};
 pub struct CError {
     /// 0, or one of the codes below.
     pub status: i32,
-    /// How much is missing, in metres, where a group is out of reach; otherwise 0.
+    /// How much is missing, in metres, where a group is out of reach; what is left of the equation
+    /// where an unknown has no solution; otherwise 0.
     pub by: f64,
     /// The links of the group, not terminated; null where no group is to blame.
     pub group: *const u8,
@@ -33,6 +34,7 @@ const NOT_FINITE: i32 = 4;
 const NULL_POINTER: i32 = 5;
 const INVALID_MODE: i32 = 6;
 const OFF_CIRCLE: i32 = 7;
+const NO_SOLUTION: i32 = 8;
 
 impl CError {
     /// There was an answer.
@@ -71,6 +73,9 @@ impl From<SolveError> for CError {
                 Self::NONE.in_group(INVALID_LENGTH, group).because_of(INVALID_LENGTH, name)
             }
             SolveError::NotFinite { name } => Self::NONE.because_of(NOT_FINITE, name),
+            SolveError::NoSolution { unknown, by } => {
+                Self { by, ..Self::NONE.because_of(NO_SOLUTION, unknown) }
+            }
             SolveError::OffCircle { name, .. } => Self::NONE.because_of(OFF_CIRCLE, name),
         }
     }
@@ -116,6 +121,8 @@ mod tests {
         assert_eq!(parts(SolveError::NotFinite { name }), (NOT_FINITE, 0.0, 0, 6));
         let off_circle = SolveError::OffCircle { name: "theta", amplitude: 0.5 };
         assert_eq!(parts(off_circle), (OFF_CIRCLE, 0.0, 0, 5));
+        let no_solution = SolveError::NoSolution { unknown: "theta", by: 0.5 };
+        assert_eq!(parts(no_solution), (NO_SOLUTION, 0.5, 0, 5));
         assert_eq!(parts(CError::null_pointer("error")), (NULL_POINTER, 0.0, 0, 5));
         assert_eq!(parts(CError::NONE), (0, 0.0, 0, 0));
     }

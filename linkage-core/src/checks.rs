@@ -29,6 +29,7 @@
 //!   threshold cannot make anything overflow, and then these are asked, which are there early.
 
 use crate::diagnosis;
+use crate::find::FindError;
 use crate::{Mask, Real, Scalar, SolveError};
 
 /// Who asks for conditions, see the module's documentation. A condition is two calls: a comparison,
@@ -37,6 +38,18 @@ use crate::{Mask, Real, Scalar, SolveError};
 pub trait Checks<T: Scalar> {
     /// Sine and cosine of an angle.
     fn sin_cos(&mut self, angle: T) -> (T, T);
+
+    /// The root of an unknown's equation and the size that its rounding is measured by. Where none
+    /// was found, what is returned leads to a refusal in the end.
+    fn root(&mut self, found: Result<[T; 2], FindError>, unknown: &'static str) -> (T, T)
+    where
+        T: Real;
+
+    /// Asks whether the difference of an equation's sides is none in the final pose: less than 64 √ε
+    /// of what they are made of, which any root is by far and a jump of the difference is not.
+    fn closed(&mut self, difference: T, size: T, unknown: &'static str)
+    where
+        T: Real;
 
     /// Asks whether `value` > `least`.
     #[inline(always)]
@@ -103,6 +116,12 @@ pub trait Checks<T: Scalar> {
         value
     }
 
+    /// See `diagnosis::moving`.
+    #[inline(always)]
+    fn moving(&mut self, slope: T, _: [T; 1], _: &'static str) -> T {
+        slope
+    }
+
     /// See `diagnosis::square`.
     #[inline(always)]
     fn square(&mut self, value: T, _: &'static str) -> T {
@@ -144,6 +163,29 @@ impl<M: Mask> AllMet<M> {
 
 impl<T: Scalar> Checks<T> for AllMet<T::Mask> {
     #[inline(always)]
+    fn root(&mut self, found: Result<[T; 2], FindError>, _: &'static str) -> (T, T)
+    where
+        T: Real,
+    {
+        match found {
+            Ok([at, size]) => (at, size),
+            Err(_) => {
+                let zero = T::lit(0.0, 0.0);
+                self.and(zero.gt(zero));
+                (zero, zero)
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn closed(&mut self, difference: T, size: T, _: &'static str)
+    where
+        T: Real,
+    {
+        self.and(difference.is_within(diagnosis::open_by(size)));
+    }
+
+    #[inline(always)]
     fn sin_cos(&mut self, angle: T) -> (T, T) {
         self.and(angle.is_near());
         angle.sin_cos_near()
@@ -179,13 +221,15 @@ impl<T: Scalar> Checks<T> for AllMet<T::Mask> {
 #[derive(Clone, Copy, Debug)]
 pub struct FirstError {
     first: Option<SolveError>,
+    /// What is wrong if nothing else turns out to be.
+    otherwise: Option<SolveError>,
 }
 
 impl FirstError {
     /// Nothing is wrong so far.
     #[expect(clippy::new_without_default, reason = "nobody but generated code makes one")]
     pub fn new() -> Self {
-        Self { first: None }
+        Self { first: None, otherwise: None }
     }
 
     /// What was wrong first.
@@ -193,7 +237,7 @@ impl FirstError {
     /// # Errors
     /// The condition that was not met.
     pub fn first(self) -> Result<(), SolveError> {
-        self.first.map_or(Ok(()), Err)
+        self.first.or(self.otherwise).map_or(Ok(()), Err)
     }
 
     /// Diagnoses only where nothing was wrong so far.
@@ -212,6 +256,30 @@ impl FirstError {
 }
 
 impl<T: Real> Checks<T> for FirstError {
+    /// Where the equation was not a number the formulas go on with that trial, and find the group
+    /// that cannot be assembled there.
+    fn root(&mut self, found: Result<[T; 2], FindError>, unknown: &'static str) -> (T, T) {
+        let error = match found {
+            Ok([at, size]) => return (at, size),
+            Err(error) => error,
+        };
+        let (refusal, at) = diagnosis::no_root(error, unknown);
+        let kept = if at.is_some() { &mut self.otherwise } else { &mut self.first };
+        *kept = kept.or(Some(refusal));
+        let at = at.unwrap_or(0.0);
+        (T::lit(at, at as f32), T::lit(0.0, 0.0))
+    }
+
+    fn closed(&mut self, difference: T, size: T, unknown: &'static str) {
+        if self.otherwise.is_none() {
+            self.keep((), || diagnosis::closed(difference, size, unknown));
+        }
+    }
+
+    fn moving(&mut self, slope: T, [spread]: [T; 1], unknown: &'static str) -> T {
+        self.keep(slope, || diagnosis::moving(slope, spread, unknown))
+    }
+
     fn sin_cos(&mut self, angle: T) -> (T, T) {
         angle.sin_cos()
     }

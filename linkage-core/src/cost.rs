@@ -43,6 +43,35 @@ pub struct ForcesCost {
     pub statics: Operations,
     /// Of `energy`; nothing where it is not asked for.
     pub energy: Operations,
+    /// Of `forward_dynamics`; nothing where an input moves no mass.
+    pub forward_dynamics: Operations,
+}
+
+/// What finding one unknown costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SearchCost {
+    /// The unknown.
+    pub unknown: &'static str,
+    /// Of one evaluation of its equation and of the slope of that.
+    pub evaluation: Operations,
+    /// The most evaluations of one call in `f64`, from both ends; twice as many where an end lies
+    /// beyond a dead point, and three more where there is a seed.
+    pub evaluations: u32,
+    /// The same in `f32`.
+    pub evaluations_f32: u32,
+}
+
+/// What a solver with unknowns costs, as `COST` of the generated struct states it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SearchingCost {
+    /// Of `position`, but for the searches.
+    pub position: Operations,
+    /// Of `motion`: position, velocity and acceleration together, but for the searches.
+    pub motion: Operations,
+    /// Of `coefficients`, but for the searches.
+    pub coefficients: Operations,
+    /// Of each unknown, in any of these.
+    pub searches: &'static [SearchCost],
 }
 
 impl Operations {
@@ -75,9 +104,26 @@ impl fmt::Display for Cost {
 
 impl fmt::Display for ForcesCost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { position, motion, coefficients, forces, statics, energy } = *self;
+        let Self { position, motion, coefficients, forces, statics, energy, forward_dynamics } =
+            *self;
         let motion = Cost { position, motion, coefficients };
-        write!(f, "{motion}; forces: {forces}; statics: {statics}; energy: {energy}")
+        write!(f, "{motion}; forces: {forces}; statics: {statics}; energy: {energy}; ")?;
+        write!(f, "forward dynamics: {forward_dynamics}")
+    }
+}
+
+impl fmt::Display for SearchCost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { unknown, evaluation, evaluations, evaluations_f32 } = self;
+        write!(f, "{unknown}: up to {evaluations} (f32: {evaluations_f32}) times {evaluation}")
+    }
+}
+
+impl fmt::Display for SearchingCost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { position, motion, coefficients, searches } = *self;
+        write!(f, "{}", Cost { position, motion, coefficients })?;
+        searches.iter().try_for_each(|search| write!(f, "; {search}"))
     }
 }
 
@@ -94,6 +140,19 @@ mod tests {
         assert_eq!(position.total(), 55);
         let cost = Cost { position, ..Cost::default() };
         assert!(cost.to_string().starts_with("position: 20 add"));
+        const SEARCHES: &[SearchCost] = &[SearchCost {
+            unknown: "theta",
+            evaluation: Operations { additions: 3, ..Operations { sines: 1, ..EMPTY } },
+            evaluations: 61,
+            evaluations_f32: 32,
+        }];
+        const EMPTY: Operations =
+            Operations { additions: 0, multiplications: 0, divisions: 0, roots: 0, sines: 0 };
+        let motion = Operations::default();
+        let searching =
+            SearchingCost { position, motion, coefficients: motion, searches: SEARCHES };
+        let words = "; theta: up to 61 (f32: 32) times 3 add, 0 mul, 0 div, 0 sqrt, 1 sin/cos";
+        assert!(searching.to_string().ends_with(words), "{searching}");
         assert!(
             cost.to_string().ends_with("; coefficients: 0 add, 0 mul, 0 div, 0 sqrt, 0 sin/cos")
         );

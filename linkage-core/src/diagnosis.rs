@@ -5,8 +5,10 @@
 //! the first error. They look at the operands a condition came from rather than at the value that
 //! was computed from them, and at real parts only, except where a derivative does not exist.
 
+mod search;
 mod size;
 
+pub(crate) use search::{closed, moving, no_root, open_by};
 pub use size::{finite_input, finite_result};
 pub(crate) use size::{nonzero, not_negative, positive, square};
 

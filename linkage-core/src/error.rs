@@ -37,6 +37,14 @@ pub enum SolveError {
         /// √(cos² + sin²), accepted from 0.9 to 1.1.
         amplitude: f64,
     },
+    /// Between its ends an unknown does not solve its equation in the wanted way.
+    NoSolution {
+        /// The unknown.
+        unknown: &'static str,
+        /// What is left of the equation at the nearer end, or at the dead point next to it, in its
+        /// own unit: metres, radians or none.
+        by: f64,
+    },
     /// A result is not a finite number.
     NotFinite {
         /// The input or parameter to blame, or what left the number's range.
@@ -55,6 +63,9 @@ impl fmt::Display for SolveError {
             }
             Self::Singular { group } => {
                 write!(f, "{group}: at a dead point, where this is undefined")
+            }
+            Self::NoSolution { unknown, by } => {
+                write!(f, "{unknown}: no solution between its ends, {by} is missing")
             }
             Self::Invalid { group, name } if is_mass(name) || is_spring(group) => {
                 write!(f, "{group}: `{name}` must not be negative")

@@ -28,6 +28,7 @@ mod lowest;
 mod start;
 #[cfg(test)]
 mod tests;
+pub(crate) mod unknown;
 
 use core::fmt;
 
@@ -214,19 +215,21 @@ impl<T: Real> Search<T> {
         let mut f = Equation::new(f, self.trend);
         let at = match self.near.and_then(|seed| f.newton(seed, approach)) {
             Some(at) => at,
-            None => self.bracketed(&mut f, approach)?,
+            None => self.bracketed(&mut f, approach, |_| self.slack)?,
         };
         f.differentiated(at)
     }
 
-    /// The root from both ends.
+    /// The root from both ends. What f may miss zero by at an end follows from its values there.
     fn bracketed<F: FnMut(T) -> [T; 2]>(
         &self,
         f: &mut Equation<T, F>,
         approach: Approach<T>,
+        slack: impl FnOnce([T; 2]) -> T,
     ) -> Result<T, FindError> {
         let zero = T::lit(0.0, 0.0);
         let [mut a, mut b] = [f.at(approach.from)?, f.at(approach.to)?];
+        let slack = slack([a.value, b.value]);
         let mut most = Self::MOST;
         if a.value.ge(zero) && zero.gt(a.slope) {
             a = f.moved_in([a, b], 0, &mut most)?;
@@ -236,7 +239,7 @@ impl<T: Real> Search<T> {
         }
         if let Some(nearer) = nearer_end([a.value, -b.value]) {
             let (at, by) = if nearer == 0 { (a.x, a.value) } else { (b.x, -b.value) };
-            if self.slack.ge(by) {
+            if slack.ge(by) {
                 return Ok(at);
             }
             return Err(FindError::NoSolution { at: at.value(), by: by.value() });

@@ -23,6 +23,8 @@ pub use crate::checks::{AllMet, Checks, FirstError};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate};
 pub use crate::diagnosis::{finite_input, finite_result};
+pub use crate::find::unknown::root;
+pub use crate::find::{FindError, Trend};
 pub use crate::resolver::{found_on_circle, on_circle};
 #[cfg(feature = "sketch")]
 pub use crate::sketch::{Drawn, Film, Made, Plan, Sketch, place, place_open};
@@ -36,8 +38,9 @@ pub use crate::with_ad_ as with_ad;
 pub use crate::with_sketch_ as with_sketch;
 pub use crate::{
     AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, ForcesCost, Fusion,
-    GuideForce, LaneMask, Lanes, Mask, Mechanism, Operations, Point, Real, Record, Scalar, Sense,
-    Shaking, Side, Slide, SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError,
+    GuideForce, LaneMask, Lanes, Mask, Mechanism, Operations, Point, Real, Record, Scalar,
+    SearchCost, SearchingCost, Sense, Shaking, Side, Slide, SlidingAcceleration, SlidingDirection,
+    SlidingVelocity, SolveError,
 };
 #[cfg(feature = "sketch")]
 pub use core::iter::IntoIterator;

@@ -40,6 +40,8 @@ pub enum Status {
     NotFinite,
     /// See [`SolveError::OffCircle`].
     OffCircle,
+    /// See [`SolveError::NoSolution`].
+    NoSolution,
 }
 
 /// One input of a sweep: a number for each pose, or one number for all of them.
@@ -345,6 +347,7 @@ impl From<SolveError> for Status {
             SolveError::Invalid { .. } => Self::Invalid,
             SolveError::NotFinite { .. } => Self::NotFinite,
             SolveError::OffCircle { .. } => Self::OffCircle,
+            SolveError::NoSolution { .. } => Self::NoSolution,
         }
     }
 }

@@ -41,7 +41,12 @@ pub struct Clearance<T> {
     pub scale: T,
 }
 
-/// A solver whose assembly modes can be followed; implemented by generated code.
+/// A solver whose assembly modes can be followed; implemented by generated code, unless something is
+/// searched: between its ends an unknown keeps the trend that its equation is declared with.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be followed through changes of mode",
+    note = "a mechanism with `solve` keeps its modes and its trend: it has no `Tracker` and no `limits`"
+)]
 pub trait Modes: Copy {
     /// The numbers it computes with.
     type Scalar: Real;
@@ -140,6 +145,25 @@ pub trait Modes: Copy {
 /// - A change point of a group whose mode is a constant of the declaration, or shared with a group
 ///   that does not change: as `Singular`.
 /// - What leaves the range of numbers, on the way or in the result: as `NotFinite`.
+///
+/// - While compiling: a mechanism in which something is searched (`solve`). Between its ends an
+///   unknown keeps the trend that its equation is declared with.
+///
+/// ```compile_fail,E0277
+/// # use linkage_core::{mechanism, Tracker};
+/// mechanism! {
+///     struct Press {
+///         input x: length;
+///         ground A(0, 0);
+///         guide bed through (0, 0) along 0deg;
+///         unknown theta: angle between (0, 180deg);
+///         crank AB(A) -> B           { length: 80mm, angle: theta }
+///         rrp   BC(B), ram(bed) -> C { length: 250mm, mode: ahead }
+///         solve theta { ram.slide = x, mode: falling }
+///     }
+/// }
+/// let tracker = Tracker::new(Press::new());
+/// ```
 ///
 /// # What counts as a change point
 /// The dimensions of a mechanism are rounded, so that its bars never lie on one line exactly. With

@@ -47,6 +47,9 @@ impl Digits {
 }
 
 impl Number for Digits {
+    fn point(&self) -> Self {
+        Self(self.0.centre())
+    }
     fn exact(value: &Exact) -> Self {
         Self(value.enclose(BITS).expect("constants of tests are tame"))
     }

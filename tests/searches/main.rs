@@ -3,3 +3,4 @@
 
 mod ranges;
 mod set_points;
+mod unknowns;

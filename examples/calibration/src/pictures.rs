@@ -35,9 +35,9 @@ fn machine(measurement: &Measurement) -> Result<Panel, SolveError> {
     let b = millimetres(ax + crank * cos, ay + crank * sin);
     let [c, e, f] = [p.C, p.E, p.F].map(|pin| millimetres(pin.x, pin.y));
     let mut curves = vec![
-        Curve::links(GREY, &[a, b, c, d]),
-        Curve::links(GREY, &[b, e, c]),
-        Curve::links(GREY, &[e, f, g]),
+        Curve::line(GREY, &[a, b, c, d]),
+        Curve::line(GREY, &[b, e, c]),
+        Curve::line(GREY, &[e, f, g]),
     ];
     for (pin, name) in ["C", "E", "F"].into_iter().enumerate() {
         let seen = measurement.seen.iter().map(|row| millimetres(row[2 * pin], row[2 * pin + 1]));
@@ -70,14 +70,14 @@ fn residuals(measurement: &Measurement, found: &Calibration) -> Result<Panel, So
 /// A bar for each dimension's interval about the true dimension, and a mark for what was found.
 fn intervals(found: &Calibration) -> Panel {
     let true_ones = built();
-    let mut curves = vec![Curve::links(BLACK, &[(0.5, 0.0), (UNKNOWNS as f64 + 0.5, 0.0)])];
+    let mut curves = vec![Curve::line(BLACK, &[(0.5, 0.0), (UNKNOWNS as f64 + 0.5, 0.0)])];
     for (i, built) in true_ones.iter().enumerate() {
         let x = i as f64 + 1.0;
         let (width, error) = (found.half_widths[i] * 1e3, (found.dimensions[i] - built) * 1e3);
         let bar = [(x, error - width), (x, error + width)];
         let mark = [(x - 0.25, error), (x + 0.25, error)];
-        curves.push(Curve::links(COLOURS[0], &bar));
-        curves.push(Curve::links(COLOURS[1], &mark));
+        curves.push(Curve::line(COLOURS[0], &bar));
+        curves.push(Curve::line(COLOURS[1], &mark));
     }
     let axes = ["dimension, as listed", "found − built, ± 95 %, in mm or mrad"];
     Panel::over("Found dimensions", axes, curves)
@@ -90,10 +90,10 @@ fn coverage(held: [u32; UNKNOWNS]) -> Panel {
     let deviation = 100.0 * (0.95_f64 * 0.05 / f64::from(CALIBRATIONS)).sqrt();
     let level = |y: f64| [(0.5, y), (UNKNOWNS as f64 + 0.5, y)];
     let curves = vec![
-        Curve::links(BLACK, &level(95.0)),
-        Curve::links(GREY, &level(95.0 - 2.0 * deviation)),
-        Curve::links(GREY, &level(95.0 + 2.0 * deviation)),
-        Curve::links(COLOURS[0], &shares),
+        Curve::line(BLACK, &level(95.0)),
+        Curve::line(GREY, &level(95.0 - 2.0 * deviation)),
+        Curve::line(GREY, &level(95.0 + 2.0 * deviation)),
+        Curve::line(COLOURS[0], &shares),
     ];
     let axes = ["dimension, as listed", "intervals that hold it in %"];
     Panel::over("Four hundred calibrations", axes, curves)

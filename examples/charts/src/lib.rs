@@ -1,5 +1,5 @@
-//! The charts that the examples draw: curves over an input or over time, paths in the plane, and
-//! mechanisms drawn as lines. Nothing about one mechanism belongs here.
+//! The charts that the examples draw: curves over an input or over time, and paths in the plane.
+//! Nothing about one mechanism belongs here; mechanisms are drawn by `linkage_core::sketch`.
 
 use std::fs;
 use std::path::PathBuf;
@@ -11,8 +11,24 @@ use kuva::prelude::*;
 pub const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#e69f00", "#cc79a7", "#56b4e9"];
 /// For what stands behind the curves.
 pub const GREY: &str = "#b4b8bc";
-/// For the mechanism itself.
+/// For what stands still.
 pub const BLACK: &str = "#222222";
+
+/// The colour of a way to solve, wherever it is compared with others.
+pub fn colour_of(method: &str) -> &'static str {
+    match method {
+        "generated" | "this solver" => COLOURS[1],
+        "generated, compensated" | "compensated" => BLACK,
+        "generated, sweep" => "#f0b28c",
+        "what the data allow" => GREY,
+        "half angles" => COLOURS[2],
+        "tuned by hand" => COLOURS[5],
+        "Newton" => COLOURS[4],
+        "num-dual" => COLOURS[3],
+        // What a textbook has.
+        _ => COLOURS[0],
+    }
+}
 
 /// A line through points.
 pub struct Curve {
@@ -28,9 +44,9 @@ impl Curve {
         Self { points, name: Some(name.to_owned()), colour: colour.to_owned(), width: 2.0 }
     }
 
-    /// Links, drawn as a line through their joints, without a name.
-    pub fn links(colour: &str, joints: &[(f64, f64)]) -> Self {
-        Self { points: joints.to_vec(), name: None, colour: colour.to_owned(), width: 1.5 }
+    /// A curve without a name.
+    pub fn line(colour: &str, points: &[(f64, f64)]) -> Self {
+        Self { points: points.to_vec(), name: None, colour: colour.to_owned(), width: 1.5 }
     }
 }
 
@@ -49,7 +65,7 @@ impl Panel {
         Self { title: title.to_owned(), axes, curves, in_the_plane: false }
     }
 
-    /// Paths and links: both axes are lengths and drawn to one scale.
+    /// Paths: both axes are lengths and drawn to one scale.
     pub fn plane(title: &str, axes: [&str; 2], curves: Vec<Curve>) -> Self {
         Self { in_the_plane: true, ..Self::over(title, axes, curves) }
     }

@@ -95,7 +95,7 @@ fn by_method(
             let points = points(&found[method]);
             curves.push(match start {
                 0 => Curve::named(names[method], colour, points),
-                _ => Curve::links(colour, &points),
+                _ => Curve::line(colour, &points),
             });
         }
     }

@@ -6,8 +6,8 @@ use linkage_core::sketch::Film;
 
 use crate::declarations::{
     calibration, crank_rocker_slider, crank_rpp, driving_torque, electronic_cam, excavator,
-    five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, range, six_bar,
-    slider_crank, transplanter, whitworth,
+    five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, range, shear_bearings,
+    six_bar, six_bar_reactions, slider_crank, transplanter, whitworth,
 };
 
 /// A film and where it is from.
@@ -113,8 +113,23 @@ fn more() -> Vec<Piece> {
         },
         Piece {
             name: "driving_torque::FourBar",
-            text: "What the shaft and the rocker's pivot exert on their bars at four turns a second.",
+            text: "The force that shakes the base at four turns a second, drawn at A.",
             film: loaded(),
+        },
+        Piece {
+            name: "driving_torque::AsInTheText",
+            text: "The same with its masses in the middles of the bars.",
+            film: driving_torque::AsInTheText::new().film(turn()),
+        },
+        Piece {
+            name: "shear_bearings::FlyingShear",
+            text: "What the bearings exert on crank and rocker, 10 kN on the blade.",
+            film: cutting(),
+        },
+        Piece {
+            name: "six_bar_reactions::SixBar",
+            text: "What the bearings exert on crank and rod at one turn a second.",
+            film: turning(),
         },
         Piece {
             name: "range::FourBar",
@@ -191,13 +206,32 @@ fn motors() -> Vec<[f64; 2]> {
     angles.map(|angles| angles.expect("the circle is in reach")).collect()
 }
 
-/// Reactions at constant speed.
+/// What shakes the base at constant speed.
 fn loaded() -> Film {
     let solver = driving_torque::FourBar::new();
     let rate = 4.0 * TAU;
     let forces = turn().map(|q| solver.forces(q, rate, 0.0).expect("the crank turns fully"));
     let forces: Vec<_> = forces.collect();
     let film = solver.film(turn());
+    film.force("A", forces.iter().map(|f| [f.shaking.x, f.shaking.y]))
+}
+
+/// Reactions at rest.
+fn cutting() -> Film {
+    let solver = shear_bearings::FlyingShear::new();
+    let forces = turn().map(|q| solver.statics(q, 1e4).expect("the crank turns fully"));
+    let forces: Vec<_> = forces.collect();
+    let film = solver.film(turn()).force("blade", [[0.0, 1e4]]);
     film.force("A", forces.iter().map(|f| [f.AB.A.x, f.AB.A.y]))
         .force("D", forces.iter().map(|f| [f.DC.D.x, f.DC.D.y]))
+}
+
+/// Reactions in motion.
+fn turning() -> Film {
+    let solver = six_bar_reactions::SixBar::new();
+    let forces = turn().map(|q| solver.forces(q, TAU, 0.0).expect("the crank turns fully"));
+    let forces: Vec<_> = forces.collect();
+    let film = solver.film(turn());
+    film.force("A", forces.iter().map(|f| [f.AB.A.x, f.AB.A.y]))
+        .force("D", forces.iter().map(|f| [f.rod.D.x, f.rod.D.y]))
 }

@@ -117,9 +117,9 @@ impl<T: Real> Approach<T> {
             let guides =
                 |step: &T| believed.ge(at.slope) && (x + *step).ge(a.x) && b.x.ge(x + *step);
             x = match newton_step(at).filter(guides) {
-                Some(step) if steps.is_last(step) => return Ok(Found::Step(x + step)),
+                Some(step) if steps.is_last(step, at.slope) => return Ok(Found::Step(x + step)),
                 Some(step) => {
-                    steps.last = Some(step);
+                    steps.last = Some((step, at.slope));
                     x + step
                 }
                 None => {
@@ -154,17 +154,19 @@ pub(super) struct Steps<T> {
     /// Of the interval that they stay in.
     pub(super) width: T,
     pub(super) slopes: Slopes,
-    pub(super) last: Option<T>,
+    /// The step before, and the slope that it went by.
+    pub(super) last: Option<(T, T)>,
 }
 
 impl<T: Real> Steps<T> {
     /// Whether this step leads to within the tolerance of the root, as far as the last two tell.
-    pub(super) fn is_last(&self, step: T) -> bool {
+    pub(super) fn is_last(&self, step: T, slope: T) -> bool {
         let step = magnitude(step);
         if self.tolerance.ge(step) {
             return true;
         }
-        let Some(last) = self.last.map(magnitude) else { return false };
+        let Some((last, slope_before)) = self.last else { return false };
+        let last = magnitude(last);
         if step.ge(last * number(0.7)) {
             // Steps this short that do not become shorter are the function's rounding; those
             // towards a double root are halved.
@@ -174,7 +176,12 @@ impl<T: Real> Steps<T> {
         // the product of the two before.
         let ratio = step / last;
         let next = match self.slopes {
-            Slopes::Exact => ratio * ratio * step,
+            // The constant, half the curvature over the slope, also follows from both slopes: far
+            // from the root a step may be shorter than it promises.
+            Slopes::Exact => {
+                let bend = magnitude((slope - slope_before) / (slope + slope));
+                greater(ratio * ratio, bend * ratio) * step
+            }
             Slopes::Secant => ratio * step,
         };
         (self.tolerance * number(0.5)).ge(next)

@@ -59,10 +59,10 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
             let at = self.at(x).ok()?;
             let step = newton_step(at)?;
             x = x + step;
-            if steps.is_last(step) {
+            if steps.is_last(step, at.slope) {
                 return (x.ge(from) && to.ge(x)).then_some(x);
             }
-            steps.last = Some(step);
+            steps.last = Some((step, at.slope));
         }
         None
     }

@@ -93,7 +93,8 @@ fn culprit(error: SolveError) -> &'static str {
     match error {
         SolveError::OutOfReach { group, .. }
         | SolveError::Singular { group }
-        | SolveError::Invalid { group, .. } => group,
+        | SolveError::Invalid { group, .. }
+        | SolveError::NoSolution { unknown: group, .. } => group,
         SolveError::NotFinite { name } | SolveError::OffCircle { name, .. } => name,
     }
 }

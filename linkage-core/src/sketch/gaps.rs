@@ -194,7 +194,8 @@ pub(super) fn messages(scene: &Scene, unit: Option<Unit>) -> Vec<String> {
         let group = match failure.error {
             SolveError::OutOfReach { group, .. }
             | SolveError::Singular { group }
-            | SolveError::Invalid { group, .. } => group,
+            | SolveError::Invalid { group, .. }
+            | SolveError::NoSolution { unknown: group, .. } => group,
             SolveError::NotFinite { name } | SolveError::OffCircle { name, .. } => name,
         };
         let by = |error: &SolveError| match *error {

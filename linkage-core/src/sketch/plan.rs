@@ -6,6 +6,7 @@ use std::vec::Vec;
 
 use crate::checks::{Checks, FirstError};
 use crate::diagnosis::finite_result;
+use crate::find::FindError;
 use crate::slow_path::conditions_met;
 use crate::tracker::Modes;
 use crate::{Scalar, SolveError};
@@ -15,7 +16,7 @@ pub trait Drawn: Modes<Scalar = f64> {
     /// What was declared.
     const PLAN: Plan;
 
-    /// Where everything stands, in the order that [`Layout`] tells.
+    /// Where everything stands, in the order of `Layout`.
     ///
     /// # Errors
     /// The first group that cannot be assembled.
@@ -203,6 +204,13 @@ impl Layout {
 pub struct Regardless;
 
 impl Checks<f64> for Regardless {
+    fn root(&mut self, found: Result<[f64; 2], FindError>, _: &'static str) -> (f64, f64) {
+        let [at, size] = found.unwrap_or([f64::NAN; 2]);
+        (at, size)
+    }
+
+    fn closed(&mut self, _: f64, _: f64, _: &'static str) {}
+
     fn sin_cos(&mut self, angle: f64) -> (f64, f64) {
         Scalar::sin_cos(angle)
     }

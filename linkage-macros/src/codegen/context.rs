@@ -64,6 +64,11 @@ impl<'a> Context<'a> {
         self.interface.loads.map(|id| &self.record(id).name)
     }
 
+    /// Whether anything is searched.
+    pub(super) fn searches(&self) -> bool {
+        !self.mechanism.unknowns.is_empty()
+    }
+
     /// The number of rows of `OUTPUTS`.
     pub(super) fn rows(&self) -> Literal {
         Literal::usize_unsuffixed(self.interface.rows)

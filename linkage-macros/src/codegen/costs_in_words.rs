@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
+use super::searches;
 use super::token_list::Tokens;
 use crate::interface::EntryId;
 use crate::ir::cost::Operations;
@@ -15,11 +16,15 @@ pub(super) fn of(cx: &Context<'_>, entry: EntryId) -> Operations {
 
 /// The type of `COST`.
 pub(super) fn ty(cx: &Context<'_>) -> Tokens {
-    cx.paths.item(if is_about_forces(cx) { "ForcesCost" } else { "Cost" })
+    cx.paths.item(match () {
+        () if cx.searches() => "SearchingCost",
+        () if is_about_forces(cx) => "ForcesCost",
+        () => "Cost",
+    })
 }
 
 fn is_about_forces(cx: &Context<'_>) -> bool {
-    ["forces", "energy"].iter().any(|name| cx.interface.find(name).is_some())
+    ["forces", "energy", "forward_dynamics"].iter().any(|name| cx.interface.find(name).is_some())
 }
 
 /// The initialiser of `COST`.
@@ -31,13 +36,22 @@ pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
     let [position, motion, coefficients] = ["position", "motion", "coefficients"].map(of);
     let cost = ty(cx);
     let forces = is_about_forces(cx).then(|| {
-        let [forces, statics, energy] = ["forces", "statics", "energy"].map(of);
-        quote!(, forces: #forces, statics: #statics, energy: #energy)
+        let [forces, statics, energy, forward] =
+            ["forces", "statics", "energy", "forward_dynamics"].map(of);
+        quote! {
+            , forces: #forces, statics: #statics, energy: #energy, forward_dynamics: #forward
+        }
     });
-    quote!(#cost { position: #position, motion: #motion, coefficients: #coefficients #forces })
+    let searches = cx.searches().then(|| {
+        let searches = searches::costs(cx);
+        quote!(, searches: #searches)
+    });
+    quote! {
+        #cost { position: #position, motion: #motion, coefficients: #coefficients #forces #searches }
+    }
 }
 
-fn record(cx: &Context<'_>, cost: Operations) -> TokenStream {
+pub(super) fn record(cx: &Context<'_>, cost: Operations) -> TokenStream {
     let name = cx.paths.item("Operations");
     let [additions, multiplications, divisions, roots, sines] =
         [cost.additions, cost.multiplications, cost.divisions, cost.roots, cost.sines]

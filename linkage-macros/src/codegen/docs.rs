@@ -8,7 +8,7 @@ use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 use super::context::Context;
 use super::doc_comments::{after, lines};
 use super::identifiers::text;
-use super::{costs_in_words, forces, groups_in_words, ranges_in_words};
+use super::{costs_in_words, forces, groups_in_words, ranges_in_words, searches};
 use crate::interface::entries::{Entry, Given};
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Field, Kind, Record, Shape, Subject};
@@ -41,7 +41,12 @@ fn words_of(line: &str) -> Vec<String> {
 
 /// The struct of the mechanism: the page a user lands on.
 pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
-    let mut page = String::from("Solver of position, velocity and acceleration in closed form.\n");
+    let mut page = String::from(match cx.searches() {
+        false => "Solver of position, velocity and acceleration in closed form.\n",
+        true => {
+            "Solver of position, velocity and acceleration: in closed form, but for what is searched.\n"
+        }
+    });
     let section = |title: &str, items: Vec<String>| match items.is_empty() {
         true => String::new(),
         false => format!("\n# {title}\n- {}\n", items.join("\n- ")),
@@ -61,6 +66,7 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
         "Groups, in the order they are solved",
         groups.enumerate().map(|(index, _)| groups_in_words::in_words(cx, index)).collect(),
     );
+    page += &section("Searches, in every call", searches::in_words(cx));
     let ranges = cx.mechanism.rotatabilities.iter();
     page += &section("Range", ranges.map(|found| ranges_in_words::in_words(cx, found)).collect());
     let costs = cx.entries().map(|entry| {
@@ -121,6 +127,10 @@ pub(super) fn record(cx: &Context<'_>, record: &Record) -> TokenStream {
         }
         Kind::Loads => format!("The loads of [`{solver}`]."),
         Kind::Energy => format!("The energy of [`{solver}`]."),
+        Kind::Equations => format!(
+            "The equations of motion of [`{solver}`]: Σ `mass[row][column]` times the second rate of \
+             input `column` = `force[row]` + drive of input `row`."
+        ),
         Kind::Forces => {
             format!("Efforts of the drives of [`{solver}`] and reactions of its joints.")
         }
@@ -142,6 +152,13 @@ pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
         Subject::Load(index) => forces::load(&cx.mechanism.dynamics.loads[index]),
         Subject::Effort(index) => forces::effort(cx, index),
         Subject::Efforts(index) => forces::owner(cx, index),
+        Subject::Equations("mass") => quote! {
+            /// The mass matrix, symmetric: in kg along a length, in kg·m² about an angle.
+        },
+        Subject::Equations(_) => quote! {
+            /// What acts along each input, of what is applied, weight, springs and the inertia that is left
+            /// without second rates: in N along a length, in N·m about an angle.
+        },
         Subject::Energy("kinetic") => quote! {
             /// In J: ½ m v² + ½ J ω² of every mass.
         },
@@ -228,6 +245,7 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
                 Given::Rate => Some(format!("its rate in {unit}/s")),
                 Given::Acceleration => Some(format!("its second rate in {unit}/s²")),
                 Given::Loads => None,
+                Given::Drives => Some("the effort of its drive".to_string()),
             });
             format!("Given {}.", given.collect::<Vec<_>>().join(", "))
         }
@@ -236,6 +254,9 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
         ),
         _ => String::new(),
     };
+    if entry.given.contains(&Given::Drives) && cx.inputs().is_some() {
+        text += "\nThe efforts of the drives are an array in the order of `INPUTS`.";
+    }
     if entry.given.contains(&Given::Loads) {
         text += &forces::loads(cx);
     }
@@ -249,9 +270,10 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
 pub(super) fn fast_path(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
     lines(&format!(
-        "{}, without a branch, and whether they may be used.\n\n{}\n\n\
+        "{}, {}and whether they may be used.\n\n{}\n\n\
          Where the mask says no, the numbers mean nothing. Costs {}.",
         entry.subject,
+        if cx.searches() { "" } else { "without a branch, " },
         details(cx, entry),
         costs_in_words::in_words(costs_in_words::of(cx, id)),
     ))
@@ -262,13 +284,16 @@ pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
     lines(&format!(
         "{}.\n\n{}\n\nCosts {}.\n\n# Errors\n\
          The group that cannot be assembled, is singular or was given an invalid length, or the \
-         input or result that is not finite.{}",
+         input or result that is not finite.{}{}",
         entry.subject,
         details(cx, entry),
         costs_in_words::in_words(costs_in_words::of(cx, id)),
         exceptions(entry),
+        if cx.searches() { NO_SOLUTION } else { "" },
     ))
 }
+
+const NO_SOLUTION: &str = " `NoSolution` where an equation has no root between its ends.";
 
 /// What is refused, or is not, in an entry point of this kind alone.
 fn exceptions(entry: &Entry) -> &'static str {
@@ -276,6 +301,10 @@ fn exceptions(entry: &Entry) -> &'static str {
         return " `OffCircle` where the amplitude is no resolver's.";
     }
     match entry.name {
+        "forward_dynamics" => {
+            " `Singular` names an input that moves no mass in this pose; at a dead point of the inputs \
+             the group is: choose the crank that turns fully as input."
+        }
         "coefficients" => " An input that no coefficient depends on is not looked at.",
         "margins" => {
             " A margin is there also beyond its own group's limit, but not behind another group \

@@ -15,6 +15,7 @@ mod costs_in_words;
 mod doc_comments;
 mod docs;
 mod drawing;
+mod dynamics;
 mod editor_names;
 mod fast_path;
 mod forces;
@@ -25,6 +26,7 @@ mod module;
 mod paths;
 mod ranges_in_words;
 mod results;
+mod searches;
 mod slow_path;
 mod solver;
 mod statements;
@@ -66,13 +68,15 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
     let fast = cx.entries().map(|entry| fast_path::function(cx, entry));
     let checked = cx.entries().map(|entry| checked::function(cx, entry));
     let slow = cx.entries().map(|entry| slow_path::function(cx, entry));
-    let formulas = formulas::functions(cx);
+    let (formulas, searches) = (formulas::functions(cx), searches::functions(cx));
     let sweeps = cx.entries().map(|entry| sweeps::items(cx, entry));
     let (derivatives, tracking) = (autodiff::items(cx), tracking::items(cx));
-    let as_mechanism = as_mechanism::items(cx);
+    let (as_mechanism, dynamics) = (as_mechanism::items(cx), dynamics::items(cx));
     let (c_export, references) = (c_export::items(cx), editor_names::items(cx));
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
-    let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
+    // A search decides at every trial, which lanes cannot do together.
+    let any = cx.paths.item(if cx.searches() { "Real" } else { "Scalar" });
+    let real = cx.paths.item("Real");
     quote! {
         #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
         const _: () = {
@@ -80,12 +84,13 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
             #arguments
             #solver
             #records
-            impl<#scalar: #any> #name<#scalar> { #(#fast)* #formulas }
+            impl<#scalar: #any> #name<#scalar> { #(#fast)* #formulas #searches }
             impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#slow)* }
             #(#sweeps)*
             #derivatives
             #tracking
             #as_mechanism
+            #dynamics
             #c_export
             #references
             #drawing

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::identifiers::{function_name, generated};
+use super::identifiers::{function_name, generated, text};
 use super::token_list::Tokens;
 use crate::ir::graph::{Id, Node};
 use crate::lower::routine::{Comparison, Condition, Reading, Routine, Statement, Threshold};
@@ -37,6 +37,7 @@ impl<'a> Printer<'a> {
                 self.sin_cos(*angle, [*sin, *cos], *is_checked)
             }
             Statement::Check(condition) => self.condition(condition),
+            Statement::Find { search, root, size } => self.find(*search, *root, *size),
             Statement::Scope { statements, hands_on } => {
                 let names: Vec<Ident> = hands_on.iter().map(|&id| self.name(id)).collect();
                 // A tuple, or the bare name of a single local.
@@ -50,7 +51,21 @@ impl<'a> Printer<'a> {
         }
     }
 
-    fn name(&self, id: Id) -> Ident {
+    /// The root of an equation, found by a function of its own.
+    fn find(&self, search: usize, root: Id, size: Option<Id>) -> TokenStream {
+        let search = &self.cx.lowered.searches[search];
+        let (guard, function) = (generated("checks_"), function_name(&search.routine.name));
+        let given = search.given.iter().map(|&id| self.value(id));
+        let size = size.map_or(quote!(_), |size| {
+            let size = self.name(size);
+            quote!(#size)
+        });
+        let unknown = &self.cx.mechanism.unknowns[search.sought.unknown as usize].name;
+        let (root, unknown) = (self.name(root), text(unknown));
+        quote!(let (#root, #size) = #guard.root(self.#function([#(#given),*]), #unknown);)
+    }
+
+    pub(super) fn name(&self, id: Id) -> Ident {
         generated(&self.routine.locals.name(id))
     }
 
@@ -137,6 +152,10 @@ impl<'a> Printer<'a> {
             false => quote!(#(#operands,)*),
         };
         let group = &self.cx.program().groups[condition.group as usize];
+        if condition.diagnosis == "closed" {
+            let size = condition.operands.iter().map(|&operand| self.value(operand));
+            return quote!(#guard.closed(#value, #(#size,)* #group););
+        }
         let length = condition.length.iter();
         quote! {
             #comparison
@@ -184,8 +203,12 @@ impl<'a> Printer<'a> {
             | Node::InputSin(_)
             | Node::Param(_)
             | Node::Load(_)
+            | Node::Drive(_)
             | Node::Sin(_)
             | Node::Cos(_)
+            | Node::Trial(_)
+            | Node::Root(_)
+            | Node::Size(_)
             | Node::Guard(..) => unreachable!("read in place, or a statement of its own kind"),
         }
     }

@@ -17,6 +17,10 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     else {
         return TokenStream::new();
     };
+    // A search between ends does not follow a motion beyond them.
+    if cx.searches() {
+        return TokenStream::new();
+    }
     modes(cx, position, motion)
 }
 

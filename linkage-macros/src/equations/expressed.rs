@@ -3,10 +3,10 @@
 use crate::equations::forces::springs;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
-use crate::equations::motion::Direction;
+use crate::equations::motion::{Direction, Frame};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::{Check, Node};
-use crate::model::mechanism::{AngleSum, Axis, Expr, Function, Length, Operator};
+use crate::model::mechanism::{AngleSum, Axis, Expr, Function, GuideId, Length, Operator, PointId};
 
 impl<'s> Kinematics<'s> {
     pub(super) fn jet(&self, expr: &Expr) -> Jet<'s> {
@@ -15,6 +15,7 @@ impl<'s> Kinematics<'s> {
             Expr::Input(input) => self.inputs[input.index()].jet,
             Expr::Param(param) => Jet::constant(self.sheet.node(Node::Param(param.0))),
             Expr::Load(load) => Jet::constant(self.sheet.node(Node::Load(load.0))),
+            Expr::Unknown(unknown) => self.unknowns[unknown.index()],
             Expr::Let(name) => self.lets[name.index()],
             Expr::Slide(link) => self.link(*link).slide.expect("the model checked that it slides"),
             Expr::Coordinate(point, axis) => {
@@ -26,6 +27,7 @@ impl<'s> Kinematics<'s> {
                 let [x, y] = p.jets_to(q);
                 x.hypot(y)
             }
+            Expr::Offset(point, guide) => self.offset(*point, *guide),
             Expr::Twist(spring) => springs::twist(self, *spring),
             // A force's value has no use for its own rates.
             Expr::Rate(turn) => Jet::constant(self.in_tempo(self.rate(turn))),
@@ -44,6 +46,14 @@ impl<'s> Kinematics<'s> {
                 call(*function, &arguments)
             }
         }
+    }
+
+    /// The offset of a point from a guide's line. A function of its own: what it holds does not stand
+    /// on the stack of a deep expression.
+    fn offset(&self, point: PointId, guide: GuideId) -> Jet<'s> {
+        let Frame { origin, direction } = self.guide(guide);
+        let ([x, y], [ux, uy]) = (origin.jets_to(self.point(point)), direction.jets());
+        ux * y - uy * x
     }
 
     fn rate(&self, turn: &AngleSum) -> Sym<'s> {

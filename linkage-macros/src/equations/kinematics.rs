@@ -7,11 +7,12 @@ use crate::equations::levers::Levers;
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{GroupScope, LimitMeasures, LinkMotion, Solved};
 use crate::equations::symbol::{Sheet, Sym, Vector};
-use crate::equations::{crank, guide, point, prp, rpp, rpr, rrp, rrr, slider};
+use crate::equations::{crank, guide, point, prp, rpp, rpr, rrp, rrr, slider, unknown};
 use crate::ir::graph::Node;
+use crate::ir::program::Closure;
 use crate::model::mechanism::{
     Carrier, Expr, Group, GroupId, GuideDirection, GuideId, LinkId, Mechanism, Mode, OutputKind,
-    Placement, PointId, Sign, Step, Through,
+    Placement, PointId, Sign, Step, Through, UnknownId,
 };
 
 /// An input as the sheet knows it.
@@ -47,6 +48,9 @@ pub(super) struct Kinematics<'s> {
     pub mechanism: &'s Mechanism,
     pub inputs: Vec<Source<'s>>,
     pub lets: Vec<Jet<'s>>,
+    /// What equations fix, as far as it is known.
+    pub unknowns: Vec<Jet<'s>>,
+    pub closures: Vec<Closure>,
     /// What rates are multiplied by where forces ask for them: the only input's rate, in the state
     /// at its unit rate.
     pub tempo: Option<Sym<'s>>,
@@ -60,6 +64,8 @@ pub(super) struct Kinematics<'s> {
     /// Of links between an outer joint and a pin: the vector from one to the other, its length, and
     /// the pin.
     bars: HashMap<LinkId, (Vector<'s>, Jet<'s>, PointId)>,
+    /// How many steps were taken.
+    taken: usize,
 }
 
 impl<'s> Kinematics<'s> {
@@ -68,11 +74,53 @@ impl<'s> Kinematics<'s> {
         mechanism: &'s Mechanism,
         inputs: Vec<Source<'s>>,
     ) -> Self {
-        let mut kinematics = Self {
+        let mut kinematics = Self::before(sheet, mechanism, inputs);
+        for index in 0..mechanism.unknowns.len() {
+            kinematics.take_until(mechanism.unknowns[index].steps[0]);
+            let (found, closure) = unknown::solve(&kinematics, UnknownId(index as u32));
+            kinematics.unknowns.push(found);
+            kinematics.closures.push(closure);
+        }
+        kinematics.take_until(mechanism.steps.len());
+        kinematics.name_lets();
+        kinematics
+    }
+
+    /// The equation of an unknown that has this trial, the earlier ones being known. Its own steps
+    /// refuse nothing where it is open.
+    pub(super) fn of_trial(
+        inputs: Vec<Source<'s>>,
+        known: &Self,
+        trial: Jet<'s>,
+        is_open: bool,
+    ) -> Self {
+        let (sheet, mechanism) = (known.sheet, known.mechanism);
+        let mut kinematics = Self::before(sheet, mechanism, inputs);
+        let [first, last] = mechanism.unknowns[known.unknowns.len()].steps;
+        let at_rest = |jet: &Jet<'s>| Jet::constant(jet.value);
+        let stands_still = kinematics.inputs.iter().all(|source| source.jet.is_fixed());
+        for (index, jet) in known.unknowns.iter().enumerate() {
+            kinematics.take_until(mechanism.unknowns[index].steps[0]);
+            kinematics.unknowns.push(if stands_still { at_rest(jet) } else { *jet });
+        }
+        kinematics.take_until(first);
+        kinematics.name_lets();
+        kinematics.unknowns.push(trial);
+        sheet.open(is_open);
+        kinematics.take_until(last);
+        kinematics.name_lets();
+        kinematics
+    }
+
+    fn before(sheet: &'s Sheet<'s>, mechanism: &'s Mechanism, inputs: Vec<Source<'s>>) -> Self {
+        Self {
             sheet,
             mechanism,
             inputs,
             lets: Vec::new(),
+            unknowns: Vec::new(),
+            closures: Vec::new(),
+            taken: 0,
             tempo: None,
             points: vec![None; mechanism.points.len()],
             links: vec![None; mechanism.links.len()],
@@ -81,12 +129,16 @@ impl<'s> Kinematics<'s> {
             qualities: HashMap::new(),
             levers: HashMap::new(),
             bars: HashMap::new(),
-        };
-        for step in &mechanism.steps {
-            kinematics.take(step);
         }
-        kinematics.name_lets();
-        kinematics
+    }
+
+    /// The steps in front of this one that have not been taken.
+    fn take_until(&mut self, end: usize) {
+        let mechanism = self.mechanism;
+        for step in &mechanism.steps[self.taken..end] {
+            self.take(step);
+        }
+        self.taken = end;
     }
 
     /// A rate of this state as that of the motion.
@@ -138,7 +190,7 @@ impl<'s> Kinematics<'s> {
         }
     }
 
-    fn sign(&self, sign: Sign) -> Sym<'s> {
+    pub(super) fn sign(&self, sign: Sign) -> Sym<'s> {
         self.sheet.integer(if sign == Sign::Plus { 1 } else { -1 })
     }
 
@@ -190,10 +242,14 @@ impl<'s> Kinematics<'s> {
     fn is_known(&self, expr: &Expr) -> bool {
         match expr {
             Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => true,
+            Expr::Unknown(unknown) => unknown.index() < self.unknowns.len(),
             Expr::Let(name) => name.index() < self.lets.len(),
             Expr::Slide(link) => self.links[link.index()].is_some(),
             Expr::Coordinate(point, _) => self.points[point.index()].is_some(),
             Expr::Distance(points) => points.iter().all(|p| self.points[p.index()].is_some()),
+            Expr::Offset(point, guide) => {
+                self.points[point.index()].is_some() && self.guides[guide.index()].is_some()
+            }
             // Neither stands in what places anything.
             Expr::Twist(_) | Expr::Rate(_) => true,
             Expr::Negate(value) => self.is_known(value),

@@ -43,6 +43,7 @@ mod slider;
 mod symbol;
 #[cfg(test)]
 pub(crate) mod tests;
+mod unknown;
 
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::{Kinematics, Source};
@@ -55,19 +56,28 @@ use crate::interface::records::{Kind, Shape, is_margin};
 use crate::ir::construct::Rule;
 use crate::ir::graph::{Id, Node};
 use crate::ir::liveness::{Path, live};
-use crate::ir::program::{Answer, Program};
+use crate::ir::program::{Answer, Closure, Program};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
 /// The mechanism's program: one graph with every entry point's values, made under the rules.
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     let sheet = Sheet::new(rules);
-    let answers = answers(mechanism, &sheet, rules);
-    let clearances = clearance::clearances(mechanism, &sheet);
-    Program { graph: sheet.into_graph(), answers, clearances, groups: mechanism.titles() }
+    let (answers, closures) = answers(mechanism, &sheet, rules);
+    // How far a search goes on beyond a limit is not known: nothing follows it.
+    let clearances = match &mechanism.unknowns[..] {
+        [] => clearance::clearances(mechanism, &sheet),
+        _ => Vec::new(),
+    };
+    Program { graph: sheet.into_graph(), answers, clearances, closures, groups: mechanism.titles() }
 }
 
-/// What every entry point that the mechanism can have asks, one after the other.
-fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, rules: &[Rule]) -> Vec<Answer> {
+/// What every entry point that the mechanism can have asks, one after the other, and the conditions
+/// of what they search.
+fn answers<'s>(
+    mechanism: &'s Mechanism,
+    sheet: &'s Sheet<'s>,
+    rules: &[Rule],
+) -> (Vec<Answer>, Vec<Closure>) {
     let interface = Interface::of(mechanism);
     let given = Kinematics::of(sheet, mechanism, Source::free(mechanism, sheet));
     let [moves_bare, acts_bare] =
@@ -75,6 +85,9 @@ fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, rules: &[Rule]) -
     let mut on_circle = None;
     let mut answers = Vec::new();
     for entry in &interface.entries {
+        if entry.needs_mass() && !forces::every_input_moves_mass(&given) {
+            continue;
+        }
         let is_bare = moves_bare && (acts_bare || !entry.is_about_forces());
         let kinematics = match entry.takes_cosine() {
             true if !is_bare => continue,
@@ -86,7 +99,9 @@ fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, rules: &[Rule]) -
         let sinks = sinks(&interface, entry, kinematics);
         answers.push(Answer { entry: entry.name, sinks });
     }
-    answers
+    let of_circle = on_circle.iter().flat_map(|at| &at.closures);
+    let closures = given.closures.iter().chain(of_circle).copied().collect();
+    (answers, closures)
 }
 
 /// The numbers of an entry point's result, in the order of its shape.
@@ -104,13 +119,13 @@ fn sinks(interface: &Interface, entry: &Entry, kinematics: &Kinematics<'_>) -> V
             }
             Kind::Forces => forces::at_rest(kinematics),
             Kind::Energy => forces::energy(kinematics),
+            Kind::Equations => forces::equations(kinematics),
             Kind::Inputs | Kind::Loads | Kind::ForcesOf(_) => {
                 unreachable!("what is given or a part of a result is none itself")
             }
         },
-        Shape::Number | Shape::List(_) | Shape::Quantity(..) => {
-            unreachable!("what an entry point returns is a record or a matrix")
-        }
+        Shape::Number | Shape::List(_) => forces::accelerations(kinematics),
+        Shape::Quantity(..) => unreachable!("no entry point returns a single output"),
     }
 }
 

@@ -38,6 +38,7 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
         graph: sheet.into_graph(),
         answers: vec![Answer { entry: ENTRY, sinks }],
         clearances: Vec::new(),
+        closures: Vec::new(),
         groups: mechanism.groups.iter().map(|group| group.title.clone()).collect(),
     }
 }

@@ -4,7 +4,7 @@
 //! The graph under construction sits in a cell so that a symbol can be `Copy` and carry its graph;
 //! this is the one place of the compiler where that is so, and nothing of it leaves the room.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::exact::Exact;
@@ -15,6 +15,8 @@ use crate::ir::graph::{Check, ConstantId, Graph, Guard, Id, Node};
 pub(crate) struct Sheet<'r> {
     graph: RefCell<Graph>,
     rules: &'r [Rule],
+    /// Whether conditions are passed by: a trial of an equation refuses nothing.
+    is_open: Cell<bool>,
 }
 
 /// A scalar on a sheet.
@@ -33,7 +35,7 @@ pub(crate) struct Vector<'s> {
 
 impl<'r> Sheet<'r> {
     pub(crate) fn new(rules: &'r [Rule]) -> Self {
-        Self { graph: RefCell::new(Graph::new()), rules }
+        Self { graph: RefCell::new(Graph::new()), rules, is_open: Cell::new(false) }
     }
 
     pub(crate) fn into_graph(self) -> Graph {
@@ -67,6 +69,11 @@ impl<'s> Sheet<'s> {
     /// Gives the symbol a name in the generated code.
     pub(crate) fn name(&self, sym: Sym<'s>, name: String) {
         self.graph.borrow_mut().name(sym.id, name);
+    }
+
+    /// From now on conditions are passed by, or asked again.
+    pub(crate) fn open(&self, is_open: bool) {
+        self.is_open.set(is_open);
     }
 
     /// a·b − c·d as one operation.
@@ -177,7 +184,11 @@ impl<'s> Sym<'s> {
         let node = self.sheet.graph.borrow().node(self.id);
         let is_given = |id| Self { sheet: self.sheet, id }.is_sum_of_given();
         match node {
-            Node::Constant(_) | Node::Input { order: 0, .. } | Node::Param(_) => true,
+            Node::Constant(_)
+            | Node::Input { order: 0, .. }
+            | Node::Param(_)
+            | Node::Trial(_)
+            | Node::Root(_) => true,
             Node::Neg(a) | Node::Guard(a, _) => is_given(a),
             Node::Add(a, b) | Node::Sub(a, b) => is_given(a) && is_given(b),
             _ => false,
@@ -186,6 +197,9 @@ impl<'s> Sym<'s> {
 
     /// The value, provided that the check holds for the group.
     pub(crate) fn provided(self, check: Check, group: u32, operands: &[Self]) -> Self {
+        if self.sheet.is_open.get() {
+            return self;
+        }
         let guard = Guard { check, group, operands: operands.iter().map(|o| o.id).collect() };
         let mut graph = self.sheet.graph.borrow_mut();
         let id = Maker { graph: &mut graph, rules: self.sheet.rules }.make_guarded(self.id, guard);

@@ -87,6 +87,12 @@ impl Enclosure {
         (lower == upper).then_some(lower)
     }
 
+    /// The number in its middle, as if it were exact.
+    #[cfg(test)]
+    pub(crate) fn centre(&self) -> Self {
+        Self::point((&self.lower + &self.upper) >> 1usize, self.bits)
+    }
+
     pub(crate) fn neg(&self) -> Self {
         Self::new(-&self.upper, -&self.lower, self.bits)
     }

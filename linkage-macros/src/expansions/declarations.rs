@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
-use crate::equations::tests::declarations::VARIANTS;
+use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 
 pub(super) struct Declaration {
     /// The mechanism's; for a variant of a group, the variant's.
@@ -30,7 +30,7 @@ pub(super) fn all() -> impl Iterator<Item = Declaration> {
         }
         found
     };
-    let variants = VARIANTS.iter().map(|variant| Declaration {
+    let variants = VARIANTS.iter().chain(UNKNOWNS).map(|variant| Declaration {
         name: format!("variant: {}", variant.name),
         tokens: tokens(variant.source),
     });

@@ -1,7 +1,7 @@
 //! The declarations that are mangled: small ones that together use the whole language, and every
 //! variant of every group.
 
-use crate::equations::tests::declarations::VARIANTS;
+use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 
 pub(super) const SMALL: &[&str] = &[
     "/// A crank-rocker.
@@ -66,5 +66,5 @@ pub(super) const SMALL: &[&str] = &[
 ];
 
 pub(super) fn all() -> impl Iterator<Item = &'static str> {
-    SMALL.iter().copied().chain(VARIANTS.iter().map(|variant| variant.source))
+    SMALL.iter().copied().chain(VARIANTS.iter().chain(UNKNOWNS).map(|variant| variant.source))
 }

@@ -6,7 +6,7 @@
 use crate::exact::Exact;
 use crate::ir::graph::{Graph, Guard, Id, Node};
 use crate::ir::liveness::{Path, live};
-use crate::ir::program::Program;
+use crate::ir::program::{Closure, Program};
 
 /// Looks at a node that is about to be made and answers with what stands for it, if anything
 /// simpler does.
@@ -72,7 +72,12 @@ pub(crate) fn rebuild_with(
     for sink in of_answers.chain(of_clearances) {
         *sink = moved.of(*sink);
     }
-    Program { graph, answers, clearances, groups: program.groups.clone() }
+    let moved_closure = |closure: &Closure| Closure {
+        root: moved.of(closure.root),
+        condition: moved.of(closure.condition),
+    };
+    let closures = program.closures.iter().map(moved_closure).collect();
+    Program { graph, answers, clearances, closures, groups: program.groups.clone() }
 }
 
 /// Where the nodes of the old program are in the new one.

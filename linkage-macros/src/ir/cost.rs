@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use std::ops::AddAssign;
 
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::liveness::{Path, live, live_nodes, unguarded};
+use crate::ir::liveness::{Path, live, live_nodes, trial_nodes, tried, unguarded};
 
 /// Counts of floating-point operations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,12 +31,22 @@ impl AddAssign for Operations {
     }
 }
 
-/// The operations that computing the sinks takes, each node once.
+/// The operations that computing the sinks takes, each node once, but for what searches compute.
 pub(crate) fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
     let live = live(graph, sinks, Path::Fast);
+    let tried = tried(graph);
+    of_nodes(graph, live_nodes(graph, &live).filter(|(id, _)| !tried[id.index()]))
+}
+
+/// The operations of one trial of an equation, given its sides and its slope.
+pub(crate) fn operations_of_trial(graph: &Graph, sides: &[Id]) -> Operations {
+    of_nodes(graph, trial_nodes(graph, sides).into_iter())
+}
+
+fn of_nodes(graph: &Graph, nodes: impl Iterator<Item = (Id, Node)>) -> Operations {
     let mut total = Operations::default();
     let (mut turned, mut multiplied) = (HashSet::new(), HashSet::new());
-    for (_, node) in live_nodes(graph, &live) {
+    for (_, node) in nodes {
         match node {
             Node::Sin(angle) | Node::Cos(angle) => {
                 total.sines += u32::from(turned.insert(unguarded(graph, angle)));
@@ -82,12 +92,16 @@ fn of(node: Node) -> Operations {
         | Node::InputSin(_)
         | Node::Param(_)
         | Node::Load(_)
+        | Node::Drive(_)
         | Node::Mode(_)
         | Node::Low(_)
         | Node::Neg(_)
         | Node::Guard(..)
         | Node::Sin(_)
-        | Node::Cos(_) => none,
+        | Node::Cos(_)
+        | Node::Trial(_)
+        | Node::Root(_)
+        | Node::Size(_) => none,
         Node::Add(..) | Node::Sub(..) => Operations { additions: 1, ..none },
         Node::Mul(..) => Operations { multiplications: 1, ..none },
         Node::Div(..) => Operations { divisions: 1, ..none },

@@ -23,6 +23,10 @@
 //! on; the slow path looks at the operands of the condition, which are nodes as well. Where nobody
 //! is to refuse anything, conditions are passed by (`liveness::Path`).
 //!
+//! # Roots
+//! A number that an equation fixes is a node like any other ([`Node::Root`]); its operands are the
+//! sides of the equation at a trial. What depends on a trial means nothing outside its search.
+//!
 //! # Names
 //! A value that the derivation of its formula has a letter for keeps it (`Graph::name`), through
 //! every rewrite, for whoever reads the generated code. Names mean nothing to the compiler.
@@ -68,6 +72,8 @@ pub(crate) enum Node {
     Param(u32),
     /// A load: a force, a torque or a number that a call is given.
     Load(u32),
+    /// The effort that drives an input, where a call is given it.
+    Drive(u32),
     /// A mode parameter as +1 or −1.
     Mode(u32),
     Neg(Id),
@@ -99,6 +105,25 @@ pub(crate) enum Node {
     Fused(Id, Id, Id),
     /// The value, provided that the guard's condition holds.
     Guard(Id, GuardId),
+    /// A value at which the equation of an unknown is tried. What depends on it is computed inside
+    /// the search alone.
+    Trial(u32),
+    /// The root of an unknown's equation.
+    Root(Sought),
+    /// The size by which the rounding of a root's equation is measured.
+    Size(Id),
+}
+
+/// What a root is searched by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Sought {
+    pub unknown: u32,
+    /// The sign of the slope at the root.
+    pub rises: bool,
+    pub between: [Id; 2],
+    pub near: Option<Id>,
+    /// The two sides at the trial, and the slope of their difference.
+    pub sides: [Id; 3],
 }
 
 /// A condition on a value. In the generated code's straight line it is one comparison; where that
@@ -140,6 +165,12 @@ pub(crate) enum Check {
     Positive(String),
     /// Fast path: value ≥ 0. Slow path: negative is `Invalid` with this name.
     NotNegative(String),
+    /// An equation's left − right in the final pose. Operand: the size of its sides. Both paths ask
+    /// whether it is closed; `NoSolution`, where it is not, bears the group's name.
+    Closed,
+    /// The slope of an equation at its root, in the wanted way. Fast path: above what rounding does
+    /// to it. Slow path: `Singular` where it is not. Operand: the spread.
+    Moving,
     /// Fast path: value ≥ the smallest square of full precision. Slow path: a squared length
     /// below it is refused, as `Singular` where it is the square of zero. With the operands of
     /// `ReachCircles` it is the square of d, and out of reach where the circles do not meet.
@@ -149,7 +180,7 @@ pub(crate) enum Check {
 impl Check {
     /// Whether the last operand is a spread, which the straight line compares the value with.
     pub(crate) fn has_spread(&self) -> bool {
-        matches!(self, Self::ReachCircles | Self::ReachDistances)
+        matches!(self, Self::ReachCircles | Self::ReachDistances | Self::Moving)
     }
 }
 
@@ -363,8 +394,17 @@ impl Node {
             | Self::InputSin(_)
             | Self::Param(_)
             | Self::Load(_)
+            | Self::Drive(_)
             | Self::Mode(_)
+            | Self::Trial(_)
             | Self::Low(_) => self,
+            Self::Root(sought) => Self::Root(Sought {
+                between: sought.between.map(&mut *f),
+                near: sought.near.map(&mut *f),
+                sides: sought.sides.map(&mut *f),
+                ..sought
+            }),
+            Self::Size(root) => Self::Size(f(root)),
             Self::Neg(a) => Self::Neg(f(a)),
             Self::Sqrt(a) => Self::Sqrt(f(a)),
             Self::Sin(a) => Self::Sin(f(a)),

@@ -2,7 +2,8 @@
 //! programs. In real numbers a rounding error is zero and a fused operation is its two parts.
 
 use crate::exact::Exact;
-use crate::ir::graph::{Id, Node};
+use crate::ir::graph::{Id, Node, Sought};
+use crate::ir::liveness::{trial_nodes, tried};
 use crate::ir::program::Program;
 
 /// A number that a program can be computed with.
@@ -23,6 +24,8 @@ pub(crate) trait Number: Clone {
     /// The angle of the vector (x, self).
     fn atan2(&self, x: &Self) -> Self;
     fn hypot(&self, other: &Self) -> Self;
+    /// The number without what is not known of it.
+    fn point(&self) -> Self;
 }
 
 /// What the program is given.
@@ -31,6 +34,7 @@ pub(crate) struct Given<N> {
     pub inputs: Vec<[N; 3]>,
     pub params: Vec<N>,
     pub loads: Vec<N>,
+    pub drives: Vec<N>,
     /// Cosine and sine in place of the only input's value, where they are given: whatever numbers
     /// these are, so that it shows what is made of each.
     pub unit: Option<[N; 2]>,
@@ -51,38 +55,78 @@ impl<N: Number> Given<N> {
 /// The value of every node.
 pub(crate) fn interpret<N: Number>(program: &Program, given: &Given<N>) -> Vec<N> {
     let graph = &program.graph;
+    let tried = tried(graph);
     let mut values: Vec<N> = Vec::with_capacity(graph.len());
-    for (_, node) in graph.iter() {
-        let v = |id: Id| &values[id.index()];
+    for (id, node) in graph.iter() {
         let value = match node {
-            Node::Constant(constant) => N::exact(graph.value(constant)),
-            Node::Input { input, order } => {
-                given.inputs[input as usize][usize::from(order)].clone()
-            }
-            Node::InputCos(input) => given.cos(input),
-            Node::InputSin(input) => given.sin(input),
-            Node::Param(param) | Node::Mode(param) => given.params[param as usize].clone(),
-            Node::Load(load) => given.loads[load as usize].clone(),
-            Node::Neg(a) => v(a).neg(),
-            Node::Add(a, b) => v(a).add(v(b)),
-            Node::Sub(a, b) => v(a).sub(v(b)),
-            Node::Mul(a, b) => v(a).mul(v(b)),
-            Node::Div(a, b) => v(a).div(v(b)),
-            Node::Sqrt(a) => v(a).sqrt(),
-            Node::Sin(a) => v(a).sin(),
-            Node::Cos(a) => v(a).cos(),
-            Node::Tan(a) => v(a).tan(),
-            Node::Asin(a) => v(a).asin(),
-            Node::Acos(a) => v(a).acos(),
-            Node::Atan(a) => v(a).atan(),
-            Node::Atan2(a, b) => v(a).atan2(v(b)),
-            Node::Hypot(a, b) => v(a).hypot(v(b)),
-            Node::Det([a, b, c, d]) => v(a).mul(v(b)).sub(&v(c).mul(v(d))),
-            Node::MulErr(..) | Node::AddErr(..) | Node::Low(_) => N::exact(&Exact::integer(0)),
-            Node::Fused(a, b, c) => v(a).mul(v(b)).add(v(c)),
-            Node::Guard(value, _) => v(value).clone(),
+            // What a search computes is computed there.
+            _ if tried[id.index()] => N::exact(&Exact::integer(0)),
+            Node::Root(sought) => root(program, given, &mut values, &sought),
+            _ => value(program, given, &values, node, None),
         };
         values.push(value);
     }
     values
+}
+
+/// Newton's method from where the root is expected, or from the middle: declarations of tests are
+/// such that it converges.
+fn root<N: Number>(program: &Program, given: &Given<N>, values: &mut [N], sought: &Sought) -> N {
+    let half = N::exact(&Exact::float(0.5).expect("finite"));
+    let [from, to] = sought.between.map(|end| values[end.index()].clone());
+    let middle = from.add(&to).mul(&half);
+    let mut trial = sought.near.map_or(middle, |near| values[near.index()].clone()).point();
+    let nodes = trial_nodes(&program.graph, &sought.sides);
+    for _ in 0..STEPS {
+        for &(id, node) in &nodes {
+            values[id.index()] = value(program, given, values, node, Some(&trial));
+        }
+        let [left, right, slope] = sought.sides.map(|side| values[side.index()].clone());
+        trial = trial.sub(&left.sub(&right).div(&slope)).point();
+    }
+    trial
+}
+
+/// More than Newton's method takes to a hundred digits from the first.
+const STEPS: usize = 14;
+
+fn value<N: Number>(
+    program: &Program,
+    given: &Given<N>,
+    values: &[N],
+    node: Node,
+    trial: Option<&N>,
+) -> N {
+    let graph = &program.graph;
+    let v = |id: Id| &values[id.index()];
+    match node {
+        Node::Constant(constant) => N::exact(graph.value(constant)),
+        Node::Input { input, order } => given.inputs[input as usize][usize::from(order)].clone(),
+        Node::InputCos(input) => given.cos(input),
+        Node::InputSin(input) => given.sin(input),
+        Node::Param(param) | Node::Mode(param) => given.params[param as usize].clone(),
+        Node::Load(load) => given.loads[load as usize].clone(),
+        Node::Drive(input) => given.drives[input as usize].clone(),
+        Node::Neg(a) => v(a).neg(),
+        Node::Add(a, b) => v(a).add(v(b)),
+        Node::Sub(a, b) => v(a).sub(v(b)),
+        Node::Mul(a, b) => v(a).mul(v(b)),
+        Node::Div(a, b) => v(a).div(v(b)),
+        Node::Sqrt(a) => v(a).sqrt(),
+        Node::Sin(a) => v(a).sin(),
+        Node::Cos(a) => v(a).cos(),
+        Node::Tan(a) => v(a).tan(),
+        Node::Asin(a) => v(a).asin(),
+        Node::Acos(a) => v(a).acos(),
+        Node::Atan(a) => v(a).atan(),
+        Node::Atan2(a, b) => v(a).atan2(v(b)),
+        Node::Hypot(a, b) => v(a).hypot(v(b)),
+        Node::Det([a, b, c, d]) => v(a).mul(v(b)).sub(&v(c).mul(v(d))),
+        Node::MulErr(..) | Node::AddErr(..) | Node::Low(_) => N::exact(&Exact::integer(0)),
+        Node::Fused(a, b, c) => v(a).mul(v(b)).add(v(c)),
+        Node::Guard(value, _) => v(value).clone(),
+        Node::Trial(_) => trial.expect("a trial is made in a search").clone(),
+        Node::Size(_) => N::exact(&Exact::integer(1)),
+        Node::Root(_) => unreachable!("a search of its own"),
+    }
 }

@@ -43,6 +43,32 @@ pub(crate) fn live_nodes<'a>(
     graph.iter().filter(|(id, _)| live[id.0 as usize])
 }
 
+/// For every node, whether its value depends on a trial: it is computed inside a search alone.
+pub(crate) fn tried(graph: &Graph) -> Vec<bool> {
+    let mut tried = vec![false; graph.len()];
+    for (id, node) in graph.iter() {
+        let mut depends = matches!(node, Node::Trial(_));
+        if !matches!(node, Node::Root(_)) {
+            graph.for_operands_of(node, &mut |operand| depends |= tried[operand.index()]);
+        }
+        tried[id.index()] = depends;
+    }
+    tried
+}
+
+/// What a trial computes on the way to the sides of an equation, operands before users. What no
+/// trial changes, another root included, is not followed.
+pub(crate) fn trial_nodes(graph: &Graph, sides: &[Id]) -> Vec<(Id, Node)> {
+    let (tried, mut needed) = (tried(graph), vec![false; graph.len()]);
+    sides.iter().for_each(|side| needed[side.index()] = true);
+    for index in (0..graph.len()).rev() {
+        if needed[index] && tried[index] {
+            graph.node(Id(index as u32)).for_operands(&mut |id| needed[id.index()] = true);
+        }
+    }
+    graph.iter().filter(|(id, _)| needed[id.index()] && tried[id.index()]).collect()
+}
+
 /// The node itself, or the value that it guards: guards compute nothing in the fast path.
 pub(crate) fn unguarded(graph: &Graph, mut id: Id) -> Id {
     while let Node::Guard(value, _) = graph.node(id) {

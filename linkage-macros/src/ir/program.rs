@@ -2,6 +2,7 @@
 
 use crate::exact::Exact;
 use crate::ir::graph::{Graph, Id};
+use crate::ir::liveness::{Path, live};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Program {
@@ -9,6 +10,8 @@ pub(crate) struct Program {
     pub answers: Vec<Answer>,
     /// What following a motion through changes of mode looks at, group by group in solving order.
     pub clearances: Vec<Clearance>,
+    /// Roots, and the condition each stands under: that its equation is closed in the final pose.
+    pub closures: Vec<Closure>,
     /// The titles of the groups, by the numbers that guards carry.
     pub groups: Vec<String>,
 }
@@ -20,7 +23,7 @@ impl Program {
         let zero = graph.constant(Exact::integer(0));
         let answers = answers.map(|(entry, count)| Answer { entry, sinks: vec![zero; count] });
         let answers = answers.collect();
-        Self { graph, answers, clearances: Vec::new(), groups: Vec::new() }
+        Self { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups: Vec::new() }
     }
 
     /// What the entry point asks, if there is one of this name.
@@ -33,8 +36,29 @@ impl Program {
     pub(crate) fn sinks(&self) -> Vec<Id> {
         let answers = self.answers.iter().flat_map(|answer| &answer.sinks);
         let clearances = self.clearances.iter().flat_map(|clearance| &clearance.sinks);
-        answers.chain(clearances).copied().collect()
+        let closures = self.closures.iter().map(|closure| &closure.condition);
+        answers.chain(clearances).chain(closures).copied().collect()
     }
+
+    /// The sinks, and the conditions of the roots that they stand on.
+    pub(crate) fn with_closures(&self, sinks: &[Id]) -> Vec<Id> {
+        let mut all = sinks.to_vec();
+        // A root's equation may stand on earlier roots.
+        for closure in self.closures.iter().rev() {
+            if live(&self.graph, &all, Path::Slow)[closure.root.index()] {
+                all.push(closure.condition);
+            }
+        }
+        all
+    }
+}
+
+/// A root and its condition.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Closure {
+    pub root: Id,
+    /// A guarded left − right.
+    pub condition: Id,
 }
 
 /// What one entry point asks of the graph.

@@ -31,7 +31,9 @@ fn describe(graph: &Graph, node: Node) -> String {
         Node::InputSin(input) => format!("sin(input {input})"),
         Node::Param(param) => format!("param {param}"),
         Node::Load(load) => format!("load {load}"),
+        Node::Drive(input) => format!("drive {input}"),
         Node::Mode(param) => format!("mode {param}"),
+        Node::Trial(unknown) => format!("trial of unknown {unknown}"),
         Node::Guard(value, guard) => {
             let guard = graph.condition(guard);
             format!("{} if {:?} of group {}", name(value), guard.check, guard.group)
@@ -64,6 +66,8 @@ fn operation(node: Node) -> &'static str {
         Node::MulErr(..) => "mul_err",
         Node::AddErr(..) => "add_err",
         Node::Fused(..) => "fused",
+        Node::Root(_) => "root",
+        Node::Size(_) => "size",
         _ => "leaf",
     }
 }

@@ -5,9 +5,10 @@ use std::collections::HashSet;
 use super::locals;
 use super::overflow::Overflow;
 use super::plan::{Plan, Way};
-use super::routine::{Adapted, Asked, Compute, Locals, Lowered, Routine, Stage};
+use super::routine::{Adapted, Asked, Compute, Locals, Lowered, Routine, Search, Stage};
 use super::schedule::Schedule;
 use super::scopes::lay_out;
+use super::searches::searches;
 use super::witnesses::witnesses;
 use crate::interface::entries::Given;
 use crate::interface::records::Shape;
@@ -24,7 +25,8 @@ pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<
     let names = program.answers.iter().map(|answer| answer.entry);
     let interface = Interface::of(mechanism).limited_to(names);
     let (plan, locals) = (Plan::of(&interface), locals::named(mechanism, &interface, program));
-    let builder = Builder { program, interface, locals };
+    let searches = searches(mechanism, program);
+    let builder = Builder { program, interface, locals, searches };
     let overflows: Vec<_> = plan.routines.iter().map(|entries| builder.overflow(entries)).collect();
     let routines = plan.routines.iter().zip(&overflows);
     let routines = routines.map(|(entries, overflow)| builder.routine(entries, overflow.as_ref()));
@@ -39,27 +41,30 @@ pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<
         }
     });
     let (entries, clearances) = (entries.collect(), builder.clearances());
-    let Builder { program, interface, .. } = builder;
-    Lowered { program, interface, routines, entries, costs, clearances }
+    let Builder { program, interface, searches, .. } = builder;
+    Lowered { program, interface, routines, entries, costs, clearances, searches }
 }
 
 /// The only routine of a program that places what is drawn.
 pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
     // What it takes and returns is no entry point: the records of the solver's own are enough.
     let interface = Interface::of(mechanism).limited_to(std::iter::empty());
-    let builder = Builder { program, interface, locals: Locals::default() };
+    // What is drawn is not searched.
+    let searches = Vec::new();
+    let builder = Builder { program, interface, locals: Locals::default(), searches };
     let sinks = &program.answers[0].sinks;
     let routine = builder.listing("placed_", &[Given::Value], Path::Slow, sinks);
     let clearances = builder.clearances();
-    let Builder { interface, .. } = builder;
+    let Builder { interface, searches, .. } = builder;
     let (routines, entries, costs) = (vec![routine], Vec::new(), Vec::new());
-    Lowered { program, interface, routines, entries, costs, clearances }
+    Lowered { program, interface, routines, entries, costs, clearances, searches }
 }
 
 struct Builder<'p> {
     program: &'p Program,
     interface: Interface,
     locals: Locals,
+    searches: Vec<Search>,
 }
 
 impl Builder<'_> {
@@ -69,6 +74,11 @@ impl Builder<'_> {
 
     fn sinks(&self, entry: EntryId) -> &[Id] {
         &self.program.answers[entry.index()].sinks
+    }
+
+    /// The sinks, and what their roots stand under.
+    fn needed(&self, entry: EntryId) -> Vec<Id> {
+        self.program.with_closures(self.sinks(entry))
     }
 
     /// The last stage is everything that a routine computes.
@@ -84,9 +94,10 @@ impl Builder<'_> {
             (_, Some(Given::Cosine)) => "formulas_at_".to_string(),
             _ => "formulas_".to_string(),
         };
-        let mut schedule = Schedule::new(self.graph(), &self.locals, Path::Slow, overflow);
+        let (graph, searches) = (self.graph(), &self.searches);
+        let mut schedule = Schedule::new(graph, &self.locals, Path::Slow, overflow, searches);
         let statements: Vec<_> =
-            entries.iter().map(|&entry| schedule.stage(self.sinks(entry))).collect();
+            entries.iter().map(|&entry| schedule.stage(&self.needed(entry))).collect();
         let locals = locals::with_letters(&self.locals, self.graph(), &statements.concat());
         let result = self.interface.entry(last).result;
         let mut stages = Vec::new();
@@ -125,7 +136,7 @@ impl Builder<'_> {
 
     /// A routine that returns the sinks in a list.
     fn listing(&self, name: &str, given: &'static [Given], path: Path, sinks: &[Id]) -> Routine {
-        let mut schedule = Schedule::new(self.graph(), &self.locals, path, None);
+        let mut schedule = Schedule::new(self.graph(), &self.locals, path, None, &self.searches);
         let statements = schedule.stage(sinks);
         let locals = locals::with_letters(&self.locals, self.graph(), &statements);
         let kept = schedule.read(sinks.iter().copied());
@@ -150,7 +161,7 @@ impl Builder<'_> {
     fn asked(&self, entry: EntryId, overflow: Option<&Overflow>) -> Asked {
         let (graph, sinks) = (self.graph(), self.sinks(entry));
         let place = |id| sinks.iter().position(|&sink| sink == id);
-        let live = live(graph, sinks, Path::Slow);
+        let live = live(graph, &self.needed(entry), Path::Slow);
         let read = live_nodes(graph, &live).map(|(_, node)| node).filter(|&node| is_leaf(node));
         let mut seen = HashSet::new();
         let is_known = |id| matches!(graph.node(id), Node::Constant(_) | Node::Mode(_));
@@ -165,7 +176,7 @@ impl Builder<'_> {
     }
 
     fn cost(&self, entry: EntryId, way: Way) -> Operations {
-        let of = |entry| operations(self.graph(), self.sinks(entry));
+        let of = |entry| operations(self.graph(), &self.needed(entry));
         match way {
             Way::Via { entry, given: Adapted::CosineAndSine } => {
                 let cost = of(entry);

@@ -59,6 +59,8 @@ fn diagnosis(guard: &Guard) -> &'static str {
         Check::Nonzero => "nonzero",
         Check::Positive(_) => "positive",
         Check::NotNegative(_) => "not_negative",
+        Check::Moving => "moving",
+        Check::Closed => "closed",
         Check::Square if guard.operands.is_empty() => "square",
         Check::Square => "square_of_centres",
     }
@@ -73,9 +75,11 @@ fn comparison(
     spread: Option<Spread<'_>>,
 ) -> Option<(Comparison, Threshold)> {
     let comparison = match check {
-        Check::ShareOfCentres => return None,
+        Check::ShareOfCentres | Check::Closed => return None,
         Check::Nonzero if is_above_zero(graph, value) => return None,
-        Check::ReachCircles | Check::ReachDistances | Check::Positive(_) => Comparison::Above,
+        Check::ReachCircles | Check::ReachDistances | Check::Positive(_) | Check::Moving => {
+            Comparison::Above
+        }
         Check::ReachLine | Check::ReachOffset | Check::Square | Check::NotNegative(_) => {
             Comparison::AtLeast
         }
@@ -96,8 +100,10 @@ fn is_above_zero(graph: &Graph, value: Id) -> bool {
     match graph.node(value) {
         Node::Guard(inner, guard) => {
             let check = &graph.condition(guard).check;
-            let is_kept =
-                matches!(check, Check::ReachCircles | Check::ReachDistances | Check::Positive(_));
+            let is_kept = matches!(
+                check,
+                Check::ReachCircles | Check::ReachDistances | Check::Positive(_) | Check::Moving
+            );
             is_kept || is_above_zero(graph, inner)
         }
         _ => false,

@@ -36,7 +36,7 @@ pub(super) fn named(mechanism: &Mechanism, interface: &Interface, program: &Prog
         }
     }
     let components = names.keys().copied().collect();
-    Locals { names, components }
+    Locals { names, components, given: HashSet::new() }
 }
 
 /// The same with the letters of the derivations. Two values of one routine may have one letter, as
@@ -69,7 +69,7 @@ fn components(mechanism: &Mechanism, order: Order) -> Vec<String> {
 }
 
 /// The name without the double underscores that the compiler frowns upon.
-fn single_underscores(name: &str) -> String {
+pub(super) fn single_underscores(name: &str) -> String {
     let parts: Vec<&str> = name.split('_').filter(|part| !part.is_empty()).collect();
     format!("{}_", parts.join("_"))
 }

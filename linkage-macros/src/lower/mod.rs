@@ -16,7 +16,9 @@ mod ranges;
 pub(crate) mod routine;
 mod schedule;
 mod scopes;
+mod searches;
 mod witnesses;
 
 pub(crate) use build::lower;
 pub(crate) use build::lower_placing;
+pub(crate) use searches::TRIAL;

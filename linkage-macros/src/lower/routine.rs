@@ -8,7 +8,7 @@ use crate::interface::entries::Given;
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
 use crate::ir::cost::Operations;
-use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::graph::{Graph, Id, Node, Sought};
 use crate::ir::liveness::{Path, unguarded};
 use crate::ir::program::Program;
 
@@ -25,6 +25,20 @@ pub(crate) struct Lowered<'p> {
     /// How clear of their limits the groups are, for following a motion; without checks, because
     /// out of reach is a number below zero there.
     pub clearances: Routine,
+    /// What finds roots, in the order of the graph.
+    pub searches: Vec<Search>,
+}
+
+/// A function that finds the root of an equation.
+pub(crate) struct Search {
+    /// What a trial computes: both sides and the slope.
+    pub routine: Routine,
+    pub root: Id,
+    pub sought: Sought,
+    /// What it is given: values that no trial changes.
+    pub given: Vec<Id>,
+    /// Of one trial.
+    pub cost: Operations,
 }
 
 /// How an entry point comes to its numbers.
@@ -79,6 +93,13 @@ pub(crate) enum Statement {
         is_checked: bool,
     },
     Check(Condition),
+    /// The root of an equation, and the size that its rounding is measured by; an index into
+    /// `Lowered::searches`.
+    Find {
+        search: usize,
+        root: Id,
+        size: Option<Id>,
+    },
     /// Statements of which these locals alone are used later.
     Scope {
         statements: Vec<Statement>,
@@ -156,6 +177,8 @@ pub(crate) struct Locals {
     pub names: HashMap<Id, String>,
     /// Components of results: these are bound to a name even where a sign alone makes them.
     pub components: HashSet<Id>,
+    /// What a function is given in place of what it would be computed from.
+    pub given: HashSet<Id>,
 }
 
 /// How a value is read.
@@ -174,7 +197,12 @@ pub(crate) enum Reading {
 pub(crate) fn is_leaf(node: Node) -> bool {
     matches!(
         node,
-        Node::Input { .. } | Node::InputCos(_) | Node::InputSin(_) | Node::Param(_) | Node::Load(_)
+        Node::Input { .. }
+            | Node::InputCos(_)
+            | Node::InputSin(_)
+            | Node::Param(_)
+            | Node::Load(_)
+            | Node::Drive(_)
     )
 }
 
@@ -186,6 +214,9 @@ impl Locals {
     /// How a node's value is read: constants and signs say more where they are used than a name
     /// would. A routine without checks sees through conditions.
     pub(crate) fn reading(&self, graph: &Graph, path: Path, id: Id) -> Reading {
+        if self.given.contains(&id) {
+            return Reading::Local(id);
+        }
         let id = match path {
             Path::Fast | Path::Unchecked => unguarded(graph, id),
             Path::Slow => id,

@@ -5,9 +5,9 @@ use std::collections::{HashMap, HashSet};
 
 use super::checks;
 use super::overflow::Overflow;
-use super::routine::{Locals, Statement, is_leaf};
+use super::routine::{Locals, Search, Statement, is_leaf};
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::liveness::{Path, live, live_nodes};
+use crate::ir::liveness::{Path, live, live_nodes, tried};
 
 /// What has been scheduled so far, and what it reads from outside.
 pub(super) struct Schedule<'a> {
@@ -21,13 +21,17 @@ pub(super) struct Schedule<'a> {
     pub reads: Vec<Node>,
     /// Whether anything is asked of anybody.
     pub has_checks: bool,
+    /// What only a search computes.
+    tried: Vec<bool>,
+    /// The searches, by their roots.
+    searches: &'a [Search],
 }
 
 /// The sine and the cosine of one angle, as far as they are needed.
 #[derive(Clone, Copy, Default)]
-struct Pair {
-    sin: Option<Id>,
-    cos: Option<Id>,
+pub(super) struct Pair {
+    pub sin: Option<Id>,
+    pub cos: Option<Id>,
 }
 
 impl<'a> Schedule<'a> {
@@ -36,19 +40,20 @@ impl<'a> Schedule<'a> {
         locals: &'a Locals,
         path: Path,
         overflow: Option<&'a Overflow>,
+        searches: &'a [Search],
     ) -> Self {
-        let (done, reads) = (HashSet::new(), Vec::new());
-        Self { graph, locals, path, overflow, done, reads, has_checks: false }
+        let (done, reads, tried) = (HashSet::new(), Vec::new(), tried(graph));
+        Self { graph, locals, path, overflow, done, reads, has_checks: false, tried, searches }
     }
 
     /// What the sinks need beyond what was scheduled before.
     pub(super) fn stage(&mut self, sinks: &[Id]) -> Vec<Statement> {
         let graph = self.graph;
         let live = live(graph, sinks, self.path);
-        let mut pairs = pairs(graph, &live);
+        let mut pairs = pairs(live_nodes(graph, &live));
         let mut statements = Vec::new();
         for (id, node) in live_nodes(graph, &live) {
-            if !self.done.insert(id) {
+            if self.tried[id.index()] || !self.done.insert(id) {
                 continue;
             }
             self.has_checks |= self.is_checked(node);
@@ -63,6 +68,9 @@ impl<'a> Schedule<'a> {
                     let Pair { sin, cos } = pair;
                     Statement::SinCos { angle, sin, cos, is_checked: self.is_checked(node) }
                 }),
+                // It comes with its root.
+                Node::Size(_) => None,
+                Node::Root(_) => Some(self.find(id)),
                 Node::Guard(..) if self.path == Path::Unchecked => None,
                 Node::Guard(value, guard) => Some(Statement::Check(checks::condition(
                     graph,
@@ -78,13 +86,20 @@ impl<'a> Schedule<'a> {
         statements
     }
 
+    /// The search for a root; the size may be wanted by a later stage.
+    fn find(&self, root: Id) -> Statement {
+        let search = self.searches.iter().position(|search| search.root == root);
+        let search = search.expect("every root of the program has a search");
+        Statement::Find { search, root, size: self.graph.find(Node::Size(root)) }
+    }
+
     /// Conditions are, and angles that are not constant: a large one takes more than the fast
     /// path's reduction.
     fn is_checked(&self, node: Node) -> bool {
         let is_constant = |id| matches!(self.graph.node(id), Node::Constant(_));
         self.path != Path::Unchecked
             && match node {
-                Node::Guard(..) => true,
+                Node::Guard(..) | Node::Root(_) => true,
                 Node::Sin(angle) | Node::Cos(angle) => !is_constant(angle),
                 _ => false,
             }
@@ -105,6 +120,9 @@ impl<'a> Schedule<'a> {
                 self.read(operands)
             }
             Statement::SinCos { angle, .. } => self.read([*angle]),
+            Statement::Find { search, .. } => {
+                self.read(self.searches[*search].given.iter().copied())
+            }
             Statement::Check(condition) => {
                 self.read([condition.value].into_iter().chain(condition.operands.iter().copied()))
             }
@@ -121,13 +139,14 @@ pub(super) fn defines(statement: &Statement) -> Vec<Id> {
         Statement::Let(id) => vec![*id],
         Statement::SinCos { sin, cos, .. } => sin.iter().chain(cos).copied().collect(),
         Statement::Check(condition) => vec![condition.id],
+        Statement::Find { root, size, .. } => [*root].into_iter().chain(*size).collect(),
         Statement::Scope { hands_on, .. } => hands_on.clone(),
     }
 }
 
-fn pairs(graph: &Graph, live: &[bool]) -> HashMap<Id, Pair> {
+pub(super) fn pairs(nodes: impl Iterator<Item = (Id, Node)>) -> HashMap<Id, Pair> {
     let mut pairs: HashMap<Id, Pair> = HashMap::new();
-    for (id, node) in live_nodes(graph, live) {
+    for (id, node) in nodes {
         match node {
             Node::Sin(angle) => pairs.entry(angle).or_default().sin = Some(id),
             Node::Cos(angle) => pairs.entry(angle).or_default().cos = Some(id),

@@ -59,7 +59,7 @@ mod tests {
             last = graph.push(Node::Add(last, first));
         }
         let locals = Locals::default();
-        let mut schedule = Schedule::new(&graph, &locals, Path::Slow, None);
+        let mut schedule = Schedule::new(&graph, &locals, Path::Slow, None, &[]);
         let statements = schedule.stage(&[last]);
         let kept: Vec<Id> = kept.iter().map(|&id| Id(id)).collect();
         let laid_out = lay_out(&schedule, statements, &kept);

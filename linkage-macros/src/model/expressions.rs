@@ -26,6 +26,9 @@ pub(super) const ANGLE_REASON: &str = "a link's angle is known up to whole turns
 /// The function of two points.
 const DISTANCE: &str = "distance";
 
+/// The function of a point and a guide.
+const OFFSET: &str = "offset";
+
 /// The function that forces alone may depend on.
 const RATE: &str = "rate";
 
@@ -105,6 +108,7 @@ impl Resolver<'_> {
             ExprKind::Call(function, arguments) => {
                 let quantity = match () {
                     () if function == DISTANCE => self.distance(function, arguments),
+                    () if function == OFFSET => self.offset_from_guide(function, arguments),
                     () if function == RATE => self.rate(function, arguments),
                     () => self.call(function, arguments),
                 }?;
@@ -179,6 +183,10 @@ impl Resolver<'_> {
                 let measure = self.facts.lets[id.index()].measure;
                 Some(Quantity { measure, links: turn.links.clone(), rest })
             }
+            Entity::Unknown(id) => {
+                let measure = Measure::Known(self.mechanism.unknowns[id.index()].dimension);
+                Some(Quantity::plain(measure, Expr::Unknown(id)))
+            }
             Entity::Point(_)
             | Entity::Link(_)
             | Entity::Guide(_)
@@ -188,7 +196,7 @@ impl Resolver<'_> {
     }
 
     /// The sides of a sum are quantities of one kind.
-    fn sum(
+    pub(super) fn sum(
         &mut self,
         operator: Operator,
         (left, mut a): (Extent, Quantity),
@@ -280,8 +288,8 @@ impl Resolver<'_> {
         let found = FUNCTIONS.iter().find(|(known, ..)| name == known);
         let Some(&(_, function, count)) = found else {
             self.function_exists(name);
-            // It may be a function of points.
-            let numbers = arguments.iter().filter(|argument| !self.is_a_point(argument));
+            // It may be a function of points or guides.
+            let numbers = arguments.iter().filter(|argument| !self.is_a_place(argument));
             let numbers: Vec<_> = numbers.collect();
             numbers.into_iter().for_each(|argument| drop(self.quantity(argument)));
             return None;
@@ -313,12 +321,12 @@ impl Resolver<'_> {
     fn function_exists(&mut self, name: &Ident) {
         let text = name.to_string();
         let mut message = format!("no function named `{text}`");
-        let known = FUNCTIONS.iter().map(|(known, ..)| *known).chain([DISTANCE, RATE]);
+        let known = FUNCTIONS.iter().map(|(known, ..)| *known).chain([DISTANCE, OFFSET, RATE]);
         if let Some(near) = nearest(&text, known) {
             message += &format!("; a function with a similar name exists: `{near}`");
         }
-        let reason = "the functions are `sqrt hypot sin cos tan asin acos atan atan2 distance`, and \
-                      `rate` in the values of forces and torques";
+        let reason = "the functions are `sqrt hypot sin cos tan asin acos atan atan2 distance \
+                      offset`, and `rate` in the values of forces and torques";
         self.diagnostics.error_because(name.span(), message, reason);
     }
 

@@ -20,7 +20,9 @@ pub(super) struct Facts {
     pub links: Vec<LinkFacts>,
     /// By guide.
     pub guides: Vec<GuideFacts>,
-    /// Points and links in order of declaration.
+    /// By unknown: where its ends stand.
+    pub ends_of_unknowns: Vec<[Extent; 2]>,
+    /// Points, links and unknowns in order of declaration.
     pub order: Vec<Entity>,
     /// The longest length without a unit, and where it stands.
     pub longest_bare_length: Option<(Exact, Extent)>,
@@ -76,7 +78,7 @@ impl Facts {
     /// Whether the thing depends on an input.
     pub(super) fn moves(&self, entity: Entity) -> bool {
         match entity {
-            Entity::Input(_) => true,
+            Entity::Input(_) | Entity::Unknown(_) => true,
             // A load moves nothing, and a spring is no part of the motion.
             Entity::Param(_) | Entity::Load(_) | Entity::Spring(_) => false,
             Entity::Let(id) => self.lets[id.index()].moves,

@@ -29,6 +29,8 @@ ids! {
     GuideId
     /// An index into `Mechanism::groups`.
     GroupId
+    /// An index into `Mechanism::unknowns`.
+    UnknownId
     /// An index into `Dynamics::loads`.
     LoadId
     /// An index into `Dynamics::springs`.

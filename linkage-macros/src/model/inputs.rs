@@ -17,7 +17,7 @@ use super::numbers::bare_name;
 use super::references::{expressions, names_in};
 use super::units::unit;
 
-const KINDS: [&str; 2] = ["angle", "length"];
+pub(super) const KINDS: [&str; 2] = ["angle", "length"];
 
 impl Resolver<'_> {
     pub(super) fn input(&mut self, docs: &[Attribute], names: &[Ident], kind: Option<&Ident>) {
@@ -38,7 +38,7 @@ impl Resolver<'_> {
     }
 
     /// The word after the colon is one that exists.
-    fn quantity_kind(
+    pub(super) fn quantity_kind(
         &mut self,
         kind: &Ident,
         what: &str,
@@ -108,6 +108,8 @@ impl Resolver<'_> {
             return None;
         }
         let wanted = match kind {
+            // Where a search begins is of the kind of what it begins with.
+            Some(kind) if kind == "near" => None,
             Some(kind) => {
                 let kinds = ["angle", "length", "number", "mode"];
                 Some(self.quantity_kind(kind, "parameter kind", &kinds))

@@ -9,10 +9,10 @@ use syn::{Attribute, Visibility};
 
 use crate::exact::Exact;
 use crate::model::dynamics::Dynamics;
+pub(crate) use crate::model::findings::{Known, Rotatability};
 pub(crate) use crate::model::ids::{
-    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId,
+    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
 };
-use crate::reach::turn::Turn;
 
 pub(crate) struct Mechanism {
     pub docs: Vec<Attribute>,
@@ -20,6 +20,8 @@ pub(crate) struct Mechanism {
     pub name: Ident,
     pub inputs: Vec<Input>,
     pub params: Vec<Param>,
+    /// What equations fix, in solving order.
+    pub unknowns: Vec<Unknown>,
     /// Named expressions; a later one may use an earlier one.
     pub lets: Vec<AngleSum>,
     pub points: Vec<Point>,
@@ -107,32 +109,39 @@ pub(crate) struct References {
     pub used: Vec<Ident>,
 }
 
-/// What constants say of a group.
-pub(crate) struct Known {
-    pub group: GroupId,
-    /// How far apart its outer joints are.
-    pub span: Option<Exact>,
-    /// The earlier point on which its pin is in one of its modes.
-    pub coincides_with: Option<PointId>,
-}
-
-/// What a dyad leaves of the turn of the crank it hangs on.
-pub(crate) struct Rotatability {
-    pub group: GroupId,
-    pub crank: LinkId,
-    /// The input that is the crank's angle, where one is it bare.
-    pub input: Option<InputId>,
-    pub turn: Turn,
-    /// Opposite links are of one length: crank and rocker, coupler and ground.
-    pub is_parallelogram: bool,
-    /// The comparison of lengths that decides it.
-    pub reason: String,
-}
-
 pub(crate) struct Input {
     pub name: Ident,
     pub docs: Vec<Attribute>,
     pub dimension: Dimension,
+}
+
+/// A number that an equation fixes.
+pub(crate) struct Unknown {
+    pub name: Ident,
+    pub docs: Vec<Attribute>,
+    pub dimension: Dimension,
+    /// Its title is the unknown's name: what fails with it.
+    pub group: GroupId,
+    /// Where it is looked for, lower end first.
+    pub between: [Expr; 2],
+    /// How many steps stand before `unknown`, and before `solve`: what lies between depends on the
+    /// trial.
+    pub steps: [usize; 2],
+    pub equation: Equation,
+    /// The sign of the slope of left − right at the wanted root.
+    pub mode: Sign,
+    /// Where the root is expected.
+    pub near: Option<Expr>,
+}
+
+/// What is zero at the root.
+pub(crate) enum Equation {
+    /// left − right
+    Difference([Expr; 2]),
+    /// An angle, within half a turn.
+    Turn(AngleSum),
+    /// The distance of two points is a length.
+    Distance { points: [PointId; 2], length: Length, is_left: bool },
 }
 
 pub(crate) struct Param {
@@ -220,6 +229,8 @@ pub(crate) enum Expr {
     Param(ParamId),
     /// A load, in the values of forces and torques alone.
     Load(LoadId),
+    /// What an equation fixes.
+    Unknown(UnknownId),
     /// The part of a named expression that is not a multiple of link angles.
     Let(LetId),
     /// The slide of a link that slides.
@@ -228,6 +239,8 @@ pub(crate) enum Expr {
     Coordinate(PointId, Axis),
     /// The distance between two points.
     Distance([PointId; 2]),
+    /// The distance of a point from a guide's line, positive on the side of its normal.
+    Offset(PointId, GuideId),
     /// How far a spring between two bodies is turned from its free angle.
     Twist(SpringId),
     /// The rate of a sum of angles, or of any other number, in the values of forces and torques

@@ -11,6 +11,7 @@
 
 mod actions;
 mod assembly;
+mod class_three;
 mod coincidence;
 mod dimension;
 mod drivers;
@@ -20,6 +21,7 @@ mod dynamics_outputs;
 mod expressions;
 mod facts;
 mod fields;
+mod findings;
 mod folding;
 mod groups;
 mod guides;
@@ -38,9 +40,11 @@ mod readings;
 mod references;
 mod rotatability;
 mod settings;
+mod solves;
 mod springs;
 pub(crate) mod stand_in;
 pub(crate) mod units;
+mod unknowns;
 mod uses;
 
 #[cfg(test)]
@@ -53,6 +57,7 @@ use dynamics::Dynamics;
 use facts::Facts;
 use mechanism::{Mechanism, Numerics, References};
 use names::{Names, TooEarly};
+use unknowns::Searched;
 
 /// The mechanism that the declaration means; `None` if anything in it was reported.
 pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
@@ -69,13 +74,17 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         number_is_unknown: false,
         is_about_forces: false,
         gravity_at: None,
+        searched: None,
+        follows: false,
     };
     for (index, statement) in tree.statements.iter().enumerate() {
         resolver.names.go_to(index);
         resolver.moves = false;
         resolver.statement(statement);
+        resolver.note_what_follows(statement);
     }
     resolver.names.go_to(tree.statements.len());
+    resolver.every_unknown_is_solved(tree);
     resolver.outputs(tree);
     resolver.statements_are_in_order(tree);
     resolver.bare_lengths_are_of_a_machine();
@@ -84,6 +93,8 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     resolver.actions_have_an_effect(tree);
     resolver.mechanism.rotatabilities = rotatability::rotatabilities(&resolver.mechanism);
     resolver.cranks_can_turn();
+    resolver.ends_can_be_assembled();
+    resolver.forces_are_of_closed_forms(tree);
     let mechanism = resolver.mechanism;
     (diagnostics.count() == before).then_some(mechanism)
 }
@@ -109,6 +120,10 @@ struct Resolver<'d> {
     is_about_forces: bool,
     /// Where gravity is given.
     gravity_at: Option<proc_macro2::Span>,
+    /// The unknown between its `unknown` and its `solve`.
+    searched: Option<Searched>,
+    /// Whether the statement being resolved depends on it so far.
+    follows: bool,
 }
 
 impl Resolver<'_> {
@@ -120,6 +135,10 @@ impl Resolver<'_> {
                 self.param(docs, name, kind.as_ref(), default);
             }
             StatementKind::Let { name, value } => self.named_expression(name, value),
+            StatementKind::Unknown { name, kind, between } => {
+                self.unknown(docs, name, kind.as_ref(), between.as_ref());
+            }
+            StatementKind::Solve(solve) => self.solve(solve),
             StatementKind::Ground { points } => self.ground(docs, points),
             StatementKind::Guide { name, on, through, course } => {
                 self.guide_line(name, on.as_ref(), through, course);
@@ -146,6 +165,7 @@ fn empty(tree: &Declaration) -> Mechanism {
         name: tree.name.clone(),
         inputs: Vec::new(),
         params: Vec::new(),
+        unknowns: Vec::new(),
         lets: Vec::new(),
         points: Vec::new(),
         links: Vec::new(),

@@ -11,7 +11,9 @@ use proc_macro2::Ident;
 use crate::syntax::action::Action;
 use crate::syntax::tree::{Declaration, Statement, StatementKind};
 
-use super::mechanism::{GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId};
+use super::mechanism::{
+    GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
+};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -22,11 +24,12 @@ pub(super) enum Kind {
     Link,
     Guide,
     Load,
+    Unknown,
     Spring,
 }
 
 /// What may stand in an expression.
-pub(super) const NUMBERS: [Kind; 3] = [Kind::Input, Kind::Param, Kind::Let];
+pub(super) const NUMBERS: [Kind; 4] = [Kind::Input, Kind::Param, Kind::Let, Kind::Unknown];
 
 impl Kind {
     pub(super) fn word(self) -> &'static str {
@@ -38,18 +41,19 @@ impl Kind {
             Self::Link => "link",
             Self::Guide => "guide",
             Self::Load => "load",
+            Self::Unknown => "unknown",
             Self::Spring => "spring",
         }
     }
 
     /// The word with its article.
     pub(super) fn one(self) -> String {
-        let article = if self == Self::Input { "an" } else { "a" };
+        let article = if matches!(self, Self::Input | Self::Unknown) { "an" } else { "a" };
         format!("{article} {}", self.word())
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Entity {
     Input(InputId),
     Param(ParamId),
@@ -58,6 +62,7 @@ pub(super) enum Entity {
     Link(LinkId),
     Guide(GuideId),
     Load(LoadId),
+    Unknown(UnknownId),
     Spring(SpringId),
 }
 
@@ -137,6 +142,11 @@ impl Names {
             .and_then(|symbol| symbol.entity)
     }
 
+    /// What the statement in hand has made of the name.
+    pub(super) fn made(&self, name: &Ident) -> Option<Entity> {
+        self.symbol(name).and_then(|symbol| symbol.entity)
+    }
+
     /// All names of these kinds, in order of declaration.
     pub(super) fn of_kinds(&self, kinds: &[Kind]) -> impl Iterator<Item = &str> {
         self.symbols.iter().filter(|s| kinds.contains(&s.kind)).map(|s| s.name.as_str())
@@ -154,6 +164,7 @@ pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
         StatementKind::Input { names, .. } => names.iter().map(|n| (n, Kind::Input)).collect(),
         StatementKind::Param { name, .. } => vec![(name, Kind::Param)],
         StatementKind::Let { name, .. } => vec![(name, Kind::Let)],
+        StatementKind::Unknown { name, .. } => vec![(name, Kind::Unknown)],
         StatementKind::Ground { points } => points.iter().map(|p| (&p.0, Kind::Point)).collect(),
         StatementKind::Guide { name, .. } => vec![(name, Kind::Guide)],
         StatementKind::Point { name, .. } => vec![(name, Kind::Point)],
@@ -165,7 +176,8 @@ pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
         StatementKind::Action(Action::Spring { name, .. }) => {
             name.iter().map(|name| (name, Kind::Spring)).collect()
         }
-        StatementKind::Action(_)
+        StatementKind::Solve(_)
+        | StatementKind::Action(_)
         | StatementKind::Output { .. }
         | StatementKind::Numerics { .. }
         | StatementKind::Crate { .. }
@@ -179,6 +191,8 @@ pub(super) fn title(statement: &Statement, name: &str) -> String {
         StatementKind::Input { .. } => format!("input {name}"),
         StatementKind::Param { .. } => format!("param {name}"),
         StatementKind::Let { .. } => format!("let {name}"),
+        StatementKind::Unknown { .. } => format!("unknown {name}"),
+        StatementKind::Solve(solve) => format!("solve {}", solve.unknown),
         StatementKind::Ground { .. } => format!("ground {name}"),
         StatementKind::Guide { .. } => format!("guide {name}"),
         StatementKind::Point { .. } => format!("point {name}"),

@@ -107,21 +107,25 @@ impl Resolver<'_> {
 
     /// A point of the ground is fixed: its coordinates depend on no input.
     pub(super) fn depends_on_no_input(&mut self, expr: &tree::Expr, point: &Ident) -> Option<()> {
-        let span = self.first(expr, &|resolver, part| match &part.kind {
-            // A link's angle or slide is no constant, even where the link stands still.
-            ExprKind::Member(owner, _) if resolver.names.kind(owner) == Some(Kind::Link) => true,
-            ExprKind::Member(name, _) | ExprKind::Name(name) => {
-                resolver.names.entity(name).is_some_and(|entity| resolver.facts.moves(entity))
-            }
-            _ => false,
-        });
-        let Some(span) = span else {
+        let Some(span) = self.moving_part(expr) else {
             return Some(());
         };
         let message = "a ground point is fixed; it cannot depend on an input";
         let reason = format!("a point that is driven is declared `point {point} at (x, y);`");
         self.diagnostics.error_because(span, message, reason);
         None
+    }
+
+    /// The first part of the expression that depends on an input.
+    pub(super) fn moving_part(&self, expr: &tree::Expr) -> Option<Extent> {
+        self.first(expr, &|resolver, part| match &part.kind {
+            // A link's angle or slide is no constant, even where the link stands still.
+            ExprKind::Member(owner, _) if resolver.names.kind(owner) == Some(Kind::Link) => true,
+            ExprKind::Member(name, _) | ExprKind::Name(name) => {
+                resolver.names.entity(name).is_some_and(|entity| resolver.facts.moves(entity))
+            }
+            _ => false,
+        })
     }
 
     /// The span of the first part of the expression that answers yes.

@@ -10,11 +10,12 @@ use proc_macro2::Ident;
 use crate::syntax::tree::Declaration;
 
 use super::Resolver;
+use super::class_three;
 use super::names::{declared_by, listed, title};
 use super::references::names_used;
 
 /// Which statements each statement needs.
-struct Needs(Vec<BTreeSet<usize>>);
+pub(super) struct Needs(Vec<BTreeSet<usize>>);
 
 impl Needs {
     fn of(tree: &Declaration) -> Self {
@@ -46,9 +47,16 @@ impl Needs {
     }
 
     /// The statements that need this one and are needed by it, itself included.
-    fn circle(&self, statement: usize) -> BTreeSet<usize> {
+    pub(super) fn circle(&self, statement: usize) -> BTreeSet<usize> {
         let needed = self.closure(statement);
         needed.into_iter().filter(|&other| self.closure(other).contains(&statement)).collect()
+    }
+
+    /// The same where one statement needs these alone.
+    pub(super) fn with(&self, statement: usize, needed: BTreeSet<usize>) -> Self {
+        let mut all = self.0.clone();
+        all[statement] = needed;
+        Self(all)
     }
 
     /// The statements, each behind those of them that it needs, as little moved as can be.
@@ -63,6 +71,9 @@ impl Needs {
         ordered
     }
 }
+
+const TWO_UNKNOWNS: &str = "only drivers and dyads are solved in closed form; drive the chain at another \
+                            link, so that each dyad stands on what is known";
 
 impl Resolver<'_> {
     /// Reports names that are used too early: with an order that works, or as a circle of statements
@@ -87,9 +98,8 @@ impl Resolver<'_> {
                         "{} need each other: a group of class III or higher",
                         listed(&statements, "and")
                     ),
-                    "only drivers and dyads are solved in closed form; drive the chain at another \
-                     link, so that each dyad stands on what is known"
-                        .to_string(),
+                    class_three::instead(tree, &needs, &circles[index])
+                        .unwrap_or_else(|| TWO_UNKNOWNS.to_string()),
                 )
             }
             None => {

@@ -9,7 +9,7 @@ use crate::syntax::anatomy::Anatomy;
 use crate::syntax::tree::{Declaration, Expr, ExprKind, OutputItem, StatementKind};
 
 use super::Resolver;
-use super::mechanism::{LinkId, Output, OutputKind};
+use super::mechanism::{Expr as Resolved, LinkId, Output, OutputKind, UnknownId};
 use super::names::{Entity, Kind};
 
 const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
@@ -44,6 +44,11 @@ impl Resolver<'_> {
                     let point = &self.mechanism.points[id.index()];
                     let kind = OutputKind::Point(id);
                     Output { field: point.name.clone(), docs: point.docs.clone(), kind }
+                }
+                Entity::Unknown(id) => {
+                    let name = self.mechanism.unknowns[id.index()].name.clone();
+                    self.unknown_output(name.span(), &[], id);
+                    continue;
                 }
                 Entity::Link(id) => {
                     let link = &self.mechanism.links[id.index()];
@@ -104,7 +109,8 @@ impl Resolver<'_> {
         if self.output_of_the_whole(docs, name) || self.output_is_a_result(name).is_none() {
             return;
         }
-        match self.usable(name, &[Kind::Point, Kind::Link, Kind::Let]) {
+        match self.usable(name, &[Kind::Point, Kind::Link, Kind::Let, Kind::Unknown]) {
+            Some(Entity::Unknown(id)) => self.unknown_output(name.span(), docs, id),
             Some(Entity::Point(id)) => {
                 let point = &self.mechanism.points[id.index()];
                 let (field, own) = (point.name.clone(), point.docs.clone());
@@ -126,6 +132,14 @@ impl Resolver<'_> {
             }
             _ => {}
         }
+    }
+
+    /// What an equation fixes: a number with its rates, between its ends.
+    fn unknown_output(&mut self, at: Span, docs: &[Attribute], id: UnknownId) {
+        let unknown = &self.mechanism.unknowns[id.index()];
+        let (field, own) = (unknown.name.clone(), unknown.docs.clone());
+        let kind = OutputKind::Value { value: Resolved::Unknown(id), dimension: unknown.dimension };
+        self.give(at, field, &[docs, &own].concat(), kind);
     }
 
     /// What is given from outside or stands in the ground is no result.

@@ -8,7 +8,7 @@ use crate::syntax::tree;
 use super::Resolver;
 use super::dimension::Measure;
 use super::expressions::{Quantity, counted};
-use super::mechanism::{Axis, Carrier, Expr, LinkId, PointId, Step};
+use super::mechanism::{Axis, Carrier, Expr, GuideId, LinkId, PointId, Step};
 use super::names::Kind;
 use super::numbers::bare_name;
 
@@ -97,9 +97,70 @@ impl Resolver<'_> {
         Some(Quantity::plain(Measure::LENGTH, value))
     }
 
-    /// Whether the expression is the bare name of a point.
-    pub(super) fn is_a_point(&self, expr: &tree::Expr) -> bool {
-        bare_name(expr).is_some_and(|name| self.names.kind(name) == Some(Kind::Point))
+    /// `offset(P, guide)`: a number where both are fixed to one body.
+    pub(super) fn offset_from_guide(
+        &mut self,
+        name: &Ident,
+        arguments: &[tree::Expr],
+    ) -> Option<Quantity> {
+        let [point, line] = arguments else {
+            let given = counted(arguments.len());
+            let message = format!("`{name}` takes a point and a guide, and {given} given");
+            self.diagnostics.error(name.span(), message);
+            return None;
+        };
+        let (point, line) = (self.offset_of_a_point(point), self.offset_from_a_line(line));
+        let (point, guide) = (point?, line?);
+        let value = match self.facts.line_and_place(guide, point) {
+            Some((line, at)) => Expr::Constant(line.distance(at)),
+            None => Expr::Offset(point, guide),
+        };
+        Some(Quantity::plain(Measure::LENGTH, value))
+    }
+
+    fn offset_of_a_point(&mut self, argument: &tree::Expr) -> Option<PointId> {
+        match bare_name(argument) {
+            Some(name) if self.names.kind(name) == Some(Kind::Guide) => {
+                let message = format!("`{name}` is a guide; the point comes first");
+                let reason = "write `offset(P, guide)`: how far P lies on the left of the guide";
+                self.diagnostics.error_because(argument.span, message, reason);
+                None
+            }
+            Some(name) => self.point(name),
+            None => self.no_bare_name(argument, "an offset is that of a point; write its name"),
+        }
+    }
+
+    fn offset_from_a_line(&mut self, argument: &tree::Expr) -> Option<GuideId> {
+        match bare_name(argument) {
+            // What is wrong with the first argument was said there.
+            Some(name) if self.names.kind(name) == Some(Kind::Point) => {
+                let message =
+                    format!("`{name}` is a point, and an offset is measured from a guide");
+                let reason = "between two points there is `distance(P, Q)`";
+                self.diagnostics.error_because(argument.span, message, reason);
+                None
+            }
+            Some(name) => self.guide(name),
+            None => {
+                self.no_bare_name(argument, "an offset is measured from a guide; write its name")
+            }
+        }
+    }
+
+    /// Reports an argument that should be a name.
+    fn no_bare_name<T>(&mut self, argument: &tree::Expr, message: &str) -> Option<T> {
+        if !argument.is_mistake() {
+            let reason = "as in `offset(C, rail)`; points and guides are declared by themselves";
+            self.diagnostics.error_because(argument.span, message, reason);
+        }
+        None
+    }
+
+    /// Whether the expression is the bare name of a point or a guide.
+    pub(super) fn is_a_place(&self, expr: &tree::Expr) -> bool {
+        let is_place = |kind| matches!(kind, Some(Kind::Point | Kind::Guide));
+        bare_name(expr).is_some_and(|name| is_place(self.names.kind(name)))
     }
 
     /// An end of a distance is a point, by its name.

@@ -57,6 +57,7 @@ fn joints(statement: &Statement) -> Vec<&Ident> {
             on.iter().chain(through).chain(towards).collect()
         }
         StatementKind::Point { on, .. } => on.iter().collect(),
+        StatementKind::Solve(solve) => vec![&solve.unknown],
         StatementKind::Action(action) => action.names(),
         StatementKind::Group(group) => {
             group.legs.iter().filter_map(|leg| leg.joint.as_ref()).collect()
@@ -87,6 +88,10 @@ pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
             Place::Mistake => {}
         },
         StatementKind::Group(group) => group.values().for_each(f),
+        StatementKind::Unknown { between, .. } => between.iter().flatten().for_each(f),
+        StatementKind::Solve(solve) => {
+            solve.equation.iter().flatten().chain(&solve.near).for_each(f);
+        }
         StatementKind::Output { items } => items.iter().for_each(|item| f(&item.value)),
         StatementKind::Action(action) => action.expressions().into_iter().for_each(f),
         StatementKind::Input { .. }

@@ -68,6 +68,7 @@ impl StandIn {
             name: declaration.name.clone(),
             inputs: Vec::new(),
             params: Vec::new(),
+            unknowns: Vec::new(),
             lets: Vec::new(),
             points: Vec::new(),
             links: Vec::new(),
@@ -96,6 +97,13 @@ impl StandIn {
                 let turns = self.holds_angle(value);
                 self.things.entry(name.to_string()).or_insert(Thing::Value(turns));
             }
+            StatementKind::Unknown { name, .. } => {
+                let is_new = !self.things.contains_key(&name.to_string());
+                self.things.entry(name.to_string()).or_insert(Thing::Value(false));
+                if is_new {
+                    self.order.push(name.clone());
+                }
+            }
             StatementKind::Ground { points } => {
                 points.iter().for_each(|(name, _)| self.point(name, Fixed::Yes, Body::Ground));
             }
@@ -109,7 +117,9 @@ impl StandIn {
             StatementKind::Load { names, .. } => names.iter().for_each(|name| self.load(name)),
             StatementKind::Action(_) => {}
             StatementKind::Guide { name, .. } => self.guides.push(name.clone()),
-            StatementKind::Output { .. } | StatementKind::Numerics { .. } => {}
+            StatementKind::Solve(_)
+            | StatementKind::Output { .. }
+            | StatementKind::Numerics { .. } => {}
         }
     }
 

@@ -78,6 +78,7 @@ impl Resolver<'_> {
         }
         let entity = symbol.entity?;
         self.moves |= self.facts.moves(entity);
+        self.follows |= self.searched.as_ref().is_some_and(|searched| searched.reaches(entity));
         Some(entity)
     }
 
@@ -132,7 +133,9 @@ impl Resolver<'_> {
 
 /// "input, parameter or `let`"
 fn words(kinds: &[Kind]) -> String {
-    let words: Vec<_> = kinds.iter().map(|kind| kind.word()).collect();
+    // What is searched is not among what is usually meant.
+    let usual = kinds.iter().filter(|&&kind| kind != Kind::Unknown || kinds.len() == 1);
+    let words: Vec<_> = usual.map(|kind| kind.word()).collect();
     listed(&words, "or")
 }
 

@@ -23,11 +23,14 @@ fn holds(check: &Check, value: &Exact) -> bool {
     match check {
         Check::Nonzero => value.signum() != Ordering::Equal,
         Check::NotNegative(_) => value.signum() != Ordering::Less,
+        // What moves with nothing is no equation's business.
+        Check::Closed => false,
         Check::Positive(_)
         | Check::ReachCircles
         | Check::ReachDistances
         | Check::ReachLine
-        | Check::ReachOffset => value.signum() == Ordering::Greater,
+        | Check::ReachOffset
+        | Check::Moving => value.signum() == Ordering::Greater,
         // A constant is not rounded before it is known.
         Check::ShareOfCentres => true,
         // Far inside the range of squares that both f32 and f64 hold with full precision.
@@ -70,7 +73,11 @@ fn evaluate(graph: &Graph, node: Node) -> Option<Exact> {
         | Node::InputSin(_)
         | Node::Param(_)
         | Node::Load(_)
+        | Node::Drive(_)
         | Node::Mode(_)
-        | Node::Guard(..) => None,
+        | Node::Guard(..)
+        | Node::Trial(_)
+        | Node::Root(_)
+        | Node::Size(_) => None,
     }
 }

@@ -181,6 +181,9 @@ impl Parser<'_> {
         if let Some(parsed) = self.plain_statement(&keyword) {
             return parsed;
         }
+        if word == "solve" {
+            return self.solve().map(StatementKind::Solve);
+        }
         if self.is_group_keyword(&word) {
             return Ok(StatementKind::Group(self.group(keyword)));
         }

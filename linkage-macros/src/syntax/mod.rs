@@ -5,6 +5,8 @@
 //! statement    `input` NAME,* `:` KIND `;`
 //!            | `param` NAME (`:` KIND)? `=` expression `;`
 //!            | `let` NAME `=` expression `;`
+//!            | `unknown` NAME `:` KIND `between` pair `;`
+//!            | `solve` NAME `{` expression `=` expression `,` (FIELD `:` expression),* `}`
 //!            | `ground` (NAME pair),* `;`
 //!            | `guide` NAME (`on` LINK)? `through` (pair | POINT)
 //!                                        (`along` expression | `towards` POINT) `;`
@@ -37,6 +39,7 @@ mod group;
 mod literal;
 mod recovery;
 mod slips;
+mod solve;
 mod statement;
 mod tokens;
 pub(crate) mod tree;

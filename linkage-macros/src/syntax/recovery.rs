@@ -116,6 +116,8 @@ impl Parser<'_> {
                 named && [':', ',', '='].iter().any(|&sign| self.is_punct(2, sign))
             }
             "let" | "output" | "numerics" | "export" | "spring" => named,
+            "unknown" => named && self.is_punct(2, ':'),
+            "solve" => named && self.is_group(2, Delimiter::Brace),
             "gravity" => self.is_group(1, Delimiter::Parenthesis),
             "load" => named && [':', ','].iter().any(|&sign| self.is_punct(2, sign)),
             // `inertia` also stands inside a mass, and a load is of a kind `force`.

@@ -19,6 +19,7 @@ impl Parser<'_> {
             "input" => self.input(),
             "param" => self.param(),
             "let" => self.named_value(),
+            "unknown" => self.unknown(),
             "ground" => self.ground(),
             "guide" => self.guide(),
             "point" => self.point(),

@@ -49,6 +49,10 @@ pub(crate) enum StatementKind {
     Input { names: Vec<Ident>, kind: Option<Ident> },
     /// `param l = 632mm;` or `param elbow: mode = left;`; `kind` is the word after the colon.
     Param { name: Ident, kind: Option<Ident>, default: Expr },
+    /// `unknown theta: angle between (10deg, 170deg);`; without a kind or ends only after a mistake.
+    Unknown { name: Ident, kind: Option<Ident>, between: Option<[Expr; 2]> },
+    /// `solve theta { ram.slide = x, mode: falling, near: seed }`
+    Solve(Solve),
     /// `let half = l / 2;`
     Let { name: Ident, value: Expr },
     /// `ground A(0, 0), D(…);`
@@ -86,6 +90,19 @@ pub(crate) struct Group {
     pub head_is_read: bool,
     /// The same for the names of its fields.
     pub fields_are_read: bool,
+}
+
+/// `solve theta { ram.slide = x, mode: falling, near: seed }`.
+pub(crate) struct Solve {
+    pub unknown: Ident,
+    /// The two sides; `None` only after a mistake.
+    pub equation: Option<[Expr; 2]>,
+    pub mode: Option<Ident>,
+    pub near: Option<Expr>,
+    /// The closing brace, where a missing mode is reported.
+    pub end: Span,
+    /// Whether all of it was read: after a mistake nothing is missing.
+    pub is_read: bool,
 }
 
 impl Group {

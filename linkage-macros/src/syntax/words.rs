@@ -1,9 +1,9 @@
 //! The words of the language: which begin a statement, and which cannot be chosen as names.
 
 /// Words that begin a statement without braces.
-pub(super) const STATEMENTS: [&str; 17] = [
+pub(super) const STATEMENTS: [&str; 19] = [
     "input", "param", "let", "ground", "guide", "point", "output", "numerics", "crate", "export",
-    "gravity", "load", "mass", "inertia", "force", "torque", "spring",
+    "gravity", "load", "mass", "inertia", "force", "torque", "spring", "unknown", "solve",
 ];
 
 /// Words that begin a statement with braces: drivers, then Assur groups.

@@ -24,4 +24,5 @@ pub mod single_groups;
 pub mod slides;
 pub mod stacked_sliders;
 pub mod statuses;
+pub mod unknowns;
 pub mod variable_dimensions;

@@ -68,6 +68,15 @@ fn a_single_pose_is_smaller_still() {
     }
 }
 
+#[test]
+fn every_mechanism_of_the_examples_is_shown() {
+    let mut shown: Vec<&str> = pieces().iter().map(|piece| piece.name).collect();
+    let mut declared = gallery::declarations::NAMES.to_vec();
+    shown.sort_unstable();
+    declared.sort_unstable();
+    assert_eq!(shown, declared);
+}
+
 /// Every point and link is in the picture, output or not.
 #[test]
 fn everything_declared_is_drawn() {

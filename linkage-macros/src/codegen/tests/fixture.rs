@@ -52,6 +52,7 @@ pub(super) fn mechanism(name: &str, inputs: Vec<Input>, outputs: Vec<Output>) ->
         name: ident(name),
         inputs,
         params: Vec::new(),
+        unknowns: Vec::new(),
         lets: Vec::new(),
         points: Vec::new(),
         links: Vec::new(),
@@ -82,6 +83,7 @@ pub(super) fn one_value(build: impl FnOnce(&mut Graph) -> Id) -> (Mechanism, Pro
             graph,
             answers,
             clearances: Vec::new(),
+            closures: Vec::new(),
             groups: vec!["BC, DC".to_string(), "E".to_string()],
         },
     )
@@ -149,6 +151,7 @@ fn four_bar_program() -> Program {
         graph,
         answers,
         clearances: Vec::new(),
+        closures: Vec::new(),
         groups: vec!["AB".to_string(), "BC, DC".to_string()],
     }
 }
@@ -297,5 +300,14 @@ pub(super) fn table() -> (Mechanism, Program) {
             sinks: vec![zero, way, zero, x, one, zero, zero, one, s, zero],
         },
     ];
-    (table, Program { graph: g, answers, clearances: Vec::new(), groups: Vec::new() })
+    (
+        table,
+        Program {
+            graph: g,
+            answers,
+            clearances: Vec::new(),
+            closures: Vec::new(),
+            groups: Vec::new(),
+        },
+    )
 }

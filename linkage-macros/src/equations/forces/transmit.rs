@@ -9,7 +9,7 @@
 use crate::equations::forces::Walk;
 use crate::equations::symbol::{Sym, Vector};
 use crate::model::mechanism::{
-    AngleSum, Axis, Carrier, Expr, Function, Operator, Placement, PointId,
+    AngleSum, Axis, Carrier, Expr, Function, GuideId, Operator, Placement, PointId,
 };
 
 impl<'s> Walk<'_, 's> {
@@ -50,11 +50,23 @@ impl<'s> Walk<'_, 's> {
                 self.push(*p, force);
                 self.push(*q, -force);
             }
+            Expr::Offset(point, guide) => self.press(*point, *guide, effort),
+            Expr::Unknown(_) => unreachable!("beside an unknown the model allows no forces"),
             Expr::Twist(_) | Expr::Rate(_) => unreachable!("neither is part of a dimension"),
             Expr::Negate(value) => self.transmit(value, -effort),
             Expr::Chain(first, rest) => self.transmit_chain(first, rest, effort),
             Expr::Call(function, arguments) => self.transmit_call(*function, arguments, effort),
         }
+    }
+
+    /// The offset (P − K)·n of a point from a guide, driven with an effort: the point is pushed back
+    /// along n, and what carries the guide forth at the same place.
+    fn press(&mut self, point: PointId, guide: GuideId, effort: Sym<'s>) {
+        let frame = self.kinematics.guide(guide);
+        let arm = frame.origin.to(self.kinematics.point(point));
+        let force = effort * frame.direction.n();
+        self.push(point, -force);
+        self.push_guide(guide, force, arm.cross(force));
     }
 
     /// One operation after the other, from the last back to the first.

@@ -264,6 +264,13 @@ impl<'k, 's> Walk<'k, 's> {
         sum.moment = sum.moment - (arm + reaction.couple);
     }
 
+    /// A force and a moment about its origin, on a guide and so on what carries it.
+    pub(super) fn push_guide(&mut self, guide: GuideId, force: Vector<'s>, moment: Sym<'s>) {
+        let sum = &mut self.guides[guide.index()];
+        sum.force = sum.force + force;
+        sum.moment = sum.moment + moment;
+    }
+
     /// What acts on the links of a group, with what is transmitted to those that slide on guides
     /// of other bodies.
     fn acting<const N: usize>(&self, links: [LinkId; N]) -> [Acting<'s>; N] {

@@ -203,6 +203,16 @@ pub(crate) const VARIANTS: &[Variant] = &[
         inputs: ONE,
     },
     Variant {
+        name: "dimensions of offsets from guides",
+        source: moving!(
+            "guide line through (0.1, 0.2) along 25deg - 0.4 * q; point X on EF at (0.11, 0.2);"
+            "crank turned(O) -> H { length: 0.5 + offset(F, way), angle: offset(B, tilt) / 1m }"
+            "point Y at (offset(X, line), 0.3 - offset(P, line) / 2);"
+            "output H, Y, gap = offset(H, way) - offset(X, tilt), fixed = offset(P, way);"
+        ),
+        inputs: ONE,
+    },
+    Variant {
         name: "margins and transmission",
         source: moving!("rrr PX(P), FX(F) -> X { lengths: (0.7, 0.9), mode: left }"
             "rrp FC(F), block(way) -> C { length: 1.3, offset: 0.1, mode: ahead }"
@@ -223,5 +233,73 @@ pub(crate) const VARIANTS: &[Variant] = &[
         source: fixed!("point S at (1m * sin(2 * q), 1m * cos(q) * sin(q));"
             "point T at (1m * tan(q / 2), 1m * sqrt(1 + q)); slider z(post) { slide: s * q / (1 + s / 1m) }"),
         inputs: TWO,
+    },
+];
+
+/// Machines with an unknown, which have no forces: each group between the unknown and its equation,
+/// every form of equation, several unknowns.
+pub(crate) const UNKNOWNS: &[Variant] = &[
+    Variant {
+        name: "the angle that puts a slide where it is wanted",
+        source: concat!(
+            "pub struct M { input x: length; param seed: near = 60deg; param e = 0.03;",
+            "unknown theta: angle between (10deg, 150deg); ground A(0, 0);",
+            "guide rail through (0, e) along 0deg; crank AB(A) -> B { length: 80mm, angle: theta }",
+            "rrp BC(B), ram(rail) -> C { length: 250mm, mode: ahead }",
+            "solve theta { ram.slide = x, mode: falling, near: seed }",
+            "output theta, AB, B, BC, ram, twice = 2 * theta; }"
+        ),
+        inputs: &[[0.27, 0.6, -1.1]],
+    },
+    Variant {
+        name: "a suspension by the wheel's travel",
+        source: concat!(
+            "pub struct M { input z: length; unknown theta: angle between (-25deg, 25deg);",
+            "ground A(0, 0.2), D(0.05, 0.45); crank lower(A) -> B { length: 0.38, angle: theta }",
+            "rrr kingpin(B), upper(D) -> C { lengths: (0.25, 0.28), mode: right }",
+            "point W on kingpin at (0.12, -0.06); solve theta { W.y = z, mode: rising } }"
+        ),
+        inputs: &[[0.36, 0.7, 2.3]],
+    },
+    Variant {
+        name: "a triad between a driven point and the ground",
+        source: concat!(
+            "pub struct M { input x, y: length; ground A1(0, 0), A2(2.6, 0.1); param reach = 1.1;",
+            "unknown phi: angle between (35deg, 70deg); point P at (x, y);",
+            "crank leg1(A1) -> C1 { length: 1.6, angle: phi }",
+            "rrr plate(P), bar(C1) -> C2 { lengths: (0.9, 0.7), mode: left }",
+            "point C3 on plate at (0.6, 0.25);",
+            "solve phi { reach + 0.02 * y = distance(A2, C3), mode: falling, near: 0.9 } }"
+        ),
+        inputs: &[[1.9, 0.7, -0.4], [1.4, -0.3, 0.8]],
+    },
+    Variant {
+        name: "a crank's angle for a rocker's, its equation one of angles",
+        source: concat!(
+            "pub struct M { input psi: angle; unknown theta: angle between (20deg, 130deg);",
+            "ground A(0, 0), D(0.6657, 0); crank AB(A) -> B { length: 80mm, angle: theta }",
+            "rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: right }",
+            "solve theta { DC.angle = psi - 2 * AB.angle, mode: rising, near: 1.3 }",
+            "crank follower(D) -> F { length: 0.1, angle: 3 * theta }",
+            "output theta, C, F, DC, BC; }"
+        ),
+        inputs: &[[0.55, 0.8, -0.5]],
+    },
+    Variant {
+        name: "two unknowns, the second behind the first",
+        source: concat!(
+            "pub struct M { input q: angle; input x: length; param lag: angle = 2deg;",
+            "ground D(0.1, 0.6); guide rail through (0.2, -0.1) along 20deg;",
+            "guide post through (1.2, 0) along 80deg + 0.1 * q; unknown s: length between (0.1, 0.7);",
+            "slider ram(rail) -> P { slide: s } rpr block(P), bar(D) { offset: 50mm, mode: ahead }",
+            "solve s { bar.angle = q - lag, mode: rising, near: 0.35 }",
+            "guide slot on bar through (0.9, 0.1) along 70deg; ground O(0.9, 0.8);",
+            "unknown phi: angle between (-40deg, 10deg);",
+            "crank OE(O) -> E { length: 0.3, angle: phi, relative_to: bar }",
+            "prp first(slot), second(post) -> R { offsets: (0.02, 0.1m * phi) }",
+            "rpp pinned(E), yoke(post) { slot: 50deg, offsets: (0.03 + s / 10, -0.02) }",
+            "solve phi { offset(E, post) + yoke.slide / 3 = x, mode: falling, near: -15deg } }"
+        ),
+        inputs: &[[-0.98, 0.5, 0.3], [0.4, 0.1, -0.05]],
     },
 ];

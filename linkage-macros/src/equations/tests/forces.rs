@@ -13,7 +13,7 @@ use crate::ir::graph::Id;
 use crate::ir::interpret::{Given, Number, interpret};
 use crate::ir::program::{Answer, Program};
 use crate::model::dynamics::{Asked, Effort, Owner};
-use crate::model::mechanism::{Expr, InputId, Link, Mechanism, PointId};
+use crate::model::mechanism::{Expr, GuideId, InputId, Link, Mechanism, PointId};
 use crate::oracle::{Digits, defaults, mechanism};
 use crate::passes;
 use topologies::random_mechanism;
@@ -166,6 +166,8 @@ fn leaves_of(mechanism: &Mechanism, leaves: &mut Vec<Expr>) {
     for &p in &points {
         leaves.extend([Axis::X, Axis::Y].map(|axis| Expr::Coordinate(p, axis)));
         leaves.extend(points.iter().filter(|&&q| q != p).map(|&q| Expr::Distance([p, q])));
+        let guides = (0..mechanism.guides.len() as u32).map(GuideId);
+        leaves.extend(guides.map(|guide| Expr::Offset(p, guide)));
     }
 }
 
@@ -208,11 +210,12 @@ fn compare(
     let nodes = nodes(&Kinematics::of(&sheet, &mechanism, jets(&mechanism, &sheet, inputs_rest)));
     let (graph, groups) = (sheet.into_graph(), Vec::new());
     let answers = vec![Answer { entry: "forces", sinks: Vec::new() }];
-    let program = Program { graph, answers, clearances: Vec::new(), groups };
+    let program = Program { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups };
     let given = Given {
         inputs: inputs.iter().map(|q| q.map(Digits::float)).collect(),
         params: defaults(&mechanism),
         loads: vec![Digits::float(1.75); mechanism.dynamics.loads.len()],
+        drives: vec![Digits::float(0.65); mechanism.inputs.len()],
         unit: None,
     };
     let values = interpret(&program, &given);

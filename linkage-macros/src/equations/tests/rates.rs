@@ -1,6 +1,6 @@
 //! Velocity and acceleration against differences of the position along q(t).
 
-use crate::equations::tests::declarations::VARIANTS;
+use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 use crate::interface::quantity::{Order, Quantity};
 use crate::ir::interpret::{Given, Number};
 use crate::model::mechanism::Mechanism;
@@ -30,7 +30,7 @@ fn rates_of(mechanism: &Mechanism, position: &[Digits], derivative: &[Digits]) -
 
 #[test]
 fn velocities_and_accelerations_are_derivatives_of_the_position() {
-    for variant in VARIANTS {
+    for variant in VARIANTS.iter().chain(UNKNOWNS) {
         let mechanism = mechanism(variant.source);
         let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
         let given = |t: &Digits| Given {
@@ -46,6 +46,7 @@ fn velocities_and_accelerations_are_derivatives_of_the_position() {
                 .collect(),
             params: defaults(&mechanism),
             loads: Vec::new(),
+            drives: Vec::new(),
             unit: None,
         };
         let now = given(&Digits::float(0.0));
@@ -73,7 +74,7 @@ fn velocities_and_accelerations_are_derivatives_of_the_position() {
 
 #[test]
 fn coefficients_are_the_velocities_at_unit_rates() {
-    for variant in VARIANTS {
+    for variant in VARIANTS.iter().chain(UNKNOWNS) {
         let mechanism = mechanism(variant.source);
         let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
         let given = |rates: &[f64]| Given {
@@ -85,6 +86,7 @@ fn coefficients_are_the_velocities_at_unit_rates() {
                 .collect(),
             params: defaults(&mechanism),
             loads: Vec::new(),
+            drives: Vec::new(),
             unit: None,
         };
         let count = variant.inputs.len();

@@ -158,8 +158,8 @@ fn a_function_is_known_and_has_its_arguments() {
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: sine(t) }",
             "sine: no function named `sine`; a function with a similar name exists: `sin` / the \
-             functions are `sqrt hypot sin cos tan asin acos atan atan2 distance`, and `rate` in the \
-             values of forces and torques",
+             functions are `sqrt hypot sin cos tan asin acos atan atan2 distance offset`, and \
+             `rate` in the values of forces and torques",
         ),
         (
             CRANK,

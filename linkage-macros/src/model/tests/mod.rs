@@ -15,6 +15,7 @@ mod slips;
 mod springs;
 mod text;
 mod together;
+mod unknowns;
 
 use super::mechanism::Mechanism;
 use super::resolve;

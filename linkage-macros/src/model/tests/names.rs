@@ -286,3 +286,44 @@ fn an_order_that_works_is_told_or_the_circle() {
         ),
     ]);
 }
+
+/// What the message of a circle says to write is a mechanism; where no single unknown opens the
+/// circle, it says so.
+#[test]
+fn a_group_of_class_three_is_told_what_to_write() {
+    const LEGS: &str = "input t: angle; ground A1(0, 0), A2(2.6m, 0.1m), O(2m, 1.5m); param reach = 1.1m; \
+                        crank drive(O) -> A3 { length: 0.15m, angle: t }";
+    check(&[
+        (
+            LEGS,
+            "rrr leg1(A1), s12(C2) -> C1 { lengths: (1.6m, reach), mode: left } \
+             rrr leg2(A2), s23(C3) -> C2 { lengths: (0.9m, 0.7m), mode: left } \
+             rrr leg3(A3), s31(C1) -> C3 { lengths: (0.8m, 0.6m), mode: left }",
+            "C2: `rrr leg1, s12`, `rrr leg2, s23` and `rrr leg3, s31` need each other: a group of \
+             class III or higher / write `unknown phi: angle between (…, …);`, `crank leg1(A1) -> C1 \
+             { length: 1.6m, angle: phi }` for `rrr leg1, s12`, and last `solve phi { distance(C1, \
+             C2) = reach, mode: rising }`",
+        ),
+        // As it says, each dyad behind what it stands on.
+        (
+            LEGS,
+            "unknown phi: angle between (45deg, 66deg); \
+             crank leg1(A1) -> C1 { length: 1.6m, angle: phi } \
+             rrr leg3(A3), s31(C1) -> C3 { lengths: (0.8m, 0.6m), mode: left } \
+             rrr leg2(A2), s23(C3) -> C2 { lengths: (0.9m, 0.7m), mode: left } \
+             solve phi { distance(C1, C2) = reach, mode: rising }",
+            "",
+        ),
+        // A body stands on the bar that would be left over, and so on the other two.
+        (
+            LEGS,
+            "rrr leg1(A1), s12(C2) -> C1 { lengths: (1.6m, reach), mode: left } \
+             rrr leg2(A2), s23(C3) -> C2 { lengths: (0.9m, 0.7m), mode: left } \
+             rrr leg3(A3), s31(C1) -> C3 { lengths: (0.8m, 0.6m), mode: left } \
+             point p on s12 at (1m, 0); point q on s23 at (1m, 0); point r on s31 at (1m, 0);",
+            "C2: `rrr leg1, s12`, `rrr leg2, s23` and `rrr leg3, s31` need each other: a group of \
+             class III or higher / only drivers and dyads are solved in closed form; drive the chain \
+             at another link, so that each dyad stands on what is known",
+        ),
+    ]);
+}

@@ -85,6 +85,10 @@ impl Names<'_> {
             Expr::Twist(id) => format!("twist {}", id.index()),
             Expr::Rate(turn) => format!("rate({})", self.turn(turn)),
             Expr::Distance([p, q]) => format!("distance({}, {})", self.point(*p), self.point(*q)),
+            Expr::Offset(point, guide) => {
+                format!("offset({}, {})", self.point(*point), self.guide(*guide))
+            }
+            Expr::Unknown(id) => self.0.unknowns[id.index()].name.to_string(),
             Expr::Negate(value) => format!("(-{})", self.expr(value)),
             Expr::Chain(first, rest) => {
                 rest.iter().fold(self.expr(first), |left, (operator, right)| {

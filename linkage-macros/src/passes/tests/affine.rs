@@ -27,6 +27,7 @@ fn square(x: &str, y: &str, length: &str, and: impl FnOnce(&mut Graph, [Id; 2]) 
         graph: g,
         answers,
         clearances: Vec::new(),
+        closures: Vec::new(),
         groups: Vec::new(),
     }))
 }
@@ -101,7 +102,13 @@ fn what_moves_on_no_circle_stays_a_sum_of_squares() {
     let squares = [x, aside].map(|part| g.push(Node::Mul(part, part)));
     let sink = sum(&mut g, squares);
     let answers = vec![Answer { entry: "position", sinks: vec![sink] }];
-    let program = Program { graph: g, answers, clearances: Vec::new(), groups: Vec::new() };
+    let program = Program {
+        graph: g,
+        answers,
+        clearances: Vec::new(),
+        closures: Vec::new(),
+        groups: Vec::new(),
+    };
     let kept = text(&square_distances(&program));
     // 9² + 1² + 1 would be the constant of a circle.
     assert!(!starts_at(&kept, "83"), "{kept}");

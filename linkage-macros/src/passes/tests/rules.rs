@@ -12,7 +12,13 @@ fn program(build: impl FnOnce(&mut Graph) -> Id) -> Program {
     let mut graph = Graph::new();
     let sink = build(&mut graph);
     let answers = vec![Answer { entry: "position", sinks: vec![sink] }];
-    Program { graph, answers, clearances: Vec::new(), groups: vec!["AB".into()] }
+    Program {
+        graph,
+        answers,
+        clearances: Vec::new(),
+        closures: Vec::new(),
+        groups: vec!["AB".into()],
+    }
 }
 
 fn x(graph: &mut Graph) -> Id {

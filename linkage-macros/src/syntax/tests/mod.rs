@@ -4,6 +4,7 @@ mod actions;
 mod expression_mistakes;
 mod group_mistakes;
 mod recovery;
+mod solve;
 mod statement_mistakes;
 mod trees;
 
@@ -123,6 +124,18 @@ fn kind(kind: &StatementKind) -> String {
             format!("load {}: {kind}", list(names))
         }
         StatementKind::Action(action) => self::action(action),
+        StatementKind::Unknown { name, kind, between } => {
+            let kind = kind.as_ref().map_or("?".to_string(), ToString::to_string);
+            let between = between.as_ref().map_or("?".to_string(), pair);
+            format!("unknown {name}: {kind} between {between}")
+        }
+        StatementKind::Solve(Solve { unknown, equation, mode, near, .. }) => {
+            let sides = |[left, right]: &[Expr; 2]| format!("{} = {}", expr(left), expr(right));
+            let equation = equation.as_ref().map_or("?".to_string(), sides);
+            let mode = mode.as_ref().map_or("?".to_string(), ToString::to_string);
+            let near = near.as_ref().map(|near| format!(", near: {}", expr(near)));
+            format!("solve {unknown} {{ {equation}, mode: {mode}{} }}", near.unwrap_or_default())
+        }
     }
 }
 

@@ -9,7 +9,7 @@
 mod sweep;
 mod textbook;
 
-use charts::{BLACK, COLOURS, Curve, Panel};
+use charts::{Curve, Panel};
 use linkage_tests::hard_table;
 use sweep::{Series, Sweep};
 
@@ -69,16 +69,15 @@ fn print_sweep(sweep: &Sweep) {
 }
 
 fn panel(sweep: &Sweep, order: usize) -> Panel {
-    let curve = |(index, series): (usize, &Series)| {
-        let colour = if index == 0 { BLACK } else { COLOURS[(index - 1) % COLOURS.len()] };
+    let curve = |series: &Series| {
         let points = sweep::EXPONENTS.zip(&series.errors[order]);
         // An error of nothing, and one that is no number, have no place on a logarithmic axis.
         let points = points.filter(|(_, error)| error.is_finite());
         let points =
             points.map(|(exponent, error)| (-f64::from(exponent), error.max(1e-24).log10()));
-        Curve::named(series.name, colour, points.collect())
+        Curve::named(series.name, charts::colour_of(series.name), points.collect())
     };
     let axes = ["log10 of the distance", "log10 of the error"];
     let title = format!("{}, {}", sweep.title, sweep.measures[order]);
-    Panel::over(&title, axes, sweep.series.iter().enumerate().map(curve).collect())
+    Panel::over(&title, axes, sweep.series.iter().map(curve).collect())
 }

@@ -14,30 +14,28 @@ pub(crate) struct Measured {
     pub(crate) findings: Vec<Finding>,
 }
 
-/// The methods' families with colour and shape; every Newton is one, whatever its steps.
-const FAMILIES: [(&str, &str, MarkerShape); 8] = [
-    ("generated", "#d55e00", MarkerShape::Circle),
-    ("generated, compensated", "#222222", MarkerShape::Circle),
-    ("generated, sweep", "#f0b28c", MarkerShape::Circle),
-    ("straightforward", "#0072b2", MarkerShape::Square),
-    ("tuned by hand", "#56b4e9", MarkerShape::Diamond),
-    ("half angles", "#009e73", MarkerShape::Triangle),
-    ("Newton", "#cc79a7", MarkerShape::Cross),
-    ("num-dual", "#e69f00", MarkerShape::TriangleDown),
+/// The methods' families with their shapes; every Newton is one, whatever its steps.
+const FAMILIES: [(&str, MarkerShape); 8] = [
+    ("generated", MarkerShape::Circle),
+    ("generated, compensated", MarkerShape::Circle),
+    ("generated, sweep", MarkerShape::Circle),
+    ("straightforward", MarkerShape::Square),
+    ("tuned by hand", MarkerShape::Diamond),
+    ("half angles", MarkerShape::Triangle),
+    ("Newton", MarkerShape::Cross),
+    ("num-dual", MarkerShape::TriangleDown),
 ];
 
-/// Writes `target/charts/work_precision.svg` and says so. The axes are linear in the logarithms.
+/// Writes `target/charts/work_precision.svg` and says so: a panel a mechanism and width, since what
+/// differs within one would be lost between two widths. Errors are in units of the width's ε.
 pub(crate) fn write(measured: &[Measured]) {
-    let mut mechanisms: Vec<&str> = measured.iter().map(|m| m.mechanism).collect();
-    mechanisms.dedup();
-    mechanisms.truncate(measured.len() / 2);
-    let panels = mechanisms.iter().map(|name| panel(name, measured));
-    let (plots, layouts): (Vec<_>, Vec<_>) = panels.unzip();
-    let scene = Figure::new(2, 2)
-        .with_title("Speed against error: lower left is better; above, f32, below, f64")
+    let (plots, layouts): (Vec<_>, Vec<_>) = measured.iter().map(panel).unzip();
+    let columns = measured.len().div_ceil(2);
+    let scene = Figure::new(2, columns)
+        .with_title("Speed against error: lower left is better")
         .with_plots(plots)
         .with_layouts(layouts)
-        .with_cell_size(620.0, 420.0)
+        .with_cell_size(440.0, 380.0)
         .with_shared_legend_bottom()
         .render();
     let path: PathBuf = ["target", "charts", "work_precision.svg"].iter().collect();
@@ -49,29 +47,28 @@ pub(crate) fn write(measured: &[Measured]) {
     }
 }
 
-fn panel(mechanism: &str, measured: &[Measured]) -> (Vec<Plot>, Layout) {
+fn panel(measured: &Measured) -> (Vec<Plot>, Layout) {
     let plots: Vec<Plot> = FAMILIES
         .into_iter()
-        .map(|(family, colour, shape)| {
-            let points: Vec<_> = measured
-                .iter()
-                .filter(|of| of.mechanism == mechanism)
-                .flat_map(|of| of.findings.iter().filter_map(|f| point(f, family, of.epsilon)))
-                .collect();
-            let plot = ScatterPlot::new().with_data(points).with_color(colour).with_legend(family);
-            plot.with_marker(shape).with_size(5.0).into()
+        .map(|(family, shape)| {
+            let points: Vec<_> =
+                measured.findings.iter().filter_map(|finding| point(finding, family)).collect();
+            let plot = ScatterPlot::new().with_data(points).with_color(charts::colour_of(family));
+            plot.with_legend(family).with_marker(shape).with_size(6.0).into()
         })
         .collect();
+    let width = if measured.epsilon < 1e-10 { "f64" } else { "f32" };
     let layout = Layout::auto_from_plots(&plots)
-        .with_title(mechanism)
-        .with_x_label("log₁₀ of nanoseconds per pose")
-        .with_y_label("log₁₀ of the relative error of acceleration");
+        .with_title(format!("{}, {width}", measured.mechanism))
+        .with_x_label("log₁₀ of ns per pose")
+        .with_y_label("log₁₀ of the acceleration's error in ε");
     (plots, layout)
 }
 
-fn point(finding: &Finding, family: &str, epsilon: f64) -> Option<(f64, f64)> {
+/// Time, and the largest error of an acceleration: what half an ε would be is a logarithm of −0.3.
+fn point(finding: &Finding, family: &str) -> Option<(f64, f64)> {
     let [_, _, acceleration] = finding.errors?;
-    let point = (finding.throughput.nanoseconds.log10(), (acceleration * epsilon).log10());
+    let point = (finding.throughput.nanoseconds.log10(), acceleration.log10());
     let rest = finding.name.strip_prefix(family)?;
     let is_member = rest.is_empty() || rest.starts_with(", steps");
     (is_member && point.1.is_finite()).then_some(point)

@@ -8,7 +8,7 @@ use crate::oracle::Digits;
 /// What an expression reads of earlier links.
 pub(super) fn readings(mechanism: &Mechanism, expr: &Expr, leaves: &mut Vec<Expr>) {
     match expr {
-        Expr::Slide(_) | Expr::Coordinate(..) | Expr::Distance(_) => {
+        Expr::Slide(_) | Expr::Coordinate(..) | Expr::Distance(_) | Expr::Offset(..) => {
             if !leaves.iter().any(|known| same(known, expr)) {
                 leaves.push(expr.clone());
             }
@@ -22,7 +22,7 @@ pub(super) fn readings(mechanism: &Mechanism, expr: &Expr, leaves: &mut Vec<Expr
         Expr::Call(_, arguments) => {
             arguments.iter().for_each(|argument| readings(mechanism, argument, leaves));
         }
-        Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => {}
+        Expr::Constant(_) | Expr::Input(_) | Expr::Unknown(_) | Expr::Param(_) | Expr::Load(_) => {}
         Expr::Twist(_) | Expr::Rate(_) => unreachable!("neither is part of a dimension"),
     }
 }

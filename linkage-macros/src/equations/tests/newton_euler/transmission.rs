@@ -2,7 +2,7 @@
 
 use super::matrix::{Column, Matrix};
 use super::readings::{readings, slope};
-use super::{Pair, Part, negative, part_of, whole};
+use super::{Pair, Part, negative, normal, part_of, whole};
 use crate::ir::interpret::Number;
 use crate::model::mechanism::{AngleSum, Axis, Expr, LinkId, Step};
 use crate::oracle::Digits;
@@ -62,6 +62,13 @@ impl Matrix<'_, '_> {
                 let [on_p, on_q] = [p, q].map(|point| part_of(self.kinematics, *point));
                 self.act(column, on_q, b, &force, &none);
                 self.act(column, on_p, a, &negative(&force), &none);
+            }
+            Expr::Offset(point, guide) => {
+                let u = &self.motion.guides[guide.index()].1;
+                let at = &self.motion.points[point.index()];
+                let force = scaled(&normal(u), push);
+                self.act(column, part_of(self.kinematics, *point), at, &force, &none);
+                self.act(column, self.carrier_of(*guide), at, &negative(&force), &none);
             }
             _ => unreachable!("only readings are leaves"),
         }

@@ -1,0 +1,61 @@
+//! What became of the search for an unknown.
+
+use super::ROUNDINGS;
+use crate::find::FindError;
+use crate::{Real, Scalar, SolveError};
+
+/// Why an unknown has no root; where its equation is not a number, the trial at which it is none.
+#[cold]
+pub(crate) fn no_root(error: FindError, unknown: &'static str) -> (SolveError, Option<f64>) {
+    match error {
+        FindError::Interval { .. } => {
+            (SolveError::Invalid { group: unknown, name: "width of between" }, None)
+        }
+        FindError::NoSolution { by, .. } => (SolveError::NoSolution { unknown, by }, None),
+        FindError::NotFinite { at } => (SolveError::NotFinite { name: unknown }, Some(at)),
+        FindError::Singular { .. } => (SolveError::Singular { group: unknown }, None),
+    }
+}
+
+/// What the sides of an equation of this size may differ by at a root: 64 √ε of it. A search ends
+/// where steps below 2⁻²² of its width no longer become shorter; that, 64 times, for `f64`.
+pub(crate) fn open_by<T: Scalar>(size: T) -> T {
+    // √ε of either width: 2⁻²⁶ and, for 2⁻²³, 2⁻¹¹·⁵.
+    T::lit(9.5367431640625e-7, 0.022_097_087) * size
+}
+
+/// Whether an equation is closed in the final pose.
+///
+/// # Errors
+/// `NoSolution` where it is not: its difference jumps from one sign to the other.
+#[cold]
+pub(crate) fn closed<T: Real>(
+    difference: T,
+    size: T,
+    unknown: &'static str,
+) -> Result<(), SolveError> {
+    if !difference.value().is_finite() {
+        return Err(SolveError::NotFinite { name: unknown });
+    }
+    if difference.is_within(open_by(size)) {
+        return Ok(());
+    }
+    Err(SolveError::NoSolution { unknown, by: difference.value().abs() })
+}
+
+/// The slope of an equation by its unknown, provided that it is the wanted way, and not by rounding
+/// alone.
+///
+/// # Errors
+/// `Singular` where it is not, at a dead point; `NotFinite` where it is not a number.
+#[cold]
+pub(crate) fn moving<T: Real>(slope: T, spread: T, unknown: &'static str) -> Result<T, SolveError> {
+    let real = slope.value();
+    if real.is_nan() {
+        Err(SolveError::NotFinite { name: unknown })
+    } else if real > ROUNDINGS * T::EPSILON * spread.value() {
+        Ok(slope)
+    } else {
+        Err(SolveError::Singular { group: unknown })
+    }
+}

@@ -1,0 +1,124 @@
+//! The root of the equation of a declaration's `solve`, from its two sides.
+
+use core::cell::Cell;
+
+use super::approach::{Approach, constant, greater, magnitude, number};
+use super::equation::Equation;
+use super::{FindError, Search, Trend};
+use crate::Real;
+use crate::diagnosis::ROUNDINGS;
+
+/// How many last places of what the two sides are made of a target may lie beyond an end.
+const SLACK: f64 = 4.0;
+
+/// The root of left − right, and the size by which their rounding is measured: the largest sides
+/// that were met, and what they would change by over the whole interval at the last slope.
+///
+/// `sides` gives left, right and the slope of their difference. The search is [`Search::find`]'s
+/// but for two things. A target that an end misses by no more than four units in the last place of
+/// what was met gives that end. And a seed that is the root at once, on sides near zero, tells
+/// nothing of their size: then the lower end is looked at as well, an evaluation more.
+///
+/// # Errors
+/// See [`FindError`].
+pub fn root<T: Real>(
+    between: [T; 2],
+    trend: Trend,
+    near: Option<T>,
+    mut sides: impl FnMut(T) -> [T; 3],
+) -> Result<[T; 2], FindError> {
+    let Some(approach) = Approach::new(between) else {
+        let [from, to] = between.map(Real::value);
+        return Err(FindError::Interval { from, to });
+    };
+    let width = approach.to - approach.from;
+    let (extent, change) = (Cell::new(number::<T>(0.0)), Cell::new(number::<T>(0.0)));
+    let difference = |x| {
+        let [left, right, slope] = sides(x);
+        let size = magnitude(constant(left)) + magnitude(constant(right));
+        // What is no number is nobody's size.
+        extent.set(if size.is_finite() { greater(extent.get(), size) } else { extent.get() });
+        change.set(magnitude(constant(slope)) * width);
+        [left - right, slope]
+    };
+    let mut f = Equation::new(difference, trend);
+    let at = match near.and_then(|seed| f.newton(seed, approach)) {
+        Some(at) => {
+            let last = change.get();
+            if last.gt(extent.get()) {
+                f.at(approach.from)?;
+            }
+            change.set(last);
+            at
+        }
+        None => Search::new(between, trend).bracketed(&mut f, approach, |[a, b]| {
+            let met = greater(greater(magnitude(a), magnitude(b)), extent.get());
+            met * number(SLACK * T::EPSILON)
+        })?,
+    };
+    let found = f.differentiated(at)?.at;
+    let is_known = change.get().gt(extent.get() * number(ROUNDINGS * T::EPSILON));
+    if !found.is_constant() && !is_known {
+        return Err(FindError::Singular { at: at.value() });
+    }
+    Ok([found, extent.get() + change.get()])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HALF_TURN: [f64; 2] = [0.0, core::f64::consts::PI];
+
+    /// The ram of a crank of one and a rod of three, whose dead points are the ends of half a turn.
+    fn ram(theta: f64, target: f64) -> [f64; 3] {
+        let (sin, cos) = theta.sin_cos();
+        let rod = ((3.0 - sin) * (3.0 + sin)).sqrt();
+        [cos + rod, target, -sin - sin * cos / rod]
+    }
+
+    fn of_ram(target: f64, near: Option<f64>) -> Result<[f64; 2], FindError> {
+        root(HALF_TURN, Trend::Falling, near, |theta| ram(theta, target))
+    }
+
+    #[test]
+    fn a_target_by_last_places_beyond_an_end_gives_that_end() {
+        for (target, end) in [(4.0, HALF_TURN[0]), (2.0, HALF_TURN[1])] {
+            let beyond = |ulps: f64| target + ulps * target * f64::EPSILON * (target - 3.0);
+            for ulps in [0.0, 1.0, 3.0] {
+                assert_eq!(
+                    of_ram(beyond(ulps), None).map(|[at, _]| at),
+                    Ok(end),
+                    "{target} {ulps}"
+                );
+            }
+            let refused = of_ram(beyond(40.0), None);
+            assert!(matches!(refused, Err(FindError::NoSolution { .. })), "{refused:?}");
+        }
+    }
+
+    #[test]
+    fn the_size_is_that_of_the_sides_with_and_without_a_seed() {
+        for target in [2.5, 3.0, 3.9] {
+            let [cold, size] = of_ram(target, None).expect("within the stroke");
+            let [warm, other] = of_ram(target, Some(cold)).expect("the seed is the root");
+            assert!((cold - warm).abs() <= 8.0 * f64::EPSILON);
+            for size in [size, other] {
+                assert!((target..20.0).contains(&size), "{target}: {size}");
+            }
+        }
+        // Sides that are zero where the seed is: the lower end tells their size.
+        let line = |x: f64| [x - 1.0, 0.0, 1.0];
+        let [at, size] = root([0.0, 3.0], Trend::Rising, Some(1.0), line).expect("it is the root");
+        assert!(at == 1.0 && size == 4.0, "{at} {size}");
+    }
+
+    #[test]
+    fn what_is_no_number_is_where_it_was_met() {
+        let sides = |x| [if x > 1.0 { f64::NAN } else { x }, 0.5, -1.0];
+        let found = root(HALF_TURN, Trend::Falling, None, sides);
+        assert_eq!(found, Err(FindError::NotFinite { at: HALF_TURN[1] }));
+        let reversed = root([1.0, 0.0], Trend::Falling, None, sides);
+        assert_eq!(reversed, Err(FindError::Interval { from: 1.0, to: 0.0 }));
+    }
+}

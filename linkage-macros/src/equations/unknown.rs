@@ -1,0 +1,107 @@
+//! What an equation fixes: f(θ, q) = left − right = 0.
+//!
+//! The root is searched ([`Node::Root`]); its rates follow from the equation, which holds at all
+//! times. With ḟ(θ̇) = f_θ θ̇ + ḟ(0) and f̈(θ̇, θ̈) = f_θ θ̈ + f̈(θ̇, 0),
+//!
+//! - f_θ = ḟ at θ̇ = 1 while the inputs stand still,
+//! - θ̇ = −ḟ(0)/f_θ,
+//! - θ̈ = −f̈(θ̇, 0)/f_θ.
+//!
+//! All of them come from the rates that groups have anyway: the steps between `unknown` and `solve`
+//! are taken once for each, and what several of them compute is one node. f_θ is zero at a dead
+//! point of the equation, and where rounding hides its sign there are no rates.
+//!
+//! # Equations
+//! - A difference of lengths or numbers is itself.
+//! - Of angles it is the angle of the vector (cos, sin) of the difference, in (−π, π], and its rate
+//!   that of the difference.
+//! - The distance d of two points is the length l where d²/2l − l/2 = (d − l)(d + l)/2l is zero,
+//!   which needs no root and has the slope of d there.
+
+use crate::equations::jet::Jet;
+use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::motion::Direction;
+use crate::equations::symbol::Sym;
+use crate::ir::graph::{Check, Node, Sought};
+use crate::ir::program::Closure;
+use crate::model::mechanism::{Equation, Sign, UnknownId};
+
+/// Left and right of an equation.
+type Sides<'s> = [Jet<'s>; 2];
+
+/// The root of an unknown's equation with its rates, everything in front of it being known, and the
+/// condition that the equation is closed there.
+pub(super) fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
+    let (sheet, unknown) = (known.sheet, &known.mechanism.unknowns[id.index()]);
+    let (zero, one) = (sheet.zero(), sheet.integer(1));
+    let slope = |[left, right]: Sides<'s>| left.rate - right.rate;
+    let jet = |value, rate, accel| Jet { value, rate, accel };
+    let trial = sheet.node(Node::Trial(id.0));
+    let tried = sides(known, jet(trial, one, zero), at_rest(known), true);
+    let between = unknown.between.each_ref().map(|end| known.jet(end).value);
+    let root = sheet.node(Node::Root(Sought {
+        unknown: id.0,
+        rises: unknown.mode == Sign::Plus,
+        between: between.map(|end| end.id),
+        near: unknown.near.as_ref().map(|near| known.jet(near).value.id),
+        sides: [tried[0].value.id, tried[1].value.id, slope(tried).id],
+    }));
+    sheet.name(root, unknown.name.to_string());
+    let size = sheet.node(Node::Size(root.id));
+    sheet.name(size, format!("{} size", unknown.name));
+
+    let turned = sides(known, jet(root, one, zero), at_rest(known), false);
+    let sign = known.sign(unknown.mode);
+    // The size over the width is the slope that rounding alone may make.
+    let spread = size * (between[1] - between[0]).recip();
+    let f_theta = (sign * slope(turned)).provided(Check::Moving, unknown.group.0, &[spread]);
+    sheet.name(f_theta, format!("{} slope", unknown.name));
+    let inputs = || known.inputs.clone();
+    let over = |value: Sym<'s>| if value.is_zero() { value } else { -(sign * value) / f_theta };
+    let resting = sides(known, jet(root, zero, zero), inputs(), false);
+    let rate = over(slope(resting));
+    let [left, right] = sides(known, jet(root, rate, zero), inputs(), false);
+    let open_by = (left.value - right.value).provided(Check::Closed, unknown.group.0, &[size]);
+    let closure = Closure { root: root.id, condition: open_by.id };
+    (jet(root, rate, over(left.accel - right.accel)), closure)
+}
+
+/// The inputs, standing still.
+fn at_rest<'s>(known: &Kinematics<'s>) -> Vec<Source<'s>> {
+    let zero = known.sheet.zero();
+    let still = |source: &Source<'s>| Source {
+        jet: Jet { rate: zero, accel: zero, ..source.jet },
+        ..*source
+    };
+    known.inputs.iter().map(still).collect()
+}
+
+/// Both sides of the equation where the unknown has this value and these rates.
+fn sides<'s>(
+    known: &Kinematics<'s>,
+    trial: Jet<'s>,
+    inputs: Vec<Source<'s>>,
+    is_open: bool,
+) -> Sides<'s> {
+    let at = Kinematics::of_trial(inputs, known, trial, is_open);
+    let unknown = &known.mechanism.unknowns[known.unknowns.len()];
+    let sides = match &unknown.equation {
+        Equation::Difference(sides) => at.jets(sides),
+        Equation::Turn(turn) => {
+            let Direction { u, omega, alpha, .. } = at.turned(Direction::ground(at.sheet), turn);
+            let angle = Jet { value: u.y.atan2(u.x), rate: omega, accel: alpha };
+            [angle, Jet::zero(at.sheet)]
+        }
+        Equation::Distance { points, length, is_left } => {
+            let [p, q] = points.map(|point| at.point(point));
+            let [x, y] = p.jets_to(q);
+            let length = at.length(length, unknown.group.0);
+            let one = Jet::constant(at.sheet.integer(1));
+            let half = one / length.twice();
+            let sides = [(x * x + y * y) * half, length.times(at.sheet.integer(1).half())];
+            if *is_left { sides } else { [sides[1], sides[0]] }
+        }
+    };
+    at.sheet.open(false);
+    sides
+}

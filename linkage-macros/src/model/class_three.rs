@@ -1,0 +1,132 @@
+//! What to write for a group of class III: the angle of one of its bars as an unknown, the rest as
+//! dyads, and the bar that is left over as the equation, in the machine's own names.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::Ident;
+
+use crate::syntax::tree::{
+    Declaration, Expr, ExprKind, Field, FieldValue, Group, Leg, Statement, StatementKind,
+};
+
+use super::names::{declared_by, title};
+use super::order::Needs;
+use super::references::names_used;
+
+/// What to write in place of statements that need each other, where one unknown is enough.
+pub(super) fn instead(
+    tree: &Declaration,
+    needs: &Needs,
+    circle: &BTreeSet<usize>,
+) -> Option<String> {
+    let dyads = circle.iter().filter_map(|&index| Some((index, rrr(&tree.statements[index])?)));
+    let ends = dyads.flat_map(|(index, group)| [(index, group, 0), (index, group, 1)]);
+    let (index, group, kept) = ends.into_iter().find(|&(index, group, kept)| {
+        let cut = Cut { tree, group, index };
+        cut.stands_on_what_is_known(kept, circle)
+            && !cut.carries(&group.legs[1 - kept].link)
+            && !cut.is_doubled(1 - kept)
+            && cut.leaves_an_order(kept, needs, circle)
+    })?;
+    let (lengths, pin) = (lengths(group)?, group.pin.as_ref()?);
+    let (leg, other) = (&group.legs[kept], &group.legs[1 - kept]);
+    let (pivot, far) = (leg.joint.as_ref()?, other.joint.as_ref()?);
+    let angle = free_name(tree);
+    let (length, distance) = (written(&lengths[kept]), written(&lengths[1 - kept]));
+    Some(format!(
+        "write `unknown {angle}: angle between (…, …);`, `crank {}({pivot}) -> {pin} {{ length: \
+         {length}, angle: {angle} }}` for `{}`, and last `solve {angle} {{ distance({pin}, {far}) = \
+         {distance}, mode: rising }}`",
+        leg.link,
+        title(&tree.statements[index], ""),
+    ))
+}
+
+/// A dyad of two bars that is to be taken apart.
+struct Cut<'t> {
+    tree: &'t Declaration,
+    group: &'t Group,
+    index: usize,
+}
+
+impl Cut<'_> {
+    fn maker(&self, name: &Ident) -> Option<usize> {
+        let makes = |statement: &Statement| {
+            declared_by(statement).iter().any(|(declared, _)| **declared == *name)
+        };
+        self.tree.statements.iter().position(makes)
+    }
+
+    fn pivot(&self, leg: usize) -> Option<usize> {
+        self.maker(self.group.legs[leg].joint.as_ref()?)
+    }
+
+    fn stands_on_what_is_known(&self, leg: usize, circle: &BTreeSet<usize>) -> bool {
+        self.pivot(leg).is_some_and(|maker| !circle.contains(&maker))
+    }
+
+    /// Whether anything else names the link.
+    fn carries(&self, link: &Ident) -> bool {
+        let others = self.tree.statements.iter().enumerate();
+        others
+            .filter(|&(index, _)| index != self.index)
+            .any(|(_, statement)| names_used(statement).contains(link))
+    }
+
+    /// Whether another bar joins the same two points, so that their distance never changes.
+    fn is_doubled(&self, leg: usize) -> bool {
+        let (far, pin) = (&self.group.legs[leg].joint, &self.group.pin);
+        let others = self.tree.statements.iter().enumerate();
+        let mut others = others.filter(|&(index, _)| index != self.index);
+        others.any(|(_, statement)| {
+            rrr(statement).is_some_and(|other| {
+                other.pin == *far && other.legs.iter().any(|leg| leg.joint == *pin)
+            })
+        })
+    }
+
+    /// Whether the statements of the circle have an order once this one needs its pivot alone.
+    fn leaves_an_order(&self, leg: usize, needs: &Needs, circle: &BTreeSet<usize>) -> bool {
+        let left = needs.with(self.index, self.pivot(leg).into_iter().collect());
+        circle.iter().all(|&statement| left.circle(statement).is_empty())
+    }
+}
+
+/// The dyad of two bars that the statement is, as far as all of it was read.
+fn rrr(statement: &Statement) -> Option<&Group> {
+    match &statement.kind {
+        StatementKind::Group(group) if group.keyword == "rrr" => {
+            let is_whole = |leg: &Leg| leg.joint.is_some();
+            (group.legs.len() == 2 && group.legs.iter().all(is_whole)).then_some(group)
+        }
+        _ => None,
+    }
+}
+
+fn lengths(group: &Group) -> Option<&[Expr; 2]> {
+    group.fields.iter().find_map(|field| match field {
+        Field { name, value: FieldValue::Pair(pair) } if name == "lengths" => Some(pair),
+        _ => None,
+    })
+}
+
+/// A number or a name as it was written; what is longer is to be filled in.
+fn written(expr: &Expr) -> String {
+    match &expr.kind {
+        ExprKind::Number { digits, units } => match &units[..] {
+            [] => digits.clone(),
+            [(unit, 1)] => format!("{digits}{unit}"),
+            _ => "…".to_string(),
+        },
+        ExprKind::Name(name) => name.to_string(),
+        _ => "…".to_string(),
+    }
+}
+
+/// A name for the angle that nothing has.
+fn free_name(tree: &Declaration) -> &'static str {
+    let declared: Vec<String> =
+        (tree.statements.iter().flat_map(declared_by)).map(|(name, _)| name.to_string()).collect();
+    let names = ["phi", "psi", "chi", "unknown_angle"];
+    names.into_iter().find(|name| !declared.iter().any(|known| known == name)).unwrap_or("angle_")
+}

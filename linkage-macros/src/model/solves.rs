@@ -1,0 +1,176 @@
+//! `solve theta { ram.slide = x, mode: falling, near: seed }`: the equation that fixes an unknown.
+
+use proc_macro2::Ident;
+
+use crate::diagnostics::nearest;
+use crate::syntax::tree::{self, Solve};
+
+use super::Resolver;
+use super::expressions::Quantity;
+use super::mechanism::{Dimension, Equation, Expr, Length, Operator, Sign};
+use super::names::{Entity, Kind};
+use super::numbers::bare_name;
+use super::unknowns::Searched;
+
+/// What both modes mean.
+const MODES: &str = "`rising` or `falling`: how left minus right goes at the root while the unknown \
+                     grows";
+
+impl Resolver<'_> {
+    pub(super) fn solve(&mut self, solve: &Solve) {
+        let unknown = self.unknown_to_solve(&solve.unknown);
+        let equation = self.equation(solve, unknown.is_some());
+        let mode = self.trend(solve);
+        let dimension = unknown.map(|id| self.mechanism.unknowns[id.index()].dimension);
+        let near = match (&solve.near, dimension) {
+            (Some(near), Some(dimension)) => self.near(near, dimension).map(Some),
+            (Some(near), None) => self.quantity(near).map(|_| None),
+            (None, _) => Some(None),
+        };
+        let Some(id) = unknown else { return };
+        // Also where it is in error it ends the search.
+        self.searched = None;
+        let steps = self.mechanism.steps.len();
+        let unknown = &mut self.mechanism.unknowns[id.index()];
+        unknown.steps[1] = steps;
+        if let (Some(equation), Some(mode), Some(near)) = (equation, mode, near) {
+            (unknown.equation, unknown.mode, unknown.near) = (equation, mode, near);
+        }
+    }
+
+    /// The unknown that is searched, which is solved once.
+    fn unknown_to_solve(&mut self, name: &Ident) -> Option<super::mechanism::UnknownId> {
+        let Entity::Unknown(id) = self.usable(name, &[Kind::Unknown])? else { return None };
+        if self.searched.as_ref().is_some_and(|searched| searched.id == id) {
+            return Some(id);
+        }
+        let message = format!("`{name}` is solved already; remove this statement");
+        let reason = "one equation fixes one unknown";
+        self.diagnostics.error_because(name.span(), message, reason);
+        None
+    }
+
+    fn equation(&mut self, solve: &Solve, is_searched: bool) -> Option<Equation> {
+        let Some([left, right]) = &solve.equation else {
+            if solve.is_read {
+                let message = format!("missing equation of `{}`", solve.unknown);
+                let reason = "it comes first, as in `solve theta { ram.slide = x, mode: falling }`";
+                self.diagnostics.error_because(solve.end, message, reason);
+            }
+            return None;
+        };
+        let sides = (self.quantity(left), self.quantity(right));
+        let (Some(a), Some(b)) = sides else { return None };
+        if a.measure.sum(b.measure).is_none() {
+            let (found, wanted) = (b.measure.dimension(), a.measure.dimension());
+            let message = format!("{} where {} belongs", found.words(), wanted.words());
+            let reason = format!("what stands left of the `=` is {}", wanted.words());
+            self.diagnostics.error_because(right.span, message, reason);
+            return None;
+        }
+        let equation = self.between_sides((left, a), (right, b))?;
+        if is_searched {
+            self.equation_moves(solve, [left, right], &equation)?;
+        }
+        Some(equation)
+    }
+
+    /// What is zero where both sides are equal.
+    fn between_sides(
+        &mut self,
+        (left, a): (&tree::Expr, Quantity),
+        (right, b): (&tree::Expr, Quantity),
+    ) -> Option<Equation> {
+        if !a.links.is_empty() || !b.links.is_empty() {
+            let difference = self.sum(Operator::Sub, (left.span, a), (right, b))?;
+            return Some(Equation::Turn(difference.turn()));
+        }
+        let is_distance = |side: &Quantity| match side.rest {
+            Expr::Distance(points) => Some(points),
+            _ => None,
+        };
+        let (points, written, length, is_left) = match (is_distance(&a), is_distance(&b)) {
+            (Some(points), None) => (points, right, b.rest, true),
+            (None, Some(points)) => (points, left, a.rest, false),
+            _ => return Some(Equation::Difference([a.rest, b.rest])),
+        };
+        self.length_is_positive(written, &length, "the distance")?;
+        let name = match bare_name(written) {
+            Some(name) => name.to_string(),
+            None => "distance in `solve`".to_string(),
+        };
+        let length = Length { value: length, name };
+        Some(Equation::Distance { points, length, is_left })
+    }
+
+    /// The equation changes with the unknown.
+    fn equation_moves(
+        &mut self,
+        solve: &Solve,
+        [left, right]: [&tree::Expr; 2],
+        equation: &Equation,
+    ) -> Option<()> {
+        let searched = self.searched.as_ref()?;
+        let changes = |expr: &Expr| self.changes_with(searched, expr);
+        let moves = match equation {
+            Equation::Difference(sides) => sides.iter().any(changes),
+            Equation::Turn(turn) => {
+                let reaches = |searched: &Searched, link| searched.reaches(Entity::Link(link));
+                changes(&turn.rest) || turn.links.iter().any(|&(link, _)| reaches(searched, link))
+            }
+            Equation::Distance { points, length, .. } => {
+                changes(&Expr::Distance(*points)) || changes(&length.value)
+            }
+        };
+        if moves {
+            return Some(());
+        }
+        let name = &solve.unknown;
+        let message =
+            format!("this equation does not move with `{name}`; name what `{name}` drives");
+        let reason = format!(
+            "what stands between `unknown {name}` and `solve {name}` moves with it, as far as it is \
+             built on `{name}`"
+        );
+        self.diagnostics.error_because(left.span.to(right.span), message, reason);
+        None
+    }
+
+    /// `rising` or `falling`.
+    fn trend(&mut self, solve: &Solve) -> Option<Sign> {
+        let Some(word) = &solve.mode else {
+            if solve.is_read {
+                self.diagnostics.error_because(solve.end, "missing field `mode`", MODES);
+            }
+            return None;
+        };
+        let text = word.to_string();
+        match &text[..] {
+            "rising" => return Some(Sign::Plus),
+            "falling" => return Some(Sign::Minus),
+            _ => {}
+        }
+        let near = nearest(&text, ["rising", "falling"].into_iter());
+        let message = match near {
+            Some(near) => {
+                format!("no mode named `{text}`; a mode with a similar name exists: `{near}`")
+            }
+            None => format!("no mode named `{text}`; write `rising` or `falling`"),
+        };
+        self.diagnostics.error_because(word.span(), message, MODES);
+        None
+    }
+
+    /// Where a search begins is known before it.
+    fn near(&mut self, near: &tree::Expr, dimension: Dimension) -> Option<Expr> {
+        let value = self.scalar(near, dimension)?;
+        let searched = self.searched.as_ref()?;
+        if !self.changes_with(searched, &value) {
+            return Some(value);
+        }
+        let message = format!("`near` cannot depend on `{}`", searched.name);
+        let reason = "it says where the search begins: a parameter, say, that holds the last root";
+        self.diagnostics.error_because(near.span, message, reason);
+        None
+    }
+}

@@ -1,0 +1,254 @@
+//! `unknown theta: angle between (…, …);`: what an equation is to fix, and where it is looked for.
+
+use std::collections::HashSet;
+
+use proc_macro2::Ident;
+use syn::Attribute;
+
+use crate::exact::Exact;
+use crate::reach::turn::Range;
+use crate::syntax::tree::{self, Declaration, StatementKind};
+
+use super::Resolver;
+use super::folding::shown_in_degrees;
+use super::inputs::KINDS;
+use super::mechanism::{
+    AngleSum, Dimension, Equation, Expr, Group, ParamKind, Sign, Step, Unknown, UnknownId,
+};
+use super::names::Entity;
+
+/// The unknown between its `unknown` and its `solve`, and what has been made of it.
+pub(super) struct Searched {
+    pub id: UnknownId,
+    pub name: Ident,
+    follows: HashSet<Entity>,
+}
+
+impl Searched {
+    pub(super) fn reaches(&self, entity: Entity) -> bool {
+        self.follows.contains(&entity)
+    }
+}
+
+impl Resolver<'_> {
+    pub(super) fn unknown(
+        &mut self,
+        docs: &[Attribute],
+        name: &Ident,
+        kind: Option<&Ident>,
+        between: Option<&[tree::Expr; 2]>,
+    ) {
+        let is_new = self.name_is_new(name).is_some() && self.one_is_searched_at_a_time(name);
+        let dimension = kind.and_then(|kind| self.quantity_kind(kind, "kind of unknown", &KINDS));
+        let ends = between.zip(dimension).and_then(|(ends, of)| self.ends(name, ends, of));
+        let (true, Some(dimension), Some(written), Some(between)) =
+            (is_new, dimension, between, ends)
+        else {
+            return;
+        };
+        let id = UnknownId(self.mechanism.unknowns.len() as u32);
+        let group = self.next_group();
+        self.mechanism.groups.push(Group {
+            keyword: Ident::new("unknown", name.span()),
+            title: name.to_string(),
+            links: Vec::new(),
+            pin: None,
+        });
+        let steps = [self.mechanism.steps.len(); 2];
+        // Nothing is solved by it: what has no `solve` is reported.
+        let equation = Equation::Turn(AngleSum { links: Vec::new(), rest: Expr::zero() });
+        self.mechanism.unknowns.push(Unknown {
+            name: name.clone(),
+            docs: docs.to_vec(),
+            dimension,
+            group,
+            between,
+            steps,
+            equation,
+            mode: Sign::Plus,
+            near: None,
+        });
+        self.facts.order.push(Entity::Unknown(id));
+        self.names.bind(name, Entity::Unknown(id));
+        let ends = written.each_ref().map(|end| end.span);
+        let follows = HashSet::from([Entity::Unknown(id)]);
+        self.facts.ends_of_unknowns.push(ends);
+        self.searched = Some(Searched { id, name: name.clone(), follows });
+    }
+
+    /// An unknown is solved before the next begins.
+    fn one_is_searched_at_a_time(&mut self, name: &Ident) -> bool {
+        let Some(searched) = &self.searched else { return true };
+        let first = &searched.name;
+        let message = format!("solve `{first}` before this: one unknown is searched at a time");
+        let reason = format!("move `unknown {name}` behind `solve {first} {{ … }}`");
+        self.diagnostics.error_because(name.span(), message, reason);
+        false
+    }
+
+    /// Both ends are known before anything moves, in order, and within a turn.
+    fn ends(
+        &mut self,
+        name: &Ident,
+        written: &[tree::Expr; 2],
+        dimension: Dimension,
+    ) -> Option<[Expr; 2]> {
+        let ends = written.each_ref().map(|end| {
+            self.end_depends_on_no_input(end, name)?;
+            self.scalar(end, dimension)
+        });
+        let [Some(from), Some(to)] = ends else { return None };
+        let (Some(low), Some(high)) = (self.declared(&from), self.declared(&to)) else {
+            return Some([from, to]);
+        };
+        let reason = "the lower end comes first, as in `between (10deg, 170deg)`";
+        if !low.cmp_value(&high).is_lt() {
+            let message =
+                format!("the ends of `{name}` are not in order; write the lower one first");
+            self.diagnostics.error_because(written[1].span, message, reason);
+            return None;
+        }
+        let turn = Exact::pi().mul(&Exact::integer(2));
+        let width = high.sub(&low);
+        if dimension.angle && width.cmp_value(&turn).is_gt() {
+            let width = shown_in_degrees(&width);
+            let message = format!("the ends of `{name}` are {width}° apart; stay within a turn");
+            let reason = "beyond a turn every pose comes once more";
+            self.diagnostics.error_because(written[1].span, message, reason);
+            return None;
+        }
+        Some([from, to])
+    }
+
+    /// What is declared of a number that is constant or a parameter, or the negative of one.
+    fn declared(&self, expr: &Expr) -> Option<Exact> {
+        match expr {
+            Expr::Constant(value) => Some(value.clone()),
+            Expr::Negate(value) => Some(self.declared(value)?.neg()),
+            Expr::Param(id) => match &self.mechanism.params[id.index()].kind {
+                ParamKind::Number { default, .. } => Some(default.clone()),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// Ends are constants and parameters.
+    fn end_depends_on_no_input(&mut self, end: &tree::Expr, name: &Ident) -> Option<()> {
+        let Some(at) = self.moving_part(end) else { return Some(()) };
+        let message =
+            format!("the ends of `{name}` depend on no input; write constants or parameters");
+        let reason = "the machine has to be assembled from end to end, whatever the inputs are";
+        self.diagnostics.error_because(at, message, reason);
+        None
+    }
+
+    /// Notes what the statement has made with the unknown that is searched, or with what follows
+    /// it.
+    pub(super) fn note_what_follows(&mut self, statement: &tree::Statement) {
+        if !std::mem::take(&mut self.follows) {
+            return;
+        }
+        let declared = super::names::declared_by(statement);
+        let made: Vec<_> = declared.iter().filter_map(|(name, _)| self.names.made(name)).collect();
+        if let Some(searched) = &mut self.searched {
+            searched.follows.extend(made);
+        }
+    }
+
+    /// Whether the value changes with the unknown that is searched.
+    pub(super) fn changes_with(&self, searched: &Searched, expr: &Expr) -> bool {
+        let changes = |expr: &Expr| self.changes_with(searched, expr);
+        let reaches = |entity| searched.reaches(entity);
+        match expr {
+            Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => false,
+            // Of forces alone.
+            Expr::Twist(_) | Expr::Rate(_) => false,
+            Expr::Unknown(id) => *id == searched.id,
+            Expr::Let(id) => reaches(Entity::Let(*id)),
+            Expr::Slide(link) => reaches(Entity::Link(*link)),
+            Expr::Coordinate(point, _) => reaches(Entity::Point(*point)),
+            Expr::Distance(points) => points.iter().any(|&point| reaches(Entity::Point(point))),
+            Expr::Offset(point, guide) => {
+                reaches(Entity::Point(*point)) || reaches(Entity::Guide(*guide))
+            }
+            Expr::Negate(value) => changes(value),
+            Expr::Chain(first, rest) => {
+                changes(first) || rest.iter().any(|(_, operand)| changes(operand))
+            }
+            Expr::Call(_, arguments) => arguments.iter().any(changes),
+        }
+    }
+
+    /// Every unknown is solved.
+    pub(super) fn every_unknown_is_solved(&mut self, tree: &Declaration) {
+        let Some(Searched { name, .. }) = self.searched.take() else { return };
+        if tree.unread.may_hold("solve") {
+            return;
+        }
+        let message =
+            format!("`{name}` is never solved; end its search with `solve {name} {{ … }}`");
+        let reason = "an equation fixes it, as in `solve theta { ram.slide = x, mode: falling }`";
+        self.diagnostics.error_because(name.span(), message, reason);
+    }
+
+    /// Where a dyad of constants stops the crank that an unknown turns, both ends lie on one side.
+    pub(super) fn ends_can_be_assembled(&mut self) {
+        for step in &self.mechanism.steps {
+            let Step::Crank { link, angle: AngleSum { links, rest: Expr::Unknown(id) }, .. } = step
+            else {
+                continue;
+            };
+            let ends = &self.mechanism.unknowns[id.index()].between;
+            let [Some(from), Some(to)] = ends.each_ref().map(Expr::constant) else { continue };
+            let [from, to] = [from, to].map(|end| end.to_f64().to_degrees());
+            let found =
+                self.mechanism.rotatabilities.iter().find_map(|found| match &found.turn.range {
+                    Range::Within(stretches) if found.crank == *link && links.is_empty() => {
+                        let outside = outside(stretches, [from, to])?;
+                        Some((found, outside, stretches))
+                    }
+                    _ => None,
+                });
+            let Some((found, end, stretches)) = found else { continue };
+            let crank = &self.mechanism.links[link.index()].name;
+            let title = &self.mechanism.groups[found.group.index()].title;
+            let stretches: Vec<_> =
+                stretches.iter().map(|[a, b]| format!("from {a:.3}° to {b:.3}°")).collect();
+            let message = format!("at this end `{title}` cannot be assembled; move it in");
+            let reason = format!("`{crank}` turns {}", stretches.join(" or "));
+            let at = self.facts.ends_of_unknowns[id.index()][end];
+            self.diagnostics.error_because(at, message, reason);
+        }
+    }
+
+    /// Forces are computed where every group has a closed form.
+    pub(super) fn forces_are_of_closed_forms(&mut self, tree: &Declaration) {
+        let Some(unknown) = self.mechanism.unknowns.first() else { return };
+        let name = &unknown.name;
+        let action = tree.statements.iter().find_map(|statement| match &statement.kind {
+            StatementKind::Action(action) => Some(action.place()),
+            _ => None,
+        });
+        let Some(at) = action else { return };
+        let message = format!("no forces beside `unknown {name}`; remove this statement");
+        let reason = "what holds the equation of `solve` exerts a force as well, and on which body \
+                      that acts is not declared";
+        self.diagnostics.error_because(at, message, reason);
+    }
+}
+
+/// Which of the two angles, in degrees, lies on no stretch that holds the other.
+fn outside(stretches: &[[f64; 2]], [from, to]: [f64; 2]) -> Option<usize> {
+    // What is shown in degrees was rounded.
+    const ROOM: f64 = 1e-9;
+    let reaches = |[low, high]: &[f64; 2]| {
+        let turns = ((from - low + ROOM) / 360.0).floor() * 360.0;
+        (from - turns <= high + ROOM).then(|| to - turns <= high + ROOM)
+    };
+    match stretches.iter().find_map(reaches) {
+        Some(true) => None,
+        Some(false) => Some(1),
+        None => Some(0),
+    }
+}
