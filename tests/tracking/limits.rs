@@ -1,7 +1,7 @@
 //! Where a tracker must refuse, and what it counts as a change point.
 
 use core::f64::consts::FRAC_PI_2;
-use linkage_core::{Float, Side, SolveError, Tracker};
+use linkage_core::{Float, Sense, Side, SolveError, Tracker};
 use linkage_tests::mechanisms::change_points::*;
 use linkage_tests::mechanisms::scaled_change_points::*;
 
@@ -154,5 +154,24 @@ fn a_first_pose_on_a_change_point_looks_ahead() {
             let by = found.velocity.DC.omega - wanted.velocity.DC.omega;
             assert!(by.abs() < 1e-12, "{off} at {rate}, {elbow:?}: {first:?}, {found:?}");
         }
+    }
+}
+
+/// A ground and a crank of a thousand metres that fit their short bars to 2e-9 of themselves, which is
+/// 2e-6 of the bars: a change point all the same.
+#[test]
+fn a_misfit_is_measured_by_all_lengths() {
+    for misfit in [-2e-9, -1e-12, 0.0, 1e-12, 2e-9] {
+        let base = 1001.0 * (1.0 + misfit);
+        let mut bars = Tracker::new(LongCrank { base, ..LongCrank::new() });
+        let mut block = Tracker::new(LongCrankPivot { base, ..LongCrankPivot::new() });
+        for theta in [-0.002, 0.002] {
+            let bars = bars.position(theta);
+            assert!(bars.is_ok(), "bars, {misfit:e} at {theta}: {bars:?}");
+            let block = block.position(theta);
+            assert!(block.is_ok(), "block, {misfit:e} at {theta}: {block:?}");
+        }
+        assert_eq!(bars.solver().elbow, Side::Right, "{misfit:e}");
+        assert_eq!(block.solver().side, Sense::Behind, "{misfit:e}");
     }
 }

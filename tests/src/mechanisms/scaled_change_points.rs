@@ -154,3 +154,34 @@ mechanism! {
         output DC, FE;
     }
 }
+
+mechanism! {
+    /// Short bars at the end of a long crank: what counts is a share of all lengths, the crank's and
+    /// the ground's too.
+    pub struct LongCrank {
+        input theta: angle;
+        param base = 1001m;
+        param elbow: mode = left;
+
+        ground A(0, 0), D(base, 0);
+        crank AB(A) -> B        { length: 1000m, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (2m, 1m), mode: elbow }
+
+        output DC;
+    }
+}
+
+mechanism! {
+    /// A block whose offset is short against crank and ground.
+    pub struct LongCrankPivot {
+        input theta: angle;
+        param base = 1001m;
+        param side: mode = ahead;
+
+        ground A(0, 0), D(base, 0);
+        crank AB(A) -> B       { length: 1000m, angle: theta }
+        rpr   block(B), bar(D) { offset: 1m, mode: side }
+
+        output bar;
+    }
+}
