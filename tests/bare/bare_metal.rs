@@ -38,10 +38,10 @@ const ENTRIES: [&str; 14] = [
 fn mechanisms_with(entry: &str) -> usize {
     match entry {
         "position_at" | "velocity_at" | "motion_at" => 7,
-        "margins" => 5,
+        "margins" => 6,
         "forces" | "statics" | "forces_at" | "statics_at" => 2,
         "energy" | "energy_at" => 1,
-        _ => 9,
+        _ => 10,
     }
 }
 
