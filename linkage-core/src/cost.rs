@@ -43,6 +43,8 @@ pub struct ForcesCost {
     pub statics: Operations,
     /// Of `energy`; nothing where it is not asked for.
     pub energy: Operations,
+    /// Of `forward_dynamics`; nothing where an input moves no mass.
+    pub forward_dynamics: Operations,
 }
 
 /// What finding one unknown costs.
@@ -102,9 +104,11 @@ impl fmt::Display for Cost {
 
 impl fmt::Display for ForcesCost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { position, motion, coefficients, forces, statics, energy } = *self;
+        let Self { position, motion, coefficients, forces, statics, energy, forward_dynamics } =
+            *self;
         let motion = Cost { position, motion, coefficients };
-        write!(f, "{motion}; forces: {forces}; statics: {statics}; energy: {energy}")
+        write!(f, "{motion}; forces: {forces}; statics: {statics}; energy: {energy}; ")?;
+        write!(f, "forward dynamics: {forward_dynamics}")
     }
 }
 

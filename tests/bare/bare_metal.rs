@@ -17,7 +17,7 @@ use crate::build::{PACKAGE, library, sources, text};
 const LEVELS: [&str; 5] = ["1", "2", "3", "s", "z"];
 
 /// Every entry point in both widths, as the start of a function's name and its end.
-const ENTRIES: [&str; 14] = [
+const ENTRIES: [&str; 16] = [
     "position",
     "velocity",
     "motion",
@@ -32,6 +32,8 @@ const ENTRIES: [&str; 14] = [
     "statics_at",
     "energy",
     "energy_at",
+    "forward_dynamics",
+    "equations_of_motion",
 ];
 
 /// How many of the mechanisms have the entry.
@@ -39,7 +41,12 @@ fn mechanisms_with(entry: &str) -> usize {
     match entry {
         "position_at" | "velocity_at" | "motion_at" => 7,
         "margins" => 6,
-        "forces" | "statics" | "forces_at" | "statics_at" => 2,
+        "forces"
+        | "statics"
+        | "forces_at"
+        | "statics_at"
+        | "forward_dynamics"
+        | "equations_of_motion" => 2,
         "energy" | "energy_at" => 1,
         _ => 10,
     }

@@ -1,6 +1,7 @@
 //! Forces of whole mechanisms: published course works, balances, loads, bad input, derivatives.
 
 mod balance;
+mod dynamics;
 mod interface;
 mod published;
 mod springs;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::context::Context;
@@ -19,8 +19,36 @@ pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
     names.chain(SWEEP_ARGUMENTS.map(str::to_string)).collect::<BTreeSet<_>>().into_iter()
 }
 
-/// A record, and its fields.
-pub(super) type Fields<'a> = (&'a Ident, Vec<&'a Ident>);
+/// What an argument is.
+pub(super) enum Form<'a> {
+    Number,
+    /// A record, and its fields.
+    Record(&'a Ident, Vec<&'a Ident>),
+    /// So many numbers.
+    List(usize),
+}
+
+impl Form<'_> {
+    pub(super) fn ty(&self, scalar: &TokenStream) -> TokenStream {
+        match self {
+            Self::Number => scalar.clone(),
+            Self::Record(record, _) => quote!(#record<#scalar>),
+            Self::List(count) => {
+                let count = Literal::usize_unsuffixed(*count);
+                quote!([#scalar; #count])
+            }
+        }
+    }
+
+    /// How many numbers it holds.
+    pub(super) fn numbers(&self) -> usize {
+        match self {
+            Self::Number => 1,
+            Self::Record(_, fields) => fields.len(),
+            Self::List(count) => *count,
+        }
+    }
+}
 
 /// A load may be called like an argument that is about the inputs: then it gets a tail.
 fn clear_of(names: &[Ident], mut name: Ident) -> Ident {
@@ -56,6 +84,7 @@ impl<'a> Arguments<'a> {
                     [only] => clear_of(&names, argument(&only.name, "")),
                     _ => clear_of(&names, plain("loads")),
                 },
+                Given::Drives => clear_of(&names, plain("drive")),
             };
             names.push(name);
         }
@@ -69,30 +98,39 @@ impl<'a> Arguments<'a> {
 
     /// How a public function declares them, for numbers of this type.
     pub(super) fn declared(&self, scalar: &TokenStream) -> Vec<TokenStream> {
-        let declare = |(given, name): (&Given, &Ident)| match self.record(*given) {
-            Some(record) => {
+        let declare = |(name, form): (&Ident, Form<'_>)| match form {
+            Form::Record(record, _) => {
                 let (inputs, ty) = (self.cx.paths.item("Inputs"), quote!(#record<#scalar>));
                 quote!(#name: impl #inputs<#ty>)
             }
-            None => quote!(#name: #scalar),
+            form => {
+                let ty = form.ty(scalar);
+                quote!(#name: #ty)
+            }
         };
-        self.given.iter().zip(&self.names).map(declare).collect()
+        self.parts().map(declare).collect()
     }
 
     /// How a private function declares them: as the records themselves.
     pub(super) fn received(&self, scalar: &TokenStream) -> Vec<TokenStream> {
-        let receive = |(given, name): (&Given, &Ident)| match self.record(*given) {
-            Some(record) => quote!(#name: #record<#scalar>),
-            None => quote!(#name: #scalar),
+        let receive = |(name, form): (&Ident, Form<'_>)| {
+            let ty = form.ty(scalar);
+            quote!(#name: #ty)
         };
-        self.given.iter().zip(&self.names).map(receive).collect()
+        self.parts().map(receive).collect()
     }
 
-    /// Each argument with the record that it is and that record's fields; a number has none.
-    pub(super) fn parts(&self) -> impl Iterator<Item = (&Ident, Option<Fields<'a>>)> {
+    /// Each argument with what it is.
+    pub(super) fn parts(&self) -> impl Iterator<Item = (&Ident, Form<'a>)> {
         self.given.iter().zip(&self.names).map(|(given, name)| {
-            let fields = self.record(*given).map(|record| (record, self.fields(*given)));
-            (name, fields)
+            let form = match self.record(*given) {
+                Some(record) => Form::Record(record, self.fields(*given)),
+                None if *given == Given::Drives && self.cx.inputs().is_some() => {
+                    Form::List(self.cx.mechanism.inputs.len())
+                }
+                None => Form::Number,
+            };
+            (name, form)
         })
     }
 
@@ -108,6 +146,7 @@ impl<'a> Arguments<'a> {
     fn record(&self, given: Given) -> Option<&'a Ident> {
         match given {
             Given::Loads => self.cx.loads(),
+            Given::Drives => None,
             _ => self.cx.inputs(),
         }
     }
@@ -135,6 +174,7 @@ impl<'a> Arguments<'a> {
             Node::InputCos(_) => Given::Cosine,
             Node::InputSin(_) => Given::Sine,
             Node::Load(_) => Given::Loads,
+            Node::Drive(_) => Given::Drives,
             Node::Input { order, .. } => {
                 [Given::Value, Given::Rate, Given::Acceleration][usize::from(order)]
             }
@@ -159,6 +199,10 @@ impl<'a> Arguments<'a> {
                 let field = &self.cx.mechanism.dynamics.loads[load as usize].name;
                 Some(quote!(#name.#field).into())
             }
+            Node::Drive(input) if self.cx.inputs().is_some() => {
+                let index = Literal::u32_unsuffixed(input);
+                Some(quote!(#name[#index]).into())
+            }
             _ => Some(name.clone().into()),
         }
     }
@@ -168,6 +212,10 @@ impl<'a> Arguments<'a> {
         match node {
             Node::Param(param) => Some(text(&self.cx.mechanism.params[param as usize].name)),
             Node::Load(load) => Some(text(&self.cx.mechanism.dynamics.loads[load as usize].name)),
+            Node::Drive(input) => {
+                let name = text(&self.cx.mechanism.inputs[input as usize].name);
+                Some(format!("drive of {name}"))
+            }
             Node::InputCos(_) => Some("cos".to_string()),
             Node::InputSin(_) => Some("sin".to_string()),
             Node::Input { input, order } => {

@@ -11,7 +11,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use self::c_identifiers::Width;
-use super::arguments::Arguments;
+use super::arguments::{Arguments, Form};
 use super::context::{Context, literal};
 use super::identifiers::{function_name, generated, string, text};
 use super::{results, solver};
@@ -188,13 +188,14 @@ fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
     let names: Vec<Ident> =
         (0..arguments.names().len()).map(|i| generated(&format!("q{i}_"))).collect();
     let (mut declared, mut read) = (TokenStream::new(), TokenStream::new());
-    for ((argument, record), name) in arguments.parts().zip(&names) {
-        let Some((record, _)) = record else {
-            declared.extend(quote!(#name: #number,));
+    for ((argument, form), name) in arguments.parts().zip(&names) {
+        let ty = form.ty(&number);
+        if let Form::Number = form {
+            declared.extend(quote!(#name: #ty,));
             continue;
-        };
+        }
         let label = string(&text(argument), argument.span());
-        declared.extend(quote!(#name: *const #record<#number>,));
+        declared.extend(quote!(#name: *const #ty,));
         read.extend(quote!(let #name = unsafe { read_(#name, #label) }?;));
     }
     let (solver, parameter) = called(cx, &number);

@@ -24,7 +24,7 @@ pub(super) fn ty(cx: &Context<'_>) -> Tokens {
 }
 
 fn is_about_forces(cx: &Context<'_>) -> bool {
-    ["forces", "energy"].iter().any(|name| cx.interface.find(name).is_some())
+    ["forces", "energy", "forward_dynamics"].iter().any(|name| cx.interface.find(name).is_some())
 }
 
 /// The initialiser of `COST`.
@@ -36,8 +36,11 @@ pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
     let [position, motion, coefficients] = ["position", "motion", "coefficients"].map(of);
     let cost = ty(cx);
     let forces = is_about_forces(cx).then(|| {
-        let [forces, statics, energy] = ["forces", "statics", "energy"].map(of);
-        quote!(, forces: #forces, statics: #statics, energy: #energy)
+        let [forces, statics, energy, forward] =
+            ["forces", "statics", "energy", "forward_dynamics"].map(of);
+        quote! {
+            , forces: #forces, statics: #statics, energy: #energy, forward_dynamics: #forward
+        }
     });
     let searches = cx.searches().then(|| {
         let searches = searches::costs(cx);

@@ -127,6 +127,10 @@ pub(super) fn record(cx: &Context<'_>, record: &Record) -> TokenStream {
         }
         Kind::Loads => format!("The loads of [`{solver}`]."),
         Kind::Energy => format!("The energy of [`{solver}`]."),
+        Kind::Equations => format!(
+            "The equations of motion of [`{solver}`]: Σ `mass[row][column]` times the second rate of \
+             input `column` = `force[row]` + drive of input `row`."
+        ),
         Kind::Forces => {
             format!("Efforts of the drives of [`{solver}`] and reactions of its joints.")
         }
@@ -148,6 +152,13 @@ pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
         Subject::Load(index) => forces::load(&cx.mechanism.dynamics.loads[index]),
         Subject::Effort(index) => forces::effort(cx, index),
         Subject::Efforts(index) => forces::owner(cx, index),
+        Subject::Equations("mass") => quote! {
+            /// The mass matrix, symmetric: in kg along a length, in kg·m² about an angle.
+        },
+        Subject::Equations(_) => quote! {
+            /// What acts along each input, of what is applied, weight, springs and the inertia that is left
+            /// without second rates: in N along a length, in N·m about an angle.
+        },
         Subject::Energy("kinetic") => quote! {
             /// In J: ½ m v² + ½ J ω² of every mass.
         },
@@ -234,6 +245,7 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
                 Given::Rate => Some(format!("its rate in {unit}/s")),
                 Given::Acceleration => Some(format!("its second rate in {unit}/s²")),
                 Given::Loads => None,
+                Given::Drives => Some("the effort of its drive".to_string()),
             });
             format!("Given {}.", given.collect::<Vec<_>>().join(", "))
         }
@@ -242,6 +254,9 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
         ),
         _ => String::new(),
     };
+    if entry.given.contains(&Given::Drives) && cx.inputs().is_some() {
+        text += "\nThe efforts of the drives are an array in the order of `INPUTS`.";
+    }
     if entry.given.contains(&Given::Loads) {
         text += &forces::loads(cx);
     }
@@ -286,6 +301,10 @@ fn exceptions(entry: &Entry) -> &'static str {
         return " `OffCircle` where the amplitude is no resolver's.";
     }
     match entry.name {
+        "forward_dynamics" => {
+            " `Singular` names an input that moves no mass in this pose; at a dead point of the inputs \
+             the group is: choose the crank that turns fully as input."
+        }
         "coefficients" => " An input that no coefficient depends on is not looked at.",
         "margins" => {
             " A margin is there also beyond its own group's limit, but not behind another group \

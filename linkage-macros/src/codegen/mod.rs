@@ -15,6 +15,7 @@ mod costs_in_words;
 mod doc_comments;
 mod docs;
 mod drawing;
+mod dynamics;
 mod editor_names;
 mod fast_path;
 mod forces;
@@ -70,7 +71,7 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
     let (formulas, searches) = (formulas::functions(cx), searches::functions(cx));
     let sweeps = cx.entries().map(|entry| sweeps::items(cx, entry));
     let (derivatives, tracking) = (autodiff::items(cx), tracking::items(cx));
-    let as_mechanism = as_mechanism::items(cx);
+    let (as_mechanism, dynamics) = (as_mechanism::items(cx), dynamics::items(cx));
     let (c_export, references) = (c_export::items(cx), editor_names::items(cx));
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     // A search decides at every trial, which lanes cannot do together.
@@ -89,6 +90,7 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
             #derivatives
             #tracking
             #as_mechanism
+            #dynamics
             #c_export
             #references
             #drawing

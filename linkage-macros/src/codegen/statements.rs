@@ -203,6 +203,7 @@ impl<'a> Printer<'a> {
             | Node::InputSin(_)
             | Node::Param(_)
             | Node::Load(_)
+            | Node::Drive(_)
             | Node::Sin(_)
             | Node::Cos(_)
             | Node::Trial(_)

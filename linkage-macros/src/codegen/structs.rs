@@ -8,6 +8,7 @@ use super::identifiers::generated;
 use super::results::{self, read, ty};
 use super::token_list::Tokens;
 use super::{docs, module};
+use crate::interface::entries::EQUATIONS;
 use crate::interface::labels;
 use crate::interface::quantity::Order;
 use crate::interface::records::{Field, Kind, Record, RecordId, Shape};
@@ -20,7 +21,11 @@ pub(super) fn definitions(cx: &Context<'_>) -> TokenStream {
 
 /// Whether something is given or returns it: margins may be outputs without an entry point.
 pub(super) fn is_returned(cx: &Context<'_>, record: &Record) -> bool {
-    record.kind != Kind::Margins || cx.interface.find("margins").is_some()
+    match record.kind {
+        Kind::Margins => cx.interface.find("margins").is_some(),
+        Kind::Equations => cx.interface.find(EQUATIONS).is_some(),
+        _ => true,
+    }
 }
 
 /// What can be done with them.
@@ -28,9 +33,12 @@ pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
     let implementation = |record: &Record| match record.kind {
         Kind::Inputs | Kind::Loads => from_list(cx, record),
         Kind::Outputs(order) => rows(cx, record, order),
-        Kind::Motion | Kind::Margins | Kind::Forces | Kind::ForcesOf(_) | Kind::Energy => {
-            TokenStream::new()
-        }
+        Kind::Motion
+        | Kind::Margins
+        | Kind::Forces
+        | Kind::ForcesOf(_)
+        | Kind::Energy
+        | Kind::Equations => TokenStream::new(),
     };
     let returned = cx.interface.record_ids().filter(|&id| is_returned(cx, cx.record(id)));
     let arrays = returned.map(|id| as_array(cx, id));
@@ -127,6 +135,12 @@ fn as_array(cx: &Context<'_>, id: RecordId) -> TokenStream {
     let numbers: Vec<_> = (0..labels.len()).map(|i| generated(&format!("n{i}_"))).collect();
     let (taken, made) = match record.kind {
         Kind::Motion => by_records(cx, record, &numbers),
+        // Lists are taken apart: what is indexed would have to be copied.
+        Kind::Equations => {
+            let mut values = numbers.iter().cloned().map(Tokens::from);
+            let made = results::assemble(cx, shape, &mut values);
+            (quote!(let #made = self; [#(#numbers),*]), made)
+        }
         _ => {
             let components = results::components(cx, shape, &quote!(self));
             let mut values = numbers.iter().cloned().map(Tokens::from);

@@ -4,7 +4,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::arguments::{Arguments, Fields};
+use super::arguments::{Arguments, Form};
 use super::context::Context;
 use super::identifiers::{function_name, generated};
 use super::token_list::Tokens;
@@ -29,8 +29,7 @@ pub(super) fn items(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
         _ => "OfMotion",
     };
     let arguments = Arguments::new(cx, entry.given);
-    let ins =
-        arguments.parts().map(|(_, record)| record.map_or(1, |(_, fields)| fields.len())).sum();
+    let ins = arguments.parts().map(|(_, form)| form.numbers()).sum();
     let sweep = Sweep {
         cx,
         id,
@@ -73,10 +72,10 @@ impl Sweep<'_> {
         let values = quote!(#series<'series, #scalar>);
         let [into, inputs] = ["Into", "Inputs"].map(|item| cx.paths.item(item));
         let (mut declared, mut converted) = (Vec::new(), TokenStream::new());
-        for (name, record) in self.arguments.parts() {
-            let (ty, given) = match record {
-                Some((record, _)) => (quote!(#record<#values>), &inputs),
-                None => (values.clone(), &into),
+        for (name, form) in self.arguments.parts() {
+            let (ty, given) = match form {
+                Form::Record(..) => (form.ty(&values), &inputs),
+                Form::Number | Form::List(_) => (form.ty(&values), &into),
             };
             declared.push(quote!(#name: impl #given<#ty>));
             converted.extend(quote!(let #name: #ty = #into::into(#name);));
@@ -159,9 +158,9 @@ impl Sweep<'_> {
 
     /// The numbers of a pose, argument by argument.
     fn inputs(&self) -> Vec<TokenStream> {
-        let of = |(name, record): (&Ident, Option<Fields<'_>>)| match record {
-            None => vec![quote!(#name)],
-            Some((_, fields)) => fields.iter().map(|field| quote!(#name.#field)).collect(),
+        let of = |(name, form): (&Ident, Form<'_>)| match form {
+            Form::Record(_, fields) => fields.iter().map(|field| quote!(#name.#field)).collect(),
+            Form::Number | Form::List(_) => vec![quote!(#name)],
         };
         self.arguments.parts().flat_map(of).collect()
     }
@@ -173,13 +172,12 @@ impl Sweep<'_> {
     /// The arguments of the single call, from as many locals as a pose has numbers.
     fn call(&self, locals: &[Ident]) -> Vec<TokenStream> {
         let mut rest = locals;
-        let argument = |(_, record): (&Ident, Option<Fields<'_>>)| {
-            let (own, further) =
-                rest.split_at(record.as_ref().map_or(1, |(_, fields)| fields.len()));
+        let argument = |(_, form): (&Ident, Form<'_>)| {
+            let (own, further) = rest.split_at(form.numbers());
             rest = further;
-            match record {
-                None => quote!(#(#own)*),
-                Some((record, fields)) => quote!(#record { #(#fields: #own),* }),
+            match form {
+                Form::Record(record, fields) => quote!(#record { #(#fields: #own),* }),
+                Form::Number | Form::List(_) => quote!(#(#own)*),
             }
         };
         self.arguments.parts().map(argument).collect()

@@ -85,6 +85,9 @@ fn answers<'s>(
     let mut on_circle = None;
     let mut answers = Vec::new();
     for entry in &interface.entries {
+        if entry.needs_mass() && !forces::every_input_moves_mass(&given) {
+            continue;
+        }
         let is_bare = moves_bare && (acts_bare || !entry.is_about_forces());
         let kinematics = match entry.takes_cosine() {
             true if !is_bare => continue,
@@ -116,13 +119,13 @@ fn sinks(interface: &Interface, entry: &Entry, kinematics: &Kinematics<'_>) -> V
             }
             Kind::Forces => forces::at_rest(kinematics),
             Kind::Energy => forces::energy(kinematics),
+            Kind::Equations => forces::equations(kinematics),
             Kind::Inputs | Kind::Loads | Kind::ForcesOf(_) => {
                 unreachable!("what is given or a part of a result is none itself")
             }
         },
-        Shape::Number | Shape::List(_) | Shape::Quantity(..) => {
-            unreachable!("what an entry point returns is a record or a matrix")
-        }
+        Shape::Number | Shape::List(_) => forces::accelerations(kinematics),
+        Shape::Quantity(..) => unreachable!("no entry point returns a single output"),
     }
 }
 

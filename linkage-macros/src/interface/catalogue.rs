@@ -19,6 +19,7 @@ pub(super) struct Records {
     pub loads: Option<RecordId>,
     pub forces: Option<RecordId>,
     pub energy: Option<RecordId>,
+    pub equations: Option<RecordId>,
 }
 
 impl Records {
@@ -47,7 +48,9 @@ impl Records {
         let forces =
             (!fields.is_empty()).then(|| add(record(mechanism, "Forces", Kind::Forces, fields)));
         let energy = mechanism.dynamics.energy.then(|| add(forces::energy(mechanism)));
-        Self { list, input, orders, motion, margins, loads, forces, energy }
+        let has_mass = !mechanism.dynamics.masses.is_empty();
+        let equations = has_mass.then(|| add(forces::equations(mechanism)));
+        Self { list, input, orders, motion, margins, loads, forces, energy, equations }
     }
 }
 

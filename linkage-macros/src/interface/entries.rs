@@ -13,6 +13,8 @@ pub(crate) enum Given {
     Sine,
     /// The loads, a number or a record of several.
     Loads,
+    /// The efforts of the inputs' drives, a number or a list.
+    Drives,
 }
 
 /// An entry point.
@@ -36,7 +38,13 @@ impl Entry {
 
     /// Whether it is about forces or energy.
     pub(crate) fn is_about_forces(&self) -> bool {
-        ["forces", "statics", "energy"].iter().any(|name| self.name.starts_with(name))
+        let names = ["forces", "statics", "energy", FORWARD, EQUATIONS];
+        names.iter().any(|name| self.name.starts_with(name))
+    }
+
+    /// Whether it needs every input to move some mass.
+    pub(crate) fn needs_mass(&self) -> bool {
+        [FORWARD, EQUATIONS].contains(&self.name)
     }
 
     /// What is given beside the inputs' values.
@@ -117,6 +125,31 @@ pub(super) fn of_forces(columns: usize, has_loads: bool, forces: RecordId) -> Ve
         ]);
     }
     entries
+}
+
+/// From forces to motion.
+pub(crate) const FORWARD: &str = "forward_dynamics";
+pub(crate) const EQUATIONS: &str = "equations_of_motion";
+
+/// The entry points that give accelerations, or the equations for them.
+pub(super) fn of_dynamics(columns: usize, has_loads: bool, equations: RecordId) -> Vec<Entry> {
+    use Given::{Drives, Loads, Rate, Value};
+    let [forward, moving]: [&'static [Given]; 2] = match has_loads {
+        false => [&[Value, Rate, Drives], &[Value, Rate]],
+        true => [&[Value, Rate, Drives, Loads], &[Value, Rate, Loads]],
+    };
+    let accelerations = if columns == 1 { Shape::Number } else { Shape::List(columns) };
+    let entry =
+        |name, given, result, subject| Entry { name, given, result, subject, sweeps: false };
+    vec![
+        entry(FORWARD, forward, accelerations, "Second rates of the inputs under given drives"),
+        entry(
+            EQUATIONS,
+            moving,
+            Shape::Record(equations),
+            "Equations of motion, mass times second rates = force + drives",
+        ),
+    ]
 }
 
 /// Of what moves, and of what is lifted or sprung.

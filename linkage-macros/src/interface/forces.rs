@@ -84,6 +84,19 @@ pub(super) fn energy(mechanism: &Mechanism) -> Record {
     record(mechanism, "Energy", Kind::Energy, fields.into())
 }
 
+/// The mass matrix, and what acts along the inputs.
+pub(super) fn equations(mechanism: &Mechanism) -> Record {
+    let count = mechanism.inputs.len();
+    let fields =
+        [("mass", Shape::Matrix { rows: count, columns: count }), ("force", Shape::List(count))]
+            .map(|(part, shape)| Field {
+                name: Ident::new(part, proc_macro2::Span::call_site()),
+                shape,
+                subject: Subject::Equations(part),
+            });
+    record(mechanism, "Equations", Kind::Equations, fields.into())
+}
+
 pub(super) fn field_of_owner(mechanism: &Mechanism, first: usize, record: RecordId) -> Field {
     let name: Ident = mechanism.dynamics.asked[first].owner.clone();
     Field { name, shape: Shape::Record(record), subject: Subject::Efforts(first) }

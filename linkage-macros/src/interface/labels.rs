@@ -49,8 +49,16 @@ pub(crate) fn of_result(interface: &Interface, mechanism: &Mechanism, shape: Sha
                 |input| rows.iter().map(move |row| format!("coefficient of {input} of {row}"));
             inputs.flat_map(|input| column(input).collect::<Vec<_>>()).collect()
         }
-        Shape::Number | Shape::List(_) | Shape::Quantity(..) => Vec::new(),
+        // No entry point returns numbers or a list of them but the second rates of its inputs.
+        Shape::Number | Shape::List(_) => of_inputs(mechanism, "acceleration"),
+        Shape::Quantity(..) => Vec::new(),
     }
+}
+
+/// `acceleration of theta`
+fn of_inputs(mechanism: &Mechanism, what: &str) -> Vec<String> {
+    let inputs = mechanism.inputs.iter();
+    inputs.map(|input| format!("{what} of {}", input.name.unraw())).collect()
 }
 
 fn of_field(interface: &Interface, mechanism: &Mechanism, field: &Field) -> Vec<String> {
@@ -60,6 +68,13 @@ fn of_field(interface: &Interface, mechanism: &Mechanism, field: &Field) -> Vec<
         Subject::Input(index) => vec![mechanism.inputs[index].name.unraw().to_string()],
         Subject::Load(index) => vec![mechanism.dynamics.loads[index].name.unraw().to_string()],
         Subject::Effort(index) => forces::rows(&mechanism.dynamics.asked[index]),
+        Subject::Equations(part) => {
+            let numbers = of_inputs(mechanism, part);
+            match field.shape {
+                Shape::Matrix { columns, .. } => vec![numbers; columns].concat(),
+                _ => numbers,
+            }
+        }
         Subject::Energy(part) => vec![format!("{part} energy")],
         Subject::Efforts(_) => of_result(interface, mechanism, field.shape),
     }

@@ -50,14 +50,18 @@ impl Interface {
             loads,
             forces,
             energy,
+            equations,
         } = Records::of(mechanism);
         let mut entries = entries::all(rows, columns, orders, motion, margins);
+        let has_loads = !mechanism.dynamics.loads.is_empty();
         if let Some(forces) = forces {
-            let has_loads = !mechanism.dynamics.loads.is_empty();
             entries.extend(entries::of_forces(columns, has_loads, forces));
         }
         if let Some(energy) = energy {
             entries.extend(entries::of_energy(columns, energy));
+        }
+        if let Some(equations) = equations {
+            entries.extend(entries::of_dynamics(columns, has_loads, equations));
         }
         Self { records, entries, inputs, loads, rows, columns }
     }

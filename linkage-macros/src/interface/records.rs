@@ -68,6 +68,8 @@ pub(crate) enum Kind {
     /// The same of one input or link: an index into the mechanism's asked-for forces, its first.
     ForcesOf(usize),
     Energy,
+    /// Mass matrix, and what acts along the inputs.
+    Equations,
 }
 
 #[derive(Debug)]
@@ -94,6 +96,8 @@ pub(crate) enum Subject {
     Efforts(usize),
     /// Kinetic or potential.
     Energy(&'static str),
+    /// `mass` or `force` of the equations of motion.
+    Equations(&'static str),
 }
 
 /// Whether an output exists also where the pose does not.

@@ -92,6 +92,7 @@ fn of(node: Node) -> Operations {
         | Node::InputSin(_)
         | Node::Param(_)
         | Node::Load(_)
+        | Node::Drive(_)
         | Node::Mode(_)
         | Node::Low(_)
         | Node::Neg(_)

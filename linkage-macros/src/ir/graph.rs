@@ -72,6 +72,8 @@ pub(crate) enum Node {
     Param(u32),
     /// A load: a force, a torque or a number that a call is given.
     Load(u32),
+    /// The effort that drives an input, where a call is given it.
+    Drive(u32),
     /// A mode parameter as +1 or −1.
     Mode(u32),
     Neg(Id),
@@ -392,6 +394,7 @@ impl Node {
             | Self::InputSin(_)
             | Self::Param(_)
             | Self::Load(_)
+            | Self::Drive(_)
             | Self::Mode(_)
             | Self::Trial(_)
             | Self::Low(_) => self,

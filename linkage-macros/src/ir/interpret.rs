@@ -34,6 +34,7 @@ pub(crate) struct Given<N> {
     pub inputs: Vec<[N; 3]>,
     pub params: Vec<N>,
     pub loads: Vec<N>,
+    pub drives: Vec<N>,
     /// Cosine and sine in place of the only input's value, where they are given: whatever numbers
     /// these are, so that it shows what is made of each.
     pub unit: Option<[N; 2]>,
@@ -105,6 +106,7 @@ fn value<N: Number>(
         Node::InputSin(input) => given.sin(input),
         Node::Param(param) | Node::Mode(param) => given.params[param as usize].clone(),
         Node::Load(load) => given.loads[load as usize].clone(),
+        Node::Drive(input) => given.drives[input as usize].clone(),
         Node::Neg(a) => v(a).neg(),
         Node::Add(a, b) => v(a).add(v(b)),
         Node::Sub(a, b) => v(a).sub(v(b)),

@@ -31,6 +31,7 @@ fn describe(graph: &Graph, node: Node) -> String {
         Node::InputSin(input) => format!("sin(input {input})"),
         Node::Param(param) => format!("param {param}"),
         Node::Load(load) => format!("load {load}"),
+        Node::Drive(input) => format!("drive {input}"),
         Node::Mode(param) => format!("mode {param}"),
         Node::Trial(unknown) => format!("trial of unknown {unknown}"),
         Node::Guard(value, guard) => {

@@ -125,7 +125,7 @@ impl Bounds<'_> {
                 Range::about(1.0).rounded()
             }
             // A parameter can be anything, and so can a load.
-            Node::Param(_) | Node::Load(_) => return None,
+            Node::Param(_) | Node::Load(_) | Node::Drive(_) => return None,
             // What a search makes of the inputs is not followed.
             Node::Trial(_) | Node::Root(_) | Node::Size(_) => return None,
             Node::Mode(_) => Range { low: -1.0, high: 1.0, away: 1.0 },

@@ -197,7 +197,12 @@ pub(crate) enum Reading {
 pub(crate) fn is_leaf(node: Node) -> bool {
     matches!(
         node,
-        Node::Input { .. } | Node::InputCos(_) | Node::InputSin(_) | Node::Param(_) | Node::Load(_)
+        Node::Input { .. }
+            | Node::InputCos(_)
+            | Node::InputSin(_)
+            | Node::Param(_)
+            | Node::Load(_)
+            | Node::Drive(_)
     )
 }
 

@@ -155,7 +155,7 @@ impl Dynamics {
 
 impl Mechanism {
     /// What errors call the groups, and behind them what acts along a line between two points, which
-    /// has no direction where they meet: springs, then forces.
+    /// has no direction where they meet: springs, then forces; and inputs, which may move no mass.
     pub(crate) fn titles(&self) -> Vec<String> {
         let groups = self.groups.iter().map(|group| group.title.clone());
         let springs = self.dynamics.springs.iter().map(|spring| self.spring_title(spring));
@@ -163,7 +163,14 @@ impl Mechanism {
             Force::Between { points, .. } => format!("force {}", self.pair(*points)),
             Force::At { .. } => String::new(),
         });
-        groups.chain(springs).chain(forces).collect()
+        let inputs = self.inputs.iter().map(|input| input.name.to_string());
+        groups.chain(springs).chain(forces).chain(inputs).collect()
+    }
+
+    /// The number of an input's title among [`Self::titles`].
+    pub(crate) fn title_of_input(&self, input: usize) -> u32 {
+        let forces = self.dynamics.forces.len() as u32;
+        self.title_of_force(0) + forces + input as u32
     }
 
     fn spring_title(&self, spring: &Spring) -> String {

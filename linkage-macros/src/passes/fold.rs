@@ -73,6 +73,7 @@ fn evaluate(graph: &Graph, node: Node) -> Option<Exact> {
         | Node::InputSin(_)
         | Node::Param(_)
         | Node::Load(_)
+        | Node::Drive(_)
         | Node::Mode(_)
         | Node::Guard(..)
         | Node::Trial(_)

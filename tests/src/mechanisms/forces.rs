@@ -195,3 +195,70 @@ mechanism! {
         torque rates between AB and BC;
     }
 }
+
+mechanism! {
+    /// Two parallelogram four-bars in a row, links of 1 m and 1 kg: one pendulum (IFToMM benchmark A02).
+    pub struct TwoParallelograms {
+        input q: angle;
+        ground A(0, 0), C(1m, 0), E(2m, 0);
+        crank AB(A) -> B { length: 1m, angle: q }
+        crank CD(C) -> D { length: 1m, angle: 0, relative_to: AB }
+        crank EF(E) -> F { length: 1m, angle: 0, relative_to: AB }
+        crank BD(B)      { angle: 0 }
+        crank DF(D)      { angle: 0 }
+        gravity (0, -9.81(m/s^2));
+        mass 1kg on AB uniform;
+        mass 1kg on CD uniform;
+        mass 1kg on EF uniform;
+        mass 1kg on BD at (0.5m, 0);
+        mass 1kg on DF at (0.5m, 0);
+    }
+}
+
+mechanism! {
+    /// A mass on a spring and a damper.
+    pub struct Oscillator {
+        input x: length;
+        param k = 15(N/m);
+        param c = 0(N*s/m);
+        load push: force;
+        ground O(0, 0);
+        guide rail through O along 0deg;
+        slider body(rail) -> P { slide: x }
+        mass 1.6632kg on P;
+        force (push - k * x - c * rate(x), 0) on P;
+    }
+}
+
+mechanism! {
+    /// Two masses between springs, the second at the end.
+    pub struct TwoMasses {
+        input x, y: length;
+        load push: force;
+        ground O(0, 0);
+        guide rail through O along 0deg;
+        slider first(rail) -> P { slide: x }
+        slider second(rail) -> Q { slide: y }
+        mass 1.6632kg on P;
+        mass 1.6632kg on Q;
+        force (-15(N/m) * x, 0) on P;
+        force (15(N/m) * (y - x), 0) on P;
+        force (push - 15(N/m) * (y - x), 0) on Q;
+    }
+}
+
+mechanism! {
+    /// A trolley with a hanging load: its sway is an input without a drive.
+    pub struct Crane {
+        input x: length;
+        input sway: angle;
+        ground O(0, 0);
+        guide rail through O along 0deg;
+        slider trolley(rail) -> P { slide: x }
+        crank rope(P) -> L { length: 2m, angle: sway - 90deg }
+        gravity (0, -9.81);
+        mass 5kg on P;
+        mass 3kg on L;
+        inertia 0.1(kg*m^2) on rope;
+    }
+}

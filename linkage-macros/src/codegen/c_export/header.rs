@@ -1,12 +1,11 @@
 //! The text of the header: the types and functions as C sees them, field for field what the
 //! generated Rust lays out.
 
-use proc_macro2::Ident;
 use syn::{Attribute, Expr, ExprLit, Lit, Meta};
 
 use super::c_identifiers::{Width, default, distinct, function, snake_case};
 use super::{PARAMETERS, answer_name};
-use crate::codegen::arguments::Arguments;
+use crate::codegen::arguments::{Arguments, Form};
 use crate::codegen::context::Context;
 use crate::codegen::identifiers::text as plain;
 use crate::codegen::{docs, forces};
@@ -96,19 +95,19 @@ fn comment(lines: &[String], indent: &str) -> String {
     format!("{indent}/* {text} */\n")
 }
 
-/// A record: its comment, its name, and its fields with a type and a comment each.
+/// A record: its comment, its name, and its fields with a type, a comment and, of a list, its dimensions.
 struct Record {
     about: String,
     name: String,
-    fields: Vec<(String, String, String)>,
+    fields: Vec<(String, String, String, String)>,
 }
 
 impl Record {
     fn text(&self) -> String {
-        let names = distinct(self.fields.iter().map(|(_, name, _)| name.clone()));
-        let field = |((ty, _, about), name): (&(String, String, String), String)| {
+        let names = distinct(self.fields.iter().map(|(_, name, ..)| name.clone()));
+        let field = |((ty, _, about, list), name): (&(String, String, String, String), String)| {
             let about = about.trim_end_matches('.').to_string();
-            format!("{}    {ty} {name};\n", comment(&[about], "    "))
+            format!("{}    {ty} {name}{list};\n", comment(&[about], "    "))
         };
         let fields: String = self.fields.iter().zip(names).map(field).collect();
         let (about, name) = (comment(std::slice::from_ref(&self.about), ""), &self.name);
@@ -137,7 +136,7 @@ fn parameters(cx: &Context<'_>, width: Width) -> Record {
             ParamKind::Side { .. } => ("int32_t", "LINKAGE_LEFT or LINKAGE_RIGHT".to_string()),
             ParamKind::Sense { .. } => ("int32_t", "LINKAGE_AHEAD or LINKAGE_BEHIND".to_string()),
         };
-        (ty.to_string(), name, about)
+        (ty.to_string(), name, about, String::new())
     };
     Record {
         about: format!("The parameters of {solver}."),
@@ -161,14 +160,27 @@ fn record(cx: &Context<'_>, width: Width, of: &records::Record) -> Record {
         Kind::ForcesOf(first) => {
             format!("Forces of {}.", plain(&cx.mechanism.dynamics.asked[first].owner))
         }
+        Kind::Equations => {
+            "The equations of motion: mass times second rates = force + drives.".to_string()
+        }
         Kind::Energy => "Kinetic and potential energy.".to_string(),
     };
     let field = |field: &Field| {
         let ty = type_of(cx, field.shape, width);
-        (ty, plain(&field.name), about_field(cx, field.subject))
+        let name = plain(&field.name);
+        (ty, name, about_field(cx, field.subject), dimensions(field.shape))
     };
     let fields = of.fields.iter().map(field).collect();
     Record { about, name: width.type_name(&plain(&of.name)), fields }
+}
+
+/// What stands behind the name of a list.
+fn dimensions(shape: Shape) -> String {
+    match shape {
+        Shape::Matrix { rows, columns } => format!("[{rows}][{columns}]"),
+        Shape::List(count) => format!("[{count}]"),
+        Shape::Number | Shape::Quantity(..) | Shape::Record(_) => String::new(),
+    }
 }
 
 /// The type of a field.
@@ -201,6 +213,10 @@ fn about_field(cx: &Context<'_>, subject: Subject) -> String {
             format!("Forces of {}", plain(&cx.mechanism.dynamics.asked[first].owner))
         }
         Subject::Energy(_) => "In J".to_string(),
+        Subject::Equations("mass") => {
+            "Row by row; along a length in kg, about an angle in kg*m^2".to_string()
+        }
+        Subject::Equations(_) => "In N along a length, in N*m about an angle".to_string(),
     }
 }
 
@@ -222,15 +238,13 @@ fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {
     // The inputs come last here, so that they give way to the names that are always there.
     let fixed = [PARAMETERS, answer, "error"].map(str::to_string);
     let names = distinct(fixed.into_iter().chain(arguments.names().iter().map(plain)));
-    let ty = |record: Option<&Ident>| match record {
-        Some(record) => format!("const {} *", width.type_name(&plain(record))),
-        None => format!("{} ", width.in_c()),
-    };
+    let inputs = arguments.parts().zip(&names[3..]).map(|((_, form), name)| match form {
+        Form::Record(record, _) => format!("const {} *{name}", width.type_name(&plain(record))),
+        Form::Number => format!("{} {name}", width.in_c()),
+        Form::List(count) => format!("const {} {name}[{count}]", width.in_c()),
+    });
     let parameters = (!cx.mechanism.params.is_empty())
         .then(|| format!("const {} *{}", width.type_name(&plain(&cx.names.solver)), names[0]));
-    let inputs = arguments.parts().zip(&names[3..]);
-    let inputs =
-        inputs.map(|((_, record), name)| format!("{}{name}", ty(record.map(|(record, _)| record))));
     let list: Vec<String> = parameters
         .into_iter()
         .chain(inputs)
@@ -248,8 +262,7 @@ fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {
 fn answer_argument(cx: &Context<'_>, of: &Entry, width: Width) -> String {
     let (name, ty) = (answer_name(of), type_of(cx, of.result, width));
     match of.result {
-        Shape::Matrix { rows, columns } => format!("{ty} {name}[{rows}][{columns}]"),
-        Shape::List(count) => format!("{ty} {name}[{count}]"),
+        Shape::Matrix { .. } | Shape::List(_) => format!("{ty} {name}{}", dimensions(of.result)),
         Shape::Number | Shape::Quantity(..) | Shape::Record(_) => format!("{ty} *{name}"),
     }
 }

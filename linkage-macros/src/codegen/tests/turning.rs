@@ -96,7 +96,8 @@ fn assembles(source: &str) -> impl Fn(f64) -> bool {
     let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
     move |degrees: f64| {
         let inputs = vec![[degrees.to_radians(), 0.0, 0.0]];
-        let given = Given { inputs, params: Vec::new(), loads: Vec::new(), unit: None };
+        let given =
+            Given { inputs, params: Vec::new(), loads: Vec::new(), drives: Vec::new(), unit: None };
         let values = interpret(&program, &given);
         let entry = program.answer("position");
         let sinks = &entry.expect("there is a position").sinks;

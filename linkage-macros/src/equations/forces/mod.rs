@@ -22,6 +22,9 @@
 //! [`power`] takes it from the power of all that acts, without any reaction, on masses [`reduced`] to
 //! what moves alike. [`together`] is what all masses do as one: energy, shaking, centre of mass.
 //!
+//! # From forces to motion
+//! [`dynamics`] puts the same powers and the mass matrix into the equations of motion, and solves them.
+//!
 //! # Signs
 //! Moments are counter-clockwise positive. A reaction acts on the link it is named after. A guide
 //! exerts its normal force at the origin of the link's frame, and a couple. An effort is what the drive
@@ -31,6 +34,7 @@
 //! Norton, Design of Machinery, ch. 11 (dynamic force analysis, dyad by dyad) and ch. 10 (Eksergian's
 //! equation); J. J. Uicker, G. R. Pennock, J. E. Shigley, Theory of Machines and Mechanisms.
 
+mod dynamics;
 mod loads;
 mod power;
 mod reduced;
@@ -43,6 +47,7 @@ use crate::equations::kinematics::{Kinematics, Source};
 use crate::ir::graph::Id;
 use crate::model::dynamics::Effort;
 
+pub(super) use dynamics::{accelerations, equations, every_input_moves_mass};
 pub(super) use together::centre_of_mass;
 pub(super) use walk::Walk;
 

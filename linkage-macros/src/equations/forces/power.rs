@@ -30,7 +30,10 @@ pub(super) fn effort<'s>(kinematics: &Kinematics<'s>, input: InputId) -> Sym<'s>
 }
 
 /// −(the power of all that acts), at the unit rate.
-fn of_one_among_several<'s>(kinematics: &Kinematics<'s>, unit: &Kinematics<'s>) -> Sym<'s> {
+pub(super) fn of_one_among_several<'s>(
+    kinematics: &Kinematics<'s>,
+    unit: &Kinematics<'s>,
+) -> Sym<'s> {
     let (masses, g) = (Masses::of(kinematics), gravity(kinematics));
     let mut power = applied_power(kinematics, unit);
     for (link, inertia) in masses.by_link() {
@@ -52,7 +55,7 @@ fn of_one_among_several<'s>(kinematics: &Kinematics<'s>, unit: &Kinematics<'s>) 
 }
 
 /// The power of forces and torques, at the unit rate.
-fn applied_power<'s>(kinematics: &Kinematics<'s>, unit: &Kinematics<'s>) -> Sym<'s> {
+pub(super) fn applied_power<'s>(kinematics: &Kinematics<'s>, unit: &Kinematics<'s>) -> Sym<'s> {
     let mut power = kinematics.sheet.zero();
     for (point, force) in applied(kinematics) {
         power = power + force.dot(unit.point(point).velocity);

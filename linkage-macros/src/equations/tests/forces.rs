@@ -215,6 +215,7 @@ fn compare(
         inputs: inputs.iter().map(|q| q.map(Digits::float)).collect(),
         params: defaults(&mechanism),
         loads: vec![Digits::float(1.75); mechanism.dynamics.loads.len()],
+        drives: vec![Digits::float(0.65); mechanism.inputs.len()],
         unit: None,
     };
     let values = interpret(&program, &given);

@@ -9,7 +9,13 @@ fn position(source: &str) -> Vec<Digits> {
     let mechanism = mechanism(source);
     let program = equations::derive(&mechanism, passes::RULES);
     let inputs = [0.7, 0.21].map(|q| [q, 0.0, 0.0].map(Digits::float)).to_vec();
-    let given = Given { inputs, params: defaults(&mechanism), loads: Vec::new(), unit: None };
+    let given = Given {
+        inputs,
+        params: defaults(&mechanism),
+        loads: Vec::new(),
+        drives: Vec::new(),
+        unit: None,
+    };
     values(&program, "position", &given)
 }
 

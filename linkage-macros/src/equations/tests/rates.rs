@@ -46,6 +46,7 @@ fn velocities_and_accelerations_are_derivatives_of_the_position() {
                 .collect(),
             params: defaults(&mechanism),
             loads: Vec::new(),
+            drives: Vec::new(),
             unit: None,
         };
         let now = given(&Digits::float(0.0));
@@ -85,6 +86,7 @@ fn coefficients_are_the_velocities_at_unit_rates() {
                 .collect(),
             params: defaults(&mechanism),
             loads: Vec::new(),
+            drives: Vec::new(),
             unit: None,
         };
         let count = variant.inputs.len();

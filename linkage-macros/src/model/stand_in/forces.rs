@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::model::dynamics::{Asked, Effort, Ends, Quantity, Spring};
+use crate::model::dynamics::{Asked, Effort, Ends, Mass, MassPlace, Quantity, Spring};
 use crate::model::mechanism::{Carrier, InputId, LinkId, PointId, SpringId};
 use crate::syntax::action::Action;
 use crate::syntax::tree::{Declaration, Group, StatementKind};
@@ -21,6 +21,10 @@ impl StandIn {
             return;
         }
         self.mechanism.dynamics.energy = true;
+        // Where it is says nothing: it is there for what is offered where something has mass.
+        let (mass, inertia) = (number(), number());
+        let place = MassPlace::Pin(PointId(0));
+        self.mechanism.dynamics.masses.push(Mass { place, mass, inertia });
         for index in 0..self.mechanism.inputs.len() {
             let input = self.mechanism.inputs[index].name.clone();
             self.ask(&input, "drive", Effort::Input(InputId(index as u32)));
@@ -73,7 +77,6 @@ impl StandIn {
         let is_body = |end: &Ident| {
             end == "ground" || matches!(self.things.get(&end.to_string()), Some(Thing::Link(_)))
         };
-        let number = || Quantity { value: zero(), name: String::new() };
         let of_points = self.mechanism.points.first().map(|_| Ends::Points([PointId(0); 2]));
         let ends = match of_points {
             Some(points) if !ends.iter().any(is_body) => points,
@@ -108,4 +111,8 @@ impl StandIn {
         let new = Asked { owner, field, docs: Vec::new(), effort };
         asked.insert(behind.map_or(asked.len(), |last| last + 1), new);
     }
+}
+
+fn number() -> Quantity {
+    Quantity { value: zero(), name: String::new() }
 }

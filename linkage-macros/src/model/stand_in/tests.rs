@@ -258,7 +258,7 @@ fn forces_are_offered_where_something_has_mass_or_acts() {
         guide rail through A along 0; crank AB(A) -> B { length: 1m, angle: t }
         rrr BC(B), DC(D) -> C { lengths: (1m), mode: left } slider ram(rail) -> P { slide: 1m }";
     let source = |more: &str| format!("pub struct M {{ {MACHINE} {more} }}");
-    let names = ["forces", "statics", "energy", "sweep_forces", "solve_statics"];
+    let names = ["forces", "statics", "energy", "sweep_forces", "solve_statics", "state_rates"];
     for acting in ["mass 1kg on BC uniform;", "mass 1kgg on;", "spring s between A and C { }"] {
         let file = expand(&source(acting));
         let methods = methods(&file);

@@ -107,6 +107,8 @@ fn forces_keep_their_budgets() {
     let text = format!("{found:?}");
     assert!(drive <= 100 && drive_at_rest <= 51, "{text}");
     assert!(all <= 132 && all_at_rest <= 54, "{text}");
+    let forward = written(heavy_four_bar!("output q.drive;"), "forward_dynamics");
+    assert!(forward <= 100, "{forward}");
     assert!(written(one, "forces") < all && written(one, "statics") < all_at_rest, "{text}");
 }
 

@@ -26,6 +26,7 @@ fn no_pass_changes_a_value() {
             inputs: variant.inputs.iter().map(|q| q.map(Digits::float)).collect(),
             params: defaults(&mechanism),
             loads: Vec::new(),
+            drives: Vec::new(),
             unit: None,
         };
         let raw = equations::derive(&mechanism, &[]);
@@ -65,6 +66,7 @@ fn a_given_cosine_and_sine_are_all_that_is_read_of_an_angle() {
             inputs: vec![[value, Digits::float(1.3), Digits::float(-0.6)]],
             params: defaults(&mechanism),
             loads: Vec::new(),
+            drives: Vec::new(),
             unit,
         };
         let angle = given(sin.atan2(&cos), None);
@@ -91,7 +93,13 @@ fn off_the_circle_a_coupler_would_not_keep_its_length() {
     let length = |amplitude: f64| {
         let unit = [0.6, 0.8].map(|x| Digits::float(amplitude * x));
         let inputs = vec![[0.0; 3].map(Digits::float)];
-        let given = Given { inputs, params: Vec::new(), loads: Vec::new(), unit: Some(unit) };
+        let given = Given {
+            inputs,
+            params: Vec::new(),
+            loads: Vec::new(),
+            drives: Vec::new(),
+            unit: Some(unit),
+        };
         let pins = values(&program, "position_at", &given);
         let [bx, by, cx, cy] = [0, 1, 2, 3].map(|i| pins[i].to_f64());
         (cx - bx).hypot(cy - by)

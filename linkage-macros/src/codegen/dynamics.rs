@@ -1,0 +1,50 @@
+//! `state_rates`: what integrators take, made of `forward_dynamics`.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::arguments::Arguments;
+use super::context::Context;
+use super::doc_comments::lines;
+use super::identifiers::generated;
+use crate::interface::entries::FORWARD;
+
+/// Nothing where there is no forward dynamics.
+pub(super) fn items(cx: &Context<'_>) -> TokenStream {
+    let Some(id) = cx.interface.find(FORWARD) else { return TokenStream::new() };
+    let (solver, scalar) = (&cx.names.solver, &cx.names.scalar);
+    let number = quote!(#scalar);
+    let arguments = Arguments::new(cx, cx.entry(id).given);
+    // Values and rates are the state; drives and loads come as they do.
+    let (own, declared) = (&arguments.names()[2..], arguments.declared(&number));
+    let declared = &declared[2..];
+    let count = cx.mechanism.inputs.len();
+    let states = Literal::usize_unsuffixed(2 * count);
+    let [real, result, error, ok] =
+        ["Real", "Result", "SolveError", "Ok"].map(|i| cx.paths.item(i));
+    let named = |letter: &str| (0..count).map(|i| generated(&format!("{letter}{i}_"))).collect();
+    let [values, rates, seconds]: [Vec<_>; 3] = ["q", "v", "a"].map(named);
+    let list = |names: &[proc_macro2::Ident]| match names {
+        [only] => quote!(#only),
+        names => quote!([#(#names),*]),
+    };
+    let (q, v, a) = (list(&values), list(&rates), list(&seconds));
+    let docs = lines(
+        "The rates of a state, values and rates of the inputs: rates and second rates, what an \
+         integrator takes.\n\n# Errors\nThose of `forward_dynamics`.",
+    );
+    quote! {
+        impl<#scalar: #real> #solver<#scalar> {
+            #docs
+            #[inline]
+            pub fn state_rates(
+                &self,
+                [#(#values,)* #(#rates),*]: [#scalar; #states],
+                #(#declared),*
+            ) -> #result<[#scalar; #states], #error> {
+                let #a = self.forward_dynamics(#q, #v, #(#own),*)?;
+                #ok([#(#rates,)* #(#seconds),*])
+            }
+        }
+    }
+}
