@@ -40,7 +40,7 @@ const ENTRIES: [&str; 16] = [
 fn mechanisms_with(entry: &str) -> usize {
     match entry {
         "position_at" | "velocity_at" | "motion_at" => 7,
-        "margins" => 5,
+        "margins" => 6,
         "forces"
         | "statics"
         | "forces_at"
@@ -48,7 +48,7 @@ fn mechanisms_with(entry: &str) -> usize {
         | "forward_dynamics"
         | "equations_of_motion" => 2,
         "energy" | "energy_at" => 1,
-        _ => 9,
+        _ => 10,
     }
 }
 

@@ -191,3 +191,27 @@ mechanism! {
         export c;
     }
 }
+
+mechanism! {
+    /// A press whose drive is searched, and a leg of class III behind it.
+    pub struct SearchedPress {
+        input x, h: length;
+        param seed: near = 80deg;
+
+        ground A(0, 0), D(0.9m, 0);
+        guide bed through (0, 0) along 0deg;
+        guide post through (1.4m, 0) along 90deg;
+
+        unknown theta: angle between (5deg, 175deg);
+        crank AB(A) -> B           { length: 80mm, angle: theta }
+        rrp   BC(B), ram(bed) -> C { length: 250mm, mode: ahead }
+        solve theta { ram.slide = x, mode: falling, near: seed }
+        unknown phi: angle between (-60deg, 60deg);
+        crank DE(D) -> E { length: 0.3m, angle: phi, relative_to: BC }
+        rrp   EF(E), block(post) -> F { length: 0.5m, mode: ahead }
+        solve phi { distance(C, F) = h, mode: rising }
+
+        output theta, phi, C, F, BC, BC.margin;
+        export c;
+    }
+}
