@@ -2,10 +2,14 @@
 //! of the declaration: the same table, to the last bit.
 //!
 //! A test holds the code to what the macro makes, and
-//! `LINKAGE_EXPAND=1 cargo test -p linkage-macros expanded && cargo fmt` writes it anew.
+//! `LINKAGE_EXPAND=1 cargo test -p linkage-macros expanded` writes it anew.
 
 #![allow(unused_qualifications, reason = "generated code relies on no prelude")]
 
+// Laid out by the test that writes it.
+#[rustfmt::skip]
+#[allow(dead_code, unreachable_pub, unused_imports, reason = "this program calls little of it")]
+mod expanded {
 // What `mechanism!` makes of the declaration.
 
 #[allow(non_snake_case, reason = "it is named after the mechanism")]
@@ -164,17 +168,20 @@ mod FourBar_ {
         pub acceleration: FourBarAcceleration<T>,
     }
 
-    #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
+    #[allow(
+        clippy::approx_constant,
+        reason = "a dimension may be near a constant by chance"
+    )]
     const _: () = {
         use ::linkage_core::private;
         #[allow(unused_imports, reason = "no mechanism needs all of them")]
         use private::{
-            AllMet, AngularAcceleration, AngularVelocity, Checks, Clearance, Cost, Default,
-            Direction, Entry, FirstError, Float, From, Fusion, Inputs, Into, LaneMask, Lanes,
-            LengthMismatch, Mask, Mechanism, Modes, OfMotion, OfPosition, OfVelocity, Ok,
-            Operations, Option, PhantomData, Point, Progress, Real, Record, Result, Scalar, Series,
-            Side, Slide, SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError, Some,
-            Status, f64, str, usize,
+            AllMet, AngularAcceleration, AngularVelocity, Checks, Clearance, Cost,
+            Default, Direction, Entry, FirstError, Float, From, Fusion, Inputs, Into,
+            LaneMask, Lanes, LengthMismatch, Mask, Mechanism, Modes, OfMotion,
+            OfPosition, OfVelocity, Ok, Operations, Option, PhantomData, Point, Progress,
+            Real, Record, Result, Scalar, Series, Side, Slide, SlidingAcceleration,
+            SlidingDirection, SlidingVelocity, SolveError, Some, Status, f64, str, usize,
         };
 
         #[allow(
@@ -189,8 +196,15 @@ mod FourBar_ {
 
         impl FourBar<f64> {
             /// The scalar rows of the results, in the order of every list of rows.
-            pub const OUTPUTS: [&'static str; 7] =
-                ["AB.angle", "B.x", "B.y", "BC.angle", "DC.angle", "C.x", "C.y"];
+            pub const OUTPUTS: [&'static str; 7] = [
+                "AB.angle",
+                "B.x",
+                "B.y",
+                "BC.angle",
+                "DC.angle",
+                "C.x",
+                "C.y",
+            ];
 
             /// The inputs, in the order of the columns of Jacobians.
             pub const INPUTS: [&'static str; 1] = ["theta"];
@@ -258,8 +272,16 @@ mod FourBar_ {
             type Array = [T; 10];
 
             const LABELS: &'static [&'static str] = &[
-                "AB.angle", "AB.angle", "B.x", "B.y", "BC.angle", "BC.angle", "DC.angle",
-                "DC.angle", "C.x", "C.y",
+                "AB.angle",
+                "AB.angle",
+                "B.x",
+                "B.y",
+                "BC.angle",
+                "BC.angle",
+                "DC.angle",
+                "DC.angle",
+                "C.x",
+                "C.y",
             ];
 
             #[inline(always)]
@@ -279,7 +301,19 @@ mod FourBar_ {
             }
 
             #[inline]
-            fn from_array([n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_]: [T; 10]) -> Self {
+            fn from_array(
+                [n0_,
+                n1_,
+                n2_,
+                n3_,
+                n4_,
+                n5_,
+                n6_,
+                n7_,
+                n8_,
+                n9_,
+                ]: [T; 10],
+            ) -> Self {
                 FourBarPosition {
                     AB: Direction { cos: n0_, sin: n1_ },
                     B: Point { x: n2_, y: n3_ },
@@ -401,19 +435,15 @@ mod FourBar_ {
 
             #[inline(always)]
             fn into_array(self) -> [T; 24] {
-                let [n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_] =
-                    Record::into_array(self.position);
-                let [n10_, n11_, n12_, n13_, n14_, n15_, n16_] = Record::into_array(self.velocity);
-                let [n17_, n18_, n19_, n20_, n21_, n22_, n23_] =
-                    Record::into_array(self.acceleration);
-                [
-                    n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_, n10_, n11_, n12_, n13_, n14_,
-                    n15_, n16_, n17_, n18_, n19_, n20_, n21_, n22_, n23_,
-                ]
-            }
-
-            #[inline]
-            fn from_array(
+                let [n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_] = Record::into_array(
+                    self.position,
+                );
+                let [n10_, n11_, n12_, n13_, n14_, n15_, n16_] = Record::into_array(
+                    self.velocity,
+                );
+                let [n17_, n18_, n19_, n20_, n21_, n22_, n23_] = Record::into_array(
+                    self.acceleration,
+                );
                 [
                     n0_,
                     n1_,
@@ -439,14 +469,68 @@ mod FourBar_ {
                     n21_,
                     n22_,
                     n23_,
+                ]
+            }
+
+            #[inline]
+            fn from_array(
+                [n0_,
+                n1_,
+                n2_,
+                n3_,
+                n4_,
+                n5_,
+                n6_,
+                n7_,
+                n8_,
+                n9_,
+                n10_,
+                n11_,
+                n12_,
+                n13_,
+                n14_,
+                n15_,
+                n16_,
+                n17_,
+                n18_,
+                n19_,
+                n20_,
+                n21_,
+                n22_,
+                n23_,
                 ]: [T; 24],
             ) -> Self {
                 Self {
                     position: Record::from_array([
-                        n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_,
+                        n0_,
+                        n1_,
+                        n2_,
+                        n3_,
+                        n4_,
+                        n5_,
+                        n6_,
+                        n7_,
+                        n8_,
+                        n9_,
                     ]),
-                    velocity: Record::from_array([n10_, n11_, n12_, n13_, n14_, n15_, n16_]),
-                    acceleration: Record::from_array([n17_, n18_, n19_, n20_, n21_, n22_, n23_]),
+                    velocity: Record::from_array([
+                        n10_,
+                        n11_,
+                        n12_,
+                        n13_,
+                        n14_,
+                        n15_,
+                        n16_,
+                    ]),
+                    acceleration: Record::from_array([
+                        n17_,
+                        n18_,
+                        n19_,
+                        n20_,
+                        n21_,
+                        n22_,
+                        n23_,
+                    ]),
                 }
             }
         }
@@ -530,12 +614,20 @@ mod FourBar_ {
             /// divisions, 1 square root and 1 sine-cosine pair.
             #[inline]
             #[must_use]
-            pub fn solve_velocity(&self, theta: T, theta_rate: T) -> (FourBarVelocity<T>, T::Mask) {
+            pub fn solve_velocity(
+                &self,
+                theta: T,
+                theta_rate: T,
+            ) -> (FourBarVelocity<T>, T::Mask) {
                 self.core_velocity_(theta, theta_rate)
             }
 
             #[inline(always)]
-            fn core_velocity_(&self, theta: T, theta_rate: T) -> (FourBarVelocity<T>, T::Mask) {
+            fn core_velocity_(
+                &self,
+                theta: T,
+                theta_rate: T,
+            ) -> (FourBarVelocity<T>, T::Mask) {
                 let (sin_, cos_) = T::sin_cos_near(theta);
                 let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
                 (result_, T::is_near(theta) & ok_)
@@ -567,8 +659,8 @@ mod FourBar_ {
                 theta_acceleration: T,
             ) -> (FourBarMotion<T>, T::Mask) {
                 let (sin_, cos_) = T::sin_cos_near(theta);
-                let (result_, ok_) =
-                    self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+                let (result_, ok_) = self
+                    .core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
                 (result_, T::is_near(theta) & ok_)
             }
 
@@ -611,18 +703,27 @@ mod FourBar_ {
             /// division and 1 square root.
             #[inline]
             #[must_use]
-            pub fn solve_position_at(&self, cos: T, sin: T) -> (FourBarPosition<T>, T::Mask) {
+            pub fn solve_position_at(
+                &self,
+                cos: T,
+                sin: T,
+            ) -> (FourBarPosition<T>, T::Mask) {
                 let (cos_, sin_, near_) = private::on_circle(cos, sin);
                 let (result_, ok_) = self.core_position_at_(cos_, sin_);
                 (result_, ok_ & near_)
             }
 
             #[inline(always)]
-            fn core_position_at_(&self, cos: T, sin: T) -> (FourBarPosition<T>, T::Mask) {
+            fn core_position_at_(
+                &self,
+                cos: T,
+                sin: T,
+            ) -> (FourBarPosition<T>, T::Mask) {
                 let mut all_met_ = AllMet::new();
                 let result_ = {
                     let rest_ = T::lit(0.0, 0.0);
-                    self.formulas_at_::<0>(&mut all_met_, cos, sin, rest_, rest_).position
+                    self.formulas_at_::<0>(&mut all_met_, cos, sin, rest_, rest_)
+                        .position
                 };
                 (
                     result_,
@@ -667,17 +768,18 @@ mod FourBar_ {
                 let mut all_met_ = AllMet::new();
                 let result_ = {
                     let rest_ = T::lit(0.0, 0.0);
-                    self.formulas_at_::<1>(&mut all_met_, cos, sin, theta_rate, rest_).velocity
+                    self.formulas_at_::<1>(&mut all_met_, cos, sin, theta_rate, rest_)
+                        .velocity
                 };
                 (
                     result_,
-                    all_met_.all()
-                        & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
+                    all_met_.all() & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
                         & (if T::plain(true, true) {
                             <T::Mask as Mask>::ALL
                         } else {
                             T::is_finite(
-                                (result_.B.x + result_.BC.omega) + (result_.C.x + result_.C.y),
+                                (result_.B.x + result_.BC.omega)
+                                    + (result_.C.x + result_.C.y),
                             )
                         }),
                 )
@@ -701,8 +803,8 @@ mod FourBar_ {
                 theta_acceleration: T,
             ) -> (FourBarMotion<T>, T::Mask) {
                 let (cos_, sin_, near_) = private::on_circle(cos, sin);
-                let (result_, ok_) =
-                    self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+                let (result_, ok_) = self
+                    .core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
                 (result_, ok_ & near_)
             }
 
@@ -715,12 +817,13 @@ mod FourBar_ {
                 theta_acceleration: T,
             ) -> (FourBarMotion<T>, T::Mask) {
                 let mut all_met_ = AllMet::new();
-                let result_ =
-                    self.formulas_at_::<2>(&mut all_met_, cos, sin, theta_rate, theta_acceleration);
+                let result_ = self
+                    .formulas_at_::<
+                        2,
+                    >(&mut all_met_, cos, sin, theta_rate, theta_acceleration);
                 (
                     result_,
-                    all_met_.all()
-                        & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
+                    all_met_.all() & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
                         & T::is_within(
                             theta_acceleration,
                             T::lit(9.999999999999998e119, 1000000000000.0),
@@ -756,68 +859,88 @@ mod FourBar_ {
                 let acceleration_ = Record::from_array([zero_; 7]);
                 let b_x_ = T::lit(0.1016, 0.1016) * cos;
                 let b_y_ = T::lit(0.1016, 0.1016) * sin;
-                let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), cos, T::lit(0.3048, 0.3048));
-                let v174_ =
-                    T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.1032256, 0.1032256));
-                let bc_dc_d2_ = checks_.square_of_centres(
-                    v174_,
-                    bc_dc_d_x_,
-                    -b_y_,
-                    T::lit(0.254, 0.254),
-                    T::lit(0.1778, 0.1778),
-                    "BC, DC",
+                let bc_dc_d_x_ = T::fused(
+                    -T::lit(0.1016, 0.1016),
+                    cos,
+                    T::lit(0.3048, 0.3048),
                 );
+                let v174_ = T::fused(
+                    -T::lit(0.06193536, 0.06193536),
+                    cos,
+                    T::lit(0.1032256, 0.1032256),
+                );
+                let bc_dc_d2_ = checks_
+                    .square_of_centres(
+                        v174_,
+                        bc_dc_d_x_,
+                        -b_y_,
+                        T::lit(0.254, 0.254),
+                        T::lit(0.1778, 0.1778),
+                        "BC, DC",
+                    );
                 let bc_dc_inverse_d2_ = T::lit(1.0, 1.0) / bc_dc_d2_;
-                let bc_dc_i_ =
-                    T::fused(-T::lit(0.06193536, 0.06193536), cos, T::lit(0.09741916, 0.09741916));
+                let bc_dc_i_ = T::fused(
+                    -T::lit(0.06193536, 0.06193536),
+                    cos,
+                    T::lit(0.09741916, 0.09741916),
+                );
                 let v178_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
                 let v179_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
                 let v180_ = T::lit(5.535725357165, 5.5357256) * v178_;
                 let v181_ = v179_ * v180_;
-                let bc_dc_s_ = checks_.reach_circles(
-                    v181_,
-                    [
-                        bc_dc_d_x_,
-                        -b_y_,
-                        T::lit(0.254, 0.254),
-                        T::lit(0.1778, 0.1778),
-                        T::lit(1.0321428571428573, 1.0321429),
-                    ],
-                    "BC, DC",
-                );
+                let bc_dc_s_ = checks_
+                    .reach_circles(
+                        v181_,
+                        [
+                            bc_dc_d_x_,
+                            -b_y_,
+                            T::lit(0.254, 0.254),
+                            T::lit(0.1778, 0.1778),
+                            T::lit(1.0321428571428573, 1.0321429),
+                        ],
+                        "BC, DC",
+                    );
                 let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
                 let v184_ = T::lit(0.0903224, 0.0903224) * bc_dc_inverse_d2_;
                 let bc_dc_h_ = bc_dc_root_s_ * v184_;
-                let bc_dc_a_d2_ =
-                    T::fused(T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0193548, 0.0193548));
-                let bc_dc_b_d2_ =
-                    T::fused(T::lit(0.5, 0.5), bc_dc_i_, -T::lit(0.01354836, 0.01354836));
+                let bc_dc_a_d2_ = T::fused(
+                    T::lit(0.5, 0.5),
+                    bc_dc_i_,
+                    T::lit(0.0193548, 0.0193548),
+                );
+                let bc_dc_b_d2_ = T::fused(
+                    T::lit(0.5, 0.5),
+                    bc_dc_i_,
+                    -T::lit(0.01354836, 0.01354836),
+                );
                 let v189_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
-                let bc_dc_a_ = checks_.share_of_centres(
-                    v189_,
-                    [
-                        v181_,
-                        bc_dc_d_x_,
-                        -b_y_,
-                        T::lit(0.254, 0.254),
-                        T::lit(0.1778, 0.1778),
-                        T::lit(1.0321428571428573, 1.0321429),
-                    ],
-                    "BC, DC",
-                );
+                let bc_dc_a_ = checks_
+                    .share_of_centres(
+                        v189_,
+                        [
+                            v181_,
+                            bc_dc_d_x_,
+                            -b_y_,
+                            T::lit(0.254, 0.254),
+                            T::lit(0.1778, 0.1778),
+                            T::lit(1.0321428571428573, 1.0321429),
+                        ],
+                        "BC, DC",
+                    );
                 let v191_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
-                let bc_dc_b_ = checks_.share_of_centres(
-                    v191_,
-                    [
-                        v181_,
-                        bc_dc_d_x_,
-                        -b_y_,
-                        T::lit(0.1778, 0.1778),
-                        T::lit(0.254, 0.254),
-                        T::lit(1.0321428571428573, 1.0321429),
-                    ],
-                    "BC, DC",
-                );
+                let bc_dc_b_ = checks_
+                    .share_of_centres(
+                        v191_,
+                        [
+                            v181_,
+                            bc_dc_d_x_,
+                            -b_y_,
+                            T::lit(0.1778, 0.1778),
+                            T::lit(0.254, 0.254),
+                            T::lit(1.0321428571428573, 1.0321429),
+                        ],
+                        "BC, DC",
+                    );
                 let bc_dc_h_d_x_ = b_y_ * bc_dc_h_;
                 let bc_dc_h_d_y_ = bc_dc_d_x_ * bc_dc_h_;
                 let bc_dc_r2_x_ = T::fused(bc_dc_d_x_, bc_dc_a_, bc_dc_h_d_x_);
@@ -832,8 +955,14 @@ mod FourBar_ {
                 let position_ = FourBarPosition {
                     AB: Direction { cos, sin },
                     B: Point { x: b_x_, y: b_y_ },
-                    BC: Direction { cos: bc_cos_, sin: bc_sin_ },
-                    DC: Direction { cos: dc_cos_, sin: dc_sin_ },
+                    BC: Direction {
+                        cos: bc_cos_,
+                        sin: bc_sin_,
+                    },
+                    DC: Direction {
+                        cos: dc_cos_,
+                        sin: dc_sin_,
+                    },
                     C: Point { x: c_x_, y: c_y_ },
                 };
                 if ORDER == 0 {
@@ -860,10 +989,16 @@ mod FourBar_ {
                 let c_vx_ = -v242_;
                 let c_vy_ = bc_dc_r3_x_ * dc_omega_;
                 let velocity_ = FourBarVelocity {
-                    AB: AngularVelocity { omega: theta_rate },
+                    AB: AngularVelocity {
+                        omega: theta_rate,
+                    },
                     B: Point { x: b_vx_, y: b_vy_ },
-                    BC: AngularVelocity { omega: bc_omega_ },
-                    DC: AngularVelocity { omega: dc_omega_ },
+                    BC: AngularVelocity {
+                        omega: bc_omega_,
+                    },
+                    DC: AngularVelocity {
+                        omega: dc_omega_,
+                    },
                     C: Point { x: c_vx_, y: c_vy_ },
                 };
                 if ORDER == 1 {
@@ -881,10 +1016,17 @@ mod FourBar_ {
                 let b_ay_ = T::fused(-v16_, b_y_, v165_);
                 let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
                 let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
-                let bc_dc_r2_r3_ =
-                    T::fused(-T::lit(0.5, 0.5), bc_dc_i_, T::lit(0.0451612, 0.0451612));
+                let bc_dc_r2_r3_ = T::fused(
+                    -T::lit(0.5, 0.5),
+                    bc_dc_i_,
+                    T::lit(0.0451612, 0.0451612),
+                );
                 let v224_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
-                let v226_ = T::fused(-T::lit(0.03161284, 0.03161284), bc_dc_omega3_squared_, v224_);
+                let v226_ = T::fused(
+                    -T::lit(0.03161284, 0.03161284),
+                    bc_dc_omega3_squared_,
+                    v224_,
+                );
                 let v227_ = T::lit(0.064516, 0.064516) * bc_dc_omega2_squared_;
                 let v230_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v227_);
                 let v231_ = bc_dc_g_x_ * bc_dc_r3_x_;
@@ -901,10 +1043,16 @@ mod FourBar_ {
                 let c_ax_ = -v249_;
                 let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v246_);
                 let acceleration_ = FourBarAcceleration {
-                    AB: AngularAcceleration { alpha: theta_acceleration },
+                    AB: AngularAcceleration {
+                        alpha: theta_acceleration,
+                    },
                     B: Point { x: b_ax_, y: b_ay_ },
-                    BC: AngularAcceleration { alpha: bc_alpha_ },
-                    DC: AngularAcceleration { alpha: dc_alpha_ },
+                    BC: AngularAcceleration {
+                        alpha: bc_alpha_,
+                    },
+                    DC: AngularAcceleration {
+                        alpha: dc_alpha_,
+                    },
                     C: Point { x: c_ax_, y: c_ay_ },
                 };
                 FourBarMotion {
@@ -947,7 +1095,11 @@ mod FourBar_ {
                 theta_rate: T,
             ) -> Result<FourBarVelocity<T>, SolveError> {
                 let (result_, ok_) = { self.core_velocity_(theta, theta_rate) };
-                if ok_ { Ok(result_) } else { self.diagnose_velocity_(theta, theta_rate) }
+                if ok_ {
+                    Ok(result_)
+                } else {
+                    self.diagnose_velocity_(theta, theta_rate)
+                }
             }
 
             /// Positions, velocities and accelerations of the outputs.
@@ -966,7 +1118,9 @@ mod FourBar_ {
                 theta_rate: T,
                 theta_acceleration: T,
             ) -> Result<FourBarMotion<T>, SolveError> {
-                let (result_, ok_) = { self.core_motion_(theta, theta_rate, theta_acceleration) };
+                let (result_, ok_) = {
+                    self.core_motion_(theta, theta_rate, theta_acceleration)
+                };
                 if ok_ {
                     Ok(result_)
                 } else {
@@ -1001,7 +1155,11 @@ mod FourBar_ {
             /// The group that cannot be assembled, is singular or was given an invalid length, or the input
             /// or result that is not finite. `OffCircle` where the amplitude is no resolver's.
             #[inline]
-            pub fn position_at(&self, cos: T, sin: T) -> Result<FourBarPosition<T>, SolveError> {
+            pub fn position_at(
+                &self,
+                cos: T,
+                sin: T,
+            ) -> Result<FourBarPosition<T>, SolveError> {
                 let (result_, ok_) = {
                     let (cos_, sin_, near_) = private::on_circle(cos, sin);
                     let (result_, ok_) = self.core_position_at_(cos_, sin_);
@@ -1064,8 +1222,8 @@ mod FourBar_ {
             ) -> Result<FourBarMotion<T>, SolveError> {
                 let (result_, ok_) = {
                     let (cos_, sin_, near_) = private::on_circle(cos, sin);
-                    let (result_, ok_) =
-                        self.core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+                    let (result_, ok_) = self
+                        .core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
                     (result_, ok_ & near_)
                 };
                 if ok_ {
@@ -1079,7 +1237,10 @@ mod FourBar_ {
             /// Why `solve_position` gave no answer, or the answer at a limit.
             #[cold]
             #[inline(never)]
-            fn diagnose_position_(&self, theta: T) -> Result<FourBarPosition<T>, SolveError> {
+            fn diagnose_position_(
+                &self,
+                theta: T,
+            ) -> Result<FourBarPosition<T>, SolveError> {
                 private::finite_input(theta, "theta")?;
                 let (sin_, cos_) = T::sin_cos(theta);
                 self.diagnose_position_at_(cos_, sin_)
@@ -1115,7 +1276,10 @@ mod FourBar_ {
             /// Why `solve_coefficients` gave no answer, or the answer at a limit.
             #[cold]
             #[inline(never)]
-            fn diagnose_coefficients_(&self, theta: T) -> Result<[[T; 1]; 7], SolveError> {
+            fn diagnose_coefficients_(
+                &self,
+                theta: T,
+            ) -> Result<[[T; 1]; 7], SolveError> {
                 let result_ = self.diagnose_velocity_(theta, T::lit(1.0, 1.0))?;
                 Ok([
                     [result_.AB.omega],
@@ -1136,10 +1300,13 @@ mod FourBar_ {
                 cos: T,
                 sin: T,
             ) -> Result<FourBarPosition<T>, SolveError> {
-                private::diagnose(&[(cos, "cos"), (sin, "sin")], |checks_| {
-                    let rest_ = T::lit(0.0, 0.0);
-                    self.formulas_at_::<0>(checks_, cos, sin, rest_, rest_).position
-                })
+                private::diagnose(
+                    &[(cos, "cos"), (sin, "sin")],
+                    |checks_| {
+                        let rest_ = T::lit(0.0, 0.0);
+                        self.formulas_at_::<0>(checks_, cos, sin, rest_, rest_).position
+                    },
+                )
             }
 
             /// Why `solve_velocity_at` gave no answer, or the answer at a limit.
@@ -1155,7 +1322,8 @@ mod FourBar_ {
                     &[(theta_rate, "theta_rate"), (cos, "cos"), (sin, "sin")],
                     |checks_| {
                         let rest_ = T::lit(0.0, 0.0);
-                        self.formulas_at_::<1>(checks_, cos, sin, theta_rate, rest_).velocity
+                        self.formulas_at_::<1>(checks_, cos, sin, theta_rate, rest_)
+                            .velocity
                     },
                 )
             }
@@ -1178,7 +1346,10 @@ mod FourBar_ {
                         (sin, "sin"),
                     ],
                     |checks_| {
-                        self.formulas_at_::<2>(checks_, cos, sin, theta_rate, theta_acceleration)
+                        self
+                            .formulas_at_::<
+                                2,
+                            >(checks_, cos, sin, theta_rate, theta_acceleration)
                     },
                 )
             }
@@ -1205,13 +1376,13 @@ mod FourBar_ {
                 progress: impl Progress,
             ) -> Result<(), LengthMismatch> {
                 let theta: Series<'series, T> = Into::into(theta);
-                private::sweep::<OfPosition, _, _, 1, 10>(
-                    self,
-                    [theta],
-                    Record::into_array(out),
-                    status,
-                    progress,
-                )
+                private::sweep::<
+                    OfPosition,
+                    _,
+                    _,
+                    1,
+                    10,
+                >(self, [theta], Record::into_array(out), status, progress)
             }
         }
 
@@ -1219,7 +1390,8 @@ mod FourBar_ {
             #[inline(always)]
             fn solve_lanes<const W_: usize, F: Fusion>(
                 &self,
-                [x0_]: [Lanes<T, W_, F>; 1],
+                [x0_,
+                ]: [Lanes<T, W_, F>; 1],
             ) -> ([Lanes<T, W_, F>; 10], LaneMask<W_>) {
                 let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_position_(x0_);
                 (Record::into_array(result_), ok_)
@@ -1254,13 +1426,13 @@ mod FourBar_ {
             ) -> Result<(), LengthMismatch> {
                 let theta: Series<'series, T> = Into::into(theta);
                 let theta_rate: Series<'series, T> = Into::into(theta_rate);
-                private::sweep::<OfVelocity, _, _, 2, 7>(
-                    self,
-                    [theta, theta_rate],
-                    Record::into_array(out),
-                    status,
-                    progress,
-                )
+                private::sweep::<
+                    OfVelocity,
+                    _,
+                    _,
+                    2,
+                    7,
+                >(self, [theta, theta_rate], Record::into_array(out), status, progress)
             }
         }
 
@@ -1268,9 +1440,13 @@ mod FourBar_ {
             #[inline(always)]
             fn solve_lanes<const W_: usize, F: Fusion>(
                 &self,
-                [x0_, x1_]: [Lanes<T, W_, F>; 2],
+                [x0_,
+                x1_,
+                ]: [Lanes<T, W_, F>; 2],
             ) -> ([Lanes<T, W_, F>; 7], LaneMask<W_>) {
-                let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_velocity_(x0_, x1_);
+                let (result_, ok_) = self
+                    .lift::<Lanes<T, W_, F>>()
+                    .core_velocity_(x0_, x1_);
                 (Record::into_array(result_), ok_)
             }
 
@@ -1304,8 +1480,16 @@ mod FourBar_ {
             ) -> Result<(), LengthMismatch> {
                 let theta: Series<'series, T> = Into::into(theta);
                 let theta_rate: Series<'series, T> = Into::into(theta_rate);
-                let theta_acceleration: Series<'series, T> = Into::into(theta_acceleration);
-                private::sweep::<OfMotion, _, _, 3, 24>(
+                let theta_acceleration: Series<'series, T> = Into::into(
+                    theta_acceleration,
+                );
+                private::sweep::<
+                    OfMotion,
+                    _,
+                    _,
+                    3,
+                    24,
+                >(
                     self,
                     [theta, theta_rate, theta_acceleration],
                     Record::into_array(out),
@@ -1319,9 +1503,14 @@ mod FourBar_ {
             #[inline(always)]
             fn solve_lanes<const W_: usize, F: Fusion>(
                 &self,
-                [x0_, x1_, x2_]: [Lanes<T, W_, F>; 3],
+                [x0_,
+                x1_,
+                x2_,
+                ]: [Lanes<T, W_, F>; 3],
             ) -> ([Lanes<T, W_, F>; 24], LaneMask<W_>) {
-                let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_motion_(x0_, x1_, x2_);
+                let (result_, ok_) = self
+                    .lift::<Lanes<T, W_, F>>()
+                    .core_motion_(x0_, x1_, x2_);
                 (Record::into_array(result_), ok_)
             }
 
@@ -1354,7 +1543,9 @@ mod FourBar_ {
             type Clearances = [Clearance<T>; 1];
             type Enclosures = [Clearance<<T as Real>::Enclosing>; 1];
 
-            const GROUPS: &'static [(&'static str, Option<usize>)] = &[("BC, DC", private::None)];
+            const GROUPS: &'static [(&'static str, Option<usize>)] = &[
+                ("BC, DC", private::None),
+            ];
 
             #[inline]
             fn flip(&mut self, param_: usize) {
@@ -1385,7 +1576,11 @@ mod FourBar_ {
                 let v16_ = theta_rate * theta_rate;
                 let bc_dc_g_x_ = b_x_ * v16_;
                 let bc_dc_g_y_ = b_y_ * v16_;
-                let bc_dc_d_x_ = T::fused(-T::lit(0.1016, 0.1016), ab_cos_, T::lit(0.3048, 0.3048));
+                let bc_dc_d_x_ = T::fused(
+                    -T::lit(0.1016, 0.1016),
+                    ab_cos_,
+                    T::lit(0.3048, 0.3048),
+                );
                 let v37_ = bc_dc_w_x_ * bc_dc_d_x_;
                 let v38_ = v37_ + v37_;
                 let v39_ = bc_dc_w_x_ * bc_dc_w_x_;
@@ -1419,12 +1614,14 @@ mod FourBar_ {
                 let v261_ = T::lit(5.535725357165, 5.5357256) * v260_;
                 let v264_ = T::fused(v52_, v261_, -v59_);
                 let v266_ = T::fused(-v50_, v261_, v264_);
-                [Clearance {
-                    value: v53_,
-                    rate: v57_,
-                    second_rate: v266_,
-                    scale: T::lit(0.5517857142857143, 0.5517857),
-                }]
+                [
+                    Clearance {
+                        value: v53_,
+                        rate: v57_,
+                        second_rate: v266_,
+                        scale: T::lit(0.5517857142857143, 0.5517857),
+                    },
+                ]
             }
 
             fn enclosures(&self, middle_: T, radius_: T, rate_: T) -> Self::Enclosures {
@@ -1457,28 +1654,45 @@ mod FourBar_ {
 
             fn velocity(
                 &self,
-                [q_]: Self::Inputs,
-                [rate_]: Self::Inputs,
+                [q_,
+                ]: Self::Inputs,
+                [rate_,
+                ]: Self::Inputs,
             ) -> Result<Self::Rows, SolveError> {
                 Ok(self.velocity(q_, rate_)?.rows())
             }
 
             fn motion(
                 &self,
-                [q_]: Self::Inputs,
-                [rate_]: Self::Inputs,
-                [acceleration_]: Self::Inputs,
+                [q_,
+                ]: Self::Inputs,
+                [rate_,
+                ]: Self::Inputs,
+                [acceleration_,
+                ]: Self::Inputs,
             ) -> Result<[Self::Rows; 3], SolveError> {
                 let result_ = self.motion(q_, rate_, acceleration_)?;
-                Ok([result_.position.rows(), result_.velocity.rows(), result_.acceleration.rows()])
+                Ok([
+                    result_.position.rows(),
+                    result_.velocity.rows(),
+                    result_.acceleration.rows(),
+                ])
             }
 
-            fn coefficients(&self, [q_]: Self::Inputs) -> Result<Self::Coefficients, SolveError> {
+            fn coefficients(
+                &self,
+                [q_,
+                ]: Self::Inputs,
+            ) -> Result<Self::Coefficients, SolveError> {
                 self.coefficients(q_)
             }
         }
 
-        #[allow(dead_code, non_snake_case, reason = "names are as declared, and for editors alone")]
+        #[allow(
+            dead_code,
+            non_snake_case,
+            reason = "names are as declared, and for editors alone"
+        )]
         struct Names_ {
             /// `theta`, made by `input theta`.
             theta: (),
@@ -1497,10 +1711,16 @@ mod FourBar_ {
     };
 }
 
-#[allow(unused_imports, clippy::wildcard_imports, reason = "all that stands in the module")]
+#[allow(
+    unused_imports,
+    clippy::wildcard_imports,
+    reason = "all that stands in the module"
+)]
 pub use FourBar_::*;
 
 // The program.
+}
+use expanded::*;
 
 const OMEGA: f64 = 250.0;
 

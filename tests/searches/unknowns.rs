@@ -14,6 +14,7 @@ use super::set_points::{Width, ends_of_stroke, ram_over_data};
 /// The height of the wheel's centre, then θ, dθ/dz, d²θ/dz², the camber, its derivative, and x of the
 /// wheel's centre: the position in closed form of θ, its root and Taylor coefficients in 40 digits
 /// (mpmath), of which 25, 20 and 15 are kept.
+#[allow(clippy::excessive_precision, reason = "digits as they were computed")]
 const WISHBONE: [[f64; 7]; 5] = [
     [
         0.20,

@@ -77,8 +77,15 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
     // A search decides at every trial, which lanes cannot do together.
     let any = cx.paths.item(if cx.searches() { "Real" } else { "Scalar" });
     let real = cx.paths.item("Real");
+    let has_loads = !cx.mechanism.dynamics.loads.is_empty();
+    let many = has_loads.then(|| {
+        quote! {
+            #[allow(clippy::too_many_arguments, reason = "rates, loads, results and statuses")]
+        }
+    });
     quote! {
         #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
+        #many
         const _: () = {
             #import
             #arguments

@@ -6,7 +6,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{TokenStream, TokenTree};
 
 use crate::pipeline;
 
@@ -33,37 +33,6 @@ fn expansion() -> TokenStream {
         _ => None,
     });
     super::line_by_line(pipeline::compile(body.expect("the macro has an argument"), false))
-}
-
-/// The tokens one by one, without the commas that only layout asks for.
-fn tokens(stream: TokenStream) -> Vec<String> {
-    let mut list = Vec::new();
-    push_tokens(stream, &mut list);
-    list
-}
-
-fn push_tokens(stream: TokenStream, list: &mut Vec<String>) {
-    for tree in stream {
-        match tree {
-            TokenTree::Group(group) => {
-                let (open, close) = match group.delimiter() {
-                    Delimiter::Parenthesis => ("(", ")"),
-                    Delimiter::Brace => ("{", "}"),
-                    Delimiter::Bracket => ("[", "]"),
-                    Delimiter::None => ("", ""),
-                };
-                list.push(open.to_string());
-                push_tokens(group.stream(), list);
-                list.pop_if(|last| last == ",");
-                list.push(close.to_string());
-            }
-            // A doc comment and the attribute it stands for quote their text differently.
-            other => list.push(match syn::parse2::<syn::LitStr>(other.clone().into()) {
-                Ok(text) => format!("{:?}", text.value()),
-                Err(_) => other.to_string(),
-            }),
-        }
-    }
 }
 
 /// The items as text, with an empty line between any two and without the tokens that formatting
@@ -126,9 +95,10 @@ fn the_expanded_four_bar_is_what_the_macro_makes() {
         return fs::write(example("four_bar_expanded.rs"), text)
             .expect("the example can be written");
     }
-    let (made, held) = (tokens(made), tokens(held.parse().expect("the example is made of tokens")));
-    for (at, (made, held)) in made.iter().zip(&held).enumerate() {
-        assert_eq!(made, held, "token {at}: run again with LINKAGE_EXPAND=1, then `cargo fmt`");
+    let made = text(made);
+    let (made, held) = (made.trim().lines(), held.trim().lines());
+    for (nth, (made, held)) in made.clone().zip(held.clone()).enumerate() {
+        assert_eq!(made, held, "line {nth} of the expansion: run again with LINKAGE_EXPAND=1");
     }
-    assert_eq!(made.len(), held.len(), "run again with LINKAGE_EXPAND=1, then `cargo fmt`");
+    assert_eq!(made.count(), held.count(), "run again with LINKAGE_EXPAND=1");
 }

@@ -102,18 +102,16 @@ fn solved<'s>(
     let mut factors = mass;
     let mut inverses = Vec::new();
     for column in 0..count {
-        let mut pivot = factors[column][column];
-        for k in 0..column {
-            pivot = pivot - factors[column][k].squared() * factors[k][k];
-        }
+        let pivot = (0..column).fold(factors[column][column], |pivot, k| {
+            pivot - factors[column][k].squared() * factors[k][k]
+        });
         let pivot = pivot.provided(Check::Nonzero, title(column), &[]);
         factors[column][column] = pivot;
         inverses.push(pivot.recip());
         for row in column + 1..count {
-            let mut entry = factors[row][column];
-            for k in 0..column {
-                entry = entry - factors[row][k] * factors[column][k] * factors[k][k];
-            }
+            let entry = (0..column).fold(factors[row][column], |entry, k| {
+                entry - factors[row][k] * factors[column][k] * factors[k][k]
+            });
             factors[row][column] = entry * inverses[column];
         }
     }
