@@ -219,7 +219,7 @@ fn a_bracket_that_cannot_be_assembled_names_the_group() {
         "{short:?}"
     );
     // From 5° to 80° the rocker's pin goes down behind its highest point.
-    let long = Short { rod: 2.5, ..Short::new() };
+    let long = Short { rod: 2.5 };
     assert!(matches!(long.position(1.8), Err(SolveError::NoSolution { .. })));
     assert!(long.position(1.99).expect("on its way up").theta < 0.5);
 }
