@@ -19,12 +19,7 @@ fn bound(near: f64) -> f64 {
 /// The largest error of the rocker's direction and of its length, over a turn in steps of 0.05°.
 fn worst<T: Float>() -> [f64; 2] {
     let number = |value: f64| T::lit(value, value as f32);
-    let start = ScaledPairs::<T> {
-        elbow: Side::Right,
-        unit: number(1.0),
-        base: number(2.0),
-        ..ScaledPairs::default()
-    };
+    let start = ScaledPairs::<T> { elbow: Side::Right, unit: number(1.0), base: number(2.0) };
     let mut tracker = Tracker::new(start);
     let mut worst = [0.0_f64; 2];
     for i in 0..7200 {
