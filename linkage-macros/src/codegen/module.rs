@@ -10,11 +10,11 @@ use syn::Visibility;
 
 use super::context::Context;
 use super::identifiers::{function_name, text};
-use crate::model::mechanism::Mechanism;
+use super::paths::{a_module_can_hold, seen_from_inside};
 
 /// The code in its module, and its items where the declaration stands.
 pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
-    if !can_hold(cx.mechanism) {
+    if !a_module_can_hold(cx.mechanism) {
         return code.clone();
     }
     let (module, visibility) = (name(&cx.names.solver), &cx.mechanism.visibility);
@@ -40,32 +40,10 @@ fn name(solver: &Ident) -> Ident {
     function_name(&format!("{}_", text(solver)))
 }
 
-/// A path that begins with a name may mean an import beside the declaration, which cannot be seen
-/// from inside a module.
-pub(super) fn can_hold(mechanism: &Mechanism) -> bool {
-    let Some(path) = &mechanism.crate_path else { return true };
-    let first = path.segments.first().map(|segment| segment.ident.to_string());
-    let is_start = |first: String| ["crate", "self", "super"].contains(&first.as_str());
-    path.leading_colon.is_some() || first.is_some_and(is_start)
-}
-
-/// A path, as it reads inside the module.
-pub(super) fn seen_from_inside(path: &syn::Path) -> TokenStream {
-    let first = path.segments.first().map(|segment| segment.ident.to_string());
-    match first.as_deref() {
-        Some("super") => quote!(super::#path),
-        Some("self") => {
-            let rest = path.segments.iter().skip(1);
-            quote!(super #(::#rest)*)
-        }
-        _ => quote!(#path),
-    }
-}
-
 /// How visible the structs are inside the module, so that they are outside what is declared.
 pub(super) fn visibility_inside(cx: &Context<'_>) -> TokenStream {
     let visibility = &cx.mechanism.visibility;
-    if !can_hold(cx.mechanism) {
+    if !a_module_can_hold(cx.mechanism) {
         return quote!(#visibility);
     }
     match visibility {

@@ -9,7 +9,6 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::identifiers::clear_of;
-use super::module;
 use super::token_list::Tokens;
 use crate::model::mechanism::Mechanism;
 
@@ -76,8 +75,8 @@ impl Paths {
     pub(super) fn new(mechanism: &Mechanism, own: Vec<String>) -> Self {
         let module = match &mechanism.crate_path {
             Some(path) => {
-                let path = match module::can_hold(mechanism) {
-                    true => module::seen_from_inside(path),
+                let path = match a_module_can_hold(mechanism) {
+                    true => seen_from_inside(path),
                     false => quote!(#path),
                 };
                 quote!(#path::private)
@@ -144,5 +143,27 @@ impl Paths {
         let derive = self.outside("derive");
         let names = names.iter().map(|name| self.outside(name));
         quote!(#[#derive(#(#names),*)])
+    }
+}
+
+/// A path that begins with a name may mean an import beside the declaration, which cannot be seen
+/// from inside a module.
+pub(super) fn a_module_can_hold(mechanism: &Mechanism) -> bool {
+    let Some(path) = &mechanism.crate_path else { return true };
+    let first = path.segments.first().map(|segment| segment.ident.to_string());
+    let is_start = |first: String| ["crate", "self", "super"].contains(&first.as_str());
+    path.leading_colon.is_some() || first.is_some_and(is_start)
+}
+
+/// A path, as it reads inside the module.
+pub(super) fn seen_from_inside(path: &syn::Path) -> TokenStream {
+    let first = path.segments.first().map(|segment| segment.ident.to_string());
+    match first.as_deref() {
+        Some("super") => quote!(super::#path),
+        Some("self") => {
+            let rest = path.segments.iter().skip(1);
+            quote!(super #(::#rest)*)
+        }
+        _ => quote!(#path),
     }
 }

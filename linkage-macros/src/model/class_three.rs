@@ -10,7 +10,7 @@ use crate::syntax::tree::{
 };
 
 use super::names::{declared_by, title};
-use super::order::Needs;
+use super::needs::Needs;
 use super::references::names_used;
 
 /// What to write in place of statements that need each other, where one unknown is enough.

@@ -32,6 +32,7 @@ mod masses;
 pub(crate) mod mechanism;
 pub(crate) mod modes;
 mod names;
+mod needs;
 mod numbers;
 mod order;
 mod outputs;

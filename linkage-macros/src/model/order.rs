@@ -3,74 +3,12 @@
 //! A name that is used too early is noted where it is met and judged here, once for the whole
 //! declaration: either another order of the statements works, or some of them need each other.
 
-use std::collections::BTreeSet;
-
-use proc_macro2::Ident;
-
 use crate::syntax::tree::Declaration;
 
 use super::Resolver;
 use super::class_three;
 use super::names::{declared_by, listed, title};
-use super::references::names_used;
-
-/// Which statements each statement needs.
-pub(super) struct Needs(Vec<BTreeSet<usize>>);
-
-impl Needs {
-    fn of(tree: &Declaration) -> Self {
-        let made_by = |name: Ident| {
-            tree.statements.iter().position(|statement| {
-                declared_by(statement).iter().any(|(declared, _)| **declared == name)
-            })
-        };
-        Self(
-            tree.statements
-                .iter()
-                .enumerate()
-                .map(|(index, statement)| {
-                    let makers = names_used(statement).into_iter().filter_map(made_by);
-                    makers.filter(|&maker| maker != index).collect()
-                })
-                .collect(),
-        )
-    }
-
-    /// Everything that the statement needs, whether itself or by way of others.
-    fn closure(&self, statement: usize) -> BTreeSet<usize> {
-        let mut all = BTreeSet::new();
-        let mut open = vec![statement];
-        while let Some(next) = open.pop() {
-            open.extend(self.0[next].iter().filter(|&&needed| all.insert(needed)));
-        }
-        all
-    }
-
-    /// The statements that need this one and are needed by it, itself included.
-    pub(super) fn circle(&self, statement: usize) -> BTreeSet<usize> {
-        let needed = self.closure(statement);
-        needed.into_iter().filter(|&other| self.closure(other).contains(&statement)).collect()
-    }
-
-    /// The same where one statement needs these alone.
-    pub(super) fn with(&self, statement: usize, needed: BTreeSet<usize>) -> Self {
-        let mut all = self.0.clone();
-        all[statement] = needed;
-        Self(all)
-    }
-
-    /// The statements, each behind those of them that it needs, as little moved as can be.
-    fn ordered(&self, mut statements: BTreeSet<usize>) -> Vec<usize> {
-        let mut ordered = Vec::new();
-        let is_free =
-            |open: &BTreeSet<usize>, index: &usize| self.closure(*index).is_disjoint(open);
-        while let Some(next) = statements.iter().copied().find(|i| is_free(&statements, i)) {
-            statements.remove(&next);
-            ordered.push(next);
-        }
-        ordered
-    }
-}
+use super::needs::Needs;
 
 const TWO_UNKNOWNS: &str = "only drivers and dyads are solved in closed form; drive the chain at another \
                             link, so that each dyad stands on what is known";

@@ -80,7 +80,7 @@ pub(super) fn rrr(ink: Ink) -> Result<String, SketchError> {
         .name(c, [0.0, -17.0], "C")
         .link(0, [0.62 * c[0], 0.62 * c[1]], [16.0, 14.0], "BC")
         .link(1, [0.4 * c[0] + 0.6 * d[0], 0.4 * c[1] + 0.6 * d[1]], [-20.0, 14.0], "DC")
-        .code(c, [70.0, -24.0], "mode: left")
+        .code(c, [92.0, -22.0], "mode: left")
         .code(below, [70.0, 4.0], "mode: right")
         .svg())
 }
@@ -130,7 +130,7 @@ pub(super) fn rpr(ink: Ink) -> Result<String, SketchError> {
     let foot = on(bar, 0.0, 0.3);
     let text = "rpr block(B), bar(D) { offset, mode: ahead }";
     Ok(Figure::new(sketch, ink, 440.0, text)?
-        .room([30.0, 30.0, 60.0, 60.0])
+        .room([46.0, 30.0, 60.0, 60.0])
         .other(1, &[d, corner, b])
         .other(1, &[corner, on(behind, 0.35, 0.3)])
         .axes(bar)

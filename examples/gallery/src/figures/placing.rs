@@ -122,7 +122,7 @@ pub(super) fn point(ink: Ink) -> Result<String, SketchError> {
         .distance([foot, b], 34.0, "x", [4.0, 12.0])
         .distance([foot, p], -46.0, "y", [12.0, 4.0])
         .axis([foot, p])
-        .name(b, [-14.0, -12.0], "B")
+        .name(b, [10.0, 18.0], "B")
         .name(c, [16.0, -8.0], "C")
         .name(p, [-4.0, -16.0], "P")
         .svg())

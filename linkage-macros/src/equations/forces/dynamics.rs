@@ -18,9 +18,9 @@
 //! Eksergian's equation and Lagrange's of the second kind, e.g. Uicker, Pennock, Shigley, Theory of
 //! Machines and Mechanisms, ch. 16; Golub and Van Loan, Matrix Computations, ch. 4 (LDLᵀ).
 
-use crate::equations::forces::at_unit_rate;
 use crate::equations::forces::power::{applied_power, of_one_among_several};
 use crate::equations::forces::reduced::Reduced;
+use crate::equations::forces::unit_rate::at_unit_rate;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::Sym;
 use crate::ir::graph::{Check, Id, Node};

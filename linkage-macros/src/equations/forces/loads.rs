@@ -2,14 +2,14 @@
 
 use std::collections::HashMap;
 
+use crate::equations::forces::provided::{Line, not_negative};
 use crate::equations::forces::springs;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Frame, PointMotion};
 use crate::equations::parts::Acting;
 use crate::equations::symbol::{Sym, Vector};
-use crate::ir::graph::Check;
-use crate::model::dynamics::{Axes, Force, MassPlace, Owner, Quantity};
+use crate::model::dynamics::{Axes, Force, MassPlace, Owner};
 use crate::model::mechanism::{Carrier, Expr, LinkId, PointId};
 
 /// The masses of a link that are fixed in it, summed up: Σm, Σm x, Σm y, Σ(J + m r²) about its origin.
@@ -108,19 +108,6 @@ impl<'s> Masses<'s> {
         links.sort_by_key(|(link, _)| *link);
         links
     }
-}
-
-/// A mass that a parameter makes is asked for its sign where it is used.
-pub(super) fn not_negative<'s>(
-    kinematics: &Kinematics<'s>,
-    quantity: &Quantity,
-    group: u32,
-) -> Sym<'s> {
-    let value = kinematics.jet(&quantity.value).value;
-    if value.is_constant() || quantity.name.is_empty() {
-        return value;
-    }
-    value.provided(Check::NotNegative(quantity.name.clone()), group, &[])
 }
 
 /// The centre of a link's masses against a vector of the link: Σm r = along·vector + across·vector⊥.
@@ -232,25 +219,6 @@ pub(super) fn applied<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'
         }
     });
     forces.chain(springs::forces(kinematics)).collect()
-}
-
-/// The line between two points, which must not meet.
-pub(super) struct Line<'s> {
-    pub vector: Vector<'s>,
-    pub length: Sym<'s>,
-    /// One over the length.
-    pub inverse: Sym<'s>,
-}
-
-impl<'s> Line<'s> {
-    pub(super) fn between(kinematics: &Kinematics<'s>, points: [PointId; 2], title: u32) -> Self {
-        let [p, q] = points.map(|point| kinematics.point(point));
-        let vector = p.to(q);
-        let square = vector.dot(vector).provided(Check::Square, title, &[]);
-        // 1/L = L/L²: the division runs beside the root.
-        let length = square.sqrt();
-        Self { vector, length, inverse: length * square.recip() }
-    }
 }
 
 /// A couple that the declaration puts on a body, and the body.

@@ -37,10 +37,12 @@
 mod dynamics;
 mod loads;
 mod power;
+mod provided;
 mod reduced;
 pub(super) mod springs;
 mod together;
 mod transmit;
+mod unit_rate;
 mod walk;
 
 use crate::equations::kinematics::{Kinematics, Source};
@@ -102,20 +104,4 @@ fn by_walk(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let walk = Walk::of(kinematics);
     let asked = kinematics.mechanism.dynamics.asked.iter();
     asked.flat_map(|asked| walk.components(asked.effort)).map(|sym| sym.id).collect()
-}
-
-/// The state at a unit rate of one input, the others at rest, without second rates.
-fn at_unit_rate<'s>(kinematics: &Kinematics<'s>, moving: usize) -> Kinematics<'s> {
-    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
-    let inputs = kinematics.inputs.iter().enumerate().map(|(index, source)| {
-        let mut source = *source;
-        source.jet.rate = sheet.integer(i64::from(index == moving));
-        source.jet.accel = sheet.zero();
-        source
-    });
-    let mut unit = Kinematics::of(sheet, mechanism, inputs.collect());
-    if let [only] = &kinematics.inputs[..] {
-        unit.tempo = Some(only.jet.rate);
-    }
-    unit
 }

@@ -13,9 +13,9 @@
 //! τ = M q̈ + ½M′ q̇² − Q      M = Σ m c·c + J k²      ½M′ = Σ m c·c′ + J k k′
 //! ```
 
-use crate::equations::forces::at_unit_rate;
 use crate::equations::forces::loads::{Masses, applied, gravity, of_masses, torques};
 use crate::equations::forces::reduced::Reduced;
+use crate::equations::forces::unit_rate::at_unit_rate;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::Sym;
 use crate::model::mechanism::InputId;

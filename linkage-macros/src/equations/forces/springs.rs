@@ -19,7 +19,7 @@
 //! # Source
 //! Norton, Design of Machinery, ch. 10 and 15.
 
-use crate::equations::forces::loads::{Line, not_negative};
+use crate::equations::forces::provided::{Line, not_negative};
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};

@@ -8,10 +8,10 @@
 //!
 //! Shaking is inertia's alone: weight and applied forces are left out, and so is what holds the ground.
 
-use crate::equations::forces::at_unit_rate;
 use crate::equations::forces::loads::{Centre, Inertia, Masses, gravity, of_masses};
 use crate::equations::forces::reduced::Reduced;
 use crate::equations::forces::springs;
+use crate::equations::forces::unit_rate::at_unit_rate;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Frame;
 use crate::equations::symbol::{Sym, Vector};

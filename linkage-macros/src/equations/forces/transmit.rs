@@ -6,7 +6,7 @@
 //! is pushed back with −E ∂d/∂x: a couple, a force along the guide, a force on the point. That is how
 //! gears and racks transmit. The derivatives are taken backwards through the expression.
 
-use crate::equations::forces::Walk;
+use crate::equations::forces::walk::Walk;
 use crate::equations::symbol::{Sym, Vector};
 use crate::model::mechanism::{
     AngleSum, Axis, Carrier, Expr, Function, GuideId, Operator, Placement, PointId,

@@ -1,0 +1,39 @@
+//! Numbers under the conditions on which forces are made of them.
+
+use crate::equations::kinematics::Kinematics;
+use crate::equations::symbol::{Sym, Vector};
+use crate::ir::graph::Check;
+use crate::model::dynamics::Quantity;
+use crate::model::mechanism::PointId;
+
+/// A mass that a parameter makes is asked for its sign where it is used.
+pub(super) fn not_negative<'s>(
+    kinematics: &Kinematics<'s>,
+    quantity: &Quantity,
+    group: u32,
+) -> Sym<'s> {
+    let value = kinematics.jet(&quantity.value).value;
+    if value.is_constant() || quantity.name.is_empty() {
+        return value;
+    }
+    value.provided(Check::NotNegative(quantity.name.clone()), group, &[])
+}
+
+/// The line between two points, which must not meet.
+pub(super) struct Line<'s> {
+    pub vector: Vector<'s>,
+    pub length: Sym<'s>,
+    /// One over the length.
+    pub inverse: Sym<'s>,
+}
+
+impl<'s> Line<'s> {
+    pub(super) fn between(kinematics: &Kinematics<'s>, points: [PointId; 2], title: u32) -> Self {
+        let [p, q] = points.map(|point| kinematics.point(point));
+        let vector = p.to(q);
+        let square = vector.dot(vector).provided(Check::Square, title, &[]);
+        // 1/L = L/L²: the division runs beside the root.
+        let length = square.sqrt();
+        Self { vector, length, inverse: length * square.recip() }
+    }
+}
