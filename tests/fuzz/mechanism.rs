@@ -82,6 +82,16 @@ fn compare<M: Fuzzed<N, P>, T: Number, const N: usize, const P: usize>(
     }
 }
 
+/// Whether derivatives are those of a pose next to a limit and not of one on it: the two ways to them
+/// round the joints on their own, so that a pose may lie on the limit for one and a few units inside
+/// for the other. So many units n inside, a height is √(2 n ε) of the lengths, and a derivative by
+/// it the inverse of that; on the limit, where none exists, what a formula gives is no larger than
+/// the lengths' ratios. Between the two lies n = 512.
+pub(crate) fn next_to_a_limit<T: Number>(derivatives: &[T]) -> bool {
+    let large = 1.0 / (1024.0 * T::EPSILON).sqrt();
+    derivatives.iter().any(|derivative| derivative.value().abs() >= large)
+}
+
 /// A single input is given as itself, several as a list.
 macro_rules! given {
     (one $list:expr) => {
@@ -179,7 +189,7 @@ macro_rules! fuzzed {
                     at.straight("solve_coefficients", (c.concat(), ok), coefficients.as_ref());
 
                     let jacobian = solver.jacobian(q).map(|j| j.as_slice().to_vec());
-                    if is_singular && jacobian.is_ok() {
+                    if is_singular && !jacobian.as_ref().map_or(true, |rows| next_to_a_limit(rows)) {
                         at.wrong("jacobian", "Ok, where coefficients are Singular", &jacobian);
                     }
                     at.answer("jacobian", jacobian);
