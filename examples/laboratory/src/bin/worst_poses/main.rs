@@ -1,7 +1,7 @@
 //! Searches every group for the pose at which its answer is worst against what the data allow:
 //! random poses first, then uphill from the worst of them.
 //!
-//! `cargo run --release -p laboratory --bin worst_poses [poses] [seed]`, ten million poses a group by
+//! `cargo run --release -p laboratory --bin worst_poses [poses] [seed] [motion, forces]`, ten million poses a group by
 //! default. The same seed gives the same poses and the same climb; the two widths are searched side
 //! by side.
 
@@ -27,19 +27,29 @@ fn main() {
     let count =
         arguments.next().map_or(10_000_000, |text| text.parse().expect("a number of poses"));
     let seed = arguments.next().map_or(1, |text| text.parse().expect("a seed"));
+    let only = arguments.next();
+    let is_asked = |part: &str| only.as_deref().is_none_or(|only| only == part);
+    let (motion, forces) = (is_asked("motion"), is_asked("forces"));
     println!("{count} poses a group and width, seed {seed}; error over achievable error\n");
     println!("group    width   order         random  climbed  at");
     let start = Instant::now();
     thread::scope(|scope| {
         for width in [Width::Double, Width::Single] {
-            scope.spawn(move || search_all(width, count, seed));
+            scope.spawn(move || {
+                if motion {
+                    search_motion(width, count, seed);
+                }
+                if forces {
+                    search_forces(width, count, seed);
+                }
+            });
         }
     });
     println!("\n{:.0} s", start.elapsed().as_secs_f64());
 }
 
 /// Every group in one width, and the bars once more with numbers carried to twice the width.
-fn search_all(width: Width, count: usize, seed: u64) {
+fn search_motion(width: Width, count: usize, seed: u64) {
     search(("rrr", ORDERS), width, count, seed, poses::rrr, |pose| {
         rrr::measure(pose, width).map(ratios)
     });
@@ -58,6 +68,10 @@ fn search_all(width: Width, count: usize, seed: u64) {
     search(("rpp", ORDERS), width, count, seed, poses::rpp, |pose| {
         rpp::measure(pose, width).map(ratios)
     });
+}
+
+/// The reactions of every group in one width, at rest and in motion.
+fn search_forces(width: Width, count: usize, seed: u64) {
     search(("rrr", FORCES), width, count, seed, poses::rrr, |pose| {
         rrr_forces::measure(pose, width).map(ratios)
     });
