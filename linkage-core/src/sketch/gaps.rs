@@ -191,21 +191,15 @@ const HALF_LINE: f64 = 120.0;
 pub(super) fn messages(scene: &Scene, unit: Option<Unit>) -> Vec<String> {
     let mut found: Vec<(&'static str, SolveError)> = Vec::new();
     for failure in scene.frames().filter_map(|frame| scene.failure(frame)) {
-        let group = match failure.error {
-            SolveError::OutOfReach { group, .. }
-            | SolveError::Singular { group }
-            | SolveError::Invalid { group, .. }
-            | SolveError::NoSolution { unknown: group, .. } => group,
-            SolveError::NotFinite { name } | SolveError::OffCircle { name, .. } => name,
-        };
+        let culprit = failure.error.culprit();
         let by = |error: &SolveError| match *error {
             SolveError::OutOfReach { by, .. } => by,
             _ => 0.0,
         };
-        match found.iter_mut().find(|(name, _)| *name == group) {
+        match found.iter_mut().find(|(name, _)| *name == culprit) {
             Some((_, worst)) if by(worst) < by(&failure.error) => *worst = failure.error,
             Some(_) => {}
-            None => found.push((group, failure.error)),
+            None => found.push((culprit, failure.error)),
         }
     }
     let at_worst = if scene.len() > 1 { " at worst" } else { "" };
