@@ -9,7 +9,7 @@ use super::boxes::Box2;
 use super::plan::Made;
 use super::scene::{Scene, Spot};
 use super::style::{Palette, Unit};
-use super::svg::{Seat, Timing, View, fine, number, rigid};
+use super::svg::{Seat, Timing, View, fine, rigid, three_digits};
 use super::symbols::arrow;
 use crate::SolveError;
 
@@ -212,11 +212,9 @@ pub(super) fn messages(scene: &Scene, unit: Option<Unit>) -> Vec<String> {
     found.into_iter().map(sentence).collect()
 }
 
-/// Three digits, in a unit that suits.
+/// In a unit that suits.
 fn distance(metres: f64, unit: Option<Unit>) -> String {
     let unit = unit.unwrap_or(if metres < 1.0 { Unit::Mm } else { Unit::M });
     let (name, per_metre) = unit.of();
-    let value = metres * per_metre;
-    let decimals = (2 - value.abs().max(1e-9).log10().floor() as i32).clamp(0, 9) as usize;
-    format!("{} {name}", number(value, decimals))
+    format!("{} {name}", three_digits(metres * per_metre))
 }

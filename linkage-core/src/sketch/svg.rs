@@ -74,6 +74,12 @@ pub(super) fn fine(value: f64) -> String {
     number(value, 2)
 }
 
+/// With three digits, but for zeros at the end, which a picture has no room for.
+pub(super) fn three_digits(value: f64) -> String {
+    let decimals = (2 - value.abs().max(1e-9).log10().floor() as i32).clamp(0, 9);
+    number(value, decimals as usize)
+}
+
 /// `x y`.
 pub(super) fn pair([x, y]: Spot) -> String {
     format!("{} {}", fine(x), fine(y))

@@ -10,7 +10,7 @@ use super::error::SketchError;
 use super::plan::Plan;
 use super::scene::{Scene, Spot};
 use super::style::Palette;
-use super::svg::{Timing, View, number, path, short};
+use super::svg::{Timing, View, path, short, three_digits};
 use super::symbols::arrow;
 
 /// The point of this name.
@@ -218,8 +218,7 @@ impl Force {
 pub(super) fn force_scale(forces: &[Force]) -> Option<String> {
     let largest = forces.first()?.largest;
     let (value, unit) = if largest >= 1e3 { (largest / 1e3, "kN") } else { (largest, "N") };
-    let decimals = (2 - value.max(1e-9).log10().floor() as i32).clamp(0, 9) as usize;
-    Some(format!("longest arrow: {} {unit}", number(value, decimals)))
+    Some(format!("longest arrow: {} {unit}", three_digits(value)))
 }
 
 #[cfg(test)]
