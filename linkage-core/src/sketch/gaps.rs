@@ -10,7 +10,7 @@ use super::plan::Made;
 use super::scene::{Scene, Spot};
 use super::style::{Palette, Unit};
 use super::svg::{Seat, Timing, View, fine, rigid, three_digits};
-use super::symbols::arrow;
+use super::symbols::moving_arrow;
 use crate::SolveError;
 
 /// A statement that fails in some poses.
@@ -170,17 +170,8 @@ impl Gap {
     }
 
     fn arrow(&self, timing: Option<Timing>, palette: &Palette) -> String {
-        let Some(ends) = super::svg::filled(&self.missing) else { return String::new() };
-        let paths: Vec<String> = ends.into_iter().map(|ends| arrow(ends, 8.0, true)).collect();
-        let seen: Vec<bool> = self.missing.iter().map(Option::is_some).collect();
-        let hidden = if seen[0] { "" } else { r#" opacity="0""# };
-        let moves = timing
-            .map(|timing| timing.animate("d", &paths) + &timing.visible(&seen))
-            .unwrap_or_default();
-        format!(
-            r#"<path d="{}"{hidden} fill="none" stroke="{}" stroke-width="2">{moves}</path>"#,
-            paths[0], palette.ink
-        )
+        let look = format!(r#"stroke="{}" stroke-width="2""#, palette.ink);
+        moving_arrow(&self.missing, true, timing, &look)
     }
 }
 

@@ -7,7 +7,7 @@ use std::vec::Vec;
 use super::boxes::Box2;
 use super::scene::Spot;
 use super::style::{FONT, Palette, SMALL, SUPPORT, Unit, text_width};
-use super::svg::{Seat, fine, pair, path, short};
+use super::svg::{Seat, Timing, filled, fine, pair, path, short};
 
 /// Which way a support stands: the angles by which the upright one is turned.
 pub(super) const WAYS: [f64; 4] = [0.0, 90.0, -90.0, 180.0];
@@ -115,12 +115,15 @@ pub(super) fn arc_arrow(at: Spot, middle: f64, is_clockwise: bool, ink: &str) ->
     )
 }
 
-/// The path of an arrow from one place to another, with heads of this length.
-pub(super) fn arrow([from, to]: [Spot; 2], head: f64, is_double: bool) -> String {
+/// Length of an arrow's head.
+const HEAD: f64 = 8.0;
+
+/// The path of an arrow from one place to another, with a head at one end or both.
+fn arrow([from, to]: [Spot; 2], is_double: bool) -> String {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let length = dx.hypot(dy).max(1e-9);
     // A short arrow has a small head.
-    let head = head.min(0.45 * length);
+    let head = HEAD.min(0.45 * length);
     let (ux, uy) = (dx / length * head, dy / length * head);
     let barbs = |tip: Spot, sign: f64| {
         let barb = |side: f64| {
@@ -130,6 +133,23 @@ pub(super) fn arrow([from, to]: [Spot; 2], head: f64, is_double: bool) -> String
     };
     let back = if is_double { barbs(from, -1.0) } else { String::new() };
     format!("M{}L{}{}{back}", pair(from), pair(to), barbs(to, 1.0))
+}
+
+/// An arrow that moves, hidden where it has no ends; nothing at all without any.
+pub(super) fn moving_arrow(
+    ends: &[Option<[Spot; 2]>],
+    is_double: bool,
+    timing: Option<Timing>,
+    look: &str,
+) -> String {
+    let Some(filled) = filled(ends) else { return String::new() };
+    let paths: Vec<String> = filled.into_iter().map(|ends| arrow(ends, is_double)).collect();
+    let seen: Vec<bool> = ends.iter().map(Option::is_some).collect();
+    let hidden = if seen[0] { "" } else { r#" opacity="0""# };
+    let moves = timing
+        .map(|timing| timing.animate("d", &paths) + &timing.visible(&seen))
+        .unwrap_or_default();
+    format!(r#"<path d="{}"{hidden} fill="none" {look}>{moves}</path>"#, paths[0])
 }
 
 /// How long the scale bar is, in pixels, and what it says.

@@ -11,7 +11,7 @@ use super::plan::Plan;
 use super::scene::{Scene, Spot};
 use super::style::Palette;
 use super::svg::{Timing, View, path, short, three_digits};
-use super::symbols::arrow;
+use super::symbols::moving_arrow;
 
 /// The point of this name.
 pub(super) fn point(plan: &Plan, name: &str) -> Result<usize, SketchError> {
@@ -200,17 +200,9 @@ impl Force {
     }
 
     pub(super) fn drawn(&self, timing: Option<Timing>, palette: &Palette) -> String {
-        let Some(ends) = super::svg::filled(&self.ends) else { return String::new() };
-        let paths: Vec<String> = ends.into_iter().map(|ends| arrow(ends, 8.0, false)).collect();
-        let seen: Vec<bool> = self.ends.iter().map(Option::is_some).collect();
-        let hidden = if seen[0] { "" } else { r#" opacity="0""# };
-        let moves = timing
-            .map(|timing| timing.animate("d", &paths) + &timing.visible(&seen))
-            .unwrap_or_default();
-        format!(
-            r#"<path d="{}"{hidden} fill="none" stroke="{}" stroke-width="2" stroke-linecap="round">{moves}</path>"#,
-            paths[0], palette.ink
-        )
+        let look =
+            format!(r#"stroke="{}" stroke-width="2" stroke-linecap="round""#, palette.ink);
+        moving_arrow(&self.ends, false, timing, &look)
     }
 }
 
