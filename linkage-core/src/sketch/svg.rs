@@ -45,6 +45,15 @@ impl Seat {
         let (sin, cos) = self.degrees.to_radians().sin_cos();
         [self.at[0] + cos * x - sin * y, self.at[1] + sin * x + cos * y]
     }
+
+    /// The attribute of a group that stands there.
+    pub(super) fn transform(self) -> String {
+        let turned = match number(self.degrees, 3) {
+            degrees if degrees == "0" => String::new(),
+            degrees => format!(" rotate({degrees})"),
+        };
+        format!(r#"transform="translate({}){turned}""#, pair(self.at))
+    }
 }
 
 /// How long a film takes, and how many poses it has.
@@ -195,21 +204,13 @@ pub(super) fn rigid(
     content: &str,
 ) -> String {
     let Some(filled) = filled(seats) else { return String::new() };
-    let first = filled[0];
-    let turned = match number(first.degrees, 3) {
-        degrees if degrees == "0" => String::new(),
-        degrees => format!(" rotate({degrees})"),
-    };
     let seen: Vec<bool> = seats.iter().map(Option::is_some).collect();
     let hidden = if seen[0] { "" } else { r#" opacity="0""# };
     let (moves, hides) = match timing {
         Some(timing) => (timing.transforms(&filled), timing.visible(&seen)),
         None => Default::default(),
     };
-    format!(
-        r#"<g transform="translate({}){turned}"{hidden}{attributes}>{moves}{hides}{content}</g>"#,
-        pair(first.at)
-    )
+    format!("<g {}{hidden}{attributes}>{moves}{hides}{content}</g>", filled[0].transform())
 }
 
 /// Every gap filled with what stands before it, or behind it where nothing does.

@@ -21,25 +21,20 @@ pub(super) fn support_box(at: Spot, way: f64) -> Box2 {
 
 /// A support below a joint, turned.
 pub(super) fn support(at: Spot, way: f64, palette: &Palette) -> String {
-    let turned = if way == 0.0 { String::new() } else { format!(" rotate({way})") };
     let (paper, ink) = (palette.paper, palette.ink);
     format!(
-        r#"<g transform="translate({}){turned}" stroke="{ink}" stroke-linecap="round" stroke-linejoin="round" fill="none"><path d="M0 0L-10 17H10Z" fill="{paper}" stroke-width="1.6"/><path d="M-17 17H17" stroke-width="1.6"/><path d="M-11 17l-6 7M-4 17l-6 7M3 17l-6 7M10 17l-6 7M17 17l-6 7" stroke-width="1"/></g>"#,
-        pair(at)
+        r#"<g {} stroke="{ink}" stroke-linecap="round" stroke-linejoin="round" fill="none"><path d="M0 0L-10 17H10Z" fill="{paper}" stroke-width="1.6"/><path d="M-17 17H17" stroke-width="1.6"/><path d="M-11 17l-6 7M-4 17l-6 7M3 17l-6 7M10 17l-6 7M17 17l-6 7" stroke-width="1"/></g>"#,
+        Seat { at, degrees: way }.transform()
     )
 }
 
 /// A guide of the ground, hatched on the side away from its normal.
 pub(super) fn rail(seat: Seat, [start, end]: [f64; 2], palette: &Palette) -> String {
-    let turned = match super::svg::number(seat.degrees, 3) {
-        degrees if degrees == "0" => String::new(),
-        degrees => format!(" rotate({degrees})"),
-    };
     let hatches: String =
         hatches([start, end]).into_iter().map(|x| format!("M{} 0l-6 7", short(x))).collect();
     format!(
-        r#"<g transform="translate({}){turned}" stroke="{}" stroke-linecap="round" fill="none"><path d="M{} 0H{}" stroke-width="1.6"/><path d="{hatches}" stroke-width="1"/></g>"#,
-        pair(seat.at),
+        r#"<g {} stroke="{}" stroke-linecap="round" fill="none"><path d="M{} 0H{}" stroke-width="1.6"/><path d="{hatches}" stroke-width="1"/></g>"#,
+        seat.transform(),
         palette.ink,
         short(start),
         short(end),
