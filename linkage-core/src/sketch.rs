@@ -55,7 +55,7 @@ pub use film::{Film, FilmGap, Sketch, Still};
 pub use plan::Drawn;
 #[doc(hidden)]
 pub use plan::{Made, Plan, place, place_open};
-pub use style::{Theme, Unit};
+pub use style::{Palette, Theme, Unit};
 pub use svg::View;
 
 use crate::{Direction, Point};

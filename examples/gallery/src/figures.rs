@@ -14,17 +14,16 @@ use linkage_core::sketch::{SketchError, Theme};
 /// # Errors
 /// What cannot be drawn: a mistake in a figure.
 pub fn figures(theme: Theme) -> Result<Vec<(&'static str, String)>, SketchError> {
-    let ink = annotations::Ink::of(theme);
     Ok(vec![
-        ("crank", placing::crank(ink)?),
-        ("slider", placing::slider(ink)?),
-        ("rrr", dyads::rrr(ink)?),
-        ("rrp", dyads::rrp(ink)?),
-        ("rpr", dyads::rpr(ink)?),
-        ("prp", dyads::prp(ink)?),
-        ("rpp", dyads::rpp(ink)?),
-        ("guide", placing::guide(ink)?),
-        ("point", placing::point(ink)?),
-        ("polar", placing::polar(ink)?),
+        ("crank", placing::crank(theme)?),
+        ("slider", placing::slider(theme)?),
+        ("rrr", dyads::rrr(theme)?),
+        ("rrp", dyads::rrp(theme)?),
+        ("rpr", dyads::rpr(theme)?),
+        ("prp", dyads::prp(theme)?),
+        ("rpp", dyads::rpp(theme)?),
+        ("guide", placing::guide(theme)?),
+        ("point", placing::point(theme)?),
+        ("polar", placing::polar(theme)?),
     ])
 }

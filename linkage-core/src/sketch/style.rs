@@ -32,10 +32,13 @@ impl Unit {
     }
 }
 
-/// The colours of a theme.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Palette {
+/// The colours of a theme, as SVG writes them: for what is written beside a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Palette {
+    /// What everything stands on.
     pub paper: &'static str,
+    /// Joints, supports, texts.
     pub ink: &'static str,
     /// For what only explains.
     pub quiet: &'static str,
@@ -44,7 +47,9 @@ pub(super) struct Palette {
 }
 
 impl Theme {
-    pub(super) fn palette(self) -> Palette {
+    /// Its colours.
+    #[must_use]
+    pub const fn palette(self) -> Palette {
         match self {
             Self::Light => Palette {
                 paper: "#ffffff",

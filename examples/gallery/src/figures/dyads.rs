@@ -1,9 +1,9 @@
 //! The groups of class II.
 
-use linkage_core::sketch::SketchError;
+use linkage_core::sketch::{SketchError, Theme};
 use linkage_core::{Sense, Side, mechanism};
 
-use super::annotations::{Figure, Ink};
+use super::annotations::Figure;
 use super::placing::at;
 
 mechanism! {
@@ -57,7 +57,7 @@ mechanism! {
     }
 }
 
-pub(super) fn rrr(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn rrr(theme: Theme) -> Result<String, SketchError> {
     let solver = Rrr::new();
     let sketch = solver.sketch([0.0, 0.0])?;
     let other = Rrr { side: Side::Right, ..solver }.sketch([0.0, 0.0])?;
@@ -65,7 +65,7 @@ pub(super) fn rrr(ink: Ink) -> Result<String, SketchError> {
     let below = at(&other, "C")?;
     let (first, second) = (sketch.link("BC")?, sketch.link("DC")?);
     let text = "rrr BC(B), DC(D) -> C { lengths: (l1, l2), mode: left }";
-    Ok(Figure::new(sketch, ink, 440.0, text)?
+    Ok(Figure::new(sketch, theme, 440.0, text)?
         .room([10.0, 10.0, 10.0, 150.0])
         .other(0, &[b, below])
         .other(1, &[d, below])
@@ -85,7 +85,7 @@ pub(super) fn rrr(ink: Ink) -> Result<String, SketchError> {
         .svg())
 }
 
-pub(super) fn rrp(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn rrp(theme: Theme) -> Result<String, SketchError> {
     let solver = Rrp::new();
     let sketch = solver.sketch([0.0, 0.75])?;
     let other = Rrp { sense: Sense::Behind, ..solver }.sketch([0.0, 0.75])?;
@@ -94,7 +94,7 @@ pub(super) fn rrp(ink: Ink) -> Result<String, SketchError> {
     let foot = [c[0], 0.0];
     let bar = sketch.link("BC")?;
     let text = "rrp BC(B), block(rail) -> C { length, offset, mode: ahead }";
-    Ok(Figure::new(sketch, ink, 440.0, text)?
+    Ok(Figure::new(sketch, theme, 440.0, text)?
         .room([0.0, 16.0, 70.0, 44.0])
         .other(0, &[b, behind])
         .joint(behind)
@@ -115,7 +115,7 @@ pub(super) fn rrp(ink: Ink) -> Result<String, SketchError> {
         .svg())
 }
 
-pub(super) fn rpr(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn rpr(theme: Theme) -> Result<String, SketchError> {
     let solver = Rpr::new();
     let sketch = solver.sketch([1.3, 0.4])?;
     let other = Rpr { sense: Sense::Behind, ..solver }.sketch([1.3, 0.4])?;
@@ -129,7 +129,7 @@ pub(super) fn rpr(ink: Ink) -> Result<String, SketchError> {
     let corner = on(behind, 0.0, 0.3);
     let foot = on(bar, 0.0, 0.3);
     let text = "rpr block(B), bar(D) { offset, mode: ahead }";
-    Ok(Figure::new(sketch, ink, 440.0, text)?
+    Ok(Figure::new(sketch, theme, 440.0, text)?
         .room([46.0, 30.0, 60.0, 60.0])
         .other(1, &[d, corner, b])
         .other(1, &[corner, on(behind, 0.35, 0.3)])
@@ -145,7 +145,7 @@ pub(super) fn rpr(ink: Ink) -> Result<String, SketchError> {
         .svg())
 }
 
-pub(super) fn prp(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn prp(theme: Theme) -> Result<String, SketchError> {
     let sketch = Prp::new().sketch(0.0)?;
     let [k, l, c] = [at(&sketch, "K")?, at(&sketch, "L")?, at(&sketch, "C")?];
     let (p, q) = (sketch.link("p")?.direction, sketch.link("q")?.direction);
@@ -156,7 +156,7 @@ pub(super) fn prp(ink: Ink) -> Result<String, SketchError> {
         [at[0] + by * u.cos, at[1] + by * u.sin]
     };
     let text = "prp p(first), q(second) -> C { offsets: (offset1, offset2) }";
-    Ok(Figure::new(sketch, ink, 540.0, text)?
+    Ok(Figure::new(sketch, theme, 540.0, text)?
         .room([0.0, 30.0, 60.0, 30.0])
         .arrow([k, ahead(first, p, 0.28)])
         .arrow([l, ahead(second, q, 0.28)])
@@ -172,7 +172,7 @@ pub(super) fn prp(ink: Ink) -> Result<String, SketchError> {
         .svg())
 }
 
-pub(super) fn rpp(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn rpp(theme: Theme) -> Result<String, SketchError> {
     let sketch = Rpp::new().sketch([1.15, 1.05])?;
     let [k, b] = [at(&sketch, "K")?, at(&sketch, "B")?];
     let (yoke, slot) = (sketch.link("yoke")?.origin, sketch.link("block")?.direction);
@@ -181,7 +181,7 @@ pub(super) fn rpp(ink: Ink) -> Result<String, SketchError> {
     let start = [corner[0] - 0.22 * slot.sin, corner[1] + 0.22 * slot.cos];
     let along = [corner[0] + 0.62 * slot.cos, corner[1] + 0.62 * slot.sin];
     let text = "rpp block(B), yoke(rail) { slot: 65deg, offsets: (offset1, offset2) }";
-    Ok(Figure::new(sketch, ink, 380.0, text)?
+    Ok(Figure::new(sketch, theme, 380.0, text)?
         .room([30.0, 0.0, 60.0, 44.0])
         .arrow([k, [yoke.x + 0.75, 0.0]])
         .axis([corner, along])
