@@ -9,6 +9,29 @@ pub use annotations::Figure;
 
 use linkage_core::sketch::{SketchError, Theme};
 
+/// The figures as addresses that hold them whole, by the names that the documentation's text gives
+/// them: a page of documentation has no files beside it.
+///
+/// # Errors
+/// What cannot be drawn: a mistake in a figure.
+pub fn addresses() -> Result<String, SketchError> {
+    let escaped = |letter: char| match letter {
+        '<' => "%3C".into(),
+        '>' => "%3E".into(),
+        '#' => "%23".into(),
+        '%' => "%25".into(),
+        '"' => "%22".into(),
+        ' ' => "%20".into(),
+        '\n' => String::new(),
+        letter => letter.to_string(),
+    };
+    let line = |(name, figure): (&str, String)| {
+        let figure: String = figure.chars().map(escaped).collect();
+        format!("[{name} drawn]: <data:image/svg+xml,{figure}>\n")
+    };
+    Ok(figures(Theme::Light)?.into_iter().map(line).collect::<String>() + "\n")
+}
+
 /// Every figure by the name of its file.
 ///
 /// # Errors

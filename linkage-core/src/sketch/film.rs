@@ -110,7 +110,7 @@ impl Film {
     /// animation.
     #[must_use]
     pub fn still(&self) -> Still {
-        let mut options = self.options.clone();
+        let mut options = Options { is_still: true, ..self.options.clone() };
         if options.poses == Options::default().poses {
             options.poses = 6;
         }

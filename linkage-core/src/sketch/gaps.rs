@@ -130,6 +130,11 @@ impl Gap {
         all
     }
 
+    /// What is missing in a pose.
+    pub(super) fn line(&self, frame: usize) -> Option<[Spot; 2]> {
+        self.missing[frame]
+    }
+
     pub(super) fn drawn(
         &self,
         timing: Option<Timing>,

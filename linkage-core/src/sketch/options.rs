@@ -20,6 +20,8 @@ pub(super) struct Options {
     pub forces: Vec<(String, Vec<[f64; 2]>)>,
     pub has_scale: bool,
     pub poses: usize,
+    /// Whether nothing but the first pose is drawn in full.
+    pub is_still: bool,
     pub seconds: f64,
 }
 
@@ -35,6 +37,7 @@ impl Default for Options {
             forces: Vec::new(),
             has_scale: true,
             poses: 1,
+            is_still: false,
             seconds: 4.0,
         }
     }

@@ -11,7 +11,7 @@ use super::labels::Placed;
 use super::options::Options;
 use super::plan::Made;
 use super::scene::{Scene, Spot};
-use super::style::{HEIGHT, MARGIN, Palette};
+use super::style::{HEADING, HEADING_LINE, HEIGHT, MARGIN, Palette, text_width, wrapped};
 use super::svg::View;
 use super::symbols;
 use super::traces::{self, Force, Trace};
@@ -31,6 +31,8 @@ pub(super) struct Picture<'s> {
     pub(super) arcs: Vec<(Spot, f64, bool)>,
     pub(super) labels: Vec<Placed>,
     pub(super) page: Spot,
+    /// The lines of the heading.
+    pub(super) heading: Vec<String>,
     /// Where the scale stands.
     pub(super) line: f64,
 }
@@ -55,6 +57,7 @@ impl<'s> Picture<'s> {
             arcs: Vec::new(),
             labels: Vec::new(),
             page: [0.0; 2],
+            heading: heading(options),
             line: 0.0,
         };
         picture.fit()?;
@@ -65,7 +68,7 @@ impl<'s> Picture<'s> {
     }
 
     pub(super) fn head(&self) -> f64 {
-        if self.options.title.is_some() { 22.0 } else { 0.0 }
+        HEADING_LINE * self.heading.len() as f64
     }
 
     /// The scale at which everything fits: what is measured in pixels does not grow with it, so it is
@@ -173,7 +176,10 @@ impl<'s> Picture<'s> {
         let right = (content.high[0] + MARGIN).max(shown.high[0] + EDGE);
         self.shift([-low[0], self.head() - low[1]]);
         self.line = (content.high[1] + FOOT).max(shown.high[1] + EDGE + 8.0) - low[1] + self.head();
-        self.page = [(right - low[0]).max(MIN_WIDTH), self.line + BELOW];
+        // Bold letters are wider by a tenth.
+        let heading = self.heading.iter().map(|line| 40.0 + 1.1 * HEADING * text_width(line));
+        let least = heading.fold(MIN_WIDTH, f64::max);
+        self.page = [(right - low[0]).max(least), self.line + BELOW];
     }
 
     fn shift(&mut self, by: Spot) {
@@ -242,6 +248,12 @@ fn colours(scene: &Scene) -> Vec<usize> {
 
 /// Amber.
 const CYLINDER: usize = 4;
+
+/// The title in lines that fit the page.
+fn heading(options: &Options) -> Vec<String> {
+    let title = options.title.as_deref().unwrap_or_default();
+    wrapped(title, 1.1 * HEADING, options.width - 40.0)
+}
 
 /// A scale by which the points fill the page.
 fn first_scale(scene: &Scene) -> f64 {

@@ -13,6 +13,9 @@ use super::style::JOINT;
 use super::symbols::{self, WAYS};
 use super::traces::{self, Trace};
 
+/// Half the width of an arrow's head.
+const ARROW: f64 = 3.5;
+
 impl Picture<'_> {
     /// Up to sixteen poses by which places are chosen.
     fn samples(&self) -> Vec<usize> {
@@ -74,8 +77,9 @@ impl Picture<'_> {
                 let lines = obstacles.iter().flat_map(|pose| &pose.lines);
                 let lines: f64 = lines.map(|&(line, _)| covered.length_inside(line)).sum();
                 let in_box = |spot: &&Spot| boxes.iter().any(|b| b.grown(3.0).holds(**spot));
+                // Links pass, supports stay.
                 3.0 * lines / obstacles.len() as f64
-                    + 3.0 * points.iter().filter(in_box).count() as f64
+                    + 30.0 * points.iter().filter(in_box).count() as f64
             };
             let middles = (0..18).map(|nth| 20.0 * f64::from(nth) - 20.0);
             let best = middles.min_by(|a, b| cost(*a).total_cmp(&cost(*b)));
@@ -119,12 +123,21 @@ impl Picture<'_> {
         let points = 0..self.scene.plan.points.len();
         let points = points.filter_map(|point| self.scene.point(frame, point));
         obstacles.joints.extend(points.map(|at| self.view.pixels(at)));
-        obstacles.traces.extend(self.forces.iter().filter_map(|force| force.line(frame)));
+        let arrows = self.forces.iter().filter_map(|force| force.line(frame));
+        let arrows = arrows.chain(self.gaps.iter().filter_map(|gap| gap.line(frame)));
+        obstacles.lines.extend(arrows.map(|line| (line, ARROW)));
         obstacles
+    }
+
+    /// In how many poses a label can be seen.
+    fn shown_poses(&self) -> usize {
+        if self.options.is_still { 1 } else { self.scene.len() }
     }
 
     pub(super) fn place_labels(&mut self) -> Result<(), SketchError> {
         let (scene, plan) = (self.scene, self.scene.plan);
+        // Of a still only the first pose is in the way.
+        let frames: Vec<usize> = scene.frames().take(self.shown_poses()).collect();
         let wanted = match &self.options.labels {
             None => (0..plan.points.len()).collect(),
             Some(names) => names
@@ -139,7 +152,7 @@ impl Picture<'_> {
                 || self.forces.iter().any(|force| force.point == point)
         };
         let label = |&point: &usize| {
-            let at = scene.frames().map(|f| Some(self.view.pixels(scene.point(f, point)?)));
+            let at = frames.iter().map(|&f| Some(self.view.pixels(scene.point(f, point)?)));
             let mut at: Vec<Option<Spot>> = at.collect();
             let first = at[0];
             if first.is_some() && at.iter().all(|spot| *spot == first) {
@@ -150,9 +163,8 @@ impl Picture<'_> {
         };
         let mut labels: Vec<Label> = wanted.iter().map(label).collect();
         labels.sort_by_key(|label| !label.is_wanted);
-        let samples = self.samples();
-        let obstacles = self.obstacles_in(&samples);
-        self.labels = labels::place(labels, &samples, &obstacles);
+        let obstacles = self.obstacles_in(&frames);
+        self.labels = labels::place(labels, &obstacles);
         Ok(())
     }
 }

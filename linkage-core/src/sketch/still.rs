@@ -10,6 +10,7 @@ use super::options::Options;
 use super::picture::Picture;
 use super::plan::Drawn;
 use super::scene::Scene;
+use super::style::Theme;
 use super::svg::View;
 use crate::{Point, SolveError};
 
@@ -31,6 +32,15 @@ impl Still {
     /// `UnknownName` and `EmptyPath`.
     pub fn to_svg(&self) -> Result<String, SketchError> {
         Ok(Picture::new(&self.scene, &self.options)?.svg(false))
+    }
+
+    /// The same on paper of this colour.
+    ///
+    /// # Errors
+    /// Those of [`to_svg`](Self::to_svg).
+    pub fn to_svg_in(&self, theme: Theme) -> Result<String, SketchError> {
+        let options = Options { theme, ..self.options.clone() };
+        Ok(Picture::new(&self.scene, &options)?.svg(false))
     }
 
     /// Writes it.

@@ -152,6 +152,38 @@ impl Timing {
         )
     }
 
+    /// Fades out before a frame that is not `seen`, and in again behind.
+    pub(super) fn fading(self, seen: &[bool]) -> String {
+        let opacity = |frame: usize| {
+            let near = (0..FADE).find(|&by| {
+                let around = [frame.checked_sub(by), Some(frame + by)];
+                around.into_iter().flatten().any(|other| seen.get(other) == Some(&false))
+            });
+            near.unwrap_or(FADE)
+        };
+        let steps: Vec<usize> = (0..self.frames).map(opacity).collect();
+        if steps.iter().all(|step| *step == steps[0]) {
+            return String::new();
+        }
+        let last = self.frames - 1;
+        // Only where it begins to change, or ceases to.
+        let bends = |&frame: &usize| {
+            let is_inside = frame > 0 && frame < last;
+            !is_inside || steps[frame - 1] + steps[frame + 1] != 2 * steps[frame]
+        };
+        let frames: Vec<usize> = (0..self.frames).filter(bends).collect();
+        let list = |value: &dyn Fn(usize) -> f64, decimals: usize| {
+            let values = frames.iter().map(|&frame| number(value(frame), decimals));
+            values.collect::<Vec<_>>().join(";")
+        };
+        format!(
+            r#"<animate attributeName="opacity" {} keyTimes="{}" values="{}"/>"#,
+            self.duration(),
+            list(&|frame| frame as f64 / last as f64, 5),
+            list(&|frame| steps[frame] as f64 / FADE as f64, 2),
+        )
+    }
+
     /// The two animations of a rigid group, or the attribute alone where it stands still.
     fn transforms(self, seats: &[Seat]) -> String {
         let places: Vec<String> = seats.iter().map(|seat| pair(seat.at)).collect();
@@ -182,6 +214,9 @@ impl Timing {
 
 /// The part of a frame's time for which a body that goes is seen still.
 const EDGE: f64 = 0.02;
+
+/// Frames in which a label fades.
+const FADE: usize = 3;
 
 /// The angles, none more than half a turn from the one before.
 pub(super) fn unrolled(seats: &[Seat]) -> impl Iterator<Item = f64> {

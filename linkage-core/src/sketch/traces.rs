@@ -81,7 +81,7 @@ impl Trace {
     }
 
     /// A line with a gap wherever the point is missing, and dots at equal steps of time.
-    pub(super) fn drawn(&self, colour: &str) -> String {
+    pub(super) fn drawn(&self, name: &str, colour: &str) -> String {
         let runs = self.at.split(Option::is_none).filter(|run| run.len() > 1);
         let line: String = runs
             .map(|run| path(&run.iter().copied().flatten().collect::<Vec<_>>(), false))
@@ -96,7 +96,7 @@ impl Trace {
         let dot = |[x, y]: Spot| format!("M{} {}h0", short(x), short(y));
         let dots: String = dots.into_iter().map(dot).collect();
         format!(
-            r#"<path d="{line}" fill="none" stroke="{colour}" stroke-width="2" stroke-linejoin="round"/><path d="{dots}" stroke="{colour}" stroke-width="5.2" stroke-linecap="round"/>"#
+            r#"<g data-trace="{name}" fill="none" stroke="{colour}" stroke-linejoin="round" stroke-linecap="round"><path d="{line}" stroke-width="2"/><path d="{dots}" stroke-width="5.2"/></g>"#
         )
     }
 }
@@ -200,8 +200,7 @@ impl Force {
     }
 
     pub(super) fn drawn(&self, timing: Option<Timing>, palette: &Palette) -> String {
-        let look =
-            format!(r#"stroke="{}" stroke-width="2" stroke-linecap="round""#, palette.ink);
+        let look = format!(r#"stroke="{}" stroke-width="2" stroke-linecap="round""#, palette.ink);
         moving_arrow(&self.ends, false, timing, &look)
     }
 }

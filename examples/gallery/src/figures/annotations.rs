@@ -46,7 +46,16 @@ impl Figure {
         let inside = inside.map_or("", |(_, behind)| behind.trim_end().trim_end_matches("</svg>"));
         let (below, above) = (String::new(), String::new());
         let sketch = inside.to_string();
-        Ok(Self { palette: theme.palette(), view, sketch, size, below, above, more: [0.0; 4], statement })
+        Ok(Self {
+            palette: theme.palette(),
+            view,
+            sketch,
+            size,
+            below,
+            above,
+            more: [0.0; 4],
+            statement,
+        })
     }
 
     /// Room beside the sketch: left, top, right, bottom.
@@ -195,17 +204,28 @@ impl Figure {
     }
 
     /// A thin arrow between places, which tells a direction.
-    pub fn arrow(mut self, ends: [Spot; 2]) -> Self {
-        let ([a, b], quiet) = (ends.map(|end| self.view.pixels(end)), self.palette.quiet);
+    pub fn arrow(self, ends: [Spot; 2]) -> Self {
+        let quiet = self.palette.quiet;
+        self.directed(ends, quiet, "1.2")
+    }
+
+    /// The line of a guide, with the way in which slides count.
+    pub fn rail(self, ends: [Spot; 2]) -> Self {
+        let ink = self.palette.ink;
+        self.directed(ends, ink, "1.6")
+    }
+
+    fn directed(mut self, ends: [Spot; 2], colour: &str, width: &str) -> Self {
+        let [a, b] = ends.map(|end| self.view.pixels(end));
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let length = dx.hypot(dy).max(1e-9);
         let tip = [b[0] - 6.0 * dx / length, b[1] - 6.0 * dy / length];
         let _ = write!(
             self.below,
-            r#"<path d="M{:.1} {:.1}L{:.1} {:.1}" fill="none" stroke="{quiet}" stroke-width="1.2"/>"#,
+            r#"<path d="M{:.1} {:.1}L{:.1} {:.1}" fill="none" stroke="{colour}" stroke-width="{width}"/>"#,
             a[0], a[1], tip[0], tip[1]
         );
-        self.head(tip, a, quiet);
+        self.head(tip, a, colour);
         self
     }
 

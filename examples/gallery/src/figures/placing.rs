@@ -65,7 +65,7 @@ pub(super) fn crank(theme: Theme) -> Result<String, SketchError> {
         .axis([a, [1.0, 0.0]])
         .axes(link)
         .distance([a, b], 26.0, "length", [-18.0, -10.0])
-        .angle(a, [0.0, 0.6_f64.to_degrees()], 76.0, "angle")
+        .angle(a, [0.0, 0.6_f64.to_degrees()], 56.0, "angle")
         .name(a, [-30.0, 14.0], "A")
         .name(b, [14.0, -10.0], "B")
         .link(0, [0.85 * b[0], 0.85 * b[1]], [12.0, 14.0], "AB")
@@ -79,7 +79,7 @@ pub(super) fn slider(theme: Theme) -> Result<String, SketchError> {
     let figure = Figure::new(sketch, theme, 400.0, "slider ram(rail) -> P { slide, offset }")?;
     Ok(figure
         .room([0.0, 0.0, 30.0, 40.0])
-        .arrow([k, [1.22, 0.0]])
+        .rail([k, [1.22, 0.0]])
         .distance([foot, k], 40.0, "slide", [0.0, 12.0])
         .distance([p, foot], 34.0, "offset", [26.0, 0.0])
         .name(k, [-2.0, -16.0], "K")
@@ -98,7 +98,7 @@ pub(super) fn guide(theme: Theme) -> Result<String, SketchError> {
     let figure = Figure::new(sketch, theme, 420.0, "guide slot on BC through P along 25deg;")?;
     Ok(figure
         .axis([p, level])
-        .arrow([p, end])
+        .rail([p, end])
         .axes(bar)
         .angle(p, [8.0, 33.0], 118.0, "along")
         .name(b, [4.0, 18.0], "B")
@@ -136,6 +136,7 @@ pub(super) fn polar(theme: Theme) -> Result<String, SketchError> {
     let figure = Figure::new(sketch, theme, 430.0, text)?;
     Ok(figure
         .room([0.0, 20.0, 0.0, 20.0])
+        .axis([b, c])
         .distance([b, p], 26.0, "r", [-8.0, -10.0])
         .angle(b, [8.0, 43.0], 110.0, "phi")
         .distance([b, r], -24.0, "r1", [-10.0, 10.0])
