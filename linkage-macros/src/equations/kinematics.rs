@@ -40,6 +40,23 @@ impl<'s> Source<'s> {
         let unit = Vector { x: sheet.node(Node::InputCos(0)), y: sheet.node(Node::InputSin(0)) };
         Self { jet: Jet { value: order(0), rate: order(1), accel: order(2) }, unit: Some(unit) }
     }
+
+    /// The same input at these rates.
+    pub(super) fn with_rates(self, rate: Sym<'s>, accel: Sym<'s>) -> Self {
+        Self { jet: Jet { rate, accel, ..self.jet }, ..self }
+    }
+
+    /// One input at a unit rate, the others at rest, none with a second rate.
+    pub(super) fn one_moving(inputs: &[Self], sheet: &'s Sheet<'s>, moving: usize) -> Vec<Self> {
+        let rate = |index| sheet.integer(i64::from(index == moving));
+        let inputs = inputs.iter().enumerate();
+        inputs.map(|(index, source)| source.with_rates(rate(index), sheet.zero())).collect()
+    }
+
+    /// The inputs as they move, without second rates.
+    pub(super) fn without_second_rates(inputs: &[Self], sheet: &'s Sheet<'s>) -> Vec<Self> {
+        inputs.iter().map(|source| source.with_rates(source.jet.rate, sheet.zero())).collect()
+    }
 }
 
 /// Everything that the steps have placed so far.

@@ -69,11 +69,7 @@ pub(super) fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Clos
 /// The inputs, standing still.
 fn at_rest<'s>(known: &Kinematics<'s>) -> Vec<Source<'s>> {
     let zero = known.sheet.zero();
-    let still = |source: &Source<'s>| Source {
-        jet: Jet { rate: zero, accel: zero, ..source.jet },
-        ..*source
-    };
-    known.inputs.iter().map(still).collect()
+    known.inputs.iter().map(|source| source.with_rates(zero, zero)).collect()
 }
 
 /// Both sides of the equation where the unknown has this value and these rates.
