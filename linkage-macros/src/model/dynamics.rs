@@ -5,8 +5,8 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use super::mechanism::{
-    Body, Carrier, Dimension, Expr, GuideId, InputId, LinkId, Mechanism, Placement, PointId,
-    SpringId, Step,
+    AngleSum, Body, Carrier, Dimension, Expr, GuideId, InputId, LinkId, Mechanism, Placement,
+    PointId, SpringId, Step,
 };
 
 /// Everything that a declaration says about forces; empty where it says nothing.
@@ -286,16 +286,18 @@ impl Mechanism {
             | Expr::Offset(..)
             | Expr::Twist(_)
             | Expr::Rate(_) => true,
-            Expr::Let(id) => {
-                let turn = &self.lets[id.index()];
-                !turn.links.is_empty() || self.moves(&turn.rest)
-            }
+            Expr::Let(id) => self.turns(&self.lets[id.index()]),
             Expr::Negate(value) => self.moves(value),
             Expr::Chain(first, rest) => {
                 self.moves(first) || rest.iter().any(|(_, operand)| self.moves(operand))
             }
             Expr::Call(_, arguments) => arguments.iter().any(|argument| self.moves(argument)),
         }
+    }
+
+    /// Whether the angle changes with an input.
+    pub(crate) fn turns(&self, angle: &AngleSum) -> bool {
+        !angle.links.is_empty() || self.moves(&angle.rest)
     }
 
     /// The points that links stand on, and the links: every revolute outer joint.
