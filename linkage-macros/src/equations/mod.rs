@@ -40,6 +40,7 @@ mod rpr;
 mod rrp;
 mod rrr;
 mod slider;
+mod steps;
 mod symbol;
 #[cfg(test)]
 pub(crate) mod tests;
