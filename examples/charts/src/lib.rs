@@ -4,6 +4,7 @@
 use std::fs;
 use std::path::PathBuf;
 
+pub use kuva::prelude::MarkerShape;
 use kuva::prelude::*;
 
 /// Blue, vermilion, green, orange, purple, sky: told apart without colour vision too (Okabe and
@@ -36,22 +37,41 @@ pub struct Curve {
     name: Option<String>,
     colour: String,
     width: f64,
+    /// Dots of this shape instead of a line.
+    marker: Option<MarkerShape>,
 }
 
 impl Curve {
     /// A curve with a name in the legend.
     pub fn named(name: &str, colour: &str, points: Vec<(f64, f64)>) -> Self {
-        Self { points, name: Some(name.to_owned()), colour: colour.to_owned(), width: 2.0 }
+        Self {
+            points,
+            name: Some(name.to_owned()),
+            colour: colour.to_owned(),
+            width: 2.0,
+            marker: None,
+        }
     }
 
     /// A broad grey curve, to stand behind one that should cover it.
     pub fn band(points: Vec<(f64, f64)>) -> Self {
-        Self { points, name: None, colour: GREY.to_owned(), width: 6.0 }
+        Self { points, name: None, colour: GREY.to_owned(), width: 6.0, marker: None }
     }
 
     /// A curve without a name.
     pub fn line(colour: &str, points: &[(f64, f64)]) -> Self {
-        Self { points: points.to_vec(), name: None, colour: colour.to_owned(), width: 1.5 }
+        Self {
+            points: points.to_vec(),
+            name: None,
+            colour: colour.to_owned(),
+            width: 1.5,
+            marker: None,
+        }
+    }
+
+    /// Dots with a name in the legend.
+    pub fn dots(name: &str, colour: &str, marker: MarkerShape, points: Vec<(f64, f64)>) -> Self {
+        Self { marker: Some(marker), ..Self::named(name, colour, points) }
     }
 }
 
@@ -61,18 +81,25 @@ pub struct Panel {
     axes: [String; 2],
     curves: Vec<Curve>,
     in_the_plane: bool,
+    is_logarithmic: bool,
 }
 
 impl Panel {
     /// Curves over an input or over time.
     pub fn over(title: &str, axes: [&str; 2], curves: Vec<Curve>) -> Self {
         let axes = axes.map(str::to_owned);
-        Self { title: title.to_owned(), axes, curves, in_the_plane: false }
+        Self { title: title.to_owned(), axes, curves, in_the_plane: false, is_logarithmic: false }
     }
 
     /// Paths: both axes are lengths and drawn to one scale.
     pub fn plane(title: &str, axes: [&str; 2], curves: Vec<Curve>) -> Self {
         Self { in_the_plane: true, ..Self::over(title, axes, curves) }
+    }
+
+    /// With logarithmic axes, both.
+    #[must_use]
+    pub fn logarithmic(self) -> Self {
+        Self { is_logarithmic: true, ..self }
     }
 
     fn drawn(self) -> (Vec<Plot>, Layout) {
@@ -89,6 +116,7 @@ impl Panel {
             .with_tick_size(10)
             .with_body_size(11);
         let layout = match (self.in_the_plane, last) {
+            _ if self.is_logarithmic => layout.with_log_scale(),
             (true, _) => layout.with_equal_aspect(),
             // A turn of a crank in degrees.
             (false, 360.0) => layout.with_x_axis_max(360.0).with_x_tick_step(60.0),
@@ -99,6 +127,11 @@ impl Panel {
 }
 
 fn drawn(curve: Curve) -> Plot {
+    if let Some(marker) = curve.marker {
+        let dots = ScatterPlot::new().with_data(curve.points).with_color(curve.colour);
+        let dots = dots.with_marker(marker).with_size(5.0);
+        return dots.with_legend(curve.name.unwrap_or_default()).into();
+    }
     let line = LinePlot::new()
         .with_data(curve.points)
         .with_color(curve.colour)
