@@ -10,6 +10,12 @@ use kuva::prelude::*;
 /// Blue, vermilion, green, orange, purple, sky: told apart without colour vision too (Okabe and
 /// Ito).
 pub const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#e69f00", "#cc79a7", "#56b4e9"];
+/// The colour of what is about a pin, wherever it is drawn: A to F in the order of `COLOURS`.
+pub fn colour_of_pin(name: &str) -> &'static str {
+    let nth = name.bytes().next().unwrap_or_default().wrapping_sub(b'A');
+    COLOURS.get(usize::from(nth)).copied().unwrap_or(BLACK)
+}
+
 /// For what stands behind the curves.
 pub const GREY: &str = "#b4b8bc";
 /// For what stands still.
@@ -105,7 +111,12 @@ impl Panel {
     fn drawn(self) -> (Vec<Plot>, Layout) {
         let last = self.curves.iter().flat_map(|curve| &curve.points).map(|point| point.0);
         let last = last.fold(f64::NEG_INFINITY, f64::max);
-        let plots: Vec<Plot> = self.curves.into_iter().map(drawn).collect();
+        let mut curves = self.curves;
+        if let [only] = &mut curves[..] {
+            // The title names it.
+            only.name = None;
+        }
+        let plots: Vec<Plot> = curves.into_iter().map(drawn).collect();
         let layout = Layout::auto_from_plots(&plots)
             .with_title(self.title)
             .with_x_label(self.axes[0].as_str())
@@ -119,7 +130,9 @@ impl Panel {
             _ if self.is_logarithmic => layout.with_log_scale(),
             (true, _) => layout.with_equal_aspect(),
             // A turn of a crank in degrees.
-            (false, 360.0) => layout.with_x_axis_max(360.0).with_x_tick_step(60.0),
+            (false, last) if (last - 360.0).abs() < 1e-6 => {
+                layout.with_x_axis_max(360.0).with_x_tick_step(60.0)
+            }
             (false, _) => layout.with_x_axis_max(last),
         };
         (plots, layout)

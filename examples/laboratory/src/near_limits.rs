@@ -174,19 +174,18 @@ pub fn single() -> Vec<Sweep> {
 }
 
 impl Sweep {
-    /// Its errors over the distance, each form in its colour.
+    /// Its errors over the distance, each form in its colour; the axes are decimal logarithms.
     #[must_use]
-    pub fn panel(&self, order: usize) -> Panel {
+    pub fn panel(&self, title: &str, order: usize) -> Panel {
         let curve = |series: &Series| {
             let points = EXPONENTS.zip(&series.errors[order]);
-            // An error of nothing, and one that is no number, have no place on a logarithmic axis.
-            let points = points.filter(|(_, error)| error.is_finite());
-            let points = points
-                .map(|(exponent, error)| (10_f64.powi(-i32::from(exponent)), error.max(1e-24)));
+            // An error of nothing, and one that is no number, have no logarithm.
+            let points = points.filter(|(_, error)| error.is_finite() && **error > 0.0);
+            let points = points.map(|(exponent, error)| (-f64::from(exponent), error.log10()));
             Curve::named(series.name, charts::colour_of(series.name), points.collect())
         };
-        let title = format!("{}: {}", self.title, self.measures[order]);
-        let curves = self.series.iter().map(curve).collect();
-        Panel::over(&title, ["distance from the limit, in lengths", "error"], curves).logarithmic()
+        let axes = ["log₁₀ of the distance from the limit, in lengths", "log₁₀ of the error"];
+        let title = format!("{title}, {}", self.measures[order]);
+        Panel::over(&title, axes, self.series.iter().map(curve).collect())
     }
 }

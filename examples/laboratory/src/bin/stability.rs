@@ -21,7 +21,7 @@ fn main() {
     single.iter().for_each(print_sweep);
     let title = "error against distance from the limit";
     let draw = |name: &str, what: &str, sweeps: &[Sweep], order: usize| {
-        let panels = sweeps.iter().map(|sweep| sweep.panel(order)).collect();
+        let panels = sweeps.iter().map(|sweep| sweep.panel(sweep.title, order)).collect();
         charts::write(name, &format!("{what}: {title}"), 2, panels);
     };
     draw("stability_position", "Position", &sweeps, 0);

@@ -19,8 +19,8 @@ const FAMILIES: [(&str, MarkerShape); 8] = [
     ("half angles", MarkerShape::Triangle),
     ("Newton", MarkerShape::Cross),
     ("num-dual", MarkerShape::TriangleDown),
-    ("generated, compensated", MarkerShape::Circle),
-    ("generated, sweep", MarkerShape::Circle),
+    ("generated, compensated", MarkerShape::Star),
+    ("generated, sweep", MarkerShape::Plus),
     ("generated", MarkerShape::Circle),
 ];
 
@@ -30,7 +30,8 @@ pub(crate) fn write(measured: &[Measured]) {
         near_limits::stretched().into_iter().zip([("f64", f64::EPSILON), ("f32", EPSILON)]);
     let panels = panels.flat_map(|(sweep, (width, epsilon))| {
         let of_width = measured.iter().filter(|measured| measured.epsilon == epsilon);
-        [race(width, &of_width.collect::<Vec<_>>()), sweep.panel(0)]
+        let stretched = format!("Two bars nearly stretched, {width}");
+        [race(width, &of_width.collect::<Vec<_>>()), sweep.panel(&stretched, 0)]
     });
     let title = "Speed against error, each point a mechanism: lower left is better";
     charts::write("work_precision", title, 2, panels.collect());
