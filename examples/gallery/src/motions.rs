@@ -135,12 +135,12 @@ fn more() -> Vec<Piece> {
         },
         Piece {
             name: "shear_bearings::FlyingShear",
-            text: "What the bearings exert on crank and rocker, 10 kN on the blade.",
+            text: "What the bearings exert on the links, 10 kN on the blade.",
             film: cutting(),
         },
         Piece {
             name: "six_bar_reactions::SixBar",
-            text: "What the bearings exert on crank and rod at one turn a second.",
+            text: "What the bearings exert on the links at one turn a second.",
             film: turning(),
         },
         Piece {
