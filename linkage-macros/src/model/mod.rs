@@ -51,6 +51,8 @@ mod uses;
 #[cfg(test)]
 mod tests;
 
+use std::collections::HashSet;
+
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 
@@ -77,6 +79,7 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         gravity_at: None,
         searched: None,
         follows: false,
+        solved: tree.statements.iter().filter_map(solved).collect(),
     };
     for (index, statement) in tree.statements.iter().enumerate() {
         resolver.names.go_to(index);
@@ -124,6 +127,8 @@ struct Resolver<'d> {
     searched: Option<Searched>,
     /// Whether the statement being resolved depends on it so far.
     follows: bool,
+    /// The names behind `solve`.
+    solved: HashSet<String>,
 }
 
 impl Resolver<'_> {
@@ -155,6 +160,13 @@ impl Resolver<'_> {
             StatementKind::Crate { path } => self.crate_path(path),
             StatementKind::Export { language } => self.export(language),
         }
+    }
+}
+
+fn solved(statement: &Statement) -> Option<String> {
+    match &statement.kind {
+        StatementKind::Solve(solve) => Some(solve.unknown.to_string()),
+        _ => None,
     }
 }
 

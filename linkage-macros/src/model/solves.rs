@@ -27,9 +27,11 @@ impl Resolver<'_> {
             (Some(near), None) => self.quantity(near).map(|_| None),
             (None, _) => Some(None),
         };
-        let Some(id) = unknown else { return };
         // Also where it is in error it ends the search.
-        self.searched = None;
+        if unknown.is_some() || self.searched.as_ref().is_some_and(|s| s.name == solve.unknown) {
+            self.searched = None;
+        }
+        let Some(id) = unknown else { return };
         let steps = self.mechanism.steps.len();
         let unknown = &mut self.mechanism.unknowns[id.index()];
         unknown.steps[1] = steps;

@@ -185,7 +185,7 @@ impl Resolver<'_> {
     /// Every unknown is solved.
     pub(super) fn every_unknown_is_solved(&mut self, tree: &Declaration) {
         let Some(Searched { name, .. }) = self.searched.take() else { return };
-        if tree.unread.may_hold("solve") {
+        if tree.unread.may_hold("solve") || tree.unread.may_hold(&name.to_string()) {
             return;
         }
         let message =

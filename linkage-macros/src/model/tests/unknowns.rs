@@ -31,6 +31,25 @@ fn an_unknown_is_solved_once() {
         ),
         (SOLVED, "solve x { B.y = 1m, mode: rising }", "x: `x` is an input, not an unknown"),
         (
+            "input x: length; ground A(0, 0);",
+            "crank AB(A) -> B { length: 80mm, angle: theta } \
+             solve theta { B.y = x, mode: rising }",
+            "theta: no unknown named `theta` / declare it in front of what it drives: `unknown theta: \
+             angle between (…, …);`",
+        ),
+        (
+            SEARCH,
+            "unknown theta: angle between (0, 1); solve theta { ram.slide = x, mode: falling }",
+            "theta: the name `theta` is taken; choose another / the first `theta` is made by `unknown \
+             theta`",
+        ),
+        (
+            SOLVED,
+            "output theta.omega;",
+            "omega: write `output theta` / `theta` is a number, and `velocity` and `motion` give its \
+             rates",
+        ),
+        (
             SOLVED,
             "solve thta { B.y = 1m, mode: rising }",
             "thta: no unknown named `thta`; an unknown with a similar name exists: `theta`",
