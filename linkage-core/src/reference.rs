@@ -26,6 +26,9 @@ pub mod language {
     //! [`limits`]: crate::range::limits()
     //! [`Tracker`]: crate::Tracker
     //!
+    // The page's figures as they are, ahead of the files that the page names where it is read by itself:
+    // of two definitions the first holds.
+    #![doc = include_str!("figures/drawn.md")]
     #![doc = include_str!("../docs/language.md")]
 }
 

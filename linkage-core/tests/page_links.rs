@@ -1,7 +1,7 @@
 //! The pages of the reference are read in two places: as `docs/*.md` where the repository is shown,
 //! and as modules in the documentation. A link there is a name, `[text][name]`, which the page
-//! defines at its end as a file, and `reference.rs` in front of the page as an item: the first
-//! definition counts.
+//! defines at its end as a file, and `reference.rs` in front of the page as an item or a figure: the
+//! first definition counts.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -68,11 +68,14 @@ fn links_lead_somewhere_in_the_repository_and_in_the_documentation() {
         let text = prose(&page);
         let name = file.strip_suffix(".md").expect("pages are markdown");
         let module = modules.split_once(&format!("pub mod {name} {{")).expect("a module").1;
-        let module = module.split_once("include_str!").expect("it includes the page").0;
-        let items: BTreeMap<_, _> = module
-            .lines()
-            .filter_map(|line| line.trim_start().strip_prefix("//! [")?.split_once("]: "))
-            .collect();
+        let module = module.split_once(&format!("docs/{file}")).expect("it includes the page").0;
+        let own = module.lines().filter_map(|line| line.trim_start().strip_prefix("//! "));
+        let own: String = own.map(|line| format!("{line}\n")).collect();
+        let included = module.split("include_str!(\"").skip(1);
+        let included = included.filter_map(|behind| behind.split_once("\")"));
+        let included: String = included.map(|(file, _)| read(&format!("src/{file}"))).collect();
+        let mut items = definitions(&own);
+        items.extend(definitions(&included));
         let files = definitions(&text);
         assert_eq!(items.keys().collect::<Vec<_>>(), files.keys().collect::<Vec<_>>(), "{file}");
         for (name, target) in &files {
