@@ -19,7 +19,7 @@ use crate::passes;
 use topologies::random_mechanism;
 
 /// The declaration with mass on every link and pin, and with forces and torques everywhere.
-fn loaded(source: &str) -> String {
+pub(crate) fn loaded(source: &str) -> String {
     let plain = mechanism(source);
     let mut added = String::from("gravity (0.7, -9.81);");
     let q = &plain.inputs[0].name;

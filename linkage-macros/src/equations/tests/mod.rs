@@ -3,7 +3,7 @@
 //! own conditions.
 
 pub(crate) mod declarations;
-mod forces;
+pub(crate) mod forces;
 mod joints;
 mod newton_euler;
 mod rates;
