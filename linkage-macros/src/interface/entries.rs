@@ -143,8 +143,7 @@ pub(super) fn of_dynamics(columns: usize, has_loads: bool, equations: RecordId) 
         true => [&[Value, Rate, Drives, Loads], &[Value, Rate, Loads]],
     };
     let accelerations = if columns == 1 { Shape::Number } else { Shape::List(columns) };
-    let entry =
-        |name, given, result, subject| Entry { name, given, result, subject, sweeps: true };
+    let entry = |name, given, result, subject| Entry { name, given, result, subject, sweeps: true };
     vec![
         entry(FORWARD, forward, accelerations, "Second rates of the inputs under given drives"),
         entry(

@@ -3,6 +3,7 @@
 //! own conditions.
 
 pub(crate) mod declarations;
+mod dynamics;
 pub(crate) mod forces;
 mod joints;
 mod newton_euler;
