@@ -30,7 +30,7 @@ fn main() {
             }
         }
     }
-    writeln!(modules, "/// All of them.\npub const NAMES: &[&str] = &[{names}];")
+    writeln!(modules, "/// All that can be drawn.\npub const NAMES: &[&str] = &[{names}];")
         .expect("a string takes everything");
     let out = env::var_os("OUT_DIR").expect("a build script has one");
     fs::write(Path::new(&out).join("declarations.rs"), modules).expect("it can be written");
@@ -43,9 +43,11 @@ fn module(examples: &Path, file: &Path) -> String {
     first.to_string_lossy().trim_end_matches(".rs").to_string()
 }
 
-/// What is declared.
+/// What is declared, but for mechanisms in which something is searched: those have no drawings.
 fn structs(declarations: &str) -> impl Iterator<Item = &str> {
     let behind = declarations.split("pub struct ").skip(1);
+    let behind =
+        behind.filter(|behind| !behind.lines().any(|line| line.trim().starts_with("solve ")));
     behind.filter_map(|behind| behind.split(|c: char| !c.is_alphanumeric()).next())
 }
 

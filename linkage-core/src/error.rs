@@ -99,4 +99,17 @@ fn is_spring(group: &str) -> bool {
     group.starts_with("spring ")
 }
 
+impl SolveError {
+    /// What the error is about: the group that has no pose, or the unknown, input or parameter.
+    pub(crate) const fn culprit(self) -> &'static str {
+        match self {
+            Self::OutOfReach { group, .. }
+            | Self::Singular { group }
+            | Self::Invalid { group, .. }
+            | Self::NoSolution { unknown: group, .. } => group,
+            Self::NotFinite { name } | Self::OffCircle { name, .. } => name,
+        }
+    }
+}
+
 impl core::error::Error for SolveError {}

@@ -17,6 +17,9 @@
 //! These modules hold documentation alone; the files are `docs/*.md` of the crate.
 
 pub mod language {
+    // The page's figures as they are, ahead of the files that the page names where it is read by itself:
+    // of two definitions the first holds.
+    #![doc = include_str!("figures/drawn.md")]
     #![doc = include_str!("../docs/language.md")]
 }
 

@@ -40,22 +40,26 @@ mod error;
 mod film;
 mod gaps;
 mod labels;
+mod options;
 mod page;
 mod picture;
+mod placing;
 mod plan;
 mod scene;
 mod shapes;
+mod still;
 mod style;
 mod svg;
 mod symbols;
 mod traces;
 
 pub use error::SketchError;
-pub use film::{Film, FilmGap, Sketch, Still};
+pub use film::{Film, FilmGap};
 pub use plan::Drawn;
 #[doc(hidden)]
 pub use plan::{Made, Plan, place, place_open};
-pub use style::{Theme, Unit};
+pub use still::{Sketch, Still};
+pub use style::{Palette, Theme, Unit};
 pub use svg::View;
 
 use crate::{Direction, Point};

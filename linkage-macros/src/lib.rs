@@ -32,7 +32,6 @@
 //! | room | the length `632mm` | the input `theta` | the mode `elbow` | a mistake, `632kg` |
 //! |---|---|---|---|---|
 //! | `syntax` | digits, unit, span | a name | a name | a number like another |
-//! | `reach` | what constant dimensions say before anything is solved, exactly | know a mechanism |
 //! | `model` | `Expr::Constant`, 79/125 m, not zero or less | `Expr::Input`, an angle | `Mode::Param` | a message at its token; what follows is a stand-in |
 //! | `interface` | | an argument of every entry point, a column | | the same signatures |
 //! | `equations` | a jet whose rates are zeros that leave no trace | a jet: value, rate, second rate | the sign of √S in `rrr.rs` | |

@@ -1,12 +1,13 @@
 //! What a solver offers beside its C functions, each behind a symbol: the straight lines, the
 //! rows, angles, conversion to another width, several numbers side by side, sweeps over slices,
-//! trackers, searches, ranges; and a controller that is made of them.
+//! trackers, searches, ranges; and two controllers that are made of them.
 
 use linkage_core::find::{FindError, Search, Trend};
 use linkage_core::range::{extrema, limits};
 use linkage_core::{Direction, Float, Lanes, Mask, Point, Real, Record, Scalar, Tracker};
 
 use cam::{Cam, Strip};
+use robot_controller::{Controller, Robot, Wanted, rk4};
 use crate::mechanisms::{
     Everything, Excavator, FlyingShear, FlyingShearPosition, HeavyPress, HeavyPressForces,
     HeavyPressLoads, SixBar, SliderCrank, TunedFourBar,
@@ -42,6 +43,8 @@ symbols! {
     methods_find_f32 = find::<f32>;
     methods_cam = cam::<f64>;
     methods_cam_f32 = cam::<f32>;
+    methods_robot = robot::<f64>;
+    methods_robot_f32 = robot::<f32>;
 }
 
 macro_rules! sweeps {
@@ -193,4 +196,13 @@ fn cam<T: Real>(x: T) -> T {
         }
     }
     sum
+}
+
+/// The robot's controller of the examples, and a step of the robot under what it gives.
+fn robot<T: Real>(x: T) -> T {
+    let controller = Controller { model: Robot::<T>::default(), bandwidth: x };
+    let tool = Wanted { place: [x, x], rate: [x, x], second: [x, x] };
+    let Ok([one, other]) = controller.torques([[x, x], [x, x]], tool) else { return x };
+    let rates = |state| controller.model.state_rates(state, [one, other]);
+    rk4(rates, [x, x, one, other], x).map_or(x, |[a, b, u, v]| a + b + u + v)
 }

@@ -44,6 +44,11 @@ impl Curve {
         Self { points, name: Some(name.to_owned()), colour: colour.to_owned(), width: 2.0 }
     }
 
+    /// A broad grey curve, to stand behind one that should cover it.
+    pub fn band(points: Vec<(f64, f64)>) -> Self {
+        Self { points, name: None, colour: GREY.to_owned(), width: 6.0 }
+    }
+
     /// A curve without a name.
     pub fn line(colour: &str, points: &[(f64, f64)]) -> Self {
         Self { points: points.to_vec(), name: None, colour: colour.to_owned(), width: 1.5 }

@@ -9,22 +9,44 @@ pub use annotations::Figure;
 
 use linkage_core::sketch::{SketchError, Theme};
 
+/// The figures as addresses that hold them whole, by the names that the documentation's text gives
+/// them: a page of documentation has no files beside it.
+///
+/// # Errors
+/// What cannot be drawn: a mistake in a figure.
+pub fn addresses() -> Result<String, SketchError> {
+    let escaped = |letter: char| match letter {
+        '<' => "%3C".into(),
+        '>' => "%3E".into(),
+        '#' => "%23".into(),
+        '%' => "%25".into(),
+        '"' => "%22".into(),
+        ' ' => "%20".into(),
+        '\n' => String::new(),
+        letter => letter.to_string(),
+    };
+    let line = |(name, figure): (&str, String)| {
+        let figure: String = figure.chars().map(escaped).collect();
+        format!("[{name} drawn]: <data:image/svg+xml,{figure}>\n")
+    };
+    Ok(figures(Theme::Light)?.into_iter().map(line).collect::<String>() + "\n")
+}
+
 /// Every figure by the name of its file.
 ///
 /// # Errors
 /// What cannot be drawn: a mistake in a figure.
 pub fn figures(theme: Theme) -> Result<Vec<(&'static str, String)>, SketchError> {
-    let ink = annotations::Ink::of(theme);
     Ok(vec![
-        ("crank", placing::crank(ink)?),
-        ("slider", placing::slider(ink)?),
-        ("rrr", dyads::rrr(ink)?),
-        ("rrp", dyads::rrp(ink)?),
-        ("rpr", dyads::rpr(ink)?),
-        ("prp", dyads::prp(ink)?),
-        ("rpp", dyads::rpp(ink)?),
-        ("guide", placing::guide(ink)?),
-        ("point", placing::point(ink)?),
-        ("polar", placing::polar(ink)?),
+        ("crank", placing::crank(theme)?),
+        ("slider", placing::slider(theme)?),
+        ("rrr", dyads::rrr(theme)?),
+        ("rrp", dyads::rrp(theme)?),
+        ("rpr", dyads::rpr(theme)?),
+        ("prp", dyads::prp(theme)?),
+        ("rpp", dyads::rpp(theme)?),
+        ("guide", placing::guide(theme)?),
+        ("point", placing::point(theme)?),
+        ("polar", placing::polar(theme)?),
     ])
 }

@@ -6,4 +6,4 @@ pub mod figures;
 pub mod motions;
 pub mod page;
 
-pub use motions::{Piece, pieces};
+pub use motions::{Piece, pieces, readme};

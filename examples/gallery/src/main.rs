@@ -1,5 +1,6 @@
 //! Writes every mechanism of the examples, animated, to `target/gallery/index.html`; with
-//! `--committed` also the pictures that the documentation and the README keep.
+//! `--committed` also the pictures that the documentation and the README keep, with `--sheets` pages
+//! on which all pictures of a width and a theme can be looked at together.
 
 use std::path::Path;
 
@@ -21,8 +22,34 @@ fn main() -> Result<(), SketchError> {
     for (name, figure) in figures::figures(Theme::Light)? {
         std::fs::write(folder.join(format!("{name}.svg")), figure)?;
     }
-    if std::env::args().any(|argument| argument == "--committed") {
+    let is_asked = |wanted| std::env::args().any(|argument| argument == wanted);
+    if is_asked("--committed") {
         committed()?;
+    }
+    if is_asked("--sheets") {
+        sheets(folder)?;
+    }
+    Ok(())
+}
+
+/// Pages of everything at two widths, light and dark; `#1.5` behind the address shows that second.
+fn sheets(folder: &Path) -> Result<(), SketchError> {
+    for (theme, name) in [(Theme::Light, "light"), (Theme::Dark, "dark")] {
+        for width in [360.0, 720.0] {
+            let films = pieces().into_iter().map(|piece| piece.film.width(width));
+            let films: Vec<_> = films.collect();
+            let moving: Result<Vec<_>, _> =
+                films.iter().map(|film| film.to_svg_in(theme)).collect();
+            let stills: Result<Vec<_>, _> =
+                films.iter().map(|film| film.still().to_svg_in(theme)).collect();
+            for (what, pictures) in [("films", moving?), ("stills", stills?)] {
+                let file = folder.join(format!("sheet_{what}_{name}_{width}.html"));
+                std::fs::write(file, page::sheet(&pictures, theme))?;
+            }
+        }
+        let figures = figures::figures(theme)?.into_iter().map(|(_, figure)| figure);
+        let page = page::sheet(&figures.collect::<Vec<_>>(), theme);
+        std::fs::write(folder.join(format!("sheet_figures_{name}.html")), page)?;
     }
     Ok(())
 }
@@ -35,12 +62,17 @@ fn committed() -> Result<(), SketchError> {
     for (name, figure) in figures::figures(Theme::Light)? {
         std::fs::write(kept.join(format!("{name}.svg")), figure)?;
     }
+    std::fs::write(kept.join("drawn.md"), figures::addresses()?)?;
+    let kept = root.join("examples/gallery/figures");
+    std::fs::create_dir_all(&kept)?;
+    for (name, figure) in figures::figures(Theme::Dark)? {
+        std::fs::write(kept.join(format!("{name}_dark.svg")), figure)?;
+    }
     let kept = root.join("examples/gallery/films");
     std::fs::create_dir_all(&kept)?;
-    for piece in pieces().iter().take(4) {
-        let name = piece.name.split("::").next().unwrap_or_default();
-        std::fs::write(kept.join(format!("{name}.svg")), piece.film.to_svg()?)?;
-        std::fs::write(kept.join(format!("{name}_dark.svg")), piece.film.to_svg_in(Theme::Dark)?)?;
+    for (name, film) in gallery::readme() {
+        std::fs::write(kept.join(format!("{name}.svg")), film.to_svg()?)?;
+        std::fs::write(kept.join(format!("{name}_dark.svg")), film.to_svg_in(Theme::Dark)?)?;
     }
     Ok(())
 }

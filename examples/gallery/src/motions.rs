@@ -7,7 +7,7 @@ use linkage_core::sketch::Film;
 use crate::declarations::{
     calibration, crank_rocker_slider, crank_rpp, driving_torque, electronic_cam, excavator,
     five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, range, shear_bearings,
-    six_bar, six_bar_reactions, slider_crank, transplanter, whitworth,
+    six_bar, six_bar_reactions, slider_crank, suspension, transplanter, whitworth,
 };
 
 /// A film and where it is from.
@@ -80,6 +80,18 @@ pub fn pieces() -> Vec<Piece> {
     pieces.extend(more());
     pieces.extend(designed());
     pieces
+}
+
+/// The films of the README, by the names of their files, so wide that their letters are of the
+/// size of its text.
+pub fn readme() -> Vec<(&'static str, Film)> {
+    let films = pieces().into_iter().take(4);
+    films
+        .map(|piece| {
+            let name = piece.name.split("::").next().unwrap_or_default();
+            (name, piece.film.width(400.0))
+        })
+        .collect()
 }
 
 fn more() -> Vec<Piece> {
@@ -165,6 +177,13 @@ fn designed() -> Vec<Piece> {
             film: function_generator::FunctionGenerator::new()
                 .film(shares().map(|s| s * PI / 2.0))
                 .there_and_back(),
+        },
+        Piece {
+            name: "suspension::ByTheArm",
+            text: "A double wishbone, its lower arm up and down.",
+            film: suspension::ByTheArm::new()
+                .film(shares().map(|s| 0.05 - 0.3 * (TAU * s).cos()))
+                .trace("W"),
         },
         Piece {
             name: "function_generator::Transmission",

@@ -66,14 +66,7 @@ pub(crate) fn positive<T: Real>(
     group: &'static str,
     name: &'static str,
 ) -> Result<T, SolveError> {
-    let real = value.value();
-    if real.is_nan() {
-        Err(SolveError::NotFinite { name })
-    } else if real > 0.0 {
-        Ok(value)
-    } else {
-        Err(SolveError::Invalid { group, name })
-    }
+    valid(value, group, name, |size| size > 0.0)
 }
 
 /// The value, a mass or an inertia, provided that it is not negative.
@@ -86,13 +79,19 @@ pub(crate) fn not_negative<T: Real>(
     group: &'static str,
     name: &'static str,
 ) -> Result<T, SolveError> {
-    let real = value.value();
-    if real.is_nan() {
-        Err(SolveError::NotFinite { name })
-    } else if real >= 0.0 {
-        Ok(value)
-    } else {
-        Err(SolveError::Invalid { group, name })
+    valid(value, group, name, |size| size >= 0.0)
+}
+
+fn valid<T: Real>(
+    value: T,
+    group: &'static str,
+    name: &'static str,
+    is_valid: impl Fn(f64) -> bool,
+) -> Result<T, SolveError> {
+    match value.value() {
+        nan if nan.is_nan() => Err(SolveError::NotFinite { name }),
+        size if is_valid(size) => Ok(value),
+        _ => Err(SolveError::Invalid { group, name }),
     }
 }
 

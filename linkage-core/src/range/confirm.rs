@@ -78,7 +78,7 @@ fn boundary<T: Real, M: Modes<Scalar = T, Input = T>>(
             Some(error) => (outside, refusal) = (middle, Some(error)),
         }
     }
-    let group = refusal.map_or("", culprit);
+    let group = refusal.map_or("", SolveError::culprit);
     // The same limit, a rounding away: it moves with the dimensions as it did.
     // Byte by byte: comparing strings at once is a call to the C library.
     let is_same =
@@ -86,15 +86,4 @@ fn boundary<T: Real, M: Modes<Scalar = T, Input = T>>(
     let derivatives = without.end.at - constant(without.end.at);
     let at = if is_same { inside + derivatives } else { inside };
     End { at, stop: Stop::Limit { group } }
-}
-
-/// The group that has no pose, or what is not finite.
-fn culprit(error: SolveError) -> &'static str {
-    match error {
-        SolveError::OutOfReach { group, .. }
-        | SolveError::Singular { group }
-        | SolveError::Invalid { group, .. }
-        | SolveError::NoSolution { unknown: group, .. } => group,
-        SolveError::NotFinite { name } | SolveError::OffCircle { name, .. } => name,
-    }
 }

@@ -8,7 +8,7 @@ use super::gaps::messages;
 use super::labels;
 use super::picture::{Picture, is_ground, revolutes};
 use super::scene::Spot;
-use super::style::{FONT, JOINT, LABEL, SMALL, text_width};
+use super::style::{FONT, HEADING, HEADING_LINE, JOINT, SMALL, text_width, wrapped};
 use super::svg::{Timing, escaped, pair, rigid, short};
 use super::{symbols, traces};
 
@@ -36,11 +36,12 @@ impl Picture<'_> {
             svg += &format!("<desc>{}</desc>", escaped(self.scene.plan.docs));
         }
         svg += &format!(r#"<rect width="{width}" height="{height}" fill="{}"/>"#, palette.paper);
-        if let Some(title) = &self.options.title {
+        for (nth, line) in self.heading.iter().enumerate() {
             svg += &format!(
-                r#"<text x="20" y="30" font-family="{FONT}" font-size="15" font-weight="bold" fill="{}">{}</text>"#,
+                r#"<text x="20" y="{}" font-family="{FONT}" font-size="{HEADING}" font-weight="bold" fill="{}">{}</text>"#,
+                30 + HEADING_LINE as usize * nth,
                 palette.ink,
-                escaped(title)
+                escaped(line)
             );
         }
         svg += &self.standing();
@@ -89,7 +90,10 @@ impl Picture<'_> {
             );
         }
         let traces = self.traces.iter();
-        svg.extend(traces.map(|trace| trace.drawn(self.colour(trace.link(self.scene)))));
+        svg.extend(traces.map(|trace| {
+            let name = escaped(self.scene.plan.points[trace.point]);
+            trace.drawn(&name, self.colour(trace.link(self.scene)))
+        }));
         svg
     }
 
@@ -167,19 +171,24 @@ impl Picture<'_> {
         };
         let (mut y, mut below) = (line, 0.0);
         x += 28.0;
-        let mut lines = messages(self.scene, self.options.unit);
-        lines.extend(traces::force_scale(&self.forces));
-        for text in &lines {
-            let width = LABEL * text_width(text);
-            if x + width > self.page[0] - 12.0 {
+        let messages = messages(self.scene, self.options.unit).into_iter();
+        let messages = messages.map(|message| (message, palette.links[0]));
+        let scale = traces::force_scale(&self.forces).map(|scale| (scale, palette.quiet));
+        let room = self.page[0] - 40.0;
+        let lines = messages.chain(scale).flat_map(|(text, colour)| {
+            wrapped(&text, SMALL, room).into_iter().map(move |line| (line, colour))
+        });
+        for (text, colour) in lines {
+            let width = SMALL * text_width(&text);
+            if x + width > self.page[0] - 20.0 {
                 (x, y, below) = (20.0, y + 20.0, below + 20.0);
             }
             svg += &format!(
                 r#"<text x="{}" y="{}" font-family="{FONT}" font-size="{SMALL}" fill="{}">{}</text>"#,
                 short(x),
                 short(y + 4.0),
-                self.palette.links[0],
-                escaped(text)
+                colour,
+                escaped(&text)
             );
             x += width + 24.0;
         }

@@ -3,14 +3,16 @@
 use core::fmt;
 use std::boxed::Box;
 use std::path::Path;
-use std::string::{String, ToString};
+use std::string::String;
 use std::vec::Vec;
 
 use super::error::SketchError;
-use super::picture::{Options, Picture};
+use super::options::Options;
+use super::picture::Picture;
 use super::plan::Drawn;
 use super::scene::Scene;
-use super::style::{Theme, Unit};
+use super::still::Still;
+use super::style::Theme;
 use super::svg::View;
 use super::{LinkPose, page};
 use crate::{Point, SolveError, Tracker};
@@ -21,7 +23,7 @@ use crate::{Point, SolveError, Tracker};
 /// is missing between its links is.
 pub struct Film {
     scene: Scene,
-    options: Options,
+    pub(super) options: Options,
     /// Solves the path again, the modes following the motion.
     follow: Box<dyn Fn() -> Scene>,
 }
@@ -108,11 +110,11 @@ impl Film {
     /// animation.
     #[must_use]
     pub fn still(&self) -> Still {
-        let mut options = self.options.clone();
+        let mut options = Options { is_still: true, ..self.options.clone() };
         if options.poses == Options::default().poses {
             options.poses = 6;
         }
-        Still { scene: self.scene.clone(), options }
+        Still::of(self.scene.clone(), options)
     }
 
     /// What cannot be assembled on the path.
@@ -230,172 +232,11 @@ impl Film {
     }
 }
 
-/// The first pose of a film with traces and faint poses.
-#[derive(Clone, Debug)]
-pub struct Still {
-    scene: Scene,
-    options: Options,
-}
-
-impl Still {
-    /// The picture as SVG.
-    ///
-    /// # Errors
-    /// `UnknownName` and `EmptyPath`.
-    pub fn to_svg(&self) -> Result<String, SketchError> {
-        Ok(Picture::new(&self.scene, &self.options)?.svg(false))
-    }
-
-    /// Writes it.
-    ///
-    /// # Errors
-    /// Those of [`to_svg`](Self::to_svg), and `Write`.
-    pub fn write_svg(&self, path: impl AsRef<Path>) -> Result<(), SketchError> {
-        Ok(std::fs::write(path, self.to_svg()?)?)
-    }
-}
-
-/// A mechanism in one pose.
-#[derive(Clone, Debug)]
-pub struct Sketch {
-    scene: Scene,
-    options: Options,
-}
-
-impl Sketch {
-    /// The pose of a solver; generated code calls it.
-    ///
-    /// # Errors
-    /// The first group that cannot be assembled.
-    #[doc(hidden)]
-    pub fn of<S: Drawn>(solver: &S, q: S::Input) -> Result<Self, SolveError> {
-        let mut scene = Scene::new(&PlanOf::<S>::PLAN);
-        scene.push(solver.place(q)?, None);
-        Ok(Self { scene, options: Options::default() })
-    }
-
-    /// Where a point is, in metres in ground axes.
-    ///
-    /// # Errors
-    /// `UnknownName`.
-    pub fn point(&self, name: &str) -> Result<Point<f64>, SketchError> {
-        super::point_of(&self.scene, 0, name)
-    }
-
-    /// Where a link is.
-    ///
-    /// # Errors
-    /// `UnknownName`.
-    pub fn link(&self, name: &str) -> Result<LinkPose, SketchError> {
-        super::link_of(&self.scene, 0, name)
-    }
-
-    /// From metres in ground axes to pixels of the picture.
-    ///
-    /// # Errors
-    /// `UnknownName`.
-    pub fn view(&self) -> Result<View, SketchError> {
-        Ok(Picture::new(&self.scene, &self.options)?.view)
-    }
-
-    /// The picture as SVG.
-    ///
-    /// # Errors
-    /// `UnknownName` for a trace, label or force of a point that is not.
-    pub fn to_svg(&self) -> Result<String, SketchError> {
-        Ok(Picture::new(&self.scene, &self.options)?.svg(false))
-    }
-
-    /// Writes it.
-    ///
-    /// # Errors
-    /// Those of [`to_svg`](Self::to_svg), and `Write`.
-    pub fn write_svg(&self, path: impl AsRef<Path>) -> Result<(), SketchError> {
-        Ok(std::fs::write(path, self.to_svg()?)?)
-    }
-}
-
-macro_rules! asked_of_a_picture {
-    ($($picture:ident)*) => {$(
-        impl $picture {
-            /// Draws the path of a point, with dots at twelve equal steps.
-            #[must_use]
-            pub fn trace(mut self, point: &str) -> Self {
-                self.options.traces.push(point.to_string());
-                self
-            }
-
-            /// Names these points and no others. What is not said is named where there is room.
-            #[must_use]
-            pub fn label<N: AsRef<str>>(mut self, points: impl IntoIterator<Item = N>) -> Self {
-                let names = points.into_iter().map(|name| name.as_ref().to_string());
-                self.options.labels = Some(names.collect());
-                self
-            }
-
-            /// Names no point.
-            #[must_use]
-            pub fn unlabelled(mut self) -> Self {
-                self.options.labels = Some(Vec::new());
-                self
-            }
-
-            /// Draws an arrow for a force on a point, in newtons in ground axes: one for each pose,
-            /// or one for all.
-            #[must_use]
-            pub fn force(mut self, point: &str, forces: impl IntoIterator<Item = [f64; 2]>) -> Self {
-                let forces = forces.into_iter().collect();
-                self.options.forces.push((point.to_string(), forces));
-                self
-            }
-
-            /// Light or dark; light if nothing is said.
-            #[must_use]
-            pub const fn theme(mut self, theme: Theme) -> Self {
-                self.options.theme = theme;
-                self
-            }
-
-            /// How wide the picture may be, in pixels: 200 to 4000; 720 if nothing is said.
-            #[must_use]
-            pub const fn width(mut self, pixels: f64) -> Self {
-                if pixels.is_finite() {
-                    self.options.width = pixels.clamp(200.0, 4000.0);
-                }
-                self
-            }
-
-            /// The unit of what is written: the scale and missing distances.
-            #[must_use]
-            pub const fn unit(mut self, unit: Unit) -> Self {
-                self.options.unit = Some(unit);
-                self
-            }
-
-            /// Leaves the scale out.
-            #[must_use]
-            pub const fn without_scale(mut self) -> Self {
-                self.options.has_scale = false;
-                self
-            }
-
-            /// A heading.
-            #[must_use]
-            pub fn title(mut self, title: &str) -> Self {
-                self.options.title = Some(title.to_string());
-                self
-            }
-        }
-    )*};
-}
-
-asked_of_a_picture!(Film Sketch);
-
 /// The plan as a constant in memory.
-struct PlanOf<S>(core::marker::PhantomData<S>);
+pub(super) struct PlanOf<S>(core::marker::PhantomData<S>);
 
 impl<S: Drawn> PlanOf<S> {
-    const PLAN: super::plan::Plan = S::PLAN;
+    pub(super) const PLAN: super::plan::Plan = S::PLAN;
 }
 
 fn push<S: Drawn>(scene: &mut Scene, solver: &S, q: S::Input, refused: Option<SolveError>) {

@@ -9,8 +9,8 @@ use super::boxes::Box2;
 use super::plan::Made;
 use super::scene::{Scene, Spot};
 use super::style::{Palette, Unit};
-use super::svg::{Seat, Timing, View, fine, number, rigid};
-use super::symbols::arrow;
+use super::svg::{Seat, Timing, View, fine, rigid, three_digits};
+use super::symbols::moving_arrow;
 use crate::SolveError;
 
 /// A statement that fails in some poses.
@@ -130,6 +130,11 @@ impl Gap {
         all
     }
 
+    /// What is missing in a pose.
+    pub(super) fn line(&self, frame: usize) -> Option<[Spot; 2]> {
+        self.missing[frame]
+    }
+
     pub(super) fn drawn(
         &self,
         timing: Option<Timing>,
@@ -170,17 +175,8 @@ impl Gap {
     }
 
     fn arrow(&self, timing: Option<Timing>, palette: &Palette) -> String {
-        let Some(ends) = super::svg::filled(&self.missing) else { return String::new() };
-        let paths: Vec<String> = ends.into_iter().map(|ends| arrow(ends, 8.0, true)).collect();
-        let seen: Vec<bool> = self.missing.iter().map(Option::is_some).collect();
-        let hidden = if seen[0] { "" } else { r#" opacity="0""# };
-        let moves = timing
-            .map(|timing| timing.animate("d", &paths) + &timing.visible(&seen))
-            .unwrap_or_default();
-        format!(
-            r#"<path d="{}"{hidden} fill="none" stroke="{}" stroke-width="2">{moves}</path>"#,
-            paths[0], palette.ink
-        )
+        let look = format!(r#"stroke="{}" stroke-width="2""#, palette.ink);
+        moving_arrow(&self.missing, true, timing, &look)
     }
 }
 
@@ -191,21 +187,15 @@ const HALF_LINE: f64 = 120.0;
 pub(super) fn messages(scene: &Scene, unit: Option<Unit>) -> Vec<String> {
     let mut found: Vec<(&'static str, SolveError)> = Vec::new();
     for failure in scene.frames().filter_map(|frame| scene.failure(frame)) {
-        let group = match failure.error {
-            SolveError::OutOfReach { group, .. }
-            | SolveError::Singular { group }
-            | SolveError::Invalid { group, .. }
-            | SolveError::NoSolution { unknown: group, .. } => group,
-            SolveError::NotFinite { name } | SolveError::OffCircle { name, .. } => name,
-        };
+        let culprit = failure.error.culprit();
         let by = |error: &SolveError| match *error {
             SolveError::OutOfReach { by, .. } => by,
             _ => 0.0,
         };
-        match found.iter_mut().find(|(name, _)| *name == group) {
+        match found.iter_mut().find(|(name, _)| *name == culprit) {
             Some((_, worst)) if by(worst) < by(&failure.error) => *worst = failure.error,
             Some(_) => {}
-            None => found.push((group, failure.error)),
+            None => found.push((culprit, failure.error)),
         }
     }
     let at_worst = if scene.len() > 1 { " at worst" } else { "" };
@@ -218,11 +208,9 @@ pub(super) fn messages(scene: &Scene, unit: Option<Unit>) -> Vec<String> {
     found.into_iter().map(sentence).collect()
 }
 
-/// Three digits, in a unit that suits.
+/// In a unit that suits.
 fn distance(metres: f64, unit: Option<Unit>) -> String {
     let unit = unit.unwrap_or(if metres < 1.0 { Unit::Mm } else { Unit::M });
     let (name, per_metre) = unit.of();
-    let value = metres * per_metre;
-    let decimals = (2 - value.abs().max(1e-9).log10().floor() as i32).clamp(0, 9) as usize;
-    format!("{} {name}", number(value, decimals))
+    format!("{} {name}", three_digits(metres * per_metre))
 }

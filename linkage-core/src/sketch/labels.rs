@@ -1,4 +1,6 @@
 //! Names beside joints: upright, on one side of their joint all the time, and where they cover least.
+//! Where a joint, a link or another name comes in their way all the same they fade until it has
+//! passed.
 
 use std::format;
 use std::string::String;
@@ -6,7 +8,7 @@ use std::vec::Vec;
 
 use super::boxes::Box2;
 use super::scene::Spot;
-use super::style::{FONT, JOINT, LABEL, Palette, text_width};
+use super::style::{FONT, JOINT, LABEL, Palette, has_descender, text_width};
 use super::svg::{Seat, Timing, escaped, pair, rigid};
 
 /// What is in the way in one pose, on the page.
@@ -25,9 +27,28 @@ pub(super) struct Obstacles {
 pub(super) struct Label {
     pub text: String,
     pub at: Vec<Option<Spot>>,
-    /// Whether it is shown though it covers something.
+    /// Whether it is shown though there is little room.
     pub is_wanted: bool,
 }
+
+impl Label {
+    /// How far the letters reach to the sides of their middle, and above and below it.
+    fn half(&self) -> Spot {
+        [0.5 * LABEL * text_width(&self.text), 0.5 * LABEL * (RISE + self.descent())]
+    }
+
+    /// From the middle of the letters down to the line they stand on.
+    fn baseline(&self) -> f64 {
+        0.5 * LABEL * (RISE - self.descent())
+    }
+
+    fn descent(&self) -> f64 {
+        if has_descender(&self.text) { 0.22 } else { 0.0 }
+    }
+}
+
+/// Height of a capital letter, of its size.
+const RISE: f64 = 0.73;
 
 /// A label with its place beside the joint.
 #[derive(Clone, Debug)]
@@ -36,13 +57,15 @@ pub(super) struct Placed {
     /// From the joint to the middle of the text.
     beside: Spot,
     half: Spot,
+    /// In which poses it is shown.
+    shown: Vec<bool>,
 }
 
 impl Placed {
-    /// What it covers over all poses.
+    /// What it covers over all poses in which it is shown.
     pub(super) fn extent(&self) -> Box2 {
-        let boxes = (0..self.label.at.len()).filter_map(|pose| self.at(pose));
-        boxes.fold(Box2::NOTHING, Box2::with)
+        let shown = (0..self.shown.len()).filter(|&pose| self.shown[pose]);
+        shown.filter_map(|pose| self.at(pose)).fold(Box2::NOTHING, Box2::with)
     }
 
     pub(super) fn shift(&mut self, by: Spot) {
@@ -50,26 +73,36 @@ impl Placed {
         at.for_each(|spot| *spot = [spot[0] + by[0], spot[1] + by[1]]);
     }
 
-    /// What it covers in a pose; a label that stands still has one for all.
+    /// What it covers in a pose; a label that stands still has one place for all.
     fn at(&self, pose: usize) -> Option<Box2> {
-        let [x, y] = (*self.label.at.get(pose).or(self.label.at.first())?)?;
+        let [x, y] = self.joint(pose)?;
         Some(Box2::about([x + self.beside[0], y + self.beside[1]], self.half))
     }
 
-    pub(super) fn drawn(&self, timing: Option<Timing>) -> String {
-        // The letters stand on a line a third of their size below their middle.
-        let [dx, dy] = [self.beside[0], self.beside[1] + 0.34 * LABEL];
+    fn joint(&self, pose: usize) -> Option<Spot> {
+        *self.label.at.get(pose).or(self.label.at.first())?
+    }
+
+    fn drawn(&self, timing: Option<Timing>) -> String {
+        let is_shown = self.shown.first().copied().unwrap_or_default();
+        if !is_shown && timing.is_none() {
+            return String::new();
+        }
+        let hidden = if is_shown { "" } else { r#" opacity="0""# };
+        let fading = timing.map(|timing| timing.fading(&self.shown)).unwrap_or_default();
+        let [dx, dy] = [self.beside[0], self.beside[1] + self.label.baseline()];
         let seat = |at: &Option<Spot>| at.map(|[x, y]| Seat { at: [x + dx, y + dy], degrees: 0.0 });
         let seats: Vec<_> = self.label.at.iter().map(seat).collect();
         let text = escaped(&self.label.text);
-        match &seats[..] {
-            [Some(only)] => {
-                let at = pair(only.at);
-                let (x, y) = at.split_once(' ').unwrap_or_default();
-                format!(r#"<text x="{x}" y="{y}">{text}</text>"#)
-            }
-            seats => rigid(seats, timing, "", &format!("<text>{text}</text>")),
+        if let [Some(only)] = &seats[..] {
+            let at = pair(only.at);
+            let (x, y) = at.split_once(' ').unwrap_or_default();
+            return format!(r#"<text x="{x}" y="{y}"{hidden}>{text}{fading}</text>"#);
         }
+        // Where the joint is missing the label is not shown, wherever it would be.
+        let seats: Vec<_> =
+            super::svg::filled(&seats).unwrap_or_default().into_iter().map(Some).collect();
+        rigid(&seats, timing, hidden, &format!("{fading}<text>{text}</text>"))
     }
 }
 
@@ -85,93 +118,154 @@ pub(super) fn drawn(labels: &[Placed], timing: Option<Timing>, palette: &Palette
     )
 }
 
-/// Puts every label where it covers least, one after the other; leaves out those that would cover
-/// a joint or much of a link, unless they are wanted. The obstacles are those of `samples`.
-pub(super) fn place(labels: Vec<Label>, samples: &[usize], obstacles: &[Obstacles]) -> Vec<Placed> {
+/// Puts every label where it can be seen most of the time, one after the other; leaves out those that
+/// could not be for long, unless they are wanted. There are obstacles for every pose.
+pub(super) fn place(labels: Vec<Label>, obstacles: &[Obstacles]) -> Vec<Placed> {
     let mut placed: Vec<Placed> = Vec::new();
+    let count = obstacles.len().min(SAMPLES);
+    let sample = |nth: usize| nth * (obstacles.len() - 1) / count.max(2).saturating_sub(1);
+    let samples: Vec<usize> = (0..count).map(sample).collect();
     for label in labels {
-        let half = [0.5 * LABEL * text_width(&label.text), 0.42 * LABEL];
-        let candidates = places(half).enumerate().map(|(nth, beside)| {
-            let candidate = Placed { label: label.clone(), beside, half };
-            let cost = cost(&candidate, samples, obstacles, &placed);
-            (Cost { bias: 0.15 * nth as f64, ..cost }, candidate)
-        });
-        let best = candidates.min_by(|a, b| a.0.total().total_cmp(&b.0.total()));
-        placed.extend(
-            best.filter(|(cost, candidate)| candidate.label.is_wanted || cost.is_bearable())
-                .map(|(_, candidate)| candidate),
-        );
+        let half = label.half();
+        let mut best = Placed { label, beside: [0.0; 2], half, shown: Vec::new() };
+        let (mut found, mut least) = ([0.0; 2], f64::INFINITY);
+        for (beside, bias) in places(half) {
+            best.beside = beside;
+            let cost = bias + cost(&best, &samples, obstacles, &placed, least - bias);
+            if cost < least {
+                (found, least) = (beside, cost);
+            }
+        }
+        best.beside = found;
+        let free = (0..obstacles.len()).map(|pose| is_free(&best, pose, obstacles, &placed));
+        best.shown = steady(free.collect());
+        if let ([shown], true) = (&mut best.shown[..], best.label.is_wanted) {
+            // Whoever asks for a name in a still has it.
+            *shown = true;
+        }
+        let seen = best.shown.iter().filter(|shown| **shown).count();
+        let enough = if best.label.is_wanted { LEAST } else { ENOUGH };
+        if seen as f64 > enough * obstacles.len() as f64 {
+            placed.push(best);
+        }
     }
     placed
 }
 
-/// Twelve directions at two distances, from the upper right on.
-fn places(half: Spot) -> impl Iterator<Item = Spot> {
+/// Poses by which places are chosen.
+const SAMPLES: usize = 24;
+/// The share of a film for which a label is worth showing; the same of one that is asked for.
+const ENOUGH: f64 = 0.6;
+const LEAST: f64 = 0.15;
+
+/// Twelve directions at three distances, from the upper right on, and what speaks against each.
+fn places(half: Spot) -> impl Iterator<Item = (Spot, f64)> {
     let directions = [-45, -135, 45, 135, 0, 180, -90, 90, -20, -160, 20, 160_i32];
-    let gaps = [JOINT + 4.5, JOINT + 12.0, JOINT + 20.0];
-    gaps.into_iter().flat_map(move |gap| {
-        directions.into_iter().map(move |degrees| {
+    let gaps = [(JOINT + 4.5, 0.0), (JOINT + 12.0, 2.5), (JOINT + 20.0, 6.0)];
+    gaps.into_iter().flat_map(move |(gap, far)| {
+        directions.into_iter().enumerate().map(move |(nth, degrees)| {
             let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
             // The box begins where the gap ends, whichever way it lies.
             let reach = |part: f64, half: f64| part * gap + half * (part * 1.6).clamp(-1.0, 1.0);
-            [reach(cos, half[0]), reach(sin, half[1])]
+            ([reach(cos, half[0]), reach(sin, half[1])], far + 0.15 * nth as f64)
         })
     })
 }
 
-/// What a label covers, on the average of the poses.
-#[derive(Clone, Copy, Debug, Default)]
-struct Cost {
-    joints: f64,
-    links: f64,
-    others: f64,
-    bias: f64,
-}
-
-impl Cost {
-    fn total(self) -> f64 {
-        100.0 * self.joints + self.links + self.others + self.bias
-    }
-
-    /// No joint in any pose, and no link but now and then.
-    fn is_bearable(self) -> bool {
-        self.joints == 0.0 && self.links < BEARABLE
-    }
-}
-
-/// Pixels of links below a label, on the average.
-const BEARABLE: f64 = 9.0;
-
-fn cost(candidate: &Placed, samples: &[usize], obstacles: &[Obstacles], placed: &[Placed]) -> Cost {
-    let mut cost = Cost::default();
-    let mut seen = 0.0;
-    for (&pose, obstacles) in samples.iter().zip(obstacles) {
+/// How bad a place is: percents of the poses in which a label would be hidden, what of traces it covers
+/// on the average, and much more if it were hidden at first, where a film stands that is not played.
+/// From `most` on it does not matter how bad.
+fn cost(
+    candidate: &Placed,
+    samples: &[usize],
+    obstacles: &[Obstacles],
+    placed: &[Placed],
+    most: f64,
+) -> f64 {
+    let (mut hidden, mut traces) = (0.0, 0.0);
+    let seen = samples.iter().filter(|&&pose| candidate.joint(pose).is_some()).count();
+    let seen = seen.max(1) as f64;
+    for &pose in samples {
         let Some(covered) = candidate.at(pose) else { continue };
-        seen += 1.0;
-        let own = candidate.label.at.get(pose).or(candidate.label.at.first());
-        let own = own.copied().flatten().unwrap_or_default();
-        for &joint in &obstacles.joints {
-            let is_own = (joint[0] - own[0]).hypot(joint[1] - own[1]) < 0.5;
-            if !is_own && covered.grown(JOINT + 0.5).holds(joint) {
-                cost.joints += 1.0;
-            }
+        if !is_free(candidate, pose, obstacles, placed) {
+            hidden += if pose == 0 { 1.0 + 0.3 * samples.len() as f64 } else { 1.0 };
         }
-        let links = obstacles.lines.iter();
-        cost.links +=
-            links.map(|&(line, width)| covered.grown(width).length_inside(line)).sum::<f64>();
-        let boxes = obstacles.boxes.iter();
-        cost.links += boxes.map(|other| 0.4 * covered.overlap(*other)).sum::<f64>();
-        let traces = obstacles.traces.iter();
-        cost.others += traces.map(|&line| 0.5 * covered.length_inside(line)).sum::<f64>();
-        let labels = placed.iter().filter_map(|other| other.at(pose));
-        cost.joints +=
-            labels.filter(|other| covered.overlap(other.grown(1.0)) > 0.0).count() as f64;
+        let lines = obstacles[pose].traces.iter();
+        traces += lines.map(|&line| covered.length_inside(line)).sum::<f64>();
+        if 100.0 * hidden + 0.5 * traces >= most * seen {
+            break;
+        }
     }
-    let seen = f64::max(seen, 1.0);
-    Cost {
-        joints: cost.joints / seen,
-        links: cost.links / seen,
-        others: cost.others / seen,
-        bias: 0.0,
+    (100.0 * hidden + 0.5 * traces) / seen
+}
+
+/// Whether a label covers no joint, link, support or other label in a pose.
+fn is_free(label: &Placed, pose: usize, obstacles: &[Obstacles], placed: &[Placed]) -> bool {
+    let (Some(covered), Some(own)) = (label.at(pose), label.joint(pose)) else { return false };
+    let Obstacles { lines, boxes, joints, .. } = &obstacles[pose];
+    let is_own = |joint: Spot| (joint[0] - own[0]).hypot(joint[1] - own[1]) < 0.5;
+    let on_joint = |&joint: &Spot| !is_own(joint) && covered.grown(JOINT + CLEAR).holds(joint);
+    let on_line =
+        |&(line, width): &([Spot; 2], f64)| covered.grown(width + CLEAR).length_inside(line) > 0.0;
+    let on_label = |other: &Placed| {
+        let is_shown = other.shown[pose];
+        is_shown && other.at(pose).is_some_and(|other| covered.overlap(other.grown(CLEAR)) > 0.0)
+    };
+    !(joints.iter().any(on_joint)
+        || lines.iter().any(on_line)
+        || boxes.iter().any(|other| covered.overlap(*other) > 0.0)
+        || placed.iter().any(on_label))
+}
+
+/// What stays free between a label and anything else, in pixels.
+const CLEAR: f64 = 2.0;
+
+/// Hides a label one pose before anything comes in its way and shows it one pose later, and does not
+/// show it for a moment only.
+fn steady(free: Vec<bool>) -> Vec<bool> {
+    let last = free.len() - 1;
+    let around = |pose: usize| pose.saturating_sub(1)..=(pose + 1).min(last);
+    let mut shown: Vec<bool> = (0..=last).map(|pose| around(pose).all(|near| free[near])).collect();
+    // The first pose is shown in a film that is not played.
+    shown[0] = free[0];
+    let moment = free.len() / 12;
+    let mut start = 0;
+    while start <= last {
+        let same = shown[start..].iter().take_while(|other| **other == shown[start]).count();
+        let is_inside = start > 0 && start + same <= last;
+        if shown[start] && is_inside && same < moment {
+            shown[start..start + same].fill(false);
+        }
+        start += same;
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_label_is_hidden_before_something_comes_and_never_flickers() {
+        let mut free = std::vec![true; 60];
+        free[20] = false;
+        free[24] = false;
+        let shown = steady(free);
+        let hidden: Vec<usize> = (0..60).filter(|&pose| !shown[pose]).collect();
+        // 22 alone would be shown for a moment.
+        assert_eq!(hidden, [19, 20, 21, 22, 23, 24, 25]);
+        assert_eq!(steady(std::vec![false]), [false]);
+    }
+
+    #[test]
+    fn what_is_asked_for_stands_beside_a_line_through_its_joint() {
+        let at = std::vec![Some([0.0, 0.0])];
+        let label = Label { text: "B".into(), at, is_wanted: false };
+        let line = [[-100.0, 100.0], [100.0, -100.0]];
+        let obstacles = Obstacles { lines: std::vec![(line, 2.5)], ..Obstacles::default() };
+        let placed = place(std::vec![label], &[obstacles]);
+        let covered = placed[0].at(0).unwrap();
+        assert_eq!(covered.grown(2.5).length_inside(line), 0.0);
+        assert!(!covered.holds([0.0, 0.0]));
     }
 }

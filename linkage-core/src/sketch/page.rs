@@ -3,11 +3,13 @@
 use std::format;
 use std::string::String;
 
+use super::style::Theme;
 use super::svg::{escaped, number};
 
 /// The page; the films come as text of SVG and last so long.
 pub(super) fn page(title: &str, light: &str, dark: &str, seconds: f64) -> String {
     let (title, seconds) = (escaped(title), number(seconds, 3));
+    let [day, night] = [Theme::Light, Theme::Dark].map(Theme::palette);
     format!(
         r#"<!DOCTYPE html>
 <html lang="en">
@@ -16,7 +18,7 @@ pub(super) fn page(title: &str, light: &str, dark: &str, seconds: f64) -> String
 <meta name="color-scheme" content="light dark">
 <title>{title}</title>
 <style>
-body {{ margin: 0; padding: 16px; background: #ffffff; color: #222222; font: 15px "Helvetica Neue", Arial, sans-serif; }}
+body {{ margin: 0; padding: 16px; background: {}; color: {}; font: 15px "Helvetica Neue", Arial, sans-serif; }}
 main {{ max-width: 720px; margin: auto; }}
 svg {{ display: block; max-width: 100%; height: auto; margin: auto; }}
 .dark {{ display: none; }}
@@ -25,7 +27,7 @@ button {{ font: inherit; min-width: 5em; padding: 4px 12px; }}
 input {{ flex: 1; }}
 output {{ min-width: 4em; text-align: right; font-variant-numeric: tabular-nums; }}
 @media (prefers-color-scheme: dark) {{
-  body {{ background: #0d1117; color: #e6edf3; }}
+  body {{ background: {}; color: {}; }}
   .light {{ display: none; }}
   .dark {{ display: block; }}
 }}
@@ -60,6 +62,7 @@ const tick = () => {{
 tick();
 </script>
 </html>
-"#
+"#,
+        day.paper, day.ink, night.paper, night.ink,
     )
 }

@@ -1,52 +1,20 @@
 //! A picture put together: what is drawn, how large, in which order.
 
-use std::string::{String, ToString};
+use std::string::String;
 use std::vec::Vec;
 
 use super::bodies::{Body, bodies, guide_ends};
 use super::boxes::Box2;
 use super::error::SketchError;
 use super::gaps::{Gap, gaps};
-use super::labels::{self, Label, Obstacles, Placed};
+use super::labels::Placed;
+use super::options::Options;
 use super::plan::Made;
 use super::scene::{Scene, Spot};
-use super::style::{HEIGHT, JOINT, MARGIN, Palette, Theme, Unit, WIDTH};
+use super::style::{HEADING, HEADING_LINE, HEIGHT, MARGIN, Palette, text_width, wrapped};
 use super::svg::View;
-use super::symbols::{self, WAYS};
+use super::symbols;
 use super::traces::{self, Force, Trace};
-
-/// What the user asks of a picture.
-#[derive(Clone, Debug)]
-pub(super) struct Options {
-    pub traces: Vec<String>,
-    /// None for those that there is room for.
-    pub labels: Option<Vec<String>>,
-    pub theme: Theme,
-    pub width: f64,
-    pub unit: Option<Unit>,
-    pub title: Option<String>,
-    pub forces: Vec<(String, Vec<[f64; 2]>)>,
-    pub has_scale: bool,
-    pub poses: usize,
-    pub seconds: f64,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            traces: Vec::new(),
-            labels: None,
-            theme: Theme::Light,
-            width: WIDTH,
-            unit: None,
-            title: None,
-            forces: Vec::new(),
-            has_scale: true,
-            poses: 1,
-            seconds: 4.0,
-        }
-    }
-}
 
 /// Everything that is to be drawn, on a page of its size.
 pub(super) struct Picture<'s> {
@@ -63,6 +31,8 @@ pub(super) struct Picture<'s> {
     pub(super) arcs: Vec<(Spot, f64, bool)>,
     pub(super) labels: Vec<Placed>,
     pub(super) page: Spot,
+    /// The lines of the heading.
+    pub(super) heading: Vec<String>,
     /// Where the scale stands.
     pub(super) line: f64,
 }
@@ -87,6 +57,7 @@ impl<'s> Picture<'s> {
             arcs: Vec::new(),
             labels: Vec::new(),
             page: [0.0; 2],
+            heading: heading(options),
             line: 0.0,
         };
         picture.fit()?;
@@ -97,7 +68,7 @@ impl<'s> Picture<'s> {
     }
 
     pub(super) fn head(&self) -> f64 {
-        if self.options.title.is_some() { 22.0 } else { 0.0 }
+        HEADING_LINE * self.heading.len() as f64
     }
 
     /// The scale at which everything fits: what is measured in pixels does not grow with it, so it is
@@ -192,148 +163,6 @@ impl<'s> Picture<'s> {
         scene.plan.statements.iter().filter_map(of).collect()
     }
 
-    /// Up to sixteen poses by which places are chosen.
-    fn samples(&self) -> Vec<usize> {
-        let count = self.scene.len().min(16);
-        (0..count)
-            .map(|nth| nth * (self.scene.len() - 1) / count.max(2).saturating_sub(1))
-            .collect()
-    }
-
-    fn place_supports(&mut self) {
-        let (scene, samples) = (self.scene, self.samples());
-        let pivots = revolutes(scene).into_iter().filter(|&point| is_ground(scene, point));
-        let pivots: Vec<Spot> =
-            pivots.filter_map(|point| Some(self.view.pixels(scene.point(0, point)?))).collect();
-        let obstacles = self.obstacles_in(&samples);
-        for &at in &pivots {
-            let cost = |way: f64| {
-                let covered = symbols::support_box(at, way);
-                let lines = obstacles.iter().flat_map(|pose| &pose.lines);
-                let lines: f64 = lines.map(|&(line, _)| covered.length_inside(line)).sum();
-                let joints = obstacles.iter().flat_map(|pose| &pose.joints);
-                let joints = joints.filter(|&&joint| {
-                    (joint[0] - at[0]).hypot(joint[1] - at[1]) > 1.0
-                        && covered.grown(JOINT).holds(joint)
-                });
-                let others = self.supports.iter();
-                let others: f64 = others
-                    .map(|&(other, way)| covered.overlap(symbols::support_box(other, way)))
-                    .sum();
-                (lines + 20.0 * joints.count() as f64) / samples.len() as f64 + 0.2 * others
-            };
-            let ways = WAYS.into_iter().zip([0.0, 6.0, 6.0, 9.0]);
-            let best = ways.min_by(|a, b| (cost(a.0) + a.1).total_cmp(&(cost(b.0) + b.1)));
-            self.supports.extend(best.map(|(way, _)| (at, way)));
-        }
-        self.place_arcs(&obstacles);
-    }
-
-    /// Arrows beside the pivots of cranks, where they cover least.
-    fn place_arcs(&mut self, obstacles: &[Obstacles]) {
-        let scene = self.scene;
-        for &made in scene.plan.statements {
-            let Made::Crank(link, pivot, _, [true, _]) = made else { continue };
-            let Some(at) = scene.point(0, pivot).filter(|_| is_ground(scene, pivot)) else {
-                continue;
-            };
-            let at = self.view.pixels(at);
-            let seats: Vec<_> =
-                scene.frames().filter_map(|f| Some(self.view.seat(scene.link(f, link)?))).collect();
-            let turned: Vec<f64> = super::svg::unrolled(&seats).collect();
-            let [Some(first), Some(last)] = [turned.first(), turned.last()] else { continue };
-            // Degrees of the page run clockwise.
-            let is_clockwise = last > first;
-            let boxes: Vec<Box2> =
-                self.supports.iter().map(|&(at, way)| symbols::support_box(at, way)).collect();
-            let cost = |middle: f64| {
-                let points = symbols::arc_points(at, middle);
-                let covered = Box2::around(points.iter().copied()).grown(3.0);
-                let lines = obstacles.iter().flat_map(|pose| &pose.lines);
-                let lines: f64 = lines.map(|&(line, _)| covered.length_inside(line)).sum();
-                let in_box = |spot: &&Spot| boxes.iter().any(|b| b.grown(3.0).holds(**spot));
-                3.0 * lines / obstacles.len() as f64
-                    + 3.0 * points.iter().filter(in_box).count() as f64
-            };
-            let middles = (0..18).map(|nth| 20.0 * f64::from(nth) - 20.0);
-            let best = middles.min_by(|a, b| cost(*a).total_cmp(&cost(*b)));
-            self.arcs.extend(best.map(|middle| (at, middle, is_clockwise)));
-        }
-    }
-
-    /// What labels should not cover, in each of these poses.
-    fn obstacles_in(&self, frames: &[usize]) -> Vec<Obstacles> {
-        let (rails, traces) = (self.rails(), self.traces.iter().flat_map(Trace::lines).collect());
-        let still = Obstacles { traces, ..self.standing_obstacles(&rails) };
-        frames.iter().map(|&frame| self.obstacles(frame, still.clone())).collect()
-    }
-
-    /// What is in the way in all poses.
-    fn standing_obstacles(&self, rails: &[(super::svg::Seat, [f64; 2])]) -> Obstacles {
-        let mut obstacles = Obstacles::default();
-        for &(seat, ends) in rails {
-            obstacles.lines.push((ends.map(|x| seat.place([x, 0.0])), 1.0));
-            obstacles.boxes.extend(symbols::rail_boxes(seat, ends));
-        }
-        let supports = self.supports.iter();
-        obstacles.boxes.extend(supports.map(|&(at, way)| symbols::support_box(at, way)));
-        for &(at, middle, _) in &self.arcs {
-            let points = symbols::arc_points(at, middle);
-            // A text there would be read as part of the arrow.
-            let covered = points.windows(2).map(|ends| Box2::around([ends[0], ends[1]]));
-            obstacles.boxes.extend(covered.map(|covered| covered.grown(5.0)));
-        }
-        obstacles
-    }
-
-    fn obstacles(&self, frame: usize, standing: Obstacles) -> Obstacles {
-        let mut obstacles = standing;
-        for body in &self.bodies {
-            for (shape, line) in body.shapes.iter().zip(body.lines(frame)) {
-                let sides = line.windows(2).map(|ends| ([ends[0], ends[1]], shape.half_width()));
-                obstacles.lines.extend(sides);
-            }
-        }
-        let points = 0..self.scene.plan.points.len();
-        let points = points.filter_map(|point| self.scene.point(frame, point));
-        obstacles.joints.extend(points.map(|at| self.view.pixels(at)));
-        obstacles.traces.extend(self.forces.iter().filter_map(|force| force.line(frame)));
-        obstacles
-    }
-
-    fn place_labels(&mut self) -> Result<(), SketchError> {
-        let (scene, plan) = (self.scene, self.scene.plan);
-        let wanted = match &self.options.labels {
-            None => (0..plan.points.len()).collect(),
-            Some(names) => names
-                .iter()
-                .map(|name| traces::point(plan, name))
-                .collect::<Result<Vec<usize>, _>>()?,
-        };
-        // What is asked for or traced is named in any case, and first.
-        let is_wanted = |point: usize| {
-            self.options.labels.is_some()
-                || self.traces.iter().any(|trace| trace.point == point)
-                || self.forces.iter().any(|force| force.point == point)
-        };
-        let label = |&point: &usize| {
-            let at = scene.frames().map(|f| Some(self.view.pixels(scene.point(f, point)?)));
-            let mut at: Vec<Option<Spot>> = at.collect();
-            let first = at[0];
-            if first.is_some() && at.iter().all(|spot| *spot == first) {
-                at.truncate(1);
-            }
-            let text = plan.points[point].to_string();
-            Label { text, at, is_wanted: is_wanted(point) }
-        };
-        let mut labels: Vec<Label> = wanted.iter().map(label).collect();
-        labels.sort_by_key(|label| !label.is_wanted);
-        let samples = self.samples();
-        let obstacles = self.obstacles_in(&samples);
-        self.labels = labels::place(labels, &samples, &obstacles);
-        Ok(())
-    }
-
     /// Moves everything so that nothing is cut off, and sizes the page.
     fn settle(&mut self) {
         let texts = self.labels.iter().map(Placed::extent);
@@ -347,7 +176,10 @@ impl<'s> Picture<'s> {
         let right = (content.high[0] + MARGIN).max(shown.high[0] + EDGE);
         self.shift([-low[0], self.head() - low[1]]);
         self.line = (content.high[1] + FOOT).max(shown.high[1] + EDGE + 8.0) - low[1] + self.head();
-        self.page = [(right - low[0]).max(MIN_WIDTH), self.line + BELOW];
+        // Bold letters are wider by a tenth.
+        let heading = self.heading.iter().map(|line| 40.0 + 1.1 * HEADING * text_width(line));
+        let least = heading.fold(MIN_WIDTH, f64::max);
+        self.page = [(right - low[0]).max(least), self.line + BELOW];
     }
 
     fn shift(&mut self, by: Spot) {
@@ -416,6 +248,12 @@ fn colours(scene: &Scene) -> Vec<usize> {
 
 /// Amber.
 const CYLINDER: usize = 4;
+
+/// The title in lines that fit the page.
+fn heading(options: &Options) -> Vec<String> {
+    let title = options.title.as_deref().unwrap_or_default();
+    wrapped(title, 1.1 * HEADING, options.width - 40.0)
+}
 
 /// A scale by which the points fill the page.
 fn first_scale(scene: &Scene) -> f64 {

@@ -1,5 +1,8 @@
 //! Colours and sizes: everything about the look that is not a shape.
 
+use std::string::String;
+use std::vec::Vec;
+
 /// On which paper a picture is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
@@ -32,10 +35,13 @@ impl Unit {
     }
 }
 
-/// The colours of a theme.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Palette {
+/// The colours of a theme, as SVG writes them: for what is written beside a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Palette {
+    /// What everything stands on.
     pub paper: &'static str,
+    /// Joints, supports, texts.
     pub ink: &'static str,
     /// For what only explains.
     pub quiet: &'static str,
@@ -44,7 +50,9 @@ pub(super) struct Palette {
 }
 
 impl Theme {
-    pub(super) fn palette(self) -> Palette {
+    /// Its colours.
+    #[must_use]
+    pub const fn palette(self) -> Palette {
         match self {
             Self::Light => Palette {
                 paper: "#ffffff",
@@ -81,15 +89,42 @@ pub(super) const OVERRUN: f64 = 27.0;
 /// Size of labels, and of what explains.
 pub(super) const LABEL: f64 = 13.0;
 pub(super) const SMALL: f64 = 12.0;
+/// Size of a heading, and from line to line of it.
+pub(super) const HEADING: f64 = 15.0;
+pub(super) const HEADING_LINE: f64 = 20.0;
 pub(super) const FONT: &str = "Helvetica Neue,Arial,Liberation Sans,sans-serif";
+
+/// The text in lines so wide at most, but for words that are wider.
+pub(super) fn wrapped(text: &str, size: f64, width: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line)
+                if size * text_width(line) + size * text_width(word) + 0.3 * size <= width =>
+            {
+                *line += " ";
+                *line += word;
+            }
+            _ => lines.push(word.into()),
+        }
+    }
+    lines
+}
+
+/// Whether a letter of the text reaches below its line.
+pub(super) fn has_descender(text: &str) -> bool {
+    text.contains(['g', 'j', 'p', 'q', 'y', 'Q', '_', ',', '(', ')', 'f'])
+}
 
 /// How wide a text is at a size of one, as the fonts above have it, or a little more.
 pub(super) fn text_width(text: &str) -> f64 {
     let width = |letter: char| match letter {
         'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ' ' | '\'' => 0.3,
         'f' | 't' | 'r' | '-' | '(' | ')' => 0.36,
-        'm' | 'w' | 'M' | 'W' => 0.9,
-        'A'..='Z' => 0.72,
+        'm' | 'w' | 'M' => 0.86,
+        'W' => 0.96,
+        'G' | 'O' | 'Q' => 0.79,
+        'A'..='Z' => 0.73,
         _ => 0.58,
     };
     text.chars().map(width).sum()

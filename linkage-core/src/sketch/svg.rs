@@ -45,6 +45,15 @@ impl Seat {
         let (sin, cos) = self.degrees.to_radians().sin_cos();
         [self.at[0] + cos * x - sin * y, self.at[1] + sin * x + cos * y]
     }
+
+    /// The attribute of a group that stands there.
+    pub(super) fn transform(self) -> String {
+        let turned = match number(self.degrees, 3) {
+            degrees if degrees == "0" => String::new(),
+            degrees => format!(" rotate({degrees})"),
+        };
+        format!(r#"transform="translate({}){turned}""#, pair(self.at))
+    }
 }
 
 /// How long a film takes, and how many poses it has.
@@ -72,6 +81,12 @@ pub(super) fn short(value: f64) -> String {
 /// With two.
 pub(super) fn fine(value: f64) -> String {
     number(value, 2)
+}
+
+/// With three digits, but for zeros at the end, which a picture has no room for.
+pub(super) fn three_digits(value: f64) -> String {
+    let decimals = (2 - value.abs().max(1e-9).log10().floor() as i32).clamp(0, 9);
+    number(value, decimals as usize)
 }
 
 /// `x y`.
@@ -137,6 +152,38 @@ impl Timing {
         )
     }
 
+    /// Fades out before a frame that is not `seen`, and in again behind.
+    pub(super) fn fading(self, seen: &[bool]) -> String {
+        let opacity = |frame: usize| {
+            let near = (0..FADE).find(|&by| {
+                let around = [frame.checked_sub(by), Some(frame + by)];
+                around.into_iter().flatten().any(|other| seen.get(other) == Some(&false))
+            });
+            near.unwrap_or(FADE)
+        };
+        let steps: Vec<usize> = (0..self.frames).map(opacity).collect();
+        if steps.iter().all(|step| *step == steps[0]) {
+            return String::new();
+        }
+        let last = self.frames - 1;
+        // Only where it begins to change, or ceases to.
+        let bends = |&frame: &usize| {
+            let is_inside = frame > 0 && frame < last;
+            !is_inside || steps[frame - 1] + steps[frame + 1] != 2 * steps[frame]
+        };
+        let frames: Vec<usize> = (0..self.frames).filter(bends).collect();
+        let list = |value: &dyn Fn(usize) -> f64, decimals: usize| {
+            let values = frames.iter().map(|&frame| number(value(frame), decimals));
+            values.collect::<Vec<_>>().join(";")
+        };
+        format!(
+            r#"<animate attributeName="opacity" {} keyTimes="{}" values="{}"/>"#,
+            self.duration(),
+            list(&|frame| frame as f64 / last as f64, 5),
+            list(&|frame| steps[frame] as f64 / FADE as f64, 2),
+        )
+    }
+
     /// The two animations of a rigid group, or the attribute alone where it stands still.
     fn transforms(self, seats: &[Seat]) -> String {
         let places: Vec<String> = seats.iter().map(|seat| pair(seat.at)).collect();
@@ -168,6 +215,9 @@ impl Timing {
 /// The part of a frame's time for which a body that goes is seen still.
 const EDGE: f64 = 0.02;
 
+/// Frames in which a label fades.
+const FADE: usize = 3;
+
 /// The angles, none more than half a turn from the one before.
 pub(super) fn unrolled(seats: &[Seat]) -> impl Iterator<Item = f64> {
     let mut last: Option<f64> = None;
@@ -189,21 +239,13 @@ pub(super) fn rigid(
     content: &str,
 ) -> String {
     let Some(filled) = filled(seats) else { return String::new() };
-    let first = filled[0];
-    let turned = match number(first.degrees, 3) {
-        degrees if degrees == "0" => String::new(),
-        degrees => format!(" rotate({degrees})"),
-    };
     let seen: Vec<bool> = seats.iter().map(Option::is_some).collect();
     let hidden = if seen[0] { "" } else { r#" opacity="0""# };
     let (moves, hides) = match timing {
         Some(timing) => (timing.transforms(&filled), timing.visible(&seen)),
         None => Default::default(),
     };
-    format!(
-        r#"<g transform="translate({}){turned}"{hidden}{attributes}>{moves}{hides}{content}</g>"#,
-        pair(first.at)
-    )
+    format!("<g {}{hidden}{attributes}>{moves}{hides}{content}</g>", filled[0].transform())
 }
 
 /// Every gap filled with what stands before it, or behind it where nothing does.

@@ -7,7 +7,7 @@ use std::vec::Vec;
 use super::boxes::Box2;
 use super::scene::Spot;
 use super::style::{FONT, Palette, SMALL, SUPPORT, Unit, text_width};
-use super::svg::{Seat, fine, pair, path, short};
+use super::svg::{Seat, Timing, filled, fine, pair, path, short};
 
 /// Which way a support stands: the angles by which the upright one is turned.
 pub(super) const WAYS: [f64; 4] = [0.0, 90.0, -90.0, 180.0];
@@ -21,25 +21,20 @@ pub(super) fn support_box(at: Spot, way: f64) -> Box2 {
 
 /// A support below a joint, turned.
 pub(super) fn support(at: Spot, way: f64, palette: &Palette) -> String {
-    let turned = if way == 0.0 { String::new() } else { format!(" rotate({way})") };
     let (paper, ink) = (palette.paper, palette.ink);
     format!(
-        r#"<g transform="translate({}){turned}" stroke="{ink}" stroke-linecap="round" stroke-linejoin="round" fill="none"><path d="M0 0L-10 17H10Z" fill="{paper}" stroke-width="1.6"/><path d="M-17 17H17" stroke-width="1.6"/><path d="M-11 17l-6 7M-4 17l-6 7M3 17l-6 7M10 17l-6 7M17 17l-6 7" stroke-width="1"/></g>"#,
-        pair(at)
+        r#"<g {} stroke="{ink}" stroke-linecap="round" stroke-linejoin="round" fill="none"><path d="M0 0L-10 17H10Z" fill="{paper}" stroke-width="1.6"/><path d="M-17 17H17" stroke-width="1.6"/><path d="M-11 17l-6 7M-4 17l-6 7M3 17l-6 7M10 17l-6 7M17 17l-6 7" stroke-width="1"/></g>"#,
+        Seat { at, degrees: way }.transform()
     )
 }
 
 /// A guide of the ground, hatched on the side away from its normal.
 pub(super) fn rail(seat: Seat, [start, end]: [f64; 2], palette: &Palette) -> String {
-    let turned = match super::svg::number(seat.degrees, 3) {
-        degrees if degrees == "0" => String::new(),
-        degrees => format!(" rotate({degrees})"),
-    };
     let hatches: String =
         hatches([start, end]).into_iter().map(|x| format!("M{} 0l-6 7", short(x))).collect();
     format!(
-        r#"<g transform="translate({}){turned}" stroke="{}" stroke-linecap="round" fill="none"><path d="M{} 0H{}" stroke-width="1.6"/><path d="{hatches}" stroke-width="1"/></g>"#,
-        pair(seat.at),
+        r#"<g {} stroke="{}" stroke-linecap="round" fill="none"><path d="M{} 0H{}" stroke-width="1.6"/><path d="{hatches}" stroke-width="1"/></g>"#,
+        seat.transform(),
         palette.ink,
         short(start),
         short(end),
@@ -115,12 +110,15 @@ pub(super) fn arc_arrow(at: Spot, middle: f64, is_clockwise: bool, ink: &str) ->
     )
 }
 
-/// The path of an arrow from one place to another, with heads of this length.
-pub(super) fn arrow([from, to]: [Spot; 2], head: f64, is_double: bool) -> String {
+/// Length of an arrow's head.
+const HEAD: f64 = 8.0;
+
+/// The path of an arrow from one place to another, with a head at one end or both.
+fn arrow([from, to]: [Spot; 2], is_double: bool) -> String {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let length = dx.hypot(dy).max(1e-9);
     // A short arrow has a small head.
-    let head = head.min(0.45 * length);
+    let head = HEAD.min(0.45 * length);
     let (ux, uy) = (dx / length * head, dy / length * head);
     let barbs = |tip: Spot, sign: f64| {
         let barb = |side: f64| {
@@ -130,6 +128,23 @@ pub(super) fn arrow([from, to]: [Spot; 2], head: f64, is_double: bool) -> String
     };
     let back = if is_double { barbs(from, -1.0) } else { String::new() };
     format!("M{}L{}{}{back}", pair(from), pair(to), barbs(to, 1.0))
+}
+
+/// An arrow that moves, hidden where it has no ends; nothing at all without any.
+pub(super) fn moving_arrow(
+    ends: &[Option<[Spot; 2]>],
+    is_double: bool,
+    timing: Option<Timing>,
+    look: &str,
+) -> String {
+    let Some(filled) = filled(ends) else { return String::new() };
+    let paths: Vec<String> = filled.into_iter().map(|ends| arrow(ends, is_double)).collect();
+    let seen: Vec<bool> = ends.iter().map(Option::is_some).collect();
+    let hidden = if seen[0] { "" } else { r#" opacity="0""# };
+    let moves = timing
+        .map(|timing| timing.animate("d", &paths) + &timing.visible(&seen))
+        .unwrap_or_default();
+    format!(r#"<path d="{}"{hidden} fill="none" {look}>{moves}</path>"#, paths[0])
 }
 
 /// How long the scale bar is, in pixels, and what it says.

@@ -10,8 +10,8 @@ use super::error::SketchError;
 use super::plan::Plan;
 use super::scene::{Scene, Spot};
 use super::style::Palette;
-use super::svg::{Timing, View, number, path, short};
-use super::symbols::arrow;
+use super::svg::{Timing, View, path, short, three_digits};
+use super::symbols::moving_arrow;
 
 /// The point of this name.
 pub(super) fn point(plan: &Plan, name: &str) -> Result<usize, SketchError> {
@@ -81,7 +81,7 @@ impl Trace {
     }
 
     /// A line with a gap wherever the point is missing, and dots at equal steps of time.
-    pub(super) fn drawn(&self, colour: &str) -> String {
+    pub(super) fn drawn(&self, name: &str, colour: &str) -> String {
         let runs = self.at.split(Option::is_none).filter(|run| run.len() > 1);
         let line: String = runs
             .map(|run| path(&run.iter().copied().flatten().collect::<Vec<_>>(), false))
@@ -96,7 +96,7 @@ impl Trace {
         let dot = |[x, y]: Spot| format!("M{} {}h0", short(x), short(y));
         let dots: String = dots.into_iter().map(dot).collect();
         format!(
-            r#"<path d="{line}" fill="none" stroke="{colour}" stroke-width="2" stroke-linejoin="round"/><path d="{dots}" stroke="{colour}" stroke-width="5.2" stroke-linecap="round"/>"#
+            r#"<g data-trace="{name}" fill="none" stroke="{colour}" stroke-linejoin="round" stroke-linecap="round"><path d="{line}" stroke-width="2"/><path d="{dots}" stroke-width="5.2"/></g>"#
         )
     }
 }
@@ -200,17 +200,8 @@ impl Force {
     }
 
     pub(super) fn drawn(&self, timing: Option<Timing>, palette: &Palette) -> String {
-        let Some(ends) = super::svg::filled(&self.ends) else { return String::new() };
-        let paths: Vec<String> = ends.into_iter().map(|ends| arrow(ends, 8.0, false)).collect();
-        let seen: Vec<bool> = self.ends.iter().map(Option::is_some).collect();
-        let hidden = if seen[0] { "" } else { r#" opacity="0""# };
-        let moves = timing
-            .map(|timing| timing.animate("d", &paths) + &timing.visible(&seen))
-            .unwrap_or_default();
-        format!(
-            r#"<path d="{}"{hidden} fill="none" stroke="{}" stroke-width="2" stroke-linecap="round">{moves}</path>"#,
-            paths[0], palette.ink
-        )
+        let look = format!(r#"stroke="{}" stroke-width="2" stroke-linecap="round""#, palette.ink);
+        moving_arrow(&self.ends, false, timing, &look)
     }
 }
 
@@ -218,8 +209,7 @@ impl Force {
 pub(super) fn force_scale(forces: &[Force]) -> Option<String> {
     let largest = forces.first()?.largest;
     let (value, unit) = if largest >= 1e3 { (largest / 1e3, "kN") } else { (largest, "N") };
-    let decimals = (2 - value.max(1e-9).log10().floor() as i32).clamp(0, 9) as usize;
-    Some(format!("longest arrow: {} {unit}", number(value, decimals)))
+    Some(format!("longest arrow: {} {unit}", three_digits(value)))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What every part of the generated code is printed from.
 
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::identifiers::{Names, function_name};
 use super::paths::Paths;
@@ -11,7 +11,7 @@ use crate::interface::records::{Record, RecordId};
 use crate::interface::{EntryId, Interface};
 use crate::ir::graph::Graph;
 use crate::ir::program::Program;
-use crate::lower::routine::{Compute, Lowered};
+use crate::lower::routine::{Compute, Lowered, Search};
 use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
 pub(super) struct Context<'a> {
@@ -59,9 +59,22 @@ impl<'a> Context<'a> {
         self.interface.inputs.map(|id| &self.record(id).name)
     }
 
+    /// What a call is given as its inputs: a number, or the record of several.
+    pub(super) fn input(&self, number: &impl ToTokens) -> TokenStream {
+        match self.inputs() {
+            Some(record) => quote!(#record<#number>),
+            None => quote!(#number),
+        }
+    }
+
     /// The name of the record of several loads.
     pub(super) fn loads(&self) -> Option<&'a Ident> {
         self.interface.loads.map(|id| &self.record(id).name)
+    }
+
+    /// The search of an unknown, where anything asks for it.
+    pub(super) fn search(&self, unknown: usize) -> Option<&'a Search> {
+        self.lowered.searches.iter().find(|search| search.sought.unknown as usize == unknown)
     }
 
     /// Whether anything is searched.

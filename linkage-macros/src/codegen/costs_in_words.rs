@@ -4,10 +4,14 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::searches;
+use super::identifiers::text;
 use super::token_list::Tokens;
 use crate::interface::EntryId;
 use crate::ir::cost::Operations;
+
+/// The most evaluations between two ends, in double and in single precision, as the run-time crate
+/// bounds them.
+pub(super) const MOST: [u32; 2] = [61, 32];
 
 /// What an entry point costs.
 pub(super) fn of(cx: &Context<'_>, entry: EntryId) -> Operations {
@@ -43,12 +47,29 @@ pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
         }
     });
     let searches = cx.searches().then(|| {
-        let searches = searches::costs(cx);
+        let searches = searches(cx);
         quote!(, searches: #searches)
     });
     quote! {
         #cost { position: #position, motion: #motion, coefficients: #coefficients #forces #searches }
     }
+}
+
+/// The costs of the searches, as a list.
+fn searches(cx: &Context<'_>) -> TokenStream {
+    let cost_type = cx.paths.item("SearchCost");
+    let costs = cx.mechanism.unknowns.iter().enumerate().filter_map(|(index, unknown)| {
+        let search = cx.search(index)?;
+        let (name, evaluation) = (text(&unknown.name), record(cx, search.cost));
+        let [wide, narrow] = MOST.map(Literal::u32_unsuffixed);
+        Some(quote!(#cost_type {
+            unknown: #name,
+            evaluation: #evaluation,
+            evaluations: #wide,
+            evaluations_f32: #narrow
+        }))
+    });
+    quote!(&[#(#costs),*])
 }
 
 pub(super) fn record(cx: &Context<'_>, cost: Operations) -> TokenStream {

@@ -10,7 +10,7 @@ use super::formulas;
 use super::identifiers::{generated, text};
 use crate::interface::entries::Given;
 use crate::lower::routine::Lowered;
-use crate::model::mechanism::{AngleSum, Carrier, Length, Mechanism, Step};
+use crate::model::mechanism::{Carrier, Length, Mechanism, Step};
 
 /// Nothing where the run-time crate has no feature `sketch`: Cargo may turn the macro's on for
 /// another build of that crate.
@@ -29,15 +29,6 @@ pub(super) fn items(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStream
     }
 }
 
-/// The inputs as the solver takes them.
-fn input(cx: &Context<'_>) -> TokenStream {
-    let float = cx.paths.item("f64");
-    match cx.inputs() {
-        Some(record) => quote!(#record<#float>),
-        None => quote!(#float),
-    }
-}
-
 fn drawn(cx: &Context<'_>) -> TokenStream {
     let (name, float) = (&cx.names.solver, cx.paths.item("f64"));
     let path = |name| cx.paths.item(name);
@@ -48,7 +39,7 @@ fn drawn(cx: &Context<'_>) -> TokenStream {
     let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
     let given = routine.reads.iter().filter_map(read);
     let given: Vec<_> = given.map(|(value, label)| quote!((#value, #label))).collect();
-    let (q, checks, input) = (&arguments.names()[0], generated("checks_"), input(cx));
+    let (q, checks, input) = (&arguments.names()[0], generated("checks_"), cx.input(&float));
     let formulas = formulas::Call { routine: 0, stage: 0 }.under(cx, &quote!(#checks));
     let unused = given.is_empty().then(|| quote!(let _ = #q;));
     let plan = plan(cx);
@@ -72,7 +63,8 @@ fn methods(cx: &Context<'_>) -> TokenStream {
     let path = |name| cx.paths.item(name);
     let [into, into_iterator, sketch, film, result, error] =
         ["Into", "IntoIterator", "Sketch", "Film", "Result", "SolveError"].map(path);
-    let ([q, inputs], input) = (["q_", "path_"].map(generated), input(cx));
+    let [q, inputs] = ["q_", "path_"].map(generated);
+    let input = cx.input(&cx.paths.item("f64"));
     quote! {
         /// The mechanism as it stands at the inputs, to be drawn.
         ///
@@ -119,13 +111,9 @@ fn plan(cx: &Context<'_>) -> TokenStream {
 fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {
     let made = cx.paths.item("Made");
     let on = |carrier: Carrier| match carrier {
-        Carrier::Ground => {
-            let none = cx.paths.item("None");
-            quote!(#none)
-        }
-        Carrier::Link(link) => some(cx, link.0),
+        Carrier::Ground => option(cx, None),
+        Carrier::Link(link) => option(cx, Some(link.0)),
     };
-    let driven = |length: &Length| cx.mechanism.moves(&length.value);
     match step {
         Step::Ground { point, .. } => {
             let point = number(point.0);
@@ -141,27 +129,15 @@ fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {
         }
         Step::Crank { link, pivot, pin, angle, relative_to, .. } => {
             let (link, pivot) = (number(link.0), number(pivot.0));
-            let end = match pin {
-                Some((pin, _)) => some(cx, pin.0),
-                None => {
-                    let none = cx.paths.item("None");
-                    quote!(#none)
-                }
-            };
-            let turns = *relative_to == Carrier::Ground && turns(cx.mechanism, angle);
-            let driven = pin.as_ref().is_some_and(|(_, length)| driven(length));
+            let end = option(cx, pin.as_ref().map(|(pin, _)| pin.0));
+            let turns = *relative_to == Carrier::Ground && cx.mechanism.turns(angle);
+            let driven = pin.as_ref().is_some_and(|(_, length)| driven(cx, length));
             quote!(#made::Crank(#link, #pivot, #end, [#turns, #driven]))
         }
         Step::Slider { link, guide, pin, slide, .. } => {
             let (link, guide) = (number(link.0), number(guide.0));
             let moves = cx.mechanism.moves(slide);
-            let pin = match pin {
-                Some(pin) => some(cx, pin.0),
-                None => {
-                    let none = cx.paths.item("None");
-                    quote!(#none)
-                }
-            };
+            let pin = option(cx, pin.map(|pin| pin.0));
             quote!(#made::Slider(#link, #guide, #pin, #moves))
         }
         _ => dyad(cx, step),
@@ -170,18 +146,17 @@ fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {
 
 fn dyad(cx: &Context<'_>, step: &Step) -> TokenStream {
     let made = cx.paths.item("Made");
-    let driven = |length: &Length| cx.mechanism.moves(&length.value);
     match step {
         Step::Rrr { links, outer, pin, lengths, .. } => {
             let (links, outer, pin) =
                 (links.map(|l| number(l.0)), outer.map(|p| number(p.0)), number(pin.0));
-            let driven = [driven(&lengths[0]), driven(&lengths[1])];
+            let driven = [driven(cx, &lengths[0]), driven(cx, &lengths[1])];
             quote!(#made::Rrr([#(#links),*], [#(#outer),*], #pin, [#(#driven),*]))
         }
         Step::Rrp { links, outer, guide, pin, length, .. } => {
             let links = links.map(|l| number(l.0));
             let [outer, guide, pin] = [outer.0, guide.0, pin.0].map(number);
-            let driven = driven(length);
+            let driven = driven(cx, length);
             quote!(#made::Rrp([#(#links),*], #outer, #guide, #pin, #driven))
         }
         Step::Rpr { links, outer, .. } => {
@@ -202,16 +177,19 @@ fn dyad(cx: &Context<'_>, step: &Step) -> TokenStream {
     }
 }
 
-/// Whether the angle changes with an input.
-fn turns(mechanism: &Mechanism, angle: &AngleSum) -> bool {
-    !angle.links.is_empty() || mechanism.moves(&angle.rest)
+/// Whether an input sets the length.
+fn driven(cx: &Context<'_>, length: &Length) -> bool {
+    cx.mechanism.moves(&length.value)
 }
 
 fn number(id: u32) -> Literal {
     Literal::u32_unsuffixed(id)
 }
 
-fn some(cx: &Context<'_>, id: u32) -> TokenStream {
-    let (some, id) = (cx.paths.item("Some"), number(id));
-    quote!(#some(#id))
+fn option(cx: &Context<'_>, id: Option<u32>) -> TokenStream {
+    let [some, none] = ["Some", "None"].map(|name| cx.paths.item(name));
+    match id.map(number) {
+        Some(id) => quote!(#some(#id)),
+        None => quote!(#none),
+    }
 }

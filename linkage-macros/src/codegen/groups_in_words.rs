@@ -9,6 +9,7 @@ use crate::model::mechanism::{
     AngleSum, Carrier, Expr, Group, GroupId, Known, Length, LinkId, Mechanism, Mode, PointId, Sign,
     Step,
 };
+use crate::reach::absolute;
 
 /// The group with this index: `rrr BC, DC: lengths 632 mm and 374 mm, …`.
 pub(super) fn in_words(cx: &Context<'_>, index: usize) -> String {
@@ -226,10 +227,6 @@ impl Words<'_> {
 /// From the difference of two lengths to their sum.
 fn between(first: &Exact, second: &Exact) -> String {
     format!("from {} to {}", metres(&absolute(&first.sub(second))), metres(&first.add(second)))
-}
-
-fn absolute(value: &Exact) -> Exact {
-    if value.signum().is_lt() { value.neg() } else { value.clone() }
 }
 
 /// A length in millimetres below a metre, else in metres, to six digits.

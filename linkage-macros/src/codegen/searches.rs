@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::costs_in_words;
+use super::costs_in_words::{self, MOST};
 use super::doc_comments;
 use super::identifiers::{function_name, generated, text};
 use super::statements::Printer;
@@ -13,10 +13,6 @@ use crate::interface::units_in_words::unit;
 use crate::lower::TRIAL;
 use crate::lower::routine::Search;
 use crate::model::mechanism::{Expr, Sign, Unknown};
-
-/// The most evaluations between two ends, in double and in single precision, as the run-time crate
-/// bounds them.
-const MOST: [u32; 2] = [61, 32];
 
 /// One function a root: nothing but this is done again and again.
 pub(super) fn functions(cx: &Context<'_>) -> TokenStream {
@@ -66,7 +62,7 @@ pub(super) fn in_words(cx: &Context<'_>) -> Vec<String> {
 }
 
 fn of_unknown(cx: &Context<'_>, index: usize, unknown: &Unknown) -> Option<String> {
-    let search = cx.lowered.searches.iter().find(|s| s.sought.unknown as usize == index)?;
+    let search = cx.search(index)?;
     let mode = if unknown.mode == Sign::Plus { "rising" } else { "falling" };
     let [wide, narrow] = MOST;
     let seed = match unknown.near {
@@ -91,21 +87,4 @@ fn ends(unknown: &Unknown) -> String {
         }
         _ => format!(" in {unit}"),
     }
-}
-
-/// The costs of the searches, as a list.
-pub(super) fn costs(cx: &Context<'_>) -> TokenStream {
-    let cost_type = cx.paths.item("SearchCost");
-    let costs = cx.mechanism.unknowns.iter().enumerate().filter_map(|(index, unknown)| {
-        let search = cx.lowered.searches.iter().find(|s| s.sought.unknown as usize == index)?;
-        let (name, evaluation) = (text(&unknown.name), costs_in_words::record(cx, search.cost));
-        let [wide, narrow] = MOST.map(Literal::u32_unsuffixed);
-        Some(quote!(#cost_type {
-            unknown: #name,
-            evaluation: #evaluation,
-            evaluations: #wide,
-            evaluations_f32: #narrow
-        }))
-    });
-    quote!(&[#(#costs),*])
 }

@@ -32,10 +32,7 @@ fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
     let path = |name| cx.paths.item(name);
     let [modes, real, clearance, result, error, usize_] =
         ["Modes", "Real", "Clearance", "Result", "SolveError", "usize"].map(path);
-    let input = match cx.inputs() {
-        Some(record) => quote!(#record<#scalar>),
-        None => number,
-    };
+    let input = cx.input(scalar);
     let count = Literal::usize_unsuffixed(cx.program().clearances.len());
     let [q, rate, acceleration, param] = ["q_", "rate_", "acceleration_", "param_"].map(generated);
     let (groups, clearances, flips) = (groups(cx), clearances(cx), flips(cx, &param));
@@ -136,11 +133,7 @@ fn clearances(cx: &Context<'_>) -> TokenStream {
 /// The same on ranges of numbers.
 fn enclosures(cx: &Context<'_>) -> TokenStream {
     let scalar = &cx.names.scalar;
-    let number = quote!(#scalar);
-    let ty = match cx.inputs() {
-        Some(record) => quote!(#record<#number>),
-        None => number.clone(),
-    };
+    let ty = cx.input(scalar);
     let [real, modes] = ["Real", "Modes"].map(|name| cx.paths.item(name));
     let [middle, radius, rate] = ["middle_", "radius_", "rate_"].map(generated);
     let [none, solver] = ["none_", "solver_"].map(generated);

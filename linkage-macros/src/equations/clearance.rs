@@ -20,8 +20,7 @@ pub(super) fn clearances<'s>(
     sheet: &'s Sheet<'s>,
 ) -> Vec<program::Clearance> {
     // Along a straight line the inputs' rates are constant.
-    let mut inputs = Source::free(mechanism, sheet);
-    inputs.iter_mut().for_each(|source| source.jet.accel = sheet.zero());
+    let inputs = Source::without_second_rates(&Source::free(mechanism, sheet), sheet);
     let kinematics = Kinematics::of(sheet, mechanism, inputs);
     mechanism.steps.iter().filter_map(|step| of_step(&kinematics, step)).collect()
 }

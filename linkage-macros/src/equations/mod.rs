@@ -40,6 +40,7 @@ mod rpr;
 mod rrp;
 mod rrr;
 mod slider;
+mod steps;
 mod symbol;
 #[cfg(test)]
 pub(crate) mod tests;
@@ -159,13 +160,8 @@ fn force_sinks(kinematics: &Kinematics<'_>) -> Vec<Id> {
 
 /// The velocities at a unit rate of each input in turn, the others at rest.
 fn coefficients<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Vec<Id> {
-    let zero = sheet.zero();
     let sinks = (0..mechanism.inputs.len()).flat_map(|moving| {
-        let mut inputs = Source::free(mechanism, sheet);
-        for (index, source) in inputs.iter_mut().enumerate() {
-            source.jet.rate = sheet.integer(i64::from(index == moving));
-            source.jet.accel = zero;
-        }
+        let inputs = Source::one_moving(&Source::free(mechanism, sheet), sheet, moving);
         components(&Kinematics::of(sheet, mechanism, inputs), Order::Velocity)
     });
     sinks.collect()

@@ -21,17 +21,63 @@
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::motion::Direction;
-use crate::equations::symbol::Sym;
+use crate::equations::symbol::{Sheet, Sym};
 use crate::ir::graph::{Check, Node, Sought};
 use crate::ir::program::Closure;
-use crate::model::mechanism::{Equation, Sign, UnknownId};
+use crate::model::mechanism::{Equation, Mechanism, Sign, UnknownId};
+
+impl<'s> Kinematics<'s> {
+    /// Everything placed, what equations fix included.
+    pub(super) fn of(
+        sheet: &'s Sheet<'s>,
+        mechanism: &'s Mechanism,
+        inputs: Vec<Source<'s>>,
+    ) -> Self {
+        let mut kinematics = Self::before(sheet, mechanism, inputs);
+        for index in 0..mechanism.unknowns.len() {
+            kinematics.take_until(mechanism.unknowns[index].steps[0]);
+            let (found, closure) = solve(&kinematics, UnknownId(index as u32));
+            kinematics.unknowns.push(found);
+            kinematics.closures.push(closure);
+        }
+        kinematics.take_until(mechanism.steps.len());
+        kinematics.name_lets();
+        kinematics
+    }
+
+    /// The equation of an unknown that has this trial, the earlier ones being known. Its own steps
+    /// refuse nothing where it is open.
+    pub(super) fn of_trial(
+        inputs: Vec<Source<'s>>,
+        known: &Self,
+        trial: Jet<'s>,
+        is_open: bool,
+    ) -> Self {
+        let (sheet, mechanism) = (known.sheet, known.mechanism);
+        let mut kinematics = Self::before(sheet, mechanism, inputs);
+        let [first, last] = mechanism.unknowns[known.unknowns.len()].steps;
+        let at_rest = |jet: &Jet<'s>| Jet::constant(jet.value);
+        let stands_still = kinematics.inputs.iter().all(|source| source.jet.is_fixed());
+        for (index, jet) in known.unknowns.iter().enumerate() {
+            kinematics.take_until(mechanism.unknowns[index].steps[0]);
+            kinematics.unknowns.push(if stands_still { at_rest(jet) } else { *jet });
+        }
+        kinematics.take_until(first);
+        kinematics.name_lets();
+        kinematics.unknowns.push(trial);
+        sheet.open(is_open);
+        kinematics.take_until(last);
+        kinematics.name_lets();
+        kinematics
+    }
+}
 
 /// Left and right of an equation.
 type Sides<'s> = [Jet<'s>; 2];
 
 /// The root of an unknown's equation with its rates, everything in front of it being known, and the
 /// condition that the equation is closed there.
-pub(super) fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
+fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
     let (sheet, unknown) = (known.sheet, &known.mechanism.unknowns[id.index()]);
     let (zero, one) = (sheet.zero(), sheet.integer(1));
     let slope = |[left, right]: Sides<'s>| left.rate - right.rate;
@@ -69,11 +115,7 @@ pub(super) fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Clos
 /// The inputs, standing still.
 fn at_rest<'s>(known: &Kinematics<'s>) -> Vec<Source<'s>> {
     let zero = known.sheet.zero();
-    let still = |source: &Source<'s>| Source {
-        jet: Jet { rate: zero, accel: zero, ..source.jet },
-        ..*source
-    };
-    known.inputs.iter().map(still).collect()
+    known.inputs.iter().map(|source| source.with_rates(zero, zero)).collect()
 }
 
 /// Both sides of the equation where the unknown has this value and these rates.

@@ -8,6 +8,7 @@ pub(crate) mod graph;
 #[cfg(test)]
 pub(crate) mod interpret;
 pub(crate) mod liveness;
+mod node;
 pub(crate) mod program;
 #[cfg(test)]
 pub(crate) mod text;

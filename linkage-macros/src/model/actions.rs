@@ -5,7 +5,7 @@ use syn::Attribute;
 
 use crate::diagnostics::nearest;
 use crate::syntax::action::Action;
-use crate::syntax::tree::{self, Declaration, ExprKind, StatementKind};
+use crate::syntax::tree::{self, Declaration, StatementKind};
 
 use super::Resolver;
 use super::dynamics::{Axes, Force, Load, Owner, Torque};
@@ -95,16 +95,9 @@ impl Resolver<'_> {
 
     /// A number of the machine itself: constants and parameters.
     pub(super) fn changes_with_no_input(&mut self, expr: &tree::Expr, what: &str) -> Option<()> {
-        let span = self.first(expr, &|resolver, part| match &part.kind {
-            ExprKind::Member(owner, _) if resolver.names.kind(owner) == Some(Kind::Link) => true,
-            ExprKind::Member(name, _) | ExprKind::Name(name) => {
-                resolver.names.entity(name).is_some_and(|entity| resolver.facts.moves(entity))
-            }
-            _ => false,
-        });
         // Of a rate it is said that it stands elsewhere.
         let of_a_rate = self.first(expr, &|_, part| is_rate(part)).is_some();
-        let Some(span) = span.filter(|_| !of_a_rate) else { return Some(()) };
+        let Some(span) = self.moving_part(expr).filter(|_| !of_a_rate) else { return Some(()) };
         let message = format!("{what} cannot depend on an input");
         let reason = "it is made of constants and parameters";
         self.diagnostics.error_because(span, message, reason);

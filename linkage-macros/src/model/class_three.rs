@@ -10,7 +10,7 @@ use crate::syntax::tree::{
 };
 
 use super::names::{declared_by, title};
-use super::needs::Needs;
+use super::needs::{Needs, maker};
 use super::references::names_used;
 
 /// What to write in place of statements that need each other, where one unknown is enough.
@@ -50,15 +50,8 @@ struct Cut<'t> {
 }
 
 impl Cut<'_> {
-    fn maker(&self, name: &Ident) -> Option<usize> {
-        let makes = |statement: &Statement| {
-            declared_by(statement).iter().any(|(declared, _)| **declared == *name)
-        };
-        self.tree.statements.iter().position(makes)
-    }
-
     fn pivot(&self, leg: usize) -> Option<usize> {
-        self.maker(self.group.legs[leg].joint.as_ref()?)
+        maker(self.tree, self.group.legs[leg].joint.as_ref()?)
     }
 
     fn stands_on_what_is_known(&self, leg: usize, circle: &BTreeSet<usize>) -> bool {

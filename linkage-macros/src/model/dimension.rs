@@ -3,7 +3,15 @@
 //! A number without a unit is bare: it is SI and fits wherever it stands. Beside a quantity that
 //! has a dimension it takes that dimension in a sum and counts as a plain number in a product.
 
-use super::mechanism::Dimension;
+/// Powers of metre, kilogram and second; an angle counts as a number, except that `angle` remembers
+/// that it is one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Dimension {
+    pub length: i32,
+    pub mass: i32,
+    pub time: i32,
+    pub angle: bool,
+}
 
 impl Dimension {
     pub(crate) const NUMBER: Self = Self { length: 0, mass: 0, time: 0, angle: false };

@@ -9,7 +9,9 @@ use super::Resolver;
 use super::dynamics::{Asked, Effort, Owner};
 use super::mechanism::{InputId, LinkId, OutputKind, PointId, SpringId, Step};
 use super::names::{Entity, Kind};
+use super::outputs::MEMBERS;
 use super::springs::parts;
+use crate::syntax::action::ACTING;
 
 /// Outputs of the whole mechanism.
 const WHOLE: [&str; 3] = ["energy", "shaking", "centre_of_mass"];
@@ -19,7 +21,7 @@ const EFFORTS: [&str; 2] = ["drive", "push"];
 
 /// Words behind a link that mean something, whatever points are called.
 fn is_meant(word: &str) -> bool {
-    ["drive", "push", "angle", "slide", "margin", "transmission"].contains(&word)
+    EFFORTS.contains(&word) || MEMBERS.contains(&word)
 }
 
 /// What a link has to offer: fields and what they are.
@@ -207,8 +209,7 @@ impl Resolver<'_> {
 
     /// Whether a mistake may have hidden what acts.
     fn a_force_may_be_unread(&self) -> bool {
-        let words = ["mass", "inertia", "force", "torque", "spring"];
-        words.iter().any(|word| self.unread.may_hold(word)) || self.diagnostics.count() > 0
+        ACTING.iter().any(|word| self.unread.may_hold(word)) || self.diagnostics.count() > 0
     }
 
     /// Every drive and reaction, where anything has mass or acts.

@@ -30,7 +30,7 @@ const DISTANCE: &str = "distance";
 const OFFSET: &str = "offset";
 
 /// The function that forces alone may depend on.
-const RATE: &str = "rate";
+pub(super) const RATE: &str = "rate";
 
 const FUNCTIONS: [(&str, Function, usize); 9] = [
     ("sqrt", Function::Sqrt, 1),

@@ -9,7 +9,7 @@ use crate::syntax::tree;
 use super::Resolver;
 use super::assembly::constants;
 use super::facts::GuideFacts;
-use super::mechanism::{Carrier, Guide, GuideDirection, GuideId, PointId, Step, Through};
+use super::mechanism::{Carrier, Guide, GuideDirection, GuideId, LinkId, PointId, Step, Through};
 use super::names::Entity;
 use super::numbers::bare_name;
 
@@ -136,30 +136,30 @@ impl Resolver<'_> {
             }
             // What is not known to be a point of the link may be the one that was in error.
             Carrier::Link(link) if !self.facts.links[link.index()].has_its_joints => {}
-            Carrier::Link(link) => {
-                let points: Vec<_> = self
-                    .facts
-                    .points_of(carrier)
-                    .map(|point| format!("`{}`", self.mechanism.points[point.index()].name))
-                    .collect();
-                let link = &self.mechanism.links[link.index()].name;
-                let message = format!("`{name}` is no point of `{link}`");
-                let reason = match points.as_slice() {
-                    [] => format!("declare one: `point {name}1 on {link} at (…, …);`"),
-                    _ => format!("its points are {}", points.join(", ")),
-                };
-                self.diagnostics.error_because(name.span(), message, reason);
-            }
+            Carrier::Link(link) => self.no_point_of(name, link),
         }
         None
+    }
+
+    /// Says so, and which are.
+    pub(super) fn no_point_of(&mut self, name: &Ident, link: LinkId) {
+        let points = self.facts.points_of(Carrier::Link(link));
+        let points: Vec<_> = points
+            .map(|point| format!("`{}`", self.mechanism.points[point.index()].name))
+            .collect();
+        let link = &self.mechanism.links[link.index()].name;
+        let message = format!("`{name}` is no point of `{link}`");
+        let reason = match points.as_slice() {
+            [] => format!("declare one: `point {name}1 on {link} at (…, …);`"),
+            _ => format!("its points are {}", points.join(", ")),
+        };
+        self.diagnostics.error_because(name.span(), message, reason);
     }
 
     fn links_through(&self, point: PointId) -> Vec<&Ident> {
         let links = self.mechanism.links.iter().enumerate();
         links
-            .filter(|&(i, _)| {
-                self.facts.belongs_to(point, Carrier::Link(super::mechanism::LinkId(i as u32)))
-            })
+            .filter(|&(i, _)| self.facts.belongs_to(point, Carrier::Link(LinkId(i as u32))))
             .map(|(_, link)| &link.name)
             .collect()
     }

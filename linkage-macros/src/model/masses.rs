@@ -134,16 +134,7 @@ impl Resolver<'_> {
         if !self.facts.links[link.index()].has_its_joints {
             return None;
         }
-        let points: Vec<_> = (self.facts.points_of(carrier))
-            .map(|point| format!("`{}`", self.mechanism.points[point.index()].name))
-            .collect();
-        let link = &self.mechanism.links[link.index()].name;
-        let message = format!("`{name}` is no point of `{link}`");
-        let reason = match points.as_slice() {
-            [] => format!("declare one: `point {name}1 on {link} at (…, …);`"),
-            _ => format!("its points are {}", points.join(", ")),
-        };
-        self.diagnostics.error_because(name.span(), message, reason);
+        self.no_point_of(name, link);
         None
     }
 

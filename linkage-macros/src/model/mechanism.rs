@@ -8,10 +8,15 @@ use proc_macro2::Ident;
 use syn::{Attribute, Visibility};
 
 use crate::exact::Exact;
+pub(crate) use crate::model::dimension::Dimension;
 use crate::model::dynamics::Dynamics;
+pub(crate) use crate::model::expr::{AngleSum, Axis, Expr, Function, Operator};
 pub(crate) use crate::model::findings::{Known, Rotatability};
 pub(crate) use crate::model::ids::{
     GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
+};
+pub(crate) use crate::model::step::{
+    Carrier, GuideDirection, Length, Mode, Placement, Sign, Step, Through,
 };
 
 pub(crate) struct Mechanism {
@@ -165,16 +170,6 @@ pub(crate) enum ParamKind {
     },
 }
 
-/// Powers of metre, kilogram and second; an angle counts as a number, except that `angle` remembers
-/// that it is one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Dimension {
-    pub length: i32,
-    pub mass: i32,
-    pub time: i32,
-    pub angle: bool,
-}
-
 pub(crate) struct Link {
     pub name: Ident,
     pub docs: Vec<Attribute>,
@@ -198,202 +193,6 @@ pub(crate) struct Group {
 pub(crate) enum Numerics {
     Plain,
     Compensated,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sign {
-    Plus,
-    Minus,
-}
-
-/// An assembly mode: +1 is `left` or `ahead`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mode {
-    Fixed(Sign),
-    /// A mode parameter.
-    Param(ParamId),
-}
-
-/// What a point, a guide or a crank's angle is fixed to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Carrier {
-    Ground,
-    Link(LinkId),
-}
-
-/// A scalar expression. Lengths in metres, angles in radians.
-#[derive(Clone, Debug)]
-pub(crate) enum Expr {
-    Constant(Exact),
-    Input(InputId),
-    Param(ParamId),
-    /// A load, in the values of forces and torques alone.
-    Load(LoadId),
-    /// What an equation fixes.
-    Unknown(UnknownId),
-    /// The part of a named expression that is not a multiple of link angles.
-    Let(LetId),
-    /// The slide of a link that slides.
-    Slide(LinkId),
-    /// A coordinate of a point in ground axes.
-    Coordinate(PointId, Axis),
-    /// The distance between two points.
-    Distance([PointId; 2]),
-    /// The distance of a point from a guide's line, positive on the side of its normal.
-    Offset(PointId, GuideId),
-    /// How far a spring between two bodies is turned from its free angle.
-    Twist(SpringId),
-    /// The rate of a sum of angles, or of any other number, in the values of forces and torques
-    /// alone.
-    Rate(Box<AngleSum>),
-    Negate(Box<Expr>),
-    /// One operation after the other, each on what the one before has made.
-    Chain(Box<Expr>, Vec<(Operator, Expr)>),
-    Call(Function, Vec<Expr>),
-}
-
-/// An axis of the ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Axis {
-    X,
-    Y,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Operator {
-    Add,
-    Sub,
-    Mul,
-    Div,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Function {
-    Sqrt,
-    Hypot,
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    Atan2,
-}
-
-/// An angle (or any other number, then without link angles): Σ kᵢ·linkᵢ.angle + rest.
-#[derive(Clone, Debug)]
-pub(crate) struct AngleSum {
-    pub links: Vec<(LinkId, i32)>,
-    pub rest: Expr,
-}
-
-pub(crate) enum GuideDirection {
-    /// The angle against the carrier's x.
-    Along(AngleSum),
-    Towards(PointId),
-}
-
-pub(crate) enum Through {
-    /// Coordinates in the carrier's frame.
-    At([Expr; 2]),
-    Point(PointId),
-}
-
-pub(crate) enum Placement {
-    Cartesian([Expr; 2]),
-    /// Distance from the carrier's origin, angle against its x.
-    Polar(Expr, Expr),
-    /// Distances from the carrier's two joints, `length` apart on its x; `Plus` is left of it.
-    Distances {
-        distances: [Length; 2],
-        length: Expr,
-        side: Sign,
-    },
-}
-
-/// One statement that places something. The comments name what the formulas call it.
-pub(crate) enum Step {
-    Ground {
-        point: PointId,
-        at: [Expr; 2],
-    },
-    Guide {
-        guide: GuideId,
-        carrier: Carrier,
-        through: Through,
-        course: GuideDirection,
-    },
-    /// A point of a link, or a driven point in ground axes.
-    Point {
-        point: PointId,
-        carrier: Carrier,
-        place: Placement,
-        group: GroupId,
-    },
-    Crank {
-        group: GroupId,
-        link: LinkId,
-        pivot: PointId,
-        /// The pin and its distance from the pivot; a body without a pin has neither.
-        pin: Option<(PointId, Length)>,
-        angle: AngleSum,
-        relative_to: Carrier,
-    },
-    Slider {
-        group: GroupId,
-        link: LinkId,
-        guide: GuideId,
-        pin: Option<PointId>,
-        slide: Expr,
-        offset: Expr,
-    },
-    Rrr {
-        group: GroupId,
-        links: [LinkId; 2],
-        outer: [PointId; 2],
-        pin: PointId,
-        lengths: [Length; 2],
-        mode: Mode,
-    },
-    Rrp {
-        group: GroupId,
-        links: [LinkId; 2],
-        outer: PointId,
-        guide: GuideId,
-        pin: PointId,
-        length: Length,
-        offset: Expr,
-        mode: Mode,
-    },
-    Rpr {
-        group: GroupId,
-        links: [LinkId; 2],
-        outer: [PointId; 2],
-        offset: Expr,
-        mode: Mode,
-    },
-    Prp {
-        group: GroupId,
-        links: [LinkId; 2],
-        guides: [GuideId; 2],
-        pin: PointId,
-        offsets: [Expr; 2],
-    },
-    Rpp {
-        group: GroupId,
-        links: [LinkId; 2],
-        outer: PointId,
-        guide: GuideId,
-        slot: AngleSum,
-        offsets: [Expr; 2],
-    },
-}
-
-/// A length that must be positive, and the words that name it in `SolveError::Invalid`.
-#[derive(Clone, Debug)]
-pub(crate) struct Length {
-    pub value: Expr,
-    pub name: String,
 }
 
 pub(crate) struct Output {

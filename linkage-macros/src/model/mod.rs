@@ -18,6 +18,7 @@ mod drivers;
 mod dyads;
 pub(crate) mod dynamics;
 mod dynamics_outputs;
+mod expr;
 mod expressions;
 mod facts;
 mod fields;
@@ -39,11 +40,15 @@ mod outputs;
 mod points;
 mod readings;
 mod references;
+mod relations;
 mod rotatability;
+mod searched;
 mod settings;
 mod solves;
 mod springs;
 pub(crate) mod stand_in;
+mod step;
+mod titles;
 pub(crate) mod units;
 mod unknowns;
 mod uses;
@@ -58,7 +63,7 @@ use dynamics::Dynamics;
 use facts::Facts;
 use mechanism::{Mechanism, Numerics, References};
 use names::{Names, TooEarly};
-use unknowns::Searched;
+use searched::Searched;
 
 /// The mechanism that the declaration means; `None` if anything in it was reported.
 pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {

@@ -4,27 +4,31 @@ use std::collections::BTreeSet;
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::Declaration;
+use crate::syntax::tree::{Declaration, Statement};
 
 use super::names::declared_by;
 use super::references::names_used;
+
+/// The statement that makes what has this name.
+pub(super) fn maker(tree: &Declaration, name: &Ident) -> Option<usize> {
+    let makes = |statement: &Statement| {
+        declared_by(statement).iter().any(|(declared, _)| *declared == name)
+    };
+    tree.statements.iter().position(makes)
+}
 
 /// Which statements each statement needs.
 pub(super) struct Needs(Vec<BTreeSet<usize>>);
 
 impl Needs {
     pub(super) fn of(tree: &Declaration) -> Self {
-        let made_by = |name: Ident| {
-            tree.statements.iter().position(|statement| {
-                declared_by(statement).iter().any(|(declared, _)| **declared == name)
-            })
-        };
         Self(
             tree.statements
                 .iter()
                 .enumerate()
                 .map(|(index, statement)| {
-                    let makers = names_used(statement).into_iter().filter_map(made_by);
+                    let makers =
+                        names_used(statement).into_iter().filter_map(|name| maker(tree, &name));
                     makers.filter(|&maker| maker != index).collect()
                 })
                 .collect(),

@@ -12,7 +12,7 @@ use super::Resolver;
 use super::mechanism::{Expr as Resolved, LinkId, Output, OutputKind, UnknownId};
 use super::names::{Entity, Kind};
 
-const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
+pub(super) const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
 
 impl Resolver<'_> {
     /// The outputs that are asked for; every moving point and every link where none is.

@@ -10,7 +10,7 @@ use super::expressions::Quantity;
 use super::mechanism::{Dimension, Equation, Expr, Length, Operator, Sign};
 use super::names::{Entity, Kind};
 use super::numbers::bare_name;
-use super::unknowns::Searched;
+use super::searched::Searched;
 
 /// What both modes mean.
 const MODES: &str = "`rising` or `falling`: how left minus right goes at the root while the unknown \

@@ -8,6 +8,7 @@ use crate::syntax::tree::{Expr, ExprKind, Group};
 
 use super::Resolver;
 use super::dynamics::{Effort, Ends, Quantity, Spring};
+use super::expressions::{self, RATE};
 use super::fields::Fields;
 use super::mechanism::{self, Dimension, OutputKind, SpringId};
 use super::names::{Entity, Kind};
@@ -168,12 +169,12 @@ impl Resolver<'_> {
         &mut self,
         name: &Ident,
         arguments: &[Expr],
-    ) -> Option<super::expressions::Quantity> {
+    ) -> Option<expressions::Quantity> {
         let about_forces = std::mem::take(&mut self.is_about_forces);
         let argument = match arguments {
             [argument] => self.argument_of_rate(argument),
             _ => {
-                let found = super::expressions::counted(arguments.len());
+                let found = expressions::counted(arguments.len());
                 let message = format!("`{name}` takes one argument, and {found} given");
                 self.diagnostics.error(name.span(), message);
                 None
@@ -190,15 +191,12 @@ impl Resolver<'_> {
         argument
     }
 
-    fn argument_of_rate(&mut self, argument: &Expr) -> Option<super::expressions::Quantity> {
+    fn argument_of_rate(&mut self, argument: &Expr) -> Option<expressions::Quantity> {
         let load = self.first(argument, &|resolver, part| match &part.kind {
             ExprKind::Name(name) => resolver.names.kind(name) == Some(Kind::Load),
             _ => false,
         });
-        let nested = self.first(
-            argument,
-            &|_, part| matches!(&part.kind, ExprKind::Call(function, _) if function == "rate"),
-        );
+        let nested = self.first(argument, &|_, part| is_rate(part));
         let mistake = match (load, nested) {
             (Some(at), _) => {
                 Some((at, "a load has no rate", "it is a number that each call is given"))
@@ -224,7 +222,7 @@ impl Resolver<'_> {
         }
         let measure = quantity.measure.per_time();
         let rate = mechanism::Expr::Rate(Box::new(quantity.turn()));
-        Some(super::expressions::Quantity::plain(measure, rate))
+        Some(expressions::Quantity::plain(measure, rate))
     }
 
     /// `shock.force`, `shock.length`; `clutch.torque`, `clutch.angle`.
@@ -262,5 +260,5 @@ pub(super) fn parts(ends: Ends) -> [&'static str; 2] {
 
 /// Whether the expression is a rate.
 pub(super) fn is_rate(expr: &Expr) -> bool {
-    matches!(&expr.kind, ExprKind::Call(function, _) if function == "rate")
+    matches!(&expr.kind, ExprKind::Call(function, _) if function == RATE)
 }

@@ -16,19 +16,7 @@ use super::mechanism::{
     AngleSum, Dimension, Equation, Expr, Group, ParamKind, Sign, Step, Unknown, UnknownId,
 };
 use super::names::Entity;
-
-/// The unknown between its `unknown` and its `solve`, and what has been made of it.
-pub(super) struct Searched {
-    pub id: UnknownId,
-    pub name: Ident,
-    follows: HashSet<Entity>,
-}
-
-impl Searched {
-    pub(super) fn reaches(&self, entity: Entity) -> bool {
-        self.follows.contains(&entity)
-    }
-}
+use super::searched::Searched;
 
 impl Resolver<'_> {
     pub(super) fn unknown(

@@ -8,6 +8,9 @@ use super::tokens::{Parse, Parser, Reported};
 use super::tree::{Expr, Group, StatementKind};
 use crate::diagnostics::Extent;
 
+/// Words that say that something has mass or acts.
+pub(crate) const ACTING: [&str; 5] = ["mass", "inertia", "force", "torque", "spring"];
+
 /// `gravity`, `mass`, `inertia`, `force`, `torque` or `spring`.
 pub(crate) enum Action {
     /// `gravity (0, -g);` and where it stands.

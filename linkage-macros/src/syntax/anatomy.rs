@@ -221,6 +221,11 @@ impl Anatomy {
         self.modes.is_some()
     }
 
+    /// Whether it has bars, whose lengths are given.
+    pub(crate) fn has_length(&self) -> bool {
+        self.fields.iter().any(|field| ["length", "lengths"].contains(&field.name))
+    }
+
     /// The fields that must be written, as an example: `{ length: …, angle: … }`.
     pub(super) fn braces(&self) -> String {
         let needed = self.fields.iter().filter(|field| field.needed != Needed::Never);

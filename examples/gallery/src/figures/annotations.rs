@@ -2,45 +2,13 @@
 
 use std::fmt::Write;
 
-use linkage_core::sketch::{LinkPose, Sketch, SketchError, Theme, View};
-
-/// The colours of a theme.
-#[derive(Clone, Copy)]
-pub struct Ink {
-    pub theme: Theme,
-    pub paper: &'static str,
-    pub ink: &'static str,
-    pub quiet: &'static str,
-    /// Of links, by their declaration.
-    pub links: [&'static str; 3],
-}
-
-impl Ink {
-    pub const fn of(theme: Theme) -> Self {
-        match theme {
-            Theme::Light => Self {
-                theme,
-                paper: "#ffffff",
-                ink: "#222222",
-                quiet: "#8a9096",
-                links: ["#d55e00", "#0072b2", "#009e73"],
-            },
-            Theme::Dark => Self {
-                theme,
-                paper: "#0d1117",
-                ink: "#e6edf3",
-                quiet: "#7d8590",
-                links: ["#f08a3c", "#4ea1e0", "#2fc99b"],
-            },
-        }
-    }
-}
+use linkage_core::sketch::{LinkPose, Palette, Sketch, SketchError, Theme, View};
 
 type Spot = [f64; 2];
 
 /// A sketch with something written over it.
 pub struct Figure {
-    ink: Ink,
+    palette: Palette,
     view: View,
     /// What the sketch draws, and its size.
     sketch: String,
@@ -62,11 +30,11 @@ impl Figure {
     /// None: everything named is there.
     pub fn new(
         sketch: Sketch,
-        ink: Ink,
+        theme: Theme,
         width: f64,
         statement: &'static str,
     ) -> Result<Self, SketchError> {
-        let sketch = sketch.unlabelled().without_scale().theme(ink.theme).width(width);
+        let sketch = sketch.unlabelled().without_scale().theme(theme).width(width);
         let (view, text) = (sketch.view()?, sketch.to_svg()?);
         let number = |name: &str| {
             let value = text.split_once(name).and_then(|(_, behind)| behind.split('"').next());
@@ -78,7 +46,16 @@ impl Figure {
         let inside = inside.map_or("", |(_, behind)| behind.trim_end().trim_end_matches("</svg>"));
         let (below, above) = (String::new(), String::new());
         let sketch = inside.to_string();
-        Ok(Self { ink, view, sketch, size, below, above, more: [0.0; 4], statement })
+        Ok(Self {
+            palette: theme.palette(),
+            view,
+            sketch,
+            size,
+            below,
+            above,
+            more: [0.0; 4],
+            statement,
+        })
     }
 
     /// Room beside the sketch: left, top, right, bottom.
@@ -88,7 +65,7 @@ impl Figure {
     }
 
     fn line(&mut self, path: &str, width: f64) {
-        let ink = self.ink.ink;
+        let ink = self.palette.ink;
         let _ = write!(
             self.above,
             r#"<path d="{path}" fill="none" stroke="{ink}" stroke-width="{width}"/>"#
@@ -111,7 +88,7 @@ impl Figure {
     }
 
     fn words(&mut self, [x, y]: Spot, text: &str, colour: &str, style: &str) {
-        let paper = self.ink.paper;
+        let paper = self.palette.paper;
         let y = y + 4.5;
         let _ = write!(
             self.above,
@@ -121,21 +98,21 @@ impl Figure {
 
     /// A name or a dimension beside a place.
     pub fn name(mut self, at: Spot, [dx, dy]: Spot, text: &str) -> Self {
-        let ([x, y], ink) = (self.view.pixels(at), self.ink.ink);
+        let ([x, y], ink) = (self.view.pixels(at), self.palette.ink);
         self.words([x + dx, y + dy], text, ink, &italic());
         self
     }
 
     /// The name of a link, in its colour.
     pub fn link(mut self, nth: usize, at: Spot, [dx, dy]: Spot, text: &str) -> Self {
-        let ([x, y], colour) = (self.view.pixels(at), self.ink.links[nth]);
+        let ([x, y], colour) = (self.view.pixels(at), self.palette.links[nth]);
         self.words([x + dx, y + dy], text, colour, &italic());
         self
     }
 
     /// Words of the language.
     pub fn code(mut self, at: Spot, [dx, dy]: Spot, text: &str) -> Self {
-        let ([x, y], ink) = (self.view.pixels(at), self.ink.ink);
+        let ([x, y], ink) = (self.view.pixels(at), self.palette.ink);
         self.words([x + dx, y + dy], text, ink, r#"font-family="monospace""#);
         self
     }
@@ -155,7 +132,7 @@ impl Figure {
         }
         let (a, b) = (aside(a, beside), aside(b, beside));
         self.line(&format!("M{:.1} {:.1}L{:.1} {:.1}", a[0], a[1], b[0], b[1]), 0.8);
-        let ink = self.ink.ink;
+        let ink = self.palette.ink;
         if length > 24.0 {
             self.head(a, b, ink);
             self.head(b, a, ink);
@@ -169,7 +146,7 @@ impl Figure {
     pub fn axes(mut self, pose: LinkPose) -> Self {
         let LinkPose { origin, direction } = pose;
         let at = self.view.pixels([origin.x, origin.y]);
-        let ink = self.ink.ink;
+        let ink = self.palette.ink;
         for (text, (cos, sin)) in
             [("x", (direction.cos, direction.sin)), ("y", (-direction.sin, direction.cos))]
         {
@@ -205,7 +182,7 @@ impl Figure {
             ),
             0.8,
         );
-        let ink = self.ink.ink;
+        let ink = self.palette.ink;
         // The head is as long as this much of the arc.
         let back = 8.0 / radius.max(1.0) * 57.3 * (to - from).signum();
         self.head(end, on(to - back, radius), ink);
@@ -218,7 +195,7 @@ impl Figure {
 
     /// A thin broken line, of which angles and distances are measured.
     pub fn axis(mut self, ends: [Spot; 2]) -> Self {
-        let ([[x, y], [z, w]], quiet) = (ends.map(|end| self.view.pixels(end)), self.ink.quiet);
+        let ([[x, y], [z, w]], quiet) = (ends.map(|end| self.view.pixels(end)), self.palette.quiet);
         let _ = write!(
             self.below,
             r#"<path d="M{x:.1} {y:.1}L{z:.1} {w:.1}" fill="none" stroke="{quiet}" stroke-width="1" stroke-dasharray="9 3 2 3"/>"#
@@ -227,17 +204,28 @@ impl Figure {
     }
 
     /// A thin arrow between places, which tells a direction.
-    pub fn arrow(mut self, ends: [Spot; 2]) -> Self {
-        let ([a, b], quiet) = (ends.map(|end| self.view.pixels(end)), self.ink.quiet);
+    pub fn arrow(self, ends: [Spot; 2]) -> Self {
+        let quiet = self.palette.quiet;
+        self.directed(ends, quiet, "1.2")
+    }
+
+    /// The line of a guide, with the way in which slides count.
+    pub fn rail(self, ends: [Spot; 2]) -> Self {
+        let ink = self.palette.ink;
+        self.directed(ends, ink, "1.6")
+    }
+
+    fn directed(mut self, ends: [Spot; 2], colour: &str, width: &str) -> Self {
+        let [a, b] = ends.map(|end| self.view.pixels(end));
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let length = dx.hypot(dy).max(1e-9);
         let tip = [b[0] - 6.0 * dx / length, b[1] - 6.0 * dy / length];
         let _ = write!(
             self.below,
-            r#"<path d="M{:.1} {:.1}L{:.1} {:.1}" fill="none" stroke="{quiet}" stroke-width="1.2"/>"#,
+            r#"<path d="M{:.1} {:.1}L{:.1} {:.1}" fill="none" stroke="{colour}" stroke-width="{width}"/>"#,
             a[0], a[1], tip[0], tip[1]
         );
-        self.head(tip, a, quiet);
+        self.head(tip, a, colour);
         self
     }
 
@@ -250,7 +238,7 @@ impl Figure {
                 format!("{x:.1} {y:.1}")
             })
             .collect();
-        let colour = self.ink.links[nth];
+        let colour = self.palette.links[nth];
         let _ = write!(
             self.below,
             r#"<path d="M{}" fill="none" stroke="{colour}" stroke-width="5" stroke-linecap="round" stroke-dasharray=".1 9" opacity=".55"/>"#,
@@ -261,7 +249,7 @@ impl Figure {
 
     /// A joint in the other mode, or one that nothing draws.
     pub fn joint(mut self, at: Spot) -> Self {
-        let ([x, y], Ink { paper, ink, .. }) = (self.view.pixels(at), self.ink);
+        let ([x, y], Palette { paper, ink, .. }) = (self.view.pixels(at), self.palette);
         let _ = write!(
             self.above,
             r#"<circle cx="{x:.1}" cy="{y:.1}" r="4.6" fill="{paper}" stroke="{ink}" stroke-width="1.8" opacity=".7"/>"#
@@ -272,7 +260,7 @@ impl Figure {
     /// The text of the figure; without empty lines, as documentation needs it.
     pub fn svg(self) -> String {
         let [left, top, right, bottom] = self.more;
-        let Ink { paper, ink, .. } = self.ink;
+        let Palette { paper, ink, .. } = self.palette;
         let wanted = 28.0 + 7.9 * self.statement.chars().count() as f64;
         let width = (self.size[0] + left + right).max(wanted).ceil();
         let height = (self.size[1] + top + bottom + 30.0).ceil();

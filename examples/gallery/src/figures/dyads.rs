@@ -1,9 +1,9 @@
 //! The groups of class II.
 
-use linkage_core::sketch::SketchError;
+use linkage_core::sketch::{SketchError, Theme};
 use linkage_core::{Sense, Side, mechanism};
 
-use super::annotations::{Figure, Ink};
+use super::annotations::Figure;
 use super::placing::at;
 
 mechanism! {
@@ -57,7 +57,7 @@ mechanism! {
     }
 }
 
-pub(super) fn rrr(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn rrr(theme: Theme) -> Result<String, SketchError> {
     let solver = Rrr::new();
     let sketch = solver.sketch([0.0, 0.0])?;
     let other = Rrr { side: Side::Right, ..solver }.sketch([0.0, 0.0])?;
@@ -65,7 +65,7 @@ pub(super) fn rrr(ink: Ink) -> Result<String, SketchError> {
     let below = at(&other, "C")?;
     let (first, second) = (sketch.link("BC")?, sketch.link("DC")?);
     let text = "rrr BC(B), DC(D) -> C { lengths: (l1, l2), mode: left }";
-    Ok(Figure::new(sketch, ink, 440.0, text)?
+    Ok(Figure::new(sketch, theme, 440.0, text)?
         .room([10.0, 10.0, 10.0, 150.0])
         .other(0, &[b, below])
         .other(1, &[d, below])
@@ -85,7 +85,7 @@ pub(super) fn rrr(ink: Ink) -> Result<String, SketchError> {
         .svg())
 }
 
-pub(super) fn rrp(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn rrp(theme: Theme) -> Result<String, SketchError> {
     let solver = Rrp::new();
     let sketch = solver.sketch([0.0, 0.75])?;
     let other = Rrp { sense: Sense::Behind, ..solver }.sketch([0.0, 0.75])?;
@@ -94,11 +94,11 @@ pub(super) fn rrp(ink: Ink) -> Result<String, SketchError> {
     let foot = [c[0], 0.0];
     let bar = sketch.link("BC")?;
     let text = "rrp BC(B), block(rail) -> C { length, offset, mode: ahead }";
-    Ok(Figure::new(sketch, ink, 440.0, text)?
+    Ok(Figure::new(sketch, theme, 440.0, text)?
         .room([0.0, 16.0, 70.0, 44.0])
         .other(0, &[b, behind])
         .joint(behind)
-        .arrow([k, [1.05, 0.0]])
+        .rail([k, [1.05, 0.0]])
         .axis([b, [b[0], 0.0]])
         .axes(bar)
         .distance([b, c], 30.0, "length", [24.0, -8.0])
@@ -106,7 +106,7 @@ pub(super) fn rrp(ink: Ink) -> Result<String, SketchError> {
         .distance([c, foot], 36.0, "offset", [26.0, 0.0])
         .name(k, [0.0, -16.0], "K")
         .name(b, [-14.0, -10.0], "B")
-        .name(c, [12.0, -16.0], "C")
+        .name(c, [-4.0, -18.0], "C")
         .name([-0.25, 0.0], [0.0, -11.0], "rail")
         .link(0, [0.5 * (b[0] + c[0]), 0.5 * (b[1] + c[1])], [-20.0, 10.0], "BC")
         .link(1, foot, [-34.0, -14.0], "block")
@@ -115,7 +115,7 @@ pub(super) fn rrp(ink: Ink) -> Result<String, SketchError> {
         .svg())
 }
 
-pub(super) fn rpr(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn rpr(theme: Theme) -> Result<String, SketchError> {
     let solver = Rpr::new();
     let sketch = solver.sketch([1.3, 0.4])?;
     let other = Rpr { sense: Sense::Behind, ..solver }.sketch([1.3, 0.4])?;
@@ -129,23 +129,23 @@ pub(super) fn rpr(ink: Ink) -> Result<String, SketchError> {
     let corner = on(behind, 0.0, 0.3);
     let foot = on(bar, 0.0, 0.3);
     let text = "rpr block(B), bar(D) { offset, mode: ahead }";
-    Ok(Figure::new(sketch, ink, 440.0, text)?
-        .room([46.0, 30.0, 60.0, 60.0])
+    Ok(Figure::new(sketch, theme, 440.0, text)?
+        .room([46.0, 30.0, 60.0, 76.0])
         .other(1, &[d, corner, b])
         .other(1, &[corner, on(behind, 0.35, 0.3)])
         .axes(bar)
         .distance([foot, b], 30.0, "slide", [0.0, -12.0])
         .distance([d, foot], 40.0, "offset", [-28.0, 0.0])
         .name(b, [4.0, 20.0], "B")
-        .name(d, [8.0, 20.0], "D")
-        .link(0, b, [-4.0, -22.0], "block")
+        .name(d, [-6.0, 20.0], "D")
+        .link(0, b, [36.0, 18.0], "block")
         .link(1, on(bar, 0.55, 0.3), [0.0, 16.0], "bar")
         .code(b, [78.0, -14.0], "mode: ahead")
         .code(corner, [60.0, 14.0], "mode: behind")
         .svg())
 }
 
-pub(super) fn prp(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn prp(theme: Theme) -> Result<String, SketchError> {
     let sketch = Prp::new().sketch(0.0)?;
     let [k, l, c] = [at(&sketch, "K")?, at(&sketch, "L")?, at(&sketch, "C")?];
     let (p, q) = (sketch.link("p")?.direction, sketch.link("q")?.direction);
@@ -156,23 +156,23 @@ pub(super) fn prp(ink: Ink) -> Result<String, SketchError> {
         [at[0] + by * u.cos, at[1] + by * u.sin]
     };
     let text = "prp p(first), q(second) -> C { offsets: (offset1, offset2) }";
-    Ok(Figure::new(sketch, ink, 540.0, text)?
-        .room([0.0, 30.0, 60.0, 30.0])
-        .arrow([k, ahead(first, p, 0.28)])
-        .arrow([l, ahead(second, q, 0.28)])
+    Ok(Figure::new(sketch, theme, 540.0, text)?
+        .room([0.0, 30.0, 80.0, 30.0])
+        .rail([k, ahead(first, p, 0.28)])
+        .rail([l, ahead(second, q, 0.28)])
         .distance([first, k], 36.0, "p.slide", [12.0, 12.0])
-        .distance([second, l], -34.0, "q.slide", [34.0, 0.0])
+        .distance([second, l], 40.0, "q.slide", [30.0, 0.0])
         .distance([first, c], 34.0, "offset1", [-28.0, -4.0])
-        .distance([c, second], 40.0, "offset2", [6.0, -12.0])
+        .distance([c, second], 40.0, "offset2", [-12.0, -20.0])
         .name(k, [-6.0, -16.0], "K")
-        .name(l, [14.0, 8.0], "L")
+        .name(l, [-12.0, 12.0], "L")
         .name(c, [-14.0, -8.0], "C")
         .link(0, first, [22.0, 12.0], "p")
-        .link(1, second, [20.0, 8.0], "q")
+        .link(1, second, [22.0, 14.0], "q")
         .svg())
 }
 
-pub(super) fn rpp(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn rpp(theme: Theme) -> Result<String, SketchError> {
     let sketch = Rpp::new().sketch([1.15, 1.05])?;
     let [k, b] = [at(&sketch, "K")?, at(&sketch, "B")?];
     let (yoke, slot) = (sketch.link("yoke")?.origin, sketch.link("block")?.direction);
@@ -181,20 +181,20 @@ pub(super) fn rpp(ink: Ink) -> Result<String, SketchError> {
     let start = [corner[0] - 0.22 * slot.sin, corner[1] + 0.22 * slot.cos];
     let along = [corner[0] + 0.62 * slot.cos, corner[1] + 0.62 * slot.sin];
     let text = "rpp block(B), yoke(rail) { slot: 65deg, offsets: (offset1, offset2) }";
-    Ok(Figure::new(sketch, ink, 380.0, text)?
+    Ok(Figure::new(sketch, theme, 380.0, text)?
         .room([30.0, 0.0, 60.0, 44.0])
-        .arrow([k, [yoke.x + 0.75, 0.0]])
+        .rail([k, [yoke.x + 0.75, 0.0]])
         .axis([corner, along])
         .axis([corner, [corner[0] + 0.55, corner[1]]])
         .angle(corner, [0.0, 65.0], 62.0, "slot")
         .distance([start, b], 34.0, "block.slide", [-36.0, -8.0])
         .distance([foot, k], 42.0, "yoke.slide", [0.0, 12.0])
         .distance([corner, foot], 92.0, "offset1", [30.0, 0.0])
-        .distance([corner, start], -26.0, "offset2", [-34.0, 12.0])
+        .distance([corner, start], 26.0, "offset2", [-24.0, 12.0])
         .name(k, [-4.0, -16.0], "K")
         .name(b, [20.0, 8.0], "B")
         .name([0.25, 0.0], [0.0, -12.0], "rail")
         .link(0, b, [36.0, -10.0], "block")
-        .link(1, foot, [-32.0, -16.0], "yoke")
+        .link(1, foot, [34.0, -16.0], "yoke")
         .svg())
 }

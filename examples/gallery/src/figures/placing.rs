@@ -1,9 +1,9 @@
 //! Drivers, guides and points.
 
 use linkage_core::mechanism;
-use linkage_core::sketch::{Sketch, SketchError};
+use linkage_core::sketch::{Sketch, SketchError, Theme};
 
-use super::annotations::{Figure, Ink};
+use super::annotations::Figure;
 
 mechanism! {
     struct Crank {
@@ -57,29 +57,29 @@ pub(super) fn at(sketch: &Sketch, name: &str) -> Result<[f64; 2], SketchError> {
     sketch.point(name).map(|point| [point.x, point.y])
 }
 
-pub(super) fn crank(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn crank(theme: Theme) -> Result<String, SketchError> {
     let sketch = Crank::new().sketch(0.6)?;
     let (a, b, link) = (at(&sketch, "A")?, at(&sketch, "B")?, sketch.link("AB")?);
-    let figure = Figure::new(sketch, ink, 330.0, "crank AB(A) -> B { length, angle }")?;
+    let figure = Figure::new(sketch, theme, 330.0, "crank AB(A) -> B { length, angle }")?;
     Ok(figure
         .axis([a, [1.0, 0.0]])
         .axes(link)
         .distance([a, b], 26.0, "length", [-18.0, -10.0])
-        .angle(a, [0.0, 0.6_f64.to_degrees()], 76.0, "angle")
+        .angle(a, [0.0, 0.6_f64.to_degrees()], 56.0, "angle")
         .name(a, [-30.0, 14.0], "A")
         .name(b, [14.0, -10.0], "B")
         .link(0, [0.85 * b[0], 0.85 * b[1]], [12.0, 14.0], "AB")
         .svg())
 }
 
-pub(super) fn slider(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn slider(theme: Theme) -> Result<String, SketchError> {
     let sketch = Slider::new().sketch(1.0)?;
     let (k, p) = (at(&sketch, "K")?, at(&sketch, "P")?);
     let foot = [p[0], 0.0];
-    let figure = Figure::new(sketch, ink, 400.0, "slider ram(rail) -> P { slide, offset }")?;
+    let figure = Figure::new(sketch, theme, 400.0, "slider ram(rail) -> P { slide, offset }")?;
     Ok(figure
         .room([0.0, 0.0, 30.0, 40.0])
-        .arrow([k, [1.22, 0.0]])
+        .rail([k, [1.22, 0.0]])
         .distance([foot, k], 40.0, "slide", [0.0, 12.0])
         .distance([p, foot], 34.0, "offset", [26.0, 0.0])
         .name(k, [-2.0, -16.0], "K")
@@ -89,16 +89,16 @@ pub(super) fn slider(ink: Ink) -> Result<String, SketchError> {
         .svg())
 }
 
-pub(super) fn guide(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn guide(theme: Theme) -> Result<String, SketchError> {
     let sketch = Slot::new().sketch(0.42)?;
     let [b, c, p] = [at(&sketch, "B")?, at(&sketch, "C")?, at(&sketch, "P")?];
     let (bar, slot) = (sketch.link("BC")?, sketch.link("shoe")?);
     let end = [p[0] + 0.7 * slot.direction.cos, p[1] + 0.7 * slot.direction.sin];
     let level = [p[0] + 0.62 * bar.direction.cos, p[1] + 0.62 * bar.direction.sin];
-    let figure = Figure::new(sketch, ink, 420.0, "guide slot on BC through P along 25deg;")?;
+    let figure = Figure::new(sketch, theme, 420.0, "guide slot on BC through P along 25deg;")?;
     Ok(figure
         .axis([p, level])
-        .arrow([p, end])
+        .rail([p, end])
         .axes(bar)
         .angle(p, [8.0, 33.0], 118.0, "along")
         .name(b, [4.0, 18.0], "B")
@@ -109,13 +109,13 @@ pub(super) fn guide(ink: Ink) -> Result<String, SketchError> {
         .svg())
 }
 
-pub(super) fn point(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn point(theme: Theme) -> Result<String, SketchError> {
     let sketch = OnLink::new().sketch(0.0)?;
     let [b, c, p] = [at(&sketch, "B")?, at(&sketch, "C")?, at(&sketch, "P")?];
     let link = sketch.link("BC")?;
     let (cos, sin) = (link.direction.cos, link.direction.sin);
     let foot = [0.5 * cos, 0.5 * sin];
-    let figure = Figure::new(sketch, ink, 400.0, "point P on BC at (x, y);")?;
+    let figure = Figure::new(sketch, theme, 400.0, "point P on BC at (x, y);")?;
     Ok(figure
         .room([0.0, 0.0, 0.0, 26.0])
         .axes(link)
@@ -128,14 +128,15 @@ pub(super) fn point(ink: Ink) -> Result<String, SketchError> {
         .svg())
 }
 
-pub(super) fn polar(ink: Ink) -> Result<String, SketchError> {
+pub(super) fn polar(theme: Theme) -> Result<String, SketchError> {
     let sketch = Polar::new().sketch(0.0)?;
     let [b, c] = [at(&sketch, "B")?, at(&sketch, "C")?];
     let [p, r] = [at(&sketch, "P")?, at(&sketch, "R")?];
     let text = "point P on BC at polar (r, phi);  point R on BC at distances (r1, r2) right;";
-    let figure = Figure::new(sketch, ink, 430.0, text)?;
+    let figure = Figure::new(sketch, theme, 430.0, text)?;
     Ok(figure
         .room([0.0, 20.0, 0.0, 20.0])
+        .axis([b, c])
         .distance([b, p], 26.0, "r", [-8.0, -10.0])
         .angle(b, [8.0, 43.0], 110.0, "phi")
         .distance([b, r], -24.0, "r1", [-10.0, 10.0])

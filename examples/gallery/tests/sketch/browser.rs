@@ -22,7 +22,7 @@ fn chromium(folder: &Path) -> Command {
 }
 
 /// Runs a page and returns what it leaves in its only `pre`.
-fn run(page: &str, name: &str) -> String {
+pub(super) fn run(page: &str, name: &str) -> String {
     let folder = std::env::temp_dir().join(format!("gallery_{name}_{}", std::process::id()));
     fs::create_dir_all(&folder).unwrap();
     let file = folder.join("page.html");

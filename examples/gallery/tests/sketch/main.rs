@@ -3,6 +3,7 @@
 mod bad_input;
 mod browser;
 mod gaps;
+mod layout;
 mod motion;
 mod placed;
 mod snapshots;

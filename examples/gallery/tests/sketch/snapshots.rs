@@ -39,8 +39,13 @@ fn documentation_and_readme_show_what_is_drawn_now() {
         assert!(!figure.contains("\n\n"), "documentation would end at an empty line");
         crate::xml::parse(&figure);
     }
-    for piece in gallery::pieces().iter().take(4) {
-        let name = piece.name.split("::").next().unwrap();
-        differs(&format!("examples/gallery/films/{name}.svg"), &piece.film.to_svg().unwrap());
+    differs("linkage-core/src/figures/drawn.md", &gallery::figures::addresses().unwrap());
+    for (name, figure) in gallery::figures::figures(Theme::Dark).unwrap() {
+        differs(&format!("examples/gallery/figures/{name}_dark.svg"), &figure);
+    }
+    for (name, film) in gallery::readme() {
+        let kept = |end: &str| format!("examples/gallery/films/{name}{end}.svg");
+        differs(&kept(""), &film.to_svg().unwrap());
+        differs(&kept("_dark"), &film.to_svg_in(Theme::Dark).unwrap());
     }
 }

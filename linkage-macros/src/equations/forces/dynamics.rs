@@ -21,7 +21,7 @@
 use crate::equations::forces::power::{applied_power, of_one_among_several};
 use crate::equations::forces::reduced::Reduced;
 use crate::equations::forces::unit_rate::at_unit_rate;
-use crate::equations::kinematics::Kinematics;
+use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::symbol::Sym;
 use crate::ir::graph::{Check, Id, Node};
 
@@ -56,12 +56,8 @@ fn equations_of<'s>(kinematics: &Kinematics<'s>) -> Equations<'s> {
 }
 
 fn without_second_rates<'s>(kinematics: &Kinematics<'s>) -> Kinematics<'s> {
-    let inputs = kinematics.inputs.iter().map(|source| {
-        let mut source = *source;
-        source.jet.accel = kinematics.sheet.zero();
-        source
-    });
-    Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs.collect())
+    let inputs = Source::without_second_rates(&kinematics.inputs, kinematics.sheet);
+    Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs)
 }
 
 /// Whether no input is known to move no mass at all.

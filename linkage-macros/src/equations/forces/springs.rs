@@ -83,8 +83,7 @@ pub(super) fn forces<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s
 fn force<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) -> Vector<'s> {
     let Numbers { stiffness, damping, free } = numbers(kinematics, index);
     if free.is_zero() && damping.is_zero() {
-        let [p, q] = points.map(|point| kinematics.point(point));
-        return -(stiffness * p.to(q));
+        return -(stiffness * vector(kinematics, points));
     }
     let line = line(kinematics, index, points);
     (push(kinematics, index, points) * line.inverse) * line.vector
@@ -106,11 +105,19 @@ fn push<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) -> 
     -(stiffness * (line.length - free) + damping * kinematics.in_tempo(closing))
 }
 
-/// A length that may be zero.
+fn vector<'s>(kinematics: &Kinematics<'s>, points: [PointId; 2]) -> Vector<'s> {
+    let [first, second] = points.map(|point| kinematics.point(point));
+    first.to(second)
+}
+
+/// The square of a length that may be zero.
+fn square_of_length<'s>(kinematics: &Kinematics<'s>, points: [PointId; 2]) -> Sym<'s> {
+    let vector = vector(kinematics, points);
+    vector.dot(vector)
+}
+
 fn length<'s>(kinematics: &Kinematics<'s>, points: [PointId; 2]) -> Sym<'s> {
-    let [p, q] = points.map(|point| kinematics.point(point));
-    let vector = p.to(q);
-    vector.dot(vector).sqrt()
+    square_of_length(kinematics, points).sqrt()
 }
 
 /// What torsion springs put on bodies.
@@ -142,11 +149,7 @@ pub(super) fn energy<'s>(kinematics: &Kinematics<'s>) -> Sym<'s> {
     let straight = between_points(kinematics).map(|(index, points)| {
         let Numbers { stiffness, free, .. } = numbers(kinematics, index);
         let square = match free.is_zero() {
-            true => {
-                let [p, q] = points.map(|point| kinematics.point(point));
-                let vector = p.to(q);
-                vector.dot(vector)
-            }
+            true => square_of_length(kinematics, points),
             false => (length(kinematics, points) - free).squared(),
         };
         stiffness.half() * square

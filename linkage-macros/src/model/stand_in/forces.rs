@@ -4,20 +4,19 @@ use proc_macro2::Ident;
 
 use crate::model::dynamics::{Asked, Effort, Ends, Mass, MassPlace, Quantity, Spring};
 use crate::model::mechanism::{Carrier, InputId, LinkId, PointId, SpringId};
-use crate::syntax::action::Action;
+use crate::model::springs::parts;
+use crate::syntax::action::{ACTING, Action};
+use crate::syntax::anatomy::{Anatomy, Pin};
 use crate::syntax::tree::{Declaration, Group, StatementKind};
 
 use super::{StandIn, Thing, zero};
-
-/// Words that say that something has mass or acts.
-const WORDS: [&str; 5] = ["mass", "inertia", "force", "torque", "spring"];
 
 impl StandIn {
     /// Nothing where nothing can have mass or act.
     pub(super) fn give_forces(&mut self, declaration: &Declaration) {
         let statements = || declaration.statements.iter().map(|statement| &statement.kind);
         let acts = |kind: &StatementKind| matches!(kind, StatementKind::Action(action) if !matches!(action, Action::Gravity { .. }));
-        if !statements().any(acts) && !WORDS.iter().any(|word| declaration.unread.may_hold(word)) {
+        if !statements().any(acts) && !ACTING.iter().any(|word| declaration.unread.may_hold(word)) {
             return;
         }
         self.mechanism.dynamics.energy = true;
@@ -43,14 +42,14 @@ impl StandIn {
     }
 
     fn give_forces_of(&mut self, group: &Group) {
-        let keyword = group.keyword.to_string();
+        let Some(anatomy) = Anatomy::of(&group.keyword.to_string()) else { return };
         for leg in &group.legs {
             let Some(&Thing::Link(link)) = self.things.get(&leg.link.to_string()) else { continue };
             let owner = &leg.link;
-            if ["crank", "slider"].contains(&&keyword[..]) {
+            if !anatomy.is_dyad() {
                 self.ask(owner, "drive", Effort::Drive(link));
             }
-            if ["crank", "rrr", "rrp"].contains(&&keyword[..]) {
+            if anatomy.has_length() {
                 self.ask(owner, "push", Effort::Push(link));
             }
             for joint in leg.joint.iter().chain(&group.pin) {
@@ -59,7 +58,7 @@ impl StandIn {
                     false => self.give_pin(owner, link, joint),
                 }
             }
-            if ["rpr", "rpp"].contains(&&keyword[..])
+            if matches!(anatomy.pin, Pin::None(_))
                 && let Some(other) = group.legs.iter().find(|other| other.link != *owner)
             {
                 self.ask(owner, &other.link.to_string(), Effort::Guide(link));
@@ -82,10 +81,7 @@ impl StandIn {
             Some(points) if !ends.iter().any(is_body) => points,
             _ => Ends::Bodies([Carrier::Ground; 2]),
         };
-        let (length, what) = match ends {
-            Ends::Points(_) => ("length", "force"),
-            Ends::Bodies(_) => ("angle", "torque"),
-        };
+        let [what, length] = parts(ends);
         let springs = &mut self.mechanism.dynamics.springs;
         let id = SpringId(springs.len() as u32);
         springs.push(Spring {

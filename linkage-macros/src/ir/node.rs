@@ -1,0 +1,143 @@
+//! The nodes of the expression graph, and what each is made from.
+
+/// A node of a graph.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct Id(pub u32);
+
+impl Id {
+    pub(crate) const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// An interned exact constant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct ConstantId(pub u32);
+
+/// A condition, see `graph::Guard`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct GuardId(pub u32);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Node {
+    Constant(ConstantId),
+    /// An input (`order` 0), its rate (1) or its second rate (2).
+    Input {
+        input: u32,
+        order: u8,
+    },
+    /// The cosine of an input, where an `_at` entry is given it: with `InputSin` a point of the unit
+    /// circle, which rewrites may take for granted. The run-time crate divides the amplitude out
+    /// of what a resolver gives before any formula sees it.
+    InputCos(u32),
+    /// The sine of an input, where an `_at` entry is given it.
+    InputSin(u32),
+    /// A numeric parameter.
+    Param(u32),
+    /// A load: a force, a torque or a number that a call is given.
+    Load(u32),
+    /// The effort that drives an input, where a call is given it.
+    Drive(u32),
+    /// A mode parameter as +1 or −1.
+    Mode(u32),
+    Neg(Id),
+    Add(Id, Id),
+    Sub(Id, Id),
+    Mul(Id, Id),
+    Div(Id, Id),
+    Sqrt(Id),
+    /// Sine and cosine of the same angle are one call in the generated code.
+    Sin(Id),
+    Cos(Id),
+    Tan(Id),
+    Asin(Id),
+    Acos(Id),
+    Atan(Id),
+    /// `Atan2(y, x)`
+    Atan2(Id, Id),
+    Hypot(Id, Id),
+    /// a·b − c·d, rounded as if it were one operation; opaque to simplification except where it
+    /// collapses to a single product.
+    Det([Id; 4]),
+    /// The rounding error of a product: zero in real arithmetic.
+    MulErr(Id, Id),
+    /// The rounding error of a sum: zero in real arithmetic.
+    AddErr(Id, Id),
+    /// The low word of a constant: what rounding it to a number of the working width leaves.
+    Low(ConstantId),
+    /// a·b + c, fused where the number has a fused operation.
+    Fused(Id, Id, Id),
+    /// The value, provided that the guard's condition holds.
+    Guard(Id, GuardId),
+    /// A value at which the equation of an unknown is tried. What depends on it is computed inside
+    /// the search alone.
+    Trial(u32),
+    /// The root of an unknown's equation.
+    Root(Sought),
+    /// The size by which the rounding of a root's equation is measured.
+    Size(Id),
+}
+
+/// What a root is searched by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Sought {
+    pub unknown: u32,
+    /// The sign of the slope at the root.
+    pub rises: bool,
+    pub between: [Id; 2],
+    pub near: Option<Id>,
+    /// The two sides at the trial, and the slope of their difference.
+    pub sides: [Id; 3],
+}
+
+impl Node {
+    /// Calls `f` with every operand that the fast path computes with.
+    pub(crate) fn for_operands(self, f: &mut impl FnMut(Id)) {
+        self.map_operands(&mut |operand| {
+            f(operand);
+            operand
+        });
+    }
+
+    /// The same node on other operands; a guard's own operands are not among them.
+    pub(crate) fn map_operands(self, f: &mut impl FnMut(Id) -> Id) -> Self {
+        match self {
+            Self::Constant(_)
+            | Self::Input { .. }
+            | Self::InputCos(_)
+            | Self::InputSin(_)
+            | Self::Param(_)
+            | Self::Load(_)
+            | Self::Drive(_)
+            | Self::Mode(_)
+            | Self::Trial(_)
+            | Self::Low(_) => self,
+            Self::Root(sought) => Self::Root(Sought {
+                between: sought.between.map(&mut *f),
+                near: sought.near.map(&mut *f),
+                sides: sought.sides.map(&mut *f),
+                ..sought
+            }),
+            Self::Size(root) => Self::Size(f(root)),
+            Self::Neg(a) => Self::Neg(f(a)),
+            Self::Sqrt(a) => Self::Sqrt(f(a)),
+            Self::Sin(a) => Self::Sin(f(a)),
+            Self::Cos(a) => Self::Cos(f(a)),
+            Self::Tan(a) => Self::Tan(f(a)),
+            Self::Asin(a) => Self::Asin(f(a)),
+            Self::Acos(a) => Self::Acos(f(a)),
+            Self::Atan(a) => Self::Atan(f(a)),
+            Self::Guard(a, guard) => Self::Guard(f(a), guard),
+            Self::Add(a, b) => Self::Add(f(a), f(b)),
+            Self::Sub(a, b) => Self::Sub(f(a), f(b)),
+            Self::Mul(a, b) => Self::Mul(f(a), f(b)),
+            Self::Div(a, b) => Self::Div(f(a), f(b)),
+            Self::Atan2(a, b) => Self::Atan2(f(a), f(b)),
+            Self::Hypot(a, b) => Self::Hypot(f(a), f(b)),
+            Self::MulErr(a, b) => Self::MulErr(f(a), f(b)),
+            Self::AddErr(a, b) => Self::AddErr(f(a), f(b)),
+            Self::Fused(a, b, c) => Self::Fused(f(a), f(b), f(c)),
+            Self::Det(operands) => Self::Det(operands.map(f)),
+        }
+    }
+}

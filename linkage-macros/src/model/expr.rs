@@ -1,0 +1,72 @@
+//! Numbers of a resolved declaration: names are ids, lengths in metres, angles in radians.
+
+use crate::exact::Exact;
+use crate::model::ids::{
+    GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
+};
+
+/// A scalar expression. Lengths in metres, angles in radians.
+#[derive(Clone, Debug)]
+pub(crate) enum Expr {
+    Constant(Exact),
+    Input(InputId),
+    Param(ParamId),
+    /// A load, in the values of forces and torques alone.
+    Load(LoadId),
+    /// What an equation fixes.
+    Unknown(UnknownId),
+    /// The part of a named expression that is not a multiple of link angles.
+    Let(LetId),
+    /// The slide of a link that slides.
+    Slide(LinkId),
+    /// A coordinate of a point in ground axes.
+    Coordinate(PointId, Axis),
+    /// The distance between two points.
+    Distance([PointId; 2]),
+    /// The distance of a point from a guide's line, positive on the side of its normal.
+    Offset(PointId, GuideId),
+    /// How far a spring between two bodies is turned from its free angle.
+    Twist(SpringId),
+    /// The rate of a sum of angles, or of any other number, in the values of forces and torques
+    /// alone.
+    Rate(Box<AngleSum>),
+    Negate(Box<Expr>),
+    /// One operation after the other, each on what the one before has made.
+    Chain(Box<Expr>, Vec<(Operator, Expr)>),
+    Call(Function, Vec<Expr>),
+}
+
+/// An axis of the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axis {
+    X,
+    Y,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Operator {
+    Add,
+    Sub,
+    Mul,
+    Div,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Function {
+    Sqrt,
+    Hypot,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Atan2,
+}
+
+/// An angle (or any other number, then without link angles): Σ kᵢ·linkᵢ.angle + rest.
+#[derive(Clone, Debug)]
+pub(crate) struct AngleSum {
+    pub links: Vec<(LinkId, i32)>,
+    pub rest: Expr,
+}

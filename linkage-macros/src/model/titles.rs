@@ -1,0 +1,59 @@
+//! What errors call groups, springs, forces and inputs.
+
+use super::dynamics::{Ends, Force, Spring};
+use super::mechanism::{Carrier, Mechanism, PointId};
+
+impl Mechanism {
+    /// What errors call the groups, and behind them what acts along a line between two points, which
+    /// has no direction where they meet: springs, then forces; and inputs, which may move no mass.
+    pub(crate) fn titles(&self) -> Vec<String> {
+        let groups = self.groups.iter().map(|group| group.title.clone());
+        let springs = self.dynamics.springs.iter().map(|spring| self.spring_title(spring));
+        let forces = self.dynamics.forces.iter().map(|force| match force {
+            Force::Between { points, .. } => format!("force {}", self.pair(*points)),
+            Force::At { .. } => String::new(),
+        });
+        let inputs = self.inputs.iter().map(|input| input.name.to_string());
+        groups.chain(springs).chain(forces).chain(inputs).collect()
+    }
+
+    /// The number of an input's title among [`Self::titles`].
+    pub(crate) fn title_of_input(&self, input: usize) -> u32 {
+        let forces = self.dynamics.forces.len() as u32;
+        self.title_of_force(0) + forces + input as u32
+    }
+
+    fn spring_title(&self, spring: &Spring) -> String {
+        match (&spring.name, spring.ends) {
+            (Some(name), _) => format!("spring {name}"),
+            (None, Ends::Points(points)) => format!("spring {}", self.pair(points)),
+            (None, Ends::Bodies(bodies)) => {
+                let [first, second] = bodies.map(|body| self.body_name(body));
+                format!("spring {first}, {second}")
+            }
+        }
+    }
+
+    fn pair(&self, points: [PointId; 2]) -> String {
+        let [p, q] = points.map(|point| &self.points[point.index()].name);
+        format!("{p}, {q}")
+    }
+
+    /// `ground` or the link.
+    pub(crate) fn body_name(&self, body: Carrier) -> String {
+        match body {
+            Carrier::Ground => "ground".to_string(),
+            Carrier::Link(link) => self.links[link.index()].name.to_string(),
+        }
+    }
+
+    /// The number of a spring's title among [`Self::titles`].
+    pub(crate) fn title_of_spring(&self, spring: usize) -> u32 {
+        (self.groups.len() + spring) as u32
+    }
+
+    /// The number of a force's title among [`Self::titles`].
+    pub(crate) fn title_of_force(&self, force: usize) -> u32 {
+        (self.groups.len() + self.dynamics.springs.len() + force) as u32
+    }
+}
