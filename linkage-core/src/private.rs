@@ -39,8 +39,8 @@ pub use crate::with_sketch_ as with_sketch;
 pub use crate::{
     AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, ForcesCost, Fusion,
     GuideForce, LaneMask, Lanes, Mask, Mechanism, Operations, Point, Real, Record, Scalar,
-    SearchCost, SearchingCost, Sense, Shaking, Side, Slide, SlidingAcceleration, SlidingDirection,
-    SlidingVelocity, SolveError,
+    SearchCost, SearchingCost, SearchingForcesCost, Sense, Shaking, Side, Slide,
+    SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError,
 };
 #[cfg(feature = "sketch")]
 pub use core::iter::IntoIterator;

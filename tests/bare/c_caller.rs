@@ -8,7 +8,9 @@ use std::process::{Command, Output};
 use std::sync::LazyLock;
 
 use crate::build::{directory, library, sources, text};
-use crate::mechanisms::{self, Excavator, FlyingShear, HeavyPress, HeavyRobot, TunedFourBar};
+use crate::mechanisms::{
+    self, Excavator, FlyingShear, HeavyPress, HeavyRobot, SearchedPress, TunedFourBar,
+};
 use linkage_core::{Side, SolveError};
 
 /// Compiles a C program against the library and runs it.
@@ -28,7 +30,7 @@ fn run_c(library: &Path, source: &Path) -> Output {
 }
 
 /// What every header is called, and its text.
-const HEADERS: [(&str, &str); 10] = [
+const HEADERS: [(&str, &str); 11] = [
     ("flying_shear.h", FlyingShear::C_HEADER),
     ("tuned_four_bar.h", TunedFourBar::C_HEADER),
     ("slider_crank.h", mechanisms::SliderCrank::C_HEADER),
@@ -39,6 +41,7 @@ const HEADERS: [(&str, &str); 10] = [
     ("heavy_press.h", HeavyPress::C_HEADER),
     ("heavy_robot.h", HeavyRobot::C_HEADER),
     ("driven_four_bar.h", mechanisms::DrivenFourBar::C_HEADER),
+    ("searched_press.h", SearchedPress::C_HEADER),
 ];
 
 /// Where the headers are, written once: tests run side by side.
@@ -64,6 +67,7 @@ impl Report {
             Err(SolveError::Invalid { group, name }) => (3, 0.0, group, name),
             Err(SolveError::NotFinite { name }) => (4, 0.0, "", name),
             Err(SolveError::OffCircle { name, .. }) => (7, 0.0, "", name),
+            Err(SolveError::NoSolution { unknown, by, .. }) => (8, by, "", unknown),
             Err(error) => panic!("{error} has no status"),
         };
         let bytes = match &result {
@@ -135,6 +139,17 @@ fn robot(report: &mut Report, inputs: [f64; 2]) {
     report.add("heavy_robot_equations_of_motion_f32", found);
 }
 
+fn search(report: &mut Report, inputs: [f64; 2], seed: f64) {
+    let (wide, narrow) = (SearchedPress { seed }, SearchedPress::<f32> { seed: seed as f32 });
+    let (rates, accelerations) = ([0.5, -0.25], [2.0, 1.0]);
+    report.add("searched_press_position", wide.position(inputs));
+    report.add("searched_press_motion", wide.motion(inputs, rates, accelerations));
+    report.add("searched_press_forces", wide.forces(inputs, rates, accelerations));
+    let velocity = narrow.velocity(inputs.map(|input| input as f32), [0.5, -0.25]);
+    report.add("searched_press_velocity_f32", velocity);
+    report.add("searched_press_coefficients", wide.coefficients(inputs));
+}
+
 fn excavator(report: &mut Report, inputs: [f64; 3]) {
     let (wide, narrow) = (Excavator::new(), Excavator::<f32>::default());
     let motion = wide.motion(inputs, [0.1, -0.2, 0.3], [0.01, 0.02, -0.03]);
@@ -194,7 +209,10 @@ fn expected() -> String {
         excavator(&mut report, [2.3125 + 0.0625 * by, 2.25 + 0.03125 * by, 1.90625 + 0.03125 * by]);
         press(&mut report, 0.25 * by, [100.0 * by, 2.5]);
         robot(&mut report, [2.0 + 0.125 * by, 1.0 - 0.0625 * by]);
+        search(&mut report, [0.25 + 0.0078125 * by, 1.125 + 0.015625 * by], 1.5 + 0.25 * by);
     }
+    search(&mut report, [0.25, f64::NAN], 1.0);
+    search(&mut report, [0.25, 1.0], f64::NAN);
     press(&mut report, 0.5, [f64::NAN, 1.0]);
     for part in [
         "four_bar_motion 0 ",
@@ -203,6 +221,10 @@ fn expected() -> String {
         "excavator_motion 0 ",
         "robot_forward_dynamics 0 ",
         "robot_forward_dynamics 1 ",
+        "searched_press_motion 0 ",
+        "searched_press_forces 0 ",
+        "searched_press_position 8 ",
+        "searched_press_position 4 ",
     ] {
         assert!(report.0.contains(part), "the poses are all of one kind: no `{part}`");
     }

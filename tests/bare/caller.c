@@ -9,6 +9,7 @@
 #include "excavator.h"
 #include "heavy_press.h"
 #include "heavy_robot.h"
+#include "searched_press.h"
 
 /* What an answer holds before the call, and has to hold after a call that fails. */
 #define UNTOUCHED 0xa5
@@ -81,6 +82,23 @@ static void robot(double first, double second)
     CALL(heavy_robot_equations_of_motion, HeavyRobotEquations, &inputs, &rates);
     LIST(heavy_robot_forward_dynamics_f32, float, HEAVY_ROBOT_INPUTS, &narrow, &speeds, push);
     CALL(heavy_robot_equations_of_motion_f32, HeavyRobotEquationsF32, &narrow, &speeds);
+}
+
+/* Within the stroke and beyond it, the seed near the root and far from it. */
+static void search(double x, double h, double seed)
+{
+    SearchedPress wide = searched_press_default();
+    SearchedPressF32 narrow = searched_press_default_f32();
+    const SearchedPressInput inputs = {x, h}, rates = {0.5, -0.25}, accelerations = {2.0, 1.0};
+    const SearchedPressInputF32 inputs_f32 = {(float)x, (float)h}, rates_f32 = {0.5f, -0.25f};
+    wide.seed = seed;
+    narrow.seed = (float)seed;
+    CALL(searched_press_position, SearchedPressPosition, &wide, &inputs);
+    CALL(searched_press_motion, SearchedPressMotion, &wide, &inputs, &rates, &accelerations);
+    CALL(searched_press_forces, SearchedPressForces, &wide, &inputs, &rates, &accelerations);
+    CALL(searched_press_velocity_f32, SearchedPressVelocityF32, &narrow, &inputs_f32, &rates_f32);
+    COEFFICIENTS(searched_press_coefficients, double, SEARCHED_PRESS_OUTPUTS, SEARCHED_PRESS_INPUTS,
+                 &wide, &inputs);
 }
 
 static void shear(double theta, double rate, double acceleration)
@@ -178,7 +196,10 @@ int main(void)
         excavator(2.3125 + 0.0625 * i, 2.25 + 0.03125 * i, 1.90625 + 0.03125 * i);
         press(0.25 * i, 100.0 * i, 2.5);
         robot(2.0 + 0.125 * i, 1.0 - 0.0625 * i);
+        search(0.25 + 0.0078125 * i, 1.125 + 0.015625 * i, 1.5 + 0.25 * i);
     }
+    search(0.25, NAN, 1.0);
+    search(0.25, 1.0, NAN);
     press(0.5, NAN, 1.0);
     mistakes();
     return 0;

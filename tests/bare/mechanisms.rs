@@ -234,7 +234,13 @@ mechanism! {
         rrp   EF(E), block(post) -> F { length: 0.5m, mode: ahead }
         solve phi { distance(C, F) = h, mode: rising }
 
-        output theta, phi, C, F, BC, BC.margin;
+        gravity (0, -9.81);
+        mass 3kg on BC uniform;
+        mass 8kg on ram at (0, 10mm) inertia 0.1(kg*m^2);
+        mass 2kg on DE at (0.1m, 0) inertia 0.02(kg*m^2);
+        mass 1kg on F;
+
+        output theta, phi, C, F, BC, BC.margin, x.drive, h.drive, energy;
         export c;
     }
 }

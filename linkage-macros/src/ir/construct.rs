@@ -99,7 +99,8 @@ pub(crate) fn remade(
             let mut is_touched = false;
             old.for_operands_of(node, &mut |operand| is_touched |= to(operand) != operand);
             match node {
-                _ if !is_touched => id,
+                // An unknown is searched once for all answers.
+                _ if !is_touched || matches!(node, Node::Root(_)) => id,
                 Node::Guard(value, guard) => {
                     maker.make_guarded(to(value), old.condition(guard).on(&to))
                 }

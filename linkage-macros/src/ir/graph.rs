@@ -76,9 +76,9 @@ pub(crate) enum Check {
     Positive(String),
     /// Fast path: value ≥ 0. Slow path: negative is `Invalid` with this name.
     NotNegative(String),
-    /// An equation's left − right in the final pose. Operand: the size of its sides. Both paths ask
-    /// whether it is closed; `NoSolution`, where it is not, bears the group's name.
-    Closed,
+    /// An equation's left − right in the final pose, in this unit. Operand: the size of its sides.
+    /// Both paths ask whether it is closed; `NoSolution`, where it is not, bears the group's name.
+    Closed(String),
     /// The slope of an equation at its root, in the wanted way. Fast path: above what rounding does
     /// to it. Slow path: `Singular` where it is not. Operand: the spread.
     Moving,

@@ -20,6 +20,7 @@ pub mod ranges;
 pub mod resolvers;
 pub mod right_or_refused;
 pub mod scaled_change_points;
+pub mod searched_forces;
 pub mod set_points;
 pub mod single_groups;
 pub mod slides;
