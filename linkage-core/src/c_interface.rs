@@ -73,7 +73,7 @@ impl From<SolveError> for CError {
                 Self::NONE.in_group(INVALID_LENGTH, group).because_of(INVALID_LENGTH, name)
             }
             SolveError::NotFinite { name } => Self::NONE.because_of(NOT_FINITE, name),
-            SolveError::NoSolution { unknown, by } => {
+            SolveError::NoSolution { unknown, by, .. } => {
                 Self { by, ..Self::NONE.because_of(NO_SOLUTION, unknown) }
             }
             SolveError::OffCircle { name, .. } => Self::NONE.because_of(OFF_CIRCLE, name),
@@ -121,7 +121,7 @@ mod tests {
         assert_eq!(parts(SolveError::NotFinite { name }), (NOT_FINITE, 0.0, 0, 6));
         let off_circle = SolveError::OffCircle { name: "theta", amplitude: 0.5 };
         assert_eq!(parts(off_circle), (OFF_CIRCLE, 0.0, 0, 5));
-        let no_solution = SolveError::NoSolution { unknown: "theta", by: 0.5 };
+        let no_solution = SolveError::NoSolution { unknown: "theta", by: 0.5, unit: "m" };
         assert_eq!(parts(no_solution), (NO_SOLUTION, 0.5, 0, 5));
         assert_eq!(parts(CError::null_pointer("error")), (NULL_POINTER, 0.0, 0, 5));
         assert_eq!(parts(CError::NONE), (0, 0.0, 0, 0));

@@ -39,15 +39,20 @@ pub trait Checks<T: Scalar> {
     /// Sine and cosine of an angle.
     fn sin_cos(&mut self, angle: T) -> (T, T);
 
-    /// The root of an unknown's equation and the size that its rounding is measured by. Where none
-    /// was found, what is returned leads to a refusal in the end.
-    fn root(&mut self, found: Result<[T; 2], FindError>, unknown: &'static str) -> (T, T)
+    /// The root of an unknown's equation, of sides in this unit, and the size that its rounding is
+    /// measured by. Where none was found, what is returned leads to a refusal in the end.
+    fn root(
+        &mut self,
+        found: Result<[T; 2], FindError>,
+        unknown: &'static str,
+        unit: &'static str,
+    ) -> (T, T)
     where
         T: Real;
 
     /// Asks whether the difference of an equation's sides is none in the final pose: less than 64 √ε
     /// of what they are made of, which any root is by far and a jump of the difference is not.
-    fn closed(&mut self, difference: T, size: T, unknown: &'static str)
+    fn closed(&mut self, difference: T, size: T, unknown: &'static str, unit: &'static str)
     where
         T: Real;
 
@@ -163,7 +168,7 @@ impl<M: Mask> AllMet<M> {
 
 impl<T: Scalar> Checks<T> for AllMet<T::Mask> {
     #[inline(always)]
-    fn root(&mut self, found: Result<[T; 2], FindError>, _: &'static str) -> (T, T)
+    fn root(&mut self, found: Result<[T; 2], FindError>, _: &'static str, _: &'static str) -> (T, T)
     where
         T: Real,
     {
@@ -178,7 +183,7 @@ impl<T: Scalar> Checks<T> for AllMet<T::Mask> {
     }
 
     #[inline(always)]
-    fn closed(&mut self, difference: T, size: T, _: &'static str)
+    fn closed(&mut self, difference: T, size: T, _: &'static str, _: &'static str)
     where
         T: Real,
     {
@@ -258,21 +263,26 @@ impl FirstError {
 impl<T: Real> Checks<T> for FirstError {
     /// Where the equation was not a number the formulas go on with that trial, and find the group
     /// that cannot be assembled there.
-    fn root(&mut self, found: Result<[T; 2], FindError>, unknown: &'static str) -> (T, T) {
+    fn root(
+        &mut self,
+        found: Result<[T; 2], FindError>,
+        unknown: &'static str,
+        unit: &'static str,
+    ) -> (T, T) {
         let error = match found {
             Ok([at, size]) => return (at, size),
             Err(error) => error,
         };
-        let (refusal, at) = diagnosis::no_root(error, unknown);
+        let (refusal, at) = diagnosis::no_root(error, unknown, unit);
         let kept = if at.is_some() { &mut self.otherwise } else { &mut self.first };
         *kept = kept.or(Some(refusal));
         let at = at.unwrap_or(0.0);
         (T::lit(at, at as f32), T::lit(0.0, 0.0))
     }
 
-    fn closed(&mut self, difference: T, size: T, unknown: &'static str) {
+    fn closed(&mut self, difference: T, size: T, unknown: &'static str, unit: &'static str) {
         if self.otherwise.is_none() {
-            self.keep((), || diagnosis::closed(difference, size, unknown));
+            self.keep((), || diagnosis::closed(difference, size, unknown, unit));
         }
     }
 

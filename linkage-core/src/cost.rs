@@ -74,6 +74,28 @@ pub struct SearchingCost {
     pub searches: &'static [SearchCost],
 }
 
+/// What a solver with unknowns and with masses or loads costs, as `COST` of the generated struct
+/// states it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SearchingForcesCost {
+    /// Of `position`, but for the searches.
+    pub position: Operations,
+    /// Of `motion`: position, velocity and acceleration together, but for the searches.
+    pub motion: Operations,
+    /// Of `coefficients`, but for the searches.
+    pub coefficients: Operations,
+    /// Of `forces`, but for the searches.
+    pub forces: Operations,
+    /// Of `statics`, but for the searches.
+    pub statics: Operations,
+    /// Of `energy`, but for the searches; nothing where it is not asked for.
+    pub energy: Operations,
+    /// Of `forward_dynamics`, but for the searches; nothing where an input moves no mass.
+    pub forward_dynamics: Operations,
+    /// Of each unknown, in any of these.
+    pub searches: &'static [SearchCost],
+}
+
 impl Operations {
     /// All operations, each counted once whatever it costs.
     #[must_use]
@@ -123,6 +145,24 @@ impl fmt::Display for SearchingCost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { position, motion, coefficients, searches } = *self;
         write!(f, "{}", Cost { position, motion, coefficients })?;
+        searches.iter().try_for_each(|search| write!(f, "; {search}"))
+    }
+}
+
+impl fmt::Display for SearchingForcesCost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { position, motion, coefficients, forces, statics, energy, .. } = *self;
+        let Self { forward_dynamics, searches, .. } = *self;
+        let closed = ForcesCost {
+            position,
+            motion,
+            coefficients,
+            forces,
+            statics,
+            energy,
+            forward_dynamics,
+        };
+        write!(f, "{closed}")?;
         searches.iter().try_for_each(|search| write!(f, "; {search}"))
     }
 }

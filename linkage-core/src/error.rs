@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::shown::{Digits, Length};
+use crate::shown::{Digits, Length, Measured};
 
 /// Why a solver gave no answer. The group is named by its links, as declared: `"BC, DC"`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,9 +41,10 @@ pub enum SolveError {
     NoSolution {
         /// The unknown.
         unknown: &'static str,
-        /// What is left of the equation at the nearer end, or at the dead point next to it, in its
-        /// own unit: metres, radians or none.
+        /// What is left of the equation at the nearer end, or at the dead point next to it.
         by: f64,
+        /// The unit of that: `m`, `rad`, `m²`, or `1` for a plain number.
+        unit: &'static str,
     },
     /// A result is not a finite number.
     NotFinite {
@@ -64,8 +65,9 @@ impl fmt::Display for SolveError {
             Self::Singular { group } => {
                 write!(f, "{group}: at a dead point, where this is undefined")
             }
-            Self::NoSolution { unknown, by } => {
-                write!(f, "{unknown}: no solution between its ends, {by} is missing")
+            Self::NoSolution { unknown, by, unit } => {
+                write!(f, "{unknown}: no solution between its ends, ")?;
+                write!(f, "{} is missing", Measured { value: by, unit })
             }
             Self::Invalid { group, name } if is_mass(name) || is_spring(group) => {
                 write!(f, "{group}: `{name}` must not be negative")

@@ -162,7 +162,7 @@ mod sweep;
 mod tracker;
 
 pub use absent::Inputs;
-pub use cost::{Cost, ForcesCost, Operations, SearchCost, SearchingCost};
+pub use cost::{Cost, ForcesCost, Operations, SearchCost, SearchingCost, SearchingForcesCost};
 #[cfg(feature = "ad")]
 pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_twice};
 pub use error::SolveError;

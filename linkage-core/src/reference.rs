@@ -14,9 +14,18 @@
 //! Whoever is new here reads [`language`] down to the table of statements, copies something from
 //! [`recipes`], and looks the rest up.
 //!
-//! These modules hold documentation alone; the files are `docs/*.md` of the crate.
+//! These modules hold documentation alone; the files are `docs/*.md` of the crate, whose links lead to
+//! each other there and, by the definitions that come first, to items here.
 
 pub mod language {
+    //! [control]: super::control
+    //! [expressions]: super::expressions
+    //! [figures]: super::figures
+    //! [forces]: super::forces
+    //! [`extrema`]: crate::range::extrema()
+    //! [`limits`]: crate::range::limits()
+    //! [`Tracker`]: crate::Tracker
+    //!
     // The page's figures as they are, ahead of the files that the page names where it is read by itself:
     // of two definitions the first holds.
     #![doc = include_str!("figures/drawn.md")]
@@ -77,18 +86,39 @@ pub mod expressions {
 }
 
 pub mod forces {
+    //! [language]: super::language
+    //!
     #![doc = include_str!("../docs/forces.md")]
 }
 
 pub mod solver {
+    //! [`Direction`]: crate::Direction
+    //! [`Mechanism`]: crate::Mechanism
+    //! [`Point`]: crate::Point
+    //! [`Record::LABELS`]: crate::Record::LABELS
+    //! [`Record::links`]: crate::Record::links
+    //! [`Record::points`]: crate::Record::points
+    //! [`SlidingDirection`]: crate::SlidingDirection
+    //! [`SolveError`]: crate::SolveError
+    //! [`Tracker`]: crate::Tracker
+    //! [`find`]: crate::find
+    //! [`range::extrema`]: crate::range::extrema()
+    //! [`range::limits`]: crate::range::limits()
+    //! [`unwanted()`]: crate::unwanted
+    //! [forces]: super::forces
+    //!
     #![doc = include_str!("../docs/solver.md")]
 }
 
 pub mod recipes {
+    //! [`find`]: crate::find
+    //!
     #![doc = include_str!("../docs/recipes.md")]
 }
 
 pub mod control {
+    //! [measurements]: super::measurements
+    //!
     #![doc = include_str!("../docs/control.md")]
 }
 

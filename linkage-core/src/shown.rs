@@ -20,6 +20,26 @@ impl fmt::Display for Length {
     }
 }
 
+/// A number in a unit: lengths in the one that suits them, angles in degrees.
+pub(crate) struct Measured {
+    pub value: f64,
+    /// `m`, `rad`, `m²`, or `1` for a plain number.
+    pub unit: &'static str,
+}
+
+impl fmt::Display for Measured {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { value, unit } = *self;
+        // Letter by letter: comparing strings at once is a call to the C library.
+        match unit.as_bytes() {
+            [b'm'] => Length(value).fmt(f),
+            [b'r', b'a', b'd'] => write!(f, "{}°", Digits(value.to_degrees())),
+            [b'1'] => Digits(value).fmt(f),
+            _ => write!(f, "{} {unit}", Digits(value)),
+        }
+    }
+}
+
 /// A number with three digits.
 pub(crate) struct Digits(pub f64);
 
@@ -74,6 +94,20 @@ mod tests {
             [(0.873_2, "0.873"), (9.996, "10.0"), (0.01, "0.0100"), (1e-3, "1.00e-3")]
         {
             assert_eq!(Digits(value).to_string(), text);
+        }
+    }
+
+    #[test]
+    fn what_is_measured_has_a_unit() {
+        for (value, unit, text) in [
+            (0.012_34, "m", "12.3 mm"),
+            (core::f64::consts::FRAC_PI_6, "rad", "30.0°"),
+            (-1e-6, "rad", "-5.73e-5°"),
+            (0.5, "1", "0.500"),
+            (0.25, "m²", "0.250 m²"),
+            (2.0, "1/m", "2.00 1/m"),
+        ] {
+            assert_eq!(Measured { value, unit }.to_string(), text);
         }
     }
 }

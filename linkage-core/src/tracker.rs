@@ -45,7 +45,8 @@ pub struct Clearance<T> {
 /// searched: between its ends an unknown keeps the trend that its equation is declared with.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be followed through changes of mode",
-    note = "a mechanism with `solve` keeps its modes and its trend: it has no `Tracker` and no `limits`"
+    note = "a mechanism with `solve` has no `Tracker` and no `limits`: for these declare it with its unknown \
+            as an `input`"
 )]
 pub trait Modes: Copy {
     /// The numbers it computes with.

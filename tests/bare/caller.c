@@ -8,6 +8,8 @@
 #include "tuned_four_bar.h"
 #include "excavator.h"
 #include "heavy_press.h"
+#include "heavy_robot.h"
+#include "searched_press.h"
 
 /* What an answer holds before the call, and has to hold after a call that fails. */
 #define UNTOUCHED 0xa5
@@ -46,6 +48,15 @@ static void report(const char *name, LinkageStatus status, const LinkageError *e
         report(#function, status, &error, answer, sizeof answer);                 \
     } while (0)
 
+#define LIST(function, number, count, ...)                                        \
+    do {                                                                          \
+        number answer[count];                                                     \
+        LinkageError error;                                                       \
+        memset(answer, UNTOUCHED, sizeof answer);                                 \
+        LinkageStatus status = function(__VA_ARGS__, answer, &error);             \
+        report(#function, status, &error, answer, sizeof answer);                 \
+    } while (0)
+
 static void press(double theta, double work, double friction)
 {
     const HeavyPress parameters = heavy_press_default();
@@ -57,6 +68,37 @@ static void press(double theta, double work, double friction)
     CALL(heavy_press_energy, HeavyPressEnergy, &parameters, theta, 3.0);
     CALL(heavy_press_forces_f32, HeavyPressForcesF32, &narrow_parameters, (float)theta, 3.0f, -2.0f,
          &narrow);
+    CALL(heavy_press_forward_dynamics, double, &parameters, theta, 3.0, 1.5, &loads);
+    CALL(heavy_press_equations_of_motion, HeavyPressEquations, &parameters, theta, 3.0, &loads);
+}
+
+static void robot(double first, double second)
+{
+    const HeavyRobotInput inputs = { first, second }, rates = { 0.5, -0.25 };
+    const HeavyRobotInputF32 narrow = { (float)first, (float)second }, speeds = { 0.5f, -0.25f };
+    const double drive[HEAVY_ROBOT_INPUTS] = { 2.0, -1.0 };
+    const float push[HEAVY_ROBOT_INPUTS] = { 2.0f, -1.0f };
+    LIST(heavy_robot_forward_dynamics, double, HEAVY_ROBOT_INPUTS, &inputs, &rates, drive);
+    CALL(heavy_robot_equations_of_motion, HeavyRobotEquations, &inputs, &rates);
+    LIST(heavy_robot_forward_dynamics_f32, float, HEAVY_ROBOT_INPUTS, &narrow, &speeds, push);
+    CALL(heavy_robot_equations_of_motion_f32, HeavyRobotEquationsF32, &narrow, &speeds);
+}
+
+/* Within the stroke and beyond it, the seed near the root and far from it. */
+static void search(double x, double h, double seed)
+{
+    SearchedPress wide = searched_press_default();
+    SearchedPressF32 narrow = searched_press_default_f32();
+    const SearchedPressInput inputs = {x, h}, rates = {0.5, -0.25}, accelerations = {2.0, 1.0};
+    const SearchedPressInputF32 inputs_f32 = {(float)x, (float)h}, rates_f32 = {0.5f, -0.25f};
+    wide.seed = seed;
+    narrow.seed = (float)seed;
+    CALL(searched_press_position, SearchedPressPosition, &wide, &inputs);
+    CALL(searched_press_motion, SearchedPressMotion, &wide, &inputs, &rates, &accelerations);
+    CALL(searched_press_forces, SearchedPressForces, &wide, &inputs, &rates, &accelerations);
+    CALL(searched_press_velocity_f32, SearchedPressVelocityF32, &narrow, &inputs_f32, &rates_f32);
+    COEFFICIENTS(searched_press_coefficients, double, SEARCHED_PRESS_OUTPUTS, SEARCHED_PRESS_INPUTS,
+                 &wide, &inputs);
 }
 
 static void shear(double theta, double rate, double acceleration)
@@ -153,7 +195,11 @@ int main(void)
         four_bar(0.25 * i, 0.125, LINKAGE_RIGHT);
         excavator(2.3125 + 0.0625 * i, 2.25 + 0.03125 * i, 1.90625 + 0.03125 * i);
         press(0.25 * i, 100.0 * i, 2.5);
+        robot(2.0 + 0.125 * i, 1.0 - 0.0625 * i);
+        search(0.25 + 0.0078125 * i, 1.125 + 0.015625 * i, 1.5 + 0.25 * i);
     }
+    search(0.25, NAN, 1.0);
+    search(0.25, 1.0, NAN);
     press(0.5, NAN, 1.0);
     mistakes();
     return 0;

@@ -4,5 +4,6 @@ mod balance;
 mod dynamics;
 mod interface;
 mod published;
+mod searched;
 mod springs;
 mod together;

@@ -34,6 +34,7 @@ pub(crate) fn kind_of(error: &SolveError) -> &'static str {
         SolveError::Invalid { .. } => "Invalid",
         SolveError::NotFinite { .. } => "NotFinite",
         SolveError::OffCircle { .. } => "OffCircle",
+        SolveError::NoSolution { .. } => "NoSolution",
         _ => "a kind that this program does not know",
     }
 }
@@ -46,6 +47,7 @@ fn kind_of_status(status: Status) -> &'static str {
         Status::Invalid => "Invalid",
         Status::NotFinite => "NotFinite",
         Status::OffCircle => "OffCircle",
+        Status::NoSolution => "NoSolution",
         _ => "a status that this program does not know",
     }
 }
@@ -71,10 +73,10 @@ impl At<'_> {
         self.calls.count += 1;
         let kind = answer.as_ref().map_or_else(kind_of, |_| "Ok");
         *self.calls.answers.entry(kind).or_default() += 1;
-        if let Err(SolveError::OutOfReach { by, .. }) = answer
+        if let Err(SolveError::OutOfReach { by, .. } | SolveError::NoSolution { by, .. }) = answer
             && (by < 0.0 || by.is_nan())
         {
-            self.wrong(entry, "out of reach by what is no distance", &by);
+            self.wrong(entry, "refused by what is no distance", &by);
         }
         let numbers = answer.ok()?;
         if !numbers.as_ref().iter().all(|number| number.value().is_finite()) {

@@ -11,6 +11,7 @@ mod calls;
 mod mechanism;
 mod declared;
 mod numbers;
+mod searched;
 mod state;
 mod truth;
 
@@ -26,12 +27,16 @@ fn number_from(variable: &str, default: u64) -> u64 {
 fn run<T: Number>() {
     let (count, seed) = (number_from("LINKAGE_FUZZ", 100_000), number_from("LINKAGE_FUZZ_SEED", 1));
     let mut calls = Calls::default();
-    declared::run::<T>(&mut Source::new(seed), count / 2, &mut calls);
+    let mut source = Source::new(seed);
+    declared::run::<T>(&mut source, count / 2 / 20 * 19, &mut calls);
+    // One mechanism among twenty.
+    searched::run::<T>(&mut source, count / 2 / 20, &mut calls);
     let report = calls.report(T::NAME);
     println!("{report}");
     assert!(calls.wrong.is_empty(), "{report}");
     // Calls that are all refused, or all answered, would try little.
-    for kind in ["Ok", "OutOfReach", "Singular", "Invalid", "NotFinite", "OffCircle"] {
+    for kind in ["Ok", "OutOfReach", "Singular", "Invalid", "NotFinite", "OffCircle", "NoSolution"]
+    {
         let share =
             calls.answers.get(kind).copied().unwrap_or_default() as f64 / calls.count as f64;
         assert!(share > 1e-4, "{share} of the calls are answered by {kind}");

@@ -115,8 +115,10 @@ fn at_limit<T: Number, const N: usize, const P: usize>(
     position: impl Fn(&State<T, N, P>) -> Result<(), SolveError>,
 ) -> Option<State<T, N, P>> {
     position(state).ok()?;
-    let out_of_reach =
-        |state: &State<T, N, P>| matches!(position(state), Err(SolveError::OutOfReach { .. }));
+    let out_of_reach = |state: &State<T, N, P>| {
+        let found = position(state);
+        matches!(found, Err(SolveError::OutOfReach { .. } | SolveError::NoSolution { .. }))
+    };
     let (place, beyond) = (0..8).find_map(|_| {
         let place = source.below(P + N);
         let other: State<T, N, P> = sane(source, defaults);

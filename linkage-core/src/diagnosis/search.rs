@@ -4,14 +4,19 @@ use super::ROUNDINGS;
 use crate::find::FindError;
 use crate::{Real, Scalar, SolveError};
 
-/// Why an unknown has no root; where its equation is not a number, the trial at which it is none.
+/// Why an unknown has no root of its equation in this unit; where the equation is not a number, the
+/// trial at which it is none.
 #[cold]
-pub(crate) fn no_root(error: FindError, unknown: &'static str) -> (SolveError, Option<f64>) {
+pub(crate) fn no_root(
+    error: FindError,
+    unknown: &'static str,
+    unit: &'static str,
+) -> (SolveError, Option<f64>) {
     match error {
         FindError::Interval { .. } => {
             (SolveError::Invalid { group: unknown, name: "width of between" }, None)
         }
-        FindError::NoSolution { by, .. } => (SolveError::NoSolution { unknown, by }, None),
+        FindError::NoSolution { by, .. } => (SolveError::NoSolution { unknown, by, unit }, None),
         FindError::NotFinite { at } => (SolveError::NotFinite { name: unknown }, Some(at)),
         FindError::Singular { .. } => (SolveError::Singular { group: unknown }, None),
     }
@@ -33,6 +38,7 @@ pub(crate) fn closed<T: Real>(
     difference: T,
     size: T,
     unknown: &'static str,
+    unit: &'static str,
 ) -> Result<(), SolveError> {
     if !difference.value().is_finite() {
         return Err(SolveError::NotFinite { name: unknown });
@@ -40,7 +46,7 @@ pub(crate) fn closed<T: Real>(
     if difference.is_within(open_by(size)) {
         return Ok(());
     }
-    Err(SolveError::NoSolution { unknown, by: difference.value().abs() })
+    Err(SolveError::NoSolution { unknown, by: difference.value().abs(), unit })
 }
 
 /// The slope of an equation by its unknown, provided that it is the wanted way, and not by rounding

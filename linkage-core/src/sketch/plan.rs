@@ -204,12 +204,17 @@ impl Layout {
 pub struct Regardless;
 
 impl Checks<f64> for Regardless {
-    fn root(&mut self, found: Result<[f64; 2], FindError>, _: &'static str) -> (f64, f64) {
+    fn root(
+        &mut self,
+        found: Result<[f64; 2], FindError>,
+        _: &'static str,
+        _: &'static str,
+    ) -> (f64, f64) {
         let [at, size] = found.unwrap_or([f64::NAN; 2]);
         (at, size)
     }
 
-    fn closed(&mut self, _: f64, _: f64, _: &'static str) {}
+    fn closed(&mut self, _: f64, _: f64, _: &'static str, _: &'static str) {}
 
     fn sin_cos(&mut self, angle: f64) -> (f64, f64) {
         Scalar::sin_cos(angle)

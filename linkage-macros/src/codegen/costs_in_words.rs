@@ -20,10 +20,11 @@ pub(super) fn of(cx: &Context<'_>, entry: EntryId) -> Operations {
 
 /// The type of `COST`.
 pub(super) fn ty(cx: &Context<'_>) -> Tokens {
-    cx.paths.item(match () {
-        () if cx.searches() => "SearchingCost",
-        () if is_about_forces(cx) => "ForcesCost",
-        () => "Cost",
+    cx.paths.item(match (cx.searches(), is_about_forces(cx)) {
+        (true, true) => "SearchingForcesCost",
+        (true, false) => "SearchingCost",
+        (false, true) => "ForcesCost",
+        (false, false) => "Cost",
     })
 }
 

@@ -57,6 +57,11 @@ fn sentence(cx: &Context<'_>, asked: &Asked) -> String {
             let (name, unit) = (text(&input.name), effort_unit(input.dimension));
             format!("effort of `{name}` in {unit}: the power that drives put in, over its rate")
         }
+        Effort::Unknown(id) => {
+            let unknown = &cx.mechanism.unknowns[id.index()];
+            let (name, unit) = (text(&unknown.name), effort_unit(unknown.dimension));
+            format!("effort of a drive at `{name}` in {unit}, in place of the input's")
+        }
         Effort::Drive(id) => driven(cx, id),
         Effort::Push(id) => {
             format!(

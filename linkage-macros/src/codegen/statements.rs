@@ -7,6 +7,8 @@ use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{function_name, generated, text};
 use super::token_list::Tokens;
+use crate::interface::quantity::Order;
+use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Id, Node};
 use crate::lower::routine::{Comparison, Condition, Reading, Routine, Statement, Threshold};
 use crate::model::mechanism::ParamKind;
@@ -60,9 +62,10 @@ impl<'a> Printer<'a> {
             let size = self.name(size);
             quote!(#size)
         });
-        let unknown = &self.cx.mechanism.unknowns[search.sought.unknown as usize].name;
-        let (root, unknown) = (self.name(root), text(unknown));
-        quote!(let (#root, #size) = #guard.root(self.#function([#(#given),*]), #unknown);)
+        let unknown = &self.cx.mechanism.unknowns[search.sought.unknown as usize];
+        let unit = unit(unknown.measure, Order::Position);
+        let (root, unknown) = (self.name(root), text(&unknown.name));
+        quote!(let (#root, #size) = #guard.root(self.#function([#(#given),*]), #unknown, #unit);)
     }
 
     pub(super) fn name(&self, id: Id) -> Ident {
@@ -154,9 +157,10 @@ impl<'a> Printer<'a> {
         let group = &self.cx.program().groups[condition.group as usize];
         if condition.diagnosis == "closed" {
             let size = condition.operands.iter().map(|&operand| self.value(operand));
-            return quote!(#guard.closed(#value, #(#size,)* #group););
+            let unit = condition.word.iter();
+            return quote!(#guard.closed(#value, #(#size,)* #group #(, #unit)*););
         }
-        let length = condition.length.iter();
+        let length = condition.word.iter();
         quote! {
             #comparison
             #above_rounding

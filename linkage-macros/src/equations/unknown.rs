@@ -22,6 +22,8 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::motion::Direction;
 use crate::equations::symbol::{Sheet, Sym};
+use crate::interface::quantity::Order;
+use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Check, Node, Sought};
 use crate::ir::program::Closure;
 use crate::model::mechanism::{Equation, Mechanism, Sign, UnknownId};
@@ -107,7 +109,8 @@ fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
     let resting = sides(known, jet(root, zero, zero), inputs(), false);
     let rate = over(slope(resting));
     let [left, right] = sides(known, jet(root, rate, zero), inputs(), false);
-    let open_by = (left.value - right.value).provided(Check::Closed, unknown.group.0, &[size]);
+    let closed = Check::Closed(unit(unknown.measure, Order::Position));
+    let open_by = (left.value - right.value).provided(closed, unknown.group.0, &[size]);
     let closure = Closure { root: root.id, condition: open_by.id };
     (jet(root, rate, over(left.accel - right.accel)), closure)
 }

@@ -14,7 +14,11 @@ use crate::model::mechanism::Mechanism;
 /// What an effort is made of.
 pub(crate) fn shape(effort: Effort) -> Shape {
     match effort {
-        Effort::Input(_) | Effort::Drive(_) | Effort::Push(_) | Effort::Spring(_) => Shape::Number,
+        Effort::Input(_)
+        | Effort::Unknown(_)
+        | Effort::Drive(_)
+        | Effort::Push(_)
+        | Effort::Spring(_) => Shape::Number,
         Effort::Pin(..) | Effort::Bearing(..) => Shape::Quantity(Quantity::Force, Order::Position),
         Effort::Guide(_) => Shape::Quantity(Quantity::GuideForce, Order::Position),
         Effort::Shaking => Shape::Quantity(Quantity::Shaking, Order::Position),

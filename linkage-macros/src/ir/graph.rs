@@ -76,9 +76,9 @@ pub(crate) enum Check {
     Positive(String),
     /// Fast path: value ≥ 0. Slow path: negative is `Invalid` with this name.
     NotNegative(String),
-    /// An equation's left − right in the final pose. Operand: the size of its sides. Both paths ask
-    /// whether it is closed; `NoSolution`, where it is not, bears the group's name.
-    Closed,
+    /// An equation's left − right in the final pose, in this unit. Operand: the size of its sides.
+    /// Both paths ask whether it is closed; `NoSolution`, where it is not, bears the group's name.
+    Closed(String),
     /// The slope of an equation at its root, in the wanted way. Fast path: above what rounding does
     /// to it. Slow path: `Singular` where it is not. Operand: the spread.
     Moving,
@@ -86,6 +86,14 @@ pub(crate) enum Check {
     /// below it is refused, as `Singular` where it is the square of zero. With the operands of
     /// `ReachCircles` it is the square of d, and out of reach where the circles do not meet.
     Square,
+}
+
+impl Guard {
+    /// The same condition on other operands.
+    pub(crate) fn on(&self, moved: &dyn Fn(Id) -> Id) -> Self {
+        let operands = self.operands.iter().map(|&operand| moved(operand)).collect();
+        Self { operands, ..self.clone() }
+    }
 }
 
 impl Check {

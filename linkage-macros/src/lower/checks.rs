@@ -26,8 +26,10 @@ pub(super) fn condition(
         Some(Spread::AtRunTime(spread)) => Some(spread),
         None => None,
     };
-    let length = match &guard.check {
-        Check::Positive(name) | Check::NotNegative(name) => Some(name.clone()),
+    let word = match &guard.check {
+        Check::Positive(word) | Check::NotNegative(word) | Check::Closed(word) => {
+            Some(word.clone())
+        }
         _ => None,
     };
     Condition {
@@ -39,7 +41,7 @@ pub(super) fn condition(
         operands,
         in_a_list: guard.check.has_spread() || guard.check == Check::ShareOfCentres,
         group: guard.group,
-        length,
+        word,
     }
 }
 
@@ -60,7 +62,7 @@ fn diagnosis(guard: &Guard) -> &'static str {
         Check::Positive(_) => "positive",
         Check::NotNegative(_) => "not_negative",
         Check::Moving => "moving",
-        Check::Closed => "closed",
+        Check::Closed(_) => "closed",
         Check::Square if guard.operands.is_empty() => "square",
         Check::Square => "square_of_centres",
     }
@@ -75,7 +77,7 @@ fn comparison(
     spread: Option<Spread<'_>>,
 ) -> Option<(Comparison, Threshold)> {
     let comparison = match check {
-        Check::ShareOfCentres | Check::Closed => return None,
+        Check::ShareOfCentres | Check::Closed(_) => return None,
         Check::Nonzero if is_above_zero(graph, value) => return None,
         Check::ReachCircles | Check::ReachDistances | Check::Positive(_) | Check::Moving => {
             Comparison::Above

@@ -124,8 +124,8 @@ pub(crate) struct Condition {
     pub in_a_list: bool,
     /// Whose failure it is: an index into `Program::groups`.
     pub group: u32,
-    /// The name of a length that has to be positive.
-    pub length: Option<String>,
+    /// The name of a length that has to be positive, or the unit of an equation.
+    pub word: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use syn::Attribute;
 
 use super::dimension::Dimension;
 use super::expr::Expr;
-use super::ids::{GuideId, InputId, LinkId, PointId, SpringId};
+use super::ids::{GuideId, InputId, LinkId, PointId, SpringId, UnknownId};
 use super::step::Carrier;
 
 /// Everything that a declaration says about forces; empty where it says nothing.
@@ -127,6 +127,8 @@ pub(crate) struct Asked {
 pub(crate) enum Effort {
     /// The effort of an input: power put in over its rate.
     Input(InputId),
+    /// The same over the rate of an unknown, where that is driven in place of the only input.
+    Unknown(UnknownId),
     /// What drives a crank or a slider.
     Drive(LinkId),
     /// The force that pushes the ends of a driven length apart.

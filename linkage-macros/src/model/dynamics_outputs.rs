@@ -11,6 +11,7 @@ use super::mechanism::{InputId, LinkId, OutputKind, PointId, SpringId, Step};
 use super::names::{Entity, Kind};
 use super::outputs::MEMBERS;
 use super::springs::parts;
+use super::unknowns::is_of_power;
 use crate::syntax::action::ACTING;
 
 /// Outputs of the whole mechanism.
@@ -45,6 +46,9 @@ impl Resolver<'_> {
         match self.names.kind(owner) {
             Some(Kind::Input) if ["drive", "push", "force", "torque"].contains(&&word[..]) => {
                 self.input_effort(docs, owner, member);
+            }
+            Some(Kind::Unknown) if ["drive", "push", "force", "torque"].contains(&&word[..]) => {
+                self.unknown_effort(docs, owner, member);
             }
             Some(Kind::Spring) => self.spring_output(docs, owner, member),
             Some(Kind::Link) if self.names.kind(member) == Some(Kind::Point) && is_meant(&word) => {
@@ -191,6 +195,9 @@ impl Resolver<'_> {
             let reason = "declare what does: `mass 2kg on BC uniform`, `force (0, -10N) on P`";
             return self.diagnostics.error_because(member.span(), message, reason);
         }
+        if self.effort_is_of_power(member, effort).is_none() {
+            return;
+        }
         let asked = &mut self.mechanism.dynamics.asked;
         if asked.iter().any(|known| known.effort == effort) {
             let path = match effort {
@@ -251,7 +258,10 @@ impl Resolver<'_> {
             Some(Asked { owner, field, docs: spring.docs.clone(), effort })
         });
         let springs: Vec<_> = springs.collect();
-        let asked: Vec<Asked> = inputs.into_iter().chain(links).chain(springs).collect();
+        let mut asked: Vec<Asked> = inputs.into_iter().chain(links).chain(springs).collect();
+        if !self.mechanism.unknowns.is_empty() {
+            asked.retain(|asked| is_of_power(asked.effort));
+        }
         for (nth, known) in asked.iter().enumerate() {
             let is_same = |other: &&Asked| other.owner == known.owner && other.field == known.field;
             // The effort of a drive comes first, and has the span of its link.

@@ -133,6 +133,8 @@ pub(crate) struct Unknown {
     /// trial.
     pub steps: [usize; 2],
     pub equation: Equation,
+    /// What both sides of it are.
+    pub measure: Dimension,
     /// The sign of the slope of left − right at the wanted root.
     pub mode: Sign,
     /// Where the root is expected.

@@ -56,6 +56,8 @@ mod uses;
 #[cfg(test)]
 mod tests;
 
+use std::collections::HashSet;
+
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 
@@ -82,6 +84,7 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         gravity_at: None,
         searched: None,
         follows: false,
+        solved: tree.statements.iter().filter_map(solved).collect(),
     };
     for (index, statement) in tree.statements.iter().enumerate() {
         resolver.names.go_to(index);
@@ -100,7 +103,6 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     resolver.mechanism.rotatabilities = rotatability::rotatabilities(&resolver.mechanism);
     resolver.cranks_can_turn();
     resolver.ends_can_be_assembled();
-    resolver.forces_are_of_closed_forms(tree);
     let mechanism = resolver.mechanism;
     (diagnostics.count() == before).then_some(mechanism)
 }
@@ -130,6 +132,8 @@ struct Resolver<'d> {
     searched: Option<Searched>,
     /// Whether the statement being resolved depends on it so far.
     follows: bool,
+    /// The names behind `solve`.
+    solved: HashSet<String>,
 }
 
 impl Resolver<'_> {
@@ -161,6 +165,13 @@ impl Resolver<'_> {
             StatementKind::Crate { path } => self.crate_path(path),
             StatementKind::Export { language } => self.export(language),
         }
+    }
+}
+
+fn solved(statement: &Statement) -> Option<String> {
+    match &statement.kind {
+        StatementKind::Solve(solve) => Some(solve.unknown.to_string()),
+        _ => None,
     }
 }
 

@@ -174,6 +174,12 @@ impl Resolver<'_> {
         if self.names.kind(owner) == Some(Kind::Point) {
             return self.coordinate_output(docs, owner, member);
         }
+        if self.names.kind(owner) == Some(Kind::Unknown) {
+            let message = format!("write `output {owner}`");
+            let reason =
+                format!("`{owner}` is a number, and `velocity` and `motion` give its rates");
+            return self.diagnostics.error_because(member.span(), message, reason);
+        }
         if !MEMBERS.contains(&part.as_str()) {
             self.link(owner);
             self.member_exists(owner, member);

@@ -27,14 +27,17 @@ impl Resolver<'_> {
             (Some(near), None) => self.quantity(near).map(|_| None),
             (None, _) => Some(None),
         };
-        let Some(id) = unknown else { return };
         // Also where it is in error it ends the search.
-        self.searched = None;
+        if unknown.is_some() || self.searched.as_ref().is_some_and(|s| s.name == solve.unknown) {
+            self.searched = None;
+        }
+        let Some(id) = unknown else { return };
         let steps = self.mechanism.steps.len();
         let unknown = &mut self.mechanism.unknowns[id.index()];
         unknown.steps[1] = steps;
-        if let (Some(equation), Some(mode), Some(near)) = (equation, mode, near) {
-            (unknown.equation, unknown.mode, unknown.near) = (equation, mode, near);
+        if let (Some((equation, measure)), Some(mode), Some(near)) = (equation, mode, near) {
+            (unknown.equation, unknown.measure) = (equation, measure);
+            (unknown.mode, unknown.near) = (mode, near);
         }
     }
 
@@ -50,7 +53,8 @@ impl Resolver<'_> {
         None
     }
 
-    fn equation(&mut self, solve: &Solve, is_searched: bool) -> Option<Equation> {
+    /// The equation, and what its sides are.
+    fn equation(&mut self, solve: &Solve, is_searched: bool) -> Option<(Equation, Dimension)> {
         let Some([left, right]) = &solve.equation else {
             if solve.is_read {
                 let message = format!("missing equation of `{}`", solve.unknown);
@@ -68,11 +72,14 @@ impl Resolver<'_> {
             self.diagnostics.error_because(right.span, message, reason);
             return None;
         }
+        // Where one side is an angle, the other is a number that was meant as one.
+        let [measure, other] = [&a, &b].map(|side| side.measure.dimension());
+        let measure = if other.angle { other } else { measure };
         let equation = self.between_sides((left, a), (right, b))?;
         if is_searched {
             self.equation_moves(solve, [left, right], &equation)?;
         }
-        Some(equation)
+        Some((equation, measure))
     }
 
     /// What is zero where both sides are equal.

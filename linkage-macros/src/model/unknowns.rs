@@ -7,15 +7,16 @@ use syn::Attribute;
 
 use crate::exact::Exact;
 use crate::reach::turn::Range;
-use crate::syntax::tree::{self, Declaration, StatementKind};
+use crate::syntax::tree::{self, Declaration};
 
 use super::Resolver;
+use super::dynamics::Effort;
 use super::folding::shown_in_degrees;
 use super::inputs::KINDS;
 use super::mechanism::{
     AngleSum, Dimension, Equation, Expr, Group, ParamKind, Sign, Step, Unknown, UnknownId,
 };
-use super::names::Entity;
+use super::names::{Entity, Kind};
 use super::searched::Searched;
 
 impl Resolver<'_> {
@@ -53,6 +54,7 @@ impl Resolver<'_> {
             between,
             steps,
             equation,
+            measure: Dimension::NUMBER,
             mode: Sign::Plus,
             near: None,
         });
@@ -171,7 +173,7 @@ impl Resolver<'_> {
     /// Every unknown is solved.
     pub(super) fn every_unknown_is_solved(&mut self, tree: &Declaration) {
         let Some(Searched { name, .. }) = self.searched.take() else { return };
-        if tree.unread.may_hold("solve") {
+        if tree.unread.may_hold("solve") || tree.unread.may_hold(&name.to_string()) {
             return;
         }
         let message =
@@ -210,19 +212,49 @@ impl Resolver<'_> {
         }
     }
 
-    /// Forces are computed where every group has a closed form.
-    pub(super) fn forces_are_of_closed_forms(&mut self, tree: &Declaration) {
-        let Some(unknown) = self.mechanism.unknowns.first() else { return };
+    /// Beside an unknown efforts are known that follow from power alone.
+    pub(super) fn effort_is_of_power(&mut self, at: &Ident, effort: Effort) -> Option<()> {
+        let is_of_power = is_of_power(effort);
+        let Some(unknown) = self.mechanism.unknowns.first().filter(|_| !is_of_power) else {
+            return Some(());
+        };
         let name = &unknown.name;
-        let action = tree.statements.iter().find_map(|statement| match &statement.kind {
-            StatementKind::Action(action) => Some(action.place()),
-            _ => None,
-        });
-        let Some(at) = action else { return };
-        let message = format!("no forces beside `unknown {name}`; remove this statement");
+        let input = self.mechanism.inputs.first().map(|input| &input.name);
+        let instead = input.map_or(String::new(), |input| format!("; ask for `{input}.drive`"));
+        let message = format!("no reactions beside `unknown {name}`{instead}");
         let reason = "what holds the equation of `solve` exerts a force as well, and on which body \
                       that acts is not declared";
-        self.diagnostics.error_because(at, message, reason);
+        self.diagnostics.error_because(at.span(), message, reason);
+        None
+    }
+
+    /// `theta.drive`, in place of the only input's.
+    pub(super) fn unknown_effort(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
+        let Some(Entity::Unknown(id)) = self.usable(owner, &[Kind::Unknown]) else { return };
+        if member != "drive" {
+            let message = format!("write `{owner}.drive`");
+            let reason =
+                "its effort is a torque or a force, as the unknown is an angle or a length";
+            return self.diagnostics.error_because(member.span(), message, reason);
+        }
+        if let [first, _, ..] = &self.mechanism.inputs[..] {
+            let message = format!("`{owner}.drive` stands for one input's, and there are several");
+            let reason = format!("ask for `{}.drive` and its like", first.name);
+            return self.diagnostics.error_because(owner.span(), message, reason);
+        }
+        self.ask(docs, owner, member, Effort::Unknown(id));
+    }
+}
+
+/// Whether the effort follows from the power of all that acts, without any reaction.
+pub(super) fn is_of_power(effort: Effort) -> bool {
+    match effort {
+        Effort::Input(_) | Effort::Unknown(_) | Effort::Spring(_) | Effort::Shaking => true,
+        Effort::Drive(_)
+        | Effort::Push(_)
+        | Effort::Pin(..)
+        | Effort::Bearing(..)
+        | Effort::Guide(_) => false,
     }
 }
 

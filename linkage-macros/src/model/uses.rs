@@ -94,6 +94,10 @@ impl Resolver<'_> {
     fn name_exists(&mut self, name: &Ident, kinds: &[Kind]) {
         self.name_is_unknown(kinds);
         let text = name.to_string();
+        if kinds == NUMBERS && self.solved.contains(&text) {
+            // Where it is solved, that is said.
+            return;
+        }
         let mut message = format!("no {} named `{text}`", words(kinds));
         let mut reason = None;
         match nearest(&text, self.names.of_kinds(kinds)) {
@@ -111,6 +115,10 @@ impl Resolver<'_> {
                     reason = Some(format!("declared so far: {}", known.join(", ")));
                 } else if known.is_empty() && kinds == NUMBERS {
                     reason = Some(format!("declare it: `input {text}: angle;`"));
+                } else if kinds == [Kind::Unknown] {
+                    reason = Some(format!(
+                        "declare it in front of what it drives: `unknown {text}: angle between (…, …);`"
+                    ));
                 }
             }
         }

@@ -24,7 +24,7 @@ fn holds(check: &Check, value: &Exact) -> bool {
         Check::Nonzero => value.signum() != Ordering::Equal,
         Check::NotNegative(_) => value.signum() != Ordering::Less,
         // What moves with nothing is no equation's business.
-        Check::Closed => false,
+        Check::Closed(_) => false,
         Check::Positive(_)
         | Check::ReachCircles
         | Check::ReachDistances

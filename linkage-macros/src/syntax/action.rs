@@ -6,7 +6,6 @@ use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{Expr, Group, StatementKind};
-use crate::diagnostics::Extent;
 
 /// Words that say that something has mass or acts.
 pub(crate) const ACTING: [&str; 5] = ["mass", "inertia", "force", "torque", "spring"];
@@ -63,15 +62,6 @@ impl Action {
                 ends.iter().collect()
             }
             Self::Spring { ends, .. } => ends.iter().collect(),
-        }
-    }
-
-    /// Where it stands, for what is said of all of it.
-    pub(crate) fn place(&self) -> Extent {
-        match (self, &self.expressions()[..]) {
-            (Self::Gravity { at, .. }, _) => (*at).into(),
-            (_, [first, ..]) => first.span,
-            (_, []) => Span::call_site().into(),
         }
     }
 

@@ -32,7 +32,15 @@ impl Parser<'_> {
         if !self.is_group(0, Delimiter::Parenthesis) {
             return self.expected_because("`(from, to)`", UNKNOWN);
         }
-        self.pair("`(from, to)`")
+        let ends = self.pair("`(from, to)`")?;
+        if self.is_punct(0, ',') && self.is_word(1, "near") {
+            self.take();
+            return self.refuse_because(
+                &format!("write `near: …` in `solve {name} {{ … }}`"),
+                "where a search begins may depend on what stands between the two",
+            );
+        }
+        Ok(ends)
     }
 
     /// `solve theta { … }`, behind its first word.
@@ -70,6 +78,12 @@ impl Parser<'_> {
             && !self.is_sign_behind_a_name()
         {
             return self.field_of_solve(&field, solve);
+        }
+        if let Some(word) = self.peek_ident(0).map(ToString::to_string)
+            && ["rising", "falling"].contains(&&word[..])
+            && (self.is_punct(1, ',') || self.peek(1).is_none())
+        {
+            return self.refuse(&format!("write `mode: {word}`"));
         }
         let at = self.here();
         let left = self.expression()?;

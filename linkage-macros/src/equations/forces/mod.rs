@@ -68,6 +68,7 @@ pub(super) fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {
 fn alone(kinematics: &Kinematics<'_>, effort: Effort) -> Option<Vec<Id>> {
     match effort {
         Effort::Input(input) => Some(vec![power::effort(kinematics, input).id]),
+        Effort::Unknown(unknown) => Some(vec![power::effort_at(kinematics, unknown).id]),
         Effort::Spring(spring) => Some(vec![springs::effort(kinematics, spring.index()).id]),
         Effort::Shaking => Some(together::shaking(kinematics).map(|number| number.id).into()),
         Effort::Drive(_)
@@ -97,7 +98,12 @@ pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
         (source.jet.rate, source.jet.accel) = (zero, zero);
         source
     });
-    by_walk(&Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs.collect()))
+    let resting = Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs.collect());
+    match kinematics.mechanism.unknowns.is_empty() {
+        true => by_walk(&resting),
+        // What holds an equation is on no body that a walk could put it on.
+        false => in_motion(&resting),
+    }
 }
 
 fn by_walk(kinematics: &Kinematics<'_>) -> Vec<Id> {

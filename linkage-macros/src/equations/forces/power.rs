@@ -12,13 +12,17 @@
 //! ```text
 //! τ = M q̈ + ½M′ q̇² − Q      M = Σ m c·c + J k²      ½M′ = Σ m c·c′ + J k k′
 //! ```
+//!
+//! Where an equation fixes an unknown θ(q), what holds the equation does no work, and all of this
+//! stands. A drive at θ in place of one at q puts in the same power: it exerts τ/θ′.
 
 use crate::equations::forces::loads::{Masses, applied, gravity, of_masses, torques};
 use crate::equations::forces::reduced::Reduced;
 use crate::equations::forces::unit_rate::at_unit_rate;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::Sym;
-use crate::model::mechanism::InputId;
+use crate::ir::graph::Check;
+use crate::model::mechanism::{InputId, UnknownId};
 
 /// The effort of the input.
 pub(super) fn effort<'s>(kinematics: &Kinematics<'s>, input: InputId) -> Sym<'s> {
@@ -27,6 +31,14 @@ pub(super) fn effort<'s>(kinematics: &Kinematics<'s>, input: InputId) -> Sym<'s>
         1 => of_the_only_input(kinematics, &unit),
         _ => of_one_among_several(kinematics, &unit),
     }
+}
+
+/// The effort of a drive at an unknown, in place of the only input's.
+pub(super) fn effort_at<'s>(kinematics: &Kinematics<'s>, unknown: UnknownId) -> Sym<'s> {
+    let unit = at_unit_rate(kinematics, 0);
+    let group = kinematics.mechanism.unknowns[unknown.index()].group;
+    let rate = unit.unknowns[unknown.index()].rate.provided(Check::Nonzero, group.0, &[]);
+    of_the_only_input(kinematics, &unit) / rate
 }
 
 /// −(the power of all that acts), at the unit rate.

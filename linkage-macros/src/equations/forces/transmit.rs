@@ -51,7 +51,7 @@ impl<'s> Walk<'_, 's> {
                 self.push(*q, -force);
             }
             Expr::Offset(point, guide) => self.press(*point, *guide, effort),
-            Expr::Unknown(_) => unreachable!("beside an unknown the model allows no forces"),
+            Expr::Unknown(_) => unreachable!("beside an unknown the model allows no reactions"),
             Expr::Twist(_) | Expr::Rate(_) => unreachable!("neither is part of a dimension"),
             Expr::Negate(value) => self.transmit(value, -effort),
             Expr::Chain(first, rest) => self.transmit_chain(first, rest, effort),

@@ -236,8 +236,8 @@ pub(crate) const VARIANTS: &[Variant] = &[
     },
 ];
 
-/// Machines with an unknown, which have no forces: each group between the unknown and its equation,
-/// every form of equation, several unknowns.
+/// Machines with an unknown: each group between the unknown and its equation, every form of equation,
+/// several unknowns.
 pub(crate) const UNKNOWNS: &[Variant] = &[
     Variant {
         name: "the angle that puts a slide where it is wanted",

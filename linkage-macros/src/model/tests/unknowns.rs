@@ -31,6 +31,25 @@ fn an_unknown_is_solved_once() {
         ),
         (SOLVED, "solve x { B.y = 1m, mode: rising }", "x: `x` is an input, not an unknown"),
         (
+            "input x: length; ground A(0, 0);",
+            "crank AB(A) -> B { length: 80mm, angle: theta } \
+             solve theta { B.y = x, mode: rising }",
+            "theta: no unknown named `theta` / declare it in front of what it drives: `unknown theta: \
+             angle between (…, …);`",
+        ),
+        (
+            SEARCH,
+            "unknown theta: angle between (0, 1); solve theta { ram.slide = x, mode: falling }",
+            "theta: the name `theta` is taken; choose another / the first `theta` is made by `unknown \
+             theta`",
+        ),
+        (
+            SOLVED,
+            "output theta.omega;",
+            "omega: write `output theta` / `theta` is a number, and `velocity` and `motion` give its \
+             rates",
+        ),
+        (
             SOLVED,
             "solve thta { B.y = 1m, mode: rising }",
             "thta: no unknown named `thta`; an unknown with a similar name exists: `theta`",
@@ -207,14 +226,37 @@ fn a_solve_says_its_mode_and_begins_where_nothing_depends_on_it() {
 }
 
 #[test]
-fn forces_are_not_known_beside_an_unknown() {
+fn efforts_beside_an_unknown_are_those_that_power_tells() {
     let reason = "what holds the equation of `solve` exerts a force as well, and on which body that \
                   acts is not declared";
-    check(&[(
-        SOLVED,
-        "mass 2kg on BC uniform; force (0, -1) on C;",
-        &format!("2kg: no forces beside `unknown theta`; remove this statement / {reason}"),
-    )]);
+    let refused = |at: &str| {
+        format!("{at}: no reactions beside `unknown theta`; ask for `x.drive` / {reason}")
+    };
+    let machine = |outputs: &str| {
+        format!(
+            "mass 2kg on BC uniform; force (0, -1) on C; \
+             spring s between A and C {{ stiffness: 3, free_length: 0.1 }} {outputs}"
+        )
+    };
+    check(&[
+        (SOLVED, &machine(""), ""),
+        (SOLVED, &machine("output x.drive, theta.drive, s.force, shaking, energy;"), ""),
+        (SOLVED, &machine("output BC.B;"), &refused("B")),
+        (SOLVED, &machine("output AB.drive;"), &refused("drive")),
+        (SOLVED, &machine("output ram.rail;"), &refused("rail")),
+        (
+            SOLVED,
+            &machine("output theta.torque;"),
+            "torque: write `theta.drive` / its effort is a torque or a force, as the unknown is an \
+             angle or a length",
+        ),
+        (
+            SOLVED,
+            &machine("input y: length; slider other(rail) { slide: y } output theta.drive;"),
+            "theta: `theta.drive` stands for one input's, and there are several / ask for `x.drive` \
+             and its like",
+        ),
+    ]);
 }
 
 #[test]

@@ -36,6 +36,12 @@ fn unknowns_and_equations_that_do_not_parse() {
             "unknown theta: angle between 10deg;",
             &format!("10deg: expected `(from, to)`, found `10deg` / {UNKNOWN}"),
         ),
+        (
+            "unknown theta: angle between (0, 1), near 0.5;",
+            "near: write `near: …` in `solve theta { … }` / where a search begins may depend on what \
+             stands between the two",
+        ),
+        ("solve theta { a = b, falling }", "falling: write `mode: falling`"),
         ("solve theta;", &format!(";: expected `{{`, found `;` / {SOLVE}")),
         (
             "solve theta { ram.slide == x, mode: rising }",
