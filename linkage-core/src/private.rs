@@ -30,8 +30,8 @@ pub use crate::resolver::{found_on_circle, on_circle};
 pub use crate::sketch::{Drawn, Film, Made, Plan, Sketch, place, place_open};
 pub use crate::slow_path::{diagnose, diagnose_all};
 pub use crate::sweep::{
-    Entry, LengthMismatch, OfEnergy, OfForces, OfMotion, OfPosition, OfStatics, OfVelocity,
-    Progress, Series, Status, sweep,
+    Entry, LengthMismatch, OfEnergy, OfEquationsOfMotion, OfForces, OfForwardDynamics, OfMotion,
+    OfPosition, OfStatics, OfVelocity, Progress, Series, Status, sweep,
 };
 pub use crate::tracker::{Clearance, Modes};
 pub use crate::with_ad_ as with_ad;

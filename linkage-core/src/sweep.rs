@@ -9,12 +9,14 @@
 //! instruction set are written once, here.
 
 mod instructions;
+mod kinds;
 #[cfg(test)]
 mod tests;
 
 use core::fmt;
 
 use crate::{Float, Fusion, LaneMask, Lanes, Record, SolveError};
+pub use kinds::*;
 
 /// What came of one pose, in a byte: the single call's answer without its details, which the
 /// single call still gives.
@@ -82,18 +84,6 @@ pub trait Entry<K, T: Float, const IN: usize, const OUT: usize> {
     fn solve_one(&self, inputs: [T; IN]) -> Result<[T; OUT], SolveError>;
 }
 
-/// The entry point `position`.
-#[derive(Debug)]
-pub enum OfPosition {}
-
-/// The entry point `velocity`.
-#[derive(Debug)]
-pub enum OfVelocity {}
-
-/// The entry point `motion`.
-#[derive(Debug)]
-pub enum OfMotion {}
-
 /// Slices for what is not wanted of a sweep: every field an empty one. It stands for the rest behind
 /// the fields that are:
 ///
@@ -117,18 +107,6 @@ where
 {
     R::from_array(core::array::from_fn(|_| Default::default()))
 }
-
-/// The entry point `forces`.
-#[derive(Debug)]
-pub enum OfForces {}
-
-/// The entry point `statics`.
-#[derive(Debug)]
-pub enum OfStatics {}
-
-/// The entry point `energy`.
-#[derive(Debug)]
-pub enum OfEnergy {}
 
 /// Poses between two reports of progress: a fraction of a millisecond's work.
 const REPORT_EVERY: usize = 4096;

@@ -41,10 +41,10 @@ fn mechanisms_with(entry: &str) -> usize {
     match entry {
         "position_at" | "velocity_at" | "motion_at" => 7,
         "margins" => 6,
-        "forces" | "statics" | "forward_dynamics" | "equations_of_motion" => 3,
+        "forces" | "statics" | "forward_dynamics" | "equations_of_motion" => 4,
         "forces_at" | "statics_at" | "energy" => 2,
         "energy_at" => 1,
-        _ => 10,
+        _ => 11,
     }
 }
 

@@ -8,7 +8,9 @@ use std::process::{Command, Output};
 use std::sync::LazyLock;
 
 use crate::build::{directory, library, sources, text};
-use crate::mechanisms::{self, Excavator, FlyingShear, HeavyPress, SearchedPress, TunedFourBar};
+use crate::mechanisms::{
+    self, Excavator, FlyingShear, HeavyPress, HeavyRobot, SearchedPress, TunedFourBar,
+};
 use linkage_core::{Side, SolveError};
 
 /// Compiles a C program against the library and runs it.
@@ -28,7 +30,7 @@ fn run_c(library: &Path, source: &Path) -> Output {
 }
 
 /// What every header is called, and its text.
-const HEADERS: [(&str, &str); 10] = [
+const HEADERS: [(&str, &str); 11] = [
     ("flying_shear.h", FlyingShear::C_HEADER),
     ("tuned_four_bar.h", TunedFourBar::C_HEADER),
     ("slider_crank.h", mechanisms::SliderCrank::C_HEADER),
@@ -37,6 +39,7 @@ const HEADERS: [(&str, &str); 10] = [
     ("excavator.h", Excavator::C_HEADER),
     ("everything.h", mechanisms::Everything::C_HEADER),
     ("heavy_press.h", HeavyPress::C_HEADER),
+    ("heavy_robot.h", HeavyRobot::C_HEADER),
     ("driven_four_bar.h", mechanisms::DrivenFourBar::C_HEADER),
     ("searched_press.h", SearchedPress::C_HEADER),
 ];
@@ -120,6 +123,20 @@ fn press(report: &mut Report, theta: f64, loads: [f64; 2]) {
     report.add("heavy_press_energy", wide.energy(theta, 3.0));
     let narrow = narrow.forces(theta as f32, 3.0, -2.0, loads.map(|load| load as f32));
     report.add("heavy_press_forces_f32", narrow);
+    report.add("heavy_press_forward_dynamics", wide.forward_dynamics(theta, 3.0, 1.5, loads));
+    report.add("heavy_press_equations_of_motion", wide.equations_of_motion(theta, 3.0, loads));
+}
+
+fn robot(report: &mut Report, inputs: [f64; 2]) {
+    let (wide, narrow) = (HeavyRobot::new(), HeavyRobot::<f32>::default());
+    let (rates, drive) = ([0.5, -0.25], [2.0, -1.0]);
+    report.add("heavy_robot_forward_dynamics", wide.forward_dynamics(inputs, rates, drive));
+    report.add("heavy_robot_equations_of_motion", wide.equations_of_motion(inputs, rates));
+    let inputs = inputs.map(|angle| angle as f32);
+    let found = narrow.forward_dynamics(inputs, [0.5, -0.25], [2.0, -1.0]);
+    report.add("heavy_robot_forward_dynamics_f32", found);
+    let found = narrow.equations_of_motion(inputs, [0.5, -0.25]);
+    report.add("heavy_robot_equations_of_motion_f32", found);
 }
 
 fn search(report: &mut Report, inputs: [f64; 2], seed: f64) {
@@ -191,6 +208,7 @@ fn expected() -> String {
         let by = f64::from(i);
         excavator(&mut report, [2.3125 + 0.0625 * by, 2.25 + 0.03125 * by, 1.90625 + 0.03125 * by]);
         press(&mut report, 0.25 * by, [100.0 * by, 2.5]);
+        robot(&mut report, [2.0 + 0.125 * by, 1.0 - 0.0625 * by]);
         search(&mut report, [0.25 + 0.0078125 * by, 1.125 + 0.015625 * by], 1.5 + 0.25 * by);
     }
     search(&mut report, [0.25, f64::NAN], 1.0);
@@ -201,6 +219,8 @@ fn expected() -> String {
         "four_bar_motion 1 ",
         "motion_f32 1 ",
         "excavator_motion 0 ",
+        "robot_forward_dynamics 0 ",
+        "robot_forward_dynamics 1 ",
         "searched_press_motion 0 ",
         "searched_press_forces 0 ",
         "searched_press_position 8 ",

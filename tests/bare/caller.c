@@ -8,6 +8,7 @@
 #include "tuned_four_bar.h"
 #include "excavator.h"
 #include "heavy_press.h"
+#include "heavy_robot.h"
 #include "searched_press.h"
 
 /* What an answer holds before the call, and has to hold after a call that fails. */
@@ -47,6 +48,15 @@ static void report(const char *name, LinkageStatus status, const LinkageError *e
         report(#function, status, &error, answer, sizeof answer);                 \
     } while (0)
 
+#define LIST(function, number, count, ...)                                        \
+    do {                                                                          \
+        number answer[count];                                                     \
+        LinkageError error;                                                       \
+        memset(answer, UNTOUCHED, sizeof answer);                                 \
+        LinkageStatus status = function(__VA_ARGS__, answer, &error);             \
+        report(#function, status, &error, answer, sizeof answer);                 \
+    } while (0)
+
 static void press(double theta, double work, double friction)
 {
     const HeavyPress parameters = heavy_press_default();
@@ -58,6 +68,20 @@ static void press(double theta, double work, double friction)
     CALL(heavy_press_energy, HeavyPressEnergy, &parameters, theta, 3.0);
     CALL(heavy_press_forces_f32, HeavyPressForcesF32, &narrow_parameters, (float)theta, 3.0f, -2.0f,
          &narrow);
+    CALL(heavy_press_forward_dynamics, double, &parameters, theta, 3.0, 1.5, &loads);
+    CALL(heavy_press_equations_of_motion, HeavyPressEquations, &parameters, theta, 3.0, &loads);
+}
+
+static void robot(double first, double second)
+{
+    const HeavyRobotInput inputs = { first, second }, rates = { 0.5, -0.25 };
+    const HeavyRobotInputF32 narrow = { (float)first, (float)second }, speeds = { 0.5f, -0.25f };
+    const double drive[HEAVY_ROBOT_INPUTS] = { 2.0, -1.0 };
+    const float push[HEAVY_ROBOT_INPUTS] = { 2.0f, -1.0f };
+    LIST(heavy_robot_forward_dynamics, double, HEAVY_ROBOT_INPUTS, &inputs, &rates, drive);
+    CALL(heavy_robot_equations_of_motion, HeavyRobotEquations, &inputs, &rates);
+    LIST(heavy_robot_forward_dynamics_f32, float, HEAVY_ROBOT_INPUTS, &narrow, &speeds, push);
+    CALL(heavy_robot_equations_of_motion_f32, HeavyRobotEquationsF32, &narrow, &speeds);
 }
 
 /* Within the stroke and beyond it, the seed near the root and far from it. */
@@ -171,6 +195,7 @@ int main(void)
         four_bar(0.25 * i, 0.125, LINKAGE_RIGHT);
         excavator(2.3125 + 0.0625 * i, 2.25 + 0.03125 * i, 1.90625 + 0.03125 * i);
         press(0.25 * i, 100.0 * i, 2.5);
+        robot(2.0 + 0.125 * i, 1.0 - 0.0625 * i);
         search(0.25 + 0.0078125 * i, 1.125 + 0.015625 * i, 1.5 + 0.25 * i);
     }
     search(0.25, NAN, 1.0);

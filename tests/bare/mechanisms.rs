@@ -193,6 +193,29 @@ mechanism! {
 }
 
 mechanism! {
+    /// A five-bar robot that moves under the torques of both cranks, one on a spring.
+    pub struct HeavyRobot {
+        input first, second: angle;
+
+        ground A(0, 0), D(0.4m, 0);
+
+        crank AB(A) -> B        { length: 0.3m, angle: first }
+        crank DE(D) -> E        { length: 0.3m, angle: second }
+        rrr   BC(B), EC(E) -> C { lengths: (0.5m, 0.5m), mode: left }
+
+        gravity (0, -9.81);
+        mass 0.8kg on AB uniform;
+        mass 0.8kg on DE uniform;
+        mass 0.5kg on BC uniform;
+        mass 0.7kg on C;
+        spring between ground and AB { stiffness: 3(N*m/rad), free_angle: 100deg, damping: 0.2(N*m*s) }
+
+        output C, first.drive, second.drive;
+        export c;
+    }
+}
+
+mechanism! {
     /// A press whose drive is searched, and a leg of class III behind it.
     pub struct SearchedPress {
         input x, h: length;

@@ -4,13 +4,15 @@
 
 use linkage_core::find::{FindError, Search, Trend};
 use linkage_core::range::{extrema, limits};
-use linkage_core::{Direction, Float, Lanes, Mask, Point, Real, Record, Scalar, Tracker};
+use linkage_core::{
+    Direction, Float, Lanes, Mask, Point, Real, Record, Scalar, Series, Tracker, unwanted,
+};
 
 use cam::{Cam, Strip};
 use robot_controller::{Controller, Robot, Wanted, rk4};
 use crate::mechanisms::{
     Everything, Excavator, FlyingShear, FlyingShearPosition, HeavyPress, HeavyPressForces,
-    HeavyPressLoads, SixBar, SliderCrank, TunedFourBar,
+    HeavyPressLoads, HeavyRobot, HeavyRobotEquations, SixBar, SliderCrank, TunedFourBar,
 };
 
 macro_rules! symbols {
@@ -41,6 +43,8 @@ symbols! {
     methods_range_f32 = range::<f32>;
     methods_find = find::<f64>;
     methods_find_f32 = find::<f32>;
+    methods_integrated = integrated::<f64>;
+    methods_integrated_f32 = integrated::<f32>;
     methods_cam = cam::<f64>;
     methods_cam_f32 = cam::<f32>;
     methods_robot = robot::<f64>;
@@ -69,6 +73,8 @@ sweeps! {
     methods_sweep_f32 = sweep: f32;
     methods_sweep_heavy = sweep_forces: f64;
     methods_sweep_heavy_f32 = sweep_forces: f32;
+    methods_sweep_moving = sweep_dynamics: f64;
+    methods_sweep_moving_f32 = sweep_dynamics: f32;
 }
 
 fn sweep<T: Float>(angles: &[T], to: &mut [T]) -> bool {
@@ -89,6 +95,35 @@ fn sweep_forces<T: Float>(angles: &[T], to: &mut [T]) -> bool {
     let loads = HeavyPressLoads { work: speed.into(), friction: still.into() };
     let press = HeavyPress::<T>::default();
     press.sweep_forces(angles, speed, still, loads, wanted, &mut [], ()).is_ok()
+}
+
+fn sweep_dynamics<T: Float>(angles: &[T], to: &mut [T]) -> bool {
+    let robot = HeavyRobot::<T>::default();
+    let [speed, still] = [T::lit(3.0, 3.0), T::lit(0.0, 0.0)];
+    let inputs = || [Series::Each(angles), Series::Constant(speed)];
+    let rates = || [still, speed].map(Series::Constant);
+    let moved = robot
+        .sweep_forward_dynamics(inputs(), rates(), rates(), [&mut *to, &mut []], &mut [], ())
+        .is_ok();
+    let wanted = HeavyRobotEquations { force: [&mut [], to], ..unwanted() };
+    moved && robot.sweep_equations_of_motion(inputs(), rates(), wanted, &mut [], ()).is_ok()
+}
+
+/// A thousand steps of an integrator, and the straight lines behind them.
+fn integrated<T: Real>(x: T) -> T {
+    let (robot, h) = (HeavyRobot::<T>::default(), T::lit(1e-3, 1e-3));
+    let mut state = [x, x + x, x - x, x - x];
+    for _ in 0..1000 {
+        let Ok(rates) = robot.state_rates(state, [x, -x]) else { return x };
+        for (value, rate) in state.iter_mut().zip(rates) {
+            *value = *value + h * rate;
+        }
+    }
+    let [first, second, ..] = state;
+    let ([a, b], moved) = robot.solve_forward_dynamics([first, second], [x, x], [x, x]);
+    let (equations, known) = robot.solve_equations_of_motion([first, second], [x, x]);
+    let [[mass, _], _] = equations.mass;
+    used((a + b, moved)) + used((mass, known))
 }
 
 /// The value where the mask allows it.

@@ -2,6 +2,7 @@
 
 use super::context::Context;
 use super::identifiers::text;
+use crate::interface::entries::FORWARD;
 use crate::model::mechanism::Rotatability;
 use crate::reach::turn::Range;
 
@@ -31,6 +32,13 @@ pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
         line += &format!(
             ". At `{angle}` = {angles} both assembly modes are one: velocities are `Singular` there, \
              and a constant mode does not follow the motion through; `Tracker` does"
+        );
+    }
+    let has_ends = matches!(found.turn.range, Range::Within(_));
+    if has_ends && found.input.is_some() && cx.interface.find(FORWARD).is_some() {
+        line += &format!(
+            ". The ends are dead points of `{angle}`: `forward_dynamics` is `Singular` there, and the mass \
+             that `{angle}` moves grows beyond bounds towards them; take a crank that turns fully as input"
         );
     }
     if found.is_parallelogram {

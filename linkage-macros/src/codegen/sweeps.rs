@@ -8,15 +8,14 @@ use super::arguments::{Arguments, Form};
 use super::context::Context;
 use super::identifiers::{function_name, generated};
 use super::token_list::Tokens;
-use super::{docs, fast_path};
+use super::{docs, fast_path, results};
 use crate::interface::EntryId;
-use crate::interface::entries::Entry;
-use crate::interface::records::{Record, Shape};
+use crate::interface::entries::{EQUATIONS, Entry, FORWARD};
+use crate::interface::records::Shape;
 
 /// `sweep_position` and its kin; nothing for entry points that have none.
 pub(super) fn items(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     let entry = cx.entry(id);
-    let Shape::Record(record) = entry.result else { return None };
     if !entry.sweeps {
         return None;
     }
@@ -26,6 +25,8 @@ pub(super) fn items(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
         "forces" => "OfForces",
         "statics" => "OfStatics",
         "energy" => "OfEnergy",
+        FORWARD => "OfForwardDynamics",
+        EQUATIONS => "OfEquationsOfMotion",
         _ => "OfMotion",
     };
     let arguments = Arguments::new(cx, entry.given);
@@ -34,7 +35,6 @@ pub(super) fn items(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
         cx,
         id,
         entry,
-        record: cx.record(record),
         kind: cx.paths.item(kind),
         arguments,
         numbers: ins,
@@ -52,8 +52,6 @@ struct Sweep<'a> {
     arguments: Arguments<'a>,
     /// How many numbers a pose takes.
     numbers: usize,
-    /// What the entry point returns.
-    record: &'a Record,
     /// The run-time type that stands for the entry point.
     kind: Tokens,
     /// How many numbers a pose takes and gives.
@@ -73,16 +71,22 @@ impl Sweep<'_> {
         let [into, inputs] = ["Into", "Inputs"].map(|item| cx.paths.item(item));
         let (mut declared, mut converted) = (Vec::new(), TokenStream::new());
         for (name, form) in self.arguments.parts() {
-            let (ty, given) = match form {
-                Form::Record(..) => (form.ty(&values), &inputs),
-                Form::Number | Form::List(_) => (form.ty(&values), &into),
+            let ty = form.ty(&values);
+            let given = match form {
+                // What stands in a list of series says what it is by `into()`.
+                Form::List(_) => {
+                    declared.push(quote!(#name: #ty));
+                    continue;
+                }
+                Form::Record(..) => &inputs,
+                Form::Number => &into,
             };
             declared.push(quote!(#name: impl #given<#ty>));
             converted.extend(quote!(let #name: #ty = #into::into(#name);));
         }
         let inputs = self.inputs();
-        let record = &self.record.name;
-        let as_array = cx.paths.item("Record");
+        let slices = results::ty(cx, entry.result, &quote!(&mut [#scalar]));
+        let outputs = self.numbers_of(&quote!(out), &quote!([out]));
         let function = function_name(&format!("sweep_{}", entry.name));
         let docs = docs::sweep(cx, self.id);
         quote! {
@@ -91,13 +95,13 @@ impl Sweep<'_> {
                 pub fn #function<'series>(
                     &self,
                     #(#declared,)*
-                    out: #record<&mut [#scalar]>,
+                    out: #slices,
                     status: &mut [#status],
                     progress: impl #progress,
                 ) -> #result<(), #mismatch> {
                     #converted
                     #sweep::<#kind, _, _, #ins, #outs>(
-                        self, [#(#inputs),*], #as_array::into_array(out), status, progress,
+                        self, [#(#inputs),*], #outputs, status, progress,
                     )
                 }
             }
@@ -115,10 +119,12 @@ impl Sweep<'_> {
         // A bare name is first looked for among the types, the user's included.
         let width = function_name("W_");
         let [value, usable] = ["result_", "ok_"].map(generated);
-        let as_array = cx.paths.item("Record");
+        let numbers = self.numbers_of(&quote!(#value), &quote!([#value]));
         let (core, method) = (fast_path::core_name(entry), function_name(entry.name));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.call(&locals);
+        let call = quote!(self.#method(#(#arguments),*)?);
+        let single = self.numbers_of(&call, &quote!([#call]));
         let (given, solved) = match cx.searches() {
             // Poses are searched one by one: the mask says no, and a single call follows.
             true => {
@@ -132,7 +138,7 @@ impl Sweep<'_> {
                 quote! {
                     let (#value, #usable) =
                         self.lift::<#lanes<#scalar, #width, F>>().#core(#(#arguments),*);
-                    (#as_array::into_array(#value), #usable)
+                    (#numbers, #usable)
                 },
             ),
         };
@@ -150,9 +156,19 @@ impl Sweep<'_> {
                     &self,
                     [#(#locals),*]: [#scalar; #ins],
                 ) -> #result<[#scalar; #outs], #error> {
-                    #ok(#as_array::into_array(self.#method(#(#arguments),*)?))
+                    #ok(#single)
                 }
             }
+        }
+    }
+
+    /// A result as the list of its numbers, given as it is and as a list of one.
+    fn numbers_of(&self, result: &TokenStream, alone: &TokenStream) -> TokenStream {
+        let as_array = self.cx.paths.item("Record");
+        match self.entry.result {
+            Shape::Number => alone.clone(),
+            Shape::List(_) => result.clone(),
+            _ => quote!(#as_array::into_array(#result)),
         }
     }
 
@@ -160,7 +176,11 @@ impl Sweep<'_> {
     fn inputs(&self) -> Vec<TokenStream> {
         let of = |(name, form): (&Ident, Form<'_>)| match form {
             Form::Record(_, fields) => fields.iter().map(|field| quote!(#name.#field)).collect(),
-            Form::Number | Form::List(_) => vec![quote!(#name)],
+            Form::List(count) => {
+                let index = (0..count).map(Literal::usize_unsuffixed);
+                index.map(|index| quote!(#name[#index])).collect()
+            }
+            Form::Number => vec![quote!(#name)],
         };
         self.arguments.parts().flat_map(of).collect()
     }
@@ -177,7 +197,8 @@ impl Sweep<'_> {
             rest = further;
             match form {
                 Form::Record(record, fields) => quote!(#record { #(#fields: #own),* }),
-                Form::Number | Form::List(_) => quote!(#(#own)*),
+                Form::List(_) => quote!([#(#own),*]),
+                Form::Number => quote!(#(#own)*),
             }
         };
         self.arguments.parts().map(argument).collect()

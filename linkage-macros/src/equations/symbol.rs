@@ -54,6 +54,12 @@ impl<'s> Sheet<'s> {
         Sym { sheet: self, id: self.graph.borrow_mut().constant(value) }
     }
 
+    /// The symbol of a node that has been made.
+    #[cfg(test)]
+    pub(crate) fn known(&'s self, id: Id) -> Sym<'s> {
+        Sym { sheet: self, id }
+    }
+
     pub(crate) fn integer(&'s self, value: i64) -> Sym<'s> {
         self.constant(Exact::integer(value))
     }

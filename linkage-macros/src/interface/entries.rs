@@ -38,8 +38,7 @@ impl Entry {
 
     /// Whether it is about forces or energy.
     pub(crate) fn is_about_forces(&self) -> bool {
-        let names = ["forces", "statics", "energy", FORWARD, EQUATIONS];
-        names.iter().any(|name| self.name.starts_with(name))
+        is_about_forces(self.name)
     }
 
     /// Whether it needs every input to move some mass.
@@ -51,6 +50,11 @@ impl Entry {
     pub(crate) fn rates(&self) -> &'static [Given] {
         &self.given[if self.takes_cosine() { 2 } else { 1 }..]
     }
+}
+
+/// Whether the entry point of this name is about forces or energy.
+pub(crate) fn is_about_forces(name: &str) -> bool {
+    ["forces", "statics", "energy", FORWARD, EQUATIONS].iter().any(|known| name.starts_with(known))
 }
 
 const POSITIONS: &str = "Positions of the outputs";
@@ -139,8 +143,7 @@ pub(super) fn of_dynamics(columns: usize, has_loads: bool, equations: RecordId) 
         true => [&[Value, Rate, Drives, Loads], &[Value, Rate, Loads]],
     };
     let accelerations = if columns == 1 { Shape::Number } else { Shape::List(columns) };
-    let entry =
-        |name, given, result, subject| Entry { name, given, result, subject, sweeps: false };
+    let entry = |name, given, result, subject| Entry { name, given, result, subject, sweeps: true };
     vec![
         entry(FORWARD, forward, accelerations, "Second rates of the inputs under given drives"),
         entry(

@@ -3,9 +3,11 @@
 //! The same rules serve while the equations are written down and when a whole program is rebuilt,
 //! so a rule is written and tested once.
 
+use std::collections::HashMap;
+
 use crate::exact::Exact;
 use crate::ir::graph::{Graph, Guard, Id, Node};
-use crate::ir::liveness::{Path, live};
+use crate::ir::liveness::{Path, live, live_nodes};
 use crate::ir::program::{Closure, Program};
 
 /// Looks at a node that is about to be made and answers with what stands for it, if anything
@@ -80,6 +82,38 @@ pub(crate) fn rebuild_with(
     Program { graph, answers, clearances, closures, groups: program.groups.clone() }
 }
 
+/// What these sinks of a graph need, made anew behind it: everything else stands where it stood. The
+/// replacement is asked for every node first, operands before users, and told where earlier ones are now.
+pub(crate) fn remade(
+    old: &Graph,
+    graph: &mut Graph,
+    sinks: &[Id],
+    rules: &[Rule],
+    mut replacement: impl FnMut(&mut Maker<'_>, Id, &dyn Fn(Id) -> Id) -> Option<Id>,
+) -> Vec<Id> {
+    let (mut maker, mut moved) = (Maker { graph, rules }, HashMap::new());
+    let live = live(old, sinks, Path::Slow);
+    for (id, node) in live_nodes(old, &live) {
+        let to = |id: Id| moved.get(&id).copied().unwrap_or(id);
+        let new = replacement(&mut maker, id, &to).unwrap_or_else(|| {
+            let mut is_touched = false;
+            old.for_operands_of(node, &mut |operand| is_touched |= to(operand) != operand);
+            match node {
+                // An unknown is searched once for all answers.
+                _ if !is_touched || matches!(node, Node::Root(_)) => id,
+                Node::Guard(value, guard) => {
+                    maker.make_guarded(to(value), old.condition(guard).on(&to))
+                }
+                other => maker.make(other.map_operands(&mut |operand| to(operand))),
+            }
+        });
+        if new != id {
+            moved.insert(id, new);
+        }
+    }
+    sinks.iter().map(|sink| moved.get(sink).copied().unwrap_or(*sink)).collect()
+}
+
 /// Where the nodes of the old program are in the new one.
 pub(crate) struct Moved(Vec<Option<Id>>);
 
@@ -94,10 +128,7 @@ fn move_node(old: &Graph, maker: &mut Maker<'_>, node: Node, moved: &Moved) -> N
         Node::Constant(constant) => Node::Constant(maker.graph.intern(old.value(constant).clone())),
         Node::Low(constant) => Node::Low(maker.graph.intern(old.value(constant).clone())),
         Node::Guard(value, guard) => {
-            let mut guard = old.condition(guard).clone();
-            for operand in &mut guard.operands {
-                *operand = moved.of(*operand);
-            }
+            let guard = old.condition(guard).on(&|id| moved.of(id));
             Node::Guard(moved.of(value), maker.graph.intern_guard(guard))
         }
         other => other.map_operands(&mut |id| moved.of(id)),

@@ -88,6 +88,14 @@ pub(crate) enum Check {
     Square,
 }
 
+impl Guard {
+    /// The same condition on other operands.
+    pub(crate) fn on(&self, moved: &dyn Fn(Id) -> Id) -> Self {
+        let operands = self.operands.iter().map(|&operand| moved(operand)).collect();
+        Self { operands, ..self.clone() }
+    }
+}
+
 impl Check {
     /// Whether the last operand is a spread, which the straight line compares the value with.
     pub(crate) fn has_spread(&self) -> bool {

@@ -67,7 +67,7 @@ fn is_made_from(graph: &Graph, node: Id, other: Id) -> bool {
 }
 
 /// For every node, whether somebody asks for the rounding error of this very operation.
-fn asked_for_errors(program: &Program) -> Vec<bool> {
+pub(super) fn asked_for_errors(program: &Program) -> Vec<bool> {
     let graph = &program.graph;
     let live = live(graph, &program.sinks(), Path::Slow);
     let mut asked = vec![false; graph.len()];

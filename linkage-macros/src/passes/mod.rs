@@ -2,17 +2,21 @@
 //!
 //! A rewrite is an identity of real numbers wherever both sides are defined, and never adds a
 //! rounding: x·0, x + 0, x·1, x − x and −(−x) are rewritten; x/x, reassociation and distribution
-//! are not, except among constants, which are exact. Nothing here knows a mechanism.
+//! are not, except among constants, which are exact, and where a pass says why and what it costs.
+//! Nothing here knows a mechanism.
 
 mod affine;
+mod collect;
+mod conditions;
 mod contract;
 mod fold;
 mod simplify;
 #[cfg(test)]
 mod tests;
 
+use crate::interface::entries::{EQUATIONS, FORWARD};
 use crate::ir::construct::{Rule, rebuild};
-use crate::ir::program::Program;
+use crate::ir::program::{Answer, Program};
 
 /// The rules under which the equations are written down. Afterwards no operation has only
 /// constants as operands, and no operand is a neutral or annihilating one.
@@ -20,10 +24,24 @@ pub(crate) const RULES: &[Rule] = &[fold::fold_constants, simplify::simplify];
 
 /// The passes in order.
 pub(crate) fn optimise(program: &Program) -> Program {
+    // A product that only a sum uses is part of a fused operation.
+    contract::fuse_products(&shortened(program))
+}
+
+/// The passes before products are contracted into sums.
+fn shortened(program: &Program) -> Program {
     // Nothing is left that no entry needs.
     let needed = rebuild(program, RULES);
     // Distances of cranks' pins are affine in the angle's cosine and sine.
     let needed = affine::square_distances(&needed);
-    // A product that only a sum uses is part of a fused operation.
-    contract::fuse_products(&needed)
+    // Groups on the same triangle share what they compute in the equations of motion,
+    let needed = conditions::ask_once(&needed);
+    // and links that move alike are one term there.
+    collect::collect_multiples(&needed)
+}
+
+/// Whether the answer is about the equations of motion: for these, formulas of many groups are put
+/// together, and what they have in common is worth looking for.
+fn is_of_dynamics(answer: &Answer) -> bool {
+    [FORWARD, EQUATIONS].contains(&answer.entry)
 }

@@ -6,6 +6,7 @@ pub mod compensated;
 pub mod differentiated;
 pub mod driven_groups;
 pub mod drivers;
+pub mod dynamics;
 pub mod exact_inputs;
 pub mod forces;
 pub mod heavy_groups;

@@ -153,6 +153,22 @@ fn a_rocker_that_cannot_fold_further_has_the_rest_of_the_turn() {
 }
 
 #[test]
+fn the_ends_are_said_to_be_dead_points_where_there_is_forward_dynamics() {
+    const DEAD: &str =
+        "The ends are dead points of `theta`: `forward_dynamics` is `Singular` there";
+    let bars = |lengths: &str, mass: &str| {
+        on_a_crank(&format!(
+            "ground D(2m, 0); rrr BC(B), DC(D) -> C {{ lengths: {lengths}, mode: left }} {mass}"
+        ))
+    };
+    let (rocker, crank) = ("(0.75m, 0.9m)", "(2.2m, 1.5m)");
+    let said = |lengths, mass| said(&bars(lengths, mass));
+    assert!(said(rocker, "mass 1kg on C;").contains(DEAD));
+    assert!(!said(rocker, "").contains("dead points"), "nobody asks for second rates");
+    assert!(!said(crank, "mass 1kg on C;").contains("dead points"), "it turns fully");
+}
+
+#[test]
 fn a_triple_rocker_has_two_ranges() {
     // |BD|² = 2.44 - 2.4 cos θ is 0.25 at 24.15° and 2.25 at 85.46°.
     let source = two_bars("(1.2m, 0)", "(1m, 0.5m)");

@@ -34,7 +34,8 @@ struct Equations<'s> {
 fn equations_of<'s>(kinematics: &Kinematics<'s>) -> Equations<'s> {
     let count = kinematics.inputs.len();
     let units: Vec<_> = (0..count).map(|input| at_unit_rate(kinematics, input)).collect();
-    let masses = Reduced::of(&units[0]);
+    // What swings with every input: at a unit rate of one, a length that another drives stands still.
+    let masses = Reduced::of(kinematics);
     let entry = |row: usize, column: usize| masses.inertia(&units[row], &units[column]);
     // Symmetric: each product once.
     let entry = |row: usize, column: usize| entry(row.max(column), row.min(column));

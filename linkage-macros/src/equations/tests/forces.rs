@@ -1,7 +1,7 @@
 //! Reactions and efforts against Newton's and Euler's equations of every part in a hundred digits,
 //! against the virtual power of all that acts, and against what the ground carries.
 
-mod topologies;
+pub(super) mod topologies;
 
 use crate::equations::forces::{Walk, in_motion};
 use crate::equations::kinematics::{Kinematics, Source};
@@ -19,7 +19,7 @@ use crate::passes;
 use topologies::random_mechanism;
 
 /// The declaration with mass on every link and pin, and with forces and torques everywhere.
-fn loaded(source: &str) -> String {
+pub(crate) fn loaded(source: &str) -> String {
     let plain = mechanism(source);
     let mut added = String::from("gravity (0.7, -9.81);");
     let q = &plain.inputs[0].name;
@@ -113,7 +113,7 @@ struct Nodes {
     readings: Vec<(String, Id)>,
 }
 
-fn with_every_input_asked(mut mechanism: Mechanism) -> Mechanism {
+pub(super) fn with_every_input_asked(mut mechanism: Mechanism) -> Mechanism {
     let inputs = mechanism.inputs.iter().enumerate();
     let asked = inputs.map(|(index, input)| Asked {
         owner: input.name.clone(),

@@ -3,7 +3,8 @@
 //! own conditions.
 
 pub(crate) mod declarations;
-mod forces;
+mod dynamics;
+pub(crate) mod forces;
 mod joints;
 mod newton_euler;
 mod rates;

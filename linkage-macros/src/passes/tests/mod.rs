@@ -2,6 +2,9 @@
 
 mod affine;
 mod budgets;
+mod collect;
+mod conditions;
+mod dynamics;
 mod growth;
 mod meaning;
 mod rules;

@@ -21,15 +21,15 @@ fn program(build: impl FnOnce(&mut Graph) -> Id) -> Program {
     }
 }
 
-fn x(graph: &mut Graph) -> Id {
+pub(super) fn x(graph: &mut Graph) -> Id {
     graph.push(Node::Param(0))
 }
 
-fn y(graph: &mut Graph) -> Id {
+pub(super) fn y(graph: &mut Graph) -> Id {
     graph.push(Node::Param(1))
 }
 
-fn c(graph: &mut Graph, digits: &str) -> Id {
+pub(super) fn c(graph: &mut Graph, digits: &str) -> Id {
     let value = match digits.strip_prefix('-') {
         Some(digits) => Exact::decimal(digits).map(|value| value.neg()),
         None => Exact::decimal(digits),
@@ -43,7 +43,7 @@ fn after(rules: &[Rule], build: impl FnOnce(&mut Graph) -> Id) -> String {
     nested(&program.graph, program.answers[0].sinks[0])
 }
 
-fn nested(graph: &Graph, id: Id) -> String {
+pub(super) fn nested(graph: &Graph, id: Id) -> String {
     let n = |id: Id| nested(graph, id);
     match graph.node(id) {
         Node::Constant(constant) => graph.value(constant).to_string(),
@@ -60,6 +60,7 @@ fn nested(graph: &Graph, id: Id) -> String {
         Node::MulErr(a, b) => format!("mul_err({}, {})", n(a), n(b)),
         Node::AddErr(a, b) => format!("add_err({}, {})", n(a), n(b)),
         Node::Sqrt(a) => format!("sqrt({})", n(a)),
+        Node::Guard(a, _) => n(a),
         other => format!("{other:?}"),
     }
 }

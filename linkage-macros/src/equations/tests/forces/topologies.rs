@@ -198,7 +198,7 @@ fn assembles(source: &str, inputs: &[[f64; 3]]) -> bool {
 }
 
 /// A random mechanism of up to a dozen links that assembles, and its number of statements.
-pub(super) fn random_mechanism(
+pub(in crate::equations::tests) fn random_mechanism(
     seed: u64,
     reads_anywhere: bool,
     inputs: &[[f64; 3]],

@@ -1,0 +1,240 @@
+//! The equations of motion against the efforts that the same motion asks for, by the walk over joint after
+//! joint, which is tested against Newton's and Euler's equations; and against the kinetic energy. On
+//! every variant and on random topologies, with masses, springs, dampers and loads everywhere.
+
+use crate::equations::forces::{
+    Walk, accelerations, energy, equations, every_input_moves_mass, in_motion,
+};
+use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::symbol::Sheet;
+use crate::equations::tests::declarations::VARIANTS;
+use crate::equations::tests::forces::topologies::random_mechanism;
+use crate::equations::tests::forces::{loaded, with_every_input_asked};
+use crate::equations::tests::newton_euler::Motion;
+use crate::exact::Exact;
+use crate::interface::entries::{EQUATIONS, FORWARD};
+use crate::ir::graph::Id;
+use crate::ir::interpret::{Given, Number, interpret};
+use crate::ir::program::{Answer, Program};
+use crate::model::mechanism::Mechanism;
+use crate::oracle::{Digits, mechanism};
+use crate::passes;
+
+/// The efforts of the inputs' drives, by the walk.
+const WALK: &str = "forces by the walk";
+/// The same by power.
+const POWER: &str = "forces by power";
+/// For each input the terms of that power: of each action both components and the couple, at a unit
+/// rate of the input.
+const TERMS: &str = "forces' terms";
+const ENERGY: &str = "energy";
+
+/// Everything that the tests compare, after all passes; nothing where an input moves no mass.
+fn program(mechanism: &Mechanism) -> Option<Program> {
+    let sheet = Sheet::new(passes::RULES);
+    let kinematics = Kinematics::of(&sheet, mechanism, Source::free(mechanism, &sheet));
+    if !every_input_moves_mass(&kinematics) {
+        return None;
+    }
+    let walk = Walk::of(&kinematics);
+    let answers = [
+        (FORWARD, accelerations(&kinematics)),
+        (EQUATIONS, equations(&kinematics)),
+        (ENERGY, energy(&kinematics)),
+        (WALK, walk.input_efforts().iter().map(|effort| effort.id).collect()),
+        (POWER, in_motion(&kinematics)),
+        (TERMS, terms(&kinematics)),
+    ];
+    drop(walk);
+    drop(kinematics);
+    let answers = answers.map(|(entry, sinks)| Answer { entry, sinks }).into();
+    let (closures, groups) = (Vec::new(), mechanism.titles());
+    let program =
+        Program { graph: sheet.into_graph(), answers, clearances: Vec::new(), closures, groups };
+    Some(passes::optimise(&program))
+}
+
+fn terms<'s>(kinematics: &Kinematics<'s>) -> Vec<Id> {
+    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+    let sym = |id: Id| sheet.known(id);
+    let actions = Motion::of(kinematics).applied;
+    let mut terms = Vec::new();
+    for moving in 0..mechanism.inputs.len() {
+        let mut inputs = Source::free(mechanism, sheet);
+        for (index, source) in inputs.iter_mut().enumerate() {
+            source.jet.rate = sheet.integer(i64::from(index == moving));
+            source.jet.accel = sheet.zero();
+        }
+        let unit = Motion::of(&Kinematics::of(sheet, mechanism, inputs)).applied;
+        for (action, unit) in actions.iter().zip(unit) {
+            let [x, y] = [0, 1].map(|axis| sym(action.force[axis]) * sym(unit.velocity[axis]));
+            terms.extend([x, y, sym(action.couple) * sym(unit.omega)].map(|term| term.id));
+        }
+    }
+    terms
+}
+
+/// A state of some mechanism, with numbers of either kind.
+struct State<'m, N> {
+    mechanism: &'m Mechanism,
+    program: &'m Program,
+    inputs: Vec<[N; 3]>,
+    drives: Vec<N>,
+    params: Vec<N>,
+}
+
+/// What every answer is in a state.
+struct Found<'m, N> {
+    program: &'m Program,
+    values: Vec<N>,
+}
+
+impl<N: Number> Found<'_, N> {
+    fn of(&self, entry: &str) -> Vec<N> {
+        let answer = self.program.answer(entry).expect("it is asked for");
+        answer.sinks.iter().map(|sink| self.values[sink.index()].clone()).collect()
+    }
+}
+
+impl<'m, N: Number> State<'m, N> {
+    /// Everything at these rates and second rates.
+    fn at(&self, rates: &[N], seconds: &[N]) -> Found<'m, N> {
+        let inputs = self.inputs.iter().zip(rates).zip(seconds);
+        let inputs =
+            inputs.map(|(([q, ..], rate), second)| [q.clone(), rate.clone(), second.clone()]);
+        let load = N::exact(&Exact::float(1.75).expect("finite"));
+        let given = Given {
+            inputs: inputs.collect(),
+            params: self.params.clone(),
+            loads: vec![load; self.mechanism.dynamics.loads.len()],
+            drives: self.drives.clone(),
+            unit: None,
+        };
+        Found { program: self.program, values: interpret(self.program, &given) }
+    }
+
+    fn rates(&self) -> Vec<N> {
+        self.inputs.iter().map(|[_, rate, _]| rate.clone()).collect()
+    }
+
+    fn zeros(&self) -> Vec<N> {
+        vec![N::exact(&Exact::integer(0)); self.inputs.len()]
+    }
+}
+
+/// The numbers, with so much more in one place.
+fn more(numbers: &[Digits], place: usize) -> Vec<Digits> {
+    let mut numbers = numbers.to_vec();
+    numbers[place] = numbers[place].add(&Digits::float(1.0));
+    numbers
+}
+
+/// Compares in a hundred digits; 1e-40 of the largest number.
+fn check_digits(name: &str, mechanism: &Mechanism, program: &Program, inputs: &[[f64; 3]]) {
+    let count = inputs.len();
+    let state = State {
+        mechanism,
+        program,
+        inputs: inputs.iter().map(|q| q.map(Digits::float)).collect(),
+        drives: (0..count).map(|input| Digits::float(0.65 - input as f64)).collect(),
+        params: crate::oracle::defaults(mechanism),
+    };
+    let (rates, zeros) = (state.rates(), state.zeros());
+    let coasting = state.at(&rates, &zeros);
+    let [seconds, equations] = [FORWARD, EQUATIONS].map(|entry| coasting.of(entry));
+    let (mass, force) = equations.split_at(count * count);
+    let largest = equations.iter().chain(&seconds).map(|n| n.to_f64().abs()).fold(1.0, f64::max);
+    let close = |what: &str, found: &Digits, truth: &Digits| {
+        let apart = found.sub(truth).to_f64().abs();
+        let (found, truth) = (found.to_f64(), truth.to_f64());
+        assert!(apart < 1e-40 * largest, "{name}: {what} is {found} and should be {truth}");
+    };
+    let efforts = state.at(&rates, &seconds).of(WALK);
+    for (effort, drive) in efforts.iter().zip(&state.drives) {
+        close("the drive", effort, drive);
+    }
+    let kinetic = |rates: &[Digits]| state.at(rates, &zeros).of(ENERGY)[0].clone();
+    let alone = kinetic(&rates);
+    let one_more: Vec<_> = (0..count).map(|input| kinetic(&more(&rates, input))).collect();
+    for column in 0..count {
+        // Efforts are affine in second rates, and the kinetic energy is quadratic in rates.
+        let pushed = state.at(&rates, &more(&seconds, column)).of(WALK);
+        for row in 0..=column {
+            let by_efforts = pushed[row].sub(&efforts[row]);
+            let both = kinetic(&more(&more(&rates, column), row)).sub(&one_more[row]);
+            let by_energy = both.sub(&one_more[column].sub(&alone));
+            for entry in [&mass[column * count + row], &mass[row * count + column]] {
+                close("a mass by efforts", entry, &by_efforts);
+                close("a mass by energy", entry, &by_energy);
+            }
+        }
+    }
+    for row in 0..count {
+        let inertia = (0..count).map(|column| mass[column * count + row].mul(&seconds[column]));
+        let inertia = inertia.fold(Digits::float(0.0), |sum, term| sum.add(&term));
+        close("a force", &force[row].add(&state.drives[row]), &inertia);
+    }
+}
+
+/// What was given comes back in double precision, both by the walk and by power, within 64 ε of the sizes
+/// of the power's terms.
+fn check_rounding(
+    name: &str,
+    mechanism: &Mechanism,
+    program: &Program,
+    inputs: &[[f64; 3]],
+) -> f64 {
+    let state = State {
+        mechanism,
+        program,
+        inputs: inputs.to_vec(),
+        drives: (0..inputs.len()).map(|input| 0.65 - input as f64).collect(),
+        params: crate::oracle::defaults(mechanism).iter().map(Digits::to_f64).collect(),
+    };
+    let rates = state.rates();
+    let seconds = state.at(&rates, &state.zeros()).of(FORWARD);
+    let moving = state.at(&rates, &seconds);
+    let terms = moving.of(TERMS);
+    let of_one = terms.len() / inputs.len();
+    let mut worst = 0.0_f64;
+    for way in [WALK, POWER] {
+        let found = moving.of(way);
+        for (input, (found, drive)) in found.iter().zip(&state.drives).enumerate() {
+            let own = &terms[input * of_one..][..of_one];
+            let size: f64 = drive.abs() + own.iter().map(|term| term.abs()).sum::<f64>();
+            let apart = (found - drive).abs() / (f64::EPSILON * size);
+            assert!(apart <= 64.0, "{name}: {way}: {found} for {drive}, {apart:.1} ε of {size}");
+            worst = worst.max(apart);
+        }
+    }
+    worst
+}
+
+/// Whether there are equations of motion to compare, and the worst rounding.
+fn check(name: &str, source: &str, inputs: &[[f64; 3]]) -> Option<f64> {
+    let mut mechanism = with_every_input_asked(mechanism(source));
+    mechanism.dynamics.energy = true;
+    let program = program(&mechanism)?;
+    check_digits(name, &mechanism, &program, inputs);
+    Some(check_rounding(name, &mechanism, &program, inputs))
+}
+
+#[test]
+fn every_variant_moves_as_its_efforts_say() {
+    let checked = VARIANTS
+        .iter()
+        .filter_map(|variant| check(variant.name, &loaded(variant.source), variant.inputs));
+    assert!(checked.count() > 25);
+}
+
+#[test]
+fn random_topologies_move_as_their_efforts_say() {
+    const POSE: [[f64; 3]; 2] = [[0.7, 1.3, -0.6], [0.41, -0.4, 0.9]];
+    let mut worst = 0.0_f64;
+    for seed in 202..208 {
+        let (source, _) = random_mechanism(seed, seed % 2 == 0, &POSE);
+        let rounding = check(&format!("seed {seed}"), &source, &POSE);
+        worst = worst.max(rounding.expect("crank and slider move mass"));
+    }
+    println!("{worst:.1} ε");
+}
