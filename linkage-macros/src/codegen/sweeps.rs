@@ -123,8 +123,15 @@ impl Sweep<'_> {
         let (core, method) = (fast_path::core_name(entry), function_name(entry.name));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.call(&locals);
-        let call = quote!(self.#method(#(#arguments),*)?);
-        let single = self.numbers_of(&call, &quote!([#call]));
+        let call = quote!(self.#method(#(#arguments),*));
+        // A list is the result itself: there is nothing to take out of it and to put back.
+        let single = match self.entry.result {
+            Shape::List(_) => call,
+            _ => {
+                let numbers = self.numbers_of(&quote!(#call?), &quote!([#call?]));
+                quote!(#ok(#numbers))
+            }
+        };
         let (given, solved) = match cx.searches() {
             // Poses are searched one by one: the mask says no, and a single call follows.
             true => {
@@ -156,7 +163,7 @@ impl Sweep<'_> {
                     &self,
                     [#(#locals),*]: [#scalar; #ins],
                 ) -> #result<[#scalar; #outs], #error> {
-                    #ok(#single)
+                    #single
                 }
             }
         }

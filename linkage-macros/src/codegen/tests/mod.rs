@@ -324,6 +324,19 @@ fn a_sweep_takes_series_and_gives_components() {
     assert_eq!(expand(&four_bar()).matches("fn sweep_").count(), 3);
 }
 
+/// A result is not taken apart to be put together again: the user's lints would object to it.
+#[test]
+fn what_a_single_call_gives_as_a_list_is_handed_on() {
+    let text = "pub struct Arm { input a, b: angle; ground O(0, 0);
+        crank AB(O) -> B { length: 1m, angle: a } crank BC(B) -> C { length: 1m, angle: b }
+        mass 1kg on B; mass 1kg on C; }";
+    let tokens = text.parse().expect("these are tokens");
+    let text = bare(&crate::pipeline::compile(tokens, false).to_string());
+    let handed_on = "-> Result<[T; 2], SolveError> { self.forward_dynamics(";
+    assert!(text.contains(&bare(handed_on)), "no `{handed_on}`");
+    assert!(!text.contains(&bare("Ok(self.forward_dynamics(")));
+}
+
 #[test]
 fn a_sweep_over_several_inputs_takes_a_record_of_series() {
     assert_has(
