@@ -70,6 +70,21 @@ conditions! {
     )]
     HasForces
 
+    /// Every input moves a mass, and no input is searched for.
+    #[diagnostic::on_unimplemented(
+        message = "this mechanism has no equations of motion: they need a mass that each input moves",
+        label = "an input moves no mass, or there is an `unknown`",
+        note = "declare what has mass: `mass 2kg on BC uniform;`; beside an `unknown` there are none"
+    )]
+    MovesMasses
+
+    /// The outputs ask for the energy.
+    #[diagnostic::on_unimplemented(
+        message = "this mechanism has no `energy`: none of its outputs asks for it",
+        label = "there is no energy",
+        note = "declare what has mass, and ask: `mass 2kg on BC uniform;`, `output energy;`"
+    )]
+    HasEnergy
 }
 
 #[cfg(not(feature = "ad"))]
@@ -157,6 +172,38 @@ pub trait Absent {
     fn statics<Q>(&self, _: Q) -> Self::Answer
     where
         Self: HasForces,
+    {
+        self.answer()
+    }
+
+    /// See [`MovesMasses`].
+    fn forward_dynamics<Q, V, D>(&self, _: Q, _: V, _: D) -> Self::Answer
+    where
+        Self: MovesMasses,
+    {
+        self.answer()
+    }
+
+    /// See [`MovesMasses`].
+    fn equations_of_motion<Q, V>(&self, _: Q, _: V) -> Self::Answer
+    where
+        Self: MovesMasses,
+    {
+        self.answer()
+    }
+
+    /// See [`MovesMasses`].
+    fn state_rates<S, D>(&self, _: S, _: D) -> Self::Answer
+    where
+        Self: MovesMasses,
+    {
+        self.answer()
+    }
+
+    /// See [`HasEnergy`].
+    fn energy<Q, V>(&self, _: Q, _: V) -> Self::Answer
+    where
+        Self: HasEnergy,
     {
         self.answer()
     }

@@ -193,6 +193,18 @@ mod tests {
             SearchingCost { position, motion, coefficients: motion, searches: SEARCHES };
         let words = "; theta: up to 61 (f32: 32) times 3 add, 0 mul, 0 div, 0 sqrt, 1 sin/cos";
         assert!(searching.to_string().ends_with(words), "{searching}");
+        let of_forces = SearchingForcesCost {
+            position,
+            motion,
+            coefficients: motion,
+            forces: position,
+            statics: motion,
+            energy: motion,
+            forward_dynamics: motion,
+            searches: SEARCHES,
+        };
+        assert!(of_forces.to_string().contains("; forces: 20 add"), "{of_forces}");
+        assert!(of_forces.to_string().ends_with(words), "{of_forces}");
         assert!(
             cost.to_string().ends_with("; coefficients: 0 add, 0 mul, 0 div, 0 sqrt, 0 sin/cos")
         );

@@ -128,6 +128,10 @@ fn a_dead_point_has_no_efforts_and_a_far_target_no_pose() {
         text.starts_with("theta: no solution between its ends, 17") && text.contains(" mm is"),
         "{text}"
     );
+    let still = TurningBack::new().statics(0.0).map(|_| ());
+    assert_eq!(still, Err(SolveError::Singular { group: "theta" }));
+    let f = TurningBack::new().statics(0.125).expect("in the stroke");
+    assert!((f.x.drive - 100.0 * 0.25).abs() < 1e-12, "{f:?}");
     let none = ram.forces(0.25, f64::NAN, 0.0, 0.0).map(|_| ());
     assert_eq!(none, Err(SolveError::NotFinite { name: "x_rate" }));
     let none = ram.statics(0.25, f64::INFINITY).map(|_| ());

@@ -264,9 +264,19 @@ fn dead_points_have_a_pose_and_no_rates() {
 #[test]
 fn a_jump_of_an_angle_is_no_root() {
     let jump = Jump::new();
-    assert!(matches!(jump.position(0.0), Err(SolveError::NoSolution { .. })), "{jump:?}");
+    let refused = jump.position(0.0);
+    assert!(matches!(refused, Err(SolveError::NoSolution { unit: "rad", .. })), "{refused:?}");
+    let text = refused.map(|_| ()).unwrap_err().to_string();
+    // From 180° to −180°, at either of which one side of the jump is left.
+    assert_eq!(text, "theta: no solution between its ends, 180° is missing");
     // Rising there is one, at the angle itself; falling there is none.
-    assert!(matches!(jump.position(PI), Err(SolveError::NoSolution { .. })));
+    assert!(matches!(jump.position(PI), Err(SolveError::NoSolution { unit: "rad", .. })));
+    // An angle on either side; what is squared is an area.
+    let [left, right] = [Ratio::new().position(9.0), Ratio::new().position(-9.0)];
+    assert!(matches!(left, Err(SolveError::NoSolution { unknown: "theta", unit: "rad", .. })));
+    assert!(matches!(right, Err(SolveError::NoSolution { unknown: "theta", unit: "rad", .. })));
+    let area = Ratio::new().position(0.1).map(|_| ()).unwrap_err().to_string();
+    assert_eq!(area, "s: no solution between its ends, 0.990 m² is missing");
 }
 
 #[test]

@@ -20,9 +20,9 @@ fn starts(step: f64) -> [f64; 3] {
     [0.0, step / 2.0, 77.7]
 }
 
-/// A thousand turns, as far as a build without optimisation gets in a second.
+/// A thousand turns, as far as a build without optimisation gets in half a second.
 fn turns(step: f64) -> f64 {
-    if cfg!(debug_assertions) { (20.0 * step).min(1000.0) } else { 1000.0 }
+    if cfg!(debug_assertions) { (10.0 * step).min(1000.0) } else { 1000.0 }
 }
 
 /// Calls `check` with every angle of every walk, forward and backward.

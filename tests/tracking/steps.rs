@@ -216,13 +216,13 @@ impl<T: Float> Stepped for Anti<T> {
     }
 }
 
-/// A thousand pairs of all mechanisms, sizes and widths together in an ordinary run, and a hundred
+/// Some five hundred pairs of all mechanisms, sizes and widths together in an ordinary run, and a hundred
 /// thousand of each mechanism where they are asked for.
 macro_rules! steps {
     ($($name:ident, $all:ident: $solver:ident;)*) => {$(
         #[test]
         fn $name() {
-            all_sizes::<$solver<f64>, $solver<f32>>(40);
+            all_sizes::<$solver<f64>, $solver<f32>>(20);
         }
 
         #[test]

@@ -17,6 +17,7 @@ pub(super) fn in_words(cx: &Context<'_>, index: usize) -> String {
     let Group { keyword, title, .. } = &mechanism.groups[index];
     let words = Words { mechanism };
     let step = mechanism.steps.iter().find_map(|step| words.step(step, index));
+    let step = step.or_else(|| words.unknown(index));
     match step {
         Some(step) => format!("{keyword} {title}: {step}"),
         None => format!("{keyword} {title}"),
@@ -28,6 +29,16 @@ struct Words<'a> {
 }
 
 impl Words<'_> {
+    /// What an equation fixes, if it is that which bears the group's name.
+    fn unknown(&self, index: usize) -> Option<String> {
+        let unknowns = &self.mechanism.unknowns;
+        let unknown = unknowns.iter().find(|unknown| unknown.group.index() == index)?;
+        let constant = if unknown.dimension.angle { degrees } else { metres };
+        let [from, to] = unknown.between.each_ref().map(|end| self.number(end, constant));
+        let trend = if unknown.mode == Sign::Plus { "rising" } else { "falling" };
+        Some(format!("between {from} and {to}, fixed by its equation, {trend}"))
+    }
+
     /// The step in words, if it is the group's.
     fn step(&self, step: &Step, index: usize) -> Option<String> {
         let words = match step {
@@ -210,6 +221,9 @@ impl Words<'_> {
             }
             Expr::Param(param) => {
                 format!("`{}`", text(&self.mechanism.params[param.index()].name))
+            }
+            Expr::Unknown(unknown) => {
+                format!("`{}`", text(&self.mechanism.unknowns[unknown.index()].name))
             }
             _ => "as computed".to_string(),
         }

@@ -106,3 +106,18 @@ mechanism! {
         output theta, phi, x.drive, h.drive, energy;
     }
 }
+
+mechanism! {
+    /// A ram that turns back where its input is zero: there no drive at the crank can tell the input's.
+    pub struct TurningBack {
+        input x: length;
+        ground A(0, 0);
+        guide bed through (0, 0) along 0deg;
+        unknown theta: angle between (5deg, 175deg);
+        crank AB(A) -> B           { length: 80mm, angle: theta }
+        rrp   BC(B), ram(bed) -> C { length: 250mm, mode: ahead }
+        solve theta { ram.slide = 0.25m + x * x / 1m, mode: falling }
+        force (-100N, 0) on C;
+        output theta, x.drive, theta.drive;
+    }
+}

@@ -127,3 +127,19 @@ mechanism! {
         output theta, phi, C, F;
     }
 }
+
+mechanism! {
+    /// Equations of an angle that stands on the right, and of areas.
+    pub struct Ratio {
+        input x: length;
+        ground A(0, 0);
+        guide rail through (0, 0) along 0deg;
+        unknown theta: angle between (10deg, 80deg);
+        crank AB(A) -> B { length: 1m, angle: theta }
+        solve theta { 1 + x / 1m = theta, mode: falling }
+        unknown s: length between (1m, 2m);
+        slider block(rail) -> P { slide: s }
+        solve s { P.x * P.x = x * x, mode: rising }
+        output theta, s;
+    }
+}

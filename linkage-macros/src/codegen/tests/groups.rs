@@ -51,6 +51,23 @@ fn every_group_has_its_dimensions_its_mode_and_its_range() {
 }
 
 #[test]
+fn an_unknown_has_its_ends_and_drives_by_its_name() {
+    let lines = said(
+        "input x: length; param far: angle = 170deg; ground A(0, 0); guide bed through A along 0deg;
+         unknown theta: angle between (-10deg, far);
+         crank AB(A) -> B { length: 80mm, angle: theta }
+         rrp BC(B), ram(bed) -> C { length: 250mm, mode: ahead }
+         solve theta { ram.slide = x, mode: falling }
+         unknown s: length between (0.2m, 1.5m); slider other(bed) { slide: s }
+         solve s { other.slide = 2 * x, mode: rising }",
+    );
+    assert_eq!(lines[0], "unknown theta: between -10° and `far`, fixed by its equation, falling");
+    assert_eq!(lines[1], "crank AB: length 80 mm, angle `theta`");
+    assert_eq!(lines[3], "unknown s: between 200 mm and 1.5 m, fixed by its equation, rising");
+    assert_eq!(lines[4], "slider other: slide `s`");
+}
+
+#[test]
 fn the_range_of_a_cylinder_is_its_own_lengths() {
     let lines = said(
         "input lift: length; ground O(0, 0), F(0.6m, -0.8m);
