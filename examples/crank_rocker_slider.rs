@@ -72,18 +72,18 @@ fn main() -> Result<(), SolveError> {
 
 fn chart([rocker, slides, speeds, seconds]: [Vec<(f64, f64)>; 4]) {
     let crank = "crank in deg";
-    let over = |name, unit, curve: &[(f64, f64)]| {
-        Panel::over(name, [crank, unit], vec![Curve::line(COLOURS[1], curve)])
+    let over = |name, unit, colour: usize, curve: &[(f64, f64)]| {
+        Panel::over(name, [crank, unit], vec![Curve::line(COLOURS[colour], curve)])
     };
     charts::write(
         "crank_rocker_slider",
         "Crank-rocker with a slider at 10 rad/s",
         2,
         vec![
-            over("Rocker", "deg", &rocker),
-            over("Block", "mm", &slides),
-            over("Block velocity", "m/s", &speeds),
-            over("Block acceleration", "m/s²", &seconds),
+            over("Rocker", "deg", 2, &rocker),
+            over("Block", "mm", 3, &slides),
+            over("Block velocity", "m/s", 3, &speeds),
+            over("Block acceleration", "m/s²", 3, &seconds),
         ],
     );
 }

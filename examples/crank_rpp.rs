@@ -47,7 +47,7 @@ fn main() -> Result<(), SolveError> {
     let two = |slot, rail| {
         vec![
             Curve::named("block in the slot", COLOURS[0], slot),
-            Curve::named("yoke on the rail", COLOURS[1], rail),
+            Curve::named("yoke on the rail", COLOURS[2], rail),
         ]
     };
     let crank = "crank in deg";

@@ -195,7 +195,11 @@ fn main() -> Result<(), SolveError> {
                 starting,
             ),
             over("Coasting at 120 rpm", ["crank angle in degrees", "speed in rad/s"], wheels),
-            Panel::plane("What shakes the frame, 120 rpm", ["force in N, x", "y"], shakes),
+            Panel::plane(
+                "What shakes the frame, 120 rpm",
+                ["force in N, x", "force in N, y"],
+                shakes,
+            ),
         ],
     );
     Ok(())
@@ -242,7 +246,7 @@ fn print_shaking(machine: FourBar) -> Result<Vec<Curve>, SolveError> {
     for ((name, machine), colour) in [
         ("none", machine),
         ("crank", FourBar { crank_weight, ..machine }),
-        ("crank and rocker", FourBar { crank_weight, rocker_weight, ..machine }),
+        ("crank and rocker: nothing left", FourBar { crank_weight, rocker_weight, ..machine }),
     ]
     .into_iter()
     .zip(COLOURS)

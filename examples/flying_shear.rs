@@ -89,12 +89,12 @@ fn chart(shear: &FlyingShear) -> Result<(), SolveError> {
         Curve::named("a whole turn", COLOURS[5], turn_b),
         Curve::line(COLOURS[5], &turn_c),
         Curve::line(COLOURS[5], &turn_blade),
-        Curve::named("crank pin B", COLOURS[0], b),
-        Curve::named("rocker pin C", COLOURS[1], c),
-        Curve::named("blade", COLOURS[2], blade),
+        Curve::named("crank pin B", charts::colour_of_pin("B"), b),
+        Curve::named("rocker pin C", charts::colour_of_pin("C"), c),
+        Curve::named("blade", COLOURS[0], blade),
     ];
     let over = |title, unit, curve| {
-        Panel::over(title, ["t in s", unit], vec![Curve::line(COLOURS[0], curve)])
+        Panel::over(title, ["t in s", unit], vec![Curve::line(COLOURS[2], curve)])
     };
     charts::write(
         "flying_shear",

@@ -47,7 +47,7 @@ fn main() -> Result<(), SolveError> {
 
 fn chart([coupler, rocker, w3, w4, a3, a4]: [Vec<(f64, f64)>; 6]) {
     let two = |first, second| {
-        vec![Curve::named("coupler", COLOURS[0], first), Curve::named("rocker", COLOURS[1], second)]
+        vec![Curve::named("coupler", COLOURS[0], first), Curve::named("rocker", COLOURS[2], second)]
     };
     let crank = "crank in deg";
     charts::write(

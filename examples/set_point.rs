@@ -78,7 +78,7 @@ fn main() -> Result<(), SolveError> {
     println!("At 340 mm: {out}");
     let titles = [("Ram", "mm"), ("Drive", "deg"), ("Speed", "rad/s"), ("Acceleration", "rad/s²")];
     let panels = titles.iter().zip(curves).zip(COLOURS).map(|(((title, unit), curve), colour)| {
-        Panel::over(title, ["ms", unit], vec![Curve::named(title, colour, curve)])
+        Panel::over(title, ["t in ms", unit], vec![Curve::named(title, colour, curve)])
     });
     charts::write("set_point", "The drive of a press for a wanted ram", 2, panels.collect());
     Ok(())

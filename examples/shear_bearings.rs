@@ -120,7 +120,7 @@ fn chart([torque, empty]: [Points; 2], loads: [Points; 4], housing: [Points; 2],
             Panel::over("What the bearings carry", [degrees, "force in kN"], bearings),
             Panel::plane(
                 "On the frame's side",
-                ["force in kN, x", "y"],
+                ["force in kN, x", "force in kN, y"],
                 vec![
                     Curve::named("A on crank", COLOURS[0], a),
                     Curve::named("D on rocker", COLOURS[3], d),
@@ -128,7 +128,7 @@ fn chart([torque, empty]: [Points; 2], loads: [Points; 4], housing: [Points; 2],
             ),
             Panel::plane(
                 "On the crank pin, in the crank's axes",
-                ["force in kN, along", "across"],
+                ["force in kN, along", "force in kN, across"],
                 vec![Curve::named("B on crank", COLOURS[1], pin)],
             ),
         ],

@@ -49,7 +49,7 @@ fn main() -> Result<(), SolveError> {
     }
     let crank = "crank in deg";
     let ram = |name, unit, curve: &[(f64, f64)]| {
-        Panel::over(name, [crank, unit], vec![Curve::line(COLOURS[1], curve)])
+        Panel::over(name, [crank, unit], vec![Curve::line(COLOURS[3], curve)])
     };
     charts::write(
         "six_bar",

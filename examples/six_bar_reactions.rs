@@ -99,6 +99,12 @@ fn chart(machine: SixBar) -> Result<(), SolveError> {
             .map(|((name, colour), points)| Curve::named(name, colour, points))
             .collect::<Vec<_>>()
     };
+    let of_pins = |names: &[&str], curves: Vec<Vec<(f64, f64)>>| {
+        let curves = names.iter().zip(curves);
+        curves
+            .map(|(name, points)| Curve::named(name, charts::colour_of_pin(name), points))
+            .collect::<Vec<_>>()
+    };
     let degrees = "crank angle in degrees";
     let sides = ["block on rod", "slider in yoke", "yoke on rail"];
     let pins = ["A on crank", "B on crank", "D on rod", "E on slider"];
@@ -116,13 +122,13 @@ fn chart(machine: SixBar) -> Result<(), SolveError> {
             Panel::over("Normal forces", [degrees, "force in N"], named(&sides, side.into())),
             Panel::plane(
                 "Pins, in the axes of the ground",
-                ["force in N, x", "y"],
-                named(&pins, ground.into()),
+                ["force in N, x", "force in N, y"],
+                of_pins(&pins, ground.into()),
             ),
             Panel::plane(
                 "Pins, in the axes of their links",
-                ["force in N, along", "across"],
-                named(&in_links, links.into()),
+                ["force in N, along", "force in N, across"],
+                of_pins(&in_links, links.into()),
             ),
         ],
     );

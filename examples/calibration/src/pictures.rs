@@ -4,46 +4,30 @@ use linkage_core::SolveError;
 
 use crate::CALIBRATIONS;
 use crate::fit::Calibration;
-use crate::machine::{Dimensions, UNKNOWNS, built, drawn, six_bar, tracked};
+use crate::machine::{Dimensions, UNKNOWNS, built, drawn, tracked};
 use crate::measurement::Measurement;
-use charts::{BLACK, COLOURS, Curve, GREY, Panel};
+use charts::{BLACK, COLOURS, Curve, GREY, MarkerShape, Panel};
 
 pub(crate) fn draw(
     measurement: &Measurement,
     found: &Calibration,
     held: [u32; UNKNOWNS],
 ) -> Result<(), SolveError> {
-    let panels = vec![
-        machine(measurement)?,
-        residuals(measurement, found)?,
-        intervals(found),
-        coverage(held),
-    ];
+    let panels =
+        vec![pins(measurement), residuals(measurement, found)?, intervals(found), coverage(held)];
     charts::write("calibration", "Calibration of a six-bar", 2, panels);
     Ok(())
 }
 
-/// The links at the first pose, and where the pins were seen.
-fn machine(measurement: &Measurement) -> Result<Panel, SolveError> {
-    let millimetres = |x: f64, y: f64| (x * 1e3, y * 1e3);
-    let dimensions = built();
-    let [ax, ay, dx, dy, gx, gy, crank, .., zero] = dimensions;
-    let theta = measurement.thetas[4];
-    let p = six_bar(dimensions).position(theta)?;
-    let (sin, cos) = (theta + zero).sin_cos();
-    let [a, d, g] = [millimetres(ax, ay), millimetres(dx, dy), millimetres(gx, gy)];
-    let b = millimetres(ax + crank * cos, ay + crank * sin);
-    let [c, e, f] = [p.C, p.E, p.F].map(|pin| millimetres(pin.x, pin.y));
-    let mut curves = vec![
-        Curve::line(GREY, &[a, b, c, d]),
-        Curve::line(GREY, &[b, e, c]),
-        Curve::line(GREY, &[e, f, g]),
-    ];
-    for (pin, name) in ["C", "E", "F"].into_iter().enumerate() {
-        let seen = measurement.seen.iter().map(|row| millimetres(row[2 * pin], row[2 * pin + 1]));
-        curves.push(Curve::named(name, COLOURS[pin], seen.collect()));
-    }
-    Ok(Panel::plane("Six-bar and its tracked pins", ["x in mm", "y in mm"], curves))
+/// Where the pins were seen.
+fn pins(measurement: &Measurement) -> Panel {
+    let shapes = [MarkerShape::Circle, MarkerShape::Square, MarkerShape::Diamond];
+    let curves = ["C", "E", "F"].into_iter().zip(shapes).enumerate().map(|(pin, (name, shape))| {
+        let rows = measurement.seen.iter();
+        let seen = rows.map(|row| (row[2 * pin] * 1e3, row[2 * pin + 1] * 1e3));
+        Curve::dots(name, charts::colour_of_pin(name), shape, seen.collect())
+    });
+    Panel::plane("Where the pins were seen", ["x in mm", "y in mm"], curves.collect())
 }
 
 /// How far each pin was seen from where the dimensions put it, on average over the pins.

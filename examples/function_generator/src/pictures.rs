@@ -73,7 +73,7 @@ fn paths(outcomes: &[[Outcome; 2]]) -> Panel {
     };
     let mut curves = vec![Curve::named("transmission angle 135°", BLACK, limit())];
     curves.extend(by_method(outcomes, ["slsqp", "cobyla"], path));
-    Panel::plane("Lengths tried", ["coupler", "rocker"], curves)
+    Panel::plane("Lengths tried", ["coupler in cranks", "rocker in cranks"], curves)
 }
 
 /// Where the largest transmission angle is 135°: by the law of cosines, with 6 between the pins,

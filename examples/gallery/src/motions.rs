@@ -135,12 +135,12 @@ fn more() -> Vec<Piece> {
         },
         Piece {
             name: "shear_bearings::FlyingShear",
-            text: "What the bearings exert on crank and rocker, 10 kN on the blade.",
+            text: "What the bearings exert on the links, 10 kN on the blade.",
             film: cutting(),
         },
         Piece {
             name: "six_bar_reactions::SixBar",
-            text: "What the bearings exert on crank and rod at one turn a second.",
+            text: "What the bearings exert on the links at one turn a second.",
             film: turning(),
         },
         Piece {
@@ -238,19 +238,12 @@ fn loaded() -> Film {
 /// Reactions at rest.
 fn cutting() -> Film {
     let solver = shear_bearings::FlyingShear::new();
-    let forces = turn().map(|q| solver.statics(q, 1e4).expect("the crank turns fully"));
-    let forces: Vec<_> = forces.collect();
     let film = solver.film(turn()).force("blade", [[0.0, 1e4]]);
-    film.force("A", forces.iter().map(|f| [f.AB.A.x, f.AB.A.y]))
-        .force("D", forces.iter().map(|f| [f.DC.D.x, f.DC.D.y]))
+    film.reactions(turn().map(|q| solver.statics(q, 1e4)))
 }
 
 /// Reactions in motion.
 fn turning() -> Film {
     let solver = six_bar_reactions::SixBar::new();
-    let forces = turn().map(|q| solver.forces(q, TAU, 0.0).expect("the crank turns fully"));
-    let forces: Vec<_> = forces.collect();
-    let film = solver.film(turn());
-    film.force("A", forces.iter().map(|f| [f.AB.A.x, f.AB.A.y]))
-        .force("D", forces.iter().map(|f| [f.rod.D.x, f.rod.D.y]))
+    solver.film(turn()).reactions(turn().map(|q| solver.forces(q, TAU, 0.0)))
 }

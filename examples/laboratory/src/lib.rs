@@ -1,3 +1,4 @@
-//! The mechanisms that are measured, for programs and benches alike.
+//! What is measured, for programs and benches alike.
 
 pub mod generated;
+pub mod near_limits;

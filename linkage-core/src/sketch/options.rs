@@ -6,6 +6,7 @@ use std::vec::Vec;
 use super::film::Film;
 use super::still::Sketch;
 use super::style::{Theme, Unit, WIDTH};
+use crate::{Record, SolveError};
 
 /// What the user asks of a picture.
 #[derive(Clone, Debug)]
@@ -43,6 +44,37 @@ impl Default for Options {
     }
 }
 
+/// The reactions by their joints, no numbers where there is no result.
+fn reactions<R: Record<Number = f64>>(
+    results: impl IntoIterator<Item = Result<R, SolveError>>,
+) -> Vec<(String, Vec<[f64; 2]>)> {
+    let mut found: Vec<(&str, Vec<[f64; 2]>)> = Vec::new();
+    let mut count = 0;
+    for result in results {
+        // A path of two names is a link and its joint; what shakes the ground has one.
+        let joints =
+            result.into_iter().flat_map(Record::points).filter(|(path, _)| path.contains('.'));
+        for (path, force) in joints {
+            let known = found.iter().position(|(name, _)| *name == path);
+            let place = known.unwrap_or_else(|| {
+                found.push((path, Vec::new()));
+                found.len() - 1
+            });
+            found[place].1.resize(count, [f64::NAN; 2]);
+            found[place].1.push([force.x, force.y]);
+        }
+        count += 1;
+    }
+    let joint = |path: &str| path.rsplit('.').next().unwrap_or_default().to_string();
+    found
+        .into_iter()
+        .map(|(path, mut forces)| {
+            forces.resize(count, [f64::NAN; 2]);
+            (joint(path), forces)
+        })
+        .collect()
+}
+
 macro_rules! asked_of_a_picture {
     ($($picture:ident)*) => {$(
         impl $picture {
@@ -74,6 +106,18 @@ macro_rules! asked_of_a_picture {
             pub fn force(mut self, point: &str, forces: impl IntoIterator<Item = [f64; 2]>) -> Self {
                 let forces = forces.into_iter().collect();
                 self.options.forces.push((point.to_string(), forces));
+                self
+            }
+
+            /// Draws the reactions of joints that the results of `forces` or `statics` hold, one result for
+            /// each pose: which there are, the declaration's outputs say. There are no arrows where
+            /// there is no result, and none for guides.
+            #[must_use]
+            pub fn reactions<R: Record<Number = f64>>(
+                mut self,
+                results: impl IntoIterator<Item = Result<R, SolveError>>,
+            ) -> Self {
+                self.options.forces.extend(reactions(results));
                 self
             }
 

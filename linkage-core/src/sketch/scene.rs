@@ -47,6 +47,8 @@ impl Pose {
 /// One pose of the mechanism.
 #[derive(Clone, Debug)]
 struct Frame {
+    /// Its place in the path.
+    pose: usize,
     numbers: Vec<f64>,
     failure: Option<Failure>,
     /// Of points, links and guides: whether each is there.
@@ -83,7 +85,8 @@ impl Scene {
         let all = |count: usize| vec![true; count];
         let (points, links, guides) =
             (all(plan.points.len()), all(plan.links.len()), all(plan.guides.len()));
-        let mut frame = Frame { numbers, failure, points, links, guides };
+        let pose = self.frames.len();
+        let mut frame = Frame { pose, numbers, failure, points, links, guides };
         if failure.is_some() {
             self.leave_out(&mut frame);
         }
@@ -133,6 +136,11 @@ impl Scene {
     /// The poses, by their places.
     pub(super) fn frames(&self) -> core::ops::Range<usize> {
         0..self.frames.len()
+    }
+
+    /// The place in the path of what a frame shows: back again the path is gone through twice.
+    pub(super) fn pose(&self, frame: usize) -> usize {
+        self.frames[frame].pose
     }
 
     pub(super) fn failure(&self, frame: usize) -> Option<Failure> {

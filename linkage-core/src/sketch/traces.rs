@@ -176,7 +176,7 @@ impl Force {
             let point = point(scene.plan, name)?;
             let ends = |frame: usize| {
                 // One force is the same in all poses.
-                let &[x, y] = force.get(frame).or(force.last())?;
+                let &[x, y] = force.get(scene.pose(frame)).or(force.last())?;
                 let at = view.pixels(scene.point(frame, point)?);
                 let tip = [at[0] + x / largest * LONGEST, at[1] - y / largest * LONGEST];
                 tip.iter().all(|x| x.is_finite()).then_some([at, tip])

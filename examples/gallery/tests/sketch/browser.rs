@@ -119,3 +119,41 @@ fn a_film_plays_as_an_image_too() {
         assert!(shot(&still, &name, 300) == shot(&still, &name, 1300), "{} moves", piece.name);
     }
 }
+
+/// Uses the button and the slider of a film's page, and says what the films did.
+const USE: &str = r#"
+addEventListener("load", () => setTimeout(() => {
+  const lines = [], say = () => lines.push([
+    button.textContent, ...[...films].map((film) => film.animationsPaused() + " " + film.getCurrentTime().toFixed(2)), time.textContent,
+  ].join(", "));
+  button.click();
+  slider.value = 1.5;
+  slider.dispatchEvent(new Event("input"));
+  say();
+  slider.value = 0.25;
+  slider.dispatchEvent(new Event("input"));
+  say();
+  button.click();
+  lines.push([button.textContent, ...[...films].map((film) => film.animationsPaused())].join(", "));
+  document.querySelector("pre").textContent = lines.join("\n");
+}, 300));
+"#;
+
+#[test]
+#[ignore = "needs chromium"]
+fn a_page_stops_goes_on_and_goes_where_its_slider_is_put() {
+    let film = pieces().remove(0).film;
+    let page = film.to_html().unwrap();
+    let found =
+        run(&page.replace("</html>", &format!("<pre></pre><script>{USE}</script>")), "page");
+    let lines: Vec<&str> = found.lines().collect();
+    // One film is light and one dark; both go together.
+    assert_eq!(
+        lines,
+        [
+            "Play, true 1.50, true 1.50, 1.50 s",
+            "Play, true 0.25, true 0.25, 0.25 s",
+            "Pause, false, false",
+        ]
+    );
+}

@@ -4,6 +4,7 @@ mod bad_input;
 mod browser;
 mod gaps;
 mod layout;
+mod look;
 mod motion;
 mod placed;
 mod snapshots;

@@ -1,9 +1,9 @@
 //! Where a picture puts things against `position`, for every driver and group.
 
 use gallery::declarations::{crank_rocker_slider, excavator, jansen_leg, six_bar, whitworth};
-use linkage_core::Mechanism;
 use linkage_core::mechanism;
 use linkage_core::sketch::{Drawn, Film};
+use linkage_core::{Mechanism, Tracker};
 
 use super::xml::{numbers, parse};
 
@@ -107,6 +107,42 @@ fn a_picture_is_where_the_solver_is_for_every_driver_and_group() {
     let digger = excavator::Excavator::new();
     let ranges = [[2.1, 2.8], [2.6, 3.5], [1.75, 2.45]];
     compare(&digger, &ranges, |path| digger.film(path.iter().copied()));
+}
+
+mechanism! {
+    /// Its bars lie on one line twice a turn, and a constant mode would fold it there.
+    struct Parallelogram {
+        input theta: angle;
+        param elbow: mode = left;
+        ground A(0, 0), D(2m, 0);
+        crank AB(A) -> B        { length: 1m, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (2m, 1m), mode: elbow }
+        point P on BC at (1m, 0.5m);
+    }
+}
+
+#[test]
+fn a_film_that_follows_the_motion_is_where_the_tracker_is() {
+    let solver = Parallelogram::new();
+    // A turn and a half; no pose lies on a change point, but poses next to it do.
+    let path: Vec<f64> = (0..=90).map(|k| 0.3 + f64::from(k) * 0.105).collect();
+    let film = solver.film(path.iter().copied()).following();
+    let fixed = solver.film(path.iter().copied());
+    let (mut tracker, mut parted) = (Tracker::new(solver), 0);
+    assert!(film.gaps().is_empty());
+    for (pose, &theta) in path.iter().enumerate() {
+        let p = tracker.position(theta).unwrap();
+        for (name, at) in [("B", p.B), ("C", p.C), ("P", p.P)] {
+            let drawn = film.point(pose, name).unwrap();
+            assert!((drawn.x - at.x).hypot(drawn.y - at.y) < 1e-9, "{name} {pose}");
+        }
+        // What a parallelogram does.
+        let (b, c) = (film.point(pose, "B").unwrap(), film.point(pose, "C").unwrap());
+        assert!((c.x - b.x - 2.0).hypot(c.y - b.y) < 1e-6, "{pose}");
+        let other = fixed.point(pose, "C").unwrap();
+        parted += usize::from((other.x - c.x).hypot(other.y - c.y) > 0.1);
+    }
+    assert!(parted > 30, "{parted}");
 }
 
 /// The seats of bodies in the text, against `link` and `point`.

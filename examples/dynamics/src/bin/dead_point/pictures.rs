@@ -1,6 +1,6 @@
 //! The swinging four-bar as charts.
 
-use charts::{COLOURS, Curve, GREY, Panel};
+use charts::{COLOURS, Curve, Panel};
 
 use crate::{Machine, Piece, Pose};
 
@@ -54,16 +54,14 @@ fn angle(pose: &Pose, rocker: usize) -> f64 {
     if rocker == 0 { degrees } else { degrees.rem_euclid(360.0) - 360.0 }
 }
 
-/// Poses of the first swing, and the paths of both pins.
+/// The paths of both pins.
 fn plane(poses: &[(f64, Pose)]) -> Panel {
-    let mut curves = Vec::new();
-    for (_, Pose { b, c, .. }) in poses.iter().take(95).step_by(12) {
-        curves.push(Curve::line(GREY, &[(0.0, 0.0), (b.x, b.y), (c.x, c.y), (1.0, 0.0)]));
-    }
     let path = |point: fn(&Pose) -> (f64, f64)| poses.iter().map(|(_, pose)| point(pose)).collect();
-    curves.push(Curve::named("B", COLOURS[0], path(|pose| (pose.b.x, pose.b.y))));
-    curves.push(Curve::named("C", COLOURS[1], path(|pose| (pose.c.x, pose.c.y))));
-    Panel::plane("Paths of the pins; poses of the first swing", ["x in m", "y in m"], curves)
+    let curves = vec![
+        Curve::named("B", charts::colour_of_pin("B"), path(|pose| (pose.b.x, pose.b.y))),
+        Curve::named("C", charts::colour_of_pin("C"), path(|pose| (pose.c.x, pose.c.y))),
+    ];
+    Panel::plane("Paths of the pins", ["x in m", "y in m"], curves)
 }
 
 /// A broad curve of the coordinate for every piece.

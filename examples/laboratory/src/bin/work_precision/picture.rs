@@ -1,75 +1,61 @@
-//! The log-log picture: time of a pose against error of its acceleration.
+//! The picture: error of an acceleration against time, a panel a width, and beside it the error of a
+//! position against the distance from a limit.
 
-use std::fs;
-use std::path::PathBuf;
-
-use kuva::prelude::*;
+use charts::{Curve, MarkerShape, Panel};
+use laboratory::near_limits;
 
 use crate::bench::Finding;
 
 /// One mechanism in one width, measured.
 pub(crate) struct Measured {
-    pub(crate) mechanism: &'static str,
     pub(crate) epsilon: f64,
     pub(crate) findings: Vec<Finding>,
 }
 
 /// The methods' families with their shapes; every Newton is one, whatever its steps.
 const FAMILIES: [(&str, MarkerShape); 8] = [
-    ("generated", MarkerShape::Circle),
-    ("generated, compensated", MarkerShape::Circle),
-    ("generated, sweep", MarkerShape::Circle),
     ("straightforward", MarkerShape::Square),
     ("tuned by hand", MarkerShape::Diamond),
     ("half angles", MarkerShape::Triangle),
     ("Newton", MarkerShape::Cross),
     ("num-dual", MarkerShape::TriangleDown),
+    ("generated, compensated", MarkerShape::Star),
+    ("generated, sweep", MarkerShape::Plus),
+    ("generated", MarkerShape::Circle),
 ];
 
-/// Writes `target/charts/work_precision.svg` and says so: a panel a mechanism and width, since what
-/// differs within one would be lost between two widths. Errors are in units of the width's ε.
+/// Writes `target/charts/work_precision.svg` and says so: a row a width.
 pub(crate) fn write(measured: &[Measured]) {
-    let (plots, layouts): (Vec<_>, Vec<_>) = measured.iter().map(panel).unzip();
-    let columns = measured.len().div_ceil(2);
-    let scene = Figure::new(2, columns)
-        .with_title("Speed against error: lower left is better")
-        .with_plots(plots)
-        .with_layouts(layouts)
-        .with_cell_size(440.0, 380.0)
-        .with_shared_legend_bottom()
-        .render();
-    let path: PathBuf = ["target", "charts", "work_precision.svg"].iter().collect();
-    let written = fs::create_dir_all("target/charts")
-        .and_then(|()| fs::write(&path, SvgBackend.render_scene(&scene)));
-    match written {
-        Ok(()) => println!("picture: {}", path.display()),
-        Err(error) => eprintln!("no picture: {}: {error}", path.display()),
-    }
+    let panels =
+        near_limits::stretched().into_iter().zip([("f64", f64::EPSILON), ("f32", EPSILON)]);
+    let panels = panels.flat_map(|(sweep, (width, epsilon))| {
+        let of_width = measured.iter().filter(|measured| measured.epsilon == epsilon);
+        let stretched = format!("Two bars nearly stretched, {width}");
+        [race(width, &of_width.collect::<Vec<_>>()), sweep.panel(&stretched, 0)]
+    });
+    let title = "Speed against error, each point a mechanism: lower left is better";
+    charts::write("work_precision", title, 2, panels.collect());
 }
 
-fn panel(measured: &Measured) -> (Vec<Plot>, Layout) {
-    let plots: Vec<Plot> = FAMILIES
-        .into_iter()
-        .map(|(family, shape)| {
-            let points: Vec<_> =
-                measured.findings.iter().filter_map(|finding| point(finding, family)).collect();
-            let plot = ScatterPlot::new().with_data(points).with_color(charts::colour_of(family));
-            plot.with_legend(family).with_marker(shape).with_size(6.0).into()
-        })
-        .collect();
-    let width = if measured.epsilon < 1e-10 { "f64" } else { "f32" };
-    let layout = Layout::auto_from_plots(&plots)
-        .with_title(format!("{}, {width}", measured.mechanism))
-        .with_x_label("log₁₀ of ns per pose")
-        .with_y_label("log₁₀ of the acceleration's error in ε");
-    (plots, layout)
+const EPSILON: f64 = f32::EPSILON as f64;
+
+fn race(width: &str, measured: &[&Measured]) -> Panel {
+    let dots = |(family, marker): (&str, MarkerShape)| {
+        let findings = measured.iter().flat_map(|measured| &measured.findings);
+        let points = findings.filter_map(|finding| point(finding, family)).collect();
+        Curve::dots(family, charts::colour_of(family), marker, points)
+    };
+    let axes =
+        ["time of a pose over that of the straightforward form", "error of accelerations in ε"];
+    let title = format!("Position, velocity and acceleration, {width}");
+    Panel::over(&title, axes, FAMILIES.map(dots).into()).logarithmic()
 }
 
-/// Time, and the largest error of an acceleration: what half an ε would be is a logarithm of −0.3.
+/// Time, and the largest error of an acceleration.
 fn point(finding: &Finding, family: &str) -> Option<(f64, f64)> {
     let [_, _, acceleration] = finding.errors?;
-    let point = (finding.throughput.nanoseconds.log10(), acceleration.log10());
     let rest = finding.name.strip_prefix(family)?;
     let is_member = rest.is_empty() || rest.starts_with(", steps");
-    (is_member && point.1.is_finite()).then_some(point)
+    let is_drawn = is_member && acceleration.is_finite() && acceleration > 0.0;
+    is_drawn.then_some((finding.throughput.ratio, acceleration))
 }

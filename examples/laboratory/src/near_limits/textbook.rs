@@ -6,7 +6,7 @@
 use linkage_tests::measured::Pose;
 
 /// The pin or a slide, and a velocity.
-pub(crate) type Answer = ([f64; 2], f64);
+pub(super) type Answer = ([f64; 2], f64);
 
 type Vector = [f64; 2];
 
@@ -40,7 +40,7 @@ fn bars(pose: &Pose<4, 2>, theta2: f64, theta3: f64) -> Answer {
 }
 
 /// The law of cosines and an arc cosine at either outer joint.
-pub(crate) fn law_of_cosines(pose: &Pose<4, 2>) -> Answer {
+pub(super) fn law_of_cosines(pose: &Pose<4, 2>) -> Answer {
     let Pose { q, params: [l2, l3], .. } = *pose;
     let (dx, dy) = (q[2] - q[0], q[3] - q[1]);
     let d = (dx * dx + dy * dy).sqrt();
@@ -51,7 +51,7 @@ pub(crate) fn law_of_cosines(pose: &Pose<4, 2>) -> Answer {
 }
 
 /// A cos θ + B sin θ = C for either bar, solved for the tangent of the half angle.
-pub(crate) fn half_angles(pose: &Pose<4, 2>) -> Answer {
+pub(super) fn half_angles(pose: &Pose<4, 2>) -> Answer {
     let Pose { q, params: [l2, l3], .. } = *pose;
     let (dx, dy) = (q[2] - q[0], q[3] - q[1]);
     let side = sign(pose.plus);
@@ -65,7 +65,7 @@ pub(crate) fn half_angles(pose: &Pose<4, 2>) -> Answer {
 }
 
 /// The bar's angle against the guide by an arc sine.
-pub(crate) fn arc_sine_slider(pose: &Pose<5, 2>) -> Answer {
+pub(super) fn arc_sine_slider(pose: &Pose<5, 2>) -> Answer {
     let Pose { q, rate, params: [l, e], .. } = *pose;
     let (u, from) = (unit(q[4]), [q[0] - q[2], q[1] - q[3]]);
     let slope = ((e - cross(u, from)) / l).asin();
@@ -81,7 +81,7 @@ pub(crate) fn arc_sine_slider(pose: &Pose<5, 2>) -> Answer {
 }
 
 /// The bar's angle by an arc sine, the slide by Pythagoras.
-pub(crate) fn arc_sine_inversion(pose: &Pose<4, 1>) -> Answer {
+pub(super) fn arc_sine_inversion(pose: &Pose<4, 1>) -> Answer {
     let Pose { q, rate, params: [e], .. } = *pose;
     let from = [q[0] - q[2], q[1] - q[3]];
     let b = dot(from, from).sqrt();
@@ -95,7 +95,7 @@ pub(crate) fn arc_sine_inversion(pose: &Pose<4, 1>) -> Answer {
 }
 
 /// Cramer's rule on directions by sine and cosine of either angle.
-pub(crate) fn crossed_directions(pose: &Pose<6, 2>) -> Answer {
+pub(super) fn crossed_directions(pose: &Pose<6, 2>) -> Answer {
     let Pose { q, rate, params: [e1, e2], .. } = *pose;
     let (u1, u2) = (unit(q[2]), unit(q[5]));
     let (n1, n2) = ([-u1[1], u1[0]], [-u2[1], u2[0]]);
@@ -113,7 +113,7 @@ pub(crate) fn crossed_directions(pose: &Pose<6, 2>) -> Answer {
 }
 
 /// Two equations in x and y for the slides, on directions by sine and cosine of either angle.
-pub(crate) fn two_equations(pose: &Pose<5, 3>) -> Answer {
+pub(super) fn two_equations(pose: &Pose<5, 3>) -> Answer {
     let Pose { q, rate, params: [slot, e1, e2], .. } = *pose;
     let (u1, u2) = (unit(q[4]), unit(q[4] + slot));
     let (n1, n2) = ([-u1[1], u1[0]], [-u2[1], u2[0]]);

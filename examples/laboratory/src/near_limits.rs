@@ -1,28 +1,35 @@
 //! Errors of a group's forms over distances from its limit, the worst of many poses at each.
 
-use crate::textbook::{self, Answer};
+use charts::{Curve, Panel};
 use linkage_tests::measured::families::{self, Family};
 use linkage_tests::measured::poses::Source;
 use linkage_tests::measured::{self, Measured, Pose, Width};
 
+mod textbook;
+
+use textbook::Answer;
+
 /// The distances are 1e-1 to 1e-15.
-pub(crate) const EXPONENTS: core::ops::RangeInclusive<u8> = 1..=15;
+pub const EXPONENTS: core::ops::RangeInclusive<u8> = 1..=15;
 
 const POSES: usize = 2000;
 
 /// One group next to one of its limits.
-pub(crate) struct Sweep {
-    pub(crate) title: &'static str,
+pub struct Sweep {
+    /// The group and the limit.
+    pub title: &'static str,
     /// What the errors of position and velocity are.
-    pub(crate) measures: [&'static str; 2],
+    pub measures: [&'static str; 2],
     /// First what the data allow, then the solver, then other forms.
-    pub(crate) series: Vec<Series>,
+    pub series: Vec<Series>,
 }
 
 /// Position and velocity errors of one form.
-pub(crate) struct Series {
-    pub(crate) name: &'static str,
-    pub(crate) errors: [Vec<f64>; 2],
+pub struct Series {
+    /// What solves.
+    pub name: &'static str,
+    /// Of position and velocity, at every distance.
+    pub errors: [Vec<f64>; 2],
 }
 
 /// Which rows of a group's results are compared: one or two for the position, one for the
@@ -119,13 +126,24 @@ const fn slide(row: usize) -> Rows {
 
 const INVERSION: Rows = Rows { position: [1, 1], velocity: 0, is_relative: false };
 
-/// Every group next to each of its limits, in double precision.
-pub(crate) fn all() -> Vec<Sweep> {
-    let width = Width::Double;
-    vec![
-        sweep!("rrr, stretched", OF_PIN, stretched_from_origin of rrr in width, PIN,
+/// Two bars that are nearly stretched, in double and in single precision.
+#[must_use]
+pub fn stretched() -> [Sweep; 2] {
+    [
+        sweep!("rrr, stretched", OF_PIN, stretched_from_origin of rrr in Width::Double, PIN,
             "law of cosines": textbook::law_of_cosines, "half angles": textbook::half_angles;
             "compensated": compensated_rrr),
+        sweep!("rrr, stretched", OF_PIN, stretched_from_origin of rrr in Width::Single, PIN,
+            ; "compensated": compensated_rrr),
+    ]
+}
+
+/// Every group next to each of its limits, in double precision but for the first, which `stretched`
+/// has.
+#[must_use]
+pub fn all() -> Vec<Sweep> {
+    let width = Width::Double;
+    vec![
         sweep!("rrr, folded", OF_PIN, folded_from_origin of rrr in width, PIN,
             "law of cosines": textbook::law_of_cosines, "half angles": textbook::half_angles;
             "compensated": compensated_rrr),
@@ -141,11 +159,10 @@ pub(crate) fn all() -> Vec<Sweep> {
 }
 
 /// The same in single precision, against what its own data allow.
-pub(crate) fn single() -> Vec<Sweep> {
+#[must_use]
+pub fn single() -> Vec<Sweep> {
     let width = Width::Single;
     vec![
-        sweep!("rrr, stretched", OF_PIN, stretched_from_origin of rrr in width, PIN,
-            ; "compensated": compensated_rrr),
         sweep!("rrr, folded", OF_PIN, folded_from_origin of rrr in width, PIN,
             ; "compensated": compensated_rrr),
         sweep!("rrp, square to its guide", OF_PIN, square_to_guide of rrp in width, PIN,),
@@ -154,4 +171,21 @@ pub(crate) fn single() -> Vec<Sweep> {
         sweep!("prp, nearly parallel", OF_SLIDE, parallel_guides of prp in width, slide(2),),
         sweep!("rpp, slot along rail", OF_SLIDE, slot_along_rail of rpp in width, slide(0),),
     ]
+}
+
+impl Sweep {
+    /// Its errors over the distance, each form in its colour; the axes are decimal logarithms.
+    #[must_use]
+    pub fn panel(&self, title: &str, order: usize) -> Panel {
+        let curve = |series: &Series| {
+            let points = EXPONENTS.zip(&series.errors[order]);
+            // An error of nothing, and one that is no number, have no logarithm.
+            let points = points.filter(|(_, error)| error.is_finite() && **error > 0.0);
+            let points = points.map(|(exponent, error)| (-f64::from(exponent), error.log10()));
+            Curve::named(series.name, charts::colour_of(series.name), points.collect())
+        };
+        let axes = ["log₁₀ of the distance from the limit, in lengths", "log₁₀ of the error"];
+        let title = format!("{title}, {}", self.measures[order]);
+        Panel::over(&title, axes, self.series.iter().map(curve).collect())
+    }
 }

@@ -3,26 +3,25 @@
 //!
 //! `cargo run --release -p laboratory --bin stability` prints the hard cases, then for each group the
 //! errors at 1e-1 to 1e-15 from its limit, in double and in single precision, and draws them to
-//! `target/charts/stability_position.svg`, `stability_velocity.svg` and `stability_single.svg`. Both
-//! axes are decimal logarithms.
+//! `target/charts/stability_position.svg`, `stability_velocity.svg` and `stability_single.svg`.
 
-mod sweep;
-mod textbook;
-
-use charts::{Curve, Panel};
+use laboratory::near_limits::{self, EXPONENTS, Sweep};
 use linkage_tests::hard_table;
-use sweep::{Series, Sweep};
 
 fn main() {
     hard_cases();
-    let (sweeps, single) = (sweep::all(), sweep::single());
+    let [stretched, stretched_single] = near_limits::stretched();
+    let mut sweeps = near_limits::all();
+    let mut single = near_limits::single();
+    sweeps.insert(0, stretched);
+    single.insert(0, stretched_single);
     println!("\ndouble precision");
     sweeps.iter().for_each(print_sweep);
     println!("\nsingle precision");
     single.iter().for_each(print_sweep);
     let title = "error against distance from the limit";
     let draw = |name: &str, what: &str, sweeps: &[Sweep], order: usize| {
-        let panels = sweeps.iter().map(|sweep| panel(sweep, order)).collect();
+        let panels = sweeps.iter().map(|sweep| sweep.panel(sweep.title, order)).collect();
         charts::write(name, &format!("{what}: {title}"), 2, panels);
     };
     draw("stability_position", "Position", &sweeps, 0);
@@ -58,7 +57,7 @@ fn print_sweep(sweep: &Sweep) {
         sweep.series.iter().for_each(|series| print!("  {:>18}", series.name));
         println!();
         let count = sweep.series[0].errors[order].len();
-        for (index, exponent) in sweep::EXPONENTS.take(count).enumerate() {
+        for (index, exponent) in EXPONENTS.take(count).enumerate() {
             print!("  1e-{exponent:02} ");
             for series in &sweep.series {
                 print!("  {:18.1e}", series.errors[order][index]);
@@ -66,18 +65,4 @@ fn print_sweep(sweep: &Sweep) {
             println!();
         }
     }
-}
-
-fn panel(sweep: &Sweep, order: usize) -> Panel {
-    let curve = |series: &Series| {
-        let points = sweep::EXPONENTS.zip(&series.errors[order]);
-        // An error of nothing, and one that is no number, have no place on a logarithmic axis.
-        let points = points.filter(|(_, error)| error.is_finite());
-        let points =
-            points.map(|(exponent, error)| (-f64::from(exponent), error.max(1e-24).log10()));
-        Curve::named(series.name, charts::colour_of(series.name), points.collect())
-    };
-    let axes = ["log10 of the distance", "log10 of the error"];
-    let title = format!("{}, {}", sweep.title, sweep.measures[order]);
-    Panel::over(&title, axes, sweep.series.iter().map(curve).collect())
 }

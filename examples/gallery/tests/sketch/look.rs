@@ -1,0 +1,112 @@
+//! Sizes and colours of what is drawn, read from the text of pictures.
+
+use gallery::declarations::{excavator, flying_shear, six_bar, slider_crank};
+use gallery::motions::turn;
+use gallery::pieces;
+use linkage_core::sketch::{Film, Theme};
+
+use super::xml::{Element, numbers, parse};
+
+/// The elements of this kind that have all of these attributes.
+fn having(root: &Element, name: &str, wanted: &[(&str, &str)]) -> usize {
+    let has = |element: &&&Element| {
+        element.name == name
+            && wanted.iter().all(|&(attribute, value)| element.attribute(attribute) == Some(value))
+    };
+    root.all().iter().filter(has).count()
+}
+
+fn drawn(film: &Film) -> Element {
+    parse(&film.to_svg().unwrap())
+}
+
+#[test]
+fn every_part_has_the_size_of_its_symbol() {
+    let shear = flying_shear::FlyingShear::new().film(turn()).trace("blade").poses(6);
+    let root = drawn(&shear);
+    // Crank and rocker are bars, the coupler a body; A, B, C, D are joints, the blade a dot.
+    assert_eq!(having(&root, "path", &[("stroke-width", "5")]), 2);
+    assert_eq!(having(&root, "path", &[("stroke-width", "4"), ("fill-opacity", ".16")]), 1);
+    assert_eq!(having(&root, "circle", &[("r", "4.6"), ("stroke-width", "1.8")]), 4);
+    assert_eq!(having(&root, "circle", &[("r", "4"), ("data-point", "blade")]), 1);
+    assert_eq!(having(&root, "path", &[("d", "M0 0L-10 17H10Z"), ("stroke-width", "1.6")]), 2);
+    let trace = [("data-trace", "blade"), ("fill", "none")];
+    assert_eq!(having(&root, "g", &trace), 1);
+    assert_eq!(having(&root, "path", &[("stroke-width", "5.2")]), 1);
+    assert_eq!(having(&root, "path", &[("stroke-width", "1.6"), ("opacity", ".28")]), 3);
+    let circle = [("stroke-width", "1"), ("stroke-dasharray", "9 3 2 3")];
+    assert_eq!(having(&root, "circle", &circle), 1);
+    let names = [("font-size", "13"), ("font-style", "italic"), ("stroke-width", "3")];
+    assert_eq!(having(&root, "g", &names), 1);
+    let piston = drawn(&slider_crank::OffsetSliderCrank::new().film(turn()));
+    let block = [("width", "26"), ("height", "17"), ("rx", "2"), ("stroke-width", "2")];
+    assert_eq!(having(&piston, "rect", &block), 1);
+}
+
+#[test]
+fn pages_have_room_and_the_colours_of_their_theme() {
+    for piece in pieces() {
+        let root = drawn(&piece.film);
+        let [width, height] =
+            ["width", "height"].map(|side| root.attribute(side).unwrap().parse::<f64>().unwrap());
+        // Texts may stand in the margin and make the page wider.
+        assert!(width <= 760.0 && height <= 640.0, "{}: {width} by {height}", piece.name);
+        for theme in [Theme::Light, Theme::Dark] {
+            let (text, palette) = (piece.film.to_svg_in(theme).unwrap(), theme.palette());
+            for colour in [palette.paper, palette.ink, palette.quiet, palette.links[0]] {
+                assert!(text.contains(colour), "{}: {colour}", piece.name);
+            }
+        }
+    }
+    let [light, dark] = [Theme::Light, Theme::Dark].map(Theme::palette);
+    assert_eq!([light.paper, light.ink, light.quiet], ["#ffffff", "#222222", "#8a9096"]);
+    assert_eq!([dark.paper, dark.ink, dark.quiet], ["#0d1117", "#e6edf3", "#7d8590"]);
+    let links = ["#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+    assert_eq!(light.links, links);
+    let links = ["#f08a3c", "#4ea1e0", "#2fc99b", "#e39cc4", "#f2b53b", "#7cc7f2"];
+    assert_eq!(dark.links, links);
+}
+
+/// The tube hides all of the rod but what its stroke needs, and the rod never leaves it.
+#[test]
+fn a_cylinder_is_as_long_as_its_stroke_asks() {
+    let path = (0..=40).map(|k| [2.15 + 0.6 * f64::from(k) / 40.0, 2.65, 1.8]);
+    let film = excavator::Excavator::new().film(path);
+    let (root, scale) = (drawn(&film), film.view().unwrap().scale);
+    let (shortest, longest) = (2.15 * scale, 2.75 * scale);
+    let tube = shortest - 0.12 * (longest - shortest) - 10.0;
+    let parts = root.all();
+    let lift = parts.iter().filter(|part| part.attribute("data-link") == Some("lift_ram"));
+    let of = |element: &Element| {
+        let mut inside = element.children.iter();
+        let rect = inside.find(|child| child.name == "rect")?;
+        Some(numbers(rect.attribute("width")?)[0] + 8.0)
+    };
+    let drawn_tube = lift.clone().find_map(|part| of(part)).expect("there is a tube");
+    assert!((drawn_tube - tube).abs() < 0.06, "{drawn_tube} for {tube}");
+    let rod = lift.clone().find(|part| of(part).is_none()).expect("there is a rod");
+    let path = rod.children.iter().find_map(|child| child.attribute("d")).unwrap();
+    let rod = -numbers(&path.replace(['M', 'H'], " "))[0];
+    assert!((rod - (longest - tube + 10.0)).abs() < 0.06, "{rod}");
+    assert!(rod < shortest);
+}
+
+#[test]
+fn a_guide_spans_its_slide_and_a_block() {
+    let (solver, path) = (six_bar::SixBar::new(), turn().collect::<Vec<_>>());
+    let film = solver.film(path.iter().copied());
+    let scale = film.view().unwrap().scale;
+    let slides = path.iter().map(|&q| solver.position(q).unwrap().ram.slide);
+    let (least, most) =
+        slides.fold((f64::MAX, f64::MIN), |(low, high), s| (low.min(s), high.max(s)));
+    let root = drawn(&film);
+    let rail = root.all().into_iter().find_map(|element| {
+        let path =
+            element.attribute("d").filter(|_| element.attribute("stroke-width") == Some("1.6"))?;
+        let ends = numbers(&path.replace(['M', 'H'], " "));
+        (path.contains(" 0H") && ends.len() == 3).then(|| [ends[0], ends[2]])
+    });
+    let [start, end] = rail.expect("there is a rail");
+    assert!((start - (scale * least - 27.0)).abs() < 0.06, "{start}");
+    assert!((end - (scale * most + 27.0)).abs() < 0.06, "{end}");
+}
