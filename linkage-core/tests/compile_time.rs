@@ -13,6 +13,8 @@ use std::time::{Duration, Instant};
 /// A crate outside the workspace that declares mechanisms and nothing else.
 struct Scratch {
     root: PathBuf,
+    /// By `[profile.dev.build-override] opt-level = 1` in its manifest.
+    macro_is_optimised: bool,
 }
 
 impl Scratch {
@@ -28,15 +30,20 @@ impl Scratch {
         fs::write(root.join("src/lib.rs"), source).expect("the source can be written");
         let lock = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.lock");
         fs::copy(lock, root.join("Cargo.lock")).expect("the lock file can be copied");
-        Self { root }
+        Self { root, macro_is_optimised: false }
     }
 
     fn cargo(&self, arguments: &[&str]) {
+        let [target, level] = match self.macro_is_optimised {
+            false => [concat!(env!("CARGO_TARGET_TMPDIR"), "/compile_time"), "0"],
+            true => [concat!(env!("CARGO_TARGET_TMPDIR"), "/compile_time_optimised"), "1"],
+        };
         let status = Command::new(env!("CARGO"))
             .args(arguments)
             .args(["--quiet", "--offline"])
             .current_dir(&self.root)
-            .env("CARGO_TARGET_DIR", concat!(env!("CARGO_TARGET_TMPDIR"), "/compile_time"))
+            .env("CARGO_TARGET_DIR", target)
+            .env("CARGO_PROFILE_DEV_BUILD_OVERRIDE_OPT_LEVEL", level)
             .status()
             .expect("cargo can be started");
         assert!(status.success(), "cargo {arguments:?} failed in {}", self.root.display());
@@ -140,4 +147,7 @@ fn many_mechanisms_and_long_chains() {
             [&["check"][..], &["build"], &["build", "--release"]].map(|a| scratch.time(a));
         println!("{name:>20} {check} {debug} {release}");
     }
+    let fifty: String = (0..50).map(five_bodies).collect();
+    let optimised = Scratch { macro_is_optimised: true, ..Scratch::new("macro_optimised", &fifty) };
+    println!("{:>20} {}", "macro optimised", optimised.time(&["check"]));
 }
