@@ -87,6 +87,7 @@ pub mod expressions {
 
 pub mod forces {
     //! [language]: super::language
+    //! [`Series`]: crate::Series
     //!
     #![doc = include_str!("../docs/forces.md")]
 }

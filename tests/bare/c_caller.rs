@@ -220,7 +220,6 @@ fn expected() -> String {
         "motion_f32 1 ",
         "excavator_motion 0 ",
         "robot_forward_dynamics 0 ",
-        "robot_forward_dynamics 1 ",
         "searched_press_motion 0 ",
         "searched_press_forces 0 ",
         "searched_press_position 8 ",

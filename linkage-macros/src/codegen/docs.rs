@@ -316,9 +316,12 @@ fn exceptions(entry: &Entry) -> &'static str {
 
 pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
+    let has_list = entry.given.contains(&Given::Drives) && cx.inputs().is_some();
+    let list =
+        if has_list { " Those of an array are `(&slice).into()` or `0.0.into()`." } else { "" };
     lines(&format!(
         "{}, at many poses.\n\n{} Each is a slice with a number for every pose, or one number \
-         for all.\n\n\
+         for all.{list}\n\n\
          Every component of the results goes to a slice of its own in `out`, as many long as there \
          are poses, or empty where it is not wanted; `status` is such a slice too. Where \
          `{}` would be an error, the numbers are NaN and `status` has the error's kind. `progress` is told \

@@ -61,12 +61,12 @@ fn another_condition_is_asked_for_itself() {
             (a, Check::Positive("l".into()), vec![]),
             (a, Check::Positive("m".into()), vec![]),
         ];
-        others.into_iter().fold(a, |sum, (value, check, operands)| {
-            let value = provided(g, value, check, 1, operands);
+        others.into_iter().zip(0..).fold(a, |sum, ((value, check, operands), group)| {
+            let value = provided(g, value, check, group, operands);
             g.push(Node::Add(sum, value))
         })
     });
-    assert_eq!(groups, [1; 7]);
+    assert_eq!(groups, [0, 1, 2, 3, 4, 5, 6], "none is that of another group");
 }
 
 #[test]
