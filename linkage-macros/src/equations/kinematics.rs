@@ -51,6 +51,12 @@ impl<'s> Source<'s> {
         inputs.map(|(index, source)| source.with_rates(rate(index), sheet.zero())).collect()
     }
 
+    /// The inputs, standing still.
+    pub(super) fn at_rest(inputs: &[Self], sheet: &'s Sheet<'s>) -> Vec<Self> {
+        let zero = sheet.zero();
+        inputs.iter().map(|source| source.with_rates(zero, zero)).collect()
+    }
+
     /// The inputs as they move, without second rates.
     pub(super) fn without_second_rates(inputs: &[Self], sheet: &'s Sheet<'s>) -> Vec<Self> {
         inputs.iter().map(|source| source.with_rates(source.jet.rate, sheet.zero())).collect()

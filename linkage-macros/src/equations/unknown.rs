@@ -82,10 +82,11 @@ type Sides<'s> = [Jet<'s>; 2];
 fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
     let (sheet, unknown) = (known.sheet, &known.mechanism.unknowns[id.index()]);
     let (zero, one) = (sheet.zero(), sheet.integer(1));
+    let at_rest = || Source::at_rest(&known.inputs, sheet);
     let slope = |[left, right]: Sides<'s>| left.rate - right.rate;
     let jet = |value, rate, accel| Jet { value, rate, accel };
     let trial = sheet.node(Node::Trial(id.0));
-    let tried = sides(known, jet(trial, one, zero), at_rest(known), true);
+    let tried = sides(known, jet(trial, one, zero), at_rest(), true);
     let between = unknown.between.each_ref().map(|end| known.jet(end).value);
     let root = sheet.node(Node::Root(Sought {
         unknown: id.0,
@@ -98,7 +99,7 @@ fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
     let size = sheet.node(Node::Size(root.id));
     sheet.name(size, format!("{} size", unknown.name));
 
-    let turned = sides(known, jet(root, one, zero), at_rest(known), false);
+    let turned = sides(known, jet(root, one, zero), at_rest(), false);
     let sign = known.sign(unknown.mode);
     // The size over the width is the slope that rounding alone may make.
     let spread = size * (between[1] - between[0]).recip();
@@ -113,12 +114,6 @@ fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
     let open_by = (left.value - right.value).provided(closed, unknown.group.0, &[size]);
     let closure = Closure { root: root.id, condition: open_by.id };
     (jet(root, rate, over(left.accel - right.accel)), closure)
-}
-
-/// The inputs, standing still.
-fn at_rest<'s>(known: &Kinematics<'s>) -> Vec<Source<'s>> {
-    let zero = known.sheet.zero();
-    known.inputs.iter().map(|source| source.with_rates(zero, zero)).collect()
 }
 
 /// Both sides of the equation where the unknown has this value and these rates.

@@ -92,13 +92,8 @@ pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
     if kinematics.mechanism.dynamics.asked.is_empty() {
         return Vec::new();
     }
-    let zero = kinematics.sheet.zero();
-    let inputs = kinematics.inputs.iter().map(|source| {
-        let mut source: Source<'_> = *source;
-        (source.jet.rate, source.jet.accel) = (zero, zero);
-        source
-    });
-    let resting = Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs.collect());
+    let inputs = Source::at_rest(&kinematics.inputs, kinematics.sheet);
+    let resting = Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs);
     match kinematics.mechanism.unknowns.is_empty() {
         true => by_walk(&resting),
         // What holds an equation is on no body that a walk could put it on.
