@@ -122,9 +122,9 @@ def instructions(target):
 
 
 def code(level_library, names):
-    """Bytes of code by function: its own, straight line and careful path; and the most that any
-    of them needs beside, code and constants, which all share."""
-    own, shared = {}, 0
+    """Bytes of code by function: what no other solver needs, straight line and careful path; and the
+    most that any of them needs beside, code and constants, which solvers share."""
+    functions, whole = {}, {}
     for name in names:
         (WORK / "one.c").write_text(
             f"#include <stddef.h>\nvoid {name}(void);\n"
@@ -132,13 +132,19 @@ def code(level_library, names):
             "const size_t solver_count = 1;\n")
         run("gcc", "-O1", "-ffreestanding", "-nostdlib", "-static", "-Wl,--gc-sections",
             ROOT / "tests/bare/alone.c", WORK / "one.c", level_library, "-o", WORK / "one")
-        symbols = re.findall(r"^\w+ (\w+) [tT] (.*)$", run("nm", "-SC", WORK / "one").stdout, re.M)
-        own[name] = sum(int(size, 16) for size, symbol in symbols
-                        if symbol == name or "bare::" in symbol)
+        # Symbols as they are: what is generic has one for each of its uses.
+        symbols = re.findall(r"^\w+ (\w+) [tT] (\S+)$", run("nm", "-S", WORK / "one").stdout, re.M)
+        functions[name] = {symbol: int(size, 16) for size, symbol in symbols}
         rows = [line.split() for line in run("size", "-A", WORK / "one").stdout.splitlines()]
-        whole = sum(int(row[1]) for row in rows if row and row[0] in (".text", ".rodata"))
-        shared = max(shared, whole - own[name])
-    return own, shared
+        whole[name] = sum(int(row[1]) for row in rows if row and row[0] in (".text", ".rodata"))
+    users = {}
+    for name, each in functions.items():
+        solver = next(solver for solver in POSES if name.startswith(solver))
+        for symbol in each:
+            users.setdefault(symbol, set()).add(solver)
+    own = {name: sum(size for symbol, size in each.items() if len(users[symbol]) == 1)
+           for name, each in functions.items()}
+    return own, max(whole[name] - own[name] for name in names)
 
 
 def children_time():
