@@ -14,10 +14,11 @@
 //! the several were, and where that saves an operation: products of rounded constants always, but x + 0.1 x
 //! stays, because 1.1 x is off by more than 0.1 x, which shows where y takes x away.
 
+use std::cell::LazyCell;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 
-use super::{RULES, contract, is_of_dynamics};
+use super::{RULES, contract, in_dynamics};
 use crate::exact::Exact;
 use crate::interface::entries::is_about_forces;
 use crate::ir::construct::{Maker, remade};
@@ -28,17 +29,12 @@ use crate::ir::program::Program;
 /// The program with the sums of its equations of motion collected; everything else stands where it
 /// stood.
 pub(super) fn collect_multiples(program: &Program) -> Program {
-    if !program.answers.iter().any(is_of_dynamics) {
-        return program.clone();
-    }
-    let (stays, mut graph) = (stays(program), program.graph.clone());
-    let mut answers = program.answers.clone();
-    // Each for itself: what the one uses once, the other may use twice.
-    for answer in answers.iter_mut().filter(|answer| is_of_dynamics(answer)) {
-        let sums = Sums::of(&program.graph, &answer.sinks, &stays);
-        answer.sinks = sums.collected(&mut graph, &answer.sinks);
-    }
-    Program { graph, answers, ..program.clone() }
+    // Not looked for where there are no equations of motion.
+    let stays = LazyCell::new(|| stays(program));
+    // Each answer for itself: what the one uses once, the other may use twice.
+    in_dynamics(program, |graph, sinks| {
+        Sums::of(&program.graph, sinks, &stays).collected(graph, sinks)
+    })
 }
 
 /// For every node, whether it is to stay as it is written.

@@ -9,7 +9,7 @@
 
 use std::collections::HashMap;
 
-use super::{RULES, is_of_dynamics};
+use super::{RULES, in_dynamics};
 use crate::ir::construct::remade;
 use crate::ir::graph::{Check, Id, Node};
 use crate::ir::program::Program;
@@ -17,20 +17,15 @@ use crate::ir::program::Program;
 /// The program with conditions that are equal but for their group made one, in its equations of
 /// motion.
 pub(super) fn ask_once(program: &Program) -> Program {
-    if !program.answers.iter().any(is_of_dynamics) {
-        return program.clone();
-    }
-    let (old, mut graph) = (&program.graph, program.graph.clone());
-    let mut answers = program.answers.clone();
-    for answer in answers.iter_mut().filter(|answer| is_of_dynamics(answer)) {
+    let old = &program.graph;
+    in_dynamics(program, |graph, sinks| {
         let mut first: HashMap<(Id, Check, Vec<Id>), u32> = HashMap::new();
-        answer.sinks = remade(old, &mut graph, &answer.sinks, RULES, |maker, id, moved| {
+        remade(old, graph, sinks, RULES, |maker, id, moved| {
             let Node::Guard(value, guard) = old.node(id) else { return None };
             let (value, mut guard) = (moved(value), old.condition(guard).on(moved));
             let key = (value, guard.check.clone(), guard.operands.clone());
             guard.group = *first.entry(key).or_insert(guard.group);
             Some(maker.make_guarded(value, guard))
-        });
-    }
-    Program { graph, answers, ..program.clone() }
+        })
+    })
 }

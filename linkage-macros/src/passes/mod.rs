@@ -16,6 +16,7 @@ mod tests;
 
 use crate::interface::entries::{EQUATIONS, FORWARD};
 use crate::ir::construct::{Rule, rebuild};
+use crate::ir::graph::{Graph, Id};
 use crate::ir::program::{Answer, Program};
 
 /// The rules under which the equations are written down. Afterwards no operation has only
@@ -38,6 +39,16 @@ fn shortened(program: &Program) -> Program {
     let needed = conditions::ask_once(&needed);
     // and links that move alike are one term there.
     collect::collect_multiples(&needed)
+}
+
+/// The program with the sinks of its equations of motion made anew, behind everything else, which stands
+/// where it stood.
+fn in_dynamics(program: &Program, mut remake: impl FnMut(&mut Graph, &[Id]) -> Vec<Id>) -> Program {
+    let mut new = program.clone();
+    for answer in new.answers.iter_mut().filter(|answer| is_of_dynamics(answer)) {
+        answer.sinks = remake(&mut new.graph, &answer.sinks);
+    }
+    new
 }
 
 /// Whether the answer is about the equations of motion: for these, formulas of many groups are put
