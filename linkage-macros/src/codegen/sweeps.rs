@@ -86,7 +86,7 @@ impl Sweep<'_> {
         }
         let inputs = self.inputs();
         let slices = results::ty(cx, entry.result, &quote!(&mut [#scalar]));
-        let outputs = self.numbers_of(&quote!(out), &quote!([out]));
+        let outputs = self.numbers_of(&quote!(out));
         let function = function_name(&format!("sweep_{}", entry.name));
         let docs = docs::sweep(cx, self.id);
         quote! {
@@ -119,7 +119,7 @@ impl Sweep<'_> {
         // A bare name is first looked for among the types, the user's included.
         let width = function_name("W_");
         let [value, usable] = ["result_", "ok_"].map(generated);
-        let numbers = self.numbers_of(&quote!(#value), &quote!([#value]));
+        let numbers = self.numbers_of(&quote!(#value));
         let (core, method) = (fast_path::core_name(entry), function_name(entry.name));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.call(&locals);
@@ -128,7 +128,7 @@ impl Sweep<'_> {
         let single = match self.entry.result {
             Shape::List(_) => call,
             _ => {
-                let numbers = self.numbers_of(&quote!(#call?), &quote!([#call?]));
+                let numbers = self.numbers_of(&quote!(#call?));
                 quote!(#ok(#numbers))
             }
         };
@@ -169,11 +169,11 @@ impl Sweep<'_> {
         }
     }
 
-    /// A result as the list of its numbers, given as it is and as a list of one.
-    fn numbers_of(&self, result: &TokenStream, alone: &TokenStream) -> TokenStream {
+    /// A result as the list of its numbers.
+    fn numbers_of(&self, result: &TokenStream) -> TokenStream {
         let as_array = self.cx.paths.item("Record");
         match self.entry.result {
-            Shape::Number => alone.clone(),
+            Shape::Number => quote!([#result]),
             Shape::List(_) => result.clone(),
             _ => quote!(#as_array::into_array(#result)),
         }

@@ -19,6 +19,12 @@ pub(super) fn not_negative<'s>(
     value.provided(Check::NotNegative(quantity.name.clone()), group, &[])
 }
 
+/// The vector from the first point to the second.
+pub(super) fn vector<'s>(kinematics: &Kinematics<'s>, points: [PointId; 2]) -> Vector<'s> {
+    let [first, second] = points.map(|point| kinematics.point(point));
+    first.to(second)
+}
+
 /// The line between two points, which must not meet.
 pub(super) struct Line<'s> {
     pub vector: Vector<'s>,
@@ -29,8 +35,7 @@ pub(super) struct Line<'s> {
 
 impl<'s> Line<'s> {
     pub(super) fn between(kinematics: &Kinematics<'s>, points: [PointId; 2], title: u32) -> Self {
-        let [p, q] = points.map(|point| kinematics.point(point));
-        let vector = p.to(q);
+        let vector = vector(kinematics, points);
         let square = vector.dot(vector).provided(Check::Square, title, &[]);
         // 1/L = L/L²: the division runs beside the root.
         let length = square.sqrt();

@@ -19,7 +19,7 @@
 //! # Source
 //! Norton, Design of Machinery, ch. 10 and 15.
 
-use crate::equations::forces::provided::{Line, not_negative};
+use crate::equations::forces::provided::{Line, not_negative, vector};
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
@@ -103,11 +103,6 @@ fn push<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) -> 
     let [x, y] = points.map(|point| kinematics.point(point).velocity);
     let closing = line.vector.dot(y - x) * line.inverse;
     -(stiffness * (line.length - free) + damping * kinematics.in_tempo(closing))
-}
-
-fn vector<'s>(kinematics: &Kinematics<'s>, points: [PointId; 2]) -> Vector<'s> {
-    let [first, second] = points.map(|point| kinematics.point(point));
-    first.to(second)
 }
 
 /// The square of a length that may be zero.
