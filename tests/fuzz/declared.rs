@@ -12,7 +12,7 @@ use linkage_tests::mechanisms::stacked_sliders::*;
 use linkage_tests::mechanisms::variable_dimensions::*;
 
 use super::calls::{At, Calls};
-use super::mechanism::{Found, Fuzzed, fuzz, next_to_a_limit};
+use super::mechanism::{Found, Fuzzed, fuzz};
 use super::numbers::{Number, Source};
 use super::state::State;
 use super::truth::Motion;

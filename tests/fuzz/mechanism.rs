@@ -102,6 +102,43 @@ macro_rules! given {
     };
 }
 
+/// Calls the entry points that every mechanism has at a state, the answer to `position` being known;
+/// gives that to `motion`.
+macro_rules! answers {
+    ($at:ident, $solver:expr, $position:expr, $q:expr, $rate:expr, $second:expr) => {{
+        let (solver, position) = (&$solver, $position);
+        let (q, rate, second) = ($q, $rate, $second);
+        let position = $at.answer("position", position.map(|p| p.rows()));
+        let (p, ok) = solver.solve_position(q);
+        $at.straight("solve_position", (p.rows(), ok), position.as_ref());
+
+        let velocity = solver.velocity(q, rate).map(|v| v.rows());
+        let velocity = $at.answer("velocity", velocity);
+        let (v, ok) = solver.solve_velocity(q, rate);
+        $at.straight("solve_velocity", (v.rows(), ok), velocity.as_ref());
+
+        let motion = solver.motion(q, rate, second).map(|m| rows!(m));
+        let motion = $at.answer("motion", motion);
+        let (m, ok) = solver.solve_motion(q, rate, second);
+        $at.straight("solve_motion", (rows!(m), ok), motion.as_ref());
+
+        let coefficients = solver.coefficients(q).map(|c| c.concat());
+        let is_singular = matches!(coefficients, Err(SolveError::Singular { .. }));
+        let coefficients = $at.answer("coefficients", coefficients);
+        let (c, ok) = solver.solve_coefficients(q);
+        $at.straight("solve_coefficients", (c.concat(), ok), coefficients.as_ref());
+
+        let jacobian = solver.jacobian(q).map(|j| j.as_slice().to_vec());
+        if is_singular
+            && !jacobian.as_ref().map_or(true, |rows| $crate::mechanism::next_to_a_limit(rows))
+        {
+            $at.wrong("jacobian", "Ok, where coefficients are Singular", &jacobian);
+        }
+        $at.answer("jacobian", jacobian);
+        motion
+    }};
+}
+
 /// The rows of a motion, one order behind the other.
 macro_rules! rows {
     ($motion:expr) => {{
@@ -168,31 +205,7 @@ macro_rules! fuzzed {
                     if let Ok(_position) = &position {
                         $(at.unit("position", [_position.$link.cos, _position.$link.sin]);)*
                     }
-                    let position = at.answer("position", position.map(|p| p.rows()));
-                    let (p, ok) = solver.solve_position(q);
-                    at.straight("solve_position", (p.rows(), ok), position.as_ref());
-
-                    let velocity = solver.velocity(q, rate).map(|v| v.rows());
-                    let velocity = at.answer("velocity", velocity);
-                    let (v, ok) = solver.solve_velocity(q, rate);
-                    at.straight("solve_velocity", (v.rows(), ok), velocity.as_ref());
-
-                    let motion = solver.motion(q, rate, second).map(|m| rows!(m));
-                    let motion = at.answer("motion", motion);
-                    let (m, ok) = solver.solve_motion(q, rate, second);
-                    at.straight("solve_motion", (rows!(m), ok), motion.as_ref());
-
-                    let coefficients = solver.coefficients(q).map(|c| c.concat());
-                    let is_singular = matches!(coefficients, Err(SolveError::Singular { .. }));
-                    let coefficients = at.answer("coefficients", coefficients);
-                    let (c, ok) = solver.solve_coefficients(q);
-                    at.straight("solve_coefficients", (c.concat(), ok), coefficients.as_ref());
-
-                    let jacobian = solver.jacobian(q).map(|j| j.as_slice().to_vec());
-                    if is_singular && !jacobian.as_ref().map_or(true, |rows| next_to_a_limit(rows)) {
-                        at.wrong("jacobian", "Ok, where coefficients are Singular", &jacobian);
-                    }
-                    at.answer("jacobian", jacobian);
+                    let motion = answers!(at, solver, position, q, rate, second);
                     sensitivity!(at, solver, q, $($param)*);
                     margins!(at, solver, q, $($margin)*);
 

@@ -5,7 +5,7 @@ use linkage_core::private::{OfMotion, OfPosition, OfVelocity};
 use linkage_core::{Scalar, SolveError, mechanism};
 
 use super::calls::{At, Calls};
-use super::mechanism::{Found, Fuzzed, fuzz, next_to_a_limit};
+use super::mechanism::{Found, Fuzzed, fuzz};
 use super::numbers::{Number, Source};
 use super::state::State;
 use super::truth::Motion;
@@ -83,29 +83,7 @@ impl Fuzzed<2, 3> for Searched {
                 }
             }
         }
-        let position = at.answer("position", position.map(|p| p.rows()));
-        let (p, ok) = solver.solve_position(q);
-        at.straight("solve_position", (p.rows(), ok), position.as_ref());
-
-        let velocity = at.answer("velocity", solver.velocity(q, rate).map(|v| v.rows()));
-        let (v, ok) = solver.solve_velocity(q, rate);
-        at.straight("solve_velocity", (v.rows(), ok), velocity.as_ref());
-
-        let motion = at.answer("motion", solver.motion(q, rate, second).map(|m| rows!(m)));
-        let (m, ok) = solver.solve_motion(q, rate, second);
-        at.straight("solve_motion", (rows!(m), ok), motion.as_ref());
-
-        let coefficients = solver.coefficients(q).map(|c| c.concat());
-        let is_singular = matches!(coefficients, Err(SolveError::Singular { .. }));
-        let coefficients = at.answer("coefficients", coefficients);
-        let (c, ok) = solver.solve_coefficients(q);
-        at.straight("solve_coefficients", (c.concat(), ok), coefficients.as_ref());
-
-        let jacobian = solver.jacobian(q).map(|j| j.as_slice().to_vec());
-        if is_singular && !jacobian.as_ref().map_or(true, |rows| next_to_a_limit(rows)) {
-            at.wrong("jacobian", "Ok, where coefficients are Singular", &jacobian);
-        }
-        at.answer("jacobian", jacobian);
+        answers!(at, solver, position, q, rate, second);
         at.answer("sensitivity", solver.sensitivity(q).map(|s| s.as_slice().to_vec()));
         at.answer("margins", solver.margins(q).map(|m| [m.BC_margin]));
         Vec::new()
