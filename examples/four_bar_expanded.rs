@@ -864,14 +864,14 @@ mod FourBar_ {
                     cos,
                     T::lit(0.3048, 0.3048),
                 );
-                let v174_ = T::fused(
+                let v31_ = T::fused(
                     -T::lit(0.06193536, 0.06193536),
                     cos,
                     T::lit(0.1032256, 0.1032256),
                 );
                 let bc_dc_d2_ = checks_
                     .square_of_centres(
-                        v174_,
+                        v31_,
                         bc_dc_d_x_,
                         -b_y_,
                         T::lit(0.254, 0.254),
@@ -884,13 +884,13 @@ mod FourBar_ {
                     cos,
                     T::lit(0.09741916, 0.09741916),
                 );
-                let v178_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
-                let v179_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
-                let v180_ = T::lit(5.535725357165, 5.5357256) * v178_;
-                let v181_ = v179_ * v180_;
+                let v40_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
+                let v41_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
+                let v42_ = T::lit(5.535725357165, 5.5357256) * v40_;
+                let v43_ = v41_ * v42_;
                 let bc_dc_s_ = checks_
                     .reach_circles(
-                        v181_,
+                        v43_,
                         [
                             bc_dc_d_x_,
                             -b_y_,
@@ -901,8 +901,8 @@ mod FourBar_ {
                         "BC, DC",
                     );
                 let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
-                let v184_ = T::lit(0.0903224, 0.0903224) * bc_dc_inverse_d2_;
-                let bc_dc_h_ = bc_dc_root_s_ * v184_;
+                let v47_ = T::lit(0.0903224, 0.0903224) * bc_dc_inverse_d2_;
+                let bc_dc_h_ = bc_dc_root_s_ * v47_;
                 let bc_dc_a_d2_ = T::fused(
                     T::lit(0.5, 0.5),
                     bc_dc_i_,
@@ -913,12 +913,12 @@ mod FourBar_ {
                     bc_dc_i_,
                     -T::lit(0.01354836, 0.01354836),
                 );
-                let v189_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
+                let v56_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
                 let bc_dc_a_ = checks_
                     .share_of_centres(
-                        v189_,
+                        v56_,
                         [
-                            v181_,
+                            v43_,
                             bc_dc_d_x_,
                             -b_y_,
                             T::lit(0.254, 0.254),
@@ -927,12 +927,12 @@ mod FourBar_ {
                         ],
                         "BC, DC",
                     );
-                let v191_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
+                let v58_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
                 let bc_dc_b_ = checks_
                     .share_of_centres(
-                        v191_,
+                        v58_,
                         [
-                            v181_,
+                            v43_,
                             bc_dc_d_x_,
                             -b_y_,
                             T::lit(0.1778, 0.1778),
@@ -975,18 +975,18 @@ mod FourBar_ {
                 let bc_dc_w_x_ = theta_rate * b_y_;
                 let b_vx_ = -bc_dc_w_x_;
                 let b_vy_ = theta_rate * b_x_;
-                let v204_ = checks_.nonzero(bc_dc_s_, "BC, DC");
-                let v205_ = T::lit(11.07145071433, 11.071451) * bc_dc_root_s_;
-                let v206_ = T::lit(1.0, 1.0) / v204_;
-                let bc_dc_inverse_j_ = v205_ * v206_;
-                let v212_ = bc_dc_w_x_ * bc_dc_r3_x_;
-                let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v212_);
+                let v71_ = checks_.nonzero(bc_dc_s_, "BC, DC");
+                let v73_ = T::lit(11.07145071433, 11.071451) * bc_dc_root_s_;
+                let v74_ = T::lit(1.0, 1.0) / v71_;
+                let bc_dc_inverse_j_ = v73_ * v74_;
+                let v82_ = bc_dc_w_x_ * bc_dc_r3_x_;
+                let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v82_);
                 let bc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r3_;
-                let v217_ = bc_dc_w_x_ * bc_dc_r2_x_;
-                let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v217_);
+                let v87_ = bc_dc_w_x_ * bc_dc_r2_x_;
+                let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v87_);
                 let dc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r2_;
-                let v242_ = c_y_ * dc_omega_;
-                let c_vx_ = -v242_;
+                let v116_ = c_y_ * dc_omega_;
+                let c_vx_ = -v116_;
                 let c_vy_ = bc_dc_r3_x_ * dc_omega_;
                 let velocity_ = FourBarVelocity {
                     AB: AngularVelocity {
@@ -1008,12 +1008,12 @@ mod FourBar_ {
                         acceleration: acceleration_,
                     };
                 }
+                let v14_ = theta_acceleration * b_y_;
+                let v15_ = theta_acceleration * b_x_;
                 let v16_ = theta_rate * theta_rate;
-                let v164_ = theta_acceleration * b_y_;
-                let v165_ = theta_acceleration * b_x_;
-                let bc_dc_g_x_ = T::fused(v16_, b_x_, v164_);
+                let bc_dc_g_x_ = T::fused(b_x_, v16_, v14_);
                 let b_ax_ = -bc_dc_g_x_;
-                let b_ay_ = T::fused(-v16_, b_y_, v165_);
+                let b_ay_ = T::fused(-b_y_, v16_, v15_);
                 let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
                 let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
                 let bc_dc_r2_r3_ = T::fused(
@@ -1021,27 +1021,27 @@ mod FourBar_ {
                     bc_dc_i_,
                     T::lit(0.0451612, 0.0451612),
                 );
-                let v224_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
-                let v226_ = T::fused(
+                let v95_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
+                let v99_ = T::fused(
                     -T::lit(0.03161284, 0.03161284),
                     bc_dc_omega3_squared_,
-                    v224_,
+                    v95_,
                 );
-                let v227_ = T::lit(0.064516, 0.064516) * bc_dc_omega2_squared_;
-                let v230_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v227_);
-                let v231_ = bc_dc_g_x_ * bc_dc_r3_x_;
-                let v234_ = T::fused(-b_ay_, c_y_, v231_);
-                let v235_ = v226_ + v234_;
-                let bc_alpha_ = bc_dc_inverse_j_ * v235_;
-                let v237_ = bc_dc_g_x_ * bc_dc_r2_x_;
-                let v239_ = T::fused(-b_ay_, bc_dc_r2_y_, v237_);
-                let v240_ = v230_ + v239_;
-                let dc_alpha_ = bc_dc_inverse_j_ * v240_;
-                let v245_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
-                let v246_ = c_y_ * bc_dc_omega3_squared_;
-                let v249_ = T::fused(c_y_, dc_alpha_, v245_);
-                let c_ax_ = -v249_;
-                let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v246_);
+                let v101_ = T::lit(0.064516, 0.064516) * bc_dc_omega2_squared_;
+                let v104_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v101_);
+                let v105_ = bc_dc_g_x_ * bc_dc_r3_x_;
+                let v108_ = T::fused(-b_ay_, c_y_, v105_);
+                let v109_ = v99_ + v108_;
+                let bc_alpha_ = bc_dc_inverse_j_ * v109_;
+                let v111_ = bc_dc_g_x_ * bc_dc_r2_x_;
+                let v113_ = T::fused(-b_ay_, bc_dc_r2_y_, v111_);
+                let v114_ = v104_ + v113_;
+                let dc_alpha_ = bc_dc_inverse_j_ * v114_;
+                let v119_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
+                let v120_ = c_y_ * bc_dc_omega3_squared_;
+                let v123_ = T::fused(c_y_, dc_alpha_, v119_);
+                let c_ax_ = -v123_;
+                let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v120_);
                 let acceleration_ = FourBarAcceleration {
                     AB: AngularAcceleration {
                         alpha: theta_acceleration,
@@ -1319,7 +1319,7 @@ mod FourBar_ {
                 theta_rate: T,
             ) -> Result<FourBarVelocity<T>, SolveError> {
                 private::diagnose(
-                    &[(theta_rate, "theta_rate"), (cos, "cos"), (sin, "sin")],
+                    &[(cos, "cos"), (sin, "sin"), (theta_rate, "theta_rate")],
                     |checks_| {
                         let rest_ = T::lit(0.0, 0.0);
                         self.formulas_at_::<1>(checks_, cos, sin, theta_rate, rest_)
@@ -1340,10 +1340,10 @@ mod FourBar_ {
             ) -> Result<FourBarMotion<T>, SolveError> {
                 private::diagnose(
                     &[
-                        (theta_rate, "theta_rate"),
-                        (theta_acceleration, "theta_acceleration"),
                         (cos, "cos"),
                         (sin, "sin"),
+                        (theta_rate, "theta_rate"),
+                        (theta_acceleration, "theta_acceleration"),
                     ],
                     |checks_| {
                         self
@@ -1568,57 +1568,55 @@ mod FourBar_ {
             }
 
             fn clearances(&self, theta: T, theta_rate: T) -> Self::Clearances {
-                let (ab_sin_, ab_cos_) = T::sin_cos(theta);
-                let b_x_ = T::lit(0.1016, 0.1016) * ab_cos_;
-                let b_y_ = T::lit(0.1016, 0.1016) * ab_sin_;
-                let bc_dc_w_x_ = theta_rate * b_y_;
-                let b_vy_ = theta_rate * b_x_;
                 let v16_ = theta_rate * theta_rate;
-                let bc_dc_g_x_ = b_x_ * v16_;
-                let bc_dc_g_y_ = b_y_ * v16_;
+                let (ab_u_y_, ab_u_x_) = T::sin_cos(theta);
+                let ab_r_x_ = T::lit(0.1016, 0.1016) * ab_u_x_;
+                let ab_r_y_ = T::lit(0.1016, 0.1016) * ab_u_y_;
+                let bc_dc_w_x_ = theta_rate * ab_r_y_;
+                let v145_ = theta_rate * ab_r_x_;
+                let bc_dc_g_x_ = v16_ * ab_r_x_;
+                let bc_dc_g_y_ = v16_ * ab_r_y_;
                 let bc_dc_d_x_ = T::fused(
                     -T::lit(0.1016, 0.1016),
-                    ab_cos_,
+                    ab_u_x_,
                     T::lit(0.3048, 0.3048),
                 );
-                let v37_ = bc_dc_w_x_ * bc_dc_d_x_;
-                let v38_ = v37_ + v37_;
-                let v39_ = bc_dc_w_x_ * bc_dc_w_x_;
-                let v40_ = T::lit(2.0, 2.0) * v39_;
-                let v41_ = b_y_ * b_vy_;
-                let v42_ = v41_ + v41_;
-                let v43_ = b_vy_ * b_vy_;
-                let v44_ = T::lit(2.0, 2.0) * v43_;
-                let v45_ = v38_ + v42_;
+                let v150_ = bc_dc_w_x_ * bc_dc_d_x_;
+                let v151_ = v150_ + v150_;
+                let v152_ = bc_dc_g_x_ * bc_dc_d_x_;
+                let v153_ = bc_dc_w_x_ * bc_dc_w_x_;
+                let v155_ = T::fused(T::lit(2.0, 2.0), v153_, v152_);
+                let v156_ = v152_ + v155_;
+                let v157_ = ab_r_y_ * v145_;
+                let v158_ = v157_ + v157_;
+                let v159_ = ab_r_y_ * bc_dc_g_y_;
+                let v160_ = v145_ * v145_;
+                let v163_ = T::fused(T::lit(2.0, 2.0), v160_, -v159_);
+                let v164_ = v163_ - v159_;
+                let v165_ = v151_ + v158_;
+                let v166_ = v156_ + v164_;
                 let bc_dc_i_ = T::fused(
                     -T::lit(0.06193536, 0.06193536),
-                    ab_cos_,
+                    ab_u_x_,
                     T::lit(0.09741916, 0.09741916),
                 );
-                let v49_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
-                let v50_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
-                let v51_ = T::lit(5.535725357165, 5.5357256) * v45_;
-                let v52_ = T::lit(5.535725357165, 5.5357256) * v49_;
-                let v53_ = v50_ * v52_;
-                let v54_ = v51_ * v52_;
-                let v57_ = T::fused(-v50_, v51_, v54_);
-                let v58_ = v51_ * v51_;
-                let v59_ = T::lit(2.0, 2.0) * v58_;
-                let v254_ = bc_dc_g_x_ * bc_dc_d_x_;
-                let v255_ = T::fused(bc_dc_g_x_, bc_dc_d_x_, v40_);
-                let v256_ = v254_ + v255_;
-                let v257_ = b_y_ * bc_dc_g_y_;
-                let v258_ = T::fused(-b_y_, bc_dc_g_y_, v44_);
-                let v259_ = v258_ - v257_;
-                let v260_ = v256_ + v259_;
-                let v261_ = T::lit(5.535725357165, 5.5357256) * v260_;
-                let v264_ = T::fused(v52_, v261_, -v59_);
-                let v266_ = T::fused(-v50_, v261_, v264_);
+                let v168_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
+                let v169_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
+                let v170_ = T::lit(5.535725357165, 5.5357256) * v165_;
+                let v171_ = T::lit(5.535725357165, 5.5357256) * v166_;
+                let v172_ = T::lit(5.535725357165, 5.5357256) * v168_;
+                let v173_ = v169_ * v172_;
+                let v174_ = v170_ * v172_;
+                let v177_ = T::fused(-v169_, v170_, v174_);
+                let v178_ = v171_ * v172_;
+                let v179_ = v170_ * v170_;
+                let v182_ = T::fused(-T::lit(2.0, 2.0), v179_, v178_);
+                let v184_ = T::fused(-v169_, v171_, v182_);
                 [
                     Clearance {
-                        value: v53_,
-                        rate: v57_,
-                        second_rate: v266_,
+                        value: v173_,
+                        rate: v177_,
+                        second_rate: v184_,
                         scale: T::lit(0.5517857142857143, 0.5517857),
                     },
                 ]

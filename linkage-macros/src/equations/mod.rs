@@ -46,6 +46,8 @@ mod symbol;
 pub(crate) mod tests;
 mod unknown;
 
+use std::cell::OnceCell;
+
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::motion::Direction;
@@ -55,15 +57,14 @@ use crate::interface::entries::{Entry, Given};
 use crate::interface::quantity::Order;
 use crate::interface::records::{Kind, Shape, is_margin};
 use crate::ir::construct::Rule;
-use crate::ir::graph::{Id, Node};
-use crate::ir::liveness::{Path, live};
+use crate::ir::graph::Id;
 use crate::ir::program::{Answer, Closure, Program};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
 /// The mechanism's program: one graph with every entry point's values, made under the rules.
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     let sheet = Sheet::new(rules);
-    let (answers, closures) = answers(mechanism, &sheet, rules);
+    let (answers, closures) = answers(mechanism, &sheet);
     // How far a search goes on beyond a limit is not known: nothing follows it.
     let clearances = match &mechanism.unknowns[..] {
         [] => clearance::clearances(mechanism, &sheet),
@@ -74,41 +75,37 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
 
 /// What every entry point that the mechanism can have asks, one after the other, and the conditions
 /// of what they search.
-fn answers<'s>(
-    mechanism: &'s Mechanism,
-    sheet: &'s Sheet<'s>,
-    rules: &[Rule],
-) -> (Vec<Answer>, Vec<Closure>) {
+fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> (Vec<Answer>, Vec<Closure>) {
     let interface = Interface::of(mechanism);
-    let given = Kinematics::of(sheet, mechanism, Source::free(mechanism, sheet));
-    let [moves_bare, acts_bare] =
-        [motion_sinks, force_sinks].map(|sinks| has_bare_angle(mechanism, rules, sinks));
-    let mut on_circle = None;
+    let bare = Bare::of(mechanism, sheet, &interface);
+    let made = OnceCell::new();
+    let free =
+        || made.get_or_init(|| Kinematics::of(sheet, mechanism, Source::free(mechanism, sheet)));
     let mut answers = Vec::new();
     for entry in &interface.entries {
-        if entry.needs_mass() && !forces::every_input_moves_mass(&given) {
+        let at_cosine = bare.kinematics(entry);
+        if entry.takes_cosine() && at_cosine.is_none() {
             continue;
         }
-        let is_bare = moves_bare && (acts_bare || !entry.is_about_forces());
-        let kinematics = match entry.takes_cosine() {
-            true if !is_bare => continue,
-            true => on_circle.get_or_insert_with(|| {
-                Kinematics::of(sheet, mechanism, vec![Source::on_the_circle(sheet)])
-            }),
-            false => &given,
-        };
-        let sinks = sinks(&interface, entry, kinematics);
-        answers.push(Answer { entry: entry.name, sinks });
+        // Where an angle's cosine and sine are enough, nobody asks for formulas of the angle itself.
+        let goes_by_cosine = entry.takes_cosine()
+            || matches!(entry.result, Shape::Matrix { .. })
+            || interface.of_cosine(entry).is_some();
+        let kinematics = at_cosine.filter(|_| goes_by_cosine).unwrap_or_else(free);
+        if entry.needs_mass() && !forces::every_input_moves_mass(kinematics) {
+            continue;
+        }
+        answers.push(Answer { entry: entry.name, sinks: sinks(&interface, entry, kinematics) });
     }
-    let of_circle = on_circle.iter().flat_map(|at| &at.closures);
-    let closures = given.closures.iter().chain(of_circle).copied().collect();
+    let made = bare.on_circle.iter().chain(made.get());
+    let closures = made.flat_map(|kinematics| &kinematics.closures).copied().collect();
     (answers, closures)
 }
 
 /// The numbers of an entry point's result, in the order of its shape.
 fn sinks(interface: &Interface, entry: &Entry, kinematics: &Kinematics<'_>) -> Vec<Id> {
     match entry.result {
-        Shape::Matrix { .. } => coefficients(kinematics.mechanism, kinematics.sheet),
+        Shape::Matrix { .. } => coefficients(kinematics),
         Shape::Record(record) => match interface.record(record).kind {
             Kind::Outputs(order) => components(kinematics, order),
             Kind::Motion => {
@@ -130,22 +127,33 @@ fn sinks(interface: &Interface, entry: &Entry, kinematics: &Kinematics<'_>) -> V
     }
 }
 
-/// Whether the only input occurs bare as an angle and nowhere else on the way to these sinks, so that
-/// its cosine and sine can be given in its place: whether, given them, its value is needed nowhere.
-fn has_bare_angle(
-    mechanism: &Mechanism,
-    rules: &[Rule],
-    sinks: fn(&Kinematics<'_>) -> Vec<Id>,
-) -> bool {
-    let [input] = &mechanism.inputs[..] else { return false };
-    if !input.dimension.angle {
-        return false;
+/// What can be computed from the cosine and sine of the only input in place of its value.
+struct Bare<'s> {
+    on_circle: Option<Kinematics<'s>>,
+    moves: bool,
+    acts: bool,
+}
+
+impl<'s> Bare<'s> {
+    fn of(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, interface: &Interface) -> Self {
+        let is_one_angle = matches!(&mechanism.inputs[..], [only] if only.dimension.angle);
+        let on_circle = is_one_angle
+            .then(|| Kinematics::of(sheet, mechanism, vec![Source::on_the_circle(sheet)]));
+        let is_bare = |sinks: fn(&Kinematics<'_>) -> Vec<Id>| {
+            on_circle.as_ref().is_some_and(|kinematics| !sheet.reads_input(&sinks(kinematics)))
+        };
+        let asks_forces = interface.entries.iter().any(Entry::is_about_forces);
+        let moves = is_bare(motion_sinks);
+        let acts = moves && asks_forces && is_bare(force_sinks);
+        Self { on_circle, moves, acts }
     }
-    let trial = Sheet::new(rules);
-    let sinks = sinks(&Kinematics::of(&trial, mechanism, vec![Source::on_the_circle(&trial)]));
-    let graph = trial.into_graph();
-    let live = live(&graph, &sinks, Path::Slow);
-    !graph.iter().any(|(id, node)| live[id.index()] && matches!(node, Node::Input { order: 0, .. }))
+
+    /// Everything placed by a given cosine and sine, if the entry point's answer has no other use for
+    /// the input: it occurs bare as an angle and nowhere else on the way there.
+    fn kinematics(&self, entry: &Entry) -> Option<&Kinematics<'s>> {
+        let is_bare = if entry.is_about_forces() { self.acts } else { self.moves };
+        self.on_circle.as_ref().filter(|_| is_bare)
+    }
 }
 
 fn motion_sinks(kinematics: &Kinematics<'_>) -> Vec<Id> {
@@ -159,9 +167,10 @@ fn force_sinks(kinematics: &Kinematics<'_>) -> Vec<Id> {
 }
 
 /// The velocities at a unit rate of each input in turn, the others at rest.
-fn coefficients<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Vec<Id> {
-    let sinks = (0..mechanism.inputs.len()).flat_map(|moving| {
-        let inputs = Source::one_moving(&Source::free(mechanism, sheet), sheet, moving);
+fn coefficients(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    let Kinematics { sheet, mechanism, inputs, .. } = kinematics;
+    let sinks = (0..inputs.len()).flat_map(|moving| {
+        let inputs = Source::one_moving(inputs, sheet, moving);
         components(&Kinematics::of(sheet, mechanism, inputs), Order::Velocity)
     });
     sinks.collect()

@@ -10,6 +10,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::exact::Exact;
 use crate::ir::construct::{Maker, Rule};
 use crate::ir::graph::{Check, ConstantId, Graph, Guard, Id, Node};
+use crate::ir::liveness::{Path, live, live_nodes};
 
 /// The graph that symbols are made in.
 pub(crate) struct Sheet<'r> {
@@ -52,6 +53,13 @@ impl<'s> Sheet<'s> {
 
     pub(crate) fn constant(&'s self, value: Exact) -> Sym<'s> {
         Sym { sheet: self, id: self.graph.borrow_mut().constant(value) }
+    }
+
+    /// Whether any of these needs the value of an input, which its cosine and sine do not stand for.
+    pub(crate) fn reads_input(&self, sinks: &[Id]) -> bool {
+        let graph = self.graph.borrow();
+        let live = live(&graph, sinks, Path::Slow);
+        live_nodes(&graph, &live).any(|(_, node)| matches!(node, Node::Input { order: 0, .. }))
     }
 
     /// The symbol of a node that has been made.

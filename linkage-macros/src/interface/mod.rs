@@ -74,6 +74,15 @@ impl Interface {
         self
     }
 
+    /// The entry point that gives the same from the only input's cosine and sine.
+    pub(crate) fn of_cosine(&self, own: &Entry) -> Option<EntryId> {
+        self.ids().find(|&other| {
+            let other = self.entry(other);
+            let is_same = other.result == own.result && other.rates() == own.rates();
+            is_same && other.takes_cosine() && !own.takes_cosine()
+        })
+    }
+
     pub(crate) fn entry(&self, id: EntryId) -> &Entry {
         &self.entries[id.0]
     }

@@ -32,7 +32,7 @@ pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<
     let routines = routines.map(|(entries, overflow)| builder.routine(entries, overflow.as_ref()));
     let routines = routines.collect();
     let ids: Vec<EntryId> = builder.interface.ids().collect();
-    let costs = ids.iter().map(|&id| builder.cost(id, plan.ways[id.index()])).collect();
+    let costs = ids.iter().map(|&id| builder.cost(id, &plan)).collect();
     let entries = ids.iter().map(|&id| match plan.ways[id.index()] {
         Way::Via { entry, given } => Compute::Via { entry, given },
         Way::Own { routine, stage } => {
@@ -175,14 +175,15 @@ impl Builder<'_> {
         }
     }
 
-    fn cost(&self, entry: EntryId, way: Way) -> Operations {
-        let of = |entry| operations(self.graph(), &self.needed(entry));
-        match way {
-            Way::Via { entry, given: Adapted::CosineAndSine } => {
-                let cost = of(entry);
-                Operations { sines: cost.sines + 1, ..cost }
-            }
-            _ => of(entry),
-        }
+    /// What goes by the angle's cosine and sine makes them first.
+    fn cost(&self, entry: EntryId, plan: &Plan) -> Operations {
+        let (graph, way) = (self.graph(), |entry: EntryId| plan.ways[entry.index()]);
+        let mut cost = operations(graph, &self.needed(entry));
+        let last = match way(entry) {
+            Way::Via { entry, given: Adapted::UnitRate } => way(entry),
+            other => other,
+        };
+        cost.sines += u32::from(matches!(last, Way::Via { given: Adapted::CosineAndSine, .. }));
+        cost
     }
 }

@@ -54,20 +54,16 @@ impl Plan {
 /// The way by another entry point, if there is one.
 fn via(interface: &Interface, id: EntryId) -> Option<Way> {
     let own = interface.entry(id);
-    let find = |given: Adapted, does: &dyn Fn(&Entry) -> bool| {
-        let entry = interface.ids().find(|&other| does(interface.entry(other)))?;
-        Some(Way::Via { entry, given })
+    let is_velocity = |&other: &EntryId| {
+        let other = interface.entry(other);
+        other.given == [Given::Value, Given::Rate]
+            && order_of(interface, other) == Some(Order::Velocity)
     };
-    match own.result {
-        Shape::Matrix { columns: 1, .. } => find(Adapted::UnitRate, &|other| {
-            other.given == [Given::Value, Given::Rate]
-                && order_of(interface, other) == Some(Order::Velocity)
-        }),
-        _ if own.takes_cosine() => None,
-        result => find(Adapted::CosineAndSine, &|other| {
-            other.result == result && other.takes_cosine() && other.rates() == own.rates()
-        }),
-    }
+    let (entry, given) = match own.result {
+        Shape::Matrix { columns: 1, .. } => (interface.ids().find(is_velocity)?, Adapted::UnitRate),
+        _ => (interface.of_cosine(own)?, Adapted::CosineAndSine),
+    };
+    Some(Way::Via { entry, given })
 }
 
 /// The order of the record of outputs that an entry point returns.

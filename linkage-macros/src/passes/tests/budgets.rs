@@ -13,16 +13,18 @@
 
 use crate::ir::cost::{Operations, operations};
 use crate::oracle::mechanism;
-use crate::{equations, passes};
+use crate::{equations, lower, passes};
 
 /// Additions, multiplications, divisions, roots, sine-cosine pairs.
 type Budget = [u32; 5];
 
 fn cost(source: &str, entry: &str) -> Budget {
-    let program = passes::optimise(&equations::derive(&mechanism(source), passes::RULES));
-    let entry = program.answer(entry).expect("the entry exists");
+    let mechanism = mechanism(source);
+    let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
+    let lowered = lower::lower(&mechanism, &program);
+    let entry = lowered.interface.find(entry).expect("the entry exists");
     let Operations { additions, multiplications, divisions, roots, sines } =
-        operations(&program.graph, &entry.sinks);
+        lowered.costs[entry.index()];
     [additions, multiplications, divisions, roots, sines]
 }
 
