@@ -12,10 +12,26 @@
 mod expanded {
 // What `mechanism!` makes of the declaration.
 
-#[allow(non_snake_case, reason = "it is named after the mechanism")]
+#[allow(
+    dead_code,
+    non_snake_case,
+    clippy::derive_partial_eq_without_eq,
+    reason = "names are as declared, and results are there to choose from"
+)]
 mod FourBar_ {
+    use ::linkage_core::private;
+    #[allow(unused_imports, reason = "no mechanism needs all of them")]
+    use private::{
+        AllMet, AngularAcceleration, AngularVelocity, Checks, Clearance, Clone, Copy,
+        Cost, Debug, Default, Direction, Entry, Float, From, Inputs, Into,
+        LengthMismatch, Mechanism, Modes, OfMotion, OfPosition, OfVelocity, Ok,
+        Operations, Option, PartialEq, PhantomData, Point, Progress, Real, Record,
+        Result, Scalar, Series, Side, Slide, SlidingAcceleration, SlidingDirection,
+        SlidingVelocity, SolveError, Some, Status, derive, f64, str, usize,
+    };
+
     #[doc(hidden)]
-    pub use ::linkage_core::private::Absent as _;
+    pub use private::Absent as _;
     /// A crank-rocker of 12, 4, 10 and 7 inches.
     ///
     /// Solver of position, velocity and acceleration in closed form.
@@ -51,114 +67,59 @@ mod FourBar_ {
     /// - `position_at`: 11 additions, 21 multiplications, 1 division and 1 square root
     /// - `velocity_at`: 12 additions, 29 multiplications, 2 divisions and 1 square root
     /// - `motion_at`: 24 additions, 54 multiplications, 2 divisions and 1 square root
-    #[::linkage_core::private::derive(
-        ::linkage_core::private::Clone,
-        ::linkage_core::private::Copy,
-        ::linkage_core::private::Debug,
-        ::linkage_core::private::PartialEq
-    )]
-    #[allow(
-        dead_code,
-        non_snake_case,
-        clippy::derive_partial_eq_without_eq,
-        reason = "names are as declared, and results are there to choose from"
-    )]
-    pub struct FourBar<T = ::linkage_core::private::f64> {
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct FourBar<T = f64> {
         #[doc(hidden)]
-        pub use_new_: ::linkage_core::private::PhantomData<T>,
+        pub use_new_: PhantomData<T>,
     }
 
     /// Positions of the outputs of [`FourBar`], in metres and radians.
-    #[::linkage_core::private::derive(
-        ::linkage_core::private::Clone,
-        ::linkage_core::private::Copy,
-        ::linkage_core::private::Debug,
-        ::linkage_core::private::PartialEq
-    )]
-    #[allow(
-        dead_code,
-        non_snake_case,
-        clippy::derive_partial_eq_without_eq,
-        reason = "names are as declared, and results are there to choose from"
-    )]
+    #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct FourBarPosition<T> {
         /// Link `AB` (crank AB): unit direction, counter-clockwise from +x.
-        pub AB: ::linkage_core::private::Direction<T>,
+        pub AB: Direction<T>,
         /// Point `B` (crank AB): coordinates in m.
-        pub B: ::linkage_core::private::Point<T>,
+        pub B: Point<T>,
         /// Link `BC` (rrr BC, DC): unit direction, counter-clockwise from +x.
-        pub BC: ::linkage_core::private::Direction<T>,
+        pub BC: Direction<T>,
         /// Link `DC` (rrr BC, DC): unit direction, counter-clockwise from +x.
-        pub DC: ::linkage_core::private::Direction<T>,
+        pub DC: Direction<T>,
         /// Point `C` (rrr BC, DC): coordinates in m.
-        pub C: ::linkage_core::private::Point<T>,
+        pub C: Point<T>,
     }
 
     /// Velocities of the outputs of [`FourBar`], in m/s and rad/s.
-    #[::linkage_core::private::derive(
-        ::linkage_core::private::Clone,
-        ::linkage_core::private::Copy,
-        ::linkage_core::private::Debug,
-        ::linkage_core::private::PartialEq
-    )]
-    #[allow(
-        dead_code,
-        non_snake_case,
-        clippy::derive_partial_eq_without_eq,
-        reason = "names are as declared, and results are there to choose from"
-    )]
+    #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct FourBarVelocity<T> {
         /// Link `AB` (crank AB): angular velocity in rad/s, counter-clockwise.
-        pub AB: ::linkage_core::private::AngularVelocity<T>,
+        pub AB: AngularVelocity<T>,
         /// Point `B` (crank AB): velocity in m/s.
-        pub B: ::linkage_core::private::Point<T>,
+        pub B: Point<T>,
         /// Link `BC` (rrr BC, DC): angular velocity in rad/s, counter-clockwise.
-        pub BC: ::linkage_core::private::AngularVelocity<T>,
+        pub BC: AngularVelocity<T>,
         /// Link `DC` (rrr BC, DC): angular velocity in rad/s, counter-clockwise.
-        pub DC: ::linkage_core::private::AngularVelocity<T>,
+        pub DC: AngularVelocity<T>,
         /// Point `C` (rrr BC, DC): velocity in m/s.
-        pub C: ::linkage_core::private::Point<T>,
+        pub C: Point<T>,
     }
 
     /// Accelerations of the outputs of [`FourBar`], in m/s² and rad/s².
-    #[::linkage_core::private::derive(
-        ::linkage_core::private::Clone,
-        ::linkage_core::private::Copy,
-        ::linkage_core::private::Debug,
-        ::linkage_core::private::PartialEq
-    )]
-    #[allow(
-        dead_code,
-        non_snake_case,
-        clippy::derive_partial_eq_without_eq,
-        reason = "names are as declared, and results are there to choose from"
-    )]
+    #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct FourBarAcceleration<T> {
         /// Link `AB` (crank AB): angular acceleration in rad/s², counter-clockwise.
-        pub AB: ::linkage_core::private::AngularAcceleration<T>,
+        pub AB: AngularAcceleration<T>,
         /// Point `B` (crank AB): acceleration in m/s².
-        pub B: ::linkage_core::private::Point<T>,
+        pub B: Point<T>,
         /// Link `BC` (rrr BC, DC): angular acceleration in rad/s², counter-clockwise.
-        pub BC: ::linkage_core::private::AngularAcceleration<T>,
+        pub BC: AngularAcceleration<T>,
         /// Link `DC` (rrr BC, DC): angular acceleration in rad/s², counter-clockwise.
-        pub DC: ::linkage_core::private::AngularAcceleration<T>,
+        pub DC: AngularAcceleration<T>,
         /// Point `C` (rrr BC, DC): acceleration in m/s².
-        pub C: ::linkage_core::private::Point<T>,
+        pub C: Point<T>,
     }
 
     /// Position, velocity and acceleration of the outputs of [`FourBar`].
-    #[::linkage_core::private::derive(
-        ::linkage_core::private::Clone,
-        ::linkage_core::private::Copy,
-        ::linkage_core::private::Debug,
-        ::linkage_core::private::PartialEq
-    )]
-    #[allow(
-        dead_code,
-        non_snake_case,
-        clippy::derive_partial_eq_without_eq,
-        reason = "names are as declared, and results are there to choose from"
-    )]
+    #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct FourBarMotion<T> {
         /// In metres and radians.
         pub position: FourBarPosition<T>,
@@ -173,17 +134,6 @@ mod FourBar_ {
         reason = "a dimension may be near a constant by chance"
     )]
     const _: () = {
-        use ::linkage_core::private;
-        #[allow(unused_imports, reason = "no mechanism needs all of them")]
-        use private::{
-            AllMet, AngularAcceleration, AngularVelocity, Checks, Clearance, Cost,
-            Default, Direction, Entry, FirstError, Float, From, Fusion, Inputs, Into,
-            LaneMask, Lanes, LengthMismatch, Mask, Mechanism, Modes, OfMotion,
-            OfPosition, OfVelocity, Ok, Operations, Option, PhantomData, Point, Progress,
-            Real, Record, Result, Scalar, Series, Side, Slide, SlidingAcceleration,
-            SlidingDirection, SlidingVelocity, SolveError, Some, Status, f64, str, usize,
-        };
-
         #[allow(
             unused_imports,
             reason = "a function hides a constant of its name, and no argument"
@@ -557,15 +507,7 @@ mod FourBar_ {
             #[inline]
             #[must_use]
             pub fn rows(&self) -> [T; 7] {
-                [
-                    self.AB.omega,
-                    self.B.x,
-                    self.B.y,
-                    self.BC.omega,
-                    self.DC.omega,
-                    self.C.x,
-                    self.C.y,
-                ]
+                Record::into_array(*self)
             }
         }
 
@@ -574,15 +516,7 @@ mod FourBar_ {
             #[inline]
             #[must_use]
             pub fn rows(&self) -> [T; 7] {
-                [
-                    self.AB.alpha,
-                    self.B.x,
-                    self.B.y,
-                    self.BC.alpha,
-                    self.DC.alpha,
-                    self.C.x,
-                    self.C.y,
-                ]
+                Record::into_array(*self)
             }
         }
 
@@ -593,14 +527,9 @@ mod FourBar_ {
             ///
             /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
             /// division, 1 square root and 1 sine-cosine pair.
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn solve_position(&self, theta: T) -> (FourBarPosition<T>, T::Mask) {
-                self.core_position_(theta)
-            }
-
-            #[inline(always)]
-            fn core_position_(&self, theta: T) -> (FourBarPosition<T>, T::Mask) {
                 let (sin_, cos_) = T::sin_cos_near(theta);
                 let (result_, ok_) = self.core_position_at_(cos_, sin_);
                 (result_, T::is_near(theta) & ok_)
@@ -612,18 +541,9 @@ mod FourBar_ {
             ///
             /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
             /// divisions, 1 square root and 1 sine-cosine pair.
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn solve_velocity(
-                &self,
-                theta: T,
-                theta_rate: T,
-            ) -> (FourBarVelocity<T>, T::Mask) {
-                self.core_velocity_(theta, theta_rate)
-            }
-
-            #[inline(always)]
-            fn core_velocity_(
                 &self,
                 theta: T,
                 theta_rate: T,
@@ -640,19 +560,9 @@ mod FourBar_ {
             ///
             /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
             /// divisions, 1 square root and 1 sine-cosine pair.
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn solve_motion(
-                &self,
-                theta: T,
-                theta_rate: T,
-                theta_acceleration: T,
-            ) -> (FourBarMotion<T>, T::Mask) {
-                self.core_motion_(theta, theta_rate, theta_acceleration)
-            }
-
-            #[inline(always)]
-            fn core_motion_(
                 &self,
                 theta: T,
                 theta_rate: T,
@@ -672,27 +582,11 @@ mod FourBar_ {
             ///
             /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 27 multiplications, 2
             /// divisions, 1 square root and 1 sine-cosine pair.
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn solve_coefficients(&self, theta: T) -> ([[T; 1]; 7], T::Mask) {
-                self.core_coefficients_(theta)
-            }
-
-            #[inline(always)]
-            fn core_coefficients_(&self, theta: T) -> ([[T; 1]; 7], T::Mask) {
-                let (result_, ok_) = self.core_velocity_(theta, T::lit(1.0, 1.0));
-                (
-                    [
-                        [result_.AB.omega],
-                        [result_.B.x],
-                        [result_.B.y],
-                        [result_.BC.omega],
-                        [result_.DC.omega],
-                        [result_.C.x],
-                        [result_.C.y],
-                    ],
-                    ok_,
-                )
+                let (result_, ok_) = self.solve_velocity(theta, T::num(1.0));
+                (private::column(result_.rows()), ok_)
             }
 
             /// Positions of the outputs, without a branch, and whether they may be used.
@@ -701,7 +595,7 @@ mod FourBar_ {
             ///
             /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
             /// division and 1 square root.
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn solve_position_at(
                 &self,
@@ -721,21 +615,18 @@ mod FourBar_ {
             ) -> (FourBarPosition<T>, T::Mask) {
                 let mut all_met_ = AllMet::new();
                 let result_ = {
-                    let rest_ = T::lit(0.0, 0.0);
+                    let rest_ = T::num(0.0);
                     self.formulas_at_::<0>(&mut all_met_, cos, sin, rest_, rest_)
                         .position
                 };
                 (
                     result_,
                     all_met_.all()
-                        & (if T::plain(true, true) {
-                            <T::Mask as Mask>::ALL
-                        } else {
-                            T::is_finite(
-                                ((result_.B.x + result_.DC.cos) + result_.DC.sin)
-                                    + ((result_.BC.cos + result_.BC.sin) + result_.C.x),
-                            )
-                        }),
+                        & private::is_finite_unless(
+                            T::plain(true, true),
+                            ((result_.B.x + result_.DC.cos) + result_.DC.sin)
+                                + ((result_.BC.cos + result_.BC.sin) + result_.C.x),
+                        ),
                 )
             }
 
@@ -745,7 +636,7 @@ mod FourBar_ {
             ///
             /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
             /// divisions and 1 square root.
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn solve_velocity_at(
                 &self,
@@ -767,21 +658,18 @@ mod FourBar_ {
             ) -> (FourBarVelocity<T>, T::Mask) {
                 let mut all_met_ = AllMet::new();
                 let result_ = {
-                    let rest_ = T::lit(0.0, 0.0);
+                    let rest_ = T::num(0.0);
                     self.formulas_at_::<1>(&mut all_met_, cos, sin, theta_rate, rest_)
                         .velocity
                 };
                 (
                     result_,
                     all_met_.all() & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
-                        & (if T::plain(true, true) {
-                            <T::Mask as Mask>::ALL
-                        } else {
-                            T::is_finite(
-                                (result_.B.x + result_.BC.omega)
-                                    + (result_.C.x + result_.C.y),
-                            )
-                        }),
+                        & private::is_finite_unless(
+                            T::plain(true, true),
+                            (result_.B.x + result_.BC.omega)
+                                + (result_.C.x + result_.C.y),
+                        ),
                 )
             }
 
@@ -793,7 +681,7 @@ mod FourBar_ {
             ///
             /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
             /// divisions and 1 square root.
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn solve_motion_at(
                 &self,
@@ -828,20 +716,17 @@ mod FourBar_ {
                             theta_acceleration,
                             T::lit(9.999999999999998e119, 1000000000000.0),
                         )
-                        & (if T::plain(true, true) {
-                            <T::Mask as Mask>::ALL
-                        } else {
-                            T::is_finite(
-                                (((result_.velocity.B.x + result_.acceleration.B.x)
-                                    + result_.position.DC.cos)
-                                    + ((result_.position.DC.sin + result_.position.BC.cos)
-                                        + result_.position.BC.sin))
-                                    + (((result_.acceleration.BC.alpha + result_.velocity.C.x)
-                                        + result_.velocity.C.y)
-                                        + ((result_.acceleration.C.x + result_.acceleration.C.y)
-                                            + result_.position.C.x)),
-                            )
-                        }),
+                        & private::is_finite_unless(
+                            T::plain(true, true),
+                            (((result_.velocity.B.x + result_.acceleration.B.x)
+                                + result_.position.DC.cos)
+                                + ((result_.position.DC.sin + result_.position.BC.cos)
+                                    + result_.position.BC.sin))
+                                + (((result_.acceleration.BC.alpha + result_.velocity.C.x)
+                                    + result_.velocity.C.y)
+                                    + ((result_.acceleration.C.x + result_.acceleration.C.y)
+                                        + result_.position.C.x)),
+                        ),
                 )
             }
 
@@ -854,39 +739,27 @@ mod FourBar_ {
                 theta_rate: T,
                 theta_acceleration: T,
             ) -> FourBarMotion<T> {
-                let zero_ = T::lit(0.0, 0.0);
+                let zero_ = T::num(0.0);
                 let velocity_ = Record::from_array([zero_; 7]);
                 let acceleration_ = Record::from_array([zero_; 7]);
-                let b_x_ = T::lit(0.1016, 0.1016) * cos;
-                let b_y_ = T::lit(0.1016, 0.1016) * sin;
-                let bc_dc_d_x_ = T::fused(
-                    -T::lit(0.1016, 0.1016),
-                    cos,
-                    T::lit(0.3048, 0.3048),
-                );
-                let v31_ = T::fused(
-                    -T::lit(0.06193536, 0.06193536),
-                    cos,
-                    T::lit(0.1032256, 0.1032256),
-                );
+                let b_x_ = T::num(0.1016) * cos;
+                let b_y_ = T::num(0.1016) * sin;
+                let bc_dc_d_x_ = T::fused(-T::num(0.1016), cos, T::num(0.3048));
+                let v31_ = T::fused(-T::num(0.06193536), cos, T::num(0.1032256));
                 let bc_dc_d2_ = checks_
                     .square_of_centres(
                         v31_,
                         bc_dc_d_x_,
                         -b_y_,
-                        T::lit(0.254, 0.254),
-                        T::lit(0.1778, 0.1778),
+                        T::num(0.254),
+                        T::num(0.1778),
                         "BC, DC",
                     );
-                let bc_dc_inverse_d2_ = T::lit(1.0, 1.0) / bc_dc_d2_;
-                let bc_dc_i_ = T::fused(
-                    -T::lit(0.06193536, 0.06193536),
-                    cos,
-                    T::lit(0.09741916, 0.09741916),
-                );
-                let v40_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
-                let v41_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
-                let v42_ = T::lit(5.535725357165, 5.5357256) * v40_;
+                let bc_dc_inverse_d2_ = T::num(1.0) / bc_dc_d2_;
+                let bc_dc_i_ = T::fused(-T::num(0.06193536), cos, T::num(0.09741916));
+                let v40_ = T::num(0.1806448) - bc_dc_i_;
+                let v41_ = T::num(5.535725357165) * bc_dc_i_;
+                let v42_ = T::num(5.535725357165) * v40_;
                 let v43_ = v41_ * v42_;
                 let bc_dc_s_ = checks_
                     .reach_circles(
@@ -894,25 +767,17 @@ mod FourBar_ {
                         [
                             bc_dc_d_x_,
                             -b_y_,
-                            T::lit(0.254, 0.254),
-                            T::lit(0.1778, 0.1778),
-                            T::lit(1.0321428571428573, 1.0321429),
+                            T::num(0.254),
+                            T::num(0.1778),
+                            T::num(1.0321428571428573),
                         ],
                         "BC, DC",
                     );
                 let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
-                let v47_ = T::lit(0.0903224, 0.0903224) * bc_dc_inverse_d2_;
+                let v47_ = T::num(0.0903224) * bc_dc_inverse_d2_;
                 let bc_dc_h_ = bc_dc_root_s_ * v47_;
-                let bc_dc_a_d2_ = T::fused(
-                    T::lit(0.5, 0.5),
-                    bc_dc_i_,
-                    T::lit(0.0193548, 0.0193548),
-                );
-                let bc_dc_b_d2_ = T::fused(
-                    T::lit(0.5, 0.5),
-                    bc_dc_i_,
-                    -T::lit(0.01354836, 0.01354836),
-                );
+                let bc_dc_a_d2_ = T::fused(T::num(0.5), bc_dc_i_, T::num(0.0193548));
+                let bc_dc_b_d2_ = T::fused(T::num(0.5), bc_dc_i_, -T::num(0.01354836));
                 let v56_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
                 let bc_dc_a_ = checks_
                     .share_of_centres(
@@ -921,9 +786,9 @@ mod FourBar_ {
                             v43_,
                             bc_dc_d_x_,
                             -b_y_,
-                            T::lit(0.254, 0.254),
-                            T::lit(0.1778, 0.1778),
-                            T::lit(1.0321428571428573, 1.0321429),
+                            T::num(0.254),
+                            T::num(0.1778),
+                            T::num(1.0321428571428573),
                         ],
                         "BC, DC",
                     );
@@ -935,9 +800,9 @@ mod FourBar_ {
                             v43_,
                             bc_dc_d_x_,
                             -b_y_,
-                            T::lit(0.1778, 0.1778),
-                            T::lit(0.254, 0.254),
-                            T::lit(1.0321428571428573, 1.0321429),
+                            T::num(0.1778),
+                            T::num(0.254),
+                            T::num(1.0321428571428573),
                         ],
                         "BC, DC",
                     );
@@ -947,11 +812,11 @@ mod FourBar_ {
                 let bc_dc_r2_y_ = T::fused(-b_y_, bc_dc_a_, bc_dc_h_d_y_);
                 let bc_dc_r3_x_ = T::fused(-bc_dc_d_x_, bc_dc_b_, bc_dc_h_d_x_);
                 let c_y_ = T::fused(b_y_, bc_dc_b_, bc_dc_h_d_y_);
-                let dc_cos_ = T::lit(5.62429696287964, 5.624297) * bc_dc_r3_x_;
-                let dc_sin_ = T::lit(5.62429696287964, 5.624297) * c_y_;
-                let bc_cos_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_x_;
-                let bc_sin_ = T::lit(3.937007874015748, 3.937008) * bc_dc_r2_y_;
-                let c_x_ = T::lit(0.3048, 0.3048) + bc_dc_r3_x_;
+                let dc_cos_ = T::num(5.62429696287964) * bc_dc_r3_x_;
+                let dc_sin_ = T::num(5.62429696287964) * c_y_;
+                let bc_cos_ = T::num(3.937007874015748) * bc_dc_r2_x_;
+                let bc_sin_ = T::num(3.937007874015748) * bc_dc_r2_y_;
+                let c_x_ = T::num(0.3048) + bc_dc_r3_x_;
                 let position_ = FourBarPosition {
                     AB: Direction { cos, sin },
                     B: Point { x: b_x_, y: b_y_ },
@@ -976,8 +841,8 @@ mod FourBar_ {
                 let b_vx_ = -bc_dc_w_x_;
                 let b_vy_ = theta_rate * b_x_;
                 let v71_ = checks_.nonzero(bc_dc_s_, "BC, DC");
-                let v73_ = T::lit(11.07145071433, 11.071451) * bc_dc_root_s_;
-                let v74_ = T::lit(1.0, 1.0) / v71_;
+                let v73_ = T::num(11.07145071433) * bc_dc_root_s_;
+                let v74_ = T::num(1.0) / v71_;
                 let bc_dc_inverse_j_ = v73_ * v74_;
                 let v82_ = bc_dc_w_x_ * bc_dc_r3_x_;
                 let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v82_);
@@ -1016,18 +881,10 @@ mod FourBar_ {
                 let b_ay_ = T::fused(-b_y_, v16_, v15_);
                 let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
                 let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
-                let bc_dc_r2_r3_ = T::fused(
-                    -T::lit(0.5, 0.5),
-                    bc_dc_i_,
-                    T::lit(0.0451612, 0.0451612),
-                );
+                let bc_dc_r2_r3_ = T::fused(-T::num(0.5), bc_dc_i_, T::num(0.0451612));
                 let v95_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
-                let v99_ = T::fused(
-                    -T::lit(0.03161284, 0.03161284),
-                    bc_dc_omega3_squared_,
-                    v95_,
-                );
-                let v101_ = T::lit(0.064516, 0.064516) * bc_dc_omega2_squared_;
+                let v99_ = T::fused(-T::num(0.03161284), bc_dc_omega3_squared_, v95_);
+                let v101_ = T::num(0.064516) * bc_dc_omega2_squared_;
                 let v104_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v101_);
                 let v105_ = bc_dc_g_x_ * bc_dc_r3_x_;
                 let v108_ = T::fused(-b_ay_, c_y_, v105_);
@@ -1075,8 +932,13 @@ mod FourBar_ {
             /// or result that is not finite.
             #[inline]
             pub fn position(&self, theta: T) -> Result<FourBarPosition<T>, SolveError> {
-                let (result_, ok_) = { self.core_position_(theta) };
-                if ok_ { Ok(result_) } else { self.diagnose_position_(theta) }
+                let (result_, ok_) = self.solve_position(theta);
+                if ok_ {
+                    Ok(result_)
+                } else {
+                    let (cos_, sin_) = private::finite_angle(theta, "theta")?;
+                    self.diagnose_position_at_(cos_, sin_)
+                }
             }
 
             /// Velocities of the outputs.
@@ -1094,11 +956,12 @@ mod FourBar_ {
                 theta: T,
                 theta_rate: T,
             ) -> Result<FourBarVelocity<T>, SolveError> {
-                let (result_, ok_) = { self.core_velocity_(theta, theta_rate) };
+                let (result_, ok_) = self.solve_velocity(theta, theta_rate);
                 if ok_ {
                     Ok(result_)
                 } else {
-                    self.diagnose_velocity_(theta, theta_rate)
+                    let (cos_, sin_) = private::finite_angle(theta, "theta")?;
+                    self.diagnose_velocity_at_(cos_, sin_, theta_rate)
                 }
             }
 
@@ -1118,13 +981,13 @@ mod FourBar_ {
                 theta_rate: T,
                 theta_acceleration: T,
             ) -> Result<FourBarMotion<T>, SolveError> {
-                let (result_, ok_) = {
-                    self.core_motion_(theta, theta_rate, theta_acceleration)
-                };
+                let (result_, ok_) = self
+                    .solve_motion(theta, theta_rate, theta_acceleration);
                 if ok_ {
                     Ok(result_)
                 } else {
-                    self.diagnose_motion_(theta, theta_rate, theta_acceleration)
+                    let (cos_, sin_) = private::finite_angle(theta, "theta")?;
+                    self.diagnose_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
                 }
             }
 
@@ -1141,8 +1004,16 @@ mod FourBar_ {
             /// or result that is not finite. An input that no coefficient depends on is not looked at.
             #[inline]
             pub fn coefficients(&self, theta: T) -> Result<[[T; 1]; 7], SolveError> {
-                let (result_, ok_) = { self.core_coefficients_(theta) };
-                if ok_ { Ok(result_) } else { self.diagnose_coefficients_(theta) }
+                let (result_, ok_) = self.solve_velocity(theta, T::num(1.0));
+                let result_ = if ok_ {
+                    result_
+                } else {
+                    {
+                        let (cos_, sin_) = private::finite_angle(theta, "theta")?;
+                        self.diagnose_velocity_at_(cos_, sin_, T::num(1.0))
+                    }?
+                };
+                Ok(private::column(result_.rows()))
             }
 
             /// Positions of the outputs.
@@ -1234,64 +1105,6 @@ mod FourBar_ {
                 }
             }
 
-            /// Why `solve_position` gave no answer, or the answer at a limit.
-            #[cold]
-            #[inline(never)]
-            fn diagnose_position_(
-                &self,
-                theta: T,
-            ) -> Result<FourBarPosition<T>, SolveError> {
-                private::finite_input(theta, "theta")?;
-                let (sin_, cos_) = T::sin_cos(theta);
-                self.diagnose_position_at_(cos_, sin_)
-            }
-
-            /// Why `solve_velocity` gave no answer, or the answer at a limit.
-            #[cold]
-            #[inline(never)]
-            fn diagnose_velocity_(
-                &self,
-                theta: T,
-                theta_rate: T,
-            ) -> Result<FourBarVelocity<T>, SolveError> {
-                private::finite_input(theta, "theta")?;
-                let (sin_, cos_) = T::sin_cos(theta);
-                self.diagnose_velocity_at_(cos_, sin_, theta_rate)
-            }
-
-            /// Why `solve_motion` gave no answer, or the answer at a limit.
-            #[cold]
-            #[inline(never)]
-            fn diagnose_motion_(
-                &self,
-                theta: T,
-                theta_rate: T,
-                theta_acceleration: T,
-            ) -> Result<FourBarMotion<T>, SolveError> {
-                private::finite_input(theta, "theta")?;
-                let (sin_, cos_) = T::sin_cos(theta);
-                self.diagnose_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
-            }
-
-            /// Why `solve_coefficients` gave no answer, or the answer at a limit.
-            #[cold]
-            #[inline(never)]
-            fn diagnose_coefficients_(
-                &self,
-                theta: T,
-            ) -> Result<[[T; 1]; 7], SolveError> {
-                let result_ = self.diagnose_velocity_(theta, T::lit(1.0, 1.0))?;
-                Ok([
-                    [result_.AB.omega],
-                    [result_.B.x],
-                    [result_.B.y],
-                    [result_.BC.omega],
-                    [result_.DC.omega],
-                    [result_.C.x],
-                    [result_.C.y],
-                ])
-            }
-
             /// Why `solve_position_at` gave no answer, or the answer at a limit.
             #[cold]
             #[inline(never)]
@@ -1303,7 +1116,7 @@ mod FourBar_ {
                 private::diagnose(
                     &[(cos, "cos"), (sin, "sin")],
                     |checks_| {
-                        let rest_ = T::lit(0.0, 0.0);
+                        let rest_ = T::num(0.0);
                         self.formulas_at_::<0>(checks_, cos, sin, rest_, rest_).position
                     },
                 )
@@ -1321,7 +1134,7 @@ mod FourBar_ {
                 private::diagnose(
                     &[(cos, "cos"), (sin, "sin"), (theta_rate, "theta_rate")],
                     |checks_| {
-                        let rest_ = T::lit(0.0, 0.0);
+                        let rest_ = T::num(0.0);
                         self.formulas_at_::<1>(checks_, cos, sin, theta_rate, rest_)
                             .velocity
                     },
@@ -1375,34 +1188,15 @@ mod FourBar_ {
                 status: &mut [Status],
                 progress: impl Progress,
             ) -> Result<(), LengthMismatch> {
-                let theta: Series<'series, T> = Into::into(theta);
                 private::sweep::<
                     OfPosition,
                     _,
                     _,
                     1,
                     10,
-                >(self, [theta], Record::into_array(out), status, progress)
-            }
-        }
-
-        impl<T: Float> Entry<OfPosition, T, 1, 10> for FourBar<T> {
-            #[inline(always)]
-            fn solve_lanes<const W_: usize, F: Fusion>(
-                &self,
-                [x0_,
-                ]: [Lanes<T, W_, F>; 1],
-            ) -> ([Lanes<T, W_, F>; 10], LaneMask<W_>) {
-                let (result_, ok_) = self.lift::<Lanes<T, W_, F>>().core_position_(x0_);
-                (Record::into_array(result_), ok_)
+                >(self, [Into::into(theta)], Record::into_array(out), status, progress)
             }
 
-            fn solve_one(&self, [x0_]: [T; 1]) -> Result<[T; 10], SolveError> {
-                Ok(Record::into_array(self.position(x0_)?))
-            }
-        }
-
-        impl<T: Float> FourBar<T> {
             /// Velocities of the outputs, at many poses.
             ///
             /// Given `theta` in rad, its rate in rad/s. Each is a slice with a number for every pose, or
@@ -1424,38 +1218,21 @@ mod FourBar_ {
                 status: &mut [Status],
                 progress: impl Progress,
             ) -> Result<(), LengthMismatch> {
-                let theta: Series<'series, T> = Into::into(theta);
-                let theta_rate: Series<'series, T> = Into::into(theta_rate);
                 private::sweep::<
                     OfVelocity,
                     _,
                     _,
                     2,
                     7,
-                >(self, [theta, theta_rate], Record::into_array(out), status, progress)
-            }
-        }
-
-        impl<T: Float> Entry<OfVelocity, T, 2, 7> for FourBar<T> {
-            #[inline(always)]
-            fn solve_lanes<const W_: usize, F: Fusion>(
-                &self,
-                [x0_,
-                x1_,
-                ]: [Lanes<T, W_, F>; 2],
-            ) -> ([Lanes<T, W_, F>; 7], LaneMask<W_>) {
-                let (result_, ok_) = self
-                    .lift::<Lanes<T, W_, F>>()
-                    .core_velocity_(x0_, x1_);
-                (Record::into_array(result_), ok_)
+                >(
+                    self,
+                    [Into::into(theta), Into::into(theta_rate)],
+                    Record::into_array(out),
+                    status,
+                    progress,
+                )
             }
 
-            fn solve_one(&self, [x0_, x1_]: [T; 2]) -> Result<[T; 7], SolveError> {
-                Ok(Record::into_array(self.velocity(x0_, x1_)?))
-            }
-        }
-
-        impl<T: Float> FourBar<T> {
             /// Positions, velocities and accelerations of the outputs, at many poses.
             ///
             /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s². Each is a slice with a
@@ -1478,11 +1255,6 @@ mod FourBar_ {
                 status: &mut [Status],
                 progress: impl Progress,
             ) -> Result<(), LengthMismatch> {
-                let theta: Series<'series, T> = Into::into(theta);
-                let theta_rate: Series<'series, T> = Into::into(theta_rate);
-                let theta_acceleration: Series<'series, T> = Into::into(
-                    theta_acceleration,
-                );
                 private::sweep::<
                     OfMotion,
                     _,
@@ -1491,7 +1263,11 @@ mod FourBar_ {
                     24,
                 >(
                     self,
-                    [theta, theta_rate, theta_acceleration],
+                    [
+                        Into::into(theta),
+                        Into::into(theta_rate),
+                        Into::into(theta_acceleration),
+                    ],
                     Record::into_array(out),
                     status,
                     progress,
@@ -1499,18 +1275,34 @@ mod FourBar_ {
             }
         }
 
+        impl<T: Float> Entry<OfPosition, T, 1, 10> for FourBar<T> {
+            #[inline(always)]
+            fn solve<U: Scalar>(&self, [x0_]: [U; 1]) -> ([U; 10], U::Mask) {
+                let (result_, ok_) = self.lift::<U>().solve_position(x0_);
+                (Record::into_array(result_), ok_)
+            }
+
+            fn solve_one(&self, [x0_]: [T; 1]) -> Result<[T; 10], SolveError> {
+                Ok(Record::into_array(self.position(x0_)?))
+            }
+        }
+
+        impl<T: Float> Entry<OfVelocity, T, 2, 7> for FourBar<T> {
+            #[inline(always)]
+            fn solve<U: Scalar>(&self, [x0_, x1_]: [U; 2]) -> ([U; 7], U::Mask) {
+                let (result_, ok_) = self.lift::<U>().solve_velocity(x0_, x1_);
+                (Record::into_array(result_), ok_)
+            }
+
+            fn solve_one(&self, [x0_, x1_]: [T; 2]) -> Result<[T; 7], SolveError> {
+                Ok(Record::into_array(self.velocity(x0_, x1_)?))
+            }
+        }
+
         impl<T: Float> Entry<OfMotion, T, 3, 24> for FourBar<T> {
             #[inline(always)]
-            fn solve_lanes<const W_: usize, F: Fusion>(
-                &self,
-                [x0_,
-                x1_,
-                x2_,
-                ]: [Lanes<T, W_, F>; 3],
-            ) -> ([Lanes<T, W_, F>; 24], LaneMask<W_>) {
-                let (result_, ok_) = self
-                    .lift::<Lanes<T, W_, F>>()
-                    .core_motion_(x0_, x1_, x2_);
+            fn solve<U: Scalar>(&self, [x0_, x1_, x2_]: [U; 3]) -> ([U; 24], U::Mask) {
+                let (result_, ok_) = self.lift::<U>().solve_motion(x0_, x1_, x2_);
                 (Record::into_array(result_), ok_)
             }
 
@@ -1541,16 +1333,11 @@ mod FourBar_ {
             type Position = FourBarPosition<T>;
             type Motion = FourBarMotion<T>;
             type Clearances = [Clearance<T>; 1];
-            type Enclosures = [Clearance<<T as Real>::Enclosing>; 1];
+            type Enclosures = [Clearance<T::Enclosing>; 1];
 
             const GROUPS: &'static [(&'static str, Option<usize>)] = &[
                 ("BC, DC", private::None),
             ];
-
-            #[inline]
-            fn flip(&mut self, param_: usize) {
-                let _ = param_;
-            }
 
             #[inline]
             fn position(&self, q_: T) -> Result<FourBarPosition<T>, SolveError> {
@@ -1570,65 +1357,59 @@ mod FourBar_ {
             fn clearances(&self, theta: T, theta_rate: T) -> Self::Clearances {
                 let v16_ = theta_rate * theta_rate;
                 let (ab_u_y_, ab_u_x_) = T::sin_cos(theta);
-                let ab_r_x_ = T::lit(0.1016, 0.1016) * ab_u_x_;
-                let ab_r_y_ = T::lit(0.1016, 0.1016) * ab_u_y_;
+                let ab_r_x_ = T::num(0.1016) * ab_u_x_;
+                let ab_r_y_ = T::num(0.1016) * ab_u_y_;
                 let bc_dc_w_x_ = theta_rate * ab_r_y_;
                 let v145_ = theta_rate * ab_r_x_;
                 let bc_dc_g_x_ = v16_ * ab_r_x_;
                 let bc_dc_g_y_ = v16_ * ab_r_y_;
-                let bc_dc_d_x_ = T::fused(
-                    -T::lit(0.1016, 0.1016),
-                    ab_u_x_,
-                    T::lit(0.3048, 0.3048),
-                );
+                let bc_dc_d_x_ = T::fused(-T::num(0.1016), ab_u_x_, T::num(0.3048));
                 let v150_ = bc_dc_w_x_ * bc_dc_d_x_;
                 let v151_ = v150_ + v150_;
                 let v152_ = bc_dc_g_x_ * bc_dc_d_x_;
                 let v153_ = bc_dc_w_x_ * bc_dc_w_x_;
-                let v155_ = T::fused(T::lit(2.0, 2.0), v153_, v152_);
+                let v155_ = T::fused(T::num(2.0), v153_, v152_);
                 let v156_ = v152_ + v155_;
                 let v157_ = ab_r_y_ * v145_;
                 let v158_ = v157_ + v157_;
                 let v159_ = ab_r_y_ * bc_dc_g_y_;
                 let v160_ = v145_ * v145_;
-                let v163_ = T::fused(T::lit(2.0, 2.0), v160_, -v159_);
+                let v163_ = T::fused(T::num(2.0), v160_, -v159_);
                 let v164_ = v163_ - v159_;
                 let v165_ = v151_ + v158_;
                 let v166_ = v156_ + v164_;
                 let bc_dc_i_ = T::fused(
-                    -T::lit(0.06193536, 0.06193536),
+                    -T::num(0.06193536),
                     ab_u_x_,
-                    T::lit(0.09741916, 0.09741916),
+                    T::num(0.09741916),
                 );
-                let v168_ = T::lit(0.1806448, 0.1806448) - bc_dc_i_;
-                let v169_ = T::lit(5.535725357165, 5.5357256) * bc_dc_i_;
-                let v170_ = T::lit(5.535725357165, 5.5357256) * v165_;
-                let v171_ = T::lit(5.535725357165, 5.5357256) * v166_;
-                let v172_ = T::lit(5.535725357165, 5.5357256) * v168_;
+                let v168_ = T::num(0.1806448) - bc_dc_i_;
+                let v169_ = T::num(5.535725357165) * bc_dc_i_;
+                let v170_ = T::num(5.535725357165) * v165_;
+                let v171_ = T::num(5.535725357165) * v166_;
+                let v172_ = T::num(5.535725357165) * v168_;
                 let v173_ = v169_ * v172_;
                 let v174_ = v170_ * v172_;
                 let v177_ = T::fused(-v169_, v170_, v174_);
                 let v178_ = v171_ * v172_;
                 let v179_ = v170_ * v170_;
-                let v182_ = T::fused(-T::lit(2.0, 2.0), v179_, v178_);
+                let v182_ = T::fused(-T::num(2.0), v179_, v178_);
                 let v184_ = T::fused(-v169_, v171_, v182_);
                 [
                     Clearance {
                         value: v173_,
                         rate: v177_,
                         second_rate: v184_,
-                        scale: T::lit(0.5517857142857143, 0.5517857),
+                        scale: T::num(0.5517857142857143),
                     },
                 ]
             }
 
             fn enclosures(&self, middle_: T, radius_: T, rate_: T) -> Self::Enclosures {
-                let none_ = T::lit(0.0, 0.0);
-                let solver_ = self.lift::<<T as Real>::Enclosing>();
                 Modes::clearances(
-                    &solver_,
-                    Real::enclosing(middle_, radius_),
-                    Real::enclosing(rate_, none_),
+                    &self.lift::<T::Enclosing>(),
+                    middle_.enclosing(radius_),
+                    rate_.enclosing(T::num(0.0)),
                 )
             }
         }

@@ -9,7 +9,7 @@ mod search;
 mod size;
 
 pub(crate) use search::{closed, moving, no_root, open_by};
-pub use size::{finite_input, finite_result};
+pub(crate) use size::{finite_input, finite_result};
 pub(crate) use size::{nonzero, not_negative, positive, square};
 
 use crate::limit::{self, Reach, Width};

@@ -19,13 +19,13 @@ pub use core::result::Result::{self, Err, Ok};
 
 pub use crate::absent::*;
 pub use crate::c_interface::{CError, c_sense, c_side};
-pub use crate::checks::{AllMet, Checks, FirstError};
+pub use crate::checks::{AllMet, Checks, FirstError, is_finite_unless};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate};
-pub use crate::diagnosis::{finite_input, finite_result};
 pub use crate::find::unknown::root;
 pub use crate::find::{FindError, Trend};
-pub use crate::resolver::{found_on_circle, on_circle};
+pub use crate::record::column;
+pub use crate::resolver::{finite_angle, found_on_circle, on_circle};
 #[cfg(feature = "sketch")]
 pub use crate::sketch::{Drawn, Film, Made, Plan, Sketch, place, place_open};
 pub use crate::slow_path::{diagnose, diagnose_all};

@@ -93,6 +93,12 @@ where
     })
 }
 
+/// The rows of a matrix of one column.
+#[inline(always)]
+pub fn column<T, const N: usize>(rows: [T; N]) -> [[T; 1]; N] {
+    rows.map(|row| [row])
+}
+
 /// A name without what it is a rate of: `blade` of `velocity of blade`.
 fn plain(name: &'static str) -> &'static str {
     name.rsplit(' ').next().unwrap_or(name)

@@ -43,6 +43,18 @@ pub fn found_on_circle<T: Real>(cos: T, sin: T, name: &'static str) -> Result<(T
     Err(SolveError::OffCircle { name, amplitude: libm::hypot(cos.value(), sin.value()) })
 }
 
+/// The cosine and sine of an angle that was given for the input `name`, rounded with more care than in
+/// the straight line.
+///
+/// # Errors
+/// `NotFinite` with the name.
+#[cold]
+pub fn finite_angle<T: Real>(angle: T, name: &'static str) -> Result<(T, T), SolveError> {
+    finite_input(angle, name)?;
+    let (sin, cos) = T::sin_cos(angle);
+    Ok((cos, sin))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

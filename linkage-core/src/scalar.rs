@@ -41,6 +41,13 @@ pub trait Scalar:
     /// A literal, rounded once from the exact value to each width.
     fn lit(wide: f64, narrow: f32) -> Self;
 
+    /// A literal that rounds to the nearest `f32` by way of `f64`, as all but one of some 10⁹ do.
+    #[inline(always)]
+    #[must_use]
+    fn num(value: f64) -> Self {
+        Self::lit(value, value as f32)
+    }
+
     /// The square root.
     #[must_use]
     fn sqrt(self) -> Self;

@@ -15,7 +15,7 @@ mod tests;
 
 use core::fmt;
 
-use crate::{Float, Fusion, LaneMask, Lanes, Record, SolveError};
+use crate::{Float, Fusion, Lanes, Record, Scalar, SolveError};
 pub use kinds::*;
 
 /// What came of one pose, in a byte: the single call's answer without its details, which the
@@ -74,11 +74,9 @@ pub struct LengthMismatch {
 
 /// A generated entry point, as a sweep calls it; `K` tells the entry points of a mechanism apart.
 pub trait Entry<K, T: Float, const IN: usize, const OUT: usize> {
-    /// The components of the results for each lane, and where they may be used.
-    fn solve_lanes<const W: usize, F: Fusion>(
-        &self,
-        inputs: [Lanes<T, W, F>; IN],
-    ) -> ([Lanes<T, W, F>; OUT], LaneMask<W>);
+    /// The components of the results without a branch, for lanes as for any number, and where they may
+    /// be used.
+    fn solve<U: Scalar>(&self, inputs: [U; IN]) -> ([U; OUT], U::Mask);
 
     /// The same for a single pose, with the slow path's decision.
     fn solve_one(&self, inputs: [T; IN]) -> Result<[T; OUT], SolveError>;
@@ -241,7 +239,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
                 let value = column.0.get(i).into_iter();
                 value.for_each(|&value| *number = Lanes::splat(value));
             }
-            let (values, usable) = self.entry.solve_lanes(numbers);
+            let (values, usable) = self.entry.solve(numbers);
             for (column, value) in results.iter_mut().zip(values) {
                 let ([value], place) = (value.to_array(), column.0.get_mut(i).into_iter());
                 place.for_each(|to| *to = value);

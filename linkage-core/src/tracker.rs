@@ -64,8 +64,9 @@ pub trait Modes: Copy {
     /// parameter that holds the mode unless it is a constant.
     const GROUPS: &'static [(&'static str, Option<usize>)];
 
-    /// Changes the mode that a parameter holds into its opposite.
-    fn flip(&mut self, param: usize);
+    /// Changes the mode that a parameter holds into its opposite; nothing where none does.
+    #[inline]
+    fn flip(&mut self, _param: usize) {}
 
     /// The solver's `position`.
     ///

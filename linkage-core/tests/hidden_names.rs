@@ -79,13 +79,11 @@ mod generated {
             if p::Mask::all(usable) {
                 return p::Ok(position);
             }
-            p::finite_input(theta, "theta")?;
+            let (cos, sin) = p::finite_angle(theta, "theta")?;
             let mut first_error = p::FirstError::new();
             let radius = p::Checks::positive(&mut first_error, self.radius, "AB", "radius");
             first_error.first()?;
-            let (sin, cos) = p::Scalar::sin_cos(theta);
             let y = p::Side::sign::<T>(self.elbow) * radius * sin;
-            p::finite_result(y, "B.y", &[(theta, "theta")])?;
             p::Ok(p::Point { x: radius * cos, y })
         }
 

@@ -7,7 +7,7 @@ use crate::{Real, SolveError};
 /// # Errors
 /// `NotFinite` with its name.
 #[cold]
-pub fn finite_input<T: Real>(value: T, name: &'static str) -> Result<(), SolveError> {
+pub(crate) fn finite_input<T: Real>(value: T, name: &'static str) -> Result<(), SolveError> {
     if value.is_finite() { Ok(()) } else { Err(SolveError::NotFinite { name }) }
 }
 
@@ -18,7 +18,7 @@ pub fn finite_input<T: Real>(value: T, name: &'static str) -> Result<(), SolveEr
 /// name of the largest of the given numbers whose fourth power leaves the number's range, as a
 /// rate that is squared on the way does, or with the result's own name where there is none.
 #[cold]
-pub fn finite_result<T: Real>(
+pub(crate) fn finite_result<T: Real>(
     value: T,
     name: &'static str,
     given: &[(T, &'static str)],

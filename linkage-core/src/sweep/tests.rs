@@ -4,7 +4,7 @@ use std::vec;
 use std::vec::Vec;
 
 use super::{Entry, LengthMismatch, OfPosition, REPORT_EVERY, Series, Status, sweep};
-use crate::{Float, Fusion, LaneMask, Lanes, Scalar, SolveError};
+use crate::{Float, Scalar, SolveError};
 
 /// √(x·scale), and half of it.
 struct Root;
@@ -12,12 +12,9 @@ struct Root;
 const REFUSED: SolveError = SolveError::Singular { group: "root" };
 
 impl<T: Float> Entry<OfPosition, T, 2, 2> for Root {
-    fn solve_lanes<const W: usize, F: Fusion>(
-        &self,
-        [x, scale]: [Lanes<T, W, F>; 2],
-    ) -> ([Lanes<T, W, F>; 2], LaneMask<W>) {
+    fn solve<U: Scalar>(&self, [x, scale]: [U; 2]) -> ([U; 2], U::Mask) {
         let root = (x * scale).sqrt();
-        ([root, root * Lanes::lit(0.5, 0.5)], root.gt(Lanes::lit(0.0, 0.0)))
+        ([root, root * U::num(0.5)], root.gt(U::num(0.0)))
     }
 
     /// Unlike the lanes, it also knows the root of zero.

@@ -6,8 +6,10 @@ use quote::quote;
 
 use super::context::Context;
 use super::identifiers::{function_name, generated};
+use super::token_list::Tokens;
 use super::{arguments::Arguments, docs, fast_path, results, slow_path};
 use crate::interface::EntryId;
+use crate::lower::routine::{Adapted, Compute};
 
 pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
@@ -17,18 +19,40 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let (declared, converted) = (arguments.declared(&scalar), arguments.converted(&scalar));
     let result = results::ty(cx, entry.result, &scalar);
     let name = function_name(entry.name);
-    let answer = fast_path::answer(cx, id);
-    let (diagnose, docs) = (slow_path::call(cx, entry), docs::checked(cx, id));
+    let docs = docs::checked(cx, id);
     let (outcome, error, ok) =
         (cx.paths.item("Result"), cx.paths.item("SolveError"), cx.paths.item("Ok"));
     let (value, usable) = (generated("result_"), generated("ok_"));
+    let given = arguments.names().iter().cloned().map(Tokens::from);
+    let body = match cx.compute(id) {
+        // The velocities at a rate of one.
+        Compute::Via { entry: velocity, given: Adapted::UnitRate } => {
+            let given: Vec<_> = given.chain([cx.literal(1.0, 1.0)]).collect();
+            let answer = fast_path::of_unit_rate(cx, &arguments, *velocity);
+            let (diagnose, column) =
+                (slow_path::call(cx, *velocity, &given), cx.paths.item("column"));
+            quote! {
+                let (#value, #usable) = #answer;
+                let #value = if #usable { #value } else { { #diagnose }? };
+                #ok(#column(#value.rows()))
+            }
+        }
+        _ => {
+            let given: Vec<_> = given.collect();
+            let (answer, diagnose) = (fast_path::answer(cx, id), slow_path::call(cx, id, &given));
+            let answer = if entry.takes_cosine() { quote!({ #answer }) } else { answer };
+            quote! {
+                let (#value, #usable) = #answer;
+                if #usable { #ok(#value) } else { #diagnose }
+            }
+        }
+    };
     quote! {
         #docs
         #[inline]
         pub fn #name(&self, #(#declared),*) -> #outcome<#result, #error> {
             #converted
-            let (#value, #usable) = { #answer };
-            if #usable { #ok(#value) } else { #diagnose }
+            #body
         }
     }
 }

@@ -102,8 +102,13 @@ impl<'a> Context<'a> {
         Tokens::path(self.names.scalar.clone(), function_name(function))
     }
 
-    /// A constant as the type parameter's number, rounded to each width.
+    /// A constant as the type parameter's number, rounded to each width; where rounding twice does not
+    /// show, as one literal.
     pub(super) fn literal(&self, wide: f64, narrow: f32) -> Tokens {
+        if (wide as f32).to_bits() == narrow.to_bits() {
+            let (num, wide) = (self.scalar("num"), literal(wide));
+            return quote!(#num(#wide)).into();
+        }
         let (lit, wide, narrow) = (self.scalar("lit"), literal(wide), literal(narrow));
         quote!(#lit(#wide, #narrow)).into()
     }

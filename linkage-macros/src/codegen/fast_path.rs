@@ -13,12 +13,30 @@ use crate::interface::EntryId;
 use crate::interface::entries::Entry;
 use crate::lower::routine::{Adapted, Asked, Compute, Limits};
 
-/// The name of the core of an entry point.
-pub(super) fn core_name(entry: &Entry) -> Ident {
-    function_name(&format!("core_{}_", entry.name))
+/// The name of the core of an entry point, which has the numbers and records themselves for arguments:
+/// the public function, where that has.
+pub(super) fn core_name(cx: &Context<'_>, entry: &Entry) -> Ident {
+    match has_core(cx, entry) {
+        true => function_name(&format!("core_{}_", entry.name)),
+        false => public_name(entry),
+    }
+}
+
+fn public_name(entry: &Entry) -> Ident {
+    function_name(&format!("solve_{}", entry.name))
+}
+
+/// Whether the public function turns its arguments into others before anything is computed.
+fn has_core(cx: &Context<'_>, entry: &Entry) -> bool {
+    let scalar = &cx.names.scalar;
+    let arguments = Arguments::new(cx, entry.given);
+    entry.takes_cosine() || !arguments.converted(&quote!(#scalar)).is_empty()
 }
 
 /// `solve_…`, and the core that it shares with everything else.
+///
+/// Inlined always, as everything is that lanes call: what is not would run on the instruction set of
+/// the rest of the program, and hand its results over through memory.
 pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let (entry, scalar) = (cx.entry(id), &cx.names.scalar);
     let number = quote!(#scalar);
@@ -30,28 +48,31 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
             by_cosine(cx, &arguments, cx.entry(*other))
         }
         Compute::Via { entry: other, given: Adapted::UnitRate } => {
-            at_unit_rate(cx, &arguments, cx.entry(*other))
+            at_unit_rate(cx, &arguments, *other)
         }
         Compute::Own { routine, stage, asked } => {
             compared(cx, entry, formulas::Call { routine: *routine, stage: *stage }, asked)
         }
     };
     let (docs, result) = (docs::fast_path(cx, id), results::ty(cx, entry.result, &number));
-    let name = function_name(&format!("solve_{}", entry.name));
-    let core = core_name(entry);
+    let (name, core) = (public_name(entry), core_name(cx, entry));
+    let (shown, core) = match has_core(cx, entry) {
+        false => (body, None),
+        true => (
+            quote!(#converted #answer),
+            Some(quote! {
+                #[inline(always)]
+                fn #core(&self, #(#received),*) -> (#result, #scalar::Mask) { #body }
+            }),
+        ),
+    };
     quote! {
         #docs
-        #[inline]
-        #[must_use]
-        pub fn #name(&self, #(#declared),*) -> (#result, #scalar::Mask) {
-            #converted
-            #answer
-        }
-
         #[inline(always)]
-        fn #core(&self, #(#received),*) -> (#result, #scalar::Mask) {
-            #body
-        }
+        #[must_use]
+        pub fn #name(&self, #(#declared),*) -> (#result, #scalar::Mask) { #shown }
+
+        #core
     }
 }
 
@@ -59,7 +80,7 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
 /// divided out here, because an angle's have none.
 pub(super) fn answer(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
-    let (arguments, core) = (Arguments::new(cx, entry.given), core_name(entry));
+    let (arguments, core) = (Arguments::new(cx, entry.given), core_name(cx, entry));
     let (names, [result, ok]) = (arguments.names(), ["result_", "ok_"].map(generated));
     if !entry.takes_cosine() {
         return quote!(self.#core(#(#names),*));
@@ -90,7 +111,7 @@ fn compared(cx: &Context<'_>, entry: &Entry, call: formulas::Call, asked: &Asked
 fn by_cosine(cx: &Context<'_>, arguments: &Arguments<'_>, other: &Entry) -> TokenStream {
     let [sin, cos, result, ok] = ["sin_", "cos_", "result_", "ok_"].map(generated);
     let (sin_cos, is_near, core) =
-        (cx.scalar("sin_cos_near"), cx.scalar("is_near"), core_name(other));
+        (cx.scalar("sin_cos_near"), cx.scalar("is_near"), core_name(cx, other));
     let (angle, rates) = arguments.names().split_first().expect("the angle comes first");
     quote! {
         let (#sin, #cos) = #sin_cos(#angle);
@@ -99,15 +120,25 @@ fn by_cosine(cx: &Context<'_>, arguments: &Arguments<'_>, other: &Entry) -> Toke
     }
 }
 
-/// The core of the velocities, given a rate of one.
-fn at_unit_rate(cx: &Context<'_>, arguments: &Arguments<'_>, other: &Entry) -> TokenStream {
+/// The velocities at a rate of one, a column of rows.
+fn at_unit_rate(cx: &Context<'_>, arguments: &Arguments<'_>, velocity: EntryId) -> TokenStream {
     let [result, ok] = ["result_", "ok_"].map(generated);
-    let (names, one, core) = (arguments.names(), cx.literal(1.0, 1.0), core_name(other));
-    let rows = results::components(cx, other.result, &quote!(#result));
+    let (answer, column) = (of_unit_rate(cx, arguments, velocity), cx.paths.item("column"));
     quote! {
-        let (#result, #ok) = self.#core(#(#names,)* #one);
-        ([#([#rows]),*], #ok)
+        let (#result, #ok) = #answer;
+        (#column(#result.rows()), #ok)
     }
+}
+
+/// The core's answer to a rate of one.
+pub(super) fn of_unit_rate(
+    cx: &Context<'_>,
+    arguments: &Arguments<'_>,
+    velocity: EntryId,
+) -> TokenStream {
+    let (names, one) = (arguments.names(), cx.literal(1.0, 1.0));
+    let core = core_name(cx, cx.entry(velocity));
+    quote!(self.#core(#(#names,)* #one))
 }
 
 /// |value| ≤ bound.
@@ -131,15 +162,14 @@ fn is_finite(
     }
     // Of their sum, because what is not finite stays so.
     let (is_finite, sum) = (cx.scalar("is_finite"), sum(&witnesses));
-    let results = quote!(#is_finite(#sum));
-    let Some(Limits { wide, narrow, inputs }) = &asked.limits else { return Some(results) };
-    let (plain, mask, scalar) = (cx.scalar("plain"), cx.paths.item("Mask"), &cx.names.scalar);
+    let Some(Limits { wide, narrow, inputs }) = &asked.limits else {
+        return Some(quote!(#is_finite(#sum)));
+    };
+    let (plain, unless) = (cx.scalar("plain"), cx.paths.item("is_finite_unless"));
     let arguments = Arguments::new(cx, entry.given);
     let inputs = inputs.iter().filter_map(|&(node, bound)| Some((arguments.read(node)?, bound)));
     let inputs = inputs.map(|(value, bound)| within(cx, &value, bound));
-    let terms = inputs.chain([quote! {
-        (if #plain(#wide, #narrow) { <#scalar::Mask as #mask>::ALL } else { #results })
-    }]);
+    let terms = inputs.chain([quote!(#unless(#plain(#wide, #narrow), #sum))]);
     Some(quote!(#(#terms)&*))
 }
 

@@ -62,14 +62,14 @@ pub(crate) fn generate(
 /// All that is done with the structs, in an unnamed constant: what it imports meets no name of the
 /// user's, and its paths are short.
 fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStream {
-    let import = cx.paths.import();
+    let import = cx.paths.import_in_constant();
     let arguments = cx.paths.import_arguments(arguments::all_names(cx));
     let (solver, records) = (solver::implementation(cx), structs::implementations(cx));
     let fast = cx.entries().map(|entry| fast_path::function(cx, entry));
     let checked = cx.entries().map(|entry| checked::function(cx, entry));
     let slow = cx.entries().map(|entry| slow_path::function(cx, entry));
     let (formulas, searches) = (formulas::functions(cx), searches::functions(cx));
-    let sweeps = cx.entries().map(|entry| sweeps::items(cx, entry));
+    let sweeps = sweeps::items(cx);
     let (derivatives, tracking) = (autodiff::items(cx), tracking::items(cx));
     let (as_mechanism, dynamics) = (as_mechanism::items(cx), dynamics::items(cx));
     let (c_export, references) = (c_export::items(cx), editor_names::items(cx));
@@ -93,7 +93,7 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
             #records
             impl<#scalar: #any> #name<#scalar> { #(#fast)* #formulas #searches }
             impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#slow)* }
-            #(#sweeps)*
+            #sweeps
             #derivatives
             #tracking
             #as_mechanism

@@ -22,18 +22,38 @@ pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
     // were understood are for editors.
     let is_understood = !cx.mechanism.references.made.is_empty();
     let absent = is_understood.then(|| {
-        let absent = cx.paths.outside("Absent");
+        let absent = cx.paths.item("Absent");
         quote!(#[doc(hidden)] pub use #absent as _;)
     });
+    let (import, names_are_as_declared) = (cx.paths.import_in_module(), allowed());
     quote! {
-        #[allow(non_snake_case, reason = "it is named after the mechanism")]
+        #names_are_as_declared
         mod #module {
+            #import
             #absent
             #code
         }
         #[allow(unused_imports, clippy::wildcard_imports, reason = "all that stands in the module")]
         #visibility use #module::*;
     }
+}
+
+/// What the compiler is to let pass: names are as declared, no number is `Eq`, and hardly anyone reads
+/// every result.
+fn allowed() -> TokenStream {
+    quote! {
+        #[allow(
+            dead_code,
+            non_snake_case,
+            clippy::derive_partial_eq_without_eq,
+            reason = "names are as declared, and results are there to choose from"
+        )]
+    }
+}
+
+/// The same in front of a struct, unless the module around it says so.
+pub(super) fn allowed_outside(cx: &Context<'_>) -> Option<TokenStream> {
+    (!a_module_can_hold(cx.mechanism)).then(allowed)
 }
 
 fn name(solver: &Ident) -> Ident {

@@ -1,8 +1,9 @@
 //! Every path from generated code into the run-time crate, and nothing else.
 //!
 //! Generated code names `linkage_core::private` only: that works without a prelude, with a
-//! shadowed `core` and under a renamed dependency. What stands in the unnamed constant imports the
-//! module and its types, so that it can be read, and because every token costs the compiler time.
+//! shadowed `core` and under a renamed dependency. The mechanism's module imports it and its types,
+//! so that the code can be read, and because every token costs the compiler time; code without a
+//! module of its own does so in its unnamed constant alone, where no name meets one of the user's.
 //! Functions and macros are named by their path: an argument may be called as they are.
 
 use proc_macro2::{Ident, Span, TokenStream};
@@ -19,6 +20,8 @@ pub(super) struct Paths {
     alias: Ident,
     /// What the mechanism and its records are called: nothing imported may hide them.
     own: Vec<String>,
+    /// Whether the code has a module of its own.
+    is_held: bool,
 }
 
 /// What is imported: types, traits and variants that most mechanisms need.
@@ -28,20 +31,18 @@ const IMPORTED: [&str; 46] = [
     "AngularVelocity",
     "Checks",
     "Clearance",
+    "Clone",
+    "Copy",
     "Cost",
+    "Debug",
     "Default",
     "Direction",
     "Entry",
-    "FirstError",
     "Float",
     "From",
-    "Fusion",
     "Inputs",
     "Into",
-    "LaneMask",
-    "Lanes",
     "LengthMismatch",
-    "Mask",
     "Mechanism",
     "Modes",
     "OfMotion",
@@ -50,6 +51,7 @@ const IMPORTED: [&str; 46] = [
     "Ok",
     "Operations",
     "Option",
+    "PartialEq",
     "PhantomData",
     "Point",
     "Progress",
@@ -66,6 +68,7 @@ const IMPORTED: [&str; 46] = [
     "SolveError",
     "Some",
     "Status",
+    "derive",
     "f64",
     "str",
     "usize",
@@ -73,9 +76,10 @@ const IMPORTED: [&str; 46] = [
 
 impl Paths {
     pub(super) fn new(mechanism: &Mechanism, own: Vec<String>) -> Self {
+        let is_held = a_module_can_hold(mechanism);
         let module = match &mechanism.crate_path {
             Some(path) => {
-                let path = match a_module_can_hold(mechanism) {
+                let path = match is_held {
                     true => seen_from_inside(path),
                     false => quote!(#path),
                 };
@@ -83,11 +87,20 @@ impl Paths {
             }
             None => quote!(::linkage_core::private),
         };
-        Self { module, alias: clear_of("private", &mechanism.name), own }
+        Self { module, alias: clear_of("private", &mechanism.name), own, is_held }
     }
 
-    /// What an unnamed constant begins with.
-    pub(super) fn import(&self) -> TokenStream {
+    /// What a module of the code's own begins with, if there is one.
+    pub(super) fn import_in_module(&self) -> Option<TokenStream> {
+        self.is_held.then(|| self.import())
+    }
+
+    /// What the unnamed constant begins with, if nothing around it has imported anything.
+    pub(super) fn import_in_constant(&self) -> Option<TokenStream> {
+        (!self.is_held).then(|| self.import())
+    }
+
+    fn import(&self) -> TokenStream {
         let (module, alias) = (&self.module, &self.alias);
         let module = match alias == "private" {
             true => quote!(use #module;),
@@ -123,7 +136,7 @@ impl Paths {
         }
     }
 
-    /// A type, trait, function or macro of the run-time crate, inside the unnamed constant.
+    /// A type, trait, function or macro of the run-time crate, where things are imported.
     pub(super) fn item(&self, name: &str) -> Tokens {
         match IMPORTED.contains(&name) {
             true => self.imported(name).into(),
@@ -131,14 +144,17 @@ impl Paths {
         }
     }
 
-    /// The same beside the user's own items, where nothing was imported.
-    pub(super) fn outside(&self, name: &str) -> TokenStream {
+    /// The same in the definition of a type, which may stand beside the user's own items.
+    pub(super) fn outside(&self, name: &str) -> Tokens {
+        if self.is_held {
+            return self.item(name);
+        }
         let module = &self.module;
         let name = Ident::new(name, Span::call_site());
-        quote!(#module::#name)
+        quote!(#module::#name).into()
     }
 
-    /// The derives of a plain record beside the user's own items.
+    /// The derives of a plain record.
     pub(super) fn derives(&self, names: &[&str]) -> TokenStream {
         let derive = self.outside("derive");
         let names = names.iter().map(|name| self.outside(name));

@@ -7,6 +7,7 @@ use quote::quote;
 use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{function_name, generated, text};
+use super::token_list::Tokens;
 use super::{docs, formulas, results};
 use crate::interface::entries::Entry;
 use crate::interface::records::Shape;
@@ -14,52 +15,50 @@ use crate::interface::{EntryId, labels};
 use crate::lower::routine::{Adapted, Asked, Compute};
 
 /// The name of the function on the slow path of an entry point.
-pub(super) fn name(entry: &Entry) -> Ident {
+fn name(entry: &Entry) -> Ident {
     function_name(&format!("diagnose_{}_", entry.name))
 }
 
-/// What a public function calls; a given cosine and sine are brought onto the circle first, an
-/// angle's are there.
-pub(super) fn call(cx: &Context<'_>, entry: &Entry) -> TokenStream {
-    let (arguments, name) = (Arguments::new(cx, entry.given), name(entry));
-    let names = arguments.names();
-    if !entry.takes_cosine() {
-        return quote!(self.#name(#(#names),*));
-    }
-    let ((given, rates), [cos, sin]) = (names.split_at(2), ["cos_", "sin_"].map(generated));
-    let (found, label) = (cx.paths.item("found_on_circle"), text(&cx.mechanism.inputs[0].name));
+/// What a public function returns where its fast path gave no answer. A given cosine and sine are
+/// brought onto the circle first, an angle's are there.
+pub(super) fn call(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> TokenStream {
+    let (entry, [cos, sin]) = (cx.entry(id), ["cos_", "sin_"].map(generated));
+    let (found, own, given) = match cx.compute(id) {
+        Compute::Via { entry: other, given: Adapted::CosineAndSine } => {
+            ("finite_angle", cx.entry(*other), 1)
+        }
+        _ if entry.takes_cosine() => ("found_on_circle", entry, 2),
+        _ => {
+            let name = name(entry);
+            return quote!(self.#name(#(#arguments),*));
+        }
+    };
+    let ((given, rates), name) = (arguments.split_at(given), name(own));
+    let (found, label) = (cx.paths.item(found), text(&cx.mechanism.inputs[0].name));
     quote! {
         let (#cos, #sin) = #found(#(#given,)* #label)?;
         self.#name(#cos, #sin #(, #rates)*)
     }
 }
 
-/// The function that says why the fast path of an entry point gave no answer.
-pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
+/// The function that says why the fast path of an entry point gave no answer; none where another's
+/// does.
+pub(super) fn function(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     let (entry, scalar) = (cx.entry(id), &cx.names.scalar);
     let number = quote!(#scalar);
+    let Compute::Own { routine, stage, asked } = cx.compute(id) else { return None };
     let arguments = Arguments::new(cx, entry.given);
     let (name, received) = (name(entry), arguments.received(&number));
-    let body = match cx.compute(id) {
-        Compute::Via { entry: other, given: Adapted::CosineAndSine } => {
-            by_cosine(cx, &arguments, cx.entry(*other))
-        }
-        Compute::Via { entry: other, given: Adapted::UnitRate } => {
-            at_unit_rate(cx, &arguments, cx.entry(*other))
-        }
-        Compute::Own { routine, stage, asked } => {
-            let call = formulas::Call { routine: *routine, stage: *stage };
-            diagnosed(cx, entry, &arguments, call, asked)
-        }
-    };
+    let call = formulas::Call { routine: *routine, stage: *stage };
+    let body = diagnosed(cx, entry, &arguments, call, asked);
     let [outcome, error] = ["Result", "SolveError"].map(|item| cx.paths.item(item));
     let (docs, result) = (docs::slow_path(entry), results::ty(cx, entry.result, &number));
-    quote! {
+    Some(quote! {
         #docs
         #[cold]
         #[inline(never)]
         fn #name(&self, #(#received),*) -> #outcome<#result, #error> { #body }
-    }
+    })
 }
 
 /// What is given must be finite, then every condition be met, then what comes out be finite.
@@ -97,28 +96,4 @@ fn diagnosed(
 
 fn coefficient_labels(cx: &Context<'_>, entry: &Entry) -> Vec<String> {
     labels::of_result(cx.interface, cx.mechanism, entry.result)
-}
-
-/// The angle, once it is known to be finite, by its cosine and sine.
-fn by_cosine(cx: &Context<'_>, arguments: &Arguments<'_>, other: &Entry) -> TokenStream {
-    let (angle, rates) = arguments.names().split_first().expect("the angle comes first");
-    let label = text(&cx.mechanism.inputs[0].name);
-    let (finite, sin_cos) = (cx.paths.item("finite_input"), cx.scalar("sin_cos"));
-    let ([sin, cos], name) = (["sin_", "cos_"].map(generated), name(other));
-    quote! {
-        #finite(#angle, #label)?;
-        let (#sin, #cos) = #sin_cos(#angle);
-        self.#name(#cos, #sin #(, #rates)*)
-    }
-}
-
-/// The velocities, given a rate of one.
-fn at_unit_rate(cx: &Context<'_>, arguments: &Arguments<'_>, other: &Entry) -> TokenStream {
-    let (names, one, velocity) = (arguments.names(), cx.literal(1.0, 1.0), name(other));
-    let (result, ok) = (generated("result_"), cx.paths.item("Ok"));
-    let rows = results::components(cx, other.result, &quote!(#result));
-    quote! {
-        let #result = self.#velocity(#(#names,)* #one)?;
-        #ok([#([#rows]),*])
-    }
 }

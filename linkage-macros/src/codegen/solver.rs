@@ -25,7 +25,7 @@ pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
         let (docs, field) = (docs::param(param), &param.name);
         let ty = match mode_type(param) {
             Some(ty) => cx.paths.outside(ty),
-            None => quote!(#scalar),
+            None => scalar.clone().into(),
         };
         quote!(#docs pub #field: #ty,)
     });

@@ -46,21 +46,12 @@ pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
     arrays.chain(own).collect()
 }
 
-/// What stands in front of every struct: names are as declared, no number is `Eq`, and hardly
-/// anyone reads every result.
+/// What stands in front of every struct.
 pub(super) fn attributes(cx: &Context<'_>) -> TokenStream {
     let derives = cx.paths.derives(&["Clone", "Copy", "Debug", "PartialEq"]);
     let layout = cx.mechanism.export_c.then(|| quote!(#[repr(C)]));
-    quote! {
-        #derives
-        #layout
-        #[allow(
-            dead_code,
-            non_snake_case,
-            clippy::derive_partial_eq_without_eq,
-            reason = "names are as declared, and results are there to choose from"
-        )]
-    }
+    let allowed = module::allowed_outside(cx);
+    quote!(#derives #layout #allowed)
 }
 
 fn definition(cx: &Context<'_>, record: &Record) -> TokenStream {
@@ -88,15 +79,22 @@ fn definition(cx: &Context<'_>, record: &Record) -> TokenStream {
 /// `rows()`: the record as a list, in the order of `OUTPUTS`.
 fn rows(cx: &Context<'_>, record: &Record, order: Order) -> TokenStream {
     let (name, scalar, count) = (&record.name, &cx.names.scalar, cx.rows());
-    let bound = cx.paths.item("Scalar");
-    let rows = record.fields.iter().flat_map(rows_of);
+    let (bound, as_array) = (cx.paths.item("Scalar"), cx.paths.item("Record"));
+    let rows = match order {
+        Order::Position => {
+            let rows = record.fields.iter().flat_map(rows_of);
+            quote!([#(#rows),*])
+        }
+        // A row a number: a direction turns at one rate.
+        Order::Velocity | Order::Acceleration => quote!(#as_array::into_array(*self)),
+    };
     let docs = docs::rows(order);
     quote! {
         impl<#scalar: #bound> #name<#scalar> {
             #docs
             #[inline]
             #[must_use]
-            pub fn rows(&self) -> [#scalar; #count] { [#(#rows),*] }
+            pub fn rows(&self) -> [#scalar; #count] { #rows }
         }
     }
 }

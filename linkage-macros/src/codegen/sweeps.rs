@@ -13,36 +13,16 @@ use crate::interface::EntryId;
 use crate::interface::entries::{EQUATIONS, Entry, FORWARD};
 use crate::interface::records::Shape;
 
-/// `sweep_position` and its kin; nothing for entry points that have none.
-pub(super) fn items(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
-    let entry = cx.entry(id);
-    if !entry.sweeps {
-        return None;
-    }
-    let kind = match entry.name {
-        "position" => "OfPosition",
-        "velocity" => "OfVelocity",
-        "forces" => "OfForces",
-        "statics" => "OfStatics",
-        "energy" => "OfEnergy",
-        FORWARD => "OfForwardDynamics",
-        EQUATIONS => "OfEquationsOfMotion",
-        _ => "OfMotion",
-    };
-    let arguments = Arguments::new(cx, entry.given);
-    let ins = arguments.parts().map(|(_, form)| form.numbers()).sum();
-    let sweep = Sweep {
-        cx,
-        id,
-        entry,
-        kind: cx.paths.item(kind),
-        arguments,
-        numbers: ins,
-        ins: Literal::usize_unsuffixed(ins),
-        outs: Literal::usize_unsuffixed(cx.interface.numbers(entry.result)),
-    };
-    let (function, implementation) = (sweep.function(), sweep.implementation());
-    Some(quote!(#function #implementation))
+/// `sweep_position` and its kin.
+pub(super) fn items(cx: &Context<'_>) -> TokenStream {
+    let sweeps: Vec<Sweep<'_>> = cx.entries().filter_map(|id| Sweep::of(cx, id)).collect();
+    let (name, scalar, float) = (&cx.names.solver, &cx.names.scalar, cx.paths.item("Float"));
+    let (functions, implementations) =
+        (sweeps.iter().map(Sweep::function), sweeps.iter().map(Sweep::implementation));
+    let functions: TokenStream = functions.collect();
+    let functions = (!functions.is_empty())
+        .then(|| quote!(impl<#scalar: #float> #name<#scalar> { #functions }));
+    quote!(#functions #(#implementations)*)
 }
 
 struct Sweep<'a> {
@@ -59,13 +39,43 @@ struct Sweep<'a> {
     outs: Literal,
 }
 
-impl Sweep<'_> {
+impl<'a> Sweep<'a> {
+    /// The sweep of an entry point, if it has one.
+    fn of(cx: &'a Context<'a>, id: EntryId) -> Option<Self> {
+        let entry = cx.entry(id);
+        if !entry.sweeps {
+            return None;
+        }
+        let kind = match entry.name {
+            "position" => "OfPosition",
+            "velocity" => "OfVelocity",
+            "forces" => "OfForces",
+            "statics" => "OfStatics",
+            "energy" => "OfEnergy",
+            FORWARD => "OfForwardDynamics",
+            EQUATIONS => "OfEquationsOfMotion",
+            _ => "OfMotion",
+        };
+        let arguments = Arguments::new(cx, entry.given);
+        let numbers = arguments.parts().map(|(_, form)| form.numbers()).sum();
+        Some(Self {
+            cx,
+            id,
+            entry,
+            kind: cx.paths.item(kind),
+            arguments,
+            numbers,
+            ins: Literal::usize_unsuffixed(numbers),
+            outs: Literal::usize_unsuffixed(cx.interface.numbers(entry.result)),
+        })
+    }
+
     /// What the user calls.
     fn function(&self) -> TokenStream {
         let Self { cx, entry, kind, ins, outs, .. } = self;
-        let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
-        let [float, series, status, progress, result, mismatch, sweep] =
-            ["Float", "Series", "Status", "Progress", "Result", "LengthMismatch", "sweep"]
+        let scalar = &cx.names.scalar;
+        let [series, status, progress, result, mismatch, sweep] =
+            ["Series", "Status", "Progress", "Result", "LengthMismatch", "sweep"]
                 .map(|item| cx.paths.item(item));
         let values = quote!(#series<'series, #scalar>);
         let [into, inputs] = ["Into", "Inputs"].map(|item| cx.paths.item(item));
@@ -82,7 +92,10 @@ impl Sweep<'_> {
                 Form::Number => &into,
             };
             declared.push(quote!(#name: impl #given<#ty>));
-            converted.extend(quote!(let #name: #ty = #into::into(#name);));
+            // A list of series says what its members become.
+            if let Form::Record(..) = form {
+                converted.extend(quote!(let #name: #ty = #into::into(#name);));
+            }
         }
         let inputs = self.inputs();
         let slices = results::ty(cx, entry.result, &quote!(&mut [#scalar]));
@@ -90,20 +103,18 @@ impl Sweep<'_> {
         let function = function_name(&format!("sweep_{}", entry.name));
         let docs = docs::sweep(cx, self.id);
         quote! {
-            impl<#scalar: #float> #name<#scalar> {
-                #docs
-                pub fn #function<'series>(
-                    &self,
-                    #(#declared,)*
-                    out: #slices,
-                    status: &mut [#status],
-                    progress: impl #progress,
-                ) -> #result<(), #mismatch> {
-                    #converted
-                    #sweep::<#kind, _, _, #ins, #outs>(
-                        self, [#(#inputs),*], #outputs, status, progress,
-                    )
-                }
+            #docs
+            pub fn #function<'series>(
+                &self,
+                #(#declared,)*
+                out: #slices,
+                status: &mut [#status],
+                progress: impl #progress,
+            ) -> #result<(), #mismatch> {
+                #converted
+                #sweep::<#kind, _, _, #ins, #outs>(
+                    self, [#(#inputs),*], #outputs, status, progress,
+                )
             }
         }
     }
@@ -112,15 +123,13 @@ impl Sweep<'_> {
     fn implementation(&self) -> TokenStream {
         let Self { cx, entry, kind, ins, outs, .. } = self;
         let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
-        let [float, fusion, mask, lanes, trait_, result, error, ok] =
-            ["Float", "Fusion", "LaneMask", "Lanes", "Entry", "Result", "SolveError", "Ok"]
+        let [float, any, trait_, result, error, ok] =
+            ["Float", "Scalar", "Entry", "Result", "SolveError", "Ok"]
                 .map(|item| cx.paths.item(item));
-        let size = cx.paths.item("usize");
-        // A bare name is first looked for among the types, the user's included.
-        let width = function_name("W_");
+        let lane = &cx.names.lifted;
         let [value, usable] = ["result_", "ok_"].map(generated);
         let numbers = self.numbers_of(&quote!(#value));
-        let (core, method) = (fast_path::core_name(entry), function_name(entry.name));
+        let (core, method) = (fast_path::core_name(cx, entry), function_name(entry.name));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.call(&locals);
         let call = quote!(self.#method(#(#arguments),*));
@@ -135,16 +144,13 @@ impl Sweep<'_> {
         let (given, solved) = match cx.searches() {
             // Poses are searched one by one: the mask says no, and a single call follows.
             true => {
-                let scalar_ = cx.paths.item("Scalar");
-                let ty = quote!(#lanes<#scalar, #width, F>);
-                let nothing = quote!(let #value = <#ty as #scalar_>::lit(0.0, 0.0););
-                (quote!(_), quote!(#nothing ([#value; #outs], #scalar_::gt(#value, #value))))
+                let nothing = quote!(let #value = #lane::num(0.0););
+                (quote!(_), quote!(#nothing ([#value; #outs], #lane::gt(#value, #value))))
             }
             false => (
                 quote!([#(#locals),*]),
                 quote! {
-                    let (#value, #usable) =
-                        self.lift::<#lanes<#scalar, #width, F>>().#core(#(#arguments),*);
+                    let (#value, #usable) = self.lift::<#lane>().#core(#(#arguments),*);
                     (#numbers, #usable)
                 },
             ),
@@ -152,10 +158,10 @@ impl Sweep<'_> {
         quote! {
             impl<#scalar: #float> #trait_<#kind, #scalar, #ins, #outs> for #name<#scalar> {
                 #[inline(always)]
-                fn solve_lanes<const #width: #size, F: #fusion>(
+                fn solve<#lane: #any>(
                     &self,
-                    #given: [#lanes<#scalar, #width, F>; #ins],
-                ) -> ([#lanes<#scalar, #width, F>; #outs], #mask<#width>) {
+                    #given: [#lane; #ins],
+                ) -> ([#lane; #outs], #lane::Mask) {
                     #solved
                 }
 
@@ -181,13 +187,14 @@ impl Sweep<'_> {
 
     /// The numbers of a pose, argument by argument.
     fn inputs(&self) -> Vec<TokenStream> {
+        let into = self.cx.paths.item("Into");
         let of = |(name, form): (&Ident, Form<'_>)| match form {
             Form::Record(_, fields) => fields.iter().map(|field| quote!(#name.#field)).collect(),
             Form::List(count) => {
                 let index = (0..count).map(Literal::usize_unsuffixed);
                 index.map(|index| quote!(#name[#index])).collect()
             }
-            Form::Number => vec![quote!(#name)],
+            Form::Number => vec![quote!(#into::into(#name))],
         };
         self.arguments.parts().flat_map(of).collect()
     }

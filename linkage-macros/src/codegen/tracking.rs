@@ -30,12 +30,12 @@ fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
     let [position, motion] =
         [position, motion].map(|id| results::ty(cx, cx.entry(id).result, &number));
     let path = |name| cx.paths.item(name);
-    let [modes, real, clearance, result, error, usize_] =
-        ["Modes", "Real", "Clearance", "Result", "SolveError", "usize"].map(path);
+    let [modes, real, clearance, result, error] =
+        ["Modes", "Real", "Clearance", "Result", "SolveError"].map(path);
     let input = cx.input(scalar);
     let count = Literal::usize_unsuffixed(cx.program().clearances.len());
-    let [q, rate, acceleration, param] = ["q_", "rate_", "acceleration_", "param_"].map(generated);
-    let (groups, clearances, flips) = (groups(cx), clearances(cx), flips(cx, &param));
+    let [q, rate, acceleration] = ["q_", "rate_", "acceleration_"].map(generated);
+    let (groups, clearances, flips) = (groups(cx), clearances(cx), flips(cx));
     let enclosures = enclosures(cx);
     quote! {
         impl<#scalar: #real> #modes for #solver<#scalar> {
@@ -44,12 +44,11 @@ fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
             type Position = #position;
             type Motion = #motion;
             type Clearances = [#clearance<#scalar>; #count];
-            type Enclosures = [#clearance<<#scalar as #real>::Enclosing>; #count];
+            type Enclosures = [#clearance<#scalar::Enclosing>; #count];
 
             #groups
 
-            #[inline]
-            fn flip(&mut self, #param: #usize_) { #flips }
+            #flips
 
             #[inline]
             fn position(&self, #q: #input) -> #result<#position, #error> {
@@ -91,8 +90,8 @@ fn groups(cx: &Context<'_>) -> TokenStream {
     quote!(const GROUPS: &'static [(&'static #str_, #option<#usize_>)] = &[#(#groups),*];)
 }
 
-/// The mode that a parameter's number stands for becomes the other.
-fn flips(cx: &Context<'_>, param: &Ident) -> TokenStream {
+/// The mode that a parameter's number stands for becomes the other; nothing where none is a parameter.
+fn flips(cx: &Context<'_>) -> Option<TokenStream> {
     let modes = cx.mechanism.params.iter().enumerate();
     let modes = modes.filter(|(_, param)| !matches!(param.kind, ParamKind::Number { .. }));
     let flips = modes.map(|(index, param)| {
@@ -100,10 +99,12 @@ fn flips(cx: &Context<'_>, param: &Ident) -> TokenStream {
         quote!(#index => self.#field = self.#field.flipped(),)
     });
     let flips: TokenStream = flips.collect();
-    match flips.is_empty() {
-        true => quote!(let _ = #param;),
-        false => quote!(match #param { #flips _ => {} }),
-    }
+    let (param, size) = (generated("param_"), cx.paths.item("usize"));
+    let flip = quote! {
+        #[inline]
+        fn flip(&mut self, #param: #size) { match #param { #flips _ => {} } }
+    };
+    (!flips.is_empty()).then_some(flip)
 }
 
 /// A core without guards: what is out of reach is a number below zero here, not a refusal.
@@ -132,19 +133,18 @@ fn clearances(cx: &Context<'_>) -> TokenStream {
 
 /// The same on ranges of numbers.
 fn enclosures(cx: &Context<'_>) -> TokenStream {
-    let scalar = &cx.names.scalar;
+    let (scalar, modes, zero) = (&cx.names.scalar, cx.paths.item("Modes"), cx.literal(0.0, 0.0));
     let ty = cx.input(scalar);
-    let [real, modes] = ["Real", "Modes"].map(|name| cx.paths.item(name));
     let [middle, radius, rate] = ["middle_", "radius_", "rate_"].map(generated);
-    let [none, solver] = ["none_", "solver_"].map(generated);
+    // Every number of the inputs as the middle of a range.
     let around = |value: &Ident, radius: &dyn Fn(Option<&Ident>) -> TokenStream| {
         let Some(record) = cx.inputs() else {
             let radius = radius(None);
-            return quote!(#real::enclosing(#value, #radius));
+            return quote!(#value.enclosing(#radius));
         };
         let fields = cx.mechanism.inputs.iter().map(|input| {
             let (field, radius) = (&input.name, radius(Some(&input.name)));
-            quote!(#field: #real::enclosing(#value.#field, #radius))
+            quote!(#field: #value.#field.enclosing(#radius))
         });
         quote!(#record { #(#fields),* })
     };
@@ -152,12 +152,10 @@ fn enclosures(cx: &Context<'_>) -> TokenStream {
         Some(field) => quote!(#radius.#field),
         None => quote!(#radius),
     });
-    let (rates, zero) = (around(&rate, &|_| quote!(#none)), cx.literal(0.0, 0.0));
+    let rates = around(&rate, &|_| quote!(#zero));
     quote! {
         fn enclosures(&self, #middle: #ty, #radius: #ty, #rate: #ty) -> Self::Enclosures {
-            let #none = #zero;
-            let #solver = self.lift::<<#scalar as #real>::Enclosing>();
-            #modes::clearances(&#solver, #range, #rates)
+            #modes::clearances(&self.lift::<#scalar::Enclosing>(), #range, #rates)
         }
     }
 }
