@@ -26,7 +26,7 @@ fn fields(file: &File, name: &str) -> Option<String> {
             let fields = item.fields.iter().map(|field| {
                 let name = field.ident.as_ref().expect("records have named fields");
                 let ty = field.ty.to_token_stream().to_string().replace(' ', "");
-                format!("{name}: {}", ty.replace("::linkage_core::private::", ""))
+                format!("{name}: {}", ty.replace("private::", ""))
             });
             Some(fields.collect::<Vec<_>>().join(", "))
         }
