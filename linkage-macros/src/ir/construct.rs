@@ -3,10 +3,9 @@
 //! The same rules serve while the equations are written down and when a whole program is rebuilt,
 //! so a rule is written and tested once.
 
-use std::collections::HashMap;
-
 use crate::exact::Exact;
 use crate::ir::graph::{Graph, Guard, Id, Node};
+use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes};
 use crate::ir::program::{Closure, Program};
 
@@ -52,7 +51,7 @@ pub(crate) fn rebuild_with(
 ) -> Program {
     let old = &program.graph;
     let live = live(old, &program.sinks(), Path::Slow);
-    let mut graph = Graph::new();
+    let mut graph = Graph::with_room(old.len());
     let mut maker = Maker { graph: &mut graph, rules };
     let mut moved = Moved(vec![None; old.len()]);
     for (id, node) in old.iter().filter(|(id, _)| live[id.index()]) {
@@ -91,7 +90,7 @@ pub(crate) fn remade(
     rules: &[Rule],
     mut replacement: impl FnMut(&mut Maker<'_>, Id, &dyn Fn(Id) -> Id) -> Option<Id>,
 ) -> Vec<Id> {
-    let (mut maker, mut moved) = (Maker { graph, rules }, HashMap::new());
+    let (mut maker, mut moved) = (Maker { graph, rules }, Map::default());
     let live = live(old, sinks, Path::Slow);
     for (id, node) in live_nodes(old, &live) {
         let to = |id: Id| moved.get(&id).copied().unwrap_or(id);

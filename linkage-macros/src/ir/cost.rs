@@ -3,10 +3,10 @@
 //! Signs, comparisons and constants are free. What `linkage-core` computes by several operations
 //! counts as those of a target with a fused multiply-add.
 
-use std::collections::HashSet;
 use std::ops::AddAssign;
 
 use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::hash::Set;
 use crate::ir::liveness::{Path, live, live_nodes, trial_nodes, tried, unguarded};
 
 /// Counts of floating-point operations.
@@ -45,7 +45,7 @@ pub(crate) fn operations_of_trial(graph: &Graph, sides: &[Id]) -> Operations {
 
 fn of_nodes(graph: &Graph, nodes: impl Iterator<Item = (Id, Node)>) -> Operations {
     let mut total = Operations::default();
-    let (mut turned, mut multiplied) = (HashSet::new(), HashSet::new());
+    let (mut turned, mut multiplied) = (Set::default(), Set::default());
     for (_, node) in nodes {
         match node {
             Node::Sin(angle) | Node::Cos(angle) => {

@@ -31,10 +31,8 @@
 //! A value that the derivation of its formula has a letter for keeps it (`Graph::name`), through
 //! every rewrite, for whoever reads the generated code. Names mean nothing to the compiler.
 
-use std::collections::HashMap;
-use std::hash::{BuildHasherDefault, Hasher};
-
 use crate::exact::Exact;
+use crate::ir::hash::Map;
 pub(crate) use crate::ir::node::{ConstantId, GuardId, Id, Node, Sought};
 
 /// A condition on a value. In the generated code's straight line it is one comparison; where that
@@ -111,55 +109,28 @@ struct Constant {
     unit: Option<usize>,
 }
 
-/// Hashes the few small numbers of a node. Nobody chooses them to collide, and the standard
-/// library's hash takes a tenth of the time of a macro that is built without optimisation.
-#[derive(Clone, Copy, Debug, Default)]
-struct Mixer(u64);
-
-impl Hasher for Mixer {
-    fn write(&mut self, bytes: &[u8]) {
-        bytes.iter().for_each(|&byte| self.write_u64(byte.into()));
-    }
-
-    fn write_u8(&mut self, number: u8) {
-        self.write_u64(number.into());
-    }
-
-    fn write_u32(&mut self, number: u32) {
-        self.write_u64(number.into());
-    }
-
-    fn write_isize(&mut self, number: isize) {
-        self.write_u64(number as u64);
-    }
-
-    fn write_u64(&mut self, number: u64) {
-        // Two to the 64th over the golden ratio.
-        self.0 = (self.0.rotate_left(5) ^ number).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    }
-
-    fn finish(&self) -> u64 {
-        // The table takes its slot from the low bits, which multiplication mixes least.
-        self.0.rotate_left(26)
-    }
-}
-
 /// See the module's documentation.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Graph {
     nodes: Vec<Node>,
     constants: Vec<Constant>,
     guards: Vec<Guard>,
-    node_ids: HashMap<Node, Id, BuildHasherDefault<Mixer>>,
-    constant_ids: HashMap<Exact, ConstantId>,
-    guard_ids: HashMap<Guard, GuardId>,
+    node_ids: Map<Node, Id>,
+    constant_ids: Map<Exact, ConstantId>,
+    guard_ids: Map<Guard, GuardId>,
     /// What formulas call their values; most values have no name.
-    names: HashMap<Id, String>,
+    names: Map<Id, String>,
 }
 
 impl Graph {
     pub(crate) fn new() -> Self {
         Self::default()
+    }
+
+    /// An empty graph with room for so many nodes.
+    pub(crate) fn with_room(nodes: usize) -> Self {
+        let node_ids = Map::with_capacity_and_hasher(nodes, Default::default());
+        Self { nodes: Vec::with_capacity(nodes), node_ids, ..Self::default() }
     }
 
     /// The id of the node, which is made unless an equal one exists.

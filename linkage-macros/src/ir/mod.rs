@@ -5,6 +5,7 @@
 pub(crate) mod construct;
 pub(crate) mod cost;
 pub(crate) mod graph;
+pub(crate) mod hash;
 #[cfg(test)]
 pub(crate) mod interpret;
 pub(crate) mod liveness;

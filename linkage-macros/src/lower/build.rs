@@ -1,7 +1,5 @@
 //! A program made into routines.
 
-use std::collections::HashSet;
-
 use super::locals;
 use super::overflow::Overflow;
 use super::plan::{Plan, Way};
@@ -15,6 +13,7 @@ use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
 use crate::ir::cost::{Operations, operations};
 use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::hash::Set;
 use crate::ir::liveness::{Path, live, live_nodes};
 use crate::ir::program::Program;
 use crate::lower::routine::is_leaf;
@@ -167,7 +166,7 @@ impl Builder<'_> {
         let place = |id| sinks.iter().position(|&sink| sink == id);
         let live = live(graph, &self.needed(entry), Path::Slow);
         let read = live_nodes(graph, &live).map(|(_, node)| node).filter(|&node| is_leaf(node));
-        let mut seen = HashSet::new();
+        let mut seen = Set::default();
         let is_known = |id| matches!(graph.node(id), Node::Constant(_) | Node::Mode(_));
         let results = sinks.iter().enumerate();
         let results = results.filter(|&(_, &sink)| !is_known(sink) && seen.insert(sink));

@@ -2,7 +2,7 @@
 //! the user's name for it, a value of a derivation after its group and its letter there, everything
 //! else by its number.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use syn::ext::IdentExt;
 
@@ -12,12 +12,13 @@ use crate::interface::Interface;
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Kind, Shape};
 use crate::ir::graph::Graph;
+use crate::ir::hash::{Map, Set};
 use crate::ir::program::Program;
 use crate::model::mechanism::{Mechanism, Output};
 
 /// The names of the locals that hold components of results.
 pub(super) fn named(mechanism: &Mechanism, interface: &Interface, program: &Program) -> Locals {
-    let mut names = HashMap::new();
+    let mut names = Map::default();
     let is_motion = |shape| match shape {
         Shape::Record(record) => interface.record(record).kind == Kind::Motion,
         _ => false,
@@ -26,7 +27,7 @@ pub(super) fn named(mechanism: &Mechanism, interface: &Interface, program: &Prog
     for (_, answer) in motions.filter(|(entry, _)| is_motion(entry.result)) {
         let labels = Order::ALL.into_iter().flat_map(|order| components(mechanism, order));
         // Upper and lower case may make one name of two.
-        let mut taken = HashMap::new();
+        let mut taken = Map::default();
         for (label, &sink) in labels.zip(&answer.sinks) {
             // Whether a letter of another alphabet may stand in a name is for others to know.
             let is_its_own = *taken.entry(label.clone()).or_insert(sink) == sink;
@@ -36,7 +37,7 @@ pub(super) fn named(mechanism: &Mechanism, interface: &Interface, program: &Prog
         }
     }
     let components = names.keys().copied().collect();
-    Locals { names, components, given: HashSet::new() }
+    Locals { names, components, given: Set::default() }
 }
 
 /// The same with the letters of the derivations. Two values of one routine may have one letter, as

@@ -9,10 +9,9 @@
 #[cfg(test)]
 mod tests;
 
-use std::collections::HashMap;
-
 use crate::exact::Exact;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
+use crate::ir::hash::Map;
 use crate::ir::liveness::{live_nodes, unguarded};
 
 /// What is assumed of one width of numbers.
@@ -45,7 +44,7 @@ impl Assumed {
 /// What the fast path has to ask where no result can overflow: the least value, or magnitude,
 /// of what each guard guards, by the unguarded node. Zero where the sign is enough, and
 /// `None` where nothing is left to ask.
-pub(crate) type Thresholds = HashMap<Id, Option<f64>>;
+pub(crate) type Thresholds = Map<Id, Option<f64>>;
 
 /// More than the relative error of any operation in either width.
 const SLACK: f64 = 1e-6;
@@ -86,7 +85,7 @@ impl<'a> Values<'a> {
     /// The thresholds of all guards under the limits, if every live value is bounded.
     pub(crate) fn thresholds(&self, limits: &Assumed) -> Option<Thresholds> {
         let (graph, ranges) = (self.graph, self.constants.clone());
-        let mut bounds = Bounds { graph, limits, ranges, thresholds: HashMap::new() };
+        let mut bounds = Bounds { graph, limits, ranges, thresholds: Map::default() };
         for &(id, node) in &self.live {
             let range = match bounds.of(id) {
                 Some(constant) => constant,

@@ -2,13 +2,12 @@
 //!
 //! A statement names nodes of the graph; there is no second language of expressions.
 
-use std::collections::{HashMap, HashSet};
-
 use crate::interface::entries::Given;
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
 use crate::ir::cost::Operations;
 use crate::ir::graph::{Graph, Id, Node, Sought};
+use crate::ir::hash::{Map, Set};
 use crate::ir::liveness::{Path, unguarded};
 use crate::ir::program::Program;
 
@@ -174,11 +173,11 @@ pub(crate) struct Limits {
 /// What the values of a routine are called, and which are written down where they are used.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Locals {
-    pub names: HashMap<Id, String>,
+    pub names: Map<Id, String>,
     /// Components of results: these are bound to a name even where a sign alone makes them.
-    pub components: HashSet<Id>,
+    pub components: Set<Id>,
     /// What a function is given in place of what it would be computed from.
-    pub given: HashSet<Id>,
+    pub given: Set<Id>,
 }
 
 /// How a value is read.

@@ -1,12 +1,11 @@
 //! In which order the values of a routine are computed: the graph's own, operands before their
 //! users, with sine and cosine of one angle at the place of whichever comes first.
 
-use std::collections::{HashMap, HashSet};
-
 use super::checks;
 use super::overflow::Overflow;
 use super::routine::{Locals, Search, Statement, is_leaf};
 use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::hash::{Map, Set};
 use crate::ir::liveness::{Path, live, live_nodes, tried};
 
 /// What has been scheduled so far, and what it reads from outside.
@@ -16,7 +15,7 @@ pub(super) struct Schedule<'a> {
     pub path: Path,
     /// What is asked of divisors in place of results.
     pub overflow: Option<&'a Overflow>,
-    done: HashSet<Id>,
+    done: Set<Id>,
     /// The inputs and parameters that are read, in the order of the graph.
     pub reads: Vec<Node>,
     /// Whether anything is asked of anybody.
@@ -42,7 +41,7 @@ impl<'a> Schedule<'a> {
         overflow: Option<&'a Overflow>,
         searches: &'a [Search],
     ) -> Self {
-        let (done, reads, tried) = (HashSet::new(), Vec::new(), tried(graph));
+        let (done, reads, tried) = (Set::default(), Vec::new(), tried(graph));
         Self { graph, locals, path, overflow, done, reads, has_checks: false, tried, searches }
     }
 
@@ -144,8 +143,8 @@ pub(super) fn defines(statement: &Statement) -> Vec<Id> {
     }
 }
 
-pub(super) fn pairs(nodes: impl Iterator<Item = (Id, Node)>) -> HashMap<Id, Pair> {
-    let mut pairs: HashMap<Id, Pair> = HashMap::new();
+pub(super) fn pairs(nodes: impl Iterator<Item = (Id, Node)>) -> Map<Id, Pair> {
+    let mut pairs: Map<Id, Pair> = Map::default();
     for (id, node) in nodes {
         match node {
             Node::Sin(angle) => pairs.entry(angle).or_default().sin = Some(id),

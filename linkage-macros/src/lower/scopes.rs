@@ -3,11 +3,10 @@
 //! rustc's work on a block grows faster than its length, and a debug build keeps a stack slot for
 //! every local. A long routine is therefore cut into scopes that hand on only what is used later.
 
-use std::collections::HashMap;
-
 use super::routine::Statement;
 use super::schedule::{Schedule, defines};
 use crate::ir::graph::Id;
+use crate::ir::hash::Map;
 
 /// The most statements that stand in one scope.
 const LONGEST: usize = 64;
@@ -32,8 +31,8 @@ pub(super) fn lay_out(
 }
 
 /// The last scope in which each local is read.
-fn last_uses(schedule: &Schedule<'_>, scopes: &[&[Statement]], kept: &[Id]) -> HashMap<Id, usize> {
-    let mut last = HashMap::new();
+fn last_uses(schedule: &Schedule<'_>, scopes: &[&[Statement]], kept: &[Id]) -> Map<Id, usize> {
+    let mut last = Map::default();
     for (index, scope) in scopes.iter().enumerate() {
         for id in scope.iter().flat_map(|statement| schedule.uses(statement)) {
             last.insert(id, index);

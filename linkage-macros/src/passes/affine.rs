@@ -23,12 +23,12 @@
 //! cancels.
 
 use std::cmp::Ordering;
-use std::collections::HashMap;
 
 use super::RULES;
 use crate::exact::Exact;
 use crate::ir::construct::{Maker, Moved, rebuild_with};
 use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::hash::Map;
 use crate::ir::program::Program;
 
 /// The program with squares of distances in their affine form, where that loses nothing.
@@ -42,7 +42,7 @@ pub(super) fn square_distances(program: &Program) -> Program {
 }
 
 /// The squares of distances that are to be affine.
-fn squares(graph: &Graph) -> HashMap<Id, Form> {
+fn squares(graph: &Graph) -> Map<Id, Form> {
     let forms = forms(graph);
     let square = |id| {
         let (x, y) = sum_of_squares(graph, id)?;
@@ -54,7 +54,7 @@ fn squares(graph: &Graph) -> HashMap<Id, Form> {
 
 /// A square and a constant, or their difference, where the square has one term beside k₀: two
 /// would be added a second time.
-fn shifted(graph: &Graph, id: Id, squares: &HashMap<Id, Form>) -> Option<Form> {
+fn shifted(graph: &Graph, id: Id, squares: &Map<Id, Form>) -> Option<Form> {
     let minus = Exact::integer(-1);
     let form = |id: Id| match graph.as_constant(id) {
         Some(constant) => Some(Form::constant(constant.clone())),

@@ -16,13 +16,13 @@
 
 use std::cell::LazyCell;
 use std::cmp::Ordering;
-use std::collections::HashMap;
 
 use super::{RULES, contract, in_dynamics};
 use crate::exact::Exact;
 use crate::interface::entries::is_about_forces;
 use crate::ir::construct::{Maker, remade};
 use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes};
 use crate::ir::program::Program;
 
@@ -157,14 +157,14 @@ impl<'g> Sums<'g> {
         root: Id,
         maker: &mut Maker<'_>,
         moved: &dyn Fn(Id) -> Id,
-    ) -> Option<HashMap<(Id, usize), Id>> {
+    ) -> Option<Map<(Id, usize), Id>> {
         self.operands(root).filter(|_| !self.is_inner[root.index()])?;
         let (terms, _) = self.terms(root);
-        let mut of_value: HashMap<Id, Vec<&Term>> = HashMap::new();
+        let mut of_value: Map<Id, Vec<&Term>> = Map::default();
         for term in &terms {
             of_value.entry(term.value).or_default().push(term);
         }
-        let mut instead = HashMap::new();
+        let mut instead = Map::default();
         // Where the last of them was added, so that no partial sum holds more than it did. In the order of
         // the sum, so that what is made is the same in every run.
         for term in &terms {
@@ -208,10 +208,10 @@ impl<'g> Sums<'g> {
         root: Id,
         maker: &mut Maker<'_>,
         moved: &dyn Fn(Id) -> Id,
-        instead: &HashMap<(Id, usize), Id>,
+        instead: &Map<(Id, usize), Id>,
     ) -> Id {
         let (_, parts) = self.terms(root);
-        let mut made: HashMap<Id, Id> = HashMap::new();
+        let mut made: Map<Id, Id> = Map::default();
         for part in parts {
             let mut place = 0;
             let node = self.graph.node(part).map_operands(&mut |operand| {

@@ -7,11 +7,10 @@
 //!
 //! In the equations of motion alone: they stand on every group that carries mass.
 
-use std::collections::HashMap;
-
 use super::{RULES, in_dynamics};
 use crate::ir::construct::remade;
 use crate::ir::graph::{Check, Id, Node};
+use crate::ir::hash::Map;
 use crate::ir::program::Program;
 
 /// The program with conditions that are equal but for their group made one, in its equations of
@@ -19,7 +18,7 @@ use crate::ir::program::Program;
 pub(super) fn ask_once(program: &Program) -> Program {
     let old = &program.graph;
     in_dynamics(program, |graph, sinks| {
-        let mut first: HashMap<(Id, Check, Vec<Id>), u32> = HashMap::new();
+        let mut first: Map<(Id, Check, Vec<Id>), u32> = Map::default();
         remade(old, graph, sinks, RULES, |maker, id, moved| {
             let Node::Guard(value, guard) = old.node(id) else { return None };
             let (value, mut guard) = (moved(value), old.condition(guard).on(moved));

@@ -7,10 +7,9 @@
 //! because the error would no longer be its own; and so does a sum whose other operand was made
 //! from the product: x + |x| is nothing below zero only as long as both are the same x.
 
-use std::collections::HashSet;
-
 use crate::ir::construct::rebuild_with;
 use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::hash::Set;
 use crate::ir::liveness::{Path, live};
 use crate::ir::program::Program;
 
@@ -53,7 +52,7 @@ pub(crate) fn fuse_products(program: &Program) -> Program {
 
 /// Whether a node is the other or has it somewhere among its operands.
 fn is_made_from(graph: &Graph, node: Id, other: Id) -> bool {
-    let (mut seen, mut left) = (HashSet::new(), vec![node]);
+    let (mut seen, mut left) = (Set::default(), vec![node]);
     // Operands stand before what is made from them.
     while let Some(id) = left.pop() {
         if id == other {
