@@ -614,11 +614,9 @@ mod FourBar_ {
                 sin: T,
             ) -> (FourBarPosition<T>, T::Mask) {
                 let mut all_met_ = AllMet::new();
-                let result_ = {
-                    let rest_ = T::num(0.0);
-                    self.formulas_at_::<0>(&mut all_met_, cos, sin, rest_, rest_)
-                        .position
-                };
+                let result_ = self
+                    .formulas_at_::<0>(&mut all_met_, cos, sin, T::num(0.0), T::num(0.0))
+                    .position;
                 (
                     result_,
                     all_met_.all()
@@ -657,11 +655,9 @@ mod FourBar_ {
                 theta_rate: T,
             ) -> (FourBarVelocity<T>, T::Mask) {
                 let mut all_met_ = AllMet::new();
-                let result_ = {
-                    let rest_ = T::num(0.0);
-                    self.formulas_at_::<1>(&mut all_met_, cos, sin, theta_rate, rest_)
-                        .velocity
-                };
+                let result_ = self
+                    .formulas_at_::<1>(&mut all_met_, cos, sin, theta_rate, T::num(0.0))
+                    .velocity;
                 (
                     result_,
                     all_met_.all() & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
@@ -936,8 +932,11 @@ mod FourBar_ {
                 if ok_ {
                     Ok(result_)
                 } else {
-                    let (cos_, sin_) = private::finite_angle(theta, "theta")?;
-                    self.diagnose_position_at_(cos_, sin_)
+                    private::from_angle(
+                        theta,
+                        "theta",
+                        move |cos_, sin_| self.diagnose_position_at_(cos_, sin_),
+                    )
                 }
             }
 
@@ -960,8 +959,13 @@ mod FourBar_ {
                 if ok_ {
                     Ok(result_)
                 } else {
-                    let (cos_, sin_) = private::finite_angle(theta, "theta")?;
-                    self.diagnose_velocity_at_(cos_, sin_, theta_rate)
+                    private::from_angle(
+                        theta,
+                        "theta",
+                        move |cos_, sin_| {
+                            self.diagnose_velocity_at_(cos_, sin_, theta_rate)
+                        },
+                    )
                 }
             }
 
@@ -986,8 +990,19 @@ mod FourBar_ {
                 if ok_ {
                     Ok(result_)
                 } else {
-                    let (cos_, sin_) = private::finite_angle(theta, "theta")?;
-                    self.diagnose_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
+                    private::from_angle(
+                        theta,
+                        "theta",
+                        move |cos_, sin_| {
+                            self
+                                .diagnose_motion_at_(
+                                    cos_,
+                                    sin_,
+                                    theta_rate,
+                                    theta_acceleration,
+                                )
+                        },
+                    )
                 }
             }
 
@@ -1008,10 +1023,13 @@ mod FourBar_ {
                 let result_ = if ok_ {
                     result_
                 } else {
-                    {
-                        let (cos_, sin_) = private::finite_angle(theta, "theta")?;
-                        self.diagnose_velocity_at_(cos_, sin_, T::num(1.0))
-                    }?
+                    private::from_angle(
+                        theta,
+                        "theta",
+                        move |cos_, sin_| {
+                            self.diagnose_velocity_at_(cos_, sin_, T::num(1.0))
+                        },
+                    )?
                 };
                 Ok(private::column(result_.rows()))
             }
@@ -1039,8 +1057,12 @@ mod FourBar_ {
                 if ok_ {
                     Ok(result_)
                 } else {
-                    let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
-                    self.diagnose_position_at_(cos_, sin_)
+                    private::from_circle(
+                        cos,
+                        sin,
+                        "theta",
+                        move |cos_, sin_| self.diagnose_position_at_(cos_, sin_),
+                    )
                 }
             }
 
@@ -1068,8 +1090,14 @@ mod FourBar_ {
                 if ok_ {
                     Ok(result_)
                 } else {
-                    let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
-                    self.diagnose_velocity_at_(cos_, sin_, theta_rate)
+                    private::from_circle(
+                        cos,
+                        sin,
+                        "theta",
+                        move |cos_, sin_| {
+                            self.diagnose_velocity_at_(cos_, sin_, theta_rate)
+                        },
+                    )
                 }
             }
 
@@ -1100,8 +1128,20 @@ mod FourBar_ {
                 if ok_ {
                     Ok(result_)
                 } else {
-                    let (cos_, sin_) = private::found_on_circle(cos, sin, "theta")?;
-                    self.diagnose_motion_at_(cos_, sin_, theta_rate, theta_acceleration)
+                    private::from_circle(
+                        cos,
+                        sin,
+                        "theta",
+                        move |cos_, sin_| {
+                            self
+                                .diagnose_motion_at_(
+                                    cos_,
+                                    sin_,
+                                    theta_rate,
+                                    theta_acceleration,
+                                )
+                        },
+                    )
                 }
             }
 
@@ -1116,8 +1156,11 @@ mod FourBar_ {
                 private::diagnose(
                     &[(cos, "cos"), (sin, "sin")],
                     |checks_| {
-                        let rest_ = T::num(0.0);
-                        self.formulas_at_::<0>(checks_, cos, sin, rest_, rest_).position
+                        self
+                            .formulas_at_::<
+                                0,
+                            >(checks_, cos, sin, T::num(0.0), T::num(0.0))
+                            .position
                     },
                 )
             }
@@ -1134,8 +1177,10 @@ mod FourBar_ {
                 private::diagnose(
                     &[(cos, "cos"), (sin, "sin"), (theta_rate, "theta_rate")],
                     |checks_| {
-                        let rest_ = T::num(0.0);
-                        self.formulas_at_::<1>(checks_, cos, sin, theta_rate, rest_)
+                        self
+                            .formulas_at_::<
+                                1,
+                            >(checks_, cos, sin, theta_rate, T::num(0.0))
                             .velocity
                     },
                 )

@@ -25,7 +25,7 @@ pub use crate::derivatives::{Differentiable, differentiate};
 pub use crate::find::unknown::root;
 pub use crate::find::{FindError, Trend};
 pub use crate::record::column;
-pub use crate::resolver::{finite_angle, found_on_circle, on_circle};
+pub use crate::resolver::{from_angle, from_circle, on_circle};
 #[cfg(feature = "sketch")]
 pub use crate::sketch::{
     Applied, Drawn, Film, Made, Plan, Sketch, Spring, applied, followed, place, place_open,

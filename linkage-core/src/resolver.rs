@@ -32,8 +32,7 @@ pub fn on_circle<T: Scalar>(cos: T, sin: T) -> (T, T, T::Mask) {
 ///
 /// # Errors
 /// `NotFinite` with the name of the one that is not, `OffCircle` with the amplitude.
-#[cold]
-pub fn found_on_circle<T: Real>(cos: T, sin: T, name: &'static str) -> Result<(T, T), SolveError> {
+fn found_on_circle<T: Real>(cos: T, sin: T, name: &'static str) -> Result<(T, T), SolveError> {
     finite_input(cos, "cos")?;
     finite_input(sin, "sin")?;
     let (x, y, is_near_one) = on_circle(cos, sin);
@@ -43,16 +42,41 @@ pub fn found_on_circle<T: Real>(cos: T, sin: T, name: &'static str) -> Result<(T
     Err(SolveError::OffCircle { name, amplitude: libm::hypot(cos.value(), sin.value()) })
 }
 
-/// The cosine and sine of an angle that was given for the input `name`, rounded with more care than in
-/// the straight line.
+/// Goes on with the cosine and sine of a resolver's direction that was given for the input `name`.
+///
+/// One call, and never inlined: what the slow path needs is no business of the function that may have
+/// to take it.
 ///
 /// # Errors
-/// `NotFinite` with the name.
+/// `NotFinite` with the name of the one that is not, `OffCircle` with the amplitude, and those of
+/// what goes on.
 #[cold]
-pub fn finite_angle<T: Real>(angle: T, name: &'static str) -> Result<(T, T), SolveError> {
+#[inline(never)]
+pub fn from_circle<T: Real, R>(
+    cos: T,
+    sin: T,
+    name: &'static str,
+    then: impl FnOnce(T, T) -> Result<R, SolveError>,
+) -> Result<R, SolveError> {
+    let (cos, sin) = found_on_circle(cos, sin, name)?;
+    then(cos, sin)
+}
+
+/// Goes on with the cosine and sine of an angle that was given for the input `name`, made with more care
+/// than in the straight line.
+///
+/// # Errors
+/// `NotFinite` with the name, and those of what goes on.
+#[cold]
+#[inline(never)]
+pub fn from_angle<T: Real, R>(
+    angle: T,
+    name: &'static str,
+    then: impl FnOnce(T, T) -> Result<R, SolveError>,
+) -> Result<R, SolveError> {
     finite_input(angle, name)?;
     let (sin, cos) = T::sin_cos(angle);
-    Ok((cos, sin))
+    then(cos, sin)
 }
 
 #[cfg(test)]

@@ -79,7 +79,7 @@ mod generated {
             if p::Mask::all(usable) {
                 return p::Ok(position);
             }
-            let (cos, sin) = p::finite_angle(theta, "theta")?;
+            let (cos, sin) = p::from_angle(theta, "theta", |cos, sin| p::Ok((cos, sin)))?;
             let mut first_error = p::FirstError::new();
             let radius = p::Checks::positive(&mut first_error, self.radius, "AB", "radius");
             first_error.first()?;

@@ -33,7 +33,7 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
                 (slow_path::call(cx, *velocity, &given), cx.paths.item("column"));
             quote! {
                 let (#value, #usable) = #answer;
-                let #value = if #usable { #value } else { { #diagnose }? };
+                let #value = if #usable { #value } else { #diagnose? };
                 #ok(#column(#value.rows()))
             }
         }

@@ -12,6 +12,7 @@ use super::context::Context;
 use super::identifiers::{function_name, generated};
 use super::results;
 use super::statements::Printer;
+use super::token_list::Tokens;
 use crate::interface::records::{Field, Record, Shape};
 use crate::lower::routine::{Routine, Stage};
 
@@ -37,13 +38,17 @@ impl Call {
         let missing = last - self.stage;
         let (given, _) = arguments.names().split_at(arguments.names().len() - missing);
         let order = Literal::usize_unsuffixed(self.stage);
-        let rates = vec![generated("rest_"); missing];
+        let (made, rest) = standstill(cx);
+        let rates = vec![rest; missing];
         let call = quote!(self.#name::<#order>(#checks, #(#given,)* #(#rates),*));
         if missing == 0 {
             return call;
         }
-        let (rest, field) = (standstill(cx), &stage_fields(cx, routine)[self.stage].name);
-        quote!({ #rest #call.#field })
+        let field = &stage_fields(cx, routine)[self.stage].name;
+        match made {
+            Some(made) => quote!({ #made #call.#field }),
+            None => quote!(#call.#field),
+        }
     }
 }
 
@@ -73,12 +78,14 @@ fn assemble(printer: &Printer<'_>, stage: &Stage) -> TokenStream {
     results::assemble(printer.cx, stage.result, &mut values)
 }
 
-/// The rates of inputs that do not move.
-fn standstill(cx: &Context<'_>) -> TokenStream {
+/// The rates of inputs that do not move, and what makes them: of one input a number, of several a
+/// record.
+fn standstill(cx: &Context<'_>) -> (Option<TokenStream>, Tokens) {
     let (rest, zero) = (generated("rest_"), cx.literal(0.0, 0.0));
-    let Some(record) = cx.inputs() else { return quote!(let #rest = #zero;) };
+    let Some(record) = cx.inputs() else { return (None, zero) };
     let fields = cx.mechanism.inputs.iter().map(|input| &input.name);
-    quote!(let #rest = #zero; let #rest = #record { #(#fields: #rest),* };)
+    let made = quote!(let #rest = #zero; let #rest = #record { #(#fields: #rest),* };);
+    (Some(made), rest.into())
 }
 
 /// The record that the stages of a routine fill, a field each.

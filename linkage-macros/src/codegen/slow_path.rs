@@ -25,9 +25,9 @@ pub(super) fn call(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> Token
     let (entry, [cos, sin]) = (cx.entry(id), ["cos_", "sin_"].map(generated));
     let (found, own, given) = match cx.compute(id) {
         Compute::Via { entry: other, given: Adapted::CosineAndSine } => {
-            ("finite_angle", cx.entry(*other), 1)
+            ("from_angle", cx.entry(*other), 1)
         }
-        _ if entry.takes_cosine() => ("found_on_circle", entry, 2),
+        _ if entry.takes_cosine() => ("from_circle", entry, 2),
         _ => {
             let name = name(entry);
             return quote!(self.#name(#(#arguments),*));
@@ -36,8 +36,7 @@ pub(super) fn call(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> Token
     let ((given, rates), name) = (arguments.split_at(given), name(own));
     let (found, label) = (cx.paths.item(found), text(&cx.mechanism.inputs[0].name));
     quote! {
-        let (#cos, #sin) = #found(#(#given,)* #label)?;
-        self.#name(#cos, #sin #(, #rates)*)
+        #found(#(#given,)* #label, move |#cos, #sin| self.#name(#cos, #sin #(, #rates)*))
     }
 }
 

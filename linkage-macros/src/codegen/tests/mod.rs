@@ -273,16 +273,15 @@ fn orders_share_their_formulas_and_angles_those_of_their_cosines() {
         "DC: Direction { cos: dc_cos_, sin: dc_sin_ },",
         "if ORDER == 0 { return FourBarMotion { position: position_, velocity: velocity_,",
         "if ORDER == 1 { return FourBarMotion { position: position_, velocity: velocity_,",
-        "self.formulas_at_::<0>(&mut all_met_, cos, sin, rest_, rest_).position",
-        "self.formulas_at_::<1>(checks_, cos, sin, theta_rate, rest_).velocity",
+        "self.formulas_at_::<0>(&mut all_met_, cos, sin, T::num(0.0), T::num(0.0)).position",
+        "self.formulas_at_::<1>(checks_, cos, sin, theta_rate, T::num(0.0)).velocity",
         "let (sin_, cos_) = T::sin_cos_near(theta); \
          let (result_, ok_) = self.core_position_at_(cos_, sin_); \
          (result_, T::is_near(theta) & ok_)",
         "let (result_, ok_) = self.solve_velocity(theta, T::num(1.0)); \
          (private::column(result_.rows()), ok_)",
-        "let result_ = if ok_ { result_ } else { { \
-         let (cos_, sin_) = private::finite_angle(theta, \"theta\")?; \
-         self.diagnose_velocity_at_(cos_, sin_, T::num(1.0)) }? };",
+        "let result_ = if ok_ { result_ } else { private::from_angle(theta, \"theta\", \
+         move |cos_, sin_| self.diagnose_velocity_at_(cos_, sin_, T::num(1.0)))? };",
     ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
     }
