@@ -41,13 +41,7 @@ pub struct Clearance<T> {
     pub scale: T,
 }
 
-/// A solver whose assembly modes can be followed; implemented by generated code, unless something is
-/// searched: between its ends an unknown keeps the trend that its equation is declared with.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot be followed through changes of mode",
-    note = "a mechanism with `solve` has no `Tracker` and no `limits`: for these declare it with its unknown \
-            as an `input`"
-)]
+/// A solver whose assembly modes can be followed; implemented by generated code.
 pub trait Modes: Copy {
     /// The numbers it computes with.
     type Scalar: Real;
@@ -60,8 +54,12 @@ pub trait Modes: Copy {
     /// A [`Clearance`] for each of `GROUPS`.
     type Clearances: Copy + AsRef<[Clearance<Self::Scalar>]>;
 
+    /// Whether something is searched: then another root might be found where one is lost.
+    const SEARCHES: bool = false;
+
     /// The groups that have an assembly mode, in solving order: the links, and the number of the
-    /// parameter that holds the mode unless it is a constant.
+    /// parameter that holds the mode unless it is a constant. An unknown is one as well: it stands for
+    /// the dead points of its equation, the ends of its interval and, last, the root itself.
     const GROUPS: &'static [(&'static str, Option<usize>)];
 
     /// Changes the mode that a parameter holds into its opposite.

@@ -64,6 +64,12 @@ pub fn root<T: Real>(
     Ok([found, extent.get() + change.get()])
 }
 
+/// What [`root`] has found, and no numbers where it has found nothing.
+pub fn open<T: Real>(found: Result<[T; 2], FindError>) -> (T, T) {
+    let [at, size] = found.unwrap_or([number(f64::NAN); 2]);
+    (at, size)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

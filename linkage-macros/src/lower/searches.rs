@@ -6,8 +6,8 @@ use super::routine::{Locals, Routine, Search, Stage, Statement};
 use super::schedule::pairs;
 use crate::interface::records::Shape;
 use crate::ir::cost::operations_of_trial;
-use crate::ir::graph::{Graph, Id, Node, Sought};
-use crate::ir::liveness::{Path, trial_nodes, tried};
+use crate::ir::graph::{Graph, Id, Node, Sought, Wanted};
+use crate::ir::liveness::{Path, live, trial_nodes, tried};
 use crate::ir::program::Program;
 use crate::model::mechanism::Mechanism;
 
@@ -15,16 +15,32 @@ use crate::model::mechanism::Mechanism;
 pub(super) fn searches(mechanism: &Mechanism, program: &Program) -> Vec<Search> {
     let roots = program.closures.iter().map(|closure| closure.root);
     let mut searches: Vec<Search> = Vec::new();
-    for root in roots {
+    for root in roots.chain(ends(program)) {
         let Node::Root(sought) = program.graph.node(root) else { continue };
         let name = mechanism.unknowns[sought.unknown as usize].name.to_string();
         // An unknown is searched in one way for an angle, in another for its cosine and sine.
-        let is_known = searches.iter().any(|known| known.sought.unknown == sought.unknown);
+        let of_it = |sought: &Sought| (sought.unknown, sought.wanted);
+        let is_known = searches.iter().any(|known| of_it(&known.sought) == of_it(&sought));
         let suffix = if is_known { "_at" } else { "" };
-        let name = locals::single_underscores(&format!("root_{name}{suffix}").to_lowercase());
+        let wanted = match sought.wanted {
+            Wanted::Root => "root",
+            Wanted::End(0) => "lower",
+            Wanted::End(_) => "upper",
+        };
+        let name = locals::single_underscores(&format!("{wanted}_{name}{suffix}").to_lowercase());
         searches.push(search(&program.graph, root, sought, name));
     }
     searches
+}
+
+/// The ends of where roots can be, which following a motion looks at.
+fn ends(program: &Program) -> impl Iterator<Item = Id> + '_ {
+    let sinks: Vec<Id> = program.clearances.iter().flat_map(|clearance| clearance.sinks).collect();
+    let live = live(&program.graph, &sinks, Path::Unchecked);
+    program.graph.iter().filter_map(move |(id, node)| match node {
+        Node::Root(Sought { wanted: Wanted::End(_), .. }) => live[id.index()].then_some(id),
+        _ => None,
+    })
 }
 
 fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
