@@ -57,7 +57,7 @@ pub use error::SketchError;
 pub use film::{Film, FilmGap};
 pub use plan::Drawn;
 #[doc(hidden)]
-pub use plan::{Made, Plan, place, place_open};
+pub use plan::{Made, Plan, followed, place, place_open};
 pub use still::{Sketch, Still};
 pub use style::{Palette, Theme, Unit};
 pub use svg::View;

@@ -20,8 +20,6 @@ pub(crate) fn compile(source: TokenStream, is_drawn: bool) -> TokenStream {
     let declaration = syntax::parse(source, &mut diagnostics);
     match resolved(declaration.as_ref(), diagnostics) {
         Ok(mechanism) => {
-            // A film follows the motion through changes of mode, which nothing that is searched does.
-            let is_drawn = is_drawn && mechanism.unknowns.is_empty();
             let placing = is_drawn.then(|| placing(&mechanism));
             code(&mechanism, &program(&mechanism), placing.as_ref())
         }

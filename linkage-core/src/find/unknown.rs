@@ -119,6 +119,22 @@ mod tests {
         assert!(at == 1.0 && size == 4.0, "{at} {size}");
     }
 
+    /// A trial falls next to the toggle of a rod that is shorter than its crank, where the slope is
+    /// 1900: a short step there leads to no root.
+    #[test]
+    fn a_vertical_slope_is_no_root() {
+        let (crank, rod, target) = (2.100_037_8_f32, 1.993_971_2, 1.032_491_7);
+        let sides = |theta: f32| {
+            let (sin, cos) = theta.sin_cos();
+            let across = crank * sin;
+            let along = ((rod - across) * (rod + across)).sqrt();
+            [crank * cos + along, target, -across - across * crank * cos / along]
+        };
+        let [theta, _] = root([0.0, 3.141_592_7], Trend::Falling, None, sides).expect("a root");
+        // In f64 it is 1.2175330182.
+        assert!((theta - 1.217_533).abs() < 1e-6, "{theta}");
+    }
+
     #[test]
     fn what_is_no_number_is_where_it_was_met() {
         let sides = |x| [if x > 1.0 { f64::NAN } else { x }, 0.5, -1.0];

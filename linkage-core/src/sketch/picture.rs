@@ -79,6 +79,10 @@ impl<'s> Picture<'s> {
         for _ in 0..6 {
             self.make()?;
             let [width, height] = self.extent().size();
+            // One point fits at any scale.
+            if width.max(height) < 1.0 {
+                break;
+            }
             let ratio = (room[0] / width.max(1.0)).min(room[1] / height.max(1.0));
             if (ratio - 1.0).abs() < 1e-3 {
                 break;

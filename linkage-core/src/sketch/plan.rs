@@ -9,10 +9,13 @@ use crate::diagnosis::finite_result;
 use crate::find::FindError;
 use crate::slow_path::conditions_met;
 use crate::tracker::Modes;
-use crate::{Scalar, SolveError};
+use crate::{Scalar, SolveError, Tracker};
 
 /// A solver that can be drawn; implemented by generated code.
-pub trait Drawn: Modes<Scalar = f64> {
+pub trait Drawn: Copy {
+    /// Its input: a number, or a record of several.
+    type Input: Copy;
+
     /// What was declared.
     const PLAN: Plan;
 
@@ -22,8 +25,12 @@ pub trait Drawn: Modes<Scalar = f64> {
     /// The first group that cannot be assembled.
     fn place(&self, q: Self::Input) -> Result<Vec<f64>, SolveError>;
 
-    /// The same whatever fails: what hangs on a failed group is no number.
-    fn place_open(&self, q: Self::Input) -> Vec<f64>;
+    /// The same whatever fails: what hangs on a failed group is no number, nor what hangs on the unknown
+    /// of this name.
+    fn place_open(&self, q: Self::Input, without: &'static str) -> Vec<f64>;
+
+    /// The solver of each pose of a path, its modes following the motion, and what refuses the pose.
+    fn followed(self, path: &[Self::Input]) -> Vec<(Self, Option<SolveError>)>;
 }
 
 /// The declaration, every name a place in the lists of names.
@@ -201,17 +208,22 @@ impl Layout {
 
 /// Goes on whatever a condition says.
 #[derive(Clone, Copy, Debug)]
-pub struct Regardless;
+pub struct Regardless {
+    /// An unknown that counts as not found: where its equation jumps there is a place, but no root.
+    without: &'static str,
+}
 
 impl Checks<f64> for Regardless {
     fn root(
         &mut self,
         found: Result<[f64; 2], FindError>,
-        _: &'static str,
+        unknown: &'static str,
         _: &'static str,
     ) -> (f64, f64) {
-        let [at, size] = found.unwrap_or([f64::NAN; 2]);
-        (at, size)
+        match found {
+            Ok([at, size]) if unknown != self.without => (at, size),
+            _ => (f64::NAN, f64::NAN),
+        }
     }
 
     fn closed(&mut self, _: f64, _: f64, _: &'static str, _: &'static str) {}
@@ -237,7 +249,23 @@ pub fn place<const N: usize>(
     Ok(placed.into())
 }
 
+/// What [`Drawn::followed`] does, by a [`Tracker`].
+pub fn followed<S: Modes<Scalar = f64>>(
+    solver: S,
+    path: &[S::Input],
+) -> Vec<(S, Option<SolveError>)> {
+    let mut tracker = Tracker::new(solver);
+    let poses = path.iter().map(|&q| {
+        let error = tracker.position(q).err();
+        (*tracker.solver(), error)
+    });
+    poses.collect()
+}
+
 /// What [`Drawn::place_open`] does with the formulas.
-pub fn place_open<const N: usize>(formulas: impl FnOnce(&mut Regardless) -> [f64; N]) -> Vec<f64> {
-    formulas(&mut Regardless).into()
+pub fn place_open<const N: usize>(
+    without: &'static str,
+    formulas: impl FnOnce(&mut Regardless) -> [f64; N],
+) -> Vec<f64> {
+    formulas(&mut Regardless { without }).into()
 }

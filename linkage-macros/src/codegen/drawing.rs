@@ -6,8 +6,8 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::formulas;
 use super::identifiers::{generated, text};
+use super::{formulas, searches};
 use crate::interface::entries::Given;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::{Carrier, Length, Mechanism, Step};
@@ -15,22 +15,21 @@ use crate::model::mechanism::{Carrier, Length, Mechanism, Step};
 /// Nothing where the run-time crate has no feature `sketch`: Cargo may turn the macro's on for
 /// another build of that crate.
 pub(super) fn items(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStream {
-    let cx = Context::new(mechanism, lowered);
-    let (with_sketch, name, scalar) =
+    let cx = Context::in_double(mechanism, lowered);
+    let (with_sketch, name, float) =
         (cx.paths.item("with_sketch"), &cx.names.solver, &cx.names.scalar);
-    let (any, float) = (cx.paths.item("Scalar"), cx.paths.item("f64"));
-    let (formulas, drawn, methods) = (formulas::functions(&cx), drawn(&cx), methods(&cx));
+    let (formulas, searches) = (formulas::functions(&cx), searches::functions(&cx));
+    let (drawn, methods) = (drawn(&cx), methods(&cx));
     quote! {
         #with_sketch! {
-            impl<#scalar: #any> #name<#scalar> { #formulas }
+            impl #name<#float> { #methods #formulas #searches }
             #drawn
-            impl #name<#float> { #methods }
         }
     }
 }
 
 fn drawn(cx: &Context<'_>) -> TokenStream {
-    let (name, float) = (&cx.names.solver, cx.paths.item("f64"));
+    let (name, float) = (&cx.names.solver, &cx.names.scalar);
     let path = |name| cx.paths.item(name);
     let [drawn, plan_type, vec, result, error, place, place_open] =
         ["Drawn", "Plan", "Vec", "Result", "SolveError", "place", "place_open"].map(path);
@@ -39,12 +38,14 @@ fn drawn(cx: &Context<'_>) -> TokenStream {
     let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
     let given = routine.reads.iter().filter_map(read);
     let given: Vec<_> = given.map(|(value, label)| quote!((#value, #label))).collect();
-    let (q, checks, input) = (&arguments.names()[0], generated("checks_"), cx.input(&float));
+    let (q, checks, input) = (&arguments.names()[0], generated("checks_"), cx.input(float));
     let formulas = formulas::Call { routine: 0, stage: 0 }.under(cx, &quote!(#checks));
+    let (without, str_) = (generated("without_"), cx.paths.item("str"));
     let unused = given.is_empty().then(|| quote!(let _ = #q;));
-    let plan = plan(cx);
+    let (plan, followed) = (plan(cx), followed(cx));
     quote! {
         impl #drawn for #name<#float> {
+            type Input = #input;
             const PLAN: #plan_type = #plan;
 
             fn place(&self, #q: #input) -> #result<#vec<#float>, #error> {
@@ -52,9 +53,22 @@ fn drawn(cx: &Context<'_>) -> TokenStream {
                 #place(&Self::PLAN, &[#(#given),*], |#checks| #formulas)
             }
 
-            fn place_open(&self, #q: #input) -> #vec<#float> {
-                #place_open(|#checks| #formulas)
+            fn place_open(&self, #q: #input, #without: &'static #str_) -> #vec<#float> {
+                #place_open(#without, |#checks| #formulas)
             }
+
+            #followed
+        }
+    }
+}
+
+fn followed(cx: &Context<'_>) -> TokenStream {
+    let (inputs, input) = (generated("path_"), cx.input(&cx.names.scalar));
+    let [vec, option, error, followed] =
+        ["Vec", "Option", "SolveError", "followed"].map(|name| cx.paths.item(name));
+    quote! {
+        fn followed(self, #inputs: &[#input]) -> #vec<(Self, #option<#error>)> {
+            #followed(self, #inputs)
         }
     }
 }
@@ -64,7 +78,7 @@ fn methods(cx: &Context<'_>) -> TokenStream {
     let [into, into_iterator, sketch, film, result, error] =
         ["Into", "IntoIterator", "Sketch", "Film", "Result", "SolveError"].map(path);
     let [q, inputs] = ["q_", "path_"].map(generated);
-    let input = cx.input(&cx.paths.item("f64"));
+    let input = cx.input(&cx.names.scalar);
     quote! {
         /// The mechanism as it stands at the inputs, to be drawn.
         ///

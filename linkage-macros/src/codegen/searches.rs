@@ -99,8 +99,13 @@ fn of_unknown(cx: &Context<'_>, index: usize, unknown: &Unknown) -> Option<Strin
         Some(_) => ", three more for the seed",
         None => "",
     };
+    let roots = match search.has_one_root {
+        Some(true) => ", one root",
+        Some(false) => ", may have several roots",
+        None => "",
+    };
     Some(format!(
-        "`{}`{}, {mode}: up to {wide} evaluations (f32: {narrow}){seed}, twice as many where an end \
+        "`{}`{}, {mode}{roots}: up to {wide} evaluations (f32: {narrow}){seed}, twice as many where an end \
          lies beyond a dead point of the equation; each of {}",
         text(&unknown.name),
         ends(unknown),

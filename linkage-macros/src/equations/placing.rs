@@ -34,11 +34,12 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     }
     placed.extend(mechanism.steps.iter().flat_map(|step| dimensions(&kinematics, step)));
     let sinks = placed.into_iter().map(|symbol| symbol.id).collect();
+    let closures = kinematics.closures;
     Program {
         graph: sheet.into_graph(),
         answers: vec![Answer { entry: ENTRY, sinks }],
         clearances: Vec::new(),
-        closures: Vec::new(),
+        closures,
         groups: mechanism.groups.iter().map(|group| group.title.clone()).collect(),
     }
 }

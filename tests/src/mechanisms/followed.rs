@@ -87,3 +87,16 @@ mechanism! {
         output theta, C, DC.angle;
     }
 }
+
+mechanism! {
+    /// An equation with two roots of each trend.
+    pub struct Waves {
+        input x: length;
+        param way: mode = falling;
+        ground A(0, 0);
+        unknown theta: angle between (0, 235deg);
+        crank AB(A) -> B { length: 1m, angle: theta }
+        solve theta { sin(3 * theta) + theta / 8 = x / 1m, mode: way }
+        output theta, B;
+    }
+}

@@ -7,6 +7,7 @@ mod layout;
 mod look;
 mod motion;
 mod placed;
+mod searched;
 mod snapshots;
 mod text;
 mod xml;

@@ -31,7 +31,7 @@ mod straightforward;
 mod truth;
 mod tuned;
 
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 
 use picture::Measured;
 
@@ -45,12 +45,12 @@ fn main() {
     println!("{}\n", report::heading(rounds));
     let mut contests = contest::all();
     contests.retain(|contest| contest.mechanism.starts_with(&wanted));
-    let count = contests.len();
+    let (count, is_watched) = (contests.len(), std::io::stderr().is_terminal());
     let mut measured = Vec::new();
     for (index, contest) in contests.into_iter().enumerate() {
         let title = format!("{}, {}", contest.mechanism, contest.width);
         let progress = |round: usize| {
-            if round.is_multiple_of(64) {
+            if is_watched && round.is_multiple_of(64) {
                 let percent = round * 50 / rounds;
                 eprint!("\r{} of {count}: {title}: {percent} %   ", index + 1);
                 let _ = std::io::stderr().flush();
@@ -58,7 +58,9 @@ fn main() {
         };
         let epsilon = contest.epsilon;
         let findings = (contest.run)(rounds, &progress);
-        eprint!("\r{:60}\r", "");
+        if is_watched {
+            eprint!("\r{:60}\r", "");
+        }
         report::print(&title, &findings);
         measured.push(Measured { epsilon, findings });
     }
