@@ -130,7 +130,8 @@ mod tests {
             let along = ((rod - across) * (rod + across)).sqrt();
             [crank * cos + along, target, -across - across * crank * cos / along]
         };
-        let [theta, _] = root([0.0, 3.141_592_7], Trend::Falling, None, sides).expect("a root");
+        let [theta, _] =
+            root([0.0, core::f32::consts::PI], Trend::Falling, None, sides).expect("a root");
         // In f64 it is 1.2175330182.
         assert!((theta - 1.217_533).abs() < 1e-6, "{theta}");
     }

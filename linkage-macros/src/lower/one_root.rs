@@ -12,7 +12,7 @@ use crate::ir::graph::{Graph, Id, Node, Sought};
 use crate::ir::liveness::{Path, live, live_nodes};
 
 /// Pieces of the bracket: a slope of a dozen operations is known to a part in a hundred on each.
-const PIECES: u32 = 256;
+const PIECES: u32 = 128;
 
 /// Whether it is proved that there is one root at most of a slope of this sign, given what an end is
 /// searched by; none where the slope depends on more than constants and the unknown.
@@ -35,12 +35,18 @@ pub(super) fn has_one_root(graph: &Graph, sought: &Sought, rises: bool) -> Optio
         return None;
     };
     let at = |piece: u32| from + (to - from) * (f64::from(piece) / f64::from(PIECES));
+    // The value of a constant takes as long as a hundred operations.
+    let mut values = vec![None; graph.len()];
+    let is_constant = |node: Node| matches!(node, Node::Constant(_));
+    for &(id, _) in nodes.iter().filter(|&&(_, node)| is_constant(node)) {
+        values[id.index()] = graph.as_constant(id).map(|value| Interval::about(value.to_f64()));
+    }
+    let nodes: Vec<_> = nodes.into_iter().filter(|&(_, node)| !is_constant(node)).collect();
     let mut course = Course::Before;
     for piece in 0..PIECES {
         let trial = Interval(at(piece), at(piece + 1)).widened();
-        let mut values = vec![None; graph.len()];
         for &(id, node) in &nodes {
-            values[id.index()] = value(graph, &values, node, trial);
+            values[id.index()] = value(&values, node, trial);
         }
         let of = |id: Id| values[id.index()].and_then(|interval: Interval| interval.sign());
         let with_the_trend = |sign: bool| sign == rises;
@@ -88,18 +94,9 @@ impl Course {
 #[derive(Clone, Copy, Debug)]
 struct Interval(f64, f64);
 
-fn value(
-    graph: &Graph,
-    values: &[Option<Interval>],
-    node: Node,
-    trial: Interval,
-) -> Option<Interval> {
+fn value(values: &[Option<Interval>], node: Node, trial: Interval) -> Option<Interval> {
     let v = |id: Id| values[id.index()];
     match node {
-        Node::Constant(constant) => {
-            let value = graph.value(constant).to_f64();
-            Some(Interval(value, value).widened())
-        }
         Node::Trial(_) => Some(trial),
         // Parts of a rounding: in real numbers they are zero.
         Node::Low(_) | Node::MulErr(..) | Node::AddErr(..) => Some(Interval(0.0, 0.0)),
@@ -121,6 +118,11 @@ fn value(
 }
 
 impl Interval {
+    /// What a number is that was rounded to this.
+    fn about(value: f64) -> Self {
+        Self(value, value).widened()
+    }
+
     /// With the rounding of the operation that made it.
     fn widened(self) -> Self {
         Self(self.0.next_down(), self.1.next_up())
