@@ -74,6 +74,9 @@ pub(crate) fn stand_in(declaration: &Declaration, is_drawn: bool) -> TokenStream
     // Whether the one input is a driver's bare angle is not known; a method too many says nothing.
     let answers = interface.entries.iter();
     let answers = answers.map(|entry| (entry.name, interface.numbers(entry.result)));
-    let nothing = is_drawn.then(|| Program::of_zeros([(equations::placing::ENTRY, 0)].into_iter()));
+    let is_pushed = declaration.statements.iter().any(|statement| statement.kind.is_force());
+    let applied = is_pushed.then_some((equations::placing::APPLIED, 0));
+    let drawn = [(equations::placing::ENTRY, 0)].into_iter().chain(applied);
+    let nothing = is_drawn.then(|| Program::of_zeros(drawn));
     code(&mechanism, &Program::of_zeros(answers), nothing.as_ref())
 }

@@ -98,6 +98,12 @@ pub fn readme() -> Vec<(&'static str, Film)> {
         .collect()
 }
 
+/// The film of the page about unknowns.
+pub fn of_unknowns() -> Film {
+    let heights = turn().step_by(4).map(|q| 0.33 - 0.06 * q.cos());
+    suspension::ByTheWheel::new().film(heights).trace("W").trace("tyre").width(360.0)
+}
+
 fn more() -> Vec<Piece> {
     vec![
         Piece {
@@ -271,7 +277,7 @@ fn loaded() -> Film {
 /// Reactions at rest.
 fn cutting() -> Film {
     let solver = shear_bearings::FlyingShear::new();
-    let film = solver.film(turn()).force("blade", [[0.0, 1e4]]);
+    let film = solver.film(turn()).applied(turn().map(|q| solver.applied(q, 0.0, 1e4)));
     film.reactions(turn().map(|q| solver.statics(q, 1e4)))
 }
 

@@ -82,11 +82,13 @@ impl Film {
         self
     }
 
-    /// How long the motion takes; 4 s if nothing is said. What is no positive number says nothing.
+    /// How long the motion takes, to the millisecond; 4 s if nothing is said. What is no positive number
+    /// says nothing.
     #[must_use]
     pub fn seconds(mut self, seconds: f64) -> Self {
         if seconds.is_finite() && seconds > 0.0 {
-            self.options.seconds = seconds.clamp(1e-3, 1e6);
+            // As it is written, so that nobody's clock goes otherwise.
+            self.options.seconds = (1e3 * seconds.clamp(1e-3, 1e6)).round() / 1e3;
         }
         self
     }

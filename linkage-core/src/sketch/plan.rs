@@ -48,6 +48,17 @@ pub struct Plan {
     pub guides: &'static [&'static str],
     /// What places them, in solving order.
     pub statements: &'static [Made],
+    /// Springs and dampers between two points.
+    pub springs: &'static [Spring],
+}
+
+/// A spring, a damper, or both, between two points.
+#[derive(Clone, Copy, Debug)]
+pub struct Spring {
+    /// Its ends.
+    pub ends: [usize; 2],
+    /// Whether it has a stiffness, and whether it has a damping.
+    pub kinds: [bool; 2],
 }
 
 /// A statement: links, then what they stand on, then the pin.
@@ -260,6 +271,40 @@ pub fn followed<S: Modes<Scalar = f64>>(
         (*tracker.solver(), error)
     });
     poses.collect()
+}
+
+/// The forces that a declaration puts on points: what a solver's `applied` gives, and a film's draws.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Applied {
+    pub(super) forces: Vec<(&'static str, [f64; 2])>,
+}
+
+impl Applied {
+    /// Each with its point, in newtons in ground axes, in the order of the declaration.
+    #[must_use]
+    pub fn forces(&self) -> &[(&'static str, [f64; 2])] {
+        &self.forces
+    }
+}
+
+/// What a solver's `applied` does with the formulas: x and y of one force after the other, given the
+/// points that they act on.
+///
+/// # Errors
+/// Those of [`place`].
+pub fn applied<const N: usize>(
+    plan: &Plan,
+    points: &[usize],
+    given: &[(f64, &'static str)],
+    formulas: impl FnOnce(&mut FirstError) -> [f64; N],
+) -> Result<Applied, SolveError> {
+    let numbers = conditions_met(given, formulas)?;
+    let names = points.iter().map(|&point| plan.points[point]);
+    let forces = names.zip(numbers.chunks_exact(2)).map(|(name, force)| {
+        force.iter().try_for_each(|&number| finite_result(number, name, given))?;
+        Ok((name, [force[0], force[1]]))
+    });
+    Ok(Applied { forces: forces.collect::<Result<_, _>>()? })
 }
 
 /// What [`Drawn::place_open`] does with the formulas.

@@ -10,6 +10,7 @@ use super::identifiers::{generated, text};
 use super::{formulas, searches};
 use crate::interface::entries::Given;
 use crate::lower::routine::Lowered;
+use crate::model::dynamics::{Ends, Force, Spring};
 use crate::model::mechanism::{Carrier, Length, Mechanism, Step};
 
 /// Nothing where the run-time crate has no feature `sketch`: Cargo may turn the macro's on for
@@ -19,10 +20,10 @@ pub(super) fn items(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStream
     let (with_sketch, name, float) =
         (cx.paths.item("with_sketch"), &cx.names.solver, &cx.names.scalar);
     let (formulas, searches) = (formulas::functions(&cx), searches::functions(&cx));
-    let (drawn, methods) = (drawn(&cx), methods(&cx));
+    let (drawn, methods, applied) = (drawn(&cx), methods(&cx), applied(&cx));
     quote! {
         #with_sketch! {
-            impl #name<#float> { #methods #formulas #searches }
+            impl #name<#float> { #methods #applied #formulas #searches }
             #drawn
         }
     }
@@ -97,6 +98,38 @@ fn methods(cx: &Context<'_>) -> TokenStream {
     }
 }
 
+/// The forces that the declaration puts on points, where there are any.
+fn applied(cx: &Context<'_>) -> Option<TokenStream> {
+    let routine = cx.lowered.routines.get(1)?;
+    let path = |name| cx.paths.item(name);
+    let [result, record, error, applied, drawn] =
+        ["Result", "Applied", "SolveError", "applied", "Drawn"].map(path);
+    let float = &cx.names.scalar;
+    let number = quote!(#float);
+    let arguments = Arguments::new(cx, routine.given);
+    let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
+    let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
+    let given = routine.reads.iter().filter_map(read);
+    let given: Vec<_> = given.map(|(value, label)| quote!((#value, #label))).collect();
+    let checks = generated("checks_");
+    let formulas = formulas::Call { routine: 1, stage: 0 }.under(cx, &quote!(#checks));
+    let points = cx.mechanism.dynamics.forces.iter().flat_map(|force| match force {
+        Force::At { point, .. } => vec![*point],
+        Force::Between { points, .. } => points.to_vec(),
+    });
+    let points = points.map(|point| self::number(point.0));
+    Some(quote! {
+        /// The forces that the declaration puts on points, for `applied` of a film.
+        ///
+        /// # Errors
+        /// What is given and not finite, and what a force is said by and cannot be assembled.
+        pub fn applied(&self, #(#declared),*) -> #result<#record, #error> {
+            #converted
+            #applied(&<Self as #drawn>::PLAN, &[#(#points),*], &[#(#given),*], |#checks| #formulas)
+        }
+    })
+}
+
 /// Names and statements, ids being places in the lists of names.
 fn plan(cx: &Context<'_>) -> TokenStream {
     let (mechanism, plan) = (cx.mechanism, cx.paths.item("Plan"));
@@ -109,6 +142,7 @@ fn plan(cx: &Context<'_>) -> TokenStream {
     let points = names(mechanism.points.iter().map(|point| &point.name).collect());
     let links = names(mechanism.links.iter().map(|link| &link.name).collect());
     let guides = names(mechanism.guides.iter().map(|guide| &guide.name).collect());
+    let springs = mechanism.dynamics.springs.iter().filter_map(|declared| spring(cx, declared));
     let statements = mechanism.steps.iter().map(|step| statement(cx, step));
     quote! {
         #plan {
@@ -118,8 +152,17 @@ fn plan(cx: &Context<'_>) -> TokenStream {
             links: #links,
             guides: #guides,
             statements: &[#(#statements),*],
+            springs: &[#(#springs),*],
         }
     }
+}
+
+/// What stands between two points.
+fn spring(cx: &Context<'_>, spring: &Spring) -> Option<TokenStream> {
+    let Ends::Points(ends) = spring.ends else { return None };
+    let (item, ends) = (cx.paths.item("Spring"), ends.map(|end| number(end.0)));
+    let kinds = [&spring.stiffness, &spring.damping].map(|number| !number.value.is_zero());
+    Some(quote!(#item { ends: [#(#ends),*], kinds: [#(#kinds),*] }))
 }
 
 fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {

@@ -9,5 +9,6 @@ mod motion;
 mod placed;
 mod searched;
 mod snapshots;
+mod springs;
 mod text;
 mod xml;
