@@ -1,4 +1,5 @@
 //! What is measured, for programs and benches alike.
 
 pub mod generated;
+pub mod hand;
 pub mod near_limits;

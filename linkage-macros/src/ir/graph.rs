@@ -33,7 +33,7 @@
 
 use crate::exact::Exact;
 use crate::ir::hash::Map;
-pub(crate) use crate::ir::node::{ConstantId, GuardId, Id, Node, Sought};
+pub(crate) use crate::ir::node::{ConstantId, GuardId, Id, Node, Sought, Trend, Wanted};
 
 /// A condition on a value. In the generated code's straight line it is one comparison; where that
 /// fails, the slow path looks at the operands and decides.

@@ -1,0 +1,95 @@
+//! Both ways lead to the same numbers.
+
+use laboratory::generated::{FourBar, four_bar as numbers};
+use linkage_tests::double_double::DoubleDouble;
+
+use crate::kernels::{self, Contest, OtherPoint, Visit};
+
+const POSES: u32 = 4000;
+
+fn poses() -> impl Iterator<Item = [f64; 3]> {
+    (0..POSES).map(|k| [f64::from(k) / f64::from(POSES) * std::f64::consts::TAU, 250.0, 1000.0])
+}
+
+/// The largest difference of each number over the turn, in ε of its largest value.
+fn largest<const N: usize>(
+    mut made: impl FnMut([f64; 3]) -> [f64; N],
+    mut by_hand: impl FnMut([f64; 3]) -> [f64; N],
+) -> f64 {
+    let (mut sizes, mut errors) = ([0.0_f64; N], [0.0_f64; N]);
+    for input in poses() {
+        let (made, by_hand) = (made(input), by_hand(input));
+        for k in 0..N {
+            sizes[k] = sizes[k].max(made[k].abs());
+            let error = (made[k] - by_hand[k]).abs();
+            // What is no number is far off.
+            errors[k] = if error.is_nan() { f64::INFINITY } else { errors[k].max(error) };
+        }
+    }
+    (0..N).map(|k| errors[k] / sizes[k] / f64::EPSILON).fold(0.0, f64::max)
+}
+
+fn answer<const N: usize>(
+    call: fn([f64; 3], &mut [f64; N]) -> bool,
+) -> impl FnMut([f64; 3]) -> [f64; N] {
+    move |input| {
+        let mut out = [0.0; N];
+        assert!(call(input, &mut out), "{input:?}");
+        out
+    }
+}
+
+/// Each way is within 5 ε of the truth on S1, position to acceleration. What a first loop's pin is off by
+/// acts on the second's bars with at most 1/sin 25° a division, of which an acceleration has three.
+struct Agreement;
+
+impl Visit for Agreement {
+    fn contest<const N: usize>(&mut self, name: &str, call: &str, contest: &Contest<N>) {
+        let allowed =
+            if name.contains("six") { 2.0 * 5.0 * 2.4 * 2.4 * 2.4 } else { 2.0 * 5.0 * 2.4 };
+        let found = largest(answer(contest.made), answer(contest.by_hand));
+        assert!(found <= allowed, "{name}, {call}: {found:.1} ε");
+    }
+}
+
+#[test]
+fn the_hand_forms_are_right() {
+    kernels::reported(&mut Agreement);
+    crate::drawn::every(&mut Agreement);
+}
+
+/// On numbers of two words the generated code is the truth of both ways.
+#[test]
+fn the_hand_form_is_within_five_last_places_of_the_truth() {
+    type Wide = DoubleDouble;
+    let exact = |[t, w, a]: [f64; 3]| {
+        let (motion, _) =
+            FourBar::<Wide>::default().solve_motion(Wide::new(t), Wide::new(w), Wide::new(a));
+        numbers(&motion).map(|number| number.high)
+    };
+    let found = largest(exact, answer(kernels::s1_motion::CONTEST.by_hand));
+    assert!(found <= 5.5, "{found:.1} ε");
+    let exact = |[t, w, a]: [f64; 3]| {
+        let (motion, _) =
+            OtherPoint::<Wide>::default().solve_motion(Wide::new(t), Wide::new(w), Wide::new(a));
+        let (x, v, a) = (motion.position, motion.velocity, motion.acceleration);
+        [
+            [x.C.x, x.C.y, x.P.x, x.P.y, v.BC.omega, v.DC.omega],
+            [v.P.x, v.P.y, a.BC.alpha, a.DC.alpha, a.P.x, a.P.y],
+        ]
+        .map(|numbers| numbers.map(|number| number.high))
+        .concat()
+        .try_into()
+        .expect("twelve numbers")
+    };
+    let found = largest::<12>(exact, answer(kernels::other_motion::CONTEST.by_hand));
+    assert!(found <= 5.5, "{found:.1} ε");
+}
+
+#[test]
+fn out_of_reach_is_an_answer() {
+    // The hand forms and the generated solvers both refuse what is no angle.
+    let mut out = [0.0; 14];
+    assert!(!(kernels::s1_motion::CONTEST.by_hand)([f64::NAN, 1.0, 1.0], &mut out));
+    assert!(!(kernels::s1_motion::CONTEST.made)([f64::NAN, 1.0, 1.0], &mut out));
+}

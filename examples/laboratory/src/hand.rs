@@ -1,0 +1,27 @@
+//! The closed forms as the best hand known writes them, in plain `f64`: what the generated solvers
+//! are measured against.
+//!
+//! - [`crank_dyad`]: the four-bar, a crank on the ground and two bars to a point of the ground;
+//! - [`dyad`]: two bars between any two joints, of which the second may be a point of the ground;
+//! - [`swinging_block`]: crank, rpr and rpp.
+//!
+//! Longer chains are composed of these mechanically: a bar's points are the joints of the next dyad.
+//! All is inlined into a caller whose dimensions are constants, and what it does not read is never
+//! computed. Nothing is asked but whether the bars reach each other.
+
+pub mod dyads;
+pub mod plane;
+pub mod sine;
+
+mod sliding;
+
+pub use dyads::{CrankDyad, Dyad, Joint, crank_dyad, dyad};
+pub use plane::{Bar, Moving, Vector};
+pub use sine::cos_sin;
+pub use sliding::swinging_block;
+
+/// a·b + c, fused where the target has the instruction.
+#[inline(always)]
+pub(crate) fn fused(a: f64, b: f64, c: f64) -> f64 {
+    if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
+}
