@@ -84,17 +84,19 @@ fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> (Vec<Answer>, 
         if entry.takes_cosine() && at_cosine.is_none() {
             continue;
         }
-        // Where an angle's cosine and sine are enough, nobody asks for formulas of the angle itself.
+        // Where an angle's cosine and sine are enough, nobody asks for formulas of the angle itself; but
+        // how clear of its limits a search is, is followed by the angle.
         let goes_by_cosine = entry.takes_cosine()
-            || matches!(entry.result, Shape::Matrix { .. })
-            || interface.of_cosine(entry).is_some();
+            || mechanism.unknowns.is_empty()
+                && (matches!(entry.result, Shape::Matrix { .. })
+                    || interface.of_cosine(entry).is_some());
         let kinematics = at_cosine.filter(|_| goes_by_cosine).unwrap_or_else(free);
         if entry.needs_mass() && !forces::every_input_moves_mass(kinematics) {
             continue;
         }
         answers.push(Answer { entry: entry.name, sinks: sinks(&interface, entry, kinematics) });
     }
-    let made = bare.on_circle.iter().chain(made.get());
+    let made = made.get().into_iter().chain(&bare.on_circle);
     let closures = made.flat_map(|kinematics| &kinematics.closures).copied().collect();
     (answers, closures)
 }
