@@ -31,16 +31,16 @@ pub use crate::sketch::{Drawn, Film, Made, Plan, Sketch, place, place_open};
 pub use crate::slow_path::{diagnose, diagnose_all};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfEnergy, OfEquationsOfMotion, OfForces, OfForwardDynamics, OfMotion,
-    OfPosition, OfStatics, OfVelocity, Progress, Series, Status, sweep,
+    OfPosition, OfStatics, OfVelocity, Poses as Lanes, Progress, Series, Status, sweep,
 };
 pub use crate::tracker::{Clearance, Modes};
 pub use crate::with_ad_ as with_ad;
 pub use crate::with_sketch_ as with_sketch;
 pub use crate::{
     AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, ForcesCost, Fusion,
-    GuideForce, LaneMask, Lanes, Mask, Mechanism, Operations, Point, Real, Record, Scalar,
-    SearchCost, SearchingCost, SearchingForcesCost, Sense, Shaking, Side, Slide,
-    SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError,
+    GuideForce, LaneMask, Mask, Mechanism, Operations, Point, Real, Record, Scalar, SearchCost,
+    SearchingCost, SearchingForcesCost, Sense, Shaking, Side, Slide, SlidingAcceleration,
+    SlidingDirection, SlidingVelocity, SolveError,
 };
 #[cfg(feature = "sketch")]
 pub use core::iter::IntoIterator;

@@ -3,8 +3,8 @@
 use std::vec;
 use std::vec::Vec;
 
-use super::{Entry, LengthMismatch, OfPosition, REPORT_EVERY, Series, Status, sweep};
-use crate::{Float, Fusion, LaneMask, Lanes, Scalar, SolveError};
+use super::{Entry, LengthMismatch, OfPosition, Poses, REPORT_EVERY, Series, Status, sweep};
+use crate::{Float, Fusion, LaneMask, Scalar, SolveError};
 
 /// √(x·scale), and half of it.
 struct Root;
@@ -14,10 +14,10 @@ const REFUSED: SolveError = SolveError::Singular { group: "root" };
 impl<T: Float> Entry<OfPosition, T, 2, 2> for Root {
     fn solve_lanes<const W: usize, F: Fusion>(
         &self,
-        [x, scale]: [Lanes<T, W, F>; 2],
-    ) -> ([Lanes<T, W, F>; 2], LaneMask<W>) {
+        [x, scale]: [Poses<T, W, F>; 2],
+    ) -> ([Poses<T, W, F>; 2], LaneMask<W>) {
         let root = (x * scale).sqrt();
-        ([root, root * Lanes::lit(0.5, 0.5)], root.gt(Lanes::lit(0.0, 0.0)))
+        ([root, root * Poses::lit(0.5, 0.5)], root.gt(Poses::lit(0.0, 0.0)))
     }
 
     /// Unlike the lanes, it also knows the root of zero.
