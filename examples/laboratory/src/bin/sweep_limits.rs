@@ -39,11 +39,12 @@ impl<const DIVISIONS: u32, const ROOTS: u32> Entry<OfDivider, f64, 1, 1>
         let literal = |value: f64| Lanes::<f64, W, F>::lit(value, value as f32);
         let mut sum = x;
         // Different numbers each time, so that none is a copy of another: 1/(x + 1), 2/(x + 2), …
-        for nth in 1..=DIVISIONS {
-            sum = sum + literal(f64::from(nth)) / (x + literal(f64::from(nth)));
+        for nth in 0..DIVISIONS {
+            let nth = literal(f64::from(nth) + 1.0);
+            sum = sum + nth / (x + nth);
         }
-        for nth in 1..=ROOTS {
-            sum = sum + (x + literal(0.5 + f64::from(nth))).sqrt();
+        for nth in 0..ROOTS {
+            sum = sum + (x + literal(f64::from(nth) + 0.5)).sqrt();
         }
         ([sum], <LaneMask<W> as Mask>::ALL)
     }
