@@ -67,7 +67,7 @@ pub(super) fn put<T: Float, F: Fusion, const OUT: usize>(
 #[inline(always)]
 fn put_all<T: Float, F: Fusion>(values: &[Poses<T, 1, F>], columns: &mut [Column<T>], pose: usize) {
     for (column, value) in columns.iter_mut().zip(values) {
-        let ([value], place) = (value.to_array(), column.0.get_mut(pose).into_iter());
+        let ([value], place) = (value.into_array(), column.0.get_mut(pose).into_iter());
         place.for_each(|to| *to = value);
     }
 }

@@ -31,7 +31,7 @@ impl<T: Copy, const W: usize, F> Poses<T, W, F> {
     }
 
     #[inline(always)]
-    pub(super) const fn to_array(self) -> [T; W] {
+    pub(super) const fn into_array(self) -> [T; W] {
         self.lanes.to_array()
     }
 }
