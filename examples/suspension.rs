@@ -1,6 +1,7 @@
 //! A double wishbone, driven by the wheel's travel: the chain is a crank and a dyad, but what drives it
 //! is a point at its end. The lower arm's angle is the unknown, the wheel's height its equation; driven
-//! by the arm's angle the same machine goes through the same poses.
+//! by the arm's angle the same machine goes through the same poses. What its strut does is felt at the
+//! wheel: the effort of the wheel's height is the load.
 
 use charts::{COLOURS, Curve, Panel};
 use linkage_core::{SolveError, mechanism};
@@ -12,6 +13,8 @@ mechanism! {
         input z: length;
 
         ground A(0, 200mm), D(50mm, 450mm);
+        /// Where the strut hangs on the body.
+        ground S(130mm, 640mm);
 
         unknown theta: angle between (-25deg, 25deg);
         crank lower(A) -> B             { length: 380mm, angle: theta }
@@ -21,7 +24,10 @@ mechanism! {
         point tyre on kingpin at (-180mm, -60mm);
         solve theta { W.y = z, mode: rising }
 
-        output theta, W, tyre, kingpin.angle, lower.angle, upper.angle, B, C;
+        point E on lower at (270mm, 0);
+        spring strut between E and S { stiffness: 42(N/mm), free_length: 600mm, damping: 2800(N*s/m) }
+
+        output theta, z.drive, W, tyre, kingpin.angle, lower.angle, upper.angle, B, C;
     }
 }
 
@@ -56,8 +62,8 @@ fn roll_centre(p: &ByTheWheelPosition<f64>) -> f64 {
 fn main() -> Result<(), SolveError> {
     let (car, arm) = (ByTheWheel::new(), ByTheArm::new());
     println!("{}\n", ByTheWheel::COST);
-    println!("travel     camber   camber gain   scrub   roll centre      arm");
-    println!("    mm        deg        deg/mm      mm            mm      deg");
+    println!("travel     camber   camber gain   scrub   roll centre      arm   load");
+    println!("    mm        deg        deg/mm      mm            mm      deg      N");
     let middle = car.position(0.33)?;
     let mut apart = 0.0_f64;
     let mut curves = [vec![], vec![], vec![], vec![]];
@@ -83,7 +89,11 @@ fn main() -> Result<(), SolveError> {
         }
         if step % 10 == 0 {
             let degrees = p.theta.to_degrees();
-            println!("{step:6} {camber:10.4} {gain:13.5} {scrub:7.3} {centre:13.3} {degrees:8.3}");
+            // What the road pushes up with, since nothing has mass.
+            let load = car.statics(0.33 + travel)?.z.drive;
+            println!(
+                "{step:6} {camber:10.4} {gain:13.5} {scrub:7.3} {centre:13.3} {degrees:8.3} {load:6.0}"
+            );
         }
     }
     println!("\nDriven by the arm it is the same to {apart:.1e}.");

@@ -4,9 +4,21 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-/// Examples that have folders of their own: their files with declarations.
-const FOLDERS: [&str; 3] =
-    ["electronic_cam/cam.rs", "calibration/src/machine.rs", "function_generator/src/generator.rs"];
+/// Examples that have folders of their own: their files with declarations, and what each is called.
+const FOLDERS: [(&str, &str); 12] = [
+    ("electronic_cam/cam.rs", "electronic_cam"),
+    ("calibration/src/machine.rs", "calibration"),
+    ("function_generator/src/generator.rs", "function_generator"),
+    ("function_generator/src/bin/counterweight.rs", "counterweight"),
+    ("dynamics/src/bin/andrews_squeezer/main.rs", "andrews_squeezer"),
+    ("dynamics/src/bin/cart/main.rs", "cart"),
+    ("dynamics/controller/lib.rs", "computed_torque"),
+    ("dynamics/src/bin/crane.rs", "crane"),
+    ("dynamics/src/bin/dead_point/main.rs", "dead_point"),
+    ("dynamics/src/bin/parallelograms.rs", "parallelograms"),
+    ("dynamics/src/bin/run_up.rs", "run_up"),
+    ("dynamics/src/bin/vibration/main.rs", "vibration"),
+];
 
 fn main() {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -14,15 +26,15 @@ fn main() {
     let entries = fs::read_dir(&examples).expect("the examples are there");
     let single = entries.map(|entry| entry.expect("the folder can be read").path());
     let single = single.filter(|path| path.extension().is_some_and(|end| end == "rs"));
-    let files = single.chain(FOLDERS.map(|file| examples.join(file)));
-    let mut files: Vec<PathBuf> = files.collect();
+    let single = single.map(|path| (stem(&path), path));
+    let folders = FOLDERS.map(|(file, name)| (name.to_string(), examples.join(file)));
+    let mut files: Vec<(String, PathBuf)> = single.chain(folders).collect();
     files.sort();
     let (mut modules, mut names) = (String::new(), String::new());
-    for file in files {
+    for (module, file) in files {
         let text = fs::read_to_string(&file).expect("the example can be read");
         let declarations = declarations(&text);
         if !declarations.is_empty() {
-            let module = module(&examples, &file);
             writeln!(modules, "/// The example's.\npub mod {module} {{ use linkage_core::mechanism; {declarations} }}")
                 .expect("a string takes everything");
             for name in structs(&declarations) {
@@ -37,17 +49,13 @@ fn main() {
 }
 
 /// The name of the example.
-fn module(examples: &Path, file: &Path) -> String {
-    let below = file.strip_prefix(examples).expect("the file is below");
-    let first = below.components().next().expect("it has a name").as_os_str();
-    first.to_string_lossy().trim_end_matches(".rs").to_string()
+fn stem(file: &Path) -> String {
+    file.file_stem().expect("it has a name").to_string_lossy().into_owned()
 }
 
-/// What is declared, but for mechanisms in which something is searched: those have no drawings.
+/// What is declared.
 fn structs(declarations: &str) -> impl Iterator<Item = &str> {
     let behind = declarations.split("pub struct ").skip(1);
-    let behind =
-        behind.filter(|behind| !behind.lines().any(|line| line.trim().starts_with("solve ")));
     behind.filter_map(|behind| behind.split(|c: char| !c.is_alphanumeric()).next())
 }
 

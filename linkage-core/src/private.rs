@@ -27,7 +27,9 @@ pub use crate::find::unknown::root;
 pub use crate::find::{FindError, Trend};
 pub use crate::resolver::{found_on_circle, on_circle};
 #[cfg(feature = "sketch")]
-pub use crate::sketch::{Drawn, Film, Made, Plan, Sketch, place, place_open};
+pub use crate::sketch::{
+    Applied, Drawn, Film, Made, Plan, Sketch, Spring, applied, followed, place, place_open,
+};
 pub use crate::slow_path::{diagnose, diagnose_all};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfEnergy, OfEquationsOfMotion, OfForces, OfForwardDynamics, OfMotion,

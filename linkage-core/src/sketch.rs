@@ -30,6 +30,12 @@
 //! assembled is a gap of the film, never bridged: how far the links of the failed group reach is
 //! shown instead, and what is missing between them.
 //!
+//! Springs and dampers between two points are drawn as such, torsion springs are not. Of forces a path of
+//! inputs says nothing: their values may hold loads and rates, so the solver's results are handed in.
+//! `film.applied(path.map(|q| solver.applied(q, rate, load)))` draws what the declaration's `force`
+//! statements put on points, `film.reactions(path.map(|q| solver.statics(q, load)))` the reactions of
+//! joints that its outputs ask for, `film.force("P", …)` any other. Couples have no arrows.
+//!
 //! Lengths are in metres, coordinates those of the ground, forces in newtons. Pictures are at most
 //! 720 pixels wide and 640 high, but for texts, to one scale in both directions.
 
@@ -47,6 +53,7 @@ mod placing;
 mod plan;
 mod scene;
 mod shapes;
+mod springs;
 mod still;
 mod style;
 mod svg;
@@ -55,9 +62,9 @@ mod traces;
 
 pub use error::SketchError;
 pub use film::{Film, FilmGap};
-pub use plan::Drawn;
+pub use plan::{Applied, Drawn};
 #[doc(hidden)]
-pub use plan::{Made, Plan, place, place_open};
+pub use plan::{Made, Plan, Spring, applied, followed, place, place_open};
 pub use still::{Sketch, Still};
 pub use style::{Palette, Theme, Unit};
 pub use svg::View;

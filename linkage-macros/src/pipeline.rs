@@ -20,8 +20,6 @@ pub(crate) fn compile(source: TokenStream, is_drawn: bool) -> TokenStream {
     let declaration = syntax::parse(source, &mut diagnostics);
     match resolved(declaration.as_ref(), diagnostics) {
         Ok(mechanism) => {
-            // A film follows the motion through changes of mode, which nothing that is searched does.
-            let is_drawn = is_drawn && mechanism.unknowns.is_empty();
             let placing = is_drawn.then(|| placing(&mechanism));
             code(&mechanism, &program(&mechanism), placing.as_ref())
         }
@@ -76,6 +74,9 @@ pub(crate) fn stand_in(declaration: &Declaration, is_drawn: bool) -> TokenStream
     // Whether the one input is a driver's bare angle is not known; a method too many says nothing.
     let answers = interface.entries.iter();
     let answers = answers.map(|entry| (entry.name, interface.numbers(entry.result)));
-    let nothing = is_drawn.then(|| Program::of_zeros([(equations::placing::ENTRY, 0)].into_iter()));
+    let is_pushed = declaration.statements.iter().any(|statement| statement.kind.is_force());
+    let applied = is_pushed.then_some((equations::placing::APPLIED, 0));
+    let drawn = [(equations::placing::ENTRY, 0)].into_iter().chain(applied);
+    let nothing = is_drawn.then(|| Program::of_zeros(drawn));
     code(&mechanism, &Program::of_zeros(answers), nothing.as_ref())
 }

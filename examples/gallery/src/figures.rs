@@ -29,7 +29,9 @@ pub fn addresses() -> Result<String, SketchError> {
         let figure: String = figure.chars().map(escaped).collect();
         format!("[{name} drawn]: <data:image/svg+xml,{figure}>\n")
     };
-    Ok(figures(Theme::Light)?.into_iter().map(line).collect::<String>() + "\n")
+    let mut all = figures(Theme::Light)?;
+    all.push(("suspension", crate::motions::of_unknowns().to_svg()?));
+    Ok(all.into_iter().map(line).collect::<String>() + "\n")
 }
 
 /// Every figure by the name of its file.

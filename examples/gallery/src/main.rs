@@ -62,6 +62,7 @@ fn committed() -> Result<(), SketchError> {
     for (name, figure) in figures::figures(Theme::Light)? {
         std::fs::write(kept.join(format!("{name}.svg")), figure)?;
     }
+    std::fs::write(kept.join("suspension.svg"), gallery::motions::of_unknowns().to_svg()?)?;
     std::fs::write(kept.join("drawn.md"), figures::addresses()?)?;
     let kept = root.join("examples/gallery/figures");
     std::fs::create_dir_all(&kept)?;

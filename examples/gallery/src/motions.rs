@@ -1,13 +1,15 @@
 //! How every mechanism moves.
 
+mod forced;
+
 use std::f64::consts::{PI, TAU};
 
 use linkage_core::sketch::Film;
 
 use crate::declarations::{
     calibration, crank_rocker_slider, crank_rpp, driving_torque, electronic_cam, excavator,
-    five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, range, shear_bearings,
-    six_bar, six_bar_reactions, slider_crank, suspension, transplanter, whitworth,
+    five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, range, set_point,
+    shear_bearings, six_bar, six_bar_reactions, slider_crank, suspension, transplanter, whitworth,
 };
 
 /// A film and where it is from.
@@ -79,6 +81,8 @@ pub fn pieces() -> Vec<Piece> {
     ];
     pieces.extend(more());
     pieces.extend(designed());
+    pieces.extend(commanded());
+    pieces.extend(forced::pieces());
     pieces
 }
 
@@ -92,6 +96,12 @@ pub fn readme() -> Vec<(&'static str, Film)> {
             (name, piece.film.width(400.0))
         })
         .collect()
+}
+
+/// The film of the page about unknowns.
+pub fn of_unknowns() -> Film {
+    let heights = turn().step_by(4).map(|q| 0.33 - 0.06 * q.cos());
+    suspension::ByTheWheel::new().film(heights).trace("W").trace("tyre").width(360.0)
 }
 
 fn more() -> Vec<Piece> {
@@ -193,6 +203,35 @@ fn designed() -> Vec<Piece> {
     ]
 }
 
+/// What an equation drives.
+fn commanded() -> Vec<Piece> {
+    vec![
+        Piece {
+            name: "suspension::ByTheWheel",
+            text: "A double wishbone by its wheel's travel: the arm's angle is searched.",
+            film: suspension::ByTheWheel::new()
+                .film(turn().map(|q| 0.33 - 0.06 * q.cos()))
+                .trace("W")
+                .trace("tyre"),
+        },
+        Piece {
+            name: "set_point::Press",
+            text: "A press whose ram is commanded: down, a dwell, and up.",
+            film: set_point::Press::new().film(shares().map(commanded_ram)),
+        },
+    ]
+}
+
+/// Where the press's ram is wanted, at a share of its cycle.
+fn commanded_ram(share: f64) -> f64 {
+    let way = match share {
+        _ if share < 0.4 => 0.5 - 0.5 * (PI * share / 0.4).cos(),
+        _ if share < 0.5 => 1.0,
+        _ => 0.5 - 0.5 * (TAU * share).cos(),
+    };
+    0.325 - 0.135 * way
+}
+
 /// Lengths of the excavator's cylinders through the corners of a digging cycle, at rest in each.
 fn digging() -> impl Iterator<Item = [f64; 3]> {
     const CORNERS: [[f64; 3]; 6] = [
@@ -238,7 +277,7 @@ fn loaded() -> Film {
 /// Reactions at rest.
 fn cutting() -> Film {
     let solver = shear_bearings::FlyingShear::new();
-    let film = solver.film(turn()).force("blade", [[0.0, 1e4]]);
+    let film = solver.film(turn()).applied(turn().map(|q| solver.applied(q, 0.0, 1e4)));
     film.reactions(turn().map(|q| solver.statics(q, 1e4)))
 }
 

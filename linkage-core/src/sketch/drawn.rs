@@ -6,11 +6,11 @@ use std::string::String;
 use super::bodies::Body;
 use super::gaps::messages;
 use super::labels;
-use super::picture::{Picture, is_ground, revolutes};
+use super::picture::{Picture, is_ground};
 use super::scene::Spot;
 use super::style::{FONT, HEADING, HEADING_LINE, JOINT, SMALL, text_width, wrapped};
 use super::svg::{Timing, escaped, pair, rigid, short};
-use super::{symbols, traces};
+use super::{springs, symbols, traces};
 
 impl Picture<'_> {
     pub(super) fn colour(&self, link: Option<usize>) -> &'static str {
@@ -47,6 +47,10 @@ impl Picture<'_> {
         svg += &self.standing();
         svg += &self.behind();
         svg += r#"<g fill="none" stroke-linecap="round" stroke-linejoin="round">"#;
+        for (spring, coil) in self.scene.plan.springs.iter().zip(&self.springs) {
+            let [from, to] = spring.ends.map(|end| self.scene.plan.points[end]);
+            svg += &coil.drawn(&escaped(&format!("{from} {to}")), timing, palette);
+        }
         for (nth, body) in self.bodies.iter().enumerate() {
             svg += &self.body(nth, body, timing);
         }
@@ -69,6 +73,8 @@ impl Picture<'_> {
         let supports = self.supports.iter();
         let mut svg: String =
             supports.map(|&(at, way)| symbols::support(at, way, palette)).collect();
+        let walls = self.walls.iter();
+        svg.extend(walls.map(|&(at, way)| springs::wall(at, way, palette)));
         svg.extend(self.rails().into_iter().map(|(seat, ends)| symbols::rail(seat, ends, palette)));
         for (at, radius, swept) in self.cranks() {
             svg += &symbols::crank_circle(at, radius, swept, palette.quiet);
@@ -137,7 +143,7 @@ impl Picture<'_> {
         let (x, y) = at.split_once(' ').unwrap_or_default();
         let is_traced = self.traces.iter().any(|trace| trace.point == point);
         let name = escaped(self.scene.plan.points[point]);
-        match revolutes(self.scene).contains(&point) {
+        match self.pivots().contains(&point) {
             true => format!(
                 r#"<circle data-point="{name}" cx="{x}" cy="{y}" r="{JOINT}" fill="{paper}" stroke="{ink}" stroke-width="1.8"/>"#
             ),

@@ -15,7 +15,7 @@ use super::still::Still;
 use super::style::Theme;
 use super::svg::View;
 use super::{LinkPose, page};
-use crate::{Point, SolveError, Tracker};
+use crate::{Point, SolveError};
 
 /// A mechanism as it moves through a path of inputs.
 ///
@@ -58,10 +58,8 @@ impl Film {
         let mut scene = Scene::new(&PlanOf::<S>::PLAN);
         inputs.iter().for_each(|&q| push(&mut scene, &solver, q, None));
         let follow = move || {
-            let (mut scene, mut tracker) = (Scene::new(&PlanOf::<S>::PLAN), Tracker::new(solver));
-            for &q in &inputs {
-                let error = tracker.position(q).err();
-                let solver = *tracker.solver();
+            let mut scene = Scene::new(&PlanOf::<S>::PLAN);
+            for (&q, (solver, error)) in inputs.iter().zip(solver.followed(&inputs)) {
                 push(&mut scene, &solver, q, error);
             }
             scene
@@ -70,7 +68,8 @@ impl Film {
     }
 
     /// Lets the assembly modes that are parameters follow the motion through change points, as
-    /// [`Tracker`] does.
+    /// [`Tracker`](crate::Tracker) does. A mechanism with `solve` has none, and keeps its modes: between
+    /// its ends an unknown keeps its trend.
     #[must_use]
     pub fn following(mut self) -> Self {
         self.scene = (self.follow)();
@@ -84,11 +83,13 @@ impl Film {
         self
     }
 
-    /// How long the motion takes; 4 s if nothing is said. What is no positive number says nothing.
+    /// How long the motion takes, to the millisecond; 4 s if nothing is said. What is no positive number
+    /// says nothing.
     #[must_use]
     pub fn seconds(mut self, seconds: f64) -> Self {
         if seconds.is_finite() && seconds > 0.0 {
-            self.options.seconds = seconds.clamp(1e-3, 1e6);
+            // As it is written, so that nobody's clock goes otherwise.
+            self.options.seconds = (1e3 * seconds.clamp(1e-3, 1e6)).round() / 1e3;
         }
         self
     }
@@ -242,6 +243,8 @@ impl<S: Drawn> PlanOf<S> {
 fn push<S: Drawn>(scene: &mut Scene, solver: &S, q: S::Input, refused: Option<SolveError>) {
     match (refused, solver.place(q)) {
         (None, Ok(numbers)) => scene.push(numbers, None),
-        (Some(error), _) | (None, Err(error)) => scene.push(solver.place_open(q), Some(error)),
+        (Some(error), _) | (None, Err(error)) => {
+            scene.push(solver.place_open(q, error.culprit()), Some(error));
+        }
     }
 }

@@ -12,6 +12,7 @@ use super::style::{Palette, Unit};
 use super::svg::{Seat, Timing, View, fine, rigid, three_digits};
 use super::symbols::moving_arrow;
 use crate::SolveError;
+use crate::shown::Measured;
 
 /// A statement that fails in some poses.
 pub(super) struct Gap {
@@ -189,7 +190,7 @@ pub(super) fn messages(scene: &Scene, unit: Option<Unit>) -> Vec<String> {
     for failure in scene.frames().filter_map(|frame| scene.failure(frame)) {
         let culprit = failure.error.culprit();
         let by = |error: &SolveError| match *error {
-            SolveError::OutOfReach { by, .. } => by,
+            SolveError::OutOfReach { by, .. } | SolveError::NoSolution { by, .. } => by,
             _ => 0.0,
         };
         match found.iter_mut().find(|(name, _)| *name == culprit) {
@@ -202,6 +203,13 @@ pub(super) fn messages(scene: &Scene, unit: Option<Unit>) -> Vec<String> {
     let sentence = |(_, error): (_, SolveError)| match error {
         SolveError::OutOfReach { group, by } => {
             format!("{group}: {} out of reach{at_worst}", distance(by, unit))
+        }
+        SolveError::NoSolution { unknown, by, unit: measure } => {
+            let missing = match measure {
+                "m" => distance(by, unit),
+                unit => Measured { value: by, unit }.to_string(),
+            };
+            format!("{unknown}: no solution between its ends, {missing} missing{at_worst}")
         }
         error => error.to_string(),
     };

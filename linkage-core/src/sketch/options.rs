@@ -4,6 +4,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::film::Film;
+use super::plan::Applied;
 use super::still::Sketch;
 use super::style::{Theme, Unit, WIDTH};
 use crate::{Record, SolveError};
@@ -75,6 +76,20 @@ fn reactions<R: Record<Number = f64>>(
         .collect()
 }
 
+/// The applied forces in the order of the declaration, no numbers where there is no result.
+fn applied(
+    results: impl IntoIterator<Item = Result<Applied, SolveError>>,
+) -> Vec<(String, Vec<[f64; 2]>)> {
+    let results: Vec<_> = results.into_iter().map(Result::ok).collect();
+    let Some(first) = results.iter().flatten().next() else { return Vec::new() };
+    let force = |(nth, (point, _)): (usize, &(&str, _))| {
+        let of = |result: &Option<Applied>| Some(result.as_ref()?.forces.get(nth)?.1);
+        let forces = results.iter().map(|result| of(result).unwrap_or([f64::NAN; 2]));
+        (point.to_string(), forces.collect())
+    };
+    first.forces.iter().enumerate().map(force).collect()
+}
+
 macro_rules! asked_of_a_picture {
     ($($picture:ident)*) => {$(
         impl $picture {
@@ -118,6 +133,18 @@ macro_rules! asked_of_a_picture {
                 results: impl IntoIterator<Item = Result<R, SolveError>>,
             ) -> Self {
                 self.options.forces.extend(reactions(results));
+                self
+            }
+
+            /// Draws the forces that the declaration puts on points, one result of the solver's `applied`
+            /// for each pose. They are asked of the solver, since their values may hold loads and rates,
+            /// of which a path of inputs says nothing. Torques have no arrows.
+            #[must_use]
+            pub fn applied(
+                mut self,
+                results: impl IntoIterator<Item = Result<Applied, SolveError>>,
+            ) -> Self {
+                self.options.forces.extend(applied(results));
                 self
             }
 

@@ -11,6 +11,7 @@ use super::labels::Placed;
 use super::options::Options;
 use super::plan::Made;
 use super::scene::{Scene, Spot};
+use super::springs::{Coil, springs, wall_box};
 use super::style::{HEADING, HEADING_LINE, HEIGHT, MARGIN, Palette, text_width, wrapped};
 use super::svg::View;
 use super::symbols;
@@ -27,7 +28,10 @@ pub(super) struct Picture<'s> {
     pub(super) traces: Vec<Trace>,
     pub(super) forces: Vec<Force>,
     pub(super) gaps: Vec<Gap>,
+    pub(super) springs: Vec<Coil>,
     pub(super) supports: Vec<(Spot, f64)>,
+    /// Where springs stand on walls, and which way these look.
+    pub(super) walls: Vec<(Spot, f64)>,
     pub(super) arcs: Vec<(Spot, f64, bool)>,
     pub(super) labels: Vec<Placed>,
     pub(super) page: Spot,
@@ -53,7 +57,9 @@ impl<'s> Picture<'s> {
             traces: Vec::new(),
             forces: Vec::new(),
             gaps: Vec::new(),
+            springs: Vec::new(),
             supports: Vec::new(),
+            walls: Vec::new(),
             arcs: Vec::new(),
             labels: Vec::new(),
             page: [0.0; 2],
@@ -79,6 +85,10 @@ impl<'s> Picture<'s> {
         for _ in 0..6 {
             self.make()?;
             let [width, height] = self.extent().size();
+            // One point fits at any scale.
+            if width.max(height) < 1.0 {
+                break;
+            }
             let ratio = (room[0] / width.max(1.0)).min(room[1] / height.max(1.0));
             if (ratio - 1.0).abs() < 1e-3 {
                 break;
@@ -94,6 +104,7 @@ impl<'s> Picture<'s> {
     fn make(&mut self) -> Result<(), SketchError> {
         let (scene, view) = (self.scene, self.view);
         self.bodies = bodies(scene, view);
+        self.springs = springs(scene, view);
         let trace = |name: &String| {
             traces::point(scene.plan, name).map(|point| Trace::new(scene, view, point))
         };
@@ -129,7 +140,8 @@ impl<'s> Picture<'s> {
         }
         let gaps = self.gaps.iter().map(Gap::extent);
         let forces = self.forces.iter().map(Force::extent);
-        all = gaps.chain(forces).fold(all, Box2::with);
+        let springs = self.springs.iter().map(Coil::extent);
+        all = gaps.chain(forces).chain(springs).fold(all, Box2::with);
         if all.is_nothing() { Box2::about([0.0; 2], [60.0; 2]) } else { all }
     }
 
@@ -169,7 +181,8 @@ impl<'s> Picture<'s> {
         let supports = self.supports.iter().map(|&(at, way)| symbols::support_box(at, way));
         let rails = self.rails().into_iter();
         let rails = rails.flat_map(|(seat, ends)| symbols::rail_boxes(seat, ends));
-        let shown = texts.chain(supports).chain(rails).fold(self.extent(), Box2::with);
+        let walls = self.walls.iter().map(|&(at, way)| wall_box(at, way));
+        let shown = texts.chain(supports).chain(rails).chain(walls).fold(self.extent(), Box2::with);
         let content = self.extent();
         // Texts and supports may stand in the margin, but not at its end.
         let low = [0, 1].map(|axis| (content.low[axis] - MARGIN).min(shown.low[axis] - EDGE));
@@ -186,12 +199,14 @@ impl<'s> Picture<'s> {
         let moved = |at: Spot| [at[0] + by[0], at[1] + by[1]];
         self.view.origin = moved(self.view.origin);
         self.bodies = bodies(self.scene, self.view);
+        self.springs = springs(self.scene, self.view);
         self.gaps = gaps(self.scene, self.view);
         self.traces
             .iter_mut()
             .for_each(|trace| *trace = Trace::new(self.scene, self.view, trace.point));
         self.forces.iter_mut().for_each(|force| force.shift(by));
         self.supports.iter_mut().for_each(|support| support.0 = moved(support.0));
+        self.walls.iter_mut().for_each(|wall| wall.0 = moved(wall.0));
         self.arcs.iter_mut().for_each(|arc| arc.0 = moved(arc.0));
         self.labels.iter_mut().for_each(|label| label.shift(by));
     }

@@ -9,6 +9,7 @@ use super::labels::{self, Label, Obstacles};
 use super::picture::{Picture, is_ground, revolutes};
 use super::plan::Made;
 use super::scene::Spot;
+use super::springs::{Coil, wall_box};
 use super::style::JOINT;
 use super::symbols::{self, WAYS};
 use super::traces::{self, Trace};
@@ -27,7 +28,15 @@ impl Picture<'_> {
 
     pub(super) fn place_supports(&mut self) {
         let (scene, samples) = (self.scene, self.samples());
-        let pivots = revolutes(scene).into_iter().filter(|&point| is_ground(scene, point));
+        for (end, coil) in self.spring_ends() {
+            let way = coil.wall(end).filter(|_| !self.pivots().contains(&end));
+            if let (Some(way), Some(at)) = (way, scene.point(0, end)) {
+                self.walls.push((self.view.pixels(at), way));
+            }
+        }
+        let mut pivots = self.pivots();
+        pivots.retain(|&point| is_ground(scene, point));
+        let pivots = pivots.into_iter();
         let pivots: Vec<Spot> =
             pivots.filter_map(|point| Some(self.view.pixels(scene.point(0, point)?))).collect();
         let obstacles = self.obstacles_in(&samples);
@@ -52,6 +61,24 @@ impl Picture<'_> {
             self.supports.extend(best.map(|(way, _)| (at, way)));
         }
         self.place_arcs(&obstacles);
+    }
+
+    /// The points at which links turn, and on which springs do.
+    pub(super) fn pivots(&self) -> Vec<usize> {
+        let mut pivots = revolutes(self.scene);
+        let springs = self.spring_ends().into_iter();
+        let turning = springs.filter(|(end, coil)| coil.wall(*end).is_none());
+        pivots.extend(turning.map(|(end, _)| end));
+        pivots.sort_unstable();
+        pivots.dedup();
+        pivots
+    }
+
+    /// The ends of springs that are points of the ground.
+    fn spring_ends(&self) -> Vec<(usize, Coil)> {
+        let springs = self.scene.plan.springs.iter().zip(&self.springs);
+        let ends = springs.flat_map(|(spring, coil)| spring.ends.map(|end| (end, coil.clone())));
+        ends.filter(|&(end, _)| is_ground(self.scene, end)).collect()
     }
 
     /// Arrows beside the pivots of cranks, where they cover least.
@@ -103,6 +130,7 @@ impl Picture<'_> {
         }
         let supports = self.supports.iter();
         obstacles.boxes.extend(supports.map(|&(at, way)| symbols::support_box(at, way)));
+        obstacles.boxes.extend(self.walls.iter().map(|&(at, way)| wall_box(at, way)));
         for &(at, middle, _) in &self.arcs {
             let points = symbols::arc_points(at, middle);
             // A text there would be read as part of the arrow.
@@ -120,6 +148,9 @@ impl Picture<'_> {
                 obstacles.lines.extend(sides);
             }
         }
+        let springs = self.springs.iter();
+        let springs = springs.filter_map(|coil| Some((coil.line(frame)?, coil.half_width())));
+        obstacles.lines.extend(springs);
         let points = 0..self.scene.plan.points.len();
         let points = points.filter_map(|point| self.scene.point(frame, point));
         obstacles.joints.extend(points.map(|at| self.view.pixels(at)));

@@ -9,10 +9,13 @@ use crate::diagnosis::finite_result;
 use crate::find::FindError;
 use crate::slow_path::conditions_met;
 use crate::tracker::Modes;
-use crate::{Scalar, SolveError};
+use crate::{Scalar, SolveError, Tracker};
 
 /// A solver that can be drawn; implemented by generated code.
-pub trait Drawn: Modes<Scalar = f64> {
+pub trait Drawn: Copy {
+    /// Its input: a number, or a record of several.
+    type Input: Copy;
+
     /// What was declared.
     const PLAN: Plan;
 
@@ -22,8 +25,15 @@ pub trait Drawn: Modes<Scalar = f64> {
     /// The first group that cannot be assembled.
     fn place(&self, q: Self::Input) -> Result<Vec<f64>, SolveError>;
 
-    /// The same whatever fails: what hangs on a failed group is no number.
-    fn place_open(&self, q: Self::Input) -> Vec<f64>;
+    /// The same whatever fails: what hangs on a failed group is no number, nor what hangs on the unknown
+    /// of this name.
+    fn place_open(&self, q: Self::Input, without: &'static str) -> Vec<f64>;
+
+    /// The solver of each pose of a path, its modes following the motion, and what refuses the pose.
+    /// Without a [`Tracker`] all keep the modes that there are.
+    fn followed(self, path: &[Self::Input]) -> Vec<(Self, Option<SolveError>)> {
+        path.iter().map(|_| (self, None)).collect()
+    }
 }
 
 /// The declaration, every name a place in the lists of names.
@@ -41,6 +51,17 @@ pub struct Plan {
     pub guides: &'static [&'static str],
     /// What places them, in solving order.
     pub statements: &'static [Made],
+    /// Springs and dampers between two points.
+    pub springs: &'static [Spring],
+}
+
+/// A spring, a damper, or both, between two points.
+#[derive(Clone, Copy, Debug)]
+pub struct Spring {
+    /// Its ends.
+    pub ends: [usize; 2],
+    /// Whether it has a stiffness, and whether it has a damping.
+    pub kinds: [bool; 2],
 }
 
 /// A statement: links, then what they stand on, then the pin.
@@ -201,17 +222,22 @@ impl Layout {
 
 /// Goes on whatever a condition says.
 #[derive(Clone, Copy, Debug)]
-pub struct Regardless;
+pub struct Regardless {
+    /// An unknown that counts as not found: where its equation jumps there is a place, but no root.
+    without: &'static str,
+}
 
 impl Checks<f64> for Regardless {
     fn root(
         &mut self,
         found: Result<[f64; 2], FindError>,
-        _: &'static str,
+        unknown: &'static str,
         _: &'static str,
     ) -> (f64, f64) {
-        let [at, size] = found.unwrap_or([f64::NAN; 2]);
-        (at, size)
+        match found {
+            Ok([at, size]) if unknown != self.without => (at, size),
+            _ => (f64::NAN, f64::NAN),
+        }
     }
 
     fn closed(&mut self, _: f64, _: f64, _: &'static str, _: &'static str) {}
@@ -237,7 +263,57 @@ pub fn place<const N: usize>(
     Ok(placed.into())
 }
 
+/// What [`Drawn::followed`] does where there is a tracker.
+pub fn followed<S: Modes<Scalar = f64>>(
+    solver: S,
+    path: &[S::Input],
+) -> Vec<(S, Option<SolveError>)> {
+    let mut tracker = Tracker::new(solver);
+    let poses = path.iter().map(|&q| {
+        let error = tracker.position(q).err();
+        (*tracker.solver(), error)
+    });
+    poses.collect()
+}
+
+/// The forces that a declaration puts on points: what a solver's `applied` gives, and a film's draws.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Applied {
+    pub(super) forces: Vec<(&'static str, [f64; 2])>,
+}
+
+impl Applied {
+    /// Each with its point, in newtons in ground axes, in the order of the declaration.
+    #[must_use]
+    pub fn forces(&self) -> &[(&'static str, [f64; 2])] {
+        &self.forces
+    }
+}
+
+/// What a solver's `applied` does with the formulas: x and y of one force after the other, given the
+/// points that they act on.
+///
+/// # Errors
+/// Those of [`place`].
+pub fn applied<const N: usize>(
+    plan: &Plan,
+    points: &[usize],
+    given: &[(f64, &'static str)],
+    formulas: impl FnOnce(&mut FirstError) -> [f64; N],
+) -> Result<Applied, SolveError> {
+    let numbers = conditions_met(given, formulas)?;
+    let names = points.iter().map(|&point| plan.points[point]);
+    let forces = names.zip(numbers.chunks_exact(2)).map(|(name, force)| {
+        force.iter().try_for_each(|&number| finite_result(number, name, given))?;
+        Ok((name, [force[0], force[1]]))
+    });
+    Ok(Applied { forces: forces.collect::<Result<_, _>>()? })
+}
+
 /// What [`Drawn::place_open`] does with the formulas.
-pub fn place_open<const N: usize>(formulas: impl FnOnce(&mut Regardless) -> [f64; N]) -> Vec<f64> {
-    formulas(&mut Regardless).into()
+pub fn place_open<const N: usize>(
+    without: &'static str,
+    formulas: impl FnOnce(&mut Regardless) -> [f64; N],
+) -> Vec<f64> {
+    formulas(&mut Regardless { without }).into()
 }

@@ -82,6 +82,11 @@ pub(super) const JOINT: f64 = 4.6;
 pub(super) const BLOCK: [f64; 2] = [26.0, 17.0];
 /// Height of a tube.
 pub(super) const TUBE: f64 = 14.0;
+/// Half of what a spring's coils and a damper's cylinder take across.
+pub(super) const ZIGZAG: f64 = 6.0;
+pub(super) const DAMPER: f64 = 6.0;
+/// A wall that a spring stands on.
+pub(super) const WALL: f64 = 34.0;
 /// A support: half the base of its triangle, its height, half the base line.
 pub(super) const SUPPORT: [f64; 3] = [10.0, 17.0, 17.0];
 /// What a guide is longer than the travel of its blocks' middles, at both ends.

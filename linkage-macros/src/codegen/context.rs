@@ -20,6 +20,8 @@ pub(super) struct Context<'a> {
     pub interface: &'a Interface,
     pub paths: Paths,
     pub names: Names,
+    /// Whether nothing but `f64` is computed with, so that constants are plain numbers.
+    is_double: bool,
 }
 
 impl<'a> Context<'a> {
@@ -27,7 +29,15 @@ impl<'a> Context<'a> {
         let names = Names::new(mechanism);
         let records = lowered.interface.records.iter().map(|record| record.name.to_string());
         let paths = Paths::new(mechanism, records.chain([names.solver.to_string()]).collect());
-        Self { mechanism, lowered, interface: &lowered.interface, paths, names }
+        let interface = &lowered.interface;
+        Self { mechanism, lowered, interface, paths, names, is_double: false }
+    }
+
+    /// For code that computes in `f64` alone.
+    pub(super) fn in_double(mechanism: &'a Mechanism, lowered: &'a Lowered<'a>) -> Self {
+        let cx = Self::new(mechanism, lowered);
+        let names = Names { scalar: cx.paths.imported("f64"), ..cx.names };
+        Self { names, is_double: true, ..cx }
     }
 
     pub(super) fn program(&self) -> &'a Program {
@@ -99,11 +109,19 @@ impl<'a> Context<'a> {
 
     /// A function of the type parameter, which nothing but its bound can provide.
     pub(super) fn scalar(&self, function: &str) -> Tokens {
-        Tokens::path(self.names.scalar.clone(), function_name(function))
+        // `f64` has functions of its own by these names, which are each platform's.
+        let of = match self.is_double {
+            true => self.paths.imported("Scalar"),
+            false => self.names.scalar.clone(),
+        };
+        Tokens::path(of, function_name(function))
     }
 
     /// A constant as the type parameter's number, rounded to each width.
     pub(super) fn literal(&self, wide: f64, narrow: f32) -> Tokens {
+        if self.is_double {
+            return literal(wide);
+        }
         let (lit, wide, narrow) = (self.scalar("lit"), literal(wide), literal(narrow));
         quote!(#lit(#wide, #narrow)).into()
     }

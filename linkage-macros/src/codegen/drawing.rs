@@ -6,31 +6,31 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::formulas;
 use super::identifiers::{generated, text};
+use super::{formulas, searches};
 use crate::interface::entries::Given;
 use crate::lower::routine::Lowered;
+use crate::model::dynamics::{Ends, Force, Spring};
 use crate::model::mechanism::{Carrier, Length, Mechanism, Step};
 
 /// Nothing where the run-time crate has no feature `sketch`: Cargo may turn the macro's on for
 /// another build of that crate.
 pub(super) fn items(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStream {
-    let cx = Context::new(mechanism, lowered);
-    let (with_sketch, name, scalar) =
+    let cx = Context::in_double(mechanism, lowered);
+    let (with_sketch, name, float) =
         (cx.paths.item("with_sketch"), &cx.names.solver, &cx.names.scalar);
-    let (any, float) = (cx.paths.item("Scalar"), cx.paths.item("f64"));
-    let (formulas, drawn, methods) = (formulas::functions(&cx), drawn(&cx), methods(&cx));
+    let (formulas, searches) = (formulas::functions(&cx), searches::functions(&cx));
+    let (drawn, methods, applied) = (drawn(&cx), methods(&cx), applied(&cx));
     quote! {
         #with_sketch! {
-            impl<#scalar: #any> #name<#scalar> { #formulas }
+            impl #name<#float> { #methods #applied #formulas #searches }
             #drawn
-            impl #name<#float> { #methods }
         }
     }
 }
 
 fn drawn(cx: &Context<'_>) -> TokenStream {
-    let (name, float) = (&cx.names.solver, cx.paths.item("f64"));
+    let (name, float) = (&cx.names.solver, &cx.names.scalar);
     let path = |name| cx.paths.item(name);
     let [drawn, plan_type, vec, result, error, place, place_open] =
         ["Drawn", "Plan", "Vec", "Result", "SolveError", "place", "place_open"].map(path);
@@ -39,12 +39,14 @@ fn drawn(cx: &Context<'_>) -> TokenStream {
     let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
     let given = routine.reads.iter().filter_map(read);
     let given: Vec<_> = given.map(|(value, label)| quote!((#value, #label))).collect();
-    let (q, checks, input) = (&arguments.names()[0], generated("checks_"), cx.input(&float));
+    let (q, checks, input) = (&arguments.names()[0], generated("checks_"), cx.input(float));
     let formulas = formulas::Call { routine: 0, stage: 0 }.under(cx, &quote!(#checks));
+    let (without, str_) = (generated("without_"), cx.paths.item("str"));
     let unused = given.is_empty().then(|| quote!(let _ = #q;));
-    let plan = plan(cx);
+    let (plan, followed) = (plan(cx), followed(cx));
     quote! {
         impl #drawn for #name<#float> {
+            type Input = #input;
             const PLAN: #plan_type = #plan;
 
             fn place(&self, #q: #input) -> #result<#vec<#float>, #error> {
@@ -52,11 +54,27 @@ fn drawn(cx: &Context<'_>) -> TokenStream {
                 #place(&Self::PLAN, &[#(#given),*], |#checks| #formulas)
             }
 
-            fn place_open(&self, #q: #input) -> #vec<#float> {
-                #place_open(|#checks| #formulas)
+            fn place_open(&self, #q: #input, #without: &'static #str_) -> #vec<#float> {
+                #place_open(#without, |#checks| #formulas)
             }
+
+            #followed
         }
     }
+}
+
+/// Only what has a tracker follows its motion; all else keeps its modes.
+fn followed(cx: &Context<'_>) -> Option<TokenStream> {
+    let (inputs, input) = (generated("path_"), cx.input(&cx.names.scalar));
+    let [vec, option, error, followed] =
+        ["Vec", "Option", "SolveError", "followed"].map(|name| cx.paths.item(name));
+    (!cx.searches()).then(|| {
+        quote! {
+            fn followed(self, #inputs: &[#input]) -> #vec<(Self, #option<#error>)> {
+                #followed(self, #inputs)
+            }
+        }
+    })
 }
 
 fn methods(cx: &Context<'_>) -> TokenStream {
@@ -64,7 +82,7 @@ fn methods(cx: &Context<'_>) -> TokenStream {
     let [into, into_iterator, sketch, film, result, error] =
         ["Into", "IntoIterator", "Sketch", "Film", "Result", "SolveError"].map(path);
     let [q, inputs] = ["q_", "path_"].map(generated);
-    let input = cx.input(&cx.paths.item("f64"));
+    let input = cx.input(&cx.names.scalar);
     quote! {
         /// The mechanism as it stands at the inputs, to be drawn.
         ///
@@ -83,6 +101,38 @@ fn methods(cx: &Context<'_>) -> TokenStream {
     }
 }
 
+/// The forces that the declaration puts on points, where there are any.
+fn applied(cx: &Context<'_>) -> Option<TokenStream> {
+    let routine = cx.lowered.routines.get(1)?;
+    let path = |name| cx.paths.item(name);
+    let [result, record, error, applied, drawn] =
+        ["Result", "Applied", "SolveError", "applied", "Drawn"].map(path);
+    let float = &cx.names.scalar;
+    let number = quote!(#float);
+    let arguments = Arguments::new(cx, routine.given);
+    let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
+    let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
+    let given = routine.reads.iter().filter_map(read);
+    let given: Vec<_> = given.map(|(value, label)| quote!((#value, #label))).collect();
+    let checks = generated("checks_");
+    let formulas = formulas::Call { routine: 1, stage: 0 }.under(cx, &quote!(#checks));
+    let points = cx.mechanism.dynamics.forces.iter().flat_map(|force| match force {
+        Force::At { point, .. } => vec![*point],
+        Force::Between { points, .. } => points.to_vec(),
+    });
+    let points = points.map(|point| self::number(point.0));
+    Some(quote! {
+        /// The forces that the declaration puts on points, for `applied` of a film.
+        ///
+        /// # Errors
+        /// What is given and not finite, and what a force is said by and cannot be assembled.
+        pub fn applied(&self, #(#declared),*) -> #result<#record, #error> {
+            #converted
+            #applied(&<Self as #drawn>::PLAN, &[#(#points),*], &[#(#given),*], |#checks| #formulas)
+        }
+    })
+}
+
 /// Names and statements, ids being places in the lists of names.
 fn plan(cx: &Context<'_>) -> TokenStream {
     let (mechanism, plan) = (cx.mechanism, cx.paths.item("Plan"));
@@ -95,6 +145,7 @@ fn plan(cx: &Context<'_>) -> TokenStream {
     let points = names(mechanism.points.iter().map(|point| &point.name).collect());
     let links = names(mechanism.links.iter().map(|link| &link.name).collect());
     let guides = names(mechanism.guides.iter().map(|guide| &guide.name).collect());
+    let springs = mechanism.dynamics.springs.iter().filter_map(|declared| spring(cx, declared));
     let statements = mechanism.steps.iter().map(|step| statement(cx, step));
     quote! {
         #plan {
@@ -104,8 +155,17 @@ fn plan(cx: &Context<'_>) -> TokenStream {
             links: #links,
             guides: #guides,
             statements: &[#(#statements),*],
+            springs: &[#(#springs),*],
         }
     }
+}
+
+/// What stands between two points.
+fn spring(cx: &Context<'_>, spring: &Spring) -> Option<TokenStream> {
+    let Ends::Points(ends) = spring.ends else { return None };
+    let (item, ends) = (cx.paths.item("Spring"), ends.map(|end| number(end.0)));
+    let kinds = [&spring.stiffness, &spring.damping].map(|number| !number.value.is_zero());
+    Some(quote!(#item { ends: [#(#ends),*], kinds: [#(#kinds),*] }))
 }
 
 fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {

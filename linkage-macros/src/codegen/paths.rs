@@ -106,7 +106,7 @@ impl Paths {
     }
 
     /// What an imported item is called.
-    fn imported(&self, name: &str) -> Ident {
+    pub(super) fn imported(&self, name: &str) -> Ident {
         let clash = if self.own.iter().any(|own| own == name) { "_" } else { "" };
         Ident::new(&format!("{name}{clash}"), Span::call_site())
     }

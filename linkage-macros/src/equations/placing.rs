@@ -4,6 +4,7 @@
 //! It is a program of its own with a graph of its own: more sinks in the solver's graph would
 //! change which of its products are contracted and what is computed when.
 
+use crate::equations::forces;
 use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::symbol::{Sheet, Sym};
 use crate::ir::construct::Rule;
@@ -34,17 +35,27 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     }
     placed.extend(mechanism.steps.iter().flat_map(|step| dimensions(&kinematics, step)));
     let sinks = placed.into_iter().map(|symbol| symbol.id).collect();
+    let mut answers = vec![Answer { entry: ENTRY, sinks }];
+    let forces = forces::declared(&kinematics);
+    if !forces.is_empty() {
+        let numbers = forces.into_iter().flat_map(|(_, force)| [force.x.id, force.y.id]);
+        answers.push(Answer { entry: APPLIED, sinks: numbers.collect() });
+    }
+    let closures = kinematics.closures;
     Program {
         graph: sheet.into_graph(),
-        answers: vec![Answer { entry: ENTRY, sinks }],
+        answers,
         clearances: Vec::new(),
-        closures: Vec::new(),
-        groups: mechanism.groups.iter().map(|group| group.title.clone()).collect(),
+        closures,
+        groups: mechanism.titles(),
     }
 }
 
-/// What the program's only entry is called.
+/// What places everything.
 pub(crate) const ENTRY: &str = "place";
+
+/// What gives the forces that the declaration puts on points: x and y of one after the other.
+pub(crate) const APPLIED: &str = "applied";
 
 /// The lengths and offsets of a statement, in its own order: known also where the group that they
 /// belong to cannot be assembled.

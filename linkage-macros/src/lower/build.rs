@@ -25,7 +25,7 @@ pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<
     let names = program.answers.iter().map(|answer| answer.entry);
     let interface = Interface::of(mechanism).limited_to(names);
     let (plan, locals) = (Plan::of(&interface), locals::named(mechanism, &interface, program));
-    let searches = searches(mechanism, program);
+    let searches = searches(mechanism, program, "root");
     let builder = Builder { program, interface, locals, searches };
     let overflows: Vec<_> = plan.routines.iter().map(|entries| builder.overflow(entries)).collect();
     let routines = plan.routines.iter().zip(&overflows);
@@ -45,18 +45,26 @@ pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<
     Lowered { program, interface, routines, entries, costs, clearances, searches }
 }
 
-/// The only routine of a program that places what is drawn.
+/// The routines of a program that places what is drawn: where everything stands, and the forces on it.
 pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
     // What it takes and returns is no entry point: the records of the solver's own are enough.
     let interface = Interface::of(mechanism).limited_to(std::iter::empty());
-    // What is drawn is not searched.
-    let searches = Vec::new();
+    // The solver's own searches are given other values: those of its own graph.
+    let searches = searches(mechanism, program, "placed_root");
     let builder = Builder { program, interface, locals: Locals::default(), searches };
-    let sinks = &program.answers[0].sinks;
-    let routine = builder.listing("placed_", &[Given::Value], Path::Slow, sinks);
+    let forces: &[Given] = match mechanism.dynamics.loads.is_empty() {
+        true => &[Given::Value, Given::Rate],
+        false => &[Given::Value, Given::Rate, Given::Loads],
+    };
+    let kinds = [("placed_", &[Given::Value][..]), ("forces_applied_", forces)];
+    let routines = kinds
+        .into_iter()
+        .zip(&program.answers)
+        .map(|((name, given), answer)| builder.listing(name, given, Path::Slow, &answer.sinks));
+    let routines = routines.collect();
     let clearances = builder.clearances();
     let Builder { interface, searches, .. } = builder;
-    let (routines, entries, costs) = (vec![routine], Vec::new(), Vec::new());
+    let (entries, costs) = (Vec::new(), Vec::new());
     Lowered { program, interface, routines, entries, costs, clearances, searches }
 }
 
@@ -137,7 +145,11 @@ impl Builder<'_> {
     /// A routine that returns the sinks in a list.
     fn listing(&self, name: &str, given: &'static [Given], path: Path, sinks: &[Id]) -> Routine {
         let mut schedule = Schedule::new(self.graph(), &self.locals, path, None, &self.searches);
-        let statements = schedule.stage(sinks);
+        let needed = match path {
+            Path::Unchecked => sinks.to_vec(),
+            Path::Fast | Path::Slow => self.program.with_closures(sinks),
+        };
+        let statements = schedule.stage(&needed);
         let locals = locals::with_letters(&self.locals, self.graph(), &statements);
         let kept = schedule.read(sinks.iter().copied());
         let statements = lay_out(&schedule, statements, &kept);

@@ -11,8 +11,8 @@ use crate::ir::liveness::{Path, trial_nodes, tried};
 use crate::ir::program::Program;
 use crate::model::mechanism::Mechanism;
 
-/// The searches of all roots.
-pub(super) fn searches(mechanism: &Mechanism, program: &Program) -> Vec<Search> {
+/// The searches of all roots, by functions whose names begin like this.
+pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -> Vec<Search> {
     let roots = program.closures.iter().map(|closure| closure.root);
     let mut searches: Vec<Search> = Vec::new();
     for root in roots {
@@ -21,7 +21,7 @@ pub(super) fn searches(mechanism: &Mechanism, program: &Program) -> Vec<Search> 
         // An unknown is searched in one way for an angle, in another for its cosine and sine.
         let is_known = searches.iter().any(|known| known.sought.unknown == sought.unknown);
         let suffix = if is_known { "_at" } else { "" };
-        let name = locals::single_underscores(&format!("root_{name}{suffix}").to_lowercase());
+        let name = locals::single_underscores(&format!("{prefix}_{name}{suffix}").to_lowercase());
         searches.push(search(&program.graph, root, sought, name));
     }
     searches

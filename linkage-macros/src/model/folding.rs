@@ -24,7 +24,7 @@ impl Expr {
         Self::Constant(Exact::integer(0))
     }
 
-    pub(super) fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.constant().is_some_and(Exact::is_zero)
     }
 

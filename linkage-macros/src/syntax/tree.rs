@@ -77,6 +77,13 @@ pub(crate) enum StatementKind {
     Export { language: Ident },
 }
 
+impl StatementKind {
+    /// Whether it puts a force on a point or two.
+    pub(crate) fn is_force(&self) -> bool {
+        matches!(self, Self::Action(Action::Force { .. } | Action::ForceBetween { .. }))
+    }
+}
+
 /// `rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: left }`.
 pub(crate) struct Group {
     /// `crank`, `slider`, `rrr`, …; not yet known to be one of them.

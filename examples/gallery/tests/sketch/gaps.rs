@@ -12,7 +12,7 @@ fn four_bar() -> Film {
 }
 
 /// Whether an element is shown at a share of the film's time.
-fn is_shown(element: &Element, share: f64) -> bool {
+pub(super) fn is_shown(element: &Element, share: f64) -> bool {
     let mut animations = element.children.iter();
     let Some(opacity) =
         animations.find(|child| child.attribute("attributeName") == Some("opacity"))

@@ -7,6 +7,8 @@ mod layout;
 mod look;
 mod motion;
 mod placed;
+mod searched;
 mod snapshots;
+mod springs;
 mod text;
 mod xml;

@@ -75,6 +75,7 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 fn joints_hold_together_in_every_frame_and_halfway() {
     let (mut in_frames, mut halfway) = (0.0_f64, 0.0_f64);
     for piece in pieces() {
+        let before = halfway;
         let (film, view) = (&piece.film, piece.film.view().unwrap());
         for point in film.points() {
             let mut middles: Vec<Vec<Option<[f64; 2]>>> = Vec::new();
@@ -117,12 +118,18 @@ fn joints_hold_together_in_every_frame_and_halfway() {
                 }
             }
         }
+        if halfway > before {
+            println!("{}: halfway {halfway:.4} px", piece.name);
+        }
     }
     println!("in frames {in_frames:.4} px, halfway {halfway:.4} px");
     // Half of 0.01 px in both directions, and of 0.001° at no more than 640 px.
     assert!(in_frames < 0.02, "{in_frames}");
     assert!(halfway < 0.1, "{halfway}");
 }
+
+/// The motions that end elsewhere than they began.
+const OPEN: [&str; 3] = ["vibration::TwoMasses", "andrews_squeezer::Squeezer", "crane::Crane"];
 
 #[test]
 fn angles_never_jump_and_closed_motions_end_where_they_began() {
@@ -131,7 +138,7 @@ fn angles_never_jump_and_closed_motions_end_where_they_began() {
             for pair in body.seats.windows(2) {
                 assert!((pair[1][2] - pair[0][2]).abs() <= 180.0, "{} {}", piece.name, body.link);
             }
-            let is_closed = !piece.name.contains("function_generator::F");
+            let is_closed = !OPEN.contains(&piece.name);
             let (first, last) = (body.seats[0], body.seats[body.seats.len() - 1]);
             if is_closed {
                 let turns = (last[2] - first[2]) / 360.0;

@@ -39,6 +39,8 @@ fn documentation_and_readme_show_what_is_drawn_now() {
         assert!(!figure.contains("\n\n"), "documentation would end at an empty line");
         crate::xml::parse(&figure);
     }
+    let film = gallery::motions::of_unknowns();
+    differs("linkage-core/src/figures/suspension.svg", &film.to_svg().unwrap());
     differs("linkage-core/src/figures/drawn.md", &gallery::figures::addresses().unwrap());
     for (name, figure) in gallery::figures::figures(Theme::Dark).unwrap() {
         differs(&format!("examples/gallery/figures/{name}_dark.svg"), &figure);

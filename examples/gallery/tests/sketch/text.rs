@@ -88,6 +88,13 @@ fn everything_declared_is_drawn() {
         for point in piece.film.points() {
             assert!(text.contains(&format!("data-point=\"{point}\"")), "{}: {point}", piece.name);
         }
+        let springs = match piece.name {
+            "suspension::ByTheWheel" => 1,
+            "vibration::Oscillator" | "andrews_squeezer::Squeezer" => 1,
+            "vibration::TwoMasses" => 2,
+            _ => 0,
+        };
+        assert_eq!(text.matches("data-spring=").count(), springs, "{}", piece.name);
     }
 }
 

@@ -199,6 +199,13 @@ fn between<'s>(mass: Sym<'s>, at_pin: Sym<'s>, [a_o, a_c]: [Vector<'s>; 2]) -> V
 
 /// A force that the declaration puts on a point, and the point.
 pub(super) fn applied<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s>)> {
+    // Springs come first on the sheet, and last in the list.
+    let springs = springs::forces(kinematics);
+    declared(kinematics).into_iter().chain(springs).collect()
+}
+
+/// The same of the statements `force` alone.
+pub(super) fn declared<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s>)> {
     let forces = kinematics.mechanism.dynamics.forces.iter().enumerate();
     let forces = forces.flat_map(|(index, force)| match force {
         Force::At { point, value, axes } => {
@@ -218,7 +225,7 @@ pub(super) fn applied<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'
             vec![(points[0], -push), (points[1], push)]
         }
     });
-    forces.chain(springs::forces(kinematics)).collect()
+    forces.collect()
 }
 
 /// A couple that the declaration puts on a body, and the body.

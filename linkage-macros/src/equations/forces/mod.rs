@@ -46,12 +46,19 @@ mod unit_rate;
 mod walk;
 
 use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::symbol::Vector;
 use crate::ir::graph::Id;
 use crate::model::dynamics::Effort;
+use crate::model::mechanism::PointId;
 
 pub(super) use dynamics::{accelerations, equations, every_input_moves_mass};
 pub(super) use together::centre_of_mass;
 pub(super) use walk::Walk;
+
+/// The forces that statements put on points.
+pub(super) fn declared<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s>)> {
+    loads::declared(kinematics)
+}
 
 /// What `forces` gives: in the order in which it is asked.
 pub(super) fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {

@@ -23,11 +23,11 @@ mechanism! {
         load push: force;
 
         ground O(0, 0);
-        guide rail through O along 0deg;
+        guide rail through (15m, 0) along 0deg;
         slider body(rail) -> P { slide: x }
 
         mass 1.6632kg on P;
-        spring between O and P { stiffness: k, free_length: 0 }
+        spring between O and P { stiffness: k, free_length: 15m }
         force (push - c * rate(x), 0) on P;
         output P;
     }
@@ -41,14 +41,15 @@ mechanism! {
         load push: force;
 
         ground O(0, 0);
-        guide rail through O along 0deg;
-        slider first(rail) -> P  { slide: x }
-        slider second(rail) -> Q { slide: y }
+        guide inner through (15m, 0) along 0deg;
+        guide outer through (40m, 0) along 0deg;
+        slider first(inner) -> P { slide: x }
+        slider second(outer) -> Q { slide: y }
 
         mass 1.6632kg on P;
         mass 1.6632kg on Q;
-        spring between O and P { stiffness: k, free_length: 0 }
-        spring between P and Q { stiffness: k, free_length: 0 }
+        spring between O and P { stiffness: k, free_length: 15m }
+        spring between P and Q { stiffness: k, free_length: 25m }
         force (push, 0) on Q;
         output P, Q;
     }

@@ -1,0 +1,182 @@
+//! How the mechanisms of `examples/dynamics` move: under forces, integrated.
+
+use std::f64::consts::TAU;
+
+use linkage_core::SolveError;
+use linkage_core::sketch::Film;
+
+use super::{POSES, Piece, turn};
+use crate::declarations::{
+    andrews_squeezer, cart, computed_torque, counterweight, crane, dead_point, parallelograms,
+    run_up, vibration,
+};
+
+pub(super) fn pieces() -> Vec<Piece> {
+    let mut pieces = vec![
+        Piece {
+            name: "vibration::Oscillator",
+            text: "A mass on a spring, let go, over two periods.",
+            film: oscillator(),
+        },
+        Piece {
+            name: "vibration::TwoMasses",
+            text: "Two masses in a row on two springs; the outer one was pulled and let go.",
+            film: two_masses(),
+        },
+        Piece {
+            name: "andrews_squeezer::Squeezer",
+            text: "Andrews' squeezing mechanism under a constant torque, 500 times slower.",
+            film: squeezer(),
+        },
+        Piece {
+            name: "parallelograms::TwoParallelograms",
+            text: "Two parallelograms, let go where their cranks are level.",
+            film: falling(),
+        },
+        Piece {
+            name: "crane::Crane",
+            text: "A crane that speeds up and brakes within a period of its load, which then hangs still.",
+            film: riding(),
+        },
+        Piece {
+            name: "dead_point::ByLeft",
+            text: "A triple-rocker swings; its left rocker is the coordinate.",
+            film: dead_point::ByLeft::new().film(turn().map(|q| -0.6 * (1.0 - q.cos()))).trace("C"),
+        },
+    ];
+    pieces.extend(turning());
+    pieces
+}
+
+fn turning() -> Vec<Piece> {
+    vec![
+        Piece {
+            name: "dead_point::ByRight",
+            text: "The same by its right rocker.",
+            film: dead_point::ByRight::new().film(turn().map(|q| 2.35 - 0.5 * q.cos())).trace("B"),
+        },
+        Piece {
+            name: "run_up::FourBar",
+            text: "The four-bar that a motor runs up.",
+            film: run_up::FourBar::new().film(turn()).trace("C"),
+        },
+        Piece {
+            name: "cart::Steering",
+            text: "The steering of a cart: a crank on its gears turns the front wheel's fork.",
+            film: cart::Steering::new().film(turn()).trace("C"),
+        },
+        Piece {
+            name: "computed_torque::Robot",
+            text: "The robot whose controller computes the torques, on its circle.",
+            film: computed_torque::Robot::new().film(motors()).trace("P"),
+        },
+        Piece {
+            name: "computed_torque::Arms",
+            text: "The same by the tool's place.",
+            film: computed_torque::Arms::new().film(circle()).trace("P"),
+        },
+        Piece {
+            name: "counterweight::FourBar",
+            text: "The four-bar that is balanced by counterweights.",
+            film: counterweight::FourBar::new().film(turn()),
+        },
+    ]
+}
+
+/// The states at as many times as poses, evenly over the seconds (Runge and Kutta's method of order 4,
+/// forty steps a pose).
+///
+/// # Panics
+/// Where the mechanism refuses: a mistake in this file.
+fn integrated<const N: usize>(
+    start: [f64; N],
+    seconds: f64,
+    rates: impl Fn(f64, [f64; N]) -> Result<[f64; N], SolveError>,
+) -> Vec<[f64; N]> {
+    const STEPS: u32 = 40;
+    let step = seconds / f64::from(STEPS * (POSES - 1));
+    let slope = |time: f64, state| rates(time, state).expect("the motion stays in reach");
+    let mut states = vec![start];
+    let mut state = start;
+    for nth in 0..STEPS * (POSES - 1) {
+        let time = f64::from(nth) * step;
+        let ahead = |by: f64, slope: [f64; N]| std::array::from_fn(|i| state[i] + by * slope[i]);
+        let first = slope(time, state);
+        let second = slope(time + 0.5 * step, ahead(0.5 * step, first));
+        let third = slope(time + 0.5 * step, ahead(0.5 * step, second));
+        let fourth = slope(time + step, ahead(step, third));
+        let mean =
+            std::array::from_fn(|i| (first[i] + 2.0 * (second[i] + third[i]) + fourth[i]) / 6.0);
+        state = ahead(step, mean);
+        if (nth + 1) % STEPS == 0 {
+            states.push(state);
+        }
+    }
+    states
+}
+
+fn oscillator() -> Film {
+    let machine = vibration::Oscillator::new();
+    let period = TAU * (1.6632_f64 / machine.k).sqrt();
+    let states =
+        integrated([10.0, 0.0], 2.0 * period, |_, state| machine.state_rates(state, 0.0, 0.0));
+    machine.film(states.into_iter().map(|[x, _]| x)).seconds(2.0 * period)
+}
+
+fn two_masses() -> Film {
+    let machine = vibration::TwoMasses::new();
+    let rates = |_, state| machine.state_rates(state, [0.0; 2], 0.0);
+    let states = integrated([0.0, 10.0, 0.0, 0.0], 8.0, rates);
+    machine.film(states.into_iter().map(|[x, y, ..]| [x, y])).seconds(8.0)
+}
+
+fn squeezer() -> Film {
+    let machine = andrews_squeezer::Squeezer::new();
+    let rates = |_, state| machine.state_rates(state, 0.033);
+    let states = integrated([-0.062_013_890_753_353_2, 0.0], 0.015, rates);
+    let film = machine.film(states.into_iter().map(|[beta, _]| beta));
+    film.trace("P").trace("E").trace("F").seconds(7.5)
+}
+
+fn falling() -> Film {
+    let machine = parallelograms::TwoParallelograms::new();
+    // From level to level: half of a period, after which it swings back the same way.
+    let half = 3.708_149_354_602_744 / (7.0 / 6.0 * 9.81_f64).sqrt();
+    let states = integrated([0.0; 2], half, |_, state| machine.state_rates(state, 0.0));
+    let film = machine.film(states.into_iter().map(|[q, _]| q)).there_and_back();
+    film.trace("B1").label(["A0", "A1", "A2", "B0", "B1", "B2"]).seconds(2.0 * half)
+}
+
+/// Speeds up for one period of the load, cruises, brakes for another, and stands: the acceleration is
+/// given, and the sway follows.
+fn riding() -> Film {
+    const ACCELERATION: f64 = 0.5;
+    let machine = crane::Crane::new();
+    let period = 5.12;
+    let acceleration = |time: f64| match time {
+        _ if time < period => ACCELERATION,
+        _ if time < period + 1.0 => 0.0,
+        _ if time < 2.0 * period + 1.0 => -ACCELERATION,
+        _ => 0.0,
+    };
+    let rates = |time: f64, [x, sway, v, rate]: [f64; 4]| {
+        let e = machine.equations_of_motion([x, sway], [v, rate])?;
+        let given = acceleration(time);
+        Ok([v, rate, given, (e.force[1] - e.mass[1][0] * given) / e.mass[1][1]])
+    };
+    let states = integrated([0.0; 4], 2.0 * period + 4.0, rates);
+    let film = machine.film(states.into_iter().map(|[x, sway, ..]| [x, sway]));
+    film.trace("L").label(["P", "L"]).seconds(2.0 * period + 4.0)
+}
+
+/// The circle of the robot's tool.
+fn circle() -> impl Iterator<Item = [f64; 2]> {
+    turn().map(|q| [0.02 + 0.05 * q.cos(), 0.3 + 0.05 * q.sin()])
+}
+
+/// The motors' angles on it.
+fn motors() -> Vec<[f64; 2]> {
+    let arms = computed_torque::Arms::new();
+    let angles = circle().map(|at| arms.position(at).map(|p| [p.AB.angle(), p.DE.angle()]));
+    angles.map(|angles| angles.expect("the circle is in reach")).collect()
+}
