@@ -5,6 +5,7 @@
 
 use core::ptr;
 
+use crate::find::Trend;
 use crate::{Sense, Side, SolveError};
 
 /// Why a C function gave no answer: `LinkageError` of the header.
@@ -99,6 +100,15 @@ pub const fn c_sense(mode: i32, name: &'static str) -> Result<Sense, CError> {
     }
 }
 
+/// 1 or −1 as a trend; no other number is one.
+pub const fn c_trend(mode: i32, name: &'static str) -> Result<Trend, CError> {
+    match mode {
+        1 => Ok(Trend::Rising),
+        -1 => Ok(Trend::Falling),
+        _ => Err(CError::NONE.because_of(INVALID_MODE, name)),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -133,10 +143,13 @@ mod tests {
         assert!(matches!(c_side(-1, "elbow"), Ok(Side::Right)));
         assert!(matches!(c_sense(1, "way"), Ok(Sense::Ahead)));
         assert!(matches!(c_sense(-1, "way"), Ok(Sense::Behind)));
+        assert!(matches!(c_trend(1, "way"), Ok(Trend::Rising)));
+        assert!(matches!(c_trend(-1, "way"), Ok(Trend::Falling)));
         for mode in [0, 2, -2, i32::MIN] {
             let error = c_side(mode, "elbow").unwrap_err();
             assert_eq!(parts(error), (INVALID_MODE, 0.0, 0, 5));
             assert_eq!(parts(c_sense(mode, "way").unwrap_err()), (INVALID_MODE, 0.0, 0, 3));
+            assert_eq!(parts(c_trend(mode, "way").unwrap_err()), (INVALID_MODE, 0.0, 0, 3));
         }
     }
 }

@@ -23,6 +23,7 @@
 //! Nothing here allocates, panics or knows of mechanisms.
 
 mod approach;
+pub(crate) mod bound;
 mod equation;
 mod lowest;
 mod start;
@@ -44,6 +45,7 @@ use crate::{Real, Scalar};
 /// The sign of the slope that f has at the wanted root. Like an assembly mode it is a choice
 /// between two answers that come together at a dead point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Trend {
     /// f rises through zero.
     Rising,

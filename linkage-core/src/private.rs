@@ -18,12 +18,13 @@ pub use core::primitive::{bool, f32, f64, i32, str, u32, usize};
 pub use core::result::Result::{self, Err, Ok};
 
 pub use crate::absent::*;
-pub use crate::c_interface::{CError, c_sense, c_side};
+pub use crate::c_interface::{CError, c_sense, c_side, c_trend};
 pub use crate::checks::{AllMet, Checks, FirstError};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate};
 pub use crate::diagnosis::{finite_input, finite_result};
-pub use crate::find::unknown::root;
+pub use crate::find::bound::bound;
+pub use crate::find::unknown::{open, root};
 pub use crate::find::{FindError, Trend};
 pub use crate::resolver::{found_on_circle, on_circle};
 #[cfg(feature = "sketch")]

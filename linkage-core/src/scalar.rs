@@ -173,4 +173,19 @@ pub trait Real: Scalar<Mask = bool> {
     fn bounds(self) -> [f64; 2] {
         [self.value(); 2]
     }
+
+    /// The smallest range that holds this and the other; of single numbers the first.
+    #[doc(hidden)]
+    #[must_use]
+    fn joined(self, _other: Self) -> Self {
+        self
+    }
+
+    /// Of a root of f, which gives its value and its slope, near this number: all that it is while the
+    /// ranges that f is made of take all their values; the number itself where there are none.
+    #[doc(hidden)]
+    #[must_use]
+    fn with_all_roots(self, _f: impl FnMut(Self) -> [Self; 2]) -> Self {
+        self
+    }
 }

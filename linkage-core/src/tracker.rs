@@ -41,13 +41,7 @@ pub struct Clearance<T> {
     pub scale: T,
 }
 
-/// A solver whose assembly modes can be followed; implemented by generated code, unless something is
-/// searched: between its ends an unknown keeps the trend that its equation is declared with.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot be followed through changes of mode",
-    note = "a mechanism with `solve` has no `Tracker` and no `limits`: for these declare it with its unknown \
-            as an `input`"
-)]
+/// A solver whose assembly modes can be followed; implemented by generated code.
 pub trait Modes: Copy {
     /// The numbers it computes with.
     type Scalar: Real;
@@ -60,8 +54,12 @@ pub trait Modes: Copy {
     /// A [`Clearance`] for each of `GROUPS`.
     type Clearances: Copy + AsRef<[Clearance<Self::Scalar>]>;
 
+    /// Whether something is searched: then another root might be found where one is lost.
+    const SEARCHES: bool = false;
+
     /// The groups that have an assembly mode, in solving order: the links, and the number of the
-    /// parameter that holds the mode unless it is a constant.
+    /// parameter that holds the mode unless it is a constant. An unknown is one as well: it stands for
+    /// the dead points of its equation, the ends of its interval and, last, the root itself.
     const GROUPS: &'static [(&'static str, Option<usize>)];
 
     /// Changes the mode that a parameter holds into its opposite.
@@ -147,23 +145,41 @@ pub trait Modes: Copy {
 ///   that does not change: as `Singular`.
 /// - What leaves the range of numbers, on the way or in the result: as `NotFinite`.
 ///
-/// - While compiling: a mechanism in which something is searched (`solve`). Between its ends an
-///   unknown keeps the trend that its equation is declared with.
+/// # Beside an unknown
+/// What is searched (`solve`) is a group as well: it comes to its limit at a dead point of its equation,
+/// where two roots meet, and its mode is the sign of the slope, `rising` or `falling`. On every stretch
+/// it is proved that one root goes on, and that it is the one which is found at both ends of it. Where
+/// the root leaves its interval the motion ends, and where it only touches an end nobody can say how it
+/// goes on, `Singular`. So it is where a group changes its mode of which the equation itself is made.
 ///
-/// ```compile_fail,E0277
-/// # use linkage_core::{mechanism, Tracker};
+/// ```
+/// use linkage_core::{Tracker, find::Trend, mechanism};
+///
 /// mechanism! {
-///     struct Press {
-///         input x: length;
-///         ground A(0, 0);
-///         guide bed through (0, 0) along 0deg;
-///         unknown theta: angle between (0, 180deg);
-///         crank AB(A) -> B           { length: 80mm, angle: theta }
-///         rrp   BC(B), ram(bed) -> C { length: 250mm, mode: ahead }
-///         solve theta { ram.slide = x, mode: falling }
+///     /// A ram that goes where its twin goes.
+///     struct Twins {
+///         input turn: angle;
+///         param way: mode = falling;
+///         ground A(0, 0), O(0, 1m);
+///         guide lower through (0, 0) along 0deg;
+///         guide upper through (0, 1m) along 0deg;
+///         crank lead(O) -> L             { length: 80mm, angle: turn }
+///         rrp   rod(L), twin(upper) -> M { length: 250mm, mode: ahead }
+///         unknown theta: angle between (-100deg, 100deg);
+///         crank AB(A) -> B             { length: 80mm, angle: theta }
+///         rrp   BC(B), ram(lower) -> C { length: 250mm, mode: ahead }
+///         solve theta { ram.slide = twin.slide, mode: way }
+///         output theta;
 ///     }
 /// }
-/// let tracker = Tracker::new(Press::new());
+///
+/// let mut tracker = Tracker::new(Twins::new());
+/// for turn in [1.0, 0.5, -0.5, -1.0] {
+///     // Through the dead point both cranks turn on.
+///     assert!((tracker.motion(turn, -1.0, 0.0)?.velocity.theta + 1.0).abs() < 1e-9);
+/// }
+/// assert_eq!(tracker.solver().way, Trend::Rising);
+/// # Ok::<(), linkage_core::SolveError>(())
 /// ```
 ///
 /// # What counts as a change point

@@ -105,9 +105,9 @@ pub(crate) fn defaults(mechanism: &Mechanism) -> Vec<Digits> {
         .iter()
         .map(|param| match &param.kind {
             ParamKind::Number { default, .. } => Digits::exact(default),
-            ParamKind::Side { default } | ParamKind::Sense { default } => {
-                Digits::exact(&sign(*default))
-            }
+            ParamKind::Side { default }
+            | ParamKind::Sense { default }
+            | ParamKind::Trend { default } => Digits::exact(&sign(*default)),
         })
         .collect()
 }

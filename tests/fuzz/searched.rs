@@ -2,7 +2,7 @@
 //! search nothing.
 
 use linkage_core::private::{OfMotion, OfPosition, OfVelocity};
-use linkage_core::{Scalar, SolveError, mechanism};
+use linkage_core::{Scalar, SolveError, Tracker, mechanism};
 
 use super::calls::{At, Calls};
 use super::mechanism::{Found, Fuzzed, fuzz};
@@ -108,8 +108,15 @@ impl Fuzzed<2, 3> for Searched {
         at.sweep::<OfMotion, _, _, _, _>("sweep_motion", &solver, &poses, &singles);
     }
 
-    /// Nothing follows a motion beside an unknown.
-    fn track<T: Number>(_: &[Given<T>], _: &mut At<'_>) {}
+    fn track<T: Number>(states: &[Given<T>], at: &mut At<'_>) {
+        let mut tracker = Tracker::new(solver(&states[0]));
+        for state in states {
+            let motion = tracker.motion(state.q, state.rate, state.second);
+            at.answer("Tracker::motion", motion.map(|m| m.position.theta).map(|theta| [theta]));
+            let position = tracker.position(state.q);
+            at.answer("Tracker::position", position.map(|p| [p.theta, p.phi, p.C.x, p.F.y]));
+        }
+    }
 }
 
 /// So many calls.

@@ -174,6 +174,12 @@ impl<T: Real> Steps<T> {
         }
         // Each of Newton's steps is the square of the one before, times a constant; a secant's is
         // the product of the two before.
+        // Where the slope has become so much steeper, the function is none that steps converge on: next
+        // to a toggle, say, where it ends with a vertical slope.
+        let is_exact = self.slopes == Slopes::Exact;
+        if is_exact && magnitude(slope).gt(magnitude(slope_before) * number(STEEPER)) {
+            return false;
+        }
         let ratio = step / last;
         let next = match self.slopes {
             // The constant, half the curvature over the slope, also follows from both slopes: far
@@ -187,6 +193,10 @@ impl<T: Real> Steps<T> {
         (self.tolerance * number(0.5)).ge(next)
     }
 }
+
+/// A step after which the slope is more than this many times as steep has led to where the function is
+/// another one: the square of what it grows by in the last step to a root at an even curvature.
+const STEEPER: f64 = 4.0;
 
 /// 2⁻²², above the relative rounding of a value and below any step that Newton's method is to make
 /// from where it has not converged.

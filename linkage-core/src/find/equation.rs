@@ -106,7 +106,7 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
     }
 
     /// The root, with the derivatives that f's numbers carry: in their arithmetic each of Newton's
-    /// steps makes the derivatives of one more order right.
+    /// steps makes the derivatives of one more order right. Of ranges it is all roots.
     pub(super) fn differentiated(mut self, at: T) -> Result<Root<T>, FindError> {
         let mut x = at;
         for _ in 0..T::ORDER {
@@ -119,6 +119,7 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
             let step = value / slope;
             x = x - (step - constant(step));
         }
+        let x = x.with_all_roots(&mut self.f);
         if x.is_finite() {
             Ok(Root { at: x, evaluations: self.evaluations })
         } else {

@@ -64,6 +64,12 @@ pub fn root<T: Real>(
     Ok([found, extent.get() + change.get()])
 }
 
+/// What [`root`] has found, and no numbers where it has found nothing.
+pub fn open<T: Real>(found: Result<[T; 2], FindError>) -> (T, T) {
+    let [at, size] = found.unwrap_or([number(f64::NAN); 2]);
+    (at, size)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -111,6 +117,23 @@ mod tests {
         let line = |x: f64| [x - 1.0, 0.0, 1.0];
         let [at, size] = root([0.0, 3.0], Trend::Rising, Some(1.0), line).expect("it is the root");
         assert!(at == 1.0 && size == 4.0, "{at} {size}");
+    }
+
+    /// A trial falls next to the toggle of a rod that is shorter than its crank, where the slope is
+    /// 1900: a short step there leads to no root.
+    #[test]
+    fn a_vertical_slope_is_no_root() {
+        let (crank, rod, target) = (2.100_037_8_f32, 1.993_971_2, 1.032_491_7);
+        let sides = |theta: f32| {
+            let (sin, cos) = theta.sin_cos();
+            let across = crank * sin;
+            let along = ((rod - across) * (rod + across)).sqrt();
+            [crank * cos + along, target, -across - across * crank * cos / along]
+        };
+        let [theta, _] =
+            root([0.0, core::f32::consts::PI], Trend::Falling, None, sides).expect("a root");
+        // In f64 it is 1.2175330182.
+        assert!((theta - 1.217_533).abs() < 1e-6, "{theta}");
     }
 
     #[test]

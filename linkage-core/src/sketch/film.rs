@@ -68,8 +68,7 @@ impl Film {
     }
 
     /// Lets the assembly modes that are parameters follow the motion through change points, as
-    /// [`Tracker`](crate::Tracker) does. A mechanism with `solve` has none, and keeps its modes: between
-    /// its ends an unknown keeps its trend.
+    /// [`Tracker`](crate::Tracker) does.
     #[must_use]
     pub fn following(mut self) -> Self {
         self.scene = (self.follow)();

@@ -30,10 +30,7 @@ pub trait Drawn: Copy {
     fn place_open(&self, q: Self::Input, without: &'static str) -> Vec<f64>;
 
     /// The solver of each pose of a path, its modes following the motion, and what refuses the pose.
-    /// Without a [`Tracker`] all keep the modes that there are.
-    fn followed(self, path: &[Self::Input]) -> Vec<(Self, Option<SolveError>)> {
-        path.iter().map(|_| (self, None)).collect()
-    }
+    fn followed(self, path: &[Self::Input]) -> Vec<(Self, Option<SolveError>)>;
 }
 
 /// The declaration, every name a place in the lists of names.
@@ -263,7 +260,7 @@ pub fn place<const N: usize>(
     Ok(placed.into())
 }
 
-/// What [`Drawn::followed`] does where there is a tracker.
+/// What [`Drawn::followed`] does, by a [`Tracker`].
 pub fn followed<S: Modes<Scalar = f64>>(
     solver: S,
     path: &[S::Input],

@@ -29,6 +29,9 @@ pub(super) struct Ranges {
     pub(super) scale: [f64; 2],
 }
 
+/// The readings of every group.
+pub(super) struct AllReadings<M: Modes>(M::Clearances);
+
 /// The ranges of every group.
 pub(super) struct AllRanges<M: Modes>(M::Enclosures);
 
@@ -57,15 +60,11 @@ impl<M: Modes> Line<M> {
     }
 
     pub(super) fn reading(&self, solver: &M, part: f64, group: usize) -> Reading {
-        let clearances = solver.clearances(self.input(part), self.step);
-        match clearances.as_ref().get(group) {
-            Some(of) => {
-                let of = of.map(|number| number.value());
-                let (value, rate) = (of.value, of.rate);
-                Reading { value, rate, second_rate: of.second_rate, scale: of.scale }
-            }
-            None => Reading { value: 1.0, rate: 0.0, second_rate: 0.0, scale: 1.0 },
-        }
+        self.readings(solver, part).of(group)
+    }
+
+    pub(super) fn readings(&self, solver: &M, part: f64) -> AllReadings<M> {
+        AllReadings(solver.clearances(self.input(part), self.step))
     }
 
     /// Between two parts.
@@ -75,6 +74,19 @@ impl<M: Modes> Line<M> {
         let none = self.step.minus(self.step);
         let radius = none.plus(number::<M>(radius), self.step);
         AllRanges(solver.enclosures(self.input(0.5 * (a + b)), radius, self.step))
+    }
+}
+
+impl<M: Modes> AllReadings<M> {
+    pub(super) fn of(&self, group: usize) -> Reading {
+        match self.0.as_ref().get(group) {
+            Some(of) => {
+                let of = of.map(|number| number.value());
+                let (value, rate) = (of.value, of.rate);
+                Reading { value, rate, second_rate: of.second_rate, scale: of.scale }
+            }
+            None => Reading { value: 1.0, rate: 0.0, second_rate: 0.0, scale: 1.0 },
+        }
     }
 }
 
@@ -118,6 +130,14 @@ impl Reading {
 }
 
 impl Ranges {
+    /// Whether a reading is one of these, but for its own rounding, which is less than `zero` of its
+    /// scale. Ranges that say nothing hold everything.
+    pub(super) fn hold(&self, reading: &Reading, zero: f64) -> bool {
+        let [least, most] = self.value;
+        let room = zero * reading.scale;
+        !(reading.value < least - room || reading.value > most + room)
+    }
+
     /// Whether it is everywhere at least so many times its scale.
     pub(super) fn is_above(&self, threshold: f64) -> bool {
         self.scale[0] > 0.0 && self.value[0] >= threshold * self.scale[1]

@@ -10,7 +10,7 @@
 //! root of its clearance. So they are followed up to the change point and from it, and over it as
 //! cubics.
 
-use super::line::{Line, Reading};
+use super::line::{AllRanges, Line, Reading};
 use super::stretch::{Finding, Lowest, judge};
 use super::{Modes, Thresholds, param, title};
 use crate::SolveError;
@@ -60,6 +60,14 @@ impl<M: Modes> Passage<M> {
         let near = Thresholds::of::<M::Scalar>().near;
         let ranges = self.line.ranges(&self.solver, [0.0, 1.0]);
         (0..M::GROUPS.len()).all(|group| ranges.of(group).is_above(near))
+            && (!M::SEARCHES || [0.0, 1.0].iter().all(|&part| self.agrees(part, &ranges)))
+    }
+
+    /// Whether what is searched at a place is what was proved to go on there.
+    fn agrees(&self, part: f64, ranges: &AllRanges<M>) -> bool {
+        let zero = Thresholds::of::<M::Scalar>().zero;
+        let readings = self.line.readings(&self.solver, part);
+        (0..M::GROUPS.len()).all(|group| ranges.of(group).hold(&readings.of(group), zero))
     }
 
     /// Whether the groups are clear of their limits at the end.
@@ -148,7 +156,13 @@ impl<M: Modes> Passage<M> {
                 return Err(SolveError::NotFinite { name: title::<M>(group) });
             }
             let ranges = self.line.ranges(solver, [here, end]).of(group);
-            match judge([(here, a), (end, b)], &ranges, thresholds, read) {
+            // Where another root is found than the one that goes on, nothing is known.
+            let is_other = M::SEARCHES && [a, b].iter().any(|at| !ranges.hold(at, thresholds.zero));
+            let judged = match is_other {
+                true => Finding::divided(end - here),
+                false => judge([(here, a), (end, b)], &ranges, thresholds, read),
+            };
+            match judged {
                 Finding::Quiet if end == to && b.is_below(thresholds.clear) => {
                     return Ok(Course::Fading(self.last_clear(solver, group, [here, end])));
                 }

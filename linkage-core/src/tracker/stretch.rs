@@ -43,6 +43,9 @@ pub(super) fn judge(
         return Finding::Ended(b.0);
     }
     let ((from, a), (to, b)) = (a, b);
+    if ranges.is_above(clear) {
+        return Finding::Quiet;
+    }
     let [second_least, second_most] = ranges.second_rate;
     let length = to - from;
     let is_known = ranges.scale[0] > 0.0 && second_least.is_finite() && second_most.is_finite();
@@ -73,8 +76,14 @@ pub(super) fn judge(
             };
         }
     }
-    // Parts of the way are numbers: below their last places there is nothing to divide.
-    if length <= f64::EPSILON { Finding::Lost } else { Finding::Divide }
+    Finding::divided(length)
+}
+
+impl Finding {
+    /// Parts of the way are numbers: below their last places there is nothing to divide.
+    pub(super) fn divided(length: f64) -> Self {
+        if length <= f64::EPSILON { Self::Lost } else { Self::Divide }
+    }
 }
 
 /// The least value of the parabola through a reading with this second rate, up to `length` from

@@ -94,6 +94,7 @@ fn mode(cx: &Context<'_>, param: &Param) -> TokenStream {
     let (field, name) = (&param.name, string(&text(&param.name), param.name.span()));
     let convert = match param.kind {
         ParamKind::Sense { .. } => cx.paths.item("c_sense"),
+        ParamKind::Trend { .. } => cx.paths.item("c_trend"),
         _ => cx.paths.item("c_side"),
     };
     quote!(#convert(self.#field, #name)?)
@@ -110,7 +111,9 @@ fn default(cx: &Context<'_>, width: Width) -> TokenStream {
                 literal(default.to_f64())
             }
             ParamKind::Number { default, .. } => literal(default.to_f32()),
-            ParamKind::Side { default } | ParamKind::Sense { default } => match default {
+            ParamKind::Side { default }
+            | ParamKind::Sense { default }
+            | ParamKind::Trend { default } => match default {
                 Sign::Plus => quote!(1).into(),
                 Sign::Minus => quote!(-1).into(),
             },

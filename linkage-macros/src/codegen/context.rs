@@ -9,7 +9,7 @@ use super::token_list::Tokens;
 use crate::interface::entries::Entry;
 use crate::interface::records::{Record, RecordId};
 use crate::interface::{EntryId, Interface};
-use crate::ir::graph::Graph;
+use crate::ir::graph::{Graph, Sought, Wanted};
 use crate::ir::program::Program;
 use crate::lower::routine::{Compute, Lowered, Search};
 use crate::model::mechanism::{Mechanism, Param, ParamKind};
@@ -84,7 +84,10 @@ impl<'a> Context<'a> {
 
     /// The search of an unknown, where anything asks for it.
     pub(super) fn search(&self, unknown: usize) -> Option<&'a Search> {
-        self.lowered.searches.iter().find(|search| search.sought.unknown as usize == unknown)
+        let of_it = |sought: &Sought| sought.unknown as usize == unknown;
+        let is_root = |sought: &Sought| sought.wanted == Wanted::Root;
+        let mut searches = self.lowered.searches.iter();
+        searches.find(|search| of_it(&search.sought) && is_root(&search.sought))
     }
 
     /// Whether anything is searched.

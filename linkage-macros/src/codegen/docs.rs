@@ -92,6 +92,7 @@ pub(super) fn param(param: &Param) -> TokenStream {
         }
         ParamKind::Side { default } => mode(param, *default, "Side", ["left", "right"]),
         ParamKind::Sense { default } => mode(param, *default, "Sense", ["ahead", "behind"]),
+        ParamKind::Trend { default } => mode(param, *default, "Trend", ["rising", "falling"]),
     };
     after(&param.docs, &line)
 }

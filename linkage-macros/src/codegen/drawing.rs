@@ -63,18 +63,15 @@ fn drawn(cx: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Only what has a tracker follows its motion; all else keeps its modes.
-fn followed(cx: &Context<'_>) -> Option<TokenStream> {
+fn followed(cx: &Context<'_>) -> TokenStream {
     let (inputs, input) = (generated("path_"), cx.input(&cx.names.scalar));
     let [vec, option, error, followed] =
         ["Vec", "Option", "SolveError", "followed"].map(|name| cx.paths.item(name));
-    (!cx.searches()).then(|| {
-        quote! {
-            fn followed(self, #inputs: &[#input]) -> #vec<(Self, #option<#error>)> {
-                #followed(self, #inputs)
-            }
+    quote! {
+        fn followed(self, #inputs: &[#input]) -> #vec<(Self, #option<#error>)> {
+            #followed(self, #inputs)
         }
-    })
+    }
 }
 
 fn methods(cx: &Context<'_>) -> TokenStream {

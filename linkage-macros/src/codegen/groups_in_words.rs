@@ -35,7 +35,7 @@ impl Words<'_> {
         let unknown = unknowns.iter().find(|unknown| unknown.group.index() == index)?;
         let constant = if unknown.dimension.angle { degrees } else { metres };
         let [from, to] = unknown.between.each_ref().map(|end| self.number(end, constant));
-        let trend = if unknown.mode == Sign::Plus { "rising" } else { "falling" };
+        let trend = super::searches::mode(self.mechanism, unknown);
         Some(format!("between {from} and {to}, fixed by its equation, {trend}"))
     }
 

@@ -10,9 +10,10 @@ use super::identifiers::{function_name, generated, text};
 use super::statements::Printer;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
+use crate::ir::graph::{Trend, Wanted};
 use crate::lower::TRIAL;
 use crate::lower::routine::Search;
-use crate::model::mechanism::{Expr, Sign, Unknown};
+use crate::model::mechanism::{Expr, Mechanism, Mode, Sign, Unknown};
 
 /// One function a root: nothing but this is done again and again.
 pub(super) fn functions(cx: &Context<'_>) -> TokenStream {
@@ -23,10 +24,9 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     let (printer, scalar) = (Printer::new(cx, &search.routine), &cx.names.scalar);
     let given = search.given.iter().map(|&id| printer.name(id));
     let count = Literal::usize_unsuffixed(search.given.len());
-    let [result, error, option, trend] =
-        ["Result", "FindError", "Option", "Trend"].map(|item| cx.paths.item(item));
+    let [result, error, option] = ["Result", "FindError", "Option"].map(|item| cx.paths.item(item));
     let (find, trial) = (cx.paths.item("root"), generated(TRIAL));
-    let mode = if search.sought.rises { quote!(Rising) } else { quote!(Falling) };
+    let trend = trend(cx, search.sought.trend);
     let between = search.sought.between.map(|end| printer.value(end));
     let near = search.sought.near.map(|near| printer.value(near));
     let near = match near {
@@ -36,10 +36,22 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     let lines = search.routine.stages.iter().map(|stage| printer.statements(&stage.statements));
     let sides = search.sought.sides.map(|side| printer.value(side));
     let (name, docs) = (function_name(&search.routine.name), docs(cx, search));
+    if let Wanted::End(end) = search.sought.wanted {
+        let (bound, end) = (cx.paths.item("bound"), Literal::u8_unsuffixed(end));
+        return quote! {
+            #docs
+            fn #name(&self, [#(#given),*]: [#scalar; #count]) -> (#scalar, #scalar) {
+                #bound([#(#between),*], #trend, #end, |#trial: #scalar| {
+                    #(#lines)*
+                    [#(#sides),*]
+                })
+            }
+        };
+    }
     quote! {
         #docs
         fn #name(&self, [#(#given),*]: [#scalar; #count]) -> #result<[#scalar; 2], #error> {
-            #find([#(#between),*], #trend::#mode, #near, |#trial: #scalar| {
+            #find([#(#between),*], #trend, #near, |#trial: #scalar| {
                 #(#lines)*
                 [#(#sides),*]
             })
@@ -48,11 +60,29 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
 }
 
 fn docs(cx: &Context<'_>, search: &Search) -> TokenStream {
-    let unknown = &cx.mechanism.unknowns[search.sought.unknown as usize];
-    doc_comments::lines(&format!(
-        "Where `{}` solves its equation, and the size that its rounding is measured by.",
-        text(&unknown.name)
-    ))
+    let name = text(&cx.mechanism.unknowns[search.sought.unknown as usize].name);
+    doc_comments::lines(&match search.sought.wanted {
+        Wanted::Root => format!(
+            "Where `{name}` solves its equation, and the size that its rounding is measured by."
+        ),
+        Wanted::End(end) => format!(
+            "The {} end of where `{name}` can solve its equation, and one at a dead point.",
+            if end == 0 { "lower" } else { "upper" }
+        ),
+    })
+}
+
+/// The sign of the slope at the root.
+fn trend(cx: &Context<'_>, trend: Trend) -> TokenStream {
+    let ty = cx.paths.item("Trend");
+    match trend {
+        Trend::Rising => quote!(#ty::Rising),
+        Trend::Falling => quote!(#ty::Falling),
+        Trend::Param(param) => {
+            let field = &cx.mechanism.params[param as usize].name;
+            quote!(self.#field)
+        }
+    }
 }
 
 /// What the page of the solver says of each unknown.
@@ -63,19 +93,35 @@ pub(super) fn in_words(cx: &Context<'_>) -> Vec<String> {
 
 fn of_unknown(cx: &Context<'_>, index: usize, unknown: &Unknown) -> Option<String> {
     let search = cx.search(index)?;
-    let mode = if unknown.mode == Sign::Plus { "rising" } else { "falling" };
+    let mode = mode(cx.mechanism, unknown);
     let [wide, narrow] = MOST;
     let seed = match unknown.near {
         Some(_) => ", three more for the seed",
         None => "",
     };
+    let roots = match search.has_one_root {
+        Some(true) => ", one root",
+        Some(false) => ", may have several roots",
+        None => "",
+    };
     Some(format!(
-        "`{}`{}, {mode}: up to {wide} evaluations (f32: {narrow}){seed}, twice as many where an end \
+        "`{}`{}, {mode}{roots}: up to {wide} evaluations (f32: {narrow}){seed}, twice as many where an end \
          lies beyond a dead point of the equation; each of {}",
         text(&unknown.name),
         ends(unknown),
         costs_in_words::in_words(search.cost),
     ))
+}
+
+/// `rising`, `falling` or the parameter that says which.
+pub(super) fn mode(mechanism: &Mechanism, unknown: &Unknown) -> String {
+    match unknown.mode {
+        Mode::Fixed(Sign::Plus) => "rising".to_string(),
+        Mode::Fixed(Sign::Minus) => "falling".to_string(),
+        Mode::Param(param) => {
+            format!("rising or falling by `{}`", text(&mechanism.params[param.index()].name))
+        }
+    }
 }
 
 /// Where it is looked for, where that is constant.

@@ -44,6 +44,7 @@ fn mode_type(param: &Param) -> Option<&'static str> {
         ParamKind::Number { .. } => None,
         ParamKind::Side { .. } => Some("Side"),
         ParamKind::Sense { .. } => Some("Sense"),
+        ParamKind::Trend { .. } => Some("Trend"),
     }
 }
 
@@ -105,6 +106,8 @@ fn default_variant(param: &Param) -> TokenStream {
         ParamKind::Side { default: Sign::Minus } => quote!(Right),
         ParamKind::Sense { default: Sign::Plus } => quote!(Ahead),
         ParamKind::Sense { default: Sign::Minus } => quote!(Behind),
+        ParamKind::Trend { default: Sign::Plus } => quote!(Rising),
+        ParamKind::Trend { default: Sign::Minus } => quote!(Falling),
         ParamKind::Number { .. } => TokenStream::new(),
     }
 }

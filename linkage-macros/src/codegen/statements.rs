@@ -9,7 +9,8 @@ use super::identifiers::{function_name, generated, text};
 use super::token_list::Tokens;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
-use crate::ir::graph::{Id, Node};
+use crate::ir::graph::{Id, Node, Wanted};
+use crate::ir::liveness::Path;
 use crate::lower::routine::{Comparison, Condition, Reading, Routine, Statement, Threshold};
 use crate::model::mechanism::ParamKind;
 
@@ -65,6 +66,13 @@ impl<'a> Printer<'a> {
         let unknown = &self.cx.mechanism.unknowns[search.sought.unknown as usize];
         let unit = unit(unknown.measure, Order::Position);
         let (root, unknown) = (self.name(root), text(&unknown.name));
+        if let Wanted::End(_) = search.sought.wanted {
+            return quote!(let (#root, #size) = self.#function([#(#given),*]););
+        }
+        if self.routine.path == Path::Unchecked {
+            let open = self.cx.paths.item("open");
+            return quote!(let (#root, #size) = #open(self.#function([#(#given),*])););
+        }
         quote!(let (#root, #size) = #guard.root(self.#function([#(#given),*]), #unknown, #unit);)
     }
 
@@ -221,6 +229,7 @@ impl<'a> Printer<'a> {
         let param = &self.cx.mechanism.params[param as usize];
         let ty = match param.kind {
             ParamKind::Sense { .. } => self.cx.paths.item("Sense"),
+            ParamKind::Trend { .. } => self.cx.paths.item("Trend"),
             ParamKind::Side { .. } | ParamKind::Number { .. } => self.cx.paths.item("Side"),
         };
         let (field, scalar) = (&param.name, &self.cx.names.scalar);

@@ -17,10 +17,6 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     else {
         return TokenStream::new();
     };
-    // A search between ends does not follow a motion beyond them.
-    if cx.searches() {
-        return TokenStream::new();
-    }
     modes(cx, position, motion)
 }
 
@@ -37,6 +33,10 @@ fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
     let [q, rate, acceleration, param] = ["q_", "rate_", "acceleration_", "param_"].map(generated);
     let (groups, clearances, flips) = (groups(cx), clearances(cx), flips(cx, &param));
     let enclosures = enclosures(cx);
+    let searches = cx.searches().then(|| {
+        let bool_ = path("bool");
+        quote!(const SEARCHES: #bool_ = true;)
+    });
     quote! {
         impl<#scalar: #real> #modes for #solver<#scalar> {
             type Scalar = #scalar;
@@ -45,6 +45,8 @@ fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
             type Motion = #motion;
             type Clearances = [#clearance<#scalar>; #count];
             type Enclosures = [#clearance<<#scalar as #real>::Enclosing>; #count];
+
+            #searches
 
             #groups
 

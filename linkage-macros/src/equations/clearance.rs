@@ -10,19 +10,32 @@
 use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::parts::Clearance;
 use crate::equations::symbol::Sheet;
-use crate::equations::{rpr, rrp, rrr};
+use crate::equations::{dead_points, rpr, rrp, rrr};
 use crate::ir::program;
-use crate::model::mechanism::{Mechanism, Mode, Step};
+use crate::model::mechanism::{Mechanism, Mode, Step, UnknownId};
 
-/// Of every group with an assembly mode, in solving order.
+/// Of every group with an assembly mode, in solving order, and of unknowns: what is searched turns on
+/// the ends of the search, as what stands behind a group does on its limit.
 pub(super) fn clearances<'s>(
     mechanism: &'s Mechanism,
     sheet: &'s Sheet<'s>,
 ) -> Vec<program::Clearance> {
     // Along a straight line the inputs' rates are constant.
     let inputs = Source::without_second_rates(&Source::free(mechanism, sheet), sheet);
-    let kinematics = Kinematics::of(sheet, mechanism, inputs);
-    mechanism.steps.iter().filter_map(|step| of_step(&kinematics, step)).collect()
+    let mut ends = Vec::new();
+    let kinematics = Kinematics::meeting(sheet, mechanism, inputs, |known, id| {
+        ends.push((id, dead_points::of_ends(known, id)));
+    });
+    let (mut ends, mut clearances) = (ends.into_iter().peekable(), Vec::new());
+    for (index, step) in mechanism.steps.iter().enumerate() {
+        let begins = |id: UnknownId| mechanism.unknowns[id.index()].steps[0] <= index;
+        while let Some((id, of_ends)) = ends.next_if(|&(id, _)| begins(id)) {
+            clearances.extend(of_ends);
+            clearances.push(dead_points::of_root(&kinematics, id));
+        }
+        clearances.extend(of_step(&kinematics, step));
+    }
+    clearances
 }
 
 fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::Clearance> {

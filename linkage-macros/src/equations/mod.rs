@@ -23,6 +23,7 @@
 
 mod clearance;
 mod crank;
+mod dead_points;
 mod double_word;
 mod expressed;
 mod forces;
@@ -64,11 +65,7 @@ use crate::model::mechanism::{Mechanism, Output, OutputKind};
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     let sheet = Sheet::new(rules);
     let (answers, closures) = answers(mechanism, &sheet, rules);
-    // How far a search goes on beyond a limit is not known: nothing follows it.
-    let clearances = match &mechanism.unknowns[..] {
-        [] => clearance::clearances(mechanism, &sheet),
-        _ => Vec::new(),
-    };
+    let clearances = clearance::clearances(mechanism, &sheet);
     Program { graph: sheet.into_graph(), answers, clearances, closures, groups: mechanism.titles() }
 }
 

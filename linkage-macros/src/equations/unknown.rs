@@ -24,9 +24,9 @@ use crate::equations::motion::Direction;
 use crate::equations::symbol::{Sheet, Sym};
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
-use crate::ir::graph::{Check, Node, Sought};
+use crate::ir::graph::{Check, Node, Sought, Trend, Wanted};
 use crate::ir::program::Closure;
-use crate::model::mechanism::{Equation, Mechanism, Sign, UnknownId};
+use crate::model::mechanism::{Equation, Mechanism, Mode, Sign, Unknown, UnknownId};
 
 impl<'s> Kinematics<'s> {
     /// Everything placed, what equations fix included.
@@ -35,9 +35,20 @@ impl<'s> Kinematics<'s> {
         mechanism: &'s Mechanism,
         inputs: Vec<Source<'s>>,
     ) -> Self {
+        Self::meeting(sheet, mechanism, inputs, |_, _| {})
+    }
+
+    /// The same, which tells of each unknown before it is known.
+    pub(super) fn meeting(
+        sheet: &'s Sheet<'s>,
+        mechanism: &'s Mechanism,
+        inputs: Vec<Source<'s>>,
+        mut meet: impl FnMut(&Self, UnknownId),
+    ) -> Self {
         let mut kinematics = Self::before(sheet, mechanism, inputs);
         for index in 0..mechanism.unknowns.len() {
             kinematics.take_until(mechanism.unknowns[index].steps[0]);
+            meet(&kinematics, UnknownId(index as u32));
             let (found, closure) = solve(&kinematics, UnknownId(index as u32));
             kinematics.unknowns.push(found);
             kinematics.closures.push(closure);
@@ -75,7 +86,7 @@ impl<'s> Kinematics<'s> {
 }
 
 /// Left and right of an equation.
-type Sides<'s> = [Jet<'s>; 2];
+pub(super) type Sides<'s> = [Jet<'s>; 2];
 
 /// The root of an unknown's equation with its rates, everything in front of it being known, and the
 /// condition that the equation is closed there.
@@ -90,7 +101,8 @@ fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
     let between = unknown.between.each_ref().map(|end| known.jet(end).value);
     let root = sheet.node(Node::Root(Sought {
         unknown: id.0,
-        rises: unknown.mode == Sign::Plus,
+        wanted: Wanted::Root,
+        trend: trend(unknown),
         between: between.map(|end| end.id),
         near: unknown.near.as_ref().map(|near| known.jet(near).value.id),
         sides: [tried[0].value.id, tried[1].value.id, slope(tried).id],
@@ -100,7 +112,7 @@ fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
     sheet.name(size, format!("{} size", unknown.name));
 
     let turned = sides(known, jet(root, one, zero), at_rest(), false);
-    let sign = known.sign(unknown.mode);
+    let sign = known.mode(unknown.mode);
     // The size over the width is the slope that rounding alone may make.
     let spread = size * (between[1] - between[0]).recip();
     let f_theta = (sign * slope(turned)).provided(Check::Moving, unknown.group.0, &[spread]);
@@ -116,8 +128,17 @@ fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
     (jet(root, rate, over(left.accel - right.accel)), closure)
 }
 
+/// The sign of the slope at the root.
+pub(super) fn trend(unknown: &Unknown) -> Trend {
+    match unknown.mode {
+        Mode::Fixed(Sign::Plus) => Trend::Rising,
+        Mode::Fixed(Sign::Minus) => Trend::Falling,
+        Mode::Param(param) => Trend::Param(param.0),
+    }
+}
+
 /// Both sides of the equation where the unknown has this value and these rates.
-fn sides<'s>(
+pub(super) fn sides<'s>(
     known: &Kinematics<'s>,
     trial: Jet<'s>,
     inputs: Vec<Source<'s>>,

@@ -35,7 +35,7 @@ use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
 use crate::exact::Exact;
-pub(crate) use crate::ir::node::{ConstantId, GuardId, Id, Node, Sought};
+pub(crate) use crate::ir::node::{ConstantId, GuardId, Id, Node, Sought, Trend, Wanted};
 
 /// A condition on a value. In the generated code's straight line it is one comparison; where that
 /// fails, the slow path looks at the operands and decides.

@@ -2,7 +2,7 @@
 //! programs. In real numbers a rounding error is zero and a fused operation is its two parts.
 
 use crate::exact::Exact;
-use crate::ir::graph::{Id, Node, Sought};
+use crate::ir::graph::{Id, Node, Sought, Wanted};
 use crate::ir::liveness::{trial_nodes, tried};
 use crate::ir::program::Program;
 
@@ -74,6 +74,12 @@ pub(crate) fn interpret<N: Number>(program: &Program, given: &Given<N>) -> Vec<N
 fn root<N: Number>(program: &Program, given: &Given<N>, values: &mut [N], sought: &Sought) -> N {
     let half = N::exact(&Exact::float(0.5).expect("finite"));
     let [from, to] = sought.between.map(|end| values[end.index()].clone());
+    // As far as rewriting goes, the end of the interval is as good a place as a dead point.
+    match sought.wanted {
+        Wanted::End(0) => return from,
+        Wanted::End(_) => return to,
+        Wanted::Root => {}
+    }
     let middle = from.add(&to).mul(&half);
     let mut trial = sought.near.map_or(middle, |near| values[near.index()].clone()).point();
     let nodes = trial_nodes(&program.graph, &sought.sides);

@@ -72,9 +72,10 @@ pub(crate) enum Node {
     /// A value at which the equation of an unknown is tried. What depends on it is computed inside
     /// the search alone.
     Trial(u32),
-    /// The root of an unknown's equation.
+    /// The root of an unknown's equation, or the end of where there can be one.
     Root(Sought),
-    /// The size by which the rounding of a root's equation is measured.
+    /// What a search finds beside its place: of a root the size by which the rounding of its equation
+    /// is measured, of an end one at a dead point and zero elsewhere.
     Size(Id),
 }
 
@@ -82,12 +83,30 @@ pub(crate) enum Node {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Sought {
     pub unknown: u32,
+    pub wanted: Wanted,
     /// The sign of the slope at the root.
-    pub rises: bool,
+    pub trend: Trend,
     pub between: [Id; 2],
     pub near: Option<Id>,
-    /// The two sides at the trial, and the slope of their difference.
+    /// Of a root the two sides at the trial, and the slope of their difference; of an end their
+    /// difference, its slope and its curvature.
     pub sides: [Id; 3],
+}
+
+/// What is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Wanted {
+    Root,
+    /// The lower (0) or upper (1) end of the stretch on which the equation has the trend.
+    End(u8),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Trend {
+    Rising,
+    Falling,
+    /// As this mode parameter says.
+    Param(u32),
 }
 
 impl Node {

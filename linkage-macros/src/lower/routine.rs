@@ -39,6 +39,8 @@ pub(crate) struct Search {
     pub given: Vec<Id>,
     /// Of one trial.
     pub cost: Operations,
+    /// Whether it is proved that there is one root at most; none where more than constants decide.
+    pub has_one_root: Option<bool>,
 }
 
 /// How an entry point comes to its numbers.

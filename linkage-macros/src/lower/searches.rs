@@ -1,13 +1,13 @@
 //! What finds roots: for every root of the program a function of its own, which position, velocity and
 //! motion share. It is given what no trial changes, so that a trial computes nothing else.
 
-use super::locals;
 use super::routine::{Locals, Routine, Search, Stage, Statement};
 use super::schedule::pairs;
+use super::{locals, one_root};
 use crate::interface::records::Shape;
 use crate::ir::cost::operations_of_trial;
-use crate::ir::graph::{Graph, Id, Node, Sought};
-use crate::ir::liveness::{Path, trial_nodes, tried};
+use crate::ir::graph::{Graph, Id, Node, Sought, Trend, Wanted};
+use crate::ir::liveness::{Path, live, trial_nodes, tried};
 use crate::ir::program::Program;
 use crate::model::mechanism::Mechanism;
 
@@ -15,16 +15,49 @@ use crate::model::mechanism::Mechanism;
 pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -> Vec<Search> {
     let roots = program.closures.iter().map(|closure| closure.root);
     let mut searches: Vec<Search> = Vec::new();
-    for root in roots {
+    for root in roots.chain(ends(program)) {
         let Node::Root(sought) = program.graph.node(root) else { continue };
         let name = mechanism.unknowns[sought.unknown as usize].name.to_string();
         // An unknown is searched in one way for an angle, in another for its cosine and sine.
-        let is_known = searches.iter().any(|known| known.sought.unknown == sought.unknown);
+        let of_it = |sought: &Sought| (sought.unknown, sought.wanted);
+        let is_known = searches.iter().any(|known| of_it(&known.sought) == of_it(&sought));
         let suffix = if is_known { "_at" } else { "" };
-        let name = locals::single_underscores(&format!("{prefix}_{name}{suffix}").to_lowercase());
+        let begin = match sought.wanted {
+            Wanted::Root => prefix,
+            Wanted::End(0) => "lower",
+            Wanted::End(_) => "upper",
+        };
+        let name = locals::single_underscores(&format!("{begin}_{name}{suffix}").to_lowercase());
         searches.push(search(&program.graph, root, sought, name));
     }
+    let ends: Vec<Sought> = searches.iter().map(|search| search.sought).collect();
+    for search in &mut searches {
+        let of_it =
+            |end: &&Sought| end.unknown == search.sought.unknown && end.wanted == Wanted::End(0);
+        let end = ends.iter().find(of_it);
+        search.has_one_root = end.and_then(|end| has_one_root(&program.graph, end));
+    }
     searches
+}
+
+/// Of both trends where a parameter says which.
+fn has_one_root(graph: &Graph, end: &Sought) -> Option<bool> {
+    let of = |rises| one_root::has_one_root(graph, end, rises);
+    match end.trend {
+        Trend::Rising => of(true),
+        Trend::Falling => of(false),
+        Trend::Param(_) => Some(of(true)? && of(false)?),
+    }
+}
+
+/// The ends of where roots can be, which following a motion looks at.
+fn ends(program: &Program) -> impl Iterator<Item = Id> + '_ {
+    let sinks: Vec<Id> = program.clearances.iter().flat_map(|clearance| clearance.sinks).collect();
+    let live = live(&program.graph, &sinks, Path::Unchecked);
+    program.graph.iter().filter_map(move |(id, node)| match node {
+        Node::Root(Sought { wanted: Wanted::End(_), .. }) => live[id.index()].then_some(id),
+        _ => None,
+    })
 }
 
 fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
@@ -72,7 +105,7 @@ fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
         locals,
     };
     let cost = operations_of_trial(graph, &sought.sides);
-    Search { routine, root, sought, given, cost }
+    Search { routine, root, sought, given, cost, has_one_root: None }
 }
 
 /// What a trial is called.

@@ -135,8 +135,8 @@ pub(crate) struct Unknown {
     pub equation: Equation,
     /// What both sides of it are.
     pub measure: Dimension,
-    /// The sign of the slope of left − right at the wanted root.
-    pub mode: Sign,
+    /// The sign of the slope of left − right at the wanted root: plus where it rises.
+    pub mode: Mode,
     /// Where the root is expected.
     pub near: Option<Expr>,
 }
@@ -168,6 +168,10 @@ pub(crate) enum ParamKind {
     },
     /// `ahead` (+1) or `behind` (−1): the type is `Sense`.
     Sense {
+        default: Sign,
+    },
+    /// `rising` (+1) or `falling` (−1): the type is `find::Trend`.
+    Trend {
         default: Sign,
     },
 }

@@ -36,7 +36,28 @@ pub(super) fn mode_word(word: &Ident) -> Option<ParamKind> {
     if let Some(default) = Modes::Side.sign(&word) {
         return Some(ParamKind::Side { default });
     }
+    if let Some(default) = trend_word(&word) {
+        return Some(ParamKind::Trend { default });
+    }
     Modes::Sense.sign(&word).map(|default| ParamKind::Sense { default })
+}
+
+/// How an equation goes at its root: the sign of its slope.
+pub(super) fn trend_word(word: &str) -> Option<Sign> {
+    match word {
+        "rising" => Some(Sign::Plus),
+        "falling" => Some(Sign::Minus),
+        _ => None,
+    }
+}
+
+/// Both words of a mode parameter.
+pub(super) fn words_of(kind: &ParamKind) -> [&'static str; 2] {
+    match kind {
+        ParamKind::Sense { .. } => Modes::Sense.words(),
+        ParamKind::Trend { .. } => ["rising", "falling"],
+        ParamKind::Side { .. } | ParamKind::Number { .. } => Modes::Side.words(),
+    }
 }
 
 /// The side that the word names.
@@ -97,8 +118,8 @@ impl Resolver<'_> {
                 self.diagnostics.error_because(word.span(), message, reason);
                 None
             }
-            _ => {
-                let [plus, minus] = modes.other().words();
+            (kind, _) => {
+                let [plus, minus] = words_of(kind);
                 let message =
                     format!("`{word}` is `{plus}` or `{minus}`, no mode of `{}`", group.keyword);
                 let reason = self.modes_explained(modes, group);
@@ -165,12 +186,13 @@ impl Resolver<'_> {
         side
     }
 
-    /// The value of a mode parameter is one of the four words.
+    /// The value of a mode parameter is one of the six words.
     pub(super) fn param_is_a_mode(&mut self, default: &Expr) -> Option<ParamKind> {
         let kind = bare_name(default).and_then(mode_word);
         if kind.is_none() && !default.is_mistake() {
-            let message = "a mode is `left`, `right`, `ahead` or `behind`";
-            let reason = "`left` or `right` for an `rrr`, `ahead` or `behind` for `rrp` and `rpr`";
+            let message = "a mode is `left`, `right`, `ahead`, `behind`, `rising` or `falling`";
+            let reason = "`left` or `right` for an `rrr`, `ahead` or `behind` for `rrp` and `rpr`, \
+                          `rising` or `falling` for `solve`";
             self.diagnostics.error_because(default.span, message, reason);
         }
         kind

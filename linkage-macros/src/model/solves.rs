@@ -7,7 +7,8 @@ use crate::syntax::tree::{self, Solve};
 
 use super::Resolver;
 use super::expressions::Quantity;
-use super::mechanism::{Dimension, Equation, Expr, Length, Operator, Sign};
+use super::mechanism::{Dimension, Equation, Expr, Length, Mode, Operator, ParamKind};
+use super::modes::{trend_word, words_of};
 use super::names::{Entity, Kind};
 use super::numbers::bare_name;
 use super::searched::Searched;
@@ -143,8 +144,8 @@ impl Resolver<'_> {
         None
     }
 
-    /// `rising` or `falling`.
-    fn trend(&mut self, solve: &Solve) -> Option<Sign> {
+    /// `rising`, `falling` or a parameter that says which.
+    fn trend(&mut self, solve: &Solve) -> Option<Mode> {
         let Some(word) = &solve.mode else {
             if solve.is_read {
                 self.diagnostics.error_because(solve.end, "missing field `mode`", MODES);
@@ -152,12 +153,17 @@ impl Resolver<'_> {
             return None;
         };
         let text = word.to_string();
-        match &text[..] {
-            "rising" => return Some(Sign::Plus),
-            "falling" => return Some(Sign::Minus),
-            _ => {}
+        if let Some(sign) = trend_word(&text) {
+            return Some(Mode::Fixed(sign));
         }
-        let near = nearest(&text, ["rising", "falling"].into_iter());
+        if self.names.kind(word) == Some(Kind::Param) {
+            return self.trend_param(word);
+        }
+        if self.unread.may_hold(&text) {
+            return None;
+        }
+        let known = ["rising", "falling"].into_iter().chain(self.names.of_kinds(&[Kind::Param]));
+        let near = nearest(&text, known);
         let message = match near {
             Some(near) => {
                 format!("no mode named `{text}`; a mode with a similar name exists: `{near}`")
@@ -165,6 +171,25 @@ impl Resolver<'_> {
             None => format!("no mode named `{text}`; write `rising` or `falling`"),
         };
         self.diagnostics.error_because(word.span(), message, MODES);
+        None
+    }
+
+    /// A trend given by name is a mode parameter of an equation's own kind.
+    fn trend_param(&mut self, word: &Ident) -> Option<Mode> {
+        let Entity::Param(id) = self.usable(word, &[Kind::Param])? else { return None };
+        match &self.mechanism.params[id.index()].kind {
+            ParamKind::Trend { .. } => return Some(Mode::Param(id)),
+            ParamKind::Number { .. } => {
+                let message = format!("`{word}` is a number, not a mode");
+                let reason = format!("write `param {word}: mode = rising;`");
+                self.diagnostics.error_because(word.span(), message, reason);
+            }
+            kind => {
+                let [plus, minus] = words_of(kind);
+                let message = format!("`{word}` is `{plus}` or `{minus}`, no mode of `solve`");
+                self.diagnostics.error_because(word.span(), message, MODES);
+            }
+        }
         None
     }
 

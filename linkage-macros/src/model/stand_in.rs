@@ -149,6 +149,7 @@ impl StandIn {
         let kind = match word.as_str() {
             "left" | "right" => ParamKind::Side { default: Sign::Plus },
             "ahead" | "behind" => ParamKind::Sense { default: Sign::Plus },
+            "rising" | "falling" => ParamKind::Trend { default: Sign::Plus },
             _ if kind.is_some_and(|kind| kind == "mode") => ParamKind::Side { default: Sign::Plus },
             _ => ParamKind::Number { dimension: NUMBER, default: Exact::integer(0) },
         };

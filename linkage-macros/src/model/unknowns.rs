@@ -14,7 +14,7 @@ use super::dynamics::Effort;
 use super::folding::shown_in_degrees;
 use super::inputs::KINDS;
 use super::mechanism::{
-    AngleSum, Dimension, Equation, Expr, Group, ParamKind, Sign, Step, Unknown, UnknownId,
+    AngleSum, Dimension, Equation, Expr, Group, Mode, ParamKind, Sign, Step, Unknown, UnknownId,
 };
 use super::names::{Entity, Kind};
 use super::searched::Searched;
@@ -55,7 +55,7 @@ impl Resolver<'_> {
             steps,
             equation,
             measure: Dimension::NUMBER,
-            mode: Sign::Plus,
+            mode: Mode::Fixed(Sign::Plus),
             near: None,
         });
         self.facts.order.push(Entity::Unknown(id));

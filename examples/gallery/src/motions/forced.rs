@@ -166,7 +166,7 @@ fn riding() -> Film {
     };
     let states = integrated([0.0; 4], 2.0 * period + 4.0, rates);
     let film = machine.film(states.into_iter().map(|[x, sway, ..]| [x, sway]));
-    film.trace("L").label(["P", "L"]).seconds(2.0 * period + 4.0)
+    film.trace("L").label(["P", "L"]).seconds(12.0)
 }
 
 /// The circle of the robot's tool.

@@ -46,11 +46,13 @@ addEventListener("load", () => setTimeout(() => {
   document.querySelectorAll("svg").forEach((film, nth) => {
     const [poses, seconds] = counts[nth];
     film.pauseAnimations();
+    // In the film's own pixels: a page sets films in boxes of whole 64ths of one.
+    const own = film.getScreenCTM().inverse();
     for (let pose = 0; pose + 1 < poses; pose += STEP) {
       film.setCurrentTime(pose / (poses - 1) * seconds);
       for (const circle of film.querySelectorAll("circle[data-point]")) {
         if (getComputedStyle(circle.parentNode).opacity === "0") continue;
-        const m = circle.getCTM(), x = circle.cx.baseVal.value, y = circle.cy.baseVal.value;
+        const m = own.multiply(circle.getScreenCTM()), x = circle.cx.baseVal.value, y = circle.cy.baseVal.value;
         lines.push([nth, pose, circle.dataset.point, m.a * x + m.c * y + m.e, m.b * x + m.d * y + m.f].join(" "));
       }
     }
@@ -76,11 +78,16 @@ fn a_browser_has_every_joint_where_the_solver_has_it() {
     for line in lines.lines() {
         let parts: Vec<&str> = line.split(' ').collect();
         let [film, pose, point, x, y] = parts[..] else { panic!("{line}") };
-        let film = &pieces[film.parse::<usize>().unwrap()].film;
+        let nth: usize = film.parse().unwrap();
+        let film = &pieces[nth].film;
         let at = film.point(pose.parse().unwrap(), point).expect("what is shown exists");
         let [px, py] = film.view().unwrap().pixels([at.x, at.y]);
         let (x, y): (f64, f64) = (x.parse().unwrap(), y.parse().unwrap());
-        worst = worst.max((x - px).hypot(y - py));
+        let off = (x - px).hypot(y - py);
+        if off > worst {
+            println!("{}: {point} {off:.4} px", pieces[nth].name);
+        }
+        worst = worst.max(off);
         seen += 1;
     }
     println!("{seen} joints, at most {worst:.4} px off");

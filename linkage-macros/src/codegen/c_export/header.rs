@@ -135,6 +135,7 @@ fn parameters(cx: &Context<'_>, width: Width) -> Record {
             }
             ParamKind::Side { .. } => ("int32_t", "LINKAGE_LEFT or LINKAGE_RIGHT".to_string()),
             ParamKind::Sense { .. } => ("int32_t", "LINKAGE_AHEAD or LINKAGE_BEHIND".to_string()),
+            ParamKind::Trend { .. } => ("int32_t", "1 where the equation rises, or -1".to_string()),
         };
         (ty.to_string(), name, about, String::new())
     };

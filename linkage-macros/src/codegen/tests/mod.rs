@@ -5,6 +5,7 @@ mod expanded;
 mod fixture;
 mod groups;
 mod guards;
+mod one_root;
 mod spans;
 mod turning;
 

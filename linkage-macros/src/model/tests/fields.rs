@@ -179,14 +179,16 @@ fn a_mode_parameter_holds_a_mode() {
         (
             CRANK,
             "param elbow: mode = 3;",
-            "3: a mode is `left`, `right`, `ahead` or `behind` / `left` or `right` for an \
-             `rrr`, `ahead` or `behind` for `rrp` and `rpr`",
+            "3: a mode is `left`, `right`, `ahead`, `behind`, `rising` or `falling` / `left` or \
+             `right` for an `rrr`, `ahead` or `behind` for `rrp` and `rpr`, `rising` or `falling` \
+             for `solve`",
         ),
         (
             CRANK,
             "param elbow: mode = up;",
-            "up: a mode is `left`, `right`, `ahead` or `behind` / `left` or `right` for an \
-             `rrr`, `ahead` or `behind` for `rrp` and `rpr`",
+            "up: a mode is `left`, `right`, `ahead`, `behind`, `rising` or `falling` / `left` or \
+             `right` for an `rrr`, `ahead` or `behind` for `rrp` and `rpr`, `rising` or `falling` \
+             for `solve`",
         ),
         (
             CRANK,

@@ -15,6 +15,7 @@ pub(super) fn text(mechanism: &Mechanism) -> String {
             }
             ParamKind::Side { default } => format!("side {}", sign(*default)),
             ParamKind::Sense { default } => format!("sense {}", sign(*default)),
+            ParamKind::Trend { default } => format!("trend {}", sign(*default)),
         };
         lines.push(format!("param {}: {default}", param.name));
     }

@@ -1,0 +1,73 @@
+//! What the docs say of an equation's roots, where constants decide.
+
+use super::{generate, line_by_line};
+use crate::equations;
+use crate::oracle::mechanism;
+use crate::passes;
+
+/// What is said of the unknown.
+fn said(source: &str) -> String {
+    let mechanism = mechanism(&format!("struct M {{ {source} }}"));
+    let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
+    let file = super::file(line_by_line(generate(&mechanism, &program)));
+    let text = prettyplease::unparse(&file).replace("\n///   ", " ");
+    let mut lines = text.lines().filter(|line| line.contains(": up to"));
+    let line = lines.next().expect("there is a line about the search").to_string();
+    let (before, _) = line.split_once(": up to").expect("it has these words");
+    before.rsplit(", ").take(2).collect::<Vec<_>>().join(", ")
+}
+
+/// A ram's crank between these ends, in line with the shaft unless there is an offset.
+fn ram(ends: &str, mode: &str, offset: &str) -> String {
+    said(&format!(
+        "input x: length; param way: mode = falling; ground A(0, 0);
+         guide bed through (0, {offset}) along 0deg;
+         unknown theta: angle between ({ends});
+         crank AB(A) -> B {{ length: 80mm, angle: theta }}
+         rrp BC(B), ram(bed) -> C {{ length: 250mm, mode: ahead }}
+         solve theta {{ ram.slide = x, mode: {mode} }}"
+    ))
+}
+
+#[test]
+fn one_root_is_said_where_it_is_proved() {
+    // Within the dead points, exactly from one to the other, and beyond both.
+    for ends in ["10deg, 170deg", "0, 180deg", "-30deg, 200deg"] {
+        assert_eq!(ram(ends, "falling", "0"), "one root, falling", "{ends}");
+    }
+    assert_eq!(ram("-17deg, 217deg", "falling", "30mm"), "one root, falling");
+    assert_eq!(ram("-100deg, 100deg", "way", "0"), "one root, rising or falling by `way`");
+    // A turn has both dead points: from some place on the ram rises again.
+    assert_eq!(ram("-90deg, 270deg", "falling", "0"), "one root, falling");
+    assert_eq!(ram("-90deg, 270deg", "rising", "0"), "may have several roots, rising");
+    // The wheel's travel.
+    let wishbone = said(
+        "input z: length; unknown theta: angle between (-25deg, 25deg);
+         ground A(0, 200mm), D(50mm, 450mm);
+         crank lower(A) -> B { length: 380mm, angle: theta }
+         rrr kingpin(B), upper(D) -> C { lengths: (250mm, 280mm), mode: right }
+         point W on kingpin at (120mm, -60mm);
+         solve theta { W.y = z, mode: rising }",
+    );
+    assert_eq!(wishbone, "one root, rising");
+}
+
+#[test]
+fn several_roots_are_possible_where_nothing_is_proved() {
+    let wave = |ends: &str| {
+        said(&format!(
+            "input x: length; ground A(0, 0); unknown theta: angle between ({ends});
+             crank AB(A) -> B {{ length: 1m, angle: theta }}
+             solve theta {{ sin(3 * theta) = x / 1m, mode: falling }}"
+        ))
+    };
+    // From its crest at 30° to the next one at 150° it falls once, and from there again.
+    assert_eq!(wave("0, 149deg"), "one root, falling");
+    assert_eq!(wave("0, 152deg"), "may have several roots, falling");
+    // What a parameter or an input decides is not said.
+    let by_parameter = said(
+        "input x: length; param r = 80mm; ground A(0, 0); unknown theta: angle between (0, 1rad);
+         crank AB(A) -> B { length: r, angle: theta } solve theta { B.y = x, mode: rising }",
+    );
+    assert!(by_parameter.starts_with("rising, "), "{by_parameter}");
+}

@@ -1,0 +1,243 @@
+//! Whether an equation has one root of its trend at most, where only constants decide.
+//!
+//! The bracket is walked in pieces. On each the slope and the curvature by the unknown are enclosed by
+//! intervals in `f64`, every bound rounded outward. The roots of a trend lie where the slope has its
+//! sign, and on one stretch of that sign there is one at most. So it is proved that there is only one
+//! such stretch: pieces with the sign, between pieces with the other, and in between such where the
+//! curvature keeps its sign, so that the slope passes zero once. Near the dead points that most brackets
+//! end at this is what decides.
+
+use crate::exact::Exact;
+use crate::ir::graph::{Graph, Id, Node, Sought};
+use crate::ir::liveness::{Path, live, live_nodes};
+
+/// Pieces of the bracket: a slope of a dozen operations is known to a part in a hundred on each.
+const PIECES: u32 = 128;
+
+/// Whether it is proved that there is one root at most of a slope of this sign, given what an end is
+/// searched by; none where the slope depends on more than constants and the unknown.
+pub(super) fn has_one_root(graph: &Graph, sought: &Sought, rises: bool) -> Option<bool> {
+    let [_, slope, curvature] = sought.sides;
+    let live = live(graph, &[slope, curvature], Path::Unchecked);
+    let nodes: Vec<_> = live_nodes(graph, &live).collect();
+    let is_known = |node: Node| match node {
+        Node::Constant(_) | Node::Low(_) | Node::Trial(_) => true,
+        Node::Root(_) | Node::Size(_) => false,
+        node => {
+            let mut operands = 0;
+            node.for_operands(&mut |_| operands += 1);
+            operands > 0
+        }
+    };
+    let ends = sought.between.map(|end| graph.as_constant(end).map(Exact::to_f64));
+    let ([Some(from), Some(to)], true) = (ends, nodes.iter().all(|&(_, node)| is_known(node)))
+    else {
+        return None;
+    };
+    let at = |piece: u32| from + (to - from) * (f64::from(piece) / f64::from(PIECES));
+    // The value of a constant takes as long as a hundred operations.
+    let mut values = vec![None; graph.len()];
+    let is_constant = |node: Node| matches!(node, Node::Constant(_));
+    for &(id, _) in nodes.iter().filter(|&&(_, node)| is_constant(node)) {
+        values[id.index()] = graph.as_constant(id).map(|value| Interval::about(value.to_f64()));
+    }
+    let nodes: Vec<_> = nodes.into_iter().filter(|&(_, node)| !is_constant(node)).collect();
+    let mut course = Course::Before;
+    for piece in 0..PIECES {
+        let trial = Interval(at(piece), at(piece + 1)).widened();
+        for &(id, node) in &nodes {
+            values[id.index()] = value(&values, node, trial);
+        }
+        let of = |id: Id| values[id.index()].and_then(|interval: Interval| interval.sign());
+        let with_the_trend = |sign: bool| sign == rises;
+        let Some(next) =
+            course.after(of(slope).map(with_the_trend), of(curvature).map(with_the_trend))
+        else {
+            return Some(false);
+        };
+        course = next;
+    }
+    Some(true)
+}
+
+/// How far the walk has come: whether the slope has had the sign of the trend.
+#[derive(Clone, Copy)]
+enum Course {
+    /// Not yet.
+    Before,
+    /// It has, or it may from some place on: then it keeps it.
+    Within,
+    /// It has lost it, or will from some place on.
+    Leaving,
+    /// It has not any more.
+    Behind,
+}
+
+impl Course {
+    /// After a piece on which the slope has the trend's sign or the other, or where that is not known,
+    /// its curvature has. None where the sign might come back.
+    fn after(self, slope: Option<bool>, grows: Option<bool>) -> Option<Self> {
+        Some(match (slope, grows, self) {
+            (Some(true), _, Self::Before | Self::Within) => Self::Within,
+            (Some(false), _, Self::Before) => Self::Before,
+            (Some(false), ..) => Self::Behind,
+            (None, Some(true), Self::Before | Self::Within) => Self::Within,
+            // It has not the sign where this begins, and does not get it.
+            (None, Some(false), Self::Behind) => Self::Behind,
+            (None, Some(false), _) => Self::Leaving,
+            _ => return None,
+        })
+    }
+}
+
+/// All numbers from the first to the second.
+#[derive(Clone, Copy, Debug)]
+struct Interval(f64, f64);
+
+fn value(values: &[Option<Interval>], node: Node, trial: Interval) -> Option<Interval> {
+    let v = |id: Id| values[id.index()];
+    match node {
+        Node::Trial(_) => Some(trial),
+        // Parts of a rounding: in real numbers they are zero.
+        Node::Low(_) | Node::MulErr(..) | Node::AddErr(..) => Some(Interval(0.0, 0.0)),
+        Node::Neg(a) => v(a).map(Interval::negated),
+        Node::Add(a, b) => Some(v(a)?.plus(v(b)?)),
+        Node::Sub(a, b) => Some(v(a)?.plus(v(b)?.negated())),
+        Node::Mul(a, b) if a == b => Some(v(a)?.squared()),
+        Node::Mul(a, b) => Some(v(a)?.times(v(b)?)),
+        Node::Fused(a, b, c) => Some(v(a)?.times(v(b)?).plus(v(c)?)),
+        Node::Det([a, b, c, d]) => Some(v(a)?.times(v(b)?).plus(v(c)?.times(v(d)?).negated())),
+        Node::Div(a, b) => Some(v(a)?.times(v(b)?.reciprocal()?)),
+        Node::Sqrt(a) => v(a)?.root(),
+        Node::Sin(a) => Some(v(a)?.wave(f64::sin, f64::cos)),
+        Node::Cos(a) => Some(v(a)?.wave(f64::cos, f64::sin)),
+        Node::Guard(a, _) => v(a),
+        // Of what else there is nothing is said.
+        _ => None,
+    }
+}
+
+impl Interval {
+    /// What a number is that was rounded to this.
+    fn about(value: f64) -> Self {
+        Self(value, value).widened()
+    }
+
+    /// With the rounding of the operation that made it.
+    fn widened(self) -> Self {
+        Self(self.0.next_down(), self.1.next_up())
+    }
+
+    fn sign(self) -> Option<bool> {
+        match self {
+            Self(low, _) if low > 0.0 => Some(true),
+            Self(_, high) if high < 0.0 => Some(false),
+            _ => None,
+        }
+    }
+
+    fn negated(self) -> Self {
+        Self(-self.1, -self.0)
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self(self.0 + other.0, self.1 + other.1).widened()
+    }
+
+    fn times(self, other: Self) -> Self {
+        let products = [self.0 * other.0, self.0 * other.1, self.1 * other.0, self.1 * other.1];
+        Self::around(products)
+    }
+
+    fn squared(self) -> Self {
+        let [low, high] = [self.0 * self.0, self.1 * self.1];
+        let holds_zero = self.sign().is_none();
+        Self::around([low, high, if holds_zero { 0.0 } else { low }, high])
+    }
+
+    fn around(numbers: [f64; 4]) -> Self {
+        // What is no number makes everything unknown.
+        if numbers.iter().any(|number| number.is_nan()) {
+            return Self(f64::NEG_INFINITY, f64::INFINITY);
+        }
+        let least = numbers.into_iter().fold(f64::INFINITY, f64::min);
+        Self(least, numbers.into_iter().fold(f64::NEG_INFINITY, f64::max)).widened()
+    }
+
+    fn reciprocal(self) -> Option<Self> {
+        self.sign()?;
+        Some(Self(1.0 / self.1, 1.0 / self.0).widened())
+    }
+
+    fn root(self) -> Option<Self> {
+        (self.0 >= 0.0).then(|| Self(self.0.sqrt(), self.1.sqrt()).widened())
+    }
+
+    /// Of a sine or a cosine f: within |f′(m)| r + r²/2 of f(m), of which no library is wrong by more
+    /// than 1e-14 at the angles of a turn.
+    fn wave(self, f: fn(f64) -> f64, slope: fn(f64) -> f64) -> Self {
+        let middle = 0.5 * (self.0 + self.1);
+        let radius = (self.1 - middle).max(middle - self.0).next_up();
+        let off = (slope(middle).abs() + 1e-14) * radius + 0.5 * radius * radius + 1e-14;
+        let value = f(middle);
+        Self((value - off).max(-1.0), (value + off).min(1.0)).widened()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The walk over a slope, in pieces of these signs, and of its curvature.
+    fn walk(pieces: &[(Option<bool>, Option<bool>)]) -> bool {
+        let walk = |course: Course, &(slope, grows): &(Option<bool>, Option<bool>)| {
+            course.after(slope, grows)
+        };
+        pieces.iter().try_fold(Course::Before, walk).is_some()
+    }
+
+    #[test]
+    fn one_stretch_of_the_trend_is_one_root() {
+        let [plus, minus] = [true, false].map(|sign| (Some(sign), None));
+        let [grows, falls] = [true, false].map(|sign| (None, Some(sign)));
+        let unknown = (None, None);
+        for one in [
+            &[plus, plus][..],
+            &[minus, minus],
+            &[minus, grows, grows, plus, falls, falls, minus],
+            &[falls, minus, falls],
+            &[grows, falls],
+        ] {
+            assert!(walk(one), "{one:?}");
+        }
+        for several in [
+            &[plus, minus, plus][..],
+            &[plus, falls, grows, plus],
+            &[plus, falls, plus],
+            &[plus, minus, grows],
+            &[minus, unknown, minus],
+            &[falls, grows],
+        ] {
+            assert!(!walk(several), "{several:?}");
+        }
+    }
+
+    #[test]
+    fn intervals_hold_what_they_are_made_of() {
+        let holds = |Interval(low, high): Interval, value: f64| low <= value && value <= high;
+        for (a, b) in [(-0.3, 0.2), (0.1, 0.4), (-2.0, -1.9), (0.0, 1.0)] {
+            let x = Interval(a, b);
+            for part in [0.0, 0.3, 0.5, 1.0] {
+                let at = a + part * (b - a);
+                assert!(holds(x.squared(), at * at) && holds(x.times(x), at * at));
+                assert!(holds(x.wave(f64::sin, f64::cos), at.sin()));
+                assert!(holds(x.wave(f64::cos, f64::sin), at.cos()));
+                assert!(x.reciprocal().is_none_or(|inverse| holds(inverse, 1.0 / at)));
+                assert!(x.root().is_none_or(|root| holds(root, at.sqrt())));
+            }
+        }
+        assert!(Interval(-1.0, 1.0).reciprocal().is_none() && Interval(-1.0, 1.0).root().is_none());
+        let infinite = Interval(0.0, f64::INFINITY).times(Interval(0.0, 1.0));
+        assert!(infinite.sign().is_none());
+    }
+}

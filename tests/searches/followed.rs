@@ -1,0 +1,234 @@
+//! Motions and ranges beside an unknown: against closed forms, the same machine driven at the unknown,
+//! and stepping.
+
+use std::f64::consts::PI;
+
+use linkage_core::find::Trend;
+use linkage_core::range::{Stop, Stretch, limits};
+use linkage_core::{Side, SolveError, Tracker};
+use linkage_tests::mechanisms::followed::*;
+use linkage_tests::mechanisms::ranges::FourBar;
+use linkage_tests::mechanisms::unknowns::{InLine, Press};
+use linkage_tests::random::Random;
+use num_dual::Dual64;
+
+use super::set_points::ends_of_stroke;
+
+const THETA: Stop = Stop::Limit { group: "theta" };
+
+/// The only stretch, which ends at limits of the unknown.
+#[track_caller]
+fn only(stretches: &[Stretch<f64>]) -> [f64; 2] {
+    let [stretch] = stretches else { panic!("{stretches:?}") };
+    assert_eq!([stretch.from.stop, stretch.to.stop], [THETA; 2], "{stretch:?}");
+    [stretch.from.at, stretch.to.at]
+}
+
+/// The dead points of a ram's equation are the ends of its stroke; next to them what an interval of
+/// inputs ends at is its edge.
+#[test]
+fn limits_of_a_ram_are_its_stroke() {
+    let [from, to] = only(&limits(&InLine::new(), [0.1, 0.4]).expect("an interval"));
+    assert!((from - 0.17).abs() < 1e-16 && (to - 0.33).abs() < 1e-16, "{from} {to}");
+    assert!(limits(&InLine::new(), [0.18, 0.32]).expect("an interval").is_whole());
+    assert!(limits(&InLine::new(), [0.34, 0.4]).expect("an interval").is_empty());
+    let mut random = Random::new(5);
+    for _ in 0..200 {
+        let [r, e] = [random.anywhere(0.02, 0.1), random.anywhere(-0.06, 0.06)];
+        let l = r + e.abs() + random.anywhere(0.05, 0.3);
+        let [(_, far), (_, near)] = ends_of_stroke([r, l, e]);
+        let press = Press { r, l, e, from: -0.9, to: 4.0, ..Press::new() };
+        let [from, to] = only(&limits(&press, [0.5 * near, 2.0 * far]).expect("an interval"));
+        // √((l ± r)² − e²) loses what the smaller factor of it has lost.
+        let tolerance = 8.0 * f64::EPSILON * (l + r) * (l + r) / near;
+        assert!((from - near).abs() < tolerance && (to - far).abs() < tolerance, "{r} {l} {e}");
+    }
+    // How the stroke's end moves with the crank: ∂(l + r)/∂r is one.
+    let [r, l, e, near] = [0.08, 0.25, 0.0, 1.0].map(Dual64::from_re);
+    let [from, to] = [-0.3, 3.4].map(Dual64::from_re);
+    let press = Press { r: r.derivative(), l, e, from, to, seed: near };
+    let ends = [0.1, 0.4].map(Dual64::from_re);
+    let found = limits(&press, ends).expect("an interval");
+    assert!((found[0].to.at.eps - 1.0).abs() < 1e-14, "{found:?}");
+    assert!((found[0].from.at.eps + 1.0).abs() < 1e-14, "{found:?}");
+}
+
+/// Where stepping finds a pose, and nowhere else; each end is where the crank that is searched is at
+/// an end of its interval, or at a dead point.
+#[test]
+fn limits_by_a_rocker_agree_with_stepping() {
+    let mut random = Random::new(23);
+    let (mut edges, mut dead_points) = (0, 0);
+    for _ in 0..30 {
+        let from = random.anywhere(-3.0, 2.0);
+        let to = from + random.anywhere(0.3, 3.1);
+        let machine = ByRocker { from, to, ..ByRocker::new() };
+        let stretches = limits(&machine, [-PI, PI]).expect("an interval");
+        for step in -150..150 {
+            let psi = (f64::from(step) + 0.37) * PI / 150.0;
+            let is_inside = stretches.iter().any(|s| s.from.at <= psi && psi <= s.to.at);
+            let found = machine.position(psi);
+            assert_eq!(found.is_ok(), is_inside, "{from} {to} {psi}: {found:?} {stretches:?}");
+        }
+        let four_bar = FourBar {
+            crank: 0.08,
+            coupler: 0.632,
+            rocker: 0.374,
+            base: 0.6657,
+            elbow: Side::Right,
+        };
+        for end in stretches.iter().flat_map(|s| [s.from, s.to]).filter(|end| end.stop == THETA) {
+            let theta = machine.position(end.at).expect("a limit has a pose").theta;
+            let at = |theta| four_bar.position(theta).expect("it turns fully").DC.angle();
+            if [from, to].iter().any(|&edge| (at(edge) - end.at).abs() < 1e-14) {
+                edges += 1;
+            } else {
+                dead_points += 1;
+                let rate = four_bar.velocity(theta, 1.0).expect("it turns fully").DC.omega;
+                // Half the digits of the angle are lost at a dead point.
+                assert!(rate.abs() < 1e-7, "{theta} {rate}");
+            }
+        }
+    }
+    assert!(edges > 10 && dead_points > 10, "{edges} {dead_points}");
+}
+
+/// The cranks of both presses turn as one, whatever the steps.
+#[test]
+fn twins_go_through_their_dead_point() {
+    for (start, step, count) in
+        [(1.4, 0.0175, 160), (1.6, 0.1, 32), (1.61, 0.07, 46), (1.5, 0.97, 3), (1.2, 2.3, 1)]
+    {
+        for sign in [1.0, -1.0] {
+            let way = if sign > 0.0 { Trend::Falling } else { Trend::Rising };
+            let mut tracker = Tracker::new(TwinPress { way, ..TwinPress::new() });
+            for index in 0..=count {
+                let turn = sign * (start - step * f64::from(index));
+                let found = tracker.motion(turn, -sign, 0.5);
+                let m = found.unwrap_or_else(|error| panic!("{turn} by {step}: {error}"));
+                let errors = [
+                    m.position.theta - turn,
+                    m.velocity.theta + sign,
+                    m.acceleration.theta - 0.5,
+                    m.position.AB.sin - turn.sin(),
+                ];
+                // As for groups: an interpolation over the dead point cannot hide the other root.
+                assert!(errors.iter().all(|error| error.abs() < 1e-7), "{turn}: {errors:?}");
+            }
+            assert_eq!(tracker.solver().way, way.flipped());
+            // And back again.
+            let m = tracker.motion(sign * start, sign, 0.0).expect("the way back");
+            assert!((m.position.theta - sign * start).abs() < 1e-12);
+            assert_eq!(tracker.solver().way, way);
+        }
+    }
+}
+
+#[test]
+fn a_constant_mode_ends_at_the_dead_point() {
+    let mut tracker = Tracker::new(StiffTwinPress::new());
+    tracker.position(0.5).expect("clear of it");
+    let singular = SolveError::Singular { group: "theta" };
+    assert_eq!(tracker.position(-0.5).map(|p| p.theta), Err(singular));
+    // It stays where it was.
+    let on = tracker.position(0.2).expect("on this side");
+    assert!((on.theta - 0.2).abs() < 1e-12);
+    // Beyond its interval there is no root: the crank's end is 100°.
+    let beyond = tracker.position(2.0);
+    assert!(matches!(beyond, Err(SolveError::NoSolution { unknown: "theta", .. })), "{beyond:?}");
+    // To the end of it and back in one step nobody can tell from through it.
+    let mut tracker = Tracker::new(TwinPress::new());
+    tracker.position(1.0).expect("clear of it");
+    assert!(tracker.position(2.0 * PI - 1.0).is_err());
+}
+
+/// A ram that is told: it stops at its dead point, and has come from where it goes back to.
+#[test]
+fn a_ram_stops_at_its_dead_point() {
+    let mut tracker = Tracker::new(InLine::new());
+    for x in [0.2, 0.3, 0.329, 0.33, 0.329, 0.2] {
+        let theta = tracker.position(x).unwrap_or_else(|error| panic!("{x}: {error}")).theta;
+        let again = 0.08 * theta.cos() + (0.0625 - (0.08 * theta.sin()).powi(2)).sqrt();
+        assert!((again - x).abs() < 1e-15 && (0.0..=PI).contains(&theta), "{x} {theta}");
+    }
+    let beyond = tracker.position(0.35);
+    assert!(matches!(beyond, Err(SolveError::NoSolution { unknown: "theta", .. })), "{beyond:?}");
+}
+
+/// The rocker's pose is that of the same machine driven at its crank.
+#[test]
+fn a_four_bar_by_its_rocker_is_followed_as_by_its_crank() {
+    let direct =
+        FourBar { crank: 0.08, coupler: 0.632, rocker: 0.374, base: 0.6657, elbow: Side::Right };
+    let mut tracker = Tracker::new(ByRocker::new());
+    let at = |theta: f64| direct.position(theta).expect("it turns fully").DC.angle();
+    for step in 0..=100 {
+        let theta = 0.3 + 0.022 * f64::from(step);
+        let m = tracker.motion(at(theta), 1.0, 0.0).unwrap_or_else(|e| panic!("{theta}: {e}"));
+        let by_crank = direct.motion(m.position.theta, m.velocity.theta, m.acceleration.theta);
+        let by_crank = by_crank.expect("it turns fully");
+        assert!((m.position.theta - theta).abs() < 1e-12, "{theta} {}", m.position.theta);
+        assert!((by_crank.velocity.DC.omega - 1.0).abs() < 1e-12);
+        assert!(by_crank.acceleration.DC.alpha.abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_group_behind_an_unknown_changes_its_mode() {
+    for step in [0.008, 0.05, 0.077, 0.6] {
+        let mut tracker = Tracker::new(Lifted::new());
+        let count = (0.8 / step) as u32;
+        for index in 0..=count {
+            let y = 0.4 - step * f64::from(index);
+            let m = tracker.motion(y, -1.0, 0.5).unwrap_or_else(|error| panic!("{y}: {error}"));
+            let theta = (y / 0.5).asin();
+            assert!((m.position.theta - theta).abs() < 1e-14);
+            assert!((m.position.DC.angle() - theta).abs() < 1e-9, "{y}");
+            assert!((m.velocity.DC.omega - m.velocity.theta).abs() < 1e-7, "{y}");
+        }
+        assert_eq!(tracker.solver().elbow, Side::Right);
+    }
+}
+
+/// A change of the group that the equation is made of is refused; on both sides of it there are poses.
+#[test]
+fn a_group_inside_the_search_keeps_its_mode() {
+    let mut tracker = Tracker::new(Inside::new());
+    for psi in [0.8, 0.5, 0.3] {
+        let p = tracker.position(psi).expect("on one side");
+        assert!((p.theta - psi).abs() < 1e-12);
+    }
+    let refused = tracker.position(-0.5).map(|p| p.theta);
+    assert!(refused.is_err(), "{refused:?}");
+    assert!((tracker.position(0.6).expect("still there").theta - 0.6).abs() < 1e-12);
+    let other = Inside { elbow: Side::Right, ..Inside::new() };
+    assert!((Tracker::new(other).position(-0.5).expect("there").theta + 0.5).abs() < 1e-12);
+}
+
+/// Where several roots have the trend, another one may be found: a tracker goes on with its own, or
+/// refuses.
+#[test]
+fn another_root_is_no_continuation() {
+    let (mut refused, mut jumps) = (0, 0);
+    for way in [Trend::Falling, Trend::Rising] {
+        for sign in [1.0, -1.0] {
+            let solver = Waves { way, ..Waves::new() };
+            let mut tracker = Tracker::new(solver);
+            let (mut last, mut alone) = (None::<f64>, None::<f64>);
+            for step in 0..=200 {
+                let x = 0.2013 + sign * (0.01 * f64::from(step) - 1.0);
+                let found = solver.position(x).ok().map(|p| p.theta);
+                jumps += u32::from(found.zip(alone).is_some_and(|(a, b)| (a - b).abs() > 0.5));
+                alone = found.or(alone);
+                match tracker.position(x) {
+                    Ok(p) => {
+                        assert!(last.is_none_or(|last| (p.theta - last).abs() < 0.3), "{x}");
+                        last = Some(p.theta);
+                    }
+                    Err(_) => refused += 1,
+                }
+            }
+        }
+    }
+    assert!(jumps > 0 && refused > 0, "{jumps} {refused}");
+}
