@@ -40,10 +40,10 @@ pub use crate::tracker::{Clearance, Modes};
 pub use crate::with_ad_ as with_ad;
 pub use crate::with_sketch_ as with_sketch;
 pub use crate::{
-    AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, ForcesCost, Fusion,
-    GuideForce, LaneMask, Lanes, Mask, Mechanism, Operations, Point, Real, Record, Scalar,
-    SearchCost, SearchingCost, SearchingForcesCost, Sense, Shaking, Side, Slide,
-    SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError,
+    AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, ForcesCost, GuideForce,
+    Mask, Mechanism, Operations, Point, Real, Record, Scalar, SearchCost, SearchingCost,
+    SearchingForcesCost, Sense, Shaking, Side, Slide, SlidingAcceleration, SlidingDirection,
+    SlidingVelocity, SolveError,
 };
 #[cfg(feature = "sketch")]
 pub use core::iter::IntoIterator;

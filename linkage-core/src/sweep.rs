@@ -8,15 +8,19 @@
 //! What is generated for a mechanism is an [`Entry`]; loops, tails, statuses and the choice of an
 //! instruction set are written once, here.
 
+mod block;
 mod instructions;
 mod kinds;
+mod poses;
 #[cfg(test)]
 mod tests;
 
 use core::fmt;
 
 use crate::{Float, Fusion, Lanes, Record, Scalar, SolveError};
+use block::{BLOCK, Column, put};
 pub use kinds::*;
+use poses::Poses;
 
 /// What came of one pose, in a byte: the single call's answer without its details, which the
 /// single call still gives.
@@ -170,21 +174,6 @@ impl<T: Copy> Series<'_, T> {
     }
 }
 
-/// Poses in a block: a few registers full, so that the block's columns stay in the first cache.
-const BLOCK: usize = 16;
-
-/// The numbers of one input or output at the poses of a block, aligned to a line of the cache:
-/// a vector across two lines costs twice.
-#[derive(Clone, Copy)]
-#[repr(align(64))]
-struct Column<T>([T; BLOCK]);
-
-impl<T: Float> Column<T> {
-    const fn splat(value: T) -> Self {
-        Self([value; BLOCK])
-    }
-}
-
 // `inline(always)` on the way from an instruction set to the lanes: a function of its own would be
 // compiled for the instruction set of the rest of the program.
 impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
@@ -220,9 +209,10 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         }
     }
 
-    /// A loop over single numbers, which the compiler turns into one over vectors: the fast
-    /// path has no branch, the columns are no one else's, and lanes of one number carry in their
-    /// type whether they fuse. Nothing is indexed, so that no build can panic.
+    /// Loops over single numbers, which the compiler turns into loops over vectors: the fast path has no
+    /// branch, the columns are no one else's, and lanes of one number carry in their type whether they
+    /// fuse. The first takes sines and cosines, see [`Poses`]. Nothing is indexed, so that no build can
+    /// panic.
     #[inline(always)]
     fn solve<K, F: Fusion>(
         &self,
@@ -232,18 +222,19 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
     where
         E: Entry<K, T, IN, OUT>,
     {
+        let circles = inputs.first().map(Column::sines_and_cosines::<F>);
         let mut mask = [true; BLOCK];
         for (i, ok) in mask.iter_mut().enumerate() {
-            let mut numbers = [Lanes::<T, 1, F>::splat(T::lit(0.0, 0.0)); IN];
+            let mut numbers = [Poses::<T, 1, F>::lit(0.0, 0.0); IN];
             for (number, column) in numbers.iter_mut().zip(inputs) {
-                let value = column.0.get(i).into_iter();
-                value.for_each(|&value| *number = Lanes::splat(value));
+                *number = Poses::new(Lanes::new(column.at(i)));
+            }
+            let angles = numbers.iter_mut().zip(inputs).zip(&circles);
+            for ((number, angle), [sine, cosine]) in angles {
+                *number = Poses::on_circle(angle.at(i), sine.at(i), cosine.at(i));
             }
             let (values, usable) = self.entry.solve(numbers);
-            for (column, value) in results.iter_mut().zip(values) {
-                let ([value], place) = (value.to_array(), column.0.get_mut(i).into_iter());
-                place.for_each(|to| *to = value);
-            }
+            put(&values, results, i);
             [*ok] = usable.to_array();
         }
         mask

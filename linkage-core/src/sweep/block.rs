@@ -1,0 +1,73 @@
+//! The numbers of a block of poses, in columns.
+
+use super::Poses;
+use crate::{Float, Fusion, Lanes, Scalar};
+
+/// Poses in a block: a few registers full, so that the block's columns stay in the first cache.
+pub(super) const BLOCK: usize = 16;
+
+/// The numbers of one input or output at the poses of a block, aligned to a line of the cache:
+/// a vector across two lines costs twice.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+pub(super) struct Column<T>(pub(super) [T; BLOCK]);
+
+impl<T: Float> Column<T> {
+    pub(super) const fn splat(value: T) -> Self {
+        Self([value; BLOCK])
+    }
+
+    /// The number at a pose of the block.
+    #[inline(always)]
+    pub(super) fn at(&self, pose: usize) -> [T; 1] {
+        [self.0.get(pose).copied().unwrap_or(T::lit(0.0, 0.0))]
+    }
+
+    /// Sines and cosines. Where no one reads them, they are not computed.
+    #[inline(always)]
+    pub(super) fn sines_and_cosines<F: Fusion>(&self) -> [Self; 2] {
+        let [mut sines, mut cosines] = [*self; 2];
+        for (sine, cosine) in sines.0.iter_mut().zip(&mut cosines.0) {
+            let (sin, cos) = Lanes::<T, 1, F>::splat(*sine).sin_cos_near();
+            ([*sine], [*cosine]) = (sin.to_array(), cos.to_array());
+        }
+        [sines, cosines]
+    }
+}
+
+/// Puts the numbers of a pose into their columns.
+///
+/// In loops so short that they are unrolled: one that remained would keep the loop over the poses from
+/// becoming one over vectors. As one loop, 84 numbers were written three times as slowly.
+#[inline(always)]
+pub(super) fn put<T: Float, F: Fusion, const OUT: usize>(
+    values: &[Poses<T, 1, F>; OUT],
+    columns: &mut [Column<T>; OUT],
+    pose: usize,
+) {
+    let (mut columns, mut values) = (&mut columns[..], &values[..]);
+    macro_rules! put_thirty_two {
+        () => {
+            let count = values.len().min(32);
+            let (columns_, values_) =
+                (columns.split_at_mut_checked(count), values.split_at_checked(count));
+            let (Some((these, columns_)), Some((numbers, values_))) = (columns_, values_) else {
+                return;
+            };
+            put_all(numbers, these, pose);
+            (columns, values) = (columns_, values_);
+        };
+    }
+    put_thirty_two!();
+    put_thirty_two!();
+    put_thirty_two!();
+    put_all(values, columns, pose);
+}
+
+#[inline(always)]
+fn put_all<T: Float, F: Fusion>(values: &[Poses<T, 1, F>], columns: &mut [Column<T>], pose: usize) {
+    for (column, value) in columns.iter_mut().zip(values) {
+        let ([value], place) = (value.into_array(), column.0.get_mut(pose).into_iter());
+        place.for_each(|to| *to = value);
+    }
+}
