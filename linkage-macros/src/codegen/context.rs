@@ -1,6 +1,6 @@
 //! What every part of the generated code is printed from.
 
-use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::identifiers::{Names, function_name};
@@ -127,11 +127,9 @@ impl<'a> Context<'a> {
             return literal(wide);
         }
         if (wide as f32).to_bits() == narrow.to_bits() {
-            let (num, wide) = (self.scalar("num"), literal(wide));
-            return quote!(#num(#wide)).into();
+            return Tokens::call(self.scalar("num"), [literal(wide)]);
         }
-        let (lit, wide, narrow) = (self.scalar("lit"), literal(wide), literal(narrow));
-        quote!(#lit(#wide, #narrow)).into()
+        Tokens::call(self.scalar("lit"), [literal(wide), literal(narrow)])
     }
 }
 
@@ -139,9 +137,13 @@ impl<'a> Context<'a> {
 pub(super) fn literal(value: impl std::fmt::Debug) -> Tokens {
     let digits = format!("{value:?}");
     let magnitude = digits.trim_start_matches('-');
-    let tokens = match magnitude.parse::<Literal>() {
-        Ok(literal) => Tokens::from(TokenStream::from(TokenTree::from(literal))),
-        Err(_) => quote!((1.0 / 0.0)).into(),
+    let tokens = match magnitude.parse::<f64>() {
+        // The compiler is not asked how such digits are read: it would be by a call across its border.
+        Ok(value) if !magnitude.contains(['e', 'i', 'N']) => Literal::f64_unsuffixed(value).into(),
+        _ => match magnitude.parse::<Literal>() {
+            Ok(literal) => Tokens::from(literal),
+            Err(_) => quote!((1.0 / 0.0)).into(),
+        },
     };
     if digits.starts_with('-') { tokens.negated() } else { tokens }
 }

@@ -1,7 +1,7 @@
 //! The statements of a routine, printed one by one.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::arguments::Arguments;
 use super::context::Context;
@@ -27,14 +27,14 @@ impl<'a> Printer<'a> {
     }
 
     pub(super) fn statements(&self, statements: &[Statement]) -> TokenStream {
-        statements.iter().map(|statement| self.statement(statement)).collect()
+        Tokens::joined(statements.iter().map(|statement| self.statement(statement)))
+            .into_token_stream()
     }
 
-    fn statement(&self, statement: &Statement) -> TokenStream {
-        match statement {
+    fn statement(&self, statement: &Statement) -> Tokens {
+        let stream = match statement {
             Statement::Let(id) => {
-                let (name, expression) = (self.name(*id), self.expression(self.node(*id)));
-                quote!(let #name = #expression;)
+                return Tokens::bound(self.name(*id), self.expression(self.node(*id)));
             }
             Statement::SinCos { angle, sin, cos, is_checked } => {
                 self.sin_cos(*angle, [*sin, *cos], *is_checked)
@@ -51,7 +51,8 @@ impl<'a> Printer<'a> {
                 let lines = self.statements(statements);
                 quote!(let #pattern = { #lines #pattern };)
             }
-        }
+        };
+        stream.into()
     }
 
     /// The root of an equation, found by a function of its own.
@@ -176,26 +177,17 @@ impl<'a> Printer<'a> {
         }
     }
 
-    fn expression(&self, node: Node) -> TokenStream {
-        let v = |id| self.value(id);
+    fn expression(&self, node: Node) -> Tokens {
         let call = |function: &str, operands: &[Id]| {
-            let function = self.cx.scalar(function);
-            let operands = operands.iter().map(|&id| v(id));
-            quote!(#function(#(#operands),*))
+            Tokens::call(self.cx.scalar(function), operands.iter().map(|&id| self.value(id)))
         };
-        let infix = |a, operator: TokenStream, b| {
-            let (a, b) = (v(a), v(b));
-            quote!(#a #operator #b)
-        };
+        let infix = |a, sign, b| Tokens::joined([self.value(a), Tokens::sign(sign), self.value(b)]);
         match node {
-            Node::Neg(a) => {
-                let a = v(a);
-                quote!(-#a)
-            }
-            Node::Add(a, b) => infix(a, quote!(+), b),
-            Node::Sub(a, b) => infix(a, quote!(-), b),
-            Node::Mul(a, b) => infix(a, quote!(*), b),
-            Node::Div(a, b) => infix(a, quote!(/), b),
+            Node::Neg(a) => self.value(a).negated(),
+            Node::Add(a, b) => infix(a, '+', b),
+            Node::Sub(a, b) => infix(a, '-', b),
+            Node::Mul(a, b) => infix(a, '*', b),
+            Node::Div(a, b) => infix(a, '/', b),
             Node::Sqrt(a) => call("sqrt", &[a]),
             Node::Tan(a) => call("tan", &[a]),
             Node::Asin(a) => call("asin", &[a]),
@@ -207,7 +199,7 @@ impl<'a> Printer<'a> {
             Node::MulErr(a, b) => call("mul_err", &[a, b]),
             Node::AddErr(a, b) => call("add_err", &[a, b]),
             Node::Fused(a, b, c) => call("fused", &[a, b, c]),
-            Node::Mode(param) => self.mode(param),
+            Node::Mode(param) => self.mode(param).into(),
             Node::Constant(_)
             | Node::Low(_)
             | Node::Input { .. }

@@ -5,14 +5,50 @@
 //! into code in thousands of places is therefore kept as a list of tokens, which spares a
 //! twentieth of the time of checking many mechanisms.
 
-use proc_macro2::{Ident, Punct, Spacing, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, TokenStreamExt};
 
 /// A few tokens.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub(super) struct Tokens(Vec<TokenTree>);
 
 impl Tokens {
+    /// These, one behind the other.
+    pub(super) fn joined(parts: impl IntoIterator<Item = Self>) -> Self {
+        parts.into_iter().fold(Self::default(), Self::followed_by)
+    }
+
+    /// These and the others.
+    pub(super) fn followed_by(mut self, others: Self) -> Self {
+        self.0.extend(others.0);
+        self
+    }
+
+    /// A sign.
+    pub(super) fn sign(sign: char) -> Self {
+        Self(vec![Punct::new(sign, Spacing::Alone).into()])
+    }
+
+    /// `function(first, second)`
+    pub(super) fn call(function: Self, operands: impl IntoIterator<Item = Self>) -> Self {
+        let mut list = Vec::new();
+        for operand in operands {
+            if !list.is_empty() {
+                list.push(Punct::new(',', Spacing::Alone).into());
+            }
+            list.extend(operand.0);
+        }
+        let operands = Group::new(Delimiter::Parenthesis, list.into_iter().collect());
+        function.followed_by(Self(vec![operands.into()]))
+    }
+
+    /// `let pattern = expression;`
+    pub(super) fn bound(name: Ident, expression: Self) -> Self {
+        let word = Ident::new("let", proc_macro2::Span::call_site());
+        let expression = Self::sign('=').followed_by(expression).followed_by(Self::sign(';'));
+        Self(vec![word.into(), name.into()]).followed_by(expression)
+    }
+
     /// `first::second`
     pub(super) fn path(first: Ident, second: Ident) -> Self {
         let colon = |spacing| TokenTree::from(Punct::new(':', spacing));
@@ -34,6 +70,12 @@ impl Tokens {
 impl From<Ident> for Tokens {
     fn from(name: Ident) -> Self {
         Self(vec![name.into()])
+    }
+}
+
+impl From<Literal> for Tokens {
+    fn from(literal: Literal) -> Self {
+        Self(vec![literal.into()])
     }
 }
 
