@@ -124,8 +124,8 @@ impl Moved {
 
 fn move_node(old: &Graph, maker: &mut Maker<'_>, node: Node, moved: &Moved) -> Node {
     match node {
-        Node::Constant(constant) => Node::Constant(maker.graph.intern(old.value(constant).clone())),
-        Node::Low(constant) => Node::Low(maker.graph.intern(old.value(constant).clone())),
+        Node::Constant(constant) => Node::Constant(maker.graph.intern_from(old, constant)),
+        Node::Low(constant) => Node::Low(maker.graph.intern_from(old, constant)),
         Node::Guard(value, guard) => {
             let guard = old.condition(guard).on(&|id| moved.of(id));
             Node::Guard(moved.of(value), maker.graph.intern_guard(guard))

@@ -149,10 +149,21 @@ impl Graph {
         if let Some(&id) = self.constant_ids.get(&value) {
             return id;
         }
-        let id = ConstantId(self.constants.len() as u32);
         let unit = value.first_of(&[0, 1, -1]);
-        self.constants.push(Constant { value: value.clone(), unit });
-        self.constant_ids.insert(value, id);
+        self.keep(Constant { value, unit })
+    }
+
+    /// A constant of another graph, of which is known what it is.
+    pub(crate) fn intern_from(&mut self, other: &Self, constant: ConstantId) -> ConstantId {
+        let constant = &other.constants[constant.0 as usize];
+        let known = self.constant_ids.get(&constant.value).copied();
+        known.unwrap_or_else(|| self.keep(constant.clone()))
+    }
+
+    fn keep(&mut self, constant: Constant) -> ConstantId {
+        let id = ConstantId(self.constants.len() as u32);
+        self.constant_ids.insert(constant.value.clone(), id);
+        self.constants.push(constant);
         id
     }
 
