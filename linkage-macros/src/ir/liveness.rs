@@ -46,6 +46,10 @@ pub(crate) fn live_nodes<'a>(
 /// For every node, whether its value depends on a trial: it is computed inside a search alone.
 pub(crate) fn tried(graph: &Graph) -> Vec<bool> {
     let mut tried = vec![false; graph.len()];
+    // Most mechanisms search nothing.
+    if !graph.iter().any(|(_, node)| matches!(node, Node::Trial(_))) {
+        return tried;
+    }
     for (id, node) in graph.iter() {
         let mut depends = matches!(node, Node::Trial(_));
         if !matches!(node, Node::Root(_)) {

@@ -14,8 +14,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use laboratory::generated as g;
-use linkage_core::private::{Entry, LaneMask, Lanes, Series, sweep};
-use linkage_core::{Fusion, Mask, Record, Scalar, SolveError, Status};
+use linkage_core::private::{Entry, Series, sweep};
+use linkage_core::{Mask, Record, Scalar, SolveError, Status};
 
 const ROUNDS: usize = 2001;
 
@@ -32,21 +32,17 @@ impl<const DIVISIONS: u32, const ROOTS: u32> Entry<OfDivider, f64, 1, 1>
     for Divider<DIVISIONS, ROOTS>
 {
     #[inline(always)]
-    fn solve_lanes<const W: usize, F: Fusion>(
-        &self,
-        [x]: [Lanes<f64, W, F>; 1],
-    ) -> ([Lanes<f64, W, F>; 1], LaneMask<W>) {
-        let literal = |value: f64| Lanes::<f64, W, F>::lit(value, value as f32);
+    fn solve<U: Scalar>(&self, [x]: [U; 1]) -> ([U; 1], U::Mask) {
         let mut sum = x;
         // Different numbers each time, so that none is a copy of another: 1/(x + 1), 2/(x + 2), …
         for nth in 0..DIVISIONS {
-            let nth = literal(f64::from(nth) + 1.0);
+            let nth = U::num(f64::from(nth) + 1.0);
             sum = sum + nth / (x + nth);
         }
         for nth in 0..ROOTS {
-            sum = sum + (x + literal(f64::from(nth) + 0.5)).sqrt();
+            sum = sum + (x + U::num(f64::from(nth) + 0.5)).sqrt();
         }
-        ([sum], <LaneMask<W> as Mask>::ALL)
+        ([sum], U::Mask::ALL)
     }
 
     fn solve_one(&self, [x]: [f64; 1]) -> Result<[f64; 1], SolveError> {
