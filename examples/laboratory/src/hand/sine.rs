@@ -39,7 +39,7 @@ pub fn cos_sin(x: f64) -> [f64; 2] {
     let shifted = fused(x, std::f64::consts::FRAC_2_PI, SHIFT);
     let n = shifted - SHIFT;
     let words: &[f64] = if cfg!(target_feature = "fma") {
-        &[1.570_796_326_794_896_6, 6.123_233_995_736_766e-17]
+        &[std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17]
     } else {
         &[1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21]
     };

@@ -102,6 +102,9 @@ fn main() {
     }
 }
 
+/// A number of a line, where it has been measured.
+type Column = fn(&Line) -> Option<f64>;
+
 /// Median and worst of the mechanisms that were drawn.
 fn summary(lines: &[Line], call: &str) {
     let is_drawn = |line: &&Line| line.name.contains("bar") && line.call == call;
@@ -109,7 +112,7 @@ fn summary(lines: &[Line], call: &str) {
     if lines.is_empty() {
         return;
     }
-    let columns: [(&str, fn(&Line) -> Option<f64>); 3] = [
+    let columns: [(&str, Column); 3] = [
         ("throughput", |line| Some(line.ratios.throughput)),
         ("latency", |line| Some(line.ratios.latency)),
         ("instructions", |line| {
