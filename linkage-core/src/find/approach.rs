@@ -172,14 +172,14 @@ impl<T: Real> Steps<T> {
             // towards a double root are halved.
             return (self.width * number(TWO_TO_MINUS_22)).ge(last);
         }
-        // Each of Newton's steps is the square of the one before, times a constant; a secant's is
-        // the product of the two before.
         // Where the slope has become so much steeper, the function is none that steps converge on: next
         // to a toggle, say, where it ends with a vertical slope.
         let is_exact = self.slopes == Slopes::Exact;
         if is_exact && magnitude(slope).gt(magnitude(slope_before) * number(STEEPER)) {
             return false;
         }
+        // Each of Newton's steps is the square of the one before, times a constant; a secant's is
+        // the product of the two before.
         let ratio = step / last;
         let next = match self.slopes {
             // The constant, half the curvature over the slope, also follows from both slopes: far

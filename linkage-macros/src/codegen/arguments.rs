@@ -151,6 +151,11 @@ impl<'a> Arguments<'a> {
         }
     }
 
+    /// Whether a public function makes records of what it is given.
+    pub(super) fn has_records(&self) -> bool {
+        self.given.iter().any(|&given| self.record(given).is_some())
+    }
+
     /// Makes records of what a public function was given; nothing for plain numbers.
     pub(super) fn converted(&self, scalar: &TokenStream) -> TokenStream {
         let into = self.cx.paths.item("Into");

@@ -28,9 +28,7 @@ fn public_name(entry: &Entry) -> Ident {
 
 /// Whether the public function turns its arguments into others before anything is computed.
 fn has_core(cx: &Context<'_>, entry: &Entry) -> bool {
-    let scalar = &cx.names.scalar;
-    let arguments = Arguments::new(cx, entry.given);
-    entry.takes_cosine() || !arguments.converted(&quote!(#scalar)).is_empty()
+    entry.takes_cosine() || Arguments::new(cx, entry.given).has_records()
 }
 
 /// `solve_…`, and the core that it shares with everything else.
