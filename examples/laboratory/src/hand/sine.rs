@@ -8,8 +8,8 @@
 
 use super::fused;
 
-/// fdlibm's minimax coefficients for |x| ≤ π/4.
-const SINE: [f64; 6] = [
+/// fdlibm's minimax coefficients for |x| ≤ π/4: those of the sine, behind x.
+pub const SINE: [f64; 6] = [
     -1.66666666666666324348e-01,
     8.33333333332248946124e-03,
     -1.98412698298579493134e-04,
@@ -17,7 +17,8 @@ const SINE: [f64; 6] = [
     -2.50507602534068634195e-08,
     1.58969099521155010221e-10,
 ];
-const COSINE: [f64; 6] = [
+/// Those of the cosine, behind 1 − x²/2.
+pub const COSINE: [f64; 6] = [
     4.16666666666666019037e-02,
     -1.38888888888741095749e-03,
     2.48015872894767294178e-05,
@@ -55,9 +56,10 @@ pub fn cos_sin(x: f64) -> [f64; 2] {
     turned(sine, cosine, shifted.to_bits())
 }
 
-/// By quarter turns, of which the two low bits of q count.
+/// Cosine and sine, turned by quarter turns, of which the two low bits of q count.
 #[inline(always)]
-fn turned(sine: f64, cosine: f64, q: u64) -> [f64; 2] {
+#[must_use]
+pub fn turned(sine: f64, cosine: f64, q: u64) -> [f64; 2] {
     let (s, c) = (sine.to_bits(), cosine.to_bits());
     let swap = (s ^ c) & (q & 1).wrapping_neg();
     let sine = f64::from_bits(s ^ swap ^ ((q & 2) << 62));

@@ -3,25 +3,9 @@
 
 #![allow(clippy::excessive_precision, reason = "the digits are those of the source")]
 
-use crate::number::Number;
+use laboratory::hand::sine::{COSINE, SINE, turned};
 
-/// fdlibm's minimax coefficients for |x| ≤ π/4.
-const SINE_F64: [f64; 6] = [
-    -1.66666666666666324348e-01,
-    8.33333333332248946124e-03,
-    -1.98412698298579493134e-04,
-    2.75573137070700676789e-06,
-    -2.50507602534068634195e-08,
-    1.58969099521155010221e-10,
-];
-const COSINE_F64: [f64; 6] = [
-    4.16666666666666019037e-02,
-    -1.38888888888741095749e-03,
-    2.48015872894767294178e-05,
-    -2.75573143513906633035e-07,
-    2.08757232129817482790e-09,
-    -1.13596475577881948265e-11,
-];
+use crate::number::Number;
 
 /// Below 1e5 the products with the first two parts of π/2 are exact.
 #[inline(always)]
@@ -36,20 +20,15 @@ pub(crate) fn sin_cos_f64(x: f64) -> (f64, f64) {
     let r = (-n).fused(6.077_100_506_303_966e-11, r);
     let r = (-n).fused(2.022_266_248_795_950_6e-21, r);
     let z = r * r;
-    let [s0, s1, s2, s3, s4, s5] = SINE_F64;
+    let [s0, s1, s2, s3, s4, s5] = SINE;
     let z2 = z * z;
     let series = z2.fused(z2.fused(z.fused(s5, s4), z.fused(s3, s2)), z.fused(s1, s0));
     let sine = (z * r).fused(series, r);
-    let [c0, c1, c2, c3, c4, c5] = COSINE_F64;
+    let [c0, c1, c2, c3, c4, c5] = COSINE;
     let series = z2.fused(z2.fused(z.fused(c5, c4), z.fused(c3, c2)), z.fused(c1, c0));
     let cosine = z2.fused(series, z.fused(-0.5, 1.0));
-    let q = shifted.to_bits();
-    let (s, c) = (sine.to_bits(), cosine.to_bits());
-    let swap = (s ^ c) & (q & 1).wrapping_neg();
-    (
-        f64::from_bits(s ^ swap ^ ((q & 2) << 62)),
-        f64::from_bits(c ^ swap ^ ((q.wrapping_add(1) & 2) << 62)),
-    )
+    let [cosine, sine] = turned(sine, cosine, shifted.to_bits());
+    (sine, cosine)
 }
 
 /// Below 1e3 the products with the first two parts of π/2 are exact.
