@@ -46,6 +46,9 @@ pub trait Checks<T: Scalar> {
     /// Sine and cosine of an angle.
     fn sin_cos(&mut self, angle: T) -> (T, T);
 
+    /// The same by [`Scalar::sin_cos_fast`] where nothing is diagnosed.
+    fn sin_cos_fast(&mut self, angle: T) -> (T, T);
+
     /// The root of an unknown's equation, of sides in this unit, and the size that its rounding is
     /// measured by. Where none was found, what is returned leads to a refusal in the end.
     fn root(
@@ -204,6 +207,12 @@ impl<T: Scalar> Checks<T> for AllMet<T::Mask> {
     }
 
     #[inline(always)]
+    fn sin_cos_fast(&mut self, angle: T) -> (T, T) {
+        self.and(angle.is_near());
+        angle.sin_cos_fast()
+    }
+
+    #[inline(always)]
     fn above(&mut self, value: T, least: T) {
         self.and(value.gt(least));
     }
@@ -298,6 +307,10 @@ impl<T: Real> Checks<T> for FirstError {
     }
 
     fn sin_cos(&mut self, angle: T) -> (T, T) {
+        angle.sin_cos()
+    }
+
+    fn sin_cos_fast(&mut self, angle: T) -> (T, T) {
         angle.sin_cos()
     }
 
