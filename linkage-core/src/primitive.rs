@@ -123,6 +123,7 @@ macro_rules! scalar {
                 true
             }
 
+            type Plain = Self;
             type Enclosing = Enclosure<Self>;
 
             #[inline]

@@ -2,12 +2,10 @@
 
 use linkage_core::{Real, Record, SolveError};
 use linkage_tests::double_double::DoubleDouble;
+use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::fast::*;
 use linkage_tests::random::Random;
-
-fn number<T: Real>(value: f64) -> T {
-    T::lit(value, value as f32)
-}
+use linkage_tests::widths::number;
 
 /// Of so many last places of its width.
 fn moved<T: Real>(value: f64, ulps: i32) -> f64 {
@@ -178,17 +176,6 @@ fn what_is_not_constant_is_solved_as_without() {
     let refused = FastWatt::new().position(f64::NAN).map(|_| ());
     assert_eq!(refused, Err(SolveError::NotFinite { name: "theta" }));
     assert!(FastWatt::new().position(1e7).is_ok());
-}
-
-macro_rules! in_both_widths {
-    ($($test:ident)+) => {
-        mod double {
-            $(#[test] fn $test() { super::$test::<f64>(); })+
-        }
-        mod single {
-            $(#[test] fn $test() { super::$test::<f32>(); })+
-        }
-    };
 }
 
 in_both_widths! { toggles lengths through_toggles }
