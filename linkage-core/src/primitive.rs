@@ -30,7 +30,7 @@ macro_rules! scalar {
             }
             #[inline]
             fn sin_cos_fast(self) -> (Self, Self) {
-                self.sin_cos_fast_kernel::<Native>()
+                self.sin_cos_fast_kernel::<Native, true>()
             }
             #[inline]
             fn is_near(self) -> bool {

@@ -203,8 +203,24 @@ numbers!(
     [P.x, P.y, BC.alpha, DC.alpha]
 );
 numbers!(
+    four_bar_fast,
+    FourBarFastMotion,
+    14,
+    [P.x, P.y, BC.cos, BC.sin, DC.cos, DC.sin],
+    [P.x, P.y, BC.omega, DC.omega],
+    [P.x, P.y, BC.alpha, DC.alpha]
+);
+numbers!(
     six_bar,
     SixBarMotion,
+    13,
+    [rod.cos, rod.sin, block.slide, ram.slide, pin.slide],
+    [rod.omega, block.slide, ram.slide, pin.slide],
+    [rod.alpha, block.slide, ram.slide, pin.slide]
+);
+numbers!(
+    six_bar_fast,
+    SixBarFastMotion,
     13,
     [rod.cos, rod.sin, block.slide, ram.slide, pin.slide],
     [rod.omega, block.slide, ram.slide, pin.slide],

@@ -23,10 +23,11 @@ pub trait Float: Real + sealed::Sealed {
     #[doc(hidden)]
     fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self);
 
-    /// The kernel behind [`Scalar::sin_cos_fast`](crate::Scalar::sin_cos_fast).
+    /// The kernel behind [`Scalar::sin_cos_fast`](crate::Scalar::sin_cos_fast), of a number alone or of a
+    /// lane.
     #[doc(hidden)]
     #[inline(always)]
-    fn sin_cos_fast_kernel<F: Fusion>(self) -> (Self, Self) {
+    fn sin_cos_fast_kernel<F: Fusion, const ALONE: bool>(self) -> (Self, Self) {
         self.sin_cos_kernel::<F>()
     }
 
@@ -54,8 +55,8 @@ impl Float for f64 {
         sin_cos_f64::sin_cos::<F>(self)
     }
     #[inline]
-    fn sin_cos_fast_kernel<F: Fusion>(self) -> (Self, Self) {
-        sin_cos_f64::sin_cos_fast::<F>(self)
+    fn sin_cos_fast_kernel<F: Fusion, const ALONE: bool>(self) -> (Self, Self) {
+        sin_cos_f64::sin_cos_fast::<F, ALONE>(self)
     }
 }
 

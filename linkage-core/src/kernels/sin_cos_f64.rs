@@ -136,14 +136,26 @@ fn polynomials<F: Fusion>(r: f64, excess: f64) -> (f64, f64) {
 /// Half a unit is the last rounding. Of the sine, half of one is the remainder's, and as much again where
 /// the third word of π/2 counts, next to its multiples; of the cosine, half of one
 /// is that of 1 − r²/2, a quarter that of r² and 0.36 the remainder's, which acts with sin r.
+///
+/// `ALONE` is a number that stands in no lane: its quarter turns are looked up.
 #[inline(always)]
-pub(crate) fn sin_cos_fast<F: Fusion>(x: f64) -> (f64, f64) {
-    if !F::FUSED {
-        return sin_cos::<F>(x);
-    }
-    let fused = f64::fused_by::<F>;
-    let shifted = fused(x, QUADRANTS, SHIFT);
+pub(crate) fn sin_cos_fast<F: Fusion, const ALONE: bool>(x: f64) -> (f64, f64) {
+    let shifted = f64::fused_by::<F>(x, QUADRANTS, SHIFT);
     let q = shifted - SHIFT;
+    let (sin, cos) = if F::FUSED {
+        polynomials_fast::<F>(x, q)
+    } else {
+        let (r, excess) = reduce::<F>(x, q);
+        polynomials::<F>(r, excess)
+    };
+    let q = shifted.to_bits();
+    if ALONE { turn_alone::<F>(sin, cos, q) } else { turn::<F>(sin, cos, q) }
+}
+
+/// Sine and cosine of what is left of x without q quarter turns.
+#[inline(always)]
+fn polynomials_fast<F: Fusion>(x: f64, q: f64) -> (f64, f64) {
+    let fused = f64::fused_by::<F>;
     let r = WORDS.iter().fold(x, |r, &word| fused(-q, word, r));
     let z = r * r;
     let z2 = z * z;
@@ -153,7 +165,7 @@ pub(crate) fn sin_cos_fast<F: Fusion>(x: f64) -> (f64, f64) {
     };
     let sin = fused(z * r, series(SINE.map(core::ops::Neg::neg)), r);
     let cos = fused(z2, series(COSINE), fused(-0.5, z, 1.0));
-    turn::<F>(sin, cos, shifted.to_bits())
+    (sin, cos)
 }
 
 /// Sine and cosine in quadrant `q` (its two low bits count) from those of the remainder.
@@ -169,6 +181,22 @@ fn turn<F: Fusion>(sin: f64, cos: f64, q: u64) -> (f64, f64) {
     let odd = (q & 1).wrapping_neg();
     let by_cos = f64::from_bits((ONE & !odd) | ((q & 2) << 62));
     let by_sin = f64::from_bits((ONE & odd) | ((!q.wrapping_add(1) & 2) << 62));
+    turned::<F>(sin, cos, [by_sin, by_cos])
+}
+
+/// The same with a table, which takes five instructions in place of nineteen, and which a loop over lanes
+/// could not look into.
+#[inline(always)]
+fn turn_alone<F: Fusion>(sin: f64, cos: f64, q: u64) -> (f64, f64) {
+    /// Sines, each of which is the cosine of the quarter before.
+    const QUARTERS: [f64; 5] = [-0.0, 1.0, 0.0, -1.0, -0.0];
+    let quarter = (q & 3) as usize;
+    turned::<F>(sin, cos, [QUARTERS[quarter], QUARTERS[quarter + 1]])
+}
+
+/// Sine and cosine turned by the angle whose sine and cosine are given.
+#[inline(always)]
+fn turned<F: Fusion>(sin: f64, cos: f64, [by_sin, by_cos]: [f64; 2]) -> (f64, f64) {
     let fused = f64::fused_by::<F>;
     (fused(cos, by_sin, sin * by_cos), fused(-sin, by_sin, cos * by_cos))
 }

@@ -72,8 +72,9 @@ impl Visit for Report {
 
 impl Line {
     fn text(&self) -> String {
-        let Ratios { throughput, latency } = self.ratios;
+        let Ratios { throughput, latency, nanoseconds: [each, wait] } = self.ratios;
         let mut text = format!("{:14} {:14} {throughput:7.3} {latency:7.3}", self.name, self.call);
+        text += &format!("  {each:6.1} {wait:6.1}");
         if let Some(counts) = self.counts {
             let columns: [fn(Count) -> usize; 4] =
                 [|c| c.instructions, |c| c.arithmetic, |c| c.constants, |c| c.shuffles];
@@ -94,7 +95,7 @@ fn main() {
     println!("Generated over hand form, compiled {fused} fused operations, {rounds} rounds.");
     println!("Counts are the generated solver's and the hand form's.\n");
     println!(
-        "{:29} through- latency   instruct. arithmetic  constants   shuffles\n{:29} put",
+        "{:29} through- latency  ns: each  wait  instruct. arithmetic  constants   shuffles\n{:29} put",
         "", ""
     );
     let counts = counted::counts();

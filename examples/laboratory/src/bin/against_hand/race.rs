@@ -8,6 +8,8 @@ use std::time::Instant;
 pub(crate) struct Ratios {
     pub(crate) throughput: f64,
     pub(crate) latency: f64,
+    /// The generated solver's of a call: throughput and latency.
+    pub(crate) nanoseconds: [f64; 2],
 }
 
 /// rad/s and rad/s²
@@ -19,20 +21,23 @@ pub(crate) type Call<const N: usize> = fn([f64; 3], &mut [f64; N]) -> bool;
 /// Medians of the ratios of one round each: a disturbance hits both ways or is outvoted.
 pub(crate) fn ratios<const N: usize>([made, by_hand]: [Call<N>; 2], rounds: usize) -> Ratios {
     let angles = angles();
-    let ratio = |run: fn(Call<N>, &[f64]) -> f64| {
-        let ratios = (0..rounds).map(|round| {
+    let race = |run: fn(Call<N>, &[f64]) -> f64| {
+        let rounds = (0..rounds).map(|round| {
             // Neither is always the first.
-            if round % 2 == 0 {
-                let time = run(made, &angles);
-                time / run(by_hand, &angles)
+            let [made, by_hand] = if round % 2 == 0 {
+                [made, by_hand].map(|call| run(call, &angles))
             } else {
-                let time = run(by_hand, &angles);
-                run(made, &angles) / time
-            }
+                let [by_hand, made] = [by_hand, made].map(|call| run(call, &angles));
+                [made, by_hand]
+            };
+            (made / by_hand, made / angles.len() as f64)
         });
-        median(ratios.collect())
+        let (ratios, times) = rounds.unzip();
+        (median(ratios), median(times))
     };
-    Ratios { throughput: ratio(one_by_one::<N>), latency: ratio(one_after_another::<N>) }
+    let (throughput, each) = race(one_by_one::<N>);
+    let (latency, wait) = race(one_after_another::<N>);
+    Ratios { throughput, latency, nanoseconds: [each, wait] }
 }
 
 pub(crate) fn median(mut values: Vec<f64>) -> f64 {

@@ -17,7 +17,6 @@ type Run = Box<dyn FnOnce(usize, &dyn Fn(usize)) -> Vec<Finding>>;
 pub(crate) struct Contest {
     pub(crate) mechanism: &'static str,
     pub(crate) width: &'static str,
-    pub(crate) epsilon: f64,
     pub(crate) run: Run,
 }
 
@@ -30,12 +29,7 @@ pub(crate) fn all() -> Vec<Contest> {
 }
 
 fn in_width<F: Width>() -> [Contest; 4] {
-    let contest = |mechanism, run| Contest {
-        mechanism,
-        width: F::NAME,
-        epsilon: <F as Number>::EPSILON,
-        run,
-    };
+    let contest = |mechanism, run| Contest { mechanism, width: F::NAME, run };
     [
         contest(
             FOUR_BAR.name,
@@ -78,6 +72,8 @@ fn four_bar<F: Width>() -> Bench<F, 14> {
         move |[t, w, a]| compensated.motion(t, w, a),
         g::four_bar_compensated,
     );
+    let fast = g::FourBarFast::<F>::default();
+    bench.closed("generated, fast", move |[t, w, a]| fast.motion(t, w, a), g::four_bar_fast);
     bench.swept("generated, sweep", move |input, slices| {
         let swept = batches::four_bar(&solver, input, slices);
         assert_eq!(swept, Ok(()), "all slices are of one length");
@@ -107,6 +103,8 @@ fn six_bar<F: Width>() -> Bench<F, 13> {
     bench.closed("num-dual", dual::six_bar::<F>, |out| *out);
     let solver = g::SixBar::<F>::default();
     bench.closed("generated", move |[t, w, a]| solver.motion(t, w, a), g::six_bar);
+    let fast = g::SixBarFast::<F>::default();
+    bench.closed("generated, fast", move |[t, w, a]| fast.motion(t, w, a), g::six_bar_fast);
     bench.swept("generated, sweep", move |input, slices| {
         let swept = batches::six_bar(&solver, input, slices);
         assert_eq!(swept, Ok(()), "all slices are of one length");

@@ -8,7 +8,7 @@
 //! Four mechanisms, each in f64 and f32: position, velocity and acceleration of every output with
 //! all checks on the result. Times are ratios to the straightforward hand-written closed form,
 //! measured in turns; errors are those of the table in `truth`. Writes a picture of both, beside it
-//! how errors grow next to a limit.
+//! how errors grow next to a limit, and beside that what the other of the two commands has found.
 //!
 //! `work_precision ROUNDS` measures that many rounds instead of the default, and
 //! `work_precision ROUNDS S1` nothing but the mechanisms whose name starts like that.
@@ -16,6 +16,7 @@
 mod batches;
 mod bench;
 mod contest;
+mod dots;
 mod dual;
 mod error;
 mod half_angle;
@@ -56,13 +57,13 @@ fn main() {
                 let _ = std::io::stderr().flush();
             }
         };
-        let epsilon = contest.epsilon;
+        let width = contest.width;
         let findings = (contest.run)(rounds, &progress);
         if is_watched {
             eprint!("\r{:60}\r", "");
         }
         report::print(&title, &findings);
-        measured.push(Measured { epsilon, findings });
+        measured.push(Measured { width, findings });
     }
     if wanted.is_empty() {
         picture::write(&measured);

@@ -1,19 +1,20 @@
-//! The picture: error of an acceleration against time, a panel a width, and beside it the error of a
-//! position against the distance from a limit.
+//! The picture: error of an acceleration against time, a panel a width and an instruction set, and beside
+//! them the error of a position against the distance from a limit.
 
 use charts::{Curve, MarkerShape, Panel};
 use laboratory::near_limits;
 
 use crate::bench::Finding;
+use crate::dots::{self, Dot};
 
 /// One mechanism in one width, measured.
 pub(crate) struct Measured {
-    pub(crate) epsilon: f64,
+    pub(crate) width: &'static str,
     pub(crate) findings: Vec<Finding>,
 }
 
 /// The methods' families with their shapes; every Newton is one, whatever its steps.
-const FAMILIES: [(&str, MarkerShape); 8] = [
+const FAMILIES: [(&str, MarkerShape); 9] = [
     ("straightforward", MarkerShape::Square),
     ("tuned by hand", MarkerShape::Diamond),
     ("half angles", MarkerShape::Triangle),
@@ -21,41 +22,61 @@ const FAMILIES: [(&str, MarkerShape); 8] = [
     ("num-dual", MarkerShape::TriangleDown),
     ("generated, compensated", MarkerShape::Star),
     ("generated, sweep", MarkerShape::Plus),
+    ("generated, fast", MarkerShape::Circle),
     ("generated", MarkerShape::Circle),
 ];
 
-/// Writes `target/charts/work_precision.svg` and says so: a row a width.
+/// Writes `target/charts/work_precision.svg` and says so: a row a width. What the last run that was
+/// compiled the other way has found is drawn as well.
 pub(crate) fn write(measured: &[Measured]) {
-    let panels =
-        near_limits::stretched().into_iter().zip([("f64", f64::EPSILON), ("f32", EPSILON)]);
-    let panels = panels.flat_map(|(sweep, (width, epsilon))| {
-        let of_width = measured.iter().filter(|measured| measured.epsilon == epsilon);
-        let stretched = format!("Two bars nearly stretched, {width}");
-        [race(width, &of_width.collect::<Vec<_>>()), sweep.panel(&stretched, 0)]
-    });
+    let here = cfg!(target_feature = "fma");
+    let found = found(measured);
+    dots::keep(here, &found);
+    let other = dots::kept(!here);
+    let ways = if here { [(false, other), (true, found)] } else { [(false, found), (true, other)] };
+    let ways: Vec<_> = ways.into_iter().filter(|(_, dots)| !dots.is_empty()).collect();
+    let mut panels = Vec::new();
+    for (sweep, width) in near_limits::stretched().into_iter().zip(["f64", "f32"]) {
+        panels.extend(ways.iter().map(|(is_fused, dots)| race(width, *is_fused, dots)));
+        panels.push(sweep.panel(&format!("Two bars nearly stretched, {width}"), 0));
+    }
     let title = "Speed against error, each point a mechanism: lower left is better";
-    charts::write("work_precision", title, 2, panels.collect());
+    charts::write("work_precision", title, ways.len() + 1, panels);
 }
 
-const EPSILON: f64 = f32::EPSILON as f64;
-
-fn race(width: &str, measured: &[&Measured]) -> Panel {
-    let dots = |(family, marker): (&str, MarkerShape)| {
-        let findings = measured.iter().flat_map(|measured| &measured.findings);
-        let points = findings.filter_map(|finding| point(finding, family)).collect();
+fn race(width: &str, is_fused: bool, dots: &[Dot]) -> Panel {
+    let curve = |(family, marker): (&str, MarkerShape)| {
+        let dots = dots.iter().filter(|dot| dot.width == width && dot.family == family);
+        let points = dots.map(|dot| dot.point).collect();
         Curve::dots(family, charts::colour_of(family), marker, points)
     };
     let axes =
         ["time of a pose over that of the straightforward form", "error of accelerations in ε"];
-    let title = format!("Position, velocity and acceleration, {width}");
-    Panel::over(&title, axes, FAMILIES.map(dots).into()).logarithmic()
+    let fused = if is_fused { "with" } else { "without" };
+    let title = format!("Motion, {width}, {fused} fused operations");
+    Panel::over(&title, axes, FAMILIES.map(curve).into()).logarithmic()
 }
 
-/// Time, and the largest error of an acceleration.
-fn point(finding: &Finding, family: &str) -> Option<(f64, f64)> {
+/// Times, and the largest errors of an acceleration.
+fn found(measured: &[Measured]) -> Vec<Dot> {
+    let dots = measured.iter().flat_map(|Measured { width, findings }| {
+        findings.iter().filter_map(|finding| {
+            let (family, point) = point(finding)?;
+            Some(Dot { width: (*width).to_owned(), family: family.to_owned(), point })
+        })
+    });
+    dots.collect()
+}
+
+fn point(finding: &Finding) -> Option<(&'static str, (f64, f64))> {
     let [_, _, acceleration] = finding.errors?;
-    let rest = finding.name.strip_prefix(family)?;
-    let is_member = rest.is_empty() || rest.starts_with(", steps");
-    let is_drawn = is_member && acceleration.is_finite() && acceleration > 0.0;
-    is_drawn.then_some((finding.throughput.ratio, acceleration))
+    let is_member = |family: &str| {
+        finding
+            .name
+            .strip_prefix(family)
+            .is_some_and(|rest| rest.is_empty() || rest.starts_with(", steps"))
+    };
+    let (family, _) = FAMILIES.into_iter().find(|&(family, _)| is_member(family))?;
+    let is_drawn = acceleration.is_finite() && acceleration > 0.0;
+    is_drawn.then_some((family, (finding.throughput.ratio, acceleration)))
 }
