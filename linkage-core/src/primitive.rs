@@ -119,6 +119,7 @@ macro_rules! scalar {
                 true
             }
 
+            type Plain = Self;
             type Enclosing = Enclosure<Self>;
 
             #[inline]

@@ -105,4 +105,24 @@ mod tests {
         assert_eq!(found_on_circle(1.0, f32::INFINITY, "theta").unwrap_err(), not_finite("sin"));
         assert!(!on_circle(f64::NAN, 0.0).2 && !on_circle(1.0, f64::INFINITY).2);
     }
+
+    /// Also of angles that the straight line's sine and cosine are not for.
+    #[test]
+    fn what_is_given_goes_on_as_a_direction() {
+        let both = |cos, sin| Ok([cos, sin]);
+        for angle in [0.3, -2e6, 1e22_f64] {
+            // Within a unit in the last place of one.
+            let [cos, sin] = from_angle(angle, "theta", both).expect("a finite angle");
+            let (sin_by, cos_by) = libm::sincos(angle);
+            assert!((cos - cos_by).abs() <= f64::EPSILON && (sin - sin_by).abs() <= f64::EPSILON);
+        }
+        let not_finite = Err(SolveError::NotFinite { name: "theta" });
+        assert_eq!(from_angle(f64::NAN, "theta", both), not_finite);
+        let [cos, sin] = from_circle(0.57, -0.76_f64, "theta", both).expect("it is near one");
+        assert!((cos - 0.6).abs() <= f64::EPSILON && (sin + 0.8).abs() <= f64::EPSILON);
+        let off = from_circle(0.0, 2.0, "theta", both);
+        assert_eq!(off, Err(SolveError::OffCircle { name: "theta", amplitude: 2.0 }));
+        let refused = SolveError::Singular { group: "BC" };
+        assert_eq!(from_angle(0.0, "theta", |_, _| Err::<(), _>(refused)), Err(refused));
+    }
 }

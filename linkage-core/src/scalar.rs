@@ -164,6 +164,19 @@ pub trait Real: Scalar<Mask = bool> {
     #[must_use]
     fn is_constant(self) -> bool;
 
+    /// Numbers of this width that carry no derivative: what a search runs on.
+    #[doc(hidden)]
+    type Plain: Real;
+
+    /// The value without derivatives.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn plain_value(self) -> Self::Plain {
+        // Widened and narrowed again, nothing is lost.
+        Self::Plain::num(self.value())
+    }
+
     /// Ranges of numbers of this width, for following a motion.
     #[doc(hidden)]
     type Enclosing: Real;

@@ -11,16 +11,16 @@
 mod block;
 mod instructions;
 mod kinds;
-mod poses;
+mod pose;
 #[cfg(test)]
 mod tests;
 
 use core::fmt;
 
-use crate::{Float, Fusion, Lanes, Record, Scalar, SolveError};
+use crate::{Float, Fusion, Record, Scalar, SolveError};
 use block::{BLOCK, Column, put};
 pub use kinds::*;
-use poses::Poses;
+use pose::Pose;
 
 /// What came of one pose, in a byte: the single call's answer without its details, which the
 /// single call still gives.
@@ -211,7 +211,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
 
     /// Loops over single numbers, which the compiler turns into loops over vectors: the fast path has no
     /// branch, the columns are no one else's, and lanes of one number carry in their type whether they
-    /// fuse. The first takes sines and cosines, see [`Poses`]. Nothing is indexed, so that no build can
+    /// fuse. The first takes sines and cosines, see [`Pose`]. Nothing is indexed, so that no build can
     /// panic.
     #[inline(always)]
     fn solve<K, F: Fusion>(
@@ -225,13 +225,13 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         let circles = inputs.first().map(Column::sines_and_cosines::<F>);
         let mut mask = [true; BLOCK];
         for (i, ok) in mask.iter_mut().enumerate() {
-            let mut numbers = [Poses::<T, 1, F>::lit(0.0, 0.0); IN];
+            let mut numbers = [Pose::<T, F>::lit(0.0, 0.0); IN];
             for (number, column) in numbers.iter_mut().zip(inputs) {
-                *number = Poses::new(Lanes::new(column.at(i)));
+                *number = Pose::new(column.at(i));
             }
             let angles = numbers.iter_mut().zip(inputs).zip(&circles);
             for ((number, angle), [sine, cosine]) in angles {
-                *number = Poses::on_circle(angle.at(i), sine.at(i), cosine.at(i));
+                *number = Pose::on_circle([angle, sine, cosine].map(|column| column.at(i)));
             }
             let (values, usable) = self.entry.solve(numbers);
             put(&values, results, i);

@@ -9,6 +9,7 @@ use linkage_tests::mechanisms::margins::*;
 use linkage_tests::mechanisms::near_limits::*;
 use linkage_tests::mechanisms::single_groups::*;
 use linkage_tests::mechanisms::stacked_sliders::*;
+use linkage_tests::mechanisms::unknowns::{RamAndFollower, RamAndFollowerPosition};
 use linkage_tests::mechanisms::variable_dimensions::*;
 
 use super::calls::{At, Calls};
@@ -78,6 +79,16 @@ mechanism! {
     }
 }
 
+/// Numbers of twice the width search nothing. What is right is told by the equations of a pose: what
+/// each misses is no more than a place of half a last place, and the rounding of a dozen operations, of
+/// what its sides are made of.
+fn is_closed<T: Number>(state: &State<T, 2, 3>, p: &RamAndFollowerPosition<T>) -> bool {
+    let [x, h] = state.q.map(|q| q.value());
+    let sizes = [state.params[0].value().abs() + state.params[1].value().abs(), 5.0];
+    let missed = [(p.C.x.value() - x, x.abs() + sizes[0]), (p.F.y.value() - h, h.abs() + sizes[1])];
+    missed.iter().all(|(miss, size)| miss.abs() <= 64.0 * T::HALF_UNIT * size)
+}
+
 fuzzed! {
     CouplerFourBar: 1 one, 0(), modes(elbow), units(BC DC), margins();
     InclinedSliderCrank: 1 one, 0(), modes(side), units(BC block), margins(), circle;
@@ -99,4 +110,5 @@ fuzzed! {
     Cranks: 1 one, 7(crank base coupler rocker rod follower lever), modes(first second third), units(GH), margins(), circle;
     Everything: 3 many, 2(swing reach), modes(side elbow), units(PF block bar),
         margins(DC_margin);
+    RamAndFollower: 2 many, 3(r rod seed), modes(), units(AB BC), margins(BC_margin) => is_closed;
 }

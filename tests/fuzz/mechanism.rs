@@ -149,11 +149,12 @@ macro_rules! rows {
 
 /// What this program has to know of a declaration: how many inputs and numeric parameters it has,
 /// what its mode parameters and margins are called, and the links whose directions are outputs;
-/// `circle` where the only input may be given by its cosine and sine.
+/// `circle` where the only input may be given by its cosine and sine, and behind `=>` what tells a right
+/// position where no numbers of twice the width do.
 macro_rules! fuzzed {
     ($($name:ident: $inputs:literal $count:ident, $params:literal($($param:ident)*),
         modes($($mode:ident)*), units($($link:ident)*),
-        margins($($margin:ident)*) $(, $circle:ident)?;)*) => {$(
+        margins($($margin:ident)*) $(, $circle:ident)? $(=> $is_right:ident)?;)*) => {$(
         const _: () = {
             fn solver<S: Scalar>(state: &State<S, $inputs, $params>) -> $name<S> {
                 let [$($param),*] = state.params;
@@ -172,10 +173,8 @@ macro_rules! fuzzed {
                     state: &State<S, $inputs, $params>,
                 ) -> Option<Vec<S>> {
                     let State { q, rate, second, .. } = *state;
-                    let (motion, ok) = solver(state).solve_motion(
-                        given!($count q), given!($count rate), given!($count second),
-                    );
-                    ok.then(|| rows!(motion))
+                    let given = (given!($count q), given!($count rate), given!($count second));
+                    truth!(solver(state), given $(, $is_right)?)
                 }
             }
 
@@ -203,6 +202,9 @@ macro_rules! fuzzed {
 
                     let position = solver.position(q);
                     if let Ok(_position) = &position {
+                        $(if !$is_right(state, _position) {
+                            at.wrong("position", "not right", _position);
+                        })?
                         $(at.unit("position", [_position.$link.cos, _position.$link.sin]);)*
                     }
                     let motion = answers!(at, solver, position, q, rate, second);
@@ -259,6 +261,18 @@ macro_rules! fuzzed {
             $(fuzz::<$name, T, $inputs, $params>(source, count / mechanisms, calls);)*
         }
     };
+}
+
+/// The motion that every number can compute; nothing of a mechanism that searches.
+macro_rules! truth {
+    ($solver:expr, $given:ident) => {{
+        let (motion, ok) = $solver.solve_motion($given.0, $given.1, $given.2);
+        ok.then(|| rows!(motion))
+    }};
+    ($solver:expr, $given:ident, $is_right:ident) => {{
+        let _ = $given;
+        None
+    }};
 }
 
 /// A mechanism without numeric parameters has no sensitivities.

@@ -6,16 +6,9 @@
 //! All coordinates and lengths here are exact, so what is missing is known exactly.
 
 use linkage_core::{Real, Side, SolveError};
+use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::driven_groups::*;
-
-fn number<T: Real>(value: f64) -> T {
-    let narrow = value as f32;
-    T::lit(value, narrow)
-}
-
-fn list<T: Real, const N: usize>(values: [f64; N]) -> [T; N] {
-    values.map(number)
-}
+use linkage_tests::widths::{list, number};
 
 /// What a pose short of assembly gives: `by` metres, at most four units or more.
 #[track_caller]
@@ -171,17 +164,6 @@ fn inside_the_toggle<T: Real>() {
         let error = (turning.BC.omega.value() - omega).abs();
         assert!(error <= omega / 4.0 / f64::from(units) + 1.0, "{:?} for {omega}", turning.BC);
     }
-}
-
-macro_rules! in_both_widths {
-    ($($test:ident)+) => {
-        mod double {
-            $(#[test] fn $test() { super::$test::<f64>(); })+
-        }
-        mod single {
-            $(#[test] fn $test() { super::$test::<f32>(); })+
-        }
-    };
 }
 
 in_both_widths! {

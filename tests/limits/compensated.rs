@@ -8,10 +8,12 @@
 
 use linkage_core::{Real, Sense, Side};
 use linkage_tests::double_double::DoubleDouble;
+use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::compensated::*;
 use linkage_tests::mechanisms::driven_groups::{DrivenRpr, DrivenRrp, DrivenRrr};
 use linkage_tests::mechanisms::near_limits::{CompensatedRrp, CompensatedRrr};
 use linkage_tests::random::Random;
+use linkage_tests::widths::number;
 
 type Wide = DoubleDouble<false>;
 
@@ -22,10 +24,6 @@ fn wide(value: f64) -> Wide {
 /// Tenths, exactly.
 fn tenths(count: f64) -> Wide {
     wide(count) / wide(10.0)
-}
-
-fn number<T: Real>(value: f64) -> T {
-    T::lit(value, value as f32)
 }
 
 /// The nearest number of the width.
@@ -208,17 +206,6 @@ fn a_cylinder_between_fixed_pivots<T: Real>() {
         let found = [pose.BC.cos, pose.BC.sin, pose.DC.cos, pose.DC.sin];
         assert_directions(found, &truth);
     });
-}
-
-macro_rules! in_both_widths {
-    ($($test:ident)+) => {
-        mod double {
-            $(#[test] fn $test() { super::$test::<f64>(); })+
-        }
-        mod single {
-            $(#[test] fn $test() { super::$test::<f32>(); })+
-        }
-    };
 }
 
 in_both_widths! {

@@ -2,15 +2,9 @@
 //! the pose is not, smooth, with rates, and free for those who do not ask.
 
 use linkage_core::{Real, SolveError};
+use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::margins::*;
-
-fn number<T: Real>(value: f64) -> T {
-    T::lit(value, value as f32)
-}
-
-fn list<T: Real, const N: usize>(values: [f64; N]) -> [T; N] {
-    values.map(number)
-}
+use linkage_tests::widths::{list, number};
 
 /// `margin` as a function of what is left to the limit, negative beyond it: slope one there, and
 /// the sign of what is left everywhere on the way. `curvature` bounds the second derivative; the
@@ -147,17 +141,6 @@ fn margins_are_free_for_those_who_do_not_ask() {
     let theta = 0.7;
     let (a, b) = (WatchedFourBar::new().position(theta), UnwatchedFourBar::new().position(theta));
     assert_eq!(a.unwrap().C, b.unwrap().C);
-}
-
-macro_rules! in_both_widths {
-    ($($test:ident)+) => {
-        mod double {
-            $(#[test] fn $test() { super::$test::<f64>(); })+
-        }
-        mod single {
-            $(#[test] fn $test() { super::$test::<f32>(); })+
-        }
-    };
 }
 
 in_both_widths! { bars bar_and_guide block_and_bar transmission }

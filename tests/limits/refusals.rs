@@ -1,16 +1,10 @@
 //! Bad dimensions and bad inputs: every entry point refuses them and says which.
 
 use linkage_core::{Real, SolveError};
+use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::driven_groups::*;
 use linkage_tests::mechanisms::published::FlyingShear;
-
-fn number<T: Real>(value: f64) -> T {
-    T::lit(value, value as f32)
-}
-
-fn list<T: Real, const N: usize>(values: [f64; N]) -> [T; N] {
-    values.map(number)
-}
+use linkage_tests::widths::{list, number};
 
 /// What each entry point that needs no derivative says.
 macro_rules! answers {
@@ -201,25 +195,14 @@ fn undetermined<T: Real>() {
     assert_all(&answers, SolveError::Singular { group: "block, yoke" });
 }
 
-macro_rules! in_both_widths {
-    ($($test:ident ($($wide:literal, $narrow:literal)?))+) => {
-        mod double {
-            $(#[test] fn $test() { super::$test::<f64>($($wide)?); })+
-        }
-        mod single {
-            $(#[test] fn $test() { super::$test::<f32>($($narrow)?); })+
-        }
-    };
-}
-
 in_both_widths! {
-    bad_lengths()
-    bad_offsets()
-    bad_inputs()
+    bad_lengths
+    bad_offsets
+    bad_inputs
     overflowing_rates(1.0e200, 1.0e30)
     overflowing_lengths(1.0e200, 1.0e30)
-    out_of_reach()
-    undetermined()
+    out_of_reach
+    undetermined
 }
 
 /// Jacobians and sensitivities refuse for the same reasons; they exist for `f32` and `f64` alone.

@@ -2,12 +2,9 @@
 //! lengths whatever is given, or it is refused.
 
 use linkage_core::{Lanes, Real, Scalar, SolveError, differentiate_twice};
+use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::resolvers::*;
-
-fn number<T: Real>(value: f64) -> T {
-    let narrow = value as f32;
-    T::lit(value, narrow)
-}
+use linkage_tests::widths::number;
 
 /// From the least accepted to the largest, a few per cent and a few last places from one.
 fn amplitudes<T: Real>() -> [f64; 11] {
@@ -129,17 +126,6 @@ fn a_limit_is_where_the_angle_has_it<T: Real>() {
         let beside = toggle.position_at(number(0.6 * amplitude), number(0.8 * amplitude));
         assert!(matches!(beside, Err(SolveError::OutOfReach { group: "BC, DC", .. })));
     }
-}
-
-macro_rules! in_both_widths {
-    ($($test:ident)+) => {
-        mod double {
-            $(#[test] fn $test() { super::$test::<f64>(); })+
-        }
-        mod single {
-            $(#[test] fn $test() { super::$test::<f32>(); })+
-        }
-    };
 }
 
 in_both_widths! {

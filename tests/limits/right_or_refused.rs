@@ -2,19 +2,12 @@
 //! which random and adversarial numbers found it otherwise.
 
 use linkage_core::{Real, SolveError};
+use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::driven_groups::*;
 use linkage_tests::mechanisms::near_limits::CompensatedRrp;
 use linkage_tests::mechanisms::right_or_refused::*;
 use linkage_tests::random::Random;
-
-fn number<T: Real>(value: f64) -> T {
-    let narrow = value as f32;
-    T::lit(value, narrow)
-}
-
-fn list<T: Real, const N: usize>(values: [f64; N]) -> [T; N] {
-    values.map(number)
-}
+use linkage_tests::widths::{list, number};
 
 #[track_caller]
 fn assert_out_of_reach<P>(answer: Result<P, SolveError>, group: &str, by: f64, epsilon: f64) {
@@ -231,17 +224,6 @@ fn a_group_at_rest_at_its_limit_has_a_jacobian_and_no_sensitivity() {
     assert!((jacobian[2] + sin).abs() + (jacobian[3] - cos).abs() <= 2.0 * f64::EPSILON);
     let error = SolveError::Singular { group: "BC, DC" };
     assert_eq!(StandingLimit::new().sensitivity(0.5).map(|_| ()), Err(error));
-}
-
-macro_rules! in_both_widths {
-    ($($test:ident)+) => {
-        mod double {
-            $(#[test] fn $test() { super::$test::<f64>(); })+
-        }
-        mod single {
-            $(#[test] fn $test() { super::$test::<f32>(); })+
-        }
-    };
 }
 
 in_both_widths! { distances tuned_distances at_toggles bars_of_known_lengths }

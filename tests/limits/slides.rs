@@ -6,13 +6,9 @@ use linkage_tests::double_double::DoubleDouble;
 use linkage_tests::mechanisms::driven_groups::DrivenRrp;
 use linkage_tests::mechanisms::slides::*;
 use linkage_tests::random::Random;
+use linkage_tests::widths::number;
 
 type Wide = DoubleDouble<false>;
-
-fn number<T: Real>(value: f64) -> T {
-    let narrow = value as f32;
-    T::lit(value, narrow)
-}
 
 /// Of two guides along the axes one gives x and the other gives y, however far away their origins
 /// are along them: by their slides the pin would be off by the last place of 3 km.

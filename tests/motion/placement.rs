@@ -3,12 +3,10 @@
 //! coordinates' spacing costs and no more.
 
 use linkage_core::Real;
+use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::placement::*;
 use linkage_tests::random::Random;
-
-fn number<T: Real>(value: f64) -> T {
-    T::lit(value, value as f32)
-}
+use linkage_tests::widths::number;
 
 fn guides_along_the_axes<T: Real>() {
     let mut random = Random::new(90);
@@ -106,17 +104,6 @@ fn far_away<T: Real>() {
             assert!(x <= 6.0 * spacing / 0.68, "{x:e}");
         }
     }
-}
-
-macro_rules! in_both_widths {
-    ($($test:ident)+) => {
-        mod double {
-            $(#[test] fn $test() { super::$test::<f64>(); })+
-        }
-        mod single {
-            $(#[test] fn $test() { super::$test::<f32>(); })+
-        }
-    };
 }
 
 in_both_widths! { guides_along_the_axes any_size any_size_of_guides far_away }

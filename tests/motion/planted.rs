@@ -10,9 +10,11 @@
 //! with a right side that holds squares of velocities: κ · (A + 2 W² / |sin|) / |sin|.
 
 use linkage_core::{Direction, Point, Real, Sense, Side};
+use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::driven_groups::*;
 use linkage_tests::random::Random;
 use linkage_tests::rigid_motion::{Jet, Moving};
+use linkage_tests::widths::{list, number};
 
 const POSES: usize = 2000;
 
@@ -54,14 +56,6 @@ impl Scale {
             self.check("C.y", order, found[order].y, y);
         }
     }
-}
-
-fn number<T: Real>(value: f64) -> T {
-    T::lit(value, value as f32)
-}
-
-fn list<T: Real, const N: usize>(values: [f64; N]) -> [T; N] {
-    values.map(number)
 }
 
 fn any_jet(random: &mut Random, low: f64, high: f64) -> Jet {
@@ -274,17 +268,6 @@ fn rpp<T: Real>() {
             frame.relative(),
         );
     }
-}
-
-macro_rules! in_both_widths {
-    ($($group:ident)+) => {
-        mod double {
-            $(#[test] fn $group() { super::$group::<f64>(); })+
-        }
-        mod single {
-            $(#[test] fn $group() { super::$group::<f32>(); })+
-        }
-    };
 }
 
 in_both_widths! { rrr rrp rpr prp rpp }

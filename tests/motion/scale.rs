@@ -4,14 +4,7 @@
 use linkage_core::{Real, SolveError};
 use linkage_tests::mechanisms::driven_groups::*;
 use linkage_tests::random::Random;
-
-fn number<T: Real>(value: f64) -> T {
-    T::lit(value, value as f32)
-}
-
-fn list<T: Real, const N: usize>(values: [f64; N]) -> [T; N] {
-    values.map(number)
-}
+use linkage_tests::widths::{list, number};
 
 /// Position, velocity and acceleration, each row by its name.
 type Rows = Vec<(&'static str, [f64; 3])>;

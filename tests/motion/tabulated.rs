@@ -11,21 +11,18 @@
 
 use linkage_core::{Real, Sense, Side};
 use linkage_tests::accuracy::{roundings, widened};
+use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::variable_dimensions::*;
 use linkage_tests::mechanisms::{drivers::*, moving_bases::*, published::*, single_groups::*};
 use linkage_tests::tables;
 use linkage_tests::tables::truth::Table;
+use linkage_tests::widths::number;
 
 /// 2 √(20/12), 2 √(40/12), 2 √(60/12): behind one inner joint.
 const ONE_GROUP: [f64; 3] = [2.6, 3.7, 4.5];
 
 /// Six inner joints, each standing on earlier ones: six times the operations.
 const SIX_GROUPS: [f64; 3] = [6.3, 8.9, 11.0];
-
-/// The number in the solver's width; the tables use inputs that every width holds exactly.
-fn number<T: Real>(value: f64) -> T {
-    T::lit(value, value as f32)
-}
 
 /// The only number of a row's list.
 fn only<T: Real>(values: &[f64]) -> T {
@@ -198,17 +195,6 @@ fn published_systems<T: Real>() {
     follow!(T, CRANK_RPP, CrankRpp { ..Default::default() }, only, ONE_GROUP);
     follow!(T, SIX_BAR, SixBar { ..Default::default() }, only, ONE_GROUP);
     follow!(T, FLYING_SHEAR, FlyingShear { ..Default::default() }, only, ONE_GROUP);
-}
-
-macro_rules! in_both_widths {
-    ($($test:ident)+) => {
-        mod double {
-            $(#[test] fn $test() { super::$test::<f64>(); })+
-        }
-        mod single {
-            $(#[test] fn $test() { super::$test::<f32>(); })+
-        }
-    };
 }
 
 in_both_widths! {

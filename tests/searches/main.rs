@@ -1,6 +1,7 @@
 //! What is searched for rather than solved: the input at which an output is where it is wanted, the
 //! range of an input, the extremes of an output.
 
+mod derived;
 mod followed;
 mod ranges;
 mod set_points;

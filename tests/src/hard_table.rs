@@ -5,6 +5,7 @@ use linkage_core::{Real, Side, SolveError};
 
 use crate::mechanisms::stacked_sliders::*;
 use crate::tables::hard::{self, Case};
+use crate::widths::number;
 
 /// One number of one case.
 #[derive(Clone, Debug)]
@@ -82,10 +83,6 @@ fn compare(
         achievable: *achievable,
     })
     .collect()
-}
-
-fn number<T: Real>(value: f64) -> T {
-    T::lit(value, value as f32)
 }
 
 fn pair<T: Real>(x: f64, y: f64) -> [T; 2] {

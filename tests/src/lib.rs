@@ -13,3 +13,4 @@ pub mod mechanisms;
 pub mod random;
 pub mod rigid_motion;
 pub mod tables;
+pub mod widths;

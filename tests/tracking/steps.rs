@@ -8,6 +8,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use linkage_core::{Float, Real, Side, SolveError, Tracker};
 use linkage_tests::mechanisms::scaled_change_points::*;
 use linkage_tests::random::Random;
+use linkage_tests::widths::number;
 
 /// Half a degree.
 const STEP: f64 = PI / 360.0;
@@ -30,11 +31,6 @@ trait Stepped: Copy + 'static {
     fn solver(tracker: &Self::Tracker) -> Self;
     /// The tracker's motion.
     fn step(tracker: &mut Self::Tracker, theta: f64, unit: f64) -> Result<Row, SolveError>;
-}
-
-/// A number of any width.
-fn number<T: Real>(value: f64) -> T {
-    T::lit(value, value as f32)
 }
 
 macro_rules! stepped {

@@ -55,11 +55,7 @@ impl Dimensions {
     /// coupler's other side.
     #[must_use]
     pub fn mirrored(self) -> Self {
-        let branch = match self.branch {
-            Side::Left => Side::Right,
-            Side::Right => Side::Left,
-        };
-        Self { across: -self.across, branch, ..self }
+        Self { across: -self.across, branch: self.branch.flipped(), ..self }
     }
 }
 

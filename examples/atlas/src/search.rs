@@ -129,8 +129,8 @@ fn compared_again(
     Ok(found)
 }
 
-/// The nearest, and after it the nearest of those that are another design: no length within half a crank of all
-/// three lengths of a linkage that was taken.
+/// The nearest, and after it the nearest of those that are another design: from each linkage that was taken, one
+/// of its three lengths at least differs by half a crank or more.
 #[must_use]
 pub fn designs(found: &[Found], count: usize) -> Vec<Found> {
     let lengths = |found: &Found| {

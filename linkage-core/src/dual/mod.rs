@@ -238,6 +238,7 @@ impl<D: Compose> Real for D {
         self.real().is_constant() && self.has_no_derivative()
     }
 
+    type Plain = <D::Part as Real>::Plain;
     type Enclosing = <D::Part as Real>::Enclosing;
 
     /// Modes are a matter of values.

@@ -227,7 +227,7 @@ pub(super) fn middle<T: Real>([a, b]: [T; 2]) -> T {
 
 /// A number without derivatives.
 pub(crate) fn number<T: Scalar>(value: f64) -> T {
-    T::lit(value, value as f32)
+    T::num(value)
 }
 
 /// The number without its derivatives.

@@ -14,14 +14,46 @@ const SLACK: f64 = 4.0;
 /// The root of left − right, and the size by which their rounding is measured: the largest sides
 /// that were met, and what they would change by over the whole interval at the last slope.
 ///
-/// `sides` gives left, right and the slope of their difference. The search is [`Search::find`]'s
-/// but for two things. A target that an end misses by no more than four units in the last place of
-/// what was met gives that end. And a seed that is the root at once, on sides near zero, tells
-/// nothing of their size: then the lower end is looked at as well, an evaluation more.
+/// `sides` gives left, right and the slope of their difference. Numbers that carry derivatives take both
+/// from `plain`, the same search on numbers that carry none: their own arithmetic rounds otherwise, and
+/// might end at another root, or meet a pose that cannot be assembled where the search of the values
+/// meets none. The root then gets its derivatives, provided that the slope is the wanted way by more
+/// than rounding: what `diagnosis::moving` asks.
 ///
 /// # Errors
 /// See [`FindError`].
 pub fn root<T: Real>(
+    between: [T; 2],
+    trend: Trend,
+    near: Option<T>,
+    plain: impl FnOnce() -> Result<[T::Plain; 2], FindError>,
+    mut sides: impl FnMut(T) -> [T; 3],
+) -> Result<[T; 2], FindError> {
+    if T::ORDER == 0 {
+        return searched(between, trend, near, sides);
+    }
+    let [at, size] = plain()?.map(|found| number::<T>(found.value()));
+    let last = Cell::new(number::<T>(0.0));
+    let difference = |x| {
+        let [left, right, slope] = sides(x);
+        last.set(trend.sign::<T>() * slope);
+        [left - right, slope]
+    };
+    let found = Equation::new(difference, trend).differentiated(at)?.at;
+    let change = last.get().value() * (between[1].value() - between[0].value());
+    let is_slope = change > ROUNDINGS * T::EPSILON * size.value();
+    if found.is_constant() || is_slope {
+        Ok([found, size])
+    } else {
+        Err(FindError::Singular { at: at.value() })
+    }
+}
+
+/// [`root`] by a search, which is [`Search::find`]'s but for two things. A target that an end misses by
+/// no more than four units in the last place of what was met gives that end. And a seed that is the root
+/// at once, on sides near zero, tells nothing of their size: then the lower end is looked at as well, an
+/// evaluation more.
+fn searched<T: Real>(
     between: [T; 2],
     trend: Trend,
     near: Option<T>,
@@ -57,10 +89,6 @@ pub fn root<T: Real>(
         })?,
     };
     let found = f.differentiated(at)?.at;
-    let is_known = change.get().gt(extent.get() * number(ROUNDINGS * T::EPSILON));
-    if !found.is_constant() && !is_known {
-        return Err(FindError::Singular { at: at.value() });
-    }
     Ok([found, extent.get() + change.get()])
 }
 
@@ -84,7 +112,7 @@ mod tests {
     }
 
     fn of_ram(target: f64, near: Option<f64>) -> Result<[f64; 2], FindError> {
-        root(HALF_TURN, Trend::Falling, near, |theta| ram(theta, target))
+        searched(HALF_TURN, Trend::Falling, near, |theta| ram(theta, target))
     }
 
     #[test]
@@ -115,7 +143,8 @@ mod tests {
         }
         // Sides that are zero where the seed is: the lower end tells their size.
         let line = |x: f64| [x - 1.0, 0.0, 1.0];
-        let [at, size] = root([0.0, 3.0], Trend::Rising, Some(1.0), line).expect("it is the root");
+        let [at, size] =
+            searched([0.0, 3.0], Trend::Rising, Some(1.0), line).expect("it is the root");
         assert!(at == 1.0 && size == 4.0, "{at} {size}");
     }
 
@@ -131,7 +160,7 @@ mod tests {
             [crank * cos + along, target, -across - across * crank * cos / along]
         };
         let [theta, _] =
-            root([0.0, core::f32::consts::PI], Trend::Falling, None, sides).expect("a root");
+            searched([0.0, core::f32::consts::PI], Trend::Falling, None, sides).expect("a root");
         // In f64 it is 1.2175330182.
         assert!((theta - 1.217_533).abs() < 1e-6, "{theta}");
     }
@@ -139,9 +168,9 @@ mod tests {
     #[test]
     fn what_is_no_number_is_where_it_was_met() {
         let sides = |x| [if x > 1.0 { f64::NAN } else { x }, 0.5, -1.0];
-        let found = root(HALF_TURN, Trend::Falling, None, sides);
+        let found = searched(HALF_TURN, Trend::Falling, None, sides);
         assert_eq!(found, Err(FindError::NotFinite { at: HALF_TURN[1] }));
-        let reversed = root([1.0, 0.0], Trend::Falling, None, sides);
+        let reversed = searched([1.0, 0.0], Trend::Falling, None, sides);
         assert_eq!(reversed, Err(FindError::Interval { from: 1.0, to: 0.0 }));
     }
 }

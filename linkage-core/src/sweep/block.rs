@@ -1,6 +1,6 @@
 //! The numbers of a block of poses, in columns.
 
-use super::Poses;
+use super::Pose;
 use crate::{Float, Fusion, Lanes, Scalar};
 
 /// Poses in a block: a few registers full, so that the block's columns stay in the first cache.
@@ -19,8 +19,8 @@ impl<T: Float> Column<T> {
 
     /// The number at a pose of the block.
     #[inline(always)]
-    pub(super) fn at(&self, pose: usize) -> [T; 1] {
-        [self.0.get(pose).copied().unwrap_or(T::lit(0.0, 0.0))]
+    pub(super) fn at(&self, pose: usize) -> T {
+        self.0.get(pose).copied().unwrap_or(T::lit(0.0, 0.0))
     }
 
     /// Sines and cosines. Where no one reads them, they are not computed.
@@ -41,7 +41,7 @@ impl<T: Float> Column<T> {
 /// becoming one over vectors. As one loop, 84 numbers were written three times as slowly.
 #[inline(always)]
 pub(super) fn put<T: Float, F: Fusion, const OUT: usize>(
-    values: &[Poses<T, 1, F>; OUT],
+    values: &[Pose<T, F>; OUT],
     columns: &mut [Column<T>; OUT],
     pose: usize,
 ) {
@@ -65,9 +65,8 @@ pub(super) fn put<T: Float, F: Fusion, const OUT: usize>(
 }
 
 #[inline(always)]
-fn put_all<T: Float, F: Fusion>(values: &[Poses<T, 1, F>], columns: &mut [Column<T>], pose: usize) {
+fn put_all<T: Float, F: Fusion>(values: &[Pose<T, F>], columns: &mut [Column<T>], pose: usize) {
     for (column, value) in columns.iter_mut().zip(values) {
-        let ([value], place) = (value.into_array(), column.0.get_mut(pose).into_iter());
-        place.for_each(|to| *to = value);
+        column.0.get_mut(pose).into_iter().for_each(|to| *to = value.number());
     }
 }

@@ -328,6 +328,7 @@ impl<T: Float> Enclosure<T> {
 
 impl<T: Float> Real for Enclosure<T> {
     const EPSILON: f64 = T::EPSILON;
+    type Plain = Self;
     type Enclosing = Self;
 
     #[inline]

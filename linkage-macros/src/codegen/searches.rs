@@ -35,6 +35,8 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     };
     let lines = search.routine.stages.iter().map(|stage| printer.statements(&stage.statements));
     let sides = search.sought.sides.map(|side| printer.value(side));
+    let given: Vec<_> = given.collect();
+    let (real, plain) = (cx.paths.item("Real"), generated("plain_"));
     let (name, docs) = (function_name(&search.routine.name), docs(cx, search));
     if let Wanted::End(end) = search.sought.wanted {
         let (bound, end) = (cx.paths.item("bound"), Literal::u8_unsuffixed(end));
@@ -51,7 +53,10 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     quote! {
         #docs
         fn #name(&self, [#(#given),*]: [#scalar; #count]) -> #result<[#scalar; 2], #error> {
-            #find([#(#between),*], #trend, #near, |#trial: #scalar| {
+            let #plain = || {
+                self.lift::<<#scalar as #real>::Plain>().#name([#(#real::plain_value(#given)),*])
+            };
+            #find([#(#between),*], #trend, #near, #plain, |#trial: #scalar| {
                 #(#lines)*
                 [#(#sides),*]
             })

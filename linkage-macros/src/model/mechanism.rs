@@ -72,6 +72,32 @@ pub(crate) enum Body {
 }
 
 impl Mechanism {
+    /// Of this name, and nothing in it yet.
+    pub(crate) fn empty(docs: Vec<Attribute>, visibility: Visibility, name: Ident) -> Self {
+        Self {
+            docs,
+            visibility,
+            name,
+            inputs: Vec::new(),
+            params: Vec::new(),
+            unknowns: Vec::new(),
+            lets: Vec::new(),
+            points: Vec::new(),
+            links: Vec::new(),
+            guides: Vec::new(),
+            groups: Vec::new(),
+            steps: Vec::new(),
+            outputs: Vec::new(),
+            rotatabilities: Vec::new(),
+            known: Vec::new(),
+            dynamics: Dynamics::default(),
+            references: References::default(),
+            numerics: Numerics::Plain,
+            crate_path: None,
+            export_c: false,
+        }
+    }
+
     pub(crate) fn point_ids(&self) -> impl Iterator<Item = PointId> + use<> {
         (0..self.points.len() as u32).map(PointId)
     }

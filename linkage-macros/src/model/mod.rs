@@ -61,9 +61,8 @@ use std::collections::HashSet;
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 
-use dynamics::Dynamics;
 use facts::Facts;
-use mechanism::{Mechanism, Numerics, References};
+use mechanism::{Mechanism, References};
 use names::{Names, TooEarly};
 use searched::Searched;
 
@@ -176,26 +175,6 @@ fn solved(statement: &Statement) -> Option<String> {
 }
 
 fn empty(tree: &Declaration) -> Mechanism {
-    Mechanism {
-        docs: tree.docs.clone(),
-        visibility: tree.visibility.clone(),
-        name: tree.name.clone(),
-        inputs: Vec::new(),
-        params: Vec::new(),
-        unknowns: Vec::new(),
-        lets: Vec::new(),
-        points: Vec::new(),
-        links: Vec::new(),
-        guides: Vec::new(),
-        groups: Vec::new(),
-        steps: Vec::new(),
-        outputs: Vec::new(),
-        rotatabilities: Vec::new(),
-        known: Vec::new(),
-        dynamics: Dynamics::default(),
-        references: References::of(tree),
-        numerics: Numerics::Plain,
-        crate_path: None,
-        export_c: false,
-    }
+    let empty = Mechanism::empty(tree.docs.clone(), tree.visibility.clone(), tree.name.clone());
+    Mechanism { references: References::of(tree), ..empty }
 }

@@ -14,10 +14,10 @@ use std::collections::HashMap;
 use proc_macro2::{Ident, Span};
 
 use crate::exact::Exact;
-use crate::model::dynamics::{Dynamics, Load};
+use crate::model::dynamics::Load;
 use crate::model::mechanism::{
-    AngleSum, Body, Dimension, Expr, Group, GroupId, Input, Link, LinkId, Mechanism, Numerics,
-    Output, OutputKind, Param, ParamKind, Point, PointId, References, Sign,
+    AngleSum, Body, Dimension, Expr, Group, GroupId, Input, Link, LinkId, Mechanism, Output,
+    OutputKind, Param, ParamKind, Point, PointId, Sign,
 };
 use crate::syntax::anatomy::Anatomy;
 use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, StatementKind};
@@ -62,28 +62,8 @@ enum Fixed {
 
 impl StandIn {
     fn new(declaration: &Declaration) -> Self {
-        let mechanism = Mechanism {
-            docs: declaration.docs.clone(),
-            visibility: declaration.visibility.clone(),
-            name: declaration.name.clone(),
-            inputs: Vec::new(),
-            params: Vec::new(),
-            unknowns: Vec::new(),
-            lets: Vec::new(),
-            points: Vec::new(),
-            links: Vec::new(),
-            guides: Vec::new(),
-            groups: Vec::new(),
-            steps: Vec::new(),
-            outputs: Vec::new(),
-            rotatabilities: Vec::new(),
-            known: Vec::new(),
-            dynamics: Dynamics::default(),
-            references: References::default(),
-            numerics: Numerics::Plain,
-            crate_path: None,
-            export_c: false,
-        };
+        let Declaration { docs, visibility, name, .. } = declaration;
+        let mechanism = Mechanism::empty(docs.clone(), visibility.clone(), name.clone());
         Self { mechanism, things: HashMap::new(), order: Vec::new(), guides: Vec::new() }
     }
 

@@ -6,6 +6,7 @@ use linkage_core::{Real, SolveError, differentiate, differentiate_twice};
 use linkage_tests::mechanisms::dynamics::*;
 use linkage_tests::mechanisms::forces::*;
 use linkage_tests::random::Random;
+use linkage_tests::widths::number;
 
 /// Numbers of the inputs.
 type Each<T, const N: usize> = [T; N];
@@ -20,10 +21,6 @@ trait Moving<T, const N: usize> {
 /// Kinetic and potential energy.
 trait Energetic<T, const N: usize> {
     fn energies(&self, q: Each<T, N>, dq: Each<T, N>) -> Result<[T; 2], SolveError>;
-}
-
-fn number<T: Real>(x: f64) -> T {
-    T::lit(x, x as f32)
 }
 
 /// With one input numbers are plain; loads stand behind everything else.

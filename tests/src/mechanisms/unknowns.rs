@@ -143,3 +143,30 @@ mechanism! {
         output theta, s;
     }
 }
+
+mechanism! {
+    /// A ram between the dead points of its crank, whose search has a seed, and a follower whose
+    /// bracket overhangs one.
+    pub struct RamAndFollower {
+        input x, h: length;
+        param r = 1m;
+        param rod = 2.5m;
+        param seed: near = 1rad;
+
+        ground A(0, 0), D(4m, 0);
+        guide bed through (0, 0) along 0deg;
+        guide post through (5m, 0) along 90deg;
+
+        unknown theta: angle between (0, 180deg);
+        crank AB(A) -> B           { length: r, angle: theta }
+        rrp   BC(B), ram(bed) -> C { length: rod, mode: ahead }
+        solve theta { ram.slide = x, mode: falling, near: seed }
+
+        unknown phi: angle between (-90deg, 90deg);
+        crank DE(D) -> E { length: 1m, angle: phi }
+        rrp   EF(E), block(post) -> F { length: 4m, mode: ahead }
+        solve phi { block.slide = h, mode: rising }
+
+        output theta, phi, AB, C, F, BC, BC.margin;
+    }
+}

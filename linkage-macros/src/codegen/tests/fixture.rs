@@ -46,28 +46,8 @@ fn group(keyword: &str, title: &str, links: &[u32]) -> Group {
 }
 
 pub(super) fn mechanism(name: &str, inputs: Vec<Input>, outputs: Vec<Output>) -> Mechanism {
-    Mechanism {
-        docs: Vec::new(),
-        visibility: syn::parse_quote!(pub),
-        name: ident(name),
-        inputs,
-        params: Vec::new(),
-        unknowns: Vec::new(),
-        lets: Vec::new(),
-        points: Vec::new(),
-        links: Vec::new(),
-        guides: Vec::new(),
-        groups: Vec::new(),
-        steps: Vec::new(),
-        outputs,
-        rotatabilities: Vec::new(),
-        known: Vec::new(),
-        dynamics: Default::default(),
-        references: References::default(),
-        numerics: Numerics::Plain,
-        crate_path: None,
-        export_c: false,
-    }
+    let empty = Mechanism::empty(Vec::new(), syn::parse_quote!(pub), ident(name));
+    Mechanism { inputs, outputs, ..empty }
 }
 
 /// One input `theta` and one output, the value `y`, which a single entry computes.
