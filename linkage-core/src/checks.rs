@@ -46,6 +46,9 @@ pub trait Checks<T: Scalar> {
     /// Sine and cosine of an angle.
     fn sin_cos(&mut self, angle: T) -> (T, T);
 
+    /// The same by [`Scalar::sin_cos_fast`] where nothing is diagnosed.
+    fn sin_cos_fast(&mut self, angle: T) -> (T, T);
+
     /// The root of an unknown's equation, of sides in this unit, and the size that its rounding is
     /// measured by. Where none was found, what is returned leads to a refusal in the end.
     fn root(
@@ -204,6 +207,12 @@ impl<T: Scalar> Checks<T> for AllMet<T::Mask> {
     }
 
     #[inline(always)]
+    fn sin_cos_fast(&mut self, angle: T) -> (T, T) {
+        self.and(angle.is_near());
+        angle.sin_cos_fast()
+    }
+
+    #[inline(always)]
     fn above(&mut self, value: T, least: T) {
         self.and(value.gt(least));
     }
@@ -301,6 +310,10 @@ impl<T: Real> Checks<T> for FirstError {
         angle.sin_cos()
     }
 
+    fn sin_cos_fast(&mut self, angle: T) -> (T, T) {
+        angle.sin_cos()
+    }
+
     fn reach_circles(&mut self, value: T, operands: [T; 5], group: &'static str) -> T {
         self.keep(value, || diagnosis::reach_circles(value, operands, group))
     }
@@ -351,50 +364,4 @@ impl<T: Real> Checks<T> for FirstError {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_first_error_is_kept() {
-        let mut first_error = FirstError::new();
-        assert_eq!(first_error.nonzero(2.0, "a"), 2.0);
-        assert_eq!(first_error.first(), Ok(()));
-        first_error.nonzero(0.0, "b");
-        first_error.positive(-1.0, "c", "length");
-        assert_eq!(first_error.first(), Err(SolveError::Singular { group: "b" }));
-    }
-
-    #[test]
-    fn all_is_met_only_where_every_condition_is() {
-        let met = |ask: fn(&mut AllMet<bool>)| {
-            let mut all = AllMet::new();
-            ask(&mut all);
-            all.away(1.0, 0.0);
-            all.all()
-        };
-        assert!(met(|m| m.at_least(0.0, 0.0)));
-        assert!(!met(|m| m.at_least(-1e-300, 0.0)));
-        assert!(!met(|m| m.at_least(1e-320, f64::smallest_square())));
-        assert!(!met(|m| m.above(0.0, 0.0)));
-        assert!(met(|m| m.above(2.0, 1.0)) && !met(|m| m.above(1.0, 1.0)));
-        assert!(met(|m| m.above_rounding(1e-13, 1.0)));
-        assert!(!met(|m| m.above_rounding(1e-13, 1000.0)));
-        assert!(met(|m| m.away(-1e-300, 0.0)));
-        assert!(!met(|m| m.away(0.0, 0.0)));
-        assert!(met(|m| m.away(-2.0, 1.0)) && !met(|m| m.away(-1.0, 1.0)));
-        assert!(!met(|m| _ = m.sin_cos(1e9)));
-        assert!(!met(|m| m.above(f64::NAN, 0.0)));
-        assert!(!met(|m| m.at_least(f64::NAN, 0.0)));
-        assert!(!met(|m| m.away(f64::NAN, 0.0)));
-    }
-
-    #[test]
-    fn the_one_does_not_diagnose_and_the_other_does_not_compare() {
-        let mut all = AllMet::<bool>::new();
-        assert_eq!(all.nonzero(0.0, "a"), 0.0);
-        assert!(all.all());
-        let mut first_error = FirstError::new();
-        first_error.above(-1.0, 0.0);
-        assert_eq!(first_error.first(), Ok(()));
-    }
-}
+mod tests;

@@ -29,6 +29,10 @@ macro_rules! scalar {
                 self.sin_cos_kernel::<Native>()
             }
             #[inline]
+            fn sin_cos_fast(self) -> (Self, Self) {
+                self.sin_cos_fast_kernel::<Native>()
+            }
+            #[inline]
             fn is_near(self) -> bool {
                 self.abs() <= $near
             }

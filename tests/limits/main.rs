@@ -5,6 +5,7 @@ mod at_the_limit;
 mod compensated;
 mod double_words;
 mod exact_inputs;
+mod fast;
 mod hard_cases;
 mod margins;
 mod near_limits;

@@ -18,6 +18,22 @@ mechanism! {
 }
 
 mechanism! {
+    /// S1 in fast arithmetic.
+    pub struct FourBarFast {
+        numerics fast;
+        input theta: angle;
+
+        ground A(0, 0), D(304.8mm, 0);
+
+        crank AB(A) -> B        { length: 101.6mm, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (254mm, 177.8mm), mode: left }
+
+        point P on BC at (150mm, 50mm);
+        output P, BC, DC;
+    }
+}
+
+mechanism! {
     /// S1 with its reach in compensated arithmetic.
     pub struct FourBarCompensated {
         numerics compensated;
@@ -51,6 +67,24 @@ mechanism! {
 mechanism! {
     /// S5: crank, RPR and RPP.
     pub struct SixBar {
+        input theta: angle;
+
+        ground A(0, 0), D(0, -1m);
+        guide rail through (0, 0.8m) along 0deg;
+
+        crank AB(A) -> B           { length: 0.4m, angle: theta }
+        rpr   block(B), rod(D)     { mode: ahead }
+        point E on rod at (1.6m, 0);
+        rpp   pin(E), ram(rail)    { slot: 90deg }
+
+        output rod, block.slide, ram.slide, pin.slide;
+    }
+}
+
+mechanism! {
+    /// S5 in fast arithmetic.
+    pub struct SixBarFast {
+        numerics fast;
         input theta: angle;
 
         ground A(0, 0), D(0, -1m);

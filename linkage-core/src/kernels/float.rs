@@ -23,6 +23,13 @@ pub trait Float: Real + sealed::Sealed {
     #[doc(hidden)]
     fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self);
 
+    /// The kernel behind [`Scalar::sin_cos_fast`](crate::Scalar::sin_cos_fast).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn sin_cos_fast_kernel<F: Fusion>(self) -> (Self, Self) {
+        self.sin_cos_kernel::<F>()
+    }
+
     /// a·b + c with one rounding or two, as `F` says.
     #[doc(hidden)]
     #[inline]
@@ -45,6 +52,10 @@ impl Float for f64 {
     #[inline]
     fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self) {
         sin_cos_f64::sin_cos::<F>(self)
+    }
+    #[inline]
+    fn sin_cos_fast_kernel<F: Fusion>(self) -> (Self, Self) {
+        sin_cos_f64::sin_cos_fast::<F>(self)
     }
 }
 

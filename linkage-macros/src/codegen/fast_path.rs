@@ -12,6 +12,7 @@ use crate::interface::EntryId;
 use crate::interface::entries::Entry;
 use crate::ir::graph::Node;
 use crate::lower::routine::{Adapted, Asked, Compute, Limits};
+use crate::model::mechanism::Numerics;
 
 /// The name of the core of an entry point, which has the numbers and records themselves for arguments:
 /// the public function, where that has.
@@ -109,12 +110,20 @@ fn compared(cx: &Context<'_>, entry: &Entry, call: formulas::Call, asked: &Asked
 fn by_cosine(cx: &Context<'_>, arguments: &Arguments<'_>, other: &Entry) -> TokenStream {
     let [sin, cos, result, ok] = ["sin_", "cos_", "result_", "ok_"].map(generated);
     let (sin_cos, is_near, core) =
-        (cx.scalar("sin_cos_near"), cx.scalar("is_near"), core_name(cx, other));
+        (cx.scalar(near_sine(cx)), cx.scalar("is_near"), core_name(cx, other));
     let (angle, rates) = arguments.names().split_first().expect("the angle comes first");
     quote! {
         let (#sin, #cos) = #sin_cos(#angle);
         let (#result, #ok) = self.#core(#cos, #sin #(, #rates)*);
         (#result, #is_near(#angle) & #ok)
+    }
+}
+
+/// The sine and cosine of an angle that is near: the user's choice.
+fn near_sine(cx: &Context<'_>) -> &'static str {
+    match cx.mechanism.numerics {
+        Numerics::Fast => "sin_cos_fast",
+        Numerics::Plain | Numerics::Compensated => "sin_cos_near",
     }
 }
 

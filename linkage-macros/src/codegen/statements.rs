@@ -12,7 +12,7 @@ use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Id, Node, Wanted};
 use crate::ir::liveness::Path;
 use crate::lower::routine::{Comparison, Condition, Reading, Routine, Statement, Threshold};
-use crate::model::mechanism::ParamKind;
+use crate::model::mechanism::{Numerics, ParamKind};
 
 /// What the statements of one routine are printed with.
 pub(super) struct Printer<'a> {
@@ -126,7 +126,11 @@ impl<'a> Printer<'a> {
         let value = self.value(angle);
         if is_checked {
             let guard = generated("checks_");
-            quote!(let (#sin, #cos) = #guard.sin_cos(#value);)
+            let function = function_name(match self.cx.mechanism.numerics {
+                Numerics::Fast => "sin_cos_fast",
+                Numerics::Plain | Numerics::Compensated => "sin_cos",
+            });
+            quote!(let (#sin, #cos) = #guard.#function(#value);)
         } else {
             let function = self.cx.scalar("sin_cos");
             quote!(let (#sin, #cos) = #function(#value);)

@@ -22,17 +22,24 @@ pub(crate) struct PointMotion<'s> {
 /// What turns about a point of the ground: its velocity is ω r⊥, its acceleration α r⊥ − ω² r.
 #[derive(Clone, Copy)]
 pub(crate) struct Swing<'s> {
-    omega: Sym<'s>,
-    alpha: Sym<'s>,
+    pub omega: Sym<'s>,
+    pub alpha: Sym<'s>,
     /// r, from that point.
-    arm: Vector<'s>,
+    pub arm: Vector<'s>,
+    /// Where it is in the frame that turns.
+    coordinates: Vector<'s>,
 }
 
 impl<'s> Swing<'s> {
+    /// r², from what does not turn.
+    pub(crate) fn square(self) -> Sym<'s> {
+        self.coordinates.dot(self.coordinates)
+    }
+
     /// Velocity and acceleration along u and along u⊥. With p = r·u and q = r·u⊥ these are
     /// (−ω q, −α q − ω² p) and (ω p, α p − ω² q): two products with u in place of four.
     fn rates_along(self, u: Vector<'s>) -> [Rates<'s>; 2] {
-        let Self { omega, alpha, arm } = self;
+        let Self { omega, alpha, arm, .. } = self;
         let (p, q, square) = (arm.dot(u), arm.dot(u.normal()), omega.squared());
         [
             Rates { velocity: -(omega * q), acceleration: -(alpha * q + square * p) },
@@ -233,14 +240,14 @@ impl<'s> Frame<'s> {
 
     /// What the frame does to a point at ρ from its origin that moves in it with the relative
     /// velocity σ: the transport velocity v + ω ρ⊥ and the transport and Coriolis acceleration
-    /// a + α ρ⊥ − ω² ρ + 2 ω σ⊥ (any text on kinematics in moving frames, e.g. Norton, Design of
-    /// Machinery, ch. 6 and 7).
+    /// a − ω² ρ + α ρ⊥ + 2 ω σ⊥ (any text on kinematics in moving frames, e.g. Norton, Design of
+    /// Machinery, ch. 6 and 7). Each term is added to what is there, in one operation where they are
+    /// fused.
     pub(crate) fn transport(self, rho: Vector<'s>, sigma: Vector<'s>) -> (Vector<'s>, Vector<'s>) {
         let Direction { omega, alpha, .. } = self.direction;
         let velocity = self.origin.velocity + omega * rho.normal();
-        let acceleration = self.origin.acceleration
-            + (alpha * rho.normal() - omega.squared() * rho)
-            + omega.twice() * sigma.normal();
+        let centripetal = self.origin.acceleration - omega.squared() * rho;
+        let acceleration = (centripetal + alpha * rho.normal()) + omega.twice() * sigma.normal();
         (velocity, acceleration)
     }
 
@@ -257,7 +264,12 @@ impl<'s> Frame<'s> {
             offset: self.origin.offset + rho,
             velocity: velocity + sigma,
             acceleration: acceleration + self.vector(x.accel, y.accel),
-            swing: swings.then_some(Swing { omega, alpha, arm: rho }),
+            swing: swings.then_some(Swing {
+                omega,
+                alpha,
+                arm: rho,
+                coordinates: Vector { x: x.value, y: y.value },
+            }),
         }
     }
 }

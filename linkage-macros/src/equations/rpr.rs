@@ -130,7 +130,7 @@ fn left_of_offset<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'
         return plain;
     }
     let coordinate = match numerics {
-        Numerics::Plain => DoubleWord::of,
+        Numerics::Plain | Numerics::Fast => DoubleWord::of,
         Numerics::Compensated => DoubleWord::of_coordinate,
     };
     let square = DoubleWord::square_of(d.to(b), coordinate);

@@ -76,6 +76,8 @@
 //! constants and accelerations are asked for. A parallelogram (l₂ = |AB|, l₃ … equal in pairs)
 //! passes through change points where a constant mode turns it into an antiparallelogram.
 
+mod fast;
+
 use crate::equations::double_word::DoubleWord;
 use crate::equations::jet::Jet;
 use crate::equations::levers::{self, Levers};
@@ -111,6 +113,9 @@ pub(super) fn rrr<'s>(
     lengths: [Jet<'s>; 2],
     mode: Sym<'s>,
 ) -> Solved<'s> {
+    if scope.numerics == Numerics::Fast && (lengths[0].value * lengths[1].value).is_constant() {
+        return fast::rrr(scope, [b, d], lengths.map(|length| length.value), mode);
+    }
     let line = scope.call_vector("d", b.to(d));
     let triangle = triangle(scope, [b, d], lengths, mode);
     let across = scope.call_vector("h d", triangle.height * line.normal());
@@ -177,7 +182,9 @@ fn triangle<'s>(
     let plain = half_sine(joints, lengths);
     let scale = plain.scale.value;
     let (near, rounded, spread) = match scope.numerics {
-        Numerics::Plain => (plain.near.value, plain.square.value, spread(d, [l2, l3], scale)),
+        Numerics::Plain | Numerics::Fast => {
+            (plain.near.value, plain.square.value, spread(d, [l2, l3], scale))
+        }
         Numerics::Compensated => {
             let [near, far] = carried(d, [l2, l3]);
             (near, (near * scale) * (far * scale), d.x.sheet().zero())

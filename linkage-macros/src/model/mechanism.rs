@@ -225,6 +225,7 @@ pub(crate) struct Group {
 pub(crate) enum Numerics {
     Plain,
     Compensated,
+    Fast,
 }
 
 pub(crate) struct Output {

@@ -306,7 +306,7 @@ impl Parser<'_> {
     }
 
     fn numerics(&mut self) -> Parse<StatementKind> {
-        Ok(StatementKind::Numerics { mode: self.word("`compensated`")? })
+        Ok(StatementKind::Numerics { mode: self.word("`compensated` or `fast`")? })
     }
 
     fn export(&mut self) -> Parse<StatementKind> {

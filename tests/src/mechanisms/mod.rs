@@ -8,6 +8,7 @@ pub mod driven_groups;
 pub mod drivers;
 pub mod dynamics;
 pub mod exact_inputs;
+pub mod fast;
 pub mod followed;
 pub mod forces;
 pub mod heavy_groups;

@@ -249,15 +249,20 @@ fn settings_are_known_and_given_once() {
     check(&[
         (
             CRANK,
-            "numerics fast;",
-            "fast: no numerics named `fast`; write `compensated` / `compensated` carries the \
-             rounding errors of a dyad along, for 10 to 15 % more time; without the statement \
-             they are plain",
+            "numerics exact;",
+            "exact: no numerics named `exact`; write `compensated` or `fast` / `compensated` carries \
+             the rounding errors of a dyad along, for 10 to 15 % more time, `fast` gives up a last \
+             place or two for less of it; without the statement they are plain",
         ),
         (
             CRANK,
             "numerics compensated; numerics compensated;",
             "compensated: `numerics` is given twice; remove one",
+        ),
+        (
+            CRANK,
+            "numerics compensated; numerics fast;",
+            "fast: `numerics` is given twice; remove one",
         ),
         (CRANK, "crate = a; crate = b;", "b: `crate` is given twice; remove one"),
         (CRANK, "export cpp;", "cpp: no export named `cpp`; write `export c;`"),

@@ -103,7 +103,7 @@ fn outputs_and_settings() {
             ".: expected the end of a member, found `.` / a member is one name behind a \
              link: `BC.angle`",
         ),
-        ("numerics;", ";: expected `compensated`, found `;`"),
+        ("numerics;", ";: expected `compensated` or `fast`, found `;`"),
         ("crate = \"x\";", "\"x\": write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("crate;", ";: write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("crate = ::Self;", ":: write the path of `linkage-core`: `crate = ::linkage_core;`"),

@@ -3,7 +3,7 @@
 
 use laboratory::hand::{Bar, CrankDyad, Dyad, Joint, Moving, cos_sin, crank_dyad, dyad};
 
-use crate::kernels::{Contest, Visit, put};
+use crate::kernels::{Contest, Visit, plain_and_fast, put};
 
 /// +1 or −1.
 macro_rules! side {
@@ -43,7 +43,7 @@ macro_rules! count {
     };
 }
 
-/// The four functions of a mechanism, given how a hand moves it.
+/// The six functions of a mechanism, given how a hand moves it.
 macro_rules! both_ways {
     ($points:tt $links:tt) => {
         const MOTION: usize = count!(motion, $points, $links);
@@ -52,6 +52,11 @@ macro_rules! both_ways {
         #[inline(never)]
         pub(crate) fn motion_made([t, w, a]: [f64; 3], out: &mut [f64; MOTION]) -> bool {
             put(Made::new().motion(t, w, a).ok(), out, Record::into_array)
+        }
+
+        #[inline(never)]
+        pub(crate) fn motion_fast([t, w, a]: [f64; 3], out: &mut [f64; MOTION]) -> bool {
+            put(Fast::new().motion(t, w, a).ok(), out, Record::into_array)
         }
 
         #[inline(never)]
@@ -65,14 +70,19 @@ macro_rules! both_ways {
         }
 
         #[inline(never)]
+        pub(crate) fn position_fast([t, _, _]: [f64; 3], out: &mut [f64; POSITION]) -> bool {
+            put(Fast::new().position(t).ok(), out, Record::into_array)
+        }
+
+        #[inline(never)]
         pub(crate) fn position_by_hand([t, _, _]: [f64; 3], out: &mut [f64; POSITION]) -> bool {
             put(moved([t, 0.0, 0.0]), out, |m| asked!(position, m, $points, $links))
         }
 
         pub(crate) const MOTIONS: Contest<MOTION> =
-            Contest { made: motion_made, by_hand: motion_by_hand };
+            Contest { made: motion_made, fast: motion_fast, by_hand: motion_by_hand };
         pub(crate) const POSITIONS: Contest<POSITION> =
-            Contest { made: position_made, by_hand: position_by_hand };
+            Contest { made: position_made, fast: position_fast, by_hand: position_by_hand };
     };
 }
 
@@ -88,21 +98,19 @@ macro_rules! drawn {
             use super::*;
             use linkage_core::{Record, mechanism};
 
-            mechanism! {
-                pub(crate) struct Made {
-                    input theta: angle;
-                    ground A(0, 0), D($gx, $gy);
-                    crank AB(A) -> B { length: $crank, angle: theta }
-                    rrr BC(B), DC(D) -> C { lengths: ($l2, $l3), mode: $mode }
-                    point P on BC at ($u, $($v)+);
-                    $(
-                        point Q on DC at ($qu, $($qv)+);
-                        ground F($fx, $($fy)+);
-                        rrr XE($from), YE($to) -> E { lengths: ($l4, $l5), mode: $other }
-                    )?
-                    output $($p,)* $($l),*;
-                }
-            }
+            plain_and_fast! { Made, Fast, {
+                input theta: angle;
+                ground A(0, 0), D($gx, $gy);
+                crank AB(A) -> B { length: $crank, angle: theta }
+                rrr BC(B), DC(D) -> C { lengths: ($l2, $l3), mode: $mode }
+                point P on BC at ($u, $($v)+);
+                $(
+                    point Q on DC at ($qu, $($qv)+);
+                    ground F($fx, $($fy)+);
+                    rrr XE($from), YE($to) -> E { lengths: ($l4, $l5), mode: $other }
+                )?
+                output $($p,)* $($l),*;
+            } }
 
             const FORM: CrankDyad = CrankDyad {
                 crank: $crank,

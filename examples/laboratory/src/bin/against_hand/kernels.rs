@@ -1,13 +1,15 @@
 //! The same calls twice, generated and by hand, as functions that the disassembly shows one by one:
 //! angle and rates in, an array of numbers out.
 
-use laboratory::generated::{FourBar, SixBar};
+use laboratory::generated::{FourBar, FourBarFast, SixBar, SixBarFast};
 use laboratory::hand::{self, Bar, CrankDyad, Dyad, Moving, cos_sin, crank_dyad};
 use linkage_core::{Record, mechanism};
 
-/// A mechanism: what is asked of it, and both ways to it.
+/// A mechanism: the ways to what is asked of it.
 pub(crate) struct Contest<const N: usize> {
     pub(crate) made: fn([f64; 3], &mut [f64; N]) -> bool,
+    /// Under `numerics fast;`.
+    pub(crate) fast: fn([f64; 3], &mut [f64; N]) -> bool,
     pub(crate) by_hand: fn([f64; 3], &mut [f64; N]) -> bool,
 }
 
@@ -54,24 +56,45 @@ pub(crate) fn four_bar(form: CrankDyad, [angle, omega, alpha]: [f64; 3]) -> Opti
     Some(FourBarMotion { b, bars })
 }
 
-mechanism! {
-    /// S1 with another coupler point, of which pins and bars are asked.
-    pub(crate) struct OtherPoint {
-        input theta: angle;
+/// The same declaration twice.
+macro_rules! plain_and_fast {
+    ($plain:ident, $fast:ident, { $($statements:tt)* }) => {
+        mechanism! { pub(crate) struct $plain { $($statements)* } }
+        mechanism! { pub(crate) struct $fast { numerics fast; $($statements)* } }
+    };
+}
+pub(crate) use plain_and_fast;
 
-        ground A(0, 0), D(304.8mm, 0);
+// S1 with another coupler point, of which pins and bars are asked.
+plain_and_fast! { OtherPoint, OtherPointFast, {
+    input theta: angle;
 
-        crank AB(A) -> B        { length: 101.6mm, angle: theta }
-        rrr   BC(B), DC(D) -> C { lengths: (254mm, 177.8mm), mode: left }
+    ground A(0, 0), D(304.8mm, 0);
 
-        point P on BC at (127mm, 76.2mm);
-        output C, P, BC, DC;
-    }
+    crank AB(A) -> B        { length: 101.6mm, angle: theta }
+    rrr   BC(B), DC(D) -> C { lengths: (254mm, 177.8mm), mode: left }
+
+    point P on BC at (127mm, 76.2mm);
+    output C, P, BC, DC;
+} }
+
+/// The numbers of its motion that are asked for.
+macro_rules! of_other_point {
+    ($motion:ident) => {
+        |m: $motion<f64>| {
+            let (x, v, a) = (m.position, m.velocity, m.acceleration);
+            [
+                x.C.x, x.C.y, x.P.x, x.P.y, v.BC.omega, v.DC.omega, v.P.x, v.P.y, a.BC.alpha,
+                a.DC.alpha, a.P.x, a.P.y,
+            ]
+        }
+    };
 }
 
-/// A pair of functions under the name of the mechanism and the call: what moves, and its numbers.
-macro_rules! pair {
-    ($module:ident: $n:literal, $made:expr, $of_made:expr, $by_hand:expr, $of_hand:expr) => {
+/// Three functions under the name of the mechanism and the call: what moves, and its numbers.
+macro_rules! ways {
+    ($module:ident: $n:literal, $made:expr, $of_made:expr, $fast:expr, $of_fast:expr,
+     $by_hand:expr, $of_hand:expr) => {
         pub(crate) mod $module {
             use super::*;
 
@@ -81,17 +104,24 @@ macro_rules! pair {
             }
 
             #[inline(never)]
+            pub(crate) fn fast(input: [f64; 3], out: &mut [f64; $n]) -> bool {
+                put($fast(input), out, $of_fast)
+            }
+
+            #[inline(never)]
             pub(crate) fn by_hand(input: [f64; 3], out: &mut [f64; $n]) -> bool {
                 put($by_hand(input), out, $of_hand)
             }
 
-            pub(crate) const CONTEST: Contest<$n> = Contest { made, by_hand };
+            pub(crate) const CONTEST: Contest<$n> = Contest { made, fast, by_hand };
         }
     };
 }
 
-pair!(s1_motion: 14,
+ways!(s1_motion: 14,
 |[t, w, a]: [f64; 3]| FourBar::new().motion(t, w, a).ok(),
+Record::into_array,
+|[t, w, a]: [f64; 3]| FourBarFast::new().motion(t, w, a).ok(),
 Record::into_array,
 |input| four_bar(S1, input),
 |FourBarMotion { b, bars: [bc, dc] }| {
@@ -103,8 +133,10 @@ Record::into_array,
     ]
 });
 
-pair!(s1_position: 6,
+ways!(s1_position: 6,
 |[t, _, _]: [f64; 3]| FourBar::new().position(t).ok(),
+Record::into_array,
+|[t, _, _]: [f64; 3]| FourBarFast::new().position(t).ok(),
 Record::into_array,
 |[t, _, _]: [f64; 3]| four_bar(S1, [t, 0.0, 0.0]),
 |FourBarMotion { b, bars: [bc, dc] }| {
@@ -112,15 +144,11 @@ Record::into_array,
     [p.x, p.y, u2.x, u2.y, u3.x, u3.y]
 });
 
-pair!(other_motion: 12,
+ways!(other_motion: 12,
 |[t, w, a]: [f64; 3]| OtherPoint::new().motion(t, w, a).ok(),
-|m: OtherPointMotion<f64>| {
-    let (x, v, a) = (m.position, m.velocity, m.acceleration);
-    [
-        x.C.x, x.C.y, x.P.x, x.P.y, v.BC.omega, v.DC.omega, v.P.x, v.P.y,
-        a.BC.alpha, a.DC.alpha, a.P.x, a.P.y,
-    ]
-},
+of_other_point!(OtherPointMotion),
+|[t, w, a]: [f64; 3]| OtherPointFast::new().motion(t, w, a).ok(),
+of_other_point!(OtherPointFastMotion),
 |input| four_bar(S1, input),
 |FourBarMotion { b, bars: [bc, dc] }| {
     let (c, p) = (b.position + bc.r, bc.point(b, [0.127, 0.0762]));
@@ -128,17 +156,21 @@ pair!(other_motion: 12,
     [c.x, c.y, x.x, x.y, bc.omega, dc.omega, v.x, v.y, bc.alpha, dc.alpha, a.x, a.y]
 });
 
-pair!(other_position: 4,
+ways!(other_position: 4,
 |[t, _, _]: [f64; 3]| OtherPoint::new().position(t).ok(),
 |x: OtherPointPosition<f64>| [x.C.x, x.C.y, x.P.x, x.P.y],
+|[t, _, _]: [f64; 3]| OtherPointFast::new().position(t).ok(),
+|x: OtherPointFastPosition<f64>| [x.C.x, x.C.y, x.P.x, x.P.y],
 |[t, _, _]: [f64; 3]| four_bar(S1, [t, 0.0, 0.0]),
 |FourBarMotion { b, bars: [bc, _] }| {
     let (c, p) = (b.position + bc.r, bc.point(b, [0.127, 0.0762]).position);
     [c.x, c.y, p.x, p.y]
 });
 
-pair!(s5_motion: 13,
+ways!(s5_motion: 13,
     |[t, w, a]: [f64; 3]| SixBar::new().motion(t, w, a).ok(),
+    Record::into_array,
+    |[t, w, a]: [f64; 3]| SixBarFast::new().motion(t, w, a).ok(),
     Record::into_array,
     |[t, w, a]: [f64; 3]| hand::swinging_block(t, w, a),
     |numbers| numbers);

@@ -57,19 +57,23 @@ impl Visit for Report {
         if !name.starts_with(&self.wanted) {
             return;
         }
-        let ratios = race::ratios(contest, self.rounds);
-        let made = self.count(name, call, "made");
-        let counts = made.zip(self.count(name, call, "by_hand")).map(|(a, b)| [a, b]);
-        let line = Line { name: name.into(), call: call.into(), ratios, counts };
-        println!("{}", line.text());
-        self.lines.push(line);
+        for (way, made, numerics) in [("made", contest.made, ""), ("fast", contest.fast, ", fast")]
+        {
+            let ratios = race::ratios([made, contest.by_hand], self.rounds);
+            let count = self.count(name, call, way);
+            let counts = count.zip(self.count(name, call, "by_hand")).map(|(a, b)| [a, b]);
+            let line =
+                Line { name: name.into(), call: format!("{call}{numerics}"), ratios, counts };
+            println!("{}", line.text());
+            self.lines.push(line);
+        }
     }
 }
 
 impl Line {
     fn text(&self) -> String {
         let Ratios { throughput, latency } = self.ratios;
-        let mut text = format!("{:14} {:9} {throughput:7.3} {latency:7.3}", self.name, self.call);
+        let mut text = format!("{:14} {:14} {throughput:7.3} {latency:7.3}", self.name, self.call);
         if let Some(counts) = self.counts {
             let columns: [fn(Count) -> usize; 4] =
                 [|c| c.instructions, |c| c.arithmetic, |c| c.constants, |c| c.shuffles];
@@ -90,14 +94,14 @@ fn main() {
     println!("Generated over hand form, compiled {fused} fused operations, {rounds} rounds.");
     println!("Counts are the generated solver's and the hand form's.\n");
     println!(
-        "{:24} through- latency   instruct. arithmetic  constants   shuffles\n{:24} put",
+        "{:29} through- latency   instruct. arithmetic  constants   shuffles\n{:29} put",
         "", ""
     );
     let counts = counted::counts();
     let mut report = Report { rounds, wanted, counts, lines: Vec::new() };
     kernels::reported(&mut report);
     drawn::every(&mut report);
-    for call in ["motion", "position"] {
+    for call in ["motion", "motion, fast", "position", "position, fast"] {
         summary(&report.lines, call);
     }
 }

@@ -3,8 +3,6 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use crate::kernels::Contest;
-
 /// The generated solver's time over the hand form's.
 #[derive(Clone, Copy)]
 pub(crate) struct Ratios {
@@ -15,21 +13,21 @@ pub(crate) struct Ratios {
 /// rad/s and rad/s²
 const RATES: [f64; 2] = [250.0, 1000.0];
 
-/// What is done with every pose of a run: that, and with what the next waits for.
-type Call<const N: usize> = fn([f64; 3], &mut [f64; N]) -> bool;
+/// Angle and rates in, numbers out.
+pub(crate) type Call<const N: usize> = fn([f64; 3], &mut [f64; N]) -> bool;
 
 /// Medians of the ratios of one round each: a disturbance hits both ways or is outvoted.
-pub(crate) fn ratios<const N: usize>(contest: &Contest<N>, rounds: usize) -> Ratios {
+pub(crate) fn ratios<const N: usize>([made, by_hand]: [Call<N>; 2], rounds: usize) -> Ratios {
     let angles = angles();
     let ratio = |run: fn(Call<N>, &[f64]) -> f64| {
         let ratios = (0..rounds).map(|round| {
             // Neither is always the first.
             if round % 2 == 0 {
-                let made = run(contest.made, &angles);
-                made / run(contest.by_hand, &angles)
+                let time = run(made, &angles);
+                time / run(by_hand, &angles)
             } else {
-                let by_hand = run(contest.by_hand, &angles);
-                run(contest.made, &angles) / by_hand
+                let time = run(by_hand, &angles);
+                run(made, &angles) / time
             }
         });
         median(ratios.collect())

@@ -1,0 +1,223 @@
+//! The dyad RRR under `numerics fast;`, for bars of constant lengths.
+//!
+//! # Position
+//! With d = D − B and S, the height's square, of which this file's parent tells, everything about the pin
+//! is affine in √S, and its coefficients are there before the root is:
+//!
+//! ```text
+//! s = (d² − (l₂ − l₃)²)/4l₂l₃     S = s (1 − s)     r = ± a d + √S (2 l₂ l₃/d²) d⊥
+//! ```
+//!
+//! That is of the shorter bar, with l its own length and l' the other's a d² = 2 l₂ l₃ s + l (l − l');
+//! the longer one is it and d, which loses nothing.
+//!
+//! # Velocity and acceleration
+//! As in the parent, but where B is a pin that swings about a point A of the ground with the arm a, and D
+//! a point of the ground. With G = D − A the velocity ω a⊥ and the acceleration α a⊥ − ω² a of B lead to
+//! two products with a bar r, which serve both of its rates, and are affine in √S like r:
+//!
+//! ```text
+//! a·r = ± (a/d²) a·d + √S (2 l₂ l₃/d²) d × a    r × a = ± (a/d²) d × a − √S (2 l₂ l₃/d²) a·d
+//! a·d = G·a − a²                                d × a = G × a
+//! ω₂ = ω (r₃ × a)/J       α₂ = (α (r₃ × a) + ω² a·r₃ + ω₂² r₂·r₃ − ω₃² l₃²)/J
+//! ω₃ = ω (r₂ × a)/J       α₃ = (α (r₂ × a) + ω² a·r₂ + ω₂² l₂² − ω₃² r₂·r₃)/J
+//! ```
+//!
+//! and d² = G² + a² − 2 G·a, like all that is made of it, is affine in G·a alone.
+//!
+//! # Error
+//! Some last places more than without `fast`: what a limit magnifies are two roundings of s in place of
+//! one; a d² that is affine where B comes as near to D as a quarter of its farthest distance has up to four
+//! times the error of the sum of squares; and bars of nearly one length lose digits of their accelerations
+//! where their outer joints meet. What is out of reach is decided as without `fast`, and
+//! `tests/limits/fast.rs` holds the bounds.
+
+use super::{Solved, spread};
+use crate::equations::jet::Jet;
+use crate::equations::levers::{self, Levers};
+use crate::equations::motion::{PointMotion, Swing};
+use crate::equations::parts::{Bar, GroupScope};
+use crate::equations::symbol::{Sym, Vector};
+use crate::ir::graph::Check;
+
+/// A pin that swings about a point of the ground, seen from another one.
+#[derive(Clone, Copy)]
+struct Crank<'s> {
+    swing: Swing<'s>,
+    /// G·a and G × a
+    products: [Sym<'s>; 2],
+    /// G² and a²
+    squares: [Sym<'s>; 2],
+}
+
+/// The bars, the shorter of which is found first.
+struct Bars<'s> {
+    lengths: [Sym<'s>; 2],
+    /// r₂·r₃
+    cosine: Sym<'s>,
+    /// Of the shorter bar: its place in the statement, ± a and 2 l₂ l₃/d².
+    short: usize,
+    along: Sym<'s>,
+    lift: Sym<'s>,
+    /// √S with the mode's sign.
+    root: Sym<'s>,
+    /// 1/J
+    inverse: Sym<'s>,
+}
+
+pub(super) fn rrr<'s>(
+    scope: &GroupScope<'s>,
+    [b, d]: [PointMotion<'s>; 2],
+    lengths: [Sym<'s>; 2],
+    mode: Sym<'s>,
+) -> Solved<'s> {
+    let line = scope.call_vector("d", b.to(d));
+    let crank = Crank::of(b, d);
+    let bars = bars(scope, line, crank, lengths, mode);
+    let [r2, r3] = bars.both(bars.of_line(line), line);
+    scope.call_vector("r2", r2);
+    scope.call_vector("r3", r3);
+    let (omega, alpha) = match crank {
+        Some(crank) => bars.swinging(scope, crank),
+        None => bars.moving(scope, [b, d], [r2, r3]),
+    };
+    let jets = lengths.map(Jet::constant);
+    let [first, second] = [Bar::new(b, r2, jets[0]), Bar::new(d, r3, jets[1])];
+    let turning = [first.turning(omega[0], alpha[0]), second.turning(omega[1], alpha[1])];
+    let pin = turning[usize::from(d.is_fixed())].pin();
+    let links = turning.iter().zip(scope.links).map(|(bar, &link)| bar.link(link));
+    Solved {
+        links: links.collect(),
+        pin: Some(pin),
+        levers: Some(Levers::Rrr(levers::Rrr { r: [r2, r3], inverse: bars.inverse })),
+    }
+}
+
+impl<'s> Crank<'s> {
+    /// Where the first joint is such a pin and the second a point of the ground, not too near to its circle.
+    fn of(b: PointMotion<'s>, d: PointMotion<'s>) -> Option<Self> {
+        let swing = b.swing.filter(|_| d.is_fixed())?;
+        let between = d.base - b.base;
+        let squares = [between.dot(between), swing.square()];
+        let [reach, radius] = squares.map(|square| square.constant_value().map(f64::sqrt));
+        let (reach, radius) = (reach?, radius?);
+        let is_clear = reach + radius <= 4.0 * (reach - radius).abs();
+        let products = [between.dot(swing.arm), between.cross(swing.arm)];
+        is_clear.then_some(Self { swing, products, squares })
+    }
+
+    /// d²
+    fn square(self) -> Sym<'s> {
+        let [reach, radius] = self.squares;
+        (reach + radius) - self.products[0].twice()
+    }
+
+    /// a·d
+    fn along(self) -> Sym<'s> {
+        self.products[0] - self.squares[1]
+    }
+}
+
+fn bars<'s>(
+    scope: &GroupScope<'s>,
+    line: Vector<'s>,
+    crank: Option<Crank<'s>>,
+    [l2, l3]: [Sym<'s>; 2],
+    mode: Sym<'s>,
+) -> Bars<'s> {
+    let operands = [line.x, line.y, l2, l3];
+    let square = crank.map_or_else(|| line.dot(line), Crank::square);
+    let one = square.sheet().integer(1);
+    let scale = one / (l2 * l3).twice().twice();
+    let near = match crank {
+        Some(Crank { products: [along, _], squares: [reach, radius], .. }) => {
+            scale * ((reach + radius) - (l2 - l3).squared()) - scale.twice() * along
+        }
+        None => scale * square - scale * (l2 - l3).squared(),
+    };
+    let product = near * (one - near);
+    let spread = spread(line, [l2, l3], scale);
+    let circles = [line.x, line.y, l2, l3, spread];
+    let half_sine = product.provided(Check::ReachCircles, scope.group, &circles);
+    scope.call("s", half_sine);
+    let root = scope.call("root s", mode * half_sine.sqrt());
+    let guarded = square.provided(Check::Square, scope.group, &operands);
+    let inverse_square = scope.call("inverse d2", scope.call("d2", guarded).recip());
+
+    let is_first = l2.constant_value() <= l3.constant_value();
+    let (short, [own, other]) = if is_first { (0, [l2, l3]) } else { (1, [l3, l2]) };
+    // From s like S: its rounding acts like one of d, and the bars keep their lengths.
+    let half = (l2 * l3).twice() * near;
+    let share = half + own * (own - other);
+    let operands = [product, line.x, line.y, own, other, spread];
+    let along = (share * inverse_square).provided(Check::ShareOfCentres, scope.group, &operands);
+    scope.call(if is_first { "a" } else { "b" }, along);
+    let lift = scope.call("lift", (l2 * l3).twice() * inverse_square);
+    let regular = half_sine.provided(Check::Nonzero, scope.group, &[]);
+    let inverse = scope.call("inverse j", scale.twice() * root * regular.recip());
+    let cosine = l2 * l3 - half;
+    let along = if is_first { along } else { -along };
+    Bars { lengths: [l2, l3], cosine, short, along, lift, root, inverse }
+}
+
+impl<'s> Bars<'s> {
+    /// The shorter bar.
+    fn of_line(&self, line: Vector<'s>) -> Vector<'s> {
+        self.along * line + self.root * (self.lift * line).normal()
+    }
+
+    /// Both bars, of which r₃ = r₂ − d.
+    fn both(&self, short: Vector<'s>, line: Vector<'s>) -> [Vector<'s>; 2] {
+        if self.short == 0 { [short, short - line] } else { [short + line, short] }
+    }
+
+    /// Products of a vector with r₂ and r₃, from that with the shorter bar and that with d.
+    fn products(&self, short: Sym<'s>, line: Sym<'s>) -> [Sym<'s>; 2] {
+        if self.short == 0 { [short, short - line] } else { [short + line, short] }
+    }
+
+    /// ω and α behind a crank.
+    fn swinging(&self, scope: &GroupScope<'s>, crank: Crank<'s>) -> ([Sym<'s>; 2], [Sym<'s>; 2]) {
+        let Swing { omega, alpha, .. } = crank.swing;
+        let (f, e) = (crank.along(), crank.products[1]);
+        let dot = self.along * f + self.root * (self.lift * e);
+        let cross = self.along * e - self.root * (self.lift * f);
+        let [dot2, dot3] = self.products(dot, f);
+        let [cross2, cross3] = self.products(cross, e);
+        let turning = omega * self.inverse;
+        let rates = [turning * cross3, turning * cross2];
+        let square = omega.squared();
+        let g = [[cross3, dot3], [cross2, dot2]].map(|[cross, dot]| square * dot + alpha * cross);
+        self.rates(scope, rates, g)
+    }
+
+    /// ω and α between joints that move otherwise.
+    fn moving(
+        &self,
+        scope: &GroupScope<'s>,
+        [b, d]: [PointMotion<'s>; 2],
+        [r2, r3]: [Vector<'s>; 2],
+    ) -> ([Sym<'s>; 2], [Sym<'s>; 2]) {
+        let w = d.velocity - b.velocity;
+        let rates = [w.dot(r3) * self.inverse, w.dot(r2) * self.inverse];
+        let g = d.acceleration - b.acceleration;
+        self.rates(scope, rates, [g.dot(r3), g.dot(r2)])
+    }
+
+    /// ω, and α from g·r₃ and g·r₂.
+    fn rates(
+        &self,
+        scope: &GroupScope<'s>,
+        [omega2, omega3]: [Sym<'s>; 2],
+        [with3, with2]: [Sym<'s>; 2],
+    ) -> ([Sym<'s>; 2], [Sym<'s>; 2]) {
+        let ([l2, l3], cosine) = (self.lengths, self.cosine);
+        scope.call("r2 r3", cosine);
+        scope.call("omega2", omega2);
+        scope.call("omega3", omega3);
+        let (p, q) = (omega2.squared(), omega3.squared());
+        let alpha2 = ((with3 + p * cosine) - q * l3.squared()) * self.inverse;
+        let alpha3 = ((with2 + p * l2.squared()) - q * cosine) * self.inverse;
+        ([omega2, omega3], [alpha2, alpha3])
+    }
+}

@@ -1,0 +1,181 @@
+//! `numerics fast;`: as right as plain numbers but for a last place or two, and as careful at limits.
+
+use linkage_core::{Real, Record, SolveError};
+use linkage_tests::double_double::DoubleDouble;
+use linkage_tests::in_both_widths;
+use linkage_tests::mechanisms::fast::*;
+use linkage_tests::random::Random;
+use linkage_tests::widths::number;
+
+/// Of so many last places of its width.
+fn moved<T: Real>(value: f64, ulps: i32) -> f64 {
+    value + f64::from(ulps) * 2f64.powi(value.abs().log2().floor() as i32) * T::EPSILON
+}
+
+fn length_error<T: Real>(cos: T, sin: T) -> f64 {
+    (cos.value().hypot(sin.value()) - 1.0).abs()
+}
+
+/// Within 6 ulp of both toggles: beyond them the pin is on the line and has no velocity.
+fn toggles<T: Real>() {
+    let (mut beyond, mut within) = (0, 0);
+    for ulps in -6..=6 {
+        for (reach, side) in [(1.625, 1.0), (0.375, -1.0)] {
+            let d = moved::<T>(reach, ulps);
+            let solver = FastBars::<T>::default();
+            let q = [number(d), number(0.0)];
+            let Ok(pose) = solver.position(q) else { continue };
+            assert!(pose.into_array().into_iter().all(|x| x.value().is_finite()));
+            let velocity = solver.velocity(q, [number(0.0), number(0.5)]);
+            if (d - reach) * side >= 0.0 {
+                beyond += 1;
+                assert_eq!(pose.C.y.value(), 0.0, "{d:?}");
+                let singular = SolveError::Singular { group: "BC, DC" };
+                assert_eq!(velocity.map(|_| ()), Err(singular), "{d:?}");
+            } else {
+                within += 1;
+                let velocity = velocity.expect("it is no limit");
+                assert!(pose.C.y.value() > 0.0, "{d:?}");
+                assert!(velocity.into_array().into_iter().all(|x| x.value().is_finite()));
+            }
+        }
+    }
+    assert!(beyond >= 4 && within >= 10, "{beyond} {within}");
+    let apart = FastBars::<T>::default().position([number(1.75), number(0.0)]);
+    assert_eq!(apart.map(|_| ()), Err(SolveError::OutOfReach { group: "BC, DC", by: 0.125 }));
+}
+
+/// Far from the limit and next to it bars keep their lengths, the short one of the ratio 1000 too.
+fn lengths<T: Real>() {
+    let mut random = Random::new(3);
+    let mut solved = 0;
+    for _ in 0..4000 {
+        let turn = random.between(-3.0, 3.0);
+        let ulps = random.between(-6.5, 6.5).round() as i32;
+        let near = random.between(-1.0, 1.0) < 0.0;
+        let reach = if random.between(-1.0, 1.0) < 0.0 { 1.001 } else { 0.999 };
+        let d = if near { moved::<T>(reach, ulps) } else { random.between(0.9991, 1.0009) };
+        let q = [d * turn.cos(), d * turn.sin()].map(number::<T>);
+        let Ok(pose) = FastUnequalBars::<T>::default().position(q) else { continue };
+        solved += 1;
+        let [bc, dc] = [pose.BC, pose.DC].map(|link| length_error(link.cos, link.sin));
+        // Some ten roundings on the way from d to a direction.
+        assert!(bc.max(dc) <= 8.0 * T::EPSILON, "{bc:e} {dc:e} at {d:?}");
+    }
+    assert!(solved > 1000, "{solved}");
+}
+
+/// A crank through both toggles: right, or refused.
+fn through_toggles<T: Real>() {
+    let solver = FastRocker::<T>::default();
+    // d² = 10 − 6 cos θ is 9 where the bars are stretched, 4 where they are folded.
+    let stretched = (1.0_f64 / 6.0).acos();
+    let mut solved = 0;
+    for step in 0..4000 {
+        let off = 10f64.powf(-f64::from(step) / 200.0);
+        for theta in [stretched - off, stretched + off, off] {
+            let theta = number::<T>(theta);
+            let Ok(pose) = solver.position(theta) else { continue };
+            solved += 1;
+            let [bc, dc] = [pose.BC, pose.DC].map(|link| length_error(link.cos, link.sin));
+            // 9 ε of S's spread, (l₂ + l₃)²/4l₂l₃ = 1.8, of a bar a fifth as long as the other.
+            assert!(bc.max(dc) <= 48.0 * T::EPSILON, "{bc:e} {dc:e} at {theta:?}");
+            if let Ok(motion) = solver.motion(theta, number(1.0), number(1.0)) {
+                assert!(motion.into_array().into_iter().all(|x| x.value().is_finite()));
+            }
+        }
+    }
+    assert!(solved > 6000, "{solved}");
+    assert!(solver.position(number(2.0)).is_err());
+}
+
+/// The largest difference of the two over a turn, in ε of each number's largest value.
+fn largest<const N: usize>(
+    mut one: impl FnMut(f64) -> [f64; N],
+    mut other: impl FnMut(f64) -> [f64; N],
+) -> f64 {
+    let (mut sizes, mut off) = ([0.0_f64; N], [0.0_f64; N]);
+    for theta in angles() {
+        let (one, other) = (one(theta), other(theta));
+        for k in 0..N {
+            sizes[k] = sizes[k].max(other[k].abs());
+            let error = (one[k] - other[k]).abs();
+            off[k] = if error.is_nan() { f64::INFINITY } else { off[k].max(error) };
+        }
+    }
+    (0..N).map(|k| off[k] / sizes[k] / f64::EPSILON).fold(0.0, f64::max)
+}
+
+/// A turn, and what is next to quarter turns, so few that the sum of twice the angle and a constant is
+/// rounded to 4 ε.
+fn angles() -> impl Iterator<Item = f64> {
+    let turn = (0..2000).map(|step| f64::from(step) / 512.0);
+    turn.chain(quarter_turns(2))
+}
+
+/// Within two places of a multiple of a quarter turn, where one of sine and cosine is nearly zero.
+fn quarter_turns(most: i32) -> impl Iterator<Item = f64> {
+    let near = |quarters: i32| {
+        let at = f64::from(quarters) * core::f64::consts::FRAC_PI_2;
+        (-2..=2).map(move |ulps| moved::<f64>(at, ulps))
+    };
+    (-most..=most).filter(|&quarters| quarters != 0).flat_map(near)
+}
+
+/// What is nearly zero has all its places as well: 1.7 of the kernel's.
+#[test]
+fn a_crank_next_to_a_quarter_turn_is_right_to_its_places() {
+    let (solver, exact) = (FastRocker::new(), FastRocker::<DoubleDouble<false>>::default());
+    let mut solved = 0;
+    for theta in quarter_turns(128) {
+        let Ok(pose) = solver.position(theta) else { continue };
+        solved += 1;
+        let (truth, _) = exact.solve_position(DoubleDouble::new(theta));
+        for (found, truth) in [(pose.AB.cos, truth.AB.cos), (pose.AB.sin, truth.AB.sin)] {
+            let error = (DoubleDouble::new(found) - truth).high.abs();
+            let ulp = moved::<f64>(truth.high, 1) - truth.high;
+            assert!(error <= 1.7 * ulp, "{} ulp at {theta:e}", error / ulp);
+        }
+    }
+    assert!(solved > 300, "{solved}");
+}
+
+/// Accelerations of the first loop are within 5 ε of the largest value; what a loop's pin is off by acts on
+/// the next one's bars with 1/sin μ at each of three divisions, which is below 2 here. And other formulas
+/// for the same give the same.
+macro_rules! agrees {
+    ($name:ident: $fast:ident $plain:ident) => {
+        #[test]
+        fn $name() {
+            let fast = |q| $fast::new().motion(q, 20.0, 50.0).unwrap().into_array();
+            let plain = |q| $plain::new().motion(q, 20.0, 50.0).unwrap().into_array();
+            let exact = |q: f64| {
+                let [q, w, a] = [q, 20.0, 50.0].map(DoubleDouble::<false>::new);
+                let (motion, _) = $fast::<DoubleDouble<false>>::default().solve_motion(q, w, a);
+                motion.into_array().map(|number| number.high)
+            };
+            let (error, difference) = (largest(fast, exact), largest(fast, plain));
+            assert!(error <= 40.0 && difference <= 60.0, "{error:.1} {difference:.1}");
+        }
+    };
+}
+
+agrees! { behind_a_crank_and_between_links: FastWatt PlainWatt }
+agrees! { behind_a_crank_on_the_level: FastStephenson PlainStephenson }
+
+#[test]
+fn what_is_not_constant_is_solved_as_without() {
+    let solver = FastTuned::<f64>::default();
+    let pose = solver.position([0.3, 1.2]).unwrap();
+    assert!(length_error(pose.BC.cos, pose.BC.sin) <= 4.0 * f64::EPSILON);
+    // Beyond the kernel's range the slow path reduces the angle.
+    let far = solver.position([0.3 + 1e7, 1.2]).unwrap();
+    let turned = (0.3 + 1e7) % core::f64::consts::TAU;
+    let near = solver.position([turned, 1.2]).unwrap();
+    assert!((far.C.x - near.C.x).abs() <= 1e-8);
+    let refused = FastWatt::new().position(f64::NAN).map(|_| ());
+    assert_eq!(refused, Err(SolveError::NotFinite { name: "theta" }));
+    assert!(FastWatt::new().position(1e7).is_ok());
+}
+
+in_both_widths! { toggles lengths through_toggles }
