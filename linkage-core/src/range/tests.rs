@@ -3,8 +3,8 @@
 use std::prelude::v1::*;
 use std::vec::Vec;
 
-use super::{extrema, limits};
 use super::walk::{Event, Walk};
+use super::{extrema, limits};
 use crate::SolveError;
 use crate::tracker::{Clearance, Enclosure, Modes};
 
