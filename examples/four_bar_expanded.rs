@@ -707,10 +707,14 @@ mod FourBar_ {
                     >(&mut all_met_, cos, sin, theta_rate, theta_acceleration);
                 (
                     result_,
-                    all_met_.all() & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
+                    all_met_.all()
                         & T::is_within(
                             theta_acceleration,
-                            T::lit(9.999999999999998e119, 1000000000000.0),
+                            T::fused(
+                                -theta_rate,
+                                theta_rate,
+                                T::lit(9.999999999999998e119, 1000000000000.0),
+                            ),
                         )
                         & private::is_finite_unless(
                             T::plain(true, true),

@@ -77,6 +77,7 @@ fn stretch_end<T: Real>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Scalar;
 
     const HALF: f64 = core::f64::consts::FRAC_PI_2;
 
@@ -104,5 +105,42 @@ mod tests {
         assert!(nowhere.0.is_nan() && nowhere.1.is_nan());
         let hole = |x: f64| [x, if x > 0.5 { f64::NAN } else { 1.0 }, 0.0];
         assert!(bound([0.0, 1.0], Trend::Rising, 1, hole).0.is_nan());
+    }
+    /// A dead point that is the end is not beyond it.
+    #[test]
+    fn an_end_without_slope_stays() {
+        let still = |x: f64| [x, 0.0, 0.0];
+        for (end, at) in [(0, 0.0), (1, 1.0)] {
+            assert_eq!(bound([0.0, 1.0], Trend::Rising, end, still), (at, 0.0));
+        }
+    }
+
+    /// A wave whose dead point is on either side of an end, as inputs are: for some of them the end is
+    /// what is found, for the others the dead point.
+    #[test]
+    fn ranges_hold_the_end_and_the_dead_point_next_to_it() {
+        type Ranges = <f64 as Real>::Enclosing;
+        let shift = 0.0.enclosing(0.1);
+        let cosine = |x: Ranges| {
+            let (sin, cos) = (x - shift).sin_cos();
+            [cos, -sin, -cos]
+        };
+        let holds = |range: Ranges, [least, most]: [f64; 2], widest: f64| {
+            let [low, high] = range.bounds();
+            assert!(low <= least && most <= high && high - low <= widest, "{range:?}");
+        };
+        for (between, trend, end, dead) in [
+            ([0.0, HALF], Trend::Falling, 0, [0.0, 0.1]),
+            ([-HALF, 0.0], Trend::Rising, 1, [-0.1, 0.0]),
+        ] {
+            let between = between.map(Ranges::num);
+            let (at, is_dead_point) = bound(between, trend, end, cosine);
+            // All dead points, and half as much again for the curvature.
+            holds(at, dead, 0.3);
+            holds(is_dead_point, [0.0, 1.0], 3.0);
+            // Where the slope goes the other way from the end there is nothing to come back to.
+            let (at, is_dead_point) = bound(between, trend.flipped(), end, cosine);
+            assert!([at, is_dead_point].iter().all(|range| range.bounds()[0].is_nan()));
+        }
     }
 }

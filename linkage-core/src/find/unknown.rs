@@ -173,4 +173,26 @@ mod tests {
         let reversed = searched([1.0, 0.0], Trend::Falling, None, sides);
         assert_eq!(reversed, Err(FindError::Interval { from: 1.0, to: 0.0 }));
     }
+    #[cfg(feature = "ad")]
+    #[test]
+    fn a_root_is_derived_where_the_slope_is_one_and_goes_the_wanted_way() {
+        use num_dual::Dual64;
+        // slope · (x − 1/2) = t, with dt = 1, at t = 0.
+        let derived = |trend, slope: f64| {
+            let sides = |x| {
+                let slope = Dual64::from_re(slope);
+                [slope * (x - Dual64::from_re(0.5)), Dual64::new(0.0, 1.0), slope]
+            };
+            let between = [0.0, 1.0].map(Dual64::from_re);
+            let found = root(between, trend, None, || Ok([0.5, 1.0]), sides);
+            found.map(|[at, size]| (at.re, at.eps, size.re))
+        };
+        assert_eq!(derived(Trend::Rising, 2.0), Ok((0.5, 0.5, 1.0)));
+        assert_eq!(derived(Trend::Falling, -4.0), Ok((0.5, -0.25, 1.0)));
+        let none = Err(FindError::Singular { at: 0.5 });
+        assert_eq!(derived(Trend::Falling, 2.0), none);
+        // Of a size of one, and over an interval of one, this is what rounding makes.
+        assert_eq!(derived(Trend::Rising, ROUNDINGS * f64::EPSILON), none);
+        assert!(derived(Trend::Rising, 1.01 * ROUNDINGS * f64::EPSILON).is_ok());
+    }
 }

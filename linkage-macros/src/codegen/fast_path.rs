@@ -7,10 +7,10 @@ use quote::quote;
 use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{function_name, generated};
-use super::token_list::Tokens;
 use super::{docs, formulas, results};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
+use crate::ir::graph::Node;
 use crate::lower::routine::{Adapted, Asked, Compute, Limits};
 use crate::model::mechanism::Numerics;
 
@@ -148,11 +148,27 @@ pub(super) fn of_unit_rate(
     quote!(self.#core(#(#names,)* #one))
 }
 
-/// |value| ≤ bound.
-fn within(cx: &Context<'_>, value: &Tokens, [wide, narrow]: [f64; 2]) -> TokenStream {
-    let is_within = cx.scalar("is_within");
-    let bound = cx.literal(wide.min(f64::MAX), (narrow as f32).min(f32::MAX));
-    quote!(#is_within(#value, #bound))
+/// |value| ≤ bound for each of the inputs; a rate together with its second rate, whose bound is the
+/// square of the rate's: |q̈| ≤ bound² − q̇² is one comparison for two.
+fn within(cx: &Context<'_>, entry: &Entry, inputs: &[(Node, [f64; 2])]) -> Vec<TokenStream> {
+    let (arguments, is_within, fused) =
+        (Arguments::new(cx, entry.given), cx.scalar("is_within"), cx.scalar("fused"));
+    let is_asked = |node| inputs.iter().any(|&(other, _)| other == node);
+    let term = |&(node, [wide, narrow]): &(Node, [f64; 2])| {
+        let Node::Input { input, order } = node else { return None };
+        if order == 1 && is_asked(Node::Input { input, order: 2 }) {
+            return None;
+        }
+        let value = arguments.read(node)?;
+        let bound = cx.literal(wide.min(f64::MAX), (narrow as f32).min(f32::MAX));
+        let rate = Node::Input { input, order: 1 };
+        if order < 2 || !is_asked(rate) {
+            return Some(quote!(#is_within(#value, #bound)));
+        }
+        let rate = arguments.read(rate)?;
+        Some(quote!(#is_within(#value, #fused(-#rate, #rate, #bound))))
+    };
+    inputs.iter().filter_map(term).collect()
 }
 
 /// Whether the result is finite, as a term of a mask; nothing where it cannot be otherwise.
@@ -173,10 +189,8 @@ fn is_finite(
         return Some(quote!(#is_finite(#sum)));
     };
     let (plain, unless) = (cx.scalar("plain"), cx.paths.item("is_finite_unless"));
-    let arguments = Arguments::new(cx, entry.given);
-    let inputs = inputs.iter().filter_map(|&(node, bound)| Some((arguments.read(node)?, bound)));
-    let inputs = inputs.map(|(value, bound)| within(cx, &value, bound));
-    let terms = inputs.chain([quote!(#unless(#plain(#wide, #narrow), #sum))]);
+    let mut terms = within(cx, entry, inputs);
+    terms.push(quote!(#unless(#plain(#wide, #narrow), #sum)));
     Some(quote!(#(#terms)&*))
 }
 

@@ -236,6 +236,18 @@ mod tests {
                 assert!(x.root().is_none_or(|root| holds(root, at.sqrt())));
             }
         }
+        // The rounded number is off by up to half a unit in its last place, to either side.
+        let [a, b] = [0.1, 0.7].map(|number| Interval(number, number));
+        for (interval, rounded) in [
+            (a.plus(b), 0.1 + 0.7),
+            (a.times(b), 0.1 * 0.7),
+            (b.squared(), 0.7 * 0.7),
+            (b.reciprocal().expect("it is not zero"), 1.0 / 0.7),
+            (b.root().expect("it is above zero"), 0.7_f64.sqrt()),
+            (Interval::about(0.1), 0.1),
+        ] {
+            assert!(interval.0 < rounded && rounded < interval.1, "{interval:?}");
+        }
         assert!(Interval(-1.0, 1.0).reciprocal().is_none() && Interval(-1.0, 1.0).root().is_none());
         let infinite = Interval(0.0, f64::INFINITY).times(Interval(0.0, 1.0));
         assert!(infinite.sign().is_none());

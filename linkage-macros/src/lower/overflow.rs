@@ -5,6 +5,9 @@
 //! are asked instead, which are known early. That is decided here, for each width of its own; a
 //! number that carries derivatives is asked for its results in any case, because a derivative may
 //! overflow where the value does not.
+//!
+//! It is worth a seventh of a solver's instructions: `measurements.md` of the run-time crate says how
+//! that was counted.
 
 use super::ranges::{Assumed, Thresholds, Values};
 use super::routine::{Limits, Threshold};

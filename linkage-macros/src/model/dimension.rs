@@ -60,6 +60,9 @@ impl Dimension {
             (1, 0, -2) => "an acceleration",
             (1, 1, -2) => "a force",
             (2, 1, -2) => "a torque",
+            (0, 1, -2) => "a force over a length (N/m)",
+            (0, 1, -1) => "a force over a speed (N*s/m)",
+            (2, 1, -1) => "a torque over an angular velocity (N*m*s)",
             _ => "",
         };
         if !known.is_empty() {
@@ -186,7 +189,7 @@ mod tests {
             Measure::Known(torque).quotient(Measure::Known(inertia)).root().unwrap(),
             Measure::NUMBER.quotient(Measure::Known(time))
         );
-        assert_eq!(force.times(Dimension::LENGTH, -1).words(), "a quantity in kg s^-2");
+        assert_eq!(force.times(Dimension::LENGTH, -1).words(), "a force over a length (N/m)");
     }
 
     #[test]

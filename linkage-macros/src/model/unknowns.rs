@@ -176,6 +176,8 @@ impl Resolver<'_> {
         if tree.unread.may_hold("solve") || tree.unread.may_hold(&name.to_string()) {
             return;
         }
+        // The equation that is missing may be what uses an input.
+        self.use_is_hidden = true;
         let message =
             format!("`{name}` is never solved; end its search with `solve {name} {{ … }}`");
         let reason = "an equation fixes it, as in `solve theta { ram.slide = x, mode: falling }`";

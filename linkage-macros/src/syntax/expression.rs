@@ -215,12 +215,35 @@ impl Parser<'_> {
             return Err(Reported);
         }
         if self.is_punct(0, '.') {
+            if let Some((message, reason)) = self.member_of_member(&link, &member) {
+                return self.refuse_because(&message, reason);
+            }
             return self.expected_because(
                 "the end of a member",
                 "a member is one name behind a link: `BC.angle`",
             );
         }
         Ok(Expr { kind: ExprKind::Member(link, member), span: self.since(first) })
+    }
+
+    /// `H.y.rate`, `beam.S.x`: what is written in its place.
+    fn member_of_member(&self, link: &Ident, member: &Ident) -> Option<(String, &'static str)> {
+        let last = self.peek_ident(1)?.to_string();
+        let is_coordinate = |name: &str| ["x", "y"].contains(&name);
+        match last.as_str() {
+            "rate" | "velocity" | "speed" => Some((
+                format!("write `rate({link}.{member})`"),
+                "in the values of forces and torques; of outputs, `velocity` gives the rates",
+            )),
+            // Of a point of a link, or of what acts on the link there.
+            _ if is_coordinate(&last) && !MEMBERS.iter().any(|known| member == known) => Some((
+                format!(
+                    "write `{member}.{last}` for the point, `{link}.{member}` for the reaction"
+                ),
+                "a point is known by its own name, and the reaction's components are fields of the result",
+            )),
+            _ => None,
+        }
     }
 
     /// `std::f64::consts::PI`, `Side::Left`.

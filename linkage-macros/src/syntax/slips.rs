@@ -32,6 +32,11 @@ impl Parser<'_> {
         if let Some(near) = nearest(word, known) {
             return format!("a statement with a similar name exists: `{near}`");
         }
+        let is_point = self.is_group(0, Delimiter::Parenthesis) && self.is_punct(1, ';');
+        if is_point {
+            return "ground points stand in one statement, with commas: `ground A(0, 0), D(1m, 0);`"
+                .to_string();
+        }
         if self.is_group(0, Delimiter::Parenthesis) {
             return "a group begins with its keyword: `rrr BC(B), DC(D) -> C { … }`".to_string();
         }

@@ -259,7 +259,7 @@ impl<'d> Parser<'d> {
         match self.peek_ident(0).cloned() {
             Some(ident) if can_be_referred_to(&ident.to_string()) => {
                 self.next += 1;
-                Ok(ident)
+                Ok(self.hyphenated(ident))
             }
             Some(ident) if self.aftermath.was_refused(&ident) => {
                 self.next += 1;

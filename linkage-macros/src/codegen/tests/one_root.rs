@@ -12,7 +12,7 @@ fn said(source: &str) -> String {
     let file = super::file(line_by_line(generate(&mechanism, &program)));
     let text = prettyplease::unparse(&file).replace("\n///   ", " ");
     let mut lines = text.lines().filter(|line| line.contains(": up to"));
-    let line = lines.next().expect("there is a line about the search").to_string();
+    let line = lines.next_back().expect("there is a line about the search").to_string();
     let (before, _) = line.split_once(": up to").expect("it has these words");
     before.rsplit(", ").take(2).collect::<Vec<_>>().join(", ")
 }
@@ -40,6 +40,9 @@ fn one_root_is_said_where_it_is_proved() {
     // A turn has both dead points: from some place on the ram rises again.
     assert_eq!(ram("-90deg, 270deg", "falling", "0"), "one root, falling");
     assert_eq!(ram("-90deg, 270deg", "rising", "0"), "may have several roots, rising");
+    // Where a parameter says which trend, both are asked about: here it falls twice.
+    let either = ram("-270deg, 90deg", "way", "0");
+    assert_eq!(either, "may have several roots, rising or falling by `way`");
     // The wheel's travel.
     let wishbone = said(
         "input z: length; unknown theta: angle between (-25deg, 25deg);
@@ -70,4 +73,13 @@ fn several_roots_are_possible_where_nothing_is_proved() {
          crank AB(A) -> B { length: r, angle: theta } solve theta { B.y = x, mode: rising }",
     );
     assert!(by_parameter.starts_with("rising, "), "{by_parameter}");
+    // Nor where an earlier unknown is what changes.
+    let by_another = said(
+        "input x, y: length; ground A(0, 0); guide rail through (0, 0) along 0deg;
+         unknown s: length between (1m, 2m); slider block(rail) -> P { slide: s }
+         solve s { P.x * P.x = x * x, mode: rising }
+         unknown theta: angle between (0, 1rad);
+         crank PB(P) -> B { length: s / 4, angle: theta } solve theta { B.y = y, mode: rising }",
+    );
+    assert!(by_another.starts_with("rising, "), "{by_another}");
 }

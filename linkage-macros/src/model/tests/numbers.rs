@@ -80,7 +80,7 @@ fn a_product_of_units_is_one_quantity() {
         (
             CRANK,
             "crank EF(D) -> F { length: 2(N/m), angle: t }",
-            "2(N/m): a quantity in kg s^-2 where a length belongs / multiply or divide by what is \
+            "2(N/m): a force over a length (N/m) where a length belongs / multiply or divide by what is \
              missing",
         ),
         (

@@ -16,6 +16,13 @@ const SOLVED: &str = "input x: length; ground A(0, 0); guide rail through (0, 0)
 #[test]
 fn an_unknown_is_solved_once() {
     check(&[
+        // The equation would have used the input.
+        (
+            SEARCH,
+            "",
+            "theta: `theta` is never solved; end its search with `solve theta { … }` / an equation \
+             fixes it, as in `solve theta { ram.slide = x, mode: falling }`",
+        ),
         (SEARCH, "solve theta { ram.slide = x, mode: falling }", ""),
         (
             SEARCH,

@@ -103,6 +103,16 @@ fn outputs_and_settings() {
             ".: expected the end of a member, found `.` / a member is one name behind a \
              link: `BC.angle`",
         ),
+        (
+            "output beam.S.x;",
+            ".: write `S.x` for the point, `beam.S` for the reaction / a point is known by its own \
+             name, and the reaction's components are fields of the result",
+        ),
+        (
+            "let brake = 3 * H.y.rate;",
+            ".: write `rate(H.y)` / in the values of forces and torques; of outputs, `velocity` gives \
+             the rates",
+        ),
         ("numerics;", ";: expected `compensated` or `fast`, found `;`"),
         ("crate = \"x\";", "\"x\": write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("crate;", ";: write the path of `linkage-core`: `crate = ::linkage_core;`"),
@@ -124,6 +134,15 @@ fn words_that_begin_no_statement() {
             "damper BC { }",
             "damper: `damper` is reserved for a later statement / a damper is a spring without \
              stiffness: `spring between P and Q { damping: 10(N*s/m) }`",
+        ),
+        (
+            "D(1m, 0);",
+            "D: no statement begins with `D` / ground points stand in one statement, with commas: \
+             `ground A(0, 0), D(1m, 0);`",
+        ),
+        (
+            "point P on left-lever at (1m, 0);",
+            "left-lever: write `left_lever` / a `-` in a name would be a difference",
         ),
         ("triad s(A) {}", "triad: `triad` is reserved for a later statement"),
         (
