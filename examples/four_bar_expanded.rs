@@ -745,10 +745,10 @@ mod FourBar_ {
                 let b_x_ = T::num(0.1016) * cos;
                 let b_y_ = T::num(0.1016) * sin;
                 let bc_dc_d_x_ = T::fused(-T::num(0.1016), cos, T::num(0.3048));
-                let v32_ = T::fused(-T::num(0.06193536), cos, T::num(0.1032256));
+                let v31_ = T::fused(-T::num(0.06193536), cos, T::num(0.1032256));
                 let bc_dc_d2_ = checks_
                     .square_of_centres(
-                        v32_,
+                        v31_,
                         bc_dc_d_x_,
                         -b_y_,
                         T::num(0.254),
@@ -757,13 +757,13 @@ mod FourBar_ {
                     );
                 let bc_dc_inverse_d2_ = T::num(1.0) / bc_dc_d2_;
                 let bc_dc_i_ = T::fused(-T::num(0.06193536), cos, T::num(0.09741916));
-                let v41_ = T::num(0.1806448) - bc_dc_i_;
-                let v42_ = T::num(5.535725357165) * bc_dc_i_;
-                let v43_ = T::num(5.535725357165) * v41_;
-                let v44_ = v42_ * v43_;
+                let v40_ = T::num(0.1806448) - bc_dc_i_;
+                let v41_ = T::num(5.535725357165) * bc_dc_i_;
+                let v42_ = T::num(5.535725357165) * v40_;
+                let v43_ = v41_ * v42_;
                 let bc_dc_s_ = checks_
                     .reach_circles(
-                        v44_,
+                        v43_,
                         [
                             bc_dc_d_x_,
                             -b_y_,
@@ -774,16 +774,16 @@ mod FourBar_ {
                         "BC, DC",
                     );
                 let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
-                let v48_ = T::num(0.0903224) * bc_dc_inverse_d2_;
-                let bc_dc_h_ = bc_dc_root_s_ * v48_;
+                let v47_ = T::num(0.0903224) * bc_dc_inverse_d2_;
+                let bc_dc_h_ = bc_dc_root_s_ * v47_;
                 let bc_dc_a_d2_ = T::fused(T::num(0.5), bc_dc_i_, T::num(0.0193548));
                 let bc_dc_b_d2_ = T::fused(T::num(0.5), bc_dc_i_, -T::num(0.01354836));
-                let v57_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
+                let v56_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
                 let bc_dc_a_ = checks_
                     .share_of_centres(
-                        v57_,
+                        v56_,
                         [
-                            v44_,
+                            v43_,
                             bc_dc_d_x_,
                             -b_y_,
                             T::num(0.254),
@@ -792,12 +792,12 @@ mod FourBar_ {
                         ],
                         "BC, DC",
                     );
-                let v59_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
+                let v58_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
                 let bc_dc_b_ = checks_
                     .share_of_centres(
-                        v59_,
+                        v58_,
                         [
-                            v44_,
+                            v43_,
                             bc_dc_d_x_,
                             -b_y_,
                             T::num(0.1778),
@@ -840,18 +840,18 @@ mod FourBar_ {
                 let bc_dc_w_x_ = theta_rate * b_y_;
                 let b_vx_ = -bc_dc_w_x_;
                 let b_vy_ = theta_rate * b_x_;
-                let v72_ = checks_.nonzero(bc_dc_s_, "BC, DC");
-                let v74_ = T::num(11.07145071433) * bc_dc_root_s_;
-                let v75_ = T::num(1.0) / v72_;
-                let bc_dc_inverse_j_ = v74_ * v75_;
-                let v83_ = bc_dc_w_x_ * bc_dc_r3_x_;
-                let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v83_);
+                let v71_ = checks_.nonzero(bc_dc_s_, "BC, DC");
+                let v73_ = T::num(11.07145071433) * bc_dc_root_s_;
+                let v74_ = T::num(1.0) / v71_;
+                let bc_dc_inverse_j_ = v73_ * v74_;
+                let v82_ = bc_dc_w_x_ * bc_dc_r3_x_;
+                let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v82_);
                 let bc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r3_;
-                let v88_ = bc_dc_w_x_ * bc_dc_r2_x_;
-                let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v88_);
+                let v87_ = bc_dc_w_x_ * bc_dc_r2_x_;
+                let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v87_);
                 let dc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r2_;
-                let v117_ = c_y_ * dc_omega_;
-                let c_vx_ = -v117_;
+                let v116_ = c_y_ * dc_omega_;
+                let c_vx_ = -v116_;
                 let c_vy_ = bc_dc_r3_x_ * dc_omega_;
                 let velocity_ = FourBarVelocity {
                     AB: AngularVelocity {
@@ -873,32 +873,32 @@ mod FourBar_ {
                         acceleration: acceleration_,
                     };
                 }
-                let v14_ = theta_rate * theta_rate;
-                let v15_ = b_x_ * v14_;
-                let v16_ = b_y_ * v14_;
-                let bc_dc_g_x_ = T::fused(theta_acceleration, b_y_, v15_);
+                let v14_ = theta_acceleration * b_y_;
+                let v15_ = theta_acceleration * b_x_;
+                let v16_ = theta_rate * theta_rate;
+                let bc_dc_g_x_ = T::fused(b_x_, v16_, v14_);
                 let b_ax_ = -bc_dc_g_x_;
-                let b_ay_ = T::fused(theta_acceleration, b_x_, -v16_);
+                let b_ay_ = T::fused(-b_y_, v16_, v15_);
                 let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
                 let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
                 let bc_dc_r2_r3_ = T::fused(-T::num(0.5), bc_dc_i_, T::num(0.0451612));
-                let v96_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
-                let v100_ = T::fused(-T::num(0.03161284), bc_dc_omega3_squared_, v96_);
-                let v102_ = T::num(0.064516) * bc_dc_omega2_squared_;
-                let v105_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v102_);
-                let v106_ = bc_dc_g_x_ * bc_dc_r3_x_;
-                let v109_ = T::fused(-b_ay_, c_y_, v106_);
-                let v110_ = v100_ + v109_;
-                let bc_alpha_ = bc_dc_inverse_j_ * v110_;
-                let v112_ = bc_dc_g_x_ * bc_dc_r2_x_;
-                let v114_ = T::fused(-b_ay_, bc_dc_r2_y_, v112_);
-                let v115_ = v105_ + v114_;
-                let dc_alpha_ = bc_dc_inverse_j_ * v115_;
-                let v120_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
-                let v121_ = c_y_ * bc_dc_omega3_squared_;
-                let v124_ = T::fused(c_y_, dc_alpha_, v120_);
-                let c_ax_ = -v124_;
-                let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v121_);
+                let v95_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
+                let v99_ = T::fused(-T::num(0.03161284), bc_dc_omega3_squared_, v95_);
+                let v101_ = T::num(0.064516) * bc_dc_omega2_squared_;
+                let v104_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v101_);
+                let v105_ = bc_dc_g_x_ * bc_dc_r3_x_;
+                let v108_ = T::fused(-b_ay_, c_y_, v105_);
+                let v109_ = v99_ + v108_;
+                let bc_alpha_ = bc_dc_inverse_j_ * v109_;
+                let v111_ = bc_dc_g_x_ * bc_dc_r2_x_;
+                let v113_ = T::fused(-b_ay_, bc_dc_r2_y_, v111_);
+                let v114_ = v104_ + v113_;
+                let dc_alpha_ = bc_dc_inverse_j_ * v114_;
+                let v119_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
+                let v120_ = c_y_ * bc_dc_omega3_squared_;
+                let v123_ = T::fused(c_y_, dc_alpha_, v119_);
+                let c_ax_ = -v123_;
+                let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v120_);
                 let acceleration_ = FourBarAcceleration {
                     AB: AngularAcceleration {
                         alpha: theta_acceleration,
@@ -1404,51 +1404,51 @@ mod FourBar_ {
             }
 
             fn clearances(&self, theta: T, theta_rate: T) -> Self::Clearances {
-                let v14_ = theta_rate * theta_rate;
+                let v16_ = theta_rate * theta_rate;
                 let (ab_u_y_, ab_u_x_) = T::sin_cos(theta);
                 let ab_r_x_ = T::num(0.1016) * ab_u_x_;
                 let ab_r_y_ = T::num(0.1016) * ab_u_y_;
                 let bc_dc_w_x_ = theta_rate * ab_r_y_;
-                let v146_ = theta_rate * ab_r_x_;
-                let bc_dc_g_x_ = v14_ * ab_r_x_;
-                let bc_dc_g_y_ = v14_ * ab_r_y_;
+                let v145_ = theta_rate * ab_r_x_;
+                let bc_dc_g_x_ = v16_ * ab_r_x_;
+                let bc_dc_g_y_ = v16_ * ab_r_y_;
                 let bc_dc_d_x_ = T::fused(-T::num(0.1016), ab_u_x_, T::num(0.3048));
-                let v151_ = bc_dc_w_x_ * bc_dc_d_x_;
-                let v152_ = v151_ + v151_;
-                let v153_ = bc_dc_g_x_ * bc_dc_d_x_;
-                let v154_ = bc_dc_w_x_ * bc_dc_w_x_;
-                let v156_ = T::fused(T::num(2.0), v154_, v153_);
-                let v157_ = v153_ + v156_;
-                let v158_ = ab_r_y_ * v146_;
-                let v159_ = v158_ + v158_;
-                let v160_ = ab_r_y_ * bc_dc_g_y_;
-                let v161_ = v146_ * v146_;
-                let v164_ = T::fused(T::num(2.0), v161_, -v160_);
-                let v165_ = v164_ - v160_;
-                let v166_ = v152_ + v159_;
-                let v167_ = v157_ + v165_;
+                let v150_ = bc_dc_w_x_ * bc_dc_d_x_;
+                let v151_ = v150_ + v150_;
+                let v152_ = bc_dc_g_x_ * bc_dc_d_x_;
+                let v153_ = bc_dc_w_x_ * bc_dc_w_x_;
+                let v155_ = T::fused(T::num(2.0), v153_, v152_);
+                let v156_ = v152_ + v155_;
+                let v157_ = ab_r_y_ * v145_;
+                let v158_ = v157_ + v157_;
+                let v159_ = ab_r_y_ * bc_dc_g_y_;
+                let v160_ = v145_ * v145_;
+                let v163_ = T::fused(T::num(2.0), v160_, -v159_);
+                let v164_ = v163_ - v159_;
+                let v165_ = v151_ + v158_;
+                let v166_ = v156_ + v164_;
                 let bc_dc_i_ = T::fused(
                     -T::num(0.06193536),
                     ab_u_x_,
                     T::num(0.09741916),
                 );
-                let v169_ = T::num(0.1806448) - bc_dc_i_;
-                let v170_ = T::num(5.535725357165) * bc_dc_i_;
+                let v168_ = T::num(0.1806448) - bc_dc_i_;
+                let v169_ = T::num(5.535725357165) * bc_dc_i_;
+                let v170_ = T::num(5.535725357165) * v165_;
                 let v171_ = T::num(5.535725357165) * v166_;
-                let v172_ = T::num(5.535725357165) * v167_;
-                let v173_ = T::num(5.535725357165) * v169_;
-                let v174_ = v170_ * v173_;
-                let v175_ = v171_ * v173_;
-                let v178_ = T::fused(-v170_, v171_, v175_);
-                let v179_ = v172_ * v173_;
-                let v180_ = v171_ * v171_;
-                let v183_ = T::fused(-T::num(2.0), v180_, v179_);
-                let v185_ = T::fused(-v170_, v172_, v183_);
+                let v172_ = T::num(5.535725357165) * v168_;
+                let v173_ = v169_ * v172_;
+                let v174_ = v170_ * v172_;
+                let v177_ = T::fused(-v169_, v170_, v174_);
+                let v178_ = v171_ * v172_;
+                let v179_ = v170_ * v170_;
+                let v182_ = T::fused(-T::num(2.0), v179_, v178_);
+                let v184_ = T::fused(-v169_, v171_, v182_);
                 [
                     Clearance {
-                        value: v174_,
-                        rate: v178_,
-                        second_rate: v185_,
+                        value: v173_,
+                        rate: v177_,
+                        second_rate: v184_,
                         scale: T::num(0.5517857142857143),
                     },
                 ]
