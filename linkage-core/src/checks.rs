@@ -40,7 +40,10 @@ pub trait Checks<T: Scalar> {
     fn sin_cos(&mut self, angle: T) -> (T, T);
 
     /// The same by [`Scalar::sin_cos_fast`] where nothing is diagnosed.
-    fn sin_cos_fast(&mut self, angle: T) -> (T, T);
+    #[inline(always)]
+    fn sin_cos_fast(&mut self, angle: T) -> (T, T) {
+        self.sin_cos(angle)
+    }
 
     /// The root of an unknown's equation, of sides in this unit, and the size that its rounding is
     /// measured by. Where none was found, what is returned leads to a refusal in the end.
@@ -300,10 +303,6 @@ impl<T: Real> Checks<T> for FirstError {
     }
 
     fn sin_cos(&mut self, angle: T) -> (T, T) {
-        angle.sin_cos()
-    }
-
-    fn sin_cos_fast(&mut self, angle: T) -> (T, T) {
         angle.sin_cos()
     }
 

@@ -62,7 +62,7 @@ pub struct Stretch<T> {
 }
 
 /// Stretches in rising order: a slice without a heap.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Stretches<T> {
     list: [Stretch<T>; MOST],
     count: usize,
@@ -161,6 +161,13 @@ impl<T> Deref for Stretches<T> {
 
     fn deref(&self) -> &[Stretch<T>] {
         self.list.get(..self.count).unwrap_or(&[])
+    }
+}
+
+/// As the slice that it is.
+impl<T: fmt::Debug> fmt::Debug for Stretches<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        (**self).fmt(f)
     }
 }
 

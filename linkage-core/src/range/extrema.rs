@@ -1,5 +1,6 @@
 //! Where an output turns back.
 
+use core::fmt;
 use core::ops::Deref;
 
 use super::walk::{Event, Walk};
@@ -28,7 +29,7 @@ pub struct Extremum<T> {
 }
 
 /// The places where an output turns back, in rising order of the input: a slice without a heap.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Extrema<T> {
     list: [Extremum<T>; MOST],
     count: usize,
@@ -65,6 +66,13 @@ impl<T> Deref for Extrema<T> {
 
     fn deref(&self) -> &[Extremum<T>] {
         self.list.get(..self.count).unwrap_or(&[])
+    }
+}
+
+/// As the slice that it is.
+impl<T: fmt::Debug> fmt::Debug for Extrema<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        (**self).fmt(f)
     }
 }
 

@@ -3,8 +3,8 @@
 use std::prelude::v1::*;
 use std::vec::Vec;
 
-use super::limits;
 use super::walk::{Event, Walk};
+use super::{extrema, limits};
 use crate::SolveError;
 use crate::tracker::{Clearance, Enclosure, Modes};
 
@@ -171,6 +171,17 @@ impl Modes for Chained<'_> {
     fn enclosures(&self, _: f64, _: f64, _: f64) -> Self::Enclosures {
         []
     }
+}
+
+#[test]
+fn stretches_and_extremes_print_as_lists_of_what_there_is() {
+    let chained = Chained { heights: &[0.2, 0.4, 0.6] };
+    let found = limits(&chained, [-1.5, 1.3]).expect("an interval");
+    assert_eq!(format!("{found:?}"), format!("{:?}", &found[..]));
+    let sine = |q: f64| Ok([q.sin(), q.cos(), -q.sin()]);
+    let turns = extrema([0.0, 3.0], sine).expect("an interval");
+    assert_eq!(format!("{turns:?}"), format!("{:?}", &turns[..]));
+    assert_eq!(turns.len(), 1);
 }
 
 /// Heights of the first group at which the second is at its limit, several of them within a piece

@@ -7,6 +7,7 @@ use crate::diagnostics::{Extent, nearest};
 use super::Resolver;
 use super::mechanism::{GuideId, LinkId, PointId};
 use super::names::{Entity, Kind, NUMBERS, Symbol, TooEarly, listed};
+use crate::syntax::words::{LIKELY_NAMES, UNITS};
 
 impl Resolver<'_> {
     /// A name is declared once.
@@ -105,6 +106,9 @@ impl Resolver<'_> {
                 let kind = self.names.symbols[self.names.by_name[near]].kind;
                 message += &format!("; {} with a similar name exists: `{near}`", kind.one());
             }
+            None if kinds == NUMBERS && is_meant_as_unit(&text) => {
+                reason = Some("a product of units stands in parentheses: `0.1(kg*m^2)`".into());
+            }
             None => {
                 let earlier = |symbol: &&Symbol| {
                     kinds.contains(&symbol.kind) && symbol.statement < self.names.current
@@ -137,6 +141,12 @@ impl Resolver<'_> {
             None => self.diagnostics.error(span, message),
         }
     }
+}
+
+/// Whether it is a unit, or a power of one as on a drawing, and hardly a name: `2kg*m2`.
+fn is_meant_as_unit(name: &str) -> bool {
+    let unit = name.trim_end_matches(['2', '3']);
+    UNITS.contains(&unit) && !LIKELY_NAMES.contains(&unit)
 }
 
 /// "input, parameter or `let`"

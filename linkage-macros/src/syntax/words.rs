@@ -63,7 +63,7 @@ pub(crate) const UNITS: [&str; 15] =
     ["m", "mm", "cm", "um", "in", "rad", "deg", "turn", "kg", "g", "t", "N", "kN", "s", "ms"];
 
 /// Units that are as likely a name: `2 s` may want an operator.
-pub(super) const LIKELY_NAMES: [&str; 3] = ["s", "t", "N"];
+pub(crate) const LIKELY_NAMES: [&str; 3] = ["s", "t", "N"];
 
 pub(super) fn is_rust_keyword(word: &str) -> bool {
     RUST.contains(&word)

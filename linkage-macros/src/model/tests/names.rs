@@ -67,6 +67,12 @@ fn an_unknown_name_is_reported_with_the_nearest() {
             "thta: no input, parameter or `let` named `thta` / declared so far: `t`",
         ),
         (
+            CRANK,
+            "inertia 2kg*m2 on AB;",
+            "m2: no input, parameter or `let` named `m2` / a product of units stands in parentheses: \
+             `0.1(kg*m^2)`",
+        ),
+        (
             NOTHING,
             "input theta: angle; ground A(0, 0); crank AB(A) -> B { length: 1m, angle: thata }",
             "thata: no input, parameter or `let` named `thata`; an input with a similar name \
