@@ -32,13 +32,6 @@ use crate::diagnosis;
 use crate::find::FindError;
 use crate::{Mask, Real, Scalar, SolveError};
 
-/// Whether the sum of a result's numbers is finite, and so each of them; not asked of a `plain` number,
-/// for which the compiler has shown that it must be.
-#[inline(always)]
-pub fn is_finite_unless<T: Scalar>(plain: bool, sum: T) -> T::Mask {
-    if plain { T::Mask::ALL } else { sum.is_finite() }
-}
-
 /// Who asks for conditions, see the module's documentation. A condition is two calls: a comparison,
 /// which [`FirstError`] passes by, and a diagnosis, which [`AllMet`] passes by and which returns the
 /// value under the condition, or what stands for it at a limit.

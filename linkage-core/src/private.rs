@@ -19,7 +19,7 @@ pub use core::result::Result::{self, Err, Ok};
 
 pub use crate::absent::*;
 pub use crate::c_interface::{CError, c_sense, c_side, c_trend};
-pub use crate::checks::{AllMet, Checks, FirstError, is_finite_unless};
+pub use crate::checks::{AllMet, Checks, FirstError};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate};
 pub use crate::find::bound::bound;
@@ -27,6 +27,7 @@ pub use crate::find::unknown::{open, root};
 pub use crate::find::{FindError, Trend};
 pub use crate::record::column;
 pub use crate::resolver::{from_angle, from_circle, on_circle};
+pub use crate::scalar::is_finite_unless;
 #[cfg(feature = "sketch")]
 pub use crate::sketch::{
     Applied, Drawn, Film, Made, Plan, Sketch, Spring, applied, followed, place, place_open,

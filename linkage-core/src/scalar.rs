@@ -155,6 +155,13 @@ pub trait Scalar:
     fn smallest_square() -> Self;
 }
 
+/// Whether the sum of a result's numbers is finite, and so each of them; not asked of a `plain` number,
+/// for which the compiler has shown that it must be.
+#[inline(always)]
+pub fn is_finite_unless<T: Scalar>(plain: bool, sum: T) -> T::Mask {
+    if plain { T::Mask::ALL } else { sum.is_finite() }
+}
+
 /// A single number: comparisons answer with a plain `bool`, so `position` and its kin can return
 /// a `Result`.
 pub trait Real: Scalar<Mask = bool> {
@@ -215,5 +222,23 @@ pub trait Real: Scalar<Mask = bool> {
     #[must_use]
     fn with_all_roots(self, _f: impl FnMut(Self) -> [Self; 2]) -> Self {
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_shown_to_be_finite_is_not_asked() {
+        for (plain, sum, expected) in [
+            (true, 1.0, true),
+            (true, f64::NAN, true),
+            (false, 1.0, true),
+            (false, f64::NAN, false),
+            (false, f64::INFINITY, false),
+        ] {
+            assert_eq!(is_finite_unless(plain, sum), expected, "{plain} {sum}");
+        }
     }
 }

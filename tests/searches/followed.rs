@@ -4,6 +4,7 @@
 use std::f64::consts::PI;
 
 use linkage_core::find::Trend;
+use linkage_core::private::Modes;
 use linkage_core::range::{Stop, Stretch, limits};
 use linkage_core::{Side, SolveError, Tracker};
 use linkage_tests::mechanisms::followed::*;
@@ -231,4 +232,65 @@ fn another_root_is_no_continuation() {
         }
     }
     assert!(jumps > 0 && refused > 0, "{jumps} {refused}");
+}
+
+/// Also where the mode is a parameter, which changes at dead points alone.
+#[test]
+fn an_interval_ends_the_range_of_an_equation_at_either_end() {
+    let edge = 100_f64.to_radians();
+    for (way, between, to) in
+        [(Trend::Falling, [1.0, 2.5], edge), (Trend::Rising, [-2.5, -1.0], -edge)]
+    {
+        let twin = TwinPress { way, ..TwinPress::new() };
+        let found = limits(&twin, between).expect("an interval");
+        let [stretch] = &found[..] else { panic!("{found:?}") };
+        let end = if to > 0.0 { stretch.to } else { stretch.from };
+        // A ram's place is known to some ε of 0.33 m, and goes by 0.08 m a radian there.
+        assert!(end.stop == THETA && (end.at - to).abs() < 1e-14, "{stretch:?}");
+    }
+}
+
+/// The end of the rod that the input moves, and its derivatives by the input.
+fn rod_end(psi: f64) -> [[f64; 2]; 3] {
+    let (sin, cos) = psi.sin_cos();
+    [[3.0 + 0.8 * cos, 0.8 * sin], [-0.8 * sin, 0.8 * cos], [-0.8 * cos, -0.8 * sin]]
+}
+
+/// How far the equation is from having no root, with its rates, where the input moves the dead point: in
+/// line with A, B and E the rod's place for B is |AE| − 1 away from E. Against closed forms.
+#[test]
+fn clearances_of_an_equation_have_the_rates_of_closed_forms() {
+    const ROD: f64 = 2.9;
+    for psi in [-2.5, -0.7, 0.4, 1.0, 2.9] {
+        for rate in [1.0, -3.0] {
+            let [[x, y], [dx, dy], [ddx, ddy]] = rod_end(psi);
+            let found = Rodded::new().clearances(psi, rate);
+            let [lower, upper, ..] = found.as_ref() else { panic!("two ends") };
+            // |AE| and its derivatives, then (l² − (|AE| − 1)²)/2l.
+            let u = x.hypot(y);
+            let du = (x * dx + y * dy) / u;
+            let ddu = (dx * dx + dy * dy + x * ddx + y * ddy - du * du) / u;
+            let at_dead_point = [
+                (ROD * ROD - (u - 1.0) * (u - 1.0)) / (2.0 * ROD),
+                -(u - 1.0) * du / ROD,
+                -(du * du + (u - 1.0) * ddu) / ROD,
+            ];
+            // The crank at the end of its interval, where it stays: (|BE|² − l²)/2l.
+            let (sin, cos) = (5.0 * PI / 6.0).sin_cos();
+            let (x, y) = (x - cos, y - sin);
+            let at_edge = [
+                (x * x + y * y - ROD * ROD) / (2.0 * ROD),
+                (x * dx + y * dy) / ROD,
+                (dx * dx + dy * dy + x * ddx + y * ddy) / ROD,
+            ];
+            for (end, [value, first, second]) in [(lower, at_dead_point), (upper, at_edge)] {
+                let found = [end.value, end.rate, end.second_rate];
+                let wanted = [value, first * rate, second * rate * rate];
+                for (found, wanted) in found.iter().zip(wanted) {
+                    // Some dozens of roundings of numbers up to 30.
+                    assert!((found - wanted).abs() < 1e-13, "{psi} {rate}: {found} {wanted}");
+                }
+            }
+        }
+    }
 }

@@ -81,7 +81,7 @@ impl Coil {
 
     /// The same lines in every pose, at other places.
     fn path(&self, length: f64) -> String {
-        let sign = if length < 0.0 { -1.0 } else { 1.0 };
+        let sign = way(length);
         let end = fine(length);
         match self.spring.kinds {
             [true, true] => {
@@ -100,7 +100,7 @@ impl Coil {
 
     /// At this distance from the line, and shorter by so much at either end.
     fn zigzag(&self, length: f64, beside: f64, inset: f64) -> String {
-        let sign = if length < 0.0 { -1.0 } else { 1.0 };
+        let sign = way(length);
         let (from, to) = (self.lead * sign, length - self.lead * sign);
         let corners = 2 * self.coils;
         let step = (to - from) / corners as f64;
@@ -114,7 +114,7 @@ impl Coil {
     }
 
     fn piston(&self, length: f64, beside: f64, inset: f64) -> String {
-        let sign = if length < 0.0 { -1.0 } else { 1.0 };
+        let sign = way(length);
         let [bottom, top, rod] = self.damper;
         // A stroke longer than any cylinder: then everything is stretched.
         let [bottom, top, piston] = match rod {
@@ -163,6 +163,11 @@ impl Coil {
     }
 }
 
+/// Along the spring's x or against it.
+fn way(length: f64) -> f64 {
+    if length < 0.0 { -1.0 } else { 1.0 }
+}
+
 /// Beginning and end of a cylinder and the length of its piston's rod; no rod where no cylinder is long
 /// enough.
 fn damper(shortest: f64, longest: f64) -> [f64; 3] {
@@ -207,3 +212,96 @@ const BESIDE: f64 = 9.0;
 const SPARE: f64 = 5.0;
 /// By how many degrees a spring on a wall may turn.
 const STRAIGHT: f64 = 0.1;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn coil(kinds: [bool; 2], [shortest, longest]: [f64; 2]) -> Coil {
+        let seat = Seat { at: [0.0; 2], degrees: 0.0 };
+        Coil {
+            spring: Spring { ends: [3, 4], kinds },
+            seats: vec![Some(seat); 2],
+            lengths: vec![Some(shortest), Some(longest)],
+            coils: 5,
+            lead: 10.0,
+            damper: damper(shortest, longest),
+        }
+    }
+
+    /// The corners of a path.
+    fn corners(path: &str) -> Vec<Spot> {
+        let (mut corners, mut at) = (Vec::new(), [0.0; 2]);
+        let starts = path.char_indices().filter(|(_, c)| c.is_ascii_alphabetic());
+        let starts: Vec<usize> = starts.map(|(start, _)| start).collect();
+        for (nth, &start) in starts.iter().enumerate() {
+            let end = starts.get(nth + 1).copied().unwrap_or(path.len());
+            let numbers = path[start + 1..end].split_whitespace();
+            let numbers: Vec<f64> = numbers.map(|n| n.parse().expect("a number")).collect();
+            match (&path[start..=start], &numbers[..]) {
+                ("H", [x]) => at[0] = *x,
+                ("V", [y]) => at[1] = *y,
+                (_, [x, y]) => at = [*x, *y],
+                _ => panic!("{path}"),
+            }
+            corners.push(at);
+        }
+        corners
+    }
+
+    const KINDS: [[bool; 2]; 3] = [[true, true], [true, false], [false, true]];
+
+    /// Turned inside out a spring is its own mirror image, and it takes no more across than it says.
+    #[test]
+    fn ends_that_have_passed_each_other_mirror_the_lines() {
+        // With a cylinder, and with a stroke that is longer than any.
+        for lengths in [[90.0, 120.0], [10.0, 120.0]] {
+            for kinds in KINDS {
+                let coil = coil(kinds, lengths);
+                let ahead = corners(&coil.path(100.0));
+                let back = corners(&coil.path(-100.0));
+                assert_eq!(ahead.len(), back.len());
+                for (a, b) in ahead.iter().zip(&back) {
+                    assert!(a[0] == -b[0] && a[1] == b[1], "{kinds:?}: {a:?} {b:?}");
+                }
+                let most = ahead.iter().map(|spot| spot[1].abs()).fold(0.0, f64::max);
+                assert_eq!(most, coil.half_width(), "{kinds:?}");
+                assert!(ahead.iter().all(|spot| (0.0..=100.0).contains(&spot[0])), "{ahead:?}");
+            }
+        }
+    }
+
+    /// As far from the bottom at the shortest as from the mouth at the longest; where no cylinder holds the
+    /// stroke, everything is stretched, and the piston still stays inside.
+    #[test]
+    fn a_piston_has_the_same_room_at_either_end_of_its_stroke() {
+        for [shortest, longest] in [[90.0, 120.0], [200.0, 205.0], [60.0, 64.0]] {
+            let [bottom, top, rod] = damper(shortest, longest);
+            let [low, high] = [shortest - rod - bottom, top - (longest - rod)];
+            assert!((low - high).abs() < 1e-9 && low > 0.99 * SPARE, "{low} {high}");
+            assert!(bottom > SPARE && top < shortest);
+        }
+        let coil = coil([false, true], [20.0, 300.0]);
+        assert_eq!(coil.damper, [0.0; 3]);
+        for length in [20.0, 100.0, 300.0] {
+            // From the joint to the bottom, the cylinder's three sides, the piston, and its rod.
+            let spots = corners(&coil.path(length));
+            let [_, bottom, top, _, _, _, piston, ..] = spots[..] else { panic!("{spots:?}") };
+            assert!(bottom[0] + 2.0 < piston[0] && piston[0] + 2.0 < top[0], "{spots:?}");
+        }
+    }
+
+    /// A plate looks along the spring that it holds, which goes to the right from its first end.
+    #[test]
+    fn a_wall_looks_towards_its_spring() {
+        let plain = coil([true, false], [90.0, 120.0]);
+        assert_eq!([3, 4, 5].map(|end| plain.wall(end)), [Some(90.0), Some(-90.0), None]);
+        let passed = coil([true, false], [-120.0, -90.0]);
+        assert_eq!([3, 4].map(|end| passed.wall(end)), [Some(-90.0), Some(90.0)]);
+        // The plate and the ends of its hatches, 7 below it.
+        let covered = wall_box([0.0; 2], 0.0);
+        for spot in [[-17.0, 0.0], [17.0, 0.0], [-17.0, 7.0], [11.0, 7.0]] {
+            assert!(covered.holds(spot), "{covered:?}");
+        }
+    }
+}

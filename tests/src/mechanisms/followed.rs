@@ -100,3 +100,16 @@ mechanism! {
         output theta, B;
     }
 }
+
+mechanism! {
+    /// Two cranks whose pins a rod joins: the equation's dead point moves with the input.
+    pub struct Rodded {
+        input psi: angle;
+        ground A(0, 0), D(3m, 0);
+        unknown theta: angle between (-40deg, 150deg);
+        crank DE(D) -> E { length: 0.8m, angle: psi }
+        crank AB(A) -> B { length: 1m, angle: theta }
+        solve theta { distance(B, E) = 2.9m, mode: rising }
+        output theta, B, E;
+    }
+}
