@@ -22,6 +22,7 @@ pub mod language {
     //! [expressions]: super::expressions
     //! [figures]: super::figures
     //! [forces]: super::forces
+    //! [measurements]: super::measurements
     //! [`extrema`]: crate::range::extrema()
     //! [`limits`]: crate::range::limits()
     //! [`Tracker`]: crate::Tracker
