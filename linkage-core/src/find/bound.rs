@@ -106,6 +106,7 @@ mod tests {
         let hole = |x: f64| [x, if x > 0.5 { f64::NAN } else { 1.0 }, 0.0];
         assert!(bound([0.0, 1.0], Trend::Rising, 1, hole).0.is_nan());
     }
+
     /// A dead point that is the end is not beyond it.
     #[test]
     fn an_end_without_slope_stays() {

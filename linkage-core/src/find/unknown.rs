@@ -173,6 +173,7 @@ mod tests {
         let reversed = searched([1.0, 0.0], Trend::Falling, None, sides);
         assert_eq!(reversed, Err(FindError::Interval { from: 1.0, to: 0.0 }));
     }
+
     #[cfg(feature = "ad")]
     #[test]
     fn a_root_is_derived_where_the_slope_is_one_and_goes_the_wanted_way() {

@@ -241,8 +241,8 @@ impl<'s> Frame<'s> {
     /// What the frame does to a point at ρ from its origin that moves in it with the relative
     /// velocity σ: the transport velocity v + ω ρ⊥ and the transport and Coriolis acceleration
     /// a + α ρ⊥ − ω² ρ + 2 ω σ⊥ (any text on kinematics in moving frames, e.g. Norton, Design of
-    /// Machinery, ch. 6 and 7). Both terms of ρ are added first: term by term saves a fiftieth of the
-    /// instructions where operations are fused, and costs a fifteenth where they are not.
+    /// Machinery, ch. 6 and 7). Both terms of ρ are added first: term by term takes up to a fifteenth more
+    /// instructions where operations are not fused.
     pub(crate) fn transport(self, rho: Vector<'s>, sigma: Vector<'s>) -> (Vector<'s>, Vector<'s>) {
         let Direction { omega, alpha, .. } = self.direction;
         let velocity = self.origin.velocity + omega * rho.normal();

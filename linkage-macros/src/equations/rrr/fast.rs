@@ -32,6 +32,8 @@
 //! where their outer joints meet. What is out of reach is decided as without `fast`, and
 //! `tests/limits/fast.rs` holds the bounds.
 
+use std::ops::{Add, Sub};
+
 use super::{Solved, spread};
 use crate::equations::jet::Jet;
 use crate::equations::levers::{self, Levers};
@@ -166,13 +168,11 @@ impl<'s> Bars<'s> {
         self.along * line + self.root * (self.lift * line).normal()
     }
 
-    /// Both bars, of which r₃ = r₂ − d.
-    fn both(&self, short: Vector<'s>, line: Vector<'s>) -> [Vector<'s>; 2] {
-        if self.short == 0 { [short, short - line] } else { [short + line, short] }
-    }
-
-    /// Products of a vector with r₂ and r₃, from that with the shorter bar and that with d.
-    fn products(&self, short: Sym<'s>, line: Sym<'s>) -> [Sym<'s>; 2] {
+    /// Both bars, or their products with a vector, from the shorter bar's and that of d: r₃ = r₂ − d.
+    fn both<V>(&self, short: V, line: V) -> [V; 2]
+    where
+        V: Copy + Add<Output = V> + Sub<Output = V>,
+    {
         if self.short == 0 { [short, short - line] } else { [short + line, short] }
     }
 
@@ -182,8 +182,8 @@ impl<'s> Bars<'s> {
         let (f, e) = (crank.along(), crank.products[1]);
         let dot = self.along * f + self.root * (self.lift * e);
         let cross = self.along * e - self.root * (self.lift * f);
-        let [dot2, dot3] = self.products(dot, f);
-        let [cross2, cross3] = self.products(cross, e);
+        let [dot2, dot3] = self.both(dot, f);
+        let [cross2, cross3] = self.both(cross, e);
         let turning = omega * self.inverse;
         let rates = [turning * cross3, turning * cross2];
         let square = omega.squared();
