@@ -129,7 +129,7 @@ impl Graph {
 
     /// An empty graph with room for so many nodes.
     pub(crate) fn with_room(nodes: usize) -> Self {
-        let node_ids = Map::with_capacity_and_hasher(nodes, Default::default());
+        let node_ids = Map::with_room(nodes);
         Self { nodes: Vec::with_capacity(nodes), node_ids, ..Self::default() }
     }
 
@@ -186,7 +186,7 @@ impl Graph {
 
     /// Gives the value a name, for whoever reads the generated code; the first one stays.
     pub(crate) fn name(&mut self, id: Id, name: String) {
-        self.names.entry(id).or_insert(name);
+        self.names.or_insert(id, name);
     }
 
     /// What formulas call the value.

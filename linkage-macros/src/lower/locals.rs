@@ -30,9 +30,9 @@ pub(super) fn named(mechanism: &Mechanism, interface: &Interface, program: &Prog
         let mut taken = Map::default();
         for (label, &sink) in labels.zip(&answer.sinks) {
             // Whether a letter of another alphabet may stand in a name is for others to know.
-            let is_its_own = *taken.entry(label.clone()).or_insert(sink) == sink;
+            let is_its_own = *taken.or_insert(label.clone(), sink) == sink;
             if is_its_own && label.is_ascii() {
-                names.entry(sink).or_insert(label);
+                names.or_insert(sink, label);
             }
         }
     }
