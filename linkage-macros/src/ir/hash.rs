@@ -239,7 +239,7 @@ impl Hasher for Mixer {
 
     fn finish(&self) -> u64 {
         // A slot is taken from the low bits, which multiplication mixes least.
-        self.0 << 26 | self.0 >> 38
+        self.0.rotate_left(26)
     }
 }
 
