@@ -162,6 +162,21 @@ macro_rules! agrees {
 
 agrees! { behind_a_crank_and_between_links: FastWatt PlainWatt }
 agrees! { behind_a_crank_on_the_level: FastStephenson PlainStephenson }
+// Accelerations of a block that comes as near to the pivot as a third of its farthest distance: b² has
+// three times the places of a sum of squares, of which the bar's second rate takes 1/b and 1/b².
+agrees! { a_block_on_a_crank: FastBlock PlainBlock }
+agrees! { a_block_on_a_crank_about_the_pivot: FastInnerBlock PlainInnerBlock }
+
+/// The slide is the length of what the direction is made of, whatever that is off by: five roundings. A b²
+/// that is affine would be off by 50 ε where its parts are a hundred times as large.
+#[test]
+fn a_direction_next_to_its_pivot_has_its_length() {
+    for theta in angles() {
+        let pose = FastNearBlock::new().position(theta).unwrap();
+        let error = length_error(pose.rod.cos, pose.rod.sin);
+        assert!(error <= 4.0 * f64::EPSILON, "{:.1} ε at {theta}", error / f64::EPSILON);
+    }
+}
 
 #[test]
 fn what_is_not_constant_is_solved_as_without() {

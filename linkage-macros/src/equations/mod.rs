@@ -23,6 +23,7 @@
 
 mod clearance;
 mod crank;
+mod crank_pin;
 mod dead_points;
 mod double_word;
 mod expressed;

@@ -36,11 +36,10 @@ impl<'s> Swing<'s> {
         self.coordinates.dot(self.coordinates)
     }
 
-    /// Velocity and acceleration along u and along u⊥. With p = r·u and q = r·u⊥ these are
+    /// Velocity and acceleration along u and along u⊥, from p = r·u and q = r·u⊥. They are
     /// (−ω q, −α q − ω² p) and (ω p, α p − ω² q): two products with u in place of four.
-    fn rates_along(self, u: Vector<'s>) -> [Rates<'s>; 2] {
-        let Self { omega, alpha, arm, .. } = self;
-        let (p, q, square) = (arm.dot(u), arm.dot(u.normal()), omega.squared());
+    pub(crate) fn rates_along(self, [p, q]: [Sym<'s>; 2]) -> [Rates<'s>; 2] {
+        let (Self { omega, alpha, .. }, square) = (self, self.omega.squared());
         [
             Rates { velocity: -(omega * q), acceleration: -(alpha * q + square * p) },
             Rates { velocity: omega * p, acceleration: alpha * p - square * q },
@@ -152,7 +151,9 @@ impl<'s> PointMotion<'s> {
     /// Velocity and acceleration against the other point, along u and along u⊥.
     pub(crate) fn rates_against(self, other: Self, u: Vector<'s>) -> [Rates<'s>; 2] {
         match self.swing {
-            Some(swing) if other.is_fixed() => swing.rates_along(u),
+            Some(swing) if other.is_fixed() => {
+                swing.rates_along([swing.arm.dot(u), swing.arm.dot(u.normal())])
+            }
             _ => {
                 let velocity = self.velocity - other.velocity;
                 let acceleration = self.acceleration - other.acceleration;

@@ -42,9 +42,13 @@
 //! within ε of itself; `numerics compensated;` puts the rounding of that difference back where both
 //! joints are given by inputs and constants (`tests/limits/compensated.rs`).
 //!
+//! `numerics fast;` makes b² and the products of Δv and Δa of a crank's pin by what `crank_pin.rs` says, with its
+//! error, where there is no offset.
+//!
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.
 
+use crate::equations::crank_pin::CrankPin;
 use crate::equations::double_word::DoubleWord;
 use crate::equations::jet::Jet;
 use crate::equations::levers::{self, Levers};
@@ -65,7 +69,9 @@ pub(super) fn rpr<'s>(
 ) -> Solved<'s> {
     let from = scope.call_vector("b", d.to(b));
     let e = offset.value;
-    let square = from.dot(from);
+    let is_fast = scope.numerics == Numerics::Fast && e.is_zero();
+    let crank = is_fast.then(|| CrankPin::of([b, d])).flatten();
+    let square = crank.map_or_else(|| from.dot(from), CrankPin::square);
     let sound = scope.call("b2", square.provided(Check::Square, scope.group, &[]));
     let (s, u, inverse) = if e.is_zero() {
         // s² = b²: 1/s = s/b², the division beside the root, and u = b/s.
@@ -83,7 +89,13 @@ pub(super) fn rpr<'s>(
     scope.call("s", s);
     scope.call("inverse s", inverse);
     scope.call_vector("u", u);
-    let [along, across] = b.rates_against(d, u);
+    let [along, across] = match crank {
+        // The line to the pivot is −b.
+        Some(crank) => {
+            crank.swing.rates_along([crank.along(), crank.across].map(|product| -product * inverse))
+        }
+        None => b.rates_against(d, u),
+    };
     let omega = (across.velocity - offset.rate) * inverse;
     let slide_rate = if e.is_zero() {
         along.velocity

@@ -70,6 +70,42 @@ twins! { FastStephenson, PlainStephenson, {
     output P, C, E, BC, DC, PE, FE;
 } }
 
+// Blocks on a crank's pin: the bar's pivot aside and outside of the crank's circle, and within it.
+twins! { FastBlock, PlainBlock, {
+    input theta: angle;
+
+    ground A(0.1, -0.2), D(0.3, 0.5);
+    crank AB(A) -> B          { length: 0.4m, angle: theta }
+    rpr   block(B), rod(D)    { mode: behind }
+    point E on rod at (0.2, 0.1);
+
+    output E, rod, block.slide;
+} }
+
+twins! { FastInnerBlock, PlainInnerBlock, {
+    input theta: angle;
+
+    ground A(0, 0), D(-0.03, 0.01);
+    crank AB(A) -> B          { length: 0.1m, angle: theta }
+    rpr   block(B), rod(D)    { mode: ahead }
+
+    output rod, block.slide;
+} }
+
+mechanism! {
+    /// A block that comes to a tenth of its farthest distance from the pivot.
+    pub struct FastNearBlock {
+        numerics fast;
+        input theta: angle;
+
+        ground A(0, 0), D(122mm, 0);
+        crank AB(A) -> B          { length: 100mm, angle: theta }
+        rpr   block(B), rod(D)    { mode: ahead }
+
+        output rod, block.slide;
+    }
+}
+
 mechanism! {
     /// A crank that reaches both toggles, the shorter bar first, next to the crank's pivot.
     pub struct FastRocker {

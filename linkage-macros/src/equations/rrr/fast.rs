@@ -13,17 +13,14 @@
 //!
 //! # Velocity and acceleration
 //! As in the parent, but where B is a pin that swings about a point A of the ground with the arm a, and D
-//! a point of the ground. With G = D − A the velocity ω a⊥ and the acceleration α a⊥ − ω² a of B lead to
+//! a point of the ground (`crank_pin.rs`). The velocity ω a⊥ and the acceleration α a⊥ − ω² a of B lead to
 //! two products with a bar r, which serve both of its rates, and are affine in √S like r:
 //!
 //! ```text
 //! a·r = ± (a/d²) a·d + √S (2 l₂ l₃/d²) d × a    r × a = ± (a/d²) d × a − √S (2 l₂ l₃/d²) a·d
-//! a·d = G·a − a²                                d × a = G × a
 //! ω₂ = ω (r₃ × a)/J       α₂ = (α (r₃ × a) + ω² a·r₃ + ω₂² r₂·r₃ − ω₃² l₃²)/J
 //! ω₃ = ω (r₂ × a)/J       α₃ = (α (r₂ × a) + ω² a·r₂ + ω₂² l₂² − ω₃² r₂·r₃)/J
 //! ```
-//!
-//! and d² = G² + a² − 2 G·a, like all that is made of it, is affine in G·a alone.
 //!
 //! # Error
 //! Some last places more than without `fast`: what a limit magnifies are two roundings of s in place of
@@ -35,22 +32,13 @@
 use std::ops::{Add, Sub};
 
 use super::{Solved, spread};
+use crate::equations::crank_pin::CrankPin;
 use crate::equations::jet::Jet;
 use crate::equations::levers::{self, Levers};
 use crate::equations::motion::{PointMotion, Swing};
 use crate::equations::parts::{Bar, GroupScope};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
-
-/// A pin that swings about a point of the ground, seen from another one.
-#[derive(Clone, Copy)]
-struct Crank<'s> {
-    swing: Swing<'s>,
-    /// G·a and G × a
-    products: [Sym<'s>; 2],
-    /// G² and a²
-    squares: [Sym<'s>; 2],
-}
 
 /// The bars, the shorter of which is found first.
 struct Bars<'s> {
@@ -74,7 +62,7 @@ pub(super) fn rrr<'s>(
     mode: Sym<'s>,
 ) -> Solved<'s> {
     let line = scope.call_vector("d", b.to(d));
-    let crank = Crank::of(b, d);
+    let crank = CrankPin::of([b, d]);
     let bars = bars(scope, line, crank, lengths, mode);
     let [r2, r3] = bars.both(bars.of_line(line), line);
     scope.call_vector("r2", r2);
@@ -95,45 +83,21 @@ pub(super) fn rrr<'s>(
     }
 }
 
-impl<'s> Crank<'s> {
-    /// Where the first joint is such a pin and the second a point of the ground, not too near to its circle.
-    fn of(b: PointMotion<'s>, d: PointMotion<'s>) -> Option<Self> {
-        let swing = b.swing.filter(|_| d.is_fixed())?;
-        let between = d.base - b.base;
-        let squares = [between.dot(between), swing.square()];
-        let [reach, radius] = squares.map(|square| square.constant_value().map(f64::sqrt));
-        let (reach, radius) = (reach?, radius?);
-        let is_clear = reach + radius <= 4.0 * (reach - radius).abs();
-        let products = [between.dot(swing.arm), between.cross(swing.arm)];
-        is_clear.then_some(Self { swing, products, squares })
-    }
-
-    /// d²
-    fn square(self) -> Sym<'s> {
-        let [reach, radius] = self.squares;
-        (reach + radius) - self.products[0].twice()
-    }
-
-    /// a·d
-    fn along(self) -> Sym<'s> {
-        self.products[0] - self.squares[1]
-    }
-}
-
 fn bars<'s>(
     scope: &GroupScope<'s>,
     line: Vector<'s>,
-    crank: Option<Crank<'s>>,
+    crank: Option<CrankPin<'s>>,
     [l2, l3]: [Sym<'s>; 2],
     mode: Sym<'s>,
 ) -> Bars<'s> {
     let operands = [line.x, line.y, l2, l3];
-    let square = crank.map_or_else(|| line.dot(line), Crank::square);
+    let square = crank.map_or_else(|| line.dot(line), CrankPin::square);
     let one = square.sheet().integer(1);
     let scale = one / (l2 * l3).twice().twice();
     let near = match crank {
-        Some(Crank { products: [along, _], squares: [reach, radius], .. }) => {
-            scale * ((reach + radius) - (l2 - l3).squared()) - scale.twice() * along
+        Some(crank) => {
+            let [sum, along] = crank.square_parts();
+            scale * (sum - (l2 - l3).squared()) - scale.twice() * along
         }
         None => scale * square - scale * (l2 - l3).squared(),
     };
@@ -177,9 +141,13 @@ impl<'s> Bars<'s> {
     }
 
     /// ω and α behind a crank.
-    fn swinging(&self, scope: &GroupScope<'s>, crank: Crank<'s>) -> ([Sym<'s>; 2], [Sym<'s>; 2]) {
+    fn swinging(
+        &self,
+        scope: &GroupScope<'s>,
+        crank: CrankPin<'s>,
+    ) -> ([Sym<'s>; 2], [Sym<'s>; 2]) {
         let Swing { omega, alpha, .. } = crank.swing;
-        let (f, e) = (crank.along(), crank.products[1]);
+        let (f, e) = (crank.along(), crank.across);
         let dot = self.along * f + self.root * (self.lift * e);
         let cross = self.along * e - self.root * (self.lift * f);
         let [dot2, dot3] = self.both(dot, f);
