@@ -50,6 +50,13 @@ impl Form<'_> {
     }
 }
 
+/// Which part of an argument is read.
+enum Part<'a> {
+    All,
+    Field(&'a Ident),
+    Index(u32),
+}
+
 /// A load may be called like an argument that is about the inputs: then it gets a tail.
 fn clear_of(names: &[Ident], mut name: Ident) -> Ident {
     while names.contains(&name) {
@@ -89,6 +96,14 @@ impl<'a> Arguments<'a> {
             names.push(name);
         }
         Self { cx, given, names }
+    }
+
+    /// Those of a function that only generated code calls, for formulas that are written as text: the
+    /// names have nothing of the tokens that the user may have had a macro write.
+    pub(super) fn of_our_own(cx: &'a Context<'a>, given: &'static [Given]) -> Self {
+        let mut arguments = Self::new(cx, given);
+        arguments.names.iter_mut().for_each(|name| name.set_span(Span::call_site()));
+        arguments
     }
 
     /// The arguments as a call passes them on.
@@ -190,26 +205,45 @@ impl<'a> Arguments<'a> {
 
     /// The expression that reads an input or a parameter.
     pub(super) fn read(&self, node: Node) -> Option<Tokens> {
+        Some(match self.place(node)? {
+            (None, Part::Field(field)) => quote!(self.#field).into(),
+            (Some(name), Part::Field(field)) => quote!(#name.#field).into(),
+            (Some(name), Part::Index(index)) => {
+                let index = Literal::u32_unsuffixed(index);
+                quote!(#name[#index]).into()
+            }
+            (name, _) => name?.clone().into(),
+        })
+    }
+
+    /// The same as text.
+    pub(super) fn written(&self, node: Node) -> Option<String> {
+        Some(match self.place(node)? {
+            (None, Part::Field(field)) => format!("self.{field}"),
+            (Some(name), Part::Field(field)) => format!("{name}.{field}"),
+            (Some(name), Part::Index(index)) => format!("{name}[{index}]"),
+            (name, _) => name?.to_string(),
+        })
+    }
+
+    /// The argument that an input or a parameter is part of, or the solver itself.
+    fn place(&self, node: Node) -> Option<(Option<&Ident>, Part<'_>)> {
+        let mechanism = self.cx.mechanism;
         if let Node::Param(param) = node {
-            let field = &self.cx.mechanism.params[param as usize].name;
-            return Some(quote!(self.#field).into());
+            return Some((None, Part::Field(&mechanism.params[param as usize].name)));
         }
         let name = &self.names[self.position_of(node)?];
-        match node {
+        let part = match node {
             Node::Input { input, .. } if self.cx.inputs().is_some() => {
-                let field = &self.cx.mechanism.inputs[input as usize].name;
-                Some(quote!(#name.#field).into())
+                Part::Field(&mechanism.inputs[input as usize].name)
             }
             Node::Load(load) if self.cx.loads().is_some() => {
-                let field = &self.cx.mechanism.dynamics.loads[load as usize].name;
-                Some(quote!(#name.#field).into())
+                Part::Field(&mechanism.dynamics.loads[load as usize].name)
             }
-            Node::Drive(input) if self.cx.inputs().is_some() => {
-                let index = Literal::u32_unsuffixed(input);
-                Some(quote!(#name[#index]).into())
-            }
-            _ => Some(name.clone().into()),
-        }
+            Node::Drive(input) if self.cx.inputs().is_some() => Part::Index(input),
+            _ => Part::All,
+        };
+        Some((Some(name), part))
     }
 
     /// What an error calls the input or parameter.

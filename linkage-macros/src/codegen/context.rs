@@ -1,15 +1,20 @@
 //! What every part of the generated code is printed from.
 
+use std::cell::RefCell;
+use std::rc::Rc;
+
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::identifiers::{Names, function_name};
 use super::paths::Paths;
+use super::text::Text;
 use super::token_list::Tokens;
 use crate::interface::entries::Entry;
 use crate::interface::records::{Record, RecordId};
 use crate::interface::{EntryId, Interface};
-use crate::ir::graph::{Graph, Sought, Wanted};
+use crate::ir::graph::{Graph, Node, Sought, Wanted};
+use crate::ir::hash::Map;
 use crate::ir::program::Program;
 use crate::lower::routine::{Compute, Lowered, Search};
 use crate::model::mechanism::{Mechanism, Param, ParamKind};
@@ -20,6 +25,8 @@ pub(super) struct Context<'a> {
     pub interface: &'a Interface,
     pub paths: Paths,
     pub names: Names,
+    /// What constants are written as, each rounded once.
+    constants: RefCell<Map<Node, Rc<str>>>,
     /// Whether nothing but `f64` is computed with, so that constants are plain numbers.
     is_double: bool,
 }
@@ -30,7 +37,8 @@ impl<'a> Context<'a> {
         let records = lowered.interface.records.iter().map(|record| record.name.to_string());
         let paths = Paths::new(mechanism, records.chain([names.solver.to_string()]).collect());
         let interface = &lowered.interface;
-        Self { mechanism, lowered, interface, paths, names, is_double: false }
+        let constants = RefCell::default();
+        Self { mechanism, lowered, interface, paths, names, constants, is_double: false }
     }
 
     /// For code that computes in `f64` alone.
@@ -112,12 +120,16 @@ impl<'a> Context<'a> {
 
     /// A function of the type parameter, which nothing but its bound can provide.
     pub(super) fn scalar(&self, function: &str) -> Tokens {
+        Tokens::path(self.number(), function_name(function))
+    }
+
+    /// What has the functions of numbers.
+    pub(super) fn number(&self) -> Ident {
         // `f64` has functions of its own by these names, which are each platform's.
-        let of = match self.is_double {
+        match self.is_double {
             true => self.paths.imported("Scalar"),
             false => self.names.scalar.clone(),
-        };
-        Tokens::path(of, function_name(function))
+        }
     }
 
     /// A constant as the type parameter's number, rounded to each width; where rounding twice does not
@@ -131,19 +143,47 @@ impl<'a> Context<'a> {
         }
         Tokens::call(self.scalar("lit"), [literal(wide), literal(narrow)])
     }
+
+    /// The same as text.
+    pub(super) fn written(&self, wide: f64, narrow: f32) -> String {
+        if self.is_double {
+            return digits(wide);
+        }
+        let number = self.number();
+        match (wide as f32).to_bits() == narrow.to_bits() {
+            true => format!("{number}::num({})", digits(wide)),
+            false => format!("{number}::lit({}, {})", digits(wide), digits(narrow)),
+        }
+    }
+
+    /// A constant of the graph as text.
+    pub(super) fn constant(&self, node: Node) -> Rc<str> {
+        if let Some(known) = self.constants.borrow().get(&node) {
+            return known.clone();
+        }
+        let value = |constant| self.graph().value(constant);
+        let (wide, narrow) = match node {
+            Node::Low(constant) => (value(constant).low_f64(), value(constant).low_f32()),
+            Node::Constant(constant) => (value(constant).to_f64(), value(constant).to_f32()),
+            _ => unreachable!("only constants are read as such"),
+        };
+        let written: Rc<str> = self.written(wide, narrow).into();
+        self.constants.borrow_mut().insert(node, written.clone());
+        written
+    }
 }
 
-/// The shortest literal that means the number; an infinity, which none means, as a quotient.
-pub(super) fn literal(value: impl std::fmt::Debug) -> Tokens {
+/// The shortest digits that mean the number; of an infinity, which none mean, a quotient.
+fn digits(value: impl std::fmt::Debug) -> String {
     let digits = format!("{value:?}");
-    let magnitude = digits.trim_start_matches('-');
-    let tokens = match magnitude.parse::<f64>() {
-        // The compiler is not asked how such digits are read: it would be by a call across its border.
-        Ok(value) if !magnitude.contains(['e', 'i', 'N']) => Literal::f64_unsuffixed(value).into(),
-        _ => match magnitude.parse::<Literal>() {
-            Ok(literal) => Tokens::from(literal),
-            Err(_) => quote!((1.0 / 0.0)).into(),
-        },
-    };
-    if digits.starts_with('-') { tokens.negated() } else { tokens }
+    match digits.bytes().last() {
+        Some(b'0'..=b'9') => digits,
+        _ if digits.starts_with('-') => "-(1.0 / 0.0)".to_string(),
+        _ => "(1.0 / 0.0)".to_string(),
+    }
+}
+
+/// The same as tokens.
+pub(super) fn literal(value: impl std::fmt::Debug) -> Tokens {
+    Text::from(digits(value)).into_token_stream().into()
 }

@@ -13,34 +13,47 @@ pub(super) fn after(own: &[Attribute], paragraph: &str) -> TokenStream {
 
 /// One doc attribute of many lines: a token costs the compiler as much as a line does.
 pub(super) fn lines(paragraph: &str) -> TokenStream {
-    let spaced = |line: String| if line.is_empty() { line } else { format!(" {line}") };
-    let text: Vec<String> = paragraph.lines().flat_map(wrapped).map(spaced).collect();
-    let text = text.join("\n");
+    let mut text = String::with_capacity(paragraph.len() + paragraph.len() / 16 + 64);
+    for (nth, line) in paragraph.lines().enumerate() {
+        if nth > 0 {
+            text.push('\n');
+        }
+        wrap(line, &mut text);
+    }
     quote!(#[doc = #text])
 }
 
 /// The longest line of a doc comment.
 const WIDTH: usize = 92;
 
-/// The line in lines of readable length; those that continue a list's item are indented.
-fn wrapped(line: &str) -> Vec<String> {
+/// Adds the line in lines of readable length, each behind a space; those that continue a list's item
+/// are indented.
+fn wrap(line: &str, text: &mut String) {
+    if line.is_empty() {
+        return;
+    }
+    text.push(' ');
     if line.len() <= WIDTH {
-        return vec![line.to_string()];
+        return text.push_str(line);
     }
     let indent = if line.starts_with("- ") { "  " } else { "" };
-    let mut lines = vec![String::new()];
+    // The characters of the line that is being filled, and whether any of them is none of a space.
+    let (mut filled, mut has_words) = (0, false);
     for word in line.split(' ') {
-        let current = lines.last_mut().expect("there is a line from the start");
-        if !current.trim().is_empty() && current.chars().count() + word.chars().count() >= WIDTH {
-            lines.push(format!("{indent}{word}"));
-        } else {
-            if !current.is_empty() {
-                current.push(' ');
-            }
-            current.push_str(word);
+        let length = word.chars().count();
+        if has_words && filled + length >= WIDTH {
+            text.push_str("\n ");
+            text.push_str(indent);
+            filled = indent.len();
+            has_words = false;
+        } else if filled > 0 {
+            text.push(' ');
+            filled += 1;
         }
+        text.push_str(word);
+        filled += length;
+        has_words |= length > 0;
     }
-    lines
 }
 
 #[cfg(test)]
@@ -50,12 +63,19 @@ mod tests {
     #[test]
     fn long_lines_are_wrapped_and_their_words_kept() {
         let words = vec!["word"; 40].join(" ");
+        let wrapped = |line: &str| {
+            let mut text = String::new();
+            wrap(line, &mut text);
+            text.split('\n').map(|line| line[1..].to_string()).collect::<Vec<_>>()
+        };
         let lines = wrapped(&format!("- {words}"));
         assert!(lines.iter().all(|line| line.len() <= WIDTH), "{lines:?}");
         assert!(lines[1].starts_with("  word") && lines.len() == 3, "{lines:?}");
         let text: Vec<&str> = lines.iter().flat_map(|line| line.split_whitespace()).collect();
         assert_eq!(text.join(" "), format!("- {words}"));
         assert_eq!(wrapped("short"), ["short"]);
-        assert_eq!(wrapped(""), [""]);
+        let mut text = String::new();
+        wrap("", &mut text);
+        assert_eq!(text, "");
     }
 }

@@ -7,6 +7,7 @@ use quote::quote;
 use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{function_name, generated};
+use super::text::Text;
 use super::{docs, formulas, results};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
@@ -98,7 +99,7 @@ pub(super) fn answer(cx: &Context<'_>, id: EntryId) -> TokenStream {
 fn compared(cx: &Context<'_>, entry: &Entry, call: formulas::Call, asked: &Asked) -> TokenStream {
     let [all_met, result] = ["all_met_", "result_"].map(generated);
     let (formulas, start) = (call.under(cx, &quote!(&mut #all_met)), cx.paths.item("AllMet"));
-    let finite = is_finite(cx, entry, asked, &quote!(#result)).map(|finite| quote!(& #finite));
+    let finite = is_finite(cx, entry, asked, "result_").map(|finite| quote!(& #finite));
     quote! {
         let mut #all_met = #start::new();
         let #result = #formulas;
@@ -172,19 +173,14 @@ fn within(cx: &Context<'_>, entry: &Entry, inputs: &[(Node, [f64; 2])]) -> Vec<T
 }
 
 /// Whether the result is finite, as a term of a mask; nothing where it cannot be otherwise.
-fn is_finite(
-    cx: &Context<'_>,
-    entry: &Entry,
-    asked: &Asked,
-    result: &TokenStream,
-) -> Option<TokenStream> {
+fn is_finite(cx: &Context<'_>, entry: &Entry, asked: &Asked, result: &str) -> Option<TokenStream> {
     let components = results::components(cx, entry.result, result);
     let witnesses: Vec<_> = asked.witnesses.iter().map(|&at| components[at].clone()).collect();
     if witnesses.is_empty() {
         return None;
     }
     // Of their sum, because what is not finite stays so.
-    let (is_finite, sum) = (cx.scalar("is_finite"), sum(&witnesses));
+    let (is_finite, sum) = (cx.scalar("is_finite"), Text::from(sum(&witnesses)));
     let Some(Limits { wide, narrow, inputs }) = &asked.limits else {
         return Some(quote!(#is_finite(#sum)));
     };
@@ -195,19 +191,19 @@ fn is_finite(
 }
 
 /// The sum as a balanced tree: it is short in time, and shallow for the compiler.
-fn sum(values: &[TokenStream]) -> TokenStream {
+fn sum(values: &[String]) -> String {
     match values {
-        [] => TokenStream::new(),
+        [] => String::new(),
         [only] => only.clone(),
         _ => {
             let (left, right) = values.split_at(values.len().div_ceil(2));
             let (left, right) = (term(left), term(right));
-            quote!(#left + #right)
+            format!("{left} + {right}")
         }
     }
 }
 
-fn term(values: &[TokenStream]) -> TokenStream {
+fn term(values: &[String]) -> String {
     let sum = sum(values);
-    if values.len() > 1 { quote!((#sum)) } else { sum }
+    if values.len() > 1 { format!("({sum})") } else { sum }
 }

@@ -4,7 +4,7 @@
 //! Position, velocity and motion share their formulas, which are most of what a mechanism expands
 //! to: the order is a constant, and what a lower one does not need is never compiled for it.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::arguments::Arguments;
@@ -12,6 +12,7 @@ use super::context::Context;
 use super::identifiers::{function_name, generated};
 use super::results;
 use super::statements::Printer;
+use super::text::Text;
 use super::token_list::Tokens;
 use crate::interface::records::{Field, Record, Shape};
 use crate::lower::routine::{Routine, Stage};
@@ -59,23 +60,28 @@ pub(super) fn functions(cx: &Context<'_>) -> TokenStream {
 
 fn function(cx: &Context<'_>, routine: &Routine) -> TokenStream {
     let (printer, name) = (Printer::new(cx, routine), function_name(&routine.name));
+    let mut lines = Text::long();
     match &routine.stages[..] {
         [only] => {
-            let lines = printer.statements(&only.statements);
-            let value = assemble(&printer, only);
-            definition(&printer, &name, &quote!(#lines #value))
+            printer.statements(&only.statements, &mut lines);
+            assemble(&printer, only, &mut lines);
+            definition(&printer, &name, &lines)
         }
         stages => {
             let ty = cx.paths.item("usize");
             let name = quote!(#name<const ORDER: #ty>);
-            definition(&printer, &name, &in_stages(&printer, stages))
+            in_stages(&printer, stages, &mut lines);
+            definition(&printer, &name, &lines)
         }
     }
 }
 
-fn assemble(printer: &Printer<'_>, stage: &Stage) -> TokenStream {
-    let mut values = stage.sinks.iter().map(|&sink| printer.value(sink));
-    results::assemble(printer.cx, stage.result, &mut values)
+fn assemble(printer: &Printer<'_>, stage: &Stage, to: &mut Text) {
+    let mut sinks = stage.sinks.iter();
+    results::assemble(printer.cx, stage.result, to, &mut |to| {
+        let sink = sinks.next().expect("a result has as many numbers as sinks");
+        printer.value(*sink, to);
+    });
 }
 
 /// The rates of inputs that do not move, and what makes them: of one input a number, of several a
@@ -102,34 +108,38 @@ fn stage_fields<'a>(cx: &Context<'a>, routine: &Routine) -> &'a [Field] {
 
 /// Stage after stage, each followed by its record. The records of the stages that are not asked
 /// for hold zeros.
-fn in_stages(printer: &Printer<'_>, stages: &[Stage]) -> TokenStream {
+fn in_stages(printer: &Printer<'_>, stages: &[Stage], to: &mut Text) {
     let cx = printer.cx;
     let record = record_of(cx, printer.routine);
-    let locals: Vec<Ident> =
-        record.fields.iter().map(|field| generated(&format!("{}_", field.name))).collect();
-    let mut lines = zeros(cx, &stages[1..], &locals[1..]);
-    let (name, fields) = (&record.name, record.fields.iter().map(|field| &field.name));
-    let result = quote!(#name { #(#fields: #locals),* });
+    let locals: Vec<String> =
+        record.fields.iter().map(|field| format!("{}_", field.name)).collect();
+    zeros(cx, &stages[1..], &locals[1..], to);
+    let mut result = Text::default();
+    result.put(&record.name.to_string()).put(" { ");
+    result.list(record.fields.iter().zip(&locals), |to, (field, local)| {
+        to.put(&field.name.to_string()).put(": ").put(local);
+    });
+    result.put(" }");
     for (nth, stage) in stages.iter().enumerate() {
-        lines.extend(printer.statements(&stage.statements));
-        let (local, value) = (&locals[nth], assemble(printer, stage));
-        let stop = (nth + 1 < stages.len()).then(|| {
-            let nth = Literal::usize_unsuffixed(nth);
-            quote!(if ORDER == #nth { return #result; })
-        });
-        lines.extend(quote!(let #local = #value; #stop));
+        printer.statements(&stage.statements, to);
+        to.put("let ").put(&locals[nth]).put(" = ");
+        assemble(printer, stage, to);
+        to.put(";\n");
+        if nth + 1 < stages.len() {
+            to.put("if ORDER == ").put(&nth.to_string()).put(" { return ").append(&result);
+            to.put("; }\n");
+        }
     }
-    quote!(#lines #result)
+    to.append(&result);
 }
 
 /// The records of the stages that may not be asked for.
-fn zeros(cx: &Context<'_>, stages: &[Stage], locals: &[Ident]) -> TokenStream {
-    let (zero, nought) = (generated("zero_"), cx.literal(0.0, 0.0));
-    let as_array = cx.paths.item("Record");
-    let counts = stages.iter().map(|stage| Literal::usize_unsuffixed(stage.sinks.len()));
-    quote! {
-        let #zero = #nought;
-        #(let #locals = #as_array::from_array([#zero; #counts]);)*
+fn zeros(cx: &Context<'_>, stages: &[Stage], locals: &[String], to: &mut Text) {
+    to.put("let zero_ = ").put(&cx.written(0.0, 0.0)).put(";\n");
+    let as_array = cx.paths.written("Record");
+    for (stage, local) in stages.iter().zip(locals) {
+        to.put("let ").put(local).put(" = ").put(&as_array).put("::from_array([zero_; ");
+        to.put(&stage.sinks.len().to_string()).put("]);\n");
     }
 }
 
@@ -138,7 +148,7 @@ fn zeros(cx: &Context<'_>, stages: &[Stage], locals: &[Ident]) -> TokenStream {
 /// Inlined always: as a call of its own it would hand its results over through memory, one more
 /// time, which costs a four-bar's solve a tenth of its throughput and a fifth of its latency; and
 /// a sweep would run it on the instruction set of the rest of the program.
-fn definition(printer: &Printer<'_>, name: &impl ToTokens, lines: &TokenStream) -> TokenStream {
+fn definition(printer: &Printer<'_>, name: &impl ToTokens, lines: &Text) -> TokenStream {
     let (cx, routine, scalar) = (printer.cx, printer.routine, &printer.cx.names.scalar);
     let scalar = quote!(#scalar);
     let unread = printer.arguments.unread(&routine.reads);

@@ -41,9 +41,9 @@ pub(super) fn clear_of(preferred: &str, solver: &Ident) -> Ident {
     Ident::new(&format!("{preferred}{clash}"), Span::call_site())
 }
 
-/// A local that no identifier outside the generated code can meet.
+/// A local that no identifier outside the generated code can meet: its name ends in an underscore.
 pub(super) fn generated(name: &str) -> Ident {
-    Ident::new(name, Span::mixed_site())
+    Ident::new(name, Span::call_site())
 }
 
 /// A function that the generated code defines.

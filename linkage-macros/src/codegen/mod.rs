@@ -32,6 +32,7 @@ mod solver;
 mod statements;
 mod structs;
 mod sweeps;
+mod text;
 mod token_list;
 mod tracking;
 

@@ -144,6 +144,14 @@ impl Paths {
         }
     }
 
+    /// The same as text.
+    pub(super) fn written(&self, name: &str) -> String {
+        match IMPORTED.contains(&name) {
+            true => self.imported(name).to_string(),
+            false => format!("{}::{name}", self.alias),
+        }
+    }
+
     /// The same in the definition of a type, which may stand beside the user's own items.
     pub(super) fn outside(&self, name: &str) -> Tokens {
         if self.is_held {

@@ -1,13 +1,12 @@
 //! How a result is made of its numbers, and how they are read from it again.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::identifiers::function_name;
-use super::token_list::Tokens;
+use super::text::Text;
 use crate::interface::quantity::{Layout, Part};
-use crate::interface::records::Shape;
+use crate::interface::records::{Field, Shape};
 
 /// The type of a result, for numbers of this type.
 pub(super) fn ty(cx: &Context<'_>, shape: Shape, scalar: &TokenStream) -> TokenStream {
@@ -35,97 +34,79 @@ pub(super) fn ty(cx: &Context<'_>, shape: Shape, scalar: &TokenStream) -> TokenS
     }
 }
 
-/// A result from its numbers, which are taken off the front.
+/// Writes a result of its numbers, of which each call of `next` writes one.
 pub(super) fn assemble(
     cx: &Context<'_>,
     shape: Shape,
-    values: &mut impl Iterator<Item = Tokens>,
-) -> TokenStream {
+    to: &mut Text,
+    next: &mut dyn FnMut(&mut Text),
+) {
     match shape {
-        Shape::Number => values.take(1).map(|value| quote!(#value)).collect(),
+        Shape::Number => next(to),
         Shape::List(count) => {
-            let values = values.take(count);
-            quote!([#(#values),*])
+            to.put("[").list(0..count, |to, _| next(to)).put("]");
         }
-        Shape::Quantity(quantity, order) => quantity_of(cx, quantity.layout(order), values),
+        Shape::Quantity(quantity, order) => quantity_of(cx, quantity.layout(order), to, next),
         Shape::Matrix { rows, columns } => {
             // The numbers come column by column.
-            let values: Vec<_> = values.take(rows * columns).collect();
-            let rows = (0..rows).map(|row| {
-                let row = (0..columns).map(|column| &values[column * rows + row]);
-                quote!([#(#row),*])
+            let values = (0..rows * columns).map(|_| {
+                let mut value = Text::default();
+                next(&mut value);
+                value
             });
-            quote!([#(#rows),*])
+            let values: Vec<Text> = values.collect();
+            let row = |to: &mut Text, row: usize| {
+                let row = (0..columns).map(|column| &values[column * rows + row]);
+                to.put("[").list(row, |to, value| to.append(value)).put("]");
+            };
+            to.put("[").list(0..rows, row).put("]");
         }
         Shape::Record(id) => {
             let record = cx.record(id);
-            let name = &record.name;
-            let fields = record.fields.iter().map(|field| {
-                let (name, value) = (&field.name, assemble(cx, field.shape, values));
-                quote!(#name: #value)
+            to.put(&record.name.to_string()).put(" { ");
+            to.list(&record.fields, |to, field| {
+                to.put(&field.name.to_string()).put(": ");
+                assemble(cx, field.shape, to, next);
             });
-            let fields: Vec<_> = fields.collect();
-            quote!(#name { #(#fields),* })
+            to.put(" }");
         }
     }
 }
 
-fn quantity_of(
-    cx: &Context<'_>,
-    layout: &Layout,
-    values: &mut impl Iterator<Item = Tokens>,
-) -> TokenStream {
-    let parts = layout.parts.iter().zip(values.take(layout.parts.len()));
+fn quantity_of(cx: &Context<'_>, layout: &Layout, to: &mut Text, next: &mut dyn FnMut(&mut Text)) {
     let Some(record) = layout.record else {
-        return parts.map(|(_, value)| quote!(#value)).collect();
+        return layout.parts.iter().for_each(|_| next(to));
     };
-    let record = cx.paths.item(record);
-    let parts = parts.map(|(part, value)| given(part.field, &value));
-    quote!(#record { #(#parts),* })
-}
-
-/// A field and its value, once where both have one name.
-fn given(field: &str, value: &Tokens) -> TokenStream {
-    let name = function_name(field);
-    if value.is(field) { quote!(#name) } else { quote!(#name: #value) }
+    to.put(&cx.paths.written(record)).put(" { ");
+    to.list(layout.parts, |to, part| to.field(part.field, &mut *next)).put(" }");
 }
 
 /// The numbers of a result, in the order in which [`assemble`] takes them.
-pub(super) fn components(cx: &Context<'_>, shape: Shape, result: &TokenStream) -> Vec<TokenStream> {
+pub(super) fn components(cx: &Context<'_>, shape: Shape, result: &str) -> Vec<String> {
     match shape {
-        Shape::Number => vec![result.clone()],
-        Shape::List(count) => {
-            let index = (0..count).map(Literal::usize_unsuffixed);
-            index.map(|index| quote!(#result[#index])).collect()
-        }
+        Shape::Number => vec![result.to_string()],
+        Shape::List(count) => (0..count).map(|index| format!("{result}[{index}]")).collect(),
         Shape::Quantity(quantity, order) => {
             let parts = quantity.layout(order).parts.iter();
             parts.map(|part| read(result, part)).collect()
         }
         Shape::Matrix { rows, columns } => {
-            let index = Literal::usize_unsuffixed;
-            let entry = |column, row| {
-                let (column, row) = (index(column), index(row));
-                quote!(#result[#row][#column])
-            };
+            let entry = |column, row| format!("{result}[{row}][{column}]");
             (0..columns).flat_map(|c| (0..rows).map(move |r| entry(c, r))).collect()
         }
         Shape::Record(id) => {
             let fields = cx.record(id).fields.iter();
-            let of = |field: &crate::interface::records::Field| {
-                let name = &field.name;
-                components(cx, field.shape, &quote!(#result.#name))
-            };
+            let of =
+                |field: &Field| components(cx, field.shape, &format!("{result}.{}", field.name));
             fields.flat_map(of).collect()
         }
     }
 }
 
 /// A component of a record; of a plain number the number itself.
-pub(super) fn read(record: &TokenStream, part: &Part) -> TokenStream {
-    if part.field.is_empty() {
-        return record.clone();
+pub(super) fn read(record: &str, part: &Part) -> String {
+    match part.field {
+        "" => record.to_string(),
+        field => format!("{record}.{field}"),
     }
-    let field: Ident = function_name(part.field);
-    quote!(#record.#field)
 }

@@ -8,6 +8,7 @@ use super::costs_in_words::{self, MOST};
 use super::doc_comments;
 use super::identifiers::{function_name, generated, text};
 use super::statements::Printer;
+use super::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Trend, Wanted};
@@ -27,14 +28,16 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     let [result, error, option] = ["Result", "FindError", "Option"].map(|item| cx.paths.item(item));
     let (find, trial) = (cx.paths.item("root"), generated(TRIAL));
     let trend = trend(cx, search.sought.trend);
-    let between = search.sought.between.map(|end| printer.value(end));
-    let near = search.sought.near.map(|near| printer.value(near));
+    let between = search.sought.between.map(|end| printer.value_alone(end));
+    let near = search.sought.near.map(|near| printer.value_alone(near));
     let near = match near {
         Some(near) => quote!(#option::Some(#near)),
         None => quote!(#option::None),
     };
-    let lines = search.routine.stages.iter().map(|stage| printer.statements(&stage.statements));
-    let sides = search.sought.sides.map(|side| printer.value(side));
+    let mut lines = Text::default();
+    let stages = search.routine.stages.iter();
+    stages.for_each(|stage| printer.statements(&stage.statements, &mut lines));
+    lines.put("[").list(search.sought.sides, |to, side| printer.value(side, to)).put("]");
     let given: Vec<_> = given.collect();
     let (real, plain) = (cx.paths.item("Real"), generated("plain_"));
     let (name, docs) = (function_name(&search.routine.name), docs(cx, search));
@@ -44,8 +47,7 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
             #docs
             fn #name(&self, [#(#given),*]: [#scalar; #count]) -> (#scalar, #scalar) {
                 #bound([#(#between),*], #trend, #end, |#trial: #scalar| {
-                    #(#lines)*
-                    [#(#sides),*]
+                    #lines
                 })
             }
         };
@@ -57,8 +59,7 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
                 self.lift::<<#scalar as #real>::Plain>().#name([#(#real::plain_value(#given)),*])
             };
             #find([#(#between),*], #trend, #near, #plain, |#trial: #scalar| {
-                #(#lines)*
-                [#(#sides),*]
+                #lines
             })
         }
     }

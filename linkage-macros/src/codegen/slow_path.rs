@@ -7,6 +7,7 @@ use quote::quote;
 use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{function_name, generated, text};
+use super::text::Text;
 use super::token_list::Tokens;
 use super::{docs, formulas, results};
 use crate::interface::entries::Entry;
@@ -77,9 +78,9 @@ fn diagnosed(
         return quote!(#diagnose(&[#(#given),*], |#checks| #formulas));
     }
     let (diagnose_all, labels) = (cx.paths.item("diagnose_all"), coefficient_labels(cx, entry));
-    let values = results::components(cx, entry.result, &quote!(#result));
+    let values = results::components(cx, entry.result, "result_");
     let pairs = asked.results.iter().map(|&at| {
-        let (value, label) = (&values[at], &labels[at]);
+        let (value, label) = (Text::from(values[at].clone()), &labels[at]);
         quote!((#value, #label))
     });
     // Where nothing is given and nothing asked, nothing else tells the type of the numbers.

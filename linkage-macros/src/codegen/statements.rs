@@ -1,12 +1,13 @@
 //! The statements of a routine, printed one by one.
 
-use proc_macro2::{Ident, TokenStream};
-use quote::{ToTokens, quote};
+use std::rc::Rc;
+
+use proc_macro2::{Ident, Literal};
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::identifiers::{function_name, generated, text};
-use super::token_list::Tokens;
+use super::identifiers::{generated, text};
+use super::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Id, Node, Wanted};
@@ -19,191 +20,196 @@ pub(super) struct Printer<'a> {
     pub cx: &'a Context<'a>,
     pub arguments: Arguments<'a>,
     pub routine: &'a Routine,
+    /// Whose functions compute: the type parameter.
+    number: String,
 }
 
 impl<'a> Printer<'a> {
     pub(super) fn new(cx: &'a Context<'a>, routine: &'a Routine) -> Self {
-        Self { cx, arguments: Arguments::new(cx, routine.given), routine }
+        let (arguments, number) = (Arguments::of_our_own(cx, routine.given), cx.number());
+        Self { cx, arguments, routine, number: number.to_string() }
     }
 
-    pub(super) fn statements(&self, statements: &[Statement]) -> TokenStream {
-        Tokens::joined(statements.iter().map(|statement| self.statement(statement)))
-            .into_token_stream()
+    pub(super) fn statements(&self, statements: &[Statement], to: &mut Text) {
+        statements.iter().for_each(|statement| self.statement(statement, to));
     }
 
-    fn statement(&self, statement: &Statement) -> Tokens {
-        let stream = match statement {
+    fn statement(&self, statement: &Statement, to: &mut Text) {
+        match statement {
             Statement::Let(id) => {
-                return Tokens::bound(self.name(*id), self.expression(self.node(*id)));
+                to.put("let ").put(&self.local(*id)).put(" = ");
+                self.expression(self.node(*id), to);
+                to.put(";\n");
             }
             Statement::SinCos { angle, sin, cos, is_checked } => {
-                self.sin_cos(*angle, [*sin, *cos], *is_checked)
+                self.sin_cos(*angle, [*sin, *cos], *is_checked, to);
             }
-            Statement::Check(condition) => self.condition(condition),
-            Statement::Find { search, root, size } => self.find(*search, *root, *size),
+            Statement::Check(condition) => self.condition(condition, to),
+            Statement::Find { search, root, size } => self.find(*search, *root, *size, to),
             Statement::Scope { statements, hands_on } => {
-                let names: Vec<Ident> = hands_on.iter().map(|&id| self.name(id)).collect();
+                let names: Vec<String> = hands_on.iter().map(|&id| self.local(id)).collect();
                 // A tuple, or the bare name of a single local.
                 let pattern = match &names[..] {
-                    [only] => quote!(#only),
-                    _ => quote!((#(#names),*)),
+                    [only] => only.clone(),
+                    _ => format!("({})", names.join(", ")),
                 };
-                let lines = self.statements(statements);
-                quote!(let #pattern = { #lines #pattern };)
+                to.put("let ").put(&pattern).put(" = {\n");
+                self.statements(statements, to);
+                to.put(&pattern).put("\n};\n");
             }
-        };
-        stream.into()
+        }
     }
 
     /// The root of an equation, found by a function of its own.
-    fn find(&self, search: usize, root: Id, size: Option<Id>) -> TokenStream {
+    fn find(&self, search: usize, root: Id, size: Option<Id>, to: &mut Text) {
         let search = &self.cx.lowered.searches[search];
-        let (guard, function) = (generated("checks_"), function_name(&search.routine.name));
-        let given = search.given.iter().map(|&id| self.value(id));
-        let size = size.map_or(quote!(_), |size| {
-            let size = self.name(size);
-            quote!(#size)
-        });
+        let size = size.map_or("_".to_string(), |size| self.local(size));
+        let mut found = Text::default();
+        found.put("self.").put(&search.routine.name).put("([");
+        found.list(&search.given, |to, &id| self.value(id, to)).put("])");
         let unknown = &self.cx.mechanism.unknowns[search.sought.unknown as usize];
-        let unit = unit(unknown.measure, Order::Position);
-        let (root, unknown) = (self.name(root), text(&unknown.name));
+        to.put("let (").put(&self.local(root)).put(", ").put(&size).put(") = ");
         if let Wanted::End(_) = search.sought.wanted {
-            return quote!(let (#root, #size) = self.#function([#(#given),*]););
+            to.append(&found);
+        } else if self.routine.path == Path::Unchecked {
+            to.put(&self.cx.paths.written("open")).put("(").append(&found);
+            to.put(")");
+        } else {
+            let unit = unit(unknown.measure, Order::Position);
+            to.put("checks_.root(").append(&found);
+            to.put(", ").put(&quoted(&text(&unknown.name))).put(", ").put(&quoted(&unit)).put(")");
         }
-        if self.routine.path == Path::Unchecked {
-            let open = self.cx.paths.item("open");
-            return quote!(let (#root, #size) = #open(self.#function([#(#given),*])););
-        }
-        quote!(let (#root, #size) = #guard.root(self.#function([#(#given),*]), #unknown, #unit);)
+        to.put(";\n");
     }
 
     pub(super) fn name(&self, id: Id) -> Ident {
-        generated(&self.routine.locals.name(id))
+        generated(&self.local(id))
+    }
+
+    fn local(&self, id: Id) -> String {
+        self.routine.locals.name(id)
     }
 
     fn node(&self, id: Id) -> Node {
         self.cx.graph().node(id)
     }
 
-    /// The expression that reads a node's value.
-    pub(super) fn value(&self, id: Id) -> Tokens {
-        self.read(&self.routine.reading(self.cx.graph(), id))
+    /// Writes the expression that reads a node's value.
+    pub(super) fn value(&self, id: Id, to: &mut Text) {
+        self.read(&self.routine.reading(self.cx.graph(), id), to);
     }
 
-    fn read(&self, reading: &Reading) -> Tokens {
+    /// The same alone.
+    pub(super) fn value_alone(&self, id: Id) -> Text {
+        let mut text = Text::default();
+        self.value(id, &mut text);
+        text
+    }
+
+    fn read(&self, reading: &Reading, to: &mut Text) {
         match reading {
             Reading::Leaf(node) => {
-                self.arguments.read(*node).expect("a routine reads what it is given")
+                let leaf = self.arguments.written(*node);
+                to.put(&leaf.expect("a routine reads what it is given"));
             }
-            Reading::Constant(node) => self.constant(*node),
-            Reading::Negated(inner) => self.read(inner).negated(),
-            Reading::Local(id) => self.name(*id).into(),
-        }
-    }
-
-    /// A constant as a number.
-    fn constant(&self, node: Node) -> Tokens {
-        let graph = self.cx.graph();
-        match node {
-            Node::Low(constant) => {
-                let value = graph.value(constant);
-                self.cx.literal(value.low_f64(), value.low_f32())
+            Reading::Constant(node) => {
+                let constant: Rc<str> = self.cx.constant(*node);
+                to.put(&constant);
             }
-            Node::Constant(constant) => {
-                let value = graph.value(constant);
-                self.cx.literal(value.to_f64(), value.to_f32())
+            Reading::Negated(inner) => self.read(inner, to.put("-")),
+            Reading::Local(id) => {
+                to.put(&self.local(*id));
             }
-            _ => unreachable!("only constants are read as such"),
         }
     }
 
     /// `let (sine, cosine) = …;` of an angle.
-    fn sin_cos(&self, angle: Id, pair: [Option<Id>; 2], is_checked: bool) -> TokenStream {
-        let [sin, cos] = pair.map(|id| match id.map(|id| self.name(id)) {
-            Some(name) => quote!(#name),
-            None => quote!(_),
-        });
-        let value = self.value(angle);
-        if is_checked {
-            let guard = generated("checks_");
-            let function = function_name(match self.cx.mechanism.numerics {
-                Numerics::Fast => "sin_cos_fast",
-                Numerics::Plain | Numerics::Compensated => "sin_cos",
-            });
-            quote!(let (#sin, #cos) = #guard.#function(#value);)
-        } else {
-            let function = self.cx.scalar("sin_cos");
-            quote!(let (#sin, #cos) = #function(#value);)
-        }
+    fn sin_cos(&self, angle: Id, pair: [Option<Id>; 2], is_checked: bool, to: &mut Text) {
+        let [sin, cos] = pair.map(|id| id.map_or("_".to_string(), |id| self.local(id)));
+        to.put("let (").put(&sin).put(", ").put(&cos).put(") = ");
+        match (is_checked, self.cx.mechanism.numerics) {
+            (true, Numerics::Fast) => to.put("checks_.sin_cos_fast("),
+            (true, _) => to.put("checks_.sin_cos("),
+            (false, _) => to.put(&self.number).put("::sin_cos("),
+        };
+        self.value(angle, to);
+        to.put(");\n");
     }
 
     /// A condition as two calls: one that compares, unless it is known to hold, and one that
     /// diagnoses. What is compared with a spread is compared once more where limits ask for more. The value goes on as that one returns it.
-    fn condition(&self, condition: &Condition) -> TokenStream {
-        let (guard, name) = (generated("checks_"), self.name(condition.id));
-        let value = self.value(condition.value);
-        let comparison = condition.comparison.map(|(comparison, threshold)| {
-            let method = function_name(match comparison {
-                Comparison::Above => "above",
-                Comparison::AtLeast => "at_least",
-                Comparison::Away => "away",
-            });
-            let threshold = match threshold {
-                Threshold::SmallestSquare => {
-                    let smallest = self.cx.scalar("smallest_square");
-                    quote!(#smallest()).into()
-                }
-                Threshold::Number(wide, narrow) => self.cx.literal(wide, narrow as f32),
-            };
-            quote!(#guard.#method(#value, #threshold);)
-        });
-        let diagnosis = function_name(condition.diagnosis);
-        let above_rounding = condition.above_rounding.map(|spread| {
-            let spread = self.value(spread);
-            quote!(#guard.above_rounding(#value, #spread);)
-        });
-        let operands = condition.operands.iter().map(|&operand| self.value(operand));
-        let operands = match condition.in_a_list {
-            true => quote!([#(#operands),*],),
-            false => quote!(#(#operands,)*),
-        };
-        let group = &self.cx.program().groups[condition.group as usize];
+    fn condition(&self, condition: &Condition, to: &mut Text) {
+        let value = self.value_alone(condition.value);
+        let group = quoted(&self.cx.program().groups[condition.group as usize]);
+        let word = condition.word.as_ref().map(|word| quoted(word));
+        let operands = condition.operands.iter();
         if condition.diagnosis == "closed" {
-            let size = condition.operands.iter().map(|&operand| self.value(operand));
-            let unit = condition.word.iter();
-            return quote!(#guard.closed(#value, #(#size,)* #group #(, #unit)*););
+            to.put("checks_.closed(").append(&value);
+            operands.for_each(|&operand| self.value(operand, to.put(", ")));
+            to.put(", ").put(&group);
+            word.iter().for_each(|unit| {
+                to.put(", ").put(unit);
+            });
+            to.put(");\n");
+            return;
         }
-        let length = condition.word.iter();
-        quote! {
-            #comparison
-            #above_rounding
-            let #name = #guard.#diagnosis(#value, #operands #group #(, #length)*);
+        if let Some((comparison, threshold)) = condition.comparison {
+            to.put("checks_.").put(match comparison {
+                Comparison::Above => "above(",
+                Comparison::AtLeast => "at_least(",
+                Comparison::Away => "away(",
+            });
+            to.append(&value);
+            to.put(", ");
+            match threshold {
+                Threshold::SmallestSquare => to.put(&self.number).put("::smallest_square()"),
+                Threshold::Number(wide, narrow) => to.put(&self.cx.written(wide, narrow as f32)),
+            };
+            to.put(");\n");
         }
+        if let Some(spread) = condition.above_rounding {
+            to.put("checks_.above_rounding(").append(&value);
+            self.value(spread, to.put(", "));
+            to.put(");\n");
+        }
+        to.put("let ").put(&self.local(condition.id)).put(" = checks_.").put(condition.diagnosis);
+        to.put("(").append(&value);
+        to.put(", ");
+        match condition.in_a_list {
+            true => {
+                to.put("[").list(operands, |to, &id| self.value(id, to)).put("], ");
+            }
+            false => operands.for_each(|&operand| {
+                self.value(operand, to);
+                to.put(", ");
+            }),
+        }
+        to.put(&group);
+        word.iter().for_each(|length| {
+            to.put(", ").put(length);
+        });
+        to.put(");\n");
     }
 
-    fn expression(&self, node: Node) -> Tokens {
-        let call = |function: &str, operands: &[Id]| {
-            Tokens::call(self.cx.scalar(function), operands.iter().map(|&id| self.value(id)))
-        };
-        let infix = |a, sign, b| Tokens::joined([self.value(a), Tokens::sign(sign), self.value(b)]);
+    fn expression(&self, node: Node, to: &mut Text) {
         match node {
-            Node::Neg(a) => self.value(a).negated(),
-            Node::Add(a, b) => infix(a, '+', b),
-            Node::Sub(a, b) => infix(a, '-', b),
-            Node::Mul(a, b) => infix(a, '*', b),
-            Node::Div(a, b) => infix(a, '/', b),
-            Node::Sqrt(a) => call("sqrt", &[a]),
-            Node::Tan(a) => call("tan", &[a]),
-            Node::Asin(a) => call("asin", &[a]),
-            Node::Acos(a) => call("acos", &[a]),
-            Node::Atan(a) => call("atan", &[a]),
-            Node::Atan2(y, x) => call("atan2", &[y, x]),
-            Node::Hypot(a, b) => call("hypot", &[a, b]),
-            Node::Det(operands) => call("det", &operands),
-            Node::MulErr(a, b) => call("mul_err", &[a, b]),
-            Node::AddErr(a, b) => call("add_err", &[a, b]),
-            Node::Fused(a, b, c) => call("fused", &[a, b, c]),
-            Node::Mode(param) => self.mode(param).into(),
+            Node::Neg(a) => self.value(a, to.put("-")),
+            Node::Add(a, b) => self.infix(a, " + ", b, to),
+            Node::Sub(a, b) => self.infix(a, " - ", b, to),
+            Node::Mul(a, b) => self.infix(a, " * ", b, to),
+            Node::Div(a, b) => self.infix(a, " / ", b, to),
+            Node::Sqrt(a) => self.call("sqrt", &[a], to),
+            Node::Tan(a) => self.call("tan", &[a], to),
+            Node::Asin(a) => self.call("asin", &[a], to),
+            Node::Acos(a) => self.call("acos", &[a], to),
+            Node::Atan(a) => self.call("atan", &[a], to),
+            Node::Atan2(y, x) => self.call("atan2", &[y, x], to),
+            Node::Hypot(a, b) => self.call("hypot", &[a, b], to),
+            Node::Det(operands) => self.call("det", &operands, to),
+            Node::MulErr(a, b) => self.call("mul_err", &[a, b], to),
+            Node::AddErr(a, b) => self.call("add_err", &[a, b], to),
+            Node::Fused(a, b, c) => self.call("fused", &[a, b, c], to),
+            Node::Mode(param) => self.mode(param, to),
             Node::Constant(_)
             | Node::Low(_)
             | Node::Input { .. }
@@ -221,14 +227,31 @@ impl<'a> Printer<'a> {
         }
     }
 
-    fn mode(&self, param: u32) -> TokenStream {
-        let param = &self.cx.mechanism.params[param as usize];
-        let ty = match param.kind {
-            ParamKind::Sense { .. } => self.cx.paths.item("Sense"),
-            ParamKind::Trend { .. } => self.cx.paths.item("Trend"),
-            ParamKind::Side { .. } | ParamKind::Number { .. } => self.cx.paths.item("Side"),
-        };
-        let (field, scalar) = (&param.name, &self.cx.names.scalar);
-        quote!(#ty::sign::<#scalar>(self.#field))
+    fn infix(&self, a: Id, sign: &str, b: Id, to: &mut Text) {
+        self.value(a, to);
+        self.value(b, to.put(sign));
     }
+
+    fn call(&self, function: &str, operands: &[Id], to: &mut Text) {
+        to.put(&self.number).put("::").put(function).put("(");
+        to.list(operands, |to, &id| self.value(id, to)).put(")");
+    }
+
+    fn mode(&self, param: u32, to: &mut Text) {
+        let param = &self.cx.mechanism.params[param as usize];
+        let ty = self.cx.paths.written(match param.kind {
+            ParamKind::Sense { .. } => "Sense",
+            ParamKind::Trend { .. } => "Trend",
+            ParamKind::Side { .. } | ParamKind::Number { .. } => "Side",
+        });
+        // Spaces: two signs without one between are read as one operator's.
+        let scalar = self.cx.names.scalar.to_string();
+        to.put(&ty).put("::sign:: <").put(&scalar).put(">(self.");
+        to.put(&param.name.to_string()).put(")");
+    }
+}
+
+/// A string as code.
+fn quoted(text: &str) -> String {
+    Literal::string(text).to_string()
 }

@@ -1,12 +1,12 @@
 //! The records that entry points take and return.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
 use super::identifiers::generated;
 use super::results::{self, read, ty};
-use super::token_list::Tokens;
+use super::text::Text;
 use super::{docs, module};
 use crate::interface::entries::EQUATIONS;
 use crate::interface::labels;
@@ -82,8 +82,9 @@ fn rows(cx: &Context<'_>, record: &Record, order: Order) -> TokenStream {
     let (bound, as_array) = (cx.paths.item("Scalar"), cx.paths.item("Record"));
     let rows = match order {
         Order::Position => {
-            let rows = record.fields.iter().flat_map(rows_of);
-            quote!([#(#rows),*])
+            let rows: Vec<String> = record.fields.iter().flat_map(rows_of).collect();
+            let rows = Text::from(format!("[{}]", rows.join(", ")));
+            quote!(#rows)
         }
         // A row a number: a direction turns at one rate.
         Order::Velocity | Order::Acceleration => quote!(#as_array::into_array(*self)),
@@ -100,13 +101,13 @@ fn rows(cx: &Context<'_>, record: &Record, order: Order) -> TokenStream {
 }
 
 /// The rows of an output: of a direction the angle, of anything else its components.
-fn rows_of(field: &Field) -> Vec<TokenStream> {
+fn rows_of(field: &Field) -> Vec<String> {
     let Shape::Quantity(quantity, order) = field.shape else { return Vec::new() };
     let (name, layout) = (&field.name, quantity.layout(order));
     let angle = layout.parts.len() - layout.rows.len();
-    let angle = (angle > 0).then(|| quote!(self.#name.angle()));
+    let angle = (angle > 0).then(|| format!("self.{name}.angle()"));
     let rest = if angle.is_some() { &layout.parts[2..] } else { layout.parts };
-    let rest = rest.iter().map(|part| read(&quote!(self.#name), part));
+    let rest = rest.iter().map(|part| read(&format!("self.{name}"), part));
     angle.into_iter().chain(rest).collect()
 }
 
@@ -130,21 +131,38 @@ fn as_array(cx: &Context<'_>, id: RecordId) -> TokenStream {
     let (name, count) = (&record.name, Literal::usize_unsuffixed(cx.interface.numbers(shape)));
     let [trait_, str_] = ["Record", "str"].map(|item| cx.paths.item(item));
     let labels = labels::of_result(cx.interface, cx.mechanism, shape);
-    let numbers: Vec<_> = (0..labels.len()).map(|i| generated(&format!("n{i}_"))).collect();
-    let (taken, made) = match record.kind {
-        Kind::Motion => by_records(cx, record, &numbers),
+    let numbers: Vec<String> = (0..labels.len()).map(|i| format!("n{i}_")).collect();
+    let mut pattern = Text::default();
+    pattern
+        .put("[")
+        .list(&numbers, |to, number| {
+            to.put(number);
+        })
+        .put("]");
+    let (mut taken, mut made) = (Text::default(), Text::default());
+    let mut left = numbers.iter();
+    let mut next = |to: &mut Text| {
+        to.put(left.next().expect("a name each"));
+    };
+    match record.kind {
+        Kind::Motion => by_records(cx, record, &numbers, [&mut taken, &mut made]),
         // Lists are taken apart: what is indexed would have to be copied.
         Kind::Equations => {
-            let mut values = numbers.iter().cloned().map(Tokens::from);
-            let made = results::assemble(cx, shape, &mut values);
-            (quote!(let #made = self; [#(#numbers),*]), made)
+            results::assemble(cx, shape, &mut made, &mut next);
+            taken.put("let ").append(&made);
+            taken.put(" = self; ").append(&pattern);
         }
         _ => {
-            let components = results::components(cx, shape, &quote!(self));
-            let mut values = numbers.iter().cloned().map(Tokens::from);
-            (quote!([#(#components),*]), results::assemble(cx, shape, &mut values))
+            let components = results::components(cx, shape, "self");
+            taken
+                .put("[")
+                .list(&components, |to, component| {
+                    to.put(component);
+                })
+                .put("]");
+            results::assemble(cx, shape, &mut made, &mut next);
         }
-    };
+    }
     // Always inlined on the way out: lanes must stay in registers of their own instruction set.
     quote! {
         impl<#scalar> #trait_ for #name<#scalar> {
@@ -157,21 +175,24 @@ fn as_array(cx: &Context<'_>, id: RecordId) -> TokenStream {
             fn into_array(self) -> [#scalar; #count] { #taken }
 
             #[inline]
-            fn from_array([#(#numbers),*]: [#scalar; #count]) -> Self { #made }
+            fn from_array(#pattern: [#scalar; #count]) -> Self { #made }
         }
     }
 }
 
 /// A record of records, to and from the numbers of all of them.
-fn by_records(cx: &Context<'_>, record: &Record, numbers: &[Ident]) -> (TokenStream, TokenStream) {
-    let trait_ = cx.paths.item("Record");
-    let (mut rest, mut taken, mut made) = (numbers, TokenStream::new(), TokenStream::new());
+fn by_records(cx: &Context<'_>, record: &Record, numbers: &[String], to: [&mut Text; 2]) {
+    let (trait_, [taken, made]) = (cx.paths.written("Record"), to);
+    made.put("Self { ");
+    let mut rest = numbers;
     for field in &record.fields {
         let (own, further) = rest.split_at(cx.interface.numbers(field.shape));
-        let name = &field.name;
-        taken.extend(quote!(let [#(#own),*] = #trait_::into_array(self.#name);));
-        made.extend(quote!(#name: #trait_::from_array([#(#own),*]),));
+        let (name, own) = (field.name.to_string(), own.join(", "));
+        taken.put("let [").put(&own).put("] = ").put(&trait_).put("::into_array(self.");
+        taken.put(&name).put(");\n");
+        made.put(&name).put(": ").put(&trait_).put("::from_array([").put(&own).put("]), ");
         rest = further;
     }
-    (quote!(#taken [#(#numbers),*]), quote!(Self { #made }))
+    taken.put("[").put(&numbers.join(", ")).put("]");
+    made.put("}");
 }

@@ -13,20 +13,10 @@ use quote::{ToTokens, TokenStreamExt};
 pub(super) struct Tokens(Vec<TokenTree>);
 
 impl Tokens {
-    /// These, one behind the other.
-    pub(super) fn joined(parts: impl IntoIterator<Item = Self>) -> Self {
-        parts.into_iter().fold(Self::default(), Self::followed_by)
-    }
-
     /// These and the others.
     pub(super) fn followed_by(mut self, others: Self) -> Self {
         self.0.extend(others.0);
         self
-    }
-
-    /// A sign.
-    pub(super) fn sign(sign: char) -> Self {
-        Self(vec![Punct::new(sign, Spacing::Alone).into()])
     }
 
     /// `function(first, second)`
@@ -42,28 +32,10 @@ impl Tokens {
         function.followed_by(Self(vec![operands.into()]))
     }
 
-    /// `let pattern = expression;`
-    pub(super) fn bound(name: Ident, expression: Self) -> Self {
-        let word = Ident::new("let", proc_macro2::Span::call_site());
-        let expression = Self::sign('=').followed_by(expression).followed_by(Self::sign(';'));
-        Self(vec![word.into(), name.into()]).followed_by(expression)
-    }
-
     /// `first::second`
     pub(super) fn path(first: Ident, second: Ident) -> Self {
         let colon = |spacing| TokenTree::from(Punct::new(':', spacing));
         Self(vec![first.into(), colon(Spacing::Joint), colon(Spacing::Alone), second.into()])
-    }
-
-    /// The same behind a sign.
-    pub(super) fn negated(mut self) -> Self {
-        self.0.insert(0, Punct::new('-', Spacing::Alone).into());
-        self
-    }
-
-    /// Whether they are this identifier alone.
-    pub(super) fn is(&self, name: &str) -> bool {
-        matches!(&self.0[..], [TokenTree::Ident(ident)] if ident == name)
     }
 }
 

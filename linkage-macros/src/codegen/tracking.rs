@@ -8,6 +8,7 @@ use super::context::Context;
 use super::identifiers::generated;
 use super::results;
 use super::statements::Printer;
+use super::text::Text;
 use crate::interface::EntryId;
 use crate::model::mechanism::ParamKind;
 
@@ -111,24 +112,24 @@ fn flips(cx: &Context<'_>) -> Option<TokenStream> {
 
 /// A core without guards: what is out of reach is a number below zero here, not a refusal.
 fn clearances(cx: &Context<'_>) -> TokenStream {
-    let (scalar, clearance) = (&cx.names.scalar, cx.paths.item("Clearance"));
+    let (scalar, clearance) = (&cx.names.scalar, cx.paths.written("Clearance"));
     let printer = Printer::new(cx, &cx.lowered.clearances);
     let routine = printer.routine;
-    let lines: TokenStream =
-        routine.stages.iter().map(|stage| printer.statements(&stage.statements)).collect();
+    let mut lines = Text::long();
+    routine.stages.iter().for_each(|stage| printer.statements(&stage.statements, &mut lines));
     let (received, unread) =
         (printer.arguments.received(&quote!(#scalar)), printer.arguments.unread(&routine.reads));
-    let values = cx.program().clearances.iter().map(|group| {
-        let [value, rate, second_rate, scale] = group.sinks.map(|sink| printer.value(sink));
-        quote! {
-            #clearance { value: #value, rate: #rate, second_rate: #second_rate, scale: #scale }
-        }
+    let names = ["value", "rate", "second_rate", "scale"];
+    lines.put("[").list(&cx.program().clearances, |to, group| {
+        to.put(&clearance).put(" { ");
+        let fields = names.iter().zip(group.sinks);
+        to.list(fields, |to, (name, sink)| printer.value(sink, to.put(name).put(": "))).put(" }");
     });
+    lines.put("]");
     quote! {
         fn clearances(&self, #(#received),*) -> Self::Clearances {
             #unread
             #lines
-            [#(#values),*]
         }
     }
 }

@@ -22,8 +22,12 @@ pub(crate) struct Maker<'g> {
 impl Maker<'_> {
     /// The node, or what the rules put in its place.
     pub(crate) fn make(&mut self, node: Node) -> Id {
-        let rules = self.rules;
-        rules.iter().find_map(|rule| rule(self, node)).unwrap_or_else(|| self.graph.push(node))
+        for rule in self.rules {
+            if let Some(id) = rule(self, node) {
+                return id;
+            }
+        }
+        self.graph.push(node)
     }
 
     /// The value under the guard, or what the rules put in its place.

@@ -109,6 +109,25 @@ struct Constant {
     unit: Option<usize>,
 }
 
+/// What sums and products ask of an operand.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Form {
+    Zero,
+    One,
+    MinusOne,
+    /// Any other constant.
+    Constant,
+    /// The negative of this.
+    Negative(Id),
+    Other,
+}
+
+impl Form {
+    pub(crate) fn is_constant(self) -> bool {
+        matches!(self, Self::Zero | Self::One | Self::MinusOne | Self::Constant)
+    }
+}
+
 /// See the module's documentation.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Graph {
@@ -120,6 +139,7 @@ pub(crate) struct Graph {
     guard_ids: Map<Guard, GuardId>,
     /// What formulas call their values; most values have no name.
     names: Map<Id, String>,
+    has_trials: bool,
 }
 
 impl Graph {
@@ -129,21 +149,22 @@ impl Graph {
 
     /// An empty graph with room for so many nodes.
     pub(crate) fn with_room(nodes: usize) -> Self {
-        let node_ids = Map::with_capacity_and_hasher(nodes, Default::default());
+        let node_ids = Map::with_room(nodes);
         Self { nodes: Vec::with_capacity(nodes), node_ids, ..Self::default() }
     }
 
     /// The id of the node, which is made unless an equal one exists.
     pub(crate) fn push(&mut self, node: Node) -> Id {
-        if let Some(&id) = self.node_ids.get(&node) {
-            return id;
+        let next = Id(u32::try_from(self.nodes.len()).expect("a graph has fewer than 2^32 nodes"));
+        let id = *self.node_ids.or_insert(node, next);
+        if id == next {
+            if cfg!(test) {
+                let is_earlier = |operand| assert!(operand < id, "operands come first");
+                self.for_operands_of(node, &mut { is_earlier });
+            }
+            self.has_trials |= matches!(node, Node::Trial(_));
+            self.nodes.push(node);
         }
-        let id = Id(u32::try_from(self.nodes.len()).expect("a graph has fewer than 2^32 nodes"));
-        if cfg!(test) {
-            self.for_operands_of(node, &mut |operand| assert!(operand < id, "operands come first"));
-        }
-        self.nodes.push(node);
-        self.node_ids.insert(node, id);
         id
     }
 
@@ -186,7 +207,7 @@ impl Graph {
 
     /// Gives the value a name, for whoever reads the generated code; the first one stays.
     pub(crate) fn name(&mut self, id: Id, name: String) {
-        self.names.entry(id).or_insert(name);
+        self.names.or_insert(id, name);
     }
 
     /// What formulas call the value.
@@ -210,11 +231,21 @@ impl Graph {
         self.nodes[id.index()]
     }
 
+    /// All nodes, operands before users.
+    pub(crate) fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// Whether anything is searched.
+    pub(crate) fn has_trials(&self) -> bool {
+        self.has_trials
+    }
+
     pub(crate) fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// All nodes, operands before users.
+    /// The same with their ids.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (Id, Node)> + '_ {
         self.nodes.iter().enumerate().map(|(i, &node)| (Id(i as u32), node))
     }
@@ -225,23 +256,25 @@ impl Graph {
 
     /// Whether the node is the constant 0.
     pub(crate) fn is_zero(&self, id: Id) -> bool {
-        self.unit(id) == Some(0)
-    }
-
-    /// Whether the node is the constant 1.
-    pub(crate) fn is_one(&self, id: Id) -> bool {
-        self.unit(id) == Some(1)
+        matches!(self.form(id), Form::Zero)
     }
 
     /// Whether the node is the constant 1 or −1.
     pub(crate) fn is_one_or_minus_one(&self, id: Id) -> bool {
-        self.unit(id).is_some_and(|unit| unit > 0)
+        matches!(self.form(id), Form::One | Form::MinusOne)
     }
 
-    fn unit(&self, id: Id) -> Option<usize> {
-        match self.node(id) {
-            Node::Constant(constant) => self.constants[constant.0 as usize].unit,
-            _ => None,
+    /// What sums and products ask of an operand.
+    pub(crate) fn form(&self, id: Id) -> Form {
+        match self.nodes[id.0 as usize] {
+            Node::Constant(constant) => match self.constants[constant.0 as usize].unit {
+                Some(0) => Form::Zero,
+                Some(1) => Form::One,
+                Some(_) => Form::MinusOne,
+                None => Form::Constant,
+            },
+            Node::Neg(of) => Form::Negative(of),
+            _ => Form::Other,
         }
     }
 

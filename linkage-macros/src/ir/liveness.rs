@@ -20,12 +20,15 @@ pub(crate) fn live(graph: &Graph, sinks: &[Id], path: Path) -> Vec<bool> {
         live[sink.0 as usize] = true;
     }
     // Operands stand before their users, so one walk from back to front is enough.
-    for index in (0..graph.len()).rev() {
-        if !live[index] {
+    let (nodes, live_slice) = (graph.nodes(), &mut live[..]);
+    let mut index = nodes.len();
+    while index > 0 {
+        index -= 1;
+        if !live_slice[index] {
             continue;
         }
-        let node = graph.node(Id(index as u32));
-        let mut mark = |operand: Id| live[operand.0 as usize] = true;
+        let node = nodes[index];
+        let mut mark = |operand: Id| live_slice[operand.0 as usize] = true;
         match path {
             Path::Fast => graph.for_fast_operands_of(node, &mut mark),
             Path::Unchecked => node.for_operands(&mut mark),
@@ -47,7 +50,7 @@ pub(crate) fn live_nodes<'a>(
 pub(crate) fn tried(graph: &Graph) -> Vec<bool> {
     let mut tried = vec![false; graph.len()];
     // Most mechanisms search nothing.
-    if !graph.iter().any(|(_, node)| matches!(node, Node::Trial(_))) {
+    if !graph.has_trials() {
         return tried;
     }
     for (id, node) in graph.iter() {

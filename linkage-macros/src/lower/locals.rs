@@ -30,9 +30,9 @@ pub(super) fn named(mechanism: &Mechanism, interface: &Interface, program: &Prog
         let mut taken = Map::default();
         for (label, &sink) in labels.zip(&answer.sinks) {
             // Whether a letter of another alphabet may stand in a name is for others to know.
-            let is_its_own = *taken.entry(label.clone()).or_insert(sink) == sink;
+            let is_its_own = *taken.or_insert(label.clone(), sink) == sink;
             if is_its_own && label.is_ascii() {
-                names.entry(sink).or_insert(label);
+                names.or_insert(sink, label);
             }
         }
     }
@@ -50,7 +50,7 @@ pub(super) fn with_letters(components: &Locals, graph: &Graph, statements: &[Sta
         if locals.components.contains(&id) {
             continue;
         }
-        let stem = single_underscores(&letter.to_lowercase().replace([' ', ','], "_"));
+        let stem = stem(letter);
         let numbered = (2..).map(|number| format!("{stem}{number}_"));
         let mut names = std::iter::once(stem.clone()).chain(numbered);
         let free = names.find(|name| taken.insert(name.clone()));
@@ -69,10 +69,29 @@ fn components(mechanism: &Mechanism, order: Order) -> Vec<String> {
     mechanism.outputs.iter().flat_map(of).collect()
 }
 
+/// A letter of a derivation, which is ASCII, as the name of a local.
+fn stem(letter: &str) -> String {
+    let mut stem = letter.to_ascii_lowercase().into_bytes();
+    for byte in &mut stem {
+        if matches!(byte, b' ' | b',') {
+            *byte = b'_';
+        }
+    }
+    single_underscores(&String::from_utf8(stem).expect("what is ASCII stays so"))
+}
+
 /// The name without the double underscores that the compiler frowns upon.
 pub(super) fn single_underscores(name: &str) -> String {
-    let parts: Vec<&str> = name.split('_').filter(|part| !part.is_empty()).collect();
-    format!("{}_", parts.join("_"))
+    let mut single = String::with_capacity(name.len() + 1);
+    for character in name.chars() {
+        if character != '_' || !(single.is_empty() || single.ends_with('_')) {
+            single.push(character);
+        }
+    }
+    if !single.ends_with('_') {
+        single.push('_');
+    }
+    single
 }
 
 #[cfg(test)]

@@ -209,7 +209,7 @@ impl Bounds<'_> {
             return None;
         }
         let id = unguarded(self.graph, value);
-        let asked = self.thresholds.entry(id).or_insert(threshold);
+        let asked = self.thresholds.or_insert(id, threshold);
         // Asked more than once, a value is asked for the most.
         *asked = match (*asked, threshold) {
             (Some(one), Some(other)) => Some(one.max(other)),

@@ -5,7 +5,7 @@ use super::checks;
 use super::overflow::Overflow;
 use super::routine::{Locals, Search, Statement, is_leaf};
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::hash::{Map, Set};
+use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes, tried};
 
 /// What has been scheduled so far, and what it reads from outside.
@@ -15,7 +15,7 @@ pub(super) struct Schedule<'a> {
     pub path: Path,
     /// What is asked of divisors in place of results.
     pub overflow: Option<&'a Overflow>,
-    done: Set<Id>,
+    done: Vec<bool>,
     /// The inputs and parameters that are read, in the order of the graph.
     pub reads: Vec<Node>,
     /// Whether anything is asked of anybody.
@@ -41,7 +41,7 @@ impl<'a> Schedule<'a> {
         overflow: Option<&'a Overflow>,
         searches: &'a [Search],
     ) -> Self {
-        let (done, reads, tried) = (Set::default(), Vec::new(), tried(graph));
+        let (done, reads, tried) = (vec![false; graph.len()], Vec::new(), tried(graph));
         Self { graph, locals, path, overflow, done, reads, has_checks: false, tried, searches }
     }
 
@@ -52,7 +52,7 @@ impl<'a> Schedule<'a> {
         let mut pairs = pairs(live_nodes(graph, &live));
         let mut statements = Vec::new();
         for (id, node) in live_nodes(graph, &live) {
-            if self.tried[id.index()] || !self.done.insert(id) {
+            if self.tried[id.index()] || std::mem::replace(&mut self.done[id.index()], true) {
                 continue;
             }
             self.has_checks |= self.is_checked(node);
@@ -63,7 +63,7 @@ impl<'a> Schedule<'a> {
                 }
                 Node::Constant(_) | Node::Low(_) => None,
                 Node::Neg(_) if !self.locals.components.contains(&id) => None,
-                Node::Sin(angle) | Node::Cos(angle) => pairs.remove(&angle).map(|pair| {
+                Node::Sin(angle) | Node::Cos(angle) => take(&mut pairs, angle).map(|pair| {
                     let Pair { sin, cos } = pair;
                     Statement::SinCos { angle, sin, cos, is_checked: self.is_checked(node) }
                 }),
@@ -147,10 +147,16 @@ pub(super) fn pairs(nodes: impl Iterator<Item = (Id, Node)>) -> Map<Id, Pair> {
     let mut pairs: Map<Id, Pair> = Map::default();
     for (id, node) in nodes {
         match node {
-            Node::Sin(angle) => pairs.entry(angle).or_default().sin = Some(id),
-            Node::Cos(angle) => pairs.entry(angle).or_default().cos = Some(id),
+            Node::Sin(angle) => pairs.or_insert(angle, Pair::default()).sin = Some(id),
+            Node::Cos(angle) => pairs.or_insert(angle, Pair::default()).cos = Some(id),
             _ => {}
         }
     }
     pairs
+}
+
+/// The pair of the angle, if nobody has taken it.
+pub(super) fn take(pairs: &mut Map<Id, Pair>, angle: Id) -> Option<Pair> {
+    let pair = std::mem::take(pairs.or_insert(angle, Pair::default()));
+    (pair.sin.is_some() || pair.cos.is_some()).then_some(pair)
 }

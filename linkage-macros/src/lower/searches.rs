@@ -2,7 +2,7 @@
 //! motion share. It is given what no trial changes, so that a trial computes nothing else.
 
 use super::routine::{Locals, Routine, Search, Stage, Statement};
-use super::schedule::pairs;
+use super::schedule::{pairs, take};
 use super::{locals, one_root};
 use crate::interface::records::Shape;
 use crate::ir::cost::operations_of_trial;
@@ -77,7 +77,7 @@ fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
     for (id, node) in of_trial() {
         statements.extend(match node {
             Node::Trial(_) | Node::Neg(_) => None,
-            Node::Sin(angle) | Node::Cos(angle) => pairs.remove(&angle).map(|pair| {
+            Node::Sin(angle) | Node::Cos(angle) => take(&mut pairs, angle).map(|pair| {
                 Statement::SinCos { angle, sin: pair.sin, cos: pair.cos, is_checked: false }
             }),
             _ => Some(Statement::Let(id)),

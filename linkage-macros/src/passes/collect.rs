@@ -162,17 +162,16 @@ impl<'g> Sums<'g> {
         let (terms, _) = self.terms(root);
         let mut of_value: Map<Id, Vec<&Term>> = Map::default();
         for term in &terms {
-            of_value.entry(term.value).or_default().push(term);
+            of_value.or_insert(term.value, Vec::new()).push(term);
         }
         let mut instead = Map::default();
         // Where the last of them was added, so that no partial sum holds more than it did. In the order of
         // the sum, so that what is made is the same in every run.
-        for term in &terms {
-            let Some(equal) = of_value.remove(&term.value) else { continue };
-            let Some(factor) = self.together(&equal) else { continue };
+        for (value, equal) in of_value.iter() {
+            let Some(factor) = self.together(equal) else { continue };
             let first = if equal[0].is_taken { factor.neg() } else { factor };
             let factor = maker.constant(first);
-            let product = maker.make(Node::Mul(factor, moved(term.value)));
+            let product = maker.make(Node::Mul(factor, moved(*value)));
             let zero = maker.constant(Exact::integer(0));
             instead.extend(equal[1..].iter().map(|term| (term.at, zero)));
             instead.insert(equal[0].at, product);

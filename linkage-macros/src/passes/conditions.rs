@@ -23,7 +23,7 @@ pub(super) fn ask_once(program: &Program) -> Program {
             let Node::Guard(value, guard) = old.node(id) else { return None };
             let (value, mut guard) = (moved(value), old.condition(guard).on(moved));
             let key = (value, guard.check.clone(), guard.operands.clone());
-            guard.group = *first.entry(key).or_insert(guard.group);
+            guard.group = *first.or_insert(key, guard.group);
             Some(maker.make_guarded(value, guard))
         })
     })

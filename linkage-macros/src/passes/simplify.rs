@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 
 use crate::exact::Exact;
 use crate::ir::construct::Maker;
-use crate::ir::graph::{Id, Node};
+use crate::ir::graph::{Form, Id, Node};
 
 /// What stands for the node more simply, if anything does.
 pub(crate) fn simplify(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
@@ -27,10 +27,6 @@ pub(crate) fn simplify(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
 
 fn is_zero(maker: &Maker<'_>, id: Id) -> bool {
     maker.graph.is_zero(id)
-}
-
-fn is_one(maker: &Maker<'_>, id: Id) -> bool {
-    maker.graph.is_one(id)
 }
 
 /// What the node is the negative of.
@@ -56,27 +52,20 @@ fn negation(maker: &mut Maker<'_>, a: Id) -> Option<Id> {
 }
 
 fn sum(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
-    if is_zero(maker, a) {
-        return Some(b);
+    match [maker.graph.form(a), maker.graph.form(b)] {
+        [Form::Zero, _] => Some(b),
+        [_, Form::Zero] => Some(a),
+        [_, Form::Negative(b)] => Some(maker.make(Node::Sub(a, b))),
+        [Form::Negative(a), _] => Some(maker.make(Node::Sub(b, a))),
+        forms => {
+            constant_sum(maker, a, b, forms).or_else(|| ordered(maker, a, b, forms, Node::Add))
+        }
     }
-    if is_zero(maker, b) {
-        return Some(a);
-    }
-    if let Some(b) = negated(maker, b) {
-        return Some(maker.make(Node::Sub(a, b)));
-    }
-    if let Some(a) = negated(maker, a) {
-        return Some(maker.make(Node::Sub(b, a)));
-    }
-    if let Some(folded) = constant_sum(maker, a, b) {
-        return Some(folded);
-    }
-    ordered(maker, a, b, Node::Add)
 }
 
 /// c₁ + (c₂ + x) = (c₁ + c₂) + x: one rounding less.
-fn constant_sum(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
-    let (constant, other) = constant_first(maker, a, b)?;
+fn constant_sum(maker: &mut Maker<'_>, a: Id, b: Id, forms: [Form; 2]) -> Option<Id> {
+    let (constant, other) = constant_first(a, b, forms)?;
     let outer = maker.graph.as_constant(constant)?.clone();
     let Node::Add(x, y) = maker.graph.node(other) else { return None };
     let inner = maker.graph.as_constant(x)?;
@@ -85,38 +74,43 @@ fn constant_sum(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     Some(maker.make(Node::Add(folded, y)))
 }
 
-fn constant_first(maker: &Maker<'_>, a: Id, b: Id) -> Option<(Id, Id)> {
-    if maker.graph.as_constant(a).is_some() {
-        Some((a, b))
-    } else if maker.graph.as_constant(b).is_some() {
-        Some((b, a))
-    } else {
-        None
+fn constant_first(a: Id, b: Id, [first, second]: [Form; 2]) -> Option<(Id, Id)> {
+    match (first.is_constant(), second.is_constant()) {
+        (true, _) => Some((a, b)),
+        (false, true) => Some((b, a)),
+        (false, false) => None,
     }
 }
 
 /// Constants first, then the earlier operand: equal sums and products become equal nodes.
-fn ordered(maker: &mut Maker<'_>, a: Id, b: Id, node: fn(Id, Id) -> Node) -> Option<Id> {
-    let rank = |id: Id| (maker.graph.as_constant(id).is_none(), id);
-    (rank(b) < rank(a)).then(|| maker.make(node(b, a)))
+fn ordered(
+    maker: &mut Maker<'_>,
+    a: Id,
+    b: Id,
+    [first, second]: [Form; 2],
+    node: fn(Id, Id) -> Node,
+) -> Option<Id> {
+    let is_behind = match (first.is_constant(), second.is_constant()) {
+        (true, false) => false,
+        (false, true) => true,
+        _ => b < a,
+    };
+    if is_behind { Some(maker.make(node(b, a))) } else { None }
 }
 
 fn difference(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     if a == b {
         return Some(zero(maker));
     }
-    if is_zero(maker, b) {
-        return Some(a);
-    }
-    if is_zero(maker, a) {
-        return Some(negate(maker, b));
-    }
-    if let Some(b) = negated(maker, b) {
-        return Some(maker.make(Node::Add(a, b)));
-    }
-    if let Some(a) = negated(maker, a) {
-        let sum = maker.make(Node::Add(a, b));
-        return Some(negate(maker, sum));
+    match [maker.graph.form(a), maker.graph.form(b)] {
+        [_, Form::Zero] => return Some(a),
+        [Form::Zero, _] => return Some(negate(maker, b)),
+        [_, Form::Negative(b)] => return Some(maker.make(Node::Add(a, b))),
+        [Form::Negative(a), _] => {
+            let sum = maker.make(Node::Add(a, b));
+            return Some(negate(maker, sum));
+        }
+        _ => {}
     }
     // a − b = −(b − a), where somebody has made the latter.
     let mirrored = maker.graph.find(Node::Sub(b, a))?;
@@ -124,33 +118,34 @@ fn difference(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
 }
 
 fn product(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
-    if is_zero(maker, a) || is_zero(maker, b) {
-        return Some(zero(maker));
+    let forms = [maker.graph.form(a), maker.graph.form(b)];
+    match forms {
+        [Form::Zero, _] | [_, Form::Zero] => return Some(zero(maker)),
+        [Form::One, _] => return Some(b),
+        [_, Form::One] => return Some(a),
+        _ => {}
     }
-    if is_one(maker, a) {
-        return Some(b);
-    }
-    if is_one(maker, b) {
-        return Some(a);
-    }
-    if let Some((constant, other)) = constant_first(maker, a, b) {
+    if let Some((constant, other)) = constant_first(a, b, forms) {
         let factor = maker.graph.as_constant(constant)?.clone();
         if let Some(folded) = constant_product(maker, &factor, other) {
             return Some(folded);
         }
     }
-    if let Some(a) = negated(maker, a) {
-        let product = maker.make(Node::Mul(a, b));
-        return Some(negate(maker, product));
-    }
-    if let Some(b) = negated(maker, b) {
-        let product = maker.make(Node::Mul(a, b));
-        return Some(negate(maker, product));
+    match forms {
+        [Form::Negative(a), _] => {
+            let product = maker.make(Node::Mul(a, b));
+            return Some(negate(maker, product));
+        }
+        [_, Form::Negative(b)] => {
+            let product = maker.make(Node::Mul(a, b));
+            return Some(negate(maker, product));
+        }
+        _ => {}
     }
     if a == b && matches!(maker.graph.node(a), Node::Mode(_)) {
         return Some(maker.constant(Exact::integer(1)));
     }
-    ordered(maker, a, b, Node::Mul)
+    ordered(maker, a, b, forms, Node::Mul)
 }
 
 /// c₁·(c₂·x) = (c₁ c₂)·x, no rounding more and often one less; (−c)·x = −(c·x), so that a
@@ -171,7 +166,7 @@ fn quotient(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     if is_zero(maker, a) && !is_zero(maker, b) {
         return Some(zero(maker));
     }
-    if is_one(maker, b) {
+    if let Form::One = maker.graph.form(b) {
         return Some(a);
     }
     if let Some(a) = negated(maker, a) {
@@ -219,7 +214,8 @@ fn product_error(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
         let error = maker.make(Node::MulErr(a, inner));
         return Some(negate(maker, error));
     }
-    ordered(maker, a, b, Node::MulErr)
+    let forms = [maker.graph.form(a), maker.graph.form(b)];
+    ordered(maker, a, b, forms, Node::MulErr)
 }
 
 fn sum_error(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
@@ -229,7 +225,8 @@ fn sum_error(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     if negated(maker, b) == Some(a) {
         return Some(zero(maker));
     }
-    ordered(maker, a, b, Node::AddErr)
+    let forms = [maker.graph.form(a), maker.graph.form(b)];
+    ordered(maker, a, b, forms, Node::AddErr)
 }
 
 /// |x| of a root or of an absolute value is the value itself.
