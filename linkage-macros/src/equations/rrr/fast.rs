@@ -25,9 +25,10 @@
 //! # Error
 //! Some last places more than without `fast`: what a limit magnifies are two roundings of s in place of
 //! one; a d² that is affine where B comes as near to D as a quarter of its farthest distance has up to four
-//! times the error of the sum of squares; and bars of nearly one length lose digits of their accelerations
-//! where their outer joints meet. What is out of reach is decided as without `fast`, and
-//! `tests/limits/fast.rs` holds the bounds.
+//! times the error of the sum of squares (`crank_pin.rs`); and bars of nearly one length lose digits of their
+//! accelerations where their outer joints meet, or where, nearly stretched, both turn as a crank
+//! does that is much longer than the base. What is out of reach is decided as without `fast`,
+//! and `tests/limits/fast.rs` holds the bounds.
 
 use std::ops::{Add, Sub};
 
