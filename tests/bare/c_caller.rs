@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 use crate::build::{directory, library, sources, text};
 use crate::mechanisms::{
-    self, Excavator, FlyingShear, HeavyPress, HeavyRobot, SearchedPress, TunedFourBar,
+    self, Excavator, FastSixBar, FlyingShear, HeavyPress, HeavyRobot, SearchedPress, TunedFourBar,
 };
 use linkage_core::{Side, SolveError};
 
@@ -30,8 +30,9 @@ fn run_c(library: &Path, source: &Path) -> Output {
 }
 
 /// What every header is called, and its text.
-const HEADERS: [(&str, &str); 11] = [
+const HEADERS: [(&str, &str); 12] = [
     ("flying_shear.h", FlyingShear::C_HEADER),
+    ("fast_six_bar.h", FastSixBar::C_HEADER),
     ("tuned_four_bar.h", TunedFourBar::C_HEADER),
     ("slider_crank.h", mechanisms::SliderCrank::C_HEADER),
     ("six_bar.h", mechanisms::SixBar::C_HEADER),
@@ -107,6 +108,15 @@ macro_rules! shear {
         $report.add(&add("margins"), shear.margins(theta));
         $report.add(&add("coefficients"), shear.coefficients(theta));
     }};
+}
+
+/// One angle within the reach of the sine's kernel, and one beyond it.
+fn six_bar(report: &mut Report, theta: f64) {
+    let (wide, narrow) = (FastSixBar::new(), FastSixBar::<f32>::default());
+    report.add("fast_six_bar_motion", wide.motion(theta, 12.0, -3.0));
+    report.add("fast_six_bar_motion", wide.motion(theta + 3e6, 12.0, -3.0));
+    report.add("fast_six_bar_motion_f32", narrow.motion(theta as f32, 12.0, -3.0));
+    report.add("fast_six_bar_margins", wide.margins(theta));
 }
 
 fn four_bar(report: &mut Report, theta: f64, coupler: f64, elbow: Side) {
@@ -203,6 +213,7 @@ fn expected() -> String {
     for i in -12..=12_i8 {
         shear!(report, f64, "", 0.25 * f64::from(i));
         shear!(report, f32, "_f32", 0.25 * f32::from(i));
+        six_bar(&mut report, 0.25 * f64::from(i));
         four_bar(&mut report, 0.25 * f64::from(i), 0.254, Side::Left);
         four_bar(&mut report, 0.25 * f64::from(i), 0.125, Side::Right);
         let by = f64::from(i);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "flying_shear.h"
+#include "fast_six_bar.h"
 #include "tuned_four_bar.h"
 #include "excavator.h"
 #include "heavy_press.h"
@@ -129,6 +130,14 @@ static void shear_f32(float theta, float rate, float acceleration)
                  theta);
 }
 
+static void six_bar(double theta)
+{
+    CALL(fast_six_bar_motion, FastSixBarMotion, theta, 12.0, -3.0);
+    CALL(fast_six_bar_motion, FastSixBarMotion, theta + 3e6, 12.0, -3.0);
+    CALL(fast_six_bar_motion_f32, FastSixBarMotionF32, (float)theta, 12.0f, -3.0f);
+    CALL(fast_six_bar_margins, FastSixBarMargins, theta);
+}
+
 /* Each length fits for some angles and is too short for others; each mode is set once. */
 static void four_bar(double theta, double coupler, int32_t elbow)
 {
@@ -191,6 +200,7 @@ int main(void)
     for (int i = -12; i <= 12; i++) {
         shear(0.25 * i, 12.0, -3.0);
         shear_f32(0.25f * (float)i, 12.0f, -3.0f);
+        six_bar(0.25 * i);
         four_bar(0.25 * i, 0.254, LINKAGE_LEFT);
         four_bar(0.25 * i, 0.125, LINKAGE_RIGHT);
         excavator(2.3125 + 0.0625 * i, 2.25 + 0.03125 * i, 1.90625 + 0.03125 * i);

@@ -20,6 +20,25 @@ mechanism! {
 }
 
 mechanism! {
+    /// A six-bar of two dyads, fast: the first behind a crank, the second between moving joints.
+    pub struct FastSixBar {
+        numerics fast;
+        input theta: angle;
+
+        ground A(0, 0), D(300mm, 125mm);
+
+        crank AB(A) -> B        { length: 100mm, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (250mm, 200mm), mode: left }
+        point P on BC at (150mm, 50mm);
+        point Q on DC at (50mm, -20mm);
+        rrr   PE(P), QE(Q) -> E { lengths: (300mm, 200mm), mode: right }
+
+        output P, E, BC, DC, QE, DC.margin, QE.transmission;
+        export c;
+    }
+}
+
+mechanism! {
     /// A four-bar that can be tuned, with points placed in every way, to the last digit.
     pub struct TunedFourBar {
         input theta: angle;

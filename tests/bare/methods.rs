@@ -11,8 +11,8 @@ use linkage_core::{
 use cam::{Cam, Strip};
 use robot_controller::{Controller, Robot, Wanted, rk4};
 use crate::mechanisms::{
-    Everything, Excavator, FlyingShear, FlyingShearPosition, HeavyPress, HeavyPressForces,
-    HeavyPressLoads, HeavyRobot, HeavyRobotEquations, SixBar, SliderCrank, TunedFourBar,
+    Everything, Excavator, FastSixBar, FlyingShear, FlyingShearPosition, HeavyPress,
+    HeavyPressForces, HeavyPressLoads, HeavyRobot, HeavyRobotEquations, SixBar, SliderCrank, TunedFourBar,
 };
 
 macro_rules! symbols {
@@ -37,6 +37,8 @@ symbols! {
     methods_lift_f32 = lift::<f32>;
     methods_lanes = lanes::<f64>;
     methods_lanes_f32 = lanes::<f32>;
+    methods_fast = fast::<f64>;
+    methods_fast_f32 = fast::<f32>;
     methods_tracker = tracker::<f64>;
     methods_tracker_f32 = tracker::<f32>;
     methods_range = range::<f64>;
@@ -175,6 +177,16 @@ fn lanes<T: Float>(x: T) -> T {
     let angles = Lanes::<T, 4>::new([x, x + x, x - x, -x]);
     let (motion, usable) = SixBar::default().solve_motion(angles, angles, angles);
     if usable.all() { motion.acceleration.E.x.to_array()[0] } else { x }
+}
+
+/// Single numbers, and several side by side, whose sines are turned in another way.
+fn fast<T: Float>(x: T) -> T {
+    let single = FastSixBar::<T>::default();
+    let (motion, usable) = single.solve_motion(x, x, x);
+    let angles = Lanes::<T, 4>::new([x, x + x, x - x, -x]);
+    let (motions, all_usable) = FastSixBar::default().solve_motion(angles, angles, angles);
+    let sum = used((motion.acceleration.E.x, usable));
+    if all_usable.all() { sum + motions.acceleration.E.x.to_array()[0] } else { sum }
 }
 
 fn tracker<T: Float>(x: T) -> T {

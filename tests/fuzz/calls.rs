@@ -106,6 +106,21 @@ impl At<'_> {
         }
     }
 
+    /// Two declarations of one mechanism refuse the same poses: that is decided on joints and lengths,
+    /// whatever the formulas are. Only what is too large or too small for one may not be for the other.
+    pub(crate) fn alike<P, Q>(
+        &mut self,
+        entry: &str,
+        found: &Result<P, SolveError>,
+        twin: &Result<Q, SolveError>,
+    ) {
+        let both = [found.as_ref().err(), twin.as_ref().err()];
+        let kinds = both.map(|error| error.map_or("Ok", kind_of));
+        if kinds[0] != kinds[1] && !kinds.contains(&"NotFinite") {
+            self.wrong(entry, "refused by one of two declarations", &both);
+        }
+    }
+
     /// A direction is a unit vector.
     pub(crate) fn unit<T: Number>(&mut self, entry: &str, [cos, sin]: [T; 2]) {
         let (x, y) = (cos.value(), sin.value());

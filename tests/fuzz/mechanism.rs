@@ -149,22 +149,17 @@ macro_rules! rows {
 
 /// What this program has to know of a declaration: how many inputs and numeric parameters it has,
 /// what its mode parameters and margins are called, and the links whose directions are outputs;
-/// `circle` where the only input may be given by its cosine and sine, and behind `=>` what tells a right
-/// position where no numbers of twice the width do.
+/// `circle` where the only input may be given by its cosine and sine; behind `as` a declaration of the
+/// same mechanism that other formulas are made of, which is taken for right; and behind `=>` what tells a
+/// right position where no numbers of twice the width do.
 macro_rules! fuzzed {
     ($($name:ident: $inputs:literal $count:ident, $params:literal($($param:ident)*),
         modes($($mode:ident)*), units($($link:ident)*),
-        margins($($margin:ident)*) $(, $circle:ident)? $(=> $is_right:ident)?;)*) => {$(
+        margins($($margin:ident)*) $(, $circle:ident)? $(as $twin:ident)?
+        $(=> $is_right:ident)?;)*) => {$(
         const _: () = {
-            fn solver<S: Scalar>(state: &State<S, $inputs, $params>) -> $name<S> {
-                let [$($param),*] = state.params;
-                let solver = $name::<S> { $($param,)* ..$name::<S>::default() };
-                if state.flipped {
-                    $(let $mode = solver.$mode.flipped();)*
-                    return $name { $($mode,)* ..solver };
-                }
-                solver
-            }
+            solver!(solver: $name, $inputs, $params($($param)*), ($($mode)*));
+            solver!(true_solver: $name $($twin)?, $inputs, $params($($param)*), ($($mode)*));
 
             impl Motion<$inputs, $params> for $name {
                 const OUTPUTS: &'static [&'static str] = &$name::OUTPUTS;
@@ -174,7 +169,7 @@ macro_rules! fuzzed {
                 ) -> Option<Vec<S>> {
                     let State { q, rate, second, .. } = *state;
                     let given = (given!($count q), given!($count rate), given!($count second));
-                    truth!(solver(state), given $(, $is_right)?)
+                    truth!(true_solver(state), given $(, $is_right)?)
                 }
             }
 
@@ -201,6 +196,7 @@ macro_rules! fuzzed {
                     let (rate, second) = (given!($count state.rate), given!($count state.second));
 
                     let position = solver.position(q);
+                    $(at.alike("position", &position, &$twin::<T>::position(&true_solver(state), q));)?
                     if let Ok(_position) = &position {
                         $(if !$is_right(state, _position) {
                             at.wrong("position", "not right", _position);
@@ -263,6 +259,25 @@ macro_rules! fuzzed {
     };
 }
 
+/// A function that makes a declaration's solver with the numbers of a state; its twin's, if it has one.
+macro_rules! solver {
+    ($solver:ident: $name:ident $twin:ident, $($rest:tt)*) => {
+        solver!($solver: $twin, $($rest)*);
+    };
+    ($solver:ident: $name:ident, $inputs:literal, $params:literal($($param:ident)*),
+        ($($mode:ident)*)) => {
+        fn $solver<S: Scalar>(state: &State<S, $inputs, $params>) -> $name<S> {
+            let [$($param),*] = state.params;
+            let solver = $name::<S> { $($param,)* ..$name::<S>::default() };
+            if state.flipped {
+                $(let $mode = solver.$mode.flipped();)*
+                return $name { $($mode,)* ..solver };
+            }
+            solver
+        }
+    };
+}
+
 /// The motion that every number can compute; nothing of a mechanism that searches.
 macro_rules! truth {
     ($solver:expr, $given:ident) => {{
@@ -270,7 +285,7 @@ macro_rules! truth {
         ok.then(|| rows!(motion))
     }};
     ($solver:expr, $given:ident, $is_right:ident) => {{
-        let _ = $given;
+        let _ = ($solver, $given);
         None
     }};
 }

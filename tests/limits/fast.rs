@@ -1,6 +1,6 @@
 //! `numerics fast;`: as right as plain numbers but for a last place or two, and as careful at limits.
 
-use linkage_core::{Real, Record, SolveError};
+use linkage_core::{Real, Record, Scalar, SolveError};
 use linkage_tests::double_double::DoubleDouble;
 use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::fast::*;
@@ -43,6 +43,94 @@ fn toggles<T: Real>() {
     assert!(beyond >= 4 && within >= 10, "{beyond} {within}");
     let apart = FastBars::<T>::default().position([number(1.75), number(0.0)]);
     assert_eq!(apart.map(|_| ()), Err(SolveError::OutOfReach { group: "BC, DC", by: 0.125 }));
+}
+
+/// Within 8 ulp of both toggles in any direction: what is beyond is on the line of the joints and has no
+/// velocity, and what is within is as high as it is without rounding, or nearly. S counts as it is where it
+/// is above 16 ε of its spread, and is wrong by 2.5 of these at most: S by a fifth, the height by a tenth.
+fn toggles_in_any_direction<T: Real>() {
+    let mut random = Random::new(11);
+    let (mut beyond, mut within) = (0, 0);
+    for step in 0..4000 {
+        let turn = random.anywhere(-3.2, 3.2);
+        let (reach, side) = [(1.625, 1.0), (0.375, -1.0)][step % 2];
+        let d = moved::<T>(reach, (step / 2 % 17) as i32 - 8);
+        let q = [d * turn.cos(), d * turn.sin()].map(number::<T>);
+        let [x, y] = q.map(|q| DoubleDouble::<false>::new(q.value()));
+        let exact = |number: f64| DoubleDouble::<false>::new(number);
+        let square = x * x + y * y;
+        // 4 l₂² l₃² S
+        let (inner, outer) = (square - exact(0.140_625), exact(2.640_625) - square);
+        let product = (inner * outer).high / (4.0 * 0.625 * 0.625);
+        let solver = FastBars::<T>::default();
+        let Ok(pose) = solver.position(q) else {
+            assert!(product < 0.0, "{q:?}");
+            continue;
+        };
+        let [cx, cy] = [pose.C.x, pose.C.y].map(|c| exact(c.value()));
+        let height = (x * cy - y * cx).high;
+        let velocity = solver.velocity(q, [number(0.5), number(0.25)]);
+        if product <= 0.0 {
+            beyond += 1;
+            // Three roundings of a pin 0.625 away, times the distance.
+            assert!(height.abs() <= 3.0 * T::EPSILON, "{side} {height:e} at {q:?}");
+            let singular = SolveError::Singular { group: "BC, DC" };
+            assert_eq!(velocity.map(|_| ()), Err(singular), "{q:?}");
+        } else {
+            within += 1;
+            let wanted = 0.625 * product.sqrt();
+            let off = (height - wanted).abs();
+            assert!(off <= 0.11 * wanted + 3.0 * T::EPSILON, "{height:e} for {wanted:e} at {q:?}");
+            assert!(velocity.is_ok(), "{q:?}");
+        }
+    }
+    assert!(beyond > 1000 && within > 1500, "{beyond} {within}");
+}
+
+/// Joints that nearly meet, of any size: answered as without `fast`.
+fn joints_that_meet<T: Real>() {
+    let (fast, plain) = (FastEqualBars::<T>::default(), PlainEqualBars::<T>::default());
+    let mut kinds = [0; 3];
+    for exponent in -330..=2 {
+        for turn in [0.0_f64, 0.7, 1.6] {
+            let d = 10f64.powi(exponent);
+            let q = [d * turn.cos(), d * turn.sin()].map(number::<T>);
+            let found = fast.position(q).map(|p| assert!(length_error(p.BC.cos, p.BC.sin) < 1e-6));
+            assert_eq!(found, plain.position(q).map(|_| ()), "{q:?}");
+            kinds[match found {
+                Ok(()) => 0,
+                Err(SolveError::Singular { .. }) => 1,
+                Err(_) => 2,
+            }] += 1;
+        }
+    }
+    assert!(kinds.iter().all(|&count| count > 3), "{kinds:?}");
+}
+
+/// Rates of any size, up to where a toggle makes them a thousand times as large: what is called solved is
+/// finite, and what somebody may mean is solved at once.
+fn rates_of_any_size<T: Real + Scalar<Mask = bool>>() {
+    let solver = FastRocker::<T>::default();
+    let all_finite = |rows: &[T]| rows.iter().all(|row| row.value().is_finite());
+    let mut random = Random::new(17);
+    // Of the largest number: half of all exponents are beyond what a rate may have to be squared.
+    let digits = if T::EPSILON < 1e-10 { 308.25 } else { 38.53 };
+    let mut solved = 0;
+    for _ in 0..4000 {
+        let [near, rate, second] =
+            [random.between(0.0, 6.0), random.between(0.0, 1.0), random.between(0.0, 1.0)];
+        let [rate, second] = [rate, second].map(|share| number::<T>(10f64.powf(share * digits)));
+        let theta = number((1.0_f64 / 6.0).acos() - 10f64.powf(-near));
+        let (motion, is_solved) = solver.solve_motion(theta, rate, -second);
+        let finite = all_finite(&motion.velocity.rows()) && all_finite(&motion.acceleration.rows());
+        assert!(finite || !is_solved, "{theta:?} {rate:?} {second:?}");
+        let (velocity, is_moving) = solver.solve_velocity(theta, rate);
+        assert!(all_finite(&velocity.rows()) || !is_moving, "{theta:?} {rate:?}");
+        solved += u32::from(is_solved);
+    }
+    assert!((100..3000).contains(&solved), "{solved}");
+    let [theta, rate, second] = [1.0, 5e3, 2.5e7].map(number::<T>);
+    assert!(solver.solve_motion(theta, rate, second).1 && solver.solve_velocity(theta, rate).1);
 }
 
 /// Far from the limit and next to it bars keep their lengths, the short one of the ratio 1000 too.
@@ -163,6 +251,35 @@ macro_rules! agrees {
 agrees! { behind_a_crank_and_between_links: FastWatt PlainWatt }
 agrees! { behind_a_crank_on_the_level: FastStephenson PlainStephenson }
 
+agrees! { behind_a_crank_longer_than_the_base: FastDragLink PlainDragLink }
+agrees! { between_cranks_and_beside_one: FastFiveBar PlainFiveBar }
+
+/// The pin comes to 1/16 m of the other pivot, where its own rounding, up to 1 ε, turns the line of the
+/// joints by 16 ε and moves the foot of C by (1/2 + (l₃² − l₂²)/2d²) ε = 9 ε: 25 ε, and some more for
+/// the formulas. An affine d² would be wrong by 3 ε of D² + a², and C by 200 ε.
+#[test]
+fn a_pin_near_the_other_pivot_keeps_its_digits() {
+    let (fast, exact) = (FastClose::new(), PlainClose::<DoubleDouble<false>>::default());
+    for step in -400..=400 {
+        let theta = f64::from(step) / 8192.0;
+        let found = fast.position(theta).expect("the bars are long enough").C;
+        let (truth, _) = exact.solve_position(DoubleDouble::new(theta));
+        for (found, truth) in [(found.x, truth.C.x), (found.y, truth.C.y)] {
+            let error = (DoubleDouble::new(found) - truth).high.abs();
+            assert!(error <= 40.0 * f64::EPSILON, "{} ε at {theta:e}", error / f64::EPSILON);
+        }
+    }
+}
+
+/// Forces take the bars and 1/J from here: those without `fast`, but for accelerations of up to 60 ε.
+#[test]
+fn forces_are_those_without() {
+    let fast = |q| FastDragLink::new().forces(q, 20.0, 50.0).unwrap().into_array();
+    let plain = |q| PlainDragLink::new().forces(q, 20.0, 50.0).unwrap().into_array();
+    let difference = largest(fast, plain);
+    assert!(difference <= 100.0, "{difference:.1}");
+}
+
 #[test]
 fn what_is_not_constant_is_solved_as_without() {
     let solver = FastTuned::<f64>::default();
@@ -178,4 +295,6 @@ fn what_is_not_constant_is_solved_as_without() {
     assert!(FastWatt::new().position(1e7).is_ok());
 }
 
-in_both_widths! { toggles lengths through_toggles }
+in_both_widths! { toggles toggles_in_any_direction joints_that_meet lengths rates_of_any_size
+    through_toggles
+}

@@ -250,6 +250,33 @@ fn an_interval_ends_the_range_of_an_equation_at_either_end() {
     }
 }
 
+/// The end of the interval counts where the mode is a parameter, too: there the twin's slide is away from
+/// the ram's at 100°, with the twin's rates.
+#[test]
+fn an_end_of_the_interval_is_a_limit_of_either_mode() {
+    let slide = |turn: f64| {
+        let (sin, cos) = turn.sin_cos();
+        let rod = (0.25_f64.powi(2) - (0.08 * sin).powi(2)).sqrt();
+        // The rod's rates are those of its square, l² − r² sin² θ, by half and over the rod.
+        let (first, second) = (-0.0064 * sin * cos / rod, -0.0064 * (2.0 * turn).cos() / rod);
+        [0.08 * cos + rod, -0.08 * sin + first, -0.08 * cos + second - first * first / rod]
+    };
+    let edge = slide(100_f64.to_radians())[0];
+    for way in [Trend::Falling, Trend::Rising] {
+        for (turn, rate) in [(1.3, 1.0), (1.7, -2.0), (2.2, 0.5)] {
+            let [value, first, second] = slide(turn);
+            let wanted = [value - edge, first * rate, second * rate * rate];
+            let found = TwinPress { way, ..TwinPress::new() }.clearances(turn, rate);
+            let ends = found.as_ref().iter().filter(|end| {
+                let found = [end.value, end.rate, end.second_rate];
+                // Some dozens of roundings of numbers below one.
+                found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-14)
+            });
+            assert_eq!(ends.count(), 1, "{way:?} {turn}: {found:?} {wanted:?}");
+        }
+    }
+}
+
 /// The end of the rod that the input moves, and its derivatives by the input.
 fn rod_end(psi: f64) -> [[f64; 2]; 3] {
     let (sin, cos) = psi.sin_cos();

@@ -195,5 +195,13 @@ mod tests {
         // Of a size of one, and over an interval of one, this is what rounding makes.
         assert_eq!(derived(Trend::Rising, ROUNDINGS * f64::EPSILON), none);
         assert!(derived(Trend::Rising, 1.01 * ROUNDINGS * f64::EPSILON).is_ok());
+        // What depends on nothing is asked for no slope: its root may be a dead point.
+        let touching = |x: Dual64| {
+            let away = x - Dual64::from_re(0.5);
+            [away * away, Dual64::from_re(0.0), away + away]
+        };
+        let between = [0.0, 1.0].map(Dual64::from_re);
+        let found = root(between, Trend::Rising, None, || Ok([0.5, 1.0]), touching);
+        assert_eq!(found.map(|[at, _]| (at.re, at.eps)), Ok((0.5, 0.0)));
     }
 }

@@ -14,9 +14,9 @@ impl Resolver<'_> {
             "fast" => Numerics::Fast,
             _ => {
                 let message = format!("no numerics named `{mode}`; write `compensated` or `fast`");
-                let reason = "`compensated` carries the rounding errors of a dyad along, for 10 to \
-                              15 % more time, `fast` gives up a last place or two for less of it; \
-                              without the statement they are plain";
+                let reason = "`compensated` carries the rounding errors of a dyad along and takes \
+                              longer, `fast` gives up a last place or two to take less; without \
+                              the statement they are plain";
                 self.diagnostics.error_because(mode.span(), message, reason);
                 return;
             }

@@ -306,7 +306,13 @@ impl Parser<'_> {
     }
 
     fn numerics(&mut self) -> Parse<StatementKind> {
-        Ok(StatementKind::Numerics { mode: self.word("`compensated` or `fast`")? })
+        let mode = self.word("`compensated` or `fast`")?;
+        let is_another = self.peek_ident(0).is_some() && !self.statement_begins();
+        if is_another || self.is_punct(0, ',') {
+            return self
+                .expected_because("`;`", "`numerics` takes one word, for numbers of any width");
+        }
+        Ok(StatementKind::Numerics { mode })
     }
 
     fn export(&mut self) -> Parse<StatementKind> {

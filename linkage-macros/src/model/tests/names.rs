@@ -257,8 +257,8 @@ fn settings_are_known_and_given_once() {
             CRANK,
             "numerics exact;",
             "exact: no numerics named `exact`; write `compensated` or `fast` / `compensated` carries \
-             the rounding errors of a dyad along, for 10 to 15 % more time, `fast` gives up a last \
-             place or two for less of it; without the statement they are plain",
+             the rounding errors of a dyad along and takes longer, `fast` gives up a last place or \
+             two to take less; without the statement they are plain",
         ),
         (
             CRANK,
@@ -269,6 +269,13 @@ fn settings_are_known_and_given_once() {
             CRANK,
             "numerics compensated; numerics fast;",
             "fast: `numerics` is given twice; remove one",
+        ),
+        (
+            CRANK,
+            "numerics Fast; numerics fast;",
+            "Fast: no numerics named `Fast`; write `compensated` or `fast` / `compensated` carries \
+             the rounding errors of a dyad along and takes longer, `fast` gives up a last place or \
+             two to take less; without the statement they are plain",
         ),
         (CRANK, "crate = a; crate = b;", "b: `crate` is given twice; remove one"),
         (CRANK, "export cpp;", "cpp: no export named `cpp`; write `export c;`"),
