@@ -739,71 +739,51 @@ mod FourBar_ {
                 theta_rate: T,
                 theta_acceleration: T,
             ) -> FourBarMotion<T> {
+                let k0_ = T::num(0.1016);
+                let k1_ = T::num(0.3048);
+                let k2_ = T::num(0.06193536);
+                let k3_ = T::num(0.254);
+                let k4_ = T::num(0.1778);
+                let k5_ = T::num(1.0);
+                let k6_ = T::num(5.535725357165);
+                let k7_ = T::num(1.0321428571428573);
+                let k8_ = T::num(0.5);
+                let k9_ = T::num(5.62429696287964);
+                let k10_ = T::num(3.937007874015748);
                 let zero_ = T::num(0.0);
                 let velocity_ = Record::from_array([zero_; 7]);
                 let acceleration_ = Record::from_array([zero_; 7]);
-                let b_x_ = T::num(0.1016) * cos;
-                let b_y_ = T::num(0.1016) * sin;
-                let bc_dc_d_x_ = T::fused(-T::num(0.1016), cos, T::num(0.3048));
-                let v31_ = T::fused(-T::num(0.06193536), cos, T::num(0.1032256));
+                let b_x_ = k0_ * cos;
+                let b_y_ = k0_ * sin;
+                let bc_dc_d_x_ = T::fused(-k0_, cos, k1_);
+                let v31_ = T::fused(-k2_, cos, T::num(0.1032256));
                 let bc_dc_d2_ = checks_
-                    .square_of_centres(
-                        v31_,
-                        bc_dc_d_x_,
-                        -b_y_,
-                        T::num(0.254),
-                        T::num(0.1778),
-                        "BC, DC",
-                    );
-                let bc_dc_inverse_d2_ = T::num(1.0) / bc_dc_d2_;
-                let bc_dc_i_ = T::fused(-T::num(0.06193536), cos, T::num(0.09741916));
+                    .square_of_centres(v31_, bc_dc_d_x_, -b_y_, k3_, k4_, "BC, DC");
+                let bc_dc_inverse_d2_ = k5_ / bc_dc_d2_;
+                let bc_dc_i_ = T::fused(-k2_, cos, T::num(0.09741916));
                 let v40_ = T::num(0.1806448) - bc_dc_i_;
-                let v41_ = T::num(5.535725357165) * bc_dc_i_;
-                let v42_ = T::num(5.535725357165) * v40_;
+                let v41_ = k6_ * bc_dc_i_;
+                let v42_ = k6_ * v40_;
                 let v43_ = v41_ * v42_;
                 let bc_dc_s_ = checks_
-                    .reach_circles(
-                        v43_,
-                        [
-                            bc_dc_d_x_,
-                            -b_y_,
-                            T::num(0.254),
-                            T::num(0.1778),
-                            T::num(1.0321428571428573),
-                        ],
-                        "BC, DC",
-                    );
+                    .reach_circles(v43_, [bc_dc_d_x_, -b_y_, k3_, k4_, k7_], "BC, DC");
                 let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
                 let v47_ = T::num(0.0903224) * bc_dc_inverse_d2_;
                 let bc_dc_h_ = bc_dc_root_s_ * v47_;
-                let bc_dc_a_d2_ = T::fused(T::num(0.5), bc_dc_i_, T::num(0.0193548));
-                let bc_dc_b_d2_ = T::fused(T::num(0.5), bc_dc_i_, -T::num(0.01354836));
+                let bc_dc_a_d2_ = T::fused(k8_, bc_dc_i_, T::num(0.0193548));
+                let bc_dc_b_d2_ = T::fused(k8_, bc_dc_i_, -T::num(0.01354836));
                 let v56_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
                 let bc_dc_a_ = checks_
                     .share_of_centres(
                         v56_,
-                        [
-                            v43_,
-                            bc_dc_d_x_,
-                            -b_y_,
-                            T::num(0.254),
-                            T::num(0.1778),
-                            T::num(1.0321428571428573),
-                        ],
+                        [v43_, bc_dc_d_x_, -b_y_, k3_, k4_, k7_],
                         "BC, DC",
                     );
                 let v58_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
                 let bc_dc_b_ = checks_
                     .share_of_centres(
                         v58_,
-                        [
-                            v43_,
-                            bc_dc_d_x_,
-                            -b_y_,
-                            T::num(0.1778),
-                            T::num(0.254),
-                            T::num(1.0321428571428573),
-                        ],
+                        [v43_, bc_dc_d_x_, -b_y_, k4_, k3_, k7_],
                         "BC, DC",
                     );
                 let bc_dc_h_d_x_ = b_y_ * bc_dc_h_;
@@ -812,11 +792,11 @@ mod FourBar_ {
                 let bc_dc_r2_y_ = T::fused(-b_y_, bc_dc_a_, bc_dc_h_d_y_);
                 let bc_dc_r3_x_ = T::fused(-bc_dc_d_x_, bc_dc_b_, bc_dc_h_d_x_);
                 let c_y_ = T::fused(b_y_, bc_dc_b_, bc_dc_h_d_y_);
-                let dc_cos_ = T::num(5.62429696287964) * bc_dc_r3_x_;
-                let dc_sin_ = T::num(5.62429696287964) * c_y_;
-                let bc_cos_ = T::num(3.937007874015748) * bc_dc_r2_x_;
-                let bc_sin_ = T::num(3.937007874015748) * bc_dc_r2_y_;
-                let c_x_ = T::num(0.3048) + bc_dc_r3_x_;
+                let dc_cos_ = k9_ * bc_dc_r3_x_;
+                let dc_sin_ = k9_ * c_y_;
+                let bc_cos_ = k10_ * bc_dc_r2_x_;
+                let bc_sin_ = k10_ * bc_dc_r2_y_;
+                let c_x_ = k1_ + bc_dc_r3_x_;
                 let position_ = FourBarPosition {
                     AB: Direction { cos, sin },
                     B: Point { x: b_x_, y: b_y_ },
@@ -842,7 +822,7 @@ mod FourBar_ {
                 let b_vy_ = theta_rate * b_x_;
                 let v71_ = checks_.nonzero(bc_dc_s_, "BC, DC");
                 let v73_ = T::num(11.07145071433) * bc_dc_root_s_;
-                let v74_ = T::num(1.0) / v71_;
+                let v74_ = k5_ / v71_;
                 let bc_dc_inverse_j_ = v73_ * v74_;
                 let v82_ = bc_dc_w_x_ * bc_dc_r3_x_;
                 let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v82_);
@@ -881,7 +861,7 @@ mod FourBar_ {
                 let b_ay_ = T::fused(-b_y_, v16_, v15_);
                 let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
                 let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
-                let bc_dc_r2_r3_ = T::fused(-T::num(0.5), bc_dc_i_, T::num(0.0451612));
+                let bc_dc_r2_r3_ = T::fused(-k8_, bc_dc_i_, T::num(0.0451612));
                 let v95_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
                 let v99_ = T::fused(-T::num(0.03161284), bc_dc_omega3_squared_, v95_);
                 let v101_ = T::num(0.064516) * bc_dc_omega2_squared_;
@@ -1404,26 +1384,29 @@ mod FourBar_ {
             }
 
             fn clearances(&self, theta: T, theta_rate: T) -> Self::Clearances {
+                let k0_ = T::num(0.1016);
+                let k1_ = T::num(2.0);
+                let k2_ = T::num(5.535725357165);
                 let v16_ = theta_rate * theta_rate;
                 let (ab_u_y_, ab_u_x_) = T::sin_cos(theta);
-                let ab_r_x_ = T::num(0.1016) * ab_u_x_;
-                let ab_r_y_ = T::num(0.1016) * ab_u_y_;
+                let ab_r_x_ = k0_ * ab_u_x_;
+                let ab_r_y_ = k0_ * ab_u_y_;
                 let bc_dc_w_x_ = theta_rate * ab_r_y_;
                 let v145_ = theta_rate * ab_r_x_;
                 let bc_dc_g_x_ = v16_ * ab_r_x_;
                 let bc_dc_g_y_ = v16_ * ab_r_y_;
-                let bc_dc_d_x_ = T::fused(-T::num(0.1016), ab_u_x_, T::num(0.3048));
+                let bc_dc_d_x_ = T::fused(-k0_, ab_u_x_, T::num(0.3048));
                 let v150_ = bc_dc_w_x_ * bc_dc_d_x_;
                 let v151_ = v150_ + v150_;
                 let v152_ = bc_dc_g_x_ * bc_dc_d_x_;
                 let v153_ = bc_dc_w_x_ * bc_dc_w_x_;
-                let v155_ = T::fused(T::num(2.0), v153_, v152_);
+                let v155_ = T::fused(k1_, v153_, v152_);
                 let v156_ = v152_ + v155_;
                 let v157_ = ab_r_y_ * v145_;
                 let v158_ = v157_ + v157_;
                 let v159_ = ab_r_y_ * bc_dc_g_y_;
                 let v160_ = v145_ * v145_;
-                let v163_ = T::fused(T::num(2.0), v160_, -v159_);
+                let v163_ = T::fused(k1_, v160_, -v159_);
                 let v164_ = v163_ - v159_;
                 let v165_ = v151_ + v158_;
                 let v166_ = v156_ + v164_;
@@ -1433,16 +1416,16 @@ mod FourBar_ {
                     T::num(0.09741916),
                 );
                 let v168_ = T::num(0.1806448) - bc_dc_i_;
-                let v169_ = T::num(5.535725357165) * bc_dc_i_;
-                let v170_ = T::num(5.535725357165) * v165_;
-                let v171_ = T::num(5.535725357165) * v166_;
-                let v172_ = T::num(5.535725357165) * v168_;
+                let v169_ = k2_ * bc_dc_i_;
+                let v170_ = k2_ * v165_;
+                let v171_ = k2_ * v166_;
+                let v172_ = k2_ * v168_;
                 let v173_ = v169_ * v172_;
                 let v174_ = v170_ * v172_;
                 let v177_ = T::fused(-v169_, v170_, v174_);
                 let v178_ = v171_ * v172_;
                 let v179_ = v170_ * v170_;
-                let v182_ = T::fused(-T::num(2.0), v179_, v178_);
+                let v182_ = T::fused(-k1_, v179_, v178_);
                 let v184_ = T::fused(-v169_, v171_, v182_);
                 [
                     Clearance {

@@ -59,8 +59,9 @@ pub(super) fn functions(cx: &Context<'_>) -> TokenStream {
 }
 
 fn function(cx: &Context<'_>, routine: &Routine) -> TokenStream {
-    let (printer, name) = (Printer::new(cx, routine), function_name(&routine.name));
     let mut lines = Text::long();
+    let printer = Printer::beginning(cx, routine, &mut lines);
+    let name = function_name(&routine.name);
     match &routine.stages[..] {
         [only] => {
             printer.statements(&only.statements, &mut lines);

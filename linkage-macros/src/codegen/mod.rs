@@ -10,6 +10,7 @@ mod as_mechanism;
 mod autodiff;
 mod c_export;
 mod checked;
+mod constants;
 mod context;
 mod costs_in_words;
 mod doc_comments;

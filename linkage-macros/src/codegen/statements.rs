@@ -1,10 +1,9 @@
 //! The statements of a routine, printed one by one.
 
-use std::rc::Rc;
-
 use proc_macro2::{Ident, Literal};
 
 use super::arguments::Arguments;
+use super::constants::Constants;
 use super::context::Context;
 use super::identifiers::{generated, text};
 use super::text::Text;
@@ -22,12 +21,22 @@ pub(super) struct Printer<'a> {
     pub routine: &'a Routine,
     /// Whose functions compute: the type parameter.
     number: String,
+    /// What is read by a name.
+    constants: Constants,
 }
 
 impl<'a> Printer<'a> {
     pub(super) fn new(cx: &'a Context<'a>, routine: &'a Routine) -> Self {
         let (arguments, number) = (Arguments::of_our_own(cx, routine.given), cx.number());
-        Self { cx, arguments, routine, number: number.to_string() }
+        let constants = Constants::default();
+        Self { cx, arguments, routine, number: number.to_string(), constants }
+    }
+
+    /// For a function that holds all of the routine: what it reads more than once is bound first.
+    pub(super) fn beginning(cx: &'a Context<'a>, routine: &'a Routine, to: &mut Text) -> Self {
+        let constants = Constants::shared(cx.graph(), routine);
+        constants.bind(cx, to);
+        Self { constants, ..Self::new(cx, routine) }
     }
 
     pub(super) fn statements(&self, statements: &[Statement], to: &mut Text) {
@@ -112,10 +121,14 @@ impl<'a> Printer<'a> {
                 let leaf = self.arguments.written(*node);
                 to.put(&leaf.expect("a routine reads what it is given"));
             }
-            Reading::Constant(node) => {
-                let constant: Rc<str> = self.cx.constant(*node);
-                to.put(&constant);
-            }
+            Reading::Constant(node) => match self.constants.name(*node) {
+                Some(name) => {
+                    to.put(name);
+                }
+                None => {
+                    to.put(&self.cx.constant(*node));
+                }
+            },
             Reading::Negated(inner) => self.read(inner, to.put("-")),
             Reading::Local(id) => {
                 to.put(&self.local(*id));

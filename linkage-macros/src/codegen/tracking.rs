@@ -113,9 +113,8 @@ fn flips(cx: &Context<'_>) -> Option<TokenStream> {
 /// A core without guards: what is out of reach is a number below zero here, not a refusal.
 fn clearances(cx: &Context<'_>) -> TokenStream {
     let (scalar, clearance) = (&cx.names.scalar, cx.paths.written("Clearance"));
-    let printer = Printer::new(cx, &cx.lowered.clearances);
-    let routine = printer.routine;
-    let mut lines = Text::long();
+    let (mut lines, routine) = (Text::long(), &cx.lowered.clearances);
+    let printer = Printer::beginning(cx, routine, &mut lines);
     routine.stages.iter().for_each(|stage| printer.statements(&stage.statements, &mut lines));
     let (received, unread) =
         (printer.arguments.received(&quote!(#scalar)), printer.arguments.unread(&routine.reads));

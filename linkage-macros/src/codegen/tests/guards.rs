@@ -15,8 +15,9 @@ fn a_checks_is_given_what_it_looks_at_and_its_value_goes_on() {
     }));
     let formulas = squeezed(function(&text, "formulas_position_"));
     assert!(formulas.contains("let v2_ = T::hypot(theta, theta);"), "{formulas}");
-    let call = "let v3_ = checks_.reach_circles(theta, [v2_, v2_, T::num(0.25), \
-                T::num(0.25), T::num(0.25)], \"BC, DC\"); let v4_ = T::sqrt(v3_);";
+    assert!(formulas.contains("let k0_ = T::num(0.25);"), "{formulas}");
+    let call = "let v3_ = checks_.reach_circles(theta, [v2_, v2_, k0_, k0_, k0_], \"BC, DC\"); \
+                let v4_ = T::sqrt(v3_);";
     assert!(formulas.contains(call), "{formulas}");
 }
 
