@@ -295,6 +295,15 @@ fn forces_are_those_without() {
     assert!(difference <= 100.0, "{difference:.1}");
 }
 
+/// Joints that inputs put anywhere are solved on the fast path, with `fast` and without.
+fn driven_joints_are_solved_at_once<T: Real + Scalar<Mask = bool>>() {
+    let [q, rate, second] = [[0.9, 0.3], [1.0, 0.5], [0.2, 0.3]].map(|list| list.map(number::<T>));
+    let (fast, plain) = (FastBars::<T>::default(), PlainBars::<T>::default());
+    assert!(fast.solve_position(q).1 && plain.solve_position(q).1);
+    assert!(fast.solve_motion(q, rate, second).1 && plain.solve_motion(q, rate, second).1);
+    assert!(fast.solve_coefficients(q).1 && plain.solve_coefficients(q).1);
+}
+
 #[test]
 fn what_is_not_constant_is_solved_as_without() {
     let solver = FastTuned::<f64>::default();
@@ -310,6 +319,6 @@ fn what_is_not_constant_is_solved_as_without() {
     assert!(FastWatt::new().position(1e7).is_ok());
 }
 
-in_both_widths! { toggles toggles_in_any_direction joints_that_meet lengths rates_of_any_size
+in_both_widths! { toggles toggles_in_any_direction driven_joints_are_solved_at_once joints_that_meet lengths rates_of_any_size
     through_toggles
 }

@@ -53,6 +53,11 @@ const fn narrow(input: f64, share: f64) -> Assumed {
     Assumed { input, share, square: 8.4e-25, normal, epsilon, largest: 1e37, factor: 1e34 }
 }
 
+/// Of a divisor, or of what is under a root. S of two bars is at most a quarter, and squares of distances
+/// are some square metres: where an input that is a length may be 10²⁰ m, a share of the largest square asks
+/// for more than any pose has, and every pose would take the slow path.
+const LARGEST_ASKED: f64 = 1e-3;
+
 impl Overflow {
     /// What to ask so that no value overflows on the way to the sinks, if there is such a thing and
     /// fewer questions come of it.
@@ -64,7 +69,9 @@ impl Overflow {
         let values = Values::new(graph, &live(graph, sinks, Path::Fast));
         let first = |ladder: &[Assumed]| {
             let width = |assumed: &Assumed| {
-                Some(Width { thresholds: values.thresholds(assumed)?, input: assumed.input })
+                let thresholds = values.thresholds(assumed)?;
+                let is_met = thresholds.values().flatten().all(|&least| least <= LARGEST_ASKED);
+                is_met.then_some(Width { thresholds, input: assumed.input })
             };
             ladder.iter().find_map(width)
         };
