@@ -135,13 +135,7 @@ impl<'a> Context<'a> {
     /// A constant as the type parameter's number, rounded to each width; where rounding twice does not
     /// show, as one literal.
     pub(super) fn literal(&self, wide: f64, narrow: f32) -> Tokens {
-        if self.is_double {
-            return literal(wide);
-        }
-        if (wide as f32).to_bits() == narrow.to_bits() {
-            return Tokens::call(self.scalar("num"), [literal(wide)]);
-        }
-        Tokens::call(self.scalar("lit"), [literal(wide), literal(narrow)])
+        Text::from(self.written(wide, narrow)).into_token_stream().into()
     }
 
     /// The same as text.

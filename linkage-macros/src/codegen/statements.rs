@@ -150,7 +150,8 @@ impl<'a> Printer<'a> {
     }
 
     /// A condition as two calls: one that compares, unless it is known to hold, and one that
-    /// diagnoses. What is compared with a spread is compared once more where limits ask for more. The value goes on as that one returns it.
+    /// diagnoses, whose answer goes on in the value's place. What is compared with a spread is compared
+    /// once more where limits ask for more.
     fn condition(&self, condition: &Condition, to: &mut Text) {
         let value = self.value_alone(condition.value);
         let group = quoted(&self.cx.program().groups[condition.group as usize]);
