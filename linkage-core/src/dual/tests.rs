@@ -6,7 +6,7 @@ use num_dual::{
     Dual, Dual2, Dual2SVec, Dual3, DualNum, DualSVec, HyperDual, HyperDualVec, HyperHyperDual,
 };
 
-use super::Compose;
+use crate::chain_rule::Compose;
 use crate::{Real, Scalar};
 
 /// A few roundings of numbers of the size of `scale`.

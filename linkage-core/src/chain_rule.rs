@@ -1,15 +1,7 @@
-//! The dual numbers of `num-dual` as scalars.
+//! Numbers that carry derivatives, as scalars, such as the dual numbers of `num-dual`.
 //!
-//! A function of a dual number is its value and its derivatives at the real part, put together by
-//! the chain rule ([`Compose`]). All of `num-dual`'s own functions are left aside: its square
-//! root of zero and its arc tangent of a vector on the y axis have derivatives that are not
-//! numbers, its sine is not the kernel's, and comparing its numbers compares real parts only.
-//! Addition, multiplication and division are its own; the last multiplies by the reciprocal,
-//! which costs one more rounding than a division does.
-//!
-//! A real part may itself be a dual number.
-
-mod numbers;
+//! A function of such a number is its value and its derivatives at the real part, put together by
+//! the chain rule ([`Compose`]). A real part may itself carry derivatives.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -68,7 +60,7 @@ fn compose_singular<D: Compose>(x: D, f: [D::Part; 4]) -> D {
     if !f[D::ORDER].is_finite() && x.has_no_derivative() { D::constant(f[0]) } else { x.compose(f) }
 }
 
-fn lit<T: Scalar>(value: f32) -> T {
+pub(crate) fn lit<T: Scalar>(value: f32) -> T {
     T::lit(value.into(), value)
 }
 
@@ -262,6 +254,3 @@ fn arc_sine_derivatives<T: Real>(x: T) -> (T, T, T) {
     let f3 = (one + lit::<T>(2.0) * x * x) * f1 / (square * square);
     (f1, f2, f3)
 }
-
-#[cfg(test)]
-mod tests;

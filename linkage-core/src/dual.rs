@@ -1,4 +1,9 @@
 //! The chain rule for each of `num-dual`'s numbers of fixed size.
+//!
+//! All of `num-dual`'s own functions are left aside: its square root of zero and its arc tangent of a
+//! vector on the y axis have derivatives that are not numbers, its sine is not the kernel's, and
+//! comparing its numbers compares real parts only. Addition, multiplication and division are its own;
+//! the last multiplies by the reciprocal, which costs one more rounding than a division does.
 
 use nalgebra::Const;
 use num_dual::{
@@ -6,8 +11,8 @@ use num_dual::{
     HyperHyperDual,
 };
 
-use super::{Compose, lit};
 use crate::Real;
+use crate::chain_rule::{Compose, lit};
 
 /// What a dual number of `num-dual` can be made of.
 pub trait Part: Real + DualNum {}
@@ -180,3 +185,6 @@ impl<T: Part, const M: usize, const N: usize> Compose for HyperDualVec<T, Const<
         self.eps1.0.is_none() && self.eps2.0.is_none() && self.eps1eps2.0.is_none()
     }
 }
+
+#[cfg(test)]
+mod tests;
