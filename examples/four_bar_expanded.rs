@@ -756,34 +756,38 @@ mod FourBar_ {
                 let b_x_ = k0_ * cos;
                 let b_y_ = k0_ * sin;
                 let bc_dc_d_x_ = T::fused(-k0_, cos, k1_);
-                let v31_ = T::fused(-k2_, cos, T::num(0.1032256));
+                let v29_ = T::fused(-k2_, cos, T::num(0.1032256));
                 let bc_dc_d2_ = checks_
-                    .square_of_centres(v31_, bc_dc_d_x_, -b_y_, k3_, k4_, "BC, DC");
+                    .square_of_centres(v29_, bc_dc_d_x_, -b_y_, k3_, k4_, "BC, DC");
                 let bc_dc_inverse_d2_ = k5_ / bc_dc_d2_;
                 let bc_dc_i_ = T::fused(-k2_, cos, T::num(0.09741916));
-                let v40_ = T::num(0.1806448) - bc_dc_i_;
-                let v41_ = k6_ * bc_dc_i_;
-                let v42_ = k6_ * v40_;
-                let v43_ = v41_ * v42_;
+                let v38_ = T::num(0.1806448) - bc_dc_i_;
+                let v39_ = k6_ * bc_dc_i_;
+                let v40_ = k6_ * v38_;
+                let v41_ = v39_ * v40_;
+                if ORDER == 3 {
+                    checks_.clearances(&[[v41_, T::num(0.5517857142857143)]]);
+                    return Record::from_array([zero_; 24]);
+                }
                 let bc_dc_s_ = checks_
-                    .reach_circles(v43_, [bc_dc_d_x_, -b_y_, k3_, k4_, k7_], "BC, DC");
+                    .reach_circles(v41_, [bc_dc_d_x_, -b_y_, k3_, k4_, k7_], "BC, DC");
                 let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
-                let v47_ = T::num(0.0903224) * bc_dc_inverse_d2_;
-                let bc_dc_h_ = bc_dc_root_s_ * v47_;
+                let v45_ = T::num(0.0903224) * bc_dc_inverse_d2_;
+                let bc_dc_h_ = bc_dc_root_s_ * v45_;
                 let bc_dc_a_d2_ = T::fused(k8_, bc_dc_i_, T::num(0.0193548));
                 let bc_dc_b_d2_ = T::fused(k8_, bc_dc_i_, -T::num(0.01354836));
-                let v56_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
+                let v54_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
                 let bc_dc_a_ = checks_
                     .share_of_centres(
-                        v56_,
-                        [v43_, bc_dc_d_x_, -b_y_, k3_, k4_, k7_],
+                        v54_,
+                        [v41_, bc_dc_d_x_, -b_y_, k3_, k4_, k7_],
                         "BC, DC",
                     );
-                let v58_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
+                let v56_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
                 let bc_dc_b_ = checks_
                     .share_of_centres(
-                        v58_,
-                        [v43_, bc_dc_d_x_, -b_y_, k4_, k3_, k7_],
+                        v56_,
+                        [v41_, bc_dc_d_x_, -b_y_, k4_, k3_, k7_],
                         "BC, DC",
                     );
                 let bc_dc_h_d_x_ = b_y_ * bc_dc_h_;
@@ -820,18 +824,18 @@ mod FourBar_ {
                 let bc_dc_w_x_ = theta_rate * b_y_;
                 let b_vx_ = -bc_dc_w_x_;
                 let b_vy_ = theta_rate * b_x_;
-                let v71_ = checks_.nonzero(bc_dc_s_, "BC, DC");
-                let v73_ = T::num(11.07145071433) * bc_dc_root_s_;
-                let v74_ = k5_ / v71_;
-                let bc_dc_inverse_j_ = v73_ * v74_;
-                let v82_ = bc_dc_w_x_ * bc_dc_r3_x_;
-                let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v82_);
+                let v69_ = checks_.nonzero(bc_dc_s_, "BC, DC");
+                let v71_ = T::num(11.07145071433) * bc_dc_root_s_;
+                let v72_ = k5_ / v69_;
+                let bc_dc_inverse_j_ = v71_ * v72_;
+                let v80_ = bc_dc_w_x_ * bc_dc_r3_x_;
+                let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v80_);
                 let bc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r3_;
-                let v87_ = bc_dc_w_x_ * bc_dc_r2_x_;
-                let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v87_);
+                let v85_ = bc_dc_w_x_ * bc_dc_r2_x_;
+                let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v85_);
                 let dc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r2_;
-                let v116_ = c_y_ * dc_omega_;
-                let c_vx_ = -v116_;
+                let v114_ = c_y_ * dc_omega_;
+                let c_vx_ = -v114_;
                 let c_vy_ = bc_dc_r3_x_ * dc_omega_;
                 let velocity_ = FourBarVelocity {
                     AB: AngularVelocity {
@@ -853,32 +857,32 @@ mod FourBar_ {
                         acceleration: acceleration_,
                     };
                 }
-                let v14_ = theta_acceleration * b_y_;
-                let v15_ = theta_acceleration * b_x_;
-                let v16_ = theta_rate * theta_rate;
-                let bc_dc_g_x_ = T::fused(b_x_, v16_, v14_);
+                let v13_ = theta_acceleration * b_y_;
+                let v14_ = theta_acceleration * b_x_;
+                let v15_ = theta_rate * theta_rate;
+                let bc_dc_g_x_ = T::fused(b_x_, v15_, v13_);
                 let b_ax_ = -bc_dc_g_x_;
-                let b_ay_ = T::fused(-b_y_, v16_, v15_);
+                let b_ay_ = T::fused(-b_y_, v15_, v14_);
                 let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
                 let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
                 let bc_dc_r2_r3_ = T::fused(-k8_, bc_dc_i_, T::num(0.0451612));
-                let v95_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
-                let v99_ = T::fused(-T::num(0.03161284), bc_dc_omega3_squared_, v95_);
-                let v101_ = T::num(0.064516) * bc_dc_omega2_squared_;
-                let v104_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v101_);
-                let v105_ = bc_dc_g_x_ * bc_dc_r3_x_;
-                let v108_ = T::fused(-b_ay_, c_y_, v105_);
-                let v109_ = v99_ + v108_;
-                let bc_alpha_ = bc_dc_inverse_j_ * v109_;
-                let v111_ = bc_dc_g_x_ * bc_dc_r2_x_;
-                let v113_ = T::fused(-b_ay_, bc_dc_r2_y_, v111_);
-                let v114_ = v104_ + v113_;
-                let dc_alpha_ = bc_dc_inverse_j_ * v114_;
-                let v119_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
-                let v120_ = c_y_ * bc_dc_omega3_squared_;
-                let v123_ = T::fused(c_y_, dc_alpha_, v119_);
-                let c_ax_ = -v123_;
-                let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v120_);
+                let v93_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
+                let v97_ = T::fused(-T::num(0.03161284), bc_dc_omega3_squared_, v93_);
+                let v99_ = T::num(0.064516) * bc_dc_omega2_squared_;
+                let v102_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v99_);
+                let v103_ = bc_dc_g_x_ * bc_dc_r3_x_;
+                let v106_ = T::fused(-b_ay_, c_y_, v103_);
+                let v107_ = v97_ + v106_;
+                let bc_alpha_ = bc_dc_inverse_j_ * v107_;
+                let v109_ = bc_dc_g_x_ * bc_dc_r2_x_;
+                let v111_ = T::fused(-b_ay_, bc_dc_r2_y_, v109_);
+                let v112_ = v102_ + v111_;
+                let dc_alpha_ = bc_dc_inverse_j_ * v112_;
+                let v117_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
+                let v118_ = c_y_ * bc_dc_omega3_squared_;
+                let v121_ = T::fused(c_y_, dc_alpha_, v117_);
+                let c_ax_ = -v121_;
+                let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v118_);
                 let acceleration_ = FourBarAcceleration {
                     AB: AngularAcceleration {
                         alpha: theta_acceleration,
@@ -897,6 +901,13 @@ mod FourBar_ {
                     velocity: velocity_,
                     acceleration: acceleration_,
                 }
+            }
+
+            fn told_(&self, theta: T) -> [[T; 2]; 1] {
+                let (sin_, cos_) = T::sin_cos(theta);
+                private::told(|checks_| {
+                    self.formulas_at_::<3>(checks_, cos_, sin_, T::num(0.0), T::num(0.0))
+                })
             }
         }
 
@@ -1363,6 +1374,7 @@ mod FourBar_ {
             type Motion = FourBarMotion<T>;
             type Clearances = [Clearance<T>; 1];
             type Enclosures = [Clearance<T::Enclosing>; 1];
+            type Values = [[T::Enclosing; 2]; 1];
 
             const GROUPS: &'static [(&'static str, Option<usize>)] = &[
                 ("BC, DC", private::None),
@@ -1384,57 +1396,14 @@ mod FourBar_ {
             }
 
             fn clearances(&self, theta: T, theta_rate: T) -> Self::Clearances {
-                let k0_ = T::num(0.1016);
-                let k1_ = T::num(2.0);
-                let k2_ = T::num(5.535725357165);
-                let v16_ = theta_rate * theta_rate;
-                let (ab_u_y_, ab_u_x_) = T::sin_cos(theta);
-                let ab_r_x_ = k0_ * ab_u_x_;
-                let ab_r_y_ = k0_ * ab_u_y_;
-                let bc_dc_w_x_ = theta_rate * ab_r_y_;
-                let v145_ = theta_rate * ab_r_x_;
-                let bc_dc_g_x_ = v16_ * ab_r_x_;
-                let bc_dc_g_y_ = v16_ * ab_r_y_;
-                let bc_dc_d_x_ = T::fused(-k0_, ab_u_x_, T::num(0.3048));
-                let v150_ = bc_dc_w_x_ * bc_dc_d_x_;
-                let v151_ = v150_ + v150_;
-                let v152_ = bc_dc_g_x_ * bc_dc_d_x_;
-                let v153_ = bc_dc_w_x_ * bc_dc_w_x_;
-                let v155_ = T::fused(k1_, v153_, v152_);
-                let v156_ = v152_ + v155_;
-                let v157_ = ab_r_y_ * v145_;
-                let v158_ = v157_ + v157_;
-                let v159_ = ab_r_y_ * bc_dc_g_y_;
-                let v160_ = v145_ * v145_;
-                let v163_ = T::fused(k1_, v160_, -v159_);
-                let v164_ = v163_ - v159_;
-                let v165_ = v151_ + v158_;
-                let v166_ = v156_ + v164_;
-                let bc_dc_i_ = T::fused(
-                    -T::num(0.06193536),
-                    ab_u_x_,
-                    T::num(0.09741916),
-                );
-                let v168_ = T::num(0.1806448) - bc_dc_i_;
-                let v169_ = k2_ * bc_dc_i_;
-                let v170_ = k2_ * v165_;
-                let v171_ = k2_ * v166_;
-                let v172_ = k2_ * v168_;
-                let v173_ = v169_ * v172_;
-                let v174_ = v170_ * v172_;
-                let v177_ = T::fused(-v169_, v170_, v174_);
-                let v178_ = v171_ * v172_;
-                let v179_ = v170_ * v170_;
-                let v182_ = T::fused(-k1_, v179_, v178_);
-                let v184_ = T::fused(-v169_, v171_, v182_);
-                [
-                    Clearance {
-                        value: v173_,
-                        rate: v177_,
-                        second_rate: v184_,
-                        scale: T::num(0.5517857142857143),
-                    },
-                ]
+                let lifted_: FourBar<private::Jet<T>> = FourBar {
+                    use_new_: PhantomData,
+                };
+                private::moving(lifted_.told_(private::Jet::along(theta, theta_rate)))
+            }
+
+            fn values(&self, middle_: T, radius_: T) -> Self::Values {
+                self.lift::<T::Enclosing>().told_(middle_.enclosing(radius_))
             }
 
             fn enclosures(&self, middle_: T, radius_: T, rate_: T) -> Self::Enclosures {

@@ -1,7 +1,10 @@
-//! Numbers that carry derivatives, as scalars, such as the dual numbers of `num-dual`.
+//! Numbers that carry derivatives, as scalars: the dual numbers of `num-dual`, and the [`Jet`] that
+//! following a motion computes with.
 //!
 //! A function of such a number is its value and its derivatives at the real part, put together by
 //! the chain rule ([`Compose`]). A real part may itself carry derivatives.
+//!
+//! [`Jet`]: crate::tracker::Jet
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -36,6 +39,12 @@ pub trait Compose:
 
     /// f(`self`), from f and its first three derivatives at the real part.
     fn compose(self, f: [Self::Part; 4]) -> Self;
+
+    /// The derivatives of a·b + c on this real part.
+    #[inline]
+    fn fused(a: Self, b: Self, c: Self, part: Self::Part) -> Self {
+        (a * b + c).with_real(part)
+    }
 
     /// Whether all derivatives pass the test.
     fn derivatives_all(self, test: impl Fn(Self::Part) -> bool) -> bool;
@@ -95,7 +104,7 @@ impl<D: Compose> Scalar for D {
         let f0 = x.sqrt();
         let f1 = lit::<D::Part>(0.5) / f0;
         let f2 = lit::<D::Part>(-0.5) * f1 / x;
-        let f3 = lit::<D::Part>(-1.5) * f2 / x;
+        let f3 = if D::ORDER < 3 { f2 } else { lit::<D::Part>(-1.5) * f2 / x };
         compose_singular(self, [f0, f1, f2, f3])
     }
 
@@ -193,7 +202,7 @@ impl<D: Compose> Scalar for D {
 
     #[inline]
     fn fused(a: Self, b: Self, c: Self) -> Self {
-        (a * b + c).with_real(D::Part::fused(a.real(), b.real(), c.real()))
+        Compose::fused(a, b, c, D::Part::fused(a.real(), b.real(), c.real()))
     }
 
     #[inline]

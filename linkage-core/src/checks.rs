@@ -62,6 +62,11 @@ pub trait Checks<T: Scalar> {
     where
         T: Real;
 
+    /// Told how clear of its limit each group is, where that is asked for: what stands under the root of
+    /// its height, and the scale to measure it by.
+    #[inline(always)]
+    fn clearances(&mut self, _groups: &[[T; 2]]) {}
+
     /// Asks whether `value` > `least`.
     #[inline(always)]
     fn above(&mut self, _value: T, _least: T) {}

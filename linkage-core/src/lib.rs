@@ -129,7 +129,6 @@ extern crate std;
 
 mod absent;
 mod c_interface;
-#[cfg(feature = "ad")]
 mod chain_rule;
 mod checks;
 mod conversions;

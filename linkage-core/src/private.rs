@@ -37,7 +37,7 @@ pub use crate::sweep::{
     Entry, LengthMismatch, OfEnergy, OfEquationsOfMotion, OfForces, OfForwardDynamics, OfMotion,
     OfPosition, OfStatics, OfVelocity, Progress, Series, Status, sweep,
 };
-pub use crate::tracker::{Clearance, Modes};
+pub use crate::tracker::{Clearance, Jet, Modes, moving, standing, told};
 pub use crate::with_ad_ as with_ad;
 pub use crate::with_sketch_ as with_sketch;
 pub use crate::{

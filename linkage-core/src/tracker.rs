@@ -16,12 +16,17 @@
 
 mod around;
 mod enclosure;
+mod jet;
 mod line;
 mod linear;
 mod passage;
 mod stretch;
+mod told;
 
 pub(crate) use enclosure::Enclosure;
+pub use jet::Jet;
+pub use told::{moving, standing, told};
+
 use linear::Linear;
 use passage::Passage;
 
@@ -86,10 +91,17 @@ pub trait Modes: Copy {
     /// [`Clearance`]s whose numbers are ranges.
     type Enclosures: Copy + AsRef<[Clearance<<Self::Scalar as Real>::Enclosing>]>;
 
+    /// Value and scale of each of [`Clearance`]s, which are ranges.
+    type Values: Copy + AsRef<[[<Self::Scalar as Real>::Enclosing; 2]]>;
+
     /// How clear of their limits the groups are. Behind a group out of reach there are no numbers.
     fn clearances(&self, q: Self::Input, rate: Self::Input) -> Self::Clearances;
 
-    /// All values of the clearances while the inputs lie no farther than `radius` from `middle`.
+    /// All values of the clearances while the inputs lie no farther than `radius` from `middle`, without
+    /// rates: a fraction of the work.
+    fn values(&self, middle: Self::Input, radius: Self::Input) -> Self::Values;
+
+    /// The same with rates.
     fn enclosures(
         &self,
         middle: Self::Input,

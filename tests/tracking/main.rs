@@ -1,6 +1,7 @@
 //! A tracker follows its motion through change points.
 
 mod change_points;
+mod clearances;
 mod groups;
 mod interpolated;
 mod limits;

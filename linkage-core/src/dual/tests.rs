@@ -7,6 +7,7 @@ use num_dual::{
 };
 
 use crate::chain_rule::Compose;
+use crate::tracker::Jet;
 use crate::{Real, Scalar};
 
 /// A few roundings of numbers of the size of `scale`.
@@ -202,12 +203,47 @@ fn all_numbers_agree_on_all_derivatives() {
     let block = HyperDualVec::<f64, Const<1>, Const<2>>::from_re(t).derivative1(0).derivative2(1);
     same(everything(block).eps1eps2.unwrap_generic(Const::<1>, Const::<2>)[(0, 1)], f2);
 
+    let jet = everything(Jet::along(t, 1.0));
+    same(jet.rate, f1);
+    same(jet.second_rate, f2);
+
     let nested = Dual::new(Dual2::from_re(t).derivative(), Dual2::from_re(1.0));
     let nested = everything(nested);
     same(nested.re.v2, f2);
     same(nested.eps.re, f1);
     same(nested.eps.v1, f2);
     same(nested.eps.v2, f3);
+}
+
+/// What stands still is left out of the sums: by each operation with either operand standing.
+#[test]
+fn moving_and_standing_numbers_meet_as_dual_numbers_do() {
+    let [re, v1, v2] = [[0.75, 0.5, -1.25], [1.5, -2.0, 3.0], [-0.5, 0.25, 0.125]];
+    for moving in 0..8 {
+        let moves = |at: usize| moving >> at & 1 == 1;
+        let dual = [0, 1, 2].map(|at| match moves(at) {
+            true => Dual2::new(re[at], v1[at], v2[at]),
+            false => Dual2::from_re(re[at]),
+        });
+        // A second rate comes of composing: x² has 2 ẋ² + 2 x ẍ.
+        let jet = [0, 1, 2].map(|at| match moves(at) {
+            true => Jet::along(0.0, 1.0).compose([re[at], v1[at], v2[at], 0.0]),
+            false => Jet::standing(re[at]),
+        });
+        fn each<T: Scalar>([a, b, c]: [T; 3]) -> [T; 8] {
+            let fused = [T::fused(a, b, c), T::fused(-a, b, -c)];
+            [a + b, a - b, -a, a * b, a / b, fused[0], fused[1], T::det(a, b, c, a)]
+        }
+        for (jet, dual) in each(jet).into_iter().zip(each(dual)) {
+            assert_close(jet.value, dual.re, 1.0);
+            assert_close(jet.rate, dual.v1, 4.0);
+            assert_close(jet.second_rate, dual.v2, 16.0);
+            assert_eq!(jet.is_constant(), dual.is_constant(), "{jet:?} for {dual:?}");
+        }
+    }
+    // Nothing is computed with a rate of zero: it would be no number here.
+    let product = Jet::standing(f64::INFINITY) * Jet::standing(2.0);
+    assert!(product.rate == 0.0 && product.is_constant());
 }
 
 #[test]

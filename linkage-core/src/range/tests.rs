@@ -141,6 +141,7 @@ impl Modes for Chained<'_> {
     type Motion = f64;
     type Clearances = [Clearance<f64>; 2];
     type Enclosures = [Clearance<Enclosure<f64>>; 0];
+    type Values = [[Enclosure<f64>; 2]; 0];
 
     const GROUPS: &'static [(&'static str, Option<usize>)] = &[("first", None), ("second", None)];
 
@@ -166,6 +167,10 @@ impl Modes for Chained<'_> {
             Clearance { value: square, rate: -2.0 * q * rate, second_rate: nan, scale: 1.0 },
             Clearance { value, rate: slope * -q / height * rate, second_rate: nan, scale: 1.0 },
         ]
+    }
+
+    fn values(&self, _: f64, _: f64) -> Self::Values {
+        []
     }
 
     fn enclosures(&self, _: f64, _: f64, _: f64) -> Self::Enclosures {

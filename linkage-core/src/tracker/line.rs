@@ -35,6 +35,9 @@ pub(super) struct AllReadings<M: Modes>(M::Clearances);
 /// The ranges of every group.
 pub(super) struct AllRanges<M: Modes>(M::Enclosures);
 
+/// The same of values alone.
+pub(super) struct AllValues<M: Modes>(M::Values);
+
 impl<M: Modes> Line<M> {
     pub(super) fn new(from: M::Input, to: M::Input) -> Self {
         Self { from, to, step: to.minus(from) }
@@ -68,12 +71,23 @@ impl<M: Modes> Line<M> {
     }
 
     /// Between two parts.
-    pub(super) fn ranges(&self, solver: &M, [a, b]: [f64; 2]) -> AllRanges<M> {
+    pub(super) fn ranges(&self, solver: &M, parts: [f64; 2]) -> AllRanges<M> {
+        let [middle, radius] = self.around(parts);
+        AllRanges(solver.enclosures(middle, radius, self.step))
+    }
+
+    /// All the way.
+    pub(super) fn values(&self, solver: &M) -> AllValues<M> {
+        let [middle, radius] = self.around([0.0, 1.0]);
+        AllValues(solver.values(middle, radius))
+    }
+
+    /// Inputs, and how far from them those between two parts are.
+    fn around(&self, [a, b]: [f64; 2]) -> [M::Input; 2] {
         // The end of a step is rounded, a part of it again, and their sum.
         let radius = 0.5 * (b - a) + 4.0 * M::Scalar::EPSILON;
         let none = self.step.minus(self.step);
-        let radius = none.plus(number::<M>(radius), self.step);
-        AllRanges(solver.enclosures(self.input(0.5 * (a + b)), radius, self.step))
+        [self.input(0.5 * (a + b)), none.plus(number::<M>(radius), self.step)]
     }
 }
 
@@ -102,6 +116,16 @@ impl<M: Modes> AllRanges<M> {
                 Ranges { value: [1.0; 2], rate: [0.0; 2], second_rate: [0.0; 2], scale: [1.0; 2] }
             }
         }
+    }
+}
+
+impl<M: Modes> AllValues<M> {
+    /// Of rates nothing is known.
+    pub(super) fn of(&self, group: usize) -> Ranges {
+        let known = self.0.as_ref().get(group).map(|of| of.map(|range| range.bounds()));
+        let [value, scale] = known.unwrap_or([[1.0; 2]; 2]);
+        let anything = [f64::NEG_INFINITY, f64::INFINITY];
+        Ranges { value, rate: anything, second_rate: anything, scale }
     }
 }
 

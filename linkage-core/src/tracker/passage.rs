@@ -10,7 +10,7 @@
 //! root of its clearance. So they are followed up to the change point and from it, and over it as
 //! cubics.
 
-use super::line::{AllRanges, Line, Reading};
+use super::line::{AllValues, Line, Reading};
 use super::stretch::{Finding, Lowest, judge};
 use super::{Modes, Thresholds, param, title};
 use crate::SolveError;
@@ -58,13 +58,13 @@ impl<M: Modes> Passage<M> {
     /// shows: one look at all of the way at once.
     pub(super) fn is_clear(&self) -> bool {
         let near = Thresholds::of::<M::Scalar>().near;
-        let ranges = self.line.ranges(&self.solver, [0.0, 1.0]);
+        let ranges = self.line.values(&self.solver);
         (0..M::GROUPS.len()).all(|group| ranges.of(group).is_above(near))
             && (!M::SEARCHES || [0.0, 1.0].iter().all(|&part| self.agrees(part, &ranges)))
     }
 
     /// Whether what is searched at a place is what was proved to go on there.
-    fn agrees(&self, part: f64, ranges: &AllRanges<M>) -> bool {
+    fn agrees(&self, part: f64, ranges: &AllValues<M>) -> bool {
         let zero = Thresholds::of::<M::Scalar>().zero;
         let readings = self.line.readings(&self.solver, part);
         (0..M::GROUPS.len()).all(|group| ranges.of(group).hold(&readings.of(group), zero))

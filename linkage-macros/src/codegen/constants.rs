@@ -59,6 +59,10 @@ impl Count<'_> {
                     condition.operands.iter().for_each(|&operand| self.value(operand));
                 }
                 Statement::Scope { statements, .. } => self.statements(statements),
+                Statement::Tell { statements, clearances } => {
+                    self.statements(statements);
+                    clearances.iter().for_each(|&id| self.value(id));
+                }
                 Statement::SinCos { .. } | Statement::Find { .. } => {}
             }
         }

@@ -2,7 +2,8 @@
 //! angle. Whether a condition is compared or diagnosed is up to the checks that are handed in.
 //!
 //! Position, velocity and motion share their formulas, which are most of what a mechanism expands
-//! to: the order is a constant, and what a lower one does not need is never compiled for it.
+//! to: the order is a constant, and what a lower one does not need is never compiled for it. One order
+//! more is a pose that says how clear of their limits the groups are.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -87,7 +88,7 @@ fn assemble(printer: &Printer<'_>, stage: &Stage, to: &mut Text) {
 
 /// The rates of inputs that do not move, and what makes them: of one input a number, of several a
 /// record.
-fn standstill(cx: &Context<'_>) -> (Option<TokenStream>, Tokens) {
+pub(super) fn standstill(cx: &Context<'_>) -> (Option<TokenStream>, Tokens) {
     let (rest, zero) = (generated("rest_"), cx.literal(0.0, 0.0));
     let Some(record) = cx.inputs() else { return (None, zero) };
     let fields = cx.mechanism.inputs.iter().map(|input| &input.name);

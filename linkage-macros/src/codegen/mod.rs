@@ -72,7 +72,8 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
     let slow = cx.entries().map(|entry| slow_path::function(cx, entry));
     let (formulas, searches) = (formulas::functions(cx), searches::functions(cx));
     let sweeps = sweeps::items(cx);
-    let (derivatives, tracking) = (autodiff::items(cx), tracking::items(cx));
+    let (derivatives, tracking, told) =
+        (autodiff::items(cx), tracking::items(cx), tracking::told(cx));
     let (as_mechanism, dynamics) = (as_mechanism::items(cx), dynamics::items(cx));
     let (c_export, references) = (c_export::items(cx), editor_names::items(cx));
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
@@ -93,7 +94,7 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
             #arguments
             #solver
             #records
-            impl<#scalar: #any> #name<#scalar> { #(#fast)* #formulas #searches }
+            impl<#scalar: #any> #name<#scalar> { #(#fast)* #formulas #told #searches }
             impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#slow)* }
             #sweeps
             #derivatives

@@ -66,7 +66,21 @@ impl<'a> Printer<'a> {
                 self.statements(statements, to);
                 to.put(&pattern).put("\n};\n");
             }
+            Statement::Tell { statements, clearances } => self.tell(statements, clearances, to),
         }
+    }
+
+    /// How clear of their limits the groups are, told to the checks, and zeros for the result.
+    fn tell(&self, statements: &[Statement], clearances: &[Id], to: &mut Text) {
+        let stages = &self.routine.stages;
+        let numbers: usize = stages.iter().map(|stage| stage.sinks.len()).sum();
+        to.put(&format!("if ORDER == {} {{\n", stages.len()));
+        self.statements(statements, to);
+        to.put("checks_.clearances(&[").list(clearances.chunks(2), |to, of_group| {
+            to.put("[").list(of_group, |to, &id| self.value(id, to)).put("]");
+        });
+        let as_array = self.cx.paths.written("Record");
+        to.put(&format!("]);\nreturn {as_array}::from_array([zero_; {numbers}]);\n}}\n"));
     }
 
     /// The root of an equation, found by a function of its own.

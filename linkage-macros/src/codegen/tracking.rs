@@ -4,13 +4,17 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use super::arguments::Arguments;
 use super::context::Context;
-use super::identifiers::generated;
-use super::results;
+use super::identifiers::{function_name, generated};
+use super::solver::construct;
 use super::statements::Printer;
 use super::text::Text;
+use super::{formulas, results};
 use crate::interface::EntryId;
-use crate::model::mechanism::ParamKind;
+use crate::interface::entries::Given;
+use crate::lower::routine::Routine;
+use crate::model::mechanism::{Param, ParamKind};
 
 /// `Modes` for the solver.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
@@ -30,7 +34,7 @@ fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
     let [modes, real, clearance, result, error] =
         ["Modes", "Real", "Clearance", "Result", "SolveError"].map(path);
     let input = cx.input(scalar);
-    let count = Literal::usize_unsuffixed(cx.program().clearances.len());
+    let count = count(cx);
     let [q, rate, acceleration] = ["q_", "rate_", "acceleration_"].map(generated);
     let (groups, clearances, flips) = (groups(cx), clearances(cx), flips(cx));
     let enclosures = enclosures(cx);
@@ -46,6 +50,7 @@ fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
             type Motion = #motion;
             type Clearances = [#clearance<#scalar>; #count];
             type Enclosures = [#clearance<#scalar::Enclosing>; #count];
+            type Values = [[#scalar::Enclosing; 2]; #count];
 
             #searches
 
@@ -73,6 +78,11 @@ fn modes(cx: &Context<'_>, position: EntryId, motion: EntryId) -> TokenStream {
             #enclosures
         }
     }
+}
+
+/// How many groups there are.
+fn count(cx: &Context<'_>) -> Literal {
+    Literal::usize_unsuffixed(cx.program().clearances.len())
 }
 
 /// The groups' titles, and the parameters that hold their modes.
@@ -110,26 +120,101 @@ fn flips(cx: &Context<'_>) -> Option<TokenStream> {
     (!flips.is_empty()).then_some(flip)
 }
 
-/// A core without guards: what is out of reach is a number below zero here, not a refusal.
+/// How clear of their limits the groups are, and how that changes.
 fn clearances(cx: &Context<'_>) -> TokenStream {
-    let (scalar, clearance) = (&cx.names.scalar, cx.paths.written("Clearance"));
-    let (mut lines, routine) = (Text::long(), &cx.lowered.clearances);
-    let printer = Printer::beginning(cx, routine, &mut lines);
-    routine.stages.iter().for_each(|stage| printer.statements(&stage.statements, &mut lines));
-    let (received, unread) =
-        (printer.arguments.received(&quote!(#scalar)), printer.arguments.unread(&routine.reads));
-    let names = ["value", "rate", "second_rate", "scale"];
-    lines.put("[").list(&cx.program().clearances, |to, group| {
+    let arguments = Arguments::of_our_own(cx, &[Given::Value, Given::Rate]);
+    let scalar = &cx.names.scalar;
+    let (received, mut body) = (arguments.received(&quote!(#scalar)), Text::long());
+    let body = match &cx.lowered.clearances {
+        Some(routine) => {
+            with_rates(cx, routine, &mut body);
+            let unread = arguments.unread(&routine.reads);
+            quote!(#unread #body)
+        }
+        None => of_moving(cx, arguments.names()),
+    };
+    quote! {
+        fn clearances(&self, #(#received),*) -> Self::Clearances { #body }
+    }
+}
+
+/// Beside an unknown: a core without guards, as what is out of reach is a number below zero here, not a
+/// refusal.
+fn with_rates(cx: &Context<'_>, routine: &Routine, to: &mut Text) {
+    let (printer, clearance) = (Printer::beginning(cx, routine, to), cx.paths.written("Clearance"));
+    routine.stages.iter().for_each(|stage| printer.statements(&stage.statements, to));
+    let names = ["value", "scale", "rate", "second_rate"];
+    to.put("[").list(&cx.program().clearances, |to, group| {
         to.put(&clearance).put(" { ");
-        let fields = names.iter().zip(group.sinks);
+        let fields = names.iter().zip(group.sinks());
         to.list(fields, |to, (name, sink)| printer.value(sink, to.put(name).put(": "))).put(" }");
     });
-    lines.put("]");
-    quote! {
-        fn clearances(&self, #(#received),*) -> Self::Clearances {
-            #unread
-            #lines
+    to.put("]");
+}
+
+/// Of a pose whose numbers move. The parameters stand still, and keep what derivatives they have.
+fn of_moving(cx: &Context<'_>, names: &[Ident]) -> TokenStream {
+    let [jet, moving] = ["Jet", "moving"].map(|name| cx.paths.item(name));
+    let ([value, rate], lifted) = ([&names[0], &names[1]], generated("lifted_"));
+    let (solver, scalar) = (&cx.names.solver, &cx.names.scalar);
+    let along = match cx.inputs() {
+        None => quote!(#jet::along(#value, #rate)),
+        Some(record) => {
+            let fields: Vec<_> = cx.mechanism.inputs.iter().map(|input| &input.name).collect();
+            quote!(#record { #(#fields: #jet::along(#value.#fields, #rate.#fields)),* })
         }
+    };
+    let mode = |param: &Param| {
+        let field = &param.name;
+        quote!(self.#field)
+    };
+    let number = |param: &Param| {
+        let field = &param.name;
+        quote!(#jet::standing(self.#field))
+    };
+    let made = construct(cx, &quote!(#solver), number, mode);
+    quote! {
+        let #lifted: #solver<#jet<#scalar>> = #made;
+        #moving(#lifted.told_(#along))
+    }
+}
+
+/// Values and scales of a pose, whatever its numbers are: its formulas say them on the way. None beside
+/// an unknown.
+pub(super) fn told(cx: &Context<'_>) -> Option<TokenStream> {
+    cx.lowered.clearances.is_none().then_some(())?;
+    cx.interface.find("position").zip(cx.interface.find("motion"))?;
+    let (scalar, count) = (&cx.names.scalar, count(cx));
+    let arguments = Arguments::of_our_own(cx, &[Given::Value]);
+    let (received, given) = (arguments.received(&quote!(#scalar)), &arguments.names()[0]);
+    let body = match cx.lowered.routines.iter().find(|routine| routine.tells) {
+        Some(routine) => on_the_way(cx, routine, given),
+        None => {
+            let unread = arguments.unread(&[]);
+            quote!(#unread [])
+        }
+    };
+    Some(quote! {
+        fn told_(&self, #(#received),*) -> [[#scalar; 2]; #count] { #body }
+    })
+}
+
+fn on_the_way(cx: &Context<'_>, routine: &Routine, value: &Ident) -> TokenStream {
+    let (told, function) = (cx.paths.item("told"), function_name(&routine.name));
+    let [checks, sin, cos] = ["checks_", "sin_", "cos_"].map(generated);
+    let (turned, given) = match routine.given.first() {
+        Some(Given::Cosine) => {
+            let sin_cos = cx.scalar("sin_cos");
+            (quote!(let (#sin, #cos) = #sin_cos(#value);), quote!(#cos, #sin))
+        }
+        _ => (TokenStream::new(), quote!(#value)),
+    };
+    let order = Literal::usize_unsuffixed(routine.stages.len());
+    let (made, rest) = formulas::standstill(cx);
+    quote! {
+        #turned
+        #made
+        #told(|#checks| self.#function::<#order>(#checks, #given, #rest, #rest))
     }
 }
 
@@ -155,9 +240,20 @@ fn enclosures(cx: &Context<'_>) -> TokenStream {
         None => quote!(#radius),
     });
     let rates = around(&rate, &|_| quote!(#zero));
+    let lifted = quote!(self.lift::<#scalar::Enclosing>());
+    let values = match cx.lowered.clearances {
+        // Their values are found with the rates.
+        Some(_) => {
+            let standing = cx.paths.item("standing");
+            quote!(#standing(#modes::enclosures(self, #middle, #radius, #radius)))
+        }
+        None => quote!(#lifted.told_(#range)),
+    };
     quote! {
+        fn values(&self, #middle: #ty, #radius: #ty) -> Self::Values { #values }
+
         fn enclosures(&self, #middle: #ty, #radius: #ty, #rate: #ty) -> Self::Enclosures {
-            #modes::clearances(&self.lift::<#scalar::Enclosing>(), #range, #rates)
+            #modes::clearances(&#lifted, #range, #rates)
         }
     }
 }

@@ -3,8 +3,8 @@
 //! A group's height comes from a square root; what stands under the root is smooth wherever the
 //! group's joints go, zero at a toggle and negative out of reach. Where it touches zero and turns
 //! back, the motion goes on through a change point and the root changes its sign, which is the
-//! mode; where it passes through zero, the motion ends. The value under the root is given with
-//! its rates while the inputs move along a straight line, and with a scale: a small change of all
+//! mode; where it passes through zero, the motion ends. The value under the root is looked at with
+//! its rates while the inputs move along a straight line, and given with a scale: a small change of all
 //! lengths by a share δ of themselves changes the value by at most 4 δ of it.
 
 use crate::equations::kinematics::{Kinematics, Source};
@@ -14,9 +14,17 @@ use crate::equations::{dead_points, rpr, rrp, rrr};
 use crate::ir::program;
 use crate::model::mechanism::{Mechanism, Mode, Step, UnknownId};
 
-/// Of every group with an assembly mode, in solving order, and of unknowns: what is searched turns on
-/// the ends of the search, as what stands behind a group does on its limit.
-pub(super) fn clearances<'s>(
+/// Of every group with an assembly mode, in solving order, as functions of a pose that has no unknown:
+/// their rates along a straight line are found by running them on numbers that move.
+pub(super) fn of_pose(kinematics: &Kinematics<'_>) -> Vec<program::Clearance> {
+    let steps = kinematics.mechanism.steps.iter();
+    let of_groups = steps.filter_map(|step| of_step(kinematics, step));
+    of_groups.map(|clearance| program::Clearance { rates: None, ..clearance }).collect()
+}
+
+/// The same with rates, and of unknowns: what is searched turns on the ends of the search, as what
+/// stands behind a group does on its limit.
+pub(super) fn beside_unknowns<'s>(
     mechanism: &'s Mechanism,
     sheet: &'s Sheet<'s>,
 ) -> Vec<program::Clearance> {
@@ -70,6 +78,12 @@ fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::C
         // What never moves never changes its mode.
         return None;
     }
-    let sinks = [value.value.id, value.rate.id, value.accel.id, scale.id];
-    Some(program::Clearance { group: group.0, param, sinks })
+    let rates = Some([value.rate.id, value.accel.id]);
+    Some(program::Clearance {
+        group: group.0,
+        param,
+        value: value.value.id,
+        scale: scale.id,
+        rates,
+    })
 }

@@ -36,7 +36,9 @@ pub(super) fn of_ends<'s>(known: &Kinematics<'s>, id: UnknownId) -> Vec<Clearanc
     let entry = |param, distance: Jet<'s>, scale: Sym<'s>| Clearance {
         group: unknown.group.0,
         param,
-        sinks: [distance.value.id, distance.rate.id, distance.accel.id, scale.id],
+        value: distance.value.id,
+        scale: scale.id,
+        rates: Some([distance.rate.id, distance.accel.id]),
     };
     let Mode::Param(param) = unknown.mode else {
         return ends.map(|end| entry(None, end.distance, end.scale)).into();
@@ -55,8 +57,13 @@ pub(super) fn of_root<'s>(known: &Kinematics<'s>, id: UnknownId) -> Clearance {
     let unknown = &known.mechanism.unknowns[id.index()];
     let [from, to] = unknown.between.each_ref().map(|end| known.jet(end).value);
     let (Jet { value, rate, accel }, width) = (known.unknowns[id.index()], to - from);
-    let sinks = [(value - from + width).id, rate.id, accel.id, width.id];
-    Clearance { group: unknown.group.0, param: None, sinks }
+    Clearance {
+        group: unknown.group.0,
+        param: None,
+        value: (value - from + width).id,
+        scale: width.id,
+        rates: Some([rate.id, accel.id]),
+    }
 }
 
 fn end<'s>(known: &Kinematics<'s>, id: UnknownId, at: u8) -> End<'s> {

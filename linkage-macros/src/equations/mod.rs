@@ -60,20 +60,26 @@ use crate::interface::quantity::Order;
 use crate::interface::records::{Kind, Shape, is_margin};
 use crate::ir::construct::Rule;
 use crate::ir::graph::Id;
-use crate::ir::program::{Answer, Closure, Program};
+use crate::ir::program::{Answer, Clearance, Closure, Program};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
 /// The mechanism's program: one graph with every entry point's values, made under the rules.
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     let sheet = Sheet::new(rules);
-    let (answers, closures) = answers(mechanism, &sheet);
-    let clearances = clearance::clearances(mechanism, &sheet);
+    let Asked { answers, clearances, closures } = asked(mechanism, &sheet);
     Program { graph: sheet.into_graph(), answers, clearances, closures, groups: mechanism.titles() }
 }
 
-/// What every entry point that the mechanism can have asks, one after the other, and the conditions
-/// of what they search.
-fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> (Vec<Answer>, Vec<Closure>) {
+/// What is asked of a mechanism's equations.
+struct Asked {
+    /// What every entry point that the mechanism can have asks, one after the other.
+    answers: Vec<Answer>,
+    clearances: Vec<Clearance>,
+    /// The conditions of what is searched.
+    closures: Vec<Closure>,
+}
+
+fn asked<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Asked {
     let interface = Interface::of(mechanism);
     let bare = Bare::of(mechanism, sheet, &interface);
     let made = OnceCell::new();
@@ -97,9 +103,13 @@ fn answers<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> (Vec<Answer>, 
         }
         answers.push(Answer { entry: entry.name, sinks: sinks(&interface, entry, kinematics) });
     }
+    let clearances = match mechanism.unknowns.is_empty() {
+        true => clearance::of_pose(bare.motion().unwrap_or_else(free)),
+        false => clearance::beside_unknowns(mechanism, sheet),
+    };
     let made = made.get().into_iter().chain(&bare.on_circle);
     let closures = made.flat_map(|kinematics| &kinematics.closures).copied().collect();
-    (answers, closures)
+    Asked { answers, clearances, closures }
 }
 
 /// The numbers of an entry point's result, in the order of its shape.
@@ -148,8 +158,13 @@ impl<'s> Bare<'s> {
         Self { on_circle, moves, acts }
     }
 
-    /// Everything placed by a given cosine and sine, if the entry point's answer has no other use for
-    /// the input: it occurs bare as an angle and nowhere else on the way there.
+    /// Everything placed by a given cosine and sine, if motions have no other use for the input.
+    fn motion(&self) -> Option<&Kinematics<'s>> {
+        self.on_circle.as_ref().filter(|_| self.moves)
+    }
+
+    /// The same if the entry point's answer has no other use for the input: it occurs bare as an angle
+    /// and nowhere else on the way there.
     fn kinematics(&self, entry: &Entry) -> Option<&Kinematics<'s>> {
         let is_bare = if entry.is_about_forces() { self.acts } else { self.moves };
         self.on_circle.as_ref().filter(|_| is_bare)

@@ -7,7 +7,7 @@ use crate::exact::Exact;
 use crate::ir::graph::{Graph, Guard, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes};
-use crate::ir::program::{Closure, Program};
+use crate::ir::program::{Clearance, Closure, Program};
 
 /// Looks at a node that is about to be made and answers with what stands for it, if anything
 /// simpler does.
@@ -73,7 +73,7 @@ pub(crate) fn rebuild_with(
     }
     let (mut answers, mut clearances) = (program.answers.clone(), program.clearances.clone());
     let of_answers = answers.iter_mut().flat_map(|answer| &mut answer.sinks);
-    let of_clearances = clearances.iter_mut().flat_map(|clearance| &mut clearance.sinks);
+    let of_clearances = clearances.iter_mut().flat_map(Clearance::sinks_mut);
     for sink in of_answers.chain(of_clearances) {
         *sink = moved.of(*sink);
     }

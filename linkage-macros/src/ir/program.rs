@@ -35,9 +35,9 @@ impl Program {
     /// The sinks of all entry points and clearances.
     pub(crate) fn sinks(&self) -> Vec<Id> {
         let answers = self.answers.iter().flat_map(|answer| &answer.sinks);
-        let clearances = self.clearances.iter().flat_map(|clearance| &clearance.sinks);
-        let closures = self.closures.iter().map(|closure| &closure.condition);
-        answers.chain(clearances).chain(closures).copied().collect()
+        let clearances = self.clearances.iter().flat_map(Clearance::sinks);
+        let closures = self.closures.iter().map(|closure| closure.condition);
+        answers.copied().chain(clearances).chain(closures).collect()
     }
 
     /// The sinks, and the conditions of the roots that they stand on.
@@ -77,7 +77,22 @@ pub(crate) struct Clearance {
     pub group: u32,
     /// The parameter that holds the mode; none where it is a constant.
     pub param: Option<u32>,
-    /// Value, rate and second rate, of the inputs' values and constant rates, and the scale to
-    /// measure them by.
-    pub sinks: [Id; 4],
+    /// What is zero at the limit and negative beyond.
+    pub value: Id,
+    /// What to measure it by.
+    pub scale: Id,
+    /// Rate and second rate of the value, at constant rates of the inputs: only beside an unknown, whose
+    /// ends are no function of the pose. Elsewhere the formulas of the value say enough.
+    pub rates: Option<[Id; 2]>,
+}
+
+impl Clearance {
+    pub(crate) fn sinks(&self) -> impl Iterator<Item = Id> {
+        [self.value, self.scale].into_iter().chain(self.rates.into_iter().flatten())
+    }
+
+    pub(crate) fn sinks_mut(&mut self) -> impl Iterator<Item = &mut Id> {
+        let Self { value, scale, rates, .. } = self;
+        [value, scale].into_iter().chain(rates.iter_mut().flatten())
+    }
 }

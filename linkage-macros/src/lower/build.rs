@@ -3,8 +3,8 @@
 use super::locals;
 use super::overflow::Overflow;
 use super::plan::{Plan, Way};
-use super::routine::{Adapted, Asked, Compute, Locals, Lowered, Routine, Search, Stage};
-use super::schedule::Schedule;
+use super::routine::{Adapted, Asked, Compute, Locals, Lowered, Routine, Search, Stage, Statement};
+use super::schedule::{Schedule, defines};
 use super::scopes::lay_out;
 use super::searches::searches;
 use super::witnesses::witnesses;
@@ -15,7 +15,7 @@ use crate::ir::cost::{Operations, operations};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Set;
 use crate::ir::liveness::{Path, live, live_nodes};
-use crate::ir::program::Program;
+use crate::ir::program::{Clearance, Program};
 use crate::lower::routine::is_leaf;
 use crate::model::mechanism::Mechanism;
 
@@ -67,6 +67,17 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
     Lowered { program, interface, routines, entries, costs, clearances, searches }
 }
 
+/// Puts clearances behind the last statement of the stage that they need. What they need beside is for
+/// them alone: whatever else does computes it again.
+fn tell(schedule: &Schedule<'_>, clearances: &[Id], stage: &mut Vec<Statement>) {
+    let statements = schedule.clone().stage(clearances);
+    let told = Statement::Tell { statements, clearances: clearances.to_vec() };
+    let needed: Set<Id> = schedule.uses(&told).into_iter().collect();
+    let is_needed = |id: &Id| needed.contains(id);
+    let last = stage.iter().rposition(|statement| defines(statement).iter().any(is_needed));
+    stage.insert(last.map_or(0, |last| last + 1), told);
+}
+
 struct Builder<'p> {
     program: &'p Program,
     interface: Interface,
@@ -103,8 +114,15 @@ impl Builder<'_> {
         };
         let (graph, searches) = (self.graph(), &self.searches);
         let mut schedule = Schedule::new(graph, &self.locals, Path::Slow, overflow, searches);
-        let statements: Vec<_> =
-            entries.iter().map(|&entry| schedule.stage(&self.needed(entry))).collect();
+        let clear = self.clear_in(entries);
+        let mut statements: Vec<Vec<Statement>> = Vec::new();
+        for &entry in entries {
+            let mut stage = schedule.stage(&self.needed(entry));
+            if statements.is_empty() && !clear.is_empty() {
+                tell(&schedule, &clear, &mut stage);
+            }
+            statements.push(stage);
+        }
         let locals = locals::with_letters(&self.locals, self.graph(), &statements.concat());
         let result = self.interface.entry(last).result;
         let mut stages = Vec::new();
@@ -120,8 +138,15 @@ impl Builder<'_> {
             stages.push(Stage { result: shape, sinks: sinks.to_vec(), statements });
             rest = further;
         }
+        let tells = !clear.is_empty();
         let Schedule { reads, has_checks, path, .. } = schedule;
-        Routine { name, given, result, path, stages, reads, has_checks, locals }
+        Routine { name, given, result, path, stages, tells, reads, has_checks, locals }
+    }
+
+    /// Values and scales of clearances, where they are functions of the pose and these are its formulas.
+    fn clear_in(&self, entries: &[EntryId]) -> Vec<Id> {
+        let is_posed = |clearance: &&Clearance| entries.len() > 1 && clearance.rates.is_none();
+        self.program.clearances.iter().filter(is_posed).flat_map(Clearance::sinks).collect()
     }
 
     /// What each stage adds to the result: of several, a record.
@@ -135,10 +160,11 @@ impl Builder<'_> {
     }
 
     /// A routine without checks, because out of reach is a number below zero here.
-    fn clearances(&self) -> Routine {
-        let sinks: Vec<Id> =
-            self.program.clearances.iter().flat_map(|clearance| clearance.sinks).collect();
-        self.listing("clearances", &[Given::Value, Given::Rate], Path::Unchecked, &sinks)
+    fn clearances(&self) -> Option<Routine> {
+        let has_rates = self.program.clearances.iter().any(|clearance| clearance.rates.is_some());
+        let sinks: Vec<Id> = self.program.clearances.iter().flat_map(Clearance::sinks).collect();
+        let given = &[Given::Value, Given::Rate];
+        has_rates.then(|| self.listing("clearances", given, Path::Unchecked, &sinks))
     }
 
     /// A routine that returns the sinks in a list.
@@ -163,6 +189,7 @@ impl Builder<'_> {
                 sinks: sinks.to_vec(),
                 statements,
             }],
+            tells: false,
             reads,
             has_checks,
             locals,

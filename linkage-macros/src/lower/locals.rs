@@ -47,7 +47,7 @@ pub(super) fn with_letters(components: &Locals, graph: &Graph, statements: &[Sta
     let mut taken: HashSet<String> = components.names.values().cloned().collect();
     for id in statements.iter().flat_map(defines) {
         let Some(letter) = graph.name_of(id).filter(|name| name.is_ascii()) else { continue };
-        if locals.components.contains(&id) {
+        if locals.names.get(&id).is_some() {
             continue;
         }
         let stem = stem(letter);

@@ -21,9 +21,10 @@ pub(crate) struct Lowered<'p> {
     pub entries: Vec<Compute>,
     /// What one call of each entry point takes.
     pub costs: Vec<Operations>,
-    /// How clear of their limits the groups are, for following a motion; without checks, because
-    /// out of reach is a number below zero there.
-    pub clearances: Routine,
+    /// How clear of their limits the groups are, for following a motion, with rates; without checks,
+    /// because out of reach is a number below zero there. Only beside an unknown: elsewhere a routine
+    /// says it on the way.
+    pub clearances: Option<Routine>,
     /// What finds roots, in the order of the graph.
     pub searches: Vec<Search>,
 }
@@ -69,6 +70,8 @@ pub(crate) struct Routine {
     pub path: Path,
     /// One after the other: each uses what those before it have computed.
     pub stages: Vec<Stage>,
+    /// Whether it tells clearances on the way, at one order more than it has stages.
+    pub tells: bool,
     /// The inputs and parameters it reads, in the order of the graph.
     pub reads: Vec<Node>,
     /// Whether it asks anything of anybody.
@@ -100,6 +103,12 @@ pub(crate) enum Statement {
         search: usize,
         root: Id,
         size: Option<Id>,
+    },
+    /// Where clearances are asked for: values and scales in turn, and what they need beside. There it
+    /// ends.
+    Tell {
+        statements: Vec<Statement>,
+        clearances: Vec<Id>,
     },
     /// Statements of which these locals alone are used later.
     Scope {

@@ -9,6 +9,7 @@ use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes, tried};
 
 /// What has been scheduled so far, and what it reads from outside.
+#[derive(Clone)]
 pub(super) struct Schedule<'a> {
     pub graph: &'a Graph,
     pub locals: &'a Locals,
@@ -128,6 +129,10 @@ impl<'a> Schedule<'a> {
             Statement::Scope { statements, .. } => {
                 statements.iter().flat_map(|statement| self.uses(statement)).collect()
             }
+            Statement::Tell { statements, clearances } => {
+                let used = statements.iter().flat_map(|statement| self.uses(statement));
+                used.chain(self.read(clearances.iter().copied())).collect()
+            }
         }
     }
 }
@@ -140,6 +145,7 @@ pub(super) fn defines(statement: &Statement) -> Vec<Id> {
         Statement::Check(condition) => vec![condition.id],
         Statement::Find { root, size, .. } => [*root].into_iter().chain(*size).collect(),
         Statement::Scope { hands_on, .. } => hands_on.clone(),
+        Statement::Tell { .. } => Vec::new(),
     }
 }
 

@@ -8,7 +8,7 @@ use crate::interface::records::Shape;
 use crate::ir::cost::operations_of_trial;
 use crate::ir::graph::{Graph, Id, Node, Sought, Trend, Wanted};
 use crate::ir::liveness::{Path, live, trial_nodes, tried};
-use crate::ir::program::Program;
+use crate::ir::program::{Clearance, Program};
 use crate::model::mechanism::Mechanism;
 
 /// The searches of all roots, by functions whose names begin like this.
@@ -52,7 +52,7 @@ fn has_one_root(graph: &Graph, end: &Sought) -> Option<bool> {
 
 /// The ends of where roots can be, which following a motion looks at.
 fn ends(program: &Program) -> impl Iterator<Item = Id> + '_ {
-    let sinks: Vec<Id> = program.clearances.iter().flat_map(|clearance| clearance.sinks).collect();
+    let sinks: Vec<Id> = program.clearances.iter().flat_map(Clearance::sinks).collect();
     let live = live(&program.graph, &sinks, Path::Unchecked);
     program.graph.iter().filter_map(move |(id, node)| match node {
         Node::Root(Sought { wanted: Wanted::End(_), .. }) => live[id.index()].then_some(id),
@@ -100,6 +100,7 @@ fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
             sinks: sought.sides.to_vec(),
             statements,
         }],
+        tells: false,
         reads: Vec::new(),
         has_checks: false,
         locals,

@@ -24,7 +24,7 @@ use crate::ir::construct::{Maker, remade};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes};
-use crate::ir::program::Program;
+use crate::ir::program::{Clearance, Program};
 
 /// The program with the sums of its equations of motion collected; everything else stands where it
 /// stood.
@@ -41,9 +41,9 @@ pub(super) fn collect_multiples(program: &Program) -> Program {
 fn stays(program: &Program) -> Vec<bool> {
     let about_motion = program.answers.iter().filter(|answer| !is_about_forces(answer.entry));
     let about_motion = about_motion.flat_map(|answer| &answer.sinks);
-    let clearances = program.clearances.iter().flat_map(|clearance| &clearance.sinks);
-    let closures = program.closures.iter().map(|closure| &closure.condition);
-    let sinks: Vec<Id> = about_motion.chain(clearances).chain(closures).copied().collect();
+    let clearances = program.clearances.iter().flat_map(Clearance::sinks);
+    let closures = program.closures.iter().map(|closure| closure.condition);
+    let sinks: Vec<Id> = about_motion.copied().chain(clearances).chain(closures).collect();
     let mut stays = live(&program.graph, &sinks, Path::Slow);
     let asked = contract::asked_for_errors(program);
     stays.iter_mut().zip(asked).for_each(|(stays, asked)| *stays |= asked);

@@ -205,3 +205,22 @@ mechanism! {
         output C, DC;
     }
 }
+
+mechanism! {
+    /// Every group with a mode, one behind the other, between two inputs, with a parameter.
+    pub struct Row {
+        input theta: angle;
+        input lift: length;
+        param rod = 495mm;
+        param elbow: mode = left;
+        ground A(0, 0), D(534mm, 22mm), E(995mm, 108mm);
+        crank AB(A) -> B { length: 68mm, angle: theta }
+        rrr BC(B), DC(D) -> C { lengths: (rod, 331mm + lift), mode: elbow }
+        point P on BC at (297mm, 77mm);
+        rrr PQ(P), EQ(E) -> Q { lengths: (560mm, 441mm), mode: right }
+        guide rail through (153mm, -600mm) along -4deg;
+        rrp CR(C), block(rail) -> R { length: 1749mm, mode: ahead }
+        rpr cyl(E), stem(R) { offset: 30mm, mode: ahead }
+        output Q, block, cyl;
+    }
+}
