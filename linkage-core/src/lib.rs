@@ -132,6 +132,7 @@ mod c_interface;
 mod checks;
 mod conversions;
 mod cost;
+mod debug;
 #[cfg(feature = "ad")]
 mod derivatives;
 mod diagnosis;
