@@ -183,12 +183,9 @@ fn force_sinks(kinematics: &Kinematics<'_>) -> Vec<Id> {
 
 /// The velocities at a unit rate of each input in turn, the others at rest.
 fn coefficients(kinematics: &Kinematics<'_>) -> Vec<Id> {
-    let Kinematics { sheet, mechanism, inputs, .. } = kinematics;
-    let sinks = (0..inputs.len()).flat_map(|moving| {
-        let inputs = Source::one_moving(inputs, sheet, moving);
-        components(&Kinematics::of(sheet, mechanism, inputs), Order::Velocity)
-    });
-    sinks.collect()
+    let velocities = components(kinematics, Order::Velocity);
+    let inputs = 0..kinematics.inputs.len() as u32;
+    inputs.flat_map(|moving| kinematics.sheet.at_unit_rate(&velocities, moving)).collect()
 }
 
 /// What exists also where the pose does not.

@@ -10,6 +10,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::exact::Exact;
 use crate::ir::construct::{Maker, Rule};
 use crate::ir::graph::{Check, ConstantId, Graph, Guard, Id, Node};
+use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes};
 
 /// The graph that symbols are made in.
@@ -49,6 +50,29 @@ impl<'s> Sheet<'s> {
         let mut graph = self.graph.borrow_mut();
         let id = Maker { graph: &mut graph, rules: self.rules }.make(node);
         Sym { sheet: self, id }
+    }
+
+    /// These where one input has a rate of one, and the others none: what is not made of a rate stays.
+    pub(crate) fn at_unit_rate(&self, sinks: &[Id], moving: u32) -> Vec<Id> {
+        let mut graph = self.graph.borrow_mut();
+        let nodes: Vec<(Id, Node)> = live_nodes(&graph, &live(&graph, sinks, Path::Slow)).collect();
+        let mut maker = Maker { graph: &mut graph, rules: self.rules };
+        let mut moved = Map::default();
+        for (id, node) in nodes {
+            let new = match node {
+                Node::Input { input, order: 1 } => {
+                    maker.constant(Exact::integer(i64::from(input == moving)))
+                }
+                _ => maker.remake(id, node, &|id| moved.get(&id).copied().unwrap_or(id)),
+            };
+            if new != id {
+                moved.insert(id, new);
+                if let Some(name) = maker.graph.name_of(id).map(str::to_string) {
+                    maker.graph.name(new, name);
+                }
+            }
+        }
+        sinks.iter().map(|sink| moved.get(sink).copied().unwrap_or(*sink)).collect()
     }
 
     pub(crate) fn constant(&'s self, value: Exact) -> Sym<'s> {

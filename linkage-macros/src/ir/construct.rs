@@ -36,6 +36,21 @@ impl Maker<'_> {
         self.make(Node::Guard(value, guard))
     }
 
+    /// A node of this graph on the operands that stand for its own; itself where all stand for themselves.
+    pub(crate) fn remake(&mut self, id: Id, node: Node, to: &dyn Fn(Id) -> Id) -> Id {
+        let mut is_touched = false;
+        self.graph.for_operands_of(node, &mut |operand| is_touched |= to(operand) != operand);
+        match node {
+            // An unknown is searched once for all answers.
+            _ if !is_touched || matches!(node, Node::Root(_)) => id,
+            Node::Guard(value, guard) => {
+                let guard = self.graph.condition(guard).on(&to);
+                self.make_guarded(to(value), guard)
+            }
+            other => self.make(other.map_operands(&mut |operand| to(operand))),
+        }
+    }
+
     pub(crate) fn constant(&mut self, value: Exact) -> Id {
         self.graph.constant(value)
     }
@@ -98,18 +113,8 @@ pub(crate) fn remade(
     let live = live(old, sinks, Path::Slow);
     for (id, node) in live_nodes(old, &live) {
         let to = |id: Id| moved.get(&id).copied().unwrap_or(id);
-        let new = replacement(&mut maker, id, &to).unwrap_or_else(|| {
-            let mut is_touched = false;
-            old.for_operands_of(node, &mut |operand| is_touched |= to(operand) != operand);
-            match node {
-                // An unknown is searched once for all answers.
-                _ if !is_touched || matches!(node, Node::Root(_)) => id,
-                Node::Guard(value, guard) => {
-                    maker.make_guarded(to(value), old.condition(guard).on(&to))
-                }
-                other => maker.make(other.map_operands(&mut |operand| to(operand))),
-            }
-        });
+        let new = replacement(&mut maker, id, &to);
+        let new = new.unwrap_or_else(|| maker.remake(id, node, &to));
         if new != id {
             moved.insert(id, new);
         }
