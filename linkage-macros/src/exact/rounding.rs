@@ -18,7 +18,9 @@ pub(super) struct Format {
 }
 
 pub(super) const WIDE: Format = Format { precision: 53, least: -1074, above: 1024 };
-pub(super) const NARROW: Format = Format { precision: 24, least: -149, above: 128 };
+pub(super) const NARROW: Format = Format { precision: NARROW_BITS, least: -149, above: 128 };
+
+const NARROW_BITS: i64 = 24;
 
 impl Format {
     /// The number of the format next to the rational.
@@ -27,6 +29,9 @@ impl Format {
             && numerator.unsigned_abs() < 1 << self.precision
         {
             return *numerator as f64;
+        }
+        if let Some(quotient) = self.quotient(value) {
+            return quotient;
         }
         let (numerator, denominator) = (value.numerator(), value.denominator());
         // The quotient of the shifted numbers has at least `precision + 2` bits.
@@ -37,6 +42,20 @@ impl Format {
             (numerator.magnitude() << over).div_rem(&(denominator.magnitude() << under));
         let size = self.round_magnitude(&quotient, !remainder.is_zero(), -shift);
         if numerator.sign() == Sign::Minus { -size } else { size }
+    }
+
+    /// Of two integers that are numbers of the format themselves, far from the ends of its range: a
+    /// division rounds once.
+    fn quotient(self, value: &Rational) -> Option<f64> {
+        let &Rational::Small(numerator, denominator) = value else { return None };
+        let is_held = |integer: i64| integer.unsigned_abs() < 1 << self.precision;
+        if !(is_held(numerator) && is_held(denominator)) {
+            return None;
+        }
+        Some(match self.precision {
+            NARROW_BITS => f64::from(numerator as f32 / denominator as f32),
+            _ => numerator as f64 / denominator as f64,
+        })
     }
 
     /// The number of the format next to `value`·2^−bits.

@@ -6,8 +6,8 @@
 use std::ops::AddAssign;
 
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::hash::Set;
-use crate::ir::liveness::{Path, live, live_nodes, trial_nodes, tried, unguarded};
+use crate::ir::hash::Map;
+use crate::ir::liveness::{Path, live, trial_nodes, tried, unguarded};
 
 /// Counts of floating-point operations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,41 +31,85 @@ impl AddAssign for Operations {
     }
 }
 
-/// The operations that computing the sinks takes, each node once, but for what searches compute.
-pub(crate) fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
-    let live = live(graph, sinks, Path::Fast);
-    let tried = tried(graph);
-    of_nodes(graph, live_nodes(graph, &live).filter(|(id, _)| !tried[id.index()]))
+/// What the nodes of a graph cost: found once, and added up for many sinks.
+pub(crate) struct Costs<'g> {
+    graph: &'g Graph,
+    nodes: Vec<Cost>,
+    tried: Vec<bool>,
 }
 
-/// The operations of one trial of an equation, given its sides and its slope.
-pub(crate) fn operations_of_trial(graph: &Graph, sides: &[Id]) -> Operations {
-    of_nodes(graph, trial_nodes(graph, sides).into_iter())
+/// What a node costs.
+#[derive(Clone, Copy)]
+enum Cost {
+    Nothing,
+    Alone(Operations),
+    /// A sine, a cosine or a product: several nodes may be one operation. It goes by the first of these
+    /// in the graph, and whatever else the node takes is an addition.
+    Shared {
+        by: Id,
+        is_sine: bool,
+        adds: bool,
+    },
 }
 
-fn of_nodes(graph: &Graph, nodes: impl Iterator<Item = (Id, Node)>) -> Operations {
-    let mut total = Operations::default();
-    let (mut turned, mut multiplied) = (Set::default(), Set::default());
-    for (_, node) in nodes {
-        match node {
+impl<'g> Costs<'g> {
+    pub(crate) fn of(graph: &'g Graph) -> Self {
+        let (mut turned, mut multiplied) = (Map::default(), Map::default());
+        let mut cost = |(id, node): (Id, Node)| match node {
             Node::Sin(angle) | Node::Cos(angle) => {
-                total.sines += u32::from(turned.insert(unguarded(graph, angle)));
+                let by = *turned.or_insert(unguarded(graph, angle), id);
+                Cost::Shared { by, is_sine: true, adds: false }
             }
+            // A product that a fused operation shares with others is computed once where nothing is
+            // fused, and is no operation more where it is.
             Node::Mul(a, b) | Node::Fused(a, b, _) => {
-                total.additions += u32::from(matches!(node, Node::Fused(..)));
-                // A product that a fused operation shares with others is computed once where
-                // nothing is fused, and is no operation more where it is.
-                total.multiplications += u32::from(multiplied.insert(factors(graph, a, b)));
+                let by = *multiplied.or_insert(factors(graph, a, b), id);
+                Cost::Shared { by, is_sine: false, adds: matches!(node, Node::Fused(..)) }
             }
             // The comparison with what is not known before run time takes its last places.
-            Node::Guard(..) => {
-                let spread = graph.spread(node).filter(|&id| graph.as_constant(id).is_none());
-                total.multiplications += u32::from(spread.is_some());
-            }
-            _ => total += of(node),
-        }
+            Node::Guard(..) => match graph.spread(node) {
+                Some(spread) if graph.as_constant(spread).is_none() => {
+                    Cost::Alone(Operations { multiplications: 1, ..Operations::default() })
+                }
+                _ => Cost::Nothing,
+            },
+            _ => match of(node) {
+                operations if operations == Operations::default() => Cost::Nothing,
+                operations => Cost::Alone(operations),
+            },
+        };
+        let nodes = graph.iter().map(&mut cost).collect();
+        Self { graph, nodes, tried: tried(graph) }
     }
-    total
+
+    /// The operations that computing the sinks takes, each node once, but for what searches compute.
+    pub(crate) fn operations(&self, sinks: &[Id]) -> Operations {
+        let live = live(self.graph, sinks, Path::Fast);
+        let is_counted = |index: &usize| live[*index] && !self.tried[*index];
+        self.sum((0..live.len()).filter(is_counted))
+    }
+
+    /// The operations of one trial of an equation, given its sides and its slope.
+    pub(crate) fn of_trial(&self, sides: &[Id]) -> Operations {
+        self.sum(trial_nodes(self.graph, sides).into_iter().map(|(id, _)| id.index()))
+    }
+
+    fn sum(&self, nodes: impl Iterator<Item = usize>) -> Operations {
+        let (mut total, mut taken) = (Operations::default(), vec![false; self.nodes.len()]);
+        for index in nodes {
+            match self.nodes[index] {
+                Cost::Nothing => {}
+                Cost::Alone(operations) => total += operations,
+                Cost::Shared { by, is_sine, adds } => {
+                    let first = !std::mem::replace(&mut taken[by.index()], true);
+                    let count = if is_sine { &mut total.sines } else { &mut total.multiplications };
+                    *count += u32::from(first);
+                    total.additions += u32::from(adds);
+                }
+            }
+        }
+        total
+    }
 }
 
 /// What is multiplied, whatever the signs and the order.
@@ -133,8 +177,8 @@ mod tests {
         let mut graph = Graph::new();
         let (a, b) = (input(&mut graph, 0), input(&mut graph, 1));
         let sinks = [Node::Sin(a), Node::Cos(a), Node::Cos(b)].map(|node| graph.push(node));
-        assert_eq!(operations(&graph, &sinks).sines, 2);
-        assert_eq!(operations(&graph, &sinks[..2]).sines, 1);
+        assert_eq!(Costs::of(&graph).operations(&sinks).sines, 2);
+        assert_eq!(Costs::of(&graph).operations(&sinks[..2]).sines, 1);
     }
 
     #[test]
@@ -144,7 +188,7 @@ mod tests {
         let less = graph.push(Node::Neg(a));
         let sinks = [Node::Mul(a, b), Node::Fused(less, b, a), Node::Fused(b, a, b)]
             .map(|node| graph.push(node));
-        let counted = operations(&graph, &sinks);
+        let counted = Costs::of(&graph).operations(&sinks);
         let expected = Operations { additions: 2, multiplications: 1, ..Operations::default() };
         assert_eq!(counted, expected);
     }
@@ -157,11 +201,11 @@ mod tests {
         let square = graph.push(Node::Mul(product, product));
         let root = graph.push(Node::Sqrt(product));
         let quotient = graph.push(Node::Div(a, b));
-        let counted = operations(&graph, &[square, root]);
+        let counted = Costs::of(&graph).operations(&[square, root]);
         let expected = Operations { multiplications: 2, roots: 1, ..Operations::default() };
         assert_eq!(counted, expected);
-        assert_eq!(operations(&graph, &[quotient]).divisions, 1);
-        assert_eq!(operations(&graph, &[quotient]).multiplications, 0);
+        assert_eq!(Costs::of(&graph).operations(&[quotient]).divisions, 1);
+        assert_eq!(Costs::of(&graph).operations(&[quotient]).multiplications, 0);
     }
 
     #[test]
@@ -173,6 +217,6 @@ mod tests {
         let guarded = graph.guard(a, guard);
         let sink = graph.push(Node::Add(guarded, b));
         let expected = Operations { additions: 1, ..Operations::default() };
-        assert_eq!(operations(&graph, &[sink]), expected);
+        assert_eq!(Costs::of(&graph).operations(&[sink]), expected);
     }
 }

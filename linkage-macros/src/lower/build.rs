@@ -11,7 +11,7 @@ use super::witnesses::witnesses;
 use crate::interface::entries::Given;
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
-use crate::ir::cost::{Operations, operations};
+use crate::ir::cost::{Costs, Operations};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Set;
 use crate::ir::liveness::{Path, live, live_nodes};
@@ -31,7 +31,8 @@ pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<
     let routines = routines.map(|(entries, overflow)| builder.routine(entries, overflow.as_ref()));
     let routines = routines.collect();
     let ids: Vec<EntryId> = builder.interface.ids().collect();
-    let costs = ids.iter().map(|&id| builder.cost(id, &plan)).collect();
+    let of_nodes = Costs::of(builder.graph());
+    let costs = ids.iter().map(|&id| builder.cost(id, &plan, &of_nodes)).collect();
     let entries = ids.iter().map(|&id| match plan.ways[id.index()] {
         Way::Via { entry, given } => Compute::Via { entry, given },
         Way::Own { routine, stage } => {
@@ -214,9 +215,9 @@ impl Builder<'_> {
     }
 
     /// What goes by the angle's cosine and sine makes them first.
-    fn cost(&self, entry: EntryId, plan: &Plan) -> Operations {
-        let (graph, way) = (self.graph(), |entry: EntryId| plan.ways[entry.index()]);
-        let mut cost = operations(graph, &self.needed(entry));
+    fn cost(&self, entry: EntryId, plan: &Plan, of_nodes: &Costs<'_>) -> Operations {
+        let way = |entry: EntryId| plan.ways[entry.index()];
+        let mut cost = of_nodes.operations(&self.needed(entry));
         let last = match way(entry) {
             Way::Via { entry, given: Adapted::UnitRate } => way(entry),
             other => other,

@@ -5,7 +5,7 @@ use super::routine::{Locals, Routine, Search, Stage, Statement};
 use super::schedule::{pairs, take};
 use super::{locals, one_root};
 use crate::interface::records::Shape;
-use crate::ir::cost::operations_of_trial;
+use crate::ir::cost::Costs;
 use crate::ir::graph::{Graph, Id, Node, Sought, Trend, Wanted};
 use crate::ir::liveness::{Path, live, trial_nodes, tried};
 use crate::ir::program::{Clearance, Program};
@@ -105,7 +105,7 @@ fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
         has_checks: false,
         locals,
     };
-    let cost = operations_of_trial(graph, &sought.sides);
+    let cost = Costs::of(graph).of_trial(&sought.sides);
     Search { routine, root, sought, given, cost, has_one_root: None }
 }
 

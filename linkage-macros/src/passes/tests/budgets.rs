@@ -11,7 +11,7 @@
 //! run time also pay two products for what rounding does to their height, which says on which side of
 //! a limit they are.
 
-use crate::ir::cost::{Operations, operations};
+use crate::ir::cost::{Costs, Operations};
 use crate::oracle::mechanism;
 use crate::{equations, lower, passes};
 
@@ -95,7 +95,7 @@ fn written(source: &str, entry: &str) -> u32 {
     let program = equations::derive(&mechanism(source), passes::RULES);
     let entry = program.answer(entry).expect("the entry exists");
     let Operations { additions, multiplications, divisions, roots, sines } =
-        operations(&program.graph, &entry.sinks);
+        Costs::of(&program.graph).operations(&entry.sinks);
     additions + multiplications + divisions + roots + sines
 }
 

@@ -1,6 +1,6 @@
 //! What the equations of motion cost: operations before products are contracted into sums.
 
-use crate::ir::cost::{Operations, operations};
+use crate::ir::cost::{Costs, Operations};
 use crate::oracle::mechanism;
 use crate::passes::{RULES, shortened};
 use crate::{equations, passes};
@@ -8,7 +8,7 @@ use crate::{equations, passes};
 fn written(source: &str, entry: &str) -> Operations {
     let program = shortened(&equations::derive(&mechanism(source), RULES));
     let entry = program.answer(entry).expect("the entry exists");
-    operations(&program.graph, &entry.sinks)
+    Costs::of(&program.graph).operations(&entry.sinks)
 }
 
 fn total(of: Operations) -> u32 {
@@ -74,7 +74,7 @@ fn parallelograms_are_seen_to_be_one_pendulum() {
     // q'' = (τ − 34.335 cos q)/3
     let program = passes::optimise(&equations::derive(&mechanism(PARALLELOGRAMS), RULES));
     let forward = program.answer("forward_dynamics").expect("the entry exists");
-    let of = operations(&program.graph, &forward.sinks);
+    let of = Costs::of(&program.graph).operations(&forward.sinks);
     let expected =
         Operations { additions: 1, multiplications: 1, divisions: 1, roots: 0, sines: 1 };
     assert_eq!(of, expected);
