@@ -1160,11 +1160,7 @@ mod FourBar_ {
                 cos: T,
                 sin: T,
             ) -> Result<FourBarPosition<T>, SolveError> {
-                let (result_, ok_) = {
-                    let (cos_, sin_, near_) = private::on_circle(cos, sin);
-                    let (result_, ok_) = self.core_position_at_(cos_, sin_);
-                    (result_, ok_ & near_)
-                };
+                let (result_, ok_) = self.solve_position_at(cos, sin);
                 if ok_ {
                     Ok(result_)
                 } else {
@@ -1193,11 +1189,7 @@ mod FourBar_ {
                 sin: T,
                 theta_rate: T,
             ) -> Result<FourBarVelocity<T>, SolveError> {
-                let (result_, ok_) = {
-                    let (cos_, sin_, near_) = private::on_circle(cos, sin);
-                    let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
-                    (result_, ok_ & near_)
-                };
+                let (result_, ok_) = self.solve_velocity_at(cos, sin, theta_rate);
                 if ok_ {
                     Ok(result_)
                 } else {
@@ -1230,12 +1222,8 @@ mod FourBar_ {
                 theta_rate: T,
                 theta_acceleration: T,
             ) -> Result<FourBarMotion<T>, SolveError> {
-                let (result_, ok_) = {
-                    let (cos_, sin_, near_) = private::on_circle(cos, sin);
-                    let (result_, ok_) = self
-                        .core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
-                    (result_, ok_ & near_)
-                };
+                let (result_, ok_) = self
+                    .solve_motion_at(cos, sin, theta_rate, theta_acceleration);
                 if ok_ {
                     Ok(result_)
                 } else {
@@ -1434,36 +1422,33 @@ mod FourBar_ {
         impl<T: Float> Entry<OfPosition, T, 1, 10> for FourBar<T> {
             #[inline(always)]
             fn solve<U: Scalar>(&self, [x0_]: [U; 1]) -> ([U; 10], U::Mask) {
-                let (result_, ok_) = self.lift::<U>().solve_position(x0_);
-                (Record::into_array(result_), ok_)
+                private::numbers_and_mask(self.lift::<U>().solve_position(x0_))
             }
 
             fn solve_one(&self, [x0_]: [T; 1]) -> Result<[T; 10], SolveError> {
-                Ok(Record::into_array(self.position(x0_)?))
+                private::numbers_or_error(self.position(x0_))
             }
         }
 
         impl<T: Float> Entry<OfVelocity, T, 2, 7> for FourBar<T> {
             #[inline(always)]
             fn solve<U: Scalar>(&self, [x0_, x1_]: [U; 2]) -> ([U; 7], U::Mask) {
-                let (result_, ok_) = self.lift::<U>().solve_velocity(x0_, x1_);
-                (Record::into_array(result_), ok_)
+                private::numbers_and_mask(self.lift::<U>().solve_velocity(x0_, x1_))
             }
 
             fn solve_one(&self, [x0_, x1_]: [T; 2]) -> Result<[T; 7], SolveError> {
-                Ok(Record::into_array(self.velocity(x0_, x1_)?))
+                private::numbers_or_error(self.velocity(x0_, x1_))
             }
         }
 
         impl<T: Float> Entry<OfMotion, T, 3, 24> for FourBar<T> {
             #[inline(always)]
             fn solve<U: Scalar>(&self, [x0_, x1_, x2_]: [U; 3]) -> ([U; 24], U::Mask) {
-                let (result_, ok_) = self.lift::<U>().solve_motion(x0_, x1_, x2_);
-                (Record::into_array(result_), ok_)
+                private::numbers_and_mask(self.lift::<U>().solve_motion(x0_, x1_, x2_))
             }
 
             fn solve_one(&self, [x0_, x1_, x2_]: [T; 3]) -> Result<[T; 24], SolveError> {
-                Ok(Record::into_array(self.motion(x0_, x1_, x2_)?))
+                private::numbers_or_error(self.motion(x0_, x1_, x2_))
             }
         }
         private::with_ad! {

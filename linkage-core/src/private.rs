@@ -26,7 +26,7 @@ pub use crate::derivatives::{Differentiable, differentiate};
 pub use crate::find::bound::bound;
 pub use crate::find::unknown::{open, root};
 pub use crate::find::{FindError, Trend};
-pub use crate::record::column;
+pub use crate::record::{column, numbers_and_mask, numbers_or_error};
 pub use crate::resolver::{from_angle, from_circle, on_circle};
 pub use crate::scalar::is_finite_unless;
 #[cfg(feature = "sketch")]

@@ -39,8 +39,7 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
         }
         _ => {
             let given: Vec<_> = given.collect();
-            let (answer, diagnose) = (fast_path::answer(cx, id), slow_path::call(cx, id, &given));
-            let answer = if entry.takes_cosine() { quote!({ #answer }) } else { answer };
+            let (answer, diagnose) = (fast_path::call(cx, id), slow_path::call(cx, id, &given));
             quote! {
                 let (#value, #usable) = #answer;
                 if #usable { #ok(#value) } else { #diagnose }

@@ -76,9 +76,20 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     }
 }
 
+/// The answer to the arguments of an entry point, by one call: of the core, where that has the same.
+pub(super) fn call(cx: &Context<'_>, id: EntryId) -> TokenStream {
+    let entry = cx.entry(id);
+    if !entry.takes_cosine() {
+        return answer(cx, id);
+    }
+    let (arguments, name) = (Arguments::new(cx, entry.given), public_name(entry));
+    let given = arguments.names();
+    quote!(self.#name(#(#given),*))
+}
+
 /// The core's answer to the arguments of an entry point. The amplitude of a given cosine and sine is
 /// divided out here, because an angle's have none.
-pub(super) fn answer(cx: &Context<'_>, id: EntryId) -> TokenStream {
+fn answer(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
     let (arguments, core) = (Arguments::new(cx, entry.given), core_name(cx, entry));
     let (names, [result, ok]) = (arguments.names(), ["result_", "ok_"].map(generated));

@@ -123,37 +123,24 @@ impl<'a> Sweep<'a> {
     fn implementation(&self) -> TokenStream {
         let Self { cx, entry, kind, ins, outs, .. } = self;
         let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
-        let [float, any, trait_, result, error, ok] =
-            ["Float", "Scalar", "Entry", "Result", "SolveError", "Ok"]
-                .map(|item| cx.paths.item(item));
+        let [float, any, trait_, result, error] =
+            ["Float", "Scalar", "Entry", "Result", "SolveError"].map(|item| cx.paths.item(item));
         let lane = &cx.names.lifted;
-        let [value, usable] = ["result_", "ok_"].map(generated);
-        let numbers = self.numbers_of(&quote!(#value));
         let (core, method) = (fast_path::core_name(cx, entry), function_name(entry.name));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.call(&locals);
-        let call = quote!(self.#method(#(#arguments),*));
-        // A list is the result itself: there is nothing to take out of it and to put back.
-        let single = match self.entry.result {
-            Shape::List(_) => call,
-            _ => {
-                let numbers = self.numbers_of(&quote!(#call?));
-                quote!(#ok(#numbers))
-            }
-        };
+        let single = self.numbers_in("numbers_or_error", quote!(self.#method(#(#arguments),*)));
         let (given, solved) = match cx.searches() {
             // Poses are searched one by one: the mask says no, and a single call follows.
             true => {
+                let value = generated("result_");
                 let nothing = quote!(let #value = #lane::num(0.0););
                 (quote!(_), quote!(#nothing ([#value; #outs], #lane::gt(#value, #value))))
             }
-            false => (
-                quote!([#(#locals),*]),
-                quote! {
-                    let (#value, #usable) = self.lift::<#lane>().#core(#(#arguments),*);
-                    (#numbers, #usable)
-                },
-            ),
+            false => {
+                let answer = quote!(self.lift::<#lane>().#core(#(#arguments),*));
+                (quote!([#(#locals),*]), self.numbers_in("numbers_and_mask", answer))
+            }
         };
         quote! {
             impl<#scalar: #float> #trait_<#kind, #scalar, #ins, #outs> for #name<#scalar> {
@@ -182,6 +169,15 @@ impl<'a> Sweep<'a> {
             Shape::Number => quote!([#result]),
             Shape::List(_) => result.clone(),
             _ => quote!(#as_array::into_array(#result)),
+        }
+    }
+
+    /// An answer that holds a result, holding the list of its numbers instead; a list is one.
+    fn numbers_in(&self, convert: &str, answer: TokenStream) -> TokenStream {
+        let convert = self.cx.paths.item(convert);
+        match self.entry.result {
+            Shape::List(_) => answer,
+            _ => quote!(#convert(#answer)),
         }
     }
 

@@ -290,6 +290,7 @@ fn orders_share_their_formulas_and_angles_those_of_their_cosines() {
          (private::column(result_.rows()), ok_)",
         "let result_ = if ok_ { result_ } else { private::from_angle(theta, \"theta\", \
          move |cos_, sin_| self.diagnose_velocity_at_(cos_, sin_, T::num(1.0)))? };",
+        "let (result_, ok_) = self.solve_motion_at(cos, sin, theta_rate, theta_acceleration);",
     ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
     }
@@ -344,8 +345,8 @@ fn a_sweep_takes_series_and_gives_components() {
             "Record::into_array(out), status, progress",
             "impl<T: Float> Entry<OfVelocity, T, 2, 5> for FourBar<T> {",
             "fn solve<U: Scalar>(&self, [x0_, x1_]: [U; 2]) -> ([U; 5], U::Mask) {",
-            "self.lift::<U>().solve_velocity(x0_, x1_);",
-            "Ok(Record::into_array(self.velocity(x0_, x1_)?))",
+            "numbers_and_mask(self.lift::<U>().solve_velocity(x0_, x1_))",
+            "numbers_or_error(self.velocity(x0_, x1_))",
             "fn into_array(self) -> [T; 5] { [self.C.x, self.C.y, self.BC.omega, self.DC.omega,",
         ],
     );
@@ -374,7 +375,7 @@ fn a_sweep_over_several_inputs_takes_a_record_of_series() {
             "inputs: impl Inputs<TableInput<Series<'series, T>>>,",
             "let rates: TableInput<Series<'series, T>> = Into::into(rates);",
             "[inputs.s, inputs.X, rates.s, rates.X]",
-            "core_velocity_(TableInput { s: x0_, X: x1_ }, TableInput { s: x2_, X: x3_ });",
+            "core_velocity_(TableInput { s: x0_, X: x1_ }, TableInput { s: x2_, X: x3_ }))",
         ],
     );
 }
