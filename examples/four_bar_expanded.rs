@@ -74,6 +74,7 @@ mod FourBar_ {
     }
 
     /// Positions of the outputs of [`FourBar`], in metres and radians.
+    #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct FourBarPosition<T> {
         /// Link `AB` (crank AB): unit direction, counter-clockwise from +x.
         pub AB: Direction<T>,
@@ -88,6 +89,7 @@ mod FourBar_ {
     }
 
     /// Velocities of the outputs of [`FourBar`], in m/s and rad/s.
+    #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct FourBarVelocity<T> {
         /// Link `AB` (crank AB): angular velocity in rad/s, counter-clockwise.
         pub AB: AngularVelocity<T>,
@@ -102,6 +104,7 @@ mod FourBar_ {
     }
 
     /// Accelerations of the outputs of [`FourBar`], in m/s² and rad/s².
+    #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct FourBarAcceleration<T> {
         /// Link `AB` (crank AB): angular acceleration in rad/s², counter-clockwise.
         pub AB: AngularAcceleration<T>,
@@ -116,6 +119,7 @@ mod FourBar_ {
     }
 
     /// Position, velocity and acceleration of the outputs of [`FourBar`].
+    #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct FourBarMotion<T> {
         /// In metres and radians.
         pub position: FourBarPosition<T>,
@@ -270,36 +274,6 @@ mod FourBar_ {
             }
         }
 
-        #[automatically_derived]
-        impl<T: Copy> Clone for FourBarPosition<T> {
-            #[inline]
-            fn clone(&self) -> Self {
-                *self
-            }
-        }
-
-        #[automatically_derived]
-        impl<T: Copy> Copy for FourBarPosition<T> {}
-
-        #[automatically_derived]
-        impl<T: Copy + PartialEq> PartialEq for FourBarPosition<T> {
-            #[inline]
-            fn eq(&self, other_: &Self) -> private::bool {
-                Record::into_array(*self) == Record::into_array(*other_)
-            }
-        }
-
-        #[automatically_derived]
-        impl<T: Copy + Debug> Debug for FourBarPosition<T> {
-            fn fmt(&self, f_: &mut private::Formatter<'_>) -> private::fmt::Result {
-                private::debug(
-                    self,
-                    "FourBarPosition { AB: Direction { cos: #, sin: # }, B: Point { x: #, y: # }, BC: Direction { cos: #, sin: # }, DC: Direction { cos: #, sin: # }, C: Point { x: #, y: # } }",
-                    f_,
-                )
-            }
-        }
-
         impl<T> Record for FourBarVelocity<T> {
             type Number = T;
             type Array = [T; 7];
@@ -339,36 +313,6 @@ mod FourBar_ {
             }
         }
 
-        #[automatically_derived]
-        impl<T: Copy> Clone for FourBarVelocity<T> {
-            #[inline]
-            fn clone(&self) -> Self {
-                *self
-            }
-        }
-
-        #[automatically_derived]
-        impl<T: Copy> Copy for FourBarVelocity<T> {}
-
-        #[automatically_derived]
-        impl<T: Copy + PartialEq> PartialEq for FourBarVelocity<T> {
-            #[inline]
-            fn eq(&self, other_: &Self) -> private::bool {
-                Record::into_array(*self) == Record::into_array(*other_)
-            }
-        }
-
-        #[automatically_derived]
-        impl<T: Copy + Debug> Debug for FourBarVelocity<T> {
-            fn fmt(&self, f_: &mut private::Formatter<'_>) -> private::fmt::Result {
-                private::debug(
-                    self,
-                    "FourBarVelocity { AB: AngularVelocity { omega: # }, B: Point { x: #, y: # }, BC: AngularVelocity { omega: # }, DC: AngularVelocity { omega: # }, C: Point { x: #, y: # } }",
-                    f_,
-                )
-            }
-        }
-
         impl<T> Record for FourBarAcceleration<T> {
             type Number = T;
             type Array = [T; 7];
@@ -405,36 +349,6 @@ mod FourBar_ {
                     DC: AngularAcceleration { alpha: n4_ },
                     C: Point { x: n5_, y: n6_ },
                 }
-            }
-        }
-
-        #[automatically_derived]
-        impl<T: Copy> Clone for FourBarAcceleration<T> {
-            #[inline]
-            fn clone(&self) -> Self {
-                *self
-            }
-        }
-
-        #[automatically_derived]
-        impl<T: Copy> Copy for FourBarAcceleration<T> {}
-
-        #[automatically_derived]
-        impl<T: Copy + PartialEq> PartialEq for FourBarAcceleration<T> {
-            #[inline]
-            fn eq(&self, other_: &Self) -> private::bool {
-                Record::into_array(*self) == Record::into_array(*other_)
-            }
-        }
-
-        #[automatically_derived]
-        impl<T: Copy + Debug> Debug for FourBarAcceleration<T> {
-            fn fmt(&self, f_: &mut private::Formatter<'_>) -> private::fmt::Result {
-                private::debug(
-                    self,
-                    "FourBarAcceleration { AB: AngularAcceleration { alpha: # }, B: Point { x: #, y: # }, BC: AngularAcceleration { alpha: # }, DC: AngularAcceleration { alpha: # }, C: Point { x: #, y: # } }",
-                    f_,
-                )
             }
         }
 
@@ -568,36 +482,6 @@ mod FourBar_ {
                         n23_,
                     ]),
                 }
-            }
-        }
-
-        #[automatically_derived]
-        impl<T: Copy> Clone for FourBarMotion<T> {
-            #[inline]
-            fn clone(&self) -> Self {
-                *self
-            }
-        }
-
-        #[automatically_derived]
-        impl<T: Copy> Copy for FourBarMotion<T> {}
-
-        #[automatically_derived]
-        impl<T: Copy + PartialEq> PartialEq for FourBarMotion<T> {
-            #[inline]
-            fn eq(&self, other_: &Self) -> private::bool {
-                Record::into_array(*self) == Record::into_array(*other_)
-            }
-        }
-
-        #[automatically_derived]
-        impl<T: Copy + Debug> Debug for FourBarMotion<T> {
-            fn fmt(&self, f_: &mut private::Formatter<'_>) -> private::fmt::Result {
-                private::debug(
-                    self,
-                    "FourBarMotion { position: FourBarPosition { AB: Direction { cos: #, sin: # }, B: Point { x: #, y: # }, BC: Direction { cos: #, sin: # }, DC: Direction { cos: #, sin: # }, C: Point { x: #, y: # } }, velocity: FourBarVelocity { AB: AngularVelocity { omega: # }, B: Point { x: #, y: # }, BC: AngularVelocity { omega: # }, DC: AngularVelocity { omega: # }, C: Point { x: #, y: # } }, acceleration: FourBarAcceleration { AB: AngularAcceleration { alpha: # }, B: Point { x: #, y: # }, BC: AngularAcceleration { alpha: # }, DC: AngularAcceleration { alpha: # }, C: Point { x: #, y: # } } }",
-                    f_,
-                )
             }
         }
 

@@ -133,7 +133,6 @@ mod chain_rule;
 mod checks;
 mod conversions;
 mod cost;
-mod debug;
 #[cfg(feature = "ad")]
 mod derivatives;
 mod diagnosis;

@@ -20,7 +20,6 @@ pub use core::result::Result::{self, Err, Ok};
 pub use crate::absent::*;
 pub use crate::c_interface::{CError, c_sense, c_side, c_trend};
 pub use crate::checks::{AllMet, Checks, FirstError};
-pub use crate::debug::debug;
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate};
 pub use crate::find::bound::bound;

@@ -31,7 +31,6 @@ mod searches;
 mod slow_path;
 mod solver;
 mod statements;
-mod std_traits;
 mod structs;
 mod sweeps;
 mod text;

@@ -6,7 +6,7 @@ use quote::{ToTokens, quote};
 use super::context::{Context, literal};
 use super::identifiers::{function_name, text};
 use super::token_list::Tokens;
-use super::{costs_in_words, docs, identifiers, module, std_traits};
+use super::{costs_in_words, docs, identifiers, module, structs};
 use crate::interface::{forces, labels};
 use crate::model::mechanism::{Output, Param, ParamKind, Sign};
 
@@ -20,7 +20,7 @@ pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
 pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, visibility) =
         (&cx.names.solver, &cx.names.scalar, module::visibility_inside(cx));
-    let (docs, attributes) = (docs::solver(cx), std_traits::in_front_of_solver(cx));
+    let (docs, attributes) = (docs::solver(cx), structs::attributes(cx));
     let fields = cx.mechanism.params.iter().map(|param| {
         let (docs, field) = (docs::param(param), &param.name);
         let ty = match mode_type(param) {

@@ -7,7 +7,7 @@ use super::context::Context;
 use super::identifiers::generated;
 use super::results::{self, read, ty};
 use super::text::Text;
-use super::{docs, module, std_traits};
+use super::{docs, module};
 use crate::interface::entries::EQUATIONS;
 use crate::interface::labels;
 use crate::interface::quantity::Order;
@@ -41,18 +41,23 @@ pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
         | Kind::Equations => TokenStream::new(),
     };
     let returned = cx.interface.record_ids().filter(|&id| is_returned(cx, cx.record(id)));
-    let arrays = returned.map(|id| {
-        let (array, traits) = (as_array(cx, id), std_traits::of_record(cx, id));
-        quote!(#array #traits)
-    });
+    let arrays = returned.map(|id| as_array(cx, id));
     let own = cx.interface.records.iter().map(implementation);
     arrays.chain(own).collect()
+}
+
+/// What stands in front of every struct.
+pub(super) fn attributes(cx: &Context<'_>) -> TokenStream {
+    let derives = cx.paths.derives(&["Clone", "Copy", "Debug", "PartialEq"]);
+    let layout = cx.mechanism.export_c.then(|| quote!(#[repr(C)]));
+    let allowed = module::allowed_outside(cx);
+    quote!(#derives #layout #allowed)
 }
 
 fn definition(cx: &Context<'_>, record: &Record) -> TokenStream {
     let (name, scalar, visibility) =
         (&record.name, &cx.names.scalar, module::visibility_inside(cx));
-    let (docs, attributes) = (docs::record(cx, record), std_traits::in_front_of_record(cx, record));
+    let (docs, attributes) = (docs::record(cx, record), attributes(cx));
     let fields = record.fields.iter().map(|field| {
         let (docs, name) = (docs::field(cx, field), &field.name);
         let ty = ty(cx, field.shape, &quote!(#scalar));
