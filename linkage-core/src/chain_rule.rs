@@ -9,6 +9,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::scalar::lit;
 use crate::{Real, Scalar};
 
 /// A real part with derivatives that follow the chain rule, up to the third.
@@ -67,10 +68,6 @@ fn is_zero<T: Real>(part: T) -> bool {
 /// is the first to leave the range.
 fn compose_singular<D: Compose>(x: D, f: [D::Part; 4]) -> D {
     if !f[D::ORDER].is_finite() && x.has_no_derivative() { D::constant(f[0]) } else { x.compose(f) }
-}
-
-pub(crate) fn lit<T: Scalar>(value: f32) -> T {
-    T::lit(value.into(), value)
 }
 
 /// The components of (`x`, `y`) along and across its own real direction, in units of its real

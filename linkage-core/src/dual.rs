@@ -12,7 +12,8 @@ use num_dual::{
 };
 
 use crate::Real;
-use crate::chain_rule::{Compose, lit};
+use crate::chain_rule::Compose;
+use crate::scalar::lit;
 
 /// What a dual number of `num-dual` can be made of.
 pub trait Part: Real + DualNum {}

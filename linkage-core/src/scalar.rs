@@ -155,6 +155,11 @@ pub trait Scalar:
     fn smallest_square() -> Self;
 }
 
+/// A literal that is the same in both widths.
+pub(crate) fn lit<T: Scalar>(value: f32) -> T {
+    T::lit(value.into(), value)
+}
+
 /// Whether the sum of a result's numbers is finite, and so each of them; not asked of a `plain` number,
 /// for which the compiler has shown that it must be.
 #[inline(always)]

@@ -11,6 +11,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::scalar::lit;
 use crate::{Float, Real, Scalar};
 
 /// The numbers within `radius` of `middle` + `slope` s, where s runs from −1 to 1 over a step.
@@ -22,10 +23,6 @@ pub struct Enclosure<T> {
     middle: T,
     slope: T,
     radius: T,
-}
-
-fn lit<T: Scalar>(value: f32) -> T {
-    T::lit(value.into(), value)
 }
 
 fn epsilon<T: Real>() -> T {
