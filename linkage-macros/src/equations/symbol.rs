@@ -8,9 +8,8 @@ use std::cell::{Cell, RefCell};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::exact::Exact;
-use crate::ir::construct::{Maker, Rule};
+use crate::ir::construct::{Maker, Rule, remade};
 use crate::ir::graph::{Check, ConstantId, Graph, Guard, Id, Node};
-use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes};
 
 /// The graph that symbols are made in.
@@ -54,25 +53,19 @@ impl<'s> Sheet<'s> {
 
     /// These where one input has a rate of one, and the others none: what is not made of a rate stays.
     pub(crate) fn at_unit_rate(&self, sinks: &[Id], moving: u32) -> Vec<Id> {
-        let mut graph = self.graph.borrow_mut();
-        let nodes: Vec<(Id, Node)> = live_nodes(&graph, &live(&graph, sinks, Path::Slow)).collect();
-        let mut maker = Maker { graph: &mut graph, rules: self.rules };
-        let mut moved = Map::default();
-        for (id, node) in nodes {
-            let new = match node {
+        remade(&mut self.graph.borrow_mut(), sinks, self.rules, |maker, id, to| {
+            let new = match maker.graph.node(id) {
                 Node::Input { input, order: 1 } => {
                     maker.constant(Exact::integer(i64::from(input == moving)))
                 }
-                _ => maker.remake(id, node, &|id| moved.get(&id).copied().unwrap_or(id)),
+                node => maker.remake(id, node, to),
             };
-            if new != id {
-                moved.insert(id, new);
-                if let Some(name) = maker.graph.name_of(id).map(str::to_string) {
-                    maker.graph.name(new, name);
-                }
+            if let Some(name) = maker.graph.name_of(id).filter(|_| new != id) {
+                let name = name.to_string();
+                maker.graph.name(new, name);
             }
-        }
-        sinks.iter().map(|sink| moved.get(sink).copied().unwrap_or(*sink)).collect()
+            Some(new)
+        })
     }
 
     pub(crate) fn constant(&'s self, value: Exact) -> Sym<'s> {

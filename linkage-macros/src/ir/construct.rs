@@ -103,15 +103,14 @@ pub(crate) fn rebuild_with(
 /// What these sinks of a graph need, made anew behind it: everything else stands where it stood. The
 /// replacement is asked for every node first, operands before users, and told where earlier ones are now.
 pub(crate) fn remade(
-    old: &Graph,
     graph: &mut Graph,
     sinks: &[Id],
     rules: &[Rule],
     mut replacement: impl FnMut(&mut Maker<'_>, Id, &dyn Fn(Id) -> Id) -> Option<Id>,
 ) -> Vec<Id> {
+    let nodes: Vec<(Id, Node)> = live_nodes(graph, &live(graph, sinks, Path::Slow)).collect();
     let (mut maker, mut moved) = (Maker { graph, rules }, Map::default());
-    let live = live(old, sinks, Path::Slow);
-    for (id, node) in live_nodes(old, &live) {
+    for (id, node) in nodes {
         let to = |id: Id| moved.get(&id).copied().unwrap_or(id);
         let new = replacement(&mut maker, id, &to);
         let new = new.unwrap_or_else(|| maker.remake(id, node, &to));

@@ -103,7 +103,7 @@ impl<'g> Sums<'g> {
 
     /// Makes what changes of the answer anew in the graph, and gives the sinks.
     fn collected(&self, graph: &mut Graph, sinks: &[Id]) -> Vec<Id> {
-        remade(self.graph, graph, sinks, RULES, |maker, id, moved| {
+        remade(graph, sinks, RULES, |maker, id, moved| {
             let instead = self.replacements(id, maker, moved)?;
             Some(self.rebuilt(id, maker, moved, &instead))
         })

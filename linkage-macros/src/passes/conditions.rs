@@ -19,7 +19,7 @@ pub(super) fn ask_once(program: &Program) -> Program {
     let old = &program.graph;
     in_dynamics(program, |graph, sinks| {
         let mut first: Map<(Id, Check, Vec<Id>), u32> = Map::default();
-        remade(old, graph, sinks, RULES, |maker, id, moved| {
+        remade(graph, sinks, RULES, |maker, id, moved| {
             let Node::Guard(value, guard) = old.node(id) else { return None };
             let (value, mut guard) = (moved(value), old.condition(guard).on(moved));
             let key = (value, guard.check.clone(), guard.operands.clone());
