@@ -3,10 +3,27 @@
 
 use core::f64::consts::PI;
 use linkage_core::private::{Clearance, Modes};
-use linkage_core::{Real, Record};
+use linkage_core::{Real, Record, mechanism};
 use linkage_tests::mechanisms::change_points::*;
+use linkage_tests::mechanisms::compensated::ConstantRrp;
+use linkage_tests::mechanisms::fast::*;
 use linkage_tests::random::Random;
 use num_dual::Dual2_64;
+
+mechanism! {
+    struct CompensatedRow {
+        numerics compensated;
+        input theta: angle;
+        input lift: length;
+        ground A(0, 0), D(534mm, 22mm), E(995mm, 108mm);
+        crank AB(A) -> B { length: 68mm, angle: theta }
+        rrr BC(B), DC(D) -> C { lengths: (495mm, 331mm + lift), mode: left }
+        guide rail through (153mm, -600mm) along -4deg;
+        rrp CR(C), block(rail) -> R { length: 1749mm, mode: ahead }
+        rpr cyl(E), stem(R) { offset: 30mm, mode: ahead }
+        output block, cyl;
+    }
+}
 
 /// A place, the rate there and how far around, of every input.
 type Stretch<const N: usize> = [[f64; 3]; N];
@@ -104,6 +121,13 @@ macro_rules! of_every_group {
         $check!(TouchingOffset, [theta]);
         $check!(ThreeCranks, [theta]);
         $check!(Row, [theta, lift]);
+        // Their poses have other formulas.
+        $check!(FastDragLink, [theta]);
+        $check!(FastStephenson, [theta]);
+        $check!(FastBlock, [theta]);
+        $check!(FastTuned, [theta, lift]);
+        $check!(ConstantRrp, [theta, lift]);
+        $check!(CompensatedRow, [theta, lift]);
     };
 }
 
