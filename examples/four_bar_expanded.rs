@@ -751,8 +751,10 @@ mod FourBar_ {
                 let k9_ = T::num(5.62429696287964);
                 let k10_ = T::num(3.937007874015748);
                 let zero_ = T::num(0.0);
-                let velocity_ = Record::from_array([zero_; 7]);
-                let acceleration_ = Record::from_array([zero_; 7]);
+                let velocity_: FourBarVelocity<T> = Record::from_array([zero_; 7]);
+                let acceleration_: FourBarAcceleration<T> = Record::from_array(
+                    [zero_; 7],
+                );
                 let b_x_ = k0_ * cos;
                 let b_y_ = k0_ * sin;
                 let bc_dc_d_x_ = T::fused(-k0_, cos, k1_);

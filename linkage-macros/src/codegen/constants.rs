@@ -58,7 +58,6 @@ impl Count<'_> {
                     self.value(condition.value);
                     condition.operands.iter().for_each(|&operand| self.value(operand));
                 }
-                Statement::Scope { statements, .. } => self.statements(statements),
                 Statement::Tell { statements, clearances } => {
                     self.statements(statements);
                     clearances.iter().for_each(|&id| self.value(id));

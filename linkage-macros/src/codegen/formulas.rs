@@ -115,7 +115,7 @@ fn in_stages(printer: &Printer<'_>, stages: &[Stage], to: &mut Text) {
     let record = record_of(cx, printer.routine);
     let locals: Vec<String> =
         record.fields.iter().map(|field| format!("{}_", field.name)).collect();
-    zeros(cx, &stages[1..], &locals[1..], to);
+    zeros(cx, &record.fields[1..], &locals[1..], to);
     let mut result = Text::default();
     result.put(&record.name.to_string()).put(" { ");
     result.list(record.fields.iter().zip(&locals), |to, (field, local)| {
@@ -135,13 +135,16 @@ fn in_stages(printer: &Printer<'_>, stages: &[Stage], to: &mut Text) {
     to.append(&result);
 }
 
-/// The records of the stages that may not be asked for.
-fn zeros(cx: &Context<'_>, stages: &[Stage], locals: &[String], to: &mut Text) {
+/// The records of the stages that may not be asked for. Their types are written: whatever they follow
+/// from comes last, and until then rustc would look for them at every statement.
+fn zeros(cx: &Context<'_>, fields: &[Field], locals: &[String], to: &mut Text) {
     to.put("let zero_ = ").put(&cx.written(0.0, 0.0)).put(";\n");
     let as_array = cx.paths.written("Record");
-    for (stage, local) in stages.iter().zip(locals) {
-        to.put("let ").put(local).put(" = ").put(&as_array).put("::from_array([zero_; ");
-        to.put(&stage.sinks.len().to_string()).put("]);\n");
+    for (field, local) in fields.iter().zip(locals) {
+        let ty = results::ty(cx, field.shape, &cx.names.scalar.to_token_stream()).to_string();
+        to.put("let ").put(local).put(": ").put(&ty).put(" = ").put(&as_array);
+        let numbers = cx.interface.numbers(field.shape);
+        to.put("::from_array([zero_; ").put(&numbers.to_string()).put("]);\n");
     }
 }
 

@@ -55,17 +55,6 @@ impl<'a> Printer<'a> {
             }
             Statement::Check(condition) => self.condition(condition, to),
             Statement::Find { search, root, size } => self.find(*search, *root, *size, to),
-            Statement::Scope { statements, hands_on } => {
-                let names: Vec<String> = hands_on.iter().map(|&id| self.local(id)).collect();
-                // A tuple, or the bare name of a single local.
-                let pattern = match &names[..] {
-                    [only] => only.clone(),
-                    _ => format!("({})", names.join(", ")),
-                };
-                to.put("let ").put(&pattern).put(" = {\n");
-                self.statements(statements, to);
-                to.put(&pattern).put("\n};\n");
-            }
             Statement::Tell { statements, clearances } => self.tell(statements, clearances, to),
         }
     }

@@ -5,7 +5,6 @@ use super::overflow::Overflow;
 use super::plan::{Plan, Way};
 use super::routine::{Adapted, Asked, Compute, Locals, Lowered, Routine, Search, Stage, Statement};
 use super::schedule::{Schedule, defines};
-use super::scopes::lay_out;
 use super::searches::searches;
 use super::witnesses::witnesses;
 use crate::interface::entries::Given;
@@ -128,14 +127,8 @@ impl Builder<'_> {
         let result = self.interface.entry(last).result;
         let mut stages = Vec::new();
         let mut rest = self.sinks(last);
-        for (nth, (shape, own)) in
-            self.parts(entries, result).into_iter().zip(&statements).enumerate()
-        {
-            let later = statements[nth + 1..].iter().flatten();
-            let used_later = later.flat_map(|statement| schedule.uses(statement));
-            let kept: Vec<Id> = used_later.chain(schedule.read(rest.iter().copied())).collect();
+        for (shape, statements) in self.parts(entries, result).into_iter().zip(statements) {
             let (sinks, further) = rest.split_at(self.interface.numbers(shape));
-            let statements = lay_out(&schedule, own.clone(), &kept);
             stages.push(Stage { result: shape, sinks: sinks.to_vec(), statements });
             rest = further;
         }
@@ -177,8 +170,6 @@ impl Builder<'_> {
         };
         let statements = schedule.stage(&needed);
         let locals = locals::with_letters(&self.locals, self.graph(), &statements);
-        let kept = schedule.read(sinks.iter().copied());
-        let statements = lay_out(&schedule, statements, &kept);
         let Schedule { reads, has_checks, path, .. } = schedule;
         Routine {
             name: name.to_string(),

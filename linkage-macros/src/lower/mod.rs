@@ -4,8 +4,8 @@
 //! Everything about the generated code that has to be decided is decided here; `codegen` prints it.
 //! `plan` says which entry point computes for itself, `ranges` how large values can become,
 //! `overflow` what is asked so that none overflows, `witnesses` which results stand for all,
-//! `checks` what a condition becomes, `schedule` in which order statements stand, `scopes` which
-//! stand together, `locals` what they are called, `one_root` whether an equation has several.
+//! `checks` what a condition becomes, `schedule` in which order statements stand, `locals` what they
+//! are called, `one_root` whether an equation has several.
 
 mod build;
 mod checks;
@@ -16,7 +16,6 @@ mod plan;
 mod ranges;
 pub(crate) mod routine;
 mod schedule;
-mod scopes;
 mod searches;
 mod witnesses;
 

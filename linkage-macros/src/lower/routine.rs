@@ -110,11 +110,6 @@ pub(crate) enum Statement {
         statements: Vec<Statement>,
         clearances: Vec<Id>,
     },
-    /// Statements of which these locals alone are used later.
-    Scope {
-        statements: Vec<Statement>,
-        hands_on: Vec<Id>,
-    },
 }
 
 /// A condition on a value. The fast path compares; the slow path diagnoses.

@@ -126,9 +126,6 @@ impl<'a> Schedule<'a> {
             Statement::Check(condition) => {
                 self.read([condition.value].into_iter().chain(condition.operands.iter().copied()))
             }
-            Statement::Scope { statements, .. } => {
-                statements.iter().flat_map(|statement| self.uses(statement)).collect()
-            }
             Statement::Tell { statements, clearances } => {
                 let used = statements.iter().flat_map(|statement| self.uses(statement));
                 used.chain(self.read(clearances.iter().copied())).collect()
@@ -144,7 +141,6 @@ pub(super) fn defines(statement: &Statement) -> Vec<Id> {
         Statement::SinCos { sin, cos, .. } => sin.iter().chain(cos).copied().collect(),
         Statement::Check(condition) => vec![condition.id],
         Statement::Find { root, size, .. } => [*root].into_iter().chain(*size).collect(),
-        Statement::Scope { hands_on, .. } => hands_on.clone(),
         Statement::Tell { .. } => Vec::new(),
     }
 }

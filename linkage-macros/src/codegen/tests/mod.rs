@@ -271,7 +271,7 @@ fn orders_share_their_formulas_and_angles_those_of_their_cosines() {
     assert_eq!(text.matches("T::sqrt(").count(), 1, "{text}");
     for part in [
         "fn formulas_at_<const ORDER: usize>(",
-        "let velocity_ = Record::from_array([zero_; 5]);",
+        "let velocity_: FourBarVelocity<T> = Record::from_array([zero_; 5]);",
         "let dc_cos_ = ",
         "DC: Direction { cos: dc_cos_, sin: dc_sin_ },",
         "if ORDER == 0 { return FourBarMotion { position: position_, velocity: velocity_,",
@@ -298,17 +298,6 @@ fn the_crate_may_have_another_name() {
     let text = expand(&(mechanism, program));
     assert!(!text.contains("linkage_core"), "{text}");
     assert!(text.contains("use ::renamed::private;"), "{text}");
-}
-
-#[test]
-fn a_long_core_is_cut_into_blocks() {
-    let text = expand(&one_value(|g| {
-        let angle = angle(g);
-        (0..1000).fold(angle, |sum, _| g.push(Node::Add(sum, angle)))
-    }));
-    let body = function(&text, "formulas_position_");
-    assert_eq!(body.matches("= {\n").count(), 16, "{body}");
-    assert!(body.contains("let v64_ = {"), "{body}");
 }
 
 /// The expansion without what its layout alone decides.
