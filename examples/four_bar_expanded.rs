@@ -764,9 +764,7 @@ mod FourBar_ {
                 let bc_dc_inverse_d2_ = k5_ / bc_dc_d2_;
                 let bc_dc_i_ = T::fused(-k2_, cos, T::num(0.09741916));
                 let v38_ = T::num(0.1806448) - bc_dc_i_;
-                let v39_ = k6_ * bc_dc_i_;
-                let v40_ = k6_ * v38_;
-                let v41_ = v39_ * v40_;
+                let v41_ = (k6_ * bc_dc_i_) * (k6_ * v38_);
                 if ORDER == 3 {
                     checks_.clearances(&[[v41_, T::num(0.5517857142857143)]]);
                     return Record::from_array([zero_; 24]);
@@ -774,8 +772,7 @@ mod FourBar_ {
                 let bc_dc_s_ = checks_
                     .reach_circles(v41_, [bc_dc_d_x_, -b_y_, k3_, k4_, k7_], "BC, DC");
                 let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
-                let v45_ = T::num(0.0903224) * bc_dc_inverse_d2_;
-                let bc_dc_h_ = bc_dc_root_s_ * v45_;
+                let bc_dc_h_ = bc_dc_root_s_ * (T::num(0.0903224) * bc_dc_inverse_d2_);
                 let bc_dc_a_d2_ = T::fused(k8_, bc_dc_i_, T::num(0.0193548));
                 let bc_dc_b_d2_ = T::fused(k8_, bc_dc_i_, -T::num(0.01354836));
                 let v54_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
@@ -827,17 +824,17 @@ mod FourBar_ {
                 let b_vx_ = -bc_dc_w_x_;
                 let b_vy_ = theta_rate * b_x_;
                 let v69_ = checks_.nonzero(bc_dc_s_, "BC, DC");
-                let v71_ = T::num(11.07145071433) * bc_dc_root_s_;
-                let v72_ = k5_ / v69_;
-                let bc_dc_inverse_j_ = v71_ * v72_;
-                let v80_ = bc_dc_w_x_ * bc_dc_r3_x_;
-                let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, v80_);
+                let bc_dc_inverse_j_ = (T::num(11.07145071433) * bc_dc_root_s_)
+                    * (k5_ / v69_);
+                let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, bc_dc_w_x_ * bc_dc_r3_x_);
                 let bc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r3_;
-                let v85_ = bc_dc_w_x_ * bc_dc_r2_x_;
-                let bc_dc_w_r2_ = T::fused(-b_vy_, bc_dc_r2_y_, v85_);
+                let bc_dc_w_r2_ = T::fused(
+                    -b_vy_,
+                    bc_dc_r2_y_,
+                    bc_dc_w_x_ * bc_dc_r2_x_,
+                );
                 let dc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r2_;
-                let v114_ = c_y_ * dc_omega_;
-                let c_vx_ = -v114_;
+                let c_vx_ = -(c_y_ * dc_omega_);
                 let c_vy_ = bc_dc_r3_x_ * dc_omega_;
                 let velocity_ = FourBarVelocity {
                     AB: AngularVelocity {
@@ -868,22 +865,23 @@ mod FourBar_ {
                 let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
                 let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
                 let bc_dc_r2_r3_ = T::fused(-k8_, bc_dc_i_, T::num(0.0451612));
-                let v93_ = bc_dc_omega2_squared_ * bc_dc_r2_r3_;
-                let v97_ = T::fused(-T::num(0.03161284), bc_dc_omega3_squared_, v93_);
-                let v99_ = T::num(0.064516) * bc_dc_omega2_squared_;
-                let v102_ = T::fused(-bc_dc_omega3_squared_, bc_dc_r2_r3_, v99_);
-                let v103_ = bc_dc_g_x_ * bc_dc_r3_x_;
-                let v106_ = T::fused(-b_ay_, c_y_, v103_);
-                let v107_ = v97_ + v106_;
-                let bc_alpha_ = bc_dc_inverse_j_ * v107_;
-                let v109_ = bc_dc_g_x_ * bc_dc_r2_x_;
-                let v111_ = T::fused(-b_ay_, bc_dc_r2_y_, v109_);
-                let v112_ = v102_ + v111_;
-                let dc_alpha_ = bc_dc_inverse_j_ * v112_;
+                let v97_ = T::fused(
+                    -T::num(0.03161284),
+                    bc_dc_omega3_squared_,
+                    bc_dc_omega2_squared_ * bc_dc_r2_r3_,
+                );
+                let v102_ = T::fused(
+                    -bc_dc_omega3_squared_,
+                    bc_dc_r2_r3_,
+                    T::num(0.064516) * bc_dc_omega2_squared_,
+                );
+                let bc_alpha_ = bc_dc_inverse_j_
+                    * (v97_ + T::fused(-b_ay_, c_y_, bc_dc_g_x_ * bc_dc_r3_x_));
+                let dc_alpha_ = bc_dc_inverse_j_
+                    * (v102_ + T::fused(-b_ay_, bc_dc_r2_y_, bc_dc_g_x_ * bc_dc_r2_x_));
                 let v117_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
                 let v118_ = c_y_ * bc_dc_omega3_squared_;
-                let v121_ = T::fused(c_y_, dc_alpha_, v117_);
-                let c_ax_ = -v121_;
+                let c_ax_ = -T::fused(c_y_, dc_alpha_, v117_);
                 let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v118_);
                 let acceleration_ = FourBarAcceleration {
                     AB: AngularAcceleration {

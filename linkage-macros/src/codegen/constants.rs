@@ -5,7 +5,7 @@ use super::context::Context;
 use super::text::Text;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
-use crate::lower::routine::{Routine, Statement};
+use crate::lower::routine::{Locals, Routine, Statement};
 
 /// The names of constants.
 #[derive(Default)]
@@ -14,7 +14,7 @@ pub(super) struct Constants(Map<Node, String>);
 impl Constants {
     /// Those that the routine reads more than once, in the order in which it does.
     pub(super) fn shared(graph: &Graph, routine: &Routine) -> Self {
-        let mut count = Count { graph, times: Map::default() };
+        let mut count = Count { graph, locals: &routine.locals, times: Map::default() };
         for stage in &routine.stages {
             count.statements(&stage.statements);
             stage.sinks.iter().for_each(|&sink| count.value(sink));
@@ -43,6 +43,7 @@ impl Constants {
 /// How often each constant is read.
 struct Count<'g> {
     graph: &'g Graph,
+    locals: &'g Locals,
     times: Map<Node, u32>,
 }
 
@@ -50,10 +51,7 @@ impl Count<'_> {
     fn statements(&mut self, statements: &[Statement]) {
         for statement in statements {
             match statement {
-                Statement::Let(id) => {
-                    let node = self.graph.node(*id);
-                    node.for_operands(&mut |operand| self.value(operand));
-                }
+                Statement::Let(id) => self.operands(*id),
                 Statement::Check(condition) => {
                     self.value(condition.value);
                     condition.operands.iter().for_each(|&operand| self.value(operand));
@@ -71,7 +69,12 @@ impl Count<'_> {
         match self.graph.node(id) {
             node @ (Node::Constant(_) | Node::Low(_)) => *self.times.or_insert(node, 0) += 1,
             Node::Neg(of) => self.value(of),
+            _ if self.locals.nested.contains(&id) => self.operands(id),
             _ => {}
         }
+    }
+
+    fn operands(&mut self, id: Id) {
+        self.graph.node(id).for_operands(&mut |operand| self.value(operand));
     }
 }

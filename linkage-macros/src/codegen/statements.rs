@@ -132,11 +132,31 @@ impl<'a> Printer<'a> {
                     to.put(&self.cx.constant(*node));
                 }
             },
-            Reading::Negated(inner) => self.read(inner, to.put("-")),
+            Reading::Negated(inner) => self.read_operand(inner, to.put("-")),
             Reading::Local(id) => {
                 to.put(&self.local(*id));
             }
+            Reading::Nested(id) => self.expression(self.node(*id), to),
         }
+    }
+
+    /// The same behind a sign or beside one.
+    fn read_operand(&self, reading: &Reading, to: &mut Text) {
+        let is_infix = |id: Id| {
+            let node = self.node(id);
+            matches!(node, Node::Add(..) | Node::Sub(..) | Node::Mul(..) | Node::Div(..))
+        };
+        match reading {
+            Reading::Nested(id) if is_infix(*id) => {
+                self.read(reading, to.put("("));
+                to.put(")");
+            }
+            _ => self.read(reading, to),
+        }
+    }
+
+    fn operand(&self, id: Id, to: &mut Text) {
+        self.read_operand(&self.routine.reading(self.cx.graph(), id), to);
     }
 
     /// `let (sine, cosine) = …;` of an angle.
@@ -210,7 +230,7 @@ impl<'a> Printer<'a> {
 
     fn expression(&self, node: Node, to: &mut Text) {
         match node {
-            Node::Neg(a) => self.value(a, to.put("-")),
+            Node::Neg(a) => self.operand(a, to.put("-")),
             Node::Add(a, b) => self.infix(a, " + ", b, to),
             Node::Sub(a, b) => self.infix(a, " - ", b, to),
             Node::Mul(a, b) => self.infix(a, " * ", b, to),
@@ -245,8 +265,8 @@ impl<'a> Printer<'a> {
     }
 
     fn infix(&self, a: Id, sign: &str, b: Id, to: &mut Text) {
-        self.value(a, to);
-        self.value(b, to.put(sign));
+        self.operand(a, to);
+        self.operand(b, to.put(sign));
     }
 
     fn call(&self, function: &str, operands: &[Id], to: &mut Text) {

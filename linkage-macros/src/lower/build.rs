@@ -1,6 +1,7 @@
 //! A program made into routines.
 
 use super::locals;
+use super::nesting::{nest, reads};
 use super::overflow::Overflow;
 use super::plan::{Plan, Way};
 use super::routine::{Adapted, Asked, Compute, Locals, Lowered, Routine, Search, Stage, Statement};
@@ -72,7 +73,10 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
 fn tell(schedule: &Schedule<'_>, clearances: &[Id], stage: &mut Vec<Statement>) {
     let statements = schedule.clone().stage(clearances);
     let told = Statement::Tell { statements, clearances: clearances.to_vec() };
-    let needed: Set<Id> = schedule.uses(&told).into_iter().collect();
+    let mut needed = Set::default();
+    schedule.for_uses(&told, &mut |id| {
+        needed.insert(id);
+    });
     let is_needed = |id: &Id| needed.contains(id);
     let last = stage.iter().rposition(|statement| defines(statement).iter().any(is_needed));
     stage.insert(last.map_or(0, |last| last + 1), told);
@@ -123,12 +127,15 @@ impl Builder<'_> {
             }
             statements.push(stage);
         }
-        let locals = locals::with_letters(&self.locals, self.graph(), &statements.concat());
+        let mut locals =
+            locals::with_letters(&self.locals, self.graph(), statements.iter().flatten());
+        let reads = reads(&schedule, &statements, self.sinks(last));
         let result = self.interface.entry(last).result;
         let mut stages = Vec::new();
         let mut rest = self.sinks(last);
         for (shape, statements) in self.parts(entries, result).into_iter().zip(statements) {
             let (sinks, further) = rest.split_at(self.interface.numbers(shape));
+            let statements = nest(&schedule, &reads, &mut locals, statements);
             stages.push(Stage { result: shape, sinks: sinks.to_vec(), statements });
             rest = further;
         }
@@ -169,7 +176,9 @@ impl Builder<'_> {
             Path::Fast | Path::Slow => self.program.with_closures(sinks),
         };
         let statements = schedule.stage(&needed);
-        let locals = locals::with_letters(&self.locals, self.graph(), &statements);
+        let mut locals = locals::with_letters(&self.locals, self.graph(), &statements);
+        let reads = reads(&schedule, std::slice::from_ref(&statements), sinks);
+        let statements = nest(&schedule, &reads, &mut locals, statements);
         let Schedule { reads, has_checks, path, .. } = schedule;
         Routine {
             name: name.to_string(),

@@ -12,7 +12,7 @@ use crate::interface::Interface;
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Kind, Shape};
 use crate::ir::graph::Graph;
-use crate::ir::hash::{Map, Set};
+use crate::ir::hash::Map;
 use crate::ir::program::Program;
 use crate::model::mechanism::{Mechanism, Output};
 
@@ -37,15 +37,19 @@ pub(super) fn named(mechanism: &Mechanism, interface: &Interface, program: &Prog
         }
     }
     let components = names.keys().copied().collect();
-    Locals { names, components, given: Set::default() }
+    Locals { names, components, ..Locals::default() }
 }
 
 /// The same with the letters of the derivations. Two values of one routine may have one letter, as
 /// the velocities at unit rates of two inputs have: the later one gets a number.
-pub(super) fn with_letters(components: &Locals, graph: &Graph, statements: &[Statement]) -> Locals {
+pub(super) fn with_letters<'s>(
+    components: &Locals,
+    graph: &Graph,
+    statements: impl IntoIterator<Item = &'s Statement>,
+) -> Locals {
     let mut locals = components.clone();
     let mut taken: HashSet<String> = components.names.values().cloned().collect();
-    for id in statements.iter().flat_map(defines) {
+    for id in statements.into_iter().flat_map(defines) {
         let Some(letter) = graph.name_of(id).filter(|name| name.is_ascii()) else { continue };
         if locals.names.get(&id).is_some() {
             continue;

@@ -5,11 +5,12 @@
 //! `plan` says which entry point computes for itself, `ranges` how large values can become,
 //! `overflow` what is asked so that none overflows, `witnesses` which results stand for all,
 //! `checks` what a condition becomes, `schedule` in which order statements stand, `locals` what they
-//! are called, `one_root` whether an equation has several.
+//! are called, `nesting` which have no name, `one_root` whether an equation has several.
 
 mod build;
 mod checks;
 mod locals;
+mod nesting;
 mod one_root;
 mod overflow;
 mod plan;

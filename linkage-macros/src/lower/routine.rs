@@ -184,6 +184,8 @@ pub(crate) struct Locals {
     pub components: Set<Id>,
     /// What a function is given in place of what it would be computed from.
     pub given: Set<Id>,
+    /// What is written where it is read, without a name.
+    pub nested: Set<Id>,
 }
 
 /// How a value is read.
@@ -196,6 +198,8 @@ pub(crate) enum Reading {
     /// Another reading behind a sign.
     Negated(Box<Reading>),
     Local(Id),
+    /// An operation.
+    Nested(Id),
 }
 
 /// Whether the node is an input or a parameter.
@@ -232,6 +236,7 @@ impl Locals {
             Node::Neg(operand) if !self.components.contains(&id) => {
                 Reading::Negated(Box::new(self.reading(graph, path, operand)))
             }
+            _ if self.nested.contains(&id) => Reading::Nested(id),
             _ => Reading::Local(id),
         }
     }
@@ -241,7 +246,7 @@ impl Reading {
     /// The local that is read, if one is.
     pub(crate) fn local(&self) -> Option<Id> {
         match self {
-            Self::Leaf(_) | Self::Constant(_) => None,
+            Self::Leaf(_) | Self::Constant(_) | Self::Nested(_) => None,
             Self::Negated(inner) => inner.local(),
             Self::Local(id) => Some(*id),
         }

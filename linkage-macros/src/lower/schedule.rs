@@ -105,30 +105,28 @@ impl<'a> Schedule<'a> {
             }
     }
 
-    /// The locals among the nodes.
-    pub(super) fn read(&self, ids: impl IntoIterator<Item = Id>) -> Vec<Id> {
-        let reading = |id| self.locals.reading(self.graph, self.path, id).local();
-        ids.into_iter().filter_map(reading).collect()
+    /// Tells each local among the values.
+    pub(super) fn for_locals(&self, ids: &[Id], each: &mut dyn FnMut(Id)) {
+        let read = |&id: &Id| self.locals.reading(self.graph, self.path, id).local();
+        ids.iter().filter_map(read).for_each(each);
     }
 
-    /// The locals that a statement reads.
-    pub(super) fn uses(&self, statement: &Statement) -> Vec<Id> {
+    /// Tells each local that a statement reads, in the order in which it does.
+    pub(super) fn for_uses(&self, statement: &Statement, each: &mut dyn FnMut(Id)) {
         match statement {
             Statement::Let(id) => {
-                let mut operands = Vec::new();
-                self.graph.node(*id).for_operands(&mut |operand| operands.push(operand));
-                self.read(operands)
+                let node = self.graph.node(*id);
+                node.for_operands(&mut |operand| self.for_locals(&[operand], each));
             }
-            Statement::SinCos { angle, .. } => self.read([*angle]),
-            Statement::Find { search, .. } => {
-                self.read(self.searches[*search].given.iter().copied())
-            }
+            Statement::SinCos { angle, .. } => self.for_locals(&[*angle], each),
+            Statement::Find { search, .. } => self.for_locals(&self.searches[*search].given, each),
             Statement::Check(condition) => {
-                self.read([condition.value].into_iter().chain(condition.operands.iter().copied()))
+                self.for_locals(&[condition.value], each);
+                self.for_locals(&condition.operands, each);
             }
             Statement::Tell { statements, clearances } => {
-                let used = statements.iter().flat_map(|statement| self.uses(statement));
-                used.chain(self.read(clearances.iter().copied())).collect()
+                statements.iter().for_each(|statement| self.for_uses(statement, each));
+                self.for_locals(clearances, each);
             }
         }
     }

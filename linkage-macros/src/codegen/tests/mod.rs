@@ -222,7 +222,10 @@ fn several_inputs_are_a_record_or_an_array() {
     assert!(all.contains("rates: impl Inputs<TableInput<T>>"));
     assert!(all.contains("let rates: TableInput<T> = Into::into(rates);"));
     let formulas = squeezed(function(&text, "formulas_velocity_"));
-    assert!(formulas.contains("let v12_ = rates.s * inputs.X;"), "{formulas}");
+    assert!(
+        formulas.contains("let v14_ = (rates.s * inputs.X) + (inputs.s * rates.X);"),
+        "{formulas}"
+    );
     let inputs =
         "&[(inputs.s, \"s\"), (rates.s, \"s_rate\"), (inputs.X, \"X\"), (rates.X, \"X_rate\")],";
     assert!(all.contains(inputs), "{text}");
@@ -298,6 +301,23 @@ fn the_crate_may_have_another_name() {
     let text = expand(&(mechanism, program));
     assert!(!text.contains("linkage_core"), "{text}");
     assert!(text.contains("use ::renamed::private;"), "{text}");
+}
+
+#[test]
+fn an_operation_inside_of_another_has_parentheses_beside_a_sign_alone() {
+    let text = expand(&one_value(|g| {
+        let angle = angle(g);
+        let sine = g.push(Node::Sin(angle));
+        let negated = g.push(Node::Neg(angle));
+        let sum = g.push(Node::Add(sine, negated));
+        let difference = g.push(Node::Sub(sine, angle));
+        let opposite = g.push(Node::Neg(difference));
+        let quotient = g.push(Node::Div(sum, opposite));
+        g.push(Node::Fused(sine, angle, quotient))
+    }));
+    let body = squeezed(function(&text, "formulas_position_"));
+    let expected = "T::fused(v1_, theta, (v1_ + -theta) / -(v1_ - theta))";
+    assert!(body.contains(expected), "{body}");
 }
 
 /// The expansion without what its layout alone decides.

@@ -1,0 +1,146 @@
+//! Which values are written where they are read.
+//!
+//! A local costs rustc as much as the operation that it names. A value that has no letter, and is read
+//! by the statement behind it alone, is therefore written inside of that: `a * b + c` in place of two
+//! lines. No operation changes its place, so that the machine code stays what it was.
+
+use super::routine::{Locals, Statement};
+use super::schedule::Schedule;
+use crate::ir::graph::Id;
+
+/// The most operations that stand in one expression.
+const MOST: usize = 4;
+
+/// How often each value of the graph is read as a local.
+pub(super) fn reads(schedule: &Schedule<'_>, stages: &[Vec<Statement>], sinks: &[Id]) -> Vec<u32> {
+    let mut reads = vec![0; schedule.graph.len()];
+    let mut read = |id: Id| reads[id.index()] += 1;
+    stages.iter().flatten().for_each(|statement| schedule.for_uses(statement, &mut read));
+    schedule.for_locals(sinks, &mut read);
+    reads
+}
+
+/// The statements without those whose values are written inside of the next one, of which `locals` is
+/// told.
+pub(super) fn nest(
+    schedule: &Schedule<'_>,
+    reads: &[u32],
+    locals: &mut Locals,
+    statements: Vec<Statement>,
+) -> Vec<Statement> {
+    // Each with the number of its operations.
+    let mut kept: Vec<(Statement, usize)> = Vec::with_capacity(statements.len());
+    for mut statement in statements {
+        let mut operations = 1;
+        let mut operands = Vec::new();
+        match &mut statement {
+            Statement::Let(_)
+                if kept.last().is_some_and(|(last, _)| is_free(last, reads, locals)) =>
+            {
+                schedule.for_uses(&statement, &mut |operand| operands.push(operand));
+            }
+            Statement::Tell { statements, .. } => {
+                *statements = nest(schedule, reads, locals, std::mem::take(statements));
+            }
+            _ => {}
+        }
+        while let Some(&(Statement::Let(last), within)) = kept.last()
+            && is_free(&Statement::Let(last), reads, locals)
+            && operations + within <= MOST
+            && let Some(place) = operands.iter().position(|&operand| operand == last)
+        {
+            // Of two that are written inside, the first has to be the operand on the left.
+            operands.truncate(place);
+            operations += within;
+            locals.nested.insert(last);
+            kept.pop();
+        }
+        kept.push((statement, operations));
+    }
+    kept.into_iter().map(|(statement, _)| statement).collect()
+}
+
+/// Whether a statement may be written where its value is read.
+fn is_free(statement: &Statement, reads: &[u32], locals: &Locals) -> bool {
+    match statement {
+        Statement::Let(id) => reads[id.index()] == 1 && locals.names.get(id).is_none(),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ir::graph::{Graph, Node};
+    use crate::ir::liveness::Path;
+    use crate::lower::schedule::defines;
+
+    /// What of a graph over two values, a = 0 and b = 1, has locals of its own: numbers of nodes.
+    fn locals_of(make: impl FnOnce(&mut Graph, [Id; 2]) -> Vec<Id>, named: &[u32]) -> Vec<u32> {
+        let mut graph = Graph::new();
+        let given = [0, 1].map(|param| graph.push(Node::Mode(param)));
+        let sinks = make(&mut graph, given);
+        let mut locals = Locals::default();
+        locals.names.extend(named.iter().map(|&id| (Id(id), "letter_".to_string())));
+        let unnamed = Locals::default();
+        let mut schedule = Schedule::new(&graph, &unnamed, Path::Slow, None, &[]);
+        let statements = schedule.stage(&sinks);
+        let before: Vec<Id> = statements.iter().flat_map(defines).collect();
+        let reads = reads(&schedule, std::slice::from_ref(&statements), &sinks);
+        let statements = nest(&schedule, &reads, &mut locals, statements);
+        let left: Vec<Id> = statements.iter().flat_map(defines).collect();
+        assert!(before.iter().all(|id| left.contains(id) != locals.nested.contains(id)));
+        left.into_iter().map(|id| id.0).collect()
+    }
+
+    #[test]
+    fn what_the_next_statement_alone_reads_is_written_there() {
+        // 2 = ab, 3 = ab + b.
+        let sum = |g: &mut Graph, [a, b]: [Id; 2]| {
+            let product = g.push(Node::Mul(a, b));
+            vec![g.push(Node::Add(product, b))]
+        };
+        assert_eq!(locals_of(sum, &[]), [0, 1, 3]);
+        assert_eq!(locals_of(sum, &[2]), [0, 1, 2, 3], "a letter is kept");
+        let results = |g: &mut Graph, given: [Id; 2]| [Id(2), sum(g, given)[0]].to_vec();
+        assert_eq!(locals_of(results, &[]), [0, 1, 2, 3], "a result is read by its name");
+        let square = |g: &mut Graph, given: [Id; 2]| {
+            let sum = sum(g, given)[0];
+            vec![g.push(Node::Mul(sum, sum))]
+        };
+        assert_eq!(locals_of(square, &[]), [0, 1, 3, 4], "what is read twice is computed once");
+    }
+
+    #[test]
+    fn operations_stay_in_their_order() {
+        // 2 = ab and 3 = a + b, …
+        let pair =
+            |g: &mut Graph, [a, b]: [Id; 2]| [g.push(Node::Mul(a, b)), g.push(Node::Add(a, b))];
+        // … of which the first is on the left, or on the right.
+        let forth = |g: &mut Graph, given| {
+            let [first, second] = pair(g, given);
+            vec![g.push(Node::Sub(first, second))]
+        };
+        let back = |g: &mut Graph, given| {
+            let [first, second] = pair(g, given);
+            vec![g.push(Node::Sub(second, first))]
+        };
+        assert_eq!(locals_of(forth, &[]), [0, 1, 4]);
+        assert_eq!(locals_of(back, &[]), [0, 1, 2, 4]);
+        // Something else stands between 2 and its reader.
+        let apart = |g: &mut Graph, given| {
+            let [first, second] = pair(g, given);
+            let sum = g.push(Node::Sub(first, given[0]));
+            vec![sum, g.push(Node::Add(second, second))]
+        };
+        assert_eq!(locals_of(apart, &[]), [0, 1, 2, 3, 4, 5]);
+    }
+
+    #[test]
+    fn an_expression_has_four_operations_at_most() {
+        let chain = |g: &mut Graph, [a, b]: [Id; 2]| {
+            vec![(0..9).fold(a, |sum, _| g.push(Node::Add(sum, b)))]
+        };
+        assert_eq!(locals_of(chain, &[]), [0, 1, 5, 9, 10]);
+    }
+}
