@@ -928,9 +928,11 @@ mod FourBar_ {
                     Ok(result_)
                 } else {
                     private::from_angle(
+                        self,
                         theta,
                         "theta",
-                        move |cos_, sin_| self.diagnose_position_at_(cos_, sin_),
+                        (),
+                        Self::diagnose_position_at_,
                     )
                 }
             }
@@ -955,11 +957,11 @@ mod FourBar_ {
                     Ok(result_)
                 } else {
                     private::from_angle(
+                        self,
                         theta,
                         "theta",
-                        move |cos_, sin_| {
-                            self.diagnose_velocity_at_(cos_, sin_, theta_rate)
-                        },
+                        (theta_rate,),
+                        Self::diagnose_velocity_at_,
                     )
                 }
             }
@@ -986,17 +988,11 @@ mod FourBar_ {
                     Ok(result_)
                 } else {
                     private::from_angle(
+                        self,
                         theta,
                         "theta",
-                        move |cos_, sin_| {
-                            self
-                                .diagnose_motion_at_(
-                                    cos_,
-                                    sin_,
-                                    theta_rate,
-                                    theta_acceleration,
-                                )
-                        },
+                        (theta_rate, theta_acceleration),
+                        Self::diagnose_motion_at_,
                     )
                 }
             }
@@ -1019,11 +1015,11 @@ mod FourBar_ {
                     result_
                 } else {
                     private::from_angle(
+                        self,
                         theta,
                         "theta",
-                        move |cos_, sin_| {
-                            self.diagnose_velocity_at_(cos_, sin_, T::num(1.0))
-                        },
+                        (T::num(1.0),),
+                        Self::diagnose_velocity_at_,
                     )?
                 };
                 Ok(private::column(result_.rows()))
@@ -1049,10 +1045,11 @@ mod FourBar_ {
                     Ok(result_)
                 } else {
                     private::from_circle(
-                        cos,
-                        sin,
+                        self,
+                        [cos, sin],
                         "theta",
-                        move |cos_, sin_| self.diagnose_position_at_(cos_, sin_),
+                        (),
+                        Self::diagnose_position_at_,
                     )
                 }
             }
@@ -1078,12 +1075,11 @@ mod FourBar_ {
                     Ok(result_)
                 } else {
                     private::from_circle(
-                        cos,
-                        sin,
+                        self,
+                        [cos, sin],
                         "theta",
-                        move |cos_, sin_| {
-                            self.diagnose_velocity_at_(cos_, sin_, theta_rate)
-                        },
+                        (theta_rate,),
+                        Self::diagnose_velocity_at_,
                     )
                 }
             }
@@ -1112,18 +1108,11 @@ mod FourBar_ {
                     Ok(result_)
                 } else {
                     private::from_circle(
-                        cos,
-                        sin,
+                        self,
+                        [cos, sin],
                         "theta",
-                        move |cos_, sin_| {
-                            self
-                                .diagnose_motion_at_(
-                                    cos_,
-                                    sin_,
-                                    theta_rate,
-                                    theta_acceleration,
-                                )
-                        },
+                        (theta_rate, theta_acceleration),
+                        Self::diagnose_motion_at_,
                     )
                 }
             }
@@ -1135,6 +1124,7 @@ mod FourBar_ {
                 &self,
                 cos: T,
                 sin: T,
+                (): (),
             ) -> Result<FourBarPosition<T>, SolveError> {
                 private::diagnose(
                     &[(cos, "cos"), (sin, "sin")],
@@ -1155,7 +1145,7 @@ mod FourBar_ {
                 &self,
                 cos: T,
                 sin: T,
-                theta_rate: T,
+                (theta_rate,): (T,),
             ) -> Result<FourBarVelocity<T>, SolveError> {
                 private::diagnose(
                     &[(cos, "cos"), (sin, "sin"), (theta_rate, "theta_rate")],
@@ -1176,8 +1166,7 @@ mod FourBar_ {
                 &self,
                 cos: T,
                 sin: T,
-                theta_rate: T,
-                theta_acceleration: T,
+                (theta_rate, theta_acceleration): (T, T),
             ) -> Result<FourBarMotion<T>, SolveError> {
                 private::diagnose(
                     &[

@@ -79,7 +79,8 @@ mod generated {
             if p::Mask::all(usable) {
                 return p::Ok(position);
             }
-            let (cos, sin) = p::from_angle(theta, "theta", |cos, sin| p::Ok((cos, sin)))?;
+            let both = |_: &Self, cos, sin, ()| p::Ok((cos, sin));
+            let (cos, sin) = p::from_angle(self, theta, "theta", (), both)?;
             let mut first_error = p::FirstError::new();
             let radius = p::Checks::positive(&mut first_error, self.radius, "AB", "radius");
             first_error.first()?;
