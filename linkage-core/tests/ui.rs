@@ -15,18 +15,20 @@ use std::thread;
 
 const HERE: &str = env!("CARGO_MANIFEST_DIR");
 
-/// `liblinkage_core-….rmeta` beside this program: the newest, which Cargo has made for it or found to
-/// be as new as its sources.
+/// `liblinkage_core-….rmeta` beside this program: that of the newest `….rlib`, which Cargo has made for it
+/// or found to be as new as its sources. What `cargo check` and Clippy leave there has no `….rlib`, and is
+/// not for the compiler that this test runs.
 fn library() -> PathBuf {
     let program = std::env::current_exe().expect("this program is a file");
     let folder = program.parent().expect("a file is in a folder");
     let entries = fs::read_dir(folder).expect("the folder is there");
     let libraries = entries.map(|entry| entry.expect("an entry").path()).filter(|path| {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        name.starts_with("liblinkage_core-") && name.ends_with(".rmeta")
+        name.starts_with("liblinkage_core-") && name.ends_with(".rlib")
     });
     let made = |path: &PathBuf| fs::metadata(path).and_then(|file| file.modified()).ok();
-    libraries.max_by_key(made).expect("Cargo has built the library")
+    let newest = libraries.max_by_key(made).expect("Cargo has built the library");
+    newest.with_extension("rmeta")
 }
 
 /// The files with mistakes, as the messages name them.
