@@ -20,16 +20,8 @@ mod expanded {
 )]
 mod FourBar_ {
     use ::linkage_core::private;
-    #[allow(unused_imports, reason = "no mechanism needs all of them")]
-    use private::{
-        AllMet, AngularAcceleration, AngularVelocity, Checks, Clearance, Clone, Copy,
-        Cost, Debug, Default, Direction, Entry, Float, From, Inputs, Into,
-        LengthMismatch, Mechanism, Modes, OfMotion, OfPosition, OfVelocity, Ok,
-        Operations, Option, PartialEq, PhantomData, Point, Progress, Real, Record,
-        Result, Scalar, Series, Side, Slide, SlidingAcceleration, SlidingDirection,
-        SlidingVelocity, SolveError, Some, Status, derive, f64, str, usize,
-    };
-
+    #[allow(clippy::wildcard_imports, reason = "what is generated knows what it names")]
+    use private::names::*;
     #[doc(hidden)]
     pub use private::Absent as _;
     /// A crank-rocker of 12, 4, 10 and 7 inches.

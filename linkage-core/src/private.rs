@@ -55,6 +55,17 @@ pub use num_dual::DualSVec;
 #[cfg(feature = "sketch")]
 pub use std::vec::Vec;
 
+/// What generated code calls by its name alone: no functions, as an argument may be called as they are.
+pub mod names {
+    pub use super::{
+        AllMet, AngularAcceleration, AngularVelocity, Checks, Clearance, Clone, Copy, Cost, Debug,
+        Default, Direction, Entry, Float, From, Inputs, Into, LengthMismatch, Mechanism, Modes,
+        OfMotion, OfPosition, OfVelocity, Ok, Operations, Option, PartialEq, PhantomData, Point,
+        Progress, Real, Record, Result, Scalar, Series, Side, Slide, SlidingAcceleration,
+        SlidingDirection, SlidingVelocity, SolveError, Some, Status, derive, f64, str, usize,
+    };
+}
+
 /// Imported under the names of arguments. A constant of the user's that has such a name would make
 /// a pattern of the argument; a function of that name in between hides it, and leaves the argument
 /// alone.

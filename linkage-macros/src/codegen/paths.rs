@@ -18,13 +18,13 @@ pub(super) struct Paths {
     module: TokenStream,
     /// What it is called inside the unnamed constant.
     alias: Ident,
-    /// What the mechanism and its records are called: nothing imported may hide them.
+    /// What the mechanism and its records are called: they hide what is imported.
     own: Vec<String>,
     /// Whether the code has a module of its own.
     is_held: bool,
 }
 
-/// What is imported: types, traits and variants that most mechanisms need.
+/// What `private::names` holds: types, traits and variants that most mechanisms need.
 const IMPORTED: [&str; 46] = [
     "AllMet",
     "AngularAcceleration",
@@ -106,21 +106,30 @@ impl Paths {
             true => quote!(use #module;),
             false => quote!(use #module as #alias;),
         };
-        let items = IMPORTED.map(|name| {
-            let item = Ident::new(name, Span::call_site());
-            let local = self.imported(name);
-            if local == name { quote!(#item) } else { quote!(#item as #local) }
+        // Names one by one would each be an item for rustc, a hundredth of a mechanism's check in all.
+        let hidden = IMPORTED.iter().filter(|name| self.is_hidden(name)).map(|name| {
+            let (item, local) = (Ident::new(name, Span::call_site()), self.imported(name));
+            quote! {
+                #[allow(unused_imports, reason = "no mechanism needs all of them")]
+                use #alias::#item as #local;
+            }
         });
         quote! {
             #module
-            #[allow(unused_imports, reason = "no mechanism needs all of them")]
-            use #alias::{#(#items),*};
+            #[allow(clippy::wildcard_imports, reason = "what is generated knows what it names")]
+            use #alias::names::*;
+            #(#hidden)*
         }
+    }
+
+    /// Whether something of the mechanism's own has the name of something imported.
+    fn is_hidden(&self, name: &str) -> bool {
+        self.own.iter().any(|own| own == name)
     }
 
     /// What an imported item is called.
     pub(super) fn imported(&self, name: &str) -> Ident {
-        let clash = if self.own.iter().any(|own| own == name) { "_" } else { "" };
+        let clash = if self.is_hidden(name) { "_" } else { "" };
         Ident::new(&format!("{name}{clash}"), Span::call_site())
     }
 
