@@ -1327,7 +1327,10 @@ mod FourBar_ {
                 pub fn jacobian(&self, theta: T) -> Result<private::SMatrix<T, 7, 1>, SolveError> {
                     private::differentiate(
                         [theta],
-                        |[dual_]| Ok(self.lift().position(dual_)?.rows()),
+                        |[dual_]| match self.lift().position(dual_) {
+                            Ok(result_) => Ok(result_.rows()),
+                            private::Err(error_) => private::Err(error_),
+                        },
                     )
                 }
             }
@@ -1395,7 +1398,10 @@ mod FourBar_ {
             }
 
             fn position(&self, [q_]: Self::Inputs) -> Result<Self::Rows, SolveError> {
-                Ok(self.position(q_)?.rows())
+                match self.position(q_) {
+                    Ok(result_) => Ok(result_.rows()),
+                    private::Err(error_) => private::Err(error_),
+                }
             }
 
             fn velocity(
@@ -1405,7 +1411,10 @@ mod FourBar_ {
                 [rate_,
                 ]: Self::Inputs,
             ) -> Result<Self::Rows, SolveError> {
-                Ok(self.velocity(q_, rate_)?.rows())
+                match self.velocity(q_, rate_) {
+                    Ok(result_) => Ok(result_.rows()),
+                    private::Err(error_) => private::Err(error_),
+                }
             }
 
             fn motion(
@@ -1417,12 +1426,16 @@ mod FourBar_ {
                 [acceleration_,
                 ]: Self::Inputs,
             ) -> Result<[Self::Rows; 3], SolveError> {
-                let result_ = self.motion(q_, rate_, acceleration_)?;
-                Ok([
-                    result_.position.rows(),
-                    result_.velocity.rows(),
-                    result_.acceleration.rows(),
-                ])
+                match self.motion(q_, rate_, acceleration_) {
+                    Ok(result_) => {
+                        Ok([
+                            result_.position.rows(),
+                            result_.velocity.rows(),
+                            result_.acceleration.rows(),
+                        ])
+                    }
+                    private::Err(error_) => private::Err(error_),
+                }
             }
 
             fn coefficients(

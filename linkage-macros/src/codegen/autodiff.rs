@@ -7,7 +7,7 @@ use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::generated;
 use super::token_list::Tokens;
-use super::{docs, solver};
+use super::{docs, results, solver};
 use crate::interface::entries::Given;
 use crate::model::mechanism::Param;
 
@@ -34,8 +34,9 @@ fn jacobian(cx: &Context<'_>) -> TokenStream {
     let names = arguments.names();
     let (rows, columns, docs) = (cx.rows(), cx.columns(), docs::jacobian(cx));
     let (matrix, error, result) = (item(cx, "SMatrix"), item(cx, "SolveError"), item(cx, "Result"));
-    let (differentiate, ok) = (item(cx, "differentiate"), item(cx, "Ok"));
-    let dual = generated("dual_");
+    let (differentiate, dual) = (item(cx, "differentiate"), generated("dual_"));
+    let answer = quote!(self.lift().position(#dual));
+    let of_duals = results::in_place(cx, &answer, |found| quote!(#found.rows()));
     let (values, point) = match &cx.mechanism.inputs[..] {
         [_] => (quote!([#(#names),*]), quote!([#dual])),
         inputs => {
@@ -48,7 +49,7 @@ fn jacobian(cx: &Context<'_>) -> TokenStream {
         #docs
         pub fn jacobian(&self, #(#declared),*) -> #result<#matrix<#number, #rows, #columns>, #error> {
             #converted
-            #differentiate(#values, |#point| #ok(self.lift().position(#dual)?.rows()))
+            #differentiate(#values, |#point| #of_duals)
         }
     }
 }
@@ -66,7 +67,7 @@ fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
     let (rows, docs) = (cx.rows(), docs::sensitivity(cx));
     let columns = Literal::usize_unsuffixed(params.len());
     let (matrix, error, result) = (item(cx, "SMatrix"), item(cx, "SolveError"), item(cx, "Result"));
-    let (differentiate, ok) = (item(cx, "differentiate"), item(cx, "Ok"));
+    let differentiate = item(cx, "differentiate");
     let fields: Vec<_> = params.iter().map(|param| &param.name).collect();
     let duals: Vec<_> = (0..fields.len()).map(|i| generated(&format!("p{i}_"))).collect();
     let (name, at) = (&cx.names.solver, constant_inputs(cx));
@@ -80,11 +81,13 @@ fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
         quote!(self.#field)
     };
     let solver = solver::construct(cx, &quote!(#name), dual, keep);
+    let answer = quote!((#solver).position(#at));
+    let of_duals = results::in_place(cx, &answer, |found| quote!(#found.rows()));
     Some(quote! {
         #docs
         pub fn sensitivity(&self, #(#declared),*) -> #result<#matrix<#number, #rows, #columns>, #error> {
             #converted
-            #differentiate([#(self.#fields),*], |[#(#duals),*]| #ok((#solver).position(#at)?.rows()))
+            #differentiate([#(self.#fields),*], |[#(#duals),*]| #of_duals)
         }
     })
 }

@@ -1,9 +1,10 @@
 //! How a result is made of its numbers, and how they are read from it again.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
+use super::identifiers::generated;
 use super::text::Text;
 use crate::interface::quantity::{Layout, Part};
 use crate::interface::records::{Field, Shape};
@@ -32,6 +33,19 @@ pub(super) fn ty(cx: &Context<'_>, shape: Shape, scalar: &TokenStream) -> TokenS
             quote!([[#scalar; #columns]; #rows])
         }
     }
+}
+
+/// An answer with something else in place of its result. `?` or a closure would be shorter to read, and
+/// more for rustc to check.
+pub(super) fn in_place(
+    cx: &Context<'_>,
+    answer: &TokenStream,
+    other: impl FnOnce(&Ident) -> TokenStream,
+) -> TokenStream {
+    let [ok, err] = ["Ok", "Err"].map(|item| cx.paths.item(item));
+    let [result, error] = ["result_", "error_"].map(generated);
+    let other = other(&result);
+    quote!(match #answer { #ok(#result) => #ok(#other), #err(#error) => #err(#error) })
 }
 
 /// Writes a result of its numbers, of which each call of `next` writes one.
