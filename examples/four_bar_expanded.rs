@@ -920,11 +920,9 @@ mod FourBar_ {
                     Ok(result_)
                 } else {
                     private::from_angle(
-                        self,
                         theta,
                         "theta",
-                        (),
-                        Self::diagnose_position_at_,
+                        move |cos_, sin_| self.diagnose_position_at_(cos_, sin_),
                     )
                 }
             }
@@ -949,11 +947,11 @@ mod FourBar_ {
                     Ok(result_)
                 } else {
                     private::from_angle(
-                        self,
                         theta,
                         "theta",
-                        (theta_rate,),
-                        Self::diagnose_velocity_at_,
+                        move |cos_, sin_| {
+                            self.diagnose_velocity_at_(cos_, sin_, theta_rate)
+                        },
                     )
                 }
             }
@@ -980,11 +978,17 @@ mod FourBar_ {
                     Ok(result_)
                 } else {
                     private::from_angle(
-                        self,
                         theta,
                         "theta",
-                        (theta_rate, theta_acceleration),
-                        Self::diagnose_motion_at_,
+                        move |cos_, sin_| {
+                            self
+                                .diagnose_motion_at_(
+                                    cos_,
+                                    sin_,
+                                    theta_rate,
+                                    theta_acceleration,
+                                )
+                        },
                     )
                 }
             }
@@ -1007,11 +1011,11 @@ mod FourBar_ {
                     result_
                 } else {
                     private::from_angle(
-                        self,
                         theta,
                         "theta",
-                        (T::num(1.0),),
-                        Self::diagnose_velocity_at_,
+                        move |cos_, sin_| {
+                            self.diagnose_velocity_at_(cos_, sin_, T::num(1.0))
+                        },
                     )?
                 };
                 Ok(private::column(result_.rows()))
@@ -1037,11 +1041,10 @@ mod FourBar_ {
                     Ok(result_)
                 } else {
                     private::from_circle(
-                        self,
-                        [cos, sin],
+                        cos,
+                        sin,
                         "theta",
-                        (),
-                        Self::diagnose_position_at_,
+                        move |cos_, sin_| self.diagnose_position_at_(cos_, sin_),
                     )
                 }
             }
@@ -1067,11 +1070,12 @@ mod FourBar_ {
                     Ok(result_)
                 } else {
                     private::from_circle(
-                        self,
-                        [cos, sin],
+                        cos,
+                        sin,
                         "theta",
-                        (theta_rate,),
-                        Self::diagnose_velocity_at_,
+                        move |cos_, sin_| {
+                            self.diagnose_velocity_at_(cos_, sin_, theta_rate)
+                        },
                     )
                 }
             }
@@ -1100,11 +1104,18 @@ mod FourBar_ {
                     Ok(result_)
                 } else {
                     private::from_circle(
-                        self,
-                        [cos, sin],
+                        cos,
+                        sin,
                         "theta",
-                        (theta_rate, theta_acceleration),
-                        Self::diagnose_motion_at_,
+                        move |cos_, sin_| {
+                            self
+                                .diagnose_motion_at_(
+                                    cos_,
+                                    sin_,
+                                    theta_rate,
+                                    theta_acceleration,
+                                )
+                        },
                     )
                 }
             }
@@ -1116,7 +1127,6 @@ mod FourBar_ {
                 &self,
                 cos: T,
                 sin: T,
-                (): (),
             ) -> Result<FourBarPosition<T>, SolveError> {
                 private::diagnose(
                     &[(cos, "cos"), (sin, "sin")],
@@ -1137,7 +1147,7 @@ mod FourBar_ {
                 &self,
                 cos: T,
                 sin: T,
-                (theta_rate,): (T,),
+                theta_rate: T,
             ) -> Result<FourBarVelocity<T>, SolveError> {
                 private::diagnose(
                     &[(cos, "cos"), (sin, "sin"), (theta_rate, "theta_rate")],
@@ -1158,7 +1168,8 @@ mod FourBar_ {
                 &self,
                 cos: T,
                 sin: T,
-                (theta_rate, theta_acceleration): (T, T),
+                theta_rate: T,
+                theta_acceleration: T,
             ) -> Result<FourBarMotion<T>, SolveError> {
                 private::diagnose(
                     &[

@@ -42,46 +42,41 @@ fn found_on_circle<T: Real>(cos: T, sin: T, name: &'static str) -> Result<(T, T)
     Err(SolveError::OffCircle { name, amplitude: libm::hypot(cos.value(), sin.value()) })
 }
 
-/// Goes on with the cosine and sine of a resolver's direction that was given for the input `name`, and
-/// with the `rest` of what was given.
+/// Goes on with the cosine and sine of a resolver's direction that was given for the input `name`.
 ///
 /// One call, and never inlined: what the slow path needs is no business of the function that may have
-/// to take it. What goes on is a method, not a closure: a closure is one more function for rustc to look
-/// at.
+/// to take it.
 ///
 /// # Errors
 /// `NotFinite` with the name of the one that is not, `OffCircle` with the amplitude, and those of
 /// what goes on.
 #[cold]
 #[inline(never)]
-pub fn from_circle<M, T: Real, G, R>(
-    solver: &M,
-    [cos, sin]: [T; 2],
+pub fn from_circle<T: Real, R>(
+    cos: T,
+    sin: T,
     name: &'static str,
-    rest: G,
-    then: impl FnOnce(&M, T, T, G) -> Result<R, SolveError>,
+    then: impl FnOnce(T, T) -> Result<R, SolveError>,
 ) -> Result<R, SolveError> {
     let (cos, sin) = found_on_circle(cos, sin, name)?;
-    then(solver, cos, sin, rest)
+    then(cos, sin)
 }
 
 /// Goes on with the cosine and sine of an angle that was given for the input `name`, made with more care
-/// than in the straight line, and with the `rest` of what was given.
+/// than in the straight line.
 ///
 /// # Errors
 /// `NotFinite` with the name, and those of what goes on.
 #[cold]
 #[inline(never)]
-pub fn from_angle<M, T: Real, G, R>(
-    solver: &M,
+pub fn from_angle<T: Real, R>(
     angle: T,
     name: &'static str,
-    rest: G,
-    then: impl FnOnce(&M, T, T, G) -> Result<R, SolveError>,
+    then: impl FnOnce(T, T) -> Result<R, SolveError>,
 ) -> Result<R, SolveError> {
     finite_input(angle, name)?;
     let (sin, cos) = T::sin_cos(angle);
-    then(solver, cos, sin, rest)
+    then(cos, sin)
 }
 
 #[cfg(test)]
@@ -111,33 +106,23 @@ mod tests {
         assert!(!on_circle(f64::NAN, 0.0).2 && !on_circle(1.0, f64::INFINITY).2);
     }
 
-    /// All that goes on, for a solver of nothing.
-    #[expect(clippy::unnecessary_wraps, reason = "a method that goes on may refuse")]
-    fn all<G>((): &(), cos: f64, sin: f64, rest: G) -> Result<(f64, f64, G), SolveError> {
-        Ok((cos, sin, rest))
-    }
-
     /// Also of angles that the straight line's sine and cosine are not for.
     #[test]
     fn what_is_given_goes_on_as_a_direction() {
+        let both = |cos, sin| Ok([cos, sin]);
         for angle in [0.3, -2e6, 1e22_f64] {
             // Within a unit in the last place of one.
-            let given = from_angle(&(), angle, "theta", 7, all);
-            let (cos, sin, rest) = given.expect("a finite angle");
-            assert_eq!(rest, 7);
+            let [cos, sin] = from_angle(angle, "theta", both).expect("a finite angle");
             let (sin_by, cos_by) = libm::sincos(angle);
             assert!((cos - cos_by).abs() <= f64::EPSILON && (sin - sin_by).abs() <= f64::EPSILON);
         }
         let not_finite = Err(SolveError::NotFinite { name: "theta" });
-        assert_eq!(from_angle(&(), f64::NAN, "theta", (), all), not_finite);
-        let given = from_circle(&(), [0.57, -0.76_f64], "theta", (1, 2), all);
-        let (cos, sin, rest) = given.expect("it is near one");
-        assert_eq!(rest, (1, 2));
+        assert_eq!(from_angle(f64::NAN, "theta", both), not_finite);
+        let [cos, sin] = from_circle(0.57, -0.76_f64, "theta", both).expect("it is near one");
         assert!((cos - 0.6).abs() <= f64::EPSILON && (sin + 0.8).abs() <= f64::EPSILON);
-        let off = from_circle(&(), [0.0, 2.0], "theta", (), all);
+        let off = from_circle(0.0, 2.0, "theta", both);
         assert_eq!(off, Err(SolveError::OffCircle { name: "theta", amplitude: 2.0 }));
         let refused = SolveError::Singular { group: "BC" };
-        let refuse = |_: &(), _, _, ()| Err::<(), _>(refused);
-        assert_eq!(from_angle(&(), 0.0, "theta", (), refuse), Err(refused));
+        assert_eq!(from_angle(0.0, "theta", |_, _| Err::<(), _>(refused)), Err(refused));
     }
 }

@@ -79,8 +79,7 @@ mod generated {
             if p::Mask::all(usable) {
                 return p::Ok(position);
             }
-            let both = |_: &Self, cos, sin, ()| p::Ok((cos, sin));
-            let (cos, sin) = p::from_angle(self, theta, "theta", (), both)?;
+            let (cos, sin) = p::from_angle(theta, "theta", |cos, sin| p::Ok((cos, sin)))?;
             let mut first_error = p::FirstError::new();
             let radius = p::Checks::positive(&mut first_error, self.radius, "AB", "radius");
             first_error.first()?;

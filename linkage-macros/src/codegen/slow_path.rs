@@ -23,7 +23,7 @@ fn name(entry: &Entry) -> Ident {
 /// What a public function returns where its fast path gave no answer. A given cosine and sine are
 /// brought onto the circle first, an angle's are there.
 pub(super) fn call(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> TokenStream {
-    let entry = cx.entry(id);
+    let (entry, [cos, sin]) = (cx.entry(id), ["cos_", "sin_"].map(generated));
     let (found, own, given) = match cx.compute(id) {
         Compute::Via { entry: other, given: Adapted::CosineAndSine } => {
             ("from_angle", cx.entry(*other), 1)
@@ -34,13 +34,11 @@ pub(super) fn call(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> Token
             return quote!(self.#name(#(#arguments),*));
         }
     };
-    let ((given, rest), name) = (arguments.split_at(given), name(own));
+    let ((given, rates), name) = (arguments.split_at(given), name(own));
     let (found, label) = (cx.paths.item(found), text(&cx.mechanism.inputs[0].name));
-    let given = match given {
-        [angle] => quote!(#angle),
-        _ => quote!([#(#given),*]),
-    };
-    quote!(#found(self, #given, #label, (#(#rest,)*), Self::#name))
+    quote! {
+        #found(#(#given,)* #label, move |#cos, #sin| self.#name(#cos, #sin #(, #rates)*))
+    }
 }
 
 /// The function that says why the fast path of an entry point gave no answer; none where another's
@@ -50,7 +48,7 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     let number = quote!(#scalar);
     let Compute::Own { routine, stage, asked } = cx.compute(id) else { return None };
     let arguments = Arguments::new(cx, entry.given);
-    let (name, received) = (name(entry), received(&arguments, entry, &number));
+    let (name, received) = (name(entry), arguments.received(&number));
     let call = formulas::Call { routine: *routine, stage: *stage };
     let body = diagnosed(cx, entry, &arguments, call, asked);
     let [outcome, error] = ["Result", "SolveError"].map(|item| cx.paths.item(item));
@@ -59,21 +57,8 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
         #docs
         #[cold]
         #[inline(never)]
-        fn #name(&self, #received) -> #outcome<#result, #error> { #body }
+        fn #name(&self, #(#received),*) -> #outcome<#result, #error> { #body }
     })
-}
-
-/// What it is given: behind a cosine and a sine the rest together, so that one function can hand on what
-/// whatever entry point was given.
-fn received(arguments: &Arguments<'_>, entry: &Entry, number: &TokenStream) -> TokenStream {
-    let declared = arguments.received(number);
-    if !entry.takes_cosine() {
-        return quote!(#(#declared),*);
-    }
-    let direction = &declared[..2];
-    let types = arguments.parts().skip(2).map(|(_, form)| form.ty(number));
-    let names = arguments.parts().skip(2).map(|(name, _)| name);
-    quote!(#(#direction),*, (#(#names,)*): (#(#types,)*))
 }
 
 /// What is given must be finite, then every condition be met, then what comes out be finite.

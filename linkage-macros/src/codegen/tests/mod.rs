@@ -286,10 +286,8 @@ fn orders_share_their_formulas_and_angles_those_of_their_cosines() {
          (result_, T::is_near(theta) & ok_)",
         "let (result_, ok_) = self.solve_velocity(theta, T::num(1.0)); \
          (private::column(result_.rows()), ok_)",
-        "let result_ = if ok_ { result_ } else { private::from_angle(self, theta, \"theta\", \
-         (T::num(1.0),), Self::diagnose_velocity_at_)? };",
-        "fn diagnose_motion_at_(&self, cos: T, sin: T, \
-         (theta_rate, theta_acceleration): (T, T)) -> Result<",
+        "let result_ = if ok_ { result_ } else { private::from_angle(theta, \"theta\", \
+         move |cos_, sin_| self.diagnose_velocity_at_(cos_, sin_, T::num(1.0)))? };",
         "let (result_, ok_) = self.solve_motion_at(cos, sin, theta_rate, theta_acceleration);",
     ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
