@@ -34,9 +34,7 @@ pub(super) fn nest(
         let mut operations = 1;
         let mut operands = Vec::new();
         match &mut statement {
-            Statement::Let(_)
-                if kept.last().is_some_and(|(last, _)| is_free(last, reads, locals)) =>
-            {
+            Statement::Let(_) => {
                 schedule.for_uses(&statement, &mut |operand| operands.push(operand));
             }
             Statement::Tell { statements, .. } => {
@@ -45,7 +43,8 @@ pub(super) fn nest(
             _ => {}
         }
         while let Some(&(Statement::Let(last), within)) = kept.last()
-            && is_free(&Statement::Let(last), reads, locals)
+            && reads[last.index()] == 1
+            && locals.names.get(&last).is_none()
             && operations + within <= MOST
             && let Some(place) = operands.iter().position(|&operand| operand == last)
         {
@@ -58,14 +57,6 @@ pub(super) fn nest(
         kept.push((statement, operations));
     }
     kept.into_iter().map(|(statement, _)| statement).collect()
-}
-
-/// Whether a statement may be written where its value is read.
-fn is_free(statement: &Statement, reads: &[u32], locals: &Locals) -> bool {
-    match statement {
-        Statement::Let(id) => reads[id.index()] == 1 && locals.names.get(id).is_none(),
-        _ => false,
-    }
 }
 
 #[cfg(test)]
