@@ -894,13 +894,6 @@ mod FourBar_ {
                     acceleration: acceleration_,
                 }
             }
-
-            fn told_(&self, theta: T) -> [[T; 2]; 1] {
-                let (sin_, cos_) = T::sin_cos(theta);
-                private::told(|checks_| {
-                    self.formulas_at_::<3>(checks_, cos_, sin_, T::num(0.0), T::num(0.0))
-                })
-            }
         }
 
         impl<T: Real> FourBar<T> {
@@ -1294,39 +1287,6 @@ mod FourBar_ {
                 )
             }
         }
-
-        impl<T: Float> Entry<OfPosition, T, 1, 10> for FourBar<T> {
-            #[inline(always)]
-            fn solve<U: Scalar>(&self, [x0_]: [U; 1]) -> ([U; 10], U::Mask) {
-                private::numbers_and_mask(self.lift::<U>().solve_position(x0_))
-            }
-
-            fn solve_one(&self, [x0_]: [T; 1]) -> Result<[T; 10], SolveError> {
-                private::numbers_or_error(self.position(x0_))
-            }
-        }
-
-        impl<T: Float> Entry<OfVelocity, T, 2, 7> for FourBar<T> {
-            #[inline(always)]
-            fn solve<U: Scalar>(&self, [x0_, x1_]: [U; 2]) -> ([U; 7], U::Mask) {
-                private::numbers_and_mask(self.lift::<U>().solve_velocity(x0_, x1_))
-            }
-
-            fn solve_one(&self, [x0_, x1_]: [T; 2]) -> Result<[T; 7], SolveError> {
-                private::numbers_or_error(self.velocity(x0_, x1_))
-            }
-        }
-
-        impl<T: Float> Entry<OfMotion, T, 3, 24> for FourBar<T> {
-            #[inline(always)]
-            fn solve<U: Scalar>(&self, [x0_, x1_, x2_]: [U; 3]) -> ([U; 24], U::Mask) {
-                private::numbers_and_mask(self.lift::<U>().solve_motion(x0_, x1_, x2_))
-            }
-
-            fn solve_one(&self, [x0_, x1_, x2_]: [T; 3]) -> Result<[T; 24], SolveError> {
-                private::numbers_or_error(self.motion(x0_, x1_, x2_))
-            }
-        }
         private::with_ad! {
             impl<T: private::Differentiable> FourBar<T> {
                 /// ∂outputs/∂inputs by automatic differentiation of the position.
@@ -1347,22 +1307,40 @@ mod FourBar_ {
             }
         }
 
-        impl<T: Real> Modes for FourBar<T> {
+        impl<T: Real> Solver for FourBar<T> {
             type Scalar = T;
             type Input = T;
             type Position = FourBarPosition<T>;
+            type Velocity = FourBarVelocity<T>;
             type Motion = FourBarMotion<T>;
-            type Clearances = [Clearance<T>; 1];
-            type Enclosures = [Clearance<T::Enclosing>; 1];
-            type Values = [[T::Enclosing; 2]; 1];
+            type Rows = [T; 7];
+            type Coefficients = [[T; 1]; 7];
+            type Groups<X_: Copy> = [X_; 1];
 
-            const GROUPS: &'static [(&'static str, Option<usize>)] = &[
-                ("BC, DC", private::None),
-            ];
+            const TITLES: Titles = Titles {
+                name: "FourBar",
+                inputs: &FourBar::<f64>::INPUTS,
+                outputs: &FourBar::<f64>::OUTPUTS,
+                groups: &[("BC, DC", private::None)],
+            };
+
+            #[inline]
+            fn input(mut number_: impl FnMut(usize) -> T) -> T {
+                number_(0)
+            }
 
             #[inline]
             fn position(&self, q_: T) -> Result<FourBarPosition<T>, SolveError> {
                 Self::position(self, q_)
+            }
+
+            #[inline]
+            fn velocity(
+                &self,
+                q_: T,
+                rate_: T,
+            ) -> Result<FourBarVelocity<T>, SolveError> {
+                Self::velocity(self, q_, rate_)
             }
 
             #[inline]
@@ -1375,86 +1353,65 @@ mod FourBar_ {
                 Self::motion(self, q_, rate_, acceleration_)
             }
 
-            fn clearances(&self, theta: T, theta_rate: T) -> Self::Clearances {
-                let lifted_: FourBar<private::Jet<T>> = FourBar {
+            #[inline]
+            fn coefficients(&self, q_: T) -> Result<[[T; 1]; 7], SolveError> {
+                Self::coefficients(self, q_)
+            }
+
+            #[inline]
+            fn position_rows(record_: Self::Position) -> Self::Rows {
+                record_.rows()
+            }
+
+            #[inline]
+            fn motion_rows(record_: Self::Motion) -> [Self::Rows; 3] {
+                [
+                    record_.position.rows(),
+                    record_.velocity.rows(),
+                    record_.acceleration.rows(),
+                ]
+            }
+
+            #[inline(always)]
+            fn solve<const ORDER: usize, U: Scalar>(
+                &self,
+                given_: impl Fn(usize) -> U,
+                put_: impl FnOnce(&[U]),
+            ) -> U::Mask {
+                let lifted_ = self.lift::<U>();
+                match ORDER {
+                    0 => private::put_solved(lifted_.solve_position(given_(0)), put_),
+                    1 => {
+                        private::put_solved(
+                            lifted_.solve_velocity(given_(0), given_(1)),
+                            put_,
+                        )
+                    }
+                    _ => {
+                        private::put_solved(
+                            lifted_.solve_motion(given_(0), given_(1), given_(2)),
+                            put_,
+                        )
+                    }
+                }
+            }
+
+            fn told<U: Real, X_: Copy>(
+                &self,
+                standing_: impl Fn(T) -> U,
+                input_: impl Fn(usize) -> U,
+                of_: impl Fn([U; 2]) -> X_,
+            ) -> [X_; 1] {
+                let _ = standing_;
+                let lifted_ = FourBar::<U> {
                     use_new_: PhantomData,
                 };
-                private::moving(lifted_.told_(private::Jet::along(theta, theta_rate)))
-            }
-
-            fn values(&self, middle_: T, radius_: T) -> Self::Values {
-                self.lift::<T::Enclosing>().told_(middle_.enclosing(radius_))
-            }
-
-            fn enclosures(&self, middle_: T, radius_: T, rate_: T) -> Self::Enclosures {
-                Modes::clearances(
-                    &self.lift::<T::Enclosing>(),
-                    middle_.enclosing(radius_),
-                    rate_.enclosing(T::num(0.0)),
-                )
-            }
-        }
-
-        impl<T: Real> Mechanism for FourBar<T> {
-            type Scalar = T;
-            type Inputs = [T; 1];
-            type Rows = [T; 7];
-            type Coefficients = [[T; 1]; 7];
-
-            const NAME: &'static str = "FourBar";
-            const INPUTS: &'static [&'static str] = &FourBar::<f64>::INPUTS;
-            const OUTPUTS: &'static [&'static str] = &FourBar::<f64>::OUTPUTS;
-            fn inputs(value_: impl private::FnMut(usize) -> T) -> Self::Inputs {
-                private::from_fn(value_)
-            }
-
-            fn position(&self, [q_]: Self::Inputs) -> Result<Self::Rows, SolveError> {
-                match self.position(q_) {
-                    Ok(result_) => Ok(result_.rows()),
-                    private::Err(error_) => private::Err(error_),
-                }
-            }
-
-            fn velocity(
-                &self,
-                [q_,
-                ]: Self::Inputs,
-                [rate_,
-                ]: Self::Inputs,
-            ) -> Result<Self::Rows, SolveError> {
-                match self.velocity(q_, rate_) {
-                    Ok(result_) => Ok(result_.rows()),
-                    private::Err(error_) => private::Err(error_),
-                }
-            }
-
-            fn motion(
-                &self,
-                [q_,
-                ]: Self::Inputs,
-                [rate_,
-                ]: Self::Inputs,
-                [acceleration_,
-                ]: Self::Inputs,
-            ) -> Result<[Self::Rows; 3], SolveError> {
-                match self.motion(q_, rate_, acceleration_) {
-                    Ok(result_) => {
-                        Ok([
-                            result_.position.rows(),
-                            result_.velocity.rows(),
-                            result_.acceleration.rows(),
-                        ])
-                    }
-                    private::Err(error_) => private::Err(error_),
-                }
-            }
-
-            fn coefficients(
-                &self,
-                [q_,
-                ]: Self::Inputs,
-            ) -> Result<Self::Coefficients, SolveError> {
-                self.coefficients(q_)
+                let (sin_, cos_) = U::sin_cos(input_(0));
+                let rest_ = U::num(0.0);
+                private::told(|checks_| {
+                        lifted_.formulas_at_::<3>(checks_, cos_, sin_, rest_, rest_)
+                    })
+                    .map(of_)
             }
         }
 

@@ -159,6 +159,7 @@ mod shown;
 #[cfg(feature = "sketch")]
 pub mod sketch;
 mod slow_path;
+mod solver;
 mod sweep;
 mod tracker;
 

@@ -1,6 +1,7 @@
 //! What every solver offers, for code that serves all of them.
 
-use crate::{Scalar, SolveError};
+use crate::solver::Solver;
+use crate::{Record, Scalar, SolveError};
 
 /// A mechanism, whichever it is: names, and solutions as rows of numbers.
 ///
@@ -86,4 +87,51 @@ pub trait Mechanism {
     /// # Errors
     /// Those of the solver's own `coefficients`.
     fn coefficients(&self, inputs: Self::Inputs) -> Result<Self::Coefficients, SolveError>;
+}
+
+impl<S: Solver> Mechanism for S {
+    type Scalar = S::Scalar;
+    type Inputs = <S::Input as Record>::Array;
+    type Rows = S::Rows;
+    type Coefficients = S::Coefficients;
+
+    const NAME: &'static str = S::TITLES.name;
+    const INPUTS: &'static [&'static str] = S::TITLES.inputs;
+    const OUTPUTS: &'static [&'static str] = S::TITLES.outputs;
+
+    #[inline]
+    fn inputs(value: impl FnMut(usize) -> Self::Scalar) -> Self::Inputs {
+        S::input(value).into_array()
+    }
+
+    #[inline]
+    fn position(&self, inputs: Self::Inputs) -> Result<Self::Rows, SolveError> {
+        Solver::position(self, Record::from_array(inputs)).map(S::position_rows)
+    }
+
+    #[inline]
+    fn velocity(
+        &self,
+        inputs: Self::Inputs,
+        rates: Self::Inputs,
+    ) -> Result<Self::Rows, SolveError> {
+        let [inputs, rates] = [inputs, rates].map(Record::from_array);
+        Solver::velocity(self, inputs, rates).map(Record::into_array)
+    }
+
+    #[inline]
+    fn motion(
+        &self,
+        inputs: Self::Inputs,
+        rates: Self::Inputs,
+        accelerations: Self::Inputs,
+    ) -> Result<[Self::Rows; 3], SolveError> {
+        let [inputs, rates, accelerations] = [inputs, rates, accelerations].map(Record::from_array);
+        Solver::motion(self, inputs, rates, accelerations).map(S::motion_rows)
+    }
+
+    #[inline]
+    fn coefficients(&self, inputs: Self::Inputs) -> Result<Self::Coefficients, SolveError> {
+        Solver::coefficients(self, Record::from_array(inputs))
+    }
 }

@@ -11,7 +11,7 @@ pub use core::convert::{From, Into};
 pub use core::default::Default;
 pub use core::fmt::{self, Debug, Formatter};
 pub use core::marker::{Copy, PhantomData};
-pub use core::ops::{Add, BitAnd, Div, FnMut, Mul, Neg, Sub};
+pub use core::ops::{Add, BitAnd, Div, Fn, FnMut, FnOnce, Mul, Neg, Sub};
 pub use core::option::Option::{self, None, Some};
 pub use core::prelude::v1::derive;
 pub use core::primitive::{bool, f32, f64, i32, str, u32, usize};
@@ -25,7 +25,7 @@ pub use crate::derivatives::{Differentiable, differentiate};
 pub use crate::find::bound::bound;
 pub use crate::find::unknown::{open, root};
 pub use crate::find::{FindError, Trend};
-pub use crate::record::{column, numbers_and_mask, numbers_or_error};
+pub use crate::record::column;
 pub use crate::resolver::{from_angle, from_circle, on_circle};
 pub use crate::scalar::is_finite_unless;
 #[cfg(feature = "sketch")]
@@ -33,11 +33,12 @@ pub use crate::sketch::{
     Applied, Drawn, Film, Made, Plan, Sketch, Spring, applied, followed, place, place_open,
 };
 pub use crate::slow_path::{diagnose, diagnose_all};
+pub use crate::solver::{Solver, Titles};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfEnergy, OfEquationsOfMotion, OfForces, OfForwardDynamics, OfMotion,
-    OfPosition, OfStatics, OfVelocity, Progress, Series, Status, sweep,
+    OfPosition, OfStatics, OfVelocity, Progress, Series, Status, put_found, put_solved, sweep,
 };
-pub use crate::tracker::{Clearance, Jet, Modes, moving, standing, told};
+pub use crate::tracker::{Clearance, told};
 pub use crate::with_ad_ as with_ad;
 pub use crate::with_sketch_ as with_sketch;
 pub use crate::{
@@ -59,10 +60,10 @@ pub use std::vec::Vec;
 pub mod names {
     pub use super::{
         AllMet, AngularAcceleration, AngularVelocity, Checks, Clearance, Clone, Copy, Cost, Debug,
-        Default, Direction, Entry, Float, From, Inputs, Into, LengthMismatch, Mechanism, Modes,
-        OfMotion, OfPosition, OfVelocity, Ok, Operations, Option, PartialEq, PhantomData, Point,
-        Progress, Real, Record, Result, Scalar, Series, Side, Slide, SlidingAcceleration,
-        SlidingDirection, SlidingVelocity, SolveError, Some, Status, derive, f64, str, usize,
+        Default, Direction, Float, Fn, FnMut, FnOnce, From, Inputs, Into, LengthMismatch, OfMotion,
+        OfPosition, OfVelocity, Ok, Operations, Option, PartialEq, PhantomData, Point, Progress,
+        Real, Record, Result, Scalar, Series, Side, Slide, SlidingAcceleration, SlidingDirection,
+        SlidingVelocity, SolveError, Solver, Some, Status, Titles, derive, f64, str, usize,
     };
 }
 

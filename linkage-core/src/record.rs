@@ -99,21 +99,6 @@ pub fn column<T, const N: usize>(rows: [T; N]) -> [[T; 1]; N] {
     rows.map(|row| [row])
 }
 
-/// The answer of a fast path with the numbers of its record.
-#[inline(always)]
-pub fn numbers_and_mask<R: Record, M>((record, mask): (R, M)) -> (R::Array, M) {
-    (record.into_array(), mask)
-}
-
-/// The answer of an entry point with the numbers of its record.
-///
-/// # Errors
-/// That of the answer.
-#[inline(always)]
-pub fn numbers_or_error<R: Record, E>(answer: Result<R, E>) -> Result<R::Array, E> {
-    answer.map(R::into_array)
-}
-
 /// A name without what it is a rate of: `blade` of `velocity of blade`.
 fn plain(name: &'static str) -> &'static str {
     name.rsplit(' ').next().unwrap_or(name)

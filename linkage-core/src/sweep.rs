@@ -5,10 +5,11 @@
 //! need. It runs the same generated code as a single call in a loop that the compiler vectorises,
 //! falls back to the single call where the mask says no, and allocates nothing.
 //!
-//! What is generated for a mechanism is an [`Entry`]; loops, tails, statuses and the choice of an
-//! instruction set are written once, here.
+//! What is generated for a mechanism says how one pose is solved ([`Entry`]); loops, tails, statuses and the
+//! choice of an instruction set are written once, here.
 
 mod block;
+mod entries;
 mod instructions;
 mod kinds;
 mod pose;
@@ -19,6 +20,7 @@ use core::fmt;
 
 use crate::{Float, Fusion, Record, Scalar, SolveError};
 use block::{BLOCK, Column, put};
+pub use entries::{put_found, put_solved};
 pub use kinds::*;
 use pose::Pose;
 
@@ -76,14 +78,17 @@ pub struct LengthMismatch {
     pub found: usize,
 }
 
-/// A generated entry point, as a sweep calls it; `K` tells the entry points of a mechanism apart.
+/// An entry point, as a sweep calls it; `K` tells the entry points of a mechanism apart.
 pub trait Entry<K, T: Float, const IN: usize, const OUT: usize> {
-    /// The components of the results without a branch, for lanes as for any number, and where they may
-    /// be used.
-    fn solve<U: Scalar>(&self, inputs: [U; IN]) -> ([U; OUT], U::Mask);
+    /// Puts the numbers of the result without a branch, for lanes as for any number, and says where they
+    /// may be used; where nowhere, there need not be any.
+    fn solve<U: Scalar>(&self, given: [U; IN], put: impl FnOnce(&[U])) -> U::Mask;
 
     /// The same for a single pose, with the slow path's decision.
-    fn solve_one(&self, inputs: [T; IN]) -> Result<[T; OUT], SolveError>;
+    ///
+    /// # Errors
+    /// Those of the entry point, which puts nothing then.
+    fn solve_one(&self, given: [T; IN], put: impl FnOnce(&[T])) -> Result<(), SolveError>;
 }
 
 /// Slices for what is not wanted of a sweep: every field an empty one. It stands for the rest behind
@@ -233,8 +238,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
             for ((number, angle), [sine, cosine]) in angles {
                 *number = Pose::on_circle([angle, sine, cosine].map(|column| column.at(i)));
             }
-            let (values, usable) = self.entry.solve(numbers);
-            put(&values, results, i);
+            let usable = self.entry.solve(numbers, |values| put(values, results, i));
             [*ok] = usable.to_array();
         }
         mask
@@ -296,11 +300,14 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
             for (input, series) in inputs.iter_mut().zip(&self.inputs) {
                 *input = series.at(pose).unwrap_or(none);
             }
-            let result = self.entry.solve_one(inputs);
-            for (output, value) in self.outputs.iter_mut().zip(result.unwrap_or([none; OUT])) {
+            let mut numbers = [none; OUT];
+            let result = self.entry.solve_one(inputs, |found| {
+                numbers.iter_mut().zip(found).for_each(|(to, number)| *to = *number);
+            });
+            for (output, value) in self.outputs.iter_mut().zip(numbers) {
                 output.get_mut(pose).into_iter().for_each(|to| *to = value);
             }
-            let status = result.map_or_else(Status::from, |_| Status::Solved);
+            let status = result.map_or_else(Status::from, |()| Status::Solved);
             self.statuses.get_mut(pose).into_iter().for_each(|to| *to = status);
         }
     }

@@ -12,7 +12,7 @@
 //! their first and second rates can be between two inputs.
 //!
 //! Nothing here knows a formula of a group: how clear of its limit each group is, generated code
-//! says ([`Modes`]).
+//! says ([`Solver`]).
 
 mod around;
 mod enclosure;
@@ -24,14 +24,16 @@ mod stretch;
 mod told;
 
 pub(crate) use enclosure::Enclosure;
-pub use jet::Jet;
-pub use told::{moving, standing, told};
+pub(crate) use jet::Jet;
+pub(crate) use told::moving;
+pub use told::told;
 
 use linear::Linear;
 use passage::Passage;
 
 use crate::kernels::sqrt;
-use crate::{Real, Record, Scalar, SolveError};
+use crate::solver::Solver;
+use crate::{Real, Scalar, SolveError};
 
 /// How clear of its limit a group is: zero at a toggle, negative out of reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,70 +46,6 @@ pub struct Clearance<T> {
     pub second_rate: T,
     /// Against this the rounding of `value` is a few ε.
     pub scale: T,
-}
-
-/// A solver whose assembly modes can be followed; implemented by generated code.
-pub trait Modes: Copy {
-    /// The numbers it computes with.
-    type Scalar: Real;
-    /// Its input: a number, or a record of several.
-    type Input: Record<Number = Self::Scalar> + Copy;
-    /// The result of `position`.
-    type Position: Record<Number = Self::Scalar> + Copy;
-    /// The result of `motion`.
-    type Motion: Record<Number = Self::Scalar> + Copy;
-    /// A [`Clearance`] for each of `GROUPS`.
-    type Clearances: Copy + AsRef<[Clearance<Self::Scalar>]>;
-
-    /// Whether something is searched: then another root might be found where one is lost.
-    const SEARCHES: bool = false;
-
-    /// The groups that have an assembly mode, in solving order: the links, and the number of the
-    /// parameter that holds the mode unless it is a constant. An unknown is one as well: it stands for
-    /// the dead points of its equation, the ends of its interval and, last, the root itself.
-    const GROUPS: &'static [(&'static str, Option<usize>)];
-
-    /// Changes the mode that a parameter holds into its opposite; nothing where none does.
-    #[inline]
-    fn flip(&mut self, _param: usize) {}
-
-    /// The solver's `position`.
-    ///
-    /// # Errors
-    /// The solver's.
-    fn position(&self, q: Self::Input) -> Result<Self::Position, SolveError>;
-
-    /// The solver's `motion`.
-    ///
-    /// # Errors
-    /// The solver's.
-    fn motion(
-        &self,
-        q: Self::Input,
-        rate: Self::Input,
-        acceleration: Self::Input,
-    ) -> Result<Self::Motion, SolveError>;
-
-    /// [`Clearance`]s whose numbers are ranges.
-    type Enclosures: Copy + AsRef<[Clearance<<Self::Scalar as Real>::Enclosing>]>;
-
-    /// Value and scale of each of [`Clearance`]s, which are ranges.
-    type Values: Copy + AsRef<[[<Self::Scalar as Real>::Enclosing; 2]]>;
-
-    /// How clear of their limits the groups are. Behind a group out of reach there are no numbers.
-    fn clearances(&self, q: Self::Input, rate: Self::Input) -> Self::Clearances;
-
-    /// All values of the clearances while the inputs lie no farther than `radius` from `middle`, without
-    /// rates: a fraction of the work.
-    fn values(&self, middle: Self::Input, radius: Self::Input) -> Self::Values;
-
-    /// The same with rates.
-    fn enclosures(
-        &self,
-        middle: Self::Input,
-        radius: Self::Input,
-        rate: Self::Input,
-    ) -> Self::Enclosures;
 }
 
 /// A solver that follows its motion: each pose continues the one before.
@@ -214,13 +152,13 @@ pub trait Modes: Copy {
 /// rates; without rates, or with rates whose squares leave the numbers' range, nothing is known of
 /// where the motion comes from, and the next pose has the solver's modes.
 #[derive(Clone, Copy, Debug)]
-pub struct Tracker<M: Modes> {
+pub struct Tracker<M: Solver> {
     solver: M,
     /// The last pose that was clear of every limit; the solver's modes hold there.
     anchor: Option<M::Input>,
 }
 
-impl<M: Modes> Tracker<M> {
+impl<M: Solver> Tracker<M> {
     /// Follows the motion that the solver's modes begin.
     #[must_use]
     pub const fn new(solver: M) -> Self {
@@ -322,12 +260,12 @@ impl Thresholds {
     }
 }
 
-fn title<M: Modes>(group: usize) -> &'static str {
-    M::GROUPS.get(group).map_or("", |of| of.0)
+fn title<M: Solver>(group: usize) -> &'static str {
+    M::TITLES.groups.get(group).map_or("", |of| of.0)
 }
 
-fn param<M: Modes>(group: usize) -> Option<usize> {
-    M::GROUPS.get(group).and_then(|of| of.1)
+fn param<M: Solver>(group: usize) -> Option<usize> {
+    M::TITLES.groups.get(group).and_then(|of| of.1)
 }
 
 #[cfg(test)]

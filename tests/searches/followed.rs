@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use linkage_core::find::Trend;
-use linkage_core::private::Modes;
+use linkage_core::private::Solver;
 use linkage_core::range::{Stop, Stretch, limits};
 use linkage_core::{Side, SolveError, Tracker};
 use linkage_tests::mechanisms::followed::*;

@@ -2,7 +2,7 @@
 //! against the values in them.
 
 use core::f64::consts::PI;
-use linkage_core::private::{Clearance, Modes};
+use linkage_core::private::{Clearance, Solver};
 use linkage_core::{Real, Record, mechanism};
 use linkage_tests::mechanisms::change_points::*;
 use linkage_tests::mechanisms::compensated::ConstantRrp;
@@ -29,7 +29,7 @@ mechanism! {
 type Stretch<const N: usize> = [[f64; 3]; N];
 
 /// The input of these numbers.
-fn input<M: Modes, const N: usize>(numbers: [M::Scalar; N]) -> M::Input
+fn input<M: Solver, const N: usize>(numbers: [M::Scalar; N]) -> M::Input
 where
     M::Input: Record<Array = [M::Scalar; N]>,
 {
@@ -50,15 +50,15 @@ fn inputs(random: &mut Random) -> Stretch<2> {
 /// With a second rate of zero the clearance of a dual number along the line has the rates.
 fn rates_agree<M, D, const N: usize>(solver: &M, dual: &D, stretch: Stretch<N>)
 where
-    M: Modes<Scalar = f64, Input: Record<Array = [f64; N]>>,
-    D: Modes<Scalar = Dual2_64, Input: Record<Array = [Dual2_64; N]>>,
+    M: Solver<Scalar = f64, Input: Record<Array = [f64; N]>>,
+    D: Solver<Scalar = Dual2_64, Input: Record<Array = [Dual2_64; N]>>,
 {
     let along = stretch.map(|[at, rate, _]| Dual2_64::new(at, rate, 0.0));
     let still = [Dual2_64::from_re(0.0); N];
     let expected = dual.clearances(input::<D, N>(along), input::<D, N>(still));
     let [at, rate] = [0, 1].map(|which| input::<M, N>(stretch.map(|of| of[which])));
     let found = solver.clearances(at, rate);
-    assert_eq!(found.as_ref().len(), M::GROUPS.len());
+    assert_eq!(found.as_ref().len(), M::TITLES.groups.len());
     for (found, expected) in found.as_ref().iter().zip(expected.as_ref()) {
         let Clearance { value: Dual2_64 { re, v1, v2, .. }, scale, .. } = *expected;
         // Behind a group out of reach there are no numbers.
@@ -77,7 +77,7 @@ where
 /// How many groups' ranges say anything, all of whose values at places between are in them.
 fn known_of_ranges<M, const N: usize>(solver: &M, stretch: Stretch<N>) -> usize
 where
-    M: Modes<Scalar = f64, Input: Record<Array = [f64; N]>>,
+    M: Solver<Scalar = f64, Input: Record<Array = [f64; N]>>,
 {
     // On the straight line of a step, both ways from its middle.
     let [middle, radius] = [0, 2].map(|which| input::<M, N>(stretch.map(|of| of[which])));
@@ -153,7 +153,7 @@ fn ranges_hold_the_values_between() {
         macro_rules! check {
             ($solver:ident, $of:expr) => {
                 known += known_of_ranges(&$solver::new(), $of);
-                asked += <$solver as Modes>::GROUPS.len();
+                asked += <$solver as Solver>::TITLES.groups.len();
             };
         }
         of_every_group!(check, stretch);

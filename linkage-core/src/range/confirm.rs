@@ -6,7 +6,7 @@
 use super::limits::Chart;
 use super::{End, RangeError, Stop, Stretch, Stretches};
 use crate::find::{constant, number};
-use crate::tracker::Modes;
+use crate::solver::Solver;
 use crate::{Real, SolveError};
 
 /// Samples of a stretch beside its beginning.
@@ -17,7 +17,7 @@ const SAMPLES: u32 = 32;
 const HALVINGS: u32 = 64;
 
 /// Adds what the solver leaves of a stretch.
-pub(super) fn confirm<T: Real, M: Modes<Scalar = T, Input = T>>(
+pub(super) fn confirm<T: Real, M: Solver<Scalar = T, Input = T>>(
     solver: &M,
     stretch: &Stretch<T>,
     to: &mut Stretches<T>,
@@ -56,7 +56,7 @@ struct Sample<T> {
 
 impl<T: Real> Sample<T> {
     /// At a change point a pose may be undetermined although the machine can be assembled.
-    fn of<M: Modes<Scalar = T, Input = T>>(solver: &M, end: End<T>) -> Self {
+    fn of<M: Solver<Scalar = T, Input = T>>(solver: &M, end: End<T>) -> Self {
         let is_asked = !matches!(end.stop, Stop::ChangePoint { .. });
         let refusal = is_asked.then(|| solver.position(constant(end.at)).err()).flatten();
         Self { end, refusal }
@@ -64,7 +64,7 @@ impl<T: Real> Sample<T> {
 }
 
 /// The last input with a pose on the way from one that has one to one that has none.
-fn boundary<T: Real, M: Modes<Scalar = T, Input = T>>(
+fn boundary<T: Real, M: Solver<Scalar = T, Input = T>>(
     solver: &M,
     with: Sample<T>,
     without: Sample<T>,

@@ -14,7 +14,7 @@ use super::walk::{Event, Walk};
 use super::{End, RangeError, Stop, Stretch, Stretches};
 use crate::find::{Approach, At, constant, magnitude, number};
 use crate::kernels::sqrt;
-use crate::tracker::Modes;
+use crate::solver::Solver;
 use crate::{Real, SolveError};
 
 /// The stretches of the input between two ends over which the mechanism can be assembled in its
@@ -57,7 +57,7 @@ use crate::{Real, SolveError};
 /// # Errors
 /// See [`RangeError`]; the solver's error where a parameter is not finite or a length is not
 /// above zero at any input.
-pub fn limits<T: Real, M: Modes<Scalar = T, Input = T>>(
+pub fn limits<T: Real, M: Solver<Scalar = T, Input = T>>(
     solver: &M,
     between: [T; 2],
 ) -> Result<Stretches<T>, RangeError> {
@@ -68,7 +68,7 @@ pub fn limits<T: Real, M: Modes<Scalar = T, Input = T>>(
     let edge = |at| End { at: constant(at), stop: Stop::Edge };
     let mut stretches = Stretches::new();
     stretches.push(edge(from), edge(to))?;
-    for group in 0..M::GROUPS.len() {
+    for group in 0..M::TITLES.groups.len() {
         let mut rest = Stretches::new();
         for stretch in &stretches {
             of_group(solver, group, stretch, &mut rest)?;
@@ -132,13 +132,13 @@ impl<T: Real> Chart<T> {
 }
 
 /// What a group leaves of a stretch.
-fn of_group<T: Real, M: Modes<Scalar = T, Input = T>>(
+fn of_group<T: Real, M: Solver<Scalar = T, Input = T>>(
     solver: &M,
     group: usize,
     stretch: &Stretch<T>,
     rest: &mut Stretches<T>,
 ) -> Result<(), RangeError> {
-    let title = M::GROUPS.get(group).map_or("", |of| of.0);
+    let title = M::TITLES.groups.get(group).map_or("", |of| of.0);
     let limit = |at| End { at, stop: Stop::Limit { group: title } };
     let (chart, ends) = (Chart::of(stretch), Chart::ends(stretch));
     let nan = number::<T>(f64::NAN);

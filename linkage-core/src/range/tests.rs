@@ -5,8 +5,9 @@ use std::vec::Vec;
 
 use super::walk::{Event, Walk};
 use super::{extrema, limits};
-use crate::SolveError;
-use crate::tracker::{Clearance, Enclosure, Modes};
+use crate::solver::{Solver, Titles};
+use crate::tracker::Clearance;
+use crate::{Mask, Real, Scalar, SolveError};
 
 fn events(f: impl FnMut(f64) -> [f64; 2], ends: [f64; 2]) -> Vec<Event<f64>> {
     let mut list = Vec::new();
@@ -134,18 +135,26 @@ struct Chained<'a> {
     heights: &'a [f64],
 }
 
-impl Modes for Chained<'_> {
+impl Solver for Chained<'_> {
     type Scalar = f64;
     type Input = f64;
     type Position = f64;
+    type Velocity = f64;
     type Motion = f64;
-    type Clearances = [Clearance<f64>; 2];
-    type Enclosures = [Clearance<Enclosure<f64>>; 0];
-    type Values = [[Enclosure<f64>; 2]; 0];
+    type Rows = [f64; 1];
+    type Coefficients = [[f64; 1]; 1];
+    type Groups<X: Copy> = [X; 2];
 
-    const GROUPS: &'static [(&'static str, Option<usize>)] = &[("first", None), ("second", None)];
+    const TITLES: Titles = Titles {
+        name: "Chained",
+        inputs: &["q"],
+        outputs: &["q"],
+        groups: &[("first", None), ("second", None)],
+    };
 
-    fn flip(&mut self, _: usize) {}
+    fn input(mut number: impl FnMut(usize) -> f64) -> f64 {
+        number(0)
+    }
 
     fn position(&self, q: f64) -> Result<f64, SolveError> {
         let [first, second] = self.clearances(q, 0.0).map(|clearance| clearance.value);
@@ -155,11 +164,46 @@ impl Modes for Chained<'_> {
         if is_met { Ok(q) } else { Err(SolveError::OutOfReach { group, by: 1.0 }) }
     }
 
+    fn velocity(&self, q: f64, _: f64) -> Result<f64, SolveError> {
+        self.position(q)
+    }
+
     fn motion(&self, q: f64, _: f64, _: f64) -> Result<f64, SolveError> {
         self.position(q)
     }
 
-    fn clearances(&self, q: f64, rate: f64) -> Self::Clearances {
+    fn coefficients(&self, q: f64) -> Result<[[f64; 1]; 1], SolveError> {
+        self.position(q).map(|q| [[q]])
+    }
+
+    fn position_rows(q: f64) -> [f64; 1] {
+        [q]
+    }
+
+    fn motion_rows(q: f64) -> [[f64; 1]; 3] {
+        [[q]; 3]
+    }
+
+    fn solve<const ORDER: usize, U: Scalar>(
+        &self,
+        given: impl Fn(usize) -> U,
+        put: impl FnOnce(&[U]),
+    ) -> U::Mask {
+        put(&[given(0)]);
+        U::Mask::ALL
+    }
+
+    /// Its clearances are its own.
+    fn told<U: Real, X: Copy>(
+        &self,
+        _: impl Fn(f64) -> U,
+        _: impl Fn(usize) -> U,
+        of: impl Fn([U; 2]) -> X,
+    ) -> [X; 2] {
+        [of([U::num(f64::NAN); 2]); 2]
+    }
+
+    fn clearances(&self, q: f64, rate: f64) -> [Clearance<f64>; 2] {
         let square = (1.0 - q) * (1.0 + q);
         let height = square.sqrt();
         let ([value, slope], nan) = (polynomial(self.heights, height), f64::NAN);
@@ -167,14 +211,6 @@ impl Modes for Chained<'_> {
             Clearance { value: square, rate: -2.0 * q * rate, second_rate: nan, scale: 1.0 },
             Clearance { value, rate: slope * -q / height * rate, second_rate: nan, scale: 1.0 },
         ]
-    }
-
-    fn values(&self, _: f64, _: f64) -> Self::Values {
-        []
-    }
-
-    fn enclosures(&self, _: f64, _: f64, _: f64) -> Self::Enclosures {
-        []
     }
 }
 

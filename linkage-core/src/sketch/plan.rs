@@ -8,7 +8,7 @@ use crate::checks::{Checks, FirstError};
 use crate::diagnosis::finite_result;
 use crate::find::FindError;
 use crate::slow_path::conditions_met;
-use crate::tracker::Modes;
+use crate::solver::Solver;
 use crate::{Scalar, SolveError, Tracker};
 
 /// A solver that can be drawn; implemented by generated code.
@@ -261,7 +261,7 @@ pub fn place<const N: usize>(
 }
 
 /// What [`Drawn::followed`] does, by a [`Tracker`].
-pub fn followed<S: Modes<Scalar = f64>>(
+pub fn followed<S: Solver<Scalar = f64>>(
     solver: S,
     path: &[S::Input],
 ) -> Vec<(S, Option<SolveError>)> {

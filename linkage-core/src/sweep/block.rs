@@ -40,12 +40,11 @@ impl<T: Float> Column<T> {
 /// In loops so short that they are unrolled: one that remained would keep the loop over the poses from
 /// becoming one over vectors. As one loop, 84 numbers were written three times as slowly.
 #[inline(always)]
-pub(super) fn put<T: Float, F: Fusion, const OUT: usize>(
-    values: &[Pose<T, F>; OUT],
-    columns: &mut [Column<T>; OUT],
+pub(super) fn put<T: Float, F: Fusion>(
+    mut values: &[Pose<T, F>],
+    mut columns: &mut [Column<T>],
     pose: usize,
 ) {
-    let (mut columns, mut values) = (&mut columns[..], &values[..]);
     macro_rules! put_thirty_two {
         () => {
             let count = values.len().min(32);

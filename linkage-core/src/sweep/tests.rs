@@ -12,15 +12,20 @@ struct Root;
 const REFUSED: SolveError = SolveError::Singular { group: "root" };
 
 impl<T: Float> Entry<OfPosition, T, 2, 2> for Root {
-    fn solve<U: Scalar>(&self, [x, scale]: [U; 2]) -> ([U; 2], U::Mask) {
+    fn solve<U: Scalar>(&self, [x, scale]: [U; 2], put: impl FnOnce(&[U])) -> U::Mask {
         let root = (x * scale).sqrt();
-        ([root, root * U::num(0.5)], root.gt(U::num(0.0)))
+        put(&[root, root * U::num(0.5)]);
+        root.gt(U::num(0.0))
     }
 
     /// Unlike the lanes, it also knows the root of zero.
-    fn solve_one(&self, [x, scale]: [T; 2]) -> Result<[T; 2], SolveError> {
+    fn solve_one(&self, [x, scale]: [T; 2], put: impl FnOnce(&[T])) -> Result<(), SolveError> {
         let root = (x * scale).sqrt();
-        if root.ge(T::lit(0.0, 0.0)) { Ok([root, root * T::lit(0.5, 0.5)]) } else { Err(REFUSED) }
+        if !root.ge(T::lit(0.0, 0.0)) {
+            return Err(REFUSED);
+        }
+        put(&[root, root * T::lit(0.5, 0.5)]);
+        Ok(())
     }
 }
 
@@ -39,11 +44,14 @@ fn every_pose_is_the_single_call<T: Float>() {
         let outputs = [&mut root[..], &mut half[..]];
         sweep::<OfPosition, _, _, 2, 2>(&Root, inputs, outputs, &mut status, ()).unwrap();
         for i in 0..count {
-            let single = Root.solve_one([x[i], T::lit(4.0, 4.0)]);
-            let expected = single.map_or(Status::Singular, |_| Status::Solved);
+            let mut values = [T::lit(f64::NAN, f32::NAN); 2];
+            let single = Root.solve_one([x[i], T::lit(4.0, 4.0)], |found| {
+                values.copy_from_slice(found);
+            });
+            let expected = single.map_or(Status::Singular, |()| Status::Solved);
             assert_eq!(status[i], expected, "pose {i} of {count}");
             match single {
-                Ok(values) => assert_eq!([root[i], half[i]].map(T::value), values.map(T::value)),
+                Ok(()) => assert_eq!([root[i], half[i]].map(T::value), values.map(T::value)),
                 Err(_) => assert!(root[i].value().is_nan() && half[i].value().is_nan()),
             }
         }

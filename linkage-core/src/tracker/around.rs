@@ -3,8 +3,9 @@
 
 use super::line::Line;
 use super::passage::Passage;
-use super::{Linear, Modes, Thresholds, linear};
+use super::{Linear, Thresholds, linear};
 use crate::kernels::sqrt;
+use crate::solver::Solver;
 use crate::{Scalar, SolveError};
 
 /// A change point close to a pose, along a direction, in parts of it.
@@ -17,13 +18,13 @@ struct Nearby {
 
 /// The change point next to the beginning of a line, if rounding shows there: of the first group
 /// that has one.
-fn nearby<M: Modes>(line: &Line<M>, solver: &M) -> Option<Nearby> {
-    (0..M::GROUPS.len()).find_map(|group| nearby_of(line, solver, group))
+fn nearby<M: Solver>(line: &Line<M>, solver: &M) -> Option<Nearby> {
+    (0..M::TITLES.groups.len()).find_map(|group| nearby_of(line, solver, group))
 }
 
 /// The lowest place of a group's clearance by Newton's method from the beginning of the line, which
 /// is close to it if there is one: within `near` the clearance is a parabola but for a few percent.
-fn nearby_of<M: Modes>(line: &Line<M>, solver: &M, group: usize) -> Option<Nearby> {
+fn nearby_of<M: Solver>(line: &Line<M>, solver: &M, group: usize) -> Option<Nearby> {
     let Thresholds { zero, near, .. } = Thresholds::of::<M::Scalar>();
     let mut here = line.reading(solver, 0.0, group);
     if !here.is_below(near) {
@@ -60,7 +61,7 @@ const NODES: [f64; 8] = [-2.5, 2.5, -2.0, 2.0, -1.5, 1.5, -1.0, 1.0];
 ///
 /// # Errors
 /// `NotFinite` where numbers of the results are finite, and combinations are not.
-pub(super) fn interpolated<M: Modes, R: Linear<M::Scalar>>(
+pub(super) fn interpolated<M: Solver, R: Linear<M::Scalar>>(
     passage: &Passage<M>,
     solver: &M,
     q: M::Input,
@@ -89,7 +90,7 @@ pub(super) fn interpolated<M: Modes, R: Linear<M::Scalar>>(
 /// Inputs from which the motion comes to `q`, if that is the first pose: `q` itself, unless a
 /// change point is near; else inputs on the same side of it along the rates, or ahead where `q` lies
 /// on it, so far away that rounding does not show. None where the rates lead nowhere.
-pub(super) fn beginning<M: Modes>(solver: &M, q: M::Input, rate: M::Input) -> Option<M::Input> {
+pub(super) fn beginning<M: Solver>(solver: &M, q: M::Input, rate: M::Input) -> Option<M::Input> {
     let line = Line::along(q, rate);
     let here = Passage::new(*solver, q, q);
     let is_clear = here.ends_clear(solver);

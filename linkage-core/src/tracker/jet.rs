@@ -11,7 +11,7 @@ use crate::chain_rule::Compose;
 /// is made of them, and the compiler sees which: nothing is computed with rates of zero, and no zero
 /// meets a range of which nothing is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Jet<T> {
+pub(crate) struct Jet<T> {
     pub(crate) value: T,
     pub(crate) rate: T,
     pub(crate) second_rate: T,
@@ -21,13 +21,13 @@ pub struct Jet<T> {
 impl<T: Real> Jet<T> {
     /// An input on its way at a constant rate.
     #[inline]
-    pub fn along(value: T, rate: T) -> Self {
+    pub(crate) fn along(value: T, rate: T) -> Self {
         Self { value, rate, second_rate: T::lit(0.0, 0.0), moves: true }
     }
 
     /// A parameter, with derivatives of its own if it has any.
     #[inline]
-    pub fn standing(value: T) -> Self {
+    pub(crate) fn standing(value: T) -> Self {
         Self::constant(value)
     }
 

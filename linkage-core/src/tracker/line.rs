@@ -1,11 +1,12 @@
 //! Clearances along a straight line of inputs.
 
-use super::{Clearance, Linear, Modes};
+use super::{Clearance, Linear};
+use crate::solver::Solver;
 use crate::{Real, Scalar};
 
 /// A straight line between two inputs, its parts counted from 0 to 1; it goes on beyond them.
 #[derive(Clone, Copy)]
-pub(super) struct Line<M: Modes> {
+pub(super) struct Line<M: Solver> {
     from: M::Input,
     to: M::Input,
     step: M::Input,
@@ -30,15 +31,17 @@ pub(super) struct Ranges {
 }
 
 /// The readings of every group.
-pub(super) struct AllReadings<M: Modes>(M::Clearances);
+pub(super) struct AllReadings<M: Solver>(M::Groups<Clearance<M::Scalar>>);
 
 /// The ranges of every group.
-pub(super) struct AllRanges<M: Modes>(M::Enclosures);
+pub(super) struct AllRanges<M: Solver>(M::Groups<Clearance<Enclosing<M>>>);
 
 /// The same of values alone.
-pub(super) struct AllValues<M: Modes>(M::Values);
+pub(super) struct AllValues<M: Solver>(M::Groups<[Enclosing<M>; 2]>);
 
-impl<M: Modes> Line<M> {
+type Enclosing<M> = <<M as Solver>::Scalar as Real>::Enclosing;
+
+impl<M: Solver> Line<M> {
     pub(super) fn new(from: M::Input, to: M::Input) -> Self {
         Self { from, to, step: to.minus(from) }
     }
@@ -91,7 +94,7 @@ impl<M: Modes> Line<M> {
     }
 }
 
-impl<M: Modes> AllReadings<M> {
+impl<M: Solver> AllReadings<M> {
     pub(super) fn of(&self, group: usize) -> Reading {
         match self.0.as_ref().get(group) {
             Some(of) => {
@@ -104,7 +107,7 @@ impl<M: Modes> AllReadings<M> {
     }
 }
 
-impl<M: Modes> AllRanges<M> {
+impl<M: Solver> AllRanges<M> {
     pub(super) fn of(&self, group: usize) -> Ranges {
         match self.0.as_ref().get(group) {
             Some(of) => {
@@ -119,7 +122,7 @@ impl<M: Modes> AllRanges<M> {
     }
 }
 
-impl<M: Modes> AllValues<M> {
+impl<M: Solver> AllValues<M> {
     /// Of rates nothing is known.
     pub(super) fn of(&self, group: usize) -> Ranges {
         let known = self.0.as_ref().get(group).map(|of| of.map(|range| range.bounds()));
@@ -168,6 +171,6 @@ impl Ranges {
     }
 }
 
-fn number<M: Modes>(value: f64) -> M::Scalar {
+fn number<M: Solver>(value: f64) -> M::Scalar {
     Scalar::lit(value, value as f32)
 }

@@ -12,9 +12,10 @@
 
 use super::line::{AllValues, Line, Reading};
 use super::stretch::{Finding, Lowest, judge};
-use super::{Modes, Thresholds, param, title};
+use super::{Thresholds, param, title};
 use crate::SolveError;
 use crate::kernels::sqrt;
+use crate::solver::Solver;
 
 /// The most stretches in one passage. Half a turn of a four-bar takes some twenty, and of three
 /// groups in a row, each with change points of its own, up to some thousands; what takes more is
@@ -23,7 +24,7 @@ const STRETCHES: usize = 16_384;
 
 /// A straight way between two inputs.
 #[derive(Clone, Copy)]
-pub(super) struct Passage<M: Modes> {
+pub(super) struct Passage<M: Solver> {
     /// With the modes at the beginning.
     solver: M,
     line: Line<M>,
@@ -48,7 +49,7 @@ enum Course {
     Changing(Change),
 }
 
-impl<M: Modes> Passage<M> {
+impl<M: Solver> Passage<M> {
     /// `solver` with the modes at the beginning.
     pub(super) fn new(solver: M, from: M::Input, to: M::Input) -> Self {
         Self { solver, line: Line::new(from, to) }
@@ -59,7 +60,7 @@ impl<M: Modes> Passage<M> {
     pub(super) fn is_clear(&self) -> bool {
         let near = Thresholds::of::<M::Scalar>().near;
         let ranges = self.line.values(&self.solver);
-        (0..M::GROUPS.len()).all(|group| ranges.of(group).is_above(near))
+        (0..M::TITLES.groups.len()).all(|group| ranges.of(group).is_above(near))
             && (!M::SEARCHES || [0.0, 1.0].iter().all(|&part| self.agrees(part, &ranges)))
     }
 
@@ -67,12 +68,12 @@ impl<M: Modes> Passage<M> {
     fn agrees(&self, part: f64, ranges: &AllValues<M>) -> bool {
         let zero = Thresholds::of::<M::Scalar>().zero;
         let readings = self.line.readings(&self.solver, part);
-        (0..M::GROUPS.len()).all(|group| ranges.of(group).hold(&readings.of(group), zero))
+        (0..M::TITLES.groups.len()).all(|group| ranges.of(group).hold(&readings.of(group), zero))
     }
 
     /// Whether the groups are clear of their limits at the end.
     pub(super) fn ends_clear(&self, solver: &M) -> bool {
-        !(0..M::GROUPS.len()).any(|group| self.ends_fading(solver, group))
+        !(0..M::TITLES.groups.len()).any(|group| self.ends_fading(solver, group))
     }
 
     fn ends_fading(&self, solver: &M, group: usize) -> bool {
@@ -122,7 +123,7 @@ impl<M: Modes> Passage<M> {
         budget: &mut usize,
     ) -> Result<Option<Change>, SolveError> {
         let (mut first, mut to) = (None, 1.0_f64);
-        for group in 0..M::GROUPS.len() {
+        for group in 0..M::TITLES.groups.len() {
             // What groups behind this one do is to be asked only before its limit.
             match self.course(solver, group, [here, to], budget)? {
                 Course::Clear => {}
@@ -214,7 +215,7 @@ impl<M: Modes> Passage<M> {
         let thresholds = Thresholds::of::<M::Scalar>();
         // One bit a parameter is enough: a mechanism's struct has fewer fields than that.
         let mut flipped = 0_u128;
-        for group in 0..M::GROUPS.len() {
+        for group in 0..M::TITLES.groups.len() {
             let ends = [(&before, parts[0]), (&*solver, parts[1])];
             let ends = ends.map(|(solver, part)| (part, self.line.reading(solver, part, group)));
             let changes = match lowest_between(ends) {

@@ -47,19 +47,9 @@ pub fn told<T: Scalar, R, const N: usize>(
     told.0
 }
 
-/// Of numbers that move, with the values' rates.
+/// Of numbers that move, with the value's rates.
 #[inline]
-pub fn moving<T: Real, const N: usize>(told: [[Jet<T>; 2]; N]) -> [Clearance<T>; N] {
-    told.map(|[Jet { value, rate, second_rate, .. }, scale]| Clearance {
-        value,
-        rate,
-        second_rate,
-        scale: scale.value,
-    })
-}
-
-/// Without rates.
-#[inline]
-pub fn standing<T: Copy, const N: usize>(clearances: [Clearance<T>; N]) -> [[T; 2]; N] {
-    clearances.map(|Clearance { value, scale, .. }| [value, scale])
+pub(crate) fn moving<T: Real>([told, scale]: [Jet<T>; 2]) -> Clearance<T> {
+    let Jet { value, rate, second_rate, .. } = told;
+    Clearance { value, rate, second_rate, scale: scale.value }
 }

@@ -6,7 +6,7 @@
 //! nowhere else.
 
 mod arguments;
-mod as_mechanism;
+mod as_solver;
 mod autodiff;
 mod c_export;
 mod checked;
@@ -72,9 +72,8 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
     let slow = cx.entries().map(|entry| slow_path::function(cx, entry));
     let (formulas, searches) = (formulas::functions(cx), searches::functions(cx));
     let sweeps = sweeps::items(cx);
-    let (derivatives, tracking, told) =
-        (autodiff::items(cx), tracking::items(cx), tracking::told(cx));
-    let (as_mechanism, dynamics) = (as_mechanism::items(cx), dynamics::items(cx));
+    let (derivatives, clearances) = (autodiff::items(cx), tracking::with_rates(cx));
+    let (as_solver, dynamics) = (as_solver::items(cx), dynamics::items(cx));
     let (c_export, references) = (c_export::items(cx), editor_names::items(cx));
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     // A search decides at every trial, which lanes cannot do together.
@@ -94,12 +93,11 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
             #arguments
             #solver
             #records
-            impl<#scalar: #any> #name<#scalar> { #(#fast)* #formulas #told #searches }
-            impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#slow)* }
+            impl<#scalar: #any> #name<#scalar> { #(#fast)* #formulas #searches }
+            impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#slow)* #clearances }
             #sweeps
             #derivatives
-            #tracking
-            #as_mechanism
+            #as_solver
             #dynamics
             #c_export
             #references

@@ -25,7 +25,7 @@ pub(super) struct Paths {
 }
 
 /// What `private::names` holds: types, traits and variants that most mechanisms need.
-const IMPORTED: [&str; 46] = [
+const IMPORTED: [&str; 48] = [
     "AllMet",
     "AngularAcceleration",
     "AngularVelocity",
@@ -37,14 +37,14 @@ const IMPORTED: [&str; 46] = [
     "Debug",
     "Default",
     "Direction",
-    "Entry",
     "Float",
+    "Fn",
+    "FnMut",
+    "FnOnce",
     "From",
     "Inputs",
     "Into",
     "LengthMismatch",
-    "Mechanism",
-    "Modes",
     "OfMotion",
     "OfPosition",
     "OfVelocity",
@@ -66,8 +66,10 @@ const IMPORTED: [&str; 46] = [
     "SlidingDirection",
     "SlidingVelocity",
     "SolveError",
+    "Solver",
     "Some",
     "Status",
+    "Titles",
     "derive",
     "f64",
     "str",

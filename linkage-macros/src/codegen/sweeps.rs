@@ -8,7 +8,7 @@ use super::arguments::{Arguments, Form};
 use super::context::Context;
 use super::identifiers::{function_name, generated};
 use super::token_list::Tokens;
-use super::{docs, fast_path, results};
+use super::{as_solver, docs, fast_path, results};
 use crate::interface::EntryId;
 use crate::interface::entries::{EQUATIONS, Entry, FORWARD};
 use crate::interface::records::Shape;
@@ -17,8 +17,10 @@ use crate::interface::records::Shape;
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     let sweeps: Vec<Sweep<'_>> = cx.entries().filter_map(|id| Sweep::of(cx, id)).collect();
     let (name, scalar, float) = (&cx.names.solver, &cx.names.scalar, cx.paths.item("Float"));
-    let (functions, implementations) =
-        (sweeps.iter().map(Sweep::function), sweeps.iter().map(Sweep::implementation));
+    let functions = sweeps.iter().map(Sweep::function);
+    // The others are the solver's own.
+    let implementations = sweeps.iter().filter(|sweep| !as_solver::sweeps(sweep.entry));
+    let implementations = implementations.map(Sweep::implementation);
     let functions: TokenStream = functions.collect();
     let functions = (!functions.is_empty())
         .then(|| quote!(impl<#scalar: #float> #name<#scalar> { #functions }));
@@ -122,24 +124,25 @@ impl<'a> Sweep<'a> {
     /// The entry point as the run-time crate's loop calls it.
     fn implementation(&self) -> TokenStream {
         let Self { cx, entry, kind, ins, outs, .. } = self;
-        let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
-        let [float, any, trait_, result, error] =
-            ["Float", "Scalar", "Entry", "Result", "SolveError"].map(|item| cx.paths.item(item));
-        let lane = &cx.names.lifted;
+        let (name, scalar, lane) = (&cx.names.solver, &cx.names.scalar, &cx.names.lifted);
+        let [float, any, trait_, once, result, error] =
+            ["Float", "Scalar", "Entry", "FnOnce", "Result", "SolveError"]
+                .map(|item| cx.paths.item(item));
         let (core, method) = (fast_path::core_name(cx, entry), function_name(entry.name));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.call(&locals);
-        let single = self.numbers_in("numbers_or_error", quote!(self.#method(#(#arguments),*)));
-        let (given, solved) = match cx.searches() {
+        let single = self.put_found(quote!(self.#method(#(#arguments),*)));
+        let put = generated("put_");
+        let (given, put_here, solved) = match cx.searches() {
             // Poses are searched one by one: the mask says no, and a single call follows.
             true => {
                 let value = generated("result_");
                 let nothing = quote!(let #value = #lane::num(0.0););
-                (quote!(_), quote!(#nothing ([#value; #outs], #lane::gt(#value, #value))))
+                (quote!(_), quote!(_), quote!(#nothing #lane::gt(#value, #value)))
             }
             false => {
                 let answer = quote!(self.lift::<#lane>().#core(#(#arguments),*));
-                (quote!([#(#locals),*]), self.numbers_in("numbers_and_mask", answer))
+                (quote!([#(#locals),*]), quote!(#put), self.put_solved(answer))
             }
         };
         quote! {
@@ -148,14 +151,16 @@ impl<'a> Sweep<'a> {
                 fn solve<#lane: #any>(
                     &self,
                     #given: [#lane; #ins],
-                ) -> ([#lane; #outs], #lane::Mask) {
+                    #put_here: impl #once(&[#lane]),
+                ) -> #lane::Mask {
                     #solved
                 }
 
                 fn solve_one(
                     &self,
                     [#(#locals),*]: [#scalar; #ins],
-                ) -> #result<[#scalar; #outs], #error> {
+                    #put: impl #once(&[#scalar]),
+                ) -> #result<(), #error> {
                     #single
                 }
             }
@@ -172,12 +177,23 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// An answer that holds a result, holding the list of its numbers instead; a list is one.
-    fn numbers_in(&self, convert: &str, answer: TokenStream) -> TokenStream {
-        let convert = self.cx.paths.item(convert);
+    /// Puts the numbers of a fast path's answer; a list is one of numbers.
+    fn put_solved(&self, answer: TokenStream) -> TokenStream {
+        let [put, result, ok] = ["put_", "result_", "ok_"].map(generated);
+        let helper = self.cx.paths.item("put_solved");
         match self.entry.result {
-            Shape::List(_) => answer,
-            _ => quote!(#convert(#answer)),
+            Shape::List(_) => quote!(let (#result, #ok) = #answer; #put(&#result); #ok),
+            _ => quote!(#helper(#answer, #put)),
+        }
+    }
+
+    /// The same of an entry point's answer.
+    fn put_found(&self, answer: TokenStream) -> TokenStream {
+        let [put, result] = ["put_", "result_"].map(generated);
+        let helper = self.cx.paths.item("put_found");
+        match self.entry.result {
+            Shape::List(_) => quote!(#answer.map(|#result| #put(&#result))),
+            _ => quote!(#helper(#answer, #put)),
         }
     }
 

@@ -32,7 +32,7 @@ impl<const DIVISIONS: u32, const ROOTS: u32> Entry<OfDivider, f64, 1, 1>
     for Divider<DIVISIONS, ROOTS>
 {
     #[inline(always)]
-    fn solve<U: Scalar>(&self, [x]: [U; 1]) -> ([U; 1], U::Mask) {
+    fn solve<U: Scalar>(&self, [x]: [U; 1], put: impl FnOnce(&[U])) -> U::Mask {
         let mut sum = x;
         // Different numbers each time, so that none is a copy of another: 1/(x + 1), 2/(x + 2), …
         for nth in 0..DIVISIONS {
@@ -42,11 +42,13 @@ impl<const DIVISIONS: u32, const ROOTS: u32> Entry<OfDivider, f64, 1, 1>
         for nth in 0..ROOTS {
             sum = sum + (x + U::num(f64::from(nth) + 0.5)).sqrt();
         }
-        ([sum], U::Mask::ALL)
+        put(&[sum]);
+        U::Mask::ALL
     }
 
-    fn solve_one(&self, [x]: [f64; 1]) -> Result<[f64; 1], SolveError> {
-        Ok([x])
+    fn solve_one(&self, x: [f64; 1], put: impl FnOnce(&[f64])) -> Result<(), SolveError> {
+        put(&x);
+        Ok(())
     }
 }
 

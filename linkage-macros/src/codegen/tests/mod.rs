@@ -347,10 +347,8 @@ fn a_sweep_takes_series_and_gives_components() {
              -> Result<(), LengthMismatch> {",
             "sweep::<OfVelocity, _, _, 2, 5>(self, [Into::into(theta), Into::into(theta_rate)],",
             "Record::into_array(out), status, progress",
-            "impl<T: Float> Entry<OfVelocity, T, 2, 5> for FourBar<T> {",
-            "fn solve<U: Scalar>(&self, [x0_, x1_]: [U; 2]) -> ([U; 5], U::Mask) {",
-            "numbers_and_mask(self.lift::<U>().solve_velocity(x0_, x1_))",
-            "numbers_or_error(self.velocity(x0_, x1_))",
+            "impl<T: Real> Solver for FourBar<T> {",
+            "put_solved(lifted_.solve_velocity(given_(0), given_(1)), put_)",
             "fn into_array(self) -> [T; 5] { [self.C.x, self.C.y, self.BC.omega, self.DC.omega,",
         ],
     );
@@ -366,7 +364,7 @@ fn what_a_single_call_gives_as_a_list_is_handed_on() {
         mass 1kg on B; mass 1kg on C; }";
     let tokens = text.parse().expect("these are tokens");
     let text = bare(&crate::pipeline::compile(tokens, false).to_string());
-    let handed_on = "-> Result<[T; 2], SolveError> { self.forward_dynamics(";
+    let handed_on = "[x4_, x5_]).map(|result_| put_(&result_))";
     assert!(text.contains(&bare(handed_on)), "no `{handed_on}`");
     assert!(!text.contains(&bare("Ok(self.forward_dynamics(")));
 }
@@ -379,7 +377,22 @@ fn a_sweep_over_several_inputs_takes_a_record_of_series() {
             "inputs: impl Inputs<TableInput<Series<'series, T>>>,",
             "let rates: TableInput<Series<'series, T>> = Into::into(rates);",
             "[inputs.s, inputs.X, rates.s, rates.X]",
-            "core_velocity_(TableInput { s: x0_, X: x1_ }, TableInput { s: x2_, X: x3_ }))",
         ],
     );
+}
+
+/// Values first, then rates: in the order of the series.
+#[test]
+fn a_solver_of_several_inputs_is_given_them_by_their_places() {
+    let text = "pub struct Arm { input a, b: angle; ground O(0, 0);
+        crank AB(O) -> B { length: 1m, angle: a } crank BC(B) -> C { length: 1m, angle: b } }";
+    let tokens = text.parse().expect("these are tokens");
+    let text = bare(&crate::pipeline::compile(tokens, false).to_string());
+    for part in [
+        "core_velocity_(ArmInput { a: given_(0), b: given_(1) }, \
+         ArmInput { a: given_(2), b: given_(3) }), put_)",
+        "[inputs.a, inputs.b, rates.a, rates.b]",
+    ] {
+        assert!(text.contains(&bare(part)), "no `{part}`");
+    }
 }

@@ -1,0 +1,79 @@
+//! Position, velocity and motion as sweeps call them: what a [`Solver`] has of each, given the numbers of
+//! a pose one after the other, the inputs' values and then their rates.
+
+use super::{Entry, OfMotion, OfPosition, OfVelocity};
+use crate::solver::{Solver, number};
+use crate::{Float, Record, Scalar, SolveError};
+
+impl<T, S, const IN: usize, const OUT: usize> Entry<OfPosition, T, IN, OUT> for S
+where
+    T: Float,
+    S: Solver<Scalar = T>,
+{
+    #[inline(always)]
+    fn solve<U: Scalar>(&self, given: [U; IN], put: impl FnOnce(&[U])) -> U::Mask {
+        Solver::solve::<0, U>(self, |at| number(&given, at), put)
+    }
+
+    fn solve_one(&self, given: [T; IN], put: impl FnOnce(&[T])) -> Result<(), SolveError> {
+        put_found(Solver::position(self, nth::<S, IN, 1>(&given, 0)), put)
+    }
+}
+
+impl<T, S, const IN: usize, const OUT: usize> Entry<OfVelocity, T, IN, OUT> for S
+where
+    T: Float,
+    S: Solver<Scalar = T>,
+{
+    #[inline(always)]
+    fn solve<U: Scalar>(&self, given: [U; IN], put: impl FnOnce(&[U])) -> U::Mask {
+        Solver::solve::<1, U>(self, |at| number(&given, at), put)
+    }
+
+    fn solve_one(&self, given: [T; IN], put: impl FnOnce(&[T])) -> Result<(), SolveError> {
+        let [q, rate] = [0, 1].map(|order| nth::<S, IN, 2>(&given, order));
+        put_found(Solver::velocity(self, q, rate), put)
+    }
+}
+
+impl<T, S, const IN: usize, const OUT: usize> Entry<OfMotion, T, IN, OUT> for S
+where
+    T: Float,
+    S: Solver<Scalar = T>,
+{
+    #[inline(always)]
+    fn solve<U: Scalar>(&self, given: [U; IN], put: impl FnOnce(&[U])) -> U::Mask {
+        Solver::solve::<2, U>(self, |at| number(&given, at), put)
+    }
+
+    fn solve_one(&self, given: [T; IN], put: impl FnOnce(&[T])) -> Result<(), SolveError> {
+        let [q, rate, acceleration] = [0, 1, 2].map(|order| nth::<S, IN, 3>(&given, order));
+        put_found(Solver::motion(self, q, rate, acceleration), put)
+    }
+}
+
+/// Values, rates or second rates of the inputs, of as many `ORDERS` as are given.
+fn nth<S: Solver, const IN: usize, const ORDERS: usize>(
+    given: &[S::Scalar; IN],
+    order: usize,
+) -> S::Input {
+    S::input(|input| number(given, order * (IN / ORDERS) + input))
+}
+
+/// Puts the numbers of a fast path's record.
+#[inline(always)]
+pub fn put_solved<R: Record, M>((record, usable): (R, M), put: impl FnOnce(&[R::Number])) -> M {
+    put(record.into_array().as_ref());
+    usable
+}
+
+/// Puts the numbers of an entry point's record.
+///
+/// # Errors
+/// That of the answer.
+pub fn put_found<R: Record>(
+    answer: Result<R, SolveError>,
+    put: impl FnOnce(&[R::Number]),
+) -> Result<(), SolveError> {
+    answer.map(|record| put(record.into_array().as_ref()))
+}
