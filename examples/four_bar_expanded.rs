@@ -377,102 +377,24 @@ mod FourBar_ {
 
             #[inline(always)]
             fn into_array(self) -> [T; 24] {
-                let [n0_, n1_, n2_, n3_, n4_, n5_, n6_, n7_, n8_, n9_] = Record::into_array(
-                    self.position,
-                );
-                let [n10_, n11_, n12_, n13_, n14_, n15_, n16_] = Record::into_array(
-                    self.velocity,
-                );
-                let [n17_, n18_, n19_, n20_, n21_, n22_, n23_] = Record::into_array(
-                    self.acceleration,
-                );
-                [
-                    n0_,
-                    n1_,
-                    n2_,
-                    n3_,
-                    n4_,
-                    n5_,
-                    n6_,
-                    n7_,
-                    n8_,
-                    n9_,
-                    n10_,
-                    n11_,
-                    n12_,
-                    n13_,
-                    n14_,
-                    n15_,
-                    n16_,
-                    n17_,
-                    n18_,
-                    n19_,
-                    n20_,
-                    n21_,
-                    n22_,
-                    n23_,
-                ]
+                private::joined(
+                    Record::into_array(self.position),
+                    Record::into_array(self.velocity),
+                    Record::into_array(self.acceleration),
+                )
             }
 
             #[inline]
-            fn from_array(
-                [n0_,
-                n1_,
-                n2_,
-                n3_,
-                n4_,
-                n5_,
-                n6_,
-                n7_,
-                n8_,
-                n9_,
-                n10_,
-                n11_,
-                n12_,
-                n13_,
-                n14_,
-                n15_,
-                n16_,
-                n17_,
-                n18_,
-                n19_,
-                n20_,
-                n21_,
-                n22_,
-                n23_,
-                ]: [T; 24],
-            ) -> Self {
+            fn from_array(list_: [T; 24]) -> Self {
+                let [position_ @ .., _, _, _, _, _, _, _, _, _, _, _, _, _, _] = list_;
+                let [_, _, _, _, _, _, _, _, _, _, velocity_ @ .., _, _, _, _, _, _, _,
+                ] = list_;
+                let [_, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _,
+                acceleration_ @ ..] = list_;
                 Self {
-                    position: Record::from_array([
-                        n0_,
-                        n1_,
-                        n2_,
-                        n3_,
-                        n4_,
-                        n5_,
-                        n6_,
-                        n7_,
-                        n8_,
-                        n9_,
-                    ]),
-                    velocity: Record::from_array([
-                        n10_,
-                        n11_,
-                        n12_,
-                        n13_,
-                        n14_,
-                        n15_,
-                        n16_,
-                    ]),
-                    acceleration: Record::from_array([
-                        n17_,
-                        n18_,
-                        n19_,
-                        n20_,
-                        n21_,
-                        n22_,
-                        n23_,
-                    ]),
+                    position: Record::from_array(position_),
+                    velocity: Record::from_array(velocity_),
+                    acceleration: Record::from_array(acceleration_),
                 }
             }
         }
@@ -1296,13 +1218,7 @@ mod FourBar_ {
                 /// # Errors
                 /// Those of `position`; `Singular` where a derivative does not exist.
                 pub fn jacobian(&self, theta: T) -> Result<private::SMatrix<T, 7, 1>, SolveError> {
-                    private::differentiate(
-                        [theta],
-                        |[dual_]| match self.lift().position(dual_) {
-                            Ok(result_) => Ok(result_.rows()),
-                            private::Err(error_) => private::Err(error_),
-                        },
-                    )
+                    private::jacobian(&self.lift(), [theta])
                 }
             }
         }

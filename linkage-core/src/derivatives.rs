@@ -8,7 +8,7 @@
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Derivative, Dual2SVec, DualNum, DualSVec};
 
-use crate::{Float, Scalar, SolveError};
+use crate::{Float, Mechanism, Scalar, SolveError};
 
 /// `f32` or `f64`, as what a derivative is made of.
 pub trait Differentiable: Float + DualNum {}
@@ -57,6 +57,21 @@ pub fn differentiate<F: Differentiable, const OUT: usize, const N: usize>(
         _ => F::lit(0.0, 0.0),
     });
     are_finite(&jacobian).then_some(jacobian).ok_or(UNDEFINED)
+}
+
+/// The generated `jacobian`: of the rows of a mechanism on dual numbers, with respect to its inputs.
+pub fn jacobian<F: Differentiable, M, const OUT: usize, const N: usize>(
+    lifted: &M,
+    x: [F; N],
+) -> Result<SMatrix<F, OUT, N>, SolveError>
+where
+    M: Mechanism<
+            Scalar = DualSVec<F, N>,
+            Inputs = [DualSVec<F, N>; N],
+            Rows = [DualSVec<F, N>; OUT],
+        >,
+{
+    differentiate(x, |inputs| lifted.position(inputs))
 }
 
 /// A number with its first and second derivatives, by [`differentiate_twice`].

@@ -21,11 +21,11 @@ pub use crate::absent::*;
 pub use crate::c_interface::{CError, c_sense, c_side, c_trend};
 pub use crate::checks::{AllMet, Checks, FirstError};
 #[cfg(feature = "ad")]
-pub use crate::derivatives::{Differentiable, differentiate};
+pub use crate::derivatives::{Differentiable, differentiate, jacobian};
 pub use crate::find::bound::bound;
 pub use crate::find::unknown::{open, root};
 pub use crate::find::{FindError, Trend};
-pub use crate::record::column;
+pub use crate::record::{column, joined};
 pub use crate::resolver::{from_angle, from_circle, on_circle};
 pub use crate::scalar::is_finite_unless;
 #[cfg(feature = "sketch")]

@@ -1,5 +1,7 @@
 //! Inputs and results as arrays of numbers.
 
+use core::mem::{self, ManuallyDrop};
+
 use crate::{Direction, Point, Scalar};
 
 /// A record of numbers that can be taken as an array: a position, a velocity, an acceleration, a
@@ -99,6 +101,25 @@ pub fn column<T, const N: usize>(rows: [T; N]) -> [[T; 1]; N] {
     rows.map(|row| [row])
 }
 
+/// Three lists as one.
+#[inline(always)]
+pub fn joined<T, const A: usize, const B: usize, const C: usize, const N: usize>(
+    a: [T; A],
+    b: [T; B],
+    c: [T; C],
+) -> [T; N] {
+    /// One behind the other, without a gap: all are aligned alike.
+    #[repr(C)]
+    struct Three<T, const A: usize, const B: usize, const C: usize>([T; A], [T; B], [T; C]);
+    const { assert!(A + B + C == N) };
+    let three = ManuallyDrop::new(Three(a, b, c));
+    #[allow(unsafe_code, reason = "no safe function joins arrays, and loops stay in memory")]
+    // SAFETY: what is read are the N numbers that `three` holds, which nobody else drops.
+    unsafe {
+        mem::transmute_copy(&three)
+    }
+}
+
 /// A name without what it is a rate of: `blade` of `velocity of blade`.
 fn plain(name: &'static str) -> &'static str {
     name.rsplit(' ').next().unwrap_or(name)
@@ -119,5 +140,25 @@ impl<T: Scalar> Record for T {
     #[inline]
     fn from_array([number]: [T; 1]) -> T {
         number
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::rc::Rc;
+
+    #[test]
+    fn lists_are_joined_in_order_and_every_part_lives_once() {
+        let parts: [Rc<u8>; 6] = core::array::from_fn(|part| Rc::new(part as u8));
+        let [a, b, c, d, e, f] = parts.clone();
+        let all: [Rc<u8>; 6] = joined([a], [b, c], [d, e, f]);
+        assert_eq!(all, parts);
+        assert!(all.iter().all(|part| Rc::strong_count(part) == 2));
+        drop(all);
+        assert!(parts.iter().all(|part| Rc::strong_count(part) == 1));
+        // Lists of none, and elements with a gap in them.
+        assert_eq!(joined::<u8, 0, 2, 1, 3>([], [1, 2], [3]), [1, 2, 3]);
+        assert_eq!(joined::<(u8, u32), 1, 1, 0, 2>([(1, 2)], [(3, 4)], []), [(1, 2), (3, 4)]);
     }
 }

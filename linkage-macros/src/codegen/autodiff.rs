@@ -34,22 +34,20 @@ fn jacobian(cx: &Context<'_>) -> TokenStream {
     let names = arguments.names();
     let (rows, columns, docs) = (cx.rows(), cx.columns(), docs::jacobian(cx));
     let (matrix, error, result) = (item(cx, "SMatrix"), item(cx, "SolveError"), item(cx, "Result"));
-    let (differentiate, dual) = (item(cx, "differentiate"), generated("dual_"));
-    let answer = quote!(self.lift().position(#dual));
-    let of_duals = results::in_place(cx, &answer, |found| quote!(#found.rows()));
-    let (values, point) = match &cx.mechanism.inputs[..] {
-        [_] => (quote!([#(#names),*]), quote!([#dual])),
+    let of_lifted = item(cx, "jacobian");
+    let values = match &cx.mechanism.inputs[..] {
+        [_] => quote!([#(#names),*]),
         inputs => {
             let fields = inputs.iter().map(|input| &input.name);
             let record = names.first();
-            (quote!([#(#record.#fields),*]), quote!(#dual))
+            quote!([#(#record.#fields),*])
         }
     };
     quote! {
         #docs
         pub fn jacobian(&self, #(#declared),*) -> #result<#matrix<#number, #rows, #columns>, #error> {
             #converted
-            #differentiate(#values, |#point| #of_duals)
+            #of_lifted(&self.lift(), #values)
         }
     }
 }

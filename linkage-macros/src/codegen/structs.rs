@@ -145,7 +145,10 @@ fn as_array(cx: &Context<'_>, id: RecordId) -> TokenStream {
         to.put(left.next().expect("a name each"));
     };
     match record.kind {
-        Kind::Motion => by_records(cx, record, &numbers, [&mut taken, &mut made]),
+        Kind::Motion => {
+            by_records(cx, record, [&mut taken, &mut made]);
+            pattern = Text::from("list_".to_string());
+        }
         // Lists are taken apart: what is indexed would have to be copied.
         Kind::Equations => {
             results::assemble(cx, shape, &mut made, &mut next);
@@ -180,19 +183,26 @@ fn as_array(cx: &Context<'_>, id: RecordId) -> TokenStream {
     }
 }
 
-/// A record of records, to and from the numbers of all of them.
-fn by_records(cx: &Context<'_>, record: &Record, numbers: &[String], to: [&mut Text; 2]) {
-    let (trait_, [taken, made]) = (cx.paths.written("Record"), to);
-    made.put("Self { ");
-    let mut rest = numbers;
-    for field in &record.fields {
-        let (own, further) = rest.split_at(cx.interface.numbers(field.shape));
-        let (name, own) = (field.name.to_string(), own.join(", "));
-        taken.put("let [").put(&own).put("] = ").put(&trait_).put("::into_array(self.");
-        taken.put(&name).put(");\n");
-        made.put(&name).put(": ").put(&trait_).put("::from_array([").put(&own).put("]), ");
-        rest = further;
+/// A record of records, to and from the numbers of all of them: taken apart and joined as lists, since
+/// every number by a name of its own would cost rustc as much as a line of formulas.
+fn by_records(cx: &Context<'_>, record: &Record, [taken, made]: [&mut Text; 2]) {
+    let (trait_, joined) = (cx.paths.written("Record"), cx.paths.written("joined"));
+    let names: Vec<String> = record.fields.iter().map(|field| field.name.to_string()).collect();
+    let counts: Vec<usize> =
+        record.fields.iter().map(|field| cx.interface.numbers(field.shape)).collect();
+    taken.put(&joined).put("(").list(&names, |to, name| {
+        to.put(&trait_).put("::into_array(self.").put(name).put(")");
+    });
+    taken.put(")");
+    for (nth, name) in names.iter().enumerate() {
+        let passed = |counts: &[usize]| vec!["_".to_string(); counts.iter().sum()];
+        let mut list = passed(&counts[..nth]);
+        list.push(format!("{name}_ @ .."));
+        list.extend(passed(&counts[nth + 1..]));
+        made.put("let [").put(&list.join(", ")).put("] = list_;\n");
     }
-    taken.put("[").put(&numbers.join(", ")).put("]");
-    made.put("}");
+    made.put("Self { ").list(&names, |to, name| {
+        to.put(name).put(": ").put(&trait_).put("::from_array(").put(name).put("_)");
+    });
+    made.put(" }");
 }
