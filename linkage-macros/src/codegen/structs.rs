@@ -1,7 +1,7 @@
 //! The records that entry points take and return.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::context::Context;
 use super::identifiers::generated;
@@ -41,9 +41,10 @@ pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
         | Kind::Equations => TokenStream::new(),
     };
     let returned = cx.interface.record_ids().filter(|&id| is_returned(cx, cx.record(id)));
-    let arrays = returned.map(|id| as_array(cx, id));
+    let mut arrays = Text::long();
+    returned.for_each(|id| as_array(cx, id, &mut arrays));
     let own = cx.interface.records.iter().map(implementation);
-    arrays.chain(own).collect()
+    [arrays.into_token_stream()].into_iter().chain(own).collect()
 }
 
 /// What stands in front of every struct.
@@ -126,19 +127,12 @@ fn from_list(cx: &Context<'_>, record: &Record) -> TokenStream {
 }
 
 /// Each of them as an array of numbers.
-fn as_array(cx: &Context<'_>, id: RecordId) -> TokenStream {
-    let (record, shape, scalar) = (cx.record(id), Shape::Record(id), &cx.names.scalar);
-    let (name, count) = (&record.name, Literal::usize_unsuffixed(cx.interface.numbers(shape)));
-    let [trait_, str_] = ["Record", "str"].map(|item| cx.paths.item(item));
-    let labels = labels::of_result(cx.interface, cx.mechanism, shape);
-    let numbers: Vec<String> = (0..labels.len()).map(|i| format!("n{i}_")).collect();
+fn as_array(cx: &Context<'_>, id: RecordId, to: &mut Text) {
+    let (record, shape) = (cx.record(id), Shape::Record(id));
+    let count = cx.interface.numbers(shape);
+    let numbers: Vec<String> = (0..count).map(|i| format!("n{i}_")).collect();
     let mut pattern = Text::default();
-    pattern
-        .put("[")
-        .list(&numbers, |to, number| {
-            to.put(number);
-        })
-        .put("]");
+    pattern.put("[").put(&numbers.join(", ")).put("]");
     let (mut taken, mut made) = (Text::default(), Text::default());
     let mut left = numbers.iter();
     let mut next = |to: &mut Text| {
@@ -157,30 +151,28 @@ fn as_array(cx: &Context<'_>, id: RecordId) -> TokenStream {
         }
         _ => {
             let components = results::components(cx, shape, "self");
-            taken
-                .put("[")
-                .list(&components, |to, component| {
-                    to.put(component);
-                })
-                .put("]");
+            taken.put("[").put(&components.join(", ")).put("]");
             results::assemble(cx, shape, &mut made, &mut next);
         }
     }
+    let [trait_, str_] = ["Record", "str"].map(|item| cx.paths.written(item));
+    let (name, scalar) = (&record.name, &cx.names.scalar);
+    let array = format!("[{scalar}; {count}]");
+    to.put(&format!("impl<{scalar}> {trait_} for {name}<{scalar}> {{ type Number = {scalar}; "));
+    to.put(&format!("type Array = {array}; const LABELS: & 'static [& 'static {str_}] = &"));
+    labels_of(cx, id, to);
     // Always inlined on the way out: lanes must stay in registers of their own instruction set.
-    quote! {
-        impl<#scalar> #trait_ for #name<#scalar> {
-            type Number = #scalar;
-            type Array = [#scalar; #count];
+    to.put(&format!("; #[inline(always)] fn into_array(self) -> {array} {{ ")).append(&taken);
+    to.put(" } #[inline] fn from_array(").append(&pattern);
+    to.put(&format!(": {array}) -> Self {{ ")).append(&made);
+    to.put(" } }\n");
+}
 
-            const LABELS: &'static [&'static #str_] = &[#(#labels),*];
-
-            #[inline(always)]
-            fn into_array(self) -> [#scalar; #count] { #taken }
-
-            #[inline]
-            fn from_array(#pattern: [#scalar; #count]) -> Self { #made }
-        }
-    }
+/// What its numbers are.
+fn labels_of(cx: &Context<'_>, id: RecordId, to: &mut Text) {
+    let labels = labels::of_result(cx.interface, cx.mechanism, Shape::Record(id));
+    let list: Vec<String> = labels.iter().map(|label| format!("{label:?}")).collect();
+    to.put("[").put(&list.join(", ")).put("]");
 }
 
 /// A record of records, to and from the numbers of all of them: taken apart and joined as lists, since
