@@ -1,13 +1,14 @@
 //! `Solver`: what the run-time crate asks of a solver, once for all that it does with every mechanism.
 
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use proc_macro2::Ident;
 
 use super::context::Context;
-use super::identifiers::{function_name, generated, text};
-use super::{fast_path, results, tracking};
+use super::identifiers::text;
+use super::text::Text;
+use super::{fast_path, tracking};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
+use crate::interface::records::Shape;
 
 /// The entry points by the orders of the inputs that they are given.
 const ORDERS: [&str; 3] = ["position", "velocity", "motion"];
@@ -18,175 +19,162 @@ pub(super) fn sweeps(entry: &Entry) -> bool {
 }
 
 /// Nothing where not everything is offered that the trait asks for, as in some tests.
-pub(super) fn items(cx: &Context<'_>) -> TokenStream {
-    let found = |name: &str| cx.interface.find(name);
+pub(super) fn items(cx: &Context<'_>) -> Text {
+    let (found, mut to) = (|name: &str| cx.interface.find(name), Text::long());
     let ([Some(position), Some(velocity), Some(motion)], Some(_)) =
         (ORDERS.map(found), found("coefficients"))
     else {
-        return TokenStream::new();
+        return to;
     };
     let by_order = [position, velocity, motion];
     let (solver, scalar) = (&cx.names.solver, &cx.names.scalar);
-    let [trait_, real, copy] = ["Solver", "Real", "Copy"].map(|item| cx.paths.item(item));
-    let (any, count) = (generated("X_"), tracking::count(cx));
-    let (types, titles, searches, flips) =
-        (types(cx, by_order), titles(cx), searches(cx), tracking::flips(cx));
-    let (input, entries, rows) = (input(cx), entries(cx, by_order), rows());
-    let (solve, clearances) = (solve(cx, by_order), tracking::clearances(cx));
-    quote! {
-        impl<#scalar: #real> #trait_ for #solver<#scalar> {
-            #types
-            type Groups<#any: #copy> = [#any; #count];
-            #titles
-            #searches
-            #flips
-            #input
-            #entries
-            #rows
-            #solve
-            #clearances
-        }
+    let [trait_, real] = ["Solver", "Real"].map(|item| cx.paths.written(item));
+    to.put(&format!("impl<{scalar}: {real}> {trait_} for {solver}<{scalar}> {{\n"));
+    types(cx, by_order, &mut to);
+    titles(cx, &mut to);
+    if cx.searches() {
+        to.put(&format!("const SEARCHES: {} = true;\n", cx.paths.written("bool")));
+    }
+    tracking::flips(cx, &mut to);
+    input(cx, &mut to);
+    entries(cx, by_order, &mut to);
+    rows(&mut to);
+    solve(cx, by_order, &mut to);
+    tracking::clearances(cx, &mut to);
+    to.put("}\n");
+    to
+}
+
+/// The type of an entry point's record.
+fn record(cx: &Context<'_>, id: EntryId) -> String {
+    match cx.entry(id).result {
+        Shape::Record(id) => format!("{}<{}>", cx.record(id).name, cx.names.scalar),
+        _ => unreachable!("positions, velocities and motions are records"),
     }
 }
 
-fn types(cx: &Context<'_>, entries: [EntryId; 3]) -> TokenStream {
-    let (scalar, rows, columns) = (&cx.names.scalar, cx.rows(), cx.columns());
-    let input = cx.input(scalar);
-    let [position, velocity, motion] =
-        entries.map(|id| results::ty(cx, cx.entry(id).result, &quote!(#scalar)));
-    quote! {
-        type Scalar = #scalar;
-        type Input = #input;
-        type Position = #position;
-        type Velocity = #velocity;
-        type Motion = #motion;
-        type Rows = [#scalar; #rows];
-        type Coefficients = [[#scalar; #columns]; #rows];
+/// The type of the inputs, of numbers of this type.
+pub(super) fn input_of(cx: &Context<'_>, number: &str) -> String {
+    match cx.inputs() {
+        Some(record) => format!("{record}<{number}>"),
+        None => number.to_string(),
     }
 }
 
-fn titles(cx: &Context<'_>) -> TokenStream {
-    let (solver, name, groups) = (&cx.names.solver, text(&cx.names.solver), tracking::groups(cx));
-    let [titles, float] = ["Titles", "f64"].map(|item| cx.paths.item(item));
-    quote! {
-        const TITLES: #titles = #titles {
-            name: #name,
-            inputs: &#solver::<#float>::INPUTS,
-            outputs: &#solver::<#float>::OUTPUTS,
-            groups: &[#(#groups),*],
-        };
-    }
+fn types(cx: &Context<'_>, entries: [EntryId; 3], to: &mut Text) {
+    let (scalar, rows, columns) = (&cx.names.scalar, cx.interface.rows, cx.interface.columns);
+    let [position, velocity, motion] = entries.map(|id| record(cx, id));
+    let (input, groups) = (input_of(cx, &scalar.to_string()), tracking::count(cx));
+    let copy = cx.paths.written("Copy");
+    to.put(&format!("type Scalar = {scalar}; type Input = {input} ;\n"));
+    to.put(&format!("type Position = {position} ; type Velocity = {velocity} ;\n"));
+    to.put(&format!("type Motion = {motion} ; type Rows = [{scalar}; {rows}];\n"));
+    to.put(&format!("type Coefficients = [[{scalar}; {columns}]; {rows}];\n"));
+    to.put(&format!("type Groups<X_: {copy}> = [X_; {groups}];\n"));
 }
 
-fn searches(cx: &Context<'_>) -> Option<TokenStream> {
-    let bool_ = cx.paths.item("bool");
-    cx.searches().then(|| quote!(const SEARCHES: #bool_ = true;))
+fn titles(cx: &Context<'_>, to: &mut Text) {
+    let solver = &cx.names.solver;
+    let [titles, float] = ["Titles", "f64"].map(|item| cx.paths.written(item));
+    to.put(&format!("const TITLES: {titles} = {titles} {{ name: {:?}, ", text(solver)));
+    to.put(&format!("inputs: & {solver}:: <{float}> ::INPUTS, "));
+    to.put(&format!("outputs: & {solver}:: <{float}> ::OUTPUTS, groups: &["));
+    tracking::groups(cx, to);
+    to.put("], };\n");
 }
 
 /// The input of its numbers.
-fn input(cx: &Context<'_>) -> TokenStream {
-    let (scalar, number) = (&cx.names.scalar, generated("number_"));
-    let [fn_mut, usize_] = ["FnMut", "usize"].map(|item| cx.paths.item(item));
-    let (ty, made) = (cx.input(scalar), of_numbers(cx, &number, 0));
-    quote! {
-        #[inline]
-        fn input(mut #number: impl #fn_mut(#usize_) -> #scalar) -> #ty { #made }
-    }
+fn input(cx: &Context<'_>, to: &mut Text) {
+    let scalar = &cx.names.scalar;
+    let [fn_mut, usize_] = ["FnMut", "usize"].map(|item| cx.paths.written(item));
+    let ty = input_of(cx, &scalar.to_string());
+    to.put("#[inline] fn input(mut number_: impl ");
+    to.put(&format!("{fn_mut}({usize_}) -> {scalar}) -> {ty} {{ "));
+    of_numbers(cx, "number_", 0, to);
+    to.put(" }\n");
 }
 
 /// Values, rates or second rates of the inputs, from a function of the place of each among all.
-pub(super) fn of_numbers(cx: &Context<'_>, number: &Ident, order: usize) -> TokenStream {
+pub(super) fn of_numbers(cx: &Context<'_>, number: &str, order: usize, to: &mut Text) {
     let first = order * cx.mechanism.inputs.len();
-    let place = |input| Literal::usize_unsuffixed(first + input);
-    let Some(record) = cx.inputs() else {
-        let place = place(0);
-        return quote!(#number(#place));
-    };
-    let fields = cx.mechanism.inputs.iter().enumerate().map(|(nth, input)| {
-        let (field, place) = (&input.name, place(nth));
-        quote!(#field: #number(#place))
+    if cx.inputs().is_none() {
+        to.put(&format!("{number}({first})"));
+        return;
+    }
+    let mut places = first..;
+    of_fields(cx, to, |to, _| {
+        let place = places.next().expect("there are as many as are asked for");
+        to.put(&format!("{number}({place})"));
     });
-    quote!(#record { #(#fields),* })
+}
+
+/// The record of several inputs, of what is written for each.
+pub(super) fn of_fields(cx: &Context<'_>, to: &mut Text, mut write: impl FnMut(&mut Text, &Ident)) {
+    let record = cx.inputs().expect("there are several").to_string();
+    to.put(&record).put(" { ").list(&cx.mechanism.inputs, |to, input| {
+        to.put(&input.name.to_string()).put(": ");
+        write(to, &input.name);
+    });
+    to.put(" }");
 }
 
 /// The entry points themselves.
-fn entries(cx: &Context<'_>, entries: [EntryId; 3]) -> TokenStream {
-    let (scalar, rows, columns) = (&cx.names.scalar, cx.rows(), cx.columns());
-    let input = cx.input(scalar);
-    let [result, error] = ["Result", "SolveError"].map(|item| cx.paths.item(item));
-    let given = ["q_", "rate_", "acceleration_"].map(generated);
-    let functions = entries.iter().zip(ORDERS).enumerate().map(|(order, (&id, name))| {
-        let ty = results::ty(cx, cx.entry(id).result, &quote!(#scalar));
-        (function_name(name), &given[..=order], ty)
-    });
-    let coefficients = function_name("coefficients");
-    let functions =
-        functions.chain([(coefficients, &given[..1], quote!([[#scalar; #columns]; #rows]))]);
-    let functions = functions.map(|(name, given, ty)| {
-        quote! {
-            #[inline]
-            fn #name(&self, #(#given: #input),*) -> #result<#ty, #error> {
-                Self::#name(self, #(#given),*)
-            }
-        }
-    });
-    functions.collect()
+fn entries(cx: &Context<'_>, entries: [EntryId; 3], to: &mut Text) {
+    let (scalar, rows, columns) = (&cx.names.scalar, cx.interface.rows, cx.interface.columns);
+    let input = input_of(cx, &scalar.to_string());
+    let [result, error] = ["Result", "SolveError"].map(|item| cx.paths.written(item));
+    let [position, velocity, motion] = entries.map(|id| record(cx, id));
+    let coefficients = format!("[[{scalar}; {columns}]; {rows}]");
+    let given = ["q_", "rate_", "acceleration_"];
+    for (name, orders, ty) in [
+        ("position", 1, position),
+        ("velocity", 2, velocity),
+        ("motion", 3, motion),
+        ("coefficients", 1, coefficients),
+    ] {
+        let given = &given[..orders];
+        to.put(&format!("#[inline] fn {name}(&self, ")).list(given, |to, name| {
+            to.put(name).put(": ").put(&input).put(" ");
+        });
+        to.put(&format!(") -> {result}<{ty} , {error}> {{ Self::{name}(self, "));
+        to.put(&given.join(", ")).put(") }\n");
+    }
 }
 
 /// Records as rows.
-fn rows() -> TokenStream {
-    let record = generated("record_");
-    quote! {
-        #[inline]
-        fn position_rows(#record: Self::Position) -> Self::Rows { #record.rows() }
-
-        #[inline]
-        fn motion_rows(#record: Self::Motion) -> [Self::Rows; 3] {
-            [#record.position.rows(), #record.velocity.rows(), #record.acceleration.rows()]
-        }
-    }
+fn rows(to: &mut Text) {
+    to.put("#[inline] fn position_rows(record_: Self::Position) -> Self::Rows ");
+    to.put("{ record_.rows() }\n");
+    to.put("#[inline] fn motion_rows(record_: Self::Motion) -> [Self::Rows; 3] ");
+    let fields = ["position", "velocity", "acceleration"];
+    to.put("{ [").list(fields, |to, field| {
+        to.put(&format!("record_.{field}.rows()"));
+    });
+    to.put("] }\n");
 }
 
 /// The fast paths, as sweeps call them. Poses with an unknown are searched one by one: the mask says no,
 /// and a single call follows.
-fn solve(cx: &Context<'_>, entries: [EntryId; 3]) -> TokenStream {
+fn solve(cx: &Context<'_>, entries: [EntryId; 3], to: &mut Text) {
     let lane = &cx.names.lifted;
     let [usize_, any, function, once] =
-        ["usize", "Scalar", "Fn", "FnOnce"].map(|item| cx.paths.item(item));
-    let [given, put, on] = ["given_", "put_", "lifted_"].map(generated);
-    let (received, body) = match cx.searches() {
-        true => {
-            let nothing = generated("result_");
-            let body = quote! {
-                let #nothing = #lane::num(0.0);
-                #lane::gt(#nothing, #nothing)
-            };
-            ([quote!(_), quote!(_)], body)
-        }
-        false => {
-            let put_solved = cx.paths.item("put_solved");
-            let [position, velocity, motion] = entries.map(|id| {
-                let entry = cx.entry(id);
-                let core = fast_path::core_name(cx, entry);
-                let given = (0..entry.given.len()).map(|order| of_numbers(cx, &given, order));
-                quote!(#put_solved(#on.#core(#(#given),*), #put))
-            });
-            let body = quote! {
-                let #on = self.lift::<#lane>();
-                match ORDER { 0 => #position, 1 => #velocity, _ => #motion }
-            };
-            ([quote!(#given), quote!(#put)], body)
-        }
-    };
-    let [given, put] = received;
-    quote! {
-        #[inline(always)]
-        fn solve<const ORDER: #usize_, #lane: #any>(
-            &self,
-            #given: impl #function(#usize_) -> #lane,
-            #put: impl #once(&[#lane]),
-        ) -> #lane::Mask {
-            #body
-        }
+        ["usize", "Scalar", "Fn", "FnOnce"].map(|item| cx.paths.written(item));
+    let [given, put] = if cx.searches() { ["_"; 2] } else { ["given_", "put_"] };
+    to.put(&format!("#[inline(always)] fn solve<const ORDER: {usize_}, {lane}: {any}>(&self, "));
+    to.put(&format!("{given}: impl {function}({usize_}) -> {lane}, "));
+    to.put(&format!("{put}: impl {once}(&[{lane}]),) -> {lane}::Mask {{ "));
+    if cx.searches() {
+        to.put(&format!("let result_ = {lane}::num(0.0); {lane}::gt(result_, result_) }}\n"));
+        return;
+    }
+    let put_solved = cx.paths.written("put_solved");
+    to.put(&format!("let lifted_ = self.lift:: <{lane}>(); match ORDER {{ "));
+    for (id, pattern) in entries.into_iter().zip(["0", "1", "_"]) {
+        let entry = cx.entry(id);
+        let core = fast_path::core_name(cx, entry);
+        to.put(&format!("{pattern} => {put_solved}(lifted_.{core}("));
+        to.list(0..entry.given.len(), |to, order| of_numbers(cx, "given_", order, to));
+        to.put("), put_)");
+        to.put(if pattern == "_" { " } }\n" } else { ", " });
     }
 }

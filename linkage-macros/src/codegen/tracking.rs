@@ -1,101 +1,92 @@
 //! What following a motion through changes of mode needs: how clear of its limits every group is, and
 //! which parameter holds its mode.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::arguments::Arguments;
-use super::as_solver::of_numbers;
+use super::as_solver::{input_of, of_fields, of_numbers};
 use super::context::Context;
-use super::identifiers::{function_name, generated};
-use super::solver::construct;
+use super::identifiers::function_name;
+use super::solver::marker;
 use super::statements::Printer;
 use super::text::Text;
 use crate::interface::entries::Given;
 use crate::lower::routine::Routine;
-use crate::model::mechanism::{Param, ParamKind};
+use crate::model::mechanism::ParamKind;
 
 /// How many groups there are.
-pub(super) fn count(cx: &Context<'_>) -> Literal {
-    Literal::usize_unsuffixed(cx.program().clearances.len())
+pub(super) fn count(cx: &Context<'_>) -> usize {
+    cx.program().clearances.len()
 }
 
 /// The groups' titles, and the parameters that hold their modes.
-pub(super) fn groups(cx: &Context<'_>) -> Vec<TokenStream> {
-    let [some, none] = ["Some", "None"].map(|name| cx.paths.item(name));
-    let groups = cx.program().clearances.iter().map(|clearance| {
+pub(super) fn groups(cx: &Context<'_>, to: &mut Text) {
+    let [some, none] = ["Some", "None"].map(|name| cx.paths.written(name));
+    to.list(&cx.program().clearances, |to, clearance| {
         let title = &cx.program().groups[clearance.group as usize];
-        let param = match clearance.param {
-            Some(param) => {
-                let param = Literal::u32_unsuffixed(param);
-                quote!(#some(#param))
-            }
-            None => quote!(#none),
+        to.put(&format!("({title:?}, "));
+        match clearance.param {
+            Some(param) => to.put(&format!("{some}({param}))")),
+            None => to.put(&none).put(")"),
         };
-        quote!((#title, #param))
     });
-    groups.collect()
 }
 
 /// The mode that a parameter's number stands for becomes the other; nothing where none is a parameter.
-pub(super) fn flips(cx: &Context<'_>) -> Option<TokenStream> {
+pub(super) fn flips(cx: &Context<'_>, to: &mut Text) {
     let modes = cx.mechanism.params.iter().enumerate();
     let modes = modes.filter(|(_, param)| !matches!(param.kind, ParamKind::Number { .. }));
     let flips = modes.map(|(index, param)| {
-        let (index, field) = (Literal::usize_unsuffixed(index), &param.name);
-        quote!(#index => self.#field = self.#field.flipped(),)
+        let field = &param.name;
+        format!("{index} => self.{field} = self.{field}.flipped(), ")
     });
-    let flips: TokenStream = flips.collect();
-    let (param, size) = (generated("param_"), cx.paths.item("usize"));
-    let flip = quote! {
-        #[inline]
-        fn flip(&mut self, #param: #size) { match #param { #flips _ => {} } }
-    };
-    (!flips.is_empty()).then_some(flip)
+    let flips: String = flips.collect();
+    if !flips.is_empty() {
+        let size = cx.paths.written("usize");
+        to.put(&format!("#[inline] fn flip(&mut self, param_: {size}) "));
+        to.put(&format!("{{ match param_ {{ {flips}_ => {{}} }} }}\n"));
+    }
 }
 
 /// How clear of their limits the groups are, as the trait asks it: the formulas of a pose say it on their
 /// way. Beside an unknown a routine of its own does, which has rates, too.
-pub(super) fn clearances(cx: &Context<'_>) -> TokenStream {
+pub(super) fn clearances(cx: &Context<'_>, to: &mut Text) {
+    told(cx, to);
     match cx.lowered.clearances {
-        None => told(cx, &on_the_way(cx)),
+        None => on_the_way(cx, to),
         Some(_) => {
-            let (told, others) = (told(cx, &at_rest(cx)), with_rates_asked(cx));
-            quote!(#told #others)
+            at_rest(cx, to);
+            with_rates_asked(cx, to);
         }
     }
 }
 
-/// `told`: a solver of other numbers, asked.
-fn told(cx: &Context<'_>, asked: &TokenStream) -> TokenStream {
+/// `told`, as far as the solver of other numbers that is asked.
+fn told(cx: &Context<'_>, to: &mut Text) {
     let (scalar, lifted, count) = (&cx.names.scalar, &cx.names.lifted, count(cx));
     let [real, copy, function, usize_] =
-        ["Real", "Copy", "Fn", "usize"].map(|item| cx.paths.item(item));
-    let [standing, input, of, any, solver] =
-        ["standing_", "input_", "of_", "X_", "lifted_"].map(generated);
-    let kept = |param: &Param| {
-        let field = &param.name;
-        quote!(self.#field)
-    };
-    let number = |param: &Param| {
-        let field = &param.name;
-        quote!(#standing(self.#field))
-    };
-    let name = &cx.names.solver;
-    let made = construct(cx, &quote!(#name::<#lifted>), number, kept);
-    let unread = cx.numeric_params().is_empty().then(|| quote!(let _ = #standing;));
-    quote! {
-        fn told<#lifted: #real, #any: #copy>(
-            &self,
-            #standing: impl #function(#scalar) -> #lifted,
-            #input: impl #function(#usize_) -> #lifted,
-            #of: impl #function([#lifted; 2]) -> #any,
-        ) -> [#any; #count] {
-            #unread
-            let #solver = #made;
-            #asked
-        }
+        ["Real", "Copy", "Fn", "usize"].map(|item| cx.paths.written(item));
+    to.put(&format!("fn told<{lifted}: {real}, X_: {copy}>(&self, "));
+    to.put(&format!("standing_: impl {function}({scalar}) -> {lifted}, "));
+    to.put(&format!("input_: impl {function}({usize_}) -> {lifted}, "));
+    to.put(&format!("of_: impl {function}([{lifted}; 2]) -> X_,) -> [X_; {count}] {{ "));
+    if cx.numeric_params().is_empty() {
+        to.put("let _ = standing_; ");
     }
+    to.put(&format!("let lifted_ = {}:: <{lifted}> {{ ", cx.names.solver));
+    for param in &cx.mechanism.params {
+        let field = &param.name;
+        match param.kind {
+            ParamKind::Number { .. } => to.put(&format!("{field}: standing_(self.{field}), ")),
+            _ => to.put(&format!("{field}: self.{field}, ")),
+        };
+    }
+    if let Some((field, value)) = marker(cx) {
+        let value = quote!(#value);
+        to.put(&format!("{field}: {value}"));
+    }
+    to.put(" };\n");
 }
 
 /// A core without guards, as what is out of reach is a number below zero here, not a refusal.
@@ -105,7 +96,7 @@ pub(super) fn with_rates(cx: &Context<'_>) -> Option<TokenStream> {
     let scalar = &cx.names.scalar;
     let (received, unread) =
         (arguments.received(&quote!(#scalar)), arguments.unread(&routine.reads));
-    let (count, clearance) = (count(cx), cx.paths.item("Clearance"));
+    let (count, clearance) = (Literal::usize_unsuffixed(count(cx)), cx.paths.item("Clearance"));
     let body = listed(cx, routine);
     Some(quote! {
         fn clearances_(&self, #(#received),*) -> [#clearance<#scalar>; #count] { #unread #body }
@@ -128,86 +119,76 @@ fn listed(cx: &Context<'_>, routine: &Routine) -> Text {
 }
 
 /// What the formulas of a pose say on the way.
-fn on_the_way(cx: &Context<'_>) -> TokenStream {
-    let lifted = &cx.names.lifted;
-    let [solver, input, of, checks, sin, cos, rest] =
-        ["lifted_", "input_", "of_", "checks_", "sin_", "cos_", "rest_"].map(generated);
+fn on_the_way(cx: &Context<'_>, to: &mut Text) {
     let Some(routine) = cx.lowered.routines.iter().find(|routine| routine.tells) else {
-        return quote!(let _ = (#solver, #input, #of); []);
+        to.put("let _ = (lifted_, input_, of_); [] }\n");
+        return;
     };
-    let (told, function) = (cx.paths.item("told"), function_name(&routine.name));
-    let value = of_numbers(cx, &input, 0);
-    let (turned, given) = match routine.given.first() {
-        Some(Given::Cosine) => {
-            (quote!(let (#sin, #cos) = #lifted::sin_cos(#value);), quote!(#cos, #sin))
-        }
-        _ => (TokenStream::new(), value),
-    };
-    let order = Literal::usize_unsuffixed(routine.stages.len());
-    let at_rest = standstill(cx);
-    quote! {
-        #turned
-        let #rest = #at_rest;
-        #told(|#checks| #solver.#function::<#order>(#checks, #given, #rest, #rest)).map(#of)
+    let (told, function) = (cx.paths.written("told"), function_name(&routine.name));
+    let turns = routine.given.first() == Some(&Given::Cosine);
+    if turns {
+        to.put(&format!("let (sin_, cos_) = {}::sin_cos(", cx.names.lifted));
+        of_numbers(cx, "input_", 0, to);
+        to.put("); ");
     }
+    to.put("let rest_ = ");
+    standstill(cx, to);
+    let order = routine.stages.len();
+    to.put(&format!("; {told}(|checks_| lifted_.{function}:: <{order}>(checks_, "));
+    match turns {
+        true => {
+            to.put("cos_, sin_");
+        }
+        false => of_numbers(cx, "input_", 0, to),
+    }
+    to.put(", rest_, rest_)).map(of_) }\n");
 }
 
 /// The rates of inputs that do not move.
-fn standstill(cx: &Context<'_>) -> TokenStream {
-    let lifted = &cx.names.lifted;
-    let zero = quote!(#lifted::num(0.0));
-    let Some(record) = cx.inputs() else { return zero };
-    let fields = cx.mechanism.inputs.iter().map(|input| {
-        let field = &input.name;
-        quote!(#field: #zero)
-    });
-    quote!(#record { #(#fields),* })
+fn standstill(cx: &Context<'_>, to: &mut Text) {
+    let zero = format!("{}::num(0.0)", cx.names.lifted);
+    match cx.inputs() {
+        None => {
+            to.put(&zero);
+        }
+        Some(_) => of_fields(cx, to, |to, _| {
+            to.put(&zero);
+        }),
+    }
 }
 
 /// What the routine with rates says where nothing moves.
-fn at_rest(cx: &Context<'_>) -> TokenStream {
-    let [solver, input, of, group] = ["lifted_", "input_", "of_", "group_"].map(generated);
-    let (value, at_rest) = (of_numbers(cx, &input, 0), standstill(cx));
-    quote! {
-        #solver.clearances_(#value, #at_rest).map(|#group| #of([#group.value, #group.scale]))
-    }
+fn at_rest(cx: &Context<'_>, to: &mut Text) {
+    to.put("lifted_.clearances_(");
+    of_numbers(cx, "input_", 0, to);
+    to.put(", ");
+    standstill(cx, to);
+    to.put(").map(|group_| of_([group_.value, group_.scale])) }\n");
 }
 
 /// The routine with rates, asked for them on numbers and on ranges.
-fn with_rates_asked(cx: &Context<'_>) -> TokenStream {
+fn with_rates_asked(cx: &Context<'_>, to: &mut Text) {
     let scalar = &cx.names.scalar;
-    let (groups, clearance) = (quote!(Self::Groups), cx.paths.item("Clearance"));
-    let ty = cx.input(scalar);
-    let [q, rate, middle, radius] = ["q_", "rate_", "middle_", "radius_"].map(generated);
-    let none = cx.literal(0.0, 0.0);
-    let around = |value: &Ident, radius: &dyn Fn(Option<&Ident>) -> TokenStream| {
-        let Some(record) = cx.inputs() else {
-            let radius = radius(None);
-            return quote!(#value.enclosing(#radius));
-        };
-        let fields = cx.mechanism.inputs.iter().map(|input| {
-            let (field, radius) = (&input.name, radius(Some(&input.name)));
-            quote!(#field: #value.#field.enclosing(#radius))
-        });
-        quote!(#record { #(#fields),* })
-    };
-    let range = around(&middle, &|field| match field {
-        Some(field) => quote!(#radius.#field),
-        None => quote!(#radius),
-    });
-    let rates = around(&rate, &|_| quote!(#none));
-    quote! {
-        fn clearances(&self, #q: #ty, #rate: #ty) -> #groups<#clearance<#scalar>> {
-            self.clearances_(#q, #rate)
+    let clearance = cx.paths.written("Clearance");
+    let (ty, none) = (input_of(cx, &scalar.to_string()), cx.written(0.0, 0.0));
+    to.put(&format!("fn clearances(&self, q_: {ty} , rate_: {ty}) "));
+    to.put(&format!("-> Self::Groups<{clearance}<{scalar}>> {{ self.clearances_(q_, rate_) }}\n"));
+    to.put(&format!("fn enclosures(&self, middle_: {ty} , radius_: {ty} , rate_: {ty} ,) "));
+    to.put(&format!("-> Self::Groups<{clearance}<{scalar}::Enclosing>> "));
+    to.put(&format!("{{ self.lift:: <{scalar}::Enclosing>().clearances_("));
+    match cx.inputs() {
+        None => {
+            to.put(&format!("middle_.enclosing(radius_), rate_.enclosing({none})"));
         }
-
-        fn enclosures(
-            &self,
-            #middle: #ty,
-            #radius: #ty,
-            #rate: #ty,
-        ) -> #groups<#clearance<#scalar::Enclosing>> {
-            self.lift::<#scalar::Enclosing>().clearances_(#range, #rates)
+        Some(_) => {
+            of_fields(cx, to, |to, field| {
+                to.put(&format!("middle_.{field}.enclosing(radius_.{field})"));
+            });
+            to.put(", ");
+            of_fields(cx, to, |to, field| {
+                to.put(&format!("rate_.{field}.enclosing({none})"));
+            });
         }
     }
+    to.put(") }\n");
 }
