@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::{Debug, Write};
 
 use linkage_core::private::{Entry, Series, sweep};
-use linkage_core::{SolveError, Status};
+use linkage_core::{Record, SolveError, Status};
 
 use super::numbers::Number;
 
@@ -135,6 +135,7 @@ impl At<'_> {
         K,
         T: Number,
         E: Entry<K, T, IN, OUT>,
+        R: Record<Array = [T; OUT]>,
         const IN: usize,
         const OUT: usize,
     >(
@@ -142,7 +143,7 @@ impl At<'_> {
         entry: &str,
         solver: &E,
         inputs: &[[T; IN]],
-        singles: &[Result<(), SolveError>],
+        singles: &[Result<R, SolveError>],
     ) {
         self.calls.count += 1;
         let columns: [Vec<T>; IN] =
@@ -157,7 +158,7 @@ impl At<'_> {
             self.wrong(entry, "a mismatch of lengths", &swept);
         }
         for (pose, (status, single)) in statuses.iter().zip(singles).enumerate() {
-            let expected = single.as_ref().map_or_else(kind_of, |()| "Ok");
+            let expected = single.as_ref().map_or_else(kind_of, |_| "Ok");
             // With fused instructions a sweep may solve what the single call finds too large or
             // without a derivative; what it refuses, the single call has refused.
             let is_solved_by_fusing = *status == Status::Solved
@@ -166,7 +167,7 @@ impl At<'_> {
                     Err(SolveError::NotFinite { .. } | SolveError::Singular { .. })
                 );
             if kind_of_status(*status) != expected && !is_solved_by_fusing {
-                let found = (status, single, inputs[pose]);
+                let found = (status, single.as_ref().err(), inputs[pose]);
                 self.wrong(entry, "another status than the single call's", &found);
             }
             let numbers: Vec<T> = outs.iter().map(|out| out[pose]).collect();

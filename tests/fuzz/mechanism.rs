@@ -218,22 +218,22 @@ macro_rules! fuzzed {
                     let solver = solver(&states[0]);
                     let poses: Vec<_> = states.iter().map(|s| s.q).collect();
                     let singles: Vec<_> =
-                        poses.iter().map(|&q| solver.position(given!($count q)).map(|_| ())).collect();
-                    at.sweep::<OfPosition, _, _, _, _>("sweep_position", &solver, &poses, &singles);
+                        poses.iter().map(|&q| solver.position(given!($count q))).collect();
+                    at.sweep::<OfPosition, _, _, _, _, _>("sweep_position", &solver, &poses, &singles);
                     let poses: Vec<[T; 2 * $inputs]> = states.iter()
                         .map(|s| [s.q, s.rate].concat().try_into().expect("two orders")).collect();
                     let singles: Vec<_> = states.iter().map(|s| {
-                        solver.velocity(given!($count s.q), given!($count s.rate)).map(|_| ())
+                        solver.velocity(given!($count s.q), given!($count s.rate))
                     }).collect();
-                    at.sweep::<OfVelocity, _, _, _, _>("sweep_velocity", &solver, &poses, &singles);
+                    at.sweep::<OfVelocity, _, _, _, _, _>("sweep_velocity", &solver, &poses, &singles);
                     let poses: Vec<[T; 3 * $inputs]> = states.iter()
                         .map(|s| [s.q, s.rate, s.second].concat().try_into().expect("three orders"))
                         .collect();
                     let singles: Vec<_> = states.iter().map(|s| {
                         let (rate, second) = (given!($count s.rate), given!($count s.second));
-                        solver.motion(given!($count s.q), rate, second).map(|_| ())
+                        solver.motion(given!($count s.q), rate, second)
                     }).collect();
-                    at.sweep::<OfMotion, _, _, _, _>("sweep_motion", &solver, &poses, &singles);
+                    at.sweep::<OfMotion, _, _, _, _, _>("sweep_motion", &solver, &poses, &singles);
                 }
 
                 fn track<T: Number>(states: &[State<T, $inputs, $params>], at: &mut At<'_>) {
