@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use linkage_core::find::Trend;
 use linkage_core::private::Solver;
 use linkage_core::range::{Stop, Stretch, limits};
-use linkage_core::{Side, SolveError, Tracker};
+use linkage_core::{Real, Side, SolveError, Tracker};
 use linkage_tests::mechanisms::followed::*;
 use linkage_tests::mechanisms::ranges::FourBar;
 use linkage_tests::mechanisms::unknowns::{InLine, Press};
@@ -320,4 +320,27 @@ fn clearances_of_an_equation_have_the_rates_of_closed_forms() {
             }
         }
     }
+}
+
+/// What is asked without rates is what comes with them; somewhere it is known, and value and scale differ.
+#[test]
+fn values_of_an_equation_are_those_that_come_with_rates() {
+    let mut known = 0;
+    for psi in [-2.5, -0.7, 0.4, 1.0, 2.9] {
+        for radius in [0.0, 1e-6, 1e-3] {
+            let solver = Rodded::new();
+            let (values, ranges) =
+                (solver.values(psi, radius), solver.enclosures(psi, radius, radius));
+            assert_eq!(values.as_ref().len(), ranges.as_ref().len());
+            for ([value, scale], range) in values.as_ref().iter().zip(ranges.as_ref()) {
+                let [value, scale] = [value, scale].map(|found| found.bounds());
+                let expected = [range.value.bounds(), range.scale.bounds()];
+                // The same formulas; where nothing is known a bound may be no number.
+                let bits = |bounds: [f64; 2]| bounds.map(f64::to_bits);
+                assert_eq!([value, scale].map(bits), expected.map(bits), "{psi} {radius}");
+                known += usize::from(value.iter().all(|x| x.is_finite()) && value != scale);
+            }
+        }
+    }
+    assert!(known > 15, "{known}");
 }
