@@ -1,9 +1,8 @@
 //! `Solver`: what the run-time crate asks of a solver, once for all that it does with every mechanism.
 
-use proc_macro2::Ident;
-
 use super::context::Context;
 use super::identifiers::text;
+use super::input_records::{input_of, of_numbers};
 use super::text::Text;
 use super::{fast_path, tracking};
 use crate::interface::EntryId;
@@ -53,14 +52,6 @@ fn record(cx: &Context<'_>, id: EntryId) -> String {
     }
 }
 
-/// The type of the inputs, of numbers of this type.
-pub(super) fn input_of(cx: &Context<'_>, number: &str) -> String {
-    match cx.inputs() {
-        Some(record) => format!("{record}<{number}>"),
-        None => number.to_string(),
-    }
-}
-
 fn types(cx: &Context<'_>, entries: [EntryId; 3], to: &mut Text) {
     let (scalar, rows, columns) = (&cx.names.scalar, cx.interface.rows, cx.interface.columns);
     let [position, velocity, motion] = entries.map(|id| record(cx, id));
@@ -92,30 +83,6 @@ fn input(cx: &Context<'_>, to: &mut Text) {
     to.put(&format!("{fn_mut}({usize_}) -> {scalar}) -> {ty} {{ "));
     of_numbers(cx, "number_", 0, to);
     to.put(" }\n");
-}
-
-/// Values, rates or second rates of the inputs, from a function of the place of each among all.
-pub(super) fn of_numbers(cx: &Context<'_>, number: &str, order: usize, to: &mut Text) {
-    let first = order * cx.mechanism.inputs.len();
-    if cx.inputs().is_none() {
-        to.put(&format!("{number}({first})"));
-        return;
-    }
-    let mut places = first..;
-    of_fields(cx, to, |to, _| {
-        let place = places.next().expect("there are as many as are asked for");
-        to.put(&format!("{number}({place})"));
-    });
-}
-
-/// The record of several inputs, of what is written for each.
-pub(super) fn of_fields(cx: &Context<'_>, to: &mut Text, mut write: impl FnMut(&mut Text, &Ident)) {
-    let record = cx.inputs().expect("there are several").to_string();
-    to.put(&record).put(" { ").list(&cx.mechanism.inputs, |to, input| {
-        to.put(&input.name.to_string()).put(": ");
-        write(to, &input.name);
-    });
-    to.put(" }");
 }
 
 /// The entry points themselves.

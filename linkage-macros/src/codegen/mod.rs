@@ -23,6 +23,7 @@ mod forces;
 mod formulas;
 mod groups_in_words;
 mod identifiers;
+mod input_records;
 mod module;
 mod paths;
 mod ranges_in_words;

@@ -5,9 +5,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::arguments::Arguments;
-use super::as_solver::{input_of, of_fields, of_numbers};
 use super::context::Context;
 use super::identifiers::function_name;
+use super::input_records::{input_of, of_fields, of_numbers};
 use super::solver::marker;
 use super::statements::Printer;
 use super::text::Text;
