@@ -62,7 +62,7 @@ pub trait Scalar:
     fn sin_cos_near(self) -> (Self, Self);
 
     /// The same for `numerics fast;`: of an `f64`, where operations are fused, each within 1.7 units in the
-    /// last place, in two thirds of the operations; [`sin_cos_near`](Self::sin_cos_near) elsewhere.
+    /// last place or 10⁻²⁷, in two thirds of the operations; [`sin_cos_near`](Self::sin_cos_near) elsewhere.
     #[inline(always)]
     #[must_use]
     fn sin_cos_fast(self) -> (Self, Self) {

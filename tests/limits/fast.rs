@@ -210,7 +210,8 @@ fn quarter_turns(most: i32) -> impl Iterator<Item = f64> {
     (-most..=most).filter(|&quarters| quarters != 0).flat_map(near)
 }
 
-/// What is nearly zero has all its places as well: 1.7 of the kernel's.
+/// What is nearly zero has all its places as well: 1.7 of the kernel's, and what it does not know of a
+/// quarter turn.
 #[test]
 fn a_crank_next_to_a_quarter_turn_is_right_to_its_places() {
     let (solver, exact) = (FastRocker::new(), FastRocker::<DoubleDouble<false>>::default());
@@ -222,7 +223,8 @@ fn a_crank_next_to_a_quarter_turn_is_right_to_its_places() {
         for (found, truth) in [(pose.AB.cos, truth.AB.cos), (pose.AB.sin, truth.AB.sin)] {
             let error = (DoubleDouble::new(found) - truth).high.abs();
             let ulp = moved::<f64>(truth.high, 1) - truth.high;
-            assert!(error <= 1.7 * ulp, "{} ulp at {theta:e}", error / ulp);
+            let quarters = (theta / core::f64::consts::FRAC_PI_2).abs().round();
+            assert!(error <= 1.7 * ulp + 1.5e-33 * quarters, "{} ulp at {theta:e}", error / ulp);
         }
     }
     assert!(solved > 300, "{solved}");
