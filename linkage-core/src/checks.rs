@@ -90,6 +90,12 @@ pub trait Checks<T: Scalar> {
         value
     }
 
+    /// See `diagnosis::reach_cross`.
+    #[inline(always)]
+    fn reach_cross(&mut self, value: T, _operands: [T; 5], _: &'static str) -> T {
+        value
+    }
+
     /// See `diagnosis::share_of_centres`.
     #[inline(always)]
     fn share_of_centres(&mut self, value: T, _operands: [T; 6], _: &'static str) -> T {
@@ -313,6 +319,10 @@ impl<T: Real> Checks<T> for FirstError {
 
     fn reach_circles(&mut self, value: T, operands: [T; 5], group: &'static str) -> T {
         self.keep(value, || diagnosis::reach_circles(value, operands, group))
+    }
+
+    fn reach_cross(&mut self, value: T, operands: [T; 5], group: &'static str) -> T {
+        self.keep(value, || diagnosis::reach_cross(value, operands, group))
     }
 
     fn share_of_centres(&mut self, value: T, operands: [T; 6], _: &'static str) -> T {

@@ -49,6 +49,24 @@ pub(crate) fn reach_circles<T: Real>(
     reached(value, &[dx, dy, l1, l2], reach, group)
 }
 
+/// The value, the square of the cross product of the radii to a point where the circles meet: that of
+/// [`reach_circles`], and the spread, times (2 l₁ l₂)², which is a normal number.
+///
+/// # Errors
+/// Those of [`reach_circles`].
+#[cold]
+pub(crate) fn reach_cross<T: Real>(
+    value: T,
+    [dx, dy, l1, l2, spread]: [T; 5],
+    group: &'static str,
+) -> Result<T, SolveError> {
+    if is_certain(value, spread) {
+        return Ok(value);
+    }
+    let unit = T::lit(4.0, 4.0) * (l1 * l2) * (l1 * l2);
+    Ok(reach_circles(value / unit, [dx, dy, l1, l2, spread / unit], group)? * unit)
+}
+
 /// The value, (d² + l₁² − l₂²)/2d²: the share of the line between the centres at which the joint's
 /// foot stands. Where [`reach_circles`] decides without rounding on the height, so does this on the
 /// share; at the limit it puts the joint at the bar's length from its centre.
@@ -289,6 +307,21 @@ mod tests {
         assert_eq!(tiny, Err(NOT_FINITE));
         let thin = reach_circles(0.0, [1e-9_f32, 0.0, 1e-30, 1e-9, 1e30], GROUP);
         assert_eq!(thin, Err(NOT_FINITE));
+    }
+
+    /// 3, 4 and 5: the cross product of the radii is 12.
+    #[test]
+    fn a_cross_product_is_decided_like_the_sine_it_is_made_of() {
+        let cross = |value, d, spread| reach_cross(value, [d, 0.0, 3.0, 4.0, spread], GROUP);
+        assert_eq!(cross(143.7, 5.0, 300.0), Ok(143.7));
+        assert_eq!(cross(143.7, 5.0, 1e20), Ok(144.0));
+        // Each of the two would be in doubt by the other's spread.
+        let least = 16.0 * f64::EPSILON * 300.0;
+        assert_eq!(cross(least.next_up(), 7.0, 300.0), Ok(least.next_up()));
+        assert_eq!(cross(least, 7.0 + 2.0_f64.powi(-48), 300.0), Ok(0.0));
+        let beyond = Err(SolveError::OutOfReach { group: GROUP, by: 0.5 });
+        assert_eq!(cross(-1.0, 7.5, 300.0), beyond);
+        assert_eq!(cross(f64::NAN, 5.0, 300.0), Err(NOT_FINITE));
     }
 
     #[test]

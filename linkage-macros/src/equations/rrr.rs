@@ -113,8 +113,9 @@ pub(super) fn rrr<'s>(
     lengths: [Jet<'s>; 2],
     mode: Sym<'s>,
 ) -> Solved<'s> {
-    if scope.numerics == Numerics::Fast && (lengths[0].value * lengths[1].value).is_constant() {
-        return fast::rrr(scope, [b, d], lengths.map(|length| length.value), mode);
+    let values = lengths.map(|length| length.value);
+    if scope.numerics == Numerics::Fast && fast::is_for(values) {
+        return fast::rrr(scope, [b, d], values, mode);
     }
     let line = scope.call_vector("d", b.to(d));
     let triangle = triangle(scope, [b, d], lengths, mode);

@@ -54,6 +54,9 @@ pub(crate) enum Check {
     /// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²)/(4 l₁ l₂)²; where rounding could have changed its sign it is
     /// replaced by what it is without, and at the limit by 0.
     ReachCircles,
+    /// The same where the value is the square of the cross product of the two radii towards a common point,
+    /// (2 l₁ l₂)² times that of `ReachCircles`, and the spread as much larger.
+    ReachCross,
     /// Fast path: nothing. Slow path: where the `ReachCircles` of the first operand, its value, is
     /// decided without rounding, so is this, (d² + l₁² − l₂²)/2d²; at the limit it is ± l₁/|d|. The
     /// other operands are those of `ReachCircles`.
@@ -97,7 +100,7 @@ impl Guard {
 impl Check {
     /// Whether the last operand is a spread, which the straight line compares the value with.
     pub(crate) fn has_spread(&self) -> bool {
-        matches!(self, Self::ReachCircles | Self::ReachDistances | Self::Moving)
+        matches!(self, Self::ReachCircles | Self::ReachCross | Self::ReachDistances | Self::Moving)
     }
 }
 

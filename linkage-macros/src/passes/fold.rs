@@ -27,6 +27,7 @@ fn holds(check: &Check, value: &Exact) -> bool {
         Check::Closed(_) => false,
         Check::Positive(_)
         | Check::ReachCircles
+        | Check::ReachCross
         | Check::ReachDistances
         | Check::ReachLine
         | Check::ReachOffset

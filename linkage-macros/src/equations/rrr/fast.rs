@@ -1,29 +1,30 @@
 //! The dyad RRR under `numerics fast;`, for bars of constant lengths.
 //!
 //! # Position
-//! With d = D − B and S, the height's square, of which this file's parent tells, everything about the pin
-//! is affine in √S, and its coefficients are there before the root is:
+//! With d = D − B and J = r₂ × r₃, everything about the pin is affine in J, and its coefficients are there
+//! before the root is:
 //!
 //! ```text
-//! s = (d² − (l₂ − l₃)²)/4l₂l₃     S = s (1 − s)     r = ± a d + √S (2 l₂ l₃/d²) d⊥
+//! i/2 = (d² − (l₂ − l₃)²)/2     J² = i/2 (2 l₂ l₃ − i/2)     r = ± a d + (J/d²) d⊥
 //! ```
 //!
-//! That is of the shorter bar, with l its own length and l' the other's a d² = 2 l₂ l₃ s + l (l − l');
-//! the longer one is it and d, which loses nothing.
+//! That is of the shorter bar, with l its own length and l' the other's a d² = i/2 + l (l − l');
+//! the longer one is it and d, which loses nothing. The product is one in m⁴, not of sines as in the parent:
+//! J itself is what d⊥ and the rates take. [`is_for`] says for which lengths f32 has room for it.
 //!
 //! # Velocity and acceleration
 //! As in the parent, but where B is a pin that swings about a point A of the ground with the arm a, and D
 //! a point of the ground (`crank_pin.rs`). The velocity ω a⊥ and the acceleration α a⊥ − ω² a of B lead to
-//! two products with a bar r, which serve both of its rates, and are affine in √S like r:
+//! two products with a bar r, which serve both of its rates, and are affine in J like r:
 //!
 //! ```text
-//! a·r = ± (a/d²) a·d + √S (2 l₂ l₃/d²) d × a    r × a = ± (a/d²) d × a − √S (2 l₂ l₃/d²) a·d
+//! a·r = ± (a/d²) a·d + (J/d²) d × a    r × a = ± (a/d²) d × a − (J/d²) a·d
 //! ω₂ = ω (r₃ × a)/J       α₂ = (α (r₃ × a) + ω² a·r₃ + ω₂² r₂·r₃ − ω₃² l₃²)/J
 //! ω₃ = ω (r₂ × a)/J       α₃ = (α (r₂ × a) + ω² a·r₂ + ω₂² l₂² − ω₃² r₂·r₃)/J
 //! ```
 //!
 //! # Error
-//! Some last places more than without `fast`: what a limit magnifies are two roundings of s in place of
+//! Some last places more than without `fast`: what a limit magnifies are two roundings of i in place of
 //! one; a d² that is affine where B comes as near to D as a quarter of its farthest distance has up to four
 //! times the error of the sum of squares (`crank_pin.rs`); and bars of nearly one length lose digits of their
 //! accelerations where their outer joints meet, or where, nearly stretched, both turn as a crank
@@ -46,14 +47,20 @@ struct Bars<'s> {
     lengths: [Sym<'s>; 2],
     /// r₂·r₃
     cosine: Sym<'s>,
-    /// Of the shorter bar: its place in the statement, ± a and 2 l₂ l₃/d².
+    /// Of the shorter bar: its place in the statement, ± a and 1/d².
     short: usize,
     along: Sym<'s>,
     lift: Sym<'s>,
-    /// √S with the mode's sign.
+    /// J, which has the mode's sign.
     root: Sym<'s>,
     /// 1/J
     inverse: Sym<'s>,
+}
+
+/// Whether the lengths are constant and far enough within the range of f32 for their fourth power: J² is
+/// looked at down to 16 ε of its largest value.
+pub(super) fn is_for([l2, l3]: [Sym<'_>; 2]) -> bool {
+    (l2 * l3).constant_value().is_some_and(|product| (1e-12..1e12).contains(&product.abs()))
 }
 
 pub(super) fn rrr<'s>(
@@ -93,36 +100,34 @@ fn bars<'s>(
 ) -> Bars<'s> {
     let operands = [line.x, line.y, l2, l3];
     let square = crank.map_or_else(|| line.dot(line), CrankPin::square);
-    let one = square.sheet().integer(1);
-    let scale = one / (l2 * l3).twice().twice();
-    let near = match crank {
+    let (product, difference) = (l2 * l3, l2 - l3);
+    let half = match crank {
         Some(crank) => {
             let [sum, along] = crank.square_parts();
-            scale * (sum - (l2 - l3).squared()) - scale.twice() * along
+            (sum - difference.squared()).half() - along
         }
-        None => scale * square - scale * (l2 - l3).squared(),
+        None => square.half() - difference.squared().half(),
     };
-    let product = near * (one - near);
-    let spread = spread(line, [l2, l3], scale);
+    scope.call("i half", half);
+    let rounded = half * (product.twice() - half);
+    let spread = spread(line, [l2, l3], product);
     let circles = [line.x, line.y, l2, l3, spread];
-    let half_sine = product.provided(Check::ReachCircles, scope.group, &circles);
-    scope.call("s", half_sine);
-    let root = scope.call("root s", mode * half_sine.sqrt());
+    let square_j = rounded.provided(Check::ReachCross, scope.group, &circles);
+    scope.call("j2", square_j);
+    let root = scope.call("j", mode * square_j.sqrt());
     let guarded = square.provided(Check::Square, scope.group, &operands);
-    let inverse_square = scope.call("inverse d2", scope.call("d2", guarded).recip());
+    let lift = scope.call("inverse d2", scope.call("d2", guarded).recip());
 
     let is_first = l2.constant_value() <= l3.constant_value();
     let (short, [own, other]) = if is_first { (0, [l2, l3]) } else { (1, [l3, l2]) };
-    // From s like S: its rounding acts like one of d, and the bars keep their lengths.
-    let half = (l2 * l3).twice() * near;
+    // From i like J²: its rounding acts like one of d, and the bars keep their lengths.
     let share = half + own * (own - other);
-    let operands = [product, line.x, line.y, own, other, spread];
-    let along = (share * inverse_square).provided(Check::ShareOfCentres, scope.group, &operands);
+    let operands = [rounded, line.x, line.y, own, other, spread];
+    let along = (share * lift).provided(Check::ShareOfCentres, scope.group, &operands);
     scope.call(if is_first { "a" } else { "b" }, along);
-    let lift = scope.call("lift", (l2 * l3).twice() * inverse_square);
-    let regular = half_sine.provided(Check::Nonzero, scope.group, &[]);
-    let inverse = scope.call("inverse j", scale.twice() * root * regular.recip());
-    let cosine = l2 * l3 - half;
+    let regular = square_j.provided(Check::Nonzero, scope.group, &[]);
+    let inverse = scope.call("inverse j", root * regular.recip());
+    let cosine = product - half;
     let along = if is_first { along } else { -along };
     Bars { lengths: [l2, l3], cosine, short, along, lift, root, inverse }
 }
