@@ -6,6 +6,7 @@
 //! Nothing here knows a mechanism.
 
 mod affine;
+mod chain;
 mod collect;
 mod conditions;
 mod contract;
@@ -27,6 +28,12 @@ pub(crate) const RULES: &[Rule] = &[fold::fold_constants, simplify::simplify];
 pub(crate) fn optimise(program: &Program) -> Program {
     // A product that only a sum uses is part of a fused operation.
     contract::fuse_products(&shortened(program))
+}
+
+/// The same where operations are taken to be fused.
+pub(crate) fn optimise_for_fused(program: &Program) -> Program {
+    let chained = chain::chain_products(&shortened(program));
+    contract::fuse_products(&chain::negate_within(&chained))
 }
 
 /// The passes before products are contracted into sums.

@@ -2,6 +2,7 @@
 
 mod affine;
 mod budgets;
+mod chain;
 mod collect;
 mod conditions;
 mod dynamics;
