@@ -58,6 +58,20 @@ mechanism! {
 }
 
 mechanism! {
+    /// A crank between whose toggles a short bar turns half a turn.
+    pub struct FastShortBar {
+        numerics fast;
+        input theta: angle;
+
+        ground A(0, 0), D(3, 0);
+        crank AB(A) -> B        { length: 1m, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (3m, 3mm), mode: left }
+
+        output C, BC, DC;
+    }
+}
+
+mechanism! {
     /// Two cranks, and a bar whose length is not known: what is fast is the sine alone.
     pub struct FastTuned {
         numerics fast;

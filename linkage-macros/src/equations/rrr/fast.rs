@@ -9,7 +9,9 @@
 //! ```
 //!
 //! That is of the shorter bar, with l its own length and l' the other's a d² = i/2 + l (l − l');
-//! the longer one is it and d, which loses nothing. The product is one in m⁴, not of sines as in the parent:
+//! the longer one is it and d, which loses nothing. Behind a crank 2 l₂ l₃ − i/2 is affine in the same product
+//! as i/2 and need not wait for it, where no bar is more than four times as long as the other: what its own
+//! rounding makes the bars longer by is one of the longer. The product is one in m⁴, not of sines as in the parent:
 //! J itself is what d⊥ and the rates take. [`is_for`] says for which lengths f32 has room for it.
 //!
 //! # Velocity and acceleration
@@ -101,15 +103,23 @@ fn bars<'s>(
     let operands = [line.x, line.y, l2, l3];
     let square = crank.map_or_else(|| line.dot(line), CrankPin::square);
     let (product, difference) = (l2 * l3, l2 - l3);
-    let half = match crank {
+    let [half, rest] = match crank {
         Some(crank) => {
             let [sum, along] = crank.square_parts();
-            (sum - difference.squared()).half() - along
+            let mean = (sum - difference.squared()).half();
+            let half = mean - along;
+            let is_affine = are_comparable(l2, l3);
+            let rest =
+                if is_affine { product.twice() - mean + along } else { product.twice() - half };
+            [half, rest]
         }
-        None => square.half() - difference.squared().half(),
+        None => {
+            let half = square.half() - difference.squared().half();
+            [half, product.twice() - half]
+        }
     };
     scope.call("i half", half);
-    let rounded = half * (product.twice() - half);
+    let rounded = half * rest;
     let spread = spread(line, [l2, l3], product);
     let circles = [line.x, line.y, l2, l3, spread];
     let square_j = rounded.provided(Check::ReachCross, scope.group, &circles);
@@ -130,6 +140,11 @@ fn bars<'s>(
     let cosine = product - half;
     let along = if is_first { along } else { -along };
     Bars { lengths: [l2, l3], cosine, short, along, lift, root, inverse }
+}
+
+/// Whether no bar is more than four times as long as the other.
+fn are_comparable<'s>(l2: Sym<'s>, l3: Sym<'s>) -> bool {
+    (l2 / l3).constant_value().is_some_and(|ratio| (0.25..=4.0).contains(&ratio.abs()))
 }
 
 impl<'s> Bars<'s> {
