@@ -3,6 +3,7 @@
 //! Written down as a + (b c + d e), an acceleration takes a product, a fused operation and a sum. As
 //! (a + d e) + b c it takes two fused operations and loses a rounding, and nothing but the last waits for the
 //! product that is known last. Where operations are not fused it is as many operations as before.
+//! Rates alone: of positions limits are decided, for which joints are rounded with every numerics alike.
 //!
 //! And the negative of a sum is a sum of negatives: a fused operation takes any signs, where its result would
 //! have to be negated. Only a zero's sign is another.
@@ -14,15 +15,16 @@ use crate::ir::program::Program;
 
 use super::contract::asked_for_errors;
 
-/// The program with sums of a number and two products in a chain, where nobody else uses what the products
-/// make together or asks for an error of it.
+/// The program with rates that are sums of a number and two products in a chain, where nobody else uses what
+/// the products make together or asks for an error of it.
 pub(super) fn chain_products(program: &Program) -> Program {
     let (graph, own) = (&program.graph, Own::of(program));
-    let depths = depths(graph);
+    let (depths, are_rates) = (depths(graph), rates(graph));
     rebuild_with(program, &[], |maker, id, moved| {
         let [(rest, true), (inner, is_added)] = terms(graph, id)? else { return None };
         let [first, second] = products(graph, inner)?;
-        if own.asked[id.index()] || !own.has(inner) || is_product(graph, rest) {
+        let is_free = own.has(inner) && !own.asked[id.index()] && !is_product(graph, rest);
+        if !is_free || !are_rates[id.index()] {
             return None;
         }
         let in_order = depths[first.0.index()] <= depths[second.0.index()];
@@ -69,6 +71,17 @@ fn summands(graph: &Graph, id: Id) -> Option<[(Id, bool); 2]> {
         Node::Sub(a, b) => Some([(a, true), (b, false)]),
         _ => None,
     }
+}
+
+/// Which nodes are made of an input's first or second rate.
+fn rates(graph: &Graph) -> Vec<bool> {
+    let mut rates = Vec::with_capacity(graph.len());
+    for (_, node) in graph.iter() {
+        let mut is_rate = matches!(node, Node::Input { order: 1.., .. });
+        graph.for_operands_of(node, &mut |operand| is_rate |= rates[operand.index()]);
+        rates.push(is_rate);
+    }
+    rates
 }
 
 /// How many operations every node waits for.

@@ -6,7 +6,8 @@ use crate::ir::program::{Answer, Program};
 use crate::ir::text::text;
 use crate::passes::chain::{chain_products, negate_within};
 
-/// A graph of numbers `a` to `e` that are known at the start, and `late`, which waits for `e`.
+/// A graph of numbers `a` to `e` that are known at the start, of which `e` is a rate, and `late`, which waits
+/// for `e`.
 struct Sample {
     graph: Graph,
     numbers: [Id; 5],
@@ -15,7 +16,8 @@ struct Sample {
 
 fn sample() -> Sample {
     let mut graph = Graph::new();
-    let numbers = [0, 1, 2, 3, 4].map(|param| graph.push(Node::Param(param)));
+    let [a, b, c, d] = [0, 1, 2, 3].map(|param| graph.push(Node::Param(param)));
+    let numbers = [a, b, c, d, graph.push(Node::Input { input: 0, order: 1 })];
     let late = graph.push(Node::Sqrt(numbers[4]));
     Sample { graph, numbers, late }
 }
@@ -92,6 +94,18 @@ fn what_somebody_else_reads_or_has_no_number_stays() {
     let sum = sample.push(Node::Add(late, early));
     let sink = sample.push(Node::Add(third, sum));
     assert_eq!(sample.after(chain_products, &[sink]), ["%9 = add %6 %7", "%10 = add %8 %9"]);
+}
+
+#[test]
+fn positions_are_rounded_as_they_are_written() {
+    let mut sample = sample();
+    let [a, b, c, d, _] = sample.numbers;
+    let products = [sample.push(Node::Mul(a, b)), sample.push(Node::Mul(c, d))];
+    let sum = sample.push(Node::Sub(products[0], products[1]));
+    let sink = sample.push(Node::Add(a, sum));
+    let sinks = [sink, sample.late];
+    let lines = sample.after(chain_products, &sinks);
+    assert_eq!(lines, ["%8 = sub %6 %7", "%9 = add %0 %8"]);
 }
 
 #[test]
