@@ -49,6 +49,24 @@ fn toggles<T: Real>() {
 /// velocity, and what is within is as high as it is without rounding, or nearly. S counts as it is where it
 /// is above 16 ε of its spread, and is wrong by 2.5 of these at most: S by a fifth, the height by a tenth.
 fn toggles_in_any_direction<T: Real>() {
+    let solver = FastBars::<T>::default();
+    toggles_of(
+        |q| solver.position(q).map(|pose| [pose.C.x, pose.C.y]),
+        |q, rate| solver.velocity(q, rate).map(|_| ()),
+    );
+    // Whatever the power of two that all is made smaller by, nothing is rounded otherwise.
+    let (solver, small, large) = (FastSmallBars::<T>::default(), 1.0 / 4096.0, 4096.0);
+    let scaled = |q: [T; 2], by: f64| q.map(|q| number(q.value() * by));
+    toggles_of(
+        |q| solver.position(scaled(q, small)).map(|pose| scaled([pose.C.x, pose.C.y], large)),
+        |q, rate| solver.velocity(scaled(q, small), scaled(rate, small)).map(|_| ()),
+    );
+}
+
+fn toggles_of<T: Real>(
+    position: impl Fn([T; 2]) -> Result<[T; 2], SolveError>,
+    velocity: impl Fn([T; 2], [T; 2]) -> Result<(), SolveError>,
+) {
     let mut random = Random::new(11);
     let (mut beyond, mut within) = (0, 0);
     for step in 0..4000 {
@@ -62,20 +80,19 @@ fn toggles_in_any_direction<T: Real>() {
         // 4 l₂² l₃² S
         let (inner, outer) = (square - exact(0.140_625), exact(2.640_625) - square);
         let product = (inner * outer).high / (4.0 * 0.625 * 0.625);
-        let solver = FastBars::<T>::default();
-        let Ok(pose) = solver.position(q) else {
+        let Ok(pin) = position(q) else {
             assert!(product < 0.0, "{q:?}");
             continue;
         };
-        let [cx, cy] = [pose.C.x, pose.C.y].map(|c| exact(c.value()));
+        let [cx, cy] = pin.map(|c| exact(c.value()));
         let height = (x * cy - y * cx).high;
-        let velocity = solver.velocity(q, [number(0.5), number(0.25)]);
+        let velocity = velocity(q, [number(0.5), number(0.25)]);
         if product <= 0.0 {
             beyond += 1;
             // Three roundings of a pin 0.625 away, times the distance.
             assert!(height.abs() <= 3.0 * T::EPSILON, "{side} {height:e} at {q:?}");
             let singular = SolveError::Singular { group: "BC, DC" };
-            assert_eq!(velocity.map(|_| ()), Err(singular), "{q:?}");
+            assert_eq!(velocity, Err(singular), "{q:?}");
         } else {
             within += 1;
             let wanted = 0.625 * product.sqrt();
@@ -85,6 +102,23 @@ fn toggles_in_any_direction<T: Real>() {
         }
     }
     assert!(beyond > 1000 && within > 1500, "{beyond} {within}");
+}
+
+/// Bars that are not for the fourth power of their lengths: a picometre is answered like a metre.
+fn tiny_bars<T: Real>() {
+    let (tiny, bars) = (FastTinyBars::<T>::default(), FastBars::<T>::default());
+    for step in 0..1200 {
+        let (d, turn) = (0.4 + f64::from(step) / 1000.0, f64::from(step) / 7.0);
+        let q = [d * turn.cos(), d * turn.sin()];
+        let (tiny, bars) =
+            (tiny.position(q.map(|q| number(q * 1e-11))), bars.position(q.map(number)));
+        let (tiny, bars) = (tiny.expect("in reach"), bars.expect("in reach"));
+        for (a, b) in [(tiny.BC, bars.BC), (tiny.DC, bars.DC)] {
+            let off = (a.cos.value() - b.cos.value()).hypot(a.sin.value() - b.sin.value());
+            // Some ten roundings of d and S, where the pin is as high as 1/20 of the shorter bar or more.
+            assert!(off <= 200.0 * T::EPSILON, "{off:e} at {d}");
+        }
+    }
 }
 
 /// Joints that nearly meet, of any size: answered as without `fast`.
@@ -328,6 +362,6 @@ fn what_is_not_constant_is_solved_as_without() {
     assert!(FastWatt::new().position(1e7).is_ok());
 }
 
-in_both_widths! { toggles toggles_in_any_direction driven_joints_are_solved_at_once joints_that_meet lengths rates_of_any_size
+in_both_widths! { toggles toggles_in_any_direction tiny_bars driven_joints_are_solved_at_once joints_that_meet lengths rates_of_any_size
     through_toggles
 }
