@@ -17,34 +17,6 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same, 4096 times as small.
-    pub struct FastSmallBars {
-        numerics fast;
-        input dx, dy: length;
-
-        ground B(0, 0);
-        point D at (dx, dy);
-        rrr BC(B), DC(D) -> C { lengths: (0.000152587890625m, 0.000244140625m), mode: left }
-
-        output C;
-    }
-}
-
-mechanism! {
-    /// Of a length whose fourth power f32 does not hold.
-    pub struct FastTinyBars {
-        numerics fast;
-        input dx, dy: length;
-
-        ground B(0, 0);
-        point D at (dx, dy);
-        rrr BC(B), DC(D) -> C { lengths: (6.25e-12m, 1e-11m), mode: left }
-
-        output C, BC, DC;
-    }
-}
-
-mechanism! {
     /// The same without.
     pub struct PlainBars {
         input dx, dy: length;
@@ -58,7 +30,35 @@ mechanism! {
 }
 
 mechanism! {
-    /// One a thousand times as long.
+    /// `FastBars`, 4096 times as small.
+    pub struct FastSmallBars {
+        numerics fast;
+        input dx, dy: length;
+
+        ground B(0, 0);
+        point D at (dx, dy);
+        rrr BC(B), DC(D) -> C { lengths: (0.000152587890625m, 0.000244140625m), mode: left }
+
+        output C;
+    }
+}
+
+mechanism! {
+    /// Such bars of a length whose fourth power f32 does not hold.
+    pub struct FastTinyBars {
+        numerics fast;
+        input dx, dy: length;
+
+        ground B(0, 0);
+        point D at (dx, dy);
+        rrr BC(B), DC(D) -> C { lengths: (6.25e-12m, 1e-11m), mode: left }
+
+        output C, BC, DC;
+    }
+}
+
+mechanism! {
+    /// Such bars, one a thousand times as long as the other.
     pub struct FastUnequalBars {
         numerics fast;
         input dx, dy: length;

@@ -10,9 +10,10 @@
 //!
 //! That is of the shorter bar, with l its own length and l' the other's a d² = i/2 + l (l − l');
 //! the longer one is it and d, which loses nothing. Behind a crank 2 l₂ l₃ − i/2 is affine in the same product
-//! as i/2 and need not wait for it, where no bar is more than four times as long as the other: what its own
-//! rounding makes the bars longer by is one of the longer. The product is one in m⁴, not of sines as in the parent:
-//! J itself is what d⊥ and the rates take. [`is_for`] says for which lengths f32 has room for it.
+//! as i/2 and does not wait for it. Its own rounding makes the bars longer or shorter by last places of the
+//! longer one, so that none may be more than four times as long as the other. J² is a product in m⁴, where the
+//! parent has one of sines: J itself is what d⊥ and the rates take. [`is_for`] says for which lengths f32 has
+//! room for it.
 //!
 //! # Velocity and acceleration
 //! As in the parent, but where B is a pin that swings about a point A of the ground with the arm a, and D
@@ -103,21 +104,15 @@ fn bars<'s>(
     let operands = [line.x, line.y, l2, l3];
     let square = crank.map_or_else(|| line.dot(line), CrankPin::square);
     let (product, difference) = (l2 * l3, l2 - l3);
-    let [half, rest] = match crank {
+    let (half, at_once) = match crank {
         Some(crank) => {
             let [sum, along] = crank.square_parts();
             let mean = (sum - difference.squared()).half();
-            let half = mean - along;
-            let is_affine = are_comparable(l2, l3);
-            let rest =
-                if is_affine { product.twice() - mean + along } else { product.twice() - half };
-            [half, rest]
+            (mean - along, are_comparable(l2, l3).then(|| product.twice() - mean + along))
         }
-        None => {
-            let half = square.half() - difference.squared().half();
-            [half, product.twice() - half]
-        }
+        None => (square.half() - difference.squared().half(), None),
     };
+    let rest = at_once.unwrap_or_else(|| product.twice() - half);
     scope.call("i half", half);
     let rounded = half * rest;
     let spread = spread(line, [l2, l3], product);
