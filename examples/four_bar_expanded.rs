@@ -463,8 +463,7 @@ mod FourBar_ {
                 theta_rate: T,
             ) -> (FourBarVelocity<T>, T::Mask) {
                 let (sin_, cos_) = T::sin_cos_near(theta);
-                let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
-                (result_, T::is_near(theta) & ok_)
+                self.core_velocity_at_(cos_, sin_, theta_rate, theta * theta)
             }
 
             /// Positions, velocities and accelerations of the outputs, without a branch, and whether they
@@ -483,9 +482,13 @@ mod FourBar_ {
                 theta_acceleration: T,
             ) -> (FourBarMotion<T>, T::Mask) {
                 let (sin_, cos_) = T::sin_cos_near(theta);
-                let (result_, ok_) = self
-                    .core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
-                (result_, T::is_near(theta) & ok_)
+                self.core_motion_at_(
+                    cos_,
+                    sin_,
+                    theta_rate,
+                    theta_acceleration,
+                    theta * theta,
+                )
             }
 
             /// Kinematic coefficients ∂outputs/∂inputs, without a branch, and whether they may be used.
@@ -557,7 +560,8 @@ mod FourBar_ {
                 theta_rate: T,
             ) -> (FourBarVelocity<T>, T::Mask) {
                 let (cos_, sin_, near_) = private::on_circle(cos, sin);
-                let (result_, ok_) = self.core_velocity_at_(cos_, sin_, theta_rate);
+                let (result_, ok_) = self
+                    .core_velocity_at_(cos_, sin_, theta_rate, T::num(-0.0));
                 (result_, ok_ & near_)
             }
 
@@ -567,6 +571,7 @@ mod FourBar_ {
                 cos: T,
                 sin: T,
                 theta_rate: T,
+                square_: T,
             ) -> (FourBarVelocity<T>, T::Mask) {
                 let mut all_met_ = AllMet::new();
                 let result_ = self
@@ -574,7 +579,11 @@ mod FourBar_ {
                     .velocity;
                 (
                     result_,
-                    all_met_.all() & T::is_within(theta_rate, T::lit(1e60, 1000000.0))
+                    all_met_.all()
+                        & T::ge(
+                            T::lit(1099511627776.0, 2649263900.0),
+                            T::fused(theta_rate, theta_rate, square_),
+                        )
                         & private::is_finite_unless(
                             T::plain(true, true),
                             (result_.B.x + result_.BC.omega)
@@ -602,7 +611,13 @@ mod FourBar_ {
             ) -> (FourBarMotion<T>, T::Mask) {
                 let (cos_, sin_, near_) = private::on_circle(cos, sin);
                 let (result_, ok_) = self
-                    .core_motion_at_(cos_, sin_, theta_rate, theta_acceleration);
+                    .core_motion_at_(
+                        cos_,
+                        sin_,
+                        theta_rate,
+                        theta_acceleration,
+                        T::num(-0.0),
+                    );
                 (result_, ok_ & near_)
             }
 
@@ -613,6 +628,7 @@ mod FourBar_ {
                 sin: T,
                 theta_rate: T,
                 theta_acceleration: T,
+                square_: T,
             ) -> (FourBarMotion<T>, T::Mask) {
                 let mut all_met_ = AllMet::new();
                 let result_ = self
@@ -622,12 +638,12 @@ mod FourBar_ {
                 (
                     result_,
                     all_met_.all()
-                        & T::is_within(
-                            theta_acceleration,
+                        & T::ge(
+                            T::lit(1.2089258196146292e24, 7.018599e18),
                             T::fused(
-                                -theta_rate,
-                                theta_rate,
-                                T::lit(9.999999999999998e119, 1000000000000.0),
+                                T::fused(theta_rate, theta_rate, square_),
+                                T::fused(theta_rate, theta_rate, square_),
+                                theta_acceleration * theta_acceleration,
                             ),
                         )
                         & private::is_finite_unless(

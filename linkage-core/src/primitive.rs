@@ -34,7 +34,8 @@ macro_rules! scalar {
             }
             #[inline]
             fn is_near(self) -> bool {
-                self.abs() <= $near
+                // Monotonous, and without a mask for the sign.
+                self * self <= $near * $near
             }
             #[inline]
             fn tan(self) -> Self {

@@ -7,6 +7,7 @@
 use linkage_core::Scalar;
 use linkage_core::num_dual::Dual;
 use linkage_tests::mechanisms::change_points::{EqualSliderCrank, FourOneTwoThree};
+use linkage_tests::mechanisms::fast::FastDragLink;
 use linkage_tests::mechanisms::published::{FourBar, FunctionGenerator, SixBar};
 use linkage_tests::mechanisms::single_groups::{
     CouplerFourBar, CrossedGuides, InclinedSliderCrank, ObliqueYoke, OffsetQuickReturn,
@@ -124,6 +125,47 @@ fn what_is_solved_with_derivatives_is_finite_with_them() {
     let (mut random, mut answers) = (Random::new(3), Answers::default());
     every_mechanism!(answers, random, 308.0, Dual<f64>, |x: f64| Dual::new(x, x));
     answers.are_of_every_kind();
+}
+
+/// The straight line compares an angle and its rates at once: each goes to its own limit, where the others are
+/// small, and what is beyond is left to the careful path.
+macro_rules! limits_of_an_angle {
+    ($solver:ty, $t:ty, $near:expr) => {{
+        let (solver, near): (_, $t) = (<$solver>::default(), $near);
+        for (input, limit) in [near, near, near * near].into_iter().enumerate() {
+            let alone =
+                |value: $t| std::array::from_fn(|nth| if nth == input { value } else { 1.0 });
+            let cos_sin = |theta: $t| Scalar::sin_cos(theta);
+            for (part, is_within) in [(0.99, true), (1.01, false), (<$t>::NAN, false)] {
+                let [theta, omega, alpha]: [$t; 3] = alone(limit * part);
+                let (sin, cos) = cos_sin(if input == 0 { 1.0 } else { theta });
+                assert_eq!(
+                    solver.solve_motion(theta, omega, alpha).1,
+                    is_within,
+                    "{theta} {omega} {alpha}"
+                );
+                assert_eq!(
+                    solver.solve_velocity(theta, omega).1,
+                    is_within || input == 2,
+                    "{theta} {omega}"
+                );
+                // Cosine and sine leave all of the limit to the rates.
+                let at = solver.solve_motion_at(cos, sin, omega, alpha).1;
+                assert_eq!(at, is_within || input == 0, "{omega} {alpha}");
+                let at = solver.solve_velocity_at(cos, sin, omega).1;
+                assert_eq!(at, is_within || input != 1, "{omega}");
+                assert_eq!(solver.motion(theta, omega, alpha).is_ok(), !part.is_nan());
+            }
+        }
+    }};
+}
+
+#[test]
+fn an_angle_and_its_rates_are_compared_at_once() {
+    limits_of_an_angle!(FourBar<f64>, f64, 2.0_f64.powi(20));
+    limits_of_an_angle!(FastDragLink<f64>, f64, 2.0_f64.powi(20));
+    limits_of_an_angle!(FourBar<f32>, f32, 51_471.0);
+    limits_of_an_angle!(FastDragLink<f32>, f32, 51_471.0);
 }
 
 /// Beyond the bounds of the straight line the careful path still solves what can be solved.

@@ -8,6 +8,7 @@ use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{function_name, generated};
 use super::text::Text;
+use super::token_list::Tokens;
 use super::{docs, formulas, results};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
@@ -45,24 +46,28 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let (converted, answer) = (arguments.converted(&number), answer(cx, id));
     let body = match cx.compute(id) {
         Compute::Via { entry: other, given: Adapted::CosineAndSine } => {
-            by_cosine(cx, &arguments, cx.entry(*other))
+            by_cosine(cx, &arguments, *other)
         }
         Compute::Via { entry: other, given: Adapted::UnitRate } => {
             at_unit_rate(cx, &arguments, *other)
         }
         Compute::Own { routine, stage, asked } => {
-            compared(cx, entry, formulas::Call { routine: *routine, stage: *stage }, asked)
+            compared(cx, id, formulas::Call { routine: *routine, stage: *stage }, asked)
         }
     };
     let (docs, result) = (docs::fast_path(cx, id), results::ty(cx, entry.result, &number));
     let (name, core) = (public_name(entry), core_name(cx, entry));
+    let square = Together::of(cx, id).map(|_| {
+        let square = generated(SQUARE);
+        quote!(, #square: #scalar)
+    });
     let (shown, core) = match has_core(cx, entry) {
         false => (body, None),
         true => (
             quote!(#converted #answer),
             Some(quote! {
                 #[inline(always)]
-                fn #core(&self, #(#received),*) -> (#result, #scalar::Mask) { #body }
+                fn #core(&self, #(#received),* #square) -> (#result, #scalar::Mask) { #body }
             }),
         ),
     };
@@ -99,18 +104,23 @@ fn answer(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let (given, rates) = names.split_at(2);
     let ([cos, sin, near], on_circle) =
         (["cos_", "sin_", "near_"].map(generated), cx.paths.item("on_circle"));
+    let square = Together::of(cx, id).map(|_| {
+        // A sum with −0 is the other number, whatever it is, and no addition.
+        let none = cx.literal(-0.0, -0.0);
+        quote!(, #none)
+    });
     quote! {
         let (#cos, #sin, #near) = #on_circle(#(#given),*);
-        let (#result, #ok) = self.#core(#cos, #sin #(, #rates)*);
+        let (#result, #ok) = self.#core(#cos, #sin #(, #rates)* #square);
         (#result, #ok & #near)
     }
 }
 
 /// The formulas, every condition compared, and the test that every result is finite.
-fn compared(cx: &Context<'_>, entry: &Entry, call: formulas::Call, asked: &Asked) -> TokenStream {
+fn compared(cx: &Context<'_>, id: EntryId, call: formulas::Call, asked: &Asked) -> TokenStream {
     let [all_met, result] = ["all_met_", "result_"].map(generated);
     let (formulas, start) = (call.under(cx, &quote!(&mut #all_met)), cx.paths.item("AllMet"));
-    let finite = is_finite(cx, entry, asked, "result_").map(|finite| quote!(& #finite));
+    let finite = is_finite(cx, id, asked, "result_").map(|finite| quote!(& #finite));
     quote! {
         let mut #all_met = #start::new();
         let #result = #formulas;
@@ -119,15 +129,79 @@ fn compared(cx: &Context<'_>, entry: &Entry, call: formulas::Call, asked: &Asked
 }
 
 /// The core of the other entry point, given the angle's cosine and sine.
-fn by_cosine(cx: &Context<'_>, arguments: &Arguments<'_>, other: &Entry) -> TokenStream {
+fn by_cosine(cx: &Context<'_>, arguments: &Arguments<'_>, other: EntryId) -> TokenStream {
     let [sin, cos, result, ok] = ["sin_", "cos_", "result_", "ok_"].map(generated);
-    let (sin_cos, is_near, core) =
-        (cx.scalar(near_sine(cx)), cx.scalar("is_near"), core_name(cx, other));
+    let (sin_cos, core) = (cx.scalar(near_sine(cx)), core_name(cx, cx.entry(other)));
     let (angle, rates) = arguments.names().split_first().expect("the angle comes first");
+    if Together::of(cx, other).is_some() {
+        return quote! {
+            let (#sin, #cos) = #sin_cos(#angle);
+            self.#core(#cos, #sin #(, #rates)*, #angle * #angle)
+        };
+    }
+    let is_near = cx.scalar("is_near");
     quote! {
         let (#sin, #cos) = #sin_cos(#angle);
         let (#result, #ok) = self.#core(#cos, #sin #(, #rates)*);
         (#result, #is_near(#angle) & #ok)
+    }
+}
+
+/// The square of the angle, for a core that compares it together with its rates; zero where cosine and sine
+/// are given.
+const SQUARE: &str = "square_";
+
+/// The angles for which sines are right without a look at more of π, in rad, in both widths: 2²⁰ and some
+/// 8192 turns.
+const NEAR: [f64; 2] = [1_048_576.0, 51_471.0];
+
+/// One comparison for an angle and its rates: (θ² + θ̇²)² + θ̈² up to the fourth power of a limit keeps angle
+/// and rate within the limit and the second rate within its square. In double precision it lies at 170 000
+/// turns and as many a second.
+struct Together<'a> {
+    limits: &'a Limits,
+}
+
+impl<'a> Together<'a> {
+    /// Of an entry point that is given cosine and sine and asks for rates.
+    fn of(cx: &'a Context<'_>, id: EntryId) -> Option<Self> {
+        let Compute::Own { asked, .. } = cx.compute(id) else { return None };
+        let limits = asked.limits.as_ref().filter(|limits| !limits.inputs.is_empty())?;
+        cx.entry(id).takes_cosine().then_some(Self { limits })
+    }
+
+    /// Powers of the limit: the least that the angle or a rate has.
+    fn limit(&self, cx: &Context<'_>, power: i32) -> Tokens {
+        let mut least = NEAR;
+        for (node, bounds) in &self.limits.inputs {
+            let is_second = matches!(node, Node::Input { order: 2, .. });
+            for (least, bound) in least.iter_mut().zip(bounds) {
+                *least = least.min(if is_second { bound.sqrt() } else { *bound });
+            }
+        }
+        let [wide, narrow] = least.map(|limit| limit.powi(power));
+        cx.literal(wide, narrow as f32)
+    }
+
+    fn is_met(&self, cx: &Context<'_>, entry: &Entry) -> TokenStream {
+        let arguments = Arguments::new(cx, entry.given);
+        let [fused, is_met] = ["fused", "ge"].map(|item| cx.scalar(item));
+        let of_order = |wanted: u8| {
+            let is_it = |node: &Node| matches!(node, Node::Input { order, .. } if *order == wanted);
+            let mut nodes = self.limits.inputs.iter().map(|(node, _)| *node);
+            nodes.find(is_it).and_then(|node| arguments.read(node))
+        };
+        let square = generated(SQUARE);
+        let squares = match of_order(1) {
+            Some(rate) => quote!(#fused(#rate, #rate, #square)),
+            None => quote!(#square),
+        };
+        let Some(second) = of_order(2) else {
+            let limit = self.limit(cx, 2);
+            return quote!(#is_met(#limit, #squares));
+        };
+        let limit = self.limit(cx, 4);
+        quote!(#is_met(#limit, #fused(#squares, #squares, #second * #second)))
     }
 }
 
@@ -184,7 +258,8 @@ fn within(cx: &Context<'_>, entry: &Entry, inputs: &[(Node, [f64; 2])]) -> Vec<T
 }
 
 /// Whether the result is finite, as a term of a mask; nothing where it cannot be otherwise.
-fn is_finite(cx: &Context<'_>, entry: &Entry, asked: &Asked, result: &str) -> Option<TokenStream> {
+fn is_finite(cx: &Context<'_>, id: EntryId, asked: &Asked, result: &str) -> Option<TokenStream> {
+    let entry = cx.entry(id);
     let components = results::components(cx, entry.result, result);
     let witnesses: Vec<_> = asked.witnesses.iter().map(|&at| components[at].clone()).collect();
     if witnesses.is_empty() {
@@ -196,7 +271,10 @@ fn is_finite(cx: &Context<'_>, entry: &Entry, asked: &Asked, result: &str) -> Op
         return Some(quote!(#is_finite(#sum)));
     };
     let (plain, unless) = (cx.scalar("plain"), cx.paths.item("is_finite_unless"));
-    let mut terms = within(cx, entry, inputs);
+    let mut terms = match Together::of(cx, id) {
+        Some(together) => vec![together.is_met(cx, entry)],
+        None => within(cx, entry, inputs),
+    };
     terms.push(quote!(#unless(#plain(#wide, #narrow), #sum)));
     Some(quote!(#(#terms)&*))
 }
