@@ -1,14 +1,15 @@
-//! How near sweeps come to what the divider and the root allow: the time of a sweep over that of a loop which
-//! has only the divisions and roots of the same entry point, as many as `COST` counts in the generated code.
+//! How near sweeps come to what the machine allows: the time of a sweep over that of a loop which has only the
+//! divisions and roots of the same entry point, as many as `COST` counts in the generated code, and over that
+//! of a loop which has its sines, additions and products as well, each product in one operation with a sum.
 //!
 //! ```text
 //! cargo run --release -p laboratory --bin sweep_limits
 //! RUSTFLAGS="-C target-cpu=x86-64-v3" cargo run --release -p laboratory --bin sweep_limits
 //! ```
 //!
-//! Both run in the run-time crate's loop over blocks of poses, on the same instruction set, in turn; divisions
-//! and roots of the loop do not wait for each other, and it writes one number a pose. Reported are medians over
-//! the rounds, the ratio's of the times within one round. `sweep_limits ROUNDS` measures that many.
+//! All run in the run-time crate's loop over blocks of poses, on the same instruction set, in turn; what the
+//! loops compute hardly waits for each other, and they write one number a pose. Reported are medians over the
+//! rounds, the ratios' of the times within one round. `sweep_limits ROUNDS` measures that many.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -22,14 +23,21 @@ const ROUNDS: usize = 2001;
 /// Poses of a round, few enough for the first cache.
 const POSES: usize = 240;
 
-/// Tells the loop below from the entry points of mechanisms.
-enum OfDivider {}
+/// Tells the loops below from the entry points of mechanisms.
+enum OfNothing {}
 
-/// So many divisions and square roots.
-struct Divider<const DIVISIONS: u32, const ROOTS: u32>;
+/// So many divisions and square roots, and so many sines with their cosines and sums with a product.
+struct Arithmetic<const DIVISIONS: u32, const ROOTS: u32, const SINES: u32, const SUMS: u32>;
 
-impl<const DIVISIONS: u32, const ROOTS: u32> Entry<OfDivider, f64, 1, 1>
-    for Divider<DIVISIONS, ROOTS>
+/// How many sums go on beside each other: more than a processor begins while one is under way (two each cycle,
+/// four cycles long), and few enough for its registers.
+const CHAINS: usize = 12;
+
+/// For how many sums of each chain `sums` is written out.
+const ROUNDS_OF_SUMS: usize = 28;
+
+impl<const DIVISIONS: u32, const ROOTS: u32, const SINES: u32, const SUMS: u32>
+    Entry<OfNothing, f64, 1, 1> for Arithmetic<DIVISIONS, ROOTS, SINES, SUMS>
 {
     #[inline(always)]
     fn solve<U: Scalar>(&self, [x]: [U; 1], put: impl FnOnce(&[U])) -> U::Mask {
@@ -42,6 +50,9 @@ impl<const DIVISIONS: u32, const ROOTS: u32> Entry<OfDivider, f64, 1, 1>
         for nth in 0..ROOTS {
             sum = sum + (x + U::num(f64::from(nth) + 0.5)).sqrt();
         }
+        const { assert!(SUMS as usize <= ROUNDS_OF_SUMS * CHAINS && SINES <= 1) };
+        let (sin, cos) = if SINES > 0 { x.sin_cos_near() } else { (x, x) };
+        sum = sum + sums(SUMS as usize, sin, cos);
         put(&[sum]);
         U::Mask::ALL
     }
@@ -50,6 +61,26 @@ impl<const DIVISIONS: u32, const ROOTS: u32> Entry<OfDivider, f64, 1, 1>
         put(&x);
         Ok(())
     }
+}
+
+/// So many sums with a product: in loops so short that they are unrolled, or poses would not be put together
+/// in vectors.
+#[inline(always)]
+fn sums<U: Scalar>(count: usize, factor: U, first: U) -> U {
+    let mut chains: [U; CHAINS] =
+        std::array::from_fn(|nth| if nth % 2 == 0 { first } else { factor });
+    macro_rules! a_round {
+        ($($from:literal)*) => {$(
+            for (nth, chain) in chains.iter_mut().enumerate() {
+                if $from * CHAINS + nth < count {
+                    *chain = U::fused(*chain, factor, U::num($from as f64 + nth as f64 / CHAINS as f64));
+                }
+            }
+        )*};
+    }
+    // As many as `ROUNDS_OF_SUMS`.
+    a_round!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27);
+    chains.into_iter().reduce(|a, b| a + b).unwrap_or(first)
 }
 
 /// Nanoseconds a pose.
@@ -73,10 +104,11 @@ fn timed<const OUT: usize>(
     })
 }
 
-fn divider<const DIVISIONS: u32, const ROOTS: u32>() -> Run {
+fn alone<const DIVISIONS: u32, const ROOTS: u32, const SINES: u32, const SUMS: u32>() -> Run {
     timed(|angles, out: [&mut [f64]; 1], status| {
         let inputs = [Series::Each(angles)];
-        let swept = sweep(&Divider::<DIVISIONS, ROOTS>, inputs, out, status, ());
+        let loops = Arithmetic::<DIVISIONS, ROOTS, SINES, SUMS>;
+        let swept = sweep(&loops, inputs, out, status, ());
         assert_eq!(swept, Ok(()), "all slices are of one length");
     })
 }
@@ -86,20 +118,26 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// Times a sweep and its loop in turn and prints a row.
-fn compare(name: &str, counts: [u32; 2], mut runs: [Run; 2], rounds: usize) {
-    let mut times = [const { Vec::new() }; 2];
+/// Times a sweep and its two loops in turn and prints a row.
+fn compare(name: &str, counts: [u32; 2], mut runs: [Run; 3], rounds: usize) {
+    let mut times = [const { Vec::new() }; 3];
     for round in 0..rounds {
-        for place in 0..2 {
-            let which = (place + round) % 2;
+        for place in 0..3 {
+            let which = (place + round) % 3;
             times[which].push((runs[which])());
         }
     }
-    let [sweep, limit] = times;
-    let ratio = median(sweep.iter().zip(&limit).map(|(sweep, limit)| sweep / limit).collect());
+    let over = |limit: &[f64]| median(times[0].iter().zip(limit).map(|(a, b)| a / b).collect());
+    let ratios = [over(&times[1]), over(&times[2])];
     let [divisions, roots] = counts;
-    let [sweep, limit] = [sweep, limit].map(median);
-    println!("{name:24} {divisions:9} {roots:5} {sweep:9.2} {limit:9.2} {ratio:6.2}");
+    let [sweep, divider, arithmetic] = times.map(median);
+    print!("{name:24} {divisions:9} {roots:5} {sweep:9.2} {divider:9.2} {:6.2}", ratios[0]);
+    println!(" {arithmetic:12.2} {:6.2}", ratios[1]);
+}
+
+/// How many operations additions and products are at least, where one operation has one of each.
+const fn at_least(cost: linkage_core::Operations) -> u32 {
+    if cost.additions > cost.multiplications { cost.additions } else { cost.multiplications }
 }
 
 /// Both entry points of a mechanism.
@@ -112,24 +150,38 @@ macro_rules! compare {
             let swept = g::$solver::new().sweep_position(angles, out, status, ());
             assert_eq!(swept, Ok(()), "all slices are of one length");
         });
-        let limit = divider::<{ POSITION.divisions }, { POSITION.roots }>();
+        let divider = alone::<{ POSITION.divisions }, { POSITION.roots }, 0, 0>();
+        let all = alone::<
+            { POSITION.divisions },
+            { POSITION.roots },
+            { POSITION.sines },
+            { at_least(POSITION) },
+        >();
         let counts = [POSITION.divisions, POSITION.roots];
-        compare(concat!($name, ", position"), counts, [position, limit], $rounds);
+        compare(concat!($name, ", position"), counts, [position, divider, all], $rounds);
         let motion = timed(|angles, out, status| {
             let out: g::$motion<&mut [f64]> = Record::from_array(out);
             let swept = g::$solver::new().sweep_motion(angles, 30.0, 100.0, out, status, ());
             assert_eq!(swept, Ok(()), "all slices are of one length");
         });
-        let limit = divider::<{ MOTION.divisions }, { MOTION.roots }>();
+        let divider = alone::<{ MOTION.divisions }, { MOTION.roots }, 0, 0>();
+        let all = alone::<
+            { MOTION.divisions },
+            { MOTION.roots },
+            { MOTION.sines },
+            { at_least(MOTION) },
+        >();
         let counts = [MOTION.divisions, MOTION.roots];
-        compare(concat!($name, ", motion"), counts, [motion, limit], $rounds);
+        compare(concat!($name, ", motion"), counts, [motion, divider, all], $rounds);
     }};
 }
 
 fn main() {
     let rounds = std::env::args().nth(1).and_then(|rounds| rounds.parse().ok()).unwrap_or(ROUNDS);
     println!("f64, nanoseconds a pose; medians of {rounds} rounds");
-    println!("                         divisions roots     sweep      loop  ratio");
+    println!(
+        "                         divisions roots     sweep   divider  ratio   arithmetic  ratio"
+    );
     compare!(rounds, "S1", FourBar, FourBarPosition, FourBarMotion);
     compare!(rounds, "S5", SixBar, SixBarPosition, SixBarMotion);
     compare!(rounds, "Stephenson III", Stephenson, StephensonPosition, StephensonMotion);

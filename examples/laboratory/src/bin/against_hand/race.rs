@@ -31,7 +31,7 @@ pub(crate) fn ratios<const N: usize>([made, by_hand]: [Call<N>; 2], rounds: usiz
         let out = room[at..].first_chunk_mut().expect("there is room for every place");
         let number = round / 2 % N;
         // Neither is always the first.
-        if round % 2 == 0 {
+        if round.is_multiple_of(2) {
             [made, by_hand].map(|call| run(call, &angles, out, number))
         } else {
             let [by_hand, made] = [by_hand, made].map(|call| run(call, &angles, out, number));
