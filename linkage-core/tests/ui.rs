@@ -8,16 +8,16 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 const HERE: &str = env!("CARGO_MANIFEST_DIR");
 
-/// `liblinkage_core-….rmeta` beside this program: that of the newest `….rlib`, which Cargo has made for it
-/// or found to be as new as its sources. What `cargo check` and Clippy leave there has no `….rlib`, and is
-/// not for the compiler that this test runs.
+/// `liblinkage_core-….rmeta` beside this program: that of the newest `….rlib` with default features,
+/// which Cargo has made for it or found to be as new as its sources. What `cargo check` and Clippy leave
+/// there has no `….rlib`, and is not for the compiler that this test runs.
 fn library() -> PathBuf {
     let program = std::env::current_exe().expect("this program is a file");
     let folder = program.parent().expect("a file is in a folder");
@@ -26,15 +26,19 @@ fn library() -> PathBuf {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         name.starts_with("liblinkage_core-") && name.ends_with(".rlib")
     });
+    let mut libraries: Vec<_> = libraries.collect();
     let made = |path: &PathBuf| fs::metadata(path).and_then(|file| file.modified()).ok();
-    let newest = libraries.max_by_key(made).expect("Cargo has built the library");
-    newest.with_extension("rmeta")
+    libraries.sort_by_key(made);
+    let mut newest_first = libraries.iter().rev().map(|path| path.with_extension("rmeta"));
+    let with_default_features = newest_first
+        .find(|library| compiled("tests/ui/default_features.rs", library).status.success());
+    with_default_features.expect("Cargo has built the library")
 }
 
 /// The files with mistakes, as the messages name them.
 fn mistakes() -> Vec<String> {
     let mut files = Vec::new();
-    for folder in list("tests/ui") {
+    for folder in list("tests/ui").into_iter().filter(|name| !name.ends_with(".rs")) {
         files.extend(list(&folder).into_iter().filter(|file| file.ends_with(".rs")));
     }
     files
@@ -49,9 +53,9 @@ fn list(directory: &str) -> Vec<String> {
     paths
 }
 
-/// What the compiler says about a file; nothing if it compiles.
-fn messages(file: &str, library: &Path) -> String {
-    let output = Command::new(Path::new(env!("CARGO")).with_file_name("rustc"))
+/// The compiler's run on a file.
+fn compiled(file: &str, library: &Path) -> Output {
+    Command::new(Path::new(env!("CARGO")).with_file_name("rustc"))
         .args(["--edition=2024", "--emit=metadata", "--color=never", "--diagnostic-width=140"])
         .args(["-Adead_code", "-o"])
         .arg(Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{}.ui", file.replace('/', "."))))
@@ -62,7 +66,12 @@ fn messages(file: &str, library: &Path) -> String {
         .arg(file)
         .current_dir(HERE)
         .output()
-        .expect("the compiler starts");
+        .expect("the compiler starts")
+}
+
+/// What the compiler says about a file; nothing if it compiles.
+fn messages(file: &str, library: &Path) -> String {
+    let output = compiled(file, library);
     let said = text(&output.stderr);
     assert_eq!(output.status.code(), Some(i32::from(!said.is_empty())), "{file}: {said}");
     let of_the_file = said.split("\n\n").filter(|message| {
