@@ -850,10 +850,13 @@ mod FourBar_ {
                 if ok_ {
                     Ok(result_)
                 } else {
-                    private::from_angle(
-                        theta,
-                        "theta",
-                        move |cos_, sin_| self.diagnose_position_at_(cos_, sin_),
+                    private::apart(
+                        private::from_angle(
+                            theta,
+                            "theta",
+                            move |cos_, sin_| self.diagnose_position_at_(cos_, sin_),
+                        ),
+                        0,
                     )
                 }
             }
@@ -877,12 +880,15 @@ mod FourBar_ {
                 if ok_ {
                     Ok(result_)
                 } else {
-                    private::from_angle(
-                        theta,
-                        "theta",
-                        move |cos_, sin_| {
-                            self.diagnose_velocity_at_(cos_, sin_, theta_rate)
-                        },
+                    private::apart(
+                        private::from_angle(
+                            theta,
+                            "theta",
+                            move |cos_, sin_| {
+                                self.diagnose_velocity_at_(cos_, sin_, theta_rate)
+                            },
+                        ),
+                        0,
                     )
                 }
             }
@@ -908,18 +914,21 @@ mod FourBar_ {
                 if ok_ {
                     Ok(result_)
                 } else {
-                    private::from_angle(
-                        theta,
-                        "theta",
-                        move |cos_, sin_| {
-                            self
-                                .diagnose_motion_at_(
-                                    cos_,
-                                    sin_,
-                                    theta_rate,
-                                    theta_acceleration,
-                                )
-                        },
+                    private::apart(
+                        private::from_angle(
+                            theta,
+                            "theta",
+                            move |cos_, sin_| {
+                                self
+                                    .diagnose_motion_at_(
+                                        cos_,
+                                        sin_,
+                                        theta_rate,
+                                        theta_acceleration,
+                                    )
+                            },
+                        ),
+                        10,
                     )
                 }
             }
@@ -941,12 +950,15 @@ mod FourBar_ {
                 let result_ = if ok_ {
                     result_
                 } else {
-                    private::from_angle(
-                        theta,
-                        "theta",
-                        move |cos_, sin_| {
-                            self.diagnose_velocity_at_(cos_, sin_, T::num(1.0))
-                        },
+                    private::apart(
+                        private::from_angle(
+                            theta,
+                            "theta",
+                            move |cos_, sin_| {
+                                self.diagnose_velocity_at_(cos_, sin_, T::num(1.0))
+                            },
+                        ),
+                        0,
                     )?
                 };
                 Ok(private::column(result_.rows()))
@@ -971,11 +983,14 @@ mod FourBar_ {
                 if ok_ {
                     Ok(result_)
                 } else {
-                    private::from_circle(
-                        cos,
-                        sin,
-                        "theta",
-                        move |cos_, sin_| self.diagnose_position_at_(cos_, sin_),
+                    private::apart(
+                        private::from_circle(
+                            cos,
+                            sin,
+                            "theta",
+                            move |cos_, sin_| self.diagnose_position_at_(cos_, sin_),
+                        ),
+                        0,
                     )
                 }
             }
@@ -1000,13 +1015,16 @@ mod FourBar_ {
                 if ok_ {
                     Ok(result_)
                 } else {
-                    private::from_circle(
-                        cos,
-                        sin,
-                        "theta",
-                        move |cos_, sin_| {
-                            self.diagnose_velocity_at_(cos_, sin_, theta_rate)
-                        },
+                    private::apart(
+                        private::from_circle(
+                            cos,
+                            sin,
+                            "theta",
+                            move |cos_, sin_| {
+                                self.diagnose_velocity_at_(cos_, sin_, theta_rate)
+                            },
+                        ),
+                        0,
                     )
                 }
             }
@@ -1034,19 +1052,22 @@ mod FourBar_ {
                 if ok_ {
                     Ok(result_)
                 } else {
-                    private::from_circle(
-                        cos,
-                        sin,
-                        "theta",
-                        move |cos_, sin_| {
-                            self
-                                .diagnose_motion_at_(
-                                    cos_,
-                                    sin_,
-                                    theta_rate,
-                                    theta_acceleration,
-                                )
-                        },
+                    private::apart(
+                        private::from_circle(
+                            cos,
+                            sin,
+                            "theta",
+                            move |cos_, sin_| {
+                                self
+                                    .diagnose_motion_at_(
+                                        cos_,
+                                        sin_,
+                                        theta_rate,
+                                        theta_acceleration,
+                                    )
+                            },
+                        ),
+                        10,
                     )
                 }
             }

@@ -32,7 +32,7 @@ pub use crate::scalar::is_finite_unless;
 pub use crate::sketch::{
     Applied, Drawn, Film, Made, Plan, Sketch, Spring, applied, followed, place, place_open,
 };
-pub use crate::slow_path::{diagnose, diagnose_all};
+pub use crate::slow_path::{apart, diagnose, diagnose_all};
 pub use crate::solver::{Solver, Titles};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfEnergy, OfEquationsOfMotion, OfForces, OfForwardDynamics, OfMotion,

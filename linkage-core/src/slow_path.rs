@@ -1,6 +1,8 @@
 //! The slow path of an entry point: what is given, the conditions of the formulas, and what comes
 //! out, asked in this order.
 
+use core::hint::black_box;
+
 use crate::checks::FirstError;
 use crate::diagnosis::{finite_input, finite_result};
 use crate::{Real, Record, SolveError};
@@ -34,6 +36,31 @@ pub fn diagnose_all<T: Real, R: Copy, const N: usize>(
     let result = conditions_met(given, formulas)?;
     results(result).iter().try_for_each(|&(value, name)| finite_result(value, name, given))?;
     Ok(result)
+}
+
+/// What the slow path found, its numbers from the `first` on hidden from the optimiser one by one.
+///
+/// The result lies in memory, side by side, and where it and the fast path's meet, LLVM brings the
+/// latter together likewise: the number that is known first waits for its neighbour, and both move
+/// between the halves of registers. Hidden, each of them has a place of its own. It costs the slow path
+/// a store and a load of each, and nothing where there are no registers for several numbers.
+#[inline(always)]
+pub fn apart<R: Record<Number: Copy>>(
+    found: Result<R, SolveError>,
+    first: usize,
+) -> Result<R, SolveError> {
+    const HAS_VECTORS: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
+    match found {
+        // A closure is not inlined everywhere, and then hides nothing.
+        Ok(record) if HAS_VECTORS => {
+            let mut numbers = record.into_array();
+            for number in numbers.as_mut().iter_mut().skip(first) {
+                *number = black_box(*number);
+            }
+            Ok(R::from_array(numbers))
+        }
+        _ => found,
+    }
 }
 
 pub(crate) fn conditions_met<T: Real, R>(

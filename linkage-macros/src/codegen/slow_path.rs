@@ -11,7 +11,7 @@ use super::text::Text;
 use super::token_list::Tokens;
 use super::{docs, formulas, results};
 use crate::interface::entries::Entry;
-use crate::interface::records::Shape;
+use crate::interface::records::{Kind, Shape};
 use crate::interface::{EntryId, labels};
 use crate::lower::routine::{Adapted, Asked, Compute};
 
@@ -20,9 +20,25 @@ fn name(entry: &Entry) -> Ident {
     function_name(&format!("diagnose_{}_", entry.name))
 }
 
-/// What a public function returns where its fast path gave no answer. A given cosine and sine are
-/// brought onto the circle first, an angle's are there.
+/// What a public function returns where its fast path gave no answer.
+///
+/// The optimiser may pair the positions of a motion, which are there long before the rates, and so the
+/// sums for sine and cosine: their constants are half as many. Whatever comes last it must not.
 pub(super) fn call(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> TokenStream {
+    let found = found(cx, id, arguments);
+    let Shape::Record(record) = cx.entry(id).result else { return found };
+    let (apart, record) = (cx.paths.item("apart"), cx.record(record));
+    let paired = match record.kind {
+        Kind::Motion => results::components(cx, record.fields[0].shape, "").len(),
+        _ => 0,
+    };
+    let first = Literal::usize_unsuffixed(paired);
+    quote!(#apart(#found, #first))
+}
+
+/// What the slow path of an entry point found. A given cosine and sine are brought onto the circle
+/// first, an angle's are there.
+fn found(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> TokenStream {
     let (entry, [cos, sin]) = (cx.entry(id), ["cos_", "sin_"].map(generated));
     let (found, own, given) = match cx.compute(id) {
         Compute::Via { entry: other, given: Adapted::CosineAndSine } => {

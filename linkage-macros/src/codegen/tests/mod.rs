@@ -286,11 +286,22 @@ fn orders_share_their_formulas_and_angles_those_of_their_cosines() {
          (result_, T::is_near(theta) & ok_)",
         "let (result_, ok_) = self.solve_velocity(theta, T::num(1.0)); \
          (private::column(result_.rows()), ok_)",
-        "let result_ = if ok_ { result_ } else { private::from_angle(theta, \"theta\", \
-         move |cos_, sin_| self.diagnose_velocity_at_(cos_, sin_, T::num(1.0)))? };",
+        "let result_ = if ok_ { result_ } else { private::apart(private::from_angle(theta, \"theta\", \
+         move |cos_, sin_| { self.diagnose_velocity_at_(cos_, sin_, T::num(1.0)) }), 0)? };",
         "let (result_, ok_) = self.solve_motion_at(cos, sin, theta_rate, theta_acceleration);",
     ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
+    }
+}
+
+/// All numbers of a position, and the rates of a motion, which has seven numbers of positions.
+#[test]
+fn what_comes_last_is_kept_apart() {
+    let text = expand(&four_bar());
+    for (entry, first) in [("position_at", 0), ("velocity_at", 0), ("motion_at", 7)] {
+        let body = squeezed(function(&text, entry));
+        assert!(body.contains("private::apart(private::from_circle("), "{body}");
+        assert!(body.contains(&format!("), {first}) }}")), "{body}");
     }
 }
 
