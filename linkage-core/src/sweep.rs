@@ -12,17 +12,17 @@ mod block;
 mod entries;
 mod instructions;
 mod kinds;
-mod pose;
+mod poses;
 #[cfg(test)]
 mod tests;
 
 use core::fmt;
 
 use crate::{Float, Fusion, Record, Scalar, SolveError};
-use block::{BLOCK, Column, put};
+use block::{APART, BLOCK, Column, put};
 pub use entries::{put_found, put_solved};
 pub use kinds::*;
-use pose::Pose;
+use poses::Poses;
 
 /// What came of one pose, in a byte: the single call's answer without its details, which the
 /// single call still gives.
@@ -214,9 +214,9 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         }
     }
 
-    /// Loops over single numbers, which the compiler turns into loops over vectors: the fast path has no
-    /// branch, the columns are no one else's, and lanes of one number carry in their type whether they
-    /// fuse. The first takes sines and cosines, see [`Pose`]. Nothing is indexed, so that no build can
+    /// Loops over a few numbers each, which the compiler turns into loops over vectors: the fast path has no
+    /// branch, the columns are no one else's, and lanes carry in their type whether they fuse. The first
+    /// takes sines and cosines, see [`Poses`]. Nothing is indexed, so that no build can
     /// panic.
     #[inline(always)]
     fn solve<K, F: Fusion>(
@@ -229,17 +229,19 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
     {
         let circles = inputs.first().map(Column::sines_and_cosines::<F>);
         let mut mask = [true; BLOCK];
-        for (i, ok) in mask.iter_mut().enumerate() {
-            let mut numbers = [Pose::<T, F>::lit(0.0, 0.0); IN];
+        for pose in 0..APART {
+            let mut numbers = [Poses::<T, F>::lit(0.0, 0.0); IN];
             for (number, column) in numbers.iter_mut().zip(inputs) {
-                *number = Pose::new(column.at(i));
+                *number = Poses::new(column.at(pose));
             }
             let angles = numbers.iter_mut().zip(inputs).zip(&circles);
-            for ((number, angle), [sine, cosine]) in angles {
-                *number = Pose::on_circle([angle, sine, cosine].map(|column| column.at(i)));
+            for ((number, angles), [sines, cosines]) in angles {
+                *number = Poses::on_circle([angles, sines, cosines].map(|column| column.at(pose)));
             }
-            let usable = self.entry.solve(numbers, |values| put(values, results, i));
-            [*ok] = usable.to_array();
+            let usable = self.entry.solve(numbers, |values| put(values, results, pose));
+            for (nth, usable) in usable.to_array().into_iter().enumerate() {
+                mask.get_mut(pose + nth * APART).into_iter().for_each(|ok| *ok = usable);
+            }
         }
         mask
     }

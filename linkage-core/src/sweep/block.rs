@@ -1,10 +1,13 @@
 //! The numbers of a block of poses, in columns.
 
-use super::Pose;
+use super::poses::{Poses, TOGETHER};
 use crate::{Float, Fusion, Lanes, Scalar};
 
 /// Poses in a block: a few registers full, so that the block's columns stay in the first cache.
 pub(super) const BLOCK: usize = 16;
+
+/// How far apart the poses lie that are computed together: those between fill vectors.
+pub(super) const APART: usize = BLOCK / TOGETHER;
 
 /// The numbers of one input or output at the poses of a block, aligned to a line of the cache:
 /// a vector across two lines costs twice.
@@ -17,10 +20,12 @@ impl<T: Float> Column<T> {
         Self([value; BLOCK])
     }
 
-    /// The number at a pose of the block.
+    /// The numbers at the poses that are computed together, of which this is the first.
     #[inline(always)]
-    pub(super) fn at(&self, pose: usize) -> T {
-        self.0.get(pose).copied().unwrap_or(T::lit(0.0, 0.0))
+    pub(super) fn at(&self, pose: usize) -> [T; TOGETHER] {
+        core::array::from_fn(|nth| {
+            self.0.get(pose + nth * APART).copied().unwrap_or(T::lit(0.0, 0.0))
+        })
     }
 
     /// Sines and cosines. Where no one reads them, they are not computed.
@@ -35,19 +40,19 @@ impl<T: Float> Column<T> {
     }
 }
 
-/// Puts the numbers of a pose into their columns.
+/// Puts the numbers of poses into their columns; `pose` is the first.
 ///
 /// In loops so short that they are unrolled: one that remained would keep the loop over the poses from
 /// becoming one over vectors. As one loop, 84 numbers were written three times as slowly.
 #[inline(always)]
 pub(super) fn put<T: Float, F: Fusion>(
-    mut values: &[Pose<T, F>],
+    mut values: &[Poses<T, F>],
     mut columns: &mut [Column<T>],
     pose: usize,
 ) {
-    macro_rules! put_thirty_two {
+    macro_rules! put_sixteen {
         () => {
-            let count = values.len().min(32);
+            let count = values.len().min(16);
             let (columns_, values_) =
                 (columns.split_at_mut_checked(count), values.split_at_checked(count));
             let (Some((these, columns_)), Some((numbers, values_))) = (columns_, values_) else {
@@ -57,15 +62,20 @@ pub(super) fn put<T: Float, F: Fusion>(
             (columns, values) = (columns_, values_);
         };
     }
-    put_thirty_two!();
-    put_thirty_two!();
-    put_thirty_two!();
+    put_sixteen!();
+    put_sixteen!();
+    put_sixteen!();
+    put_sixteen!();
+    put_sixteen!();
+    put_sixteen!();
     put_all(values, columns, pose);
 }
 
 #[inline(always)]
-fn put_all<T: Float, F: Fusion>(values: &[Pose<T, F>], columns: &mut [Column<T>], pose: usize) {
+fn put_all<T: Float, F: Fusion>(values: &[Poses<T, F>], columns: &mut [Column<T>], pose: usize) {
     for (column, value) in columns.iter_mut().zip(values) {
-        column.0.get_mut(pose).into_iter().for_each(|to| *to = value.number());
+        for (nth, number) in value.numbers().into_iter().enumerate() {
+            column.0.get_mut(pose + nth * APART).into_iter().for_each(|to| *to = number);
+        }
     }
 }

@@ -29,12 +29,13 @@ enum OfNothing {}
 /// So many divisions and square roots, and so many sines with their cosines and sums with a product.
 struct Arithmetic<const DIVISIONS: u32, const ROOTS: u32, const SINES: u32, const SUMS: u32>;
 
-/// How many sums go on beside each other: more than a processor begins while one is under way (two each cycle,
-/// four cycles long), and few enough for its registers.
-const CHAINS: usize = 12;
+/// How many sums of a pose go on beside each other: of the two poses that a sweep computes together more than
+/// a processor begins while one is under way (two each cycle, four cycles long), and few enough for its
+/// registers.
+const CHAINS: usize = 6;
 
 /// For how many sums of each chain `sums` is written out.
-const ROUNDS_OF_SUMS: usize = 28;
+const ROUNDS_OF_SUMS: usize = 56;
 
 impl<const DIVISIONS: u32, const ROOTS: u32, const SINES: u32, const SUMS: u32>
     Entry<OfNothing, f64, 1, 1> for Arithmetic<DIVISIONS, ROOTS, SINES, SUMS>
@@ -42,15 +43,22 @@ impl<const DIVISIONS: u32, const ROOTS: u32, const SINES: u32, const SUMS: u32>
     #[inline(always)]
     fn solve<U: Scalar>(&self, [x]: [U; 1], put: impl FnOnce(&[U])) -> U::Mask {
         let mut sum = x;
-        // Different numbers each time, so that none is a copy of another: 1/(x + 1), 2/(x + 2), …
-        for nth in 0..DIVISIONS {
-            let nth = U::num(f64::from(nth) + 1.0);
-            sum = sum + nth / (x + nth);
+        // Written out: what remained a loop would keep poses from being put together in vectors.
+        macro_rules! all {
+            ($($nth:literal)*) => {$(
+                // Different numbers each time, so that none is a copy of another: 1/(x + 1), 2/(x + 2), …
+                if $nth < DIVISIONS {
+                    let nth = U::num(f64::from($nth) + 1.0);
+                    sum = sum + nth / (x + nth);
+                }
+                if $nth < ROOTS {
+                    sum = sum + (x + U::num(f64::from($nth) + 0.5)).sqrt();
+                }
+            )*};
         }
-        for nth in 0..ROOTS {
-            sum = sum + (x + U::num(f64::from(nth) + 0.5)).sqrt();
-        }
+        all!(0 1 2 3 4 5 6 7);
         const { assert!(SUMS as usize <= ROUNDS_OF_SUMS * CHAINS && SINES <= 1) };
+        const { assert!(DIVISIONS <= 8 && ROOTS <= 8) };
         let (sin, cos) = if SINES > 0 { x.sin_cos_near() } else { (x, x) };
         sum = sum + sums(SUMS as usize, sin, cos);
         put(&[sum]);
@@ -63,8 +71,7 @@ impl<const DIVISIONS: u32, const ROOTS: u32, const SINES: u32, const SUMS: u32>
     }
 }
 
-/// So many sums with a product: in loops so short that they are unrolled, or poses would not be put together
-/// in vectors.
+/// So many sums with a product, in loops so short that they are unrolled.
 #[inline(always)]
 fn sums<U: Scalar>(count: usize, factor: U, first: U) -> U {
     let mut chains: [U; CHAINS] =
@@ -80,6 +87,7 @@ fn sums<U: Scalar>(count: usize, factor: U, first: U) -> U {
     }
     // As many as `ROUNDS_OF_SUMS`.
     a_round!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27);
+    a_round!(28 29 30 31 32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55);
     chains.into_iter().reduce(|a, b| a + b).unwrap_or(first)
 }
 

@@ -1,0 +1,230 @@
+//! The number that a sweep runs generated code on: two poses', which may know their sines and cosines
+//! beforehand.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::{Float, Fusion, LaneMask, Lanes, Scalar};
+
+/// How many poses are computed beside each other, before the compiler takes several such sets at a time
+/// into vectors: so a vector of poses is begun while the one before waits for its root. Three would take
+/// more registers than most machines have.
+pub(super) const TOGETHER: usize = 2;
+
+/// A number of some poses, and their sines and cosines if it was read from a sweep's first input. Lanes
+/// rather than numbers, since their type says whether products are fused.
+///
+/// The steps of one pose wait for each other: sine and cosine, division and root, and what is made of them.
+/// A processor hides that by beginning with the next poses, as far as its window reaches, and a vector or
+/// two of poses fill it. So a sweep takes the sines of a whole block in a loop of their own, short enough for
+/// several vectors to be under way. Generated code is as ever: it asks an input for its sine, and the input
+/// has it. Whether it does is known while compiling, and sines that no one asks for are computed by no one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Poses<T, F> {
+    lanes: Of<T, F>,
+    circles: Option<(Of<T, F>, Of<T, F>)>,
+}
+
+type Of<T, F> = Lanes<T, TOGETHER, F>;
+
+impl<T: Copy, F> Poses<T, F> {
+    /// Of numbers alone.
+    #[inline(always)]
+    pub(super) const fn new(numbers: [T; TOGETHER]) -> Self {
+        Self::of(Lanes::new(numbers))
+    }
+
+    /// Of angles, their sines and their cosines.
+    #[inline(always)]
+    pub(super) const fn on_circle([angles, sines, cosines]: [[T; TOGETHER]; 3]) -> Self {
+        Self { lanes: Lanes::new(angles), circles: Some((Lanes::new(sines), Lanes::new(cosines))) }
+    }
+
+    #[inline(always)]
+    const fn of(lanes: Of<T, F>) -> Self {
+        Self { lanes, circles: None }
+    }
+
+    #[inline(always)]
+    pub(super) const fn numbers(self) -> [T; TOGETHER] {
+        self.lanes.to_array()
+    }
+}
+
+macro_rules! operators {
+    ($($trait:ident $method:ident),*) => {$(
+        impl<T: Float, F: Fusion> $trait for Poses<T, F> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self::of($trait::$method(self.lanes, other.lanes))
+            }
+        }
+    )*};
+}
+
+operators!(Add add, Sub sub, Mul mul, Div div);
+
+impl<T: Float, F: Fusion> Neg for Poses<T, F> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::of(-self.lanes)
+    }
+}
+
+/// Methods that are those of the lanes: of one number and of two, and questions.
+macro_rules! of_the_lanes {
+    ($($one:ident)*; $($two:ident)*; $($asked:ident)*; $($compared:ident)*) => {
+        $(#[inline(always)]
+        fn $one(self) -> Self {
+            Self::of(self.lanes.$one())
+        })*
+        $(#[inline(always)]
+        fn $two(self, other: Self) -> Self {
+            Self::of(self.lanes.$two(other.lanes))
+        })*
+        $(#[inline(always)]
+        fn $asked(self) -> LaneMask<TOGETHER> {
+            self.lanes.$asked()
+        })*
+        $(#[inline(always)]
+        fn $compared(self, other: Self) -> LaneMask<TOGETHER> {
+            self.lanes.$compared(other.lanes)
+        })*
+    };
+}
+
+impl<T: Float, F: Fusion> Scalar for Poses<T, F> {
+    type Mask = LaneMask<TOGETHER>;
+
+    of_the_lanes!(
+        sqrt tan asin acos atan; atan2 hypot; is_near is_finite; ge gt is_within
+    );
+
+    #[inline(always)]
+    fn lit(wide: f64, narrow: f32) -> Self {
+        Self::of(Of::lit(wide, narrow))
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.lanes.sin_cos();
+        (Self::of(sin), Self::of(cos))
+    }
+    #[inline(always)]
+    fn sin_cos_near(self) -> (Self, Self) {
+        let (sin, cos) = match self.circles {
+            Some(known) => known,
+            None => self.lanes.sin_cos_near(),
+        };
+        (Self::of(sin), Self::of(cos))
+    }
+    #[inline(always)]
+    fn det(a: Self, b: Self, c: Self, d: Self) -> Self {
+        Self::of(Scalar::det(a.lanes, b.lanes, c.lanes, d.lanes))
+    }
+    #[inline(always)]
+    fn fused(a: Self, b: Self, c: Self) -> Self {
+        Self::of(Scalar::fused(a.lanes, b.lanes, c.lanes))
+    }
+    #[inline(always)]
+    fn mul_err(a: Self, b: Self) -> Self {
+        Self::of(Scalar::mul_err(a.lanes, b.lanes))
+    }
+    #[inline(always)]
+    fn add_err(a: Self, b: Self) -> Self {
+        Self::of(Scalar::add_err(a.lanes, b.lanes))
+    }
+    #[inline(always)]
+    fn plain(wide: bool, narrow: bool) -> bool {
+        <Of<T, F> as Scalar>::plain(wide, narrow)
+    }
+    #[inline(always)]
+    fn select(mask: LaneMask<TOGETHER>, yes: Self, no: Self) -> Self {
+        Self::of(Scalar::select(mask, yes.lanes, no.lanes))
+    }
+    #[inline(always)]
+    fn smallest_square() -> Self {
+        Self::of(Scalar::smallest_square())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernels::Plain;
+
+    type Lane = Lanes<f64, 1, Plain>;
+    type Numbers = Poses<f64, Plain>;
+
+    /// Numbers of no symmetry, in the domain of every function.
+    const ALL: [[f64; TOGETHER]; 4] = [[0.3, 0.8], [0.7, -0.4], [-0.45, 0.2], [0.9, 0.5]];
+
+    fn lane(list: [f64; TOGETHER], nth: usize) -> Lane {
+        Lane::splat(list[nth])
+    }
+
+    /// Every operation is that of a lane for each pose, and leaves what is known of its operands behind.
+    #[test]
+    fn poses_compute_what_their_lanes_do() {
+        // Sines and cosines that nobody would compute.
+        let [a, b, c, d] = ALL.map(|numbers| Numbers::on_circle([numbers, [7.0; 2], [8.0; 2]]));
+        for nth in 0..TOGETHER {
+            let [w, x, y, z] = ALL.map(|numbers| lane(numbers, nth));
+            let check = |poses: Numbers, lane: Lane| {
+                assert_eq!([poses.numbers()[nth].to_bits()], lane.to_array().map(f64::to_bits));
+                assert!(poses.circles.is_none());
+            };
+            check(a + b, w + x);
+            check(a - b, w - x);
+            check(a * b, w * x);
+            check(a / b, w / x);
+            check(-a, -w);
+            check(a.sqrt(), w.sqrt());
+            check(a.tan(), w.tan());
+            check(a.asin(), w.asin());
+            check(a.acos(), w.acos());
+            check(a.atan(), w.atan());
+            check(a.atan2(c), w.atan2(y));
+            check(a.hypot(b), w.hypot(x));
+            check(a.sin_cos().0, w.sin_cos().0);
+            check(a.sin_cos().1, w.sin_cos().1);
+            check(Scalar::det(a, b, c, d), Scalar::det(w, x, y, z));
+            check(Scalar::fused(a, b, c), Scalar::fused(w, x, y));
+            check(Scalar::mul_err(a, b), Scalar::mul_err(w, x));
+            check(Scalar::add_err(a, b), Scalar::add_err(w, x));
+            check(Numbers::lit(0.3, 0.4), Lane::lit(0.3, 0.4));
+            check(Numbers::smallest_square(), Lane::smallest_square());
+            let answers = [
+                (a.gt(b), w.gt(x)),
+                (a.ge(b), w.ge(x)),
+                (b.ge(a), x.ge(w)),
+                (a.is_within(b), w.is_within(x)),
+                (b.is_within(a), x.is_within(w)),
+                (a.is_near(), w.is_near()),
+                (a.is_finite(), w.is_finite()),
+            ];
+            for (poses, lane) in answers {
+                assert_eq!([poses.to_array()[nth]], lane.to_array());
+            }
+            for (mask, of_lane) in [(a.gt(b), w.gt(x)), (b.gt(a), x.gt(w))] {
+                check(Scalar::select(mask, a, b), Scalar::select(of_lane, w, x));
+            }
+        }
+        for known in [[true, false], [false, true]] {
+            let [wide, narrow] = known;
+            assert_eq!(Numbers::plain(wide, narrow), Lane::plain(wide, narrow));
+        }
+    }
+
+    #[test]
+    fn a_sine_that_is_known_is_not_computed_again() {
+        let (sin, cos) = Numbers::on_circle([[0.3, 0.8], [7.0, 5.0], [8.0, 6.0]]).sin_cos_near();
+        assert_eq!((sin.numbers(), cos.numbers()), ([7.0, 5.0], [8.0, 6.0]));
+        let (sin, cos) = Numbers::new([0.3, 0.8]).sin_cos_near();
+        for (nth, angle) in [0.3, 0.8].into_iter().enumerate() {
+            let (of_lane, cos_of_lane) = Lane::splat(angle).sin_cos_near();
+            assert_eq!([sin.numbers()[nth].to_bits()], of_lane.to_array().map(f64::to_bits));
+            assert_eq!([cos.numbers()[nth].to_bits()], cos_of_lane.to_array().map(f64::to_bits));
+        }
+    }
+}
