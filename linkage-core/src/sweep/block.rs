@@ -43,7 +43,8 @@ impl<T: Float> Column<T> {
 /// Puts the numbers of poses into their columns; `pose` is the first.
 ///
 /// In loops so short that they are unrolled: one that remained would keep the loop over the poses from
-/// becoming one over vectors. As one loop, 84 numbers were written three times as slowly.
+/// becoming one over vectors. As one loop, 84 numbers were written three times as slowly. 256 numbers are
+/// more than any example has; what is beyond them is put by a loop that remains.
 #[inline(always)]
 pub(super) fn put<T: Float, F: Fusion>(
     mut values: &[Poses<T, F>],
@@ -62,12 +63,18 @@ pub(super) fn put<T: Float, F: Fusion>(
             (columns, values) = (columns_, values_);
         };
     }
-    put_sixteen!();
-    put_sixteen!();
-    put_sixteen!();
-    put_sixteen!();
-    put_sixteen!();
-    put_sixteen!();
+    macro_rules! put_sixty_four {
+        () => {
+            put_sixteen!();
+            put_sixteen!();
+            put_sixteen!();
+            put_sixteen!();
+        };
+    }
+    put_sixty_four!();
+    put_sixty_four!();
+    put_sixty_four!();
+    put_sixty_four!();
     put_all(values, columns, pose);
 }
 
