@@ -29,7 +29,7 @@ pub(super) fn call(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> Token
     let Shape::Record(record) = cx.entry(id).result else { return found };
     let (apart, record) = (cx.paths.item("apart"), cx.record(record));
     let paired = match record.kind {
-        Kind::Motion => results::components(cx, record.fields[0].shape, "").len(),
+        Kind::Motion => cx.interface.numbers(record.fields[0].shape),
         _ => 0,
     };
     let first = Literal::usize_unsuffixed(paired);

@@ -1,5 +1,6 @@
 //! The text of what small programs expand to.
 
+mod apart;
 mod c_export;
 mod expanded;
 mod fixture;
@@ -291,17 +292,6 @@ fn orders_share_their_formulas_and_angles_those_of_their_cosines() {
         "let (result_, ok_) = self.solve_motion_at(cos, sin, theta_rate, theta_acceleration);",
     ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
-    }
-}
-
-/// All numbers of a position, and the rates of a motion, which has seven numbers of positions.
-#[test]
-fn what_comes_last_is_kept_apart() {
-    let text = expand(&four_bar());
-    for (entry, first) in [("position_at", 0), ("velocity_at", 0), ("motion_at", 7)] {
-        let body = squeezed(function(&text, entry));
-        assert!(body.contains("private::apart(private::from_circle("), "{body}");
-        assert!(body.contains(&format!("), {first}) }}")), "{body}");
     }
 }
 
