@@ -143,6 +143,24 @@ impl<T: Scalar> Record for T {
     }
 }
 
+/// Several numbers that have no names.
+impl<T: Scalar, const N: usize> Record for [T; N] {
+    type Number = T;
+    type Array = [T; N];
+
+    const LABELS: &'static [&'static str] = &[""; N];
+
+    #[inline(always)]
+    fn into_array(self) -> [T; N] {
+        self
+    }
+
+    #[inline]
+    fn from_array(array: [T; N]) -> Self {
+        array
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -89,6 +89,7 @@ pub mod expressions {
 pub mod forces {
     //! [language]: super::language
     //! [`Series`]: crate::Series
+    //! [`Tracker`]: crate::Tracker
     //!
     #![doc = include_str!("../docs/forces.md")]
 }

@@ -21,6 +21,7 @@ mod line;
 mod linear;
 mod passage;
 mod stretch;
+mod thresholds;
 mod told;
 
 pub(crate) use enclosure::Enclosure;
@@ -30,10 +31,10 @@ pub use told::told;
 
 use linear::Linear;
 use passage::Passage;
+use thresholds::{Thresholds, Zone};
 
-use crate::kernels::sqrt;
 use crate::solver::Solver;
-use crate::{Real, Scalar, SolveError};
+use crate::{Record, Scalar, SolveError};
 
 /// How clear of its limit a group is: zero at a toggle, negative out of reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,8 +84,8 @@ pub struct Clearance<T> {
 /// the motion leads, or there is an error. A step is looked at as a whole first. If a group comes
 /// close to its limit, or ranges are too wide to tell, the step is followed in stretches of which
 /// everything can be proved, at most 16,384 of them; and as many again for each of eight poses around
-/// a change point from which the result is interpolated (up to three times, where the motion does
-/// not go on so far). This is the one place in this crate in which work is not the same at every
+/// a change point from which the result is interpolated, or sixteen by [`follow`](Self::follow) (up to
+/// four times, where the motion does not go on so far or bends too much). This is the one place in this crate in which work is not the same at every
 /// call; there is no heap, and no panic.
 ///
 /// # What is refused
@@ -146,7 +147,7 @@ pub struct Clearance<T> {
 /// before or behind. Change points of two groups that are so close together are passed at once, and
 /// a tracker's modes stay those of the last pose before. Below 1.2e-4
 /// (`f32`: 4.8e-3) of the scale the rounding of rates would show, and results are interpolated over
-/// the change point.
+/// the change point; those of [`follow`](Self::follow) below 2e-3, as what is integrated adds up.
 ///
 /// A first pose that lies on a change point has the modes of the solver behind it, along the given
 /// rates; without rates, or with rates whose squares leave the numbers' range, nothing is known of
@@ -180,7 +181,7 @@ impl<M: Solver> Tracker<M> {
     /// own; `Singular` where nobody can say how it goes on; `NotFinite` where numbers leave their
     /// range on the way. The tracker then stays at the last pose.
     pub fn position(&mut self, q: impl Into<M::Input>) -> Result<M::Position, SolveError> {
-        self.advance(self.anchor, q.into(), None, |solver, q| solver.position(q))
+        self.advance(self.anchor, q.into(), None, Zone::Shown, |solver, q| solver.position(q))
     }
 
     /// The pose that continues the last one, with velocities and accelerations at the given rates
@@ -195,20 +196,96 @@ impl<M: Solver> Tracker<M> {
         acceleration: impl Into<M::Input>,
     ) -> Result<M::Motion, SolveError> {
         let (q, rate, acceleration) = (q.into(), rate.into(), acceleration.into());
-        let anchor = self.anchor.or_else(|| around::beginning(&self.solver, q, rate));
-        self.advance(anchor, q, Some(rate), |solver, q| solver.motion(q, rate, acceleration))
+        let anchor = self.beginning(q, rate, Zone::Shown);
+        self.advance(anchor, q, Some(rate), Zone::Shown, |solver, q| {
+            solver.motion(q, rate, acceleration)
+        })
+    }
+
+    /// Any answer of the solver at the inputs, by the modes that continue the last pose: second rates
+    /// under forces, reactions, an energy. `rate` is the rate at which the inputs move; it tells a
+    /// first pose that lies on a change point where the motion comes from. `answer` is called with the
+    /// solver to ask, at one or several places.
+    ///
+    /// This is how a motion under forces is integrated through change points. An integrator may try
+    /// states in any order and reject some of them: with one input the modes depend on the input
+    /// alone.
+    ///
+    /// ```
+    /// use linkage_core::{Side, SolveError, Tracker, mechanism};
+    ///
+    /// mechanism! {
+    ///     /// Bars 4, 1, 2 and 3: all in one line once a turn.
+    ///     struct Flat {
+    ///         input q: angle;
+    ///         param elbow: mode = left;
+    ///         ground A(0, 0), D(4m, 0);
+    ///         crank AB(A) -> B        { length: 1m, angle: q }
+    ///         rrr   BC(B), DC(D) -> C { lengths: (2m, 3m), mode: elbow }
+    ///         mass 1kg on AB uniform;
+    ///         mass 2kg on BC uniform;
+    ///         mass 3kg on DC uniform;
+    ///         output DC, energy;
+    ///     }
+    /// }
+    ///
+    /// /// A step of Runge and Kutta's method of order 4.
+    /// fn step(tracker: &mut Tracker<Flat>, state: [f64; 2], h: f64) -> Result<[f64; 2], SolveError> {
+    ///     let mut rates = |part: f64, k: [f64; 2]| {
+    ///         let [q, v] = [state[0] + part * h * k[0], state[1] + part * h * k[1]];
+    ///         tracker.follow(q, v, |solver, q| solver.state_rates([q, v], 0.0))
+    ///     };
+    ///     let a = rates(0.0, [0.0; 2])?;
+    ///     let b = rates(0.5, a)?;
+    ///     let c = rates(0.5, b)?;
+    ///     let d = rates(1.0, c)?;
+    ///     let mean = |i: usize| (a[i] + 2.0 * (b[i] + c[i]) + d[i]) / 6.0;
+    ///     Ok([state[0] + h * mean(0), state[1] + h * mean(1)])
+    /// }
+    ///
+    /// let mut tracker = Tracker::new(Flat::new());
+    /// let mut state = [2.0, 5.0];
+    /// let energy = |tracker: &mut Tracker<Flat>, [q, v]: [f64; 2]| {
+    ///     tracker.follow(q, v, |solver, q| solver.energy(q, v))
+    /// };
+    /// let start = energy(&mut tracker, state)?.kinetic;
+    /// // Over two change points.
+    /// while state[0] < 12.0 {
+    ///     state = step(&mut tracker, state, 1e-3)?;
+    /// }
+    /// assert!((energy(&mut tracker, state)?.kinetic / start - 1.0).abs() < 1e-7);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`position`](Self::position), and those of `answer`.
+    pub fn follow<R: Record<Number = M::Scalar> + Copy>(
+        &mut self,
+        q: impl Into<M::Input>,
+        rate: impl Into<M::Input>,
+        answer: impl Fn(&M, M::Input) -> Result<R, SolveError>,
+    ) -> Result<R, SolveError> {
+        let (q, rate) = (q.into(), rate.into());
+        let anchor = self.beginning(q, rate, Zone::Integrated);
+        self.advance(anchor, q, Some(rate), Zone::Integrated, answer)
+    }
+
+    /// The last pose, or where a first pose at `q` comes from.
+    fn beginning(&self, q: M::Input, rate: M::Input, zone: Zone) -> Option<M::Input> {
+        self.anchor.or_else(|| around::beginning(&self.solver, q, rate, zone))
     }
 
     /// Goes from the anchor to `q` and solves there with the modes that have come of it.
-    fn advance<R: Linear<M::Scalar>>(
+    fn advance<R: Record<Number = M::Scalar> + Copy>(
         &mut self,
         anchor: Option<M::Input>,
         q: M::Input,
         rate: Option<M::Input>,
+        zone: Zone,
         solve: impl Fn(&M, M::Input) -> Result<R, SolveError>,
     ) -> Result<R, SolveError> {
         let passage = Passage::new(self.solver, anchor.unwrap_or(q), q);
-        if passage.is_clear() {
+        if passage.is_clear(zone.near::<M::Scalar>()) {
             let result = solve(&self.solver, q)?;
             self.anchor = Some(q);
             return Ok(result);
@@ -219,7 +296,7 @@ impl<M: Solver> Tracker<M> {
         }
         let solver = if anchor.is_some() { passage.follow()? } else { self.solver };
         let direction = passage.direction().or(rate).unwrap_or(q);
-        let interpolated = around::interpolated(&passage, &solver, q, direction, &solve)?;
+        let interpolated = around::interpolated(&passage, &solver, q, direction, zone, &solve)?;
         let result = match interpolated {
             Some(result) => result,
             None => solve(&solver, q)?,
@@ -233,55 +310,10 @@ impl<M: Solver> Tracker<M> {
     }
 }
 
-/// From where on a clearance, in units of its scale, counts as what.
-#[derive(Clone, Copy, Debug)]
-struct Thresholds {
-    /// Up to this it counts as zero, where it is lowest.
-    zero: f64,
-    /// From this on no mode changes nearby: a change point that counts as zero is at least three
-    /// times as far below as it can be above zero, so that the sign of the rate is sure.
-    clear: f64,
-    /// Below this the rounding of an acceleration, ε over the third power of the distance w to the
-    /// change point, is larger than the error of an interpolation by eight nodes about w away,
-    /// (w/ρ)⁸, where the motion is a power series as far as ρ: w¹¹ = ε ρ⁸. The clearance there is
-    /// about ½ w² of its scale, and ρ is 0.3 rad for links that turn back three times as fast as
-    /// they came, as an antiparallelogram's does.
-    near: f64,
-}
-
-/// ½ (ε ρ⁸)^(2/11) with ρ = 0.3.
-const NEAR: [f64; 2] = [1.2e-4, 4.8e-3];
-
-impl Thresholds {
-    fn of<T: Real>() -> Self {
-        let zero = sqrt(T::EPSILON);
-        let near = if T::EPSILON <= f64::EPSILON { NEAR[0] } else { NEAR[1] };
-        Self { zero, clear: 4.0 * zero, near }
-    }
-}
-
 fn title<M: Solver>(group: usize) -> &'static str {
     M::TITLES.groups.get(group).map_or("", |of| of.0)
 }
 
 fn param<M: Solver>(group: usize) -> Option<usize> {
     M::TITLES.groups.get(group).and_then(|of| of.1)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn thresholds_are_what_they_are_derived_to_be() {
-        fn check<T: Real>() {
-            let Thresholds { zero, clear, near } = Thresholds::of::<T>();
-            let derived = 0.5 * (T::EPSILON * 0.3_f64.powi(8)).powf(2.0 / 11.0);
-            assert!((near / derived - 1.0).abs() < 0.05, "{near} for {derived}");
-            assert!((zero * zero / T::EPSILON - 1.0).abs() < 1e-15, "{zero}");
-            assert!(zero < clear && clear < near);
-        }
-        check::<f64>();
-        check::<f32>();
-    }
 }

@@ -2,6 +2,7 @@
 
 mod change_points;
 mod clearances;
+mod followed;
 mod groups;
 mod interpolated;
 mod limits;

@@ -56,9 +56,9 @@ impl<M: Solver> Passage<M> {
     }
 
     /// Whether every group stays so far from its limits that neither modes change nor rounding
-    /// shows: one look at all of the way at once.
-    pub(super) fn is_clear(&self) -> bool {
-        let near = Thresholds::of::<M::Scalar>().near;
+    /// shows, with a clearance of at least `near` parts of its scale: one look at all of the way at
+    /// once.
+    pub(super) fn is_clear(&self, near: f64) -> bool {
         let ranges = self.line.values(&self.solver);
         (0..M::TITLES.groups.len()).all(|group| ranges.of(group).is_above(near))
             && (!M::SEARCHES || [0.0, 1.0].iter().all(|&part| self.agrees(part, &ranges)))

@@ -131,7 +131,7 @@ fn lowest(
 mod tests {
     use super::*;
 
-    const LIMITS: Thresholds = Thresholds { zero: 1e-8, clear: 4e-8, near: 1e-4 };
+    const LIMITS: Thresholds = Thresholds { zero: 1e-8, clear: 4e-8 };
 
     fn judged(from: f64, to: f64, f: impl Fn(f64) -> [f64; 3]) -> Finding {
         judged_at(1.0, from, to, f)

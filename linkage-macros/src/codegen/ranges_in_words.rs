@@ -26,6 +26,7 @@ pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
         Range::Never => "never".to_string(),
     };
     let mut line = format!("{group}: {range}; {}", found.reason);
+    let moves_under_forces = cx.interface.find(FORWARD).is_some();
     if !found.turn.change_points.is_empty() {
         let angles: Vec<_> = found.turn.change_points.iter().copied().map(degrees).collect();
         let angles = angles.join(" and ");
@@ -33,9 +34,13 @@ pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
             ". At `{angle}` = {angles} both assembly modes are one: velocities are `Singular` there, \
              and a constant mode does not follow the motion through; `Tracker` does"
         );
+        if moves_under_forces {
+            line += ". Integrated by `state_rates` alone, a motion under forces jumps there to other \
+                     velocities and another energy: ask through `Tracker::follow`";
+        }
     }
     let has_ends = matches!(found.turn.range, Range::Within(_));
-    if has_ends && found.input.is_some() && cx.interface.find(FORWARD).is_some() {
+    if has_ends && found.input.is_some() && moves_under_forces {
         line += &format!(
             ". The ends are dead points of `{angle}`: `forward_dynamics` is `Singular` there, and the mass \
              that `{angle}` moves grows beyond bounds towards them; take a crank that turns fully as input"

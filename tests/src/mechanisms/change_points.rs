@@ -224,3 +224,44 @@ mechanism! {
         output Q, block, cyl;
     }
 }
+
+mechanism! {
+    /// A parallelogram with masses: its crank is a pendulum, 8/3 q̈ = −3 g cos q + torque, in N·m.
+    pub struct HeavyParallelogram {
+        input q: angle;
+        param elbow: mode = left;
+
+        ground A(0, 0), D(2m, 0);
+        crank AB(A) -> B        { length: 1m, angle: q }
+        rrr   BC(B), DC(D) -> C { lengths: (2m, 1m), mode: elbow }
+
+        gravity (0, -9.81(m/s^2));
+        mass 1kg on AB uniform;
+        mass 2kg on BC uniform;
+        mass 1kg on DC uniform;
+        output DC, AB.drive, energy;
+    }
+}
+
+mechanism! {
+    /// The same carried by a carriage of 3 kg on a level rail.
+    pub struct CarriedParallelogram {
+        input x: length;
+        input q: angle;
+        param elbow: mode = left;
+
+        ground O(0, 0);
+        guide rail through O along 0deg;
+        slider carriage(rail) -> A { slide: x }
+        point D on carriage at (2m, 0);
+        crank AB(A) -> B        { length: 1m, angle: q }
+        rrr   BC(B), DC(D) -> C { lengths: (2m, 1m), mode: elbow }
+
+        gravity (0, -9.81(m/s^2));
+        mass 3kg on carriage at (0, 0);
+        mass 1kg on AB uniform;
+        mass 2kg on BC uniform;
+        mass 1kg on DC uniform;
+        output DC, energy;
+    }
+}

@@ -212,6 +212,18 @@ fn a_kite_is_no_parallelogram_but_has_its_change_points() {
     agrees_with_the_solver(&source);
 }
 
+/// Where a motion under forces may be integrated over a change point, the docs say what to do.
+#[test]
+fn a_change_point_of_a_motion_under_forces_is_pointed_to_the_tracker() {
+    let lengths = "(2m, 1m)";
+    let still = said(&two_bars("(2m, 0)", lengths));
+    assert!(!still.contains("state_rates"), "{still}");
+    let falling = two_bars("(2m, 0)", lengths).replace("ground D", "mass 1kg on B; ground D");
+    assert!(said(&falling).contains("ask through `Tracker::follow`"), "{}", said(&falling));
+    let clear = two_bars("(3m, 0)", "(2.5m, 2m)").replace("ground D", "mass 1kg on B; ground D");
+    assert!(!said(&clear).contains("Tracker::follow"), "{}", said(&clear));
+}
+
 #[test]
 fn one_change_point_is_found_where_the_lengths_just_reach() {
     // 1 m + 3 m = 2.5 m + 1.5 m, exactly.
