@@ -5,6 +5,7 @@ mod agreement;
 mod falling;
 mod frequencies;
 mod refused;
+mod singular;
 mod sweeps;
 
 use linkage_tests::mechanisms::forces::TwoParallelograms;

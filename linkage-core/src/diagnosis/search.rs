@@ -49,19 +49,19 @@ pub(crate) fn closed<T: Real>(
     Err(SolveError::NoSolution { unknown, by: difference.value().abs(), unit })
 }
 
-/// The slope of an equation by its unknown, provided that it is the wanted way, and not by rounding
-/// alone.
+/// The slope of an equation by its unknown, provided that it is the wanted way, or the pivot of an input
+/// in the mass matrix, provided that it is above zero; and not by rounding alone.
 ///
 /// # Errors
 /// `Singular` where it is not, at a dead point; `NotFinite` where it is not a number.
 #[cold]
-pub(crate) fn moving<T: Real>(slope: T, spread: T, unknown: &'static str) -> Result<T, SolveError> {
-    let real = slope.value();
+pub(crate) fn moving<T: Real>(value: T, spread: T, name: &'static str) -> Result<T, SolveError> {
+    let real = value.value();
     if real.is_nan() {
-        Err(SolveError::NotFinite { name: unknown })
+        Err(SolveError::NotFinite { name })
     } else if real > ROUNDINGS * T::EPSILON * spread.value() {
-        Ok(slope)
+        Ok(value)
     } else {
-        Err(SolveError::Singular { group: unknown })
+        Err(SolveError::Singular { group: name })
     }
 }

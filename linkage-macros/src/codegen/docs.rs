@@ -289,7 +289,7 @@ pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
         entry.subject,
         details(cx, entry),
         costs_in_words::in_words(costs_in_words::of(cx, id)),
-        exceptions(entry),
+        exceptions(cx, entry),
         if cx.searches() { NO_SOLUTION } else { "" },
     ))
 }
@@ -297,11 +297,18 @@ pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
 const NO_SOLUTION: &str = " `NoSolution` where an equation has no root between its ends.";
 
 /// What is refused, or is not, in an entry point of this kind alone.
-fn exceptions(entry: &Entry) -> &'static str {
+fn exceptions(cx: &Context<'_>, entry: &Entry) -> &'static str {
     if entry.takes_cosine() {
         return " `OffCircle` where the amplitude is no resolver's.";
     }
     match entry.name {
+        "forward_dynamics" if cx.inputs().is_some() => {
+            " `Singular` names an input that moves no mass in this pose, or that moves it as earlier inputs \
+             do, as far as rounding can tell. Next to such a pose digits are lost: of two equal bars \
+             that enclose a small angle b, an error of some 10 ε/b² of the largest second rate is left. \
+             At a dead point of the inputs the group is named: choose the cranks that turn fully as \
+             inputs."
+        }
         "forward_dynamics" => {
             " `Singular` names an input that moves no mass in this pose; at a dead point of the inputs \
              the group is: choose the crank that turns fully as input."

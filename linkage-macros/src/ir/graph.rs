@@ -80,8 +80,8 @@ pub(crate) enum Check {
     /// An equation's left − right in the final pose, in this unit. Operand: the size of its sides.
     /// Both paths ask whether it is closed; `NoSolution`, where it is not, bears the group's name.
     Closed(String),
-    /// The slope of an equation at its root, in the wanted way. Fast path: above what rounding does
-    /// to it. Slow path: `Singular` where it is not. Operand: the spread.
+    /// The slope of an equation at its root, in the wanted way, or a pivot of a mass matrix. Fast path:
+    /// above what rounding does to it. Slow path: `Singular` where it is not. Operand: the spread.
     Moving,
     /// Fast path: value ≥ the smallest square of full precision. Slow path: a squared length
     /// below it is refused, as `Singular` where it is the square of zero. With the operands of

@@ -25,6 +25,7 @@ pub mod scaled_change_points;
 pub mod searched_forces;
 pub mod set_points;
 pub mod single_groups;
+pub mod singular_arms;
 pub mod slides;
 pub mod stacked_sliders;
 pub mod statuses;

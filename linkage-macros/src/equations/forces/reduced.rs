@@ -31,6 +31,8 @@ pub(super) struct Reduced<'s> {
     points: Vec<(PointId, Sym<'s>)>,
     /// Masses fixed in links, for their centres.
     links: Vec<(LinkId, Inertia<'s>)>,
+    /// The number of masses that move in their links.
+    driven: usize,
 }
 
 #[derive(Clone, Copy)]
@@ -73,18 +75,43 @@ impl<'s> Reduced<'s> {
         }
         let mut turning: Vec<_> = turning.into_iter().collect();
         turning.sort_by_key(|(link, _)| *link);
-        Self { turning, moving, points: masses.points, links }
+        Self { turning, moving, points: masses.points, links, driven: masses.moving.len() }
     }
 
     /// Σ m c·c + J k k of two states.
     pub(super) fn inertia(&self, a: &Kinematics<'s>, b: &Kinematics<'s>) -> Sym<'s> {
+        let of_points = self.at_points(a, b);
+        self.turning_too(self.about_origins_too(of_points, a, b), a, b)
+    }
+
+    /// M of a state and itself, and its squares alone: without the terms about moving origins, which may
+    /// take back what squares bring. M is at most 1 + √2 of them.
+    pub(super) fn mass_and_size(&self, unit: &Kinematics<'s>) -> [Sym<'s>; 2] {
+        let size = self.turning_too(self.at_points(unit, unit), unit, unit);
+        [self.about_origins_too(size, unit, unit), size]
+    }
+
+    /// The number of terms of an entry of the mass matrix, at most.
+    pub(super) fn terms(&self) -> usize {
+        self.turning.len() + self.moving.len() + 2 * self.links.len() + 2 * self.driven
+    }
+
+    fn at_points(&self, a: &Kinematics<'s>, b: &Kinematics<'s>) -> Sym<'s> {
         let mut sum = a.sheet.zero();
         for &(place, mass) in &self.moving {
             sum = sum + mass * place.motion(a).velocity.dot(place.motion(b).velocity);
         }
-        let directions = |link| [a, b].map(|state| state.link(link).frame.direction);
+        sum
+    }
+
+    fn about_origins_too(
+        &self,
+        mut sum: Sym<'s>,
+        a: &Kinematics<'s>,
+        b: &Kinematics<'s>,
+    ) -> Sym<'s> {
         for &(link, inertia) in &self.links {
-            let [ka, kb] = directions(link).map(|direction| direction.omega);
+            let [ka, kb] = [a, b].map(|state| state.link(link).frame.direction.omega);
             let [ca, cb] = [a, b].map(|state| state.link(link).frame.origin.velocity);
             for (weight, r) in parts(Centre::of(a, link, inertia)) {
                 let [first, second] = [ka * cb.dot(r.normal()), kb * ca.dot(r.normal())];
@@ -95,13 +122,19 @@ impl<'s> Reduced<'s> {
                 sum = sum + both;
             }
         }
+        sum
+    }
+
+    /// What turns with its link, and what moves in it.
+    fn turning_too(&self, mut sum: Sym<'s>, a: &Kinematics<'s>, b: &Kinematics<'s>) -> Sym<'s> {
+        let omegas = |link| [a, b].map(|state| state.link(link).frame.direction.omega);
         for (one, other) in Masses::of(a).moving.iter().zip(Masses::of(b).moving) {
-            let [ka, kb] = directions(one.link).map(|direction| direction.omega);
+            let [ka, kb] = omegas(one.link);
             sum = sum + one.mass * one.motion.velocity.dot(other.motion.velocity);
             sum = sum + one.inertia * (ka * kb);
         }
         for &(link, inertia) in &self.turning {
-            let [ka, kb] = directions(link).map(|direction| direction.omega);
+            let [ka, kb] = omegas(link);
             sum = sum + inertia * (ka * kb);
         }
         sum
