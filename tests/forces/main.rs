@@ -2,6 +2,7 @@
 
 mod balance;
 mod dynamics;
+mod inside;
 mod interface;
 mod published;
 mod searched;

@@ -13,6 +13,7 @@ use super::mechanism::{Carrier, Dimension, Expr, LoadId, PointId};
 use super::names::{Entity, Kind};
 use super::springs::is_rate;
 
+const INSIDE: &str = "what acts inside a body moves nothing";
 const LOAD_KINDS: [&str; 3] = ["force", "torque", "number"];
 
 impl Resolver<'_> {
@@ -166,21 +167,31 @@ impl Resolver<'_> {
         Some(Force::Between { points, value: value? })
     }
 
-    /// Points of two bodies.
+    /// Points that can move against each other: of two bodies, or of one where an input drives a coordinate.
     pub(super) fn two_points(&mut self, names: &[Ident; 2], what: &str) -> Option<[PointId; 2]> {
         let points = [0, 1].map(|k| self.point(&names[k]));
         let [p, q] = [points[0]?, points[1]?];
+        if p == q {
+            let message = format!("{what} between two points");
+            self.diagnostics.error_because(names[1].span(), message, INSIDE);
+            return None;
+        }
         let owners = [p, q].map(|point| self.mechanism.owner(point));
-        if p == q || owners[0]? == owners[1]? {
-            let message = match p == q {
-                true => format!("{what} between two points"),
-                false => format!("`{}` and `{}` are points of one body", names[0], names[1]),
-            };
-            let reason = "what acts inside a body moves nothing";
+        if owners[0]? == owners[1]? && !self.is_driven_in(owners[0]?, [p, q]) {
+            let message = format!("`{}` and `{}` are fixed to one body", names[0], names[1]);
+            let reason = "what acts between them moves nothing; it does where an input drives a \
+                          coordinate of one, as in `at (0.2m + s, 0)`";
             self.diagnostics.error_because(names[1].span(), message, reason);
             return None;
         }
         Some([p, q])
+    }
+
+    /// Whether one of the points moves in the body that both belong to.
+    fn is_driven_in(&self, owner: Owner, points: [PointId; 2]) -> bool {
+        let Owner::Link(link) = owner else { return false };
+        let moves = |point| self.mechanism.coordinates_move(Carrier::Link(link), point);
+        points.into_iter().any(|point| moves(point) != [false; 2])
     }
 
     fn torque_between(&mut self, value: &tree::Expr, names: &[Ident; 2]) -> Option<Torque> {
@@ -198,8 +209,7 @@ impl Resolver<'_> {
         let [first, second] = [bodies[0]?, bodies[1]?];
         if first == second {
             let message = format!("{what} between two bodies");
-            let reason = "what acts inside a body moves nothing";
-            self.diagnostics.error_because(names[1].span(), message, reason);
+            self.diagnostics.error_because(names[1].span(), message, INSIDE);
             return None;
         }
         Some([first, second])

@@ -29,5 +29,6 @@ pub mod singular_arms;
 pub mod slides;
 pub mod stacked_sliders;
 pub mod statuses;
+pub mod telescope;
 pub mod unknowns;
 pub mod variable_dimensions;

@@ -13,7 +13,7 @@ use crate::ir::graph::Id;
 use crate::ir::interpret::{Given, Number, interpret};
 use crate::ir::program::{Answer, Program};
 use crate::model::dynamics::{Asked, Effort, Owner};
-use crate::model::mechanism::{Expr, GuideId, InputId, Link, Mechanism, PointId};
+use crate::model::mechanism::{Carrier, Expr, GuideId, InputId, Link, Mechanism, PointId};
 use crate::oracle::{Digits, defaults, mechanism};
 use crate::passes;
 use topologies::random_mechanism;
@@ -46,8 +46,8 @@ pub(crate) fn loaded(source: &str) -> String {
             "force (-0.4(N*s/m) * rate({name}.x + {q}), 0.2(N*s/m) * rate({name}.y - {q})) on {name};"
         );
         let owner = plain.owner(point);
-        if let Some((other, known)) = previous.replace((name, owner))
-            && known != owner
+        if let Some((other, before, known)) = previous.replace((name, point, owner))
+            && (known != owner || moves_inside(&plain, owner, [before, point]))
         {
             added += &format!("force {} between {other} and {name};", 2.5 + index as f64);
             added += &format!(
@@ -62,6 +62,13 @@ pub(crate) fn loaded(source: &str) -> String {
     }
     let (body, _) = source.rsplit_once('}').expect("a declaration ends with a brace");
     format!("{body} {added} }}")
+}
+
+/// Whether a point of a link moves in it.
+fn moves_inside(plain: &Mechanism, owner: Option<Owner>, points: [PointId; 2]) -> bool {
+    let Some(Owner::Link(link)) = owner else { return false };
+    let moves = |point| plain.coordinates_move(Carrier::Link(link), point) != [false; 2];
+    points.into_iter().any(moves)
 }
 
 /// A spring's numbers: with and without damping and free length.
@@ -296,6 +303,30 @@ fn efforts_beside_an_unknown_agree_with_virtual_power() {
             compare(variant.name, &source, variant.inputs, [Against::Power], at_rest);
         }
     }
+}
+
+/// The pin at the end of a rod, a point of its bar, and one that moves along both axes.
+#[test]
+fn a_rod_takes_what_acts_between_it_and_its_bar() {
+    const RODS: &str = "struct M { input q: angle; input s: length; ground A(0, 0);
+        crank AB(A) -> B { length: 0.3, angle: q }
+        crank BE(B) -> E { length: 0.2 + s, angle: 2 * q, relative_to: AB }
+        point W on BE at (0.1, 0.05); point V on BE at (0.3 + 0.5 * s, 0.1m * q); }";
+    let source = loaded(RODS);
+    assert!(source.contains("between E and W") && source.contains("between W and V"), "{source}");
+    check("rods", &source, &[[0.7, 1.3, -0.6], [0.21, -0.4, 0.9]]);
+}
+
+/// A spring inside a body acts on whatever moves one of its ends there.
+#[test]
+fn a_sought_coordinate_takes_what_acts_inside_its_body() {
+    const SOUGHT: &str = "struct M { input q: angle; input x: length; ground A(0, 0), D(0.9, 0.15);
+        crank AB(A) -> B { length: 0.3, angle: q } unknown u: length between (0.1, 0.6);
+        point T on AB at (u, 0.1); solve u { distance(D, T) = x, mode: falling, near: 0.3 } }";
+    let source = loaded(SOUGHT);
+    assert!(source.contains("between B and T"), "{source}");
+    let inputs = [[0.7, 1.3, -0.6], [0.71, -0.4, 0.9]];
+    compare("sought", &source, &inputs, [Against::Power], false);
 }
 
 const POSE: [[f64; 3]; 2] = [[0.7, 1.3, -0.6], [0.41, -0.4, 0.9]];

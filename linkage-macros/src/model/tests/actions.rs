@@ -189,6 +189,8 @@ fn a_mass_has_a_place_that_moves() {
 #[test]
 fn a_force_acts_on_what_moves() {
     const GROUND: &str = "name a point of a link, a pin or a driven point";
+    const FIXED: &str = "what acts between them moves nothing; it does where an input drives a coordinate \
+                         of one, as in `at (0.2m + s, 0)`";
     check(&[
         (
             CRANK,
@@ -198,12 +200,24 @@ fn a_force_acts_on_what_moves() {
         (
             CRANK,
             "force 3N between A and D;",
-            "D: `A` and `D` are points of one body / what acts inside a body moves nothing",
+            &format!("D: `A` and `D` are fixed to one body / {FIXED}"),
         ),
         (
             CRANK,
             "point P on AB at (1m, 1m); force 3N between B and P;",
-            "P: `B` and `P` are points of one body / what acts inside a body moves nothing",
+            &format!("P: `B` and `P` are fixed to one body / {FIXED}"),
+        ),
+        (CRANK, "point P on AB at (1m, 0.5m * t); force 3N between B and P;", ""),
+        (CRANK, "point P on AB at polar (1m, t); force 3N between P and B;", ""),
+        (
+            "input t: angle; param e = 0.1m; ground A(0, 0); crank AB(A) -> B { length: 1m + e, angle: t }",
+            "point P on AB at (e, 1m); force 3N between B and P;",
+            &format!("P: `B` and `P` are fixed to one body / {FIXED}"),
+        ),
+        (
+            "input t: angle; input s: length; ground A(0, 0); crank AB(A) -> B { length: s, angle: t }",
+            "point P on AB at (1m, 1m); force 3N between P and B;",
+            "",
         ),
         (
             CRANK,

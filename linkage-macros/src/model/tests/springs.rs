@@ -136,8 +136,10 @@ fn a_spring_stands_between_two_bodies() {
     const SPRING: &str = "{ stiffness: 2, free_length: 0 }";
     let ends = |ends: &str| format!("spring between {ends} {SPRING}");
     const INSIDE: &str = "what acts inside a body moves nothing";
+    const FIXED: &str = "what acts between them moves nothing; it does where an input drives a coordinate \
+                         of one, as in `at (0.2m + s, 0)`";
     check(&[
-        (CRANK, &ends("A and D"), &format!("D: `A` and `D` are points of one body / {INSIDE}")),
+        (CRANK, &ends("A and D"), &format!("D: `A` and `D` are fixed to one body / {FIXED}")),
         (CRANK, &ends("B and B"), &format!("B: a spring is between two points / {INSIDE}")),
         (
             CRANK,
