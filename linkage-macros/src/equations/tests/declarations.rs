@@ -229,6 +229,36 @@ pub(crate) const VARIANTS: &[Variant] = &[
         inputs: ONE,
     },
     Variant {
+        name: "driven places by radius and angle, and by distances",
+        source: fixed!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left }"
+            "point X on BC at polar (0.3 + s, 0.4 + 0.5 * q); point T at polar (0.5 - s, 0.3 * q);"
+            "point Y on DC at distances (0.4 + 0.5 * s, 0.35 - 0.05m * q) left;"
+            "crank turned(D) { angle: atan2(0.3 + 0.2m * q, s + 0.1) }"),
+        inputs: TWO,
+    },
+    Variant {
+        name: "guide from one driven place towards another",
+        source: fixed!("point P on AB at (0.1 + s, 0.3 - 0.1m * q); point T on AB at (0.6 - s, 0.4 + 0.2m * q);"
+            "guide line on AB through P towards T; slider a(line) -> U { slide: 0.3m * q, offset: 0.1 }"
+            "guide other on AB through (0.2m * q, s) towards T; slider b(other) -> V { slide: s }"),
+        inputs: TWO,
+    },
+    Variant {
+        name: "rack on a block in a driven slot",
+        source: fixed!("rpp block(B), yoke(rail) { slot: 1 + 0.2 * q, offsets: (s, 0.1m * q) }"
+            "crank pinion(D) { angle: block.slide / 0.3m }"),
+        inputs: TWO,
+    },
+    Variant {
+        name: "torsion springs on both links of a prp",
+        source: fixed!("guide cross on AB through (0, 0) along 10deg + 0.4 * q;"
+            "prp a(rail), b(cross) -> C { offsets: (0.02, s) }"
+            "spring between ground and a { stiffness: 3, free_angle: 0.1, damping: 0.2 }"
+            "spring between ground and b { stiffness: 2, free_angle: -0.2, damping: 0.5 }"
+            "spring between b and AB { stiffness: 5 }"),
+        inputs: TWO,
+    },
+    Variant {
         name: "every function of a driven angle",
         source: fixed!("point S at (1m * sin(2 * q), 1m * cos(q) * sin(q));"
             "point T at (1m * tan(q / 2), 1m * sqrt(1 + q)); slider z(post) { slide: s * q / (1 + s / 1m) }"),
