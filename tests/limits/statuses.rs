@@ -3,8 +3,11 @@
 
 #![allow(clippy::needless_update, reason = "a mechanism may have one parameter or several")]
 
-use linkage_core::{Slide, SolveError, Status};
+use linkage_core::{Float, Point, Slide, SolveError, Status};
+use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::statuses::*;
+use linkage_tests::mechanisms::unknowns::{Press, PressPosition};
+use linkage_tests::widths::number;
 
 /// The status and the slide's rate of one pose of a sweep.
 macro_rules! swept {
@@ -85,3 +88,73 @@ fn coefficients_do_not_look_at_inputs_that_they_do_not_depend_on() {
         assert_eq!(Table::new().jacobian([0.0, nothing]).map(|_| ()), error);
     }
 }
+
+/// Beyond 170 000 turns (`f32`: 8192) the fast path takes no angle, and a sweep asks for each pose by itself:
+/// B is at (0.5 + s) (cos θ, sin θ), its rates those of θ and s in their order. An angle of 2²⁵ has a sine
+/// right within an ulp, and some ten roundings follow; the largest number here is 40.
+fn slow_poses_are_given_their_inputs_in_order<T: Float>() {
+    let (spiral, far, small) = (Spiral::<T>::default(), 33_554_432.0, 1e3 * T::EPSILON);
+    let close = |found: T, truth: f64| {
+        assert!((found.value() - truth).abs() <= small, "{found:?} {truth}");
+    };
+    let thetas = [0.0, 2.0, 4.0, 16.0].map(|more| number::<T>(far + 4.0 * more));
+    let lengths = [0.25, 0.5, 0.75, 1.0].map(number::<T>);
+    let [rates, speeds] =
+        [[0.5, -1.0, 1.5, 2.0], [3.0, 4.0, 5.0, 6.0]].map(|of| of.map(number::<T>));
+    let (inputs, moving) =
+        ([(&thetas).into(), (&lengths).into()], [(&rates).into(), (&speeds).into()]);
+    let growing = [number::<T>(7.0).into(), number::<T>(-8.0).into()];
+    let mut numbers = [[number::<T>(0.0); 4]; 6];
+    let mut status = [[Status::default(); 4]; 3];
+    let [x, y, dx, dy, ddx, ddy] = numbers.each_mut();
+    let out = SpiralPosition { B: Point { x: &mut x[..], y: &mut y[..] } };
+    spiral.sweep_position(inputs, out, &mut status[0], ()).unwrap();
+    let out = SpiralVelocity { B: Point { x: &mut dx[..], y: &mut dy[..] } };
+    spiral.sweep_velocity(inputs, moving, out, &mut status[1], ()).unwrap();
+    let acceleration = SpiralAcceleration { B: Point { x: &mut ddx[..], y: &mut ddy[..] } };
+    let out = SpiralMotion { acceleration, ..linkage_core::unwanted() };
+    spiral.sweep_motion(inputs, moving, growing, out, &mut status[2], ()).unwrap();
+    assert_eq!(status, [[Status::Solved; 4]; 3]);
+    for pose in 0..4 {
+        let (_, usable) = spiral.solve_position([thetas[pose], lengths[pose]]);
+        assert!(!usable, "the fast path takes no such angle");
+        let (sin, cos) = thetas[pose].value().sin_cos();
+        let [r, omega, speed] = [lengths[pose], rates[pose], speeds[pose]].map(T::value);
+        let r = 0.5 + r;
+        let (along, across) = (-8.0 - r * omega * omega, 7.0 * r + 2.0 * speed * omega);
+        let truths = [[r, 0.0], [speed, r * omega], [along, across]];
+        let found = numbers.map(|of| of[pose]);
+        for (found, [along, across]) in found.chunks(2).zip(truths) {
+            close(found[0], along * cos - across * sin);
+            close(found[1], along * sin + across * cos);
+        }
+    }
+}
+
+/// The ram at 0.4 m is beyond its rod, and so is every crank.
+fn a_sweep_says_where_there_is_no_solution<T: Float>() {
+    let (mut theta, mut status) = ([number::<T>(0.0); 3], [Status::default(); 3]);
+    let out = PressPosition { theta: &mut theta[..], ..linkage_core::unwanted() };
+    let x = [0.25, 0.4, 0.3].map(number::<T>);
+    Press::<T>::default().sweep_position(&x, out, &mut status, ()).unwrap();
+    assert_eq!(status, [Status::Solved, Status::NoSolution, Status::Solved]);
+    assert!(theta[1].value().is_nan() && theta[0].value().is_finite());
+}
+
+/// Each by its own name.
+#[test]
+fn every_error_has_a_status() {
+    let (group, name, by) = ("BC", "lift", 0.5);
+    for (error, status) in [
+        (SolveError::OutOfReach { group, by }, Status::OutOfReach),
+        (SolveError::Singular { group }, Status::Singular),
+        (SolveError::Invalid { group, name }, Status::Invalid),
+        (SolveError::NotFinite { name }, Status::NotFinite),
+        (SolveError::OffCircle { name, amplitude: 0.5 }, Status::OffCircle),
+        (SolveError::NoSolution { unknown: "theta", by, unit: "m" }, Status::NoSolution),
+    ] {
+        assert_eq!(Status::from(error), status);
+    }
+}
+
+in_both_widths! { slow_poses_are_given_their_inputs_in_order a_sweep_says_where_there_is_no_solution }

@@ -5,4 +5,5 @@ mod derived;
 mod followed;
 mod ranges;
 mod set_points;
+mod sides;
 mod unknowns;

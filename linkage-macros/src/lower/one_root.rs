@@ -187,6 +187,7 @@ impl Interval {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ir::graph::GuardId;
 
     /// The walk over a slope, in pieces of these signs, and of its curvature.
     fn walk(pieces: &[(Option<bool>, Option<bool>)]) -> bool {
@@ -251,5 +252,36 @@ mod tests {
         assert!(Interval(-1.0, 1.0).reciprocal().is_none() && Interval(-1.0, 1.0).root().is_none());
         let infinite = Interval(0.0, f64::INFINITY).times(Interval(0.0, 1.0));
         assert!(infinite.sign().is_none());
+    }
+
+    /// Every operation of the graph, on intervals whose ends are sums of few powers of two.
+    #[test]
+    fn operations_of_the_graph_are_those_of_intervals() {
+        let given =
+            [(0.25, 0.5), (-2.0, -1.5), (3.0, 3.25), (-0.5, 0.125)].map(|(a, b)| Interval(a, b));
+        let values = given.map(Some);
+        let [a, b, c, d] = [0, 1, 2, 3].map(Id);
+        for (node, [low, high]) in [
+            (Node::Trial(0), [10.0, 11.0]),
+            (Node::Guard(a, GuardId(0)), [0.25, 0.5]),
+            (Node::Neg(a), [-0.5, -0.25]),
+            (Node::Add(a, b), [-1.75, -1.0]),
+            (Node::Sub(a, b), [1.75, 2.5]),
+            (Node::Sub(b, a), [-2.5, -1.75]),
+            (Node::Mul(a, b), [-1.0, -0.375]),
+            (Node::Mul(d, d), [0.0, 0.25]),
+            (Node::Fused(a, b, c), [2.0, 2.875]),
+            (Node::Det([a, b, c, d]), [-1.406_25, 1.25]),
+            (Node::Div(a, c), [0.25 / 3.25, 0.5 / 3.0]),
+            (Node::Sqrt(a), [0.5, 0.5_f64.sqrt()]),
+            (Node::MulErr(a, b), [0.0, 0.0]),
+        ] {
+            let found = value(&values, node, Interval(10.0, 11.0)).expect("it is known");
+            // Each of at most three operations widens by an ulp of at most four.
+            let is_close = |found: f64, end: f64| (found - end).abs() <= 12.0 * f64::EPSILON;
+            assert!(found.0 <= low && high <= found.1, "{node:?}: {found:?}");
+            assert!(is_close(found.0, low) && is_close(found.1, high), "{node:?}: {found:?}");
+        }
+        assert!(value(&values, Node::Tan(a), Interval(0.0, 0.0)).is_none());
     }
 }

@@ -138,3 +138,50 @@ fn asked(graph: &Graph, sinks: &[Id]) -> Vec<Node> {
         .map(|(_, node)| node)
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const VALUE: Id = Id(7);
+
+    /// What is asked of the value where ranges ask for this in double and in single precision; none where
+    /// they show that it holds.
+    fn threshold(
+        [wide, narrow]: [Option<f64>; 2],
+        spread: Option<Spread<'_>>,
+    ) -> Option<Threshold> {
+        let width = |least| {
+            let mut thresholds = Thresholds::default();
+            thresholds.insert(VALUE, least);
+            Some(Width { thresholds, input: 1e6 })
+        };
+        let overflow = Overflow { wide: width(wide), narrow: width(narrow) };
+        overflow.threshold(VALUE, &Check::ReachCircles, spread)
+    }
+
+    /// A spread that is computed is compared with beside the threshold, and says more than a sign.
+    #[test]
+    fn a_sign_is_not_asked_where_the_rounding_is() {
+        let computed = Some(Spread::AtRunTime(Id(3)));
+        let known = Exact::integer(2);
+        let known = Some(Spread::Known(&known));
+        let both = |wide, narrow| Some(Threshold::Number(wide, narrow));
+        assert_eq!(threshold([Some(0.0); 2], computed), None);
+        assert_eq!(threshold([Some(1e-30), Some(0.0)], computed), both(1e-30, 0.0));
+        assert_eq!(threshold([Some(0.0), Some(1e-7)], computed), both(0.0, 1e-7));
+        assert_eq!(threshold([None, Some(1e-7)], computed), both(0.0, 1e-7));
+        assert_eq!(threshold([None, Some(0.0)], computed), None);
+        for spread in [None, known] {
+            assert_eq!(threshold([Some(0.0); 2], spread), both(0.0, 0.0));
+            assert_eq!(threshold([Some(1e-30), Some(1e-7)], spread), both(1e-30, 1e-7));
+            assert_eq!(threshold([None; 2], spread), None);
+        }
+        // Where one width has no ranges, its results are asked, and of the value its rounding alone.
+        let mut thresholds = Thresholds::default();
+        thresholds.insert(VALUE, None);
+        let overflow = Overflow { wide: Some(Width { thresholds, input: 1e60 }), narrow: None };
+        let found = overflow.threshold(VALUE, &Check::ReachCircles, known);
+        assert_eq!(found, both(0.0, 32.0 * f64::from(f32::EPSILON)));
+    }
+}

@@ -204,7 +204,8 @@ impl Bounds<'_> {
             Check::Nonzero => range.away,
             _ => range.low,
         };
-        let threshold = (known <= least || known <= 0.0).then_some(least);
+        // No threshold is below zero.
+        let threshold = (known <= least).then_some(least);
         if range.largest() <= least {
             return None;
         }

@@ -24,6 +24,7 @@ pub mod right_or_refused;
 pub mod scaled_change_points;
 pub mod searched_forces;
 pub mod set_points;
+pub mod sides;
 pub mod single_groups;
 pub mod singular_arms;
 pub mod slides;

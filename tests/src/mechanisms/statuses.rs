@@ -59,3 +59,16 @@ mechanism! {
         output P;
     }
 }
+
+mechanism! {
+    /// A rod that turns and grows.
+    pub struct Spiral {
+        input theta: angle;
+        input s: length;
+
+        ground A(0, 0);
+        crank AB(A) -> B { length: 0.5m + s, angle: theta }
+
+        output B;
+    }
+}

@@ -2,6 +2,7 @@
 //! against differences of the position in a hundred digits, and positions against the joints'
 //! own conditions.
 
+mod clearances;
 pub(crate) mod declarations;
 mod dynamics;
 pub(crate) mod forces;

@@ -77,6 +77,27 @@ fn a_divisor_that_may_vanish_has_a_threshold_and_a_root_has_not() {
     assert!((threshold / 4e-30 - 1.0).abs() < 1e-5, "{threshold}");
 }
 
+/// A value that is known to be above zero, and not to be above its threshold.
+#[test]
+fn what_is_known_to_be_small_alone_is_asked() {
+    let mut sample = sample();
+    let cosine = sample.push(Node::Cos(sample.angle));
+    let square = sample.push(Node::Mul(cosine, cosine));
+    for (least, is_asked) in [(1e-32, true), (1e-28, false)] {
+        let least = sample.number(least);
+        let sum = sample.push(Node::Add(square, least));
+        sample.guard(sum, Check::ReachCross);
+        let threshold = sample.thresholds(&WIDE).unwrap()[&sum];
+        assert_eq!(threshold.is_some(), is_asked, "{threshold:?}");
+        // The share of a range up to one.
+        assert!(threshold.is_none_or(|least| (least / 1e-30 - 1.0).abs() < 1e-5), "{threshold:?}");
+    }
+    // At zero exactly, where the sign is enough.
+    let loose = Assumed { share: 0.0, ..WIDE };
+    sample.guard(square, Check::ReachCross);
+    assert_eq!(sample.thresholds(&loose).unwrap()[&square], Some(0.0));
+}
+
 #[test]
 fn overflow_is_found_at_the_node_where_it_happens() {
     let mut sample = sample();

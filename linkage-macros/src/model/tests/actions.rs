@@ -321,3 +321,23 @@ fn a_joint_called_like_an_effort_is_renamed() {
         ),
     ]);
 }
+
+/// A mass, a force, a torque or a spring alone makes efforts that are not zero, asked for or not.
+#[test]
+fn any_of_what_acts_is_enough() {
+    for acting in [
+        "mass 1kg on AB uniform;",
+        "force (1N, 0) on B;",
+        "torque 2(N*m) on AB;",
+        "spring between B and D { stiffness: 3, free_length: 1m }",
+    ] {
+        check(&[(CRANK, &format!("{acting} output AB.drive;"), "")]);
+        let (mechanism, _) = resolved(&format!("{CRANK} {acting}"));
+        // The input's drive, the crank's, and what its pivot exerts.
+        let asked = mechanism.expect("it is legal").dynamics.asked;
+        assert_eq!(asked.len(), 3, "{acting}");
+    }
+    let nothing = "drive: nothing has mass and nothing acts, so `AB.drive` is zero / declare what does: \
+                   `mass 2kg on BC uniform`, `force (0, -10N) on P`";
+    check(&[(CRANK, "output AB.drive;", nothing)]);
+}

@@ -1,6 +1,7 @@
 //! The rules on tiny declarations: what they resolve to, and every mistake with its token.
 
 mod actions;
+mod class_three;
 mod constants;
 mod expressions;
 mod fields;
