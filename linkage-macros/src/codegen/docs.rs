@@ -303,8 +303,8 @@ fn exceptions(cx: &Context<'_>, entry: &Entry) -> &'static str {
     }
     match entry.name {
         "forward_dynamics" if cx.inputs().is_some() => {
-            " `Singular` names an input that moves no mass in this pose, or that moves it as earlier inputs \
-             do, as far as rounding can tell. Next to such a pose digits are lost: of two equal bars \
+            " `Singular` names an input that moves no mass in this pose, or moves it as earlier inputs do as \
+             far as rounding can tell. Next to such a pose digits are lost: of two equal bars \
              that enclose a small angle b, an error of some 10 ε/b² of the largest second rate is left. \
              At a dead point of the inputs the group is named: choose the cranks that turn fully as \
              inputs."

@@ -3,9 +3,11 @@
 
 use std::f64::consts::PI;
 
-use linkage_core::{Real, Series, SolveError, Status, differentiate};
+use linkage_core::{Float, Real, Series, SolveError, Status, differentiate};
 use linkage_tests::in_both_widths;
-use linkage_tests::mechanisms::singular_arms::{CartArm, ElbowArm, LightWrist, ThreeAxes};
+use linkage_tests::mechanisms::singular_arms::{
+    CartArm, CartArmInput, ElbowArm, LightWrist, ThreeAxes,
+};
 use linkage_tests::widths::{list, number};
 use num_dual::DualSVec;
 
@@ -47,21 +49,41 @@ fn stretched_or_folded<T: Real>() {
     assert_eq!(answers, 0);
 }
 
-/// The slow path decides as the fast one does, and a sweep and a dual number as a single call.
-#[test]
-fn sweeps_and_derivatives_refuse_the_same() {
-    let arm = ElbowArm::new();
-    let first: Vec<f64> = around().collect();
+/// In a sweep, lanes and single calls in turn decide.
+fn sweeps_refuse_the_same<T: Float>() {
+    let (arm, cart) = (ElbowArm::<T>::default(), CartArm::<T>::default());
+    let first: Vec<T> = around().map(number).collect();
+    let constant = |value| Series::Constant(number::<T>(value));
     for b in STRAIGHT {
-        let [mut da, mut db] = [vec![0.0; first.len()], vec![0.0; first.len()]];
+        let [mut da, mut db] =
+            [vec![number::<T>(0.0); first.len()], vec![number(0.0); first.len()]];
         let mut status = vec![Status::Solved; first.len()];
-        let inputs = [Series::Each(&first), Series::Constant(b)];
-        let (still, push) = ([Series::Constant(0.0); 2], [1.0, 2.0].map(Series::Constant));
-        arm.sweep_forward_dynamics(inputs, still, push, [&mut da, &mut db], &mut status, ())
+        let (inputs, rates) = ([Series::Each(&first), constant(b)], [constant(0.0); 2]);
+        let push = [constant(1.0), constant(2.0)];
+        arm.sweep_forward_dynamics(inputs, rates, push, [&mut da, &mut db], &mut status, ())
             .unwrap();
         assert!(status.iter().all(|status| *status == Status::Singular));
-        assert!(da.iter().chain(&db).all(|number| number.is_nan()));
+        assert!(da.iter().chain(&db).all(|number| number.value().is_nan()));
+        let inputs =
+            CartArmInput { slide: Series::Each(&first), a: constant(90.0), b: constant(b) };
+        let (rates, push) = ([constant(0.0); 3], [constant(1.0); 3]);
+        status.fill(Status::Solved);
+        cart.sweep_forward_dynamics(
+            inputs,
+            rates,
+            push,
+            [&mut da, &mut [], &mut db],
+            &mut status,
+            (),
+        )
+        .unwrap();
+        assert!(status.iter().all(|status| *status == Status::Singular));
     }
+}
+
+/// The real part decides.
+#[test]
+fn derivatives_are_refused_the_same() {
     let of_dual = |b: f64| {
         differentiate([0.7, b], |q: [DualSVec<f64, 2>; 2]| {
             let still = [DualSVec::from_re(0.0); 2];
@@ -69,8 +91,17 @@ fn sweeps_and_derivatives_refuse_the_same() {
             ElbowArm::default().forward_dynamics(q, still, push)
         })
     };
-    assert_eq!(of_dual(0.0).unwrap_err(), singular("b"));
-    assert!(of_dual(0.3).is_ok());
+    for (b, input) in STRAIGHT.into_iter().zip(["b", "a", "b"]) {
+        assert_eq!(of_dual(b).unwrap_err(), singular(input));
+    }
+    // τ stays, M⁻¹ goes as 1/sin² b: the slope of the largest second rate is −2 cot b of it.
+    for b in [1e-3, 0.01] {
+        let slope = of_dual(b).unwrap()[(1, 1)];
+        let second = ElbowArm::new().forward_dynamics([0.7, b], [0.0; 2], [1.0, 2.0]).unwrap()[1];
+        let expected = -2.0 * second / b;
+        // The rest of M⁻¹ is smaller by b.
+        assert!((slope - expected).abs() < 10.0 * b * expected.abs(), "{slope} {expected}");
+    }
 }
 
 /// The arm without matrices. With F at the mass and n₁, n₂ across both bars, l n₁·F = τ₁ − τ₂ and
@@ -171,4 +202,4 @@ fn units_do_not_matter() {
     }
 }
 
-in_both_widths! { stretched_or_folded least_bend next_to_straight light_wrists }
+in_both_widths! { stretched_or_folded sweeps_refuse_the_same least_bend next_to_straight light_wrists }
