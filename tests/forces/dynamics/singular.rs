@@ -173,7 +173,8 @@ fn light_wrists<T: Real>() {
             let determinant = both - w * sum * sum;
             let truth = [-w * sum / determinant / square, both / determinant / square];
             for (found, truth) in found.iter().zip(truth) {
-                // w/w and 1/determinant, which is at least 0.4 of what it is a difference of.
+                // The determinant is 0.27 at least of what it is a difference of, and that known to
+                // 25 ε twice, which makes 185 ε; the rest is for L and the quotients.
                 assert!(
                     (found - truth).abs() < 300.0 * T::EPSILON * truth.abs(),
                     "{wrist} {found} {truth}"

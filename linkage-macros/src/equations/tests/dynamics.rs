@@ -2,6 +2,7 @@
 //! joint, which is tested against Newton's and Euler's equations; and against the kinetic energy. On
 //! every variant and on random topologies, with masses, springs, dampers and loads everywhere.
 
+use crate::equations::derive;
 use crate::equations::forces::{
     Walk, accelerations, energy, equations, every_input_moves_mass, in_motion,
 };
@@ -13,7 +14,7 @@ use crate::equations::tests::forces::{loaded, with_every_input_asked};
 use crate::equations::tests::newton_euler::Motion;
 use crate::exact::Exact;
 use crate::interface::entries::{EQUATIONS, FORWARD};
-use crate::ir::graph::Id;
+use crate::ir::graph::{Check, Id, Node};
 use crate::ir::interpret::{Given, Number, interpret};
 use crate::ir::program::{Answer, Program};
 use crate::model::mechanism::Mechanism;
@@ -237,4 +238,39 @@ fn random_topologies_move_as_their_efforts_say() {
         worst = worst.max(rounding.expect("crank and slider move mass"));
     }
     println!("{worst:.1} ε");
+}
+
+/// Two equal bars with one mass at the end, and a motor on the ground: with m l² = 1, M is
+/// [2 + 2 cos b, 1 + cos b, 0; 1 + cos b, 1, 0; 0, 0, J].
+const ARM: &str = "struct M { input a, b, c: angle; ground O(0, 0), D(1, 0);
+    crank K(O) -> P { length: 2, angle: a } crank L(P) -> Q { length: 2, angle: b, relative_to: K }
+    crank motor(D) { angle: c } mass 0.25 on Q; inertia 3 on motor; output a.drive, b.drive, c.drive; }";
+
+/// The pivots that are asked for more than zero, and what rounding does to them over 16 ε.
+#[test]
+fn the_spread_of_a_pivot_is_as_by_hand() {
+    let mechanism = mechanism(ARM);
+    let program = passes::optimise(&derive(&mechanism, passes::RULES));
+    for b in [0.0, 0.4, 2.5] {
+        let (drives, cos) = (vec![1.0; 3], f64::cos(b));
+        let inputs = vec![[0.3, 0.0, 0.0], [b, 0.0, 0.0], [0.0; 3]];
+        let given = Given { inputs, params: Vec::new(), loads: Vec::new(), drives, unit: None };
+        let values = interpret(&program, &given);
+        let pivots = program.graph.iter().filter_map(|(_, node)| {
+            let Node::Guard(pivot, guard) = node else { return None };
+            let guard = program.graph.condition(guard);
+            let is_spread = guard.check == Check::Moving;
+            is_spread.then(|| [values[pivot.index()], values[guard.operands[0].index()]])
+        });
+        let pivots: Vec<_> = pivots.collect();
+        // Eight terms at most: what turns with three links, what stands on the motor's pivot, and two
+        // about the origin of each link that has mass. Of three inputs that is 36 + 24 + 12 u, which
+        // three times 32 u are enough for.
+        let (first, second) = (2.0, 2.0 * (1.0 + 0.25 * 2.0));
+        let expected = [[2.0 + 2.0 * cos, 3.0 * first], [0.5 - 0.5 * cos, 3.0 * second]];
+        assert_eq!(pivots.len(), 2, "the motor's pivot is a number");
+        for (found, expected) in pivots.iter().flatten().zip(expected.iter().flatten()) {
+            assert!((found - expected).abs() < 16.0 * f64::EPSILON, "{found} {expected}");
+        }
+    }
 }
