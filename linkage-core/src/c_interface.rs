@@ -36,6 +36,7 @@ const NULL_POINTER: i32 = 5;
 const INVALID_MODE: i32 = 6;
 const OFF_CIRCLE: i32 = 7;
 const NO_SOLUTION: i32 = 8;
+const SEVERAL_DEAD_POINTS: i32 = 9;
 
 impl CError {
     /// There was an answer.
@@ -76,6 +77,9 @@ impl From<SolveError> for CError {
             SolveError::NotFinite { name } => Self::NONE.because_of(NOT_FINITE, name),
             SolveError::NoSolution { unknown, by, .. } => {
                 Self { by, ..Self::NONE.because_of(NO_SOLUTION, unknown) }
+            }
+            SolveError::SeveralDeadPoints { unknown } => {
+                Self::NONE.because_of(SEVERAL_DEAD_POINTS, unknown)
             }
             SolveError::OffCircle { name, .. } => Self::NONE.because_of(OFF_CIRCLE, name),
         }
@@ -131,8 +135,11 @@ mod tests {
         assert_eq!(parts(SolveError::NotFinite { name }), (NOT_FINITE, 0.0, 0, 6));
         let off_circle = SolveError::OffCircle { name: "theta", amplitude: 0.5 };
         assert_eq!(parts(off_circle), (OFF_CIRCLE, 0.0, 0, 5));
-        let no_solution = SolveError::NoSolution { unknown: "theta", by: 0.5, unit: "m" };
+        let no_solution =
+            SolveError::NoSolution { unknown: "theta", by: 0.5, unit: "m", other: None };
         assert_eq!(parts(no_solution), (NO_SOLUTION, 0.5, 0, 5));
+        let several = SolveError::SeveralDeadPoints { unknown: "theta" };
+        assert_eq!(parts(several), (SEVERAL_DEAD_POINTS, 0.0, 0, 5));
         assert_eq!(parts(CError::null_pointer("error")), (NULL_POINTER, 0.0, 0, 5));
         assert_eq!(parts(CError::NONE), (0, 0.0, 0, 0));
     }

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::find::{Crossing, SEVERAL_DEAD_POINTS};
 use crate::shown::{Digits, Length, Measured};
 
 /// Why a solver gave no answer. The group is named by its links, as declared: `"BC, DC"`.
@@ -45,6 +46,15 @@ pub enum SolveError {
         by: f64,
         /// The unit of that: `m`, `rad`, `m²`, or `1` for a plain number.
         unit: &'static str,
+        /// Where the equation is solved in the other way, if it is: the other trend, and the unknown in
+        /// its base unit.
+        other: Option<Crossing>,
+    },
+    /// The equation of an unknown has more than one dead point between its ends, and it is not known
+    /// whether it has a solution; or it is not smooth there.
+    SeveralDeadPoints {
+        /// The unknown.
+        unknown: &'static str,
     },
     /// A result is not a finite number.
     NotFinite {
@@ -65,7 +75,15 @@ impl fmt::Display for SolveError {
             Self::Singular { group } => {
                 write!(f, "{group}: at a dead point, where this is undefined")
             }
-            Self::NoSolution { unknown, by, unit } => {
+            Self::NoSolution { unknown, other: Some(Crossing { trend, at }), .. } => {
+                let (wanted, found) = (trend.flipped().participle(), trend.verb());
+                write!(f, "{unknown}: no {wanted} root between its ends; ")?;
+                write!(f, "the equation {found} through zero at {}", Digits(at))
+            }
+            Self::SeveralDeadPoints { unknown } => {
+                write!(f, "{unknown}: {SEVERAL_DEAD_POINTS}")
+            }
+            Self::NoSolution { unknown, by, unit, other: None } => {
                 write!(f, "{unknown}: no solution between its ends, ")?;
                 write!(f, "{} is missing", Measured { value: by, unit })
             }
@@ -108,7 +126,8 @@ impl SolveError {
             Self::OutOfReach { group, .. }
             | Self::Singular { group }
             | Self::Invalid { group, .. }
-            | Self::NoSolution { unknown: group, .. } => group,
+            | Self::NoSolution { unknown: group, .. }
+            | Self::SeveralDeadPoints { unknown: group } => group,
             Self::NotFinite { name } | Self::OffCircle { name, .. } => name,
         }
     }

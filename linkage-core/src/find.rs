@@ -7,7 +7,9 @@
 //!
 //! # The method
 //! 1. f and its slope at both ends. Where an end has the wrong sign because it lies beyond a dead
-//!    point, it is moved towards that dead point until the sign is right.
+//!    point, it is moved towards that dead point until the sign is right. Where that is not enough, the
+//!    interval is divided: into pieces in which a cubic shows that there is no root of the trend, or up
+//!    to one that encloses a root.
 //! 2. The first trial is the root of the cubic through values and slopes of both ends: at a dead
 //!    point f has a double zero of its slope, which the cubic has too.
 //! 3. Newton's steps, each projected onto an interval about the middle of the bracket that halves
@@ -24,9 +26,12 @@
 
 mod approach;
 pub(crate) mod bound;
+mod bracket;
+mod cubic;
 mod equation;
 mod lowest;
 mod start;
+mod survey;
 #[cfg(test)]
 mod tests;
 pub(crate) mod unknown;
@@ -35,9 +40,10 @@ use core::fmt;
 
 pub(crate) use approach::Approach;
 pub(crate) use approach::{At, constant, greater, magnitude, number};
+pub(crate) use cubic::Cubic;
 use equation::Equation;
 pub(crate) use equation::crossing;
-pub(crate) use lowest::{lowest, turning_part};
+pub(crate) use lowest::lowest;
 
 use crate::shown::Digits;
 use crate::{Real, Scalar};
@@ -63,6 +69,22 @@ impl Trend {
         }
     }
 
+    /// `rising` or `falling`.
+    pub(crate) const fn participle(self) -> &'static str {
+        match self {
+            Self::Rising => "rising",
+            Self::Falling => "falling",
+        }
+    }
+
+    /// `rises` or `falls`.
+    pub(crate) const fn verb(self) -> &'static str {
+        match self {
+            Self::Rising => "rises",
+            Self::Falling => "falls",
+        }
+    }
+
     /// +1 for rising, −1 for falling.
     #[inline]
     #[must_use]
@@ -83,6 +105,16 @@ pub struct Root<T> {
     pub evaluations: u32,
 }
 
+/// Where f passes zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Crossing {
+    /// Which way.
+    pub trend: Trend,
+    /// The root.
+    pub at: f64,
+}
+
 /// Why no root was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -95,13 +127,19 @@ pub enum FindError {
         /// The upper end as given.
         to: f64,
     },
-    /// f keeps its sign between the ends, or passes zero only against the trend.
+    /// f keeps its sign between the ends, or passes zero against the trend alone.
     NoSolution {
-        /// The end, or the dead point next to it, at which f comes nearest to zero.
+        /// The end, or the dead point, at which f comes nearest to a root of the trend; of several dead
+        /// points the nearest of those that were met.
         at: f64,
         /// How much is missing there, in the unit of f.
         by: f64,
+        /// Where f passes zero against the trend, if it does.
+        other: Option<Crossing>,
     },
+    /// f has more than one dead point between the ends, and its samples tell neither a root nor that there
+    /// is none; or f is not smooth there.
+    SeveralDeadPoints,
     /// f is not a finite number here: the mechanism cannot be assembled, say.
     NotFinite {
         /// The trial.
@@ -120,10 +158,15 @@ impl fmt::Display for FindError {
             Self::Interval { from, to } => {
                 write!(f, "{from} to {to} is no interval of finite numbers in rising order")
             }
-            Self::NoSolution { at, by } => {
+            Self::NoSolution { at, by, other: None } => {
                 let by = Digits(by);
                 write!(f, "no solution between the ends: {by} is missing at {at}")
             }
+            Self::NoSolution { other: Some(Crossing { trend, at }), .. } => {
+                let (wanted, found) = (trend.flipped().participle(), trend.verb());
+                write!(f, "no {wanted} root; it {found} through zero at {}", Digits(at))
+            }
+            Self::SeveralDeadPoints => f.write_str(SEVERAL_DEAD_POINTS),
             Self::NotFinite { at } => write!(f, "the equation is not a number at {at}"),
             Self::Singular { at } => write!(f, "the solution at {at} has no derivative"),
         }
@@ -131,6 +174,10 @@ impl fmt::Display for FindError {
 }
 
 impl core::error::Error for FindError {}
+
+/// The text of the error of this name, for a root and for an unknown.
+pub(crate) const SEVERAL_DEAD_POINTS: &str =
+    "several dead points between the ends; narrow the interval";
 
 /// Where to look for a root, and for which.
 ///
@@ -165,6 +212,10 @@ impl core::error::Error for FindError {}
 /// that is not a number. Where f has several roots of one trend, one of them is found, the same at
 /// each call: which one is not promised.
 ///
+/// Dead points between the ends do no harm: a root of the trend is found behind them and between them. The
+/// interval is divided into up to 48 pieces for that. What turns back and forth within a piece may be
+/// missed; where the pieces do not tell, the error is [`FindError::SeveralDeadPoints`].
+///
 /// A root is right to ε/2 of the larger end, or as far as f's own rounding lets its sign be known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -182,8 +233,8 @@ pub struct Search<T> {
 
 impl<T: Real> Search<T> {
     /// The most evaluations between any two ends: 61 in `f64`, 32 in `f32`. Twice as many where an
-    /// end lies beyond a dead point, 3 more with a seed; numbers that carry derivatives take one
-    /// more for each order.
+    /// end lies beyond a dead point, as many where there is no root, 3 more with a seed; numbers that
+    /// carry derivatives take one more for each order.
     pub const MOST: u32 = 2 + approach::most::<T>();
 
     /// A search without a seed and without slack.
@@ -220,47 +271,5 @@ impl<T: Real> Search<T> {
             None => self.bracketed(&mut f, approach, |_| self.slack)?,
         };
         f.differentiated(at)
-    }
-
-    /// The root from both ends. What f may miss zero by at an end follows from its values there.
-    fn bracketed<F: FnMut(T) -> [T; 2]>(
-        &self,
-        f: &mut Equation<T, F>,
-        approach: Approach<T>,
-        slack: impl FnOnce([T; 2]) -> T,
-    ) -> Result<T, FindError> {
-        let zero = T::lit(0.0, 0.0);
-        let [mut a, mut b] = [f.at(approach.from)?, f.at(approach.to)?];
-        let slack = slack([a.value, b.value]);
-        let mut most = Self::MOST;
-        if a.value.ge(zero) && zero.gt(a.slope) {
-            a = f.moved_in([a, b], 0, &mut most)?;
-        }
-        if zero.ge(b.value) && zero.gt(b.slope) {
-            b = f.moved_in([a, b], 1, &mut most)?;
-        }
-        if let Some(nearer) = nearer_end([a.value, -b.value]) {
-            let (at, by) = if nearer == 0 { (a.x, a.value) } else { (b.x, -b.value) };
-            if slack.ge(by) {
-                return Ok(at);
-            }
-            return Err(FindError::NoSolution { at: at.value(), by: by.value() });
-        }
-        let root = [a, b].into_iter().find(|end| end.value.value() == 0.0);
-        match root {
-            Some(end) => Ok(end.x),
-            None => f.root([a, b], approach),
-        }
-    }
-}
-
-/// Which of two distances from a root, if any is above zero, is the smaller of those.
-fn nearer_end<T: Real>([lower, upper]: [T; 2]) -> Option<usize> {
-    let zero = T::lit(0.0, 0.0);
-    match (lower.gt(zero), upper.gt(zero)) {
-        (false, false) => None,
-        (true, false) => Some(0),
-        (false, true) => Some(1),
-        (true, true) => Some(usize::from(lower.gt(upper))),
     }
 }

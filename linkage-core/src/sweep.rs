@@ -50,6 +50,8 @@ pub enum Status {
     OffCircle,
     /// See [`SolveError::NoSolution`].
     NoSolution,
+    /// See [`SolveError::SeveralDeadPoints`].
+    SeveralDeadPoints,
 }
 
 /// One input of a sweep: a number for each pose, or one number for all of them.
@@ -324,6 +326,7 @@ impl From<SolveError> for Status {
             SolveError::NotFinite { .. } => Self::NotFinite,
             SolveError::OffCircle { .. } => Self::OffCircle,
             SolveError::NoSolution { .. } => Self::NoSolution,
+            SolveError::SeveralDeadPoints { .. } => Self::SeveralDeadPoints,
         }
     }
 }

@@ -301,6 +301,7 @@ impl<M: Solver> Tracker<M> {
             Some(result) => result,
             None => solve(&solver, q)?,
         };
+        passage.contradicts(&solver).map_or(Ok(()), Err)?;
         *self = if passage.ends_clear(&solver) {
             Self { solver, anchor: Some(q) }
         } else {

@@ -69,6 +69,7 @@ impl Report {
             Err(SolveError::NotFinite { name }) => (4, 0.0, "", name),
             Err(SolveError::OffCircle { name, .. }) => (7, 0.0, "", name),
             Err(SolveError::NoSolution { unknown, by, .. }) => (8, by, "", unknown),
+            Err(SolveError::SeveralDeadPoints { unknown }) => (9, 0.0, "", unknown),
             Err(error) => panic!("{error} has no status"),
         };
         let bytes = match &result {

@@ -214,7 +214,7 @@ fn find<T: Real>(x: T) -> T {
     });
     match root {
         Ok(root) => root.at,
-        Err(FindError::NoSolution { at, by }) => T::lit(at + by, x.value() as f32),
+        Err(FindError::NoSolution { at, by, .. }) => T::lit(at + by, x.value() as f32),
         Err(_) => x,
     }
 }

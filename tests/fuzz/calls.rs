@@ -35,6 +35,7 @@ pub(crate) fn kind_of(error: &SolveError) -> &'static str {
         SolveError::NotFinite { .. } => "NotFinite",
         SolveError::OffCircle { .. } => "OffCircle",
         SolveError::NoSolution { .. } => "NoSolution",
+        SolveError::SeveralDeadPoints { .. } => "SeveralDeadPoints",
         _ => "a kind that this program does not know",
     }
 }
@@ -48,6 +49,7 @@ fn kind_of_status(status: Status) -> &'static str {
         Status::NotFinite => "NotFinite",
         Status::OffCircle => "OffCircle",
         Status::NoSolution => "NoSolution",
+        Status::SeveralDeadPoints => "SeveralDeadPoints",
         _ => "a status that this program does not know",
     }
 }

@@ -344,3 +344,33 @@ fn values_of_an_equation_are_those_that_come_with_rates() {
     }
     assert!(known > 15, "{known}");
 }
+
+/// Where an equation has several dead points its ends do not tell of a root between two of them: limits
+/// go by the solver, and a tracker refuses to follow such a root.
+#[test]
+fn limits_of_waves_are_where_the_solver_has_a_root() {
+    for way in [Trend::Falling, Trend::Rising] {
+        let waves = Waves { way, ..Waves::new() };
+        let found = limits(&waves, [-1.5, 1.9]).expect("an interval");
+        for step in 0..170 {
+            let x = -1.5 + 0.02 * f64::from(step) + 0.0071;
+            let is_inside = found.iter().any(|s| s.from.at <= x && x <= s.to.at);
+            assert_eq!(waves.position(x).is_ok(), is_inside, "{way:?} {x} {found:?}");
+        }
+        // The sine's troughs and crests: sin 3θ + θ/8 where 3 cos 3θ = −1/8.
+        let turn = |k: f64| {
+            let theta = (k * 2.0 * PI + (-1.0 / 24.0_f64).acos()) / 3.0;
+            [theta, 2.0 * PI / 3.0 * (2.0 * k + 1.0) - theta]
+        };
+        let value = |theta: f64| (3.0 * theta).sin() + theta / 8.0;
+        let [trough, crest] = [value(turn(0.0)[1]), value(turn(1.0)[0])];
+        let [stretch] = &found[..] else { panic!("{found:?}") };
+        for (end, expected) in [(stretch.from, trough), (stretch.to, crest)] {
+            assert!((end.at - expected).abs() < 1e-13, "{way:?} {end:?} {expected}");
+        }
+    }
+    let mut tracker = Tracker::new(Waves::new());
+    let refused = tracker.position(-0.6).map(|p| p.theta);
+    assert_eq!(refused, Err(SolveError::SeveralDeadPoints { unknown: "theta" }));
+    assert!(tracker.solver().position(-0.6).is_ok());
+}

@@ -6,4 +6,5 @@ mod followed;
 mod ranges;
 mod set_points;
 mod sides;
+mod several;
 mod unknowns;

@@ -186,7 +186,7 @@ fn what_has_no_root_says_what_is_missing() {
     let [(_, far), (_, near)] = ends_of_stroke([0.08, 0.25, 0.03]);
     for (x, missing) in [(far + 0.01, 0.01), (near - 0.02, 0.02), (far + 1e-9, 1e-9)] {
         match press.position(x) {
-            Err(SolveError::NoSolution { unknown: "theta", by, unit: "m" }) => {
+            Err(SolveError::NoSolution { unknown: "theta", by, unit: "m", .. }) => {
                 close(by, missing, 1e-15)
             }
             other => panic!("{other:?}"),

@@ -16,7 +16,10 @@ pub(crate) fn no_root(
         FindError::Interval { .. } => {
             (SolveError::Invalid { group: unknown, name: "width of between" }, None)
         }
-        FindError::NoSolution { by, .. } => (SolveError::NoSolution { unknown, by, unit }, None),
+        FindError::NoSolution { by, other, .. } => {
+            (SolveError::NoSolution { unknown, by, unit, other }, None)
+        }
+        FindError::SeveralDeadPoints => (SolveError::SeveralDeadPoints { unknown }, None),
         FindError::NotFinite { at } => (SolveError::NotFinite { name: unknown }, Some(at)),
         FindError::Singular { .. } => (SolveError::Singular { group: unknown }, None),
     }
@@ -46,7 +49,7 @@ pub(crate) fn closed<T: Real>(
     if difference.is_within(open_by(size)) {
         return Ok(());
     }
-    Err(SolveError::NoSolution { unknown, by: difference.value().abs(), unit })
+    Err(SolveError::NoSolution { unknown, by: difference.value().abs(), unit, other: None })
 }
 
 /// The slope of an equation by its unknown, provided that it is the wanted way, or the pivot of an input

@@ -48,7 +48,7 @@ impl<T: Copy> Found<T> {
 }
 
 /// Evaluations beyond those of bisection: what Newton's steps may take where they are no better.
-const SPARE: u32 = 6;
+pub(super) const SPARE: u32 = 6;
 
 /// The most evaluations in any bracket: its width is at most 4/ε of the tolerance, and twice the
 /// tolerance is where bisection ends.

@@ -3,7 +3,7 @@
 use super::approach::{
     Approach, At, Found, Slopes, Steps, Trial, constant, middle, newton_step, number,
 };
-use super::lowest::lowest;
+use super::lowest::{dead_point_most, lowest};
 use super::{FindError, Root, Trend, start};
 use crate::Real;
 
@@ -34,6 +34,10 @@ pub(crate) fn crossing<T: Real>(
 impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
     pub(super) fn new(f: F, trend: Trend) -> Self {
         Self { f, sign: trend.sign(), evaluations: 0 }
+    }
+
+    pub(super) fn evaluations(&self) -> u32 {
+        self.evaluations
     }
 
     /// f at a trial, without the derivatives that its numbers carry.
@@ -74,6 +78,16 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
         approach.close_in(ends, start, Slopes::Exact, u32::MAX, trial).map(Found::x)
     }
 
+    /// The root between two places of which f is above zero at the first and below it at the second, by
+    /// at most so many evaluations; one place for both is the root itself.
+    pub(super) fn falling_root(&mut self, ends: [At<T>; 2], most: u32) -> Result<T, FindError> {
+        let turned = |at: At<T>| At { value: -at.value, slope: -at.slope, ..at };
+        let [a, b] = ends.map(turned);
+        let Some(approach) = Approach::new([a.x, b.x]) else { return Ok(a.x) };
+        let trial = |x| Ok(Trial { at: turned(self.at(x)?), is_enough: false });
+        approach.close_in([a, b], start::cubic([a, b]), Slopes::Exact, most, trial).map(Found::x)
+    }
+
     /// One of the ends, 0 or 1, at which f has the wrong sign and a slope against the trend, moved
     /// towards the dead point that it lies beyond until the sign is right; the dead point if it is
     /// wrong there too, or the end itself where no dead point shows. Takes from `most` what it
@@ -85,7 +99,7 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
         most: &mut u32,
     ) -> Result<At<T>, FindError> {
         let before = self.evaluations;
-        let moved = self.lowest_from(ends, end, *most);
+        let moved = self.lowest_from(ends, end, dead_point_most::<T>().min(*most));
         *most = most.saturating_sub(self.evaluations - before);
         moved
     }

@@ -1,8 +1,15 @@
 //! The lowest point of a function between two places where it falls and rises: a dead point.
 
 use super::FindError;
-use super::approach::{Approach, At, Slopes, Trial, number};
+use super::approach::{Approach, At, SPARE, Slopes, Trial, most, number};
+use super::cubic::Cubic;
 use crate::Real;
+
+/// Evaluations that find the value of a dead point to rounding however the search goes on: its place is
+/// known to √ε after half as many halvings as a root takes, and there the value is flat.
+pub(super) const fn dead_point_most<T: Real>() -> u32 {
+    most::<T>() / 2 + SPARE
+}
 
 /// The lowest point between an end where the function falls and one where it rises, or the first
 /// place found below `floor`. At most `most` samples, and one more.
@@ -19,7 +26,7 @@ pub(crate) fn lowest<T: Real>(
     let Some(approach) = Approach::new([a.x, b.x]) else { return Ok(a) };
     // How the slope itself rises at the ends is not known, and not asked for.
     let slope_at = |at: At<T>| At { x: at.x, value: at.slope, slope: number(0.0) };
-    let start = a.x + (b.x - a.x) * turning_part([a, b]);
+    let start = a.x + (b.x - a.x) * Cubic::through([a, b]).turning_part();
     let mut last = a;
     let trial = |x| {
         let at = sample(x)?;
@@ -30,14 +37,4 @@ pub(crate) fn lowest<T: Real>(
     };
     let found = approach.close_in([a, b].map(slope_at), start, Slopes::Secant, most, trial)?.x();
     if found.value() == last.x.value() { Ok(last) } else { sample(found) }
-}
-
-/// Where, between 0 and 1, the cubic through values and slopes of both ends is lowest.
-pub(crate) fn turning_part<T: Real>([a, b]: [At<T>; 2]) -> T {
-    let width = b.x - a.x;
-    let [d0, d1] = [a.slope * width, b.slope * width];
-    let rise = b.value - a.value;
-    let p = d0 + d1 - number::<T>(2.0) * rise;
-    let q = number::<T>(3.0) * rise - number::<T>(2.0) * d0 - d1;
-    -d0 / (q + (q * q - number::<T>(3.0) * p * d0).sqrt())
 }

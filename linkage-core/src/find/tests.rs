@@ -1,5 +1,7 @@
 //! The bound on functions made to break it, and what the public search refuses.
 
+mod several;
+
 use super::*;
 
 /// SplitMix64.
@@ -196,20 +198,22 @@ fn what_is_no_number_is_an_error_where_it_is_met() {
 #[test]
 fn an_end_is_the_root_within_the_slack() {
     let line = |x: f64| [x - 1.0, 1.0];
+    let missing = |at, by| Err(FindError::NoSolution { at, by, other: None });
     let at = |between| Search::new(between, Trend::Rising).find(line).map(|root| root.at);
     assert_eq!(at([1.0, 2.0]), Ok(1.0));
     assert_eq!(at([0.0, 1.0]), Ok(1.0));
-    assert_eq!(at([1.5, 2.0]), Err(FindError::NoSolution { at: 1.5, by: 0.5 }));
-    assert_eq!(at([0.0, 0.75]), Err(FindError::NoSolution { at: 0.75, by: 0.25 }));
+    assert_eq!(at([1.5, 2.0]), missing(1.5, 0.5));
+    assert_eq!(at([0.0, 0.75]), missing(0.75, 0.25));
     let slack = Search::new([1.5, 2.0], Trend::Rising).slack(0.5);
     assert_eq!(slack.find(line).map(|root| root.at), Ok(1.5));
     let slack = Search::new([1.5, 2.0], Trend::Rising).slack(0.49);
     assert!(slack.find(line).is_err());
-    // The wrong trend: both ends miss, and the nearer one is told.
-    let falling = Search::new([0.5, 2.0], Trend::Falling).find(line);
-    assert_eq!(falling.map(|root| root.at), Err(FindError::NoSolution { at: 0.5, by: 0.5 }));
-    let falling = Search::new([0.0, 1.75], Trend::Falling).find(line);
-    assert_eq!(falling.map(|root| root.at), Err(FindError::NoSolution { at: 1.75, by: 0.75 }));
+    // The wrong trend: both ends miss, and the nearer one is told, with the root that there is.
+    let other = Some(Crossing { trend: Trend::Rising, at: 1.0 });
+    for (between, at, by) in [([0.5, 2.0], 0.5, 0.5), ([0.0, 1.75], 1.75, 0.75)] {
+        let falling = Search::new(between, Trend::Falling).find(line);
+        assert_eq!(falling, Err(FindError::NoSolution { at, by, other }));
+    }
 }
 
 /// A parabola, and the root of the wanted trend where both are between the ends.
@@ -230,7 +234,7 @@ fn a_dead_point_between_the_ends_separates_the_trends() {
     assert!(found.at.abs() < 1e-9, "{found:?}");
     let above = Search::new([-1.0, 2.0], Trend::Rising).find(|x: f64| [x * x + 0.25, 2.0 * x]);
     match above {
-        Err(FindError::NoSolution { at, by }) => {
+        Err(FindError::NoSolution { at, by, other: None }) => {
             assert!(at.abs() < 1e-9 && by == 0.25, "{at} {by}");
         }
         other => panic!("{other:?}"),
@@ -244,7 +248,7 @@ fn a_seed_does_not_lead_beyond_the_ends() {
     let search = Search::new([-4.0, 1.0], Trend::Rising).near(1.0);
     let found = search.find(|x| [x - beyond, 1.0]);
     let by = 2.0 * f64::EPSILON;
-    assert_eq!(found, Err(FindError::NoSolution { at: 1.0, by }));
+    assert_eq!(found, Err(FindError::NoSolution { at: 1.0, by, other: None }));
 }
 
 /// Where there is no slope to go by and the last bracket is two neighbours, the better of them.

@@ -151,7 +151,11 @@ fn of_group<T: Real, M: Solver<Scalar = T, Input = T>>(
     let scale = constant(scale);
     let f = |u| {
         let [value, rate, _] = clearance(u);
-        [value / scale, rate / scale]
+        // An equation with several dead points may have a root where its ends show none.
+        let is_contradicted = M::SEARCHES
+            && number::<T>(-64.0 * <T as Real>::EPSILON).gt(value / scale)
+            && solver.position(constant(chart.at(u).0)).is_ok();
+        if is_contradicted { [nan; 2] } else { [value / scale, rate / scale] }
     };
     let mut walk = Walk { f, zero: number(64.0 * <T as Real>::EPSILON) };
     let (Ok(first), Ok(last)) = (walk.at(ends[0]), walk.at(ends[1])) else {

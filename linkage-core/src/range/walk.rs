@@ -5,9 +5,7 @@
 //! panel and shows at none of its ends is missed: this is a search, not a proof.
 
 use crate::Real;
-use crate::find::{
-    At, FindError, constant, crossing, greater, lowest, magnitude, number, turning_part,
-};
+use crate::find::{At, Cubic, FindError, constant, crossing, greater, lowest, magnitude, number};
 
 /// What happens at a zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,7 +99,7 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
         [a, b]: [At<T>; 2],
         tell: &mut impl FnMut(Event<T>),
     ) -> Result<(), FindError> {
-        let Some(bend) = bend([a, b]) else { return self.arc([a, b], tell) };
+        let Some(bend) = Cubic::through([a, b]).bend() else { return self.arc([a, b], tell) };
         let middle = self.at(a.x + (b.x - a.x) * bend)?;
         self.arc([a, middle], tell)?;
         self.arc([middle, b], tell)
@@ -159,7 +157,8 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
             return Ok(None);
         }
         let nearer = if a.value.gt(b.value) { b.value } else { a.value };
-        if cubic_at([a, b], turning_part([a, b])).gt(nearer * number(NEAR) + self.zero) {
+        let cubic = Cubic::through([a, b]);
+        if cubic.at(cubic.turning_part()).gt(nearer * number(NEAR) + self.zero) {
             return Ok(None);
         }
         let floor = -self.zero;
@@ -176,38 +175,10 @@ fn half_way<T: Real>(a: T, b: T) -> T {
     a + (b - a) * number(0.5)
 }
 
-/// Where the cubic through values and slopes of both ends bends the other way, as a part of the
-/// way between them, if it goes against both ends' slopes there: between its two turns.
-fn bend<T: Real>([a, b]: [At<T>; 2]) -> Option<T> {
-    let [p, q, d0, d1] = coefficients([a, b]);
-    let none = number::<T>(0.0);
-    let part = -q / (number::<T>(3.0) * p);
-    let slope = (number::<T>(3.0) * p * part + number::<T>(2.0) * q) * part + d0;
-    let is_against = |slope: T, other: T| none.gt(slope * other);
-    let is_inside = part.gt(none) && number::<T>(1.0).gt(part);
-    (is_inside && is_against(slope, d0) && is_against(slope, d1)).then_some(part)
-}
-
-/// Of the cubic through values and slopes of both ends: the coefficients of the third and second
-/// power of the part of the way, and both slopes by it.
-fn coefficients<T: Real>([a, b]: [At<T>; 2]) -> [T; 4] {
-    let width = b.x - a.x;
-    let [d0, d1] = [a.slope * width, b.slope * width];
-    let rise = b.value - a.value;
-    let p = d0 + d1 - number::<T>(2.0) * rise;
-    [p, number::<T>(3.0) * rise - number::<T>(2.0) * d0 - d1, d0, d1]
-}
-
-/// The cubic at a part of the way between the ends.
-fn cubic_at<T: Real>([a, b]: [At<T>; 2], part: T) -> T {
-    let [p, q, d0, _] = coefficients([a, b]);
-    ((p * part + q) * part + d0) * part + a.value
-}
-
 /// Whether the cubic of the ends meets the value in the middle: to a quarter of the smallest of
 /// the three, or to one part in a hundred of the largest.
 fn is_cubic<T: Real>(a: At<T>, middle: At<T>, b: At<T>) -> bool {
-    let error = magnitude(cubic_at([a, b], number(0.5)) - middle.value);
+    let error = magnitude(Cubic::through([a, b]).at(number(0.5)) - middle.value);
     let [x, y, z] = [a, middle, b].map(|at| magnitude(at.value));
     let least = if x.gt(y) { y } else { x };
     let least = if least.gt(z) { z } else { least };

@@ -204,7 +204,7 @@ pub(super) fn messages(scene: &Scene, unit: Option<Unit>) -> Vec<String> {
         SolveError::OutOfReach { group, by } => {
             format!("{group}: {} out of reach{at_worst}", distance(by, unit))
         }
-        SolveError::NoSolution { unknown, by, unit: measure } => {
+        SolveError::NoSolution { unknown, by, unit: measure, other: None } => {
             let missing = match measure {
                 "m" => distance(by, unit),
                 unit => Measured { value: by, unit }.to_string(),

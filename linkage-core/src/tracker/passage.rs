@@ -76,6 +76,17 @@ impl<M: Solver> Passage<M> {
         !(0..M::TITLES.groups.len()).any(|group| self.ends_fading(solver, group))
     }
 
+    /// The unknown of which the end says that its equation has no root, where one was found: between other
+    /// dead points, where nobody can say how it goes on.
+    pub(super) fn contradicts(&self, solver: &M) -> Option<SolveError> {
+        let zero = Thresholds::of::<M::Scalar>().zero;
+        let groups = 0..if M::SEARCHES { M::TITLES.groups.len() } else { 0 };
+        groups.into_iter().find_map(|group| {
+            let is_none = self.line.reading(solver, 1.0, group).is_below(-zero);
+            is_none.then_some(SolveError::SeveralDeadPoints { unknown: title::<M>(group) })
+        })
+    }
+
     fn ends_fading(&self, solver: &M, group: usize) -> bool {
         let clear = Thresholds::of::<M::Scalar>().clear;
         !self.line.reading(solver, 1.0, group).is_above(clear)

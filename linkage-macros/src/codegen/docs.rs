@@ -294,7 +294,8 @@ pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
     ))
 }
 
-const NO_SOLUTION: &str = " `NoSolution` where an equation has no root between its ends.";
+const NO_SOLUTION: &str = " `NoSolution` where an equation has no root of its mode between its ends, \
+     `SeveralDeadPoints` where that cannot be told.";
 
 /// What is refused, or is not, in an entry point of this kind alone.
 fn exceptions(cx: &Context<'_>, entry: &Entry) -> &'static str {

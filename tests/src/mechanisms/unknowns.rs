@@ -170,3 +170,15 @@ mechanism! {
         output theta, phi, AB, C, F, BC, BC.margin;
     }
 }
+
+mechanism! {
+    /// An equation that turns forty times between the ends of its unknown.
+    pub struct Comb {
+        input x: length;
+        ground A(0, 0);
+        unknown theta: angle between (0, 180deg);
+        crank AB(A) -> B { length: 1m, angle: theta }
+        solve theta { sin(40 * theta) = x / 1m, mode: rising }
+        output theta, B;
+    }
+}

@@ -60,7 +60,7 @@ fn beyond() -> Vec<f64> {
 
 fn missing(car: &suspension::ByTheWheel, z: f64) -> Option<f64> {
     match car.position(z) {
-        Err(SolveError::NoSolution { unknown: "theta", by, unit: "m" }) => Some(by),
+        Err(SolveError::NoSolution { unknown: "theta", by, unit: "m", .. }) => Some(by),
         Err(error) => panic!("{error}"),
         Ok(_) => None,
     }

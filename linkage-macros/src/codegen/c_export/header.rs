@@ -24,8 +24,10 @@ const FORCES: &str = include_str!("forces.h");
 
 /// The status of mechanisms in which something is searched.
 const NO_SOLUTION: &str = "\
-/* The unknown `name` has no solution between its ends; `by` is left of its equation. */
+/* The unknown `name` has no solution of its mode between its ends; `by` is left of its equation. */
 #define LINKAGE_NO_SOLUTION 8
+/* The equation of `name` has several dead points between its ends: narrow the interval. */
+#define LINKAGE_SEVERAL_DEAD_POINTS 9
 
 ";
 
