@@ -8,7 +8,7 @@
 mod search;
 mod size;
 
-pub(crate) use search::{closed, moving, no_root, open_by};
+pub(crate) use search::{ENDS_OF_BETWEEN, closed, moving, no_root, open_by};
 pub(crate) use size::{finite_input, finite_result};
 pub(crate) use size::{nonzero, not_negative, positive, square};
 

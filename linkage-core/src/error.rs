@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::diagnosis::ENDS_OF_BETWEEN;
 use crate::find::{Crossing, SEVERAL_DEAD_POINTS};
 use crate::shown::{Digits, Length, Measured};
 
@@ -24,7 +25,7 @@ pub enum SolveError {
         group: &'static str,
     },
     /// A length given at run time is zero or negative, or a mass, an inertia or a number of a spring
-    /// negative.
+    /// negative; or the ends of an unknown are not in order, or more than a turn apart.
     Invalid {
         /// The links of the group, or the spring.
         group: &'static str,
@@ -89,6 +90,9 @@ impl fmt::Display for SolveError {
             }
             Self::Invalid { group, name } if is_mass(name) || is_spring(group) => {
                 write!(f, "{group}: `{name}` must not be negative")
+            }
+            Self::Invalid { group, name } if name.starts_with(ENDS_OF_BETWEEN) => {
+                write!(f, "{group}: the ends of `between` must be at most a turn apart")
             }
             Self::Invalid { group, name } => {
                 write!(f, "{group}: `{name}` must be greater than zero")

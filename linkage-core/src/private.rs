@@ -23,7 +23,7 @@ pub use crate::checks::{AllMet, Checks, FirstError};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate, jacobian};
 pub use crate::find::bound::bound;
-pub use crate::find::unknown::{open, root};
+pub use crate::find::unknown::{open, root, root_within_a_turn};
 pub use crate::find::{FindError, Trend};
 pub use crate::record::{column, joined};
 pub use crate::resolver::{from_angle, from_circle, on_circle};

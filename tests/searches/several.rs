@@ -3,8 +3,9 @@
 use std::f64::consts::TAU;
 
 use linkage_core::find::{Crossing, Search, Trend};
-use linkage_core::{SolveError, Status, unwanted};
-use linkage_tests::mechanisms::unknowns::{Comb, CombPosition, Press};
+use linkage_core::range::limits;
+use linkage_core::{SolveError, Status, Tracker, unwanted};
+use linkage_tests::mechanisms::unknowns::{Comb, CombPosition, Press, PressPosition, Reach};
 use linkage_tests::random::Random;
 
 use super::set_points::{Width, ram};
@@ -109,4 +110,52 @@ fn what_is_not_found_is_said_in_words() {
         .expect("slices of one length");
     assert_eq!(status, [Status::Solved, Status::SeveralDeadPoints, Status::Solved]);
     assert!(theta[1].is_nan() && theta[0] == theta[2]);
+}
+
+/// Ends that parameters give are asked for their order and distance in every entry point.
+#[test]
+fn ends_given_by_parameters_are_asked_at_run_time() {
+    let between = |from: f64, to: f64| Press { from, to, ..Press::new() };
+    let too_wide = SolveError::Invalid { group: "theta", name: "ends of between" };
+    let reversed = SolveError::Invalid { group: "theta", name: "width of between" };
+    for (from, to, expected) in [
+        (0.0, TAU + 1e-9, too_wide),
+        (0.0, 1e15, too_wide),
+        (-1e30, 1e30, too_wide),
+        (1.0, -1.0, reversed),
+        (1.0, 1.0, reversed),
+    ] {
+        let press = between(from, to);
+        assert_eq!(press.position(0.26), Err(expected));
+        assert_eq!(press.velocity(0.26, 1.0), Err(expected));
+        assert_eq!(press.motion(0.26, 1.0, 0.0), Err(expected));
+        assert_eq!(press.coefficients(0.26).map(|_| ()), Err(expected));
+        assert_eq!(press.jacobian(0.26).map(|_| ()), Err(expected));
+        assert_eq!(press.sensitivity(0.26).map(|_| ()), Err(expected));
+        assert_eq!(Tracker::new(press).position(0.26), Err(expected));
+        assert_eq!(limits(&press, [0.2, 0.3]).map(|_| ()), Err(expected.into()));
+        let single = Press::<f32> { from: from as f32, to: to as f32, ..Press::default() };
+        let is_turn = to as f32 - from as f32 == TAU as f32;
+        assert!(single.position(0.26) == Err(expected) || is_turn, "{from} {to}");
+        let (mut status, mut theta) = ([Status::default(); 1], [0.0; 1]);
+        let out = PressPosition { theta: &mut theta[..], ..unwanted() };
+        press.sweep_position(&[0.26], out, &mut status, ()).expect("slices of one length");
+        assert_eq!(status, [Status::Invalid]);
+    }
+    // A turn, whatever its ends are rounded to.
+    for part in 0..40 {
+        let from = -4.0 + 0.1 * f64::from(part);
+        assert!(between(from, from + TAU).position(0.26).is_ok(), "{from}");
+        let from = from as f32;
+        let single = Press::<f32> { from, to: from + TAU as f32, ..Press::default() };
+        assert!(single.position(0.26).is_ok(), "{from}");
+    }
+    let text = "theta: the ends of `between` must be at most a turn apart";
+    assert_eq!(too_wide.to_string(), text);
+    // A slide may go as far as it likes.
+    assert!(Reach { to: 1e6 }.position(0.3).is_ok());
+    assert_eq!(
+        Reach { to: -1.0 }.position(0.3).map(|p| p.s),
+        Err(SolveError::Invalid { group: "s", name: "width of between" })
+    );
 }

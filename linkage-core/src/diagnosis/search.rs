@@ -4,6 +4,9 @@ use super::ROUNDINGS;
 use crate::find::FindError;
 use crate::{Real, Scalar, SolveError};
 
+/// The name of ends that are in order and too far apart.
+pub(crate) const ENDS_OF_BETWEEN: &str = "ends of between";
+
 /// Why an unknown has no root of its equation in this unit; where the equation is not a number, the
 /// trial at which it is none.
 #[cold]
@@ -13,8 +16,9 @@ pub(crate) fn no_root(
     unit: &'static str,
 ) -> (SolveError, Option<f64>) {
     match error {
-        FindError::Interval { .. } => {
-            (SolveError::Invalid { group: unknown, name: "width of between" }, None)
+        FindError::Interval { from, to } => {
+            let name = if to > from { ENDS_OF_BETWEEN } else { "width of between" };
+            (SolveError::Invalid { group: unknown, name }, None)
         }
         FindError::NoSolution { by, other, .. } => {
             (SolveError::NoSolution { unknown, by, unit, other }, None)

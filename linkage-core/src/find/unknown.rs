@@ -49,6 +49,27 @@ pub fn root<T: Real>(
     }
 }
 
+/// [`root`] of an angle whose ends are known at run time: beyond a turn every pose comes once more.
+///
+/// # Errors
+/// Those of [`root`]; `Interval` where the ends are more than a turn apart.
+pub fn root_within_a_turn<T: Real>(
+    between: [T; 2],
+    trend: Trend,
+    near: Option<T>,
+    plain: impl FnOnce() -> Result<[T::Plain; 2], FindError>,
+    sides: impl FnMut(T) -> [T; 3],
+) -> Result<[T; 2], FindError> {
+    let [from, to] = between.map(Real::value);
+    // Each end is rounded, and so are the turn and the difference.
+    let turn = core::f64::consts::TAU;
+    let rounding = T::EPSILON * (magnitude(from) + magnitude(to) + turn);
+    if to - from > turn + rounding {
+        return Err(FindError::Interval { from, to });
+    }
+    root(between, trend, near, plain, sides)
+}
+
 /// [`root`] by a search, which is [`Search::find`]'s but for two things. A target that an end misses by
 /// no more than four units in the last place of what was met gives that end. And a seed that is the root
 /// at once, on sides near zero, tells nothing of their size: then the lower end is looked at as well, an

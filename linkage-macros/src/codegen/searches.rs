@@ -26,7 +26,7 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     let given = search.given.iter().map(|&id| printer.name(id));
     let count = Literal::usize_unsuffixed(search.given.len());
     let [result, error, option] = ["Result", "FindError", "Option"].map(|item| cx.paths.item(item));
-    let (find, trial) = (cx.paths.item("root"), generated(TRIAL));
+    let (find, trial) = (cx.paths.item(finder(cx, search)), generated(TRIAL));
     let trend = trend(cx, search.sought.trend);
     let between = search.sought.between.map(|end| printer.value_alone(end));
     let near = search.sought.near.map(|near| printer.value_alone(near));
@@ -63,6 +63,14 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
             })
         }
     }
+}
+
+/// The function that finds the root: of an angle whose ends are not known while compiling, one that asks
+/// for their distance.
+fn finder(cx: &Context<'_>, search: &Search) -> &'static str {
+    let unknown = &cx.mechanism.unknowns[search.sought.unknown as usize];
+    let are_known = unknown.between.iter().all(|end| end.constant().is_some());
+    if unknown.dimension.angle && !are_known { "root_within_a_turn" } else { "root" }
 }
 
 fn docs(cx: &Context<'_>, search: &Search) -> TokenStream {

@@ -182,3 +182,17 @@ mechanism! {
         output theta, B;
     }
 }
+
+mechanism! {
+    /// A slide that is searched as far as a parameter says.
+    pub struct Reach {
+        input x: length;
+        param to = 1m;
+        ground A(0, 0);
+        guide rail through (0, 0) along 30deg;
+        unknown s: length between (0, to);
+        slider block(rail) -> P { slide: s }
+        solve s { P.x = x, mode: rising }
+        output s;
+    }
+}
