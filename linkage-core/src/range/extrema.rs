@@ -5,7 +5,7 @@ use core::ops::Deref;
 
 use super::walk::{Event, Walk};
 use super::{MOST, RangeError};
-use crate::find::{Approach, constant, greater, magnitude, number};
+use crate::find::{Approach, FindError, constant, greater, magnitude, number};
 use crate::{Real, SolveError};
 
 /// Which way an output turns.
@@ -111,7 +111,10 @@ impl<T: fmt::Debug> fmt::Debug for Extrema<T> {
 /// from another link. A velocity's extremes take its own derivatives, which
 /// `differentiate_twice` gives.
 ///
-/// An output that rests, to the rounding of its value, does not turn.
+/// A turn is inside the interval, and the output goes one way before it and the other way behind it. An end
+/// is no turn, also where the rate is zero there, but [`Extrema::least`], [`Extrema::greatest`] and
+/// [`Extrema::stroke`] count the ends. An output that rests, to the rounding of its value, and goes on the
+/// same way does not turn; one that turns back after a rest does so somewhere in the rest.
 ///
 /// # Errors
 /// See [`RangeError`]; the first of the function's errors.
@@ -134,25 +137,33 @@ pub fn extrema<T: Real>(
             [number(f64::NAN); 2]
         }
     };
-    let mut places = Ok(());
-    let walked = Walk { f: rate, zero }.events(ends, |event| {
-        let (at, turn) = match event {
-            Event::Falls(at) => (at, Turn::Maximum),
-            Event::Rises(at) => (at, Turn::Minimum),
-            Event::Touches(_) => return,
-        };
-        places = places.and(found.push(Extremum { at, value: at, turn }));
+    let (mut zeros, mut count) = ([ends[1]; ZEROS], 0_usize);
+    let mut walk = Walk { f: rate, zero };
+    let walked = walk.events(ends, |event| {
+        if let Event::Falls(at) | Event::Rises(at) = event {
+            zeros.iter_mut().skip(count).take(1).for_each(|place| *place = at);
+            count += 1;
+        }
     });
-    if walked.is_err() {
-        return Err(failure.unwrap_or(NO_NUMBER).into());
+    let zeros = zeros.get(..count).ok_or(RangeError::TooMany);
+    let turned = match (walked, zeros) {
+        (Ok(()), Ok(zeros)) => found.turns(&mut walk, zeros, ends),
+        (Ok(()), Err(error)) => return Err(error),
+        (Err(error), _) => Err(error),
+    };
+    match turned {
+        Ok(turned) => turned?,
+        Err(_) => return Err(failure.unwrap_or(NO_NUMBER).into()),
     }
-    places?;
     for extremum in found.list.iter_mut().take(found.count) {
         let [value, ..] = f(extremum.at)?;
         extremum.value = value;
     }
     Ok(found)
 }
+
+/// The most zeros of a rate: each turn has one, a rest that begins and ends has two.
+const ZEROS: usize = 2 * MOST;
 
 const NO_NUMBER: SolveError = SolveError::NotFinite { name: "the output" };
 
@@ -181,6 +192,34 @@ impl<T: Real> Extrema<T> {
         }
         let none = Extremum { at: from, value: first, turn: Turn::Maximum };
         Ok(Self { list: [none; MOST], count: 0, ends: [[from, first], [to, last]] })
+    }
+
+    /// Adds the turns of an output whose rate is zero at these places, in order.
+    ///
+    /// Whether the output rises or falls between two of them is asked of the rate there: next to a place
+    /// where it only touches zero its sign is rounding.
+    fn turns(
+        &mut self,
+        walk: &mut Walk<impl FnMut(T) -> [T; 2], T>,
+        zeros: &[T],
+        [from, to]: [T; 2],
+    ) -> Result<Result<(), RangeError>, FindError> {
+        let (mut before, mut here, mut rest) = (None, from, None::<[T; 2]>);
+        for &next in zeros.iter().chain([&to]) {
+            if let Some(rises) = walk.way([here, next])? {
+                if let (true, Some([first, last])) = (before == Some(!rises), rest) {
+                    let at = first + (last - first) * number(0.5);
+                    let turn = if rises { Turn::Minimum } else { Turn::Maximum };
+                    if let Err(error) = self.push(Extremum { at, value: at, turn }) {
+                        return Ok(Err(error));
+                    }
+                }
+                (before, rest) = (Some(rises), None);
+            }
+            rest = Some([rest.map_or(next, |[first, _]| first), next]);
+            here = next;
+        }
+        Ok(Ok(()))
     }
 
     fn push(&mut self, extremum: Extremum<T>) -> Result<(), RangeError> {

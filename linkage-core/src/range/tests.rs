@@ -1,5 +1,7 @@
 //! Zeros of functions that are made to be missed.
 
+mod turns;
+
 use std::prelude::v1::*;
 use std::vec::Vec;
 

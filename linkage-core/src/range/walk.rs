@@ -50,6 +50,22 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
         at.value.ge(-self.zero)
     }
 
+    /// Whether the function is above zero between two places between which its sign does not change, beyond
+    /// rounding; none where it is zero to rounding.
+    ///
+    /// # Errors
+    /// `NotFinite` where it is no number.
+    pub(super) fn way(&mut self, [from, to]: [T; 2]) -> Result<Option<bool>, FindError> {
+        // It may touch zero in the middle, but hardly at three places.
+        for part in [0.5, 0.3, 0.7] {
+            let value = self.at(from + (to - from) * number(part))?.value;
+            if value.gt(self.zero) || (-self.zero).gt(value) {
+                return Ok(Some(value.gt(self.zero)));
+            }
+        }
+        Ok(None)
+    }
+
     /// Tells every event between two places, in order.
     ///
     /// # Errors
