@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use charts::{COLOURS, Curve, Panel};
 use linkage_core::mechanism;
-use linkage_core::range::{Extrema, RangeError, Stop, Stretches, extrema, limits};
+use linkage_core::range::{Extrema, RangeError, Stop, Stretches, extrema, extrema_of, limits};
 
 mechanism! {
     /// A four-bar whose ground is as long as one likes.
@@ -86,10 +86,7 @@ fn rocker(four_bar: &FourBar) -> Result<Extrema<f64>, RangeError> {
 }
 
 fn ram(shaper: &Shaper) -> Result<Extrema<f64>, RangeError> {
-    extrema(TURN, |theta| {
-        let at = shaper.motion(theta, 1.0, 0.0)?;
-        Ok([at.position.ram.slide, at.velocity.ram.slide, at.acceleration.ram.slide])
-    })
+    extrema_of(shaper, "ram.slide", TURN)
 }
 
 fn main() -> Result<(), RangeError> {

@@ -309,6 +309,27 @@ mod tests {
         assert_eq!(thin, Err(NOT_FINITE));
     }
 
+    /// 64 √ε of what the sides are made of, in either width.
+    #[test]
+    fn an_equation_is_closed_to_the_root_of_rounding() {
+        fn is_closed<T: Real>(times: f64) -> bool {
+            let size = T::num(3.0);
+            let left = times * 64.0 * T::EPSILON.sqrt() * 3.0;
+            let by = |left: f64| closed(T::num(left), size, "theta", "m");
+            assert_eq!(by(left).is_ok(), by(-left).is_ok());
+            match by(left) {
+                Ok(()) => true,
+                Err(SolveError::NoSolution { unknown: "theta", by, unit: "m", other: None }) => {
+                    assert!((by / left - 1.0).abs() < 1e-6);
+                    false
+                }
+                other => panic!("{other:?}"),
+            }
+        }
+        assert_eq!([is_closed::<f64>(0.99), is_closed::<f64>(1.01)], [true, false]);
+        assert_eq!([is_closed::<f32>(0.99), is_closed::<f32>(1.01)], [true, false]);
+    }
+
     /// 3, 4 and 5: the cross product of the radii is 12.
     #[test]
     fn a_cross_product_is_decided_like_the_sine_it_is_made_of() {
@@ -358,5 +379,12 @@ mod tests {
         let given = [(1e12_f32, "small"), (-1e20, "lift"), (1e19, "large"), (0.0, "none")];
         assert_eq!(finite_result(f32::NAN, "C.x", &given), Err(not_finite));
         assert_eq!(finite_result(1.0, "C.x", &given), Ok(()));
+        // A rate whose square is a number, and the square of that is none; one of which both are; and of
+        // two of one size the first.
+        let blamed = |given: &[(f32, &'static str)]| finite_result(f32::NAN, "C.x", given);
+        assert_eq!(blamed(&[(1e9, "slow"), (-1e12, "lift")]), Err(not_finite));
+        assert_eq!(blamed(&[(1e9, "slow")]), Err(SolveError::NotFinite { name: "C.x" }));
+        assert_eq!(blamed(&[(1e20, "lift"), (-1e20, "second")]), Err(not_finite));
+        assert_eq!(blamed(&[(-1e20, "first"), (2e20, "lift"), (1e20, "last")]), Err(not_finite));
     }
 }

@@ -30,6 +30,7 @@ mod bracket;
 mod cubic;
 mod equation;
 mod lowest;
+mod output;
 mod start;
 mod survey;
 #[cfg(test)]
@@ -44,6 +45,8 @@ pub(crate) use cubic::Cubic;
 use equation::Equation;
 pub(crate) use equation::crossing;
 pub(crate) use lowest::lowest;
+pub use output::OutputError;
+pub(crate) use output::no_output;
 
 use crate::shown::Digits;
 use crate::{Real, Scalar};

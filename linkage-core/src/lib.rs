@@ -168,6 +168,7 @@ pub use cost::{Cost, ForcesCost, Operations, SearchCost, SearchingCost, Searchin
 #[cfg(feature = "ad")]
 pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_twice};
 pub use error::SolveError;
+pub use find::Trend;
 pub use kernels::{Float, Fused, Fusion, Plain};
 pub use lanes::{LaneMask, Lanes};
 pub use mechanism::Mechanism;

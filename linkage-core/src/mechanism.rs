@@ -89,6 +89,12 @@ pub trait Mechanism {
     fn coefficients(&self, inputs: Self::Inputs) -> Result<Self::Coefficients, SolveError>;
 }
 
+/// The row of the output of this name.
+pub(crate) fn row(outputs: &[&str], name: &str) -> Option<usize> {
+    // Byte by byte: comparing strings at once is a call to the C library.
+    outputs.iter().position(|output| output.bytes().eq(name.bytes()))
+}
+
 impl<S: Solver> Mechanism for S {
     type Scalar = S::Scalar;
     type Inputs = <S::Input as Record>::Array;

@@ -13,6 +13,7 @@
 mod confirm;
 mod extrema;
 mod limits;
+mod output;
 #[cfg(test)]
 mod tests;
 mod walk;
@@ -22,7 +23,9 @@ use core::ops::Deref;
 
 pub use extrema::{Extrema, Extremum, Turn, extrema};
 pub use limits::limits;
+pub use output::extrema_of;
 
+use crate::find::no_output;
 use crate::{Real, SolveError};
 
 /// Why a stretch of the input ends.
@@ -85,6 +88,11 @@ pub enum RangeError {
     },
     /// There are more than 32.
     TooMany,
+    /// The mechanism has no output of the name that was given to [`extrema_of`].
+    NoOutput {
+        /// The names of its outputs: [`Mechanism::OUTPUTS`](crate::Mechanism::OUTPUTS).
+        outputs: &'static [&'static str],
+    },
     /// The solver's error: of [`limits`] where a parameter lets no pose be solved, of [`extrema`]
     /// where one on the way is none.
     Solve(SolveError),
@@ -96,6 +104,7 @@ impl fmt::Display for RangeError {
             Self::Interval { from, to } => {
                 write!(f, "{from} to {to} is no interval of finite numbers in rising order")
             }
+            Self::NoOutput { outputs } => no_output(outputs, f),
             Self::TooMany => write!(f, "more than {MOST} stretches or extremes"),
             Self::Solve(ref error) => error.fmt(f),
         }

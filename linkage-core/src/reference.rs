@@ -104,8 +104,10 @@ pub mod solver {
     //! [`SlidingDirection`]: crate::SlidingDirection
     //! [`SolveError`]: crate::SolveError
     //! [`Tracker`]: crate::Tracker
+    //! [`Search::find_output`]: crate::find::Search::find_output
     //! [`find`]: crate::find
     //! [`range::extrema`]: crate::range::extrema()
+    //! [`range::extrema_of`]: crate::range::extrema_of
     //! [`range::limits`]: crate::range::limits()
     //! [`unwanted()`]: crate::unwanted
     //! [forces]: super::forces
@@ -114,6 +116,8 @@ pub mod solver {
 }
 
 pub mod recipes {
+    //! [`differentiate_twice`]: crate::differentiate_twice
+    //! [`extrema`]: crate::range::extrema()
     //! [`find`]: crate::find
     //!
     #![doc = include_str!("../docs/recipes.md")]

@@ -3,6 +3,7 @@
 
 mod derived;
 mod followed;
+mod named;
 mod ranges;
 mod set_points;
 mod sides;

@@ -169,6 +169,14 @@ mod tests {
         assert!(at == 1.0 && size == 4.0, "{at} {size}");
     }
 
+    /// Sides whose sum of sizes overflows where their difference does not.
+    #[test]
+    fn sides_too_large_to_add_do_not_count() {
+        let sides = |x: f64| [1.2e308 * x, 0.6e308, 1e300];
+        let [at, size] = searched([0.0, 1.0], Trend::Rising, None, sides).expect("a root");
+        assert!((at - 0.5).abs() < 1e-15 && size.is_finite() && size >= 1.2e308, "{at} {size}");
+    }
+
     /// A trial falls next to the toggle of a rod that is shorter than its crank, where the slope is
     /// 1900: a short step there leads to no root.
     #[test]

@@ -122,6 +122,24 @@ fn what_varies_fast_is_walked_in_short_steps() {
     }
 }
 
+/// A sample at which the function is zero to rounding is as far from the root as its slope tells, or the
+/// root itself where the slope tells nothing.
+#[test]
+fn a_root_next_to_a_sample_is_where_the_slope_puts_it() {
+    let off = 40.0 * f64::EPSILON;
+    for slope in [1.0, 0.25] {
+        // The sample at zero is beyond the root by so much.
+        let found = events(|x| [-slope * (x + off / slope), -slope], [-1.0, 1.0]);
+        let [Event::Falls(at)] = found[..] else { panic!("{found:?}") };
+        assert!((at + off / slope).abs() <= f64::EPSILON / 4.0, "{slope} {at}");
+        let found = events(|x| [slope * (x - off / slope), slope], [-1.0, 1.0]);
+        let [Event::Rises(at)] = found[..] else { panic!("{found:?}") };
+        assert!((at - off / slope).abs() <= f64::EPSILON / 4.0, "{slope} {at}");
+    }
+    let flat = events(|x| [-x * x * x - off, -3.0 * x * x], [-1.0, 1.0]);
+    assert_eq!(flat.last(), Some(&Event::Falls(0.0)), "{flat:?}");
+}
+
 #[test]
 fn numbers_that_are_none_are_refused() {
     for bad in [[f64::NAN, 1.0], [1.0, f64::INFINITY]] {

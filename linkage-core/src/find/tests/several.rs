@@ -262,3 +262,36 @@ fn what_cannot_be_told_is_said_to_be_unknown() {
     let text = std::format!("{}", wave.find(|x: f64| [x * x - 0.25, 2.0 * x]).unwrap_err());
     assert_eq!(text, "no falling root; it rises through zero at 0.500");
 }
+
+/// Functions of any signs at their ends, with slopes that lie: a root takes twice the bound at most, and what
+/// is refused the bound.
+#[test]
+fn the_bound_holds_where_the_ends_enclose_no_root() {
+    fn most<T: Real>(seed: u64) -> [u32; 2] {
+        let (mut random, mut most) = (Random(seed), [0, 0]);
+        for _ in 0..20_000 {
+            let sum = Sum::random(&mut random);
+            let from = random.between(-3.0, 3.0);
+            let between = [from, from + random.between(0.3, 6.3)].map(number::<T>);
+            let lies = random.of(&[0.0, 0.1, 0.5, 1.0]);
+            let steep = random.of(&[1.0, 0.3, 9.0]);
+            let mut calls = 0;
+            let found = Search::new(between, Trend::Rising).find(|x| {
+                calls += 1;
+                let [value, slope, _] = sum.at(x.value());
+                let value = value.abs().powf(steep).copysign(value);
+                let lie = random.of(&[-1.0, 0.0, 1e-9, 1e9, f64::NAN]);
+                let slope =
+                    if random.unit() < lies { lie * random.between(0.1, 9.0) } else { slope };
+                [value, slope].map(number)
+            });
+            let refused = usize::from(found.is_err());
+            most[refused] = most[refused].max(calls);
+        }
+        most
+    }
+    let (wide, narrow) = (most::<f64>(3), most::<f32>(4));
+    std::println!("{wide:?} {narrow:?} evaluations of a root and of none");
+    assert!(wide[0] <= 2 * Search::<f64>::MOST && wide[1] <= Search::<f64>::MOST, "{wide:?}");
+    assert!(narrow[0] <= 2 * Search::<f32>::MOST && narrow[1] <= Search::<f32>::MOST, "{narrow:?}");
+}
