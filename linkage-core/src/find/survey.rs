@@ -318,3 +318,34 @@ impl<T: Real> Survey<T> {
         nearest.map(|(ends, sign, _)| (ends, sign))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The remainder of both halves is estimated too large rather than too small, for a power that is even
+    /// about the middle and for one that is odd.
+    #[test]
+    fn cubics_of_halves_are_no_further_off_than_is_said() {
+        for power in [4, 5, 6, 7] {
+            for [from, to] in [[-1.0, 1.0], [-0.7, 1.1], [0.0, 1.0]] {
+                let f = |x: f64| At {
+                    x,
+                    value: x.powi(power),
+                    slope: f64::from(power) * x.powi(power - 1),
+                };
+                let middle = f(0.5 * (from + to));
+                let whole = Open { ends: [f(from), f(to)], error: f64::NAN };
+                let said = whole.remainder_of_halves(middle);
+                for ends in [[f(from), middle], [middle, f(to)]] {
+                    let off = |part: f64| {
+                        let x = ends[0].x + (ends[1].x - ends[0].x) * part;
+                        (Cubic::through(ends).at(part) - f(x).value).abs()
+                    };
+                    let most = (1..100).map(|step| off(0.01 * f64::from(step))).fold(0.0, f64::max);
+                    assert!(most <= said && said <= 300.0 * most, "{power} {from} {most} {said}");
+                }
+            }
+        }
+    }
+}

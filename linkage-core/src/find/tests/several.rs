@@ -295,3 +295,46 @@ fn the_bound_holds_where_the_ends_enclose_no_root() {
     assert!(wide[0] <= 2 * Search::<f64>::MOST && wide[1] <= Search::<f64>::MOST, "{wide:?}");
     assert!(narrow[0] <= 2 * Search::<f32>::MOST && narrow[1] <= Search::<f32>::MOST, "{narrow:?}");
 }
+
+/// Dead points that halving alone finds, at both ends: the slope tells its sign alone, and the values keep theirs.
+#[test]
+fn dead_points_that_take_long_at_both_ends_keep_the_bound() {
+    fn calls<T: Real>() -> u32 {
+        let mut calls = 0;
+        let found = Search::new([-1.5, 1.5].map(number::<T>), Trend::Rising).find(|x| {
+            calls += 1;
+            let x = x.value();
+            let rises = -0.5123 < x && x < 0.9871;
+            [if x < 0.1 { 1.0 } else { -1.0 }, if rises { 1.0 } else { -1.0 } * f64::INFINITY]
+                .map(number)
+        });
+        assert!(found.is_err(), "{found:?}");
+        calls
+    }
+    let [wide, narrow] = [calls::<f64>(), calls::<f32>()];
+    assert!(wide <= Search::<f64>::MOST && narrow <= Search::<f32>::MOST, "{wide} {narrow}");
+}
+
+/// A dip between two crests that touches zero, and of several crests below zero the highest.
+#[test]
+fn a_dip_that_touches_is_a_root_and_the_nearest_crest_is_named() {
+    let touching = |x: f64| [1.0 - x.cos(), x.sin()];
+    let turn = core::f64::consts::TAU;
+    for between in [[2.0, 11.0], [3.5, 10.0], [1.0, 9.0]] {
+        let found = Search::new(between, Trend::Rising).find(touching).expect("it touches").at;
+        // Zero to rounding as far as √ε from there.
+        assert!((found - turn).abs() < 1e-7, "{between:?} {found}");
+    }
+    // Crests −3.66 at 1.77 and −2.41 at 8.06, and −2.80 at the end.
+    let crests = |x: f64| [0.2 * x + x.sin() - 5.0, 0.2 + x.cos()];
+    let crest = turn + (-0.2_f64).acos();
+    match Search::new([0.0, 12.3], Trend::Rising).find(crests) {
+        Err(FindError::NoSolution { at, by, other: None }) => {
+            assert!(
+                (at - crest).abs() < 1e-7 && (by + crests(crest)[0]).abs() < 1e-14,
+                "{at} {by}"
+            );
+        }
+        other => panic!("{other:?}"),
+    }
+}
