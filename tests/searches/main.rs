@@ -6,6 +6,6 @@ mod followed;
 mod named;
 mod ranges;
 mod set_points;
-mod sides;
 mod several;
+mod sides;
 mod unknowns;

@@ -130,10 +130,10 @@ fn a_root_next_to_a_sample_is_where_the_slope_puts_it() {
     for slope in [1.0, 0.25] {
         // The sample at zero is beyond the root by so much.
         let found = events(|x| [-slope * (x + off / slope), -slope], [-1.0, 1.0]);
-        let [Event::Falls(at)] = found[..] else { panic!("{found:?}") };
+        let [Event::Falls(at)] = found[..] else { unreachable!("{found:?}") };
         assert!((at + off / slope).abs() <= f64::EPSILON / 4.0, "{slope} {at}");
         let found = events(|x| [slope * (x - off / slope), slope], [-1.0, 1.0]);
-        let [Event::Rises(at)] = found[..] else { panic!("{found:?}") };
+        let [Event::Rises(at)] = found[..] else { unreachable!("{found:?}") };
         assert!((at - off / slope).abs() <= f64::EPSILON / 4.0, "{slope} {at}");
     }
     let flat = events(|x| [-x * x * x - off, -3.0 * x * x], [-1.0, 1.0]);

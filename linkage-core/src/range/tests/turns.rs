@@ -1,6 +1,5 @@
 //! Extremes of functions and of their mirror images.
 
-use std::prelude::v1::*;
 use std::vec::Vec;
 
 use crate::find::number;
