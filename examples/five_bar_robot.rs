@@ -97,7 +97,7 @@ fn chart(
     motors: [Vec<(f64, f64)>; 2],
     rates: [Vec<(f64, f64)>; 2],
 ) -> Result<(), SolveError> {
-    let mm = |point: linkage_core::Point<f64>| (point.x * 1e3, point.y * 1e3);
+    let mm = |point: linkage_core::Point| (point.x * 1e3, point.y * 1e3);
     let mut paths = [vec![], vec![], vec![]];
     for step in 0..=96 {
         let [place, ..] = task(f64::from(step) / 96.0);

@@ -67,7 +67,7 @@ mod FourBar_ {
 
     /// Positions of the outputs of [`FourBar`], in metres and radians.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct FourBarPosition<T> {
+    pub struct FourBarPosition<T = f64> {
         /// Link `AB` (crank AB): unit direction, counter-clockwise from +x.
         pub AB: Direction<T>,
         /// Point `B` (crank AB): coordinates in m.
@@ -82,7 +82,7 @@ mod FourBar_ {
 
     /// Velocities of the outputs of [`FourBar`], in m/s and rad/s.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct FourBarVelocity<T> {
+    pub struct FourBarVelocity<T = f64> {
         /// Link `AB` (crank AB): angular velocity in rad/s, counter-clockwise.
         pub AB: AngularVelocity<T>,
         /// Point `B` (crank AB): velocity in m/s.
@@ -97,7 +97,7 @@ mod FourBar_ {
 
     /// Accelerations of the outputs of [`FourBar`], in m/s² and rad/s².
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct FourBarAcceleration<T> {
+    pub struct FourBarAcceleration<T = f64> {
         /// Link `AB` (crank AB): angular acceleration in rad/s², counter-clockwise.
         pub AB: AngularAcceleration<T>,
         /// Point `B` (crank AB): acceleration in m/s².
@@ -112,7 +112,7 @@ mod FourBar_ {
 
     /// Position, velocity and acceleration of the outputs of [`FourBar`].
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct FourBarMotion<T> {
+    pub struct FourBarMotion<T = f64> {
         /// In metres and radians.
         pub position: FourBarPosition<T>,
         /// In m/s and rad/s.

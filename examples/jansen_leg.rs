@@ -73,7 +73,7 @@ fn main() -> Result<(), SolveError> {
 }
 
 fn chart(leg: &JansenLeg) -> Result<(), SolveError> {
-    let cm = |point: linkage_core::Point<f64>| (point.x * 1e2, point.y * 1e2);
+    let cm = |point: linkage_core::Point| (point.x * 1e2, point.y * 1e2);
     let (mut path, mut heights) = (vec![], vec![]);
     for step in 0..=180 {
         path.push(cm(leg.position(f64::from(step) * TAU / 180.0)?.foot));

@@ -46,7 +46,7 @@ mechanism! {
 const TURN: [f64; 2] = [-PI, PI];
 
 /// What ends the stretches of an input, a line for each stretch.
-fn described(stretches: &Stretches<f64>) -> Vec<String> {
+fn described(stretches: &Stretches) -> Vec<String> {
     if stretches.is_whole() {
         return vec!["turns fully".to_owned()];
     }
@@ -70,13 +70,13 @@ fn described(stretches: &Stretches<f64>) -> Vec<String> {
 }
 
 /// How far the crank turns while the output goes one way, over how far while it goes back.
-fn time_ratio(turns: &Extrema<f64>) -> f64 {
+fn time_ratio(turns: &Extrema) -> f64 {
     let part = (turns.greatest()[0] - turns.least()[0]).rem_euclid(TAU);
     let ratio = part / (TAU - part);
     ratio.max(ratio.recip())
 }
 
-fn rocker(four_bar: &FourBar) -> Result<Extrema<f64>, RangeError> {
+fn rocker(four_bar: &FourBar) -> Result<Extrema, RangeError> {
     extrema(TURN, |theta| {
         let at = four_bar.motion(theta, 1.0, 0.0)?;
         // A rocker that swings stays above the ground.
@@ -85,7 +85,7 @@ fn rocker(four_bar: &FourBar) -> Result<Extrema<f64>, RangeError> {
     })
 }
 
-fn ram(shaper: &Shaper) -> Result<Extrema<f64>, RangeError> {
+fn ram(shaper: &Shaper) -> Result<Extrema, RangeError> {
     extrema_of(shaper, "ram.slide", TURN)
 }
 

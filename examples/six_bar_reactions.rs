@@ -71,7 +71,7 @@ fn main() -> Result<(), SolveError> {
 }
 
 /// The components of a force along a link's axes.
-fn seen_from(link: Direction<f64>, force: Force<f64>) -> (f64, f64) {
+fn seen_from(link: Direction, force: Force) -> (f64, f64) {
     let Direction { cos, sin } = link;
     (cos * force.x + sin * force.y, cos * force.y - sin * force.x)
 }

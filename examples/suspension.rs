@@ -48,7 +48,7 @@ const MIDDLE: f64 = -0.35;
 
 /// The height of the roll centre: the line from the tyre to the instantaneous centre, about which
 /// the kingpin turns against the body, in the middle plane.
-fn roll_centre(p: &ByTheWheelPosition<f64>) -> f64 {
+fn roll_centre(p: &ByTheWheelPosition) -> f64 {
     // Both arms' lines meet there.
     let (a, d) = ([0.0, 0.2], [0.05, 0.45]);
     let (u, v) = (p.lower, p.upper);

@@ -69,7 +69,7 @@ impl Design {
     }
 
     /// The tip relative to the ground after `turn` of the cranks, and the bill's direction.
-    fn tip(&self, turn: f64) -> Result<([f64; 2], linkage_core::Direction<f64>), SolveError> {
+    fn tip(&self, turn: f64) -> Result<([f64; 2], linkage_core::Direction), SolveError> {
         let pose = self.linkage.position(self.cranks(turn))?;
         Ok(([pose.bill.x + SPACING * turn / TAU, pose.bill.y], pose.BC))
     }
@@ -206,7 +206,7 @@ fn chart(start: &Design, best: &Design) -> Result<(), SolveError> {
         Curve::named("improved", COLOURS[1], path(best)?),
         Curve::line(BLACK, &[(-150.0, 0.0), (600.0, 0.0)]),
     ];
-    let mm = |point: linkage_core::Point<f64>| (point.x * 1e3, point.y * 1e3);
+    let mm = |point: linkage_core::Point| (point.x * 1e3, point.y * 1e3);
     let mut closed = Vec::new();
     for step in 0..=120 {
         closed.push(mm(best.linkage.position(best.cranks(f64::from(step) * TAU / 120.0))?.bill));

@@ -101,7 +101,7 @@ impl Trend {
 
 /// A root that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Root<T> {
+pub struct Root<T = f64> {
     /// Where f is zero, with the derivatives that f's numbers carry.
     pub at: T,
     /// How often f was evaluated.
@@ -222,7 +222,7 @@ pub(crate) const SEVERAL_DEAD_POINTS: &str =
 /// A root is right to ε/2 of the larger end, or as far as f's own rounding lets its sign be known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Search<T> {
+pub struct Search<T = f64> {
     /// The ends, lower first.
     pub between: [T; 2],
     /// The sign of the slope at the root.

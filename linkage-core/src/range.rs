@@ -48,7 +48,7 @@ pub enum Stop {
 
 /// An end of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct End<T> {
+pub struct End<T = f64> {
     /// The input, with the derivatives that the solver's numbers carry.
     pub at: T,
     /// Why it is the end.
@@ -57,7 +57,7 @@ pub struct End<T> {
 
 /// Inputs at all of which the mechanism can be assembled in its modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stretch<T> {
+pub struct Stretch<T = f64> {
     /// The lower end.
     pub from: End<T>,
     /// The upper end.
@@ -66,7 +66,7 @@ pub struct Stretch<T> {
 
 /// Stretches in rising order: a slice without a heap.
 #[derive(Clone, Copy)]
-pub struct Stretches<T> {
+pub struct Stretches<T = f64> {
     list: [Stretch<T>; MOST],
     count: usize,
 }

@@ -1,8 +1,8 @@
 //! The plain values a solver returns: points, directions, slides and their rates.
 //!
-//! Every type is a `Copy` record with public fields. What can be computed from a record on
-//! request, such as the angle of a direction, is a method; nothing else is. The layouts are C's, as
-//! the header of `export c;` declares them.
+//! Every type is a `Copy` record with public fields, of `f64` unless another number is named. What
+//! can be computed from a record on request, such as the angle of a direction, is a method; nothing
+//! else is. The layouts are C's, as the header of `export c;` declares them.
 
 use crate::{Real, Scalar};
 
@@ -10,7 +10,7 @@ use crate::{Real, Scalar};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
-pub struct Point<T> {
+pub struct Point<T = f64> {
     /// The component along ground x.
     pub x: T,
     /// The component along ground y.
@@ -21,7 +21,7 @@ pub struct Point<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
-pub struct Force<T> {
+pub struct Force<T = f64> {
     /// The component along ground x.
     pub x: T,
     /// The component along ground y.
@@ -32,7 +32,7 @@ pub struct Force<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
-pub struct GuideForce<T> {
+pub struct GuideForce<T = f64> {
     /// The force in newtons at the origin of the link's frame, along the guide's normal, which is
     /// 90° counter-clockwise of its direction.
     pub normal: T,
@@ -44,7 +44,7 @@ pub struct GuideForce<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
-pub struct Shaking<T> {
+pub struct Shaking<T = f64> {
     /// The force along ground x in newtons.
     pub x: T,
     /// The force along ground y in newtons.
@@ -57,7 +57,7 @@ pub struct Shaking<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
-pub struct Direction<T> {
+pub struct Direction<T = f64> {
     /// The cosine of the link's angle.
     pub cos: T,
     /// The sine of the link's angle.
@@ -68,7 +68,7 @@ pub struct Direction<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
-pub struct SlidingDirection<T> {
+pub struct SlidingDirection<T = f64> {
     /// The cosine of the link's angle.
     pub cos: T,
     /// The sine of the link's angle.
@@ -81,7 +81,7 @@ pub struct SlidingDirection<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
-pub struct Slide<T> {
+pub struct Slide<T = f64> {
     /// The distance along the guide, positive along its direction.
     pub slide: T,
 }
@@ -90,7 +90,7 @@ pub struct Slide<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
-pub struct AngularVelocity<T> {
+pub struct AngularVelocity<T = f64> {
     /// In rad/s, counter-clockwise positive.
     pub omega: T,
 }
@@ -99,7 +99,7 @@ pub struct AngularVelocity<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
-pub struct SlidingVelocity<T> {
+pub struct SlidingVelocity<T = f64> {
     /// In rad/s, counter-clockwise positive.
     pub omega: T,
     /// In m/s, positive along the guide's direction.
@@ -110,7 +110,7 @@ pub struct SlidingVelocity<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
-pub struct AngularAcceleration<T> {
+pub struct AngularAcceleration<T = f64> {
     /// In rad/s², counter-clockwise positive.
     pub alpha: T,
 }
@@ -119,7 +119,7 @@ pub struct AngularAcceleration<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
-pub struct SlidingAcceleration<T> {
+pub struct SlidingAcceleration<T = f64> {
     /// In rad/s², counter-clockwise positive.
     pub alpha: T,
     /// In m/s², positive along the guide's direction.

@@ -19,7 +19,7 @@ pub enum Turn {
 
 /// A place where an output turns back.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extremum<T> {
+pub struct Extremum<T = f64> {
     /// The input, with the derivatives that the output's numbers carry.
     pub at: T,
     /// The output there.
@@ -30,7 +30,7 @@ pub struct Extremum<T> {
 
 /// The places where an output turns back, in rising order of the input: a slice without a heap.
 #[derive(Clone, Copy)]
-pub struct Extrema<T> {
+pub struct Extrema<T = f64> {
     list: [Extremum<T>; MOST],
     count: usize,
     /// Input and output at the ends.

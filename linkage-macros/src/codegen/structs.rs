@@ -65,6 +65,7 @@ fn definition(cx: &Context<'_>, record: &Record) -> TokenStream {
         quote!(#docs pub #name: #ty)
     });
     let fields: Vec<_> = fields.collect();
+    let float = cx.paths.outside("f64");
     // What is as declared by us alone stands on lines of its own.
     let last = (record.kind == Kind::Motion).then(|| quote!(,));
     let named = matches!(record.kind, Kind::ForcesOf(_))
@@ -73,7 +74,7 @@ fn definition(cx: &Context<'_>, record: &Record) -> TokenStream {
         #docs
         #attributes
         #named
-        #visibility struct #name<#scalar> { #(#fields),* #last }
+        #visibility struct #name<#scalar = #float> { #(#fields),* #last }
     }
 }
 

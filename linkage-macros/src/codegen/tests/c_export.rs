@@ -62,7 +62,8 @@ fn records_that_c_sees_are_laid_out_as_c_lays_them_out() {
     let text = squeezed(&expand(&exported(table())));
     let records = ["Input", "Position", "Velocity", "Acceleration", "Motion"];
     for record in records {
-        let (before, _) = text.split_once(&format!("struct Table{record}<T>")).expect("a record");
+        let (before, _) =
+            text.split_once(&format!("struct Table{record}<T = f64>")).expect("a record");
         let attributes = before.rsplit_once("[derive(").expect("attributes").1;
         assert!(attributes.contains("#[repr(C)]"), "{record}: {attributes}");
     }

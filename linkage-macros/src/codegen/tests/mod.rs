@@ -119,10 +119,10 @@ fn the_four_bar_expands_to_the_whole_interface() {
         "#[derive(Clone, Copy, Debug, PartialEq)]",
         "pub struct FourBar<T = f64> {",
         "pub elbow: Side,",
-        "pub struct FourBarPosition<T> {",
+        "pub struct FourBarPosition<T = f64> {",
         "pub BC: AngularVelocity<T>,",
-        "pub struct FourBarMotion<T> {",
-        "pub struct FourBarMargins<T> {",
+        "pub struct FourBarMotion<T = f64> {",
+        "pub struct FourBarMargins<T = f64> {",
         "pub const INPUTS: [&'static str; 1] = [\"theta\"];",
         "pub const PARAMS: [&'static str; 1] = [\"crank\"];",
         "crank: 0.08,",
@@ -217,7 +217,7 @@ fn a_constant_that_rounding_twice_would_change_is_two_literals() {
 fn several_inputs_are_a_record_or_an_array() {
     let text = expand(&table());
     let all = squeezed(&text);
-    assert!(all.contains("struct TableInput<T> {"), "{text}");
+    assert!(all.contains("struct TableInput<T = f64> {"), "{text}");
     assert!(all.contains("From<[T; 2]> for TableInput<T> {"), "{text}");
     assert!(all.contains("fn from(list_: [T; 2]) -> Self { Record::from_array(list_) }"), "{text}");
     assert!(all.contains("rates: impl Inputs<TableInput<T>>"));
