@@ -101,6 +101,7 @@ impl Trend {
 
 /// A root that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Root<T = f64> {
     /// Where f is zero, with the derivatives that f's numbers carry.
     pub at: T,
@@ -120,6 +121,7 @@ pub struct Crossing {
 
 /// Why no root was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum FindError {
     /// The ends are not two finite numbers in rising order, or too far apart for their distance

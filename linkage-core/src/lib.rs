@@ -105,7 +105,9 @@
 //!   the assembly that stands in for them without it.
 //! - `nalgebra` (comes with `ad`): points and directions as nalgebra's, and comparisons by `approx`.
 //! - `mint`: points as mint's.
-//! - `serde`: points, directions and modes to be written and read, errors to be written.
+//! - `serde`: every record of a mechanism, points, directions, modes and what searches find are written
+//!   and read by their fields' names; errors and ranges are written. Without it nothing is generated for
+//!   it.
 //! - `sketch`: pictures and films of mechanisms; every solver has `sketch` and `film` then. It needs
 //!   the standard library and nothing else, and changes nothing of the solvers.
 //!

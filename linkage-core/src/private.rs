@@ -40,6 +40,7 @@ pub use crate::sweep::{
 };
 pub use crate::tracker::{Clearance, told};
 pub use crate::with_ad_ as with_ad;
+pub use crate::with_serde_ as with_serde;
 pub use crate::with_sketch_ as with_sketch;
 pub use crate::{
     AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, ForcesCost, GuideForce,
@@ -53,6 +54,8 @@ pub use core::iter::IntoIterator;
 pub use nalgebra::SMatrix;
 #[cfg(feature = "ad")]
 pub use num_dual::DualSVec;
+#[cfg(feature = "serde")]
+pub use serde;
 #[cfg(feature = "sketch")]
 pub use std::vec::Vec;
 
@@ -103,4 +106,20 @@ macro_rules! with_sketch_ {
 #[macro_export]
 macro_rules! with_sketch_ {
     ($($code:tt)*) => {};
+}
+
+/// An item with the attributes in front of it where the feature `serde` is on.
+#[cfg(feature = "serde")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! with_serde_ {
+    ({ $($attributes:tt)* } $($item:tt)*) => { $($attributes)* $($item)* };
+}
+
+/// The item alone, as the feature `serde` is off.
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! with_serde_ {
+    ({ $($attributes:tt)* } $($item:tt)*) => { $($item)* };
 }

@@ -30,6 +30,7 @@ use crate::{Real, SolveError};
 
 /// Why a stretch of the input ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Stop {
     /// The search was asked to go no further.
     Edge,
@@ -48,6 +49,7 @@ pub enum Stop {
 
 /// An end of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct End<T = f64> {
     /// The input, with the derivatives that the solver's numbers carry.
     pub at: T,
@@ -57,6 +59,7 @@ pub struct End<T = f64> {
 
 /// Inputs at all of which the mechanism can be assembled in its modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Stretch<T = f64> {
     /// The lower end.
     pub from: End<T>,
@@ -76,6 +79,7 @@ const MOST: usize = 32;
 
 /// Why a range was not found.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum RangeError {
     /// The ends are not two finite numbers in rising order, or too far apart for their distance
@@ -186,5 +190,13 @@ impl<'a, T> IntoIterator for &'a Stretches<T> {
 
     fn into_iter(self) -> Self::IntoIter {
         self.iter()
+    }
+}
+
+/// As the slice that it is.
+#[cfg(feature = "serde")]
+impl<T: serde::Serialize> serde::Serialize for Stretches<T> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self)
     }
 }

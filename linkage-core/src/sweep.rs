@@ -33,6 +33,7 @@ use poses::Poses;
 /// a group whose pin was rounded otherwise, a pose that is at its limit in the one may be a rounding
 /// away from it in the other, which then has a velocity. What a sweep calls solved is right.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Status {
     /// The pose was solved.

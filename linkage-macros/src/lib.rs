@@ -90,5 +90,7 @@ mod syntax;
 /// `examples/four_bar_expanded.rs` in the repository shows all of it for one mechanism.
 #[proc_macro]
 pub fn mechanism(source: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    pipeline::compile(source.into(), cfg!(feature = "sketch")).into()
+    let features =
+        pipeline::Features { sketch: cfg!(feature = "sketch"), serde: cfg!(feature = "serde") };
+    pipeline::compile(source.into(), features).into()
 }

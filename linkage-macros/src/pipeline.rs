@@ -10,21 +10,39 @@ use crate::model::mechanism::{Mechanism, Numerics};
 use crate::syntax::tree::Declaration;
 use crate::{codegen, equations, lower, model, passes, syntax};
 
+/// Parts of the generated code that a feature of `linkage-core` asks for.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Features {
+    /// The program by which the mechanism is drawn.
+    pub sketch: bool,
+    /// Records that serde writes and reads.
+    pub serde: bool,
+}
+
+#[cfg(test)]
+impl Features {
+    /// Nothing beside the solver.
+    pub(crate) const NONE: Self = Self { sketch: false, serde: false };
+    /// The solver and what it is drawn by.
+    pub(crate) const SKETCH: Self = Self { sketch: true, serde: false };
+    /// All that can be generated.
+    pub(crate) const ALL: Self = Self { sketch: true, serde: true };
+}
+
 /// The generated code, or the mistakes as compile errors beside what stands in for what would
-/// have been generated, so that one mistake gives one message. With what the mechanism is drawn by
-/// where that `is_drawn`.
-pub(crate) fn compile(source: TokenStream, is_drawn: bool) -> TokenStream {
+/// have been generated, so that one mistake gives one message.
+pub(crate) fn compile(source: TokenStream, features: Features) -> TokenStream {
     // The numbers of one declaration are not those of the next.
     let _atoms = Scope::begin();
     let mut diagnostics = Diagnostics::new();
     let declaration = syntax::parse(source, &mut diagnostics);
     match resolved(declaration.as_ref(), diagnostics) {
         Ok(mechanism) => {
-            let placing = is_drawn.then(|| placing(&mechanism));
-            code(&mechanism, &program(&mechanism), placing.as_ref())
+            let placing = features.sketch.then(|| placing(&mechanism));
+            code(&mechanism, &program(&mechanism), placing.as_ref(), features)
         }
         Err(Failure(errors)) => {
-            let stand_in = declaration.as_ref().map(|declaration| stand_in(declaration, is_drawn));
+            let stand_in = declaration.as_ref().map(|declaration| stand_in(declaration, features));
             quote::quote! { #errors #stand_in }
         }
     }
@@ -62,16 +80,21 @@ fn placing(mechanism: &Mechanism) -> Program {
 }
 
 /// Lowering and code generation.
-fn code(mechanism: &Mechanism, program: &Program, placing: Option<&Program>) -> TokenStream {
+fn code(
+    mechanism: &Mechanism,
+    program: &Program,
+    placing: Option<&Program>,
+    features: Features,
+) -> TokenStream {
     // Every statement of every function is decided; what is left is to print them.
     let lowered = lower::lower(mechanism, program);
     let placing = placing.map(|program| lower::lower_placing(mechanism, program));
-    codegen::generate(mechanism, &lowered, placing.as_ref())
+    codegen::generate(mechanism, &lowered, placing.as_ref(), features.serde)
 }
 
 /// The struct and its methods for a declaration of which not everything was understood. They never
 /// run: every result is zero.
-pub(crate) fn stand_in(declaration: &Declaration, is_drawn: bool) -> TokenStream {
+pub(crate) fn stand_in(declaration: &Declaration, features: Features) -> TokenStream {
     let mechanism = model::stand_in::stand_in(declaration);
     let interface = Interface::of(&mechanism);
     // Whether the one input is a driver's bare angle is not known; a method too many says nothing.
@@ -80,6 +103,6 @@ pub(crate) fn stand_in(declaration: &Declaration, is_drawn: bool) -> TokenStream
     let is_pushed = declaration.statements.iter().any(|statement| statement.kind.is_force());
     let applied = is_pushed.then_some((equations::placing::APPLIED, 0));
     let drawn = [(equations::placing::ENTRY, 0)].into_iter().chain(applied);
-    let nothing = is_drawn.then(|| Program::of_zeros(drawn));
-    code(&mechanism, &Program::of_zeros(answers), nothing.as_ref())
+    let nothing = features.sketch.then(|| Program::of_zeros(drawn));
+    code(&mechanism, &Program::of_zeros(answers), nothing.as_ref(), features)
 }

@@ -10,6 +10,7 @@ use crate::{Real, SolveError};
 
 /// Which way an output turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Turn {
     /// From rising to falling.
     Maximum,
@@ -19,6 +20,7 @@ pub enum Turn {
 
 /// A place where an output turns back.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Extremum<T = f64> {
     /// The input, with the derivatives that the output's numbers carry.
     pub at: T,
@@ -73,6 +75,14 @@ impl<T> Deref for Extrema<T> {
 impl<T: fmt::Debug> fmt::Debug for Extrema<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         (**self).fmt(f)
+    }
+}
+
+/// As the slice that it is; the ends are left out.
+#[cfg(feature = "serde")]
+impl<T: serde::Serialize> serde::Serialize for Extrema<T> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.iter())
     }
 }
 

@@ -49,15 +49,17 @@ use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 
 /// Everything that the declaration of a mechanism expands to; what it is drawn by only where the
-/// program that places it is given.
+/// program that places it is given, and records that serde writes and reads where they are to be
+/// serialised.
 pub(crate) fn generate(
     mechanism: &Mechanism,
     lowered: &Lowered<'_>,
     placing: Option<&Lowered<'_>>,
+    is_serialised: bool,
 ) -> TokenStream {
     let drawing = placing.map(|placing| drawing::items(mechanism, placing));
     let cx = Context::new(mechanism, lowered);
-    let (solver, records) = (solver::definition(&cx), structs::definitions(&cx));
+    let (solver, records) = (solver::definition(&cx), structs::definitions(&cx, is_serialised));
     let implementations = implementations(&cx, drawing);
     module::around(&cx, &quote! { #solver #records #implementations })
 }

@@ -13,10 +13,36 @@ use crate::interface::labels;
 use crate::interface::quantity::Order;
 use crate::interface::records::{Field, Kind, Record, RecordId, Shape};
 
-/// All records of a mechanism.
-pub(super) fn definitions(cx: &Context<'_>) -> TokenStream {
+/// All records of a mechanism, each for serde as well where they are to be serialised.
+pub(super) fn definitions(cx: &Context<'_>, is_serialised: bool) -> TokenStream {
     let records = cx.interface.records.iter().filter(|record| is_returned(cx, record));
-    records.map(|record| definition(cx, record)).collect()
+    let defined = |record: &Record| match is_serialised && serde_knows(record) {
+        true => serialised(cx, &definition(cx, record)),
+        false => definition(cx, record),
+    };
+    records.map(defined).collect()
+}
+
+/// Whether serde has an implementation for every field: its arrays end at 32 elements.
+fn serde_knows(record: &Record) -> bool {
+    record.fields.iter().all(|field| match field.shape {
+        Shape::List(count) => count <= 32,
+        Shape::Matrix { rows, columns } => rows.max(columns) <= 32,
+        Shape::Quantity(..) | Shape::Record(_) | Shape::Number => true,
+    })
+}
+
+/// The record with serde's derives where the run-time crate has its feature `serde`.
+fn serialised(cx: &Context<'_>, definition: &TokenStream) -> TokenStream {
+    let ([with_serde, serde], derive) =
+        (["with_serde", "serde"].map(|item| cx.paths.outside(item)), cx.paths.outside("derive"));
+    let path = serde.to_token_stream().to_string().replace(' ', "");
+    quote! {
+        #with_serde! {
+            { #[#derive(#serde::Serialize, #serde::Deserialize)] #[serde(crate = #path)] }
+            #definition
+        }
+    }
 }
 
 /// Whether something is given or returns it: margins may be outputs without an entry point.

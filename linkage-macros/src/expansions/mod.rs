@@ -18,6 +18,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Group, TokenStream, TokenTree};
 
 use crate::diagnostics::Diagnostics;
+use crate::pipeline::Features;
 use crate::{fuzz, pipeline, syntax};
 use declarations::Declaration;
 use fingerprint::{exact, numbered_anew};
@@ -46,7 +47,7 @@ fn kept_in() -> PathBuf {
 
 impl Hashes {
     fn of(declaration: &Declaration) -> Self {
-        let expansion = pipeline::compile(declaration.tokens.clone(), false);
+        let expansion = pipeline::compile(declaration.tokens.clone(), Features::NONE);
         let messages = fuzz::messages(expansion.clone());
         assert!(messages.is_empty(), "{}: {messages:?}", declaration.name);
         Self {
@@ -71,7 +72,7 @@ fn stand_in(tokens: TokenStream) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
     let tree = syntax::parse(tokens, &mut diagnostics);
     assert!(diagnostics.into_errors().is_empty());
-    pipeline::stand_in(&tree.expect("it expands"), false)
+    pipeline::stand_in(&tree.expect("it expands"), Features::NONE)
 }
 
 fn all() -> BTreeMap<Key, Hashes> {
@@ -212,8 +213,8 @@ fn a_drawing_changes_nothing_of_the_solver_and_is_three_tenths_of_it_at_most() {
         if !seen.insert(declaration.name.clone()) {
             continue;
         }
-        let plain = pipeline::compile(declaration.tokens.clone(), false);
-        let drawn = pipeline::compile(declaration.tokens.clone(), true);
+        let plain = pipeline::compile(declaration.tokens.clone(), Features::NONE);
+        let drawn = pipeline::compile(declaration.tokens.clone(), Features::SKETCH);
         let (solver, drawing) = taken_apart(drawn);
         assert_eq!(exact(solver.clone()), exact(plain), "{}", declaration.name);
         let (solver, drawing) = (count(solver), count(drawing));

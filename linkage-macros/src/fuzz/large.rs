@@ -5,13 +5,14 @@ use std::fmt::Write;
 
 use super::messages;
 use crate::oracle::mechanism;
+use crate::pipeline::Features;
 use crate::{exact, pipeline};
 
 /// The messages of a declaration that is compiled on a stack of so many KiB.
 fn messages_on_stack(kib: usize, source: String) -> Vec<String> {
     let compile = move || {
         let tokens = source.parse().expect("these are tokens");
-        messages(pipeline::compile(tokens, true))
+        messages(pipeline::compile(tokens, Features::ALL))
     };
     let thread = std::thread::Builder::new().stack_size(kib << 10).spawn(compile);
     thread.expect("a thread can be started").join().expect("the compiler does not panic")
@@ -131,7 +132,7 @@ fn the_end_of_a_compilation_is_the_end_of_its_numbers() {
     for i in 1..=200 {
         let angle = format!("q + sqrt({i}.5) * 1rad + atan(sin({i}deg) / (sqrt(2) + {i}))");
         let tokens = crank("", &angle).parse().expect("these are tokens");
-        assert_eq!(messages(pipeline::compile(tokens, true)), [""; 0]);
+        assert_eq!(messages(pipeline::compile(tokens, Features::ALL)), [""; 0]);
         assert_eq!(exact::known_atoms(), 0);
         proc_macro2::extra::invalidate_current_thread_spans();
     }

@@ -13,6 +13,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use proc_macro2::{TokenStream, TokenTree};
 
 use crate::diagnostics::Diagnostics;
+use crate::pipeline::Features;
 use crate::{model, pipeline, syntax};
 use mangle::Mangler;
 
@@ -59,7 +60,8 @@ impl Tally {
                 return;
             }
         }
-        let output = catch_unwind(AssertUnwindSafe(|| pipeline::compile(source.clone(), true)));
+        let output =
+            catch_unwind(AssertUnwindSafe(|| pipeline::compile(source.clone(), Features::ALL)));
         let output = output.unwrap_or_else(|_| panic!("the compiler panicked on\n{source}"));
         if let Err(error) = syn::parse2::<syn::File>(output.clone()) {
             panic!("{error}: what is no Rust was made of\n{source}\n{output}");
@@ -105,8 +107,10 @@ fn mangled_declarations_are_compiled_or_reported() {
 #[test]
 fn what_is_mangled_is_valid() {
     for source in seeds::all() {
-        let output =
-            pipeline::compile(source.parse().expect("a declaration is made of tokens"), true);
+        let output = pipeline::compile(
+            source.parse().expect("a declaration is made of tokens"),
+            Features::ALL,
+        );
         assert_eq!(messages(output), [""; 0], "{source}");
     }
 }

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use proc_macro2::{TokenStream, TokenTree};
 
-use crate::pipeline;
+use crate::pipeline::{self, Features};
 
 /// What the file holds beside the expansion: a head in front, and a program behind.
 const START: &str = "// What `mechanism!` makes of the declaration.\n";
@@ -32,7 +32,7 @@ fn expansion() -> TokenStream {
         TokenTree::Group(group) => Some(group.stream()),
         _ => None,
     });
-    super::line_by_line(pipeline::compile(body.expect("the macro has an argument"), false))
+    super::line_by_line(pipeline::compile(body.expect("the macro has an argument"), Features::NONE))
 }
 
 /// The items as text, with an empty line between any two and without the tokens that formatting

@@ -16,6 +16,7 @@ use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::program::Program;
 use crate::lower::lower;
 use crate::model::mechanism::Mechanism;
+use crate::pipeline::Features;
 use fixture::{exact, four_bar, one_value, table};
 
 /// What the blocks in the unnamed constant implement.
@@ -36,7 +37,7 @@ pub(crate) fn associated_items(file: &syn::File) -> Vec<&syn::ImplItem> {
 
 /// Everything that the program expands to.
 fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream {
-    super::generate(mechanism, &lower(mechanism, program), None)
+    super::generate(mechanism, &lower(mechanism, program), None, false)
 }
 
 /// The tokens with a doc attribute for every line, as a source has them.
@@ -364,7 +365,7 @@ fn what_a_single_call_gives_as_a_list_is_handed_on() {
         crank AB(O) -> B { length: 1m, angle: a } crank BC(B) -> C { length: 1m, angle: b }
         mass 1kg on B; mass 1kg on C; }";
     let tokens = text.parse().expect("these are tokens");
-    let text = bare(&crate::pipeline::compile(tokens, false).to_string());
+    let text = bare(&crate::pipeline::compile(tokens, Features::NONE).to_string());
     let handed_on = "[x4_, x5_]).map(|result_| put_(&result_))";
     assert!(text.contains(&bare(handed_on)), "no `{handed_on}`");
     assert!(!text.contains(&bare("Ok(self.forward_dynamics(")));
@@ -388,7 +389,7 @@ fn a_solver_of_several_inputs_is_given_them_by_their_places() {
     let text = "pub struct Arm { input a, b: angle; ground O(0, 0);
         crank AB(O) -> B { length: 1m, angle: a } crank BC(B) -> C { length: 1m, angle: b } }";
     let tokens = text.parse().expect("these are tokens");
-    let text = bare(&crate::pipeline::compile(tokens, false).to_string());
+    let text = bare(&crate::pipeline::compile(tokens, Features::NONE).to_string());
     for part in [
         "core_velocity_(ArmInput { a: given_(0), b: given_(1) }, \
          ArmInput { a: given_(2), b: given_(3) }), put_)",

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use proc_macro2::{Ident, LineColumn, TokenStream, TokenTree};
 
-use crate::pipeline;
+use crate::pipeline::{self, Features};
 
 /// Every identifier among the tokens and where it stands.
 fn identifiers(stream: TokenStream, found: &mut Vec<(String, LineColumn)>) {
@@ -51,7 +51,7 @@ fn every_name_reaches_the_output_with_its_own_span_wherever_it_stands() {
     let names: HashSet<&str> = NAMES.split_whitespace().collect();
     let (mut written, mut made) = (Vec::new(), Vec::new());
     identifiers(source.clone(), &mut written);
-    identifiers(pipeline::compile(source, true), &mut made);
+    identifiers(pipeline::compile(source, Features::SKETCH), &mut made);
     let made: HashSet<_> = made.into_iter().collect();
     let mut seen = HashSet::new();
     for identifier in &written {

@@ -15,7 +15,7 @@ fn expand(source: &str) -> File {
     let tokens = source.parse().expect("the source is made of Rust's tokens");
     let tree = parse(tokens, &mut diagnostics).expect("the declaration has a name");
     drop(diagnostics.into_errors());
-    file(pipeline::stand_in(&tree, false))
+    file(pipeline::stand_in(&tree, pipeline::Features::NONE))
 }
 
 /// The fields of a generated struct as `name: type`, without paths; `None` where there is no such
