@@ -1,34 +1,29 @@
-//! A C program that calls a mechanism: writes the header, builds the static library, compiles
-//! `main.c` with gcc against both, and runs it. An argument is the crank angle in degrees.
+//! A C program that calls a mechanism: builds the static library, whose build script writes the
+//! header, compiles `main.c` with gcc against both, and runs it. An argument is the crank angle in
+//! degrees.
 //!
 //! What this does is, by hand:
 //!
 //! ```text
 //! cargo build --release --manifest-path examples/c_caller/library/Cargo.toml \
 //!     --target-dir target/c_caller
-//! gcc -Wall -Wextra -pedantic -I target/c_caller examples/c_caller/main.c \
-//!     target/c_caller/release/libshear.a -lm -Wl,--gc-sections -o target/c_caller/shear
+//! gcc -Wall -Wextra -pedantic -I examples/c_caller/library/include \
+//!     examples/c_caller/main.c target/c_caller/release/libshear.a \
+//!     -lm -Wl,--gc-sections -o target/c_caller/shear
 //! target/c_caller/shear 292.5
 //! ```
 //!
-//! once `target/c_caller/flying_shear.h` holds `FlyingShear::C_HEADER`. `--gc-sections` leaves out
-//! what nothing calls: Rust's `core` comes whole, and parts of it that no solver uses expect the
-//! rest of a Rust program.
-
-mod mechanism;
+//! `--gc-sections` leaves out what nothing calls: Rust's `core` comes whole, and parts of it that no
+//! solver uses expect the rest of a Rust program.
 
 use std::error::Error;
 use std::path::Path;
 use std::process::Command;
 use std::{env, fs};
 
-use mechanism::FlyingShear;
-
 fn main() -> Result<(), Box<dyn Error>> {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let (source, target) = (here.join("examples/c_caller"), here.join("target/c_caller"));
-    fs::create_dir_all(&target)?;
-    fs::write(target.join("flying_shear.h"), FlyingShear::C_HEADER)?;
 
     // The library is built with the versions that this workspace is tested with.
     fs::copy(here.join("Cargo.lock"), source.join("library/Cargo.lock"))?;
@@ -39,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .arg(&target))?;
     run(Command::new("gcc")
         .args(["-Wall", "-Wextra", "-pedantic", "-O2", "-I"])
-        .arg(&target)
+        .arg(source.join("library/include"))
         .arg(source.join("main.c"))
         .arg(target.join("release/libshear.a"))
         .args(["-lm", "-Wl,--gc-sections", "-o"])

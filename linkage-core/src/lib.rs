@@ -80,7 +80,8 @@
 //!
 //! With `export c;` in the declaration every entry point is also a C function, for `double` and,
 //! with `_f32` at the end of its name, for `float`; the constant `C_HEADER` of the generated struct
-//! is the text of the header. A function returns a status, 0 where there is an answer, and fills in
+//! is the text of the header, which a build script can write from the same declaration
+//! ([control code](reference::control)). A function returns a status, 0 where there is an answer, and fills in
 //! a `LinkageError` where it is given one: the group, what is to blame, and for
 //! [`SolveError::OutOfReach`] the missing distance. A null pointer, a number that is not finite and
 //! a mode that is none are statuses as well; after any of them the answer is left as it was.

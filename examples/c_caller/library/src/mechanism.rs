@@ -1,4 +1,4 @@
-//! The mechanism that C calls. Both the library and the program that writes its header hold it.
+//! The mechanism that C calls. Both the library and its build script, which writes the header, hold it.
 
 use linkage_core::mechanism;
 
