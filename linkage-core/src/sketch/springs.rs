@@ -298,6 +298,17 @@ mod tests {
         assert_eq!([3, 4, 5].map(|end| plain.wall(end)), [Some(90.0), Some(-90.0), None]);
         let passed = coil([true, false], [-120.0, -90.0]);
         assert_eq!([3, 4].map(|end| passed.wall(end)), [Some(-90.0), Some(90.0)]);
+        // Half a turn has two names; what is less than a tenth of a degree off is straight.
+        let turned = |degrees: [f64; 2]| {
+            let seats = degrees.map(|degrees| Some(Seat { at: [0.0; 2], degrees }));
+            Coil { seats: seats.into(), ..plain.clone() }.wall(3)
+        };
+        assert_eq!(turned([180.0, -179.96]), Some(270.0));
+        assert_eq!(turned([-180.0, 179.96]), Some(-90.0));
+        assert_eq!(turned([30.0, 30.09]), Some(120.0));
+        for degrees in [[30.0, 30.11], [30.0, -30.0], [180.0, -179.8], [0.0, 180.0]] {
+            assert_eq!(turned(degrees), None, "{degrees:?}");
+        }
         // The plate and the ends of its hatches, 7 below it.
         let covered = wall_box([0.0; 2], 0.0);
         for spot in [[-17.0, 0.0], [17.0, 0.0], [-17.0, 7.0], [11.0, 7.0]] {

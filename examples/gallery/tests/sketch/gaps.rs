@@ -2,8 +2,8 @@
 
 use gallery::declarations::{excavator, range};
 use gallery::motions::turn;
-use linkage_core::SolveError;
 use linkage_core::sketch::Film;
+use linkage_core::{SolveError, mechanism};
 
 use super::xml::{Element, numbers, parse};
 
@@ -51,30 +51,111 @@ fn what_cannot_be_placed_is_hidden_exactly_there() {
     assert_eq!(gaps.iter().map(|gap| gap.poses.len()).sum::<usize>(), missing.count());
 }
 
-/// Both ends of the arrow, and how long it is on the page, against `by`.
+mechanism! {
+    /// Two bars between pivots that are too far apart, or too close for the difference of the bars.
+    struct Bars {
+        input base: length;
+        param first = 250mm;
+        param second = 200mm;
+        ground A(0, 0);
+        guide bed through A along 25deg;
+        slider cart(bed) -> D      { slide: base }
+        rrr   AC(A), DC(D) -> C    { lengths: (first, second), mode: left }
+    }
+}
+
+mechanism! {
+    /// A bar that is too short for its block's line, which runs to the left of the guide.
+    struct Line {
+        input lift: length;
+        param offset = 60mm;
+        ground O(0, 0);
+        guide post through O along 110deg;
+        guide rail through (50mm, -20mm) along 20deg;
+        slider cart(post) -> B      { slide: lift }
+        rrp BC(B), block(rail) -> C { length: 100mm, offset: offset, mode: ahead }
+    }
+}
+
+/// The double arrow of a single pose: from what the first link reaches to what the second one does.
+fn arrow(film: &Film) -> [[f64; 2]; 2] {
+    let root = parse(&film.to_svg().unwrap());
+    let elements = root.all();
+    let arrow = elements
+        .iter()
+        .find(|element| element.name == "path" && element.attribute("stroke-width") == Some("2"));
+    let path = arrow.and_then(|arrow| arrow.attribute("d")).expect("there is an arrow");
+    let ends = numbers(&path.replace(['M', 'L'], " "));
+    [[ends[0], ends[1]], [ends[2], ends[3]]]
+}
+
+fn distance([a, b]: [[f64; 2]; 2]) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1])
+}
+
+/// How much is missing in the only pose of a film.
+fn missing(film: &Film) -> f64 {
+    match film.gaps()[..] {
+        [ref gap] => match gap.error {
+            SolveError::OutOfReach { by, .. } => by,
+            ref error => panic!("{error}"),
+        },
+        ref gaps => panic!("{} gaps", gaps.len()),
+    }
+}
+
+/// Coordinates of an arrow are rounded to 0.01 px.
+const ROUNDED: f64 = 0.02;
+
+/// Each end is on its own bar's circle, and the arrow as long as what is missing.
 #[test]
-fn the_arrow_is_as_long_as_what_is_missing() {
-    let solver = range::FourBar { base: 0.39 };
-    let far = solver.film([std::f64::consts::PI]);
-    let near = range::FourBar { base: 0.02 };
-    // The distance of the pivots is below the difference of the bars.
-    let short = near.film([std::f64::consts::PI * 0.999]);
-    for (film, outcome) in [(far, solver.position(std::f64::consts::PI).err()), (short, None)] {
-        let gaps = film.gaps();
-        let Some(SolveError::OutOfReach { by, .. }) = gaps.first().map(|gap| gap.error) else {
-            assert!(outcome.is_none());
-            continue;
+fn the_arrow_is_as_long_as_what_is_missing_between_circles() {
+    let cases: [([f64; 2], f64); 4] = [
+        // Too far apart; the second circle inside of the first; the first inside of the second.
+        ([0.25, 0.2], 0.5),
+        ([0.25, 0.2], 0.02),
+        ([0.2, 0.25], 0.02),
+        ([0.1, 0.25], -0.09),
+    ];
+    for ([first, second], base) in cases {
+        let film = Bars { first, second }.film([base]);
+        let (view, ends) = (film.view().unwrap(), arrow(&film));
+        let by = missing(&film);
+        let short = (base.abs() - first - second).max((first - second).abs() - base.abs());
+        assert!((by - short).abs() < 1e-12, "{by} {short}");
+        assert!((distance(ends) - by * view.scale).abs() < ROUNDED, "{first} {second} {base}");
+        for (end, joint, length) in [(ends[0], "A", first), (ends[1], "D", second)] {
+            let at = film.point(0, joint).unwrap();
+            let radius = distance([view.pixels([at.x, at.y]), end]);
+            assert!((radius - length * view.scale).abs() < ROUNDED, "{joint}: {radius}");
+        }
+    }
+}
+
+/// From the bar's circle straight to the line that is the offset to the left of the guide.
+#[test]
+fn the_arrow_ends_on_the_line_along_which_a_pin_slides() {
+    for (offset, lift) in [(0.06, 0.4), (-0.06, 0.4), (0.06, -0.3)] {
+        let film = Line { offset }.film([lift]);
+        let (view, ends) = (film.view().unwrap(), arrow(&film));
+        let by = missing(&film);
+        let (sin, cos) = 20_f64.to_radians().sin_cos();
+        // Metres from the guide, to the left of it: of the bar's own pin, and of both ends.
+        let beside = |[x, y]: [f64; 2]| cos * (y + 0.02) - sin * (x - 0.05);
+        let metres = |[x, y]: [f64; 2]| {
+            [(x - view.origin[0]) / view.scale, (view.origin[1] - y) / view.scale]
         };
-        assert!(outcome.is_none_or(|error| error == gaps[0].error));
-        let (view, root) = (film.view().unwrap(), parse(&film.to_svg().unwrap()));
-        let elements = root.all();
-        let arrow = elements.iter().find(|element| {
-            element.name == "path" && element.attribute("stroke-width") == Some("2")
-        });
-        let path = arrow.and_then(|arrow| arrow.attribute("d")).expect("there is an arrow");
-        let ends = numbers(&path.replace(['M', 'L'], " "));
-        let length = (ends[2] - ends[0]).hypot(ends[3] - ends[1]);
-        assert!((length - by * view.scale).abs() < 0.02, "{length} for {}", by * view.scale);
+        let b = film.point(0, "B").unwrap();
+        let short = (beside([b.x, b.y]) - offset).abs() - 0.1;
+        assert!(short > 0.0 && (by - short).abs() < 1e-12, "{by} {short}");
+        assert!((distance(ends) - by * view.scale).abs() < ROUNDED, "{offset} {lift}");
+        let [from, to] = ends.map(|end| beside(metres(end)));
+        let rounded = ROUNDED / view.scale;
+        assert!((to - offset).abs() < rounded, "{to} for {offset}");
+        // By so much the line is behind the circle, seen from the pin.
+        assert!(((to - from).abs() - by).abs() < rounded, "{from} {to}");
+        let reach = distance([view.pixels([b.x, b.y]), ends[0]]);
+        assert!((reach - 0.1 * view.scale).abs() < ROUNDED, "{reach}");
     }
 }
 

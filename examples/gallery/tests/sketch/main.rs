@@ -1,12 +1,14 @@
 //! Drawings against the solvers: what a picture's text says is where the solver puts it.
 
 mod bad_input;
+mod bodies;
 mod browser;
 mod gaps;
 mod layout;
 mod look;
 mod motion;
 mod placed;
+mod placing;
 mod searched;
 mod snapshots;
 mod springs;

@@ -187,6 +187,123 @@ fn what_springs_hold_on_to_is_drawn_and_what_stands_still_does_not_move() {
     parse(&still);
 }
 
+/// Every corner of a path, along the spring.
+fn along(path: &str) -> Vec<f64> {
+    let starts: Vec<usize> = path.match_indices(['M', 'H', 'L', 'V']).map(|(at, _)| at).collect();
+    let mut along = Vec::new();
+    for (nth, &start) in starts.iter().enumerate() {
+        let end = starts.get(nth + 1).copied().unwrap_or(path.len());
+        // What goes across stays where it is along.
+        if &path[start..=start] != "V" {
+            along.push(numbers(&path[start + 1..end])[0]);
+        }
+    }
+    along
+}
+
+#[test]
+fn the_lines_of_a_spring_that_its_end_passes_stay_between_its_ends() {
+    let film = Through::new().film(turn().map(f64::sin));
+    for path in &check(&film, ["O", "P"]).paths {
+        let length = length(path);
+        for x in along(path) {
+            // Corners are rounded to 0.1 px, the end to 0.01 px.
+            let is_between = length.min(0.0) - 0.06 <= x && x <= length.max(0.0) + 0.06;
+            assert!(is_between, "{x} is not between 0 and {length}: {path}");
+        }
+    }
+}
+
+/// Three twentieths of its shortest length, 14 px at most, and a coil for every 13 px at its middle length.
+#[test]
+fn a_spring_has_a_straight_part_at_either_end_and_as_many_coils_as_fit() {
+    // As drawn, and on pages on which the spring is too short for a straight part of 14 px.
+    for width in [720.0, 200.0, 120.0] {
+        let film = Sprung::new().film(swing()).width(width);
+        let drawn = check(&film, ["U", "C"]);
+        let lengths: Vec<f64> = drawn.paths.iter().map(|path| length(path)).collect();
+        let least = lengths.iter().copied().fold(f64::MAX, f64::min);
+        let most = lengths.iter().copied().fold(0.0, f64::max);
+        let lead = (0.15 * least).min(14.0);
+        let coils = ((least + most) / 26.0).round().clamp(4.0, 10.0);
+        assert!(lead > 2.0, "{width}: {lead}");
+        for (path, length) in drawn.paths.iter().zip(lengths) {
+            let corners = along(path);
+            // The beginning, the straight part, two corners a coil, the other straight part, the end.
+            assert_eq!(corners.len() as f64, 4.0 + 2.0 * coils, "{width}: {path}");
+            let [first, last] = [corners[1], corners[corners.len() - 2]];
+            assert!((first - lead).abs() < 0.06, "{width}: {first} for {lead}");
+            assert!((last - (length - lead)).abs() < 0.06, "{width}: {last}");
+        }
+    }
+}
+
+mechanism! {
+    /// A mass on a spring along a line at any angle.
+    struct Slanted {
+        input x: length;
+        param way: angle = 0deg;
+        ground O(0, 0);
+        guide rail through O along way;
+        slider body(rail) -> P { slide: x }
+        mass 1kg on P;
+        spring between O and P { stiffness: 15(N/m), free_length: 0 }
+    }
+}
+
+/// The plate of a wall, of which up is y of its group.
+const PLATE: &str = "M-17 0H17";
+const SUPPORT: &str = "M0 0L-10 17H10Z";
+
+#[test]
+fn a_wall_looks_along_its_spring_at_every_angle() {
+    for degrees in (0..24).map(|nth| 15.0 * f64::from(nth)) {
+        for lengths in [[0.2, 0.3, 0.5], [-0.2, -0.3, -0.5]] {
+            let film = Slanted { way: f64::to_radians(degrees) }.film(lengths);
+            let text = film.to_svg().unwrap();
+            assert_eq!(text.matches(PLATE).count(), 1, "{degrees}");
+            let root = parse(&text);
+            let elements = root.all();
+            let holds = |e: &&&Element| e.children.iter().any(|c| c.attribute("d") == Some(PLATE));
+            let wall = elements.iter().find(holds).expect("there is a wall");
+            let seat = wall.attribute("transform").unwrap().replace("translate", " ");
+            let turned = numbers(&seat.replace("rotate", " ")).get(2).copied().unwrap_or(0.0);
+            // Up on the page is −y; turned clockwise by `turned`.
+            let (sin, cos) = turned.to_radians().sin_cos();
+            let looks = [sin, -cos];
+            let view = film.view().unwrap();
+            let [o, p] = ["O", "P"].map(|name| film.point(0, name).unwrap());
+            let [o, p] = [o, p].map(|at| view.pixels([at.x, at.y]));
+            let length = (p[0] - o[0]).hypot(p[1] - o[1]);
+            let dot = (looks[0] * (p[0] - o[0]) + looks[1] * (p[1] - o[1])) / length;
+            // The angle is rounded to 0.001°.
+            assert!(dot > 1.0 - 1e-8, "{degrees} {lengths:?}: {dot}");
+        }
+    }
+}
+
+mechanism! {
+    /// A pivot that holds a spring along a line as well.
+    struct Shared {
+        input x: length;
+        input q: angle;
+        ground O(0, 0);
+        guide rail through O along 0deg;
+        slider body(rail) -> P { slide: x }
+        crank arm(O) -> Q      { length: 0.2m, angle: q }
+        mass 1kg on P;
+        mass 1kg on Q;
+        spring between O and P { stiffness: 15(N/m), free_length: 0 }
+    }
+}
+
+#[test]
+fn a_spring_on_a_pivot_gets_no_wall_beside_the_support() {
+    let film = Shared::new().film([[0.3, 1.0], [0.4, 1.5], [0.5, 2.0]]);
+    let text = film.to_svg().unwrap();
+    assert_eq!((text.matches(SUPPORT).count(), text.matches(PLATE).count()), (1, 0));
+}
+
 #[test]
 fn a_spring_on_what_is_missing_is_hidden_with_it() {
     let path = (0..=60).map(|k| 0.1 + 0.1 * f64::from(k));
