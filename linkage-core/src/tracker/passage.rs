@@ -300,3 +300,51 @@ fn lowest_between([(from, a), (to, b)]: [(f64, Reading); 2]) -> Option<(f64, f64
     let lowest = a.value + high * (u + high * (0.5 * m + high * (c3 + high * (c4 + high * c5))));
     Some((from + high * length, lowest / a.scale))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The polynomial of these coefficients, lowest power first, at a place.
+    fn reading(polynomial: [f64; 6], at: f64) -> Reading {
+        let powers = |from: usize, of: fn(f64, f64) -> f64| -> f64 {
+            let terms = polynomial.iter().enumerate().skip(from);
+            terms.map(|(n, c)| c * of(n as f64, at)).sum()
+        };
+        Reading {
+            value: powers(0, |n, x| x.powf(n)),
+            rate: powers(1, |n, x| n * x.powf(n - 1.0)),
+            second_rate: powers(2, |n, x| n * (n - 1.0) * x.powf(n - 2.0)),
+            scale: 0.25,
+        }
+    }
+
+    /// Six numbers at two places make a polynomial of fifth degree: of one its lowest place and value
+    /// are found as they are.
+    #[test]
+    fn the_lowest_place_of_a_quintic_is_its_own() {
+        for low in [0.0, 3e-3, -3e-3] {
+            for place in [0.15, 0.4, 0.5, 0.83] {
+                for (bend, skew, rest) in
+                    [(0.0, 0.0, 0.0), (0.7, 0.0, 0.0), (0.0, 0.6, 0.0), (0.5, 0.4, 0.3)]
+                {
+                    // (x − place)² (1 + bend y + skew y² + rest y³) + low, with y = x − place.
+                    let around = [low, 0.0, 1.0, bend, skew, rest];
+                    let at = |x: f64| {
+                        let moved = reading(around, x - place);
+                        (x, moved)
+                    };
+                    for [from, to] in [[0.0, 1.0], [0.1, 0.9], [place - 0.1, place + 0.02]] {
+                        let found = lowest_between([at(from), at(to)]).expect("it falls and rises");
+                        // The place by halvings of a slope of a few ε; the value is flat there.
+                        assert!((found.0 - place).abs() < 1e-12, "{place} {found:?}");
+                        assert!((found.1 - low / 0.25).abs() < 1e-13, "{low} {found:?}");
+                    }
+                    // Before and behind it only falls or only rises.
+                    assert_eq!(lowest_between([at(place - 0.1), at(place - 0.01)]), None);
+                    assert_eq!(lowest_between([at(place + 0.01), at(place + 0.1)]), None);
+                }
+            }
+        }
+    }
+}

@@ -78,6 +78,45 @@ fn a_range_holds_every_value() {
     assert!(known > (20 * 8 + 180 * 6) * 9 / 10, "{known}");
 }
 
+/// A product of two ranges, each of a middle, a slope and a radius: nothing it can be is left out, and
+/// where all of the signs agree it is as large as its bound says, which therefore has each of its parts.
+#[test]
+fn a_product_reaches_its_bound_and_no_farther() {
+    let ways = [-1.0, -0.5, 0.0, 0.25, 1.0];
+    let middles = [2.0, -2.0, 0.5, -0.125, 0.0];
+    let parts = [0.0, 0.25, 1.0, 3.0];
+    for (a, p, r) in all(middles, parts) {
+        for (b, q, s) in all(middles, parts) {
+            let [x, y] = [(a, p, r), (b, q, s)].map(|(middle, slope, radius)| Ball {
+                middle,
+                slope,
+                radius,
+            });
+            let product = x * y;
+            let [low, high] = product.bounds();
+            let (mut least, mut most) = (f64::MAX, f64::MIN);
+            for step in ways {
+                for (m, n) in ways.iter().flat_map(|&m| ways.map(|n| (m, n))) {
+                    let value = (a + p * step + r * m) * (b + q * step + s * n);
+                    (least, most) = (least.min(value), most.max(value));
+                }
+            }
+            assert!(low <= least && most <= high, "{x:?} {y:?}: {product:?} for {least} to {most}");
+            if a > 0.0 && b > 0.0 {
+                // At the end of the step and of both radii; its own rounding is some ε of it.
+                assert!(high <= most * (1.0 + 1e-14), "{x:?} {y:?}: {high} for {most}");
+            }
+        }
+    }
+}
+
+/// Every middle with every slope and radius of these sizes.
+fn all(middles: [f64; 5], parts: [f64; 4]) -> impl Iterator<Item = (f64, f64, f64)> {
+    let of = move |middle| parts.into_iter().map(move |slope| (middle, slope));
+    let of = middles.into_iter().flat_map(of);
+    of.flat_map(move |(middle, slope)| parts.map(|radius| (middle, slope, radius)))
+}
+
 #[test]
 fn what_has_no_value_somewhere_is_unknown() {
     let across_zero = Ball::around(0.1, 0.2);
