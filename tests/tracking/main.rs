@@ -7,3 +7,4 @@ mod groups;
 mod interpolated;
 mod limits;
 mod steps;
+mod thresholds;
