@@ -7,7 +7,7 @@
 
 use linkage_core::private::Solver;
 use linkage_core::{Direction, Float, Real, Record, Side, Tracker, mechanism};
-use linkage_tests::mechanisms::scaled_change_points::{ScaledPairs, ScaledPairsMotion};
+use linkage_tests::mechanisms::scaled_change_points::{ScaledPairs, ScaledPairsMotion, TwoGrounds};
 
 mechanism! {
     /// Two parallelograms on one input: the second crank turns three times as fast, and passes its
@@ -57,7 +57,7 @@ fn ground<T: Float>(wanted: f64) -> T {
 }
 
 /// The angle behind θ = 0 at which the clearance of an exact parallelogram is so many parts of its scale.
-fn angle<T: Float>(wanted: f64) -> f64 {
+fn angle(wanted: f64) -> f64 {
     let [mut low, mut high] = [0.0, 1.0];
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -87,7 +87,7 @@ const BEHIND: Side = Side::Left;
 /// the last pose before.
 fn modes_change_at_four<T: Float>() {
     for (parts, wanted) in [(1.0, BEFORE), (3.9, BEFORE), (4.1, BEHIND), (9.0, BEHIND)] {
-        let theta = angle::<T>(parts * root::<T>());
+        let theta = angle(parts * root::<T>());
         // The second crank is far from its own. In one step, or first to so near that it is clear of its
         // limit on all of the last step.
         for first in [-0.3, -theta.max(1e-3)] {
@@ -171,7 +171,7 @@ fn a_change_point_behind_the_end_of_a_step_is_left_to_the_next_step() {
 /// w from it, and below `near` = ½ w² of the scale it is interpolated. Forty ε are for the roundings of
 /// some ten operations, and for the weights of eight nodes.
 fn accelerations<T: Float>(near: f64) -> f64 {
-    let width = angle::<T>(near);
+    let width = angle(near);
     let allowed = 40.0 * T::EPSILON / width.powi(3);
     let mut worst = 0.0_f64;
     for sign in [1.0, -1.0] {
@@ -229,7 +229,7 @@ fn a_near_miss_has_the_answers_of_the_solver() {
 /// A first pose next to one group's change point, with another's on the way to where rounding no longer
 /// shows, has the modes of the solver: each group is in the branch that the solver gives it.
 fn first_poses<T: Float>(near: f64) {
-    let width = angle::<T>(near);
+    let width = angle(near);
     // Clear of its limit, by four times √ε: half of the width in `f32`.
     for off in [0.6, 0.8, -0.6, -0.8].map(|share| share * width) {
         for rate in [1.0, -1.0] {
@@ -267,4 +267,33 @@ fn first_poses<T: Float>(near: f64) {
 fn a_first_pose_next_to_a_change_point_has_the_modes_of_the_solver() {
     first_poses::<f64>(1.2e-4);
     first_poses::<f32>(4.8e-3);
+}
+
+/// Two parallelograms in a row pass their change points at once. A first pose next to them is clear of
+/// both, and the second crank's rates are made of the root of the first one's clearance.
+fn first_poses_in_a_row<T: Float>(near: f64) {
+    let width = angle(near);
+    let least = angle(4.5 * root::<T>());
+    for off in (0..40).map(|nth| least + (0.97 * width - least) * f64::from(nth) / 39.0) {
+        for (side, mode) in [(1.0, Side::Left), (-1.0, Side::Right)] {
+            for rate in [1.0, -1.0] {
+                let solver = TwoGrounds { elbow: mode, knee: mode, ..TwoGrounds::<T>::default() };
+                let [theta, rate, none] = [side * off, rate, 0.0].map(number::<T>);
+                let motion = Tracker::new(solver).motion(theta, rate, none);
+                let velocity = motion.expect("it goes on").velocity;
+                for omega in [velocity.DC.omega, velocity.FE.omega] {
+                    let by = (omega / rate).value() - 1.0;
+                    // Rates are off by some ε over the square of the distance.
+                    let allowed = 40.0 * T::EPSILON / (least * least);
+                    assert!(by.abs() < allowed, "{off:e} {side}: {by:e} of {allowed:e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_first_pose_next_to_two_change_points_turns_on() {
+    first_poses_in_a_row::<f64>(1.2e-4);
+    first_poses_in_a_row::<f32>(4.8e-3);
 }
