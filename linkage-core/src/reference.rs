@@ -103,6 +103,7 @@ pub mod solver {
     //! [`Record::points`]: crate::Record::points
     //! [`SlidingDirection`]: crate::SlidingDirection
     //! [`SolveError`]: crate::SolveError
+    //! [`Status`]: crate::Status
     //! [`Tracker`]: crate::Tracker
     //! [`Search::find_output`]: crate::find::Search::find_output
     //! [`find`]: crate::find
