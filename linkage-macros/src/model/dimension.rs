@@ -44,6 +44,29 @@ impl Dimension {
         Self { angle: is_angle && product.is_plain(), ..product }
     }
 
+    /// The unit as it stands behind a number: `N`, `(N*s/m)`. `None` where nobody calls it by one.
+    pub(super) fn unit(self) -> Option<&'static str> {
+        Some(match (self.length, self.mass, self.time) {
+            (1, 0, 0) => "m",
+            (0, 1, 0) => "kg",
+            (0, 0, 1) => "s",
+            (2, 0, 0) => "(m^2)",
+            (1, 0, -1) => "(m/s)",
+            (1, 0, -2) => "(m/s^2)",
+            (0, 0, -1) => "(1/s)",
+            (-1, 0, 0) => "(1/m)",
+            (1, 1, -2) => "N",
+            (2, 1, -2) => "(N*m)",
+            (0, 1, -2) => "(N/m)",
+            (0, 1, -1) => "(N*s/m)",
+            (2, 1, -1) => "(N*m*s)",
+            (1, 1, -1) => "(N*s)",
+            (-1, 1, 0) => "(N*s^2/m^2)",
+            (2, 1, 0) => "(kg*m^2)",
+            _ => return None,
+        })
+    }
+
     /// The quantity with its article, for messages.
     pub(super) fn words(self) -> String {
         let Self { length, mass, time, .. } = self;
@@ -56,6 +79,7 @@ impl Dimension {
             (0, 1, 0) => "a mass",
             (2, 1, 0) => "a moment of inertia",
             (0, 0, 1) => "a time",
+            (0, 0, -1) => "a rate (1/s)",
             (1, 0, -1) => "a speed",
             (1, 0, -2) => "an acceleration",
             (1, 1, -2) => "a force",

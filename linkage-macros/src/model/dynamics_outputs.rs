@@ -133,6 +133,9 @@ impl Resolver<'_> {
         if let Some(&(_, effort)) = found {
             return self.ask(docs, owner, member, effort);
         }
+        if !self.facts.links[link.index()].is_placed {
+            return;
+        }
         let group = &self.mechanism.groups[self.mechanism.links[link.index()].made_by.index()];
         let (message, reason) = match (member == "drive", &group.keyword.to_string()[..]) {
             (true, "crank" | "slider") | (false, _) => (
@@ -152,6 +155,9 @@ impl Resolver<'_> {
         let efforts = self.efforts_of(link);
         if let Some(&(_, effort)) = efforts.iter().find(|(field, _)| field == member) {
             return self.ask(docs, owner, member, effort);
+        }
+        if !self.facts.links[link.index()].is_placed {
+            return;
         }
         let message = format!("`{owner}` does not touch `{member}`");
         let reason = self.known_efforts(&efforts, owner);
@@ -179,6 +185,16 @@ impl Resolver<'_> {
         match known.is_empty() {
             true => format!("no force of `{owner}` is known"),
             false => format!("there is {}", super::names::listed(&known, "and")),
+        }
+    }
+
+    /// The end of a list of a link's members: its forces, where something has mass or acts.
+    pub(super) fn forces_too(&self, owner: &Ident) -> String {
+        let Some(Entity::Link(link)) = self.names.entity(owner) else { return String::new() };
+        let efforts = self.efforts_of(link);
+        match self.mechanism.dynamics.is_empty() || efforts.is_empty() {
+            true => String::new(),
+            false => format!("; of its forces {}", self.known_efforts(&efforts, owner)),
         }
     }
 

@@ -3,8 +3,10 @@
 use crate::diagnostics::Extent;
 use crate::exact::Exact;
 use crate::reach::line::Line;
+use crate::syntax::tree::Declaration;
 
 use super::dimension::Measure;
+use super::literals::longest_in_small_units;
 use super::mechanism::{Carrier, Expr, GuideId, PointId};
 use super::names::Entity;
 
@@ -24,6 +26,8 @@ pub(super) struct Facts {
     pub ends_of_unknowns: Vec<[Extent; 2]>,
     /// Points, links and unknowns in order of declaration.
     pub order: Vec<Entity>,
+    /// The longest length that has a unit, where all of them are smaller than a metre.
+    pub longest_in_small_units: Option<Exact>,
     /// The longest length without a unit, and where it stands.
     pub longest_bare_length: Option<(Exact, Extent)>,
     /// Whether a length anywhere has a unit.
@@ -54,6 +58,9 @@ pub(super) struct LinkFacts {
     /// Whether its joint and its pin are known, so that a point which is neither is known not to
     /// be.
     pub has_its_joints: bool,
+    /// Whether its group is placed: where the group's fields or joints are in error, the forces of its
+    /// links are unknown, and that was reported.
+    pub is_placed: bool,
 }
 
 pub(super) struct GuideFacts {
@@ -75,6 +82,11 @@ struct Location {
 }
 
 impl Facts {
+    /// The facts that hold before the first statement is resolved.
+    pub(super) fn of(tree: &Declaration) -> Self {
+        Self { longest_in_small_units: longest_in_small_units(tree), ..Self::default() }
+    }
+
     /// Whether the thing depends on an input.
     pub(super) fn moves(&self, entity: Entity) -> bool {
         match entity {

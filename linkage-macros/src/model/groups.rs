@@ -103,18 +103,19 @@ impl Resolver<'_> {
             Class::Rpp => self.rpp(&parts),
             Class::Spring => None,
         };
+        self.facts_of_what_was_made(&parts, step.is_some());
         self.mechanism.steps.extend(step);
-        self.facts_of_what_was_made(&parts);
     }
 
     /// What a group makes moves if anything it was given moves.
-    fn facts_of_what_was_made(&mut self, parts: &Parts) {
+    fn facts_of_what_was_made(&mut self, parts: &Parts, is_placed: bool) {
         let pin_is_known = parts.pin.is_some() == parts.has_pin();
         for (link, joint) in parts.links.iter().zip(&parts.outer) {
             if let Some(link) = link {
                 let facts = &mut self.facts.links[link.index()];
                 facts.moves = self.moves;
                 facts.has_its_joints = joint.is_some() && pin_is_known;
+                facts.is_placed = is_placed;
             }
         }
         if let Some(pin) = parts.pin {
@@ -154,6 +155,7 @@ impl Resolver<'_> {
             is_bar: false,
             length: None,
             has_its_joints: true,
+            is_placed: true,
         });
         self.facts.order.push(Entity::Link(id));
         self.names.bind(name, Entity::Link(id));

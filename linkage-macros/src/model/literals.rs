@@ -2,7 +2,7 @@
 
 use crate::diagnostics::{Extent, nearest};
 use crate::exact::Exact;
-use crate::syntax::tree::{self, BinaryOp, ExprKind, UnitPower};
+use crate::syntax::tree::{self, BinaryOp, Declaration, ExprKind, UnitPower};
 use crate::syntax::words::UNITS;
 
 use super::Resolver;
@@ -11,12 +11,18 @@ use super::expressions::Quantity;
 use super::folding::shown;
 use super::mechanism::{Dimension, Expr, ParamKind};
 use super::names::NUMBERS;
+use super::references::expressions;
 use super::units::unit;
 use crate::reach::absolute;
 
 /// A bare length from which on a unit is asked for, in metres: few mechanisms are as long, and most
 /// numbers of millimetres are longer.
 const LONG: i64 = 100;
+
+/// Where all units are smaller than a metre, a bare length of this many metres that is also this many
+/// times as long as the longest with a unit has lost its own. A forgotten `mm` makes a length a thousand
+/// times as long as it is; metres beside a small offset, as in `length: 1` and `offset: 2mm`, are meant.
+const MANY: i64 = 10;
 
 impl Resolver<'_> {
     /// A literal is a number, and its units are among the known.
@@ -173,24 +179,58 @@ impl Resolver<'_> {
         None
     }
 
-    /// Remembers the longest of the lengths that have no unit.
-    pub(super) fn note_bare_length(&mut self, span: Extent, quantity: &Quantity) {
+    /// A length without a unit is in metres: among millimetres, one that is many times as long as all
+    /// others has lost its unit. Remembers the longest for declarations without units.
+    pub(super) fn bare_length_is_as_others(
+        &mut self,
+        span: Extent,
+        quantity: &Quantity,
+    ) -> Option<()> {
         if quantity.measure != Measure::Bare {
-            return;
+            return Some(());
         }
-        let (value, span) = match &quantity.rest {
-            Expr::Constant(value) => (value, span),
+        let (value, span, param) = match &quantity.rest {
+            Expr::Constant(value) => (value, span, None),
             Expr::Param(id) => match &self.mechanism.params[id.index()].kind {
-                ParamKind::Number { default, .. } => (default, self.facts.params[id.index()].span),
-                _ => return,
+                ParamKind::Number { default, .. } => {
+                    (default, self.facts.params[id.index()].span, Some(*id))
+                }
+                _ => return Some(()),
             },
-            _ => return,
+            _ => return Some(()),
         };
-        let longest = self.facts.longest_bare_length.as_ref();
         let value = absolute(value);
+        let many = Exact::integer(MANY);
+        let longest = self.facts.longest_in_small_units.as_ref();
+        let is_as_others = longest.is_none_or(|longest| {
+            value.cmp_value(&many).is_lt() || value.cmp_value(&longest.mul(&many)).is_lt()
+        });
+        if !is_as_others {
+            let is_told = param.is_some_and(|id| {
+                std::mem::replace(&mut self.facts.params[id.index()].blamed, true)
+            });
+            if !is_told {
+                self.length_needs_its_unit(
+                    span,
+                    &value,
+                    "every length with a unit is much shorter",
+                );
+            }
+            return None;
+        }
+        let longest = self.facts.longest_bare_length.as_ref();
         if longest.is_none_or(|(longest, _)| value.cmp_value(longest).is_gt()) {
             self.facts.longest_bare_length = Some((value, span));
         }
+        Some(())
+    }
+
+    fn length_needs_its_unit(&mut self, span: Extent, length: &Exact, others: &str) {
+        let length = shown(length);
+        let message =
+            format!("a length of {length} m; write `{length}mm`, or `{length}m` if it is meant");
+        let reason = format!("{others}, and a bare number is in metres");
+        self.diagnostics.error_because(span, message, reason);
     }
 
     /// A declaration whose lengths have no units at all has none that only millimetres explain.
@@ -201,12 +241,33 @@ impl Resolver<'_> {
         if self.facts.a_length_has_a_unit || length.cmp_value(&Exact::integer(LONG)).is_lt() {
             return;
         }
-        let length = shown(length);
-        let message =
-            format!("a length of {length} m; write `{length}mm`, or `{length}m` if it is meant");
-        let reason = "no length of this declaration has a unit, and a bare number is in metres";
-        self.diagnostics.error_because(*span, message, reason);
+        let (length, span) = (length.clone(), *span);
+        self.length_needs_its_unit(span, &length, "no length of this declaration has a unit");
     }
+}
+
+/// The longest length with a unit, where each of them is in a unit smaller than a metre.
+pub(super) fn longest_in_small_units(tree: &Declaration) -> Option<Exact> {
+    let (mut longest, mut has_metres) = (None, false);
+    let mut note = |expr: &tree::Expr| {
+        let ExprKind::Number { digits, units } = &expr.kind else { return };
+        let [(name, 1)] = &units[..] else { return };
+        let Some((Dimension::LENGTH, factor)) = unit(name) else { return };
+        has_metres |= name == "m";
+        let Some(value) = Exact::decimal(digits).map(|value| value.mul(&factor)) else { return };
+        if longest.as_ref().is_none_or(|longest| value.cmp_value(longest).is_gt()) {
+            longest = Some(value);
+        }
+    };
+    for statement in &tree.statements {
+        expressions(statement, &mut |expr| each_part(expr, &mut note));
+    }
+    longest.filter(|longest: &Exact| !has_metres && !longest.is_zero())
+}
+
+fn each_part(expr: &tree::Expr, f: &mut impl FnMut(&tree::Expr)) {
+    f(expr);
+    expr.parts().for_each(|part| each_part(part, f));
 }
 
 /// Whether the expression is a number with one of these units, or a product with one.

@@ -74,11 +74,12 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         unread: &tree.unread,
         names: Names::collect(tree),
         mechanism: empty(tree),
-        facts: Facts::default(),
+        facts: Facts::of(tree),
         moves: false,
         too_early: Vec::new(),
         use_is_hidden: false,
         number_is_unknown: false,
+        reported_unknown: HashSet::new(),
         is_about_forces: false,
         gravity_at: None,
         searched: None,
@@ -122,6 +123,8 @@ struct Resolver<'d> {
     use_is_hidden: bool,
     /// Whether an expression names a number that nothing declares.
     number_is_unknown: bool,
+    /// Names that nothing declares, and that were reported.
+    reported_unknown: HashSet<String>,
     /// Whether the expression being resolved is the value of a force or a torque, in which loads and
     /// rates may stand.
     is_about_forces: bool,

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::diagnostics::Extent;
-use crate::syntax::tree::{self, ExprKind};
+use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
 use super::Resolver;
 use super::dimension::Measure;
@@ -53,16 +53,17 @@ impl Resolver<'_> {
         if quantity.measure.fits(wanted) {
             return match wanted {
                 Dimension::ANGLE => self.bare_angle_is_within_a_turn(expr.span, quantity),
-                Dimension::LENGTH => {
-                    self.note_bare_length(expr.span, quantity);
-                    Some(())
-                }
+                Dimension::LENGTH => self.bare_length_is_as_others(expr.span, quantity),
                 _ => Some(()),
             };
         }
         let found = quantity.measure.dimension();
         let message = format!("{} where {} belongs", found.words(), wanted.words());
         if let Some(reason) = self.name_taken_for_a_unit(expr) {
+            self.diagnostics.error_because(expr.span, message, reason);
+            return None;
+        }
+        if let Some(reason) = self.factor_without_unit(expr, wanted.times(found, -1)) {
             self.diagnostics.error_because(expr.span, message, reason);
             return None;
         }
@@ -80,6 +81,50 @@ impl Resolver<'_> {
         };
         self.diagnostics.error_because(expr.span, message, reason);
         None
+    }
+
+    /// What to write where a product misses a dimension and has a number without a unit:
+    /// `-10 * rate(s)` as a force.
+    fn factor_without_unit(&self, expr: &tree::Expr, missing: Dimension) -> Option<String> {
+        let unit = missing.unit()?;
+        let factor = match &expr.kind {
+            ExprKind::Negate(inner) => return self.factor_without_unit(inner, missing),
+            ExprKind::Chain(first, rest) => {
+                let factors = rest.iter().filter(|(operator, _)| *operator == BinaryOp::Mul);
+                let is_product = matches!(rest[0].0, BinaryOp::Mul | BinaryOp::Div);
+                let mut factors = [&**first].into_iter().chain(factors.map(|(_, factor)| factor));
+                factors
+                    .find_map(|factor| self.number_without_unit(factor))
+                    .filter(|_| is_product)?
+            }
+            _ => return None,
+        };
+        Some(match factor {
+            (digits, None) => format!("give `{digits}` its unit: `{digits}{unit}`"),
+            (name, Some(default)) => {
+                format!(
+                    "give `{name}` its unit where it is declared: `param {name} = {default}{unit}`"
+                )
+            }
+        })
+    }
+
+    /// The digits of a number without a unit, or the name of such a parameter and its digits.
+    fn number_without_unit(&self, expr: &tree::Expr) -> Option<(String, Option<String>)> {
+        match &expr.kind {
+            ExprKind::Number { digits, units } if units.is_empty() => Some((digits.clone(), None)),
+            ExprKind::Negate(inner) => self.number_without_unit(inner),
+            ExprKind::Name(name) => {
+                let Entity::Param(id) = self.names.entity(name)? else { return None };
+                let ParamKind::Number { default, .. } = &self.mechanism.params[id.index()].kind
+                else {
+                    return None;
+                };
+                let is_bare = self.facts.params[id.index()].measure == Measure::Bare;
+                is_bare.then(|| (name.to_string(), Some(shown(default))))
+            }
+            _ => None,
+        }
     }
 
     /// A link's angle stands in sums of angles alone, never where one definite number is needed.

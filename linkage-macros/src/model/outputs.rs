@@ -11,6 +11,7 @@ use crate::syntax::tree::{Declaration, Expr, ExprKind, OutputItem, StatementKind
 use super::Resolver;
 use super::mechanism::{Expr as Resolved, LinkId, Output, OutputKind, UnknownId};
 use super::names::{Entity, Kind};
+use super::numbers::bare_name;
 
 pub(super) const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
 
@@ -63,6 +64,7 @@ impl Resolver<'_> {
 
     fn output(&mut self, docs: &[Attribute], item: &OutputItem) {
         match (&item.name, &item.value.kind) {
+            (Some(name), _) if item.renamed_at.is_some() => self.name_stands_in_front(name, item),
             (Some(name), _) => self.named_output(docs, name, &item.value),
             (None, ExprKind::Name(name)) => self.whole_output(docs, name),
             (None, ExprKind::Member(owner, member)) => self.member_output(docs, owner, member),
@@ -91,6 +93,30 @@ impl Resolver<'_> {
         if is_new.is_some() {
             self.give(name.span(), name.clone(), docs, kind);
         }
+    }
+
+    /// Reports `C as tip`.
+    fn name_stands_in_front(&mut self, name: &Ident, item: &OutputItem) {
+        let whole = bare_name(&item.value).filter(|value| {
+            matches!(self.names.kind(value), Some(Kind::Point | Kind::Link | Kind::Unknown))
+        });
+        let (message, reason) = match whole {
+            Some(whole) => (
+                format!("leave out `as {name}`"),
+                format!(
+                    "the result has the field `{whole}`, named as it is declared; rename it there"
+                ),
+            ),
+            None => (
+                format!("write the name in front: `output {name} = …`"),
+                "the name of a number is the field of the result".to_string(),
+            ),
+        };
+        self.diagnostics.error_because(
+            item.renamed_at.expect("`as` stands there"),
+            message,
+            reason,
+        );
     }
 
     /// The name of an expression is not the name of anything else.
@@ -220,9 +246,13 @@ impl Resolver<'_> {
         }
     }
 
-    /// Reports a part that links do not have.
+    /// Reports a part that links do not have. A point or guide that was reported as unknown may be a
+    /// joint of the link.
     fn member_exists(&mut self, owner: &Ident, member: &Ident) {
         let part = member.to_string();
+        if self.reported_unknown.contains(&part) {
+            return;
+        }
         let (message, reason) = match part.as_str() {
             "omega" | "alpha" => (
                 format!("rates need no output of their own; write `output {owner}.angle`"),
@@ -237,7 +267,10 @@ impl Resolver<'_> {
                 let near = near.map(|near| format!("; one with a similar name exists: `{near}`"));
                 (
                     format!("a link has no `{part}`{}", near.unwrap_or_default()),
-                    "it has `angle`, `slide` if it slides, `margin` and `transmission`".into(),
+                    format!(
+                        "it has `angle`, `slide` if it slides, `margin` and `transmission`{}",
+                        self.forces_too(owner)
+                    ),
                 )
             }
         };

@@ -3,6 +3,7 @@
 
 use proc_macro2::Ident;
 
+use crate::syntax::expression::FRICTION;
 use crate::syntax::tree;
 
 use super::Resolver;
@@ -14,10 +15,6 @@ use super::numbers::bare_name;
 
 /// What a rate may be called by whoever looks for it among the members of a point.
 const RATES: [&str; 7] = ["velocity", "acceleration", "speed", "rate", "vx", "vy", "v"];
-
-/// What to write where friction is meant.
-const FRICTION: &str = "friction that follows from a reaction is implicit; of a known normal force it \
-                        is smooth: `-mu * 50N * v / hypot(v, 0.001(m/s))`, `v` a `rate`";
 
 /// What links and inputs have as outputs about forces.
 fn is_of_forces(word: &str) -> bool {

@@ -200,7 +200,15 @@ impl StandIn {
     /// Adds an output that was asked for, as far as it is understood.
     fn output(&mut self, item: &OutputItem) -> bool {
         if let Some(name) = &item.name {
-            let kind = self.value_of(self.holds_angle(&item.value));
+            // A point under another name is a mistake, and its coordinates may be asked for.
+            let thing = match &item.value.kind {
+                ExprKind::Name(value) => self.things.get(&value.to_string()).copied(),
+                _ => None,
+            };
+            let kind = match thing {
+                Some(thing) => self.whole(thing),
+                None => self.value_of(self.holds_angle(&item.value)),
+            };
             self.push(name.clone(), kind);
             return true;
         }

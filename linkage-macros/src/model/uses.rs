@@ -95,6 +95,7 @@ impl Resolver<'_> {
     fn name_exists(&mut self, name: &Ident, kinds: &[Kind]) {
         self.name_is_unknown(kinds);
         let text = name.to_string();
+        self.reported_unknown.insert(text.clone());
         if kinds == NUMBERS && self.solved.contains(&text) {
             // Where it is solved, that is said.
             return;
@@ -105,6 +106,10 @@ impl Resolver<'_> {
             Some(near) => {
                 let kind = self.names.symbols[self.names.by_name[near]].kind;
                 message += &format!("; {} with a similar name exists: `{near}`", kind.one());
+                let guides: Vec<_> = self.names.of_kinds(&[Kind::Guide]).collect();
+                if kind != Kind::Guide && kinds.contains(&Kind::Guide) && !guides.is_empty() {
+                    reason = Some(format!("guides are `{}`", guides.join("`, `")));
+                }
             }
             None if kinds == NUMBERS && is_meant_as_unit(&text) => {
                 reason = Some("a product of units stands in parentheses: `0.1(kg*m^2)`".into());
@@ -119,6 +124,10 @@ impl Resolver<'_> {
                     reason = Some(format!("declared so far: {}", known.join(", ")));
                 } else if known.is_empty() && kinds == NUMBERS {
                     reason = Some(format!("declare it: `input {text}: angle;`"));
+                } else if known.is_empty() && kinds == [Kind::Guide] {
+                    reason = Some(format!(
+                        "declare it in front of this: `guide {text} through A along 0deg;`"
+                    ));
                 } else if kinds == [Kind::Unknown] {
                     reason = Some(format!(
                         "declare it in front of what it drives: `unknown {text}: angle between (…, …);`"

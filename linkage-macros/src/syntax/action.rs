@@ -46,6 +46,8 @@ pub(crate) enum MassPlace {
 const MASS_FORMS: &str = "a mass is `mass 2kg on BC at G`, `… on BC at (x, y)`, \
                           `… on BC uniform` or, on a pin or point, `mass 2kg on C`";
 const FORCE_FORMS: &str = "a force is `force (fx, fy) on P` or `force f between P and Q`";
+const AXES: &str = "a force f across a link is `force (0, f) in LINK on P`: behind `in` stands the body \
+                    along whose axes the components lie";
 const SPRING_FORM: &str = "a spring is `spring between P and Q { stiffness: 15(N/m), free_length: \
                            0.3m }`, between two points or two links, and may have a name";
 const TORQUE_FORMS: &str = "a torque is `torque t on BC` or `torque t between BC and DC`";
@@ -179,9 +181,19 @@ impl Parser<'_> {
                 let what = if axes.is_some() { "`on`" } else { "`on` or `in`" };
                 return self.expected_because(what, FORCE_FORMS);
             }
-            return Ok(Action::Force { value, axes, on: self.name_of("a point")? });
+            let on = self.name_of("a point")?;
+            if let (true, Some(axes)) = (self.is_word(0, "in"), self.peek_ident(1)) {
+                let message = format!("write `force (fx, fy) in {axes} on {on}`");
+                return self.refuse_because(&message, AXES);
+            }
+            return Ok(Action::Force { value, axes, on });
         }
         let value = self.expression()?;
+        if let (true, Some(axes)) = (self.is_word(0, "in"), self.peek_ident(1)) {
+            let message =
+                format!("write both components in front: `force (fx, fy) in {axes} on P`");
+            return self.refuse_because(&message, AXES);
+        }
         if self.is_word(0, "on") {
             return self.refuse_because(
                 "a force on a point has two components; write `force (fx, fy) on P`",

@@ -144,6 +144,8 @@ impl Parser<'_> {
                 continue;
             }
             self.start = self.next;
+            self.asks = self.is_word(0, "output");
+            self.aftermath.reads_a_reaction = false;
             match self.statement() {
                 Ok(kind) => statements.push(Statement { docs, kind }),
                 Err(Reported) => {

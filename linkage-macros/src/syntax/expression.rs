@@ -21,6 +21,11 @@ const MEMBERS: [&str; 6] = ["angle", "slide", "margin", "transmission", "x", "y"
 
 const OPERAND: &str = "a number or a name";
 
+/// Why no expression reads a reaction, and what to write where friction is meant.
+pub(crate) const FRICTION: &str = "a reaction follows from all forces, so none can depend on it; with a \
+                                   given normal force friction is smooth: `-mu * 50N * v / hypot(v, \
+                                   0.001(m/s))`, `v` a `rate`";
+
 impl Parser<'_> {
     pub(super) fn expression(&mut self) -> Parse<Expr> {
         let sum = self.chain(&[('+', BinaryOp::Add), ('-', BinaryOp::Sub)], |parser| {
@@ -107,9 +112,9 @@ impl Parser<'_> {
         if self.is_punct(0, '.') {
             return self.member_of_number(text);
         }
-        let product = match number.unit {
+        let product = match &number.unit {
             None => self.unit_product()?,
-            Some(_) => None,
+            Some(unit) => self.power_of_unit(&number.digits, unit),
         };
         let span = self.since(first);
         let negative = number.negative;
@@ -216,7 +221,12 @@ impl Parser<'_> {
         }
         if self.is_punct(0, '.') {
             if let Some((message, reason)) = self.member_of_member(&link, &member) {
-                return self.refuse_because(&message, reason);
+                let is_told = reason == FRICTION
+                    && std::mem::replace(&mut self.aftermath.reads_a_reaction, true);
+                return match is_told {
+                    true => Err(Reported),
+                    false => self.refuse_because(&message, reason),
+                };
             }
             return self.expected_because(
                 "the end of a member",
@@ -236,12 +246,27 @@ impl Parser<'_> {
                 "in the values of forces and torques; of outputs, `velocity` gives the rates",
             )),
             // Of a point of a link, or of what acts on the link there.
-            _ if is_coordinate(&last) && !MEMBERS.iter().any(|known| member == known) => Some((
+            _ if MEMBERS.iter().any(|known| member == known) => None,
+            _ if is_coordinate(&last) && self.asks => Some((
                 format!(
                     "write `{member}.{last}` for the point, `{link}.{member}` for the reaction"
                 ),
                 "a point is known by its own name, and the reaction's components are fields of the result",
             )),
+            _ if is_coordinate(&last) => Some((
+                format!(
+                    "write `{member}.{last}` for the point; no expression reads the reaction \
+                     `{link}.{member}`"
+                ),
+                FRICTION,
+            )),
+            "normal" | "couple" if self.asks => Some((
+                format!("write `{link}.{member}`"),
+                "the reaction of a guide is one output; `normal` and `couple` are fields of the result",
+            )),
+            "normal" | "couple" => {
+                Some((format!("no expression reads the reaction `{link}.{member}`"), FRICTION))
+            }
             _ => None,
         }
     }
@@ -272,17 +297,16 @@ impl Parser<'_> {
         let mut arguments = Vec::new();
         while !inner.at_end() {
             let (first, span) = (inner.next, inner.here());
-            let argument = inner.expression();
-            let mut failed = argument.is_err();
-            arguments.push(argument.unwrap_or(Expr::mistake(span)));
-            if !failed && !inner.at_end() && !inner.is_punct(0, ',') {
-                let _ = inner.expected::<()>("`,` or `)`");
-                failed = true;
+            let mut argument = inner.expression();
+            if argument.is_ok() && !inner.at_end() && !inner.is_punct(0, ',') {
+                argument = inner.expected("`,` or `)`");
             }
-            if failed {
+            if argument.is_err() {
                 inner.skip_to_comma();
                 inner.give_up_since(first);
             }
+            // Of the part that was read nothing is known where the rest is missing.
+            arguments.push(argument.unwrap_or(Expr::mistake(span)));
             inner.take_punct(',');
         }
         arguments

@@ -34,7 +34,7 @@
 pub(crate) mod action;
 pub(crate) mod anatomy;
 mod declaration;
-mod expression;
+pub(crate) mod expression;
 mod group;
 mod literal;
 mod recovery;

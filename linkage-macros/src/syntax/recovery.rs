@@ -13,6 +13,8 @@ use super::words;
 pub(super) struct Aftermath {
     /// The identifiers that were given up, see [`super::tree::Unread`].
     pub unread: HashSet<String>,
+    /// Whether the statement in hand was told that no expression reads a reaction.
+    pub reads_a_reaction: bool,
     /// Names that were declared and cannot be: one message is enough for all of their uses.
     refused: HashSet<String>,
 }

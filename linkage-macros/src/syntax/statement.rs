@@ -282,7 +282,16 @@ impl Parser<'_> {
             );
         }
         if self.peek_ident(0).is_none() || !self.is_punct(1, '=') {
-            items.push(OutputItem { name: None, value: self.expression()? });
+            let value = self.expression()?;
+            let renamed_at = self.is_word(0, "as").then(|| self.here());
+            let name = match renamed_at {
+                Some(_) => {
+                    self.take();
+                    Some(self.new_name("an output")?)
+                }
+                None => None,
+            };
+            items.push(OutputItem { name, renamed_at, value });
             return Ok(());
         }
         let name = self.new_name("an output")?;
@@ -290,7 +299,7 @@ impl Parser<'_> {
         let value = self.expression();
         let failed = value.is_err();
         let value = value.unwrap_or(mistake(&name));
-        items.push(OutputItem { name: Some(name), value });
+        items.push(OutputItem { name: Some(name), renamed_at: None, value });
         if failed { Err(Reported) } else { Ok(()) }
     }
 

@@ -30,6 +30,8 @@ pub(super) struct Parser<'d> {
     pub aftermath: &'d mut Aftermath,
     /// Where the statement in hand begins.
     pub start: usize,
+    /// Whether the statement in hand asks for results, so that a reaction may be meant.
+    pub asks: bool,
 }
 
 impl<'d> Parser<'d> {
@@ -49,6 +51,7 @@ impl<'d> Parser<'d> {
             diagnostics,
             aftermath,
             start: 0,
+            asks: false,
         }
     }
 
@@ -70,6 +73,7 @@ impl<'d> Parser<'d> {
             diagnostics: &mut *self.diagnostics,
             aftermath: &mut *self.aftermath,
             start: 0,
+            asks: self.asks,
         }
     }
 

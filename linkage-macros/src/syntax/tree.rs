@@ -190,6 +190,8 @@ pub(crate) enum Place {
 pub(crate) struct OutputItem {
     /// `fold =`, where the item is a named expression.
     pub name: Option<Ident>,
+    /// Where `as` stands, if the name is written behind it: `C as tip`.
+    pub renamed_at: Option<Span>,
     pub value: Expr,
 }
 

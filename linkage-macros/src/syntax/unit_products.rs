@@ -40,6 +40,24 @@ impl Parser<'_> {
         units.map(Some)
     }
 
+    /// `100mm^2`, behind its unit: the area that is meant, and how it is written.
+    pub(super) fn power_of_unit(&mut self, digits: &str, unit: &str) -> Option<Vec<UnitPower>> {
+        let Some(TokenTree::Literal(power)) = self.peek(1).filter(|_| self.is_punct(0, '^')) else {
+            return None;
+        };
+        let power: i32 = power.to_string().parse().ok()?;
+        if !(1..=HIGHEST_POWER).contains(&power) || !UNITS.contains(&unit) {
+            return None;
+        }
+        let _ = self.refuse_because::<()>(
+            &format!("write `{digits}({unit}^{power})`"),
+            "a unit's power stands in parentheses with it; that of a quantity is a product: `x * x`",
+        );
+        self.take();
+        self.take();
+        Some(vec![(unit.to_string(), power)])
+    }
+
     fn units(&mut self) -> Parse<Vec<UnitPower>> {
         let mut units = Vec::new();
         let mut sign = 1;

@@ -43,7 +43,7 @@ impl StandIn {
 
     fn give_forces_of(&mut self, group: &Group) {
         let Some(anatomy) = Anatomy::of(&group.keyword.to_string()) else { return };
-        for leg in &group.legs {
+        for (leg, slides) in group.legs.iter().zip(anatomy.slides) {
             let Some(&Thing::Link(link)) = self.things.get(&leg.link.to_string()) else { continue };
             let owner = &leg.link;
             if !anatomy.is_dyad() {
@@ -53,7 +53,10 @@ impl StandIn {
                 self.ask(owner, "push", Effort::Push(link));
             }
             for joint in leg.joint.iter().chain(&group.pin) {
-                match self.guides.contains(joint) {
+                // A name that nothing declares is that of a guide where the joint is prismatic.
+                let is_guide = self.guides.contains(joint)
+                    || slides && !self.things.contains_key(&joint.to_string());
+                match is_guide {
                     true => self.ask(owner, &joint.to_string(), Effort::Guide(link)),
                     false => self.give_pin(owner, link, joint),
                 }

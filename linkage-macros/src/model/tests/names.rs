@@ -224,6 +224,55 @@ fn a_mechanism_has_inputs_and_uses_them() {
     ]);
 }
 
+/// What is unknown because of a reported mistake brings no second message in `output`.
+#[test]
+fn reactions_of_a_group_in_error_are_not_reported() {
+    const UNKNOWN: &str = "no input, parameter or `let` named `x` / declared so far: `t`";
+    const ASKED: &str = "mass 1kg on AB at (0, 0); output t.drive, AB.drive, ";
+    let rows = [
+        ("rrr BC(B), DC(D) -> C { lengths: (x, 3m), mode: left }", "BC.B, BC.C, DC.D, DC.push"),
+        ("rrp BC(B), ram(rail) -> C { length: x, mode: ahead }", "BC.B, ram.rail, ram.C"),
+        ("rpr block(B), bar(D) { offset: x }", "block.B, bar.D, block.bar"),
+        ("slider ram(rail) -> C { slide: x }", "ram.drive, ram.rail, ram.C"),
+    ];
+    for (group, asked) in rows {
+        check(&[(GUIDE, &format!("{group} {ASKED}{asked};"), &format!("x: {UNKNOWN}"))]);
+    }
+    let group = "rrp BC(B), ram(bed) -> C { length: 5m, mode: ahead }";
+    check(&[
+        (
+            GUIDE,
+            &format!("{group} {ASKED} ram.bed, BC.C;"),
+            "bed: no guide named `bed` / declared so far: `rail`",
+        ),
+        (
+            CRANK,
+            &format!("{group} {ASKED} ram.bed;"),
+            "bed: no guide named `bed` / declare it in front of this: `guide bed through A along 0deg;`",
+        ),
+        // A mistake of its own is still one.
+        (
+            GUIDE,
+            "rrp BC(B), ram(rail) -> C { length: 5m, mode: ahead } mass 1kg on C; output ram.bed, BC.D;",
+            "bed: a link has no `bed` / it has `angle`, `slide` if it slides, `margin` and \
+             `transmission`; of its forces there is `ram.C` and `ram.rail`\n\
+             D: `BC` does not touch `D` / there is `BC.B` and `BC.C`",
+        ),
+        (
+            GUIDE,
+            "mass 1kg on B; force (1, 0) in rial on B;",
+            "rial: no link or guide named `rial`; a guide with a similar name exists: `rail`",
+        ),
+        (
+            "input t: angle; ground A(0, 0); guide bed through A along 0deg; \
+             crank ram(A) -> B { length: 1m, angle: t }",
+            "force (1, 0) in rail on B;",
+            "rail: no link or guide named `rail`; a link with a similar name exists: `ram` / guides are \
+             `bed`",
+        ),
+    ]);
+}
+
 #[test]
 fn what_was_in_error_is_not_reported_again() {
     check(&[

@@ -159,3 +159,82 @@ fn lengths_without_any_unit_are_of_a_machine() {
         ("input t: angle; ground A(0, 0);", "crank AB(A) -> B { length: 99, angle: t }", ""),
     ]);
 }
+
+/// Among millimetres, a bare length that only millimetres explain has lost its unit; metres beside small
+/// offsets, and long machines in metres, are meant.
+#[test]
+fn a_bare_length_among_millimetres_is_not_the_longest_by_far() {
+    const MILLIMETRES: &str = "input t: angle; ground A(0, 0), D(750mm, 0);";
+    let told = |digits: &str| {
+        format!(
+            "{digits}: a length of {digits} m; write `{digits}mm`, or `{digits}m` if it is meant / every \
+             length with a unit is much shorter, and a bare number is in metres"
+        )
+    };
+    let crank = |length: &str| format!("crank AB(A) -> B {{ length: {length}, angle: t }}");
+    check(&[
+        (MILLIMETRES, &crank("100"), &told("100")),
+        // Where the group of the bare length could not be assembled either, one message is enough.
+        (
+            MILLIMETRES,
+            &format!(
+                "{} rrr BC(B), DC(D) -> C {{ lengths: (510mm, 500), mode: left }}",
+                crank("250mm")
+            ),
+            &told("500"),
+        ),
+        (
+            MILLIMETRES,
+            &format!("param l = 12.5; {} point P on AB at (l, 3mm);", crank("l")),
+            &told("12.5"),
+        ),
+        (MILLIMETRES, &crank("9.9"), ""),
+        (MILLIMETRES, &crank("100m"), ""),
+        ("input t: angle; ground A(0, 0), D(2m, 3mm);", &crank("100"), ""),
+        ("input t: angle; ground A(0, 0), D(11m, 3mm);", &crank("12"), ""),
+        ("input t: angle; ground A(0, 0), D(2000mm, 0);", &crank("19.9"), ""),
+        ("input t: angle; ground A(0, 0), D(2000mm, 0);", &crank("20"), &told("20")),
+    ]);
+}
+
+/// A product that misses a dimension and has a number without a unit is told that unit.
+#[test]
+fn a_factor_without_a_unit_is_told_its_unit() {
+    check(&[
+        (
+            CRANK,
+            "force (-10 * rate(B.x), 0) on B;",
+            "-10 * rate(B.x): a speed where a force belongs / give `10` its unit: `10(N*s/m)`",
+        ),
+        (
+            CRANK,
+            "torque -(rate(AB.angle) * 0.5 / 2) on AB;",
+            "-(rate(AB.angle) * 0.5 / 2): a rate (1/s) where a torque belongs / give `0.5` its unit: \
+             `0.5(N*m*s)`",
+        ),
+        (
+            CRANK,
+            "param c = 1.5; force (-c * rate(B.x), 0) on B;",
+            "-c * rate(B.x): a speed where a force belongs / give `c` its unit where it is declared: \
+             `param c = 1.5(N*s/m)`",
+        ),
+        (
+            CRANK,
+            "force (3 * B.x, 0) on B;",
+            "3 * B.x: a length where a force belongs / give `3` its unit: `3(N/m)`",
+        ),
+        // A divisor, a sum and a number that has its unit are told no other.
+        (
+            CRANK,
+            "force (B.x / 3, 0) on B;",
+            "B.x / 3: a length where a force belongs / multiply or divide by what is missing",
+        ),
+        (
+            CRANK,
+            "force (3kg * rate(B.x), 0) on B;",
+            "3kg * rate(B.x): a quantity in m kg s^-1 where a force belongs / multiply or divide by \
+             what is missing",
+        ),
+        (CRANK, "param c = 10(N*s/m); force (-c * rate(B.x), 0) on B;", ""),
+    ]);
+}

@@ -29,6 +29,29 @@ fn an_output_is_given_once() {
 }
 
 #[test]
+fn a_name_stands_in_front() {
+    const NUMBER: &str = "the name of a number is the field of the result";
+    check(&[
+        (
+            CRANK,
+            "output B as tip, AB;",
+            "as: leave out `as tip` / the result has the field `B`, named as it is declared; rename it \
+             there",
+        ),
+        (
+            CRANK,
+            "output B.x as reach;",
+            &format!("as: write the name in front: `output reach = …` / {NUMBER}"),
+        ),
+        (
+            CRANK,
+            "let twice = 2 * AB.angle; output twice as turn;",
+            &format!("as: write the name in front: `output turn = …` / {NUMBER}"),
+        ),
+    ]);
+}
+
+#[test]
 fn an_output_is_a_result() {
     check(&[
         (

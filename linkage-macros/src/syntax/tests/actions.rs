@@ -33,6 +33,8 @@ fn statements_about_forces_that_do_not_parse() {
     const MASS: &str = "a mass is `mass 2kg on BC at G`, `… on BC at (x, y)`, `… on BC uniform` or, \
                         on a pin or point, `mass 2kg on C`";
     const FORCE: &str = "a force is `force (fx, fy) on P` or `force f between P and Q`";
+    const AXES: &str = "a force f across a link is `force (0, f) in LINK on P`: behind `in` stands the \
+                        body along whose axes the components lie";
     const TORQUE: &str = "a torque is `torque t on BC` or `torque t between BC and DC`";
     let rows: &[(&str, String)] = &[
         (
@@ -53,6 +55,14 @@ fn statements_about_forces_that_do_not_parse() {
             format!(
                 "on: a force on a point has two components; write `force (fx, fy) on P` / {FORCE}"
             ),
+        ),
+        (
+            "force f in arm (0, 1) on pad;",
+            format!("in: write both components in front: `force (fx, fy) in arm on P` / {AXES}"),
+        ),
+        (
+            "force (0, f) on pad in arm;",
+            format!("in: write `force (fx, fy) in arm on pad` / {AXES}"),
         ),
         ("force (1, 2) P;", format!("P: expected `on` or `in`, found `P` / {FORCE}")),
         ("force 5N between P;", format!(";: expected `and`, found `;` / {FORCE}")),

@@ -55,6 +55,53 @@ fn products_and_powers() {
     check_statements(ROWS);
 }
 
+/// A reaction in an expression is told once a statement that none reads it; in `output` it is told how
+/// it is asked for.
+#[test]
+fn components_of_reactions() {
+    const FRICTION: &str = "a reaction follows from all forces, so none can depend on it; with a given \
+                            normal force friction is smooth: `-mu * 50N * v / hypot(v, 0.001(m/s))`, `v` \
+                            a `rate`";
+    let of_a_pin = format!(
+        ".: write `D.x` for the point; no expression reads the reaction `DC.D` / {FRICTION}"
+    );
+    let of_a_guide = format!(".: no expression reads the reaction `ram.bed` / {FRICTION}");
+    let twice = format!("{of_a_guide}\n{of_a_guide}");
+    let rows: &[(&str, &str)] = &[
+        ("torque -mu * r * hypot(DC.D.x, DC.D.y) on AB;", &of_a_pin),
+        ("force (-mu * ram.bed.normal, mu * ram.bed.normal) on C;", &of_a_guide),
+        ("let n = ram.bed.normal;", &of_a_guide),
+        ("let n = ram.bed.normal; let m = ram.bed.couple;", &twice),
+        (
+            "output DC.D.x;",
+            ".: write `D.x` for the point, `DC.D` for the reaction / a point is known by its own name, \
+             and the reaction's components are fields of the result",
+        ),
+        (
+            "output ram.bed.normal;",
+            ".: write `ram.bed` / the reaction of a guide is one output; `normal` and `couple` are \
+             fields of the result",
+        ),
+    ];
+    check_statements(rows);
+}
+
+#[test]
+fn powers_of_units() {
+    const ROWS: &[(&str, &str)] = &[
+        (
+            "let x = sqrt(100mm^2);",
+            "^: write `100(mm^2)` / a unit's power stands in parentheses with it; that of a quantity is \
+             a product: `x * x`",
+        ),
+        (
+            "let x = sqrt(l^2);",
+            "^: expected `,` or `)`, found `^` / a power is written as a product: `x * x`",
+        ),
+    ];
+    check_statements(ROWS);
+}
+
 #[test]
 fn products_of_units() {
     const ROWS: &[(&str, &str)] = &[

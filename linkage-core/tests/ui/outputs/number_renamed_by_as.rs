@@ -1,0 +1,15 @@
+use linkage_core::mechanism;
+
+mechanism! {
+    pub struct M {
+        input theta: angle;
+        ground A(0, 0), D(750mm, 0);
+        crank AB(A) -> B { length: 250mm, angle: theta }
+        rrr BC(B), DC(D) -> C { lengths: (510mm, 500mm), mode: left }
+        output BC.angle - DC.angle as fold, C;
+    }
+}
+
+fn main() {
+    let _ = M::new().position(0.3).map(|p| p.fold.cos);
+}
