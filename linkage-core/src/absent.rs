@@ -98,115 +98,72 @@ conditions! {
     HasDualNumbers
 }
 
-/// What a solver may not offer. Where it does, it has a method of its own, which comes first.
-#[doc(hidden)]
-pub trait Absent {
-    /// See [`HasMargins`].
-    fn margins<Q>(&self, _: Q) -> Self::Answer
-    where
-        Self: HasMargins,
-    {
-        self.answer()
-    }
-
-    /// See [`HasParameters`].
-    #[cfg(feature = "ad")]
-    fn sensitivity<Q>(&self, _: Q) -> Self::Answer
-    where
-        Self: HasParameters,
-    {
-        self.answer()
-    }
-
-    /// See [`HasDualNumbers`].
-    #[cfg(not(feature = "ad"))]
-    fn sensitivity<Q>(&self, _: Q) -> Self::Answer
-    where
-        Self: HasDualNumbers,
-    {
-        self.answer()
-    }
-
-    /// See [`HasDualNumbers`].
-    #[cfg(not(feature = "ad"))]
-    fn jacobian<Q>(&self, _: Q) -> Self::Answer
-    where
-        Self: HasDualNumbers,
-    {
-        self.answer()
-    }
-
-    /// See [`IsDrivenByOneAngle`].
-    fn position_at<Q>(&self, _: Q, _: Q) -> Self::Answer
-    where
-        Self: IsDrivenByOneAngle,
-    {
-        self.answer()
-    }
-
-    /// See [`IsDrivenByOneAngle`].
-    fn velocity_at<Q, V>(&self, _: Q, _: Q, _: V) -> Self::Answer
-    where
-        Self: IsDrivenByOneAngle,
-    {
-        self.answer()
-    }
-
-    /// See [`IsDrivenByOneAngle`].
-    fn motion_at<Q, V, A>(&self, _: Q, _: Q, _: V, _: A) -> Self::Answer
-    where
-        Self: IsDrivenByOneAngle,
-    {
-        self.answer()
-    }
-
-    /// See [`HasForces`].
-    fn forces<Q, V, A>(&self, _: Q, _: V, _: A) -> Self::Answer
-    where
-        Self: HasForces,
-    {
-        self.answer()
-    }
-
-    /// See [`HasForces`].
-    fn statics<Q>(&self, _: Q) -> Self::Answer
-    where
-        Self: HasForces,
-    {
-        self.answer()
-    }
-
-    /// See [`MovesMasses`].
-    fn forward_dynamics<Q, V, D>(&self, _: Q, _: V, _: D) -> Self::Answer
-    where
-        Self: MovesMasses,
-    {
-        self.answer()
-    }
-
-    /// See [`MovesMasses`].
-    fn equations_of_motion<Q, V>(&self, _: Q, _: V) -> Self::Answer
-    where
-        Self: MovesMasses,
-    {
-        self.answer()
-    }
-
-    /// See [`MovesMasses`].
-    fn state_rates<S, D>(&self, _: S, _: D) -> Self::Answer
-    where
-        Self: MovesMasses,
-    {
-        self.answer()
-    }
-
-    /// See [`HasEnergy`].
-    fn energy<Q, V>(&self, _: Q, _: V) -> Self::Answer
-    where
-        Self: HasEnergy,
-    {
-        self.answer()
-    }
+#[cfg(not(feature = "sketch"))]
+conditions! {
+    /// The feature `sketch` is on.
+    #[diagnostic::on_unimplemented(
+        message = "this needs the feature `sketch` of `linkage-core`",
+        label = "draws the mechanism",
+        note = "enable it: `cargo add linkage-core --features sketch`"
+    )]
+    HasDrawings
 }
 
-impl<M: crate::Mechanism> Absent for M {}
+/// Methods that no solver has, each under a condition. Editors offer none of them: what is hidden in
+/// the documentation of another crate is hidden in completions.
+macro_rules! absent {
+    ($($(#[$attribute:meta])* $method:ident($($given:ident),*): $condition:ident;)*) => {$(
+        $(#[$attribute])*
+        #[doc(hidden)]
+        fn $method<$($given),*>(&self, $(_: $given),*) -> Self::Answer
+        where
+            Self: $condition,
+        {
+            self.answer()
+        }
+    )*};
+}
+
+/// A trait of all that a solver may not offer; its calls take what `Loads` stands for behind the rest.
+macro_rules! of_what_may_be_absent {
+    ($(#[$documented:meta])* $name:ident, $($loads:ident)?) => {
+        $(#[$documented])*
+        #[doc(hidden)]
+        pub trait $name {
+            absent! {
+                margins(Q): HasMargins;
+                position_at(C, S): IsDrivenByOneAngle;
+                velocity_at(C, S, V): IsDrivenByOneAngle;
+                motion_at(C, S, V, A): IsDrivenByOneAngle;
+                forces(Q, V, A $(, $loads)?): HasForces;
+                statics(Q $(, $loads)?): HasForces;
+                forward_dynamics(Q, V, D $(, $loads)?): MovesMasses;
+                equations_of_motion(Q, V $(, $loads)?): MovesMasses;
+                state_rates(S, D $(, $loads)?): MovesMasses;
+                energy(Q, V): HasEnergy;
+                #[cfg(feature = "ad")]
+                sensitivity(Q): HasParameters;
+                #[cfg(not(feature = "ad"))]
+                sensitivity(Q): HasDualNumbers;
+                #[cfg(not(feature = "ad"))]
+                jacobian(Q): HasDualNumbers;
+                #[cfg(not(feature = "sketch"))]
+                sketch(Q): HasDrawings;
+                #[cfg(not(feature = "sketch"))]
+                film(P): HasDrawings;
+            }
+        }
+
+        impl<M: crate::Mechanism> $name for M {}
+    };
+}
+
+of_what_may_be_absent! {
+    /// What a solver may not offer. Where it does, it has a method of its own, which comes first.
+    Absent,
+}
+
+of_what_may_be_absent! {
+    /// The same of a solver with loads, whose calls about forces take one argument more.
+    AbsentUnderLoads, L
+}

@@ -11,6 +11,7 @@ use syn::Visibility;
 use super::context::Context;
 use super::identifiers::{function_name, text};
 use super::paths::{a_module_can_hold, seen_from_inside};
+use crate::interface::entries::FORWARD;
 
 /// The code in its module, and its items where the declaration stands.
 pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
@@ -22,7 +23,10 @@ pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
     // were understood are for editors.
     let is_understood = !cx.mechanism.references.made.is_empty();
     let absent = is_understood.then(|| {
-        let absent = cx.paths.item("Absent");
+        // Where nothing about forces is absent, loads make no difference.
+        let has_all = ["forces", FORWARD].iter().all(|name| cx.interface.find(name).is_some());
+        let takes_loads = !cx.mechanism.dynamics.loads.is_empty() && !has_all;
+        let absent = cx.paths.item(if takes_loads { "AbsentUnderLoads" } else { "Absent" });
         quote!(#[doc(hidden)] pub use #absent as _;)
     });
     let (import, names_are_as_declared) = (cx.paths.import_in_module(), allowed());
