@@ -8,7 +8,7 @@ use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 use super::context::Context;
 use super::doc_comments::{after, lines};
 use super::identifiers::text;
-use super::{costs_in_words, forces, groups_in_words, ranges_in_words, searches};
+use super::{costs_in_words, forces, groups_in_words, ranges_in_words, searches, stand_in_docs};
 use crate::interface::entries::{Entry, Given};
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Field, Kind, Record, Shape, Subject};
@@ -41,6 +41,9 @@ fn words_of(line: &str) -> Vec<String> {
 
 /// The struct of the mechanism: the page a user lands on.
 pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
+    if cx.mechanism.stands_in {
+        return stand_in_docs::solver(cx);
+    }
     let mut page = String::from(match cx.searches() {
         false => "Solver of position, velocity and acceleration in closed form.\n",
         true => {
@@ -80,7 +83,10 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
     after(&cx.mechanism.docs, &page)
 }
 
-pub(super) fn param(param: &Param) -> TokenStream {
+pub(super) fn param(cx: &Context<'_>, param: &Param) -> TokenStream {
+    if cx.mechanism.stands_in {
+        return stand_in_docs::param(param);
+    }
     let line = match &param.kind {
         ParamKind::Number { dimension, default } => {
             let unit = unit(*dimension, Order::Position);
@@ -148,6 +154,10 @@ pub(super) fn record(cx: &Context<'_>, record: &Record) -> TokenStream {
 
 /// A field of a record.
 pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
+    let of_mistakes = cx.mechanism.stands_in.then(|| stand_in_docs::field(cx, field));
+    if let Some(docs) = of_mistakes.flatten() {
+        return docs;
+    }
     match field.subject {
         Subject::Input(index) => input(&cx.mechanism.inputs[index]),
         Subject::Load(index) => forces::load(&cx.mechanism.dynamics.loads[index]),
@@ -176,6 +186,16 @@ pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
         },
         Subject::Outputs(Order::Acceleration) => quote! {
             /// In m/s² and rad/s².
+        },
+    }
+}
+
+/// `COST`.
+pub(super) fn cost(cx: &Context<'_>) -> TokenStream {
+    match cx.mechanism.stands_in {
+        true => stand_in_docs::cost(),
+        false => quote! {
+            /// The floating-point operations of one call.
         },
     }
 }
@@ -270,6 +290,9 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
 
 pub(super) fn fast_path(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
+    if cx.mechanism.stands_in {
+        return stand_in_docs::entry(entry);
+    }
     lines(&format!(
         "{}, {}and whether they may be used.\n\n{}\n\n\
          Where the mask says no, the numbers mean nothing. Costs {}.",
@@ -282,6 +305,9 @@ pub(super) fn fast_path(cx: &Context<'_>, id: EntryId) -> TokenStream {
 
 pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
+    if cx.mechanism.stands_in {
+        return stand_in_docs::entry(entry);
+    }
     lines(&format!(
         "{}.\n\n{}\n\nCosts {}.\n\n# Errors\n\
          The group that cannot be assembled, is singular or was given an invalid length, or the \
@@ -325,6 +351,9 @@ fn exceptions(cx: &Context<'_>, entry: &Entry) -> &'static str {
 
 pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
+    if cx.mechanism.stands_in {
+        return stand_in_docs::entry(entry);
+    }
     let has_list = entry.given.contains(&Given::Drives) && cx.inputs().is_some();
     let list =
         if has_list { " Those of an array are `(&slice).into()` or `0.0.into()`." } else { "" };

@@ -57,12 +57,12 @@ pub(super) const SWEEP_ARGUMENTS: [&str; 3] = ["out", "status", "progress"];
 /// What given cosines are called.
 const CIRCLE: [&str; 2] = ["cos", "sin"];
 
-/// An argument named after an input, in lower case. The value itself has the input's span.
+/// An argument named after an input, in lower case. It has no span of the input's: an editor would show
+/// every argument of that name where the input is declared.
 pub(super) fn argument(input: &Ident, suffix: &str) -> Ident {
     let name = format!("{}{suffix}", input.unraw()).to_lowercase();
-    let span = if suffix.is_empty() { input.span() } else { Span::call_site() };
-    // The span keeps it apart from the locals; a keyword or a name that fits nowhere gets a tail,
-    // and so does what another argument is called.
+    let span = Span::call_site();
+    // A keyword or a name that fits nowhere gets a tail, and so does what another argument is called.
     let is_free = !SWEEP_ARGUMENTS.iter().chain(&CIRCLE).any(|other| *other == name);
     match syn::parse_str::<Ident>(&name) {
         Ok(_) if is_free => Ident::new(&name, span),

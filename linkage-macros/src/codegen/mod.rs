@@ -31,6 +31,7 @@ mod results;
 mod searches;
 mod slow_path;
 mod solver;
+mod stand_in_docs;
 mod statements;
 mod structs;
 mod sweeps;

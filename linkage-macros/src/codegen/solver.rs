@@ -22,7 +22,7 @@ pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
         (&cx.names.solver, &cx.names.scalar, module::visibility_inside(cx));
     let (docs, attributes) = (docs::solver(cx), structs::attributes(cx));
     let fields = cx.mechanism.params.iter().map(|param| {
-        let (docs, field) = (docs::param(param), &param.name);
+        let (docs, field) = (docs::param(cx, param), &param.name);
         let ty = match mode_type(param) {
             Some(ty) => cx.paths.outside(ty),
             None => scalar.clone().into(),
@@ -124,7 +124,7 @@ fn constants(cx: &Context<'_>) -> TokenStream {
         params.iter().map(|p| identifiers::string(&text(&p.name), p.name.span())).collect();
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
     let (cost_type, cost) = (costs_in_words::ty(cx), costs_in_words::constant(cx));
-    let forces = force_rows(cx);
+    let (forces, cost_docs) = (force_rows(cx), docs::cost(cx));
     let [float, string, is] = ["f64", "str", "Is"].map(|name| cx.paths.item(name));
     quote! {
         impl #name<#float> {
@@ -135,7 +135,7 @@ fn constants(cx: &Context<'_>) -> TokenStream {
             /// The numeric parameters, in the order of the columns of sensitivities.
             pub const PARAMS: [&'static #string; #numbers] = [#(#params),*];
             #forces
-            /// The floating-point operations of one call.
+            #cost_docs
             pub const COST: #cost_type = #cost;
 
         }

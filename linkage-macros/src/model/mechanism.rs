@@ -46,6 +46,8 @@ pub(crate) struct Mechanism {
     pub dynamics: Dynamics,
     /// For editors.
     pub references: References,
+    /// Whether it stands in for a declaration with mistakes, of which only names are known.
+    pub stands_in: bool,
     pub numerics: Numerics,
     /// `crate = path;`, where given.
     pub crate_path: Option<syn::Path>,
@@ -92,6 +94,7 @@ impl Mechanism {
             known: Vec::new(),
             dynamics: Dynamics::default(),
             references: References::default(),
+            stands_in: false,
             numerics: Numerics::Plain,
             crate_path: None,
             export_c: false,

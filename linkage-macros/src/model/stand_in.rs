@@ -12,6 +12,7 @@ mod tests;
 use std::collections::HashMap;
 
 use proc_macro2::{Ident, Span};
+use syn::Attribute;
 
 use crate::exact::Exact;
 use crate::model::dynamics::Load;
@@ -28,7 +29,7 @@ const NUMBER: Dimension = Dimension::NUMBER;
 pub(crate) fn stand_in(declaration: &Declaration) -> Mechanism {
     let mut stand_in = StandIn::new(declaration);
     for statement in &declaration.statements {
-        stand_in.declare(&statement.kind);
+        stand_in.declare(&statement.docs, &statement.kind);
     }
     stand_in.choose_outputs(declaration);
     stand_in.give_forces(declaration);
@@ -63,15 +64,18 @@ enum Fixed {
 impl StandIn {
     fn new(declaration: &Declaration) -> Self {
         let Declaration { docs, visibility, name, .. } = declaration;
-        let mechanism = Mechanism::empty(docs.clone(), visibility.clone(), name.clone());
+        let empty = Mechanism::empty(docs.clone(), visibility.clone(), name.clone());
+        let mechanism = Mechanism { stands_in: true, ..empty };
         Self { mechanism, things: HashMap::new(), order: Vec::new(), guides: Vec::new() }
     }
 
-    fn declare(&mut self, statement: &StatementKind) {
+    fn declare(&mut self, docs: &[Attribute], statement: &StatementKind) {
         match statement {
-            StatementKind::Input { names, .. } => names.iter().for_each(|name| self.input(name)),
+            StatementKind::Input { names, kind } => {
+                names.iter().for_each(|name| self.input(docs, name, kind.as_ref()));
+            }
             StatementKind::Param { name, kind, default } => {
-                self.param(name, kind.as_ref(), default);
+                self.param(docs, name, kind.as_ref(), default);
             }
             StatementKind::Let { name, value } => {
                 let turns = self.holds_angle(value);
@@ -85,16 +89,20 @@ impl StandIn {
                 }
             }
             StatementKind::Ground { points } => {
-                points.iter().for_each(|(name, _)| self.point(name, Fixed::Yes, Body::Ground));
+                for (name, _) in points {
+                    self.point(docs, name, Fixed::Yes, Body::Ground);
+                }
             }
             StatementKind::Point { name, .. } => {
                 // On which link is not known: its name may be the mistake.
-                self.point(name, Fixed::No, Body::Driven(GroupId(0)));
+                self.point(docs, name, Fixed::No, Body::Driven(GroupId(0)));
             }
-            StatementKind::Group(group) => self.group(group),
+            StatementKind::Group(group) => self.group(docs, group),
             StatementKind::Crate { path } => self.mechanism.crate_path = Some(path.clone()),
             StatementKind::Export { language } => self.mechanism.export_c |= language == "c",
-            StatementKind::Load { names, .. } => names.iter().for_each(|name| self.load(name)),
+            StatementKind::Load { names, kind } => {
+                names.iter().for_each(|name| self.load(docs, name, kind.as_ref()));
+            }
             StatementKind::Action(_) => {}
             StatementKind::Guide { name, .. } => self.guides.push(name.clone()),
             StatementKind::Solve(_)
@@ -103,22 +111,29 @@ impl StandIn {
         }
     }
 
-    fn input(&mut self, name: &Ident) {
+    fn input(&mut self, docs: &[Attribute], name: &Ident, kind: Option<&Ident>) {
         let inputs = &mut self.mechanism.inputs;
         if inputs.iter().all(|input| input.name != *name) {
-            let (name, docs) = (name.clone(), Vec::new());
-            inputs.push(Input { name, docs, dimension: NUMBER });
+            let (name, docs) = (name.clone(), docs.to_vec());
+            inputs.push(Input { name, docs, dimension: dimension(kind) });
         }
     }
 
-    fn load(&mut self, name: &Ident) {
+    fn load(&mut self, docs: &[Attribute], name: &Ident, kind: Option<&Ident>) {
         let loads = &mut self.mechanism.dynamics.loads;
         if loads.iter().all(|load| load.name != *name) {
-            loads.push(Load { name: name.clone(), docs: Vec::new(), dimension: NUMBER });
+            let (name, docs) = (name.clone(), docs.to_vec());
+            loads.push(Load { name, docs, dimension: dimension(kind) });
         }
     }
 
-    fn param(&mut self, name: &Ident, kind: Option<&Ident>, default: &tree::Expr) {
+    fn param(
+        &mut self,
+        docs: &[Attribute],
+        name: &Ident,
+        kind: Option<&Ident>,
+        default: &tree::Expr,
+    ) {
         if self.mechanism.params.iter().any(|param| param.name == *name) {
             return;
         }
@@ -133,21 +148,21 @@ impl StandIn {
             _ if kind.is_some_and(|kind| kind == "mode") => ParamKind::Side { default: Sign::Plus },
             _ => ParamKind::Number { dimension: NUMBER, default: Exact::integer(0) },
         };
-        self.mechanism.params.push(Param { name: name.clone(), docs: Vec::new(), kind });
+        self.mechanism.params.push(Param { name: name.clone(), docs: docs.to_vec(), kind });
     }
 
-    fn point(&mut self, key: &Ident, fixed: Fixed, part_of: Body) {
+    fn point(&mut self, docs: &[Attribute], key: &Ident, fixed: Fixed, part_of: Body) {
         if self.things.contains_key(&key.to_string()) {
             return;
         }
         let id = PointId(self.mechanism.points.len() as u32);
-        let (name, docs) = (key.clone(), Vec::new());
+        let (name, docs) = (key.clone(), docs.to_vec());
         self.mechanism.points.push(Point { name, docs, part_of });
         self.things.insert(key.to_string(), Thing::Point(id, fixed));
         self.order.push(key.clone());
     }
 
-    fn group(&mut self, group: &tree::Group) {
+    fn group(&mut self, docs: &[Attribute], group: &tree::Group) {
         let made_by = GroupId(self.mechanism.groups.len() as u32);
         let (keyword, title, links) = (group.keyword.clone(), group.title(), Vec::new());
         self.mechanism.groups.push(Group { keyword, title, links, pin: None });
@@ -160,10 +175,10 @@ impl StandIn {
             self.things.insert(leg.link.to_string(), Thing::Link(id));
             self.order.push(leg.link.clone());
             let name = leg.link.clone();
-            self.mechanism.links.push(Link { name, docs: Vec::new(), made_by, slides });
+            self.mechanism.links.push(Link { name, docs: docs.to_vec(), made_by, slides });
         }
         if let Some(pin) = &group.pin {
-            self.point(pin, Fixed::No, Body::Pin(made_by));
+            self.point(docs, pin, Fixed::No, Body::Pin(made_by));
         }
     }
 
@@ -182,7 +197,7 @@ impl StandIn {
     /// the names, and all of them become fields.
     fn choose_outputs(&mut self, declaration: &Declaration) {
         if self.mechanism.inputs.is_empty() {
-            self.input(&Ident::new("input", Span::call_site()));
+            self.input(&[], &Ident::new("input", Span::call_site()), None);
         }
         let items: Vec<&OutputItem> = declaration.statements.iter().flat_map(asked_for).collect();
         let understood: Vec<bool> = items.iter().map(|item| self.output(item)).collect();
@@ -324,6 +339,17 @@ fn asked_for(statement: &tree::Statement) -> &[OutputItem] {
 /// Which legs of a group slide; where the group is not known, its links have every field.
 fn sliding(keyword: &str) -> [bool; 2] {
     Anatomy::of(keyword).map_or([true; 2], |anatomy| anatomy.slides)
+}
+
+/// The dimension of a kind as it is written; a number where the word is none.
+fn dimension(kind: Option<&Ident>) -> Dimension {
+    match kind.map(ToString::to_string).as_deref() {
+        Some("angle") => Dimension::ANGLE,
+        Some("length") => Dimension::LENGTH,
+        Some("force") => Dimension::FORCE,
+        Some("torque") => Dimension::TORQUE,
+        _ => NUMBER,
+    }
 }
 
 fn value() -> OutputKind {

@@ -193,6 +193,77 @@ fn a_group_that_is_not_known_may_have_slid() {
     );
 }
 
+/// The docs of every field and function, in one text.
+fn docs(file: &File) -> String {
+    fn collect(tokens: proc_macro2::TokenStream, text: &mut String) {
+        let mut is_doc = false;
+        for tree in tokens {
+            match tree {
+                proc_macro2::TokenTree::Group(group) => collect(group.stream(), text),
+                proc_macro2::TokenTree::Literal(line) if is_doc => *text += &format!("{line}\n"),
+                tree => is_doc = tree.to_string() == "doc" || is_doc && tree.to_string() == "=",
+            }
+        }
+    }
+    let mut text = String::new();
+    collect(file.to_token_stream(), &mut text);
+    text
+}
+
+/// The user's comments and the kinds stay; what would follow from the whole declaration is not known.
+#[test]
+fn docs_say_nothing_that_is_not_known() {
+    const MACHINE: &str = "
+        /// Angle of the crank.
+        input theta: angle;
+        input s: length;
+        input broken: lenght;
+        /// Coupler.
+        param l = 632mm;
+        param elbow: mode = left;
+        /// Cutting force.
+        load cut: force;
+        ground A(0, 0), D(665.7mm, 0);
+        crank AB(A) -> B { length: 80mm, angle: theta }
+        /// The dyad.
+        rrr BC(B), DC(D) -> C { lengths: (l, 374mm), mode: elbow }
+        /// Edge of the knife.
+        point blade on BC at (500mm, -60mm);
+        mass 2kg on BC uniform;
+        force (-cut, 0) on blade;";
+    let docs = docs(&expand(&format!("/// A shear.\npub struct Shear {{ {MACHINE} }}")));
+    for kept in [
+        "A shear.",
+        "Angle of the crank.",
+        "Input `theta` in rad.",
+        "Input `s` in m.",
+        "Input `broken`.",
+        "Coupler.",
+        "Parameter `l`.",
+        "Mode `elbow`.",
+        "Edge of the knife.",
+        "Point `blade`.",
+        "Link `BC`.",
+        "`BC.B`.",
+        "has mistakes",
+    ] {
+        assert!(docs.contains(kept), "no `{kept}` in {docs}");
+    }
+    for derived in [
+        "Cost",
+        "cost",
+        "as declared 0",
+        "addition",
+        "no operation",
+        "closed form",
+        "Range",
+        "Groups",
+        "exerted",
+    ] {
+        assert!(!docs.contains(derived), "`{derived}` in {docs}");
+    }
+}
+
 #[test]
 fn an_empty_declaration_has_types_too() {
     let file = expand("struct M { }");
