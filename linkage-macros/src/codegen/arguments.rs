@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::identifiers::{SWEEP_ARGUMENTS, argument, text};
+use super::identifiers::{SWEEP_ARGUMENTS, argument, text, used};
 use super::token_list::Tokens;
 use crate::interface::entries::Given;
 use crate::ir::graph::Node;
@@ -206,8 +206,14 @@ impl<'a> Arguments<'a> {
     /// The expression that reads an input or a parameter.
     pub(super) fn read(&self, node: Node) -> Option<Tokens> {
         Some(match self.place(node)? {
-            (None, Part::Field(field)) => quote!(self.#field).into(),
-            (Some(name), Part::Field(field)) => quote!(#name.#field).into(),
+            (None, Part::Field(field)) => {
+                let field = used(field);
+                quote!(self.#field).into()
+            }
+            (Some(name), Part::Field(field)) => {
+                let field = used(field);
+                quote!(#name.#field).into()
+            }
             (Some(name), Part::Index(index)) => {
                 let index = Literal::u32_unsuffixed(index);
                 quote!(#name[#index]).into()

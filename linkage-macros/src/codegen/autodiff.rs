@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::identifiers::generated;
+use super::identifiers::{generated, used};
 use super::token_list::Tokens;
 use super::{docs, results, solver};
 use crate::interface::entries::Given;
@@ -38,7 +38,7 @@ fn jacobian(cx: &Context<'_>) -> TokenStream {
     let values = match &cx.mechanism.inputs[..] {
         [_] => quote!([#(#names),*]),
         inputs => {
-            let fields = inputs.iter().map(|input| &input.name);
+            let fields = inputs.iter().map(|input| used(&input.name));
             let record = names.first();
             quote!([#(#record.#fields),*])
         }
@@ -66,16 +66,16 @@ fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
     let columns = Literal::usize_unsuffixed(params.len());
     let (matrix, error, result) = (item(cx, "SMatrix"), item(cx, "SolveError"), item(cx, "Result"));
     let differentiate = item(cx, "differentiate");
-    let fields: Vec<_> = params.iter().map(|param| &param.name).collect();
+    let fields: Vec<_> = params.iter().map(|param| used(&param.name)).collect();
     let duals: Vec<_> = (0..fields.len()).map(|i| generated(&format!("p{i}_"))).collect();
     let (name, at) = (&cx.names.solver, constant_inputs(cx));
     let dual = |param: &Param| {
-        let index = fields.iter().position(|field| **field == param.name);
+        let index = fields.iter().position(|field| *field == param.name);
         let dual = index.map(|index| &duals[index]);
         quote!(#dual)
     };
     let keep = |param: &Param| {
-        let field = &param.name;
+        let field = used(&param.name);
         quote!(self.#field)
     };
     let solver = solver::construct(cx, &quote!(#name), dual, keep);
@@ -94,10 +94,9 @@ fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
 fn constant_inputs(cx: &Context<'_>) -> TokenStream {
     let arguments = Arguments::new(cx, &[Given::Value]);
     let lifted = |value: TokenStream| solver::lifted_number(cx, &value, &quote!(_));
-    let inputs = arguments
-        .names()
-        .iter()
-        .flat_map(|argument| cx.mechanism.inputs.iter().map(move |input| (argument, &input.name)));
+    let inputs = arguments.names().iter().flat_map(|argument| {
+        cx.mechanism.inputs.iter().map(move |input| (argument, used(&input.name)))
+    });
     let Some(record) = cx.inputs() else {
         return inputs.map(|(argument, _)| lifted(quote!(#argument))).collect();
     };

@@ -13,7 +13,7 @@ use quote::quote;
 use self::c_identifiers::Width;
 use super::arguments::{Arguments, Form};
 use super::context::{Context, literal};
-use super::identifiers::{function_name, generated, string, text};
+use super::identifiers::{function_name, generated, string, text, used};
 use super::{results, solver};
 use crate::interface::entries::Entry;
 use crate::model::mechanism::{Param, ParamKind, Sign};
@@ -60,12 +60,12 @@ fn parameters(cx: &Context<'_>) -> TokenStream {
     let derives = cx.paths.derives(&["Clone", "Copy"]);
     let i32 = cx.paths.item("i32");
     let fields = cx.mechanism.params.iter().map(|param| {
-        let field = &param.name;
+        let field = used(&param.name);
         let ty = if is_number(param) { quote!(#scalar) } else { quote!(#i32) };
         quote!(#field: #ty)
     });
     let keep = |param: &Param| {
-        let field = &param.name;
+        let field = used(&param.name);
         quote!(self.#field)
     };
     let solver = solver::construct(cx, &quote!(#name), keep, |param| mode(cx, param));
@@ -91,7 +91,7 @@ fn is_number(param: &Param) -> bool {
 
 /// A mode parameter from the number that C gives.
 fn mode(cx: &Context<'_>, param: &Param) -> TokenStream {
-    let (field, name) = (&param.name, string(&text(&param.name), param.name.span()));
+    let (field, name) = (used(&param.name), string(&text(&param.name), param.name.span()));
     let convert = match param.kind {
         ParamKind::Sense { .. } => cx.paths.item("c_sense"),
         ParamKind::Trend { .. } => cx.paths.item("c_trend"),
@@ -105,7 +105,7 @@ fn default(cx: &Context<'_>, width: Width) -> TokenStream {
     let number = cx.paths.item(width.in_rust());
     let name = function_name(&c_identifiers::default(&cx.names.solver, width));
     let fields = cx.mechanism.params.iter().map(|param| {
-        let field = &param.name;
+        let field = used(&param.name);
         let value = match &param.kind {
             ParamKind::Number { default, .. } if width == Width::Double => {
                 literal(default.to_f64())

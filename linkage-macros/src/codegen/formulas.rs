@@ -10,7 +10,7 @@ use quote::{ToTokens, quote};
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::identifiers::{function_name, generated};
+use super::identifiers::{function_name, generated, used};
 use super::results;
 use super::statements::Printer;
 use super::text::Text;
@@ -91,7 +91,7 @@ fn assemble(printer: &Printer<'_>, stage: &Stage, to: &mut Text) {
 pub(super) fn standstill(cx: &Context<'_>) -> (Option<TokenStream>, Tokens) {
     let (rest, zero) = (generated("rest_"), cx.literal(0.0, 0.0));
     let Some(record) = cx.inputs() else { return (None, zero) };
-    let fields = cx.mechanism.inputs.iter().map(|input| &input.name);
+    let fields = cx.mechanism.inputs.iter().map(|input| used(&input.name));
     let made = quote!(let #rest = #zero; let #rest = #record { #(#fields: #rest),* };);
     (Some(made), rest.into())
 }

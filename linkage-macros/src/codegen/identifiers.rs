@@ -22,7 +22,8 @@ pub(super) struct Names {
 
 impl Names {
     pub(super) fn new(mechanism: &Mechanism) -> Self {
-        let solver = mechanism.name.clone();
+        // The struct itself has the span of the declaration; what uses it does not.
+        let solver = used(&mechanism.name);
         Self {
             only_input: match &mechanism.inputs[..] {
                 [only] => ["", "_rate", "_acceleration"].map(|s| argument(&only.name, s)).to_vec(),
@@ -68,6 +69,14 @@ pub(super) fn argument(input: &Ident, suffix: &str) -> Ident {
         Ok(_) if is_free => Ident::new(&name, span),
         _ => Ident::new(&format!("{name}_"), span),
     }
+}
+
+/// A name where generated code uses what it has defined under it. It has no span of the declaration's, where an
+/// editor would show every such place.
+pub(super) fn used(field: &Ident) -> Ident {
+    let mut field = field.clone();
+    field.set_span(Span::call_site());
+    field
 }
 
 /// A string about a user identifier, with its span.

@@ -18,9 +18,9 @@ pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
 
 /// The struct itself.
 pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
-    let (name, scalar, visibility) =
-        (&cx.names.solver, &cx.names.scalar, module::visibility_inside(cx));
+    let (scalar, visibility) = (&cx.names.scalar, module::visibility_inside(cx));
     let (docs, attributes) = (docs::solver(cx), structs::attributes(cx));
+    let declared = &cx.mechanism.name;
     let fields = cx.mechanism.params.iter().map(|param| {
         let (docs, field) = (docs::param(cx, param), &param.name);
         let ty = match mode_type(param) {
@@ -34,7 +34,7 @@ pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
     quote! {
         #docs
         #attributes
-        #visibility struct #name<#scalar = #float> { #(#fields)* #marker }
+        #visibility struct #declared<#scalar = #float> { #(#fields)* #marker }
     }
 }
 
@@ -69,7 +69,7 @@ pub(super) fn construct(
     mode: impl Fn(&Param) -> TokenStream,
 ) -> TokenStream {
     let fields = cx.mechanism.params.iter().map(|param| {
-        let field = &param.name;
+        let field = identifiers::used(&param.name);
         let value = match param.kind {
             ParamKind::Number { .. } => number(param),
             _ => mode(param),
@@ -198,11 +198,11 @@ fn lift(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, lifted) = (&cx.names.solver, &cx.names.scalar, &cx.names.lifted);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
     let keep = |param: &Param| {
-        let field = &param.name;
+        let field = identifiers::used(&param.name);
         quote!(self.#field)
     };
     let number = |param: &Param| {
-        let field = &param.name;
+        let field = identifiers::used(&param.name);
         lifted_number(cx, &quote!(self.#field), &quote!(#lifted))
     };
     let value = construct(cx, &quote!(#name), number, keep);

@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::arguments::{Arguments, Form};
 use super::context::Context;
-use super::identifiers::{function_name, generated};
+use super::identifiers::{function_name, generated, used};
 use super::token_list::Tokens;
 use super::{as_solver, docs, fast_path, results};
 use crate::interface::EntryId;
@@ -201,7 +201,9 @@ impl<'a> Sweep<'a> {
     fn inputs(&self) -> Vec<TokenStream> {
         let into = self.cx.paths.item("Into");
         let of = |(name, form): (&Ident, Form<'_>)| match form {
-            Form::Record(_, fields) => fields.iter().map(|field| quote!(#name.#field)).collect(),
+            Form::Record(_, fields) => {
+                fields.into_iter().map(used).map(|field| quote!(#name.#field)).collect()
+            }
             Form::List(count) => {
                 let index = (0..count).map(Literal::usize_unsuffixed);
                 index.map(|index| quote!(#name[#index])).collect()
@@ -222,7 +224,10 @@ impl<'a> Sweep<'a> {
             let (own, further) = rest.split_at(form.numbers());
             rest = further;
             match form {
-                Form::Record(record, fields) => quote!(#record { #(#fields: #own),* }),
+                Form::Record(record, fields) => {
+                    let fields = fields.into_iter().map(used);
+                    quote!(#record { #(#fields: #own),* })
+                }
                 Form::List(_) => quote!([#(#own),*]),
                 Form::Number => quote!(#(#own)*),
             }

@@ -1,6 +1,6 @@
 //! The records that entry points take and return, and the shapes of results that are made of them.
 
-use proc_macro2::Ident;
+use proc_macro2::{Ident, Span};
 use syn::ext::IdentExt;
 
 use crate::interface::quantity::{Order, Quantity};
@@ -121,5 +121,6 @@ pub(super) fn record(
     fields: Vec<Field>,
 ) -> Record {
     let name = format!("{}{suffix}", mechanism.name.unraw());
-    Record { name: Ident::new(&name, mechanism.name.span()), kind, fields }
+    // With the span of the declared name, an editor would show every record there, and rename them all.
+    Record { name: Ident::new(&name, Span::call_site()), kind, fields }
 }
