@@ -12,6 +12,7 @@ use super::dynamics::{Axes, Force, Load, Owner, Torque};
 use super::mechanism::{Carrier, Dimension, Expr, LoadId, PointId};
 use super::names::{Entity, Kind};
 use super::springs::is_rate;
+use super::units::unit;
 
 const INSIDE: &str = "what acts inside a body moves nothing";
 const LOAD_KINDS: [&str; 3] = ["force", "torque", "number"];
@@ -36,6 +37,14 @@ impl Resolver<'_> {
             "torque" => return Some(Dimension::TORQUE),
             "number" => return Some(Dimension::NUMBER),
             _ => {}
+        }
+        if let Some((dimension, _)) = unit(&text)
+            && dimension == Dimension::FORCE
+        {
+            let message = format!("`{text}` is a unit; write `force`");
+            let reason = "a load is in newtons or newton metres; units stand behind numbers: `2kN`";
+            self.diagnostics.error_because(kind.span(), message, reason);
+            return None;
         }
         let mut message = format!("no load kind named `{text}`");
         if let Some(near) = nearest(&text, LOAD_KINDS.into_iter()) {

@@ -164,6 +164,13 @@ impl Resolver<'_> {
         self.diagnostics.error_because(member.span(), message, reason);
     }
 
+    /// The first link that has the point as a joint.
+    pub(super) fn link_that_touches(&self, point: &Ident) -> Option<&Ident> {
+        let links = self.mechanism.links.iter().enumerate();
+        let mut touching = links.filter(|&(id, _)| self.touches(LinkId(id as u32), point));
+        touching.next().map(|(_, link)| &link.name)
+    }
+
     /// Whether a point is a joint of the link.
     fn touches(&self, link: LinkId, point: &Ident) -> bool {
         let is_joint = |effort: &Effort| matches!(effort, Effort::Pin(..) | Effort::Bearing(..));
@@ -190,12 +197,15 @@ impl Resolver<'_> {
 
     /// The end of a list of a link's members: its forces, where something has mass or acts.
     pub(super) fn forces_too(&self, owner: &Ident) -> String {
-        let Some(Entity::Link(link)) = self.names.entity(owner) else { return String::new() };
+        self.forces_of(owner).map_or(String::new(), |known| format!("; of its forces {known}"))
+    }
+
+    /// The forces of a link in words, where something has mass or acts.
+    pub(super) fn forces_of(&self, owner: &Ident) -> Option<String> {
+        let Entity::Link(link) = self.names.entity(owner)? else { return None };
         let efforts = self.efforts_of(link);
-        match self.mechanism.dynamics.is_empty() || efforts.is_empty() {
-            true => String::new(),
-            false => format!("; of its forces {}", self.known_efforts(&efforts, owner)),
-        }
+        let has_any = !self.mechanism.dynamics.is_empty() && !efforts.is_empty();
+        has_any.then(|| self.known_efforts(&efforts, owner))
     }
 
     pub(super) fn ask(

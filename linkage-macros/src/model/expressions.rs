@@ -11,6 +11,7 @@ use super::dimension::Measure;
 use super::folding::shown;
 use super::mechanism::{AngleSum, Dimension, Expr, Function, LinkId, Operator, ParamKind};
 use super::names::{Entity, Kind, NUMBERS};
+use super::numbers::bare_name;
 
 /// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
 pub(super) struct Quantity {
@@ -122,6 +123,7 @@ impl Resolver<'_> {
 
     /// One operation after the other, each on what the one before has made.
     fn chain(&mut self, first: &tree::Expr, rest: &[(BinaryOp, tree::Expr)]) -> Option<Quantity> {
+        self.units_have_parentheses(first, rest)?;
         let (mut span, mut left) = (first.span, self.quantity(first));
         for (operator, operand) in rest {
             // What stands behind a mistake is still looked at.
@@ -287,6 +289,9 @@ impl Resolver<'_> {
     fn call(&mut self, name: &Ident, arguments: &[tree::Expr]) -> Option<Quantity> {
         let found = FUNCTIONS.iter().find(|(known, ..)| name == known);
         let Some(&(_, function, count)) = found else {
+            if self.member_as_a_function(name, arguments) {
+                return None;
+            }
             self.function_exists(name);
             // It may be a function of points or guides.
             let numbers = arguments.iter().filter(|argument| !self.is_a_place(argument));
@@ -315,6 +320,25 @@ impl Resolver<'_> {
             self.function_is_defined(function, &arguments[0], &call);
         }
         called.map(|rest| Quantity::plain(measure, rest))
+    }
+
+    /// Reports `angle(BC)` and `x(P)`; whether it was one of these.
+    fn member_as_a_function(&mut self, name: &Ident, arguments: &[tree::Expr]) -> bool {
+        let [Some(owner)] = arguments.iter().map(bare_name).collect::<Vec<_>>()[..] else {
+            return false;
+        };
+        let members: &[&str] = match self.names.kind(owner) {
+            Some(Kind::Link) => &["angle", "slide"],
+            Some(Kind::Point) => &["x", "y"],
+            _ => return false,
+        };
+        let is_member = members.iter().any(|member| name == member);
+        if is_member {
+            let message = format!("write `{owner}.{name}`");
+            let reason = "what a link or a point has stands behind its name";
+            self.diagnostics.error_because(name.span(), message, reason);
+        }
+        is_member
     }
 
     /// Reports a function that does not exist, with the nearest one.

@@ -1,5 +1,7 @@
 //! Numbers as written: their units, and what a number without one is taken for.
 
+use proc_macro2::Ident;
+
 use crate::diagnostics::{Extent, nearest};
 use crate::exact::Exact;
 use crate::syntax::tree::{self, BinaryOp, Declaration, ExprKind, UnitPower};
@@ -11,6 +13,7 @@ use super::expressions::Quantity;
 use super::folding::shown;
 use super::mechanism::{Dimension, Expr, ParamKind};
 use super::names::NUMBERS;
+use super::numbers::bare_name;
 use super::references::expressions;
 use super::units::unit;
 use crate::reach::absolute;
@@ -63,6 +66,19 @@ impl Resolver<'_> {
             self.diagnostics.error_because(span, message, reason);
             return;
         }
+        let product = match suffix {
+            "Nm" => Some("N*m"),
+            "Nmm" => Some("N*mm"),
+            "kNm" => Some("kN*m"),
+            "Ns" => Some("N*s"),
+            _ => None,
+        };
+        if let Some(product) = product {
+            let message = format!("write `{digits}({product})`");
+            let reason = "a product of units stands in parentheses";
+            self.diagnostics.error_because(span, message, reason);
+            return;
+        }
         let mut message = format!("no unit named `{suffix}`");
         // One letter is near to any two.
         let known = UNITS.into_iter().filter(|unit| unit.len() > 1);
@@ -72,6 +88,39 @@ impl Resolver<'_> {
         let reason = "lengths have `m mm cm um in`, angles `rad deg turn`, masses `kg g t`, forces \
                       `N kN`, times `s ms`; products stand in parentheses, as in `15(N/m)`";
         self.diagnostics.error_because(span, message, reason);
+    }
+
+    /// Reports `20N/mm`, whose `mm` would be the name of a number. What else is a product with it has no
+    /// meaning then.
+    pub(super) fn units_have_parentheses(
+        &mut self,
+        first: &tree::Expr,
+        rest: &[(BinaryOp, tree::Expr)],
+    ) -> Option<()> {
+        if let ExprKind::Negate(inner) = &first.kind {
+            return self.units_have_parentheses(inner, rest);
+        }
+        let ExprKind::Number { digits, units } = &first.kind else { return Some(()) };
+        let [(unit, 1)] = &units[..] else { return Some(()) };
+        let (mut product, mut last) = (unit.clone(), None);
+        for (operator, operand) in rest {
+            let sign = match operator {
+                BinaryOp::Mul => '*',
+                BinaryOp::Div => '/',
+                BinaryOp::Add | BinaryOp::Sub => break,
+            };
+            let is_unit = |name: &&Ident| {
+                UNITS.iter().any(|unit| name == unit) && self.names.symbol(name).is_none()
+            };
+            let Some(name) = bare_name(operand).filter(is_unit) else { break };
+            product += &format!("{sign}{name}");
+            last = Some(operand.span);
+        }
+        let Some(last) = last else { return Some(()) };
+        let message = format!("write `{digits}({product})`");
+        let reason = "a product of units stands in parentheses";
+        self.diagnostics.error_because(first.span.to(last), message, reason);
+        None
     }
 
     /// A constant has no more digits than can be reckoned with exactly.

@@ -70,7 +70,9 @@ impl Resolver<'_> {
             (None, ExprKind::Member(owner, member)) => self.member_output(docs, owner, member),
             (None, ExprKind::Mistake) => {}
             (None, _) => {
-                self.quantity(&item.value);
+                if self.quantity(&item.value).is_none() {
+                    return;
+                }
                 let message = "an expression needs a name; write `output name = …`";
                 let reason = "the name is the field of the result";
                 self.diagnostics.error_because(item.value.span, message, reason);
@@ -134,6 +136,11 @@ impl Resolver<'_> {
     fn whole_output(&mut self, docs: &[Attribute], name: &Ident) {
         if self.output_of_the_whole(docs, name) || self.output_is_a_result(name).is_none() {
             return;
+        }
+        if name == "power" && self.names.kind(name).is_none() {
+            let message = "there is no `power`; write `output energy` or the `drive` of an input";
+            let reason = "the power of a drive is its effort times the rate that you give";
+            return self.diagnostics.error_because(name.span(), message, reason);
         }
         match self.usable(name, &[Kind::Point, Kind::Link, Kind::Let, Kind::Unknown]) {
             Some(Entity::Unknown(id)) => self.unknown_output(name.span(), docs, id),
@@ -261,6 +268,15 @@ impl Resolver<'_> {
             "x" | "y" => (
                 format!("`{owner}` is a link and has no `{part}`; name a point"),
                 format!("a point of it is declared `point P on {owner} at (x, y);`"),
+            ),
+            "torque" | "force" | "moment" | "reaction" => (
+                format!(
+                    "a link has no `{part}`; name its drive, or the joint at which a force acts"
+                ),
+                match self.forces_of(owner) {
+                    Some(known) => known,
+                    None => "nothing has mass and nothing acts, so there are no forces".to_string(),
+                },
             ),
             _ => {
                 let near = nearest(&part, MEMBERS.into_iter());

@@ -49,6 +49,13 @@ impl Resolver<'_> {
                 format!("rates need no output of their own; write `output {owner}`"),
                 format!("`velocity` gives that of `{owner}`, and `motion` its acceleration too"),
             ),
+            "force" | "reaction" => {
+                let of = match self.link_that_touches(owner) {
+                    Some(link) => format!("write `{link}.{owner}`"),
+                    None => format!("the forces at `{owner}` are those on its links"),
+                };
+                (of, format!("a reaction at `{owner}` acts on a link, which is named in front"))
+            }
             _ => (
                 format!("a point has no `{part}`; it has `x` and `y`"),
                 format!("write `{owner}.x` or `{owner}.y`; `output {owner}` gives both"),

@@ -51,6 +51,7 @@ impl Resolver<'_> {
     ) {
         let is_new = name.as_ref().is_none_or(|name| self.name_is_new(name).is_some());
         let spring = match self.is_between_bodies(ends) {
+            true if self.ends_are_alike(ends).is_none() => None,
             true => self.torsion_spring(ends, fields),
             false => self.straight_spring(ends, fields),
         };
@@ -65,6 +66,24 @@ impl Resolver<'_> {
     /// Whether one of the ends is a body: then the other should be one, too.
     fn is_between_bodies(&self, ends: &[Ident; 2]) -> bool {
         ends.iter().any(|end| end == "ground" || self.names.kind(end) == Some(Kind::Link))
+    }
+
+    /// Reports a spring between a point and a body: of the body, it needs a point.
+    fn ends_are_alike(&mut self, ends: &[Ident; 2]) -> Option<()> {
+        let is_point = |end: &&Ident| self.names.kind(end) == Some(Kind::Point);
+        let (Some(point), Some(body)) =
+            (ends.iter().find(is_point), ends.iter().find(|end| !is_point(end)))
+        else {
+            return Some(());
+        };
+        let message =
+            format!("`{point}` is a point and `{body}` a body; name two points or two bodies");
+        let reason = match body == "ground" {
+            true => "a point of the ground is declared: `ground G(x, y);`".to_string(),
+            false => format!("a point of `{body}` is declared: `point P on {body} at (x, y);`"),
+        };
+        self.diagnostics.error_because(body.span(), message, reason);
+        None
     }
 
     fn straight_spring(&mut self, names: &[Ident; 2], group: &Group) -> Option<Spring> {

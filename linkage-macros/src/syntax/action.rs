@@ -115,6 +115,10 @@ impl Parser<'_> {
         let first = names[0].clone();
         let kind = match self.take_punct(':') {
             true => self.word("`force`, `torque` or `number`").map(Some),
+            false if self.is_punct(0, '=') => self.refuse_because(
+                &format!("write `load {first}: force;`"),
+                "a load's value is an argument of each call; one that stays is a `param` or a `let`",
+            ),
             false => self.refuse_because(
                 &format!("say what `{first}` is: `load {first}: force;`"),
                 "a load is a `force`, a `torque` or a `number`",
@@ -185,6 +189,11 @@ impl Parser<'_> {
             if let (true, Some(axes)) = (self.is_word(0, "in"), self.peek_ident(1)) {
                 let message = format!("write `force (fx, fy) in {axes} on {on}`");
                 return self.refuse_because(&message, AXES);
+            }
+            if self.is_word(0, "at") {
+                let message = format!("declare a point here: `point P on {on} at (x, y);`");
+                return self
+                    .refuse_because(&message, "a force acts on a point, by its name: `… on P`");
             }
             return Ok(Action::Force { value, axes, on });
         }

@@ -50,6 +50,9 @@ impl Parser<'_> {
         if rest.is_empty() {
             return Ok(left);
         }
+        if let Some(units) = self.units_without_parentheses(&left, &rest) {
+            return Ok(Expr { kind: units, span: self.since(first) });
+        }
         Ok(Expr { kind: ExprKind::Chain(Box::new(left), rest), span: self.since(first) })
     }
 

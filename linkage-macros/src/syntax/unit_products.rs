@@ -3,10 +3,10 @@
 //! They are read from left to right. Behind a `/` stands no `*`: whoever writes `N/m*s` may mean
 //! either of two things.
 
-use proc_macro2::{Delimiter, Group, TokenTree};
+use proc_macro2::{Delimiter, Group, Span, TokenTree};
 
 use super::tokens::{Parse, Parser};
-use super::tree::UnitPower;
+use super::tree::{BinaryOp, Expr, ExprKind, UnitPower};
 use super::words::UNITS;
 
 /// No quantity of mechanics has a higher power of a unit, and powers of powers must not overflow.
@@ -56,6 +56,53 @@ impl Parser<'_> {
         self.take();
         self.take();
         Some(vec![(unit.to_string(), power)])
+    }
+
+    /// `120kg*m^2`, at the power, which no name has: the quantity that is meant, and how it is written.
+    pub(super) fn units_without_parentheses(
+        &mut self,
+        first: &Expr,
+        rest: &[(BinaryOp, Expr)],
+    ) -> Option<ExprKind> {
+        if let ExprKind::Negate(inner) = &first.kind {
+            let (kind, span) = (self.units_without_parentheses(inner, rest)?, first.span);
+            return Some(ExprKind::Negate(Box::new(Expr { kind, span })));
+        }
+        let ExprKind::Number { digits, units } = &first.kind else { return None };
+        let mut units = units.clone();
+        for (operator, operand) in rest {
+            let sign = if *operator == BinaryOp::Div { -1 } else { 1 };
+            let ExprKind::Name(name) = &operand.kind else { return None };
+            units.push((name.to_string(), sign));
+        }
+        let are_units = units.iter().all(|(name, _)| UNITS.contains(&name.as_str()));
+        if !are_units || units.len() <= rest.len() {
+            return None;
+        }
+        let power = self.power_of_last(&mut units)?;
+        let written = units.iter().enumerate().map(|(nth, (name, power))| {
+            let sign = ["", if *power < 0 { "/" } else { "*" }][usize::from(nth > 0)];
+            let power = power.abs();
+            format!("{sign}{name}{}", if power > 1 { format!("^{power}") } else { String::new() })
+        });
+        let message = format!("write `{digits}({})`", written.collect::<String>());
+        let at = first.span.to(power.into());
+        self.diagnostics.error_because(at, message, "a product of units stands in parentheses");
+        Some(ExprKind::Number { digits: digits.clone(), units })
+    }
+
+    /// Takes `^2`, for the last of the units; where it stands.
+    fn power_of_last(&mut self, units: &mut [UnitPower]) -> Option<Span> {
+        let Some(TokenTree::Literal(literal)) = self.peek(1).filter(|_| self.is_punct(0, '^'))
+        else {
+            return None;
+        };
+        let (power, at) = (literal.to_string().parse::<i32>().ok()?, literal.span());
+        let (_, last) = units.last_mut().filter(|_| (1..=HIGHEST_POWER).contains(&power))?;
+        *last *= power;
+        self.take();
+        self.take();
+        Some(at)
     }
 
     fn units(&mut self) -> Parse<Vec<UnitPower>> {

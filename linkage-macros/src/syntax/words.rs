@@ -126,6 +126,10 @@ pub(crate) fn built_by(word: &str) -> Option<&'static str> {
             "a damper is a spring without stiffness: `spring between P and Q { damping: \
              10(N*s/m) }`",
         ),
+        "friction" | "brake" | "drag" => Some(
+            "friction is a force or a torque by a rate: `torque -c * rate(AB.angle) on AB`, or of a known \
+             normal force `-mu * 50N * v / hypot(v, 0.001(m/s))`, `v` a `rate`",
+        ),
         "joint" | "pin" | "hinge" | "revolute" | "prismatic" => {
             Some("joints are made by the groups they belong to, and fixed ones by `ground`")
         }

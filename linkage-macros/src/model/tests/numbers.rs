@@ -197,6 +197,24 @@ fn a_bare_length_among_millimetres_is_not_the_longest_by_far() {
     ]);
 }
 
+/// Units behind a number stand in parentheses; a name that is declared is no unit.
+#[test]
+fn products_of_units_have_parentheses() {
+    const REASON: &str = "a product of units stands in parentheses";
+    check(&[
+        (CRANK, "torque 5kN*m on AB;", &format!("5kN*m: write `5(kN*m)` / {REASON}")),
+        (CRANK, "torque -5kN*m on AB;", &format!("5kN*m: write `5(kN*m)` / {REASON}")),
+        (CRANK, "torque 5kNm on AB;", &format!("5kNm: write `5(kN*m)` / {REASON}")),
+        (
+            CRANK,
+            "spring between A and B { stiffness: 20N/mm, free_length: 0 }",
+            &format!("20N/mm: write `20(N/mm)` / {REASON}"),
+        ),
+        (CRANK, "let m = 2m; torque 5kN*m on AB;", ""),
+        ("input s: length;", "ground A(0, 0); point P at (2m + s * 2m / 1m, 0);", ""),
+    ]);
+}
+
 /// A product that misses a dimension and has a number without a unit is told that unit.
 #[test]
 fn a_factor_without_a_unit_is_told_its_unit() {

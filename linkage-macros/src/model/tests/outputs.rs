@@ -29,6 +29,46 @@ fn an_output_is_given_once() {
 }
 
 #[test]
+fn forces_are_asked_by_drives_and_joints() {
+    const MASS: &str = "mass 1kg on B;";
+    check(&[
+        (
+            CRANK,
+            &format!("{MASS} output AB.torque;"),
+            "torque: a link has no `torque`; name its drive, or the joint at which a force acts / there \
+             is `AB.drive` and `AB.A`",
+        ),
+        (
+            CRANK,
+            "output AB.reaction;",
+            "reaction: a link has no `reaction`; name its drive, or the joint at which a force acts / \
+             nothing has mass and nothing acts, so there are no forces",
+        ),
+        (
+            CRANK,
+            &format!("{MASS} output A.force;"),
+            "force: write `AB.A` / a reaction at `A` acts on a link, which is named in front",
+        ),
+        (
+            CRANK,
+            &format!("{MASS} output power;"),
+            "power: there is no `power`; write `output energy` or the `drive` of an input / the power of \
+             a drive is its effort times the rate that you give",
+        ),
+        (
+            CRANK,
+            "output angle(AB);",
+            "angle: write `AB.angle` / what a link or a point has stands behind its name",
+        ),
+        (
+            CRANK,
+            "output reach = x(B);",
+            "x: write `B.x` / what a link or a point has stands behind its name",
+        ),
+    ]);
+}
+
+#[test]
 fn a_name_stands_in_front() {
     const NUMBER: &str = "the name of a number is the field of the result";
     check(&[

@@ -2,6 +2,24 @@
 
 use super::*;
 
+#[test]
+fn the_ends_of_a_spring_are_alike() {
+    check(&[
+        (
+            CRANK,
+            "spring between B and ground { stiffness: 20(N/mm), free_length: 0 }",
+            "ground: `B` is a point and `ground` a body; name two points or two bodies / a point of the \
+             ground is declared: `ground G(x, y);`",
+        ),
+        (
+            CRANK,
+            "spring between AB and D { stiffness: 20(N/mm), free_length: 0 }",
+            "AB: `D` is a point and `AB` a body; name two points or two bodies / a point of `AB` is \
+             declared: `point P on AB at (x, y);`",
+        ),
+    ]);
+}
+
 /// Springs of every kind, and rates of all that has one.
 const SPRINGS: &str = "param k = 15(N/m); param l0 = 0.3m;
     spring shock between E and C { stiffness: k, free_length: l0, damping: 1.5(N*s/m) }
@@ -149,7 +167,8 @@ fn a_spring_stands_between_two_bodies() {
         (
             CRANK,
             "spring between AB and B { stiffness: 2 }",
-            "B: `B` is a point, not a link / it is the pin of `crank AB`: name the link",
+            "AB: `B` is a point and `AB` a body; name two points or two bodies / a point of `AB` is \
+             declared: `point P on AB at (x, y);`",
         ),
         (CRANK, &ends("B and X"), "X: no point named `X` / declared so far: `A`, `D`, `B`"),
         (

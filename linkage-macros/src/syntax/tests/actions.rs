@@ -64,6 +64,18 @@ fn statements_about_forces_that_do_not_parse() {
             "force (0, f) on pad in arm;",
             format!("in: write `force (fx, fy) in arm on pad` / {AXES}"),
         ),
+        (
+            "force (0, f) on jaw at (1m, 0);",
+            "at: declare a point here: `point P on jaw at (x, y);` / a force acts on a point, by its \
+             name: `… on P`"
+                .to_string(),
+        ),
+        (
+            "load stone = 200kN;",
+            "=: write `load stone: force;` / a load's value is an argument of each call; one that stays \
+             is a `param` or a `let`"
+                .to_string(),
+        ),
         ("force (1, 2) P;", format!("P: expected `on` or `in`, found `P` / {FORCE}")),
         ("force 5N between P;", format!(";: expected `and`, found `;` / {FORCE}")),
         ("torque t DC;", format!("DC: expected `on` or `between`, found `DC` / {TORQUE}")),

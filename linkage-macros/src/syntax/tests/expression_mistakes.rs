@@ -90,6 +90,18 @@ fn components_of_reactions() {
 fn powers_of_units() {
     const ROWS: &[(&str, &str)] = &[
         (
+            "gravity (0, -9.81m/s^2);",
+            "9.81m/s^2: write `9.81(m/s^2)` / a product of units stands in parentheses",
+        ),
+        (
+            "mass 9kg on jaw at G inertia 120kg*m^2;",
+            "120kg*m^2: write `120(kg*m^2)` / a product of units stands in parentheses",
+        ),
+        (
+            "let x = 2m * l^2;",
+            "^: expected `;`, found `^` / a power is written as a product: `x * x`",
+        ),
+        (
             "let x = sqrt(100mm^2);",
             "^: write `100(mm^2)` / a unit's power stands in parentheses with it; that of a quantity is \
              a product: `x * x`",
