@@ -188,6 +188,7 @@ impl Measure {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::units::unit;
 
     #[test]
     fn lengths_carry_exponents() {
@@ -214,6 +215,39 @@ mod tests {
             Measure::NUMBER.quotient(Measure::Known(time))
         );
         assert_eq!(force.times(Dimension::LENGTH, -1).words(), "a force over a length (N/m)");
+    }
+
+    /// The unit that a message proposes is read as the dimension that is missing.
+    #[test]
+    fn proposed_units_have_the_dimension() {
+        let read = |text: &str| {
+            let mut sign = 1;
+            let factors = text.trim_matches(['(', ')']).split_inclusive(['*', '/']);
+            factors.fold(Dimension::NUMBER, |product, factor| {
+                let (name, power) = match factor.trim_end_matches(['*', '/']).split_once('^') {
+                    Some((name, power)) => (name, power.parse().expect("a power is a number")),
+                    None => (factor.trim_end_matches(['*', '/']), 1),
+                };
+                let of_unit = unit(name).map_or(Dimension::NUMBER, |(dimension, _)| dimension);
+                let product = product.times(of_unit, power * sign);
+                if factor.ends_with('/') {
+                    sign = -1;
+                }
+                product
+            })
+        };
+        let powers = || -3..=3;
+        let all =
+            powers().flat_map(|l| powers().flat_map(move |m| powers().map(move |t| [l, m, t])));
+        let mut count = 0;
+        for [length, mass, time] in all {
+            let dimension = Dimension { length, mass, time, angle: false };
+            if let Some(text) = dimension.unit() {
+                assert_eq!(read(text), dimension, "{text}");
+                count += 1;
+            }
+        }
+        assert_eq!(count, 16);
     }
 
     #[test]

@@ -343,6 +343,10 @@ fn forces_are_offered_where_something_has_mass_or_acts() {
         let all = fields(&file, "MForces").expect("there is a record");
         assert!(all.ends_with("shaking: Shaking<T>"), "{all}");
     }
+    // A guide that nothing declares is one where the link slides.
+    let file = expand(&source("rrp CE(C), block(bed) -> E { length: 1m } mass 1kg on E;"));
+    let block = fields(&file, "MForcesOfblock").expect("there is a record");
+    assert_eq!(block, "push: T, bed: GuideForce<T>, E: Force<T>");
     let file = expand(&source("spring s between A and C { }"));
     assert_eq!(fields(&file, "MForcesOfs").expect("a record"), "force: T");
     assert!(!methods(&expand(&source(""))).iter().any(|name| name == "forces"));

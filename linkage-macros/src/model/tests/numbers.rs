@@ -244,6 +244,11 @@ fn a_factor_without_a_unit_is_told_its_unit() {
         // A divisor, a sum and a number that has its unit are told no other.
         (
             CRANK,
+            "force (3 + B.x, 0) on B;",
+            "3 + B.x: a length where a force belongs / multiply or divide by what is missing",
+        ),
+        (
+            CRANK,
             "force (B.x / 3, 0) on B;",
             "B.x / 3: a length where a force belongs / multiply or divide by what is missing",
         ),

@@ -78,6 +78,11 @@ fn components_of_reactions() {
              and the reaction's components are fields of the result",
         ),
         (
+            "output r = hypot(DC.D.x, 1m);",
+            ".: write `D.x` for the point, `DC.D` for the reaction / a point is known by its own name, \
+             and the reaction's components are fields of the result",
+        ),
+        (
             "output ram.bed.normal;",
             ".: write `ram.bed` / the reaction of a guide is one output; `normal` and `couple` are \
              fields of the result",
