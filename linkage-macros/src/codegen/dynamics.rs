@@ -6,7 +6,7 @@ use quote::quote;
 use super::arguments::Arguments;
 use super::context::Context;
 use super::doc_comments::lines;
-use super::identifiers::generated;
+use super::identifiers::{generated, text};
 use crate::interface::entries::FORWARD;
 
 /// Nothing where there is no forward dynamics.
@@ -33,6 +33,9 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
         "The rates of a state, values and rates of the inputs: rates and second rates, what an \
          integrator takes.\n\n# Errors\nThose of `forward_dynamics`.",
     );
+    // A rate that moves no second rate is asked for nowhere else.
+    let inputs = cx.mechanism.inputs.iter();
+    let titles = inputs.map(|input| format!("{}_rate", text(&input.name)));
     quote! {
         impl<#scalar: #real> #solver<#scalar> {
             #docs
@@ -43,6 +46,9 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
                 #(#declared),*
             ) -> #result<[#scalar; #states], #error> {
                 let #a = self.forward_dynamics(#q, #v, #(#own),*)?;
+                #(if !#scalar::is_finite(#rates) {
+                    return #result::Err(#error::NotFinite { name: #titles });
+                })*
                 #ok([#(#rates,)* #(#seconds),*])
             }
         }

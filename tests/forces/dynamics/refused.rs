@@ -3,7 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use linkage_core::SolveError;
-use linkage_tests::mechanisms::dynamics::{LightCrank, RockerDriven, Squeezer, Twin, Twins};
+use linkage_tests::mechanisms::dynamics::{
+    GearedArm, LightCrank, RockerDriven, Squeezer, Twin, Twins,
+};
 use linkage_tests::mechanisms::forces::{HeavyFourBar, Oscillator, Press, SprungLift};
 
 #[test]
@@ -122,4 +124,20 @@ fn the_squeezer_accelerates_as_published() {
     // The angle's last place alone is worth 4e-12 of it.
     let expected = -24_631.763_122_874_634;
     assert!((found - expected).abs() < 2e-11 * expected.abs(), "{found} {expected}");
+}
+
+/// A rate that changes no second rate is no number all the same: the rates are part of the answer.
+#[test]
+fn state_rates_of_rates_that_are_no_numbers_are_refused() {
+    let arm = GearedArm::new();
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        // Where the cart stands and how fast it goes changes no force.
+        let state = [0.1, 0.2, 0.3, bad, 0.0, 0.0];
+        assert!(arm.forward_dynamics([0.1, 0.2, 0.3], [bad, 0.0, 0.0], [0.0; 3]).is_ok());
+        let refused = Err(SolveError::NotFinite { name: "base_rate" });
+        assert_eq!(arm.state_rates(state, [0.0; 3]), refused);
+        let narrow = GearedArm::<f32>::default();
+        let state = state.map(|number: f64| number as f32);
+        assert_eq!(narrow.state_rates(state, [0.0; 3]).map(|_| ()), refused.map(|_: [f64; 6]| ()));
+    }
 }
