@@ -10,7 +10,9 @@ use linkage_tests::mechanisms::margins::*;
 use linkage_tests::mechanisms::near_limits::*;
 use linkage_tests::mechanisms::single_groups::*;
 use linkage_tests::mechanisms::stacked_sliders::*;
-use linkage_tests::mechanisms::unknowns::{RamAndFollower, RamAndFollowerPosition};
+use linkage_tests::mechanisms::unknowns::{
+    Press, PressPosition, RamAndFollower, RamAndFollowerPosition,
+};
 use linkage_tests::mechanisms::variable_dimensions::*;
 
 use super::calls::{At, Calls};
@@ -90,6 +92,15 @@ fn is_closed<T: Number>(state: &State<T, 2, 3>, p: &RamAndFollowerPosition<T>) -
     missed.iter().all(|(miss, size)| miss.abs() <= 64.0 * T::HALF_UNIT * size)
 }
 
+/// The same of a press whose ends are parameters: its root lies between them.
+fn is_pressed<T: Number>(state: &State<T, 1, 6>, p: &PressPosition<T>) -> bool {
+    let [from, to, _, r, l, _] = state.params.map(|param| param.value());
+    let (x, theta) = (state.q[0].value(), p.theta.value());
+    let size = x.abs() + r.abs() + l.abs();
+    let is_between = from <= theta && theta <= to && to - from <= 6.3;
+    is_between && (p.ram.slide.value() - x).abs() <= 64.0 * T::HALF_UNIT * size
+}
+
 fuzzed! {
     CouplerFourBar: 1 one, 0(), modes(elbow), units(BC DC), margins();
     InclinedSliderCrank: 1 one, 0(), modes(side), units(BC block), margins(), circle;
@@ -116,4 +127,5 @@ fuzzed! {
     FastWatt: 1 one, 0(), modes(), units(BC DC PE QE), margins(), circle as PlainWatt;
     FastTuned: 2 many, 1(l), modes(), units(BC), margins() as PlainTuned;
     RamAndFollower: 2 many, 3(r rod seed), modes(), units(AB BC), margins(BC_margin) => is_closed;
+    Press: 1 one, 6(from to seed r l e), modes(), units(AB), margins() => is_pressed;
 }

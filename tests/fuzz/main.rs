@@ -10,7 +10,9 @@ mod calls;
 #[macro_use]
 mod mechanism;
 mod declared;
+mod moved;
 mod numbers;
+mod ranged;
 mod state;
 mod truth;
 
@@ -28,6 +30,8 @@ fn run<T: Number>() {
     let mut calls = Calls::default();
     let mut source = Source::new(seed);
     declared::run::<T>(&mut source, count / 2, &mut calls);
+    moved::run::<T>(&mut source, count / 4, &mut calls);
+    ranged::run::<T>(&mut source, count / 8, &mut calls);
     let report = calls.report(T::NAME);
     println!("{report}");
     assert!(calls.wrong.is_empty(), "{report}");

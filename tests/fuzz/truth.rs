@@ -15,6 +15,16 @@ use super::state::State;
 /// A mechanism's motion on any number: positions, velocities and accelerations in one list.
 pub(crate) trait Motion<const N: usize, const P: usize> {
     const OUTPUTS: &'static [&'static str];
+    /// What counts as a unit in the last place of a number that is smaller than this is one of this size:
+    /// an angle stands in sums with whole turns.
+    const LEAST: f64 = 0.0;
+
+    /// How many units in the last place of its largest row a result may be wrong by besides, each time that
+    /// it rounds.
+    fn loss(_: &State<f64, N, P>) -> f64 {
+        0.0
+    }
+
     fn motion<S: Scalar<Mask = bool>>(state: &State<S, N, P>) -> Option<Vec<S>>;
 }
 
@@ -34,7 +44,8 @@ fn allowed<M: Motion<N, P>, const N: usize, const P: usize>(
     for varied in 0..State::<f64, N, P>::COUNT {
         let seeded = state.map(|place, x| {
             let x = x * (1.0 + 2.0 * half_unit * moved(place, turn));
-            Dual64::new(x, if place == varied { x } else { 0.0 })
+            let size = if x.abs() < M::LEAST { M::LEAST } else { x };
+            Dual64::new(x, if place == varied { size } else { 0.0 })
         });
         let rows = M::motion(&seeded)?;
         let sums = sums.get_or_insert_with(|| rows.iter().map(|row| row.re.abs()).collect());
@@ -61,7 +72,7 @@ pub(crate) fn error<M: Motion<N, P>, T: Number, const N: usize, const P: usize>(
 ) -> Option<f64> {
     let data = state.map(|_, x| x.value());
     let at = |turn| allowed::<M, N, P>(&data, T::HALF_UNIT, turn);
-    let allowed = at(0)?;
+    let mut allowed = at(0)?;
     let total = |allowed: &[f64]| allowed.iter().sum::<f64>();
     for turn in 1..3 {
         if !(0.5..2.0).contains(&(total(&at(turn)?) / total(&allowed))) {
@@ -75,6 +86,9 @@ pub(crate) fn error<M: Motion<N, P>, T: Number, const N: usize, const P: usize>(
         let truth = M::motion(&data.map(|_, x| DoubleDouble::<true>::new(x)))?;
         truth.iter().map(|row| [row.high, row.low]).collect()
     };
+    let largest = truth.iter().map(|[high, _]| high.abs()).fold(0.0, f64::max);
+    let lost = 2.0 * M::loss(&data) * T::HALF_UNIT * largest;
+    allowed.iter_mut().for_each(|allowed| *allowed += lost);
     let mut worst = 0.0_f64;
     for (row, ((found, [high, low]), allowed)) in found.iter().zip(truth).zip(allowed).enumerate() {
         let away = found.value() - high;

@@ -151,7 +151,11 @@ fn every_error_has_a_status() {
         (SolveError::Invalid { group, name }, Status::Invalid),
         (SolveError::NotFinite { name }, Status::NotFinite),
         (SolveError::OffCircle { name, amplitude: 0.5 }, Status::OffCircle),
-        (SolveError::NoSolution { unknown: "theta", by, unit: "m" }, Status::NoSolution),
+        (
+            SolveError::NoSolution { unknown: "theta", by, unit: "m", other: None },
+            Status::NoSolution,
+        ),
+        (SolveError::SeveralDeadPoints { unknown: "theta" }, Status::SeveralDeadPoints),
     ] {
         assert_eq!(Status::from(error), status);
     }
