@@ -174,7 +174,7 @@ impl Parser<'_> {
             let mut field = Field { name, value: value.unwrap_or(mistake.clone()) };
             if failed {
                 inner.skip_field(first);
-            } else if inner.decimal_comma() || !inner.field_ends() {
+            } else if inner.decimal_comma() || inner.bare_pair(&field.name) || !inner.field_ends() {
                 field.value = mistake;
                 inner.skip_field(first);
             }

@@ -112,6 +112,19 @@ impl Parser<'_> {
         }
         is_whole
     }
+
+    /// `1m, 2m` as the value of `lengths` or `offsets`, in front of its comma.
+    pub(super) fn bare_pair(&mut self, name: &Ident) -> bool {
+        let is_pair = ["lengths", "offsets"].iter().any(|pair| name == pair);
+        let goes_on = matches!(self.peek(1), Some(TokenTree::Literal(_))) && !self.is_punct(2, ':');
+        let is_bare = is_pair && self.is_punct(0, ',') && goes_on;
+        if is_bare {
+            let message = format!("write `{name}: (…, …)`");
+            let reason = "two values of a field stand in parentheses";
+            self.diagnostics.error_because(name.span(), message, reason);
+        }
+        is_bare
+    }
 }
 
 fn quoted(words: &[&str]) -> String {

@@ -214,6 +214,14 @@ fn habits_from_elsewhere() {
             "rrr BC(B), DC(D) -> C { lengths: [632mm, 374mm], mode: left }",
             "[: write `(` and `)` in place of the brackets / two values of a field stand in parentheses",
         ),
+        (
+            "rrr BC(B), DC(D) -> C { lengths: 632mm, 374mm, mode: left }",
+            "lengths: write `lengths: (…, …)` / two values of a field stand in parentheses",
+        ),
+        (
+            "rrr BC(B), DC(D) -> C { mode: left, lengths: 2 * 0.3m, 374mm }",
+            "lengths: write `lengths: (…, …)` / two values of a field stand in parentheses",
+        ),
         // What is wrong with these is the model's to say, once.
         ("rrr BC(B), DC(D) -> C { lengths: (1m, 1m), mode: +1 }", ""),
         ("rrr BC(B), DC(D), EC(E) -> C { lengths: (1m, 1m, 1m), mode: left }", ""),
