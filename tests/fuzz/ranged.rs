@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use linkage_core::find::{FindError, Search};
-use linkage_core::range::{RangeError, Turn, extrema, limits};
+use linkage_core::range::{RangeError, Stop, Stretch, Turn, extrema, limits};
 use linkage_core::{Mechanism, Real, Trend};
 use linkage_tests::mechanisms::single_groups::{CouplerFourBar, InclinedSliderCrank};
 use linkage_tests::mechanisms::stacked_sliders::ParamFourBar;
@@ -149,8 +149,9 @@ fn turned<T: Number>(source: &mut Source, waves: &Waves<T>, between: [T; 2], cal
         both => return at.wrong("extrema", "mirrored otherwise", &both),
     };
     let turn = |turn| if turn == Turn::Maximum { Turn::Minimum } else { Turn::Maximum };
-    // A zero of the rate between two numbers is either of them.
-    let alike = |a: T, b: T| (a.value() - b.value()).abs() <= 8.0 * T::HALF_UNIT * a.value().abs();
+    // A zero of the rate between two numbers is either of them, and is right to the last place of an end.
+    let size = between.map(|end| end.value().abs()).into_iter().fold(0.0, f64::max);
+    let alike = |a: T, b: T| (a.value() - b.value()).abs() <= 8.0 * T::HALF_UNIT * size;
     let is_mirrored = found.len() == mirrored.len()
         && found
             .iter()
@@ -203,7 +204,11 @@ where
     if !is_sorted {
         at.wrong("limits", "not in order or not inside", &stretches);
     }
-    if !is_meant(between) || source.below(SCANNED) != 0 {
+    // At a change point a group barely reaches, on either side of it.
+    let is_barely = |stretch: &Stretch<T>| {
+        [stretch.from, stretch.to].iter().any(|end| matches!(end.stop, Stop::ChangePoint { .. }))
+    };
+    if !is_meant(between) || stretches.iter().any(is_barely) || source.below(SCANNED) != 0 {
         return;
     }
     // Next to a limit rounding decides, and what is narrower than a sixteenth may be missed.
