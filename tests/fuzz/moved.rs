@@ -111,11 +111,7 @@ macro_rules! moved {
     ($($name:ident: $inputs:literal $count:ident, $params:literal($($param:ident)*)
         $(, $elbow:ident)?;)*) => {$(
         const _: () = {
-            fn solver<S: Scalar>(state: &State<S, $inputs, $params>) -> $name<S> {
-                let [$($param),*] = state.params;
-                #[allow(clippy::needless_update, reason = "without parameters all is default")]
-                $name::<S> { $($param,)* ..$name::<S>::default() }
-            }
+            solver!(solver: $name, $inputs, $params($($param)*), ());
 
             impl Motion<$inputs, $params> for $name {
                 const OUTPUTS: &'static [&'static str] = &$name::INPUTS;
