@@ -5,8 +5,13 @@
 //! cargo run -p laboratory --bin draw_mechanisms > examples/laboratory/src/bin/against_hand/table.rs
 //! ```
 //!
-//! Every crank turns fully, and no dyad comes nearer to its limit than a transmission angle of 25°, as a
+//! `draw_mechanisms cranks`, `loops` and `slides` write the tables of `errors` instead
+//! (`examples/laboratory/src/bin/errors/cranks.rs` and so on).
+//!
+//! Of the thirty every crank turns fully, and no dyad comes nearer to its limit than a transmission angle of 25°, as a
 //! designer would have it. Half of the rockers stand on the crank's x axis.
+
+mod twins;
 
 use linkage_tests::random::Random;
 
@@ -29,6 +34,11 @@ struct Second {
 }
 
 fn main() {
+    if let Some(part) = std::env::args().nth(1) {
+        println!("// Written by `draw_mechanisms {part}` of this package, which says how.\n");
+        println!("{}", twins::table(&part));
+        return;
+    }
     println!("// Written by `draw_mechanisms` of this package, which says how.\n");
     let mut random = Random::new(20);
     let mut names = Vec::new();
