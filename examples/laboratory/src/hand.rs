@@ -3,7 +3,10 @@
 //!
 //! - [`crank_dyad`]: the four-bar, a crank on the ground and two bars to a point of the ground;
 //! - [`dyad`]: two bars between any two joints, of which the second may be a point of the ground;
-//! - [`swinging_block`]: crank, rpr and rpp.
+//! - [`swinging_block`]: crank, rpr and rpp;
+//! - [`rails`]: bars to blocks on rails of the ground, and yokes;
+//! - [`guides`]: blocks on bars and on guides of links;
+//! - [`cylinder`]: a bar that a cylinder drives.
 //!
 //! Longer chains are composed of these mechanically: a bar's points are the joints of the next dyad.
 //! All is inlined into a caller whose dimensions are constants, and what it does not read is never
@@ -11,8 +14,11 @@
 
 #![allow(clippy::neg_cmp_op_on_partial_ord, reason = "what is no number is refused as well")]
 
+pub mod cylinder;
 pub mod dyads;
+pub mod guides;
 pub mod plane;
+pub mod rails;
 pub mod sine;
 
 mod sliding;

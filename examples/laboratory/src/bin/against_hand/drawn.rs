@@ -1,9 +1,10 @@
 //! The mechanisms that were drawn at random, as a table; both ways to a motion and to the positions are
 //! made of a row.
 
+use laboratory::hand::rails::{Rail, Rod};
 use laboratory::hand::{Bar, CrankDyad, Dyad, Joint, Moving, cos_sin, crank_dyad, dyad};
 
-use crate::kernels::{Contest, Visit, plain_and_fast, put};
+use crate::kernels::{Call, Contest, TURN, Visit, plain_and_fast, put};
 
 /// +1 or −1.
 macro_rules! side {
@@ -15,74 +16,146 @@ macro_rules! side {
     };
 }
 
-/// The numbers of the points and links that are asked for, in the order of the generated records.
+/// The numbers of the points, links and slides that are asked for, in the order of the generated records.
 macro_rules! asked {
-    (position, $m:ident, [$($p:ident)*], [$($l:ident)*]) => {
+    (position, $m:ident, [$($p:ident)*], [$($l:ident)*], [$($s:ident)*]) => {
         [
             $($m.$p.position.x, $m.$p.position.y,)*
-            $($m.$l.direction().x, $m.$l.direction().y,)*
+            $($m.$l.direction().x, $m.$l.direction().y,)* $($m.$s.value,)*
         ]
     };
-    (motion, $m:ident, [$($p:ident)*], [$($l:ident)*]) => {
+    (motion, $m:ident, [$($p:ident)*], [$($l:ident)*], [$($s:ident)*]) => {
         [
             $($m.$p.position.x, $m.$p.position.y,)*
-            $($m.$l.direction().x, $m.$l.direction().y,)*
-            $($m.$p.velocity.x, $m.$p.velocity.y,)* $($m.$l.omega,)*
-            $($m.$p.acceleration.x, $m.$p.acceleration.y,)* $($m.$l.alpha,)*
+            $($m.$l.direction().x, $m.$l.direction().y,)* $($m.$s.value,)*
+            $($m.$p.velocity.x, $m.$p.velocity.y,)* $($m.$l.omega,)* $($m.$s.rate,)*
+            $($m.$p.acceleration.x, $m.$p.acceleration.y,)* $($m.$l.alpha,)* $($m.$s.second,)*
         ]
     };
 }
 
 /// How many they are.
 macro_rules! count {
-    (position, [$($p:ident)*], [$($l:ident)*]) => {
+    (position, [$($p:ident)*], [$($l:ident)*], [$($s:ident)*]) => {
         0 $(+ { let _ = stringify!($p); 2 })* $(+ { let _ = stringify!($l); 2 })*
+            $(+ { let _ = stringify!($s); 1 })*
     };
-    (motion, [$($p:ident)*], [$($l:ident)*]) => {
+    (motion, [$($p:ident)*], [$($l:ident)*], [$($s:ident)*]) => {
         0 $(+ { let _ = stringify!($p); 6 })* $(+ { let _ = stringify!($l); 4 })*
+            $(+ { let _ = stringify!($s); 3 })*
+    };
+}
+
+/// What is raced, of the six functions of a mechanism.
+macro_rules! contests {
+    ($inputs:ident, $ranges:expr) => {
+        pub(crate) const MOTIONS: Contest<MOTION> = Contest {
+            made: Call::$inputs(motion_made),
+            fast: Call::$inputs(motion_fast),
+            by_hand: Call::$inputs(motion_by_hand),
+            ranges: $ranges,
+        };
+        pub(crate) const POSITIONS: Contest<POSITION> = Contest {
+            made: Call::$inputs(position_made),
+            fast: Call::$inputs(position_fast),
+            by_hand: Call::$inputs(position_by_hand),
+            ranges: $ranges,
+        };
     };
 }
 
 /// The six functions of a mechanism, given how a hand moves it.
 macro_rules! both_ways {
-    ($points:tt $links:tt) => {
-        const MOTION: usize = count!(motion, $points, $links);
-        const POSITION: usize = count!(position, $points, $links);
+    ($points:tt $links:tt $slides:tt) => {
+        both_ways!(@one $points $links $slides [TURN; 2]);
+    };
+    (@sizes $points:tt $links:tt $slides:tt) => {
+        const MOTION: usize = count!(motion, $points, $links, $slides);
+        const POSITION: usize = count!(position, $points, $links, $slides);
+    };
+    (@one $points:tt $links:tt $slides:tt $ranges:expr) => {
+        both_ways!(@sizes $points $links $slides);
 
         #[inline(never)]
-        pub(crate) fn motion_made([t, w, a]: [f64; 3], out: &mut [f64; MOTION]) -> bool {
+        pub(crate) fn motion_made(t: f64, w: f64, a: f64, out: &mut [f64; MOTION]) -> bool {
             put(Made::new().motion(t, w, a).ok(), out, Record::into_array)
         }
 
         #[inline(never)]
-        pub(crate) fn motion_fast([t, w, a]: [f64; 3], out: &mut [f64; MOTION]) -> bool {
+        pub(crate) fn motion_fast(t: f64, w: f64, a: f64, out: &mut [f64; MOTION]) -> bool {
             put(Fast::new().motion(t, w, a).ok(), out, Record::into_array)
         }
 
         #[inline(never)]
-        pub(crate) fn motion_by_hand(input: [f64; 3], out: &mut [f64; MOTION]) -> bool {
-            put(moved(input), out, |m| asked!(motion, m, $points, $links))
+        pub(crate) fn motion_by_hand(t: f64, w: f64, a: f64, out: &mut [f64; MOTION]) -> bool {
+            put(moved([t, w, a]), out, |m| asked!(motion, m, $points, $links, $slides))
         }
 
         #[inline(never)]
-        pub(crate) fn position_made([t, _, _]: [f64; 3], out: &mut [f64; POSITION]) -> bool {
+        pub(crate) fn position_made(t: f64, _: f64, _: f64, out: &mut [f64; POSITION]) -> bool {
             put(Made::new().position(t).ok(), out, Record::into_array)
         }
 
         #[inline(never)]
-        pub(crate) fn position_fast([t, _, _]: [f64; 3], out: &mut [f64; POSITION]) -> bool {
+        pub(crate) fn position_fast(t: f64, _: f64, _: f64, out: &mut [f64; POSITION]) -> bool {
             put(Fast::new().position(t).ok(), out, Record::into_array)
         }
 
         #[inline(never)]
-        pub(crate) fn position_by_hand([t, _, _]: [f64; 3], out: &mut [f64; POSITION]) -> bool {
-            put(moved([t, 0.0, 0.0]), out, |m| asked!(position, m, $points, $links))
+        pub(crate) fn position_by_hand(t: f64, _: f64, _: f64, out: &mut [f64; POSITION]) -> bool {
+            put(moved([t, 0.0, 0.0]), out, |m| asked!(position, m, $points, $links, $slides))
         }
 
-        pub(crate) const MOTIONS: Contest<MOTION> =
-            Contest { made: motion_made, fast: motion_fast, by_hand: motion_by_hand };
-        pub(crate) const POSITIONS: Contest<POSITION> =
-            Contest { made: position_made, fast: position_fast, by_hand: position_by_hand };
+        contests!(One, $ranges);
+    };
+    (@two $points:tt $links:tt $slides:tt $ranges:expr) => {
+        both_ways!(@sizes $points $links $slides);
+
+        #[inline(never)]
+        pub(crate) fn motion_made(
+            q: f64, r: f64, v: f64, w: f64, a: f64, b: f64, out: &mut [f64; MOTION],
+        ) -> bool {
+            put(Made::new().motion([q, r], [v, w], [a, b]).ok(), out, Record::into_array)
+        }
+
+        #[inline(never)]
+        pub(crate) fn motion_fast(
+            q: f64, r: f64, v: f64, w: f64, a: f64, b: f64, out: &mut [f64; MOTION],
+        ) -> bool {
+            put(Fast::new().motion([q, r], [v, w], [a, b]).ok(), out, Record::into_array)
+        }
+
+        #[inline(never)]
+        pub(crate) fn motion_by_hand(
+            q: f64, r: f64, v: f64, w: f64, a: f64, b: f64, out: &mut [f64; MOTION],
+        ) -> bool {
+            let moved = moved([[q, v, a], [r, w, b]]);
+            put(moved, out, |m| asked!(motion, m, $points, $links, $slides))
+        }
+
+        #[inline(never)]
+        pub(crate) fn position_made(
+            q: f64, r: f64, _: f64, _: f64, _: f64, _: f64, out: &mut [f64; POSITION],
+        ) -> bool {
+            put(Made::new().position([q, r]).ok(), out, Record::into_array)
+        }
+
+        #[inline(never)]
+        pub(crate) fn position_fast(
+            q: f64, r: f64, _: f64, _: f64, _: f64, _: f64, out: &mut [f64; POSITION],
+        ) -> bool {
+            put(Fast::new().position([q, r]).ok(), out, Record::into_array)
+        }
+
+        #[inline(never)]
+        pub(crate) fn position_by_hand(
+            q: f64, r: f64, _: f64, _: f64, _: f64, _: f64, out: &mut [f64; POSITION],
+        ) -> bool {
+            let moved = moved([[q, 0.0, 0.0], [r, 0.0, 0.0]]);
+            put(moved, out, |m| asked!(position, m, $points, $links, $slides))
+        }
+
+        contests!(Two, $ranges);
     };
 }
 
@@ -133,7 +206,7 @@ macro_rules! drawn {
                 Some(Moved { C, P, E, BC, DC, XE, YE })
             }
 
-            both_ways!([$($p)*] [$($l)*]);
+            both_ways!([$($p)*] [$($l)*] []);
         }
     };
 }
@@ -160,8 +233,8 @@ macro_rules! joint {
 
 /// Goes through all of them.
 macro_rules! every {
-    ($($name:ident)*) => {
-        pub(crate) fn every(visit: &mut impl Visit) {
+    ($table:ident: $($name:ident)*) => {
+        fn $table(visit: &mut impl Visit) {
             $(
                 visit.contest(stringify!($name), "motion", &$name::MOTIONS);
                 visit.contest(stringify!($name), "position", &$name::POSITIONS);
@@ -182,4 +255,56 @@ struct Moved {
     YE: Bar,
 }
 
+/// A machine with sliding joints or several inputs: the inputs with their ranges, the statements, what is
+/// asked for (points, links, slides), and how a hand moves it.
+macro_rules! machine {
+    ($name:ident: $count:ident [$($input:ident: $kind:ident),*] between $ranges:expr,
+     { $($statements:tt)* }, output [$($p:ident)*] [$($l:ident)*] [$($s:ident)*],
+     $by_hand:ident($($form:expr),*) -> $Moved:ident) => {
+        pub(crate) mod $name {
+            use super::*;
+            use crate::machines;
+            use linkage_core::{Record, mechanism};
+
+            plain_and_fast! { Made, Fast, {
+                $(input $input: $kind;)*
+                $($statements)*
+                output $($p),* $(, $l)* $(, $s.slide)*;
+            } }
+
+            #[inline(always)]
+            fn moved(inputs: inputs!($count)) -> Option<machines::$Moved> {
+                machines::$by_hand(both!($count, inputs), $($form),*)
+            }
+
+            both_ways!(@$count [$($p)*] [$($l)*] [$($s)*] $ranges);
+        }
+    };
+}
+
+/// Inputs with their rates, as the functions of a machine have them.
+macro_rules! inputs {
+    (one) => {
+        [f64; 3]
+    };
+    (two) => {
+        [[f64; 3]; 2]
+    };
+}
+
+macro_rules! both {
+    (one, $inputs:ident) => {
+        [$inputs, [0.0; 3]]
+    };
+    (two, $inputs:ident) => {
+        $inputs
+    };
+}
+
 include!("table.rs");
+include!("machines_table.rs");
+
+pub(crate) fn every(visit: &mut impl Visit) {
+    bars(visit);
+    machines(visit);
+}

@@ -1,17 +1,31 @@
 //! The same calls twice, generated and by hand, as functions that the disassembly shows one by one:
-//! angle and rates in, an array of numbers out.
+//! angle and rates in registers, an array of numbers out.
 
 use laboratory::generated::{FourBar, FourBarFast, SixBar, SixBarFast};
 use laboratory::hand::{self, Bar, CrankDyad, Dyad, Moving, cos_sin, crank_dyad};
 use linkage_core::{Record, mechanism};
 
+/// Inputs, rates and second rates in registers, numbers out: an array of what has just been written would be
+/// read in words of two numbers, which wait for both to be stored.
+#[derive(Clone, Copy)]
+pub(crate) enum Call<const N: usize> {
+    One(fn(f64, f64, f64, &mut [f64; N]) -> bool),
+    /// Both inputs, both rates, both second rates.
+    Two(fn(f64, f64, f64, f64, f64, f64, &mut [f64; N]) -> bool),
+}
+
 /// A mechanism: the ways to what is asked of it.
 pub(crate) struct Contest<const N: usize> {
-    pub(crate) made: fn([f64; 3], &mut [f64; N]) -> bool,
+    pub(crate) made: Call<N>,
     /// Under `numerics fast;`.
-    pub(crate) fast: fn([f64; 3], &mut [f64; N]) -> bool,
-    pub(crate) by_hand: fn([f64; 3], &mut [f64; N]) -> bool,
+    pub(crate) fast: Call<N>,
+    pub(crate) by_hand: Call<N>,
+    /// What the inputs are between.
+    pub(crate) ranges: [[f64; 2]; 2],
 }
+
+/// Of an angle that turns fully.
+pub(crate) const TURN: [f64; 2] = [0.0, std::f64::consts::TAU];
 
 /// What is done with every mechanism.
 pub(crate) trait Visit {
@@ -99,21 +113,26 @@ macro_rules! ways {
             use super::*;
 
             #[inline(never)]
-            pub(crate) fn made(input: [f64; 3], out: &mut [f64; $n]) -> bool {
-                put($made(input), out, $of_made)
+            pub(crate) fn made(t: f64, w: f64, a: f64, out: &mut [f64; $n]) -> bool {
+                put($made([t, w, a]), out, $of_made)
             }
 
             #[inline(never)]
-            pub(crate) fn fast(input: [f64; 3], out: &mut [f64; $n]) -> bool {
-                put($fast(input), out, $of_fast)
+            pub(crate) fn fast(t: f64, w: f64, a: f64, out: &mut [f64; $n]) -> bool {
+                put($fast([t, w, a]), out, $of_fast)
             }
 
             #[inline(never)]
-            pub(crate) fn by_hand(input: [f64; 3], out: &mut [f64; $n]) -> bool {
-                put($by_hand(input), out, $of_hand)
+            pub(crate) fn by_hand(t: f64, w: f64, a: f64, out: &mut [f64; $n]) -> bool {
+                put($by_hand([t, w, a]), out, $of_hand)
             }
 
-            pub(crate) const CONTEST: Contest<$n> = Contest { made, fast, by_hand };
+            pub(crate) const CONTEST: Contest<$n> = Contest {
+                made: Call::One(made),
+                fast: Call::One(fast),
+                by_hand: Call::One(by_hand),
+                ranges: [TURN; 2],
+            };
         }
     };
 }

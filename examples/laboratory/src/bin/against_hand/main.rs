@@ -1,5 +1,6 @@
-//! The generated solvers beside the best hand forms known: on the reported mechanisms, and on thirty
-//! that were drawn at random, so that nothing is tuned for a single one.
+//! The generated solvers beside the best hand forms known: on the reported mechanisms, on thirty that were
+//! drawn at random, so that nothing is tuned for a single one, and on ten more with sliding joints, guides
+//! on links and two inputs.
 //!
 //! ```text
 //! cargo run --release -p laboratory --bin against_hand
@@ -13,6 +14,7 @@
 mod counted;
 mod drawn;
 mod kernels;
+mod machines;
 mod race;
 #[cfg(test)]
 mod tests;
@@ -24,6 +26,9 @@ use kernels::{Contest, Visit};
 use race::{Ratios, median};
 
 const ROUNDS: usize = 1001;
+
+/// What was not drawn.
+const REPORTED: [&str; 3] = ["s1", "other_point", "s5"];
 
 /// A line of the table.
 struct Line {
@@ -45,7 +50,7 @@ impl Report {
         let counts = self.counts.as_ref()?;
         let short = if name == "other_point" { "other" } else { name };
         let path = match name {
-            "s1" | "other_point" | "s5" => format!("kernels::{short}_{call}::{way}"),
+            _ if REPORTED.contains(&name) => format!("kernels::{short}_{call}::{way}"),
             _ => format!("drawn::{name}::{call}_{way}"),
         };
         counts.get(&path).copied()
@@ -59,7 +64,7 @@ impl Visit for Report {
         }
         for (way, made, numerics) in [("made", contest.made, ""), ("fast", contest.fast, ", fast")]
         {
-            let ratios = race::ratios([made, contest.by_hand], self.rounds);
+            let ratios = race::ratios(made, contest, self.rounds);
             let count = self.count(name, call, way);
             let counts = count.zip(self.count(name, call, "by_hand")).map(|(a, b)| [a, b]);
             let line =
@@ -73,7 +78,7 @@ impl Visit for Report {
 impl Line {
     fn text(&self) -> String {
         let Ratios { throughput, latency, nanoseconds: [each, wait] } = self.ratios;
-        let mut text = format!("{:14} {:14} {throughput:7.3} {latency:7.3}", self.name, self.call);
+        let mut text = format!("{:20} {:14} {throughput:7.3} {latency:7.3}", self.name, self.call);
         text += &format!("  {each:6.1} {wait:6.1}");
         if let Some(counts) = self.counts {
             let columns: [fn(Count) -> usize; 4] =
@@ -95,7 +100,7 @@ fn main() {
     println!("Generated over hand form, compiled {fused} fused operations, {rounds} rounds.");
     println!("Counts are the generated solver's and the hand form's.\n");
     println!(
-        "{:29} through- latency  ns: each  wait  instruct. arithmetic  constants   shuffles\n{:29} put",
+        "{:35} through- latency  ns: each  wait  instruct. arithmetic  constants   shuffles\n{:35} put",
         "", ""
     );
     let counts = counted::counts();
@@ -103,17 +108,23 @@ fn main() {
     kernels::reported(&mut report);
     drawn::every(&mut report);
     for call in ["motion", "motion, fast", "position", "position, fast"] {
-        summary(&report.lines, call);
+        let (bars, machines): (Vec<_>, Vec<_>) = report
+            .lines
+            .iter()
+            .filter(|line| line.call == call && !REPORTED.contains(&&line.name[..]))
+            .partition(|line| {
+                ["four_bar_", "six_bar_"].iter().any(|start| line.name.starts_with(start))
+            });
+        summary(&bars, "drawn mechanisms", call);
+        summary(&machines, "machines with sliding joints or two inputs", call);
     }
 }
 
 /// A number of a line, where it has been measured.
 type Column = fn(&Line) -> Option<f64>;
 
-/// Median and worst of the mechanisms that were drawn.
-fn summary(lines: &[Line], call: &str) {
-    let is_drawn = |line: &&Line| line.name.contains("bar") && line.call == call;
-    let lines: Vec<&Line> = lines.iter().filter(is_drawn).collect();
+/// Median and worst of mechanisms.
+fn summary(lines: &[&Line], what: &str, call: &str) {
     if lines.is_empty() {
         return;
     }
@@ -125,7 +136,7 @@ fn summary(lines: &[Line], call: &str) {
                 .map(|[made, by_hand]| made.instructions as f64 / by_hand.instructions as f64)
         }),
     ];
-    println!("\n{} drawn mechanisms, {call}:", lines.len());
+    println!("\n{} {what}, {call}:", lines.len());
     for (name, column) in columns {
         let values: Vec<f64> = lines.iter().filter_map(|line| column(line)).collect();
         if values.is_empty() {

@@ -130,7 +130,7 @@ drawn! { six_bar_10: crank 0.083, D(0.443, 0.054),
     Q(0.16, 0.08), F(0.374, 0.048), second P F lengths 0.398 0.133 left,
     output [C E] [DC XE] }
 
-every! {
+every! { bars:
     four_bar_01
     four_bar_02
     four_bar_03

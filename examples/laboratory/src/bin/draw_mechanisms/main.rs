@@ -5,12 +5,14 @@
 //! cargo run -p laboratory --bin draw_mechanisms > examples/laboratory/src/bin/against_hand/table.rs
 //! ```
 //!
+//! `draw_mechanisms machines` writes `machines_table.rs` beside it: ten with sliding joints or two inputs.
 //! `draw_mechanisms cranks`, `loops` and `slides` write the tables of `errors` instead
 //! (`examples/laboratory/src/bin/errors/cranks.rs` and so on).
 //!
 //! Of the thirty every crank turns fully, and no dyad comes nearer to its limit than a transmission angle of 25°, as a
 //! designer would have it. Half of the rockers stand on the crank's x axis.
 
+mod machines;
 mod twins;
 
 use linkage_tests::random::Random;
@@ -36,7 +38,7 @@ struct Second {
 fn main() {
     if let Some(part) = std::env::args().nth(1) {
         println!("// Written by `draw_mechanisms {part}` of this package, which says how.\n");
-        println!("{}", twins::table(&part));
+        println!("{}", if part == "machines" { machines::table() } else { twins::table(&part) });
         return;
     }
     println!("// Written by `draw_mechanisms` of this package, which says how.\n");
@@ -52,7 +54,7 @@ fn main() {
         println!("{}", row(&mut random, &name, &machine, second.as_ref()));
         names.push(name);
     }
-    println!("every! {{\n    {}\n}}", names.join("\n    "));
+    println!("every! {{ bars:\n    {}\n}}", names.join("\n    "));
 }
 
 /// A number of millimetres.
