@@ -4,14 +4,13 @@
 //! `dyads`, d² is a constant and s ṡ = r₂·v of the pin:
 //!
 //! ```text
-//! ω₃ = −s ṡ/h          α₃ = (ω₃² (l₃² − r₂·r₃) − ṡ² − s s̈)/h
-//! ω₂ = ω₃ r₂·r₃/s²     α₂ = (α₃ r₂·r₃ − ω₃² h − 2 s ṡ ω₂)/s²
+//! ω₃ = −s ṡ/h     α₃ = (ω₃² (l₃² − r₂·r₃) − ṡ² − s s̈)/h
 //! ```
 
 use super::fused;
 use super::plane::{Bar, Vector};
 
-/// The cylinder and the bar, seen from the link that has its base and the bar's pivot; none out of reach.
+/// The bar, seen from the link that has its pivot and the cylinder's base; none out of reach.
 #[inline(always)]
 #[must_use]
 pub fn cylinder(
@@ -19,7 +18,7 @@ pub fn cylinder(
     [s, rate, second]: [f64; 3],
     length: f64,
     side: f64,
-) -> Option<[Bar; 2]> {
+) -> Option<Bar> {
     let d = Vector { x: pivot[0] - base[0], y: pivot[1] - base[1] };
     let (fixed, l2) = (d.dot(d), length * length);
     let (sum, difference) = (s + length, s - length);
@@ -43,12 +42,5 @@ pub fn cylinder(
     let omega3 = -(speed * inverse_h);
     let p = omega3 * omega3;
     let alpha3 = fused(p, l2 - between, -fused(rate, rate, s * second)) * inverse_h;
-    let inverse_square = 1.0 / square;
-    let omega2 = omega3 * between * inverse_square;
-    let turned = fused(alpha3, between, -(p * h));
-    let alpha2 = fused(-2.0 * speed, omega2, turned) * inverse_square;
-    Some([
-        Bar { r: r2, length: s, omega: omega2, alpha: alpha2 },
-        Bar { r: r3, length, omega: omega3, alpha: alpha3 },
-    ])
+    Some(Bar { r: r3, length, omega: omega3, alpha: alpha3 })
 }

@@ -179,8 +179,8 @@ pub(crate) fn excavator(
     (stick, other): (f64, f64),
     p: [f64; 2],
 ) -> Option<Excavator> {
-    let [_, boom] = cylinder([base, [0.0; 2]], lift, boom, side)?;
-    let [_, stick] = cylinder(joints, reach, stick, other)?;
+    let boom = cylinder([base, [0.0; 2]], lift, boom, side)?;
+    let stick = cylinder(joints, reach, stick, other)?;
     let (stick, joint) = (turned(boom, stick), boom.point_about([0.0; 2], joints[1]));
     Some(Excavator { H: stick.end(joint), P: stick.point(joint, p), boom, stick })
 }
