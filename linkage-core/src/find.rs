@@ -40,10 +40,10 @@ pub(crate) mod unknown;
 use core::fmt;
 
 pub(crate) use approach::Approach;
-pub(crate) use approach::{At, constant, greater, magnitude, number};
+pub(crate) use approach::{At, constant, greater, less, magnitude, number};
 pub(crate) use cubic::Cubic;
 use equation::Equation;
-pub(crate) use equation::crossing;
+pub(crate) use equation::{crossing, differentiated};
 pub(crate) use lowest::lowest;
 pub use output::OutputError;
 pub(crate) use output::no_output;

@@ -7,13 +7,19 @@
 //!
 //! Both are searches by the solver's exact rates, without a heap, for start-up and for design: a
 //! turn of a four-bar takes 33 evaluations of its clearance and at most some 25 more for its
-//! limits, and 33 poses that confirm each stretch. They are no proof: what happens within a
-//! sixteenth of the way and is not to be seen from its ends and its middle is missed.
+//! limits, and 33 poses that confirm each stretch. An interval of several turns takes as many for each
+//! turn.
+//!
+//! They are no proof. The interval is walked in panels of a sixteenth of it, and of no more than 0.4, a
+//! sixteenth of a turn: what happens within a panel and is not to be seen from its ends and its middle is
+//! missed. Behind the first 34 turns (214 rad) the rest is walked in sixteen panels, however long: what
+//! repeats with every turn shows in the first 34, as none or as more than the 32 that an answer may have.
 
 mod confirm;
 mod extrema;
 mod limits;
 mod output;
+mod panels;
 #[cfg(test)]
 mod tests;
 mod walk;

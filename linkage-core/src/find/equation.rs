@@ -31,6 +31,11 @@ pub(crate) fn crossing<T: Real>(
     f.differentiated(at).map(|root| root.at)
 }
 
+/// A known root with the derivatives that f's numbers carry.
+pub(crate) fn differentiated<T: Real>(at: T, f: impl FnMut(T) -> [T; 2]) -> Result<T, FindError> {
+    Equation::new(f, Trend::Rising).differentiated(at).map(|root| root.at)
+}
+
 impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
     pub(super) fn new(f: F, trend: Trend) -> Self {
         Self { f, sign: trend.sign(), evaluations: 0 }

@@ -4,13 +4,11 @@
 //! there is one: by rounding at a limit, and elsewhere to where a dimension is none any more.
 
 use super::limits::Chart;
+use super::panels::Panels;
 use super::{End, RangeError, Stop, Stretch, Stretches};
 use crate::find::{constant, number};
 use crate::solver::Solver;
 use crate::{Real, SolveError};
-
-/// Samples of a stretch beside its beginning.
-const SAMPLES: u32 = 32;
 
 /// Halvings between an input with a pose and one without: until they are neighbours, but next to
 /// zero.
@@ -25,12 +23,14 @@ pub(super) fn confirm<T: Real, M: Solver<Scalar = T, Input = T>>(
     let chart = Chart::of(stretch);
     let mut last = Sample::of(solver, stretch.from);
     let mut open = last.refusal.is_none().then_some(stretch.from);
-    for sample in 1..=SAMPLES {
-        let here = if sample == SAMPLES {
-            Sample::of(solver, stretch.to)
-        } else {
-            let (at, _) = chart.at(number(f64::from(sample) / f64::from(SAMPLES)));
+    // Beside the beginning the middle and the end of each panel.
+    let panels = Panels::over(stretch.width().value());
+    for part in panels.ends().flat_map(|[end, long]| [end - 0.5 * long, end]) {
+        let here = if part < 1.0 {
+            let (at, _) = chart.at(number(part));
             Sample::of(solver, End { at, stop: Stop::Edge })
+        } else {
+            Sample::of(solver, stretch.to)
         };
         match (last.refusal, here.refusal) {
             (None, Some(_)) => {

@@ -3,6 +3,7 @@
 use core::fmt;
 use core::ops::Deref;
 
+use super::panels::Panels;
 use super::walk::{Event, Walk};
 use super::{MOST, RangeError};
 use crate::find::{Approach, FindError, constant, greater, magnitude, number};
@@ -125,6 +126,7 @@ impl<T: serde::Serialize> serde::Serialize for Extrema<T> {
 /// is no turn, also where the rate is zero there, but [`Extrema::least`], [`Extrema::greatest`] and
 /// [`Extrema::stroke`] count the ends. An output that rests, to the rounding of its value, and goes on the
 /// same way does not turn; one that turns back after a rest does so somewhere in the rest.
+/// An output and its negative turn at the same inputs, bit for bit.
 ///
 /// # Errors
 /// See [`RangeError`]; the first of the function's errors.
@@ -137,19 +139,20 @@ pub fn extrema<T: Real>(
         return Err(RangeError::Interval { from: from.value(), to: to.value() });
     }
     let ends = between.map(constant);
-    let zero = rest(ends, &mut f)?;
+    let Size { zero, sign } = Size::of(ends, &mut f)?;
     let mut found = Extrema::between(ends, &mut f)?;
     let mut failure = None;
     let rate = |x| match f(x) {
-        Ok([_, rate, second]) => [rate, second],
+        Ok([_, rate, second]) => [sign * rate, sign * second],
         Err(error) => {
             failure = failure.or(Some(error));
             [number(f64::NAN); 2]
         }
     };
     let (mut zeros, mut count) = ([ends[1]; ZEROS], 0_usize);
-    let mut walk = Walk { f: rate, zero };
-    let walked = walk.events(ends, |event| {
+    let mut walk = Walk { f: rate, zero, ends };
+    let panels = Panels::over((to - from).value());
+    let walked = walk.events(panels, |event| {
         if let Event::Falls(at) | Event::Rises(at) = event {
             zeros.iter_mut().skip(count).take(1).for_each(|place| *place = at);
             count += 1;
@@ -157,7 +160,7 @@ pub fn extrema<T: Real>(
     });
     let zeros = zeros.get(..count).ok_or(RangeError::TooMany);
     let turned = match (walked, zeros) {
-        (Ok(()), Ok(zeros)) => found.turns(&mut walk, zeros, ends),
+        (Ok(()), Ok(zeros)) => found.turns(&mut walk, zeros, sign),
         (Ok(()), Err(error)) => return Err(error),
         (Err(error), _) => Err(error),
     };
@@ -177,17 +180,31 @@ const ZEROS: usize = 2 * MOST;
 
 const NO_NUMBER: SolveError = SolveError::NotFinite { name: "the output" };
 
-/// A rate that rounding alone cannot tell from zero.
-fn rest<T: Real>(
-    [from, to]: [T; 2],
-    f: &mut impl FnMut(T) -> Result<[T; 3], SolveError>,
-) -> Result<T, RangeError> {
-    let mut size = number::<T>(0.0);
-    for part in [0.0, 0.3, 0.6, 1.0] {
-        let [value, rate, _] = f(from + (to - from) * number(part))?.map(constant);
-        size = greater(size, greater(magnitude(rate), magnitude(value) / (to - from)));
+/// The size of a rate.
+struct Size<T> {
+    /// A rate that rounding alone cannot tell from zero.
+    zero: T,
+    /// The sign of the largest of some rates, 1 or −1: an output and its mirror image are walked by the
+    /// same numbers once both are multiplied by it.
+    sign: T,
+}
+
+impl<T: Real> Size<T> {
+    fn of(
+        [from, to]: [T; 2],
+        f: &mut impl FnMut(T) -> Result<[T; 3], SolveError>,
+    ) -> Result<Self, RangeError> {
+        let (mut size, mut largest) = (number::<T>(0.0), number::<T>(0.0));
+        for part in [0.0, 0.3, 0.6, 1.0] {
+            let [value, rate, _] = f(from + (to - from) * number(part))?.map(constant);
+            if magnitude(rate).gt(magnitude(largest)) {
+                largest = rate;
+            }
+            size = greater(size, greater(magnitude(rate), magnitude(value) / (to - from)));
+        }
+        let sign = number(if number::<T>(0.0).gt(largest) { -1.0 } else { 1.0 });
+        Ok(Self { zero: size * number(64.0 * <T as Real>::EPSILON), sign })
     }
-    Ok(size * number(64.0 * <T as Real>::EPSILON))
 }
 
 impl<T: Real> Extrema<T> {
@@ -204,7 +221,8 @@ impl<T: Real> Extrema<T> {
         Ok(Self { list: [none; MOST], count: 0, ends: [[from, first], [to, last]] })
     }
 
-    /// Adds the turns of an output whose rate is zero at these places, in order.
+    /// Adds the turns of an output whose rate is zero at these places, in order; the walk is over the rate
+    /// times the sign.
     ///
     /// Whether the output rises or falls between two of them is asked of the rate there: next to a place
     /// where it only touches zero its sign is rounding.
@@ -212,14 +230,16 @@ impl<T: Real> Extrema<T> {
         &mut self,
         walk: &mut Walk<impl FnMut(T) -> [T; 2], T>,
         zeros: &[T],
-        [from, to]: [T; 2],
+        sign: T,
     ) -> Result<Result<(), RangeError>, FindError> {
+        let [from, to] = walk.ends;
+        let is_mirrored = number::<T>(0.0).gt(sign);
         let (mut before, mut here, mut rest) = (None, from, None::<[T; 2]>);
         for &next in zeros.iter().chain([&to]) {
             if let Some(rises) = walk.way([here, next])? {
                 if let (true, Some([first, last])) = (before == Some(!rises), rest) {
                     let at = first + (last - first) * number(0.5);
-                    let turn = if rises { Turn::Minimum } else { Turn::Maximum };
+                    let turn = if rises != is_mirrored { Turn::Minimum } else { Turn::Maximum };
                     if let Err(error) = self.push(Extremum { at, value: at, turn }) {
                         return Ok(Err(error));
                     }

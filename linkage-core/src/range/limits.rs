@@ -10,6 +10,7 @@
 //! nothing in a dimension, the solver itself tells at the end (`confirm`).
 
 use super::confirm::confirm;
+use super::panels::Panels;
 use super::walk::{Event, Walk};
 use super::{End, RangeError, Stop, Stretch, Stretches};
 use crate::find::{Approach, At, constant, magnitude, number};
@@ -157,7 +158,7 @@ fn of_group<T: Real, M: Solver<Scalar = T, Input = T>>(
             && solver.position(constant(chart.at(u).0)).is_ok();
         if is_contradicted { [nan; 2] } else { [value / scale, rate / scale] }
     };
-    let mut walk = Walk { f, zero: number(64.0 * <T as Real>::EPSILON) };
+    let mut walk = Walk { f, zero: number(64.0 * <T as Real>::EPSILON), ends };
     let (Ok(first), Ok(last)) = (walk.at(ends[0]), walk.at(ends[1])) else {
         // The solver itself says why there are no numbers.
         return rest.push(stretch.from, stretch.to);
@@ -165,7 +166,8 @@ fn of_group<T: Real, M: Solver<Scalar = T, Input = T>>(
     let kept = *rest;
     let mut open = walk.is_positive(first).then_some(edge_at_limit(stretch.from, first, title));
     let mut pushed = Ok(());
-    let walked = walk.events(ends, |event| {
+    let panels = Panels::over(stretch.width().value());
+    let walked = walk.events(panels, |event| {
         let [close, reopen] = match event {
             Event::Falls(u) => [Some(limit(chart.at(u).0)), None],
             Event::Rises(u) => [None, Some(limit(chart.at(u).0))],

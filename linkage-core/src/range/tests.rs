@@ -1,10 +1,12 @@
 //! Zeros of functions that are made to be missed.
 
+mod repeated;
 mod turns;
 
 use std::prelude::v1::*;
 use std::vec::Vec;
 
+use super::panels::Panels;
 use super::walk::{Event, Walk};
 use super::{extrema, limits};
 use crate::solver::{Solver, Titles};
@@ -13,8 +15,9 @@ use crate::{Mask, Real, Scalar, SolveError};
 
 fn events(f: impl FnMut(f64) -> [f64; 2], ends: [f64; 2]) -> Vec<Event<f64>> {
     let mut list = Vec::new();
-    let mut walk = Walk { f, zero: 64.0 * f64::EPSILON };
-    walk.events(ends, |event| list.push(event)).expect("numbers everywhere");
+    let mut walk = Walk { f, zero: 64.0 * f64::EPSILON, ends };
+    walk.events(Panels::over(ends[1] - ends[0]), |event| list.push(event))
+        .expect("numbers everywhere");
     list
 }
 
@@ -122,6 +125,22 @@ fn what_varies_fast_is_walked_in_short_steps() {
     }
 }
 
+/// Between numbers that are farther apart than the shortest piece is long a walk comes to its end.
+#[test]
+fn what_no_number_lies_between_is_not_divided() {
+    for from in [1e15, 3e16, 1e17] {
+        for numbers in [1.0, 2.0, 3.0, 10.0, 64.0] {
+            let mut calls = 0;
+            let f = |x: f64| {
+                calls += 1;
+                assert!(calls < 10_000, "a walk that does not go on");
+                [x.sin(), x.cos()]
+            };
+            events(f, [from, from + numbers * from * f64::EPSILON]);
+        }
+    }
+}
+
 /// A sample at which the function is zero to rounding is as far from the root as its slope tells, or the
 /// root itself where the slope tells nothing.
 #[test]
@@ -140,11 +159,49 @@ fn a_root_next_to_a_sample_is_where_the_slope_puts_it() {
     assert_eq!(flat.last(), Some(&Event::Falls(0.0)), "{flat:?}");
 }
 
+/// A sample that is zero to rounding counts as above zero, and hides no hump that comes down to it: with
+/// one zero on the sample both are told, and nothing at all where the hump is a dip.
+#[test]
+fn a_hump_that_ends_on_a_sample_is_told() {
+    for gap in [0.1, 1e-2, 1e-3, 1e-4, 1e-5] {
+        for off in [0.0, 20.0, -20.0].map(|times| times * f64::EPSILON / gap) {
+            for sample in [-0.5, 0.0, 0.125] {
+                for roots in
+                    [[sample + off, sample + off + gap], [sample + off - gap, sample + off]]
+                {
+                    let hump = |x| polynomial(&roots, x).map(|y| -y);
+                    let found: Vec<_> = events(hump, [-1.0, 1.0]);
+                    let mut is_above = false;
+                    let mut widths = Vec::new();
+                    let mut from = -1.0;
+                    for event in &found {
+                        match event {
+                            Event::Rises(at) if !is_above => (is_above, from) = (true, *at),
+                            Event::Falls(at) if is_above => {
+                                is_above = false;
+                                widths.push(at - from);
+                            }
+                            Event::Falls(_) => {}
+                            _ => unreachable!("{found:?}"),
+                        }
+                    }
+                    let [width] = widths[..] else { unreachable!("{roots:?} {found:?}") };
+                    assert!((width - gap).abs() <= 8.0 * f64::EPSILON, "{roots:?} {found:?}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn numbers_that_are_none_are_refused() {
     for bad in [[f64::NAN, 1.0], [1.0, f64::INFINITY]] {
-        let mut walk = Walk { f: |x: f64| if x > 0.9 { bad } else { [1.0, 0.0] }, zero: 0.0 };
-        assert!(walk.events([0.0, 1.0], |_| ()).is_err());
+        let mut walk = Walk {
+            f: |x: f64| if x > 0.9 { bad } else { [1.0, 0.0] },
+            zero: 0.0,
+            ends: [0.0, 1.0],
+        };
+        assert!(walk.events(Panels::over(1.0), |_| ()).is_err());
     }
 }
 

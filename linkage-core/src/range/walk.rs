@@ -4,8 +4,12 @@
 //! and a dip whose cubic comes near zero is followed to its lowest point. What is narrower than a
 //! panel and shows at none of its ends is missed: this is a search, not a proof.
 
+use super::panels::Panels;
 use crate::Real;
-use crate::find::{At, Cubic, FindError, constant, crossing, greater, lowest, magnitude, number};
+use crate::find::{
+    At, Cubic, FindError, constant, crossing, differentiated, greater, less, lowest, magnitude,
+    number,
+};
 
 /// What happens at a zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,16 +22,15 @@ pub(super) enum Event<T> {
     Touches(T),
 }
 
-/// Panels of two pieces each, before any is divided.
-const PANELS: u32 = 16;
+/// The shortest piece, as a part of its panel.
+const SHORTEST: f64 = 1.0 / 128.0;
 
-/// The shortest piece, as a part of the way.
-const SHORTEST: f64 = 1.0 / 2048.0;
-
-/// A function, and how far from zero rounding may put it where it is zero.
+/// A function between two places, and how far from zero rounding may put it where it is zero. It is
+/// asked nowhere else.
 pub(super) struct Walk<F, T> {
     pub(super) f: F,
     pub(super) zero: T,
+    pub(super) ends: [T; 2],
 }
 
 impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
@@ -66,23 +69,24 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
         Ok(None)
     }
 
-    /// Tells every event between two places, in order.
+    /// Tells every event between the ends, in order, panel by panel.
     ///
     /// # Errors
     /// `NotFinite` where f is no number.
     pub(super) fn events(
         &mut self,
-        [from, to]: [T; 2],
+        panels: Panels,
         mut tell: impl FnMut(Event<T>),
     ) -> Result<(), FindError> {
+        let [from, to] = self.ends;
         let width = to - from;
         let mut here = self.at(from)?;
-        for panel in 1..=PANELS {
-            let part = f64::from(panel) / f64::from(PANELS);
-            let goal = if panel == PANELS { to } else { from + width * number(part) };
+        for [part, long] in panels.ends() {
+            let goal = if part < 1.0 { from + width * number(part) } else { to };
+            let shortest = width * number(long * SHORTEST);
             // At most as many pieces as the shortest are of a panel.
             while goal.gt(here.x) {
-                here = self.stretch(here, goal, width, &mut tell)?;
+                here = self.stretch(here, goal, shortest, &mut tell)?;
             }
         }
         Ok(())
@@ -94,13 +98,16 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
         &mut self,
         here: At<T>,
         goal: T,
-        width: T,
+        shortest: T,
         tell: &mut impl FnMut(Event<T>),
     ) -> Result<At<T>, FindError> {
         let mut end = self.at(goal)?;
         let mut middle = self.at(half_way(here.x, goal))?;
-        let shortest = width * number(SHORTEST);
-        while (end.x - here.x).gt(shortest) && !is_cubic(here, middle, end) {
+        // Next to each other there is no middle.
+        let is_divisible = |middle: At<T>, end: At<T>| {
+            (end.x - here.x).gt(shortest) && middle.x.gt(here.x) && end.x.gt(middle.x)
+        };
+        while is_divisible(middle, end) && !is_cubic(here, middle, end) {
             end = middle;
             middle = self.at(half_way(here.x, end.x))?;
         }
@@ -128,8 +135,14 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
         tell: &mut impl FnMut(Event<T>),
     ) -> Result<(), FindError> {
         match (self.is_positive(a), self.is_positive(b)) {
-            (true, false) => tell(Event::Falls(self.root([a, b])?)),
-            (false, true) => tell(Event::Rises(self.root([b, a])?)),
+            (true, false) => {
+                let top = self.top([a, b], a)?;
+                tell(Event::Falls(self.root([top, b])?));
+            }
+            (false, true) => {
+                let top = self.top([a, b], b)?;
+                tell(Event::Rises(self.root([top, a])?));
+            }
             (true, true) => {
                 let Some(least) = self.turn([a, b], number(1.0))? else { return Ok(()) };
                 if !self.is_positive(least) {
@@ -150,17 +163,41 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
         Ok(())
     }
 
+    /// The end of a piece that counts as positive; where it is zero to rounding and the function goes up
+    /// from it and down to the other end, the top of that hump: the zero at the end is another one.
+    fn top(&mut self, ends: [At<T>; 2], end: At<T>) -> Result<At<T>, FindError> {
+        if end.value.gt(self.zero) {
+            return Ok(end);
+        }
+        let most = self.turn(ends, number(-1.0))?;
+        Ok(most.filter(|most| most.value.gt(self.zero)).unwrap_or(end))
+    }
+
     /// The root between a value that counts as positive and one that does not.
     fn root(&mut self, [positive, negative]: [At<T>; 2]) -> Result<T, FindError> {
-        if !positive.value.gt(number(0.0)) {
-            // Zero to rounding: the root is here, as near as the slope can tell.
-            let step = -positive.value / positive.slope;
-            let least = magnitude(negative.x - positive.x);
-            return Ok(if least.ge(magnitude(step)) { positive.x + step } else { positive.x });
+        if positive.value.gt(number(0.0)) {
+            return crossing(in_order([positive, negative]), &mut self.f);
         }
-        let ends =
-            if negative.x.gt(positive.x) { [positive, negative] } else { [negative, positive] };
-        crossing(ends, &mut self.f)
+        // Zero to rounding: the root is here, as near as the slope can tell.
+        let step = -positive.value / positive.slope;
+        if !magnitude(negative.x - positive.x).ge(magnitude(step)) {
+            return Ok(self.differentiated(positive.x));
+        }
+        // Where a parabola of this value and slope has roots, it is above zero behind twice the step.
+        let behind = positive.x + step + step;
+        let [from, to] = self.ends;
+        if step.value() != 0.0 && behind.ge(from) && to.ge(behind) {
+            let behind = self.at(behind)?;
+            if behind.value.gt(number(0.0)) {
+                return crossing(in_order([behind, positive]), &mut self.f);
+            }
+        }
+        Ok(self.differentiated(less(greater(positive.x + step, from), to)))
+    }
+
+    /// A root with the derivatives that f's numbers carry; without where it has none.
+    fn differentiated(&mut self, at: T) -> T {
+        differentiated(at, &mut self.f).unwrap_or(at)
     }
 
     /// The lowest point of a dip (`sign` 1) or the highest of a hump (−1), if there is one between
@@ -186,6 +223,10 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
 /// A dip is followed if its cubic comes below this part of the lower end: a cubic that meets the
 /// value in the middle of a panel to one part in a hundred is not wrong by more than that.
 const NEAR: f64 = 0.15;
+
+fn in_order<T: Real>([a, b]: [At<T>; 2]) -> [At<T>; 2] {
+    if b.x.gt(a.x) { [a, b] } else { [b, a] }
+}
 
 fn half_way<T: Real>(a: T, b: T) -> T {
     a + (b - a) * number(0.5)

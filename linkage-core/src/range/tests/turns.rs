@@ -117,3 +117,84 @@ fn a_rate_is_zero_to_64_epsilon_of_its_size() {
     assert_eq!([count::<f64>(0.8), count::<f64>(1.25)], [0, 2]);
     assert_eq!([count::<f32>(0.8), count::<f32>(1.25)], [0, 2]);
 }
+
+/// A sum of waves, each an amplitude, a frequency and a phase.
+fn waves<T: Real>(constant: f64, waves: [[f64; 3]; 3], x: T) -> [T; 3] {
+    let none = number::<T>(0.0);
+    waves.iter().fold([number(constant), none, none], |[value, rate, second], wave| {
+        let [size, frequency, phase] = wave.map(number::<T>);
+        let (sin, cos) = (frequency * x + phase).sin_cos();
+        let by = size * frequency;
+        [value + size * sin, rate + by * cos, second - by * frequency * sin]
+    })
+}
+
+/// A maximum and a minimum 0.05 apart, the rate between them 200 times what rounding makes in f32, and the
+/// upper one of them next to a sample: the rate's hump was not seen from below.
+#[test]
+fn two_turns_close_together_are_found_in_both_mirror_images() {
+    fn assert_found<T: Real>() {
+        let [from, to] = [2.121_175_3, 8.655_712];
+        let at = |x| {
+            let sizes = [-0.609_082_34, 0.258_501_7, 0.325_262_4];
+            let phases = [2.427_109, 0.182_679_13, 2.739_114_8];
+            let [a, b, c] = [0, 1, 2].map(|i| [sizes[i], i as f64 + 1.0, phases[i]]);
+            waves::<T>(-0.718_797_8, [a, b, c], x)
+        };
+        let found = extrema([from, to].map(number), |x| Ok(at(x))).expect("numbers");
+        let mirrored = extrema([from, to].map(number), |x| Ok(at(x).map(|y| -y))).expect("numbers");
+        let places: Vec<_> = found.iter().map(|turn| turn.at.value()).collect();
+        assert_eq!(found.len(), 6, "{places:?}");
+        // Bit for bit: the same numbers are compared.
+        assert_eq!(places, mirrored.iter().map(|turn| turn.at.value()).collect::<Vec<_>>());
+        assert!(found.iter().zip(mirrored.iter()).all(|(one, other)| one.turn != other.turn));
+        assert_eq!(found[3].turn, Turn::Maximum);
+        assert!((places[3] - 6.4095).abs() < 1e-3 && (places[4] - 6.4615).abs() < 1e-3);
+    }
+    assert_found::<f32>();
+    assert_found::<f64>();
+}
+
+/// Two turns as near to each other as can be told, either of them on a sample, beside it by less than what
+/// counts as zero, or by more, the sample at a panel's end, in its middle or in neither.
+#[test]
+fn nearly_flat_pairs_are_found_in_all_mirror_images() {
+    fn assert_found<T: Real>(sample: f64, gap: f64, off: f64) {
+        // The rate is (x − a)(x − b).
+        let (a, b) = (sample + off, sample + off + gap);
+        let mirrors = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
+        for [across, along] in mirrors {
+            let f = |x: T| {
+                let x = along * x.value();
+                let value = x * (x * (x / 3.0 - (a + b) / 2.0) + a * b);
+                let (rate, second) = ((x - a) * (x - b), 2.0 * x - a - b);
+                Ok([across * value, across * along * rate, across * second].map(number))
+            };
+            let found = extrema([-1.0, 1.0].map(number::<T>), f).expect("numbers everywhere");
+            let mut places: Vec<_> = found.iter().map(|turn| along * turn.at.value()).collect();
+            places.sort_by(f64::total_cmp);
+            assert_eq!(places.len(), 2, "{sample} {gap:e} {off:e} {across} {along} {places:?}");
+            // Rounding is in the last place of x alone.
+            let room = 2.0 * <T as Real>::EPSILON;
+            let is_right = (places[0] - a).abs() <= room && (places[1] - b).abs() <= room;
+            assert!(is_right, "{places:?} for {a} {b} {across} {along}");
+        }
+    }
+    fn assert_family<T: Real>() {
+        let zero = 64.0 * <T as Real>::EPSILON;
+        for sample in [-0.75, -0.5, -0.0625, 0.0, 0.1875, 0.25, 0.3, 0.75] {
+            // A hump of gap²/4 counts from 64 ε of the rate's size, 3.6 at most, on.
+            let least = 4.0 * zero.sqrt();
+            let gaps = [0.125, 0.03125, 0.0078125, 1e-3, 1e-5, 8.0 * least, least];
+            for gap in gaps.into_iter().filter(|&gap| gap >= least) {
+                for off in [0.0, 0.25, -0.25, 0.5, -0.5, 2.0, -2.0] {
+                    // The rate at the sample is as many times what counts as zero.
+                    assert_found::<T>(sample, gap, off * zero / gap);
+                    assert_found::<T>(sample - gap, gap, off * zero / gap);
+                }
+            }
+        }
+    }
+    assert_family::<f64>();
+    assert_family::<f32>();
+}
