@@ -1,6 +1,6 @@
 //! Searches over intervals: roots, the limits of an input, the extremes of an output.
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 
 use linkage_core::find::{FindError, Search};
 use linkage_core::range::{RangeError, Stop, Stretch, Turn, extrema, limits};
@@ -49,8 +49,10 @@ pub(crate) fn run<T: Number>(source: &mut Source, count: u64, calls: &mut Calls)
     let end = calls.count + count;
     while calls.count < end {
         let waves = Waves::<T>::drawn(source);
-        let between = interval(source);
+        let between = interval(source, 7.0);
         found(source, &waves, between, calls);
+        let turns = if source.below(4) == 0 { MANY_TURNS } else { 1.1 };
+        let between = interval(source, turns * TAU);
         turned(source, &waves, between, calls);
         let params = [0, 1, 2, 3].map(|_| T::near(source.between(0.2, 2.0)));
         let [crank, base, rocker, coupler] = match source.below(8) {
@@ -64,13 +66,16 @@ pub(crate) fn run<T: Number>(source: &mut Source, count: u64, calls: &mut Calls)
     }
 }
 
-/// Ends that somebody may mean, or odd ones.
-fn interval<T: Number>(source: &mut Source) -> [T; 2] {
+/// How many turns an interval may have: the clearance of a four-bar comes to zero at most four times in each.
+const MANY_TURNS: f64 = 15.0;
+
+/// Ends no farther apart than somebody may mean, or odd ones.
+fn interval<T: Number>(source: &mut Source, width: f64) -> [T; 2] {
     if source.below(8) == 0 {
         return [source.odd(), source.odd()];
     }
     let from = source.between(-4.0, 4.0);
-    [from, from + source.between(0.01, 7.0)].map(T::near)
+    [from, from + source.between(0.01, width)].map(T::near)
 }
 
 fn is_meant<T: Number>([from, to]: [T; 2]) -> bool {
@@ -149,14 +154,12 @@ fn turned<T: Number>(source: &mut Source, waves: &Waves<T>, between: [T; 2], cal
         both => return at.wrong("extrema", "mirrored otherwise", &both),
     };
     let turn = |turn| if turn == Turn::Maximum { Turn::Minimum } else { Turn::Maximum };
-    // A zero of the rate between two numbers is either of them, and is right to the last place of an end.
-    let size = between.map(|end| end.value().abs()).into_iter().fold(0.0, f64::max);
-    let alike = |a: T, b: T| (a.value() - b.value()).abs() <= 8.0 * T::HALF_UNIT * size;
+    // Both are searched by the same numbers.
     let is_mirrored = found.len() == mirrored.len()
         && found
             .iter()
             .zip(mirrored.iter())
-            .all(|(a, b)| alike(a.at, b.at) && a.turn == turn(b.turn));
+            .all(|(a, b)| a.at == b.at && a.value == -b.value && a.turn == turn(b.turn));
     if !is_mirrored {
         at.wrong("extrema", "mirrored otherwise", &(found, mirrored));
     }
