@@ -125,6 +125,21 @@ fn what_varies_fast_is_walked_in_short_steps() {
     }
 }
 
+/// A zero behind an end, by less than what counts as zero, is at the end, and nothing is asked behind it.
+#[test]
+fn a_walk_stays_between_its_ends() {
+    for off in [1.0, 10.0, 40.0].map(|times| times * f64::EPSILON) {
+        for end in [-1.0, 1.0] {
+            let f = |x: f64| {
+                assert!(x.abs() <= 1.0, "{x}");
+                [end * x - 1.0 - off, end]
+            };
+            let found = events(f, [-1.0, 1.0]);
+            assert!(found.iter().all(|event| at(event) == end) && !found.is_empty(), "{found:?}");
+        }
+    }
+}
+
 /// Between numbers that are farther apart than the shortest piece is long a walk comes to its end.
 #[test]
 fn what_no_number_lies_between_is_not_divided() {
