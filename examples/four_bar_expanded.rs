@@ -48,17 +48,17 @@ mod FourBar_ {
     ///   0.0762 m to 0.4318 m
     ///
     /// # Cost of one call
-    /// - `position`: 11 additions, 21 multiplications, 1 division, 1 square root and 1 sine-cosine
+    /// - `position`: 10 additions, 15 multiplications, 1 division, 1 square root and 1 sine-cosine
     ///   pair
-    /// - `velocity`: 12 additions, 29 multiplications, 2 divisions, 1 square root and 1 sine-cosine
+    /// - `velocity`: 10 additions, 22 multiplications, 2 divisions, 1 square root and 1 sine-cosine
     ///   pair
-    /// - `motion`: 24 additions, 54 multiplications, 2 divisions, 1 square root and 1 sine-cosine
+    /// - `motion`: 26 additions, 49 multiplications, 2 divisions, 1 square root and 1 sine-cosine
     ///   pair
-    /// - `coefficients`: 12 additions, 27 multiplications, 2 divisions, 1 square root and 1
+    /// - `coefficients`: 10 additions, 19 multiplications, 2 divisions, 1 square root and 1
     ///   sine-cosine pair
-    /// - `position_at`: 11 additions, 21 multiplications, 1 division and 1 square root
-    /// - `velocity_at`: 12 additions, 29 multiplications, 2 divisions and 1 square root
-    /// - `motion_at`: 24 additions, 54 multiplications, 2 divisions and 1 square root
+    /// - `position_at`: 10 additions, 15 multiplications, 1 division and 1 square root
+    /// - `velocity_at`: 10 additions, 22 multiplications, 2 divisions and 1 square root
+    /// - `motion_at`: 26 additions, 49 multiplications, 2 divisions and 1 square root
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct FourBar<T = f64> {
         #[doc(hidden)]
@@ -157,22 +157,22 @@ mod FourBar_ {
             /// The floating-point operations of one call.
             pub const COST: Cost = Cost {
                 position: Operations {
-                    additions: 11,
-                    multiplications: 21,
+                    additions: 10,
+                    multiplications: 15,
                     divisions: 1,
                     roots: 1,
                     sines: 1,
                 },
                 motion: Operations {
-                    additions: 24,
-                    multiplications: 54,
+                    additions: 26,
+                    multiplications: 49,
                     divisions: 2,
                     roots: 1,
                     sines: 1,
                 },
                 coefficients: Operations {
-                    additions: 12,
-                    multiplications: 27,
+                    additions: 10,
+                    multiplications: 19,
                     divisions: 2,
                     roots: 1,
                     sines: 1,
@@ -439,7 +439,7 @@ mod FourBar_ {
             ///
             /// Given `theta` in rad.
             ///
-            /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
+            /// Where the mask says no, the numbers mean nothing. Costs 10 additions, 15 multiplications, 1
             /// division, 1 square root and 1 sine-cosine pair.
             #[inline(always)]
             #[must_use]
@@ -453,7 +453,7 @@ mod FourBar_ {
             ///
             /// Given `theta` in rad, its rate in rad/s.
             ///
-            /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
+            /// Where the mask says no, the numbers mean nothing. Costs 10 additions, 22 multiplications, 2
             /// divisions, 1 square root and 1 sine-cosine pair.
             #[inline(always)]
             #[must_use]
@@ -471,7 +471,7 @@ mod FourBar_ {
             ///
             /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s².
             ///
-            /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
+            /// Where the mask says no, the numbers mean nothing. Costs 26 additions, 49 multiplications, 2
             /// divisions, 1 square root and 1 sine-cosine pair.
             #[inline(always)]
             #[must_use]
@@ -497,7 +497,7 @@ mod FourBar_ {
             /// A row an output in the order of `OUTPUTS`, a column an input in the order of `INPUTS`; from
             /// the velocity equations.
             ///
-            /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 27 multiplications, 2
+            /// Where the mask says no, the numbers mean nothing. Costs 10 additions, 19 multiplications, 2
             /// divisions, 1 square root and 1 sine-cosine pair.
             #[inline(always)]
             #[must_use]
@@ -510,7 +510,7 @@ mod FourBar_ {
             ///
             /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1).
             ///
-            /// Where the mask says no, the numbers mean nothing. Costs 11 additions, 21 multiplications, 1
+            /// Where the mask says no, the numbers mean nothing. Costs 10 additions, 15 multiplications, 1
             /// division and 1 square root.
             #[inline(always)]
             #[must_use]
@@ -549,7 +549,7 @@ mod FourBar_ {
             ///
             /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s.
             ///
-            /// Where the mask says no, the numbers mean nothing. Costs 12 additions, 29 multiplications, 2
+            /// Where the mask says no, the numbers mean nothing. Costs 10 additions, 22 multiplications, 2
             /// divisions and 1 square root.
             #[inline(always)]
             #[must_use]
@@ -586,7 +586,7 @@ mod FourBar_ {
                         )
                         & private::is_finite_unless(
                             T::plain(true, true),
-                            (result_.B.x + result_.BC.omega)
+                            ((result_.B.x + result_.B.y) + result_.BC.omega)
                                 + (result_.C.x + result_.C.y),
                         ),
                 )
@@ -598,7 +598,7 @@ mod FourBar_ {
             /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s, its
             /// second rate in rad/s².
             ///
-            /// Where the mask says no, the numbers mean nothing. Costs 24 additions, 54 multiplications, 2
+            /// Where the mask says no, the numbers mean nothing. Costs 26 additions, 49 multiplications, 2
             /// divisions and 1 square root.
             #[inline(always)]
             #[must_use]
@@ -648,13 +648,14 @@ mod FourBar_ {
                         )
                         & private::is_finite_unless(
                             T::plain(true, true),
-                            (((result_.velocity.B.x + result_.acceleration.B.x)
-                                + result_.position.DC.cos)
-                                + ((result_.position.DC.sin + result_.position.BC.cos)
-                                    + result_.position.BC.sin))
-                                + (((result_.acceleration.BC.alpha + result_.velocity.C.x)
-                                    + result_.velocity.C.y)
-                                    + ((result_.acceleration.C.x + result_.acceleration.C.y)
+                            (((result_.velocity.B.x + result_.velocity.B.y)
+                                + (result_.acceleration.B.x + result_.acceleration.B.y))
+                                + ((result_.velocity.BC.omega
+                                    + result_.acceleration.BC.alpha)
+                                    + (result_.position.DC.cos + result_.position.DC.sin)))
+                                + (((result_.velocity.C.x + result_.velocity.C.y)
+                                    + (result_.acceleration.C.x + result_.acceleration.C.y))
+                                    + ((result_.position.BC.cos + result_.position.BC.sin)
                                         + result_.position.C.x)),
                         ),
                 )
@@ -669,15 +670,15 @@ mod FourBar_ {
                 theta_rate: T,
                 theta_acceleration: T,
             ) -> FourBarMotion<T> {
-                let k0_ = T::num(0.1016);
-                let k1_ = T::num(0.3048);
-                let k2_ = T::num(0.06193536);
-                let k3_ = T::num(0.254);
-                let k4_ = T::num(0.1778);
-                let k5_ = T::num(1.0);
-                let k6_ = T::num(5.535725357165);
-                let k7_ = T::num(1.0321428571428573);
-                let k8_ = T::num(0.5);
+                let k0_ = T::num(0.06193536);
+                let k1_ = T::num(5.535725357165);
+                let k2_ = T::num(0.1016);
+                let k3_ = T::num(0.3048);
+                let k4_ = T::num(0.254);
+                let k5_ = T::num(0.1778);
+                let k6_ = T::num(1.0);
+                let k7_ = T::num(0.03096768);
+                let k8_ = T::num(0.008420361739888);
                 let k9_ = T::num(5.62429696287964);
                 let k10_ = T::num(3.937007874015748);
                 let zero_ = T::num(0.0);
@@ -685,51 +686,49 @@ mod FourBar_ {
                 let acceleration_: FourBarAcceleration<T> = Record::from_array(
                     [zero_; 7],
                 );
-                let b_x_ = k0_ * cos;
-                let b_y_ = k0_ * sin;
-                let bc_dc_d_x_ = T::fused(-k0_, cos, k1_);
-                let v29_ = T::fused(-k2_, cos, T::num(0.1032256));
-                let bc_dc_d2_ = checks_
-                    .square_of_centres(v29_, bc_dc_d_x_, -b_y_, k3_, k4_, "BC, DC");
-                let bc_dc_inverse_d2_ = k5_ / bc_dc_d2_;
-                let bc_dc_i_ = T::fused(-k2_, cos, T::num(0.09741916));
-                let v38_ = T::num(0.1806448) - bc_dc_i_;
-                let v41_ = (k6_ * bc_dc_i_) * (k6_ * v38_);
                 if ORDER == 3 {
-                    checks_.clearances(&[[v41_, T::num(0.5517857142857143)]]);
+                    let v131_ = T::fused(-k0_, cos, T::num(0.09741916));
+                    let v133_ = T::num(0.1806448) - v131_;
+                    let v136_ = (k1_ * v131_) * (k1_ * v133_);
+                    checks_.clearances(&[[v136_, T::num(0.5517857142857143)]]);
                     return Record::from_array([zero_; 24]);
                 }
-                let bc_dc_s_ = checks_
-                    .reach_circles(v41_, [bc_dc_d_x_, -b_y_, k3_, k4_, k7_], "BC, DC");
-                let bc_dc_root_s_ = T::sqrt(bc_dc_s_);
-                let bc_dc_h_ = bc_dc_root_s_ * (T::num(0.0903224) * bc_dc_inverse_d2_);
-                let bc_dc_a_d2_ = T::fused(k8_, bc_dc_i_, T::num(0.0193548));
-                let bc_dc_b_d2_ = T::fused(k8_, bc_dc_i_, -T::num(0.01354836));
-                let v54_ = bc_dc_inverse_d2_ * bc_dc_a_d2_;
-                let bc_dc_a_ = checks_
-                    .share_of_centres(
-                        v54_,
-                        [v41_, bc_dc_d_x_, -b_y_, k3_, k4_, k7_],
+                let b_x_ = k2_ * cos;
+                let b_y_ = k2_ * sin;
+                let bc_dc_d_x_ = T::fused(-k2_, cos, k3_);
+                let v34_ = T::fused(-k0_, cos, T::num(0.1032256));
+                let bc_dc_d2_ = checks_
+                    .square_of_centres(v34_, bc_dc_d_x_, -b_y_, k4_, k5_, "BC, DC");
+                let bc_dc_inverse_d2_ = k6_ / bc_dc_d2_;
+                let bc_dc_i_half_ = T::fused(-k7_, cos, T::num(0.04870958));
+                let v44_ = bc_dc_i_half_ * T::fused(k7_, cos, T::num(0.04161282));
+                let bc_dc_j2_ = checks_
+                    .reach_circles(
+                        v44_,
+                        [bc_dc_d_x_, -b_y_, k4_, k5_, T::num(0.0903224), k8_],
                         "BC, DC",
                     );
-                let v56_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
+                let bc_dc_j_ = T::sqrt(bc_dc_j2_);
+                let bc_dc_h_ = bc_dc_inverse_d2_ * bc_dc_j_;
+                let bc_dc_b_d2_ = bc_dc_i_half_ - T::num(0.01354836);
+                let v54_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
                 let bc_dc_b_ = checks_
                     .share_of_centres(
-                        v56_,
-                        [v41_, bc_dc_d_x_, -b_y_, k4_, k3_, k7_],
+                        v54_,
+                        [v44_, bc_dc_d_x_, -b_y_, k5_, k4_, k8_],
                         "BC, DC",
                     );
-                let bc_dc_h_d_x_ = b_y_ * bc_dc_h_;
-                let bc_dc_h_d_y_ = bc_dc_d_x_ * bc_dc_h_;
-                let bc_dc_r2_x_ = T::fused(bc_dc_d_x_, bc_dc_a_, bc_dc_h_d_x_);
-                let bc_dc_r2_y_ = T::fused(-b_y_, bc_dc_a_, bc_dc_h_d_y_);
-                let bc_dc_r3_x_ = T::fused(-bc_dc_d_x_, bc_dc_b_, bc_dc_h_d_x_);
-                let c_y_ = T::fused(b_y_, bc_dc_b_, bc_dc_h_d_y_);
+                let v56_ = b_y_ * bc_dc_h_;
+                let v57_ = bc_dc_d_x_ * bc_dc_h_;
+                let bc_dc_r3_x_ = T::fused(-bc_dc_d_x_, bc_dc_b_, v56_);
+                let c_y_ = T::fused(b_y_, bc_dc_b_, v57_);
+                let bc_dc_r2_x_ = bc_dc_d_x_ + bc_dc_r3_x_;
+                let bc_dc_r2_y_ = c_y_ - b_y_;
                 let dc_cos_ = k9_ * bc_dc_r3_x_;
                 let dc_sin_ = k9_ * c_y_;
                 let bc_cos_ = k10_ * bc_dc_r2_x_;
                 let bc_sin_ = k10_ * bc_dc_r2_y_;
-                let c_x_ = k1_ + bc_dc_r3_x_;
+                let c_x_ = k3_ + bc_dc_r3_x_;
                 let position_ = FourBarPosition {
                     AB: Direction { cos, sin },
                     B: Point { x: b_x_, y: b_y_ },
@@ -750,20 +749,18 @@ mod FourBar_ {
                         acceleration: acceleration_,
                     };
                 }
-                let bc_dc_w_x_ = theta_rate * b_y_;
-                let b_vx_ = -bc_dc_w_x_;
+                let b_vx_ = -(theta_rate * b_y_);
                 let b_vy_ = theta_rate * b_x_;
-                let v69_ = checks_.nonzero(bc_dc_s_, "BC, DC");
-                let bc_dc_inverse_j_ = (T::num(11.07145071433) * bc_dc_root_s_)
-                    * (k5_ / v69_);
-                let bc_dc_w_r3_ = T::fused(-b_vy_, c_y_, bc_dc_w_x_ * bc_dc_r3_x_);
-                let bc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r3_;
-                let bc_dc_w_r2_ = T::fused(
-                    -b_vy_,
-                    bc_dc_r2_y_,
-                    bc_dc_w_x_ * bc_dc_r2_x_,
-                );
-                let dc_omega_ = bc_dc_inverse_j_ * bc_dc_w_r2_;
+                let v29_ = k7_ * sin;
+                let v48_ = checks_.nonzero(bc_dc_j2_, "BC, DC");
+                let bc_dc_inverse_j_ = bc_dc_j_ * (k6_ / v48_);
+                let v66_ = T::fused(k7_, cos, -T::num(0.01032256));
+                let v74_ = T::fused(v29_, bc_dc_b_, bc_dc_h_ * v66_);
+                let v75_ = v29_ - v74_;
+                let v76_ = theta_rate * bc_dc_inverse_j_;
+                let v77_ = v74_ * v76_;
+                let bc_omega_ = -v77_;
+                let dc_omega_ = v75_ * v76_;
                 let c_vx_ = -(c_y_ * dc_omega_);
                 let c_vy_ = bc_dc_r3_x_ * dc_omega_;
                 let velocity_ = FourBarVelocity {
@@ -789,30 +786,31 @@ mod FourBar_ {
                 let v13_ = theta_acceleration * b_y_;
                 let v14_ = theta_acceleration * b_x_;
                 let v15_ = theta_rate * theta_rate;
-                let bc_dc_g_x_ = T::fused(b_x_, v15_, v13_);
-                let b_ax_ = -bc_dc_g_x_;
+                let b_ax_ = T::fused(-b_x_, v15_, -v13_);
                 let b_ay_ = T::fused(-b_y_, v15_, v14_);
-                let bc_dc_omega2_squared_ = bc_omega_ * bc_omega_;
+                let v70_ = T::fused(-bc_dc_b_, v66_, v29_ * bc_dc_h_);
+                let v71_ = v66_ + v70_;
+                let v83_ = T::fused(-theta_acceleration, v74_, v15_ * v70_);
+                let v86_ = T::fused(theta_acceleration, v75_, v15_ * v71_);
+                let bc_dc_r2_r3_ = T::num(0.0451612) - bc_dc_i_half_;
+                let bc_dc_omega2_squared_ = v77_ * v77_;
                 let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
-                let bc_dc_r2_r3_ = T::fused(-k8_, bc_dc_i_, T::num(0.0451612));
-                let v97_ = T::fused(
-                    -T::num(0.03161284),
-                    bc_dc_omega3_squared_,
-                    bc_dc_omega2_squared_ * bc_dc_r2_r3_,
-                );
-                let v102_ = T::fused(
-                    -bc_dc_omega3_squared_,
-                    bc_dc_r2_r3_,
-                    T::num(0.064516) * bc_dc_omega2_squared_,
-                );
                 let bc_alpha_ = bc_dc_inverse_j_
-                    * (v97_ + T::fused(-b_ay_, c_y_, bc_dc_g_x_ * bc_dc_r3_x_));
+                    * T::fused(
+                        -T::num(0.03161284),
+                        bc_dc_omega3_squared_,
+                        T::fused(bc_dc_r2_r3_, bc_dc_omega2_squared_, v83_),
+                    );
                 let dc_alpha_ = bc_dc_inverse_j_
-                    * (v102_ + T::fused(-b_ay_, bc_dc_r2_y_, bc_dc_g_x_ * bc_dc_r2_x_));
-                let v117_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
-                let v118_ = c_y_ * bc_dc_omega3_squared_;
-                let c_ax_ = -T::fused(c_y_, dc_alpha_, v117_);
-                let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v118_);
+                    * T::fused(
+                        -bc_dc_r2_r3_,
+                        bc_dc_omega3_squared_,
+                        T::fused(T::num(0.064516), bc_dc_omega2_squared_, v86_),
+                    );
+                let v110_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
+                let v111_ = c_y_ * bc_dc_omega3_squared_;
+                let c_ax_ = T::fused(-c_y_, dc_alpha_, -v110_);
+                let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v111_);
                 let acceleration_ = FourBarAcceleration {
                     AB: AngularAcceleration {
                         alpha: theta_acceleration,
@@ -839,7 +837,7 @@ mod FourBar_ {
             ///
             /// Given `theta` in rad.
             ///
-            /// Costs 11 additions, 21 multiplications, 1 division, 1 square root and 1 sine-cosine pair.
+            /// Costs 10 additions, 15 multiplications, 1 division, 1 square root and 1 sine-cosine pair.
             ///
             /// # Errors
             /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -865,7 +863,7 @@ mod FourBar_ {
             ///
             /// Given `theta` in rad, its rate in rad/s.
             ///
-            /// Costs 12 additions, 29 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+            /// Costs 10 additions, 22 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
             ///
             /// # Errors
             /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -897,7 +895,7 @@ mod FourBar_ {
             ///
             /// Given `theta` in rad, its rate in rad/s, its second rate in rad/s².
             ///
-            /// Costs 24 additions, 54 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+            /// Costs 26 additions, 49 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
             ///
             /// # Errors
             /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -939,7 +937,7 @@ mod FourBar_ {
             /// A row an output in the order of `OUTPUTS`, a column an input in the order of `INPUTS`; from
             /// the velocity equations.
             ///
-            /// Costs 12 additions, 27 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
+            /// Costs 10 additions, 19 multiplications, 2 divisions, 1 square root and 1 sine-cosine pair.
             ///
             /// # Errors
             /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -968,7 +966,7 @@ mod FourBar_ {
             ///
             /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1).
             ///
-            /// Costs 11 additions, 21 multiplications, 1 division and 1 square root.
+            /// Costs 10 additions, 15 multiplications, 1 division and 1 square root.
             ///
             /// # Errors
             /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -999,7 +997,7 @@ mod FourBar_ {
             ///
             /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s.
             ///
-            /// Costs 12 additions, 29 multiplications, 2 divisions and 1 square root.
+            /// Costs 10 additions, 22 multiplications, 2 divisions and 1 square root.
             ///
             /// # Errors
             /// The group that cannot be assembled, is singular or was given an invalid length, or the input
@@ -1034,7 +1032,7 @@ mod FourBar_ {
             /// Given `theta` by its cosine and sine (any amplitude from 0.9 to 1.1), its rate in rad/s, its
             /// second rate in rad/s².
             ///
-            /// Costs 24 additions, 54 multiplications, 2 divisions and 1 square root.
+            /// Costs 26 additions, 49 multiplications, 2 divisions and 1 square root.
             ///
             /// # Errors
             /// The group that cannot be assembled, is singular or was given an invalid length, or the input

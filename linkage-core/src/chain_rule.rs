@@ -118,12 +118,6 @@ impl<D: Compose> Scalar for D {
     }
 
     #[inline]
-    fn sin_cos_fast(self) -> (Self, Self) {
-        let (sin, cos) = self.real().sin_cos_fast();
-        (self.compose([sin, cos, -sin, -cos]), self.compose([cos, -sin, -cos, sin]))
-    }
-
-    #[inline]
     fn is_near(self) -> bool {
         self.real().is_near()
     }

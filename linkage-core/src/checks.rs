@@ -39,12 +39,6 @@ pub trait Checks<T: Scalar> {
     /// Sine and cosine of an angle.
     fn sin_cos(&mut self, angle: T) -> (T, T);
 
-    /// The same by [`Scalar::sin_cos_fast`] where nothing is diagnosed.
-    #[inline(always)]
-    fn sin_cos_fast(&mut self, angle: T) -> (T, T) {
-        self.sin_cos(angle)
-    }
-
     /// The root of an unknown's equation, of sides in this unit, and the size that its rounding is
     /// measured by. Where none was found, what is returned leads to a refusal in the end.
     fn root(
@@ -86,13 +80,7 @@ pub trait Checks<T: Scalar> {
 
     /// See `diagnosis::reach_circles`.
     #[inline(always)]
-    fn reach_circles(&mut self, value: T, _operands: [T; 5], _: &'static str) -> T {
-        value
-    }
-
-    /// See `diagnosis::reach_cross`.
-    #[inline(always)]
-    fn reach_cross(&mut self, value: T, _operands: [T; 5], _: &'static str) -> T {
+    fn reach_circles(&mut self, value: T, _operands: [T; 6], _: &'static str) -> T {
         value
     }
 
@@ -214,12 +202,6 @@ impl<T: Scalar> Checks<T> for AllMet<T::Mask> {
     }
 
     #[inline(always)]
-    fn sin_cos_fast(&mut self, angle: T) -> (T, T) {
-        self.and(angle.is_near());
-        angle.sin_cos_fast()
-    }
-
-    #[inline(always)]
     fn above(&mut self, value: T, least: T) {
         self.and(value.gt(least));
     }
@@ -317,12 +299,8 @@ impl<T: Real> Checks<T> for FirstError {
         angle.sin_cos()
     }
 
-    fn reach_circles(&mut self, value: T, operands: [T; 5], group: &'static str) -> T {
+    fn reach_circles(&mut self, value: T, operands: [T; 6], group: &'static str) -> T {
         self.keep(value, || diagnosis::reach_circles(value, operands, group))
-    }
-
-    fn reach_cross(&mut self, value: T, operands: [T; 5], group: &'static str) -> T {
-        self.keep(value, || diagnosis::reach_cross(value, operands, group))
     }
 
     fn share_of_centres(&mut self, value: T, operands: [T; 6], _: &'static str) -> T {

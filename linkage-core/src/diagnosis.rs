@@ -18,9 +18,9 @@ use crate::{Real, SolveError};
 /// How many ε of the spread a value may be wrong by: whoever is above that is above zero.
 pub(crate) const ROUNDINGS: f64 = 16.0;
 
-/// The value, (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²) / (4 l₁ l₂)², provided that circles of radii `l1` and
-/// `l2` about points d = (`dx`, `dy`) apart meet; zero where they fail to by at most four units in
-/// the last place of the longest of the three lengths. Where rounding could have changed its sign,
+/// The value, (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²) / (4 l₁ l₂)² in squares of a `unit`, provided that circles
+/// of radii `l1` and `l2` about points d = (`dx`, `dy`) apart meet; zero where they fail to by at most four
+/// units in the last place of the longest of the three lengths. Where rounding could have changed its sign,
 /// that is decided without rounding, and the value computed once more.
 ///
 /// # Errors
@@ -30,7 +30,7 @@ pub(crate) const ROUNDINGS: f64 = 16.0;
 #[cold]
 pub(crate) fn reach_circles<T: Real>(
     value: T,
-    [dx, dy, l1, l2, spread]: [T; 5],
+    [dx, dy, l1, l2, unit, spread]: [T; 6],
     group: &'static str,
 ) -> Result<T, SolveError> {
     if is_certain(value, spread) {
@@ -43,28 +43,13 @@ pub(crate) fn reach_circles<T: Real>(
         return Err(SolveError::NotFinite { name: group });
     }
     let value = match reach {
-        Reach::Meets => restored(value, limit::height_product(d, lengths)),
+        Reach::Meets => {
+            let unit = unit.value();
+            restored(value, limit::height_product(d, lengths) * unit * unit)
+        }
         _ => value,
     };
     reached(value, &[dx, dy, l1, l2], reach, group)
-}
-
-/// The value, the square of the cross product of the radii to a point where the circles meet: that of
-/// [`reach_circles`], and the spread, times (2 l₁ l₂)², which is a normal number.
-///
-/// # Errors
-/// Those of [`reach_circles`].
-#[cold]
-pub(crate) fn reach_cross<T: Real>(
-    value: T,
-    [dx, dy, l1, l2, spread]: [T; 5],
-    group: &'static str,
-) -> Result<T, SolveError> {
-    if is_certain(value, spread) {
-        return Ok(value);
-    }
-    let unit = T::lit(4.0, 4.0) * (l1 * l2) * (l1 * l2);
-    Ok(reach_circles(value / unit, [dx, dy, l1, l2, spread / unit], group)? * unit)
 }
 
 /// The value, (d² + l₁² − l₂²)/2d²: the share of the line between the centres at which the joint's
@@ -229,9 +214,9 @@ mod tests {
     const SINGULAR: SolveError = SolveError::Singular { group: GROUP };
     const NOT_FINITE: SolveError = SolveError::NotFinite { name: GROUP };
 
-    /// A value that may be wrong by 16 ε.
+    /// A value in units of one that may be wrong by 16 ε.
     fn circles<T: Real>(value: T, [dx, dy, l1, l2]: [T; 4]) -> Result<T, SolveError> {
-        reach_circles(value, [dx, dy, l1, l2, T::lit(1.0, 1.0)], GROUP)
+        reach_circles(value, [dx, dy, l1, l2, T::lit(1.0, 1.0), T::lit(1.0, 1.0)], GROUP)
     }
 
     #[test]
@@ -294,7 +279,7 @@ mod tests {
         let near = 7.0_f64.next_down();
         let exact = limit::height_product([near, 0.0], [3.0, 4.0]);
         assert!(exact > 0.0);
-        assert_eq!(reach_circles(0.3, [near, 0.0, 3.0, 4.0, 1e20], GROUP), Ok(exact));
+        assert_eq!(reach_circles(0.3, [near, 0.0, 3.0, 4.0, 1.0, 1e20], GROUP), Ok(exact));
         // Folded, the shorter bar's end is behind its own joint.
         let folded = 1.0_f64.next_down();
         let share = |l1, l2| share_of_centres(0.3, [0.0, folded, 0.0, l1, l2, 1.0]);
@@ -305,7 +290,7 @@ mod tests {
         // A square that leaves the range, and a product that nothing can be divided by.
         let tiny = reach_distances(0.0, [1e-22_f32, 0.6e-22, 0.6e-22, 0.0], GROUP);
         assert_eq!(tiny, Err(NOT_FINITE));
-        let thin = reach_circles(0.0, [1e-9_f32, 0.0, 1e-30, 1e-9, 1e30], GROUP);
+        let thin = reach_circles(0.0, [1e-9_f32, 0.0, 1e-30, 1e-9, 1.0, 1e30], GROUP);
         assert_eq!(thin, Err(NOT_FINITE));
     }
 
@@ -330,10 +315,11 @@ mod tests {
         assert_eq!([is_closed::<f32>(0.99), is_closed::<f32>(1.01)], [true, false]);
     }
 
-    /// 3, 4 and 5: the cross product of the radii is 12.
+    /// 3, 4 and 5: the cross product of the radii is 12, in units of 2 · 3 · 4 one half.
     #[test]
-    fn a_cross_product_is_decided_like_the_sine_it_is_made_of() {
-        let cross = |value, d, spread| reach_cross(value, [d, 0.0, 3.0, 4.0, spread], GROUP);
+    fn a_value_is_decided_in_its_own_unit() {
+        let cross =
+            |value, d, spread| reach_circles(value, [d, 0.0, 3.0, 4.0, 24.0, spread], GROUP);
         assert_eq!(cross(143.7, 5.0, 300.0), Ok(143.7));
         assert_eq!(cross(143.7, 5.0, 1e20), Ok(144.0));
         // Each of the two would be in doubt by the other's spread.

@@ -201,11 +201,7 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     }
     #[inline(always)]
     fn sin_cos_near(self) -> (Self, Self) {
-        both(self, T::sin_cos_kernel::<F>)
-    }
-    #[inline(always)]
-    fn sin_cos_fast(self) -> (Self, Self) {
-        both(self, T::sin_cos_fast_kernel::<F, false>)
+        both(self, T::sin_cos_near_kernel::<F, false>)
     }
     #[inline(always)]
     fn is_near(self) -> LaneMask<W> {
@@ -329,10 +325,8 @@ mod tests {
         assert_same(lx.atan(), |i| x[i].atan());
         assert_same(lx.atan2(ly), |i| x[i].atan2(y[i]));
         assert_same(lx.hypot(ly), |i| x[i].hypot(y[i]));
-        assert_same(lx.sin_cos_near().0, |i| x[i].sin_cos_kernel::<F>().0);
-        assert_same(lx.sin_cos_near().1, |i| x[i].sin_cos_kernel::<F>().1);
-        assert_same(lx.sin_cos_fast().0, |i| x[i].sin_cos_fast_kernel::<F, true>().0);
-        assert_same(lx.sin_cos_fast().1, |i| x[i].sin_cos_fast_kernel::<F, true>().1);
+        assert_same(lx.sin_cos_near().0, |i| x[i].sin_cos_near_kernel::<F, true>().0);
+        assert_same(lx.sin_cos_near().1, |i| x[i].sin_cos_near_kernel::<F, true>().1);
         let full = |x: T| if x.is_near() { x.sin_cos_kernel::<F>() } else { x.sin_cos() };
         assert_same(lx.sin_cos().0, |i| full(x[i]).0);
         assert_same(lx.sin_cos().1, |i| full(x[i]).1);

@@ -22,15 +22,11 @@ macro_rules! scalar {
             }
             #[inline]
             fn sin_cos(self) -> (Self, Self) {
-                if self.is_near() { self.sin_cos_near() } else { $sin_cos(self) }
+                if self.is_near() { self.sin_cos_kernel::<Native>() } else { $sin_cos(self) }
             }
             #[inline]
             fn sin_cos_near(self) -> (Self, Self) {
-                self.sin_cos_kernel::<Native>()
-            }
-            #[inline]
-            fn sin_cos_fast(self) -> (Self, Self) {
-                self.sin_cos_fast_kernel::<Native, true>()
+                self.sin_cos_near_kernel::<Native, true>()
             }
             #[inline]
             fn is_near(self) -> bool {

@@ -56,18 +56,11 @@ pub trait Scalar:
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
-    /// Sine and cosine by the branch-free kernel, each within one unit in the last place; right
-    /// only where [`is_near`](Self::is_near) says yes, a meaningless number elsewhere.
+    /// Sine and cosine by the branch-free kernel; right only where [`is_near`](Self::is_near) says yes, a
+    /// meaningless number elsewhere. Each is within one unit in the last place, and of an `f64` where
+    /// operations are fused within 1.7 units or 10⁻²⁷, in two thirds of the operations.
     #[must_use]
     fn sin_cos_near(self) -> (Self, Self);
-
-    /// The same for `numerics fast;`: of an `f64`, where operations are fused, each within 1.7 units in the
-    /// last place or 10⁻²⁷, in two thirds of the operations; [`sin_cos_near`](Self::sin_cos_near) elsewhere.
-    #[inline(always)]
-    #[must_use]
-    fn sin_cos_fast(self) -> (Self, Self) {
-        self.sin_cos_near()
-    }
 
     /// Whether the argument lies within the range of [`sin_cos_near`](Self::sin_cos_near):
     /// ±1 048 576 rad (2²⁰) for `f64`, ±51 471 rad (8192 turns) for `f32`.

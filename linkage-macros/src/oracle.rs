@@ -95,6 +95,9 @@ impl Number for Digits {
     fn hypot(&self, other: &Self) -> Self {
         Self(self.0.hypot(&other.0))
     }
+    fn is_at_least(&self, other: &Self) -> bool {
+        self.to_f64() >= other.to_f64()
+    }
 }
 
 /// The mechanism's parameters at their defaults.

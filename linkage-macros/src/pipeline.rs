@@ -6,7 +6,7 @@ use crate::diagnostics::{Diagnostics, Failure};
 use crate::exact::Scope;
 use crate::interface::Interface;
 use crate::ir::program::Program;
-use crate::model::mechanism::{Mechanism, Numerics};
+use crate::model::mechanism::Mechanism;
 use crate::syntax::tree::Declaration;
 use crate::{codegen, equations, lower, model, passes, syntax};
 
@@ -68,10 +68,7 @@ fn program(mechanism: &Mechanism) -> Program {
     // are folded exactly, and nothing is added to zero or multiplied by one.
     let program = equations::derive(mechanism, passes::RULES);
     // Nothing is left that no entry needs, and products are contracted into their sums.
-    match mechanism.numerics {
-        Numerics::Fast => passes::optimise_for_fused(&program),
-        Numerics::Plain | Numerics::Compensated => passes::optimise(&program),
-    }
+    passes::optimise(&program)
 }
 
 /// The same for the program by which the mechanism is drawn, which shares nothing with the solver's.

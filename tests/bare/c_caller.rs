@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 use crate::build::{directory, library, sources, text};
 use crate::mechanisms::{
-    self, Excavator, FastSixBar, FlyingShear, HeavyPress, HeavyRobot, SearchedPress, TunedFourBar,
+    self, Excavator, FlyingShear, HeavyPress, HeavyRobot, SearchedPress, TunedFourBar, WattSixBar,
 };
 use linkage_core::{Side, SolveError};
 
@@ -32,7 +32,7 @@ fn run_c(library: &Path, source: &Path) -> Output {
 /// What every header is called, and its text.
 const HEADERS: [(&str, &str); 12] = [
     ("flying_shear.h", FlyingShear::C_HEADER),
-    ("fast_six_bar.h", FastSixBar::C_HEADER),
+    ("watt_six_bar.h", WattSixBar::C_HEADER),
     ("tuned_four_bar.h", TunedFourBar::C_HEADER),
     ("slider_crank.h", mechanisms::SliderCrank::C_HEADER),
     ("six_bar.h", mechanisms::SixBar::C_HEADER),
@@ -113,11 +113,11 @@ macro_rules! shear {
 
 /// One angle within the reach of the sine's kernel, and one beyond it.
 fn six_bar(report: &mut Report, theta: f64) {
-    let (wide, narrow) = (FastSixBar::new(), FastSixBar::<f32>::default());
-    report.add("fast_six_bar_motion", wide.motion(theta, 12.0, -3.0));
-    report.add("fast_six_bar_motion", wide.motion(theta + 3e6, 12.0, -3.0));
-    report.add("fast_six_bar_motion_f32", narrow.motion(theta as f32, 12.0, -3.0));
-    report.add("fast_six_bar_margins", wide.margins(theta));
+    let (wide, narrow) = (WattSixBar::new(), WattSixBar::<f32>::default());
+    report.add("watt_six_bar_motion", wide.motion(theta, 12.0, -3.0));
+    report.add("watt_six_bar_motion", wide.motion(theta + 3e6, 12.0, -3.0));
+    report.add("watt_six_bar_motion_f32", narrow.motion(theta as f32, 12.0, -3.0));
+    report.add("watt_six_bar_margins", wide.margins(theta));
 }
 
 fn four_bar(report: &mut Report, theta: f64, coupler: f64, elbow: Side) {

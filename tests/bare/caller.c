@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "flying_shear.h"
-#include "fast_six_bar.h"
+#include "watt_six_bar.h"
 #include "tuned_four_bar.h"
 #include "excavator.h"
 #include "heavy_press.h"
@@ -132,10 +132,10 @@ static void shear_f32(float theta, float rate, float acceleration)
 
 static void six_bar(double theta)
 {
-    CALL(fast_six_bar_motion, FastSixBarMotion, theta, 12.0, -3.0);
-    CALL(fast_six_bar_motion, FastSixBarMotion, theta + 3e6, 12.0, -3.0);
-    CALL(fast_six_bar_motion_f32, FastSixBarMotionF32, (float)theta, 12.0f, -3.0f);
-    CALL(fast_six_bar_margins, FastSixBarMargins, theta);
+    CALL(watt_six_bar_motion, WattSixBarMotion, theta, 12.0, -3.0);
+    CALL(watt_six_bar_motion, WattSixBarMotion, theta + 3e6, 12.0, -3.0);
+    CALL(watt_six_bar_motion_f32, WattSixBarMotionF32, (float)theta, 12.0f, -3.0f);
+    CALL(watt_six_bar_margins, WattSixBarMargins, theta);
 }
 
 /* Each length fits for some angles and is too short for others; each mode is set once. */

@@ -20,9 +20,8 @@ mechanism! {
 }
 
 mechanism! {
-    /// A six-bar of two dyads, fast: the first behind a crank, the second between moving joints.
-    pub struct FastSixBar {
-        numerics fast;
+    /// A six-bar of two dyads: the first behind a crank, the second between moving joints.
+    pub struct WattSixBar {
         input theta: angle;
 
         ground A(0, 0), D(300mm, 125mm);

@@ -11,7 +11,7 @@ use linkage_core::{
 use cam::{Cam, Strip};
 use robot_controller::{Controller, Robot, Wanted, rk4};
 use crate::mechanisms::{
-    Everything, Excavator, FastSixBar, FlyingShear, FlyingShearPosition, HeavyPress,
+    Everything, Excavator, WattSixBar, FlyingShear, FlyingShearPosition, HeavyPress,
     HeavyPressForces, HeavyPressLoads, HeavyRobot, HeavyRobotEquations, SixBar, SliderCrank, TunedFourBar,
 };
 
@@ -181,10 +181,10 @@ fn lanes<T: Float>(x: T) -> T {
 
 /// Single numbers, and several side by side, whose sines are turned in another way.
 fn fast<T: Float>(x: T) -> T {
-    let single = FastSixBar::<T>::default();
+    let single = WattSixBar::<T>::default();
     let (motion, usable) = single.solve_motion(x, x, x);
     let angles = Lanes::<T, 4>::new([x, x + x, x - x, -x]);
-    let (motions, all_usable) = FastSixBar::default().solve_motion(angles, angles, angles);
+    let (motions, all_usable) = WattSixBar::default().solve_motion(angles, angles, angles);
     let sum = used((motion.acceleration.E.x, usable));
     if all_usable.all() { sum + motions.acceleration.E.x.to_array()[0] } else { sum }
 }

@@ -5,11 +5,11 @@ use linkage_core::private::{OfMotion, OfPosition, OfVelocity};
 use linkage_core::{Scalar, SolveError, Tracker, mechanism};
 use linkage_tests::mechanisms::driven_groups::*;
 use linkage_tests::mechanisms::drivers::*;
-use linkage_tests::mechanisms::fast::*;
 use linkage_tests::mechanisms::margins::*;
 use linkage_tests::mechanisms::near_limits::*;
 use linkage_tests::mechanisms::single_groups::*;
 use linkage_tests::mechanisms::stacked_sliders::*;
+use linkage_tests::mechanisms::twins::*;
 use linkage_tests::mechanisms::unknowns::{
     Press, PressPosition, RamAndFollower, RamAndFollowerPosition,
 };
@@ -122,10 +122,10 @@ fuzzed! {
     Cranks: 1 one, 7(crank base coupler rocker rod follower lever), modes(first second third), units(GH), margins(), circle;
     Everything: 3 many, 2(swing reach), modes(side elbow), units(PF block bar),
         margins(DC_margin);
-    FastBars: 2 many, 0(), modes(), units(BC DC), margins() as PlainBars;
-    FastReach: 1 one, 0(), modes(), units(BC DC), margins(), circle as PlainReach;
-    FastWatt: 1 one, 0(), modes(), units(BC DC PE QE), margins(), circle as PlainWatt;
-    FastTuned: 2 many, 1(l), modes(), units(BC), margins() as PlainTuned;
+    ConstantBars: 2 many, 0(), modes(), units(BC DC), margins() as TunedBars;
+    ConstantReach: 1 one, 0(), modes(), units(BC DC), margins(), circle as TunedReach;
+    ConstantWatt: 1 one, 0(), modes(), units(BC DC PE QE), margins(), circle;
+    TunedCranks: 2 many, 1(l), modes(), units(BC), margins();
     RamAndFollower: 2 many, 3(r rod seed), modes(), units(AB BC), margins(BC_margin) => is_closed;
     Press: 1 one, 6(from to seed r l e), modes(), units(AB), margins() => is_pressed;
 }

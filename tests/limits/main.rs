@@ -3,9 +3,9 @@
 
 mod at_the_limit;
 mod compensated;
+mod constant_lengths;
 mod double_words;
 mod exact_inputs;
-mod fast;
 mod hard_cases;
 mod margins;
 mod near_limits;

@@ -7,11 +7,11 @@
 use linkage_core::Scalar;
 use linkage_core::num_dual::Dual;
 use linkage_tests::mechanisms::change_points::{EqualSliderCrank, FourOneTwoThree};
-use linkage_tests::mechanisms::fast::FastDragLink;
 use linkage_tests::mechanisms::published::{FourBar, FunctionGenerator, SixBar};
 use linkage_tests::mechanisms::single_groups::{
     CouplerFourBar, CrossedGuides, InclinedSliderCrank, ObliqueYoke, OffsetQuickReturn,
 };
+use linkage_tests::mechanisms::twins::ConstantDragLink;
 use linkage_tests::random::Random;
 
 /// How poses were answered.
@@ -163,9 +163,9 @@ macro_rules! limits_of_an_angle {
 #[test]
 fn an_angle_and_its_rates_are_compared_at_once() {
     limits_of_an_angle!(FourBar<f64>, f64, 2.0_f64.powi(20));
-    limits_of_an_angle!(FastDragLink<f64>, f64, 2.0_f64.powi(20));
+    limits_of_an_angle!(ConstantDragLink<f64>, f64, 2.0_f64.powi(20));
     limits_of_an_angle!(FourBar<f32>, f32, 51_471.0);
-    limits_of_an_angle!(FastDragLink<f32>, f32, 51_471.0);
+    limits_of_an_angle!(ConstantDragLink<f32>, f32, 51_471.0);
 }
 
 /// Beyond the bounds of the straight line the careful path still solves what can be solved.

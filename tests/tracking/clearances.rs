@@ -6,7 +6,7 @@ use linkage_core::private::{Clearance, Solver};
 use linkage_core::{Real, Record, mechanism};
 use linkage_tests::mechanisms::change_points::*;
 use linkage_tests::mechanisms::compensated::ConstantRrp;
-use linkage_tests::mechanisms::fast::*;
+use linkage_tests::mechanisms::twins::*;
 use linkage_tests::random::Random;
 use num_dual::Dual2_64;
 
@@ -122,10 +122,10 @@ macro_rules! of_every_group {
         $check!(ThreeCranks, [theta]);
         $check!(Row, [theta, lift]);
         // Their poses have other formulas.
-        $check!(FastDragLink, [theta]);
-        $check!(FastStephenson, [theta]);
-        $check!(FastBlock, [theta]);
-        $check!(FastTuned, [theta, lift]);
+        $check!(ConstantDragLink, [theta]);
+        $check!(ConstantStephenson, [theta]);
+        $check!(ConstantBlock, [theta]);
+        $check!(TunedCranks, [theta, lift]);
         $check!(ConstantRrp, [theta, lift]);
         $check!(CompensatedRow, [theta, lift]);
     };

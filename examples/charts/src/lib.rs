@@ -27,7 +27,6 @@ pub fn colour_of(method: &str) -> &'static str {
         "generated" | "this solver" => COLOURS[1],
         "generated, compensated" | "compensated" => BLACK,
         "generated, sweep" => "#f0b28c",
-        "generated, fast" => "#7b1fa2",
         "what the data allow" => GREY,
         "half angles" => COLOURS[2],
         "tuned by hand" => COLOURS[5],

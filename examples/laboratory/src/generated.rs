@@ -18,22 +18,6 @@ mechanism! {
 }
 
 mechanism! {
-    /// S1 in fast arithmetic.
-    pub struct FourBarFast {
-        numerics fast;
-        input theta: angle;
-
-        ground A(0, 0), D(304.8mm, 0);
-
-        crank AB(A) -> B        { length: 101.6mm, angle: theta }
-        rrr   BC(B), DC(D) -> C { lengths: (254mm, 177.8mm), mode: left }
-
-        point P on BC at (150mm, 50mm);
-        output P, BC, DC;
-    }
-}
-
-mechanism! {
     /// S1 with its reach in compensated arithmetic.
     pub struct FourBarCompensated {
         numerics compensated;
@@ -67,24 +51,6 @@ mechanism! {
 mechanism! {
     /// S5: crank, RPR and RPP.
     pub struct SixBar {
-        input theta: angle;
-
-        ground A(0, 0), D(0, -1m);
-        guide rail through (0, 0.8m) along 0deg;
-
-        crank AB(A) -> B           { length: 0.4m, angle: theta }
-        rpr   block(B), rod(D)     { mode: ahead }
-        point E on rod at (1.6m, 0);
-        rpp   pin(E), ram(rail)    { slot: 90deg }
-
-        output rod, block.slide, ram.slide, pin.slide;
-    }
-}
-
-mechanism! {
-    /// S5 in fast arithmetic.
-    pub struct SixBarFast {
-        numerics fast;
         input theta: angle;
 
         ground A(0, 0), D(0, -1m);
@@ -203,24 +169,8 @@ numbers!(
     [P.x, P.y, BC.alpha, DC.alpha]
 );
 numbers!(
-    four_bar_fast,
-    FourBarFastMotion,
-    14,
-    [P.x, P.y, BC.cos, BC.sin, DC.cos, DC.sin],
-    [P.x, P.y, BC.omega, DC.omega],
-    [P.x, P.y, BC.alpha, DC.alpha]
-);
-numbers!(
     six_bar,
     SixBarMotion,
-    13,
-    [rod.cos, rod.sin, block.slide, ram.slide, pin.slide],
-    [rod.omega, block.slide, ram.slide, pin.slide],
-    [rod.alpha, block.slide, ram.slide, pin.slide]
-);
-numbers!(
-    six_bar_fast,
-    SixBarFastMotion,
     13,
     [rod.cos, rod.sin, block.slide, ram.slide, pin.slide],
     [rod.omega, block.slide, ram.slide, pin.slide],

@@ -20,12 +20,12 @@ fn error_f64<F: Fusion>(x: f64, (sin, cos): (DoubleWord, DoubleWord)) -> f64 {
 /// Of the fast kernel, in units in the last place, and what is promised: half of one for the last
 /// rounding and for that of 1 − r²/2, a quarter for that of r², 0.36 for the remainder's times sin π/4,
 /// and less than 0.1 for the series. The largest seen is 1.42.
-const FAST_BOUND: f64 = 1.7;
+const NEAR_BOUND: f64 = 1.7;
 
 /// The same of the fast kernel where operations are fused, without what two words of π/2 are off by: a
 /// third one, for every quarter turn.
-fn error_fast(x: f64, (sin, cos): (DoubleWord, DoubleWord)) -> f64 {
-    let (s, c) = sin_cos_f64::sin_cos_fast::<Fused, true>(x);
+fn error_near(x: f64, (sin, cos): (DoubleWord, DoubleWord)) -> f64 {
+    let (s, c) = sin_cos_f64::sin_cos_near::<Fused, true>(x);
     let off = 1.5e-33 * (x * core::f64::consts::FRAC_2_PI).abs().round();
     let [sin, cos] = [(sin, s), (cos, c)].map(|(truth, found)| {
         let error = ((found - truth.high) - truth.low).abs();
@@ -80,15 +80,15 @@ fn f64_keeps_its_bound_at_hard_arguments() {
     for (x, sin, cos) in hard_arguments() {
         let errors = [error_f64::<Plain>(x, (sin, cos)), error_f64::<Fused>(x, (sin, cos))];
         assert!(errors[0].max(errors[1]) <= BOUND, "{errors:?} ulp at {x:e}");
-        let error = error_fast(x, (sin, cos));
-        assert!(error <= FAST_BOUND, "{error} ulp at {x:e}");
+        let error = error_near(x, (sin, cos));
+        assert!(error <= NEAR_BOUND, "{error} ulp at {x:e}");
     }
 }
 
 #[test]
 fn the_fast_kernel_is_the_other_where_nothing_is_fused() {
     for x in sweep(1e-9, NEAR_F64, 2000) {
-        assert_eq!(sin_cos_f64::sin_cos_fast::<Plain, true>(x), sin_cos_f64::sin_cos::<Plain>(x));
+        assert_eq!(sin_cos_f64::sin_cos_near::<Plain, true>(x), sin_cos_f64::sin_cos::<Plain>(x));
     }
 }
 
@@ -109,8 +109,8 @@ fn f64_keeps_its_bound(count: u32) {
             let truth = double_word::sin_cos(x);
             let errors = [error_f64::<Plain>(x, truth), error_f64::<Fused>(x, truth)];
             assert!(errors[0].max(errors[1]) <= BOUND, "{errors:?} ulp at {x:e}");
-            let error = error_fast(x, truth);
-            assert!(error <= FAST_BOUND, "{error} ulp at {x:e}");
+            let error = error_near(x, truth);
+            assert!(error <= NEAR_BOUND, "{error} ulp at {x:e}");
         }
     }
 }

@@ -19,15 +19,15 @@ pub trait Float: Real + sealed::Sealed {
     #[doc(hidden)]
     fn multiply_add(a: Self, b: Self, c: Self) -> Self;
 
-    /// The kernel behind [`Scalar::sin_cos_near`](crate::Scalar::sin_cos_near).
+    /// The kernel behind [`Scalar::sin_cos`](crate::Scalar::sin_cos) of a near argument.
     #[doc(hidden)]
     fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self);
 
-    /// The kernel behind [`Scalar::sin_cos_fast`](crate::Scalar::sin_cos_fast), of a number alone or of a
+    /// The kernel behind [`Scalar::sin_cos_near`](crate::Scalar::sin_cos_near), of a number alone or of a
     /// lane.
     #[doc(hidden)]
     #[inline(always)]
-    fn sin_cos_fast_kernel<F: Fusion, const ALONE: bool>(self) -> (Self, Self) {
+    fn sin_cos_near_kernel<F: Fusion, const ALONE: bool>(self) -> (Self, Self) {
         self.sin_cos_kernel::<F>()
     }
 
@@ -55,8 +55,8 @@ impl Float for f64 {
         sin_cos_f64::sin_cos::<F>(self)
     }
     #[inline]
-    fn sin_cos_fast_kernel<F: Fusion, const ALONE: bool>(self) -> (Self, Self) {
-        sin_cos_f64::sin_cos_fast::<F, ALONE>(self)
+    fn sin_cos_near_kernel<F: Fusion, const ALONE: bool>(self) -> (Self, Self) {
+        sin_cos_f64::sin_cos_near::<F, ALONE>(self)
     }
 }
 

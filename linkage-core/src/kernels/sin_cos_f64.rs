@@ -140,11 +140,11 @@ fn polynomials<F: Fusion>(r: f64, excess: f64) -> (f64, f64) {
 ///
 /// `ALONE` is a number that stands in no lane: its quarter turns are looked up.
 #[inline(always)]
-pub(crate) fn sin_cos_fast<F: Fusion, const ALONE: bool>(x: f64) -> (f64, f64) {
+pub(crate) fn sin_cos_near<F: Fusion, const ALONE: bool>(x: f64) -> (f64, f64) {
     let shifted = f64::fused_by::<F>(x, QUADRANTS, SHIFT);
     let q = shifted - SHIFT;
     let (sin, cos) = if F::FUSED {
-        polynomials_fast::<F>(x, q)
+        polynomials_near::<F>(x, q)
     } else {
         let (r, excess) = reduce::<F>(x, q);
         polynomials::<F>(r, excess)
@@ -155,7 +155,7 @@ pub(crate) fn sin_cos_fast<F: Fusion, const ALONE: bool>(x: f64) -> (f64, f64) {
 
 /// Sine and cosine of what is left of x without q quarter turns.
 #[inline(always)]
-fn polynomials_fast<F: Fusion>(x: f64, q: f64) -> (f64, f64) {
+fn polynomials_near<F: Fusion>(x: f64, q: f64) -> (f64, f64) {
     let fused = f64::fused_by::<F>;
     let r = WORDS.iter().fold(x, |r, &word| fused(-q, word, r));
     let z = r * r;

@@ -14,7 +14,6 @@ use crate::interface::EntryId;
 use crate::interface::entries::Entry;
 use crate::ir::graph::Node;
 use crate::lower::routine::{Adapted, Asked, Compute, Limits};
-use crate::model::mechanism::Numerics;
 
 /// The name of the core of an entry point, which has the numbers and records themselves for arguments:
 /// the public function, where that has.
@@ -131,7 +130,7 @@ fn compared(cx: &Context<'_>, id: EntryId, call: formulas::Call, asked: &Asked) 
 /// The core of the other entry point, given the angle's cosine and sine.
 fn by_cosine(cx: &Context<'_>, arguments: &Arguments<'_>, other: EntryId) -> TokenStream {
     let [sin, cos, result, ok] = ["sin_", "cos_", "result_", "ok_"].map(generated);
-    let (sin_cos, core) = (cx.scalar(near_sine(cx)), core_name(cx, cx.entry(other)));
+    let (sin_cos, core) = (cx.scalar("sin_cos_near"), core_name(cx, cx.entry(other)));
     let (angle, rates) = arguments.names().split_first().expect("the angle comes first");
     if Together::of(cx, other).is_some() {
         return quote! {
@@ -202,14 +201,6 @@ impl<'a> Together<'a> {
         };
         let limit = self.limit(cx, 4);
         quote!(#is_met(#limit, #fused(#squares, #squares, #second * #second)))
-    }
-}
-
-/// The sine and cosine of an angle that is near: the user's choice.
-fn near_sine(cx: &Context<'_>) -> &'static str {
-    match cx.mechanism.numerics {
-        Numerics::Fast => "sin_cos_fast",
-        Numerics::Plain | Numerics::Compensated => "sin_cos_near",
     }
 }
 

@@ -12,7 +12,7 @@ use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Id, Node, Wanted};
 use crate::ir::liveness::Path;
 use crate::lower::routine::{Comparison, Condition, Reading, Routine, Statement, Threshold};
-use crate::model::mechanism::{Numerics, ParamKind};
+use crate::model::mechanism::ParamKind;
 
 /// What the statements of one routine are printed with.
 pub(super) struct Printer<'a> {
@@ -163,10 +163,9 @@ impl<'a> Printer<'a> {
     fn sin_cos(&self, angle: Id, pair: [Option<Id>; 2], is_checked: bool, to: &mut Text) {
         let [sin, cos] = pair.map(|id| id.map_or("_".to_string(), |id| self.local(id)));
         to.put("let (").put(&sin).put(", ").put(&cos).put(") = ");
-        match (is_checked, self.cx.mechanism.numerics) {
-            (true, Numerics::Fast) => to.put("checks_.sin_cos_fast("),
-            (true, _) => to.put("checks_.sin_cos("),
-            (false, _) => to.put(&self.number).put("::sin_cos("),
+        match is_checked {
+            true => to.put("checks_.sin_cos("),
+            false => to.put(&self.number).put("::sin_cos("),
         };
         self.value(angle, to);
         to.put(");\n");
@@ -243,6 +242,11 @@ impl<'a> Printer<'a> {
             Node::Atan2(y, x) => self.call("atan2", &[y, x], to),
             Node::Hypot(a, b) => self.call("hypot", &[a, b], to),
             Node::Det(operands) => self.call("det", &operands, to),
+            Node::Select([a, b, x, y]) => {
+                to.put(&self.number).put("::select(");
+                self.call("ge", &[a, b], to);
+                to.put(", ").list(&[x, y], |to, &id| self.value(id, to)).put(")");
+            }
             Node::MulErr(a, b) => self.call("mul_err", &[a, b], to),
             Node::AddErr(a, b) => self.call("add_err", &[a, b], to),
             Node::Fused(a, b, c) => self.call("fused", &[a, b, c], to),

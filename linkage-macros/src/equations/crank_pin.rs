@@ -1,5 +1,4 @@
-//! A pin that swings about a point of the ground, seen from another one: under `numerics fast;` the dyads
-//! RRR and RPR behind a crank.
+//! A pin that swings about a point of the ground, seen from another one: the dyads RRR and RPR behind a crank.
 //!
 //! With the arm a of the pin B about A, and G = D − A to the other point, the line d = D − B has
 //!

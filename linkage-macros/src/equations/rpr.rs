@@ -42,8 +42,8 @@
 //! within ε of itself; `numerics compensated;` puts the rounding of that difference back where both
 //! joints are given by inputs and constants (`tests/limits/compensated.rs`).
 //!
-//! `numerics fast;` makes b² and the products of Δv and Δa of a crank's pin by what `crank_pin.rs` says, with its
-//! error, where there is no offset.
+//! Without an offset b² and the products of Δv and Δa of a crank's pin are made by what `crank_pin.rs` says, with
+//! its error.
 //!
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.
@@ -69,8 +69,8 @@ pub(super) fn rpr<'s>(
 ) -> Solved<'s> {
     let from = scope.call_vector("b", d.to(b));
     let e = offset.value;
-    let is_fast = scope.numerics == Numerics::Fast && e.is_zero();
-    let crank = is_fast.then(|| CrankPin::of([b, d])).flatten();
+    let is_affine = scope.numerics == Numerics::Plain && e.is_zero();
+    let crank = is_affine.then(|| CrankPin::of([b, d])).flatten();
     let square = crank.map_or_else(|| from.dot(from), CrankPin::square);
     let sound = scope.call("b2", square.provided(Check::Square, scope.group, &[]));
     let (s, u, inverse) = if e.is_zero() {
@@ -142,7 +142,7 @@ fn left_of_offset<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'
         return plain;
     }
     let coordinate = match numerics {
-        Numerics::Plain | Numerics::Fast => DoubleWord::of,
+        Numerics::Plain => DoubleWord::of,
         Numerics::Compensated => DoubleWord::of_coordinate,
     };
     let square = DoubleWord::square_of(d.to(b), coordinate);

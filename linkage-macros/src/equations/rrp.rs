@@ -82,7 +82,7 @@ pub(super) fn rrp<'s>(
     let foot = scope.call("x", from.dot(u));
     let (l, t) = (length.value, scope.call("t", across(b, guide, offset).value));
     let square = match scope.numerics {
-        Numerics::Plain | Numerics::Fast => legs(b, guide, length, offset).value,
+        Numerics::Plain => legs(b, guide, length, offset).value,
         Numerics::Compensated => carried(l, offset.value, distance(b, guide)),
     };
     let square = square.provided(Check::ReachLine, scope.group, &[t, l]);

@@ -163,6 +163,11 @@ impl<'s> Sym<'s> {
         self.binary(other, Node::Hypot)
     }
 
+    /// `x` where this is at least as large as the other, `y` elsewhere.
+    pub(crate) fn at_least(self, other: Self, x: Self, y: Self) -> Self {
+        self.sheet.node(Node::Select([self.id, other.id, x.id, y.id]))
+    }
+
     pub(crate) fn squared(self) -> Self {
         self * self
     }

@@ -146,7 +146,8 @@ fn of(node: Node) -> Operations {
         | Node::Trial(_)
         | Node::Root(_)
         | Node::Size(_) => none,
-        Node::Add(..) | Node::Sub(..) => Operations { additions: 1, ..none },
+        // A comparison costs what a difference does.
+        Node::Add(..) | Node::Sub(..) | Node::Select(_) => Operations { additions: 1, ..none },
         Node::Mul(..) => Operations { multiplications: 1, ..none },
         Node::Div(..) => Operations { divisions: 1, ..none },
         Node::Sqrt(_) => Operations { roots: 1, ..none },

@@ -49,17 +49,14 @@ pub(crate) struct Guard {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Check {
     /// Fast path: value above what rounding does to it. Slow path: circles of radii l₁ and l₂ about
-    /// points d = (dx, dy) apart must meet. Operands dx, dy, l₁, l₂ and the spread, a number that
+    /// points d = (dx, dy) apart must meet. Operands dx, dy, l₁, l₂, a unit and the spread, a number that
     /// rounding changes the value in the last places of. The value is
-    /// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²)/(4 l₁ l₂)²; where rounding could have changed its sign it is
-    /// replaced by what it is without, and at the limit by 0.
+    /// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²)/(4 l₁ l₂)² in squares of the unit; where rounding could have
+    /// changed its sign it is replaced by what it is without, and at the limit by 0.
     ReachCircles,
-    /// The same where the value is the square of the cross product of the two radii towards a common point,
-    /// (2 l₁ l₂)² times that of `ReachCircles`, and the spread as much larger.
-    ReachCross,
     /// Fast path: nothing. Slow path: where the `ReachCircles` of the first operand, its value, is
     /// decided without rounding, so is this, (d² + l₁² − l₂²)/2d²; at the limit it is ± l₁/|d|. The
-    /// other operands are those of `ReachCircles`.
+    /// other operands are those of `ReachCircles` but for the unit.
     ShareOfCentres,
     /// Fast path: value above what rounding does to it. Slow path: a point must have the
     /// distances r₁ and r₂ from (0, 0) and (l, 0). Operands l, r₁, r₂ and the spread. The value is the
@@ -84,7 +81,7 @@ pub(crate) enum Check {
     /// above what rounding does to it. Slow path: `Singular` where it is not. Operand: the spread.
     Moving,
     /// Fast path: value ≥ the smallest square of full precision. Slow path: a squared length
-    /// below it is refused, as `Singular` where it is the square of zero. With the operands of
+    /// below it is refused, as `Singular` where it is the square of zero. With the first operands of
     /// `ReachCircles` it is the square of d, and out of reach where the circles do not meet.
     Square,
 }
@@ -100,7 +97,7 @@ impl Guard {
 impl Check {
     /// Whether the last operand is a spread, which the straight line compares the value with.
     pub(crate) fn has_spread(&self) -> bool {
-        matches!(self, Self::ReachCircles | Self::ReachCross | Self::ReachDistances | Self::Moving)
+        matches!(self, Self::ReachCircles | Self::ReachDistances | Self::Moving)
     }
 }
 

@@ -24,6 +24,7 @@ pub(crate) trait Number: Clone {
     /// The angle of the vector (x, self).
     fn atan2(&self, x: &Self) -> Self;
     fn hypot(&self, other: &Self) -> Self;
+    fn is_at_least(&self, other: &Self) -> bool;
     /// The number without what is not known of it.
     fn point(&self) -> Self;
 }
@@ -128,6 +129,7 @@ fn value<N: Number>(
         Node::Atan2(a, b) => v(a).atan2(v(b)),
         Node::Hypot(a, b) => v(a).hypot(v(b)),
         Node::Det([a, b, c, d]) => v(a).mul(v(b)).sub(&v(c).mul(v(d))),
+        Node::Select([a, b, x, y]) => if v(a).is_at_least(v(b)) { v(x) } else { v(y) }.clone(),
         Node::MulErr(..) | Node::AddErr(..) | Node::Low(_) => N::exact(&Exact::integer(0)),
         Node::Fused(a, b, c) => v(a).mul(v(b)).add(v(c)),
         Node::Guard(value, _) => v(value).clone(),

@@ -59,6 +59,8 @@ pub(crate) enum Node {
     /// a·b − c·d, rounded as if it were one operation; opaque to simplification except where it
     /// collapses to a single product.
     Det([Id; 4]),
+    /// `Select([a, b, x, y])`: x where a ≥ b, y elsewhere. Both must be numbers.
+    Select([Id; 4]),
     /// The rounding error of a product: zero in real arithmetic.
     MulErr(Id, Id),
     /// The rounding error of a sum: zero in real arithmetic.
@@ -157,6 +159,7 @@ impl Node {
             Self::AddErr(a, b) => Self::AddErr(f(a), f(b)),
             Self::Fused(a, b, c) => Self::Fused(f(a), f(b), f(c)),
             Self::Det(operands) => Self::Det(operands.map(f)),
+            Self::Select(operands) => Self::Select(operands.map(f)),
         }
     }
 }

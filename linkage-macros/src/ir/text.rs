@@ -63,6 +63,7 @@ fn operation(node: Node) -> &'static str {
         Node::Atan2(..) => "atan2",
         Node::Hypot(..) => "hypot",
         Node::Det(_) => "det",
+        Node::Select(_) => "select",
         Node::MulErr(..) => "mul_err",
         Node::AddErr(..) => "add_err",
         Node::Fused(..) => "fused",

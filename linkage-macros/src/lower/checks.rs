@@ -54,7 +54,6 @@ fn spread(graph: &Graph, id: Id) -> Option<Spread<'_>> {
 fn diagnosis(guard: &Guard) -> &'static str {
     match guard.check {
         Check::ReachCircles => "reach_circles",
-        Check::ReachCross => "reach_cross",
         Check::ShareOfCentres => "share_of_centres",
         Check::ReachDistances => "reach_distances",
         Check::ReachLine => "reach_line",
@@ -80,11 +79,9 @@ fn comparison(
     let comparison = match check {
         Check::ShareOfCentres | Check::Closed(_) => return None,
         Check::Nonzero if is_above_zero(graph, value) => return None,
-        Check::ReachCircles
-        | Check::ReachCross
-        | Check::ReachDistances
-        | Check::Positive(_)
-        | Check::Moving => Comparison::Above,
+        Check::ReachCircles | Check::ReachDistances | Check::Positive(_) | Check::Moving => {
+            Comparison::Above
+        }
         Check::ReachLine | Check::ReachOffset | Check::Square | Check::NotNegative(_) => {
             Comparison::AtLeast
         }
@@ -107,11 +104,7 @@ fn is_above_zero(graph: &Graph, value: Id) -> bool {
             let check = &graph.condition(guard).check;
             let is_kept = matches!(
                 check,
-                Check::ReachCircles
-                    | Check::ReachCross
-                    | Check::ReachDistances
-                    | Check::Positive(_)
-                    | Check::Moving
+                Check::ReachCircles | Check::ReachDistances | Check::Positive(_) | Check::Moving
             );
             is_kept || is_above_zero(graph, inner)
         }

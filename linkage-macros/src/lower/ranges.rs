@@ -136,6 +136,7 @@ impl Bounds<'_> {
             Node::Det([a, b, c, d]) => {
                 self.exact_product(a, b)?.plus(self.exact_product(c, d)?.negated()).rounded()
             }
+            Node::Select([_, _, x, y]) => self.of(x)?.or(self.of(y)?),
             Node::Div(a, b) => self.quotient(a, b)?.rounded(),
             Node::Sqrt(a) => self.of(a)?.root()?.rounded(),
             Node::Hypot(a, b) => {
@@ -266,6 +267,15 @@ impl Range {
 
     fn plus(self, other: Self) -> Self {
         Self::of(self.low + other.low, self.high + other.high)
+    }
+
+    /// The values of either.
+    fn or(self, other: Self) -> Self {
+        Self {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+            away: self.away.min(other.away),
+        }
     }
 
     fn times(self, other: Self) -> Self {

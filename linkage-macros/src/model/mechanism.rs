@@ -228,7 +228,6 @@ pub(crate) struct Group {
 pub(crate) enum Numerics {
     Plain,
     Compensated,
-    Fast,
 }
 
 pub(crate) struct Output {

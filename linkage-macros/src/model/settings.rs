@@ -7,16 +7,19 @@ use super::Resolver;
 use super::mechanism::Numerics;
 
 impl Resolver<'_> {
-    /// The numerics are compensated, fast or plain, and chosen once.
+    /// The numerics are compensated or plain, and chosen once.
     pub(super) fn numerics(&mut self, mode: &Ident) {
         let chosen = match mode.to_string().as_str() {
             "compensated" => Numerics::Compensated,
-            "fast" => Numerics::Fast,
+            "fast" => {
+                let reason = "what it asked for is what every declaration has";
+                self.diagnostics.error_because(mode.span(), "leave `numerics fast;` out", reason);
+                return;
+            }
             _ => {
-                let message = format!("no numerics named `{mode}`; write `compensated` or `fast`");
+                let message = format!("no numerics named `{mode}`; write `compensated`");
                 let reason = "`compensated` carries the rounding errors of a dyad along and takes \
-                              longer, `fast` gives up a last place or two to take less; without \
-                              the statement they are plain";
+                              longer; without the statement they are plain";
                 self.diagnostics.error_because(mode.span(), message, reason);
                 return;
             }

@@ -1,9 +1,9 @@
-//! Adds a number to two products one after the other, for `numerics fast;`.
+//! Adds a number to two products one after the other.
 //!
 //! Written down as a + (b c + d e), an acceleration takes a product, a fused operation and a sum. As
 //! (a + d e) + b c it takes two fused operations and loses a rounding, and nothing but the last waits for the
 //! product that is known last. Where operations are not fused it is as many operations as before.
-//! Rates alone: of positions limits are decided, for which joints are rounded with every numerics alike.
+//! Rates alone: of positions limits are decided, for which joints are rounded in every entry point alike.
 //!
 //! And the negative of a sum is a sum of negatives: a fused operation takes any signs, where its result would
 //! have to be negated. Only a zero's sign is another.

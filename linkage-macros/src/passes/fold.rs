@@ -27,7 +27,6 @@ fn holds(check: &Check, value: &Exact) -> bool {
         Check::Closed(_) => false,
         Check::Positive(_)
         | Check::ReachCircles
-        | Check::ReachCross
         | Check::ReachDistances
         | Check::ReachLine
         | Check::ReachOffset
@@ -64,6 +63,9 @@ fn evaluate(graph: &Graph, node: Node) -> Option<Exact> {
             Some(Exact::integer(0))
         }
         Node::Fused(a, b, c) => Some(value(a)?.mul(value(b)?).add(value(c)?)),
+        Node::Select([a, b, x, y]) => {
+            Some(if value(a)?.cmp_value(value(b)?).is_ge() { value(x)? } else { value(y)? }.clone())
+        }
         Node::Low(constant) => {
             let value = graph.value(constant);
             (value.low_f64() == 0.0 && value.low_f32() == 0.0).then(|| Exact::integer(0))

@@ -26,14 +26,10 @@ pub(crate) const RULES: &[Rule] = &[fold::fold_constants, simplify::simplify];
 
 /// The passes in order.
 pub(crate) fn optimise(program: &Program) -> Program {
+    // Of two products that are added, the one that is known last is added last.
+    let chained = chain::negate_within(&chain::chain_products(&shortened(program)));
     // A product that only a sum uses is part of a fused operation.
-    contract::fuse_products(&shortened(program))
-}
-
-/// The same where operations are taken to be fused.
-pub(crate) fn optimise_for_fused(program: &Program) -> Program {
-    let chained = chain::chain_products(&shortened(program));
-    contract::fuse_products(&chain::negate_within(&chained))
+    contract::fuse_products(&chained)
 }
 
 /// The passes before products are contracted into sums.

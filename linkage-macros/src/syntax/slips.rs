@@ -18,8 +18,8 @@ impl Parser<'_> {
                     declared: `param l = …`"
                 .to_string();
         }
-        if matches!(word, "compensated" | "fast") {
-            return format!("what is meant may be `numerics {word};`");
+        if word == "compensated" {
+            return "what is meant may be `numerics compensated;`".to_string();
         }
         if self.is_punct(0, '!') {
             return "macros are not expanded in here; let a `macro_rules!` write all of `mechanism!`"

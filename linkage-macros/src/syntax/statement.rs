@@ -315,7 +315,7 @@ impl Parser<'_> {
     }
 
     fn numerics(&mut self) -> Parse<StatementKind> {
-        let mode = self.word("`compensated` or `fast`")?;
+        let mode = self.word("`compensated`")?;
         let is_another = self.peek_ident(0).is_some() && !self.statement_begins();
         if is_another || self.is_punct(0, ',') {
             return self

@@ -2,7 +2,7 @@ use linkage_core::mechanism;
 
 mechanism! {
     pub struct M {
-        fast;
+        compensated;
         input theta: angle;
         ground A(0, 0), D(4m, 0);
         crank AB(A) -> B { length: 1m, angle: theta }

@@ -58,6 +58,9 @@ impl Number for f64 {
     fn hypot(&self, other: &Self) -> Self {
         Self::hypot(*self, *other)
     }
+    fn is_at_least(&self, other: &Self) -> bool {
+        self >= other
+    }
 }
 
 /// A crank AB of 1 m on A(0, 0), turned by `theta`, with what else is declared.

@@ -86,7 +86,7 @@ fn what_is_known_to_be_small_alone_is_asked() {
     for (least, is_asked) in [(1e-32, true), (1e-28, false)] {
         let least = sample.number(least);
         let sum = sample.push(Node::Add(square, least));
-        sample.guard(sum, Check::ReachCross);
+        sample.guard(sum, Check::ReachCircles);
         let threshold = sample.thresholds(&WIDE).unwrap()[&sum];
         assert_eq!(threshold.is_some(), is_asked, "{threshold:?}");
         // The share of a range up to one.
@@ -94,8 +94,26 @@ fn what_is_known_to_be_small_alone_is_asked() {
     }
     // At zero exactly, where the sign is enough.
     let loose = Assumed { share: 0.0, ..WIDE };
-    sample.guard(square, Check::ReachCross);
+    sample.guard(square, Check::ReachCircles);
     assert_eq!(sample.thresholds(&loose).unwrap()[&square], Some(0.0));
+}
+
+/// A choice is what either of the two may be: a root of it has no sign to fear, and a divisor has.
+#[test]
+fn a_choice_has_the_values_of_both() {
+    let mut sample = sample();
+    let [low, high] = [(3.0, 2.0), (12.0, 2.0)].map(|(mean, swing)| sample.affine(mean, swing));
+    let choice = sample.push(Node::Select([sample.rate, sample.rate, low, high]));
+    let ten = sample.number(10.0);
+    let rest = sample.push(Node::Sub(ten, choice));
+    sample.guard(rest, Check::Positive("l".to_string()));
+    // From 10 − 14 to 10 − 1.
+    let share = Assumed { share: 1e-3, ..WIDE };
+    let threshold = sample.thresholds(&share).unwrap()[&rest].unwrap();
+    assert!((threshold / 9e-3 - 1.0).abs() < 1e-5, "{threshold}");
+    // From 1 to 14: nothing to ask.
+    sample.guard(choice, Check::Square);
+    assert_eq!(sample.thresholds(&WIDE).unwrap()[&choice], None);
 }
 
 #[test]

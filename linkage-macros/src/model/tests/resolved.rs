@@ -236,8 +236,6 @@ fn settings_are_kept() {
     let mechanism = mechanism.expect("nothing was reported");
     assert_eq!(mechanism.numerics, Numerics::Compensated);
     assert!(mechanism.export_c && mechanism.crate_path.is_some());
-    let (mechanism, _) = resolved(&format!("{CRANK} numerics fast;"));
-    assert_eq!(mechanism.expect("nothing was reported").numerics, Numerics::Fast);
 }
 
 #[test]

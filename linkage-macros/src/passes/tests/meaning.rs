@@ -7,19 +7,18 @@ use crate::ir::construct::{Rule, rebuild};
 use crate::ir::interpret::{Given, Number};
 use crate::ir::program::Program;
 use crate::oracle::{Digits, defaults, mechanism, values};
-use crate::passes::{RULES, affine, contract, fold, optimise, optimise_for_fused, simplify};
+use crate::passes::{RULES, affine, contract, fold, optimise, simplify};
 
 #[test]
 fn no_pass_changes_a_value() {
     type Pass = fn(&Program) -> Program;
-    let passes: [(&str, Pass); 7] = [
+    let passes: [(&str, Pass); 6] = [
         ("fold", |program| rebuild(program, &[fold::fold_constants as Rule])),
         ("simplify", |program| rebuild(program, &[simplify::simplify as Rule])),
         ("both", |program| rebuild(program, RULES)),
         ("affine", affine::square_distances),
         ("fuse", contract::fuse_products),
         ("all", optimise),
-        ("all for fused operations", optimise_for_fused),
     ];
     for variant in VARIANTS.iter().chain(UNKNOWNS) {
         let mechanism = mechanism(variant.source);

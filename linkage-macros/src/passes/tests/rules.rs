@@ -57,6 +57,7 @@ pub(super) fn nested(graph: &Graph, id: Id) -> String {
         Node::Div(a, b) => format!("{}/{}", n(a), n(b)),
         Node::Fused(a, b, c) => format!("fused({}, {}, {})", n(a), n(b), n(c)),
         Node::Det([a, b, c, d]) => format!("det({}, {}, {}, {})", n(a), n(b), n(c), n(d)),
+        Node::Select([a, b, x, y]) => format!("({} if {} ≥ {} else {})", n(x), n(a), n(b), n(y)),
         Node::MulErr(a, b) => format!("mul_err({}, {})", n(a), n(b)),
         Node::AddErr(a, b) => format!("add_err({}, {})", n(a), n(b)),
         Node::Sqrt(a) => format!("sqrt({})", n(a)),
@@ -111,6 +112,9 @@ rewrites! {
     a_determinant_with_the_other_product_is_its_negative: SIMPLIFY, |g| { let (a, b, o) = (x(g), y(g), c(g, "0")); g.push(Node::Det([o, b, a, b])) } => "-x*y";
     a_determinant_of_units_is_a_difference: SIMPLIFY, |g| { let (a, b, k) = (x(g), y(g), c(g, "1")); g.push(Node::Det([k, a, b, k])) } => "(x - y)";
     a_determinant_is_opaque: RULES, |g| { let (a, b, k) = (x(g), y(g), c(g, "3")); g.push(Node::Det([a, b, k, b])) } => "det(x, y, 3, y)";
+    a_choice_between_constants_is_made: RULES, |g| { let (a, b, k, l) = (c(g, "5"), c(g, "7"), c(g, "2"), c(g, "3")); let far = g.push(Node::Select([l, k, b, a])); let near = g.push(Node::Select([k, l, b, a])); g.push(Node::Sub(far, near)) } => "2";
+    the_first_of_equal_numbers_decides: RULES, |g| { let (a, b, k) = (c(g, "5"), c(g, "7"), c(g, "2")); g.push(Node::Select([k, k, a, b])) } => "5";
+    a_choice_of_what_is_not_known_stays: RULES, |g| { let (a, b, k) = (x(g), y(g), c(g, "2")); g.push(Node::Select([a, b, k, a])) } => "(2 if x ≥ y else x)";
     a_product_with_one_has_no_error: SIMPLIFY, |g| { let (a, k) = (x(g), c(g, "-1")); g.push(Node::MulErr(a, k)) } => "0";
     an_error_has_its_products_sign: SIMPLIFY, |g| { let (a, b) = (x(g), y(g)); let n = g.push(Node::Neg(a)); g.push(Node::MulErr(n, b)) } => "-mul_err(x, y)";
     a_sum_with_zero_has_no_error: SIMPLIFY, |g| { let (a, k) = (x(g), c(g, "0")); g.push(Node::AddErr(a, k)) } => "0";

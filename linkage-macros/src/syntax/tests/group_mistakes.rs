@@ -113,7 +113,7 @@ fn outputs_and_settings() {
             ".: write `rate(H.y)` / in the values of forces and torques; of outputs, `velocity` gives \
              the rates",
         ),
-        ("numerics;", ";: expected `compensated` or `fast`, found `;`"),
+        ("numerics;", ";: expected `compensated`, found `;`"),
         ("crate = \"x\";", "\"x\": write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("crate;", ";: write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("crate = ::Self;", ":: write the path of `linkage-core`: `crate = ::linkage_core;`"),

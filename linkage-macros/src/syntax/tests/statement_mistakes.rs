@@ -205,7 +205,7 @@ fn points_on_links() {
             "point P on BC at (1, 2), Q on BC at (1,2);",
             ",: expected `;`, found `,` / this statement declares one name",
         ),
-        ("numerics: fast;", ":: expected `compensated` or `fast`, found `:`"),
+        ("numerics: fast;", ":: expected `compensated`, found `:`"),
         (
             "numerics fast, compensated;",
             ",: expected `;`, found `,` / `numerics` takes one word, for numbers of any width",
@@ -215,7 +215,11 @@ fn points_on_links() {
             "f32: expected `;`, found `f32` / `numerics` takes one word, for numbers of any width",
         ),
         ("numerics fast crank AB(A) {}", "fast: write `;` after `fast`"),
-        ("fast;", "fast: no statement begins with `fast` / what is meant may be `numerics fast;`"),
+        (
+            "compensated;",
+            "compensated: no statement begins with `compensated` / what is meant may be \
+             `numerics compensated;`",
+        ),
     ];
     check_statements(ROWS);
 }

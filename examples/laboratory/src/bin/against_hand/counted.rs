@@ -34,7 +34,7 @@ pub(crate) fn counts() -> Option<HashMap<String, Count>> {
     for function in text.split("\n\n") {
         let mut lines = function.lines();
         let Some(name) = lines.next().and_then(path) else { continue };
-        if ["made", "fast", "by_hand"].iter().any(|way| name.ends_with(way)) {
+        if ["made", "by_hand"].iter().any(|way| name.ends_with(way)) {
             let body: Vec<_> = lines.filter_map(instruction).collect();
             counts.insert(name, longest(&body));
         }

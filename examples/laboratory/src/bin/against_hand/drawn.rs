@@ -4,7 +4,7 @@
 use laboratory::hand::rails::{Rail, Rod};
 use laboratory::hand::{Bar, CrankDyad, Dyad, Joint, Moving, cos_sin, crank_dyad, dyad};
 
-use crate::kernels::{Call, Contest, TURN, Visit, plain_and_fast, put};
+use crate::kernels::{Call, Contest, TURN, Visit, put};
 
 /// +1 or −1.
 macro_rules! side {
@@ -46,25 +46,23 @@ macro_rules! count {
     };
 }
 
-/// What is raced, of the six functions of a mechanism.
+/// What is raced, of the four functions of a mechanism.
 macro_rules! contests {
     ($inputs:ident, $ranges:expr) => {
         pub(crate) const MOTIONS: Contest<MOTION> = Contest {
             made: Call::$inputs(motion_made),
-            fast: Call::$inputs(motion_fast),
             by_hand: Call::$inputs(motion_by_hand),
             ranges: $ranges,
         };
         pub(crate) const POSITIONS: Contest<POSITION> = Contest {
             made: Call::$inputs(position_made),
-            fast: Call::$inputs(position_fast),
             by_hand: Call::$inputs(position_by_hand),
             ranges: $ranges,
         };
     };
 }
 
-/// The six functions of a mechanism, given how a hand moves it.
+/// The four functions of a mechanism, given how a hand moves it.
 macro_rules! both_ways {
     ($points:tt $links:tt $slides:tt) => {
         both_ways!(@one $points $links $slides [TURN; 2]);
@@ -82,11 +80,6 @@ macro_rules! both_ways {
         }
 
         #[inline(never)]
-        pub(crate) fn motion_fast(t: f64, w: f64, a: f64, out: &mut [f64; MOTION]) -> bool {
-            put(Fast::new().motion(t, w, a).ok(), out, Record::into_array)
-        }
-
-        #[inline(never)]
         pub(crate) fn motion_by_hand(t: f64, w: f64, a: f64, out: &mut [f64; MOTION]) -> bool {
             put(moved([t, w, a]), out, |m| asked!(motion, m, $points, $links, $slides))
         }
@@ -94,11 +87,6 @@ macro_rules! both_ways {
         #[inline(never)]
         pub(crate) fn position_made(t: f64, _: f64, _: f64, out: &mut [f64; POSITION]) -> bool {
             put(Made::new().position(t).ok(), out, Record::into_array)
-        }
-
-        #[inline(never)]
-        pub(crate) fn position_fast(t: f64, _: f64, _: f64, out: &mut [f64; POSITION]) -> bool {
-            put(Fast::new().position(t).ok(), out, Record::into_array)
         }
 
         #[inline(never)]
@@ -119,13 +107,6 @@ macro_rules! both_ways {
         }
 
         #[inline(never)]
-        pub(crate) fn motion_fast(
-            q: f64, r: f64, v: f64, w: f64, a: f64, b: f64, out: &mut [f64; MOTION],
-        ) -> bool {
-            put(Fast::new().motion([q, r], [v, w], [a, b]).ok(), out, Record::into_array)
-        }
-
-        #[inline(never)]
         pub(crate) fn motion_by_hand(
             q: f64, r: f64, v: f64, w: f64, a: f64, b: f64, out: &mut [f64; MOTION],
         ) -> bool {
@@ -138,13 +119,6 @@ macro_rules! both_ways {
             q: f64, r: f64, _: f64, _: f64, _: f64, _: f64, out: &mut [f64; POSITION],
         ) -> bool {
             put(Made::new().position([q, r]).ok(), out, Record::into_array)
-        }
-
-        #[inline(never)]
-        pub(crate) fn position_fast(
-            q: f64, r: f64, _: f64, _: f64, _: f64, _: f64, out: &mut [f64; POSITION],
-        ) -> bool {
-            put(Fast::new().position([q, r]).ok(), out, Record::into_array)
         }
 
         #[inline(never)]
@@ -171,7 +145,7 @@ macro_rules! drawn {
             use super::*;
             use linkage_core::{Record, mechanism};
 
-            plain_and_fast! { Made, Fast, {
+            mechanism! { pub(crate) struct Made {
                 input theta: angle;
                 ground A(0, 0), D($gx, $gy);
                 crank AB(A) -> B { length: $crank, angle: theta }
@@ -266,7 +240,7 @@ macro_rules! machine {
             use crate::machines;
             use linkage_core::{Record, mechanism};
 
-            plain_and_fast! { Made, Fast, {
+            mechanism! { pub(crate) struct Made {
                 $(input $input: $kind;)*
                 $($statements)*
                 output $($p),* $(, $l)* $(, $s.slide)*;

@@ -1,7 +1,7 @@
 //! The same calls twice, generated and by hand, as functions that the disassembly shows one by one:
 //! angle and rates in registers, an array of numbers out.
 
-use laboratory::generated::{FourBar, FourBarFast, SixBar, SixBarFast};
+use laboratory::generated::{FourBar, SixBar};
 use laboratory::hand::{self, Bar, CrankDyad, Dyad, Moving, cos_sin, crank_dyad};
 use linkage_core::{Record, mechanism};
 
@@ -17,8 +17,6 @@ pub(crate) enum Call<const N: usize> {
 /// A mechanism: the ways to what is asked of it.
 pub(crate) struct Contest<const N: usize> {
     pub(crate) made: Call<N>,
-    /// Under `numerics fast;`.
-    pub(crate) fast: Call<N>,
     pub(crate) by_hand: Call<N>,
     /// What the inputs are between.
     pub(crate) ranges: [[f64; 2]; 2],
@@ -70,45 +68,24 @@ pub(crate) fn four_bar(form: CrankDyad, [angle, omega, alpha]: [f64; 3]) -> Opti
     Some(FourBarMotion { b, bars })
 }
 
-/// The same declaration twice.
-macro_rules! plain_and_fast {
-    ($plain:ident, $fast:ident, { $($statements:tt)* }) => {
-        mechanism! { pub(crate) struct $plain { $($statements)* } }
-        mechanism! { pub(crate) struct $fast { numerics fast; $($statements)* } }
-    };
-}
-pub(crate) use plain_and_fast;
+mechanism! {
+    /// S1 with another coupler point, of which pins and bars are asked.
+    pub(crate) struct OtherPoint {
+        input theta: angle;
 
-// S1 with another coupler point, of which pins and bars are asked.
-plain_and_fast! { OtherPoint, OtherPointFast, {
-    input theta: angle;
+        ground A(0, 0), D(304.8mm, 0);
 
-    ground A(0, 0), D(304.8mm, 0);
+        crank AB(A) -> B        { length: 101.6mm, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (254mm, 177.8mm), mode: left }
 
-    crank AB(A) -> B        { length: 101.6mm, angle: theta }
-    rrr   BC(B), DC(D) -> C { lengths: (254mm, 177.8mm), mode: left }
-
-    point P on BC at (127mm, 76.2mm);
-    output C, P, BC, DC;
-} }
-
-/// The numbers of its motion that are asked for.
-macro_rules! of_other_point {
-    ($motion:ident) => {
-        |m: $motion<f64>| {
-            let (x, v, a) = (m.position, m.velocity, m.acceleration);
-            [
-                x.C.x, x.C.y, x.P.x, x.P.y, v.BC.omega, v.DC.omega, v.P.x, v.P.y, a.BC.alpha,
-                a.DC.alpha, a.P.x, a.P.y,
-            ]
-        }
-    };
+        point P on BC at (127mm, 76.2mm);
+        output C, P, BC, DC;
+    }
 }
 
-/// Three functions under the name of the mechanism and the call: what moves, and its numbers.
+/// Two functions under the name of the mechanism and the call: what moves, and its numbers.
 macro_rules! ways {
-    ($module:ident: $n:literal, $made:expr, $of_made:expr, $fast:expr, $of_fast:expr,
-     $by_hand:expr, $of_hand:expr) => {
+    ($module:ident: $n:literal, $made:expr, $of_made:expr, $by_hand:expr, $of_hand:expr) => {
         pub(crate) mod $module {
             use super::*;
 
@@ -118,29 +95,18 @@ macro_rules! ways {
             }
 
             #[inline(never)]
-            pub(crate) fn fast(t: f64, w: f64, a: f64, out: &mut [f64; $n]) -> bool {
-                put($fast([t, w, a]), out, $of_fast)
-            }
-
-            #[inline(never)]
             pub(crate) fn by_hand(t: f64, w: f64, a: f64, out: &mut [f64; $n]) -> bool {
                 put($by_hand([t, w, a]), out, $of_hand)
             }
 
-            pub(crate) const CONTEST: Contest<$n> = Contest {
-                made: Call::One(made),
-                fast: Call::One(fast),
-                by_hand: Call::One(by_hand),
-                ranges: [TURN; 2],
-            };
+            pub(crate) const CONTEST: Contest<$n> =
+                Contest { made: Call::One(made), by_hand: Call::One(by_hand), ranges: [TURN; 2] };
         }
     };
 }
 
 ways!(s1_motion: 14,
 |[t, w, a]: [f64; 3]| FourBar::new().motion(t, w, a).ok(),
-Record::into_array,
-|[t, w, a]: [f64; 3]| FourBarFast::new().motion(t, w, a).ok(),
 Record::into_array,
 |input| four_bar(S1, input),
 |FourBarMotion { b, bars: [bc, dc] }| {
@@ -155,8 +121,6 @@ Record::into_array,
 ways!(s1_position: 6,
 |[t, _, _]: [f64; 3]| FourBar::new().position(t).ok(),
 Record::into_array,
-|[t, _, _]: [f64; 3]| FourBarFast::new().position(t).ok(),
-Record::into_array,
 |[t, _, _]: [f64; 3]| four_bar(S1, [t, 0.0, 0.0]),
 |FourBarMotion { b, bars: [bc, dc] }| {
     let (p, u2, u3) = (bc.point(b, [0.15, 0.05]).position, bc.direction(), dc.direction());
@@ -165,9 +129,13 @@ Record::into_array,
 
 ways!(other_motion: 12,
 |[t, w, a]: [f64; 3]| OtherPoint::new().motion(t, w, a).ok(),
-of_other_point!(OtherPointMotion),
-|[t, w, a]: [f64; 3]| OtherPointFast::new().motion(t, w, a).ok(),
-of_other_point!(OtherPointFastMotion),
+|m: OtherPointMotion<f64>| {
+    let (x, v, a) = (m.position, m.velocity, m.acceleration);
+    [
+        x.C.x, x.C.y, x.P.x, x.P.y, v.BC.omega, v.DC.omega, v.P.x, v.P.y, a.BC.alpha,
+        a.DC.alpha, a.P.x, a.P.y,
+    ]
+},
 |input| four_bar(S1, input),
 |FourBarMotion { b, bars: [bc, dc] }| {
     let (c, p) = (b.position + bc.r, bc.point(b, [0.127, 0.0762]));
@@ -178,8 +146,6 @@ of_other_point!(OtherPointFastMotion),
 ways!(other_position: 4,
 |[t, _, _]: [f64; 3]| OtherPoint::new().position(t).ok(),
 |x: OtherPointPosition<f64>| [x.C.x, x.C.y, x.P.x, x.P.y],
-|[t, _, _]: [f64; 3]| OtherPointFast::new().position(t).ok(),
-|x: OtherPointFastPosition<f64>| [x.C.x, x.C.y, x.P.x, x.P.y],
 |[t, _, _]: [f64; 3]| four_bar(S1, [t, 0.0, 0.0]),
 |FourBarMotion { b, bars: [bc, _] }| {
     let (c, p) = (b.position + bc.r, bc.point(b, [0.127, 0.0762]).position);
@@ -188,8 +154,6 @@ ways!(other_position: 4,
 
 ways!(s5_motion: 13,
     |[t, w, a]: [f64; 3]| SixBar::new().motion(t, w, a).ok(),
-    Record::into_array,
-    |[t, w, a]: [f64; 3]| SixBarFast::new().motion(t, w, a).ok(),
     Record::into_array,
     |[t, w, a]: [f64; 3]| hand::swinging_block(t, w, a),
     |numbers| numbers);

@@ -62,16 +62,12 @@ impl Visit for Report {
         if !name.starts_with(&self.wanted) {
             return;
         }
-        for (way, made, numerics) in [("made", contest.made, ""), ("fast", contest.fast, ", fast")]
-        {
-            let ratios = race::ratios(made, contest, self.rounds);
-            let count = self.count(name, call, way);
-            let counts = count.zip(self.count(name, call, "by_hand")).map(|(a, b)| [a, b]);
-            let line =
-                Line { name: name.into(), call: format!("{call}{numerics}"), ratios, counts };
-            println!("{}", line.text());
-            self.lines.push(line);
-        }
+        let ratios = race::ratios(contest, self.rounds);
+        let count = |way| self.count(name, call, way);
+        let counts = count("made").zip(count("by_hand")).map(|(made, by_hand)| [made, by_hand]);
+        let line = Line { name: name.into(), call: call.into(), ratios, counts };
+        println!("{}", line.text());
+        self.lines.push(line);
     }
 }
 
@@ -107,7 +103,7 @@ fn main() {
     let mut report = Report { rounds, wanted, counts, lines: Vec::new() };
     kernels::reported(&mut report);
     drawn::every(&mut report);
-    for call in ["motion", "motion, fast", "position", "position, fast"] {
+    for call in ["motion", "position"] {
         let (bars, machines): (Vec<_>, Vec<_>) = report
             .lines
             .iter()

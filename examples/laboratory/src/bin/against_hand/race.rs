@@ -23,8 +23,7 @@ const PLACES: usize = 512;
 
 /// Medians of rounds that each way has in turns: a disturbance hits both or is outvoted.
 pub(crate) fn ratios<const N: usize>(
-    made: Call<N>,
-    &Contest { by_hand, ranges, .. }: &Contest<N>,
+    &Contest { made, by_hand, ranges }: &Contest<N>,
     rounds: usize,
 ) -> Ratios {
     let poses = poses(ranges);

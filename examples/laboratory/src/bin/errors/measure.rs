@@ -1,4 +1,4 @@
-//! How wrong every kind of numerics is at a pose, and how wrong the data allow it to be.
+//! Errors of an answer with constant and with tunable dimensions, and the error that the data allow.
 
 use core::mem::{Discriminant, discriminant};
 

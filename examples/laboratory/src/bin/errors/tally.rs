@@ -24,7 +24,7 @@ pub(crate) struct Tally {
     /// The largest by place, for the table of places.
     places: [[[f64; 3]; WAYS.len()]; 4],
     refused: [usize; WAYS.len()],
-    /// Solved by the first way alone, by the second alone, and refused for other reasons.
+    /// Solved with constants alone, with parameters alone, and refused for different reasons.
     differences: [usize; 3],
     /// How many of these poses the data decide.
     decided: usize,
@@ -98,10 +98,10 @@ pub(crate) fn report(tallies: &[Vec<Tally>; 2]) {
         (all().map(|tally| tally.poses), all().map(|tally| tally.errors[0][0].len()));
     println!("{} poses, {} of them measured\n", poses.sum::<usize>(), measured.sum::<usize>());
     println!("Worst error and the one that a thousandth exceeds:\n");
-    println!("{:25} {:7} {:6} {:^18} {:^18} {:^18}", "", "", "", ORDERS[0], ORDERS[1], ORDERS[2]);
+    println!("{:25} {:7} {:8} {:^18} {:^18} {:^18}", "", "", "", ORDERS[0], ORDERS[1], ORDERS[2]);
     for tally in all() {
         for (way, name) in WAYS.iter().enumerate() {
-            print!("{:25} {:7} {name:6}", tally.group, format!("{:?}", tally.width));
+            print!("{:25} {:7} {name:8}", tally.group, format!("{:?}", tally.width));
             for order in 0..3 {
                 let high = high(&tally.errors[way][order]);
                 print!(" {:9.2} {high:8.2}", tally.worst[way][order].error);
@@ -111,9 +111,7 @@ pub(crate) fn report(tallies: &[Vec<Tally>; 2]) {
     }
     places(tallies);
     refusals(tallies);
-    println!(
-        "\nThe last way worse than the first by more than 1.3, in the worst or in a thousandth:"
-    );
+    println!("\nTunable worse than constant by more than 1.3, in the worst or in a thousandth:");
     all().for_each(Tally::print_worse);
 }
 
@@ -121,7 +119,7 @@ fn places(tallies: &[Vec<Tally>; 2]) {
     println!("\nWorst errors by where the poses are:\n");
     for place in PLACES {
         for (way, name) in WAYS.iter().enumerate() {
-            print!("{:12} {name:6}", format!("{place:?}"));
+            print!("{:12} {name:8}", format!("{place:?}"));
             for order in 0..3 {
                 let of = |tally: &Tally| tally.places[place as usize][way][order];
                 let worst = tallies.iter().flatten().map(of).fold(0.0, f64::max);
@@ -134,7 +132,7 @@ fn places(tallies: &[Vec<Tally>; 2]) {
 
 fn refusals(tallies: &[Vec<Tally>; 2]) {
     println!(
-        "\nRefused, by way; solved by the first alone, by the last alone, refused otherwise, decided by the data:\n"
+        "\nRefused, constant and tunable; solved by the first alone, by the last alone, refused otherwise, decided by the data:\n"
     );
     for tally in tallies.iter().flatten() {
         let ([first, last, otherwise], decided) = (tally.differences, tally.decided);

@@ -1,18 +1,18 @@
-//! The mechanisms, each declared once for every kind of numerics and once with its dimensions as
-//! parameters, behind functions of lists.
+//! The mechanisms, each declared once with constant dimensions and once with its dimensions as parameters,
+//! behind functions of lists.
 
 use linkage_core::{Real, SolveError, mechanism};
 use linkage_tests::conditioning::State;
 use linkage_tests::double_double::DoubleDouble;
 use num_dual::Dual64;
 
-/// The kinds of numerics that are compared, in the order of [`Twin::ways`].
-pub(crate) const WAYS: [&str; 2] = ["plain", "fast"];
+/// How dimensions are declared, in the order of [`Twin::double`]: their formulas differ.
+pub(crate) const WAYS: [&str; 2] = ["constant", "tunable"];
 
 /// Rows of the positions, then of the velocities, then of the accelerations.
 pub(crate) type Answer<T> = Result<Vec<T>, SolveError>;
 
-/// A solver with constant dimensions.
+/// A solver with the dimensions of the declaration.
 #[derive(Clone, Copy)]
 pub(crate) struct Way<T> {
     pub(crate) motion: fn([&[T]; 3]) -> Answer<T>,
@@ -68,20 +68,16 @@ macro_rules! twin {
         mod $name {
             use super::*;
 
-            mechanism! { struct Plain {
+            mechanism! { struct Constant {
                 $(input $input: $kind;)* $(let $param = $($value)+;)* $($statements)*
             } }
-            mechanism! { struct Fast {
-                numerics fast;
-                $(input $input: $kind;)* $(let $param = $($value)+;)* $($statements)*
-            } }
-            mechanism! { struct Exact {
+            mechanism! { struct Tunable {
                 $(input $input: $kind;)* $(param $param = $($value)+;)* $($statements)*
             } }
 
-            fn exact<T: linkage_core::Scalar>(params: &[T]) -> Exact<T> {
+            fn tuned<T: linkage_core::Scalar>(params: &[T]) -> Tunable<T> {
                 let [$($param),*] = params.try_into().expect("as many parameters");
-                Exact { $($param),* }
+                Tunable { $($param),* }
             }
 
             pub(super) const TWIN: Twin = Twin {
@@ -89,12 +85,12 @@ macro_rules! twin {
                 group: $group,
                 inputs: &[$(input_kind!($kind $(between $low $high)?)),*],
                 params: &[$($($value)+),*],
-                labels: &Exact::OUTPUTS,
-                double: [way!(Plain [$($input)*]), way!(Fast [$($input)*])],
-                single: [way!(Plain [$($input)*]), way!(Fast [$($input)*])],
+                labels: &Tunable::OUTPUTS,
+                double: [way!(Constant [$($input)*]), way!(Tunable [$($input)*])],
+                single: [way!(Constant [$($input)*]), way!(Tunable [$($input)*])],
                 truth: |at| {
                     let [q, rate, second] = [&at.inputs[..], &at.rates, &at.seconds];
-                    let solver = exact(&at.params);
+                    let solver = tuned(&at.params);
                     let (motion, _) = solver.solve_motion(
                         given!([$($input)*], q),
                         given!([$($input)*], rate),
@@ -104,7 +100,7 @@ macro_rules! twin {
                 },
                 dual: |at| {
                     let [q, rate, second] = [&at.inputs[..], &at.rates, &at.seconds];
-                    let solver = exact(&at.params);
+                    let solver = tuned(&at.params);
                     Ok(rows!(solver.motion(
                         given!([$($input)*], q),
                         given!([$($input)*], rate),

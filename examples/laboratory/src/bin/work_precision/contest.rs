@@ -72,8 +72,6 @@ fn four_bar<F: Width>() -> Bench<F, 14> {
         move |[t, w, a]| compensated.motion(t, w, a),
         g::four_bar_compensated,
     );
-    let fast = g::FourBarFast::<F>::default();
-    bench.closed("generated, fast", move |[t, w, a]| fast.motion(t, w, a), g::four_bar_fast);
     bench.swept("generated, sweep", move |input, slices| {
         let swept = batches::four_bar(&solver, input, slices);
         assert_eq!(swept, Ok(()), "all slices are of one length");
@@ -103,8 +101,6 @@ fn six_bar<F: Width>() -> Bench<F, 13> {
     bench.closed("num-dual", dual::six_bar::<F>, |out| *out);
     let solver = g::SixBar::<F>::default();
     bench.closed("generated", move |[t, w, a]| solver.motion(t, w, a), g::six_bar);
-    let fast = g::SixBarFast::<F>::default();
-    bench.closed("generated, fast", move |[t, w, a]| fast.motion(t, w, a), g::six_bar_fast);
     bench.swept("generated, sweep", move |input, slices| {
         let swept = batches::six_bar(&solver, input, slices);
         assert_eq!(swept, Ok(()), "all slices are of one length");

@@ -14,7 +14,7 @@ pub(crate) struct Measured {
 }
 
 /// The methods' families with their shapes; every Newton is one, whatever its steps.
-const FAMILIES: [(&str, MarkerShape); 9] = [
+const FAMILIES: [(&str, MarkerShape); 8] = [
     ("straightforward", MarkerShape::Square),
     ("tuned by hand", MarkerShape::Diamond),
     ("half angles", MarkerShape::Triangle),
@@ -22,7 +22,6 @@ const FAMILIES: [(&str, MarkerShape); 9] = [
     ("num-dual", MarkerShape::TriangleDown),
     ("generated, compensated", MarkerShape::Star),
     ("generated, sweep", MarkerShape::Plus),
-    ("generated, fast", MarkerShape::Circle),
     ("generated", MarkerShape::Circle),
 ];
 

@@ -1,38 +1,38 @@
-//! Mechanisms under `numerics fast;`, and the same without, of which other formulas are made.
+//! Mechanisms whose lengths are constants, and the same with parameters in place of them, of which other
+//! formulas are made.
 
 use linkage_core::mechanism;
 
-mechanism! {
-    /// Bars of known lengths between a joint of the ground and one that inputs put anywhere.
-    pub struct FastBars {
-        numerics fast;
+/// A mechanism of constant lengths, and of parameters.
+macro_rules! twins {
+    ($(#[$what:meta])* $constant:ident, $tuned:ident, [$($length:ident = $value:tt),*], { $($statements:tt)* }) => {
+        mechanism! {
+            $(#[$what])*
+            pub struct $constant { $(let $length = $value;)* $($statements)* }
+        }
+        mechanism! {
+            $(#[$what])*
+            pub struct $tuned { $(param $length = $value;)* $($statements)* }
+        }
+    };
+}
+
+twins! {
+    /// Bars between a joint of the ground and one that inputs put anywhere.
+    ConstantBars, TunedBars, [bc = 0.625m, dc = 1m], {
         input dx, dy: length;
 
         ground B(0, 0);
         point D at (dx, dy);
-        rrr BC(B), DC(D) -> C { lengths: (0.625m, 1m), mode: left }
+        rrr BC(B), DC(D) -> C { lengths: (bc, dc), mode: left }
 
         output C, BC, DC;
     }
 }
 
 mechanism! {
-    /// The same without.
-    pub struct PlainBars {
-        input dx, dy: length;
-
-        ground B(0, 0);
-        point D at (dx, dy);
-        rrr BC(B), DC(D) -> C { lengths: (0.625m, 1m), mode: left }
-
-        output C, BC, DC;
-    }
-}
-
-mechanism! {
-    /// `FastBars`, 4096 times as small.
-    pub struct FastSmallBars {
-        numerics fast;
+    /// `ConstantBars`, 4096 times as small.
+    pub struct ConstantSmallBars {
         input dx, dy: length;
 
         ground B(0, 0);
@@ -45,8 +45,7 @@ mechanism! {
 
 mechanism! {
     /// Such bars of a length whose fourth power f32 does not hold.
-    pub struct FastTinyBars {
-        numerics fast;
+    pub struct ConstantTinyBars {
         input dx, dy: length;
 
         ground B(0, 0);
@@ -57,15 +56,14 @@ mechanism! {
     }
 }
 
-mechanism! {
+twins! {
     /// Such bars, one a thousand times as long as the other.
-    pub struct FastUnequalBars {
-        numerics fast;
+    ConstantUnequalBars, TunedUnequalBars, [bc = 1m, dc = 1mm], {
         input dx, dy: length;
 
         ground B(0, 0);
         point D at (dx, dy);
-        rrr BC(B), DC(D) -> C { lengths: (1m, 1mm), mode: right }
+        rrr BC(B), DC(D) -> C { lengths: (bc, dc), mode: right }
 
         output C, BC, DC;
     }
@@ -73,8 +71,7 @@ mechanism! {
 
 mechanism! {
     /// A crank that reaches both toggles, the shorter bar first, next to the crank's pivot.
-    pub struct FastRocker {
-        numerics fast;
+    pub struct ConstantRocker {
         input theta: angle;
 
         ground A(0, 0), D(3, 0);
@@ -87,8 +84,7 @@ mechanism! {
 
 mechanism! {
     /// A crank between whose toggles a short bar turns half a turn.
-    pub struct FastShortBar {
-        numerics fast;
+    pub struct ConstantShortBar {
         input theta: angle;
 
         ground A(0, 0), D(3, 0);
@@ -99,12 +95,10 @@ mechanism! {
     }
 }
 
-mechanism! {
-    /// Two cranks, and a bar whose length is not known: what is fast is the sine alone.
-    pub struct FastTuned {
-        numerics fast;
+twins! {
+    /// Two cranks, and two bars between them.
+    ConstantCranks, TunedCranks, [l = 0.9m], {
         input theta, phi: angle;
-        param l = 0.9m;
 
         ground A(0, 0), D(1, 0);
         crank AB(A) -> B        { length: 0.3m, angle: theta }
@@ -113,45 +107,16 @@ mechanism! {
 
         output C, BC;
     }
-}
-
-mechanism! {
-    /// The same without.
-    pub struct PlainTuned {
-        input theta, phi: angle;
-        param l = 0.9m;
-
-        ground A(0, 0), D(1, 0);
-        crank AB(A) -> B        { length: 0.3m, angle: theta }
-        crank DE(D) -> E        { length: 0.2m, angle: phi }
-        rrr   BC(B), EC(E) -> C { lengths: (l, 0.7m), mode: left }
-
-        output C, BC;
-    }
-}
-
-/// A mechanism with and without `fast`.
-macro_rules! twins {
-    ($(#[$what:meta])* $fast:ident, $plain:ident, { $($statements:tt)* }) => {
-        mechanism! {
-            $(#[$what])*
-            pub struct $fast { numerics fast; $($statements)* }
-        }
-        mechanism! {
-            $(#[$what])*
-            pub struct $plain { $($statements)* }
-        }
-    };
 }
 
 twins! {
     /// Bars of one length, whose outer joints may meet.
-    FastEqualBars, PlainEqualBars, {
+    ConstantEqualBars, TunedEqualBars, [bc = 1m, dc = 1m], {
         input dx, dy: length;
 
         ground B(0, 0);
         point D at (dx, dy);
-        rrr BC(B), DC(D) -> C { lengths: (1m, 1m), mode: left }
+        rrr BC(B), DC(D) -> C { lengths: (bc, dc), mode: left }
 
         output C, BC, DC;
     }
@@ -160,12 +125,12 @@ twins! {
 twins! {
     /// A crank whose pin comes near to the other pivot: the square of their distance is that of a sum of
     /// squares, which the cosine alone would give with a thirtieth of the digits.
-    FastClose, PlainClose, {
+    ConstantClose, TunedClose, [ab = 0.9375m, bc = 1m, dc = 1.03125m], {
         input theta: angle;
 
         ground A(0, 0), D(1m, 0);
-        crank AB(A) -> B        { length: 0.9375m, angle: theta }
-        rrr   BC(B), DC(D) -> C { lengths: (1m, 1.03125m), mode: left }
+        crank AB(A) -> B        { length: ab, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (bc, dc), mode: left }
 
         output C;
     }
@@ -173,12 +138,12 @@ twins! {
 
 twins! {
     /// A crank that is longer than the base, with masses.
-    FastDragLink, PlainDragLink, {
+    ConstantDragLink, TunedDragLink, [ab = 0.3m, bc = 0.3m, dc = 0.25m], {
         input theta: angle;
 
         ground A(0, 0), D(62.5mm, 62.5mm);
-        crank AB(A) -> B        { length: 0.3m, angle: theta }
-        rrr   BC(B), DC(D) -> C { lengths: (0.3m, 0.25m), mode: left }
+        crank AB(A) -> B        { length: ab, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (bc, dc), mode: left }
 
         gravity (0, -9.81);
         mass 2kg on BC uniform;
@@ -190,15 +155,15 @@ twins! {
 
 twins! {
     /// Two loops: between two cranks, and between a point that swings with one of them and the ground.
-    FastFiveBar, PlainFiveBar, {
+    ConstantFiveBar, TunedFiveBar, [ab = 0.125m, bc = 0.5m, ec = 0.4375m, qg = 0.375m, fg = 0.4375m], {
         input theta: angle;
 
         ground A(0, 0), D(0.5, 0.0625), F(0.25, -0.5);
-        crank AB(A) -> B        { length: 0.125m, angle: theta }
+        crank AB(A) -> B        { length: ab, angle: theta }
         crank DE(D) -> E        { length: 0.1m, angle: 40deg - 2 * theta }
-        rrr   BC(B), EC(E) -> C { lengths: (0.5m, 0.4375m), mode: left }
+        rrr   BC(B), EC(E) -> C { lengths: (bc, ec), mode: left }
         point Q on DE at (0.0625m, 0.125m);
-        rrr   QG(Q), FG(F) -> G { lengths: (0.375m, 0.4375m), mode: right }
+        rrr   QG(Q), FG(F) -> G { lengths: (qg, fg), mode: right }
 
         output C, G, BC, EC, QG, FG;
     }
@@ -207,15 +172,15 @@ twins! {
 twins! {
     /// Two loops: behind a crank whose pivot is aside of the rocker's, the longer bar first, and
     /// between a coupler's point and a rocker's.
-    FastWatt, PlainWatt, {
+    ConstantWatt, TunedWatt, [ab = 0.1m, bc = 0.25m, dc = 0.2m, pe = 0.3m, qe = 0.2m], {
         input theta: angle;
 
         ground A(0, 0), D(0.3, 0.125);
-        crank AB(A) -> B        { length: 0.1m, angle: theta }
-        rrr   BC(B), DC(D) -> C { lengths: (0.25m, 0.2m), mode: left }
+        crank AB(A) -> B        { length: ab, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (bc, dc), mode: left }
         point P on BC at (150mm, 50mm);
         point Q on DC at (50mm, -20mm);
-        rrr   PE(P), QE(Q) -> E { lengths: (0.3m, 0.2m), mode: right }
+        rrr   PE(P), QE(Q) -> E { lengths: (pe, qe), mode: right }
 
         output P, C, E, BC, DC, PE, QE;
     }
@@ -224,14 +189,14 @@ twins! {
 twins! {
     /// Two loops: behind a crank whose pivot is on the level of the rocker's, the shorter bar first, and
     /// between a coupler's point and one of the ground.
-    FastStephenson, PlainStephenson, {
+    ConstantStephenson, TunedStephenson, [ab = 0.1m, bc = 0.2m, dc = 0.25m, pe = 0.35m, fe = 0.3m], {
         input theta: angle;
 
         ground A(0.1, -0.2), D(0.4, -0.2), F(0.1, 0.3);
-        crank AB(A) -> B        { length: 0.1m, angle: 2 * theta + 10deg }
-        rrr   BC(B), DC(D) -> C { lengths: (0.2m, 0.25m), mode: left }
+        crank AB(A) -> B        { length: ab, angle: 2 * theta + 10deg }
+        rrr   BC(B), DC(D) -> C { lengths: (bc, dc), mode: left }
         point P on BC at (50mm, 50mm);
-        rrr   PE(P), FE(F) -> E { lengths: (0.35m, 0.3m), mode: left }
+        rrr   PE(P), FE(F) -> E { lengths: (pe, fe), mode: left }
 
         output P, C, E, BC, DC, PE, FE;
     }
@@ -240,12 +205,12 @@ twins! {
 twins! {
     /// A crank that reaches both toggles aside of the other pivot: at both of them its angle tells how
     /// far the joints are apart.
-    FastReach, PlainReach, {
+    ConstantReach, TunedReach, [ab = 1m, bc = 0.5m, dc = 2.75m], {
         input theta: angle;
 
         ground A(0.25, -0.5), D(3.25, 0.25);
-        crank AB(A) -> B        { length: 1m, angle: theta }
-        rrr   BC(B), DC(D) -> C { lengths: (0.5m, 2.75m), mode: right }
+        crank AB(A) -> B        { length: ab, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (bc, dc), mode: right }
 
         output C, AB, BC, DC;
     }
@@ -253,11 +218,11 @@ twins! {
 
 twins! {
     /// A block on a crank's pin, the bar's pivot aside and outside of the crank's circle.
-    FastBlock, PlainBlock, {
+    ConstantBlock, TunedBlock, [ab = 0.4m], {
         input theta: angle;
 
         ground A(0.1, -0.2), D(0.3, 0.5);
-        crank AB(A) -> B        { length: 0.4m, angle: theta }
+        crank AB(A) -> B        { length: ab, angle: theta }
         rpr   block(B), rod(D)  { mode: behind }
         point E on rod at (0.2, 0.1);
 
@@ -267,11 +232,11 @@ twins! {
 
 twins! {
     /// The bar's pivot within the circle.
-    FastInnerBlock, PlainInnerBlock, {
+    ConstantInnerBlock, TunedInnerBlock, [ab = 0.1m], {
         input theta: angle;
 
         ground A(0, 0), D(-0.03, 0.01);
-        crank AB(A) -> B        { length: 0.1m, angle: theta }
+        crank AB(A) -> B        { length: ab, angle: theta }
         rpr   block(B), rod(D)  { mode: ahead }
 
         output rod, block.slide;
@@ -280,8 +245,7 @@ twins! {
 
 mechanism! {
     /// A block that comes to a tenth of its farthest distance from the pivot.
-    pub struct FastNearBlock {
-        numerics fast;
+    pub struct ConstantNearBlock {
         input theta: angle;
 
         ground A(0, 0), D(122mm, 0);

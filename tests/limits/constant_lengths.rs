@@ -1,9 +1,10 @@
-//! `numerics fast;`: as right as plain numbers but for a last place or two, and as careful at limits.
+//! Bars of constant lengths: their formulas are as right as those of parameters but for a last place or two,
+//! and as careful at limits.
 
 use linkage_core::{Real, Record, Scalar, SolveError};
 use linkage_tests::double_double::DoubleDouble;
 use linkage_tests::in_both_widths;
-use linkage_tests::mechanisms::fast::*;
+use linkage_tests::mechanisms::twins::*;
 use linkage_tests::random::Random;
 use linkage_tests::widths::number;
 
@@ -22,7 +23,7 @@ fn toggles<T: Real>() {
     for ulps in -6..=6 {
         for (reach, side) in [(1.625, 1.0), (0.375, -1.0)] {
             let d = moved::<T>(reach, ulps);
-            let solver = FastBars::<T>::default();
+            let solver = ConstantBars::<T>::default();
             let q = [number(d), number(0.0)];
             let Ok(pose) = solver.position(q) else { continue };
             assert!(pose.into_array().into_iter().all(|x| x.value().is_finite()));
@@ -41,7 +42,7 @@ fn toggles<T: Real>() {
         }
     }
     assert!(beyond >= 4 && within >= 10, "{beyond} {within}");
-    let apart = FastBars::<T>::default().position([number(1.75), number(0.0)]);
+    let apart = ConstantBars::<T>::default().position([number(1.75), number(0.0)]);
     assert_eq!(apart.map(|_| ()), Err(SolveError::OutOfReach { group: "BC, DC", by: 0.125 }));
 }
 
@@ -49,13 +50,13 @@ fn toggles<T: Real>() {
 /// velocity, and what is within is as high as it is without rounding, or nearly. S counts as it is where it
 /// is above 16 ε of its spread, and is wrong by 2.5 of these at most: S by a fifth, the height by a tenth.
 fn toggles_in_any_direction<T: Real>() {
-    let solver = FastBars::<T>::default();
+    let solver = ConstantBars::<T>::default();
     toggles_of(
         |q| solver.position(q).map(|pose| [pose.C.x, pose.C.y]),
         |q, rate| solver.velocity(q, rate).map(|_| ()),
     );
     // Whatever the power of two that all is made smaller by, nothing is rounded otherwise.
-    let (solver, small, large) = (FastSmallBars::<T>::default(), 1.0 / 4096.0, 4096.0);
+    let (solver, small, large) = (ConstantSmallBars::<T>::default(), 1.0 / 4096.0, 4096.0);
     let scaled = |q: [T; 2], by: f64| q.map(|q| number(q.value() * by));
     toggles_of(
         |q| solver.position(scaled(q, small)).map(|pose| scaled([pose.C.x, pose.C.y], large)),
@@ -106,7 +107,7 @@ fn toggles_of<T: Real>(
 
 /// Bars that are not for the fourth power of their lengths: a picometre is answered like a metre.
 fn tiny_bars<T: Real>() {
-    let (tiny, bars) = (FastTinyBars::<T>::default(), FastBars::<T>::default());
+    let (tiny, bars) = (ConstantTinyBars::<T>::default(), ConstantBars::<T>::default());
     for step in 0..1200 {
         let (d, turn) = (0.4 + f64::from(step) / 1000.0, f64::from(step) / 7.0);
         let q = [d * turn.cos(), d * turn.sin()];
@@ -121,16 +122,17 @@ fn tiny_bars<T: Real>() {
     }
 }
 
-/// Joints that nearly meet, of any size: answered as without `fast`.
+/// Joints that nearly meet, of any size: answered as with parameters.
 fn joints_that_meet<T: Real>() {
-    let (fast, plain) = (FastEqualBars::<T>::default(), PlainEqualBars::<T>::default());
+    let (constant, tuned) = (ConstantEqualBars::<T>::default(), TunedEqualBars::<T>::default());
     let mut kinds = [0; 3];
     for exponent in -330..=2 {
         for turn in [0.0_f64, 0.7, 1.6] {
             let d = 10f64.powi(exponent);
             let q = [d * turn.cos(), d * turn.sin()].map(number::<T>);
-            let found = fast.position(q).map(|p| assert!(length_error(p.BC.cos, p.BC.sin) < 1e-6));
-            assert_eq!(found, plain.position(q).map(|_| ()), "{q:?}");
+            let found =
+                constant.position(q).map(|p| assert!(length_error(p.BC.cos, p.BC.sin) < 1e-6));
+            assert_eq!(found, tuned.position(q).map(|_| ()), "{q:?}");
             kinds[match found {
                 Ok(()) => 0,
                 Err(SolveError::Singular { .. }) => 1,
@@ -144,7 +146,7 @@ fn joints_that_meet<T: Real>() {
 /// Rates of any size, up to where a toggle makes them a thousand times as large: what is called solved is
 /// finite, and what somebody may mean is solved at once.
 fn rates_of_any_size<T: Real + Scalar<Mask = bool>>() {
-    let solver = FastRocker::<T>::default();
+    let solver = ConstantRocker::<T>::default();
     let all_finite = |rows: &[T]| rows.iter().all(|row| row.value().is_finite());
     let mut random = Random::new(17);
     // Of the largest number, and of what is solved at once: 2²⁰ rad/s or 51 471, and their squares.
@@ -179,7 +181,7 @@ fn lengths<T: Real>() {
         let reach = if random.between(-1.0, 1.0) < 0.0 { 1.001 } else { 0.999 };
         let d = if near { moved::<T>(reach, ulps) } else { random.between(0.9991, 1.0009) };
         let q = [d * turn.cos(), d * turn.sin()].map(number::<T>);
-        let Ok(pose) = FastUnequalBars::<T>::default().position(q) else { continue };
+        let Ok(pose) = ConstantUnequalBars::<T>::default().position(q) else { continue };
         solved += 1;
         let [bc, dc] = [pose.BC, pose.DC].map(|link| length_error(link.cos, link.sin));
         // Some ten roundings on the way from d to a direction.
@@ -189,15 +191,48 @@ fn lengths<T: Real>() {
     // Behind a crank: d² = 10 − 6 cos θ is 2.997² and 3.003² at the toggles.
     for step in 0..2000 {
         let theta = number(1.40031 + 3e-6 * f64::from(step));
-        let pose = FastShortBar::<T>::default().position(theta).expect("it is between the toggles");
+        let pose =
+            ConstantShortBar::<T>::default().position(theta).expect("it is between the toggles");
         let [bc, dc] = [pose.BC, pose.DC].map(|link| length_error(link.cos, link.sin));
         assert!(bc.max(dc) <= 8.0 * T::EPSILON, "{bc:e} {dc:e} at {step}");
     }
 }
 
+/// Accelerations of bars whose lengths are parameters, one a thousand times as long as the other, in either
+/// order. A joint's coordinate rounded once, by ε of itself, changes them by 9·10⁴ ε of the largest (second
+/// differences in 60 digits at 60 such poses); four such roundings are allowed. With the weights of the
+/// centripetal terms exchanged they are off by 8·10⁵ and 4·10⁶ ε.
+#[test]
+fn centripetal_terms_of_unequal_bars_keep_their_digits() {
+    let mut random = Random::new(23);
+    let mut worst = [0.0_f64; 2];
+    for pose in 0..2000 {
+        let mut solver = TunedUnequalBars::new();
+        if pose % 2 == 1 {
+            core::mem::swap(&mut solver.bc, &mut solver.dc);
+        }
+        let (d, turn) = (random.anywhere(0.9993, 1.0007), random.anywhere(-3.2, 3.2));
+        let q = [d * turn.cos(), d * turn.sin()];
+        // Both bars turn with the line of the joints, the short one a hundred times as fast.
+        let [rate, second] = [[-q[1], q[0]], [0.3 * q[0], 0.2]];
+        let rate = [rate[0] + 0.05 * q[0], rate[1] + 0.05 * q[1]];
+        let found = solver.motion(q, rate, second).expect("it is between the toggles");
+        let exact = solver.lift::<DoubleDouble<false>>();
+        let [q, rate, second] = [q, rate, second].map(|list| list.map(DoubleDouble::<false>::new));
+        let (truth, _) = exact.solve_motion(q, rate, second);
+        let (found, truth) = (found.acceleration.rows(), truth.acceleration.rows());
+        let size = truth.iter().fold(0.0_f64, |size, number| size.max(number.high.abs()));
+        for (found, truth) in found.into_iter().zip(truth) {
+            let error = (DoubleDouble::new(found) - truth).high.abs() / size;
+            worst[pose % 2] = worst[pose % 2].max(error / f64::EPSILON);
+        }
+    }
+    assert!(worst.iter().all(|&worst| worst <= 3.6e5), "{worst:?} ε");
+}
+
 /// A crank through both toggles: right, or refused.
 fn through_toggles<T: Real>() {
-    let solver = FastRocker::<T>::default();
+    let solver = ConstantRocker::<T>::default();
     // d² = 10 − 6 cos θ is 9 where the bars are stretched, 4 where they are folded.
     let stretched = (1.0_f64 / 6.0).acos();
     let mut solved = 0;
@@ -256,7 +291,7 @@ fn quarter_turns(most: i32) -> impl Iterator<Item = f64> {
 /// quarter turn.
 #[test]
 fn a_crank_next_to_a_quarter_turn_is_right_to_its_places() {
-    let (solver, exact) = (FastRocker::new(), FastRocker::<DoubleDouble<false>>::default());
+    let (solver, exact) = (ConstantRocker::new(), ConstantRocker::<DoubleDouble<false>>::default());
     let mut solved = 0;
     for theta in quarter_turns(128) {
         let Ok(pose) = solver.position(theta) else { continue };
@@ -276,52 +311,52 @@ fn a_crank_next_to_a_quarter_turn_is_right_to_its_places() {
 /// the next one's bars with 1/sin μ at each of three divisions, which is below 2 here. And other formulas
 /// for the same give the same.
 macro_rules! agrees {
-    ($name:ident: $fast:ident $plain:ident) => {
+    ($name:ident: $constant:ident $tuned:ident) => {
         #[test]
         fn $name() {
-            let fast = |q| $fast::new().motion(q, 20.0, 50.0).unwrap().into_array();
-            let plain = |q| $plain::new().motion(q, 20.0, 50.0).unwrap().into_array();
+            let constant = |q| $constant::new().motion(q, 20.0, 50.0).unwrap().into_array();
+            let tuned = |q| $tuned::new().motion(q, 20.0, 50.0).unwrap().into_array();
             let exact = |q: f64| {
                 let [q, w, a] = [q, 20.0, 50.0].map(DoubleDouble::<false>::new);
-                let (motion, _) = $fast::<DoubleDouble<false>>::default().solve_motion(q, w, a);
+                let (motion, _) = $constant::<DoubleDouble<false>>::default().solve_motion(q, w, a);
                 motion.into_array().map(|number| number.high)
             };
-            let (error, difference) = (largest(fast, exact), largest(fast, plain));
+            let (error, difference) = (largest(constant, exact), largest(constant, tuned));
             assert!(error <= 40.0 && difference <= 60.0, "{error:.1} {difference:.1}");
         }
     };
 }
 
-agrees! { behind_a_crank_and_between_links: FastWatt PlainWatt }
-agrees! { behind_a_crank_on_the_level: FastStephenson PlainStephenson }
+agrees! { behind_a_crank_and_between_links: ConstantWatt TunedWatt }
+agrees! { behind_a_crank_on_the_level: ConstantStephenson TunedStephenson }
 // Accelerations of a block that comes as near to the pivot as a third of its farthest distance: b² has
 // three times the places of a sum of squares, of which the bar's second rate takes 1/b and 1/b².
-agrees! { a_block_on_a_crank: FastBlock PlainBlock }
-agrees! { a_block_on_a_crank_about_the_pivot: FastInnerBlock PlainInnerBlock }
+agrees! { a_block_on_a_crank: ConstantBlock TunedBlock }
+agrees! { a_block_on_a_crank_about_the_pivot: ConstantInnerBlock TunedInnerBlock }
 
 /// The slide is the length of what the direction is made of, whatever that is off by: five roundings. A b²
 /// that is affine would be off by 50 ε where its parts are a hundred times as large.
 #[test]
 fn a_direction_next_to_its_pivot_has_its_length() {
     for theta in angles() {
-        let pose = FastNearBlock::new().position(theta).unwrap();
+        let pose = ConstantNearBlock::new().position(theta).unwrap();
         let error = length_error(pose.rod.cos, pose.rod.sin);
         assert!(error <= 4.0 * f64::EPSILON, "{:.1} ε at {theta}", error / f64::EPSILON);
     }
 }
 
-agrees! { behind_a_crank_longer_than_the_base: FastDragLink PlainDragLink }
-agrees! { between_cranks_and_beside_one: FastFiveBar PlainFiveBar }
+agrees! { behind_a_crank_longer_than_the_base: ConstantDragLink TunedDragLink }
+agrees! { between_cranks_and_beside_one: ConstantFiveBar TunedFiveBar }
 
 /// The pin comes to 1/16 m of the other pivot, where its own rounding, up to 1 ε, turns the line of the
 /// joints by 16 ε and moves the foot of C by (1/2 + (l₃² − l₂²)/2d²) ε = 9 ε: 25 ε, and some more for
 /// the formulas. An affine d² would be wrong by 3 ε of D² + a², and C by 200 ε.
 #[test]
 fn a_pin_near_the_other_pivot_keeps_its_digits() {
-    let (fast, exact) = (FastClose::new(), PlainClose::<DoubleDouble<false>>::default());
+    let (constant, exact) = (ConstantClose::new(), TunedClose::<DoubleDouble<false>>::default());
     for step in -400..=400 {
         let theta = f64::from(step) / 8192.0;
-        let found = fast.position(theta).expect("the bars are long enough").C;
+        let found = constant.position(theta).expect("the bars are long enough").C;
         let (truth, _) = exact.solve_position(DoubleDouble::new(theta));
         for (found, truth) in [(found.x, truth.C.x), (found.y, truth.C.y)] {
             let error = (DoubleDouble::new(found) - truth).high.abs();
@@ -330,27 +365,27 @@ fn a_pin_near_the_other_pivot_keeps_its_digits() {
     }
 }
 
-/// Forces take the bars and 1/J from here: those without `fast`, but for accelerations of up to 60 ε.
+/// Forces take the bars and 1/J from here: those with parameters, but for accelerations of up to 60 ε.
 #[test]
-fn forces_are_those_without() {
-    let fast = |q| FastDragLink::new().forces(q, 20.0, 50.0).unwrap().into_array();
-    let plain = |q| PlainDragLink::new().forces(q, 20.0, 50.0).unwrap().into_array();
-    let difference = largest(fast, plain);
+fn forces_are_those_with_parameters() {
+    let constant = |q| ConstantDragLink::new().forces(q, 20.0, 50.0).unwrap().into_array();
+    let tuned = |q| TunedDragLink::new().forces(q, 20.0, 50.0).unwrap().into_array();
+    let difference = largest(constant, tuned);
     assert!(difference <= 100.0, "{difference:.1}");
 }
 
-/// Joints that inputs put anywhere are solved on the fast path, with `fast` and without.
+/// Joints that inputs put anywhere are solved on the constant path, of constant lengths and of others.
 fn driven_joints_are_solved_at_once<T: Real + Scalar<Mask = bool>>() {
     let [q, rate, second] = [[0.9, 0.3], [1.0, 0.5], [0.2, 0.3]].map(|list| list.map(number::<T>));
-    let (fast, plain) = (FastBars::<T>::default(), PlainBars::<T>::default());
-    assert!(fast.solve_position(q).1 && plain.solve_position(q).1);
-    assert!(fast.solve_motion(q, rate, second).1 && plain.solve_motion(q, rate, second).1);
-    assert!(fast.solve_coefficients(q).1 && plain.solve_coefficients(q).1);
+    let (constant, tuned) = (ConstantBars::<T>::default(), TunedBars::<T>::default());
+    assert!(constant.solve_position(q).1 && tuned.solve_position(q).1);
+    assert!(constant.solve_motion(q, rate, second).1 && tuned.solve_motion(q, rate, second).1);
+    assert!(constant.solve_coefficients(q).1 && tuned.solve_coefficients(q).1);
 }
 
 #[test]
-fn what_is_not_constant_is_solved_as_without() {
-    let solver = FastTuned::<f64>::default();
+fn what_is_not_constant_is_solved_as_well() {
+    let solver = TunedCranks::<f64>::default();
     let pose = solver.position([0.3, 1.2]).unwrap();
     assert!(length_error(pose.BC.cos, pose.BC.sin) <= 4.0 * f64::EPSILON);
     // Beyond the kernel's range the slow path reduces the angle.
@@ -358,9 +393,9 @@ fn what_is_not_constant_is_solved_as_without() {
     let turned = (0.3 + 1e7) % core::f64::consts::TAU;
     let near = solver.position([turned, 1.2]).unwrap();
     assert!((far.C.x - near.C.x).abs() <= 1e-8);
-    let refused = FastWatt::new().position(f64::NAN).map(|_| ());
+    let refused = ConstantWatt::new().position(f64::NAN).map(|_| ());
     assert_eq!(refused, Err(SolveError::NotFinite { name: "theta" }));
-    assert!(FastWatt::new().position(1e7).is_ok());
+    assert!(ConstantWatt::new().position(1e7).is_ok());
 }
 
 in_both_widths! { toggles toggles_in_any_direction tiny_bars driven_joints_are_solved_at_once joints_that_meet lengths rates_of_any_size

@@ -1,0 +1,199 @@
+//! The triangle of the joints B, D and C: what the position of the group is made of.
+
+use std::ops::{Add, Mul, Sub};
+
+use crate::equations::crank_pin::CrankPin;
+use crate::equations::double_word::DoubleWord;
+use crate::equations::motion::PointMotion;
+use crate::equations::parts::GroupScope;
+use crate::equations::symbol::{Sym, Vector};
+use crate::ir::graph::Check;
+use crate::model::mechanism::Numerics;
+
+/// The bars as multiples of d and d⊥.
+pub(super) struct Triangle<'s> {
+    pub(super) lengths: [Sym<'s>; 2],
+    /// d
+    pub(super) line: Vector<'s>,
+    /// The crank that B is the pin of, where it is one.
+    pub(super) crank: Option<CrankPin<'s>>,
+    /// i/2
+    pub(super) half: Sym<'s>,
+    /// d·r₂ = a d² and −d·r₃ = b d²
+    pub(super) shares: [Sym<'s>; 2],
+    /// The place of the bar that is known not to be the longer one.
+    pub(super) shorter: Option<usize>,
+    /// a and b
+    along: [Sym<'s>; 2],
+    /// h
+    height: Sym<'s>,
+    /// 1/J
+    pub(super) inverse: Sym<'s>,
+}
+
+impl<'s> Triangle<'s> {
+    /// r₂ and r₃.
+    pub(super) fn bars(&self) -> [Vector<'s>; 2] {
+        self.both(self.line, self.height * self.line.normal())
+    }
+
+    /// Of both bars what a linear map makes of them, from the map of d and that of h d⊥.
+    pub(super) fn both<V>(&self, line: V, across: V) -> [V; 2]
+    where
+        V: Copy + Add<Output = V> + Sub<Output = V>,
+        Sym<'s>: Mul<V, Output = V>,
+    {
+        let [a, b] = self.along;
+        let (second, third) = (|| a * line + across, || across - b * line);
+        match self.shorter {
+            // Halves of d cost nothing.
+            _ if a.is_constant() => [second(), third()],
+            Some(0) => [second(), second() - line],
+            Some(_) => [third() + line, third()],
+            None => [second(), third()],
+        }
+    }
+
+    /// The products of both bars with a vector f, from d·f and d × f: those with it, and those
+    /// across, r × f.
+    pub(super) fn products(&self, dot: Sym<'s>, cross: Sym<'s>) -> [[Sym<'s>; 2]; 2] {
+        let dots = self.both(dot, self.height * cross);
+        let crosses = self.both(cross, -(self.height * dot));
+        [dots, crosses]
+    }
+}
+
+/// i/2 and 2 l₂ l₃ − i/2, which vanish at the inner and at the outer toggle.
+struct Factors<'s> {
+    near: Sym<'s>,
+    far: Sym<'s>,
+}
+
+pub(super) fn triangle<'s>(
+    scope: &GroupScope<'s>,
+    joints: [PointMotion<'s>; 2],
+    [l2, l3]: [Sym<'s>; 2],
+    mode: Sym<'s>,
+) -> Triangle<'s> {
+    let line = scope.call_vector("d", joints[0].to(joints[1]));
+    let is_compensated = scope.numerics == Numerics::Compensated;
+    let crank = if is_compensated { None } else { CrankPin::of(joints) };
+    let plain = crank.map_or_else(|| line.dot(line), CrankPin::square);
+    let square = plain.provided(Check::Square, scope.group, &[line.x, line.y, l2, l3]);
+    let over_square = scope.call("inverse d2", scope.call("d2", square).recip());
+    let factors = match (is_compensated, crank) {
+        (true, _) => carried(line, [l2, l3]),
+        (false, Some(crank)) => behind_crank(crank, [l2, l3]),
+        (false, None) => {
+            let near = (plain - (l2 - l3).squared()).half();
+            Factors { near, far: (l2 * l3).twice() - near }
+        }
+    };
+    let half = scope.call("i half", factors.near);
+    let height = Height::of(scope, line, [l2, l3], factors, over_square, mode);
+
+    let difference = l2 - l3;
+    let shares = [half + l2 * difference, half - l3 * difference];
+    scope.call("a d2", shares[0]);
+    scope.call("b d2", shares[1]);
+    let along = if difference.is_zero() {
+        // d²/2d², an identity wherever 1/d² exists.
+        [line.x.sheet().integer(1).half(); 2]
+    } else {
+        // From i like J²: its rounding acts like one of d, and the bars keep their lengths.
+        let decided = |name, share: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
+            let operands = [height.rounded, line.x, line.y, near, far, height.spread];
+            let along =
+                (share * over_square).provided(Check::ShareOfCentres, scope.group, &operands);
+            scope.call(name, along)
+        };
+        [decided("a", shares[0], [l2, l3]), decided("b", shares[1], [l3, l2])]
+    };
+    let shorter = difference.constant_value().map(|difference| usize::from(difference > 0.0));
+    Triangle {
+        lengths: [l2, l3],
+        line,
+        crank,
+        half,
+        shares,
+        shorter,
+        along,
+        height: height.height,
+        inverse: height.inverse,
+    }
+}
+
+/// Behind a crank both factors are affine in the same product and wait for nothing else. The second one's
+/// own rounding makes the bars longer or shorter by last places of the longer one, so that neither may be
+/// more than four times as long as the other.
+fn behind_crank<'s>(crank: CrankPin<'s>, [l2, l3]: [Sym<'s>; 2]) -> Factors<'s> {
+    let [sum, along] = crank.square_parts();
+    let mean = (sum - (l2 - l3).squared()).half();
+    let (near, product) = (mean - along, (l2 * l3).twice());
+    let ratio = (l2 / l3).constant_value();
+    let are_comparable = ratio.is_some_and(|ratio| (0.25..=4.0).contains(&ratio.abs()));
+    Factors { near, far: if are_comparable { product - mean + along } else { product - near } }
+}
+
+/// The factors with the rounding errors of every sum and square put back.
+fn carried<'s>(d: Vector<'s>, lengths: [Sym<'s>; 2]) -> Factors<'s> {
+    let square = DoubleWord::square_of(d, DoubleWord::of_coordinate);
+    let [l2, l3] = lengths.map(DoubleWord::of_sum);
+    let near = square.difference((l2 - l3).squared()).half();
+    Factors { near, far: (l2 + l3).squared().difference(square).half() }
+}
+
+/// The height of C over d, and what follows from it.
+struct Height<'s> {
+    /// h
+    height: Sym<'s>,
+    /// 1/J: the division runs beside the root.
+    inverse: Sym<'s>,
+    /// J² or h², as rounding leaves it.
+    rounded: Sym<'s>,
+    /// Its size, of which rounding takes last places.
+    spread: Sym<'s>,
+}
+
+impl<'s> Height<'s> {
+    fn of(
+        scope: &GroupScope<'s>,
+        d: Vector<'s>,
+        [l2, l3]: [Sym<'s>; 2],
+        Factors { near, far }: Factors<'s>,
+        over_square: Sym<'s>,
+        mode: Sym<'s>,
+    ) -> Self {
+        let product = l2 * l3;
+        let has_room = has_room(product);
+        let (rounded, unit, spread) = if has_room {
+            (near * far, product.twice(), (l2 + l3).squared() * product)
+        } else {
+            let scaled = product * over_square;
+            ((near * over_square) * (far * over_square), scaled.twice(), scaled)
+        };
+        // The compensated factors are wrong by last places of themselves.
+        let spread =
+            if scope.numerics == Numerics::Compensated { d.x.sheet().zero() } else { spread };
+        let circles = [d.x, d.y, l2, l3, unit, spread];
+        let square = rounded.provided(Check::ReachCircles, scope.group, &circles);
+        let root = mode * square.sqrt();
+        let by_root = root * square.provided(Check::Nonzero, scope.group, &[]).recip();
+        let (height, inverse) = if has_room {
+            scope.call("j2", square);
+            (scope.call("j", root) * over_square, by_root)
+        } else {
+            scope.call("h2", square);
+            (root, by_root * over_square)
+        };
+        scope.call("h", height);
+        scope.call("inverse j", inverse);
+        Self { height, inverse, rounded, spread }
+    }
+}
+
+/// Whether the lengths are constant and far enough within the range of f32 for their fourth power: J² is
+/// looked at down to 16 ε of its largest value.
+fn has_room(product: Sym<'_>) -> bool {
+    product.constant_value().is_some_and(|product| (1e-12..1e12).contains(&product.abs()))
+}

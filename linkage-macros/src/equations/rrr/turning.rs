@@ -1,0 +1,121 @@
+//! How the bars of the dyad RRR turn.
+//!
+//! # Behind a crank
+//! Where B swings about a point of the ground with the arm a, and D is a point of the ground, the velocity
+//! ω a⊥ and the acceleration α a⊥ − ω² a of B lead to two products with a bar r, which serve both of its
+//! rates and are affine in h like r:
+//!
+//! ```text
+//! w·r = ω (r × a)       g·r = α (r × a) + ω² a·r
+//! ```
+//!
+//! # Centripetal terms
+//! ω₂² r₂ − ω₃² r₃ cancels where both bars turn alike, as bars of one length do whose outer joints
+//! almost meet: what is left is as short as the line between the joints. So it is taken along that line
+//! and along the shorter bar, with k = ω₂² − ω₃² = −(w · d)/J (ω₂ + ω₃),
+//!
+//! ```text
+//! ω₂² r₂ − ω₃² r₃ = ω₃² d + k r₂     if bar 2 is the shorter one
+//!                 = ω₂² d + k r₃     if bar 3 is
+//! ```
+//!
+//! in which nothing cancels. Where one bar is known to be longer by a quarter, no more than two bits cancel
+//! in the first form. The products with r₂ and r₃ are those of d and of the angle between the bars,
+//! r₂·r₃ = l₂ l₃ − i/2.
+
+use super::triangle::Triangle;
+use crate::equations::crank_pin::CrankPin;
+use crate::equations::jet::Jet;
+use crate::equations::parts::{Bar, GroupScope};
+use crate::equations::symbol::Sym;
+
+impl<'s> Triangle<'s> {
+    /// ω and α of each bar.
+    pub(super) fn turning(
+        &self,
+        scope: &GroupScope<'s>,
+        bars: [Bar<'s>; 2],
+        lengths: [Jet<'s>; 2],
+    ) -> [(Sym<'s>, Sym<'s>); 2] {
+        match self.crank.filter(|_| lengths.iter().all(|length| length.is_fixed())) {
+            Some(crank) => self.swinging(scope, crank),
+            None => self.moving(scope, bars),
+        }
+    }
+
+    /// Behind a crank.
+    fn swinging(&self, scope: &GroupScope<'s>, crank: CrankPin<'s>) -> [(Sym<'s>, Sym<'s>); 2] {
+        let (omega, alpha) = (crank.swing.omega, crank.swing.alpha);
+        let [dots, [cross2, cross3]] = self.products(crank.along(), crank.across);
+        let turning = omega * self.inverse;
+        let rates = [turning * cross3, turning * cross2];
+        let square = omega.squared();
+        let g = [(dots[1], cross3), (dots[0], cross2)];
+        let g = g.map(|(dot, cross)| square * dot + alpha * cross);
+        self.rates(scope, rates, g, -(turning * crank.across))
+    }
+
+    /// Between joints that move otherwise.
+    fn moving(&self, scope: &GroupScope<'s>, bars: [Bar<'s>; 2]) -> [(Sym<'s>, Sym<'s>); 2] {
+        let [r2, r3] = bars.map(Bar::vector);
+        let w = scope.call_vector("w", bars[1].pushed_velocity() - bars[0].pushed_velocity());
+        let with = [(r3, "w r3"), (r2, "w r2")].map(|(r, name)| scope.call(name, w.dot(r)));
+        let rates = with.map(|product| product * self.inverse);
+        let [near, far] = [0, 1].map(|k| bars[k].lengthening_acceleration(rates[k]));
+        let g = scope.call_vector("g", far - near);
+        self.rates(scope, rates, [g.dot(r3), g.dot(r2)], -w.dot(self.line) * self.inverse)
+    }
+
+    /// ω and α from g·r₃ and g·r₂; `folding` = ω₂ − ω₃.
+    fn rates(
+        &self,
+        scope: &GroupScope<'s>,
+        omega: [Sym<'s>; 2],
+        with: [Sym<'s>; 2],
+        folding: Sym<'s>,
+    ) -> [(Sym<'s>, Sym<'s>); 2] {
+        scope.call("omega2", omega[0]);
+        scope.call("omega3", omega[1]);
+        let [alpha2, alpha3] = self.second_rates(scope, omega, with, folding);
+        [(omega[0], alpha2), (omega[1], alpha3)]
+    }
+
+    fn second_rates(
+        &self,
+        scope: &GroupScope<'s>,
+        [omega2, omega3]: [Sym<'s>; 2],
+        [with3, with2]: [Sym<'s>; 2],
+        folding: Sym<'s>,
+    ) -> [Sym<'s>; 2] {
+        let ([l2, l3], [to_second, to_third]) = (self.lengths, self.shares);
+        let cosine = scope.call("r2 r3", l2 * l3 - self.half);
+        let square2 = scope.call("omega2 squared", omega2.squared());
+        let square3 = scope.call("omega3 squared", omega3.squared());
+        if differ(l2, l3) {
+            return [
+                ((with3 + square2 * cosine) - square3 * l3.squared()) * self.inverse,
+                ((with2 + square2 * l2.squared()) - square3 * cosine) * self.inverse,
+            ];
+        }
+        let difference = folding * (omega2 + omega3);
+        // Each pair of what stands where bar 2 is the shorter one, and where bar 3 is.
+        let chosen = |second: Sym<'s>, third: Sym<'s>| match self.shorter {
+            Some(0) => second,
+            Some(_) => third,
+            None => l3.at_least(l2, second, third),
+        };
+        let square = chosen(square3, square2);
+        let [short3, short2] = [chosen(cosine, l3.squared()), chosen(l2.squared(), cosine)];
+        [
+            ((with3 + difference * short3) - square * to_third) * self.inverse,
+            ((with2 + difference * short2) + square * to_second) * self.inverse,
+        ]
+    }
+}
+
+/// Whether the bars are known to differ by a seventh of their sum, which is a quarter of the longer:
+/// then no more than two bits cancel in ω₂² r₂ − ω₃² r₃.
+fn differ<'s>(l2: Sym<'s>, l3: Sym<'s>) -> bool {
+    let share = (l2 - l3) / (l2 + l3);
+    share.squared().constant_value().is_some_and(|square| square >= 1.0 / 49.0)
+}
