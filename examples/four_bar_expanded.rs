@@ -754,13 +754,13 @@ mod FourBar_ {
                 let v29_ = k7_ * sin;
                 let v48_ = checks_.nonzero(bc_dc_j2_, "BC, DC");
                 let bc_dc_inverse_j_ = bc_dc_j_ * (k6_ / v48_);
-                let v66_ = T::fused(k7_, cos, -T::num(0.01032256));
-                let v74_ = T::fused(v29_, bc_dc_b_, bc_dc_h_ * v66_);
-                let v75_ = v29_ - v74_;
-                let v76_ = theta_rate * bc_dc_inverse_j_;
-                let v77_ = v74_ * v76_;
-                let bc_omega_ = -v77_;
-                let dc_omega_ = v75_ * v76_;
+                let v68_ = T::fused(k7_, cos, -T::num(0.01032256));
+                let v76_ = T::fused(v29_, bc_dc_b_, bc_dc_h_ * v68_);
+                let v77_ = v29_ - v76_;
+                let v78_ = theta_rate * bc_dc_inverse_j_;
+                let v79_ = v76_ * v78_;
+                let bc_omega_ = -v79_;
+                let dc_omega_ = v77_ * v78_;
                 let c_vx_ = -(c_y_ * dc_omega_);
                 let c_vy_ = bc_dc_r3_x_ * dc_omega_;
                 let velocity_ = FourBarVelocity {
@@ -788,29 +788,29 @@ mod FourBar_ {
                 let v15_ = theta_rate * theta_rate;
                 let b_ax_ = T::fused(-b_x_, v15_, -v13_);
                 let b_ay_ = T::fused(-b_y_, v15_, v14_);
-                let v70_ = T::fused(-bc_dc_b_, v66_, v29_ * bc_dc_h_);
-                let v71_ = v66_ + v70_;
-                let v83_ = T::fused(-theta_acceleration, v74_, v15_ * v70_);
-                let v86_ = T::fused(theta_acceleration, v75_, v15_ * v71_);
+                let v72_ = T::fused(-bc_dc_b_, v68_, v29_ * bc_dc_h_);
+                let v73_ = v68_ + v72_;
+                let v85_ = T::fused(-theta_acceleration, v76_, v15_ * v72_);
+                let v88_ = T::fused(theta_acceleration, v77_, v15_ * v73_);
                 let bc_dc_r2_r3_ = T::num(0.0451612) - bc_dc_i_half_;
-                let bc_dc_omega2_squared_ = v77_ * v77_;
+                let bc_dc_omega2_squared_ = v79_ * v79_;
                 let bc_dc_omega3_squared_ = dc_omega_ * dc_omega_;
                 let bc_alpha_ = bc_dc_inverse_j_
                     * T::fused(
                         -T::num(0.03161284),
                         bc_dc_omega3_squared_,
-                        T::fused(bc_dc_r2_r3_, bc_dc_omega2_squared_, v83_),
+                        T::fused(bc_dc_r2_r3_, bc_dc_omega2_squared_, v85_),
                     );
                 let dc_alpha_ = bc_dc_inverse_j_
                     * T::fused(
                         -bc_dc_r2_r3_,
                         bc_dc_omega3_squared_,
-                        T::fused(T::num(0.064516), bc_dc_omega2_squared_, v86_),
+                        T::fused(T::num(0.064516), bc_dc_omega2_squared_, v88_),
                     );
-                let v110_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
-                let v111_ = c_y_ * bc_dc_omega3_squared_;
-                let c_ax_ = T::fused(-c_y_, dc_alpha_, -v110_);
-                let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v111_);
+                let v111_ = bc_dc_r3_x_ * bc_dc_omega3_squared_;
+                let v112_ = c_y_ * bc_dc_omega3_squared_;
+                let c_ax_ = T::fused(-c_y_, dc_alpha_, -v111_);
+                let c_ay_ = T::fused(bc_dc_r3_x_, dc_alpha_, -v112_);
                 let acceleration_ = FourBarAcceleration {
                     AB: AngularAcceleration {
                         alpha: theta_acceleration,

@@ -94,14 +94,21 @@ pub(super) struct Bar<'s> {
     /// From the outer joint to the pin.
     r: Vector<'s>,
     length: Jet<'s>,
+    /// 1/l
+    over_length: Sym<'s>,
     omega: Sym<'s>,
     alpha: Sym<'s>,
 }
 
 impl<'s> Bar<'s> {
-    pub(super) fn new(outer: PointMotion<'s>, r: Vector<'s>, length: Jet<'s>) -> Self {
+    pub(super) fn new(
+        outer: PointMotion<'s>,
+        r: Vector<'s>,
+        length: Jet<'s>,
+        over_length: Sym<'s>,
+    ) -> Self {
         let zero = r.x.sheet().zero();
-        Self { outer, r, length, omega: zero, alpha: zero }
+        Self { outer, r, length, over_length, omega: zero, alpha: zero }
     }
 
     /// From the outer joint to the pin.
@@ -115,7 +122,7 @@ impl<'s> Bar<'s> {
 
     /// The unit vector from the outer joint to the pin.
     fn u(self) -> Vector<'s> {
-        self.length.value.recip() * self.r
+        self.over_length * self.r
     }
 
     /// The pin's velocity but for the bar's turning: v + l̇ u.

@@ -89,7 +89,7 @@ pub(super) fn rrp<'s>(
     let reach = scope.call("reach", mode * square.sqrt());
     let slide = scope.call("slide", foot + reach);
     let r = scope.call_vector("r", reach * u + t * n);
-    let bar = Bar::new(b, r, length);
+    let bar = Bar::new(b, r, length, l.recip());
 
     // 1/X = X/X²: the division runs beside the root.
     let inverse = reach * square.provided(Check::Nonzero, scope.group, &[]).recip();

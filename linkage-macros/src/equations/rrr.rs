@@ -17,8 +17,8 @@
 //!
 //! Where it is known which bar is the shorter one, that one alone is computed so; the longer one is it and
 //! d, which loses nothing. J² is in m⁴, for which f32 has room where constant lengths say so
-//! (`triangle.rs`). Elsewhere h² = (i/2d²)((2 l₂ l₃ − i/2)/d²) stands in its place, in which no power is
-//! above the second.
+//! (`triangle.rs`). Elsewhere (J/l₂l₃)² stands in its place, in which no power is above the second, and
+//! 1/l₂l₃ gives 1/l₂ and 1/l₃.
 //!
 //! # Velocity and acceleration
 //! Both bars give the joint the same velocity: v_B + l̇₂ u₂ + ω₂ r₂⊥ = v_D + l̇₃ u₃ + ω₃ r₃⊥.
@@ -69,7 +69,8 @@
 //! the difference D − B is rounded after; neither is put back.
 //!
 //! # Numbers
-//! Two divisions and one root for everything. A parallelogram (l₂ = |AB|, l₃ … equal in pairs)
+//! Two divisions and one root for everything; a third division where the bars' lengths are not
+//! constants. A parallelogram (l₂ = |AB|, l₃ … equal in pairs)
 //! passes through change points where a constant mode turns it into an antiparallelogram.
 
 mod triangle;
@@ -93,7 +94,8 @@ pub(super) fn rrr<'s>(
     let r = triangle.bars();
     scope.call_vector("r2", r[0]);
     scope.call_vector("r3", r[1]);
-    let bars = [Bar::new(b, r[0], lengths[0]), Bar::new(d, r[1], lengths[1])];
+    let bar = |k, outer| Bar::new(outer, r[k], lengths[k], triangle.over_length(k));
+    let bars = [bar(0, b), bar(1, d)];
     let [(omega2, alpha2), (omega3, alpha3)] = triangle.turning(scope, bars, lengths);
     let bars = [bars[0].turning(omega2, alpha2), bars[1].turning(omega3, alpha3)];
     // The pin is carried by the bar that stands on the ground, if one does: one sum less.

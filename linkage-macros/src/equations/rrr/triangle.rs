@@ -22,16 +22,24 @@ pub(super) struct Triangle<'s> {
     /// d·r₂ = a d² and −d·r₃ = b d²
     pub(super) shares: [Sym<'s>; 2],
     /// The place of the bar that is known not to be the longer one.
-    pub(super) shorter: Option<usize>,
+    shorter: Option<usize>,
     /// a and b
     along: [Sym<'s>; 2],
     /// h
     height: Sym<'s>,
     /// 1/J
     pub(super) inverse: Sym<'s>,
+    /// 1/l₂l₃
+    over_product: Sym<'s>,
 }
 
 impl<'s> Triangle<'s> {
+    /// 1/l of a bar.
+    pub(super) fn over_length(&self, bar: usize) -> Sym<'s> {
+        let (own, other) = (self.lengths[bar], self.lengths[1 - bar]);
+        if own.is_constant() { own.recip() } else { other * self.over_product }
+    }
+
     /// r₂ and r₃.
     pub(super) fn bars(&self) -> [Vector<'s>; 2] {
         self.both(self.line, self.height * self.line.normal())
@@ -120,6 +128,7 @@ pub(super) fn triangle<'s>(
         along,
         height: height.height,
         inverse: height.inverse,
+        over_product: height.over_product,
     }
 }
 
@@ -149,7 +158,9 @@ struct Height<'s> {
     height: Sym<'s>,
     /// 1/J: the division runs beside the root.
     inverse: Sym<'s>,
-    /// J² or h², as rounding leaves it.
+    /// 1/l₂l₃
+    over_product: Sym<'s>,
+    /// J² or (J/l₂l₃)², as rounding leaves it.
     rounded: Sym<'s>,
     /// Its size, of which rounding takes last places.
     spread: Sym<'s>,
@@ -164,31 +175,30 @@ impl<'s> Height<'s> {
         over_square: Sym<'s>,
         mode: Sym<'s>,
     ) -> Self {
-        let product = l2 * l3;
-        let has_room = has_room(product);
-        let (rounded, unit, spread) = if has_room {
-            (near * far, product.twice(), (l2 + l3).squared() * product)
+        let (product, one) = (l2 * l3, d.x.sheet().integer(1));
+        let over_product = product.recip();
+        // J² in m⁴ or in squares of l₂l₃: what its factors are scaled by, and its root.
+        let (scale, area, unit, of_constants) = if has_room(product) {
+            (one, one, product.twice(), product)
         } else {
-            let scaled = product * over_square;
-            ((near * over_square) * (far * over_square), scaled.twice(), scaled)
+            (over_product, product, one.twice(), over_product)
         };
-        // The compensated factors are wrong by last places of themselves.
-        let spread =
-            if scope.numerics == Numerics::Compensated { d.x.sheet().zero() } else { spread };
+        let rounded = (near * scale) * (far * scale);
+        let spread = match scope.numerics {
+            // Factors that are wrong by last places of themselves.
+            Numerics::Compensated => d.x.sheet().zero(),
+            Numerics::Plain if product.is_constant() => (l2 + l3).squared() * of_constants,
+            Numerics::Plain => d.dot(d) * over_product,
+        };
         let circles = [d.x, d.y, l2, l3, unit, spread];
         let square = rounded.provided(Check::ReachCircles, scope.group, &circles);
         let root = mode * square.sqrt();
         let by_root = root * square.provided(Check::Nonzero, scope.group, &[]).recip();
-        let (height, inverse) = if has_room {
-            scope.call("j2", square);
-            (scope.call("j", root) * over_square, by_root)
-        } else {
-            scope.call("h2", square);
-            (root, by_root * over_square)
-        };
-        scope.call("h", height);
-        scope.call("inverse j", inverse);
-        Self { height, inverse, rounded, spread }
+        scope.call("j2", square);
+        scope.call("j", root);
+        let height = scope.call("h", root * (area * over_square));
+        let inverse = scope.call("inverse j", by_root * scale);
+        Self { height, inverse, over_product, rounded, spread }
     }
 }
 

@@ -98,12 +98,12 @@ impl<'s> Triangle<'s> {
             ];
         }
         let difference = folding * (omega2 + omega3);
-        // Each pair of what stands where bar 2 is the shorter one, and where bar 3 is.
-        let chosen = |second: Sym<'s>, third: Sym<'s>| match self.shorter {
-            Some(0) => second,
-            Some(_) => third,
-            None => l3.at_least(l2, second, third),
-        };
+        // Each pair of what stands where bar 2 is the shorter one, and where bar 3 is. A product with 0 or 1
+        // rounds nothing, and no branch comes of it.
+        let (zero, one) = (l2.sheet().zero(), l2.sheet().integer(1));
+        let is_second = l3.at_least(l2, one, zero);
+        let chosen =
+            |second: Sym<'s>, third: Sym<'s>| is_second * second + (one - is_second) * third;
         let square = chosen(square3, square2);
         let [short3, short2] = [chosen(cosine, l3.squared()), chosen(l2.squared(), cosine)];
         [

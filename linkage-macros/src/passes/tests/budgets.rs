@@ -190,8 +190,8 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
     (
         "rrr, a length to tune",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (p, 0.5), mode: left } output C;"),
-        [13, 19, 1, 1, 1],
-        [28, 50, 2, 1, 1],
+        [15, 23, 2, 1, 1],
+        [32, 58, 3, 1, 1],
     ),
     (
         "rrr on moving points",
@@ -204,8 +204,8 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         after_crank!(
             "rrr BC(B), DC(D) -> C { lengths: (0.8 + 0.1m * q, 0.5), mode: left } output C;"
         ),
-        [14, 20, 1, 1, 1],
-        [37, 69, 3, 1, 1],
+        [16, 24, 2, 1, 1],
+        [41, 78, 3, 1, 1],
     ),
     (
         "rrp on a level guide",
