@@ -98,7 +98,7 @@ pub(super) fn triangle<'s>(
         }
     };
     let half = scope.call("i half", factors.near);
-    let height = Height::of(scope, line, [l2, l3], factors, over_square, mode);
+    let height = Height::of(scope, line, [l2, l3], factors, [plain, over_square], mode);
 
     let difference = l2 - l3;
     let shares = [half + l2 * difference, half - l3 * difference];
@@ -172,7 +172,7 @@ impl<'s> Height<'s> {
         d: Vector<'s>,
         [l2, l3]: [Sym<'s>; 2],
         Factors { near, far }: Factors<'s>,
-        over_square: Sym<'s>,
+        [square, over_square]: [Sym<'s>; 2],
         mode: Sym<'s>,
     ) -> Self {
         let (product, one) = (l2 * l3, d.x.sheet().integer(1));
@@ -188,13 +188,13 @@ impl<'s> Height<'s> {
             // Factors that are wrong by last places of themselves.
             Numerics::Compensated => d.x.sheet().zero(),
             Numerics::Plain if product.is_constant() => (l2 + l3).squared() * of_constants,
-            Numerics::Plain => d.dot(d) * over_product,
+            Numerics::Plain => square * over_product,
         };
         let circles = [d.x, d.y, l2, l3, unit, spread];
-        let square = rounded.provided(Check::ReachCircles, scope.group, &circles);
-        let root = mode * square.sqrt();
-        let by_root = root * square.provided(Check::Nonzero, scope.group, &[]).recip();
-        scope.call("j2", square);
+        let cross = rounded.provided(Check::ReachCircles, scope.group, &circles);
+        let root = mode * cross.sqrt();
+        let by_root = root * cross.provided(Check::Nonzero, scope.group, &[]).recip();
+        scope.call("j2", cross);
         scope.call("j", root);
         let height = scope.call("h", root * (area * over_square));
         let inverse = scope.call("inverse j", by_root * scale);

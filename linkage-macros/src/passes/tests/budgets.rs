@@ -190,8 +190,8 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
     (
         "rrr, a length to tune",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (p, 0.5), mode: left } output C;"),
-        [15, 23, 2, 1, 1],
-        [32, 58, 3, 1, 1],
+        [13, 21, 2, 1, 1],
+        [30, 56, 3, 1, 1],
     ),
     (
         "rrr on moving points",
@@ -204,8 +204,8 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         after_crank!(
             "rrr BC(B), DC(D) -> C { lengths: (0.8 + 0.1m * q, 0.5), mode: left } output C;"
         ),
-        [16, 24, 2, 1, 1],
-        [41, 78, 3, 1, 1],
+        [14, 22, 2, 1, 1],
+        [39, 76, 3, 1, 1],
     ),
     (
         "rrp on a level guide",
