@@ -5,7 +5,7 @@
 //! cancels down to the last bit. It is computed without rounding, on numbers scaled by a power of
 //! two so that no square leaves the range. Nothing in here knows of groups or scalars.
 
-use crate::kernels::{Native, exact_sum, mul_err, sqrt};
+use crate::kernels::{Native, exact_sum, mul_err, sqrt, two_sum};
 
 /// How much a pose may be short of assembly, in units in the last place of the longest length:
 /// what rounding does to a joint that lies on the line of centres in real numbers.
@@ -34,7 +34,14 @@ pub(crate) struct Width {
 }
 
 /// Whether circles of radii |`l1`| and |`l2`| about points (`dx`, `dy`) apart meet.
+#[inline(always)]
 pub(crate) fn circles([dx, dy]: [f64; 2], [l1, l2]: [f64; 2], width: Width) -> Reach {
+    in_registers(dx, dy, l1, l2, width)
+}
+
+/// [`circles`], of numbers that are handed over in registers: an array would be read before it is written.
+#[inline(never)]
+fn in_registers(dx: f64, dy: f64, l1: f64, l2: f64, width: Width) -> Reach {
     let Some(scale) = Scale::of([dx, dy, l1, l2]) else {
         return Reach::NotFinite;
     };
@@ -42,13 +49,17 @@ pub(crate) fn circles([dx, dy]: [f64; 2], [l1, l2]: [f64; 2], width: Width) -> R
     let (long, short) = (l1.max(l2), l1.min(l2));
     let d = distance([dx, dy]);
     let slack = ULPS * scale.ulp(d.max(long), width);
-    let missing = excess([dx, dy], [long, short, 0.0]);
+    let span = long + short;
+    let missing = excess([dx, dy], [long, short]);
     if missing <= 0.0 {
-        too_close([dx, dy], [long, short], slack, scale)
-    } else if excess([dx, dy], [long, short, slack]) <= 0.0 {
+        return too_close([dx, dy], [long, short], slack, scale);
+    }
+    // Slack makes up for (span + slack)² − span². Twice that is beyond any rounding of it.
+    let is_clear = missing > 2.0 * (slack * (2.0 * span + slack));
+    if !is_clear && excess_with([dx, dy], [long, short, slack]) <= 0.0 {
         Reach::AtLimit
     } else {
-        Reach::Beyond(scale.up(missing / (d + (long + short))))
+        Reach::Beyond(scale.up(missing / (d + span)))
     }
 }
 
@@ -61,8 +72,8 @@ pub(crate) fn height_product([dx, dy]: [f64; 2], [l1, l2]: [f64; 2]) -> f64 {
     };
     let [dx, dy, l1, l2] = [dx, dy, l1, l2].map(|x| scale.down(x).abs());
     let (long, short) = (l1.max(l2), l1.min(l2));
-    let outer = -excess([dx, dy], [long, short, 0.0]);
-    let inner = excess([dx, dy], [long, -short, 0.0]);
+    let outer = -excess([dx, dy], [long, short]);
+    let inner = excess([dx, dy], [long, -short]);
     let four = 4.0 * long * short;
     (outer / four) * (inner / four)
 }
@@ -116,11 +127,15 @@ pub(crate) fn line(t: f64, l: f64, width: Width) -> Reach {
 
 /// Whether points `d` apart are at least `long` − `short` ≥ 0 apart.
 fn too_close(d: [f64; 2], [long, short]: [f64; 2], slack: f64, scale: Scale) -> Reach {
-    let missing = -excess(d, [long, -short, 0.0]);
-    let by_rounding_only =
-        exact_sum([long, -short, -slack]) <= 0.0 || excess(d, [long, -short, -slack]) >= 0.0;
-    if missing > 0.0 && !by_rounding_only {
-        Reach::Beyond(scale.up(missing / (distance(d) + (long - short))))
+    let (gap, missing) = (long - short, -excess(d, [long, -short]));
+    // Slack makes up for gap² − (gap − slack)², or for all where the gap is no longer than that. What is
+    // missing is at most gap², so that a gap that misses twice as much is longer.
+    let is_clear = missing > 2.0 * (2.0 * gap * slack);
+    let by_rounding_only = || {
+        exact_sum([long, -short, -slack]) <= 0.0 || excess_with(d, [long, -short, -slack]) >= 0.0
+    };
+    if missing > 0.0 && (is_clear || !by_rounding_only()) {
+        Reach::Beyond(scale.up(missing / (distance(d) + gap)))
     } else if d == [0.0; 2] {
         Reach::Coincident
     } else if missing > 0.0 {
@@ -130,8 +145,30 @@ fn too_close(d: [f64; 2], [long, short]: [f64; 2], slack: f64, scale: Scale) -> 
     }
 }
 
-/// dx² + dy² − (a + b + w)², with the sign of the exact value.
-fn excess([dx, dy]: [f64; 2], [a, b, w]: [f64; 3]) -> f64 {
+/// Above this a sum of two words has the sign and, but for half a unit, the last place of the exact one.
+///
+/// Scaled numbers are below 2, their squares below 4, those of a span below 16. The rounding errors of
+/// the products and sums are below 2⁻⁴⁹ each and 2⁻⁴⁷ together, and six roundings of their sum below
+/// 2⁻⁹⁷: a sixteenth of a unit in the last place of 2⁻⁴⁰.
+const TWO_WORDS: f64 = 1.0 / (1_u64 << 40) as f64;
+
+/// dx² + dy² − (a + b)², within a unit in the last place and with the sign of the exact value.
+///
+/// In two words, and without rounding where these do not do: next to a limit.
+fn excess([dx, dy]: [f64; 2], [a, b]: [f64; 2]) -> f64 {
+    let error = mul_err::<f64, Native>;
+    let (span, rest) = two_sum(a, b);
+    let (square, square_rest) = two_sum(dx * dx, dy * dy);
+    let (high, high_rest) = two_sum(square, -(span * span));
+    let products = error(dx, dx) + error(dy, dy) - error(span, span) - rest * (2.0 * span);
+    let value = high + (products + (square_rest + high_rest));
+    if value.abs() > TWO_WORDS { value } else { excess_with([dx, dy], [a, b, 0.0]) }
+}
+
+/// dx² + dy² − (a + b + w)², within a unit in the last place and with the sign of the exact value.
+#[cold]
+#[inline(never)]
+fn excess_with([dx, dy]: [f64; 2], [a, b, w]: [f64; 3]) -> f64 {
     let mut terms = [0.0; 16];
     let products = [
         (dx, dx),
@@ -165,6 +202,8 @@ struct Scale {
     /// Two factors, since their product may be out of range.
     down: [f64; 2],
     up: [f64; 2],
+    /// Of the largest number.
+    exponent: i32,
 }
 
 impl Scale {
@@ -177,7 +216,11 @@ impl Scale {
         }
         let exponent = ((largest.to_bits() >> 52) as i32).max(1) - 1023;
         let halves = [exponent / 2, exponent - exponent / 2];
-        Some(Self { down: halves.map(|k| power_of_two(-k)), up: halves.map(power_of_two) })
+        Some(Self {
+            down: halves.map(|k| power_of_two(-k)),
+            up: halves.map(power_of_two),
+            exponent,
+        })
     }
 
     /// The number in the scale: exact, unless it is 2⁻¹⁰⁰⁰ times as large as the largest.
@@ -193,7 +236,10 @@ impl Scale {
     /// The unit in the last place of a scaled number as a number of this width.
     fn ulp(self, x: f64, width: Width) -> f64 {
         let leading_bit = f64::from_bits(x.to_bits() & f64::INFINITY.to_bits());
-        (leading_bit * width.epsilon).max(self.down(width.smallest))
+        let ulp = leading_bit * width.epsilon;
+        // The unit of numbers around one is at least ε/2. A smallest number that could be more than that
+        // after scaling by less than 2¹⁰⁰ is none of either width, and processors are slow with subnormals.
+        if self.exponent > -100 { ulp } else { ulp.max(self.down(width.smallest)) }
     }
 }
 

@@ -63,6 +63,7 @@ pub fn apart<R: Record<Number: Copy>>(
     }
 }
 
+#[inline(always)]
 pub(crate) fn conditions_met<T: Real, R>(
     given: &[(T, &'static str)],
     formulas: impl FnOnce(&mut FirstError) -> R,

@@ -1,5 +1,7 @@
 use super::*;
 
+mod against_exact;
+
 const F64: Width = Width { epsilon: f64::EPSILON, smallest: 5e-324 };
 /// `f32` widened, which is exact.
 const F32: Width = Width { epsilon: f32::EPSILON as f64, smallest: 1.401298464324817e-45 };
