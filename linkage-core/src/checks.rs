@@ -28,9 +28,13 @@
 //!   (`lower/overflow.rs` of `linkage-macros`), that inputs below a limit and divisors above a
 //!   threshold cannot make anything overflow, and then these are asked, which are there early.
 
+mod all_met;
+
+pub use all_met::AllMet;
+
 use crate::diagnosis;
 use crate::find::FindError;
-use crate::{Mask, Real, Scalar, SolveError};
+use crate::{Real, Scalar, SolveError};
 
 /// Who asks for conditions, see the module's documentation. A condition is two calls: a comparison,
 /// which [`FirstError`] passes by, and a diagnosis, which [`AllMet`] passes by and which returns the
@@ -60,6 +64,10 @@ pub trait Checks<T: Scalar> {
     /// its height, and the scale to measure it by.
     #[inline(always)]
     fn clearances(&mut self, _groups: &[[T; 2]]) {}
+
+    /// Told by a diagnosis that what was compared so far is all of its condition.
+    #[inline(always)]
+    fn diagnosed(&mut self) {}
 
     /// Asks whether `value` > `least`.
     #[inline(always)]
@@ -111,119 +119,43 @@ pub trait Checks<T: Scalar> {
     /// See `diagnosis::nonzero`.
     #[inline(always)]
     fn nonzero(&mut self, value: T, _: &'static str) -> T {
+        self.diagnosed();
         value
     }
 
     /// See `diagnosis::positive`.
     #[inline(always)]
     fn positive(&mut self, value: T, _: &'static str, _: &'static str) -> T {
+        self.diagnosed();
         value
     }
 
     /// See `diagnosis::not_negative`.
     #[inline(always)]
     fn not_negative(&mut self, value: T, _: &'static str, _: &'static str) -> T {
+        self.diagnosed();
         value
     }
 
     /// See `diagnosis::moving`.
     #[inline(always)]
     fn moving(&mut self, slope: T, _: [T; 1], _: &'static str) -> T {
+        self.diagnosed();
         slope
     }
 
     /// See `diagnosis::square`.
     #[inline(always)]
     fn square(&mut self, value: T, _: &'static str) -> T {
+        self.diagnosed();
         value
     }
 
     /// See `diagnosis::square_of_centres`.
     #[inline(always)]
     fn square_of_centres(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
+        self.diagnosed();
         value
-    }
-}
-
-/// Whether every condition was met. Every value goes on as it is.
-///
-/// Inlined always, so that lanes stay on the instruction set of the loop they run in.
-#[derive(Clone, Copy, Debug)]
-pub struct AllMet<M>(M);
-
-impl<M: Mask> AllMet<M> {
-    /// Nothing is wrong so far.
-    #[expect(clippy::new_without_default, reason = "nobody but generated code makes one")]
-    #[inline(always)]
-    pub fn new() -> Self {
-        Self(M::ALL)
-    }
-
-    /// The answer of all conditions together.
-    #[inline(always)]
-    pub fn all(self) -> M {
-        self.0
-    }
-
-    #[inline(always)]
-    fn and(&mut self, met: M) {
-        self.0 = self.0 & met;
-    }
-}
-
-impl<T: Scalar> Checks<T> for AllMet<T::Mask> {
-    #[inline(always)]
-    fn root(&mut self, found: Result<[T; 2], FindError>, _: &'static str, _: &'static str) -> (T, T)
-    where
-        T: Real,
-    {
-        match found {
-            Ok([at, size]) => (at, size),
-            Err(_) => {
-                let zero = T::lit(0.0, 0.0);
-                self.and(zero.gt(zero));
-                (zero, zero)
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn closed(&mut self, difference: T, size: T, _: &'static str, _: &'static str)
-    where
-        T: Real,
-    {
-        self.and(difference.is_within(diagnosis::open_by(size)));
-    }
-
-    #[inline(always)]
-    fn sin_cos(&mut self, angle: T) -> (T, T) {
-        self.and(angle.is_near());
-        angle.sin_cos_near()
-    }
-
-    #[inline(always)]
-    fn above(&mut self, value: T, least: T) {
-        self.and(value.gt(least));
-    }
-
-    #[inline(always)]
-    fn at_least(&mut self, value: T, least: T) {
-        self.and(value.ge(least));
-    }
-
-    #[inline(always)]
-    fn above_rounding(&mut self, value: T, spread: T) {
-        const WIDE: f64 = diagnosis::ROUNDINGS * f64::EPSILON;
-        const NARROW: f32 = diagnosis::ROUNDINGS as f32 * f32::EPSILON;
-        self.and(value.gt(T::lit(WIDE, NARROW) * spread));
-    }
-
-    /// The magnitude, compared: neither a square, which underflows, nor a disjunction, which
-    /// masks do not have.
-    #[inline(always)]
-    fn away(&mut self, value: T, least: T) {
-        let magnitude = T::select(value.ge(T::lit(0.0, 0.0)), value, -value);
-        self.and(magnitude.gt(least));
     }
 }
 
@@ -246,11 +178,16 @@ impl FirstError {
     ///
     /// # Errors
     /// The condition that was not met.
+    #[inline(always)]
     pub fn first(self) -> Result<(), SolveError> {
-        self.first.or(self.otherwise).map_or(Ok(()), Err)
+        match (self.first, self.otherwise) {
+            (Some(error), _) | (None, Some(error)) => Err(error),
+            (None, None) => Ok(()),
+        }
     }
 
     /// Diagnoses only where nothing was wrong so far.
+    #[inline(always)]
     fn keep<T: Copy>(&mut self, value: T, diagnose: impl FnOnce() -> Result<T, SolveError>) -> T {
         if self.first.is_some() {
             return value;

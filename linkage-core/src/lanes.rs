@@ -90,6 +90,11 @@ impl<T: Copy, const W: usize, F> Lanes<T, W, F> {
 }
 
 impl<const W: usize> LaneMask<W> {
+    #[inline(always)]
+    pub(crate) const fn new(answers: [bool; W]) -> Self {
+        Self(answers)
+    }
+
     /// The answer for each lane.
     #[inline(always)]
     #[must_use]

@@ -13,6 +13,31 @@ pub trait Mask: Copy + BitAnd<Output = Self> {
     const ALL: Self;
     /// Whether the answer is yes everywhere.
     fn all(self) -> bool;
+
+    /// The answer together with a condition of the formulas.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn and_condition(self, met: Self) -> Self {
+        self & met
+    }
+
+    /// The answer behind a condition that has no more comparisons.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn behind_condition(self) -> Self {
+        self
+    }
+
+    /// The answer behind a group that is certain to be out of reach where `is_beyond` says so, for a mask
+    /// that tells why its answer is no.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn behind_reach(self, _is_beyond: impl FnOnce() -> Self) -> Self {
+        self
+    }
 }
 
 impl Mask for bool {

@@ -8,6 +8,7 @@
 //! What is generated for a mechanism says how one pose is solved ([`Entry`]); loops, tails, statuses and the
 //! choice of an instruction set are written once, here.
 
+mod batch;
 mod block;
 mod entries;
 mod instructions;
@@ -15,14 +16,14 @@ mod kinds;
 mod poses;
 #[cfg(test)]
 mod tests;
+mod verdict;
 
 use core::fmt;
 
-use crate::{Float, Fusion, Record, Scalar, SolveError};
-use block::{APART, BLOCK, Column, put};
+use crate::{Float, Record, Scalar, SolveError};
+use batch::Batch;
 pub use entries::{put_found, put_solved};
 pub use kinds::*;
-use poses::Poses;
 
 /// What came of one pose, in a byte: the single call's answer without its details, which the
 /// single call still gives.
@@ -163,14 +164,6 @@ fn common_length<T, const IN: usize, const OUT: usize>(
     }
 }
 
-/// What a sweep works on.
-struct Batch<'a, E, T, const IN: usize, const OUT: usize> {
-    entry: &'a E,
-    inputs: [Series<'a, T>; IN],
-    outputs: [&'a mut [T]; OUT],
-    statuses: &'a mut [Status],
-}
-
 impl<T: Copy> Series<'_, T> {
     /// The number at a pose; the last one beyond the end, so that the last block is filled.
     #[inline(always)]
@@ -178,142 +171,6 @@ impl<T: Copy> Series<'_, T> {
         match *self {
             Self::Constant(value) => Some(value),
             Self::Each(values) => values.get(pose).or(values.last()).copied(),
-        }
-    }
-}
-
-// `inline(always)` on the way from an instruction set to the lanes: a function of its own would be
-// compiled for the instruction set of the rest of the program.
-impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
-    /// The poses from `start` on and before `end`.
-    #[inline(always)]
-    fn run<K, F: Fusion>(&mut self, start: usize, end: usize)
-    where
-        E: Entry<K, T, IN, OUT>,
-    {
-        if let Some(statuses) = self.statuses.get_mut(start..end) {
-            statuses.fill(Status::Solved);
-        }
-        let mut inputs = [Column::splat(T::lit(0.0, 0.0)); IN];
-        let mut results = [Column::splat(T::lit(0.0, 0.0)); OUT];
-        let mut pose = start;
-        while pose < end {
-            let count = BLOCK.min(end - pose);
-            if count == BLOCK {
-                self.read(pose, &mut inputs);
-            } else {
-                self.read_last(pose, &mut inputs);
-            }
-            let mask = self.solve::<K, F>(&inputs, &mut results);
-            if count == BLOCK {
-                self.write(pose, &results);
-            } else {
-                self.write_last(pose, &results);
-            }
-            if mask.contains(&false) {
-                self.reconsider(pose, count, &mask);
-            }
-            pose += count;
-        }
-    }
-
-    /// Loops over a few numbers each, which the compiler turns into loops over vectors: the fast path has no
-    /// branch, the columns are no one else's, and lanes carry in their type whether they fuse. The first
-    /// takes sines and cosines, see [`Poses`]. Nothing is indexed, so that no build can
-    /// panic.
-    #[inline(always)]
-    fn solve<K, F: Fusion>(
-        &self,
-        inputs: &[Column<T>; IN],
-        results: &mut [Column<T>; OUT],
-    ) -> [bool; BLOCK]
-    where
-        E: Entry<K, T, IN, OUT>,
-    {
-        let circles = inputs.first().map(Column::sines_and_cosines::<F>);
-        let mut mask = [true; BLOCK];
-        for pose in 0..APART {
-            let mut numbers = [Poses::<T, F>::lit(0.0, 0.0); IN];
-            for (number, column) in numbers.iter_mut().zip(inputs) {
-                *number = Poses::new(column.at(pose));
-            }
-            let angles = numbers.iter_mut().zip(inputs).zip(&circles);
-            for ((number, angles), [sines, cosines]) in angles {
-                *number = Poses::on_circle([angles, sines, cosines].map(|column| column.at(pose)));
-            }
-            let usable = self.entry.solve(numbers, |values| put(values, results, pose));
-            for (nth, usable) in usable.to_array().into_iter().enumerate() {
-                mask.get_mut(pose + nth * APART).into_iter().for_each(|ok| *ok = usable);
-            }
-        }
-        mask
-    }
-
-    #[inline(always)]
-    fn read(&self, pose: usize, inputs: &mut [Column<T>; IN]) {
-        for (column, series) in inputs.iter_mut().zip(&self.inputs) {
-            match *series {
-                Series::Constant(value) => *column = Column::splat(value),
-                Series::Each(values) => {
-                    let chunk = values.get(pose..).and_then(|rest| rest.first_chunk());
-                    chunk.into_iter().for_each(|chunk| column.0 = *chunk);
-                }
-            }
-        }
-    }
-
-    /// The last block, which the last pose fills up.
-    #[cold]
-    #[inline(never)]
-    fn read_last(&self, pose: usize, inputs: &mut [Column<T>; IN]) {
-        for (column, series) in inputs.iter_mut().zip(&self.inputs) {
-            for (number, pose) in column.0.iter_mut().zip(pose..) {
-                series.at(pose).into_iter().for_each(|value| *number = value);
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn write(&mut self, pose: usize, results: &[Column<T>; OUT]) {
-        for (output, column) in self.outputs.iter_mut().zip(results) {
-            if let Some(chunk) = output.get_mut(pose..).and_then(|rest| rest.first_chunk_mut()) {
-                *chunk = column.0;
-            }
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn write_last(&mut self, pose: usize, results: &[Column<T>; OUT]) {
-        for (output, column) in self.outputs.iter_mut().zip(results) {
-            let rest = output.get_mut(pose..).unwrap_or_default();
-            rest.iter_mut().zip(column.0).for_each(|(to, value)| *to = value);
-        }
-    }
-
-    /// Solves again, one by one, the poses whose mask says no.
-    #[cold]
-    #[inline(never)]
-    fn reconsider<K>(&mut self, start: usize, count: usize, mask: &[bool])
-    where
-        E: Entry<K, T, IN, OUT>,
-    {
-        let none = T::lit(f64::NAN, f32::NAN);
-        let refused = mask.iter().take(count).enumerate().filter(|&(_, &usable)| !usable);
-        for pose in refused.map(|(lane, _)| start + lane) {
-            let mut inputs = [none; IN];
-            for (input, series) in inputs.iter_mut().zip(&self.inputs) {
-                *input = series.at(pose).unwrap_or(none);
-            }
-            let mut numbers = [none; OUT];
-            let result = self.entry.solve_one(inputs, |found| {
-                numbers.iter_mut().zip(found).for_each(|(to, number)| *to = *number);
-            });
-            for (output, value) in self.outputs.iter_mut().zip(numbers) {
-                output.get_mut(pose).into_iter().for_each(|to| *to = value);
-            }
-            let status = result.map_or_else(Status::from, |()| Status::Solved);
-            self.statuses.get_mut(pose).into_iter().for_each(|to| *to = status);
         }
     }
 }

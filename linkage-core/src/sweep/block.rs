@@ -15,6 +15,9 @@ pub(super) const APART: usize = BLOCK / TOGETHER;
 #[repr(align(64))]
 pub(super) struct Column<T>(pub(super) [T; BLOCK]);
 
+/// Sines and cosines of the first input, if there is one.
+pub(super) type Circles<T> = Option<[Column<T>; 2]>;
+
 impl<T: Float> Column<T> {
     pub(super) const fn splat(value: T) -> Self {
         Self([value; BLOCK])

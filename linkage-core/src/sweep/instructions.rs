@@ -5,7 +5,8 @@
 //! fused operations where it has them; whether lanes fuse is a property of their type, so that
 //! both versions are the same generated code.
 
-use super::{Batch, Entry};
+use super::Entry;
+use super::batch::Batch;
 use crate::Float;
 use crate::kernels::Native;
 

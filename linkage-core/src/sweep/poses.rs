@@ -1,9 +1,11 @@
 //! The number that a sweep runs generated code on: two poses', which may know their sines and cosines
 //! beforehand.
 
+use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::{Float, Fusion, LaneMask, Lanes, Scalar};
+use super::verdict::{Asked, Usable};
+use crate::{Float, Fusion, Lanes, Scalar};
 
 /// How many poses are computed beside each other, before the compiler takes several such sets at a time
 /// into vectors: so a vector of poses is begun while the one before waits for its root. Three would take
@@ -18,15 +20,18 @@ pub(super) const TOGETHER: usize = 2;
 /// two of poses fill it. So a sweep takes the sines of a whole block in a loop of their own, short enough for
 /// several vectors to be under way. Generated code is as ever: it asks an input for its sine, and the input
 /// has it. Whether it does is known while compiling, and sines that no one asks for are computed by no one.
+///
+/// `A` says what comparisons are to tell: which poses may be used, or which are out of reach.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Poses<T, F> {
+pub(super) struct Poses<T, F, A = Usable> {
     lanes: Of<T, F>,
     circles: Option<(Of<T, F>, Of<T, F>)>,
+    asked: PhantomData<A>,
 }
 
 type Of<T, F> = Lanes<T, TOGETHER, F>;
 
-impl<T: Copy, F> Poses<T, F> {
+impl<T: Copy, F, A> Poses<T, F, A> {
     /// Of numbers alone.
     #[inline(always)]
     pub(super) const fn new(numbers: [T; TOGETHER]) -> Self {
@@ -36,12 +41,13 @@ impl<T: Copy, F> Poses<T, F> {
     /// Of angles, their sines and their cosines.
     #[inline(always)]
     pub(super) const fn on_circle([angles, sines, cosines]: [[T; TOGETHER]; 3]) -> Self {
-        Self { lanes: Lanes::new(angles), circles: Some((Lanes::new(sines), Lanes::new(cosines))) }
+        let circles = Some((Lanes::new(sines), Lanes::new(cosines)));
+        Self { lanes: Lanes::new(angles), circles, asked: PhantomData }
     }
 
     #[inline(always)]
     const fn of(lanes: Of<T, F>) -> Self {
-        Self { lanes, circles: None }
+        Self { lanes, circles: None, asked: PhantomData }
     }
 
     #[inline(always)]
@@ -52,7 +58,7 @@ impl<T: Copy, F> Poses<T, F> {
 
 macro_rules! operators {
     ($($trait:ident $method:ident),*) => {$(
-        impl<T: Float, F: Fusion> $trait for Poses<T, F> {
+        impl<T: Float, F: Fusion, A: Asked> $trait for Poses<T, F, A> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
@@ -64,7 +70,7 @@ macro_rules! operators {
 
 operators!(Add add, Sub sub, Mul mul, Div div);
 
-impl<T: Float, F: Fusion> Neg for Poses<T, F> {
+impl<T: Float, F: Fusion, A: Asked> Neg for Poses<T, F, A> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -72,9 +78,9 @@ impl<T: Float, F: Fusion> Neg for Poses<T, F> {
     }
 }
 
-/// Methods that are those of the lanes: of one number and of two, and questions.
+/// Methods that are those of the lanes: of one number and of two, and comparisons.
 macro_rules! of_the_lanes {
-    ($($one:ident)*; $($two:ident)*; $($asked:ident)*; $($compared:ident)*) => {
+    ($($one:ident)*; $($two:ident)*; $($compared:ident)*) => {
         $(#[inline(always)]
         fn $one(self) -> Self {
             Self::of(self.lanes.$one())
@@ -84,22 +90,25 @@ macro_rules! of_the_lanes {
             Self::of(self.lanes.$two(other.lanes))
         })*
         $(#[inline(always)]
-        fn $asked(self) -> LaneMask<TOGETHER> {
-            self.lanes.$asked()
-        })*
-        $(#[inline(always)]
-        fn $compared(self, other: Self) -> LaneMask<TOGETHER> {
-            self.lanes.$compared(other.lanes)
+        fn $compared(self, other: Self) -> A::Mask {
+            A::compared(self.lanes.$compared(other.lanes))
         })*
     };
 }
 
-impl<T: Float, F: Fusion> Scalar for Poses<T, F> {
-    type Mask = LaneMask<TOGETHER>;
+impl<T: Float, F: Fusion, A: Asked> Scalar for Poses<T, F, A> {
+    type Mask = A::Mask;
 
-    of_the_lanes!(
-        sqrt tan asin acos atan; atan2 hypot; is_near is_finite; ge gt is_within
-    );
+    of_the_lanes!(sqrt tan asin acos atan; atan2 hypot; ge gt is_within);
+
+    #[inline(always)]
+    fn is_near(self) -> A::Mask {
+        A::compared(self.lanes.is_near())
+    }
+    #[inline(always)]
+    fn is_finite(self) -> A::Mask {
+        A::finite(self.lanes.is_finite())
+    }
 
     #[inline(always)]
     fn lit(wide: f64, narrow: f32) -> Self {
@@ -139,8 +148,8 @@ impl<T: Float, F: Fusion> Scalar for Poses<T, F> {
         <Of<T, F> as Scalar>::plain(wide, narrow)
     }
     #[inline(always)]
-    fn select(mask: LaneMask<TOGETHER>, yes: Self, no: Self) -> Self {
-        Self::of(Scalar::select(mask, yes.lanes, no.lanes))
+    fn select(mask: A::Mask, yes: Self, no: Self) -> Self {
+        Self::of(Scalar::select(A::usable(mask), yes.lanes, no.lanes))
     }
     #[inline(always)]
     fn smallest_square() -> Self {

@@ -3,6 +3,8 @@
 use std::vec;
 use std::vec::Vec;
 
+mod out_of_reach;
+
 use super::{Entry, LengthMismatch, OfPosition, REPORT_EVERY, Series, Status, sweep};
 use crate::{Float, Scalar, SolveError};
 

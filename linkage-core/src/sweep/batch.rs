@@ -1,0 +1,217 @@
+//! Poses in blocks: first all of a block in vectors, then those that vectors cannot tell of, one by one.
+
+use super::block::{APART, BLOCK, Circles, Column, put};
+use super::poses::Poses;
+use super::verdict::{Asked, Reach, Usable};
+use super::{Entry, Series, Status};
+use crate::{Float, Fusion, Scalar};
+
+/// What a sweep works on.
+pub(super) struct Batch<'a, E, T, const IN: usize, const OUT: usize> {
+    pub(super) entry: &'a E,
+    pub(super) inputs: [Series<'a, T>; IN],
+    pub(super) outputs: [&'a mut [T]; OUT],
+    pub(super) statuses: &'a mut [Status],
+}
+
+// `inline(always)` on the way from an instruction set to the lanes: a function of its own would be
+// compiled for the instruction set of the rest of the program.
+impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
+    /// The poses from `start` on and before `end`.
+    #[inline(always)]
+    pub(super) fn run<K, F: Fusion>(&mut self, start: usize, end: usize)
+    where
+        E: Entry<K, T, IN, OUT>,
+    {
+        if let Some(statuses) = self.statuses.get_mut(start..end) {
+            statuses.fill(Status::Solved);
+        }
+        let mut inputs = [Column::splat(T::lit(0.0, 0.0)); IN];
+        let mut results = [Column::splat(T::lit(0.0, 0.0)); OUT];
+        let mut pose = start;
+        while pose < end {
+            let count = BLOCK.min(end - pose);
+            if count == BLOCK {
+                self.read(pose, &mut inputs);
+            } else {
+                self.read_last(pose, &mut inputs);
+            }
+            let circles = inputs.first().map(Column::sines_and_cosines::<F>);
+            let mut mask = self.solve::<K, F>(&inputs, &circles, &mut results);
+            if mask.contains(&false) {
+                let refused = self.out_of_reach::<K, F>(&inputs, &circles);
+                self.refuse(pose, count, &refused, &mut results);
+                mask.iter_mut().zip(&refused).for_each(|(done, &refused)| *done |= refused);
+            }
+            if count == BLOCK {
+                self.write(pose, &results);
+            } else {
+                self.write_last(pose, &results);
+            }
+            if mask.contains(&false) {
+                self.reconsider(pose, count, &mask);
+            }
+            pose += count;
+        }
+    }
+
+    /// Loops over a few numbers each, which the compiler turns into loops over vectors: the fast path has no
+    /// branch, the columns are no one else's, and lanes carry in their type whether they fuse. Nothing is
+    /// indexed, so that no build can panic.
+    #[inline(always)]
+    fn solve<K, F: Fusion>(
+        &self,
+        inputs: &[Column<T>; IN],
+        circles: &Circles<T>,
+        results: &mut [Column<T>; OUT],
+    ) -> [bool; BLOCK]
+    where
+        E: Entry<K, T, IN, OUT>,
+    {
+        let mut mask = [true; BLOCK];
+        for pose in 0..APART {
+            let numbers = numbers::<T, F, Usable, IN>(inputs, circles, pose);
+            let usable = self.entry.solve(numbers, |values| put(values, results, pose));
+            for (nth, usable) in usable.to_array().into_iter().enumerate() {
+                mask.get_mut(pose + nth * APART).into_iter().for_each(|ok| *ok = usable);
+            }
+        }
+        mask
+    }
+
+    /// The poses that are out of reach for certain; of any other the slow path says what it is. Numbers
+    /// that only results need are not computed.
+    #[inline(always)]
+    fn out_of_reach<K, F: Fusion>(
+        &self,
+        inputs: &[Column<T>; IN],
+        circles: &Circles<T>,
+    ) -> [bool; BLOCK]
+    where
+        E: Entry<K, T, IN, OUT>,
+    {
+        let mut refused = [false; BLOCK];
+        for pose in 0..APART {
+            let numbers = numbers::<T, F, Reach, IN>(inputs, circles, pose);
+            let verdict = self.entry.solve(numbers, |_| ());
+            for (nth, is_out) in verdict.out_of_reach().into_iter().enumerate() {
+                refused.get_mut(pose + nth * APART).into_iter().for_each(|to| *to = is_out);
+            }
+        }
+        // What is not finite is refused for that.
+        for column in inputs {
+            for (refused, number) in refused.iter_mut().zip(&column.0) {
+                *refused &= Scalar::is_finite(*number);
+            }
+        }
+        refused
+    }
+
+    /// Puts what comes of poses out of reach.
+    #[inline(always)]
+    fn refuse(
+        &mut self,
+        start: usize,
+        count: usize,
+        refused: &[bool; BLOCK],
+        results: &mut [Column<T>; OUT],
+    ) {
+        let none = T::lit(f64::NAN, f32::NAN);
+        for column in results {
+            for (number, &refused) in column.0.iter_mut().zip(refused) {
+                *number = T::select(refused, none, *number);
+            }
+        }
+        let statuses = self.statuses.get_mut(start..start + count).unwrap_or_default();
+        for (status, &refused) in statuses.iter_mut().zip(refused) {
+            *status = if refused { Status::OutOfReach } else { *status };
+        }
+    }
+
+    #[inline(always)]
+    fn read(&self, pose: usize, inputs: &mut [Column<T>; IN]) {
+        for (column, series) in inputs.iter_mut().zip(&self.inputs) {
+            match *series {
+                Series::Constant(value) => *column = Column::splat(value),
+                Series::Each(values) => {
+                    let chunk = values.get(pose..).and_then(|rest| rest.first_chunk());
+                    chunk.into_iter().for_each(|chunk| column.0 = *chunk);
+                }
+            }
+        }
+    }
+
+    /// The last block, which the last pose fills up.
+    #[cold]
+    #[inline(never)]
+    fn read_last(&self, pose: usize, inputs: &mut [Column<T>; IN]) {
+        for (column, series) in inputs.iter_mut().zip(&self.inputs) {
+            for (number, pose) in column.0.iter_mut().zip(pose..) {
+                series.at(pose).into_iter().for_each(|value| *number = value);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn write(&mut self, pose: usize, results: &[Column<T>; OUT]) {
+        for (output, column) in self.outputs.iter_mut().zip(results) {
+            if let Some(chunk) = output.get_mut(pose..).and_then(|rest| rest.first_chunk_mut()) {
+                *chunk = column.0;
+            }
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn write_last(&mut self, pose: usize, results: &[Column<T>; OUT]) {
+        for (output, column) in self.outputs.iter_mut().zip(results) {
+            let rest = output.get_mut(pose..).unwrap_or_default();
+            rest.iter_mut().zip(column.0).for_each(|(to, value)| *to = value);
+        }
+    }
+
+    /// Solves again, one by one, the poses whose mask says no.
+    #[cold]
+    #[inline(never)]
+    fn reconsider<K>(&mut self, start: usize, count: usize, mask: &[bool])
+    where
+        E: Entry<K, T, IN, OUT>,
+    {
+        let none = T::lit(f64::NAN, f32::NAN);
+        let refused = mask.iter().take(count).enumerate().filter(|&(_, &usable)| !usable);
+        for pose in refused.map(|(lane, _)| start + lane) {
+            let mut inputs = [none; IN];
+            for (input, series) in inputs.iter_mut().zip(&self.inputs) {
+                *input = series.at(pose).unwrap_or(none);
+            }
+            let mut numbers = [none; OUT];
+            let result = self.entry.solve_one(inputs, |found| {
+                numbers.iter_mut().zip(found).for_each(|(to, number)| *to = *number);
+            });
+            for (output, value) in self.outputs.iter_mut().zip(numbers) {
+                output.get_mut(pose).into_iter().for_each(|to| *to = value);
+            }
+            let status = result.map_or_else(Status::from, |()| Status::Solved);
+            self.statuses.get_mut(pose).into_iter().for_each(|to| *to = status);
+        }
+    }
+}
+
+/// The inputs at the poses that are computed together, of which this is the first; the first input with its
+/// sine and cosine, see [`Poses`].
+#[inline(always)]
+fn numbers<T: Float, F: Fusion, A: Asked, const IN: usize>(
+    inputs: &[Column<T>; IN],
+    circles: &Circles<T>,
+    pose: usize,
+) -> [Poses<T, F, A>; IN] {
+    let mut numbers = [Poses::<T, F, A>::lit(0.0, 0.0); IN];
+    for (number, column) in numbers.iter_mut().zip(inputs) {
+        *number = Poses::new(column.at(pose));
+    }
+    let angles = numbers.iter_mut().zip(inputs).zip(circles);
+    for ((number, angles), [sines, cosines]) in angles {
+        *number = Poses::on_circle([angles, sines, cosines].map(|column| column.at(pose)));
+    }
+    numbers
+}

@@ -1,0 +1,101 @@
+//! Which poses vectors may call out of reach.
+
+use std::cell::RefCell;
+use std::vec;
+use std::vec::Vec;
+
+use super::super::{Entry, OfPosition, Series, Status, sweep};
+use crate::checks::{AllMet, Checks};
+use crate::{Float, Scalar, SolveError};
+
+const GROUP: &str = "bars";
+
+/// A condition, a group's reach, another condition, another group's reach and a limit beside the formulas,
+/// of the five inputs in turn; which poses were solved one by one.
+struct Conditions {
+    singly: RefCell<Vec<f64>>,
+}
+
+impl<T: Float> Entry<OfPosition, T, 5, 1> for Conditions {
+    fn solve<U: Scalar>(&self, given: [U; 5], put: impl FnOnce(&[U])) -> U::Mask {
+        let [first, reach, second, other, beside] = given;
+        let (one, mut all) = (U::num(1.0), AllMet::new());
+        all.above(first, U::num(0.0));
+        let length = all.positive(first, GROUP, "length");
+        all.above(reach, U::num(0.0));
+        all.above_rounding(reach, one);
+        let root = all.reach_circles(reach, [one, one, one, one, one, one], GROUP).sqrt();
+        all.away(second, U::num(0.0));
+        let divisor = all.nonzero(second, GROUP);
+        all.above_rounding(other, one);
+        let height = all.reach_circles(other, [one, one, one, one, one, one], GROUP).sqrt();
+        let sum = length + root + one / divisor + height;
+        put(&[sum]);
+        all.all() & one.ge(beside) & sum.is_finite()
+    }
+
+    fn solve_one(&self, given: [T; 5], _: impl FnOnce(&[T])) -> Result<(), SolveError> {
+        self.singly.borrow_mut().push(given[1].value());
+        Err(SolveError::Singular { group: GROUP })
+    }
+}
+
+/// The status of a pose, `Singular` where it was solved by itself; others stand before and behind it.
+fn status<T: Float>(pose: [f64; 5]) -> Status {
+    let entry = Conditions { singly: RefCell::default() };
+    let good = [1.0, 1.0, 1.0, 1.0, 0.0];
+    let (count, place) = (21, 18);
+    let columns: [Vec<T>; 5] = core::array::from_fn(|input| {
+        let number = |at| T::num(if at == place { pose[input] } else { good[input] });
+        (0..count).map(number).collect()
+    });
+    let (mut sum, mut status) = (vec![T::num(7.0); count], vec![Status::NotFinite; count]);
+    let inputs = columns.each_ref().map(|column| Series::Each(&column[..]));
+    sweep::<OfPosition, _, _, 5, 1>(&entry, inputs, [&mut sum], &mut status, ()).unwrap();
+    for (at, (status, sum)) in status.iter().zip(&sum).enumerate() {
+        let is_solved = *status == Status::Solved;
+        assert!(is_solved || at == place, "{status:?} at {at}");
+        assert_eq!(sum.value().is_nan(), !is_solved);
+    }
+    let singly = entry.singly.into_inner();
+    assert_eq!(singly.len(), usize::from(status[place] == Status::Singular));
+    status[place]
+}
+
+fn in_both_widths(pose: [f64; 5]) -> Status {
+    let found = status::<f64>(pose);
+    assert_eq!(status::<f32>(pose), found, "{pose:?}");
+    found
+}
+
+#[test]
+fn what_is_first_and_clear_is_told_by_vectors() {
+    assert_eq!(in_both_widths([1.0, 1.0, 1.0, 1.0, 0.0]), Status::Solved);
+    assert_eq!(in_both_widths([1.0, -1.0, 1.0, 1.0, 0.0]), Status::OutOfReach);
+    assert_eq!(in_both_widths([1.0, 1.0, 1.0, -1.0, 0.0]), Status::OutOfReach);
+    // What comes behind it does not matter.
+    assert_eq!(in_both_widths([1.0, -1.0, 0.0, -1.0, 0.0]), Status::OutOfReach);
+}
+
+#[test]
+fn what_is_not_first_or_not_clear_is_solved_by_itself() {
+    // A condition before it, or two groups on.
+    assert_eq!(in_both_widths([-1.0, -1.0, 1.0, 1.0, 0.0]), Status::Singular);
+    assert_eq!(in_both_widths([1.0, 1.0, 0.0, -1.0, 0.0]), Status::Singular);
+    // A group that may be at its limit before one that is beyond it.
+    assert_eq!(in_both_widths([1.0, 0.0, 1.0, -1.0, 0.0]), Status::Singular);
+    // Next to the limit: 16 √ε are 2⁻²² (f32: 2⁻⁷).
+    assert_eq!(status::<f64>([1.0, -0.9 * 2_f64.powi(-22), 1.0, 1.0, 0.0]), Status::Singular);
+    assert_eq!(status::<f64>([1.0, -1.1 * 2_f64.powi(-22), 1.0, 1.0, 0.0]), Status::OutOfReach);
+    assert_eq!(status::<f32>([1.0, -0.9 * 2_f64.powi(-7), 1.0, 1.0, 0.0]), Status::Singular);
+    assert_eq!(status::<f32>([1.0, -1.1 * 2_f64.powi(-7), 1.0, 1.0, 0.0]), Status::OutOfReach);
+    // A limit beside the formulas, and numbers that are none.
+    assert_eq!(in_both_widths([1.0, -1.0, 1.0, 1.0, 2.0]), Status::Singular);
+    for place in 0..5 {
+        for nothing in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let mut pose = [1.0, -1.0, 1.0, 1.0, 0.0];
+            pose[place] = nothing;
+            assert_eq!(in_both_widths(pose), Status::Singular, "{pose:?}");
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! What a sweep asks of the fast path's comparisons: which poses may be used and, where some may not, which
+//! of these are out of reach.
+//!
+//! Comparisons say that a condition is not met, and leave the reason to the slow path. One reason is as
+//! common as solved poses, in a map of a workspace say, and vectors can tell it: every condition before a
+//! group's reach is met, what is given is finite, and what stands under the group's root is below zero by
+//! more than rounding. Then the slow path would find nothing else.
+
+use core::fmt::Debug;
+use core::ops::BitAnd;
+
+use super::poses::TOGETHER;
+use crate::{LaneMask, Mask};
+
+type Lanes = LaneMask<TOGETHER>;
+
+/// What comparisons are to tell.
+pub(super) trait Asked: Copy + Debug + 'static {
+    /// The answer.
+    type Mask: Mask;
+
+    /// That of a comparison.
+    fn compared(met: Lanes) -> Self::Mask;
+
+    /// That of a result's being finite, which it is not where a group is out of reach.
+    fn finite(met: Lanes) -> Self::Mask;
+
+    /// The poses that may be used.
+    fn usable(mask: Self::Mask) -> Lanes;
+}
+
+/// Which poses may be used.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Usable {}
+
+impl Asked for Usable {
+    type Mask = Lanes;
+
+    #[inline(always)]
+    fn compared(met: Lanes) -> Lanes {
+        met
+    }
+    #[inline(always)]
+    fn finite(met: Lanes) -> Lanes {
+        met
+    }
+    #[inline(always)]
+    fn usable(mask: Lanes) -> Lanes {
+        mask
+    }
+}
+
+/// Which poses are out of reach as well.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Reach {}
+
+impl Asked for Reach {
+    type Mask = Verdict;
+
+    #[inline(always)]
+    fn compared(met: Lanes) -> Verdict {
+        Verdict { met, sound: met, ..Verdict::ALL }
+    }
+    #[inline(always)]
+    fn finite(met: Lanes) -> Verdict {
+        Verdict { met, ..Verdict::ALL }
+    }
+    #[inline(always)]
+    fn usable(mask: Verdict) -> Lanes {
+        mask.met
+    }
+}
+
+/// What the conditions so far say of each pose.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Verdict {
+    /// All of them are met.
+    met: Lanes,
+    /// Those before the last one are met.
+    earlier: Lanes,
+    /// No first failure is a group out of reach.
+    reached: Lanes,
+    /// What is asked beside the formulas is met, as that an angle is small enough for its sine to be right.
+    sound: Lanes,
+}
+
+impl Verdict {
+    /// The poses whose first failure is a group out of reach.
+    #[inline(always)]
+    pub(super) fn out_of_reach(self) -> [bool; TOGETHER] {
+        let mut out = self.sound.to_array();
+        for (out, reached) in out.iter_mut().zip(self.reached.to_array()) {
+            *out &= !reached;
+        }
+        out
+    }
+}
+
+/// Of what is asked beside the formulas.
+impl BitAnd for Verdict {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self {
+            met: self.met & other.met,
+            earlier: self.earlier & other.earlier,
+            reached: self.reached & other.reached,
+            sound: self.sound & other.sound,
+        }
+    }
+}
+
+impl Mask for Verdict {
+    const ALL: Self =
+        Self { met: Lanes::ALL, earlier: Lanes::ALL, reached: Lanes::ALL, sound: Lanes::ALL };
+
+    #[inline(always)]
+    fn all(self) -> bool {
+        self.met.all()
+    }
+
+    #[inline(always)]
+    fn and_condition(self, condition: Self) -> Self {
+        Self { met: self.met & condition.met, ..self }
+    }
+
+    #[inline(always)]
+    fn behind_condition(self) -> Self {
+        Self { earlier: self.met, ..self }
+    }
+
+    #[inline(always)]
+    fn behind_reach(self, is_beyond: impl FnOnce() -> Self) -> Self {
+        let mut reached = self.reached.to_array();
+        let refused = (self.earlier & is_beyond().met).to_array();
+        for (reached, refused) in reached.iter_mut().zip(refused) {
+            *reached &= !refused;
+        }
+        Self { reached: Lanes::new(reached), earlier: self.met, ..self }
+    }
+}
