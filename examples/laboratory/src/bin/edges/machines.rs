@@ -21,7 +21,7 @@ fn angles() -> impl Iterator<Item = f64> {
 macro_rules! sweep_of {
     ($solver:ident, $record:ident, $sweep:ident, $angles:expr $(, $rate:literal)*) => {{
         let angles: Vec<f64> = $angles;
-        swept::<$record, _>(angles.len(), move |out, status| {
+        swept(angles.len(), move |out, status| {
             let out: $record<&mut [f64]> = Record::from_array(out);
             $solver::new().$sweep(&angles, $($rate,)* out, status, ()).expect(OK);
         })
@@ -82,7 +82,7 @@ macro_rules! machine {
                 let points: Vec<_> = map([$x, $y], half, ACROSS).collect();
                 let [x, y]: [Vec<f64>; 2] =
                     [0, 1].map(|axis| points.iter().map(|point| point[axis]).collect());
-                swept::<HandPosition, _>(points.len(), move |out, status| {
+                swept(points.len(), move |out, status| {
                     let out: HandPosition<&mut [f64]> = Record::from_array(out);
                     Hand::new().sweep_position([Series::from(&x), Series::from(&y)], out, status, ()).expect(OK);
                 })
@@ -93,7 +93,7 @@ macro_rules! machine {
                 let slides: Vec<f64> = (0..POSES)
                     .map(|k| $rod + 0.95 * $r * (k as f64 * std::f64::consts::TAU / POSES as f64).sin())
                     .collect();
-                swept::<RamPosition, _>(POSES, move |out, status| {
+                swept(POSES, move |out, status| {
                     let out: RamPosition<&mut [f64]> = Record::from_array(out);
                     Ram::new().sweep_position(&slides, out, status, ()).expect(OK);
                 })

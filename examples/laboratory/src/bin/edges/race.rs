@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use linkage_core::{Record, Status};
+use linkage_core::Status;
 
 /// Nanoseconds a pose.
 pub(crate) type Run = Box<dyn FnMut() -> f64>;
@@ -27,13 +27,10 @@ pub(crate) fn calls<I: 'static, O>(inputs: Vec<I>, call: impl Fn(&I) -> O + 'sta
 }
 
 /// A sweep into as many slices as there are numbers.
-pub(crate) fn swept<R, const OUT: usize>(
+pub(crate) fn swept<const OUT: usize>(
     poses: usize,
     run: impl Fn([&mut [f64]; OUT], &mut [Status]) + 'static,
-) -> Run
-where
-    R: Record<Array = [f64; OUT]>,
-{
+) -> Run {
     let mut columns: [Vec<f64>; OUT] = std::array::from_fn(|_| vec![0.0; poses]);
     let mut status = vec![Status::Solved; poses];
     Box::new(move || {
