@@ -43,6 +43,13 @@ pub trait Checks<T: Scalar> {
     /// Sine and cosine of an angle.
     fn sin_cos(&mut self, angle: T) -> (T, T);
 
+    /// The length of (`x`, `y`); by [`Scalar::hypot_near`] where nothing is diagnosed, if its square is at
+    /// least `least`.
+    #[inline(always)]
+    fn hypot(&mut self, x: T, y: T, _least: T) -> T {
+        x.hypot(y)
+    }
+
     /// The root of an unknown's equation, of sides in this unit, and the size that its rounding is
     /// measured by. Where none was found, what is returned leads to a refusal in the end.
     fn root(

@@ -9,6 +9,7 @@ use core::marker::PhantomData;
 use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
 use crate::kernels::{self, Float, Fusion, Plain};
+use crate::scalar::root_of_squares;
 use crate::{Mask, Scalar};
 
 /// `W` numbers of type `T`.
@@ -218,23 +219,27 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     }
     #[inline(always)]
     fn asin(self) -> Self {
-        self.map(T::asin)
+        self.map(T::asin_kernel::<F>)
     }
     #[inline(always)]
     fn acos(self) -> Self {
-        self.map(T::acos)
+        self.map(T::acos_kernel::<F>)
     }
     #[inline(always)]
     fn atan(self) -> Self {
-        self.map(T::atan)
+        self.map(T::atan_kernel::<F>)
     }
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
-        self.zip(x, T::atan2)
+        self.zip(x, T::atan2_kernel::<F>)
     }
     #[inline(always)]
     fn hypot(self, other: Self) -> Self {
         self.zip(other, T::hypot)
+    }
+    #[inline(always)]
+    fn hypot_near(self, other: Self, least: Self) -> (Self, LaneMask<W>) {
+        root_of_squares(self, other, least)
     }
     #[inline(always)]
     fn det(mut a: Self, b: Self, c: Self, d: Self) -> Self {
@@ -293,97 +298,4 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::kernels::Native;
-    use crate::{Fused, Real};
-
-    const ARGUMENTS: [f64; 8] = [0.3, -1.25, 2.0, 7e4, -0.0, 1e6, 3e-9, -12.5];
-    const OTHERS: [f64; 8] = [1.7, 0.25, -3.5, 2e-7, 1.0, -1.0, 5.0, 12.5];
-
-    /// Bits, with all numbers that are none taken for the same.
-    fn bits<T: Real>(x: T) -> u64 {
-        if x.value().is_nan() { u64::MAX } else { x.value().to_bits() }
-    }
-
-    #[track_caller]
-    fn assert_same<T: Float, F: Fusion>(lanes: Lanes<T, 8, F>, single: impl Fn(usize) -> T) {
-        for (i, lane) in lanes.to_array().into_iter().enumerate() {
-            assert_eq!(bits(lane), bits(single(i)), "lane {i}: {lane:?} {:?}", single(i));
-        }
-    }
-
-    /// Every operation, against the single number's with `F` as its way of fusing.
-    fn agrees_with_single_numbers<T: Float, F: Fusion>() {
-        let t = |x: f64| T::lit(x, x as f32);
-        let [x, y] = [ARGUMENTS.map(t), OTHERS.map(t)];
-        let [lx, ly] = [Lanes::<T, 8, F>::new(x), Lanes::new(y)];
-        assert_same(lx + ly, |i| x[i] + y[i]);
-        assert_same(lx - ly, |i| x[i] - y[i]);
-        assert_same(lx * ly, |i| x[i] * y[i]);
-        assert_same(lx / ly, |i| x[i] / y[i]);
-        assert_same(-lx, |i| -x[i]);
-        assert_same(lx.sqrt(), |i| x[i].sqrt());
-        assert_same(lx.tan(), |i| x[i].tan());
-        assert_same(lx.asin(), |i| x[i].asin());
-        assert_same(lx.acos(), |i| x[i].acos());
-        assert_same(lx.atan(), |i| x[i].atan());
-        assert_same(lx.atan2(ly), |i| x[i].atan2(y[i]));
-        assert_same(lx.hypot(ly), |i| x[i].hypot(y[i]));
-        assert_same(lx.sin_cos_near().0, |i| x[i].sin_cos_near_kernel::<F, true>().0);
-        assert_same(lx.sin_cos_near().1, |i| x[i].sin_cos_near_kernel::<F, true>().1);
-        let full = |x: T| if x.is_near() { x.sin_cos_kernel::<F>() } else { x.sin_cos() };
-        assert_same(lx.sin_cos().0, |i| full(x[i]).0);
-        assert_same(lx.sin_cos().1, |i| full(x[i]).1);
-        assert_same(Scalar::det(lx, ly, ly, lx + ly), |i| {
-            kernels::det::<T, F>(x[i], y[i], y[i], x[i] + y[i])
-        });
-        assert_same(Scalar::mul_err(lx, ly), |i| kernels::mul_err::<T, F>(x[i], y[i]));
-        assert_same(Scalar::add_err(lx, ly), |i| T::add_err(x[i], y[i]));
-        assert_same(Scalar::fused(lx, ly, lx), |i| T::fused_by::<F>(x[i], y[i], x[i]));
-        assert_eq!(lx.ge(ly).to_array(), core::array::from_fn(|i| x[i].ge(y[i])));
-        assert_eq!(lx.gt(ly).to_array(), core::array::from_fn(|i| x[i].gt(y[i])));
-        assert_eq!(lx.is_near().to_array(), x.map(Scalar::is_near));
-        assert_eq!(lx.is_within(ly).to_array(), core::array::from_fn(|i| x[i].is_within(y[i])));
-        assert_eq!(
-            (ly / lx).is_finite().to_array(),
-            core::array::from_fn(|i| Scalar::is_finite(y[i] / x[i]))
-        );
-        assert_same(Scalar::select(lx.gt(ly), lx, ly), |i| if x[i].gt(y[i]) { x[i] } else { y[i] });
-        assert_same::<T, F>(Scalar::smallest_square(), |_| T::smallest_square());
-        assert_same::<T, F>(Scalar::lit(1.0 / 3.0, 0.2), |_| T::lit(1.0 / 3.0, 0.2));
-    }
-
-    #[test]
-    fn lanes_agree_with_single_numbers_bit_for_bit() {
-        agrees_with_single_numbers::<f64, Plain>();
-        agrees_with_single_numbers::<f64, Fused>();
-        agrees_with_single_numbers::<f32, Plain>();
-        agrees_with_single_numbers::<f32, Fused>();
-    }
-
-    #[test]
-    fn lanes_fused_like_the_target_are_the_single_numbers() {
-        fn check<T: Float>() {
-            let t = |x: f64| T::lit(x, x as f32);
-            let [x, y] = [ARGUMENTS.map(t), OTHERS.map(t)];
-            let [lx, ly] = [Lanes::<T, 8, Native>::new(x), Lanes::new(y)];
-            assert_same(lx.sin_cos().0, |i| x[i].sin_cos().0);
-            assert_same(lx.sin_cos_near().1, |i| x[i].sin_cos_near().1);
-            assert_same(Scalar::det(lx, ly, ly, lx), |i| T::det(x[i], y[i], y[i], x[i]));
-            assert_same(Scalar::fused(lx, ly, lx), |i| T::fused(x[i], y[i], x[i]));
-        }
-        check::<f64>();
-        check::<f32>();
-    }
-
-    #[test]
-    fn a_mask_speaks_for_every_lane() {
-        let x = Lanes::<f64, 3>::new([1.0, 2.0, 3.0]);
-        let one = Lanes::splat(1.0);
-        assert!(x.ge(one).all() && !x.gt(one).all());
-        assert_eq!((x.ge(one) & x.gt(one)).to_array(), [false, true, true]);
-        assert_eq!(LaneMask::<3>::ALL.to_array(), [true; 3]);
-        assert_eq!(<[f64; 3]>::from(Lanes::from([1.0, 2.0, 3.0]) - one), [0.0, 1.0, 2.0]);
-    }
-}
+mod tests;

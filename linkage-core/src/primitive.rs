@@ -1,6 +1,7 @@
 //! `f32` and `f64` as scalars.
 
 use crate::kernels::{self, Float, Native};
+use crate::scalar::root_of_squares;
 use crate::tracker::Enclosure;
 use crate::{Real, Scalar};
 
@@ -8,7 +9,7 @@ use crate::{Real, Scalar};
 /// unless it was asked for.
 macro_rules! scalar {
     ($t:ident, lit: $lit:expr, plain: $plain:expr, sqrt: $sqrt:path, near: $near:path, sin_cos: $sin_cos:path,
-     libm: $tan:ident $asin:ident $acos:ident $atan:ident $atan2:ident $hypot:ident) => {
+     libm: $tan:ident $hypot:ident) => {
         impl Scalar for $t {
             type Mask = bool;
 
@@ -39,24 +40,27 @@ macro_rules! scalar {
             }
             #[inline]
             fn asin(self) -> Self {
-                libm::$asin(self)
+                self.asin_kernel::<Native>()
             }
             #[inline]
             fn acos(self) -> Self {
-                libm::$acos(self)
+                self.acos_kernel::<Native>()
             }
             #[inline]
             fn atan(self) -> Self {
-                libm::$atan(self)
+                self.atan_kernel::<Native>()
             }
             #[inline]
             fn atan2(self, x: Self) -> Self {
-                // −0 + 0 is +0: half a turn is +π whatever the sign of zero.
-                libm::$atan2(self + 0.0, x)
+                self.atan2_kernel::<Native>(x)
             }
             #[inline]
             fn hypot(self, other: Self) -> Self {
                 libm::$hypot(self, other)
+            }
+            #[inline]
+            fn hypot_near(self, other: Self, least: Self) -> (Self, bool) {
+                root_of_squares(self, other, least)
             }
             #[inline]
             fn det(a: Self, b: Self, c: Self, d: Self) -> Self {
@@ -138,7 +142,7 @@ scalar!(
     sqrt: kernels::sqrt,
     near: kernels::NEAR_F64,
     sin_cos: libm::sincos,
-    libm: tan asin acos atan atan2 hypot
+    libm: tan hypot
 );
 scalar!(
     f32,
@@ -147,5 +151,5 @@ scalar!(
     sqrt: kernels::sqrtf,
     near: kernels::NEAR_F32,
     sin_cos: libm::sincosf,
-    libm: tanf asinf acosf atanf atan2f hypotf
+    libm: tanf hypotf
 );

@@ -116,6 +116,16 @@ pub trait Scalar:
     #[must_use]
     fn hypot(self, other: Self) -> Self;
 
+    /// √(`self`² + `other`²) and whether it may be used: of single numbers and lanes the root of the squares
+    /// as they are, within 1.5 units in the last place where their sum is at least `least`, which is at least
+    /// [`smallest_square`](Self::smallest_square), and no more than the largest number; of others,
+    /// [`hypot`](Self::hypot).
+    #[inline(always)]
+    #[must_use]
+    fn hypot_near(self, other: Self, _least: Self) -> (Self, Self::Mask) {
+        (self.hypot(other), Self::Mask::ALL)
+    }
+
     /// a·b − c·d, with the error of a single rounding or two (Kahan's difference of products), in
     /// the range of [`mul_err`](Self::mul_err).
     #[must_use]
@@ -171,6 +181,17 @@ pub trait Scalar:
     /// square has left the number's normal range.
     #[must_use]
     fn smallest_square() -> Self;
+}
+
+/// [`Scalar::hypot_near`] of numbers that carry their value alone.
+///
+/// What underflow takes from a square is below its rounding where the sum is at least the smallest square.
+/// Two roundings of ε/2 come under the root, which halves them, and it is rounded itself.
+#[inline(always)]
+pub(crate) fn root_of_squares<T: Scalar>(x: T, y: T, least: T) -> (T, T::Mask) {
+    let square = T::fused(x, x, y * y);
+    let largest = T::lit(f64::MAX, f32::MAX);
+    (square.sqrt(), square.ge(least) & largest.ge(square))
 }
 
 /// A literal that is the same in both widths.
@@ -251,6 +272,44 @@ pub trait Real: Scalar<Mask = bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Of numbers of every size whose squares are in range, against double words: by how far the square of the
+    /// root is off, in units of the root's last place.
+    #[test]
+    fn a_root_of_squares_is_within_its_bound() {
+        use crate::kernels::double_word::DoubleWord;
+        let (mut state, mut worst) = (7_u64, 0.0_f64);
+        let mut unit = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        for _ in 0..100_000 {
+            let size = ((unit() - 0.5) * 900.0).exp2();
+            let (x, y) = (size * (1.0 + unit()), size * (1.0 + unit()) * (-9.0 * unit()).exp2());
+            let (found, is_near) = x.hypot_near(y, f64::smallest_square());
+            assert!(is_near);
+            let square = DoubleWord::product(x, x) + DoubleWord::product(y, y);
+            let off = (square - DoubleWord::product(found, found)).high / (2.0 * found);
+            worst = worst.max(off.abs() / (found.next_up() - found));
+            let (narrow, is_near) = (x as f32).hypot_near(y as f32, 1e-20);
+            let truth = f64::from(x as f32).hypot(f64::from(y as f32));
+            let is_in_range = (2e-10..1.8e19).contains(&truth);
+            assert!(is_near || !is_in_range, "{x:e} {y:e}");
+            let ulp = f64::from((truth as f32).next_up() - truth as f32);
+            assert!(!is_near || (f64::from(narrow) - truth).abs() <= 1.5 * ulp, "{x:e} {y:e}");
+        }
+        assert!(worst <= 1.5, "{worst}");
+    }
+
+    #[test]
+    fn a_root_of_squares_out_of_range_is_not_used() {
+        let is_near = |x: f64, y: f64, least: f64| x.hypot_near(y, least).1;
+        assert!(is_near(3.0, 4.0, 25.0) && !is_near(3.0, 4.0, 25.1));
+        assert!(is_near(1e154, 0.0, 1.0) && !is_near(1e155, 0.0, 1.0));
+        for none in [f64::NAN, f64::INFINITY] {
+            assert!(!is_near(none, 1.0, 0.5) && !is_near(1.0, none, 0.5));
+        }
+    }
 
     #[test]
     fn what_is_shown_to_be_finite_is_not_asked() {

@@ -3,10 +3,11 @@
 
 #![allow(clippy::needless_update, reason = "a mechanism may have one parameter or several")]
 
-use linkage_core::{Float, Point, Slide, SolveError, Status};
+use linkage_core::{Float, Point, Series, Slide, SolveError, Status, unwanted};
 use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::statuses::*;
 use linkage_tests::mechanisms::unknowns::{Press, PressPosition};
+use linkage_tests::random::Random;
 use linkage_tests::widths::number;
 
 /// The status and the slide's rate of one pose of a sweep.
@@ -162,3 +163,95 @@ fn every_error_has_a_status() {
 }
 
 in_both_widths! { slow_poses_are_given_their_inputs_in_order a_sweep_says_where_there_is_no_solution }
+
+/// Where the square of a distance is out of range, it is made with more care; at zero it is zero.
+fn a_distance_may_be_of_any_size<T: Float>(sizes: [f64; 5]) {
+    let passing = Passing::<T>::default();
+    let x = sizes.map(number::<T>);
+    let (mut reach, mut status) = ([number(7.0); 5], [Status::NotFinite; 5]);
+    let out = PassingPosition { reach: &mut reach[..], ..unwanted() };
+    passing.sweep_position(&x, out, &mut status, ()).unwrap();
+    for (at, &x) in x.iter().enumerate() {
+        let magnitude = x.value().abs();
+        assert_eq!(passing.position(x).unwrap().reach.value(), magnitude, "{x:?}");
+        assert_eq!((reach[at].value(), status[at]), (magnitude, Status::Solved), "{x:?}");
+    }
+}
+
+#[test]
+fn distances_may_be_of_any_size() {
+    a_distance_may_be_of_any_size::<f64>([0.0, -1.0, 1e-200, -3e-308, 1e200]);
+    a_distance_may_be_of_any_size::<f32>([0.0, -1.0, 1e-25, -3e-38, 1e25]);
+}
+
+/// Poses about the limits of two dyads: one of a group's by up to 10,000 last places, or anywhere; with bars
+/// of zero, negative and no length among them. Every status is the single call's, and numbers are none where it
+/// is no `Solved`.
+fn statuses_are_the_kinds_of_single_calls<T: Float>(poses: usize) {
+    let (mut random, mut counts) = (Random::new(31), [0_usize; 4]);
+    for _ in 0..poses / 240 {
+        let mut bars = [2.0, 2.5, 1.0].map(|bar| bar * random.between(0.2, 1.4));
+        match random.between(0.0, 40.0) as u32 {
+            0 => bars[random.between(0.0, 3.0) as usize] = 0.0,
+            1 => bars[random.between(0.0, 3.0) as usize] = -1.0,
+            2 => bars[random.between(0.0, 3.0) as usize] = f64::NAN,
+            _ => {}
+        }
+        let [l1, l2, l3] = bars.map(number::<T>);
+        let dyads = TwoDyads { l1, l2, l3, ..TwoDyads::<T>::default() };
+        let place = |random: &mut Random| {
+            let anywhere = [random.anywhere(-2.0, 6.0), random.anywhere(-4.0, 4.0)];
+            if random.between(0.0, 1.0) < 0.5 {
+                return anywhere;
+            }
+            let limit =
+                if random.between(0.0, 1.0) < 0.5 { bars[0] + bars[1] } else { bars[0] - bars[1] };
+            let by = 1.0 + random.between(-1e4, 1e4).round() * T::EPSILON;
+            let (sin, cos) = random.anywhere(0.0, 6.3).sin_cos();
+            [4.0 + limit * by * cos, limit * by * sin]
+        };
+        let at: Vec<[T; 2]> = (0..240).map(|_| place(&mut random).map(number::<T>)).collect();
+        let [x, y] = [0, 1].map(|axis| at.iter().map(|at| at[axis]).collect::<Vec<T>>());
+        let (mut ex, mut status) = (vec![number::<T>(7.0); 240], vec![Status::NotFinite; 240]);
+        let (mut ey, mut reach) = (ex.clone(), ex.clone());
+        let e = Point { x: &mut ex[..], y: &mut ey[..] };
+        let out = TwoDyadsPosition { E: e, reach: &mut reach[..], ..unwanted() };
+        dyads.sweep_position([Series::from(&x), Series::from(&y)], out, &mut status, ()).unwrap();
+        for (nth, &at) in at.iter().enumerate() {
+            let single = dyads.position(at).map(|_| ());
+            let expected = single.map_or_else(Status::from, |()| Status::Solved);
+            let found = status[nth];
+            // A rounding of C decides where the second dyad is next to its limit, see `Status`.
+            let is_rounding = match single {
+                Err(SolveError::OutOfReach { group: "CE, FE", by }) => {
+                    found == Status::Solved && by < 1e3 * T::EPSILON
+                }
+                _ => false,
+            };
+            assert!(found == expected || is_rounding, "{bars:?} {at:?}: {found:?} {single:?}");
+            let is_none = [ex[nth], ey[nth], reach[nth]].map(|number| number.value().is_nan());
+            assert_eq!(is_none, [found != Status::Solved; 3], "{bars:?} {at:?}");
+            counts[match single {
+                Ok(()) => 0,
+                Err(SolveError::OutOfReach { group: "BC, DC", .. }) => 1,
+                Err(SolveError::OutOfReach { .. }) => 2,
+                _ => 3,
+            }] += 1;
+        }
+    }
+    assert!(counts.iter().all(|&count| count > poses / 200), "{counts:?}");
+}
+
+#[test]
+fn statuses_about_limits_are_the_kinds_of_single_calls() {
+    statuses_are_the_kinds_of_single_calls::<f64>(120_000);
+    statuses_are_the_kinds_of_single_calls::<f32>(120_000);
+}
+
+/// `cargo test --release -p linkage-tests --test limits -- --ignored ten_million`
+#[test]
+#[ignore = "takes a minute"]
+fn ten_million_statuses_are_the_kinds_of_single_calls() {
+    statuses_are_the_kinds_of_single_calls::<f64>(5_000_000);
+    statuses_are_the_kinds_of_single_calls::<f32>(5_000_000);
+}

@@ -80,6 +80,14 @@ impl<T: Scalar> Checks<T> for AllMet<T::Mask> {
     }
 
     #[inline(always)]
+    fn hypot(&mut self, x: T, y: T, least: T) -> T {
+        let (length, is_near) = x.hypot_near(y, least);
+        self.and(is_near);
+        Checks::<T>::diagnosed(self);
+        length
+    }
+
+    #[inline(always)]
     fn above(&mut self, value: T, least: T) {
         self.and(value.gt(least));
     }

@@ -1,6 +1,6 @@
 //! `f32` and `f64` under one name, for kernels that are the same in both.
 
-use super::{Fusion, native, sin_cos_f32, sin_cos_f64};
+use super::{Fusion, arc, native, sin_cos_f32, sin_cos_f64};
 use crate::Real;
 
 /// `f32` or `f64`.
@@ -31,6 +31,16 @@ pub trait Float: Real + sealed::Sealed {
         self.sin_cos_kernel::<F>()
     }
 
+    /// The kernels behind the arc functions of [`Scalar`](crate::Scalar).
+    #[doc(hidden)]
+    fn asin_kernel<F: Fusion>(self) -> Self;
+    #[doc(hidden)]
+    fn acos_kernel<F: Fusion>(self) -> Self;
+    #[doc(hidden)]
+    fn atan_kernel<F: Fusion>(self) -> Self;
+    #[doc(hidden)]
+    fn atan2_kernel<F: Fusion>(self, x: Self) -> Self;
+
     /// a·b + c with one rounding or two, as `F` says.
     #[doc(hidden)]
     #[inline]
@@ -58,6 +68,22 @@ impl Float for f64 {
     fn sin_cos_near_kernel<F: Fusion, const ALONE: bool>(self) -> (Self, Self) {
         sin_cos_f64::sin_cos_near::<F, ALONE>(self)
     }
+    #[inline(always)]
+    fn asin_kernel<F: Fusion>(self) -> Self {
+        arc::asin::<F>(self)
+    }
+    #[inline(always)]
+    fn acos_kernel<F: Fusion>(self) -> Self {
+        arc::acos::<F>(self)
+    }
+    #[inline(always)]
+    fn atan_kernel<F: Fusion>(self) -> Self {
+        arc::atan::<F>(self)
+    }
+    #[inline(always)]
+    fn atan2_kernel<F: Fusion>(self, x: Self) -> Self {
+        arc::atan2::<F>(self, x)
+    }
 }
 
 impl Float for f32 {
@@ -74,6 +100,22 @@ impl Float for f32 {
     #[inline]
     fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self) {
         sin_cos_f32::sin_cos::<F>(self)
+    }
+    #[inline(always)]
+    fn asin_kernel<F: Fusion>(self) -> Self {
+        arc::asinf::<F>(self)
+    }
+    #[inline(always)]
+    fn acos_kernel<F: Fusion>(self) -> Self {
+        arc::acosf::<F>(self)
+    }
+    #[inline(always)]
+    fn atan_kernel<F: Fusion>(self) -> Self {
+        arc::atanf::<F>(self)
+    }
+    #[inline(always)]
+    fn atan2_kernel<F: Fusion>(self, x: Self) -> Self {
+        arc::atan2f::<F>(self, x)
     }
 }
 

@@ -5,6 +5,7 @@
 //! in whether multiplications and additions are fused ([`Fusion`]), so that a lane computes the
 //! same bits as a single number.
 
+mod arc;
 mod error_free;
 mod float;
 mod fusion;
@@ -15,7 +16,7 @@ mod sin_cos_f64;
 #[cfg(test)]
 mod accuracy;
 #[cfg(test)]
-mod double_word;
+pub(crate) mod double_word;
 #[cfg(test)]
 mod hard_arguments;
 

@@ -5,6 +5,7 @@ use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::verdict::{Asked, Usable};
+use crate::scalar::root_of_squares;
 use crate::{Float, Fusion, Lanes, Scalar};
 
 /// How many poses are computed beside each other, before the compiler takes several such sets at a time
@@ -128,6 +129,10 @@ impl<T: Float, F: Fusion, A: Asked> Scalar for Poses<T, F, A> {
         (Self::of(sin), Self::of(cos))
     }
     #[inline(always)]
+    fn hypot_near(self, other: Self, least: Self) -> (Self, A::Mask) {
+        root_of_squares(self, other, least)
+    }
+    #[inline(always)]
     fn det(a: Self, b: Self, c: Self, d: Self) -> Self {
         Self::of(Scalar::det(a.lanes, b.lanes, c.lanes, d.lanes))
     }
@@ -195,6 +200,7 @@ mod tests {
             check(a.atan(), w.atan());
             check(a.atan2(c), w.atan2(y));
             check(a.hypot(b), w.hypot(x));
+            check(a.hypot_near(b, c).0, w.hypot_near(x, y).0);
             check(a.sin_cos().0, w.sin_cos().0);
             check(a.sin_cos().1, w.sin_cos().1);
             check(Scalar::det(a, b, c, d), Scalar::det(w, x, y, z));
@@ -210,6 +216,7 @@ mod tests {
                 (a.is_within(b), w.is_within(x)),
                 (b.is_within(a), x.is_within(w)),
                 (a.is_near(), w.is_near()),
+                (a.hypot_near(b, c).1, w.hypot_near(x, y).1),
                 (a.is_finite(), w.is_finite()),
             ];
             for (poses, lane) in answers {

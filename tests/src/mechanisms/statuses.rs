@@ -72,3 +72,32 @@ mechanism! {
         output B;
     }
 }
+
+mechanism! {
+    /// A point that a slide carries through the origin, and how far it is from there.
+    pub struct Passing {
+        input x: length;
+
+        ground A(0, 0);
+        point P at (x, 0);
+
+        output P, reach = distance(A, P);
+    }
+}
+
+mechanism! {
+    /// A dyad between a driven point and the ground, and one behind it, with bars that are given.
+    pub struct TwoDyads {
+        input x, y: length;
+        param l1 = 2m;
+        param l2 = 2.5m;
+        param l3 = 1m;
+
+        ground D(4m, 0), F(3m, 3m);
+        point B at (x, y);
+        rrr BC(B), DC(D) -> C { lengths: (l1, l2), mode: left }
+        rrr CE(C), FE(F) -> E { lengths: (l3, 2m), mode: left }
+
+        output C, E, reach = distance(B, E);
+    }
+}

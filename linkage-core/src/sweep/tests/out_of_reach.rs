@@ -11,7 +11,7 @@ use crate::{Float, Scalar, SolveError};
 const GROUP: &str = "bars";
 
 /// A condition, a group's reach, another condition, another group's reach and a limit beside the formulas,
-/// of the five inputs in turn; which poses were solved one by one.
+/// of the five inputs in turn, the first a hypotenuse as well; which poses were solved one by one.
 struct Conditions {
     singly: RefCell<Vec<f64>>,
 }
@@ -20,6 +20,7 @@ impl<T: Float> Entry<OfPosition, T, 5, 1> for Conditions {
     fn solve<U: Scalar>(&self, given: [U; 5], put: impl FnOnce(&[U])) -> U::Mask {
         let [first, reach, second, other, beside] = given;
         let (one, mut all) = (U::num(1.0), AllMet::new());
+        let hypotenuse = all.hypot(first, U::num(0.0), U::num(0.25));
         all.above(first, U::num(0.0));
         let length = all.positive(first, GROUP, "length");
         all.above(reach, U::num(0.0));
@@ -29,7 +30,7 @@ impl<T: Float> Entry<OfPosition, T, 5, 1> for Conditions {
         let divisor = all.nonzero(second, GROUP);
         all.above_rounding(other, one);
         let height = all.reach_circles(other, [one, one, one, one, one, one], GROUP).sqrt();
-        let sum = length + root + one / divisor + height;
+        let sum = length + hypotenuse + root + one / divisor + height;
         put(&[sum]);
         all.all() & one.ge(beside) & sum.is_finite()
     }
@@ -82,6 +83,8 @@ fn what_is_not_first_or_not_clear_is_solved_by_itself() {
     // A condition before it, or two groups on.
     assert_eq!(in_both_widths([-1.0, -1.0, 1.0, 1.0, 0.0]), Status::Singular);
     assert_eq!(in_both_widths([1.0, 1.0, 0.0, -1.0, 0.0]), Status::Singular);
+    // A hypotenuse that has to be made with more care.
+    assert_eq!(in_both_widths([0.4, -1.0, 1.0, 1.0, 0.0]), Status::Singular);
     // A group that may be at its limit before one that is beyond it.
     assert_eq!(in_both_widths([1.0, 0.0, 1.0, -1.0, 0.0]), Status::Singular);
     // Next to the limit: 16 √ε are 2⁻²² (f32: 2⁻⁷).
