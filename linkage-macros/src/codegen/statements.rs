@@ -53,6 +53,16 @@ impl<'a> Printer<'a> {
             Statement::SinCos { angle, sin, cos, is_checked } => {
                 self.sin_cos(*angle, [*sin, *cos], *is_checked, to);
             }
+            Statement::Hypot { id, least_square } => {
+                let Node::Hypot(x, y) = self.node(*id) else { unreachable!("it is one") };
+                to.put("let ").put(&self.local(*id)).put(" = checks_.hypot(");
+                for operand in [x, y] {
+                    self.value(operand, to);
+                    to.put(", ");
+                }
+                self.threshold(*least_square, to);
+                to.put(");\n");
+            }
             Statement::Check(condition) => self.condition(condition, to),
             Statement::Find { search, root, size } => self.find(*search, *root, *size, to),
             Statement::Tell { statements, clearances } => self.tell(statements, clearances, to),
@@ -197,10 +207,7 @@ impl<'a> Printer<'a> {
             });
             to.append(&value);
             to.put(", ");
-            match threshold {
-                Threshold::SmallestSquare => to.put(&self.number).put("::smallest_square()"),
-                Threshold::Number(wide, narrow) => to.put(&self.cx.written(wide, narrow as f32)),
-            };
+            self.threshold(threshold, to);
             to.put(");\n");
         }
         if let Some(spread) = condition.above_rounding {
@@ -225,6 +232,13 @@ impl<'a> Printer<'a> {
             to.put(", ").put(length);
         });
         to.put(");\n");
+    }
+
+    fn threshold(&self, threshold: Threshold, to: &mut Text) {
+        match threshold {
+            Threshold::SmallestSquare => to.put(&self.number).put("::smallest_square()"),
+            Threshold::Number(wide, narrow) => to.put(&self.cx.written(wide, narrow as f32)),
+        };
     }
 
     fn expression(&self, node: Node, to: &mut Text) {

@@ -117,7 +117,8 @@ impl Builder<'_> {
             _ => "formulas_".to_string(),
         };
         let (graph, searches) = (self.graph(), &self.searches);
-        let mut schedule = Schedule::new(graph, &self.locals, Path::Slow, overflow, searches);
+        let mut schedule =
+            Schedule::new(graph, &self.locals, Path::Slow, overflow, searches, self.sinks(last));
         let clear = self.clear_in(entries);
         let mut statements: Vec<Vec<Statement>> = Vec::new();
         for &entry in entries {
@@ -170,7 +171,8 @@ impl Builder<'_> {
 
     /// A routine that returns the sinks in a list.
     fn listing(&self, name: &str, given: &'static [Given], path: Path, sinks: &[Id]) -> Routine {
-        let mut schedule = Schedule::new(self.graph(), &self.locals, path, None, &self.searches);
+        let mut schedule =
+            Schedule::new(self.graph(), &self.locals, path, None, &self.searches, sinks);
         let needed = match path {
             Path::Unchecked => sinks.to_vec(),
             Path::Fast | Path::Slow => self.program.with_closures(sinks),

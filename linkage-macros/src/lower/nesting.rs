@@ -74,7 +74,7 @@ mod tests {
         let mut locals = Locals::default();
         locals.names.extend(named.iter().map(|&id| (Id(id), "letter_".to_string())));
         let unnamed = Locals::default();
-        let mut schedule = Schedule::new(&graph, &unnamed, Path::Slow, None, &[]);
+        let mut schedule = Schedule::new(&graph, &unnamed, Path::Slow, None, &[], &[]);
         let statements = schedule.stage(&sinks);
         let before: Vec<Id> = statements.iter().flat_map(defines).collect();
         let reads = reads(&schedule, std::slice::from_ref(&statements), &sinks);

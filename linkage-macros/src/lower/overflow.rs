@@ -14,6 +14,7 @@ use super::routine::{Limits, Threshold};
 use super::witnesses::witnesses;
 use crate::exact::Exact;
 use crate::ir::graph::{Check, Graph, Id, Node};
+use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes};
 
 /// What the fast path asks of inputs and divisors in place of its results.
@@ -32,6 +33,8 @@ pub(super) enum Spread<'g> {
 /// What is asked of one width.
 struct Width {
     thresholds: Thresholds,
+    /// The least lengths of hypotenuses.
+    lengths: Map<Id, f64>,
     /// On inputs and rates; on second rates its square.
     input: f64,
 }
@@ -69,9 +72,11 @@ impl Overflow {
         let values = Values::new(graph, &live(graph, sinks, Path::Fast));
         let first = |ladder: &[Assumed]| {
             let width = |assumed: &Assumed| {
-                let thresholds = values.thresholds(assumed)?;
-                let is_met = thresholds.values().flatten().all(|&least| least <= LARGEST_ASKED);
-                is_met.then_some(Width { thresholds, input: assumed.input })
+                let (thresholds, lengths) = values.thresholds(assumed)?;
+                let is_small = |&least: &f64| least <= LARGEST_ASKED;
+                let is_met =
+                    thresholds.values().flatten().all(is_small) && lengths.values().all(is_small);
+                is_met.then_some(Width { thresholds, lengths, input: assumed.input })
             };
             ladder.iter().find_map(width)
         };
@@ -105,6 +110,15 @@ impl Overflow {
             return None;
         }
         Some(Threshold::Number(wide.unwrap_or(0.0), narrow.unwrap_or(0.0)))
+    }
+
+    /// The least square of a hypotenuse.
+    pub(super) fn least_square(&self, hypotenuse: Id) -> Threshold {
+        let of = |width: &Option<Width>, assumed: Assumed| {
+            let least = width.as_ref().and_then(|width| width.lengths.get(&hypotenuse));
+            least.map_or(assumed.square, |least| (least * least).max(assumed.square))
+        };
+        Threshold::Number(of(&self.wide, WIDE[0]), of(&self.narrow, NARROW[0]))
     }
 
     /// The limits on the inputs that lead to some of the sinks.
@@ -154,7 +168,7 @@ mod tests {
         let width = |least| {
             let mut thresholds = Thresholds::default();
             thresholds.insert(VALUE, least);
-            Some(Width { thresholds, input: 1e6 })
+            Some(Width { thresholds, lengths: Map::default(), input: 1e6 })
         };
         let overflow = Overflow { wide: width(wide), narrow: width(narrow) };
         overflow.threshold(VALUE, &Check::ReachCircles, spread)
@@ -180,7 +194,10 @@ mod tests {
         // Where one width has no ranges, its results are asked, and of the value its rounding alone.
         let mut thresholds = Thresholds::default();
         thresholds.insert(VALUE, None);
-        let overflow = Overflow { wide: Some(Width { thresholds, input: 1e60 }), narrow: None };
+        let overflow = Overflow {
+            wide: Some(Width { thresholds, lengths: Map::default(), input: 1e60 }),
+            narrow: None,
+        };
         let found = overflow.threshold(VALUE, &Check::ReachCircles, known);
         assert_eq!(found, both(0.0, 32.0 * f64::from(f32::EPSILON)));
     }

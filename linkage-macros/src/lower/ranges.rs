@@ -82,21 +82,23 @@ impl<'a> Values<'a> {
         Self { graph, live, constants }
     }
 
-    /// The thresholds of all guards under the limits, if every live value is bounded.
-    pub(crate) fn thresholds(&self, limits: &Assumed) -> Option<Thresholds> {
+    /// The thresholds of all guards under the limits, if every live value is bounded, and the least
+    /// lengths of hypotenuses.
+    pub(crate) fn thresholds(&self, limits: &Assumed) -> Option<(Thresholds, Map<Id, f64>)> {
         let (graph, ranges) = (self.graph, self.constants.clone());
-        let mut bounds = Bounds { graph, limits, ranges, thresholds: Map::default() };
+        let (thresholds, lengths) = (Map::default(), Map::default());
+        let mut bounds = Bounds { graph, limits, ranges, thresholds, lengths };
         for &(id, node) in &self.live {
             let range = match bounds.of(id) {
                 Some(constant) => constant,
-                None => bounds.range(node)?,
+                None => bounds.range(id, node)?,
             };
             if range.largest() >= limits.largest {
                 return None;
             }
             bounds.ranges[id.index()] = Some(range);
         }
-        Some(bounds.thresholds)
+        Some((bounds.thresholds, bounds.lengths))
     }
 }
 
@@ -105,6 +107,7 @@ struct Bounds<'a> {
     limits: &'a Assumed,
     ranges: Vec<Option<Range>>,
     thresholds: Thresholds,
+    lengths: Map<Id, f64>,
 }
 
 impl Bounds<'_> {
@@ -112,7 +115,7 @@ impl Bounds<'_> {
         self.ranges[id.index()]
     }
 
-    fn range(&mut self, node: Node) -> Option<Range> {
+    fn range(&mut self, id: Id, node: Node) -> Option<Range> {
         let limits = self.limits;
         Some(match node {
             Node::Constant(_) | Node::Low(_) => return None,
@@ -140,7 +143,11 @@ impl Bounds<'_> {
             Node::Div(a, b) => self.quotient(a, b)?.rounded(),
             Node::Sqrt(a) => self.of(a)?.root()?.rounded(),
             Node::Hypot(a, b) => {
-                Range::about(self.of(a)?.largest() + self.of(b)?.largest()).rounded()
+                // The fast path asks for squares of full precision, or for a share of the largest.
+                let high = self.of(a)?.largest() + self.of(b)?.largest();
+                let least = limits.square.sqrt().max(limits.share * high).min(high);
+                self.lengths.insert(id, least);
+                Range::of(least, high).rounded()
             }
             Node::MulErr(a, b) => Range::about(self.exact_product(a, b)?.largest() * SLACK),
             Node::AddErr(a, b) => Range::about(self.of(a)?.plus(self.of(b)?).largest() * SLACK),

@@ -96,6 +96,11 @@ pub(crate) enum Statement {
         cos: Option<Id>,
         is_checked: bool,
     },
+    /// A hypotenuse that the fast path needs: it asks for one whose square is in range.
+    Hypot {
+        id: Id,
+        least_square: Threshold,
+    },
     Check(Condition),
     /// The root of an equation, and the size that its rounding is measured by; an index into
     /// `Lowered::searches`.

@@ -3,7 +3,7 @@
 
 use super::checks;
 use super::overflow::Overflow;
-use super::routine::{Locals, Search, Statement, is_leaf};
+use super::routine::{Locals, Search, Statement, Threshold, is_leaf};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes, tried};
@@ -17,6 +17,8 @@ pub(super) struct Schedule<'a> {
     /// What is asked of divisors in place of results.
     pub overflow: Option<&'a Overflow>,
     done: Vec<bool>,
+    /// What the fast path needs for the last sinks.
+    fast: Vec<bool>,
     /// The inputs and parameters that are read, in the order of the graph.
     pub reads: Vec<Node>,
     /// Whether anything is asked of anybody.
@@ -41,9 +43,22 @@ impl<'a> Schedule<'a> {
         path: Path,
         overflow: Option<&'a Overflow>,
         searches: &'a [Search],
+        last: &[Id],
     ) -> Self {
         let (done, reads, tried) = (vec![false; graph.len()], Vec::new(), tried(graph));
-        Self { graph, locals, path, overflow, done, reads, has_checks: false, tried, searches }
+        let fast = live(graph, last, Path::Fast);
+        Self {
+            graph,
+            locals,
+            path,
+            overflow,
+            done,
+            fast,
+            reads,
+            has_checks: false,
+            tried,
+            searches,
+        }
     }
 
     /// What the sinks need beyond what was scheduled before.
@@ -56,8 +71,17 @@ impl<'a> Schedule<'a> {
             if self.tried[id.index()] || std::mem::replace(&mut self.done[id.index()], true) {
                 continue;
             }
-            self.has_checks |= self.is_checked(node);
+            // What the slow path alone looks at asks nothing of the fast one.
+            let is_measured = matches!(node, Node::Hypot(..))
+                && self.path != Path::Unchecked
+                && self.fast[id.index()];
+            self.has_checks |= is_measured || self.is_checked(node);
             let statement = match node {
+                Node::Hypot(..) if is_measured => {
+                    let known = self.overflow.map(|overflow| overflow.least_square(id));
+                    let least_square = known.unwrap_or(Threshold::SmallestSquare);
+                    Some(Statement::Hypot { id, least_square })
+                }
                 _ if is_leaf(node) => {
                     self.reads.push(node);
                     None
@@ -114,7 +138,7 @@ impl<'a> Schedule<'a> {
     /// Tells each local that a statement reads, in the order in which it does.
     pub(super) fn for_uses(&self, statement: &Statement, each: &mut dyn FnMut(Id)) {
         match statement {
-            Statement::Let(id) => {
+            Statement::Let(id) | Statement::Hypot { id, .. } => {
                 let node = self.graph.node(*id);
                 node.for_operands(&mut |operand| self.for_locals(&[operand], each));
             }
@@ -135,7 +159,7 @@ impl<'a> Schedule<'a> {
 /// The locals that a statement binds.
 pub(super) fn defines(statement: &Statement) -> Vec<Id> {
     match statement {
-        Statement::Let(id) => vec![*id],
+        Statement::Let(id) | Statement::Hypot { id, .. } => vec![*id],
         Statement::SinCos { sin, cos, .. } => sin.iter().chain(cos).copied().collect(),
         Statement::Check(condition) => vec![condition.id],
         Statement::Find { root, size, .. } => [*root].into_iter().chain(*size).collect(),

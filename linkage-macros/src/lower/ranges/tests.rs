@@ -48,7 +48,9 @@ impl Sample {
     }
 
     fn thresholds(&self, limits: &Assumed) -> Option<Thresholds> {
-        Values::new(&self.graph, &vec![true; self.graph.len()]).thresholds(limits)
+        Values::new(&self.graph, &vec![true; self.graph.len()])
+            .thresholds(limits)
+            .map(|(thresholds, _)| thresholds)
     }
 }
 
