@@ -4,7 +4,9 @@
 //! Differentiating the position's closed form loses up to two digits against the formulas that
 //! each group has for its velocity and acceleration; the allowance says so.
 
-use linkage_core::{Sense, Side};
+use linkage_core::nalgebra::SMatrix;
+use linkage_core::num_dual::DualSVec;
+use linkage_core::{Differentiable, Mechanism, Sense, Side, differentiate};
 use linkage_tests::accuracy::{roundings, widened};
 use linkage_tests::mechanisms::variable_dimensions::*;
 use linkage_tests::mechanisms::{driven_groups::*, drivers::*, moving_bases::*, single_groups::*};
@@ -106,20 +108,55 @@ fn a_long_chain_differentiates_to_its_motion() {
     differentiated!(table, MovingBases::new(), MovingBases::OUTPUTS, only, SIX_GROUPS);
 }
 
-/// The Jacobian by automatic differentiation against the coefficients from the velocity equations.
+/// The coefficients from the velocity equations against the position on dual numbers; the Jacobian is the
+/// former.
 macro_rules! assert_same_slopes {
     ($mechanism:expr, $q:expr, $slack:expr) => {{
         let mechanism = $mechanism;
-        let (slopes, jacobian) =
+        let (slopes, matrix) =
             (mechanism.coefficients($q).unwrap(), mechanism.jacobian($q).unwrap());
+        let jacobian = by_duals(mechanism.lift(), $q);
         let largest = slopes.iter().flatten().fold(1.0, |a: f64, b| a.max(f64::from(b.abs())));
         for (i, row) in slopes.iter().enumerate() {
             for (j, slope) in row.iter().enumerate() {
+                assert_eq!(matrix[(i, j)], *slope, "[{i}, {j}]");
                 let error = f64::from((slope - jacobian[(i, j)]).abs());
                 assert!(error <= $slack * largest, "[{i}, {j}]: {slope} and {}", jacobian[(i, j)]);
             }
         }
     }};
+}
+
+/// What an input is to a list.
+trait Listed<F, const N: usize> {
+    fn listed(self) -> [F; N];
+}
+
+impl<F> Listed<F, 1> for F {
+    fn listed(self) -> [F; 1] {
+        [self]
+    }
+}
+
+impl<F, const N: usize> Listed<F, N> for [F; N] {
+    fn listed(self) -> Self {
+        self
+    }
+}
+
+fn by_duals<F, M, const OUT: usize, const N: usize>(
+    lifted: M,
+    q: impl Listed<F, N>,
+) -> SMatrix<F, OUT, N>
+where
+    F: Differentiable,
+    M: Mechanism<
+            Scalar = DualSVec<F, N>,
+            Inputs = [DualSVec<F, N>; N],
+            Rows = [DualSVec<F, N>; OUT],
+        >,
+{
+    differentiate(q.listed(), |q| Mechanism::position(&lifted, q)).expect("far from limits")
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Jacobians and sensitivities by automatic differentiation: the position solver on dual numbers.
+//! Jacobians and sensitivities: the coefficients as a matrix, and the position solver on dual numbers.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -47,7 +47,7 @@ fn jacobian(cx: &Context<'_>) -> TokenStream {
         #docs
         pub fn jacobian(&self, #(#declared),*) -> #result<#matrix<#number, #rows, #columns>, #error> {
             #converted
-            #of_lifted(&self.lift(), #values)
+            #of_lifted(self.coefficients(#(#names),*), #values, || self.lift())
         }
     }
 }

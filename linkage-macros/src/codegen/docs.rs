@@ -377,20 +377,22 @@ pub(super) fn slow_path(entry: &Entry) -> TokenStream {
 
 pub(super) fn jacobian(cx: &Context<'_>) -> TokenStream {
     let columns = cx.mechanism.inputs.iter().map(|input| text(&input.name)).collect();
-    lines(&matrix(cx, "∂outputs/∂inputs", columns))
+    let what = "∂outputs/∂inputs: the `coefficients` as a matrix";
+    lines(&matrix(cx, what, columns, " A group that no coefficient depends on is not looked at."))
 }
 
 pub(super) fn sensitivity(cx: &Context<'_>) -> TokenStream {
     let columns = cx.numeric_params().iter().map(|param| text(&param.name)).collect();
-    lines(&matrix(cx, "∂outputs/∂params", columns))
+    let what = "∂outputs/∂params by automatic differentiation of the position";
+    lines(&matrix(cx, what, columns, ""))
 }
 
-fn matrix(cx: &Context<'_>, what: &str, columns: Vec<String>) -> String {
+fn matrix(cx: &Context<'_>, what: &str, columns: Vec<String>, beside: &str) -> String {
     let list = |names: Vec<String>| format!("`{}`", names.join("`, `"));
     let rows = labels::all_rows(cx.mechanism);
     format!(
-        "{what} by automatic differentiation of the position.\n\nRows: {}; columns: {}.\n\n\
-         # Errors\nThose of `position`; `Singular` where a derivative does not exist.",
+        "{what}.\n\nRows: {}; columns: {}.\n\n\
+         # Errors\nThose of `position`; `Singular` where a derivative does not exist.{beside}",
         list(rows),
         list(columns),
     )
