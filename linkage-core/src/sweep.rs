@@ -132,7 +132,7 @@ pub fn sweep<K, T: Float, E: Entry<K, T, IN, OUT>, const IN: usize, const OUT: u
     mut progress: impl Progress,
 ) -> Result<(), LengthMismatch> {
     let poses = common_length(&inputs, &outputs, statuses)?;
-    let mut batch = Batch { entry, inputs, outputs, statuses };
+    let mut batch = Batch { entry, inputs, outputs, statuses, is_agreed: None };
     let mut done = 0;
     while done < poses {
         let end = poses.min(done.saturating_add(REPORT_EVERY));

@@ -12,6 +12,9 @@ pub(super) struct Batch<'a, E, T, const IN: usize, const OUT: usize> {
     pub(super) inputs: [Series<'a, T>; IN],
     pub(super) outputs: [&'a mut [T]; OUT],
     pub(super) statuses: &'a mut [Status],
+    /// Whether a single call has agreed that a pose is out of reach; it looks at parameters as well, which
+    /// are the same for every pose. Nothing before the first such pose.
+    pub(super) is_agreed: Option<bool>,
 }
 
 // `inline(always)` on the way from an instruction set to the lanes: a function of its own would be
@@ -39,7 +42,10 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
             let circles = inputs.first().map(Column::sines_and_cosines::<F>);
             let mut mask = self.solve::<K, F>(&inputs, &circles, &mut results);
             if mask.contains(&false) {
-                let refused = self.out_of_reach::<K, F>(&inputs, &circles);
+                let mut refused = self.out_of_reach::<K, F>(&inputs, &circles);
+                if !self.is_agreed::<K>(pose, &refused) {
+                    refused = [false; BLOCK];
+                }
                 self.refuse(pose, count, &refused, &mut results);
                 mask.iter_mut().zip(&refused).for_each(|(done, &refused)| *done |= refused);
             }
@@ -105,6 +111,23 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
             }
         }
         refused
+    }
+
+    /// Whether single calls say so too: the first pose of a sweep that is refused is solved by one.
+    #[inline(always)]
+    fn is_agreed<K>(&mut self, start: usize, refused: &[bool; BLOCK]) -> bool
+    where
+        E: Entry<K, T, IN, OUT>,
+    {
+        match (self.is_agreed, refused.iter().position(|&refused| refused)) {
+            (Some(is_agreed), _) => is_agreed,
+            (None, None) => false,
+            (None, Some(first)) => {
+                let status = self.solved_singly(start + first, &mut [T::lit(0.0, 0.0); OUT]);
+                self.is_agreed = Some(status == Status::OutOfReach);
+                status == Status::OutOfReach
+            }
+        }
     }
 
     /// Puts what comes of poses out of reach.
@@ -180,20 +203,31 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         let none = T::lit(f64::NAN, f32::NAN);
         let refused = mask.iter().take(count).enumerate().filter(|&(_, &usable)| !usable);
         for pose in refused.map(|(lane, _)| start + lane) {
-            let mut inputs = [none; IN];
-            for (input, series) in inputs.iter_mut().zip(&self.inputs) {
-                *input = series.at(pose).unwrap_or(none);
-            }
             let mut numbers = [none; OUT];
-            let result = self.entry.solve_one(inputs, |found| {
-                numbers.iter_mut().zip(found).for_each(|(to, number)| *to = *number);
-            });
+            let status = self.solved_singly(pose, &mut numbers);
             for (output, value) in self.outputs.iter_mut().zip(numbers) {
                 output.get_mut(pose).into_iter().for_each(|to| *to = value);
             }
-            let status = result.map_or_else(Status::from, |()| Status::Solved);
             self.statuses.get_mut(pose).into_iter().for_each(|to| *to = status);
         }
+    }
+
+    /// What the single call says of a pose, and its numbers where there are any.
+    #[cold]
+    #[inline(never)]
+    fn solved_singly<K>(&self, pose: usize, numbers: &mut [T; OUT]) -> Status
+    where
+        E: Entry<K, T, IN, OUT>,
+    {
+        let none = T::lit(f64::NAN, f32::NAN);
+        let mut inputs = [none; IN];
+        for (input, series) in inputs.iter_mut().zip(&self.inputs) {
+            *input = series.at(pose).unwrap_or(none);
+        }
+        let result = self.entry.solve_one(inputs, |found| {
+            numbers.iter_mut().zip(found).for_each(|(to, number)| *to = *number);
+        });
+        result.map_or_else(Status::from, |()| Status::Solved)
     }
 }
 

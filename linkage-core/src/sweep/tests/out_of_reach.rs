@@ -13,8 +13,12 @@ const GROUP: &str = "bars";
 /// A condition, a group's reach, another condition, another group's reach and a limit beside the formulas,
 /// of the five inputs in turn, the first a hypotenuse as well; which poses were solved one by one.
 struct Conditions {
-    singly: RefCell<Vec<f64>>,
+    singly: RefCell<Vec<[f64; 5]>>,
+    /// What single calls say.
+    answer: SolveError,
 }
+
+const BEYOND: SolveError = SolveError::OutOfReach { group: GROUP, by: 1.0 };
 
 impl<T: Float> Entry<OfPosition, T, 5, 1> for Conditions {
     fn solve<U: Scalar>(&self, given: [U; 5], put: impl FnOnce(&[U])) -> U::Mask {
@@ -36,37 +40,59 @@ impl<T: Float> Entry<OfPosition, T, 5, 1> for Conditions {
     }
 
     fn solve_one(&self, given: [T; 5], _: impl FnOnce(&[T])) -> Result<(), SolveError> {
-        self.singly.borrow_mut().push(given[1].value());
-        Err(SolveError::Singular { group: GROUP })
+        self.singly.borrow_mut().push(given.map(T::value));
+        Err(self.answer)
     }
 }
 
-/// The status of a pose, `Singular` where it was solved by itself; others stand before and behind it.
-fn status<T: Float>(pose: [f64; 5]) -> Status {
-    let entry = Conditions { singly: RefCell::default() };
-    let good = [1.0, 1.0, 1.0, 1.0, 0.0];
-    let (count, place) = (21, 18);
+const GOOD: [f64; 5] = [1.0, 1.0, 1.0, 1.0, 0.0];
+const OUT: [f64; 5] = [1.0, -1.0, 1.0, 1.0, 0.0];
+
+/// Poses in two blocks, of which the others are good: what each was called, and which were solved singly.
+fn swept<T: Float>(
+    poses: &[(usize, [f64; 5])],
+    answer: SolveError,
+) -> (Vec<Status>, Vec<[f64; 5]>) {
+    let entry = Conditions { singly: RefCell::default(), answer };
+    let count = 21;
     let columns: [Vec<T>; 5] = core::array::from_fn(|input| {
-        let number = |at| T::num(if at == place { pose[input] } else { good[input] });
-        (0..count).map(number).collect()
+        let pose = |at| poses.iter().find(|&&(place, _)| place == at).map_or(GOOD, |pose| pose.1);
+        (0..count).map(|at| T::num(pose(at)[input])).collect()
     });
     let (mut sum, mut status) = (vec![T::num(7.0); count], vec![Status::NotFinite; count]);
     let inputs = columns.each_ref().map(|column| Series::Each(&column[..]));
     sweep::<OfPosition, _, _, 5, 1>(&entry, inputs, [&mut sum], &mut status, ()).unwrap();
     for (at, (status, sum)) in status.iter().zip(&sum).enumerate() {
         let is_solved = *status == Status::Solved;
-        assert!(is_solved || at == place, "{status:?} at {at}");
+        assert!(is_solved || poses.iter().any(|&(place, _)| place == at), "{status:?} at {at}");
         assert_eq!(sum.value().is_nan(), !is_solved);
     }
-    let singly = entry.singly.into_inner();
-    assert_eq!(singly.len(), usize::from(status[place] == Status::Singular));
-    status[place]
+    (status, entry.singly.into_inner())
+}
+
+/// The status of a pose behind one that is out of reach, or `Singular` where it was solved by itself.
+fn status<T: Float>(pose: [f64; 5]) -> Status {
+    let (status, singly) = swept::<T>(&[(3, OUT), (18, pose)], BEYOND);
+    assert_eq!((status[3], singly[0]), (Status::OutOfReach, OUT));
+    if singly.len() > 1 { Status::Singular } else { status[18] }
 }
 
 fn in_both_widths(pose: [f64; 5]) -> Status {
     let found = status::<f64>(pose);
     assert_eq!(status::<f32>(pose), found, "{pose:?}");
     found
+}
+
+/// A parameter may be none, which vectors do not look at.
+#[test]
+fn vectors_are_believed_where_the_first_single_call_agrees() {
+    let poses = [(2, OUT), (5, OUT), (17, OUT)];
+    let (status, singly) = swept::<f64>(&poses, BEYOND);
+    assert_eq!((status[17], singly.len()), (Status::OutOfReach, 1));
+    let (status, singly) = swept::<f64>(&poses, SolveError::NotFinite { name: "length" });
+    // Once to ask, and each of them.
+    assert_eq!(singly.len(), 4);
+    assert_eq!([2, 5, 17].map(|at: usize| status[at]), [Status::NotFinite; 3]);
 }
 
 #[test]
