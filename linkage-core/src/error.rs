@@ -10,6 +10,9 @@ use crate::shown::{Digits, Length, Measured};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
+// A tag of one byte leaves padding that is copied in pieces, which is read before it is written: it was a third
+// of a refusal's time.
+#[repr(u64)]
 pub enum SolveError {
     /// The group cannot be assembled: its joints are too far apart or too close together.
     OutOfReach {

@@ -199,9 +199,8 @@ fn distance([dx, dy]: [f64; 2]) -> f64 {
 /// A power of two that brings the largest of some numbers between 1 and 2.
 #[derive(Clone, Copy)]
 struct Scale {
-    /// Two factors, since their product may be out of range.
-    down: [f64; 2],
-    up: [f64; 2],
+    down: f64,
+    up: f64,
     /// Of the largest number.
     exponent: i32,
 }
@@ -209,28 +208,25 @@ struct Scale {
 impl Scale {
     /// The scale of these numbers, if they are finite. Subnormal numbers are brought only as far
     /// as the smallest normal number is, which leaves them large enough to be squared.
+    #[inline(always)]
     fn of<const N: usize>(numbers: [f64; N]) -> Option<Self> {
         let largest = numbers.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
         if !numbers.iter().all(|x| x.is_finite()) {
             return None;
         }
         let exponent = ((largest.to_bits() >> 52) as i32).max(1) - 1023;
-        let halves = [exponent / 2, exponent - exponent / 2];
-        Some(Self {
-            down: halves.map(|k| power_of_two(-k)),
-            up: halves.map(power_of_two),
-            exponent,
-        })
+        Some(Self { down: power_of_two(-exponent), up: power_of_two(exponent), exponent })
     }
 
     /// The number in the scale: exact, unless it is 2⁻¹⁰⁰⁰ times as large as the largest.
+    #[inline(always)]
     fn down(self, x: f64) -> f64 {
-        x * self.down[0] * self.down[1]
+        x * self.down
     }
 
     /// The number out of the scale; the largest number where it is out of range.
     fn up(self, x: f64) -> f64 {
-        (x * self.up[0] * self.up[1]).min(f64::MAX)
+        (x * self.up).min(f64::MAX)
     }
 
     /// The unit in the last place of a scaled number as a number of this width.
@@ -243,9 +239,10 @@ impl Scale {
     }
 }
 
-/// 2ᵏ for −1022 ≤ k ≤ 1023.
+/// 2ᵏ for −1023 ≤ k ≤ 1023, of which the first is subnormal.
+#[inline(always)]
 fn power_of_two(k: i32) -> f64 {
-    f64::from_bits(((k + 1023) as u64) << 52)
+    if k < -1022 { f64::MIN_POSITIVE / 2.0 } else { f64::from_bits(((k + 1023) as u64) << 52) }
 }
 
 #[cfg(test)]
