@@ -71,7 +71,11 @@ impl<T: Real> Approach<T> {
     /// The number of evaluations that bisection takes and as many to spare, and the tolerance
     /// times two to this power.
     fn budget(self, width: T) -> (u32, T) {
-        let (mut halvings, mut reach) = (0, self.tolerance);
+        // The exponents tell all but one or two of them.
+        let exponent = |x: T| ((x.value().to_bits() >> 52) & 0x7ff) as u32;
+        let known = exponent(width).saturating_sub(exponent(self.tolerance) + 2);
+        let mut halvings = known.min(most::<T>() - SPARE);
+        let mut reach = self.tolerance * number((1_u64 << halvings) as f64);
         while halvings < most::<T>() - SPARE && width.gt(reach + reach) {
             reach = reach + reach;
             halvings += 1;
@@ -245,4 +249,37 @@ pub(crate) fn greater<T: Real>(a: T, b: T) -> T {
 
 pub(crate) fn less<T: Real>(a: T, b: T) -> T {
     if b.gt(a) { a } else { b }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As many as a loop from none on finds.
+    #[test]
+    fn a_budget_is_what_halvings_take() {
+        fn check<T: Real>(from: T, to: T, share: T) {
+            let approach = Approach::new([from, to]).expect("in order");
+            let width = (approach.to - approach.from) * share;
+            let (mut halvings, mut reach) = (0, approach.tolerance);
+            while halvings < most::<T>() - SPARE && width.gt(reach + reach) {
+                (reach, halvings) = (reach + reach, halvings + 1);
+            }
+            let (found, wide) = approach.budget(width);
+            let expected = (halvings + SPARE, (reach * number(64.0)).value());
+            assert_eq!((found, wide.value()), expected, "{from:?} {to:?} {share:?}");
+        }
+        let ends = [(0.0, 3.1), (-1.0, 1.0), (1.0, 1.0000001), (0.0, 5e-324), (-1e300, 1e300)];
+        for (from, to) in ends {
+            for k in 0..80 {
+                check(from, to, 1.0);
+                check(from, to, (-f64::from(k)).exp2() * 1.3);
+            }
+        }
+        for (from, to) in [(0.0, 3.1), (-1.0, 1.0), (1.0, 1.000001), (0.0, 1e-45), (-1e38, 1e38)] {
+            for k in 0..40 {
+                check::<f32>(from, to, (-k as f32).exp2() * 1.3);
+            }
+        }
+    }
 }
