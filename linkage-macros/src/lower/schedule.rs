@@ -184,3 +184,33 @@ pub(super) fn take(pairs: &mut Map<Id, Pair>, angle: Id) -> Option<Pair> {
     let pair = std::mem::take(pairs.or_insert(angle, Pair::default()));
     (pair.sin.is_some() || pair.cos.is_some()).then_some(pair)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ir::graph::{Check, Guard};
+
+    /// The hypotenuses of a stage, and whether they are asked for their squares.
+    #[test]
+    fn a_hypotenuse_that_the_slow_path_alone_looks_at_is_not_asked() {
+        let mut graph = Graph::new();
+        let [a, b, c] = [0, 1, 2].map(|input| graph.push(Node::Input { input, order: 0 }));
+        let (diagnosed, result) = (graph.push(Node::Hypot(a, b)), graph.push(Node::Hypot(b, c)));
+        // Of an offset, the fast path looks at the value alone.
+        let check = Check::ReachOffset;
+        let operands = vec![diagnosed, a, b];
+        let sink = graph.guard(result, Guard { check, group: 0, operands });
+        let asked = |path| {
+            let locals = Locals::default();
+            let mut schedule = Schedule::new(&graph, &locals, path, None, &[], &[sink]);
+            let statements = schedule.stage(&[sink]);
+            let asked = statements.iter().filter_map(|statement| match statement {
+                Statement::Hypot { id, least_square } => Some((*id, *least_square)),
+                _ => None,
+            });
+            asked.collect::<Vec<_>>()
+        };
+        assert_eq!(asked(Path::Slow), [(result, Threshold::SmallestSquare)]);
+        assert_eq!(asked(Path::Unchecked), []);
+    }
+}

@@ -171,3 +171,22 @@ fn a_factor_of_an_exact_product_must_leave_room_to_be_split() {
         assert!(Values::new(&graph, &vec![true; graph.len()]).thresholds(&WIDE).is_none());
     }
 }
+
+/// A divisor that is a hypotenuse is bounded by what the fast path asks of it.
+#[test]
+fn a_hypotenuse_is_at_least_a_share_of_its_largest() {
+    let mut sample = sample();
+    let (x, y) = (sample.affine(3.0, 2.0), sample.affine(0.0, 1.0));
+    let hypotenuse = sample.push(Node::Hypot(x, y));
+    sample.push(Node::Div(sample.rate, hypotenuse));
+    let lengths = |limits: &Assumed| {
+        let values = Values::new(&sample.graph, &vec![true; sample.graph.len()]);
+        values.thresholds(limits).map(|(_, lengths)| lengths[&hypotenuse])
+    };
+    // 3 + 2 and 1.
+    let least = lengths(&WIDE).expect("10⁶⁰ over 6 · 10⁻³⁰ is no overflow");
+    assert!((least / 6e-30 - 1.0).abs() < 1e-5, "{least:e}");
+    // The root of the smallest square alone is less than underflow may take from it.
+    assert_eq!(lengths(&Assumed { share: 0.0, ..WIDE }), None);
+    assert_eq!(lengths(&Assumed { share: 1e-240, ..WIDE }), None);
+}
