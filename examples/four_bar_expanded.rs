@@ -1246,14 +1246,15 @@ mod FourBar_ {
         }
         private::with_ad! {
             impl<T: private::Differentiable> FourBar<T> {
-                /// ∂outputs/∂inputs by automatic differentiation of the position.
+                /// ∂outputs/∂inputs: the `coefficients` as a matrix.
                 ///
                 /// Rows: `AB.angle`, `B.x`, `B.y`, `BC.angle`, `DC.angle`, `C.x`, `C.y`; columns: `theta`.
                 ///
                 /// # Errors
-                /// Those of `position`; `Singular` where a derivative does not exist.
+                /// Those of `position`; `Singular` where a derivative does not exist. A group that no
+                /// coefficient depends on is not looked at.
                 pub fn jacobian(&self, theta: T) -> Result<private::SMatrix<T, 7, 1>, SolveError> {
-                    private::jacobian(&self.lift(), [theta])
+                    private::jacobian(self.coefficients(theta), [theta], || self.lift())
                 }
             }
         }
