@@ -49,7 +49,7 @@ pub(super) fn beside_unknowns<'s>(
 fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::Clearance> {
     let (group, mode, clearance) = match step {
         Step::Rrr { group, outer, lengths, mode, .. } => {
-            let joints = outer.map(|joint| kinematics.point(joint));
+            let joints = kinematics.outer_joints(*outer).seen;
             let [first, second] = lengths;
             let lengths = [kinematics.jet(&first.value), kinematics.jet(&second.value)];
             (*group, *mode, rrr::clearance(joints, lengths))

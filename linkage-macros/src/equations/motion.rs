@@ -108,6 +108,15 @@ impl<'s> PointMotion<'s> {
         Self { base, offset: zero, velocity: zero, acceleration: zero, swing: None }
     }
 
+    /// A point of a frame that counts as the ground.
+    pub(crate) fn placed(x: Jet<'s>, y: Jet<'s>) -> Self {
+        if x.is_fixed() && y.is_fixed() {
+            Self::fixed(Vector { x: x.value, y: y.value })
+        } else {
+            Self::driven(x, y)
+        }
+    }
+
     /// A point whose coordinates in ground axes are given.
     pub(crate) fn driven(x: Jet<'s>, y: Jet<'s>) -> Self {
         Self {

@@ -116,6 +116,11 @@ impl<'s> Bar<'s> {
         self.r
     }
 
+    /// Whether the outer joint stands still.
+    pub(super) fn stands(self) -> bool {
+        self.outer.is_fixed()
+    }
+
     pub(super) fn turning(self, omega: Sym<'s>, alpha: Sym<'s>) -> Self {
         Self { omega, alpha, ..self }
     }

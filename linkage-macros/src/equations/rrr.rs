@@ -31,6 +31,10 @@
 //! The same with accelerations, w replaced by g + ω₂² r₂ − ω₃² r₃ with
 //! g = a_D + l̈₃ u₃ + 2 ω₃ l̇₃ u₃⊥ − (a_B + l̈₂ u₂ + 2 ω₂ l̇₂ u₂⊥).
 //!
+//! A group whose outer joints stand on one link, as a hydraulic cylinder's do, is solved in that link's frame,
+//! in which they are at rest and d² is constant. The bars' vectors are turned with the link then, and ω and α
+//! added to its own.
+//!
 //! Behind a crank (`crank_pin.rs`) d² is affine in its cosine and sine, and w and g are made of its arm:
 //! `turning.rs`.
 //!
@@ -78,34 +82,52 @@ mod turning;
 
 use crate::equations::jet::Jet;
 use crate::equations::levers::{self, Levers};
-use crate::equations::motion::PointMotion;
+use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{
     Acting, Bar, Clearance, GroupScope, LimitMeasures, Solved, root_in_reach, size,
 };
 use crate::equations::symbol::{Sym, Vector};
 
+/// The outer joints, and as they are seen from the frame in which the group is solved.
+#[derive(Clone, Copy)]
+pub(super) struct Outer<'s> {
+    pub joints: [PointMotion<'s>; 2],
+    pub frame: Frame<'s>,
+    pub seen: [PointMotion<'s>; 2],
+}
+
 pub(super) fn rrr<'s>(
     scope: &GroupScope<'s>,
-    [b, d]: [PointMotion<'s>; 2],
+    Outer { joints, frame, seen }: Outer<'s>,
     lengths: [Jet<'s>; 2],
     mode: Sym<'s>,
 ) -> Solved<'s> {
-    let triangle = triangle::triangle(scope, [b, d], lengths.map(|length| length.value), mode);
+    let triangle = triangle::triangle(scope, seen, lengths.map(|length| length.value), mode);
+    let bars = |joints: [PointMotion<'s>; 2], r: [Vector<'s>; 2]| {
+        [0, 1].map(|k| Bar::new(joints[k], r[k], lengths[k], triangle.over_length(k)))
+    };
     let r = triangle.bars();
+    let turning = triangle.turning(scope, bars(seen, r), lengths);
+    let r = r.map(|r| frame.vector(r.x, r.y));
     scope.call_vector("r2", r[0]);
     scope.call_vector("r3", r[1]);
-    let bar = |k, outer| Bar::new(outer, r[k], lengths[k], triangle.over_length(k));
-    let bars = [bar(0, b), bar(1, d)];
-    let [(omega2, alpha2), (omega3, alpha3)] = triangle.turning(scope, bars, lengths);
-    let bars = [bars[0].turning(omega2, alpha2), bars[1].turning(omega3, alpha3)];
-    // The pin is carried by the bar that stands on the ground, if one does: one sum less.
-    let pin = bars[usize::from(d.is_fixed())].pin();
+    let Direction { omega, alpha, .. } = frame.direction;
+    let bars = bars(joints, r);
+    let bars = [0, 1].map(|k| bars[k].turning(omega + turning[k].0, alpha + turning[k].1));
+    let pin = bars[carrier(joints, lengths)].pin();
     let links = bars.iter().zip(scope.links).map(|(bar, &link)| bar.link(link));
     Solved {
         links: links.collect(),
         pin: Some(pin),
         levers: Some(Levers::Rrr(levers::Rrr { r, inverse: triangle.inverse })),
     }
+}
+
+/// The bar that carries the pin: the one that stands on the ground, if one does, which is one sum less;
+/// else the one whose length does not change, if one does.
+fn carrier<'s>([b, d]: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> usize {
+    let is_cylinder = !l2.is_fixed() && l3.is_fixed();
+    usize::from(d.is_fixed() || is_cylinder && !b.is_fixed())
 }
 
 /// The pin's forces on the bars, and those of the outer joints.

@@ -8,8 +8,8 @@ use crate::equations::parts::GroupScope;
 use crate::equations::symbol::Vector;
 use crate::equations::{crank, guide, point, prp, rpp, rpr, rrp, rrr, slider};
 use crate::model::mechanism::{
-    Carrier, Expr, Group, GroupId, GuideDirection, GuideId, OutputKind, Placement, PointId, Step,
-    Through,
+    Carrier, Expr, Group, GroupId, GuideDirection, GuideId, LinkId, OutputKind, Placement, PointId,
+    Step, Through,
 };
 
 impl<'s> Kinematics<'s> {
@@ -142,9 +142,27 @@ impl<'s> Kinematics<'s> {
         }
     }
 
+    /// The outer joints of an rrr, seen from the link on which both of them stand, or from the ground.
+    pub(super) fn outer_joints(&self, outer: [PointId; 2]) -> rrr::Outer<'s> {
+        let joints = outer.map(|joint| self.point(joint));
+        let place = |link, joint| self.coordinates.get(&(Carrier::Link(link), joint)).copied();
+        let common = (0..self.links.len()).find_map(|link| {
+            let link = LinkId(link as u32);
+            Some((link, [place(link, outer[0])?, place(link, outer[1])?]))
+        });
+        match common {
+            Some((link, places)) => {
+                let frame = self.link(link).frame;
+                let seen = places.map(|[x, y]| PointMotion::placed(x, y));
+                rrr::Outer { joints, frame, seen }
+            }
+            None => rrr::Outer { joints, frame: Frame::ground(self.sheet), seen: joints },
+        }
+    }
+
     fn take_rrr(&mut self, step: &'s Step) {
         let Step::Rrr { group, links, outer, pin, lengths, mode } = step else { return };
-        let joints = outer.map(|joint| self.point(joint));
+        let joints = self.outer_joints(*outer);
         let [first, second] = lengths;
         let lengths = [self.length(first, group.0), self.length(second, group.0)];
         let solved = rrr::rrr(&self.scope(*group), joints, lengths, self.mode(*mode));
@@ -155,7 +173,7 @@ impl<'s> Kinematics<'s> {
             }
         }
         if self.wants_quality(*group) {
-            self.qualities.insert(*group, rrr::quality(joints, lengths));
+            self.qualities.insert(*group, rrr::quality(joints.seen, lengths));
         }
     }
 

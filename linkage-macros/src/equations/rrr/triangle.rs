@@ -27,6 +27,8 @@ pub(super) struct Triangle<'s> {
     along: [Sym<'s>; 2],
     /// h
     height: Sym<'s>,
+    /// J
+    pub(super) cross: Sym<'s>,
     /// 1/J
     pub(super) inverse: Sym<'s>,
     /// 1/l₂l₃
@@ -127,6 +129,7 @@ pub(super) fn triangle<'s>(
         shorter,
         along,
         height: height.height,
+        cross: height.cross,
         inverse: height.inverse,
         over_product: height.over_product,
     }
@@ -156,6 +159,8 @@ fn carried<'s>(d: Vector<'s>, lengths: [Sym<'s>; 2]) -> Factors<'s> {
 struct Height<'s> {
     /// h
     height: Sym<'s>,
+    /// J
+    cross: Sym<'s>,
     /// 1/J: the division runs beside the root.
     inverse: Sym<'s>,
     /// 1/l₂l₃
@@ -172,7 +177,7 @@ impl<'s> Height<'s> {
         d: Vector<'s>,
         [l2, l3]: [Sym<'s>; 2],
         Factors { near, far }: Factors<'s>,
-        [square, over_square]: [Sym<'s>; 2],
+        [of_line, over_square]: [Sym<'s>; 2],
         mode: Sym<'s>,
     ) -> Self {
         let (product, one) = (l2 * l3, d.x.sheet().integer(1));
@@ -188,17 +193,17 @@ impl<'s> Height<'s> {
             // Factors that are wrong by last places of themselves.
             Numerics::Compensated => d.x.sheet().zero(),
             Numerics::Plain if product.is_constant() => (l2 + l3).squared() * of_constants,
-            Numerics::Plain => square * over_product,
+            Numerics::Plain => of_line * over_product,
         };
         let circles = [d.x, d.y, l2, l3, unit, spread];
-        let cross = rounded.provided(Check::ReachCircles, scope.group, &circles);
-        let root = mode * cross.sqrt();
-        let by_root = root * cross.provided(Check::Nonzero, scope.group, &[]).recip();
-        scope.call("j2", cross);
+        let square = rounded.provided(Check::ReachCircles, scope.group, &circles);
+        let root = mode * square.sqrt();
+        let by_root = root * square.provided(Check::Nonzero, scope.group, &[]).recip();
+        scope.call("j2", square);
         scope.call("j", root);
         let height = scope.call("h", root * (area * over_square));
         let inverse = scope.call("inverse j", by_root * scale);
-        Self { height, inverse, over_product, rounded, spread }
+        Self { height, cross: area * root, inverse, over_product, rounded, spread }
     }
 }
 

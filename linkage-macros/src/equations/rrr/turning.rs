@@ -9,6 +9,15 @@
 //! w·r = ω (r × a)       g·r = α (r × a) + ω² a·r
 //! ```
 //!
+//! # Cylinders between joints that stand still
+//! What pushes the pin acts along the bars alone, w = l̇₃ u₃ − l̇₂ u₂, and its products are those of the bars:
+//!
+//! ```text
+//! w·r₃ = l̇₃ l₃ − l̇₂ r₂·r₃/l₂      g·r₃ = l̈₃ l₃ − l̈₂ r₂·r₃/l₂ − 2 ω₂ l̇₂ J/l₂
+//! w·r₂ = l̇₃ r₂·r₃/l₃ − l̇₂ l₂      g·r₂ = l̈₃ r₂·r₃/l₃ − l̈₂ l₂ − 2 ω₃ l̇₃ J/l₃
+//! w·d  = −l̇₂ d·r₂/l₂ + l̇₃ d·r₃/l₃
+//! ```
+//!
 //! # Centripetal terms
 //! ω₂² r₂ − ω₃² r₃ cancels where both bars turn alike, as bars of one length do whose outer joints
 //! almost meet: what is left is as short as the line between the joints. So it is taken along that line
@@ -37,10 +46,42 @@ impl<'s> Triangle<'s> {
         bars: [Bar<'s>; 2],
         lengths: [Jet<'s>; 2],
     ) -> [(Sym<'s>, Sym<'s>); 2] {
-        match self.crank.filter(|_| lengths.iter().all(|length| length.is_fixed())) {
+        let is_driven = lengths.iter().any(|length| !length.is_fixed());
+        match self.crank.filter(|_| !is_driven) {
             Some(crank) => self.swinging(scope, crank),
+            None if is_driven && bars.iter().all(|bar| bar.stands()) => {
+                self.telescoping(scope, lengths)
+            }
             None => self.moving(scope, bars),
         }
+    }
+
+    /// Between joints that stand still.
+    fn telescoping(
+        &self,
+        scope: &GroupScope<'s>,
+        lengths: [Jet<'s>; 2],
+    ) -> [(Sym<'s>, Sym<'s>); 2] {
+        let ([l2, l3], cosine) = (self.lengths, self.cosine());
+        // l̇/l and l̈/l
+        let [rate2, rate3] = [0, 1].map(|k| lengths[k].rate * self.over_length(k));
+        let [accel2, accel3] = [0, 1].map(|k| lengths[k].accel * self.over_length(k));
+        let with3 = lengths[1].rate * l3 - rate2 * cosine;
+        let with2 = rate3 * cosine - lengths[0].rate * l2;
+        let omega = [with3 * self.inverse, with2 * self.inverse];
+        let coriolis = [rate2 * omega[0], rate3 * omega[1]].map(|rate| rate.twice() * self.cross);
+        let g = [
+            lengths[1].accel * l3 - accel2 * cosine - coriolis[0],
+            accel3 * cosine - lengths[0].accel * l2 - coriolis[1],
+        ];
+        let [to_second, to_third] = self.shares;
+        let folding = (rate2 * to_second + rate3 * to_third) * self.inverse;
+        self.rates(scope, omega, g, folding)
+    }
+
+    /// r₂·r₃
+    fn cosine(&self) -> Sym<'s> {
+        self.lengths[0] * self.lengths[1] - self.half
     }
 
     /// Behind a crank.
@@ -88,7 +129,7 @@ impl<'s> Triangle<'s> {
         folding: Sym<'s>,
     ) -> [Sym<'s>; 2] {
         let ([l2, l3], [to_second, to_third]) = (self.lengths, self.shares);
-        let cosine = scope.call("r2 r3", l2 * l3 - self.half);
+        let cosine = scope.call("r2 r3", self.cosine());
         let square2 = scope.call("omega2 squared", omega2.squared());
         let square3 = scope.call("omega3 squared", omega3.squared());
         if differ(l2, l3) {

@@ -81,6 +81,25 @@ pub(crate) const VARIANTS: &[Variant] = &[
         inputs: TWO,
     },
     Variant {
+        name: "rrr with two cylinders on the ground",
+        source: fixed!("rrr AC(A), DC(D) -> C { lengths: (0.6 + s, 0.5 - 0.1m * q), mode: left }"
+            "point X on AC at (0.1, 0.2); point Y on DC at (0.2, -0.1);"),
+        inputs: TWO,
+    },
+    Variant {
+        name: "rrr with two cylinders on a crank",
+        source: fixed!("point K on AB at (0.25, 0.2); point L on AB at (-0.3, 0.1);"
+            "rrr KC(K), LC(L) -> C { lengths: (0.4m + 0.2m * q, 0.3 + s), mode: right }"
+            "point X on KC at (0.1, 0.2); point Y on LC at (0.2, -0.1);"),
+        inputs: TWO,
+    },
+    Variant {
+        name: "rrr with a cylinder whose joint slides along a crank",
+        source: fixed!("point K on AB at (0.25 + 0.3 * s, 0.2); point L on AB at (-0.3, 0.1m * q);"
+            "rrr KC(K), LC(L) -> C { lengths: (0.5, 0.3 + s), mode: left } point X on KC at (0.1, 0.2);"),
+        inputs: TWO,
+    },
+    Variant {
         name: "rrr on moving points",
         source: moving!("rrr PX(P), FX(F) -> X { lengths: (0.7, 0.9), mode: left }"
             "rrr RY(R), XY(X) -> Y { lengths: (0.8, 0.9), mode: right }"),

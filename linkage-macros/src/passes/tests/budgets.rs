@@ -8,8 +8,8 @@
 //! lies aside of the crank's axes, and known three operations earlier; on the axis it is less. The
 //! accelerations of an rrr whose bars are nearly of one length, or of lengths not known before run
 //! time, pay for the digits that their centripetal terms would lose. Bars of lengths not known before
-//! run time also pay two products for what rounding does to their height, which says on which side of
-//! a limit they are.
+//! run time also pay for what rounding does to their height, which says on which side of a limit they
+//! are.
 
 use crate::ir::cost::{Costs, Operations};
 use crate::oracle::mechanism;
@@ -198,6 +198,29 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         after_crank!("rrr BC(B), FC(F) -> C { lengths: (0.8, 0.7), mode: left } output C;"),
         [13, 14, 1, 1, 2],
         [34, 50, 2, 1, 2],
+    ),
+    (
+        "rrr with a cylinder on the ground",
+        "struct M { input s: length; ground A(0, 0), D(0.9, 0.15);
+         rrr AC(A), DC(D) -> C { lengths: (s, 0.5), mode: left } output C; }",
+        [8, 16, 1, 1, 0],
+        [19, 45, 2, 1, 0],
+    ),
+    (
+        "rrr with a cylinder between joints of one link",
+        "struct M { input q: angle; input s: length; ground A(0, 0);
+         crank AB(A) -> B { length: 0.3, angle: q } point K on AB at (0.25, 0.2);
+         rrr KC(K), BC(B) -> C { lengths: (s, 0.6), mode: right } output C; }",
+        [10, 23, 1, 1, 1],
+        [29, 60, 2, 1, 1],
+    ),
+    (
+        "rrr with a cylinder between joints of two links",
+        "struct M { input q: angle; input s: length; ground A(0, 0), D(0.9, 0.15);
+         crank AB(A) -> B { length: 0.3, angle: q } crank DE(D) -> E { length: 0.2, angle: -q }
+         rrr EC(E), BC(B) -> C { lengths: (s, 0.6), mode: right } output C; }",
+        [13, 23, 2, 1, 2],
+        [48, 81, 3, 1, 2],
     ),
     (
         "rrr with a cylinder",
