@@ -10,8 +10,8 @@ use crate::{Float, Scalar, SolveError};
 
 const GROUP: &str = "bars";
 
-/// A condition, a group's reach, another condition, another group's reach and a limit beside the formulas,
-/// of the five inputs in turn, the first a hypotenuse as well; which poses were solved one by one.
+/// A condition of the first input and one of the third, a hypotenuse, the reaches of two groups, of the second
+/// and the fourth, and a limit beside the formulas; which poses were solved one by one.
 struct Conditions {
     singly: RefCell<Vec<[f64; 5]>>,
     /// What single calls say.
@@ -24,14 +24,14 @@ impl<T: Float> Entry<OfPosition, T, 5, 1> for Conditions {
     fn solve<U: Scalar>(&self, given: [U; 5], put: impl FnOnce(&[U])) -> U::Mask {
         let [first, reach, second, other, beside] = given;
         let (one, mut all) = (U::num(1.0), AllMet::new());
-        let hypotenuse = all.hypot(first, U::num(0.0), U::num(0.25));
         all.above(first, U::num(0.0));
         let length = all.positive(first, GROUP, "length");
+        all.away(second, U::num(0.0));
+        let divisor = all.nonzero(second, GROUP);
+        let hypotenuse = all.hypot(first, U::num(0.0), U::num(0.25));
         all.above(reach, U::num(0.0));
         all.above_rounding(reach, one);
         let root = all.reach_circles(reach, [one, one, one, one, one, one], GROUP).sqrt();
-        all.away(second, U::num(0.0));
-        let divisor = all.nonzero(second, GROUP);
         all.above_rounding(other, one);
         let height = all.reach_circles(other, [one, one, one, one, one, one], GROUP).sqrt();
         let sum = length + hypotenuse + root + one / divisor + height;
@@ -101,12 +101,12 @@ fn what_is_first_and_clear_is_told_by_vectors() {
     assert_eq!(in_both_widths([1.0, -1.0, 1.0, 1.0, 0.0]), Status::OutOfReach);
     assert_eq!(in_both_widths([1.0, 1.0, 1.0, -1.0, 0.0]), Status::OutOfReach);
     // What comes behind it does not matter.
-    assert_eq!(in_both_widths([1.0, -1.0, 0.0, -1.0, 0.0]), Status::OutOfReach);
+    assert_eq!(in_both_widths([1.0, -1.0, 1.0, -1.0, 0.0]), Status::OutOfReach);
 }
 
 #[test]
 fn what_is_not_first_or_not_clear_is_solved_by_itself() {
-    // A condition before it, or two groups on.
+    // A condition before it, and before the second group.
     assert_eq!(in_both_widths([-1.0, -1.0, 1.0, 1.0, 0.0]), Status::Singular);
     assert_eq!(in_both_widths([1.0, 1.0, 0.0, -1.0, 0.0]), Status::Singular);
     // A hypotenuse that has to be made with more care.
