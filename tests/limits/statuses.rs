@@ -113,7 +113,7 @@ fn slow_poses_are_given_their_inputs_in_order<T: Float>() {
     let out = SpiralVelocity { B: Point { x: &mut dx[..], y: &mut dy[..] } };
     spiral.sweep_velocity(inputs, moving, out, &mut status[1], ()).unwrap();
     let acceleration = SpiralAcceleration { B: Point { x: &mut ddx[..], y: &mut ddy[..] } };
-    let out = SpiralMotion { acceleration, ..linkage_core::unwanted() };
+    let out = SpiralMotion { acceleration, ..unwanted() };
     spiral.sweep_motion(inputs, moving, growing, out, &mut status[2], ()).unwrap();
     assert_eq!(status, [[Status::Solved; 4]; 3]);
     for pose in 0..4 {
@@ -135,7 +135,7 @@ fn slow_poses_are_given_their_inputs_in_order<T: Float>() {
 /// The ram at 0.4 m is beyond its rod, and so is every crank.
 fn a_sweep_says_where_there_is_no_solution<T: Float>() {
     let (mut theta, mut status) = ([number::<T>(0.0); 3], [Status::default(); 3]);
-    let out = PressPosition { theta: &mut theta[..], ..linkage_core::unwanted() };
+    let out = PressPosition { theta: &mut theta[..], ..unwanted() };
     let x = [0.25, 0.4, 0.3].map(number::<T>);
     Press::<T>::default().sweep_position(&x, out, &mut status, ()).unwrap();
     assert_eq!(status, [Status::Solved, Status::NoSolution, Status::Solved]);
