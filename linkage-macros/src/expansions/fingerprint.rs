@@ -66,7 +66,7 @@ fn push(stream: TokenStream, list: &mut Vec<String>) {
 }
 
 /// FNV-1a in 64 bits: the standard library's hash may change from one version to the next.
-fn hash(texts: &[String]) -> String {
+pub(super) fn hash(texts: &[String]) -> String {
     let mut state = 0xcbf2_9ce4_8422_2325_u64;
     // No token holds a zero byte.
     for byte in texts.iter().flat_map(|text| text.bytes().chain([0])) {

@@ -1,36 +1,42 @@
 //! What every declaration of the workspace expands to, by hashes that are kept beside this file.
 //!
 //! A change of the compiler that means to change no generated code shows here that it changed
-//! none; one that means to shows which declarations it touched. Of each the file holds three
-//! hashes: of the exact tokens; of the tokens with the generated locals numbered anew, so that
-//! other names of locals are told from other code; and of what stands in where the declaration has
-//! mistakes. After an intended change
+//! none; one that means to shows which declarations it touched. Of each the file holds six hashes: of the
+//! exact tokens; of the tokens without documentation and with the generated locals numbered anew, so that
+//! other names of locals are told from other code; of the documentation; of what it is drawn by; of the header for C; and of
+//! what stands in where the declaration has mistakes. Behind them stand hashes of the messages that
+//! declarations with slips bring. After an intended change
 //! `LINKAGE_RENEW=1 cargo test -p linkage-macros expansions` writes the file anew, in a commit that
 //! says why.
 
 mod declarations;
 mod fingerprint;
+mod parts;
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use proc_macro2::{Group, TokenStream, TokenTree};
+use proc_macro2::{TokenStream, TokenTree};
 
 use crate::diagnostics::Diagnostics;
 use crate::pipeline::Features;
 use crate::{fuzz, pipeline, syntax};
 use declarations::Declaration;
-use fingerprint::{exact, numbered_anew};
+use fingerprint::{exact, hash, numbered_anew};
+use parts::taken_apart;
 
 /// A declaration's own tokens tell equal names apart, wherever they stand.
 type Key = (String, String);
 
 /// The hashes of one expansion.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Hashes {
     exact: String,
     renumbered: String,
+    docs: String,
+    drawing: String,
+    header: String,
     stand_in: String,
 }
 
@@ -38,6 +44,9 @@ struct Hashes {
 const NEW: &str = "declared anew or otherwise";
 const GONE: &str = "declared no more, or otherwise";
 const RENAMED: &str = "expands to the same under other names of locals";
+const DOCS: &str = "has another documentation";
+const DRAWING: &str = "is drawn by other code";
+const HEADER: &str = "has another header";
 const STAND_IN: &str = "has another stand-in";
 const CHANGED: &str = "expands to other code";
 
@@ -50,18 +59,37 @@ impl Hashes {
         let expansion = pipeline::compile(declaration.tokens.clone(), Features::NONE);
         let messages = fuzz::messages(expansion.clone());
         assert!(messages.is_empty(), "{}: {messages:?}", declaration.name);
+        let exported = pipeline::compile(parts::exported(&declaration.tokens), Features::SKETCH);
+        let header = parts::header(exported.clone());
         Self {
             exact: exact(expansion.clone()),
-            renumbered: numbered_anew(expansion),
+            docs: hash(&parts::docs(expansion.clone())),
+            renumbered: numbered_anew(parts::without_docs(expansion)),
+            drawing: exact(taken_apart(exported).1),
+            header: hash(&[header.expect("C is asked for")]),
             stand_in: exact(stand_in(declaration.tokens.clone())),
         }
     }
 
+    fn of_list(list: [String; 6]) -> Self {
+        let [exact, renumbered, docs, drawing, header, stand_in] = list;
+        Self { exact, renumbered, docs, drawing, header, stand_in }
+    }
+
+    fn list(&self) -> [&str; 6] {
+        let Self { exact, renumbered, docs, drawing, header, stand_in } = self;
+        [exact, renumbered, docs, drawing, header, stand_in]
+    }
+
+    /// What matters most of the differences. The exact tokens hold documentation and names of locals.
     fn difference(&self, kept: &Self) -> Option<&'static str> {
         match () {
             () if self == kept => None,
             () if self.renumbered != kept.renumbered => Some(CHANGED),
+            () if self.docs != kept.docs => Some(DOCS),
             () if self.exact != kept.exact => Some(RENAMED),
+            () if self.drawing != kept.drawing => Some(DRAWING),
+            () if self.header != kept.header => Some(HEADER),
             () => Some(STAND_IN),
         }
     }
@@ -84,22 +112,40 @@ fn all() -> BTreeMap<Key, Hashes> {
     all
 }
 
-fn to_text(all: &BTreeMap<Key, Hashes>) -> String {
+fn to_text(all: &BTreeMap<Key, Hashes>, messages: &[String]) -> String {
     let line = |((name, source), hashes): (&Key, &Hashes)| {
-        let Hashes { exact, renumbered, stand_in } = hashes;
-        format!("{name}: {source} {exact} {renumbered} {stand_in}\n")
+        format!("{name}: {source} {}\n", hashes.list().join(" "))
     };
-    all.iter().map(line).collect()
+    let of_slips = messages.iter().map(|hash| format!("{MESSAGES}: {hash}\n"));
+    all.iter().map(line).chain(of_slips).collect()
 }
 
-fn from_text(text: &str) -> BTreeMap<Key, Hashes> {
-    let line = |line: &str| {
-        let (name, hashes) = line.rsplit_once(": ")?;
-        let [source, exact, renumbered, stand_in] =
-            hashes.split(' ').map(str::to_string).collect::<Vec<_>>().try_into().ok()?;
-        Some(((name.to_string(), source), Hashes { exact, renumbered, stand_in }))
-    };
-    text.lines().map(|text| line(text).expect("a line is a name and four hashes")).collect()
+fn from_text(text: &str) -> (BTreeMap<Key, Hashes>, Vec<String>) {
+    let (mut all, mut messages) = (BTreeMap::new(), Vec::new());
+    for line in text.lines() {
+        let (name, hashes) = line.rsplit_once(": ").expect("a line is a name and hashes");
+        if name == MESSAGES {
+            messages.push(hashes.to_string());
+            continue;
+        }
+        let (source, hashes) = hashes.split_once(' ').expect("the declaration's hash comes first");
+        let hashes: Vec<_> = hashes.split(' ').map(str::to_string).collect();
+        let hashes = hashes.try_into().expect("six hashes follow");
+        all.insert((name.to_string(), source.to_string()), Hashes::of_list(hashes));
+    }
+    (all, messages)
+}
+
+/// A line of messages.
+const MESSAGES: &str = "messages of slips";
+
+/// The messages of declarations with slips, so many a hash.
+fn messages_of_slips() -> Vec<String> {
+    const LINES: usize = 20;
+    const EACH: usize = 150;
+    let mut mistaken = fuzz::mistaken();
+    let mut line = || hash(&mistaken.by_ref().take(EACH).flatten().collect::<Vec<_>>());
+    (0..LINES).map(|_| line()).collect()
 }
 
 /// What differs, by how it does.
@@ -123,18 +169,35 @@ fn differences(
 
 #[test]
 fn no_declaration_expands_to_other_code_than_before() {
-    let made = all();
+    let (made, messages) = (all(), messages_of_slips());
     if std::env::var_os("LINKAGE_RENEW").is_some() {
-        return fs::write(kept_in(), to_text(&made)).expect("the hashes can be written");
+        let text = to_text(&made, &messages);
+        return fs::write(kept_in(), text).expect("the hashes can be written");
     }
-    let kept = from_text(&fs::read_to_string(kept_in()).expect("the hashes are there"));
-    let differences = differences(&made, &kept);
+    let text = fs::read_to_string(kept_in()).expect("the hashes are there");
+    let (kept, kept_messages) = from_text(&text);
+    let mut differences = differences(&made, &kept);
+    if messages != kept_messages {
+        differences.insert("other messages", vec!["declarations with slips".to_string()]);
+    }
     let lines = differences.iter().map(|(how, names)| format!("{how}: {}\n", names.join(", ")));
     assert!(
         differences.is_empty(),
         "\n{}If that is meant, LINKAGE_RENEW=1 writes the hashes anew, in a commit that says why.",
         lines.collect::<String>()
     );
+}
+
+#[test]
+fn documentation_is_told_from_code() {
+    let parts = |source: &str| {
+        let tokens: TokenStream = source.parse().expect("these are tokens");
+        (parts::docs(tokens.clone()), parts::without_docs(tokens).to_string())
+    };
+    let (docs, code) =
+        parts("/// One.\n pub fn a() { #[doc = \"Two.\"] struct B; g(doc) } #[inline] fn c() {}");
+    assert_eq!(docs, ["\" One.\"", "\"Two.\""]);
+    assert_eq!(code, parts("pub fn a() { struct B; g(doc) } #[inline] fn c() {}").1);
 }
 
 #[test]
@@ -152,7 +215,7 @@ fn other_code_and_other_names_are_told_apart() {
     let hashes = |source: &str| {
         let tokens: TokenStream = source.parse().expect("these are tokens");
         let (exact, renumbered) = (exact(tokens.clone()), numbered_anew(tokens));
-        Hashes { exact, renumbered, stand_in: String::new() }
+        Hashes { exact, renumbered, ..Hashes::default() }
     };
     let before = hashes("fn a() { let (v1_, x_) = f(q); g(v1_) } fn b() { let v9_ = 1; v9_ }");
     for (source, difference) in [
@@ -164,31 +227,6 @@ fn other_code_and_other_names_are_told_apart() {
     ] {
         assert_eq!(hashes(source).difference(&before), difference, "{source}");
     }
-}
-
-/// What a declaration expands to where it can be drawn, without what it is drawn by; and that.
-fn taken_apart(stream: TokenStream) -> (TokenStream, TokenStream) {
-    let (mut solver, mut drawing) = (Vec::<TokenTree>::new(), TokenStream::new());
-    for tree in stream {
-        let TokenTree::Group(group) = tree else {
-            solver.push(tree);
-            continue;
-        };
-        // `private::with_sketch! { … }` is five tokens and a group.
-        let called =
-            solver.iter().rev().nth(1).is_some_and(
-                |tree| matches!(tree, TokenTree::Ident(name) if name == "with_sketch"),
-            );
-        if called {
-            solver.truncate(solver.len() - 5);
-            drawing.extend(group.stream());
-            continue;
-        }
-        let (inner, drawn) = taken_apart(group.stream());
-        solver.push(Group::new(group.delimiter(), inner).into());
-        drawing.extend(drawn);
-    }
-    (solver.into_iter().collect(), drawing)
 }
 
 fn count(stream: TokenStream) -> usize {

@@ -80,6 +80,18 @@ fn mistakes(source: TokenStream) -> usize {
     mistakes
 }
 
+/// The messages of one declaration with slips after the other, the same in every run.
+pub(crate) fn mistaken() -> impl Iterator<Item = Vec<String>> {
+    let mut mangler = Mangler::new(1);
+    std::iter::from_fn(move || {
+        let mut diagnostics = Diagnostics::new();
+        let tree = syntax::parse(mangler.next(), &mut diagnostics);
+        let _mechanism = tree.and_then(|tree| model::resolve(&tree, &mut diagnostics));
+        let errors = diagnostics.into_errors().into_iter();
+        Some(errors.map(|error| error.to_string()).collect())
+    })
+}
+
 fn number_from(variable: &str, default: u64) -> u64 {
     let value = std::env::var(variable).ok();
     value.map_or(default, |value| value.parse().expect("a whole number"))
