@@ -162,7 +162,9 @@ fn every_error_has_a_status() {
     }
 }
 
-in_both_widths! { slow_poses_are_given_their_inputs_in_order a_sweep_says_where_there_is_no_solution }
+in_both_widths! { slow_poses_are_given_their_inputs_in_order a_sweep_says_where_there_is_no_solution
+    compensated_poses_at_their_limit_are_solved_in_sweeps
+}
 
 /// Where the square of a distance is out of range, it is made with more care; at zero it is zero.
 fn a_distance_may_be_of_any_size<T: Float>(sizes: [f64; 5]) {
@@ -240,6 +242,33 @@ fn statuses_are_the_kinds_of_single_calls<T: Float>(poses: usize) {
         }
     }
     assert!(counts.iter().all(|&count| count > poses / 200), "{counts:?}");
+}
+
+/// Compensated values have no spread, and beside them up to four last places beyond a limit count as the limit:
+/// behind a pose that is far beyond, which vectors tell, they are left to single calls.
+fn compensated_poses_at_their_limit_are_solved_in_sweeps<T: Float>() {
+    use linkage_tests::mechanisms::near_limits::{CompensatedRrr, CompensatedRrrPosition};
+    let solver = CompensatedRrr::<T> { l1: number(0.625), ..CompensatedRrr::default() };
+    let ulp = T::EPSILON;
+    let beyond = (-8..=8).map(|ulps| 1.625 + f64::from(ulps) * ulp);
+    let within = (-8..=8).map(|ulps| 0.375 + f64::from(ulps) * ulp);
+    let dx: Vec<T> = [1.75, 0.25].into_iter().chain(beyond).chain(within).map(number).collect();
+    let zero = number::<T>(0.0);
+    let mut status = vec![Status::NotFinite; dx.len()];
+    let given = [zero.into(), zero.into(), Series::from(&dx), zero.into()];
+    let mut y = vec![zero; dx.len()];
+    let mut x = y.clone();
+    let c = Point { x: &mut x[..], y: &mut y[..] };
+    let out = CompensatedRrrPosition { C: c, ..unwanted() };
+    solver.sweep_position(given, out, &mut status, ()).unwrap();
+    let single = |&dx: &T| {
+        let answer = solver.position([zero, zero, dx, zero]);
+        answer.map_or_else(Status::from, |_| Status::Solved)
+    };
+    assert_eq!(status, dx.iter().map(single).collect::<Vec<_>>());
+    let solved = status.iter().filter(|status| **status == Status::Solved).count();
+    // Of either stretch eight within, the limit, and four beyond.
+    assert_eq!(solved, 26);
 }
 
 #[test]
