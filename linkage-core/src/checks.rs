@@ -34,6 +34,7 @@ pub use all_met::AllMet;
 
 use crate::diagnosis;
 use crate::find::FindError;
+use crate::find::seed::Seed;
 use crate::{Real, Scalar, SolveError};
 
 /// Who asks for conditions, see the module's documentation. A condition is two calls: a comparison,
@@ -48,6 +49,12 @@ pub trait Checks<T: Scalar> {
     #[inline(always)]
     fn hypot(&mut self, x: T, y: T, _least: T) -> T {
         x.hypot(y)
+    }
+
+    /// The seed that a sweep holds for the search of an unknown.
+    #[inline(always)]
+    fn seed(&mut self, _unknown: usize) -> Option<&mut Seed<T>> {
+        None
     }
 
     /// The root of an unknown's equation, of sides in this unit, and the size that its rounding is

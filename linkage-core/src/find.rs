@@ -31,6 +31,7 @@ mod cubic;
 mod equation;
 mod lowest;
 mod output;
+pub(crate) mod seed;
 mod start;
 mod survey;
 #[cfg(test)]
@@ -271,7 +272,10 @@ impl<T: Real> Search<T> {
             return Err(FindError::Interval { from: from.value(), to: to.value() });
         };
         let mut f = Equation::new(f, self.trend);
-        let at = match self.near.and_then(|seed| f.newton(seed, approach)) {
+        let at = match self
+            .near
+            .and_then(|seed| f.newton(seed, approach, approach.to - approach.from))
+        {
             Some(at) => at,
             None => self.bracketed(&mut f, approach, |_| self.slack)?,
         };

@@ -23,6 +23,7 @@ pub use crate::checks::{AllMet, Checks, FirstError};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate, jacobian};
 pub use crate::find::bound::bound;
+pub use crate::find::seed::{Apart, Seed, root_by_seed};
 pub use crate::find::unknown::{open, root, root_within_a_turn};
 pub use crate::find::{FindError, Trend};
 pub use crate::record::{column, joined};
@@ -36,7 +37,8 @@ pub use crate::slow_path::{apart, diagnose, diagnose_all};
 pub use crate::solver::{Solver, Titles};
 pub use crate::sweep::{
     Entry, LengthMismatch, OfEnergy, OfEquationsOfMotion, OfForces, OfForwardDynamics, OfMotion,
-    OfPosition, OfStatics, OfVelocity, Progress, Series, Status, put_found, put_solved, sweep,
+    OfPosition, OfStatics, OfVelocity, Progress, Series, Status, put_found, put_solved, put_usable,
+    sweep,
 };
 pub use crate::tracker::{Clearance, told};
 pub use crate::with_ad_ as with_ad;

@@ -5,6 +5,7 @@
 //! [`Mechanism`](crate::Mechanism). What a trait costs a user's compiler is less what stands in its
 //! functions than their signatures, so that each of them is asked for once.
 
+use crate::find::seed::Seed;
 use crate::tracker::{Clearance, Jet, moving};
 use crate::{Real, Record, Scalar, SolveError};
 
@@ -99,6 +100,19 @@ pub trait Solver: Copy {
         given: impl Fn(usize) -> U,
         put: impl FnOnce(&[U]),
     ) -> U::Mask;
+
+    /// The fast path of a pose of a sweep, whose searches begin by the seeds of their unknowns. It is given
+    /// numbers as [`solve`](Self::solve) is, and puts those of the result where they may be used. Where
+    /// they may not be, or nothing is searched by a seed, a single call is to follow.
+    #[inline]
+    fn follow<const ORDER: usize>(
+        &self,
+        _seeds: &mut [Seed<Self::Scalar>],
+        _given: impl Fn(usize) -> Self::Scalar,
+        _put: impl FnOnce(&[Self::Scalar]),
+    ) -> bool {
+        false
+    }
 
     /// For each group of its clearance the value and the scale, which are made something `of`; on other
     /// numbers, that those of the parameters are made into and the inputs are given as. Behind a group

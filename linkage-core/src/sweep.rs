@@ -20,9 +20,10 @@ mod verdict;
 
 use core::fmt;
 
+use crate::find::seed::Seed;
 use crate::{Float, Record, Scalar, SolveError};
 use batch::Batch;
-pub use entries::{put_found, put_solved};
+pub use entries::{put_found, put_solved, put_usable};
 pub use kinds::*;
 
 /// What came of one pose, in a byte: the single call's answer without its details, which the
@@ -32,7 +33,8 @@ pub use kinds::*;
 /// 2¹¹⁵) cannot be made, and a call that needs it answers [`SolveError::NotFinite`]; a sweep that
 /// found fused instructions on the machine needs no splitting and may solve such a pose. And behind
 /// a group whose pin was rounded otherwise, a pose that is at its limit in the one may be a rounding
-/// away from it in the other, which then has a velocity. What a sweep calls solved is right.
+/// away from it in the other, which then has a velocity; so it may be behind a root that a sweep found from
+/// the pose before. What a sweep calls solved is right.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -93,6 +95,20 @@ pub trait Entry<K, T: Float, const IN: usize, const OUT: usize> {
     /// # Errors
     /// Those of the entry point, which puts nothing then.
     fn solve_one(&self, given: [T; IN], put: impl FnOnce(&[T])) -> Result<(), SolveError>;
+
+    /// The same behind other poses of a sweep, which have left seeds to searches.
+    ///
+    /// # Errors
+    /// Those of the entry point, which puts nothing then.
+    #[inline]
+    fn follow_one(
+        &self,
+        given: [T; IN],
+        _seeds: &mut [Seed<T>],
+        put: impl FnOnce(&[T]),
+    ) -> Result<(), SolveError> {
+        self.solve_one(given, put)
+    }
 }
 
 /// Slices for what is not wanted of a sweep: every field an empty one. It stands for the rest behind
@@ -119,6 +135,10 @@ where
     R::from_array(core::array::from_fn(|_| Default::default()))
 }
 
+/// The unknowns of a mechanism that are searched by seeds; any further one is searched from both ends at
+/// every pose.
+const SEEDS: usize = 8;
+
 /// Poses between two reports of progress: a fraction of a millisecond's work.
 const REPORT_EVERY: usize = 4096;
 
@@ -132,7 +152,8 @@ pub fn sweep<K, T: Float, E: Entry<K, T, IN, OUT>, const IN: usize, const OUT: u
     mut progress: impl Progress,
 ) -> Result<(), LengthMismatch> {
     let poses = common_length(&inputs, &outputs, statuses)?;
-    let mut batch = Batch { entry, inputs, outputs, statuses, is_agreed: None };
+    let seeds = [Seed::unknown(); SEEDS];
+    let mut batch = Batch { entry, inputs, outputs, statuses, is_agreed: None, seeds };
     let mut done = 0;
     while done < poses {
         let end = poses.min(done.saturating_add(REPORT_EVERY));

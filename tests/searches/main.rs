@@ -5,6 +5,7 @@ mod derived;
 mod followed;
 mod named;
 mod ranges;
+mod seeded;
 mod set_points;
 mod several;
 mod sides;

@@ -3,22 +3,53 @@
 use super::Checks;
 use crate::diagnosis;
 use crate::find::FindError;
+use crate::find::seed::Seed;
 use crate::{Mask, Real, Scalar};
 
 /// Whether every condition was met. Every value goes on as it is.
 ///
 /// Inlined always, so that lanes stay on the instruction set of the loop they run in.
 #[derive(Clone, Copy, Debug)]
-pub struct AllMet<M>(M);
+pub struct AllMet<M, S = ()>(M, S);
 
 impl<M: Mask> AllMet<M> {
     /// Nothing is wrong so far.
     #[expect(clippy::new_without_default, reason = "nobody but generated code makes one")]
     #[inline(always)]
     pub fn new() -> Self {
-        Self(M::ALL)
+        Self(M::ALL, ())
     }
+}
 
+impl<'a, T: Scalar> AllMet<T::Mask, &'a mut [Seed<T>]> {
+    /// The same in a sweep, whose searches begin by the seeds of their unknowns.
+    #[inline(always)]
+    pub fn following(seeds: &'a mut [Seed<T>]) -> Self {
+        Self(Mask::ALL, seeds)
+    }
+}
+
+/// The seeds that checks hold for searches: none, or one for each unknown.
+pub trait Seeds<T> {
+    /// That of an unknown.
+    fn of(&mut self, unknown: usize) -> Option<&mut Seed<T>>;
+}
+
+impl<T> Seeds<T> for () {
+    #[inline(always)]
+    fn of(&mut self, _: usize) -> Option<&mut Seed<T>> {
+        None
+    }
+}
+
+impl<T> Seeds<T> for &mut [Seed<T>] {
+    #[inline(always)]
+    fn of(&mut self, unknown: usize) -> Option<&mut Seed<T>> {
+        self.get_mut(unknown)
+    }
+}
+
+impl<M: Mask, S> AllMet<M, S> {
     /// The answer of all conditions together.
     #[inline(always)]
     pub fn all(self) -> M {
@@ -46,7 +77,12 @@ impl<M: Mask> AllMet<M> {
 /// group may miss; but a pin behind another group's toggle is known to √ε of its bars.
 const BEYOND: (f64, f32) = (1.0 / (1_u32 << 22) as f64, 1.0 / (1_u32 << 7) as f32);
 
-impl<T: Scalar> Checks<T> for AllMet<T::Mask> {
+impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
+    #[inline(always)]
+    fn seed(&mut self, unknown: usize) -> Option<&mut Seed<T>> {
+        self.1.of(unknown)
+    }
+
     #[inline(always)]
     fn root(&mut self, found: Result<[T; 2], FindError>, _: &'static str, _: &'static str) -> (T, T)
     where

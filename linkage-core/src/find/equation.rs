@@ -1,7 +1,7 @@
 //! The equation that is solved, its evaluations counted, its sign such that it rises at the root.
 
 use super::approach::{
-    Approach, At, Found, Slopes, Steps, Trial, constant, middle, newton_step, number,
+    Approach, At, Found, Slopes, Steps, Trial, constant, magnitude, middle, newton_step, number,
 };
 use super::lowest::{dead_point_most, lowest};
 use super::{FindError, Root, Trend, start};
@@ -56,8 +56,9 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
         }
     }
 
-    /// The root that Newton's method converges to from a seed, if it does at once and inside.
-    pub(super) fn newton(&mut self, seed: T, approach: Approach<T>) -> Option<T> {
+    /// The root that Newton's method converges to from a seed, if it does at once, inside and by no step
+    /// longer than this.
+    pub(super) fn newton(&mut self, seed: T, approach: Approach<T>, longest: T) -> Option<T> {
         let Approach { from, to, tolerance } = approach;
         let mut steps = Steps { tolerance, width: to - from, slopes: Slopes::Exact, last: None };
         let mut x = constant(seed);
@@ -66,7 +67,7 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
                 return None;
             }
             let at = self.at(x).ok()?;
-            let step = newton_step(at)?;
+            let step = newton_step(at).filter(|&step| longest.ge(magnitude(step)))?;
             x = x + step;
             if steps.is_last(step, at.slope) {
                 return (x.ge(from) && to.ge(x)).then_some(x);

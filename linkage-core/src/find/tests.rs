@@ -1,5 +1,6 @@
 //! The bound on functions made to break it, and what the public search refuses.
 
+mod seeded;
 mod several;
 
 use super::*;

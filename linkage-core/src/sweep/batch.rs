@@ -3,7 +3,8 @@
 use super::block::{APART, BLOCK, Circles, Column, put};
 use super::poses::Poses;
 use super::verdict::{Asked, Reach, Usable};
-use super::{Entry, Series, Status};
+use super::{Entry, SEEDS, Series, Status};
+use crate::find::seed::Seed;
 use crate::{Float, Fusion, Scalar};
 
 /// What a sweep works on.
@@ -15,6 +16,8 @@ pub(super) struct Batch<'a, E, T, const IN: usize, const OUT: usize> {
     /// Whether a single call has agreed that a pose is out of reach; it looks at parameters as well, which
     /// are the same for every pose. Nothing before the first such pose.
     pub(super) is_agreed: Option<bool>,
+    /// What the poses before have left to the searches of unknowns.
+    pub(super) seeds: [Seed<T>; SEEDS],
 }
 
 // `inline(always)` on the way from an instruction set to the lanes: a function of its own would be
@@ -215,7 +218,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
     /// What the single call says of a pose, and its numbers where there are any.
     #[cold]
     #[inline(never)]
-    fn solved_singly<K>(&self, pose: usize, numbers: &mut [T; OUT]) -> Status
+    fn solved_singly<K>(&mut self, pose: usize, numbers: &mut [T; OUT]) -> Status
     where
         E: Entry<K, T, IN, OUT>,
     {
@@ -224,7 +227,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         for (input, series) in inputs.iter_mut().zip(&self.inputs) {
             *input = series.at(pose).unwrap_or(none);
         }
-        let result = self.entry.solve_one(inputs, |found| {
+        let result = self.entry.follow_one(inputs, &mut self.seeds, |found| {
             numbers.iter_mut().zip(found).for_each(|(to, number)| *to = *number);
         });
         result.map_or_else(Status::from, |()| Status::Solved)

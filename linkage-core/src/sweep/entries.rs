@@ -2,6 +2,7 @@
 //! a pose one after the other, the inputs' values and then their rates.
 
 use super::{Entry, OfMotion, OfPosition, OfVelocity};
+use crate::find::seed::Seed;
 use crate::solver::{Solver, number};
 use crate::{Float, Record, Scalar, SolveError};
 
@@ -17,6 +18,21 @@ where
 
     fn solve_one(&self, given: [T; IN], put: impl FnOnce(&[T])) -> Result<(), SolveError> {
         put_found(Solver::position(self, nth::<S, IN, 1>(&given, 0)), put)
+    }
+
+    #[inline]
+    fn follow_one(
+        &self,
+        given: [T; IN],
+        seeds: &mut [Seed<T>],
+        put: impl FnOnce(&[T]),
+    ) -> Result<(), SolveError> {
+        let mut put = Some(put);
+        if S::SEARCHES && follow::<S, IN, 0>(self, &given, seeds, &mut put) {
+            return Ok(());
+        }
+        let single = |put| Entry::<OfPosition, T, IN, OUT>::solve_one(self, given, put);
+        put.map_or(Ok(()), single)
     }
 }
 
@@ -34,6 +50,21 @@ where
         let [q, rate] = [0, 1].map(|order| nth::<S, IN, 2>(&given, order));
         put_found(Solver::velocity(self, q, rate), put)
     }
+
+    #[inline]
+    fn follow_one(
+        &self,
+        given: [T; IN],
+        seeds: &mut [Seed<T>],
+        put: impl FnOnce(&[T]),
+    ) -> Result<(), SolveError> {
+        let mut put = Some(put);
+        if S::SEARCHES && follow::<S, IN, 1>(self, &given, seeds, &mut put) {
+            return Ok(());
+        }
+        let single = |put| Entry::<OfVelocity, T, IN, OUT>::solve_one(self, given, put);
+        put.map_or(Ok(()), single)
+    }
 }
 
 impl<T, S, const IN: usize, const OUT: usize> Entry<OfMotion, T, IN, OUT> for S
@@ -50,6 +81,32 @@ where
         let [q, rate, acceleration] = [0, 1, 2].map(|order| nth::<S, IN, 3>(&given, order));
         put_found(Solver::motion(self, q, rate, acceleration), put)
     }
+
+    #[inline]
+    fn follow_one(
+        &self,
+        given: [T; IN],
+        seeds: &mut [Seed<T>],
+        put: impl FnOnce(&[T]),
+    ) -> Result<(), SolveError> {
+        let mut put = Some(put);
+        if S::SEARCHES && follow::<S, IN, 2>(self, &given, seeds, &mut put) {
+            return Ok(());
+        }
+        let single = |put| Entry::<OfMotion, T, IN, OUT>::solve_one(self, given, put);
+        put.map_or(Ok(()), single)
+    }
+}
+
+/// The solver's own, whether it has put the numbers.
+fn follow<S: Solver, const IN: usize, const ORDER: usize>(
+    solver: &S,
+    given: &[S::Scalar; IN],
+    seeds: &mut [Seed<S::Scalar>],
+    put: &mut Option<impl FnOnce(&[S::Scalar])>,
+) -> bool {
+    let once = |found: &[S::Scalar]| put.take().into_iter().for_each(|put| put(found));
+    solver.follow::<ORDER>(seeds, |at| number(given, at), once)
 }
 
 /// Values, rates or second rates of the inputs, of as many `ORDERS` as are given.
@@ -64,6 +121,15 @@ fn nth<S: Solver, const IN: usize, const ORDERS: usize>(
 #[inline(always)]
 pub fn put_solved<R: Record, M>((record, usable): (R, M), put: impl FnOnce(&[R::Number])) -> M {
     put(record.into_array().as_ref());
+    usable
+}
+
+/// Puts the numbers of a record that may be used, and says whether it may be.
+#[inline]
+pub fn put_usable<R: Record>((record, usable): (R, bool), put: impl FnOnce(&[R::Number])) -> bool {
+    if usable {
+        put(record.into_array().as_ref());
+    }
     usable
 }
 

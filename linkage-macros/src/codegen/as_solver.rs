@@ -39,6 +39,7 @@ pub(super) fn items(cx: &Context<'_>) -> Text {
     entries(cx, by_order, &mut to);
     rows(&mut to);
     solve(cx, by_order, &mut to);
+    follow(cx, by_order, &mut to);
     tracking::clearances(cx, &mut to);
     to.put("}\n");
     to
@@ -143,5 +144,26 @@ fn solve(cx: &Context<'_>, entries: [EntryId; 3], to: &mut Text) {
         to.list(0..entry.given.len(), |to, order| of_numbers(cx, "given_", order, to));
         to.put("), put_)");
         to.put(if pattern == "_" { " } }\n" } else { ", " });
+    }
+}
+
+/// The fast paths of a sweep's poses, where something is searched by a seed.
+fn follow(cx: &Context<'_>, entries: [EntryId; 3], to: &mut Text) {
+    if entries.iter().any(|&id| fast_path::following(cx, id).is_none()) {
+        return;
+    }
+    let scalar = &cx.names.scalar;
+    let [usize_, function, once, seed, boolean, put_usable] =
+        ["usize", "Fn", "FnOnce", "Seed", "bool", "put_usable"].map(|item| cx.paths.written(item));
+    to.put(&format!("#[inline] fn follow<const ORDER: {usize_}>(&self, "));
+    to.put(&format!(
+        "seeds_: &mut [{seed}<{scalar}>], given_: impl {function}({usize_}) -> {scalar}, "
+    ));
+    to.put(&format!("put_: impl {once}(&[{scalar}]),) -> {boolean} {{ match ORDER {{ "));
+    for (id, pattern) in entries.into_iter().zip(["0", "1", "_"]) {
+        let entry = cx.entry(id);
+        to.put(&format!("{pattern} => {put_usable}(self.{}(", fast_path::following_name(entry)));
+        to.list(0..entry.given.len(), |to, order| of_numbers(cx, "given_", order, to));
+        to.put(", seeds_), put_)").put(if pattern == "_" { " } }\n" } else { ", " });
     }
 }

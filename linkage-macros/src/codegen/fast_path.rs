@@ -9,7 +9,7 @@ use super::context::Context;
 use super::identifiers::{function_name, generated};
 use super::text::Text;
 use super::token_list::Tokens;
-use super::{docs, formulas, results};
+use super::{as_solver, doc_comments, docs, formulas, results};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
 use crate::ir::graph::Node;
@@ -117,11 +117,57 @@ fn answer(cx: &Context<'_>, id: EntryId) -> TokenStream {
 
 /// The formulas, every condition compared, and the test that every result is finite.
 fn compared(cx: &Context<'_>, id: EntryId, call: formulas::Call, asked: &Asked) -> TokenStream {
+    let start = cx.paths.item("AllMet");
+    compared_from(cx, id, call, asked, &quote!(#start::new()))
+}
+
+/// The fast path of a sweep's pose, whose searches begin by the seeds of their unknowns; none where nothing is
+/// searched by a seed, or where the formulas are another entry point's.
+pub(super) fn following(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
+    let Compute::Own { routine, stage, asked } = cx.compute(id) else { return None };
+    let has_seeds = cx.lowered.searches.iter().any(|search| search.apart.is_some());
+    let entry = cx.entry(id);
+    if !has_seeds || entry.takes_cosine() || !as_solver::sweeps(entry) {
+        return None;
+    }
+    let (scalar, seeds) = (&cx.names.scalar, generated("seeds_"));
+    let number = quote!(#scalar);
+    let received = Arguments::new(cx, entry.given).received(&number);
+    let [start, seed] = ["AllMet", "Seed"].map(|item| cx.paths.item(item));
+    let start = quote!(#start::following(#seeds));
+    let call = formulas::Call { routine: *routine, stage: *stage };
+    let body = compared_from(cx, id, call, asked, &start);
+    let (name, result) = (following_name(entry), results::ty(cx, entry.result, &number));
+    let docs = doc_comments::lines(&format!(
+        "`{}` in a sweep: searches begin by what the pose before has left.",
+        public_name(entry),
+    ));
+    Some(quote! {
+        #docs
+        fn #name(&self, #(#received,)* #seeds: &mut [#seed<#scalar>]) -> (#result, #scalar::Mask) {
+            #body
+        }
+    })
+}
+
+/// The name of the function that [`following`] makes.
+pub(super) fn following_name(entry: &Entry) -> Ident {
+    function_name(&format!("follow_{}_", entry.name))
+}
+
+/// [`compared`], the conditions by these checks.
+fn compared_from(
+    cx: &Context<'_>,
+    id: EntryId,
+    call: formulas::Call,
+    asked: &Asked,
+    start: &TokenStream,
+) -> TokenStream {
     let [all_met, result] = ["all_met_", "result_"].map(generated);
-    let (formulas, start) = (call.under(cx, &quote!(&mut #all_met)), cx.paths.item("AllMet"));
+    let formulas = call.under(cx, &quote!(&mut #all_met));
     let finite = is_finite(cx, id, asked, "result_").map(|finite| quote!(& #finite));
     quote! {
-        let mut #all_met = #start::new();
+        let mut #all_met = #start;
         let #result = #formulas;
         (#result, #all_met.all() #finite)
     }

@@ -72,6 +72,7 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
     let arguments = cx.paths.import_arguments(arguments::all_names(cx));
     let (solver, records) = (solver::implementation(cx), structs::implementations(cx));
     let fast = cx.entries().map(|entry| fast_path::function(cx, entry));
+    let followed = cx.entries().map(|entry| fast_path::following(cx, entry));
     let checked = cx.entries().map(|entry| checked::function(cx, entry));
     let slow = cx.entries().map(|entry| slow_path::function(cx, entry));
     let (formulas, searches) = (formulas::functions(cx), searches::functions(cx));
@@ -98,7 +99,7 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
             #solver
             #records
             impl<#scalar: #any> #name<#scalar> { #(#fast)* #formulas #searches }
-            impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#slow)* #clearances }
+            impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#slow)* #(#followed)* #clearances }
             #sweeps
             #derivatives
             #as_solver

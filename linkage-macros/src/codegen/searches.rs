@@ -13,6 +13,7 @@ use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Trend, Wanted};
 use crate::lower::TRIAL;
+use crate::lower::apart::Apart;
 use crate::lower::routine::Search;
 use crate::model::mechanism::{Expr, Mechanism, Mode, Sign, Unknown};
 
@@ -52,6 +53,26 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
             }
         };
     }
+    if let Some(apart) = search.apart {
+        let [seed, by_seed] = ["Seed", "root_by_seed"].map(|item| cx.paths.item(item));
+        let (side, seed_name) = (apart_of(cx, &printer, search, apart), generated("seed_"));
+        return quote! {
+            #docs
+            fn #name(
+                &self,
+                [#(#given),*]: [#scalar; #count],
+                #seed_name: #option<&mut #seed<#scalar>>,
+            ) -> #result<[#scalar; 2], #error> {
+                let #plain = || {
+                    self.lift::<<#scalar as #real>::Plain>()
+                        .#name([#(#real::plain_value(#given)),*], #option::None)
+                };
+                #by_seed([#(#between),*], #trend, #seed_name, #side, #plain, |#trial: #scalar| {
+                    #lines
+                })
+            }
+        };
+    }
     quote! {
         #docs
         fn #name(&self, [#(#given),*]: [#scalar; #count]) -> #result<[#scalar; 2], #error> {
@@ -63,6 +84,14 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
             })
         }
     }
+}
+
+/// The side that no trial changes, as the search is given it.
+fn apart_of(cx: &Context<'_>, printer: &Printer<'_>, search: &Search, apart: Apart) -> TokenStream {
+    let Apart { given, has_one_root } = apart;
+    let (ty, is_right) = (cx.paths.item("Apart"), given == 1);
+    let given = printer.value_alone(search.sought.sides[given]);
+    quote!(#ty { given: #given, is_right: #is_right, has_one_root: #has_one_root })
 }
 
 /// The function that finds the root: of an angle whose ends are not known while compiling, one that asks

@@ -88,18 +88,28 @@ impl<'a> Printer<'a> {
         let size = size.map_or("_".to_string(), |size| self.local(size));
         let mut found = Text::default();
         found.put("self.").put(&search.routine.name).put("([");
-        found.list(&search.given, |to, &id| self.value(id, to)).put("])");
+        found.list(&search.given, |to, &id| self.value(id, to)).put("]");
+        let is_checked = self.routine.path != Path::Unchecked;
+        found.put(&match search.apart {
+            // The checks hold the seed, and are asked for it before they are told of the root.
+            Some(_) if is_checked => format!(", checks_.seed({}))", search.sought.unknown),
+            Some(_) => format!(", {}::None)", self.cx.paths.written("Option")),
+            None => ")".to_string(),
+        });
         let unknown = &self.cx.mechanism.unknowns[search.sought.unknown as usize];
         to.put("let (").put(&self.local(root)).put(", ").put(&size).put(") = ");
         if let Wanted::End(_) = search.sought.wanted {
             to.append(&found);
-        } else if self.routine.path == Path::Unchecked {
+        } else if !is_checked {
             to.put(&self.cx.paths.written("open")).put("(").append(&found);
             to.put(")");
         } else {
             let unit = unit(unknown.measure, Order::Position);
-            to.put("checks_.root(").append(&found);
-            to.put(", ").put(&quoted(&text(&unknown.name))).put(", ").put(&quoted(&unit)).put(")");
+            let named = [quoted(&text(&unknown.name)), quoted(&unit)].join(", ");
+            let is_apart = search.apart.is_some();
+            to.put(if is_apart { "{ let found_ = " } else { "checks_.root(" }).append(&found);
+            to.put(if is_apart { "; checks_.root(found_, " } else { ", " }).put(&named);
+            to.put(if is_apart { ") }" } else { ")" });
         }
         to.put(";\n");
     }

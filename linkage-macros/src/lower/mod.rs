@@ -7,6 +7,7 @@
 //! `checks` what a condition becomes, `schedule` in which order statements stand, `locals` what they
 //! are called, `nesting` which have no name, `one_root` whether an equation has several.
 
+pub(crate) mod apart;
 mod build;
 mod checks;
 mod locals;

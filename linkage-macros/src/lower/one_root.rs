@@ -18,7 +18,38 @@ const PIECES: u32 = 128;
 /// searched by; none where the slope depends on more than constants and the unknown.
 pub(super) fn has_one_root(graph: &Graph, sought: &Sought, rises: bool) -> Option<bool> {
     let [_, slope, curvature] = sought.sides;
-    let live = live(graph, &[slope, curvature], Path::Unchecked);
+    let mut pieces = pieces(graph, sought.between, [slope, curvature])?;
+    let course = pieces.try_fold(Course::Before, |course, of_piece| {
+        let with_the_trend = |sign: bool| sign == rises;
+        let [slope, grows] = of_piece.map(|interval| interval?.sign().map(with_the_trend));
+        course.after(slope, grows)
+    });
+    Some(course.is_some())
+}
+
+/// Whether it is proved that the slope has one sign on all pieces but the first and the last, and that the side
+/// of the equation that it belongs to is a number everywhere.
+pub(super) fn is_steady(graph: &Graph, between: [Id; 2], side: Id, slope: Id) -> bool {
+    let Some(pieces) = pieces(graph, between, [side, slope]) else { return false };
+    let mut signs = Vec::new();
+    for [side, slope] in pieces {
+        if !side.is_some_and(|Interval(low, high)| (high - low).is_finite()) {
+            return false;
+        }
+        signs.push(slope.and_then(Interval::sign));
+    }
+    let inner = &signs[1..signs.len() - 1];
+    inner[0].is_some() && inner.iter().all(|sign| *sign == inner[0])
+}
+
+/// The enclosures of these nodes on one piece of the bracket after the other; none where they depend on more
+/// than constants and the unknown.
+fn pieces<const N: usize>(
+    graph: &Graph,
+    between: [Id; 2],
+    wanted: [Id; N],
+) -> Option<impl Iterator<Item = [Option<Interval>; N]>> {
+    let live = live(graph, &wanted, Path::Unchecked);
     let nodes: Vec<_> = live_nodes(graph, &live).collect();
     let is_known = |node: Node| match node {
         Node::Constant(_) | Node::Low(_) | Node::Trial(_) => true,
@@ -29,12 +60,12 @@ pub(super) fn has_one_root(graph: &Graph, sought: &Sought, rises: bool) -> Optio
             operands > 0
         }
     };
-    let ends = sought.between.map(|end| graph.as_constant(end).map(Exact::to_f64));
+    let ends = between.map(|end| graph.as_constant(end).map(Exact::to_f64));
     let ([Some(from), Some(to)], true) = (ends, nodes.iter().all(|&(_, node)| is_known(node)))
     else {
         return None;
     };
-    let at = |piece: u32| from + (to - from) * (f64::from(piece) / f64::from(PIECES));
+    let at = move |piece: u32| from + (to - from) * (f64::from(piece) / f64::from(PIECES));
     // The value of a constant takes as long as a hundred operations.
     let mut values = vec![None; graph.len()];
     let is_constant = |node: Node| matches!(node, Node::Constant(_));
@@ -42,22 +73,13 @@ pub(super) fn has_one_root(graph: &Graph, sought: &Sought, rises: bool) -> Optio
         values[id.index()] = graph.as_constant(id).map(|value| Interval::about(value.to_f64()));
     }
     let nodes: Vec<_> = nodes.into_iter().filter(|&(_, node)| !is_constant(node)).collect();
-    let mut course = Course::Before;
-    for piece in 0..PIECES {
+    Some((0..PIECES).map(move |piece| {
         let trial = Interval(at(piece), at(piece + 1)).widened();
         for &(id, node) in &nodes {
             values[id.index()] = value(&values, node, trial);
         }
-        let of = |id: Id| values[id.index()].and_then(|interval: Interval| interval.sign());
-        let with_the_trend = |sign: bool| sign == rises;
-        let Some(next) =
-            course.after(of(slope).map(with_the_trend), of(curvature).map(with_the_trend))
-        else {
-            return Some(false);
-        };
-        course = next;
-    }
-    Some(true)
+        wanted.map(|id| values[id.index()])
+    }))
 }
 
 /// How far the walk has come: whether the slope has had the sign of the trend.

@@ -2,6 +2,7 @@
 //!
 //! A statement names nodes of the graph; there is no second language of expressions.
 
+use super::apart::Apart;
 use crate::interface::entries::Given;
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
@@ -41,6 +42,8 @@ pub(crate) struct Search {
     pub cost: Operations,
     /// Whether it is proved that there is one root at most; none where more than constants decide.
     pub has_one_root: Option<bool>,
+    /// How its equation stands apart, if it does: a sweep then searches by the root before.
+    pub apart: Option<Apart>,
 }
 
 /// How an entry point comes to its numbers.

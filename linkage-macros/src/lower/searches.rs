@@ -3,7 +3,7 @@
 
 use super::routine::{Locals, Routine, Search, Stage, Statement};
 use super::schedule::{pairs, take};
-use super::{locals, one_root};
+use super::{apart, locals, one_root};
 use crate::interface::records::Shape;
 use crate::ir::cost::Costs;
 use crate::ir::graph::{Graph, Id, Node, Sought, Trend, Wanted};
@@ -36,6 +36,7 @@ pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -
             |end: &&Sought| end.unknown == search.sought.unknown && end.wanted == Wanted::End(0);
         let end = ends.iter().find(of_it);
         search.has_one_root = end.and_then(|end| has_one_root(&program.graph, end));
+        search.apart = apart::apart(&program.graph, search);
     }
     searches
 }
@@ -106,7 +107,7 @@ fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
         locals,
     };
     let cost = Costs::of(graph).of_trial(&sought.sides);
-    Search { routine, root, sought, given, cost, has_one_root: None }
+    Search { routine, root, sought, given, cost, has_one_root: None, apart: None }
 }
 
 /// What a trial is called.

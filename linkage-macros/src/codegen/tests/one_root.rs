@@ -83,3 +83,42 @@ fn several_roots_are_possible_where_nothing_is_proved() {
     );
     assert!(by_another.starts_with("rising, "), "{by_another}");
 }
+
+/// The search of the only unknown as a sweep may begin it: whether one root is proved, if its equation stands
+/// apart at all.
+fn apart(source: &str) -> Option<bool> {
+    let mechanism = mechanism(&format!("struct M {{ {source} }}"));
+    let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
+    let text: String = generate(&mechanism, &program).to_string();
+    let text = text.split_whitespace().collect::<String>();
+    let (_, after) = text.split_once("has_one_root:")?;
+    assert!(text.contains("checks_.seed(0)") && text.contains("fnfollow<"), "{text}");
+    Some(after.starts_with("true"))
+}
+
+#[test]
+fn sweeps_begin_where_the_pose_before_ended() {
+    let ram = |ends: &str, length: &str, solve: &str| {
+        apart(&format!(
+            "input x: length; param l = 80mm; param seed: near = 1rad; ground A(0, 0);
+             guide bed through (0, 0) along 0deg;
+             unknown theta: angle between ({ends});
+             crank AB(A) -> B {{ length: {length}, angle: theta }}
+             rrp BC(B), ram(bed) -> C {{ length: 250mm, mode: ahead }}
+             solve theta {{ {solve}, mode: falling }}"
+        ))
+    };
+    let from_end_to_end = ["10deg, 170deg", "0, 180deg"];
+    for ends in from_end_to_end {
+        assert_eq!(ram(ends, "80mm", "ram.slide = x"), Some(true), "{ends}");
+    }
+    // Beyond a dead point, and where a parameter decides, the ends alone are remembered.
+    assert_eq!(ram("-30deg, 180deg", "80mm", "ram.slide = x"), Some(false));
+    assert_eq!(ram("0, 210deg", "80mm", "ram.slide = x"), Some(false));
+    assert_eq!(ram("0, 180deg", "l", "ram.slide = x"), Some(false));
+    // An input on the unknown's side, none that is apart, ends that change, and a seed of the user's.
+    assert_eq!(ram("0, 180deg", "80mm", "ram.slide + x = 0.1m"), None);
+    assert_eq!(ram("0, 180deg", "l + x / 10", "ram.slide = 0.3m"), None);
+    assert_eq!(ram("0, l / 1mm * 1deg", "80mm", "ram.slide = x"), None);
+    assert_eq!(ram("0, 180deg", "80mm", "ram.slide = x, near: seed"), None);
+}

@@ -1,0 +1,67 @@
+//! Equations that stand apart: one side is made of constants, parameters and the unknown, the other of what
+//! no trial changes. From one pose of a sweep to the next the first of them stays what it is at every trial.
+
+use super::one_root;
+use super::routine::Search;
+use crate::ir::graph::{Graph, Id, Node, Wanted};
+use crate::ir::liveness::{trial_nodes, tried};
+
+/// How an equation stands apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Apart {
+    /// The side that no trial changes: 0 for the left one, 1 for the right one.
+    pub given: usize,
+    /// Whether it is proved that there is one root, and that the slope changes its sign next to an end alone.
+    pub has_one_root: bool,
+}
+
+/// How the equation of a search stands apart, if it does. A declared seed is a wish for another search, and
+/// ends that are parameters may be more than a turn apart.
+pub(super) fn apart(graph: &Graph, search: &Search) -> Option<Apart> {
+    let sought = search.sought;
+    let [left, right, slope] = sought.sides;
+    let are_constant = sought.between.into_iter().all(|end| graph.as_constant(end).is_some());
+    if sought.wanted != Wanted::Root || sought.near.is_some() || !are_constant {
+        return None;
+    }
+    let tried = tried(graph);
+    let (given, side) = match [left, right].map(|side| tried[side.index()]) {
+        [true, false] => (1, left),
+        [false, true] => (0, right),
+        _ => return None,
+    };
+    let moves = moves(graph);
+    let of_trial = trial_nodes(graph, &[side, slope]);
+    if [side, slope]
+        .into_iter()
+        .chain(of_trial.iter().map(|&(id, _)| id))
+        .any(|id| moves[id.index()])
+    {
+        return None;
+    }
+    let is_proved = search.has_one_root == Some(true);
+    let has_one_root = is_proved && one_root::is_steady(graph, sought.between, side, slope);
+    Some(Apart { given, has_one_root })
+}
+
+/// For every node, whether its value may be another one at the next pose, for the same trial.
+fn moves(graph: &Graph) -> Vec<bool> {
+    let mut moves = vec![false; graph.len()];
+    for (id, node) in graph.iter() {
+        moves[id.index()] = match node {
+            Node::Input { .. }
+            | Node::InputCos(_)
+            | Node::InputSin(_)
+            | Node::Load(_)
+            | Node::Drive(_)
+            | Node::Root(_)
+            | Node::Size(_) => true,
+            node => {
+                let mut moved = false;
+                node.for_operands(&mut |operand: Id| moved |= moves[operand.index()]);
+                moved
+            }
+        };
+    }
+    moves
+}
