@@ -120,3 +120,43 @@ fn a_root_is_taken_between_signs_alone() {
     assert_eq!(found.map(|[at, _]| at), Ok(1.0));
     assert!(matches!(of([-1.0, 1.0], 1.0001), Err(FindError::NoSolution { .. })));
 }
+
+/// Roots of a side by a seed and from both ends, at one target after the other.
+fn roots_of(
+    side: impl Fn(f64) -> [f64; 2],
+    targets: impl Iterator<Item = f64>,
+    mut each: impl FnMut([Result<[f64; 2], FindError>; 2]),
+) {
+    let mut seed = Seed::unknown();
+    for given in targets {
+        let apart = Apart { given, is_right: true, has_one_root: true };
+        let sides = |x| {
+            let [value, slope] = side(x);
+            [value, given, slope]
+        };
+        let plain = || panic!("the numbers are plain");
+        let ends = [-1.0, 1.0];
+        let by_seed = root_by_seed(ends, Trend::Rising, Some(&mut seed), apart, plain, sides);
+        each([by_seed, root(ends, Trend::Rising, None, plain, sides)]);
+    }
+}
+
+/// An end whose value is off by more than its last places refuses a root that lies next to it.
+#[test]
+fn an_end_of_the_wrong_sign_is_heard() {
+    let rounded = |x: f64| [if x < 1.0 { x } else { 1.0 - 1e-12 }, 1.0];
+    let mut refused = 0;
+    roots_of(rounded, [0.999, 1.0 - 1e-14].into_iter(), |[by_seed, cold]| {
+        assert_eq!(by_seed.is_ok(), cold.is_ok());
+        refused += u32::from(cold.is_err());
+    });
+    assert_eq!(refused, 1);
+}
+
+/// A slope that is lost in the rounding of the sides: every root is that of both ends, to the last bit.
+#[test]
+fn a_slope_next_to_rounding_is_searched_from_both_ends() {
+    let flat = |x: f64| [1.0 + 1e-9 * x, 1e-9];
+    let targets = (0..200).map(|nth| 1.0 + 1e-9 * (0.001 * f64::from(nth) - 0.1));
+    roots_of(flat, targets, |[by_seed, cold]| assert_eq!(by_seed, cold));
+}
