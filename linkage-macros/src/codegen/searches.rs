@@ -31,10 +31,7 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     let trend = trend(cx, search.sought.trend);
     let between = search.sought.between.map(|end| printer.value_alone(end));
     let near = search.sought.near.map(|near| printer.value_alone(near));
-    let near = match near {
-        Some(near) => quote!(#option::Some(#near)),
-        None => quote!(#option::None),
-    };
+    let near = near.map_or(quote!(#option::None), |near| quote!(#option::Some(#near)));
     let mut lines = Text::default();
     let stages = search.routine.stages.iter();
     stages.for_each(|stage| printer.statements(&stage.statements, &mut lines));
