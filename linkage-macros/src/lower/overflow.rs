@@ -6,7 +6,7 @@
 //! number that carries derivatives is asked for its results in any case, because a derivative may
 //! overflow where the value does not.
 //!
-//! It is worth a seventh of a solver's instructions: `measurements.md` of the run-time crate says how
+//! It is worth a fifth of a solver's instructions: `measurements.md` of the run-time crate says how
 //! that was counted.
 
 use super::ranges::{Assumed, Thresholds, Values};
