@@ -120,8 +120,8 @@ fn a_press_is_swept_as_it_is_solved() {
 fn remembered_ends_change_no_bit() {
     let bits = |_| f64::MIN_POSITIVE;
     let heights = || places(4000, -0.4, 0.4, 2);
-    let softer = Wishbone { upper_length: 0.285, ..Wishbone::new() };
-    let narrow = Wishbone { upper_length: 0.285_f32, ..Default::default() };
+    let softer = Wishbone { upper_length: 0.285 };
+    let narrow = Wishbone { upper_length: 0.285_f32 };
     let wide = compared!(softer, WishboneMotion, 13, f64, heights(), bits);
     let narrow = compared!(narrow, WishboneMotion, 13, f32, heights(), bits);
     for (met, worst, same) in [wide, narrow] {
