@@ -61,12 +61,12 @@ impl<M: Mask, S> AllMet<M, S> {
         self.0 = self.0.and_condition(met);
     }
 
-    /// Behind a group that is out of reach for certain where `value` is that far below zero; operands
+    /// Behind a group that is out of reach for certain where `value` is that far below zero; a value and operands
     /// that are not finite are another refusal, and so may be what is made of them.
     #[inline(always)]
     fn reach<T: Scalar<Mask = M>>(&mut self, value: T, scale: T, operands: &[T]) {
         self.0 = self.0.behind_reach(|| {
-            let sum = operands.iter().copied().fold(T::lit(0.0, 0.0), |sum, next| sum + next);
+            let sum = operands.iter().copied().fold(value, |sum, next| sum + next);
             (T::lit(-BEYOND.0, -BEYOND.1) * scale).gt(value) & sum.is_finite()
         });
     }
