@@ -2,7 +2,7 @@
 //! of the declaration: the same table, to the last bit.
 //!
 //! A test holds the code to what the macro makes, and
-//! `LINKAGE_EXPAND=1 cargo test -p linkage-macros expanded` writes it anew.
+//! `LINKAGE_EXPAND=1 cargo test -p linkage-compiler expanded` writes it anew.
 
 #![allow(unused_qualifications, reason = "generated code relies on no prelude")]
 

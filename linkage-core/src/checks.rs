@@ -25,7 +25,7 @@
 //!   square has lost digits to underflow.
 //! - More than that where it pays. The fast path has to know that no result is infinite or no
 //!   number. It may ask the results, but these are there late; or the compiler shows, by intervals
-//!   (`lower/overflow.rs` of `linkage-macros`), that inputs below a limit and divisors above a
+//!   (`lower/overflow.rs` of `linkage-compiler`), that inputs below a limit and divisors above a
 //!   threshold cannot make anything overflow, and then these are asked, which are there early.
 
 mod all_met;

@@ -1,0 +1,317 @@
+//! Collects mistakes, and stops at the barriers between phases.
+
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+
+/// A mistake in a declaration, and the tokens that made it.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Diagnostic {
+    /// One line that says what to do.
+    pub message: String,
+    /// The reason, or the nearest name.
+    pub note: Option<String>,
+    /// The first token of the mistake.
+    pub first: Span,
+    /// The last token of the mistake. A stable compiler does not join two spans, but underlines what
+    /// lies between them.
+    pub last: Span,
+}
+
+impl Diagnostic {
+    fn new(at: Extent, message: String, note: Option<String>) -> Self {
+        Self { message, note, first: at.first, last: at.last }
+    }
+
+    /// The mistakes that `syn` found.
+    fn adopted(error: syn::Error) -> impl Iterator<Item = Self> {
+        error.into_iter().map(|error| {
+            let text = error.to_string();
+            let (message, note) = match text.split_once('\n') {
+                Some((message, note)) => (message.to_owned(), Some(note.to_owned())),
+                None => (text, None),
+            };
+            // Only the tokens of an error tell where it ends.
+            let tokens: Vec<_> = error.into_compile_error().into_iter().collect();
+            let [first, .., last] = &tokens[..] else { unreachable!("an error is several tokens") };
+            Self::new(Extent::between(first.span(), last.span()), message, note)
+        })
+    }
+
+    /// The mistake as a compile error at its tokens.
+    pub(crate) fn compile_error(&self) -> TokenStream {
+        let at = [self.first, self.last].map(|span| TokenTree::Ident(Ident::new("_", span)));
+        syn::Error::new_spanned(TokenStream::from_iter(at), self.text()).into_compile_error()
+    }
+
+    /// The source that the mistake is reported at, for tests.
+    #[cfg(test)]
+    pub(crate) fn source(&self) -> String {
+        let whole = self.first.join(self.last).and_then(|span| span.source_text());
+        whole.unwrap_or_default()
+    }
+
+    /// The message and its second line.
+    pub(crate) fn text(&self) -> String {
+        let note = self.note.iter().flat_map(|note| ["\n", note]);
+        std::iter::once(&self.message[..]).chain(note).collect()
+    }
+}
+
+/// The mistakes found so far. Dropping it without asking is a bug of the compiler, so it panics.
+pub(crate) struct Diagnostics {
+    mistakes: Vec<Diagnostic>,
+    asked: bool,
+}
+
+/// The tokens of a mistake, from the first to the last.
+#[derive(Clone, Copy)]
+pub(crate) struct Extent {
+    first: Span,
+    last: Span,
+}
+
+impl From<Span> for Extent {
+    fn from(span: Span) -> Self {
+        Self { first: span, last: span }
+    }
+}
+
+impl Extent {
+    pub(crate) fn between(first: Span, last: Span) -> Self {
+        Self { first, last }
+    }
+
+    /// From the first token of this to the last of the other.
+    pub(crate) fn to(self, end: Self) -> Self {
+        Self { first: self.first, last: end.last }
+    }
+}
+
+/// All mistakes of one declaration, in the order of the source.
+#[derive(Debug)]
+pub(crate) struct Failure(pub Vec<Diagnostic>);
+
+impl Diagnostics {
+    pub(crate) fn new() -> Self {
+        Self { mistakes: Vec::new(), asked: false }
+    }
+
+    /// Reports a mistake at the tokens that made it: one line that says what to do.
+    pub(crate) fn error(&mut self, at: impl Into<Extent>, message: impl std::fmt::Display) {
+        self.mistakes.push(Diagnostic::new(at.into(), message.to_string(), None));
+    }
+
+    /// Reports a mistake whose second line carries the reason or the nearest name.
+    pub(crate) fn error_because(
+        &mut self,
+        at: impl Into<Extent>,
+        message: impl std::fmt::Display,
+        reason: impl std::fmt::Display,
+    ) {
+        let note = Some(reason.to_string());
+        self.mistakes.push(Diagnostic::new(at.into(), message.to_string(), note));
+    }
+
+    /// Takes over a mistake that `syn` found.
+    pub(crate) fn adopt(&mut self, error: syn::Error) {
+        self.mistakes.extend(Diagnostic::adopted(error));
+    }
+
+    /// How many mistakes were reported: equal counts before and after a step say that the step
+    /// found none.
+    pub(crate) fn count(&self) -> usize {
+        self.mistakes.len()
+    }
+
+    /// The end of a phase: go on only where nothing was reported. Mistakes come in the order of
+    /// the source, whichever phase found them.
+    pub(crate) fn barrier(&mut self) -> Result<(), Failure> {
+        if self.mistakes.is_empty() {
+            return Ok(());
+        }
+        self.asked = true;
+        self.mistakes.sort_by_cached_key(|mistake| place(mistake.first));
+        Err(Failure(std::mem::take(&mut self.mistakes)))
+    }
+
+    /// The mistakes themselves, for tests that ask where they were made.
+    #[cfg(test)]
+    pub(crate) fn into_mistakes(mut self) -> Vec<Diagnostic> {
+        self.asked = true;
+        std::mem::take(&mut self.mistakes)
+    }
+
+    /// The end of the last phase.
+    pub(crate) fn finish(mut self) -> Result<(), Failure> {
+        let result = self.barrier();
+        self.asked = true;
+        result
+    }
+}
+
+impl Drop for Diagnostics {
+    fn drop(&mut self) {
+        if !self.asked && !std::thread::panicking() {
+            panic!("diagnostics were dropped without a barrier");
+        }
+    }
+}
+
+/// Line and column of a token.
+fn place(span: Span) -> (usize, usize) {
+    // Inside a macro the compiler is asked: proc-macro2 counts columns anew from the text.
+    #[cfg(feature = "macro")]
+    if proc_macro::is_available() {
+        let span = span.unwrap();
+        return (span.line(), span.column());
+    }
+    let start = span.start();
+    (start.line, start.column)
+}
+
+/// The candidate nearest to `name`, where one is near enough to have been meant; one that has
+/// nothing in common with a short name is not.
+pub(crate) fn nearest<'a>(
+    name: &str,
+    candidates: impl Iterator<Item = &'a str>,
+) -> Option<&'a str> {
+    let length = name.chars().count();
+    let allowed = length.div_ceil(3).min(length.saturating_sub(1));
+    candidates
+        .map(|candidate| (distance(name, candidate), candidate))
+        .filter(|&(distance, _)| distance <= allowed)
+        // Of equally near ones, the one as long as the name: `mn` is rather `mm` than `m`.
+        .min_by_key(|&(distance, near)| (distance, near.chars().count().abs_diff(length)))
+        .map(|(_, candidate)| candidate)
+}
+
+/// Optimal string alignment distance, letter case free of charge.
+fn distance(a: &str, b: &str) -> usize {
+    let a: Vec<char> = a.to_lowercase().chars().collect();
+    let b: Vec<char> = b.to_lowercase().chars().collect();
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for i in 0..=a.len() {
+        for j in 0..=b.len() {
+            rows[i][j] = if i == 0 || j == 0 {
+                i + j
+            } else {
+                let replaced = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+                let mut best = replaced.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
+                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                    best = best.min(rows[i - 2][j - 2] + 1);
+                }
+                best
+            };
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn messages(failure: Failure) -> Vec<String> {
+        failure.0.iter().map(Diagnostic::text).collect()
+    }
+
+    #[test]
+    fn every_mistake_is_reported_in_the_order_of_appearance() {
+        let mut diagnostics = Diagnostics::new();
+        diagnostics.error(Span::call_site(), "first");
+        diagnostics.error_because(Span::call_site(), "second", "its reason");
+        diagnostics.adopt(syn::Error::new(Span::call_site(), "third"));
+        assert_eq!(diagnostics.count(), 3);
+        let failure = diagnostics.finish().expect_err("three mistakes were reported");
+        assert_eq!(messages(failure), ["first", "second\nits reason", "third"]);
+    }
+
+    #[test]
+    fn mistakes_come_in_the_order_of_the_source() {
+        let tokens: TokenStream = "a\nb c".parse().expect("these are tokens");
+        let mut diagnostics = Diagnostics::new();
+        for tree in tokens.into_iter().collect::<Vec<_>>().into_iter().rev() {
+            diagnostics.error(tree.span(), &tree);
+        }
+        let failure = diagnostics.finish().expect_err("three mistakes were reported");
+        assert_eq!(messages(failure), ["a", "b", "c"]);
+    }
+
+    #[test]
+    fn a_mistake_is_reported_at_its_token() {
+        let tokens: TokenStream = "a b c".parse().expect("these are tokens");
+        let b = tokens.into_iter().nth(1).expect("there are three");
+        let mut diagnostics = Diagnostics::new();
+        diagnostics.error(b.span(), "here");
+        let failure = diagnostics.finish().expect_err("a mistake was reported");
+        let sources: Vec<_> = failure.0[0]
+            .compile_error()
+            .into_iter()
+            .filter_map(|tree| tree.span().source_text())
+            .collect();
+        assert!(!sources.is_empty() && sources.iter().all(|text| text == "b"), "{sources:?}");
+    }
+
+    #[test]
+    fn a_barrier_stops_after_a_mistake_and_only_then() {
+        let mut diagnostics = Diagnostics::new();
+        assert!(diagnostics.barrier().is_ok());
+        diagnostics.error(Span::call_site(), "late");
+        let failure = diagnostics.barrier().expect_err("a mistake was reported");
+        assert_eq!(messages(failure), ["late"]);
+        // What a barrier has handed over is not reported twice.
+        assert!(diagnostics.finish().is_ok());
+    }
+
+    #[test]
+    #[should_panic(expected = "diagnostics were dropped without a barrier")]
+    fn forgetting_to_ask_is_a_panic() {
+        drop(Diagnostics::new());
+    }
+
+    #[test]
+    #[should_panic(expected = "diagnostics were dropped without a barrier")]
+    fn a_mistake_behind_a_barrier_must_be_asked_for_again() {
+        let mut diagnostics = Diagnostics::new();
+        assert!(diagnostics.barrier().is_ok());
+        diagnostics.error(Span::call_site(), "late");
+        drop(diagnostics);
+    }
+
+    #[test]
+    fn the_nearest_name_is_one_that_may_have_been_meant() {
+        let names = ["A", "B", "blade", "coupler", "theta", "phi"];
+        for (name, expected) in [
+            ("Bb", Some("B")),
+            ("b", Some("B")),
+            ("balde", Some("blade")),
+            ("blad", Some("blade")),
+            ("bladee", Some("blade")),
+            ("BLADE", Some("blade")),
+            ("copuelr", Some("coupler")),
+            ("thet", Some("theta")),
+            ("quadrant", None),
+            ("Q", None),
+            ("blowtorch", None),
+        ] {
+            assert_eq!(nearest(name, names.into_iter()), expected, "{name}");
+        }
+        assert_eq!(nearest("A", std::iter::empty()), None);
+    }
+
+    #[test]
+    fn a_swap_costs_as_much_as_any_other_slip() {
+        for (a, b, expected) in [
+            ("", "", 0),
+            ("", "abc", 3),
+            ("abc", "", 3),
+            ("rrp", "rpr", 1),
+            ("rrr", "rrp", 1),
+            ("ground", "gorund", 1),
+            ("kitten", "sitting", 3),
+            ("Theta", "theta", 0),
+        ] {
+            assert_eq!(distance(a, b), expected, "{a} {b}");
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! The compiler behind `linkage-core`'s `mechanism!`, as a library: the tokens of a declaration in,
+//! the tokens of its solver and the mistakes out.
+//!
+//! Whoever declares mechanisms depends on `linkage-core`, whose macro calls [`compile`]. Programs that
+//! check or print declarations outside a compiler call it themselves; there every span has a line and
+//! a column.
+//!
+//! # The phases
+//!
+//! ```text
+//! source text ─syntax─▶ tree ─model─▶ mechanism ─equations─▶ graph ─passes─▶ smaller graph
+//!                                         └─interface─▶ what is offered ─lower─▶ routines ─codegen─▶ Rust
+//! ```
+//!
+//! | room | what it does | what it never does |
+//! |---|---|---|
+//! | `pipeline` | START HERE: the phases in order | |
+//! | `diagnostics` | collects mistakes, stops at the barriers | |
+//! | `exact` | real constants without error, rounded once | |
+//! | `syntax` | tokens and spans into a tree | resolve a name |
+//! | `reach` | what constant dimensions say before anything is solved, exactly | know a mechanism |
+//! | `model` | names into ids, dimensions, one function a rule | know how a mechanism is solved |
+//! | `interface` | what is offered: entry points, records, units, labels | compute or print |
+//! | `ir` | the expression graph, its cost, its text, its interpreter | know a mechanism |
+//! | `equations` | the formulas of every driver and group, once | know how code is written |
+//! | `passes` | make the graph smaller without changing what it means | know a mechanism |
+//! | `lower` | which routine computes what, in which order, and what it asks | print |
+//! | `codegen` | routines into functions, structs and docs | decide |
+//!
+//! Imports point to earlier rooms only, and data flows one way: each phase takes the one before by
+//! reference and returns a new value.
+//!
+//! # A walk through the house
+//!
+//! `rrr BC(B), DC(D) -> C { lengths: (632mm, l), mode: elbow }` behind a crank at `theta`:
+//!
+//! | room | the length `632mm` | the input `theta` | the mode `elbow` | a mistake, `632kg` |
+//! |---|---|---|---|---|
+//! | `syntax` | digits, unit, span | a name | a name | a number like another |
+//! | `model` | `Expr::Constant`, 79/125 m, not zero or less | `Expr::Input`, an angle | `Mode::Param` | a message at its token; what follows is a stand-in |
+//! | `interface` | | an argument of every entry point, a column | | the same signatures |
+//! | `equations` | a jet whose rates are zeros that leave no trace | a jet: value, rate, second rate | the sign of √S in `rrr.rs` | |
+//! | `ir` | an interned constant | a leaf an order | a leaf, ±1 | one zero for all results |
+//! | `passes` | (l₂ − l₃)² is one constant | its sine and cosine stay | nothing to do | |
+//! | `lower` | positive for sure: no check | asked for its size where that proves more than results do | never asked | |
+//! | `codegen` | `T::lit(0.632, 0.632)`, rounded once a width | `theta`, `theta_rate` | `Side::sign(self.elbow)` | |
+//!
+//! The parameter `l` goes where the length goes, but for three rooms: in `equations` it stands under
+//! the condition that it is positive, in `lower` it can be anything, so results are asked, and in
+//! `codegen` it is `self.l`.
+
+#[cfg(feature = "macro")]
+extern crate proc_macro;
+
+mod codegen;
+mod diagnostics;
+mod equations;
+mod exact;
+#[cfg(test)]
+mod expansions;
+#[cfg(test)]
+mod fuzz;
+mod interface;
+mod ir;
+mod lower;
+mod model;
+#[cfg(test)]
+mod oracle;
+mod passes;
+mod pipeline;
+mod reach;
+mod syntax;
+
+pub use diagnostics::Diagnostic;
+pub use pipeline::{Options, Output, compile};

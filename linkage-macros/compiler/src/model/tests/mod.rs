@@ -1,0 +1,63 @@
+//! The rules on tiny declarations: what they resolve to, and every mistake with its token.
+
+mod actions;
+mod class_three;
+mod constants;
+mod expressions;
+mod fields;
+
+mod groups;
+mod names;
+mod numbers;
+mod outputs;
+mod places;
+mod resolved;
+mod slips;
+mod springs;
+mod text;
+mod together;
+mod unknowns;
+
+use super::mechanism::Mechanism;
+use super::resolve;
+use crate::diagnostics::Diagnostics;
+use crate::syntax::parse;
+
+// What the statements of a row may build on.
+const NOTHING: &str = "";
+const INPUT: &str = "input t: angle;";
+const CRANK: &str = "input t: angle; ground A(0, 0), D(4m, 0); \
+                     crank AB(A) -> B { length: 1m, angle: t }";
+const GUIDE: &str = "input t: angle; ground A(0, 0), D(4m, 0); \
+                     guide rail through D along 0deg; \
+                     crank AB(A) -> B { length: 1m, angle: t }";
+const SIX_BAR: &str = "input t: angle; ground A(0, 0), D(4m, 0); \
+                       guide rail through D along 0deg; \
+                       crank AB(A) -> B { length: 1m, angle: t } \
+                       rrr BC(B), DC(D) -> C { lengths: (3m, 3m), mode: left } \
+                       rrp CE(C), block(rail) -> E { length: 5m, mode: ahead }";
+
+/// The mechanism with these statements, and its mistakes as "token: message / reason".
+fn resolved(statements: &str) -> (Option<Mechanism>, String) {
+    let mut diagnostics = Diagnostics::new();
+    let source = format!("pub struct M {{ {statements} }}");
+    let tokens = source.parse().expect("the source is made of Rust's tokens");
+    let tree = parse(tokens, &mut diagnostics).expect("the declaration has a name");
+    assert_eq!(diagnostics.count(), 0, "the parser has nothing against `{statements}`");
+    let mechanism = resolve(&tree, &mut diagnostics);
+    let mistakes = diagnostics
+        .into_mistakes()
+        .into_iter()
+        .map(|mistake| format!("{}: {}", mistake.source(), mistake.text().replace('\n', " / ")));
+    (mechanism, mistakes.collect::<Vec<_>>().join("\n"))
+}
+
+/// Compares the mistakes of each row: what its statements build on, the statements, and the
+/// mistakes, none where the row is legal.
+fn check(rows: &[(&str, &str, &str)]) {
+    for (base, statements, expected) in rows {
+        let (mechanism, found) = resolved(&format!("{base} {statements}"));
+        assert!(found == *expected, "{statements}\nexpected:\n{expected}\nfound:\n{found}");
+        assert_eq!(mechanism.is_some(), expected.is_empty(), "{statements}");
+    }
+}

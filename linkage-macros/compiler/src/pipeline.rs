@@ -1,0 +1,126 @@
+//! START HERE: the phases in order, each with what is true after it.
+
+use proc_macro2::TokenStream;
+
+use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
+use crate::exact::Scope;
+use crate::interface::Interface;
+use crate::ir::program::Program;
+use crate::model::mechanism::Mechanism;
+use crate::syntax::tree::Declaration;
+use crate::{codegen, equations, lower, model, passes, syntax};
+
+/// What is generated beside the solver. The default is nothing.
+#[derive(Clone, Copy, Debug, Default)]
+#[non_exhaustive]
+pub struct Options {
+    /// The program by which the mechanism is drawn, for the feature `sketch` of `linkage-core`.
+    pub sketch: bool,
+    /// Records that serde writes and reads, for the feature `serde` of `linkage-core`.
+    pub serde: bool,
+}
+
+#[cfg(test)]
+impl Options {
+    /// Nothing beside the solver.
+    pub(crate) const NONE: Self = Self { sketch: false, serde: false };
+    /// The solver and what it is drawn by.
+    pub(crate) const SKETCH: Self = Self { sketch: true, serde: false };
+    /// All that can be generated.
+    pub(crate) const ALL: Self = Self { sketch: true, serde: true };
+}
+
+/// Generated code and mistakes.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Output {
+    /// The solver. After a mistake, a compile error for each beside a stub of the solver, so that
+    /// one mistake gives one message.
+    pub tokens: TokenStream,
+    /// The mistakes in the order of the source; none where the solver is complete.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Compiles the declaration of a mechanism, the tokens between the braces of `mechanism! { … }`.
+///
+/// ```
+/// let source = "pub struct Crank { input t: angle; ground A(0, 0); crank AB(A) -> B { length: 2, angle: t } }";
+/// let tokens = source.parse().expect("these are tokens");
+/// let output = linkage_compiler::compile(tokens, &linkage_compiler::Options::default());
+/// assert!(output.diagnostics.is_empty());
+/// assert!(output.tokens.to_string().contains("struct Crank"));
+/// ```
+pub fn compile(source: TokenStream, options: &Options) -> Output {
+    // The numbers of one declaration are not those of the next.
+    let _atoms = Scope::begin();
+    let mut diagnostics = Diagnostics::new();
+    let declaration = syntax::parse(source, &mut diagnostics);
+    match resolved(declaration.as_ref(), diagnostics) {
+        Ok(mechanism) => {
+            let placing = options.sketch.then(|| placing(&mechanism));
+            let tokens = code(&mechanism, &program(&mechanism), placing.as_ref(), options);
+            Output { tokens, diagnostics: Vec::new() }
+        }
+        Err(Failure(diagnostics)) => {
+            let errors = diagnostics.iter().map(Diagnostic::compile_error);
+            let stand_in = declaration.as_ref().map(|declaration| stand_in(declaration, options));
+            Output { tokens: errors.chain(stand_in).collect(), diagnostics }
+        }
+    }
+}
+
+/// Syntax and model. Afterwards every name is a typed id, every dimension is checked, and nothing
+/// that follows can fail.
+fn resolved(
+    declaration: Option<&Declaration>,
+    mut diagnostics: Diagnostics,
+) -> Result<Mechanism, Failure> {
+    // No barrier between the two: the tree marks what could not be read, and the model says
+    // nothing of what may only be missing because of that.
+    let mechanism =
+        declaration.and_then(|declaration| model::resolve(declaration, &mut diagnostics));
+    diagnostics.finish()?;
+    Ok(mechanism.expect("a phase that gives nothing has reported why"))
+}
+
+/// Equations and passes.
+fn program(mechanism: &Mechanism) -> Program {
+    // One graph holds the values of every entry point, written down under the rules: constants
+    // are folded exactly, and nothing is added to zero or multiplied by one.
+    let program = equations::derive(mechanism, passes::RULES);
+    // Nothing is left that no entry needs, and products are contracted into their sums.
+    passes::optimise(&program)
+}
+
+/// The same for the program by which the mechanism is drawn, which shares nothing with the solver's.
+fn placing(mechanism: &Mechanism) -> Program {
+    passes::optimise(&equations::placing::derive(mechanism, passes::RULES))
+}
+
+/// Lowering and code generation.
+fn code(
+    mechanism: &Mechanism,
+    program: &Program,
+    placing: Option<&Program>,
+    options: &Options,
+) -> TokenStream {
+    // Every statement of every function is decided; what is left is to print them.
+    let lowered = lower::lower(mechanism, program);
+    let placing = placing.map(|program| lower::lower_placing(mechanism, program));
+    codegen::generate(mechanism, &lowered, placing.as_ref(), options.serde)
+}
+
+/// The struct and its methods for a declaration of which not everything was understood. They never
+/// run: every result is zero.
+pub(crate) fn stand_in(declaration: &Declaration, options: &Options) -> TokenStream {
+    let mechanism = model::stand_in::stand_in(declaration);
+    let interface = Interface::of(&mechanism);
+    // Whether the one input is a driver's bare angle is not known; a method too many says nothing.
+    let answers = interface.entries.iter();
+    let answers = answers.map(|entry| (entry.name, interface.numbers(entry.result)));
+    let is_pushed = declaration.statements.iter().any(|statement| statement.kind.is_force());
+    let applied = is_pushed.then_some((equations::placing::APPLIED, 0));
+    let drawn = [(equations::placing::ENTRY, 0)].into_iter().chain(applied);
+    let nothing = options.sketch.then(|| Program::of_zeros(drawn));
+    code(&mechanism, &Program::of_zeros(answers), nothing.as_ref(), options)
+}

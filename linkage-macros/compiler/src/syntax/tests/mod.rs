@@ -1,0 +1,231 @@
+//! The parser on tiny declarations: trees in text form, and mistakes with their tokens.
+
+mod actions;
+mod expression_mistakes;
+mod group_mistakes;
+mod recovery;
+mod solve;
+mod statement_mistakes;
+mod trees;
+
+use std::fmt::Write;
+
+use super::action::{Action, MassPlace};
+use super::parse;
+use super::tree::*;
+use crate::diagnostics::Diagnostics;
+
+/// The mistakes of a source text, one per line: "token: message / reason".
+fn mistakes(source: &str) -> String {
+    parsed(source).1
+}
+
+/// The tree of a declaration with these statements, and its mistakes.
+fn body(statements: &str) -> (String, String) {
+    let (tree, mistakes) = parsed(&format!("pub struct M {{ {statements} }}"));
+    (tree.expect("the declaration has a name").replacen("pub M\n", "", 1), mistakes)
+}
+
+fn parsed(source: &str) -> (Option<String>, String) {
+    let mut diagnostics = Diagnostics::new();
+    let tokens = source.parse().expect("the source is made of Rust's tokens");
+    let tree = parse(tokens, &mut diagnostics).map(|declaration| text(&declaration));
+    let mistakes = diagnostics
+        .into_mistakes()
+        .into_iter()
+        .map(|mistake| format!("{}: {}", mistake.source(), mistake.text().replace('\n', " / ")));
+    (tree, mistakes.collect::<Vec<_>>().join("\n"))
+}
+
+/// Compares the mistakes of each source text; the rows are `(source, mistakes)`.
+fn check(rows: &[(&str, &str)], mistakes: impl Fn(&str) -> String) {
+    for (source, expected) in rows {
+        let found = mistakes(source);
+        assert!(found == *expected, "{source}\nexpected:\n{expected}\nfound:\n{found}");
+    }
+}
+
+fn check_statements(rows: &[(&str, &str)]) {
+    check(rows, |statements| body(statements).1);
+}
+
+/// One line per statement; expressions with every operator in parentheses.
+fn text(declaration: &Declaration) -> String {
+    let visibility = match declaration.visibility {
+        syn::Visibility::Public(_) => "pub ",
+        syn::Visibility::Restricted(_) => "restricted ",
+        syn::Visibility::Inherited => "",
+    };
+    let mut text = format!("{visibility}{}\n", declaration.name);
+    for statement in &declaration.statements {
+        let docs = "/// ".repeat(statement.docs.len());
+        writeln!(text, "{docs}{}", kind(&statement.kind)).expect("a string takes everything");
+    }
+    text.trim_end().to_string()
+}
+
+fn kind(kind: &StatementKind) -> String {
+    match kind {
+        StatementKind::Input { names, kind } => {
+            let kind = kind.as_ref().map_or("?".to_string(), ToString::to_string);
+            format!("input {}: {kind}", list(names))
+        }
+        StatementKind::Param { name, kind: None, default } => {
+            format!("param {name} = {}", expr(default))
+        }
+        StatementKind::Param { name, kind: Some(kind), default } => {
+            format!("param {name}: {kind} = {}", expr(default))
+        }
+        StatementKind::Let { name, value } => format!("let {name} = {}", expr(value)),
+        StatementKind::Ground { points } => {
+            let points = points.iter().map(|(name, at)| format!("{name}{}", pair(at)));
+            format!("ground {}", points.collect::<Vec<_>>().join(", "))
+        }
+        StatementKind::Guide { name, on, through, course } => {
+            let through = match through {
+                Spot::At(at) => pair(at),
+                Spot::Point(point) => point.to_string(),
+                Spot::Mistake => "?".to_string(),
+            };
+            let course = match course {
+                Course::Along(angle) => format!("along {}", expr(angle)),
+                Course::Towards(point) => format!("towards {point}"),
+                Course::Mistake => "?".to_string(),
+            };
+            format!("guide {name}{} through {through} {course}", carrier(on))
+        }
+        StatementKind::Point { name, on, place } => {
+            let place = match place {
+                Place::Cartesian(at) => pair(at),
+                Place::Polar(at) => format!("polar {}", pair(at)),
+                Place::Distances(at, side) => format!("distances {} {side}", pair(at)),
+                Place::Mistake => "?".to_string(),
+            };
+            format!("point {name}{} at {place}", carrier(on))
+        }
+        StatementKind::Group(group) => self::group(group),
+        StatementKind::Output { items } => {
+            let items = items.iter().map(|item| match &item.name {
+                Some(name) => format!("{name} = {}", expr(&item.value)),
+                None => expr(&item.value),
+            });
+            format!("output {}", items.collect::<Vec<_>>().join(", "))
+        }
+        StatementKind::Numerics { mode } => format!("numerics {mode}"),
+        StatementKind::Crate { path } => {
+            format!(
+                "crate = {}",
+                quote::ToTokens::to_token_stream(path).to_string().replace(' ', "")
+            )
+        }
+        StatementKind::Export { language } => format!("export {language}"),
+        StatementKind::Load { names, kind } => {
+            let kind = kind.as_ref().map_or("?".to_string(), ToString::to_string);
+            format!("load {}: {kind}", list(names))
+        }
+        StatementKind::Action(action) => self::action(action),
+        StatementKind::Unknown { name, kind, between } => {
+            let kind = kind.as_ref().map_or("?".to_string(), ToString::to_string);
+            let between = between.as_ref().map_or("?".to_string(), pair);
+            format!("unknown {name}: {kind} between {between}")
+        }
+        StatementKind::Solve(Solve { unknown, equation, mode, near, .. }) => {
+            let sides = |[left, right]: &[Expr; 2]| format!("{} = {}", expr(left), expr(right));
+            let equation = equation.as_ref().map_or("?".to_string(), sides);
+            let mode = mode.as_ref().map_or("?".to_string(), ToString::to_string);
+            let near = near.as_ref().map(|near| format!(", near: {}", expr(near)));
+            format!("solve {unknown} {{ {equation}, mode: {mode}{} }}", near.unwrap_or_default())
+        }
+    }
+}
+
+fn action(action: &Action) -> String {
+    match action {
+        Action::Gravity { value, .. } => format!("gravity {}", pair(value)),
+        Action::Mass { value, on, place, inertia } => {
+            let place = match place {
+                MassPlace::Here => String::new(),
+                MassPlace::At(at) => format!(" at {}", pair(at)),
+                MassPlace::Point(point) => format!(" at {point}"),
+                MassPlace::Uniform(_) => " uniform".to_string(),
+            };
+            let inertia = inertia.as_ref().map(|value| format!(" inertia {}", expr(value)));
+            format!("mass {} on {on}{place}{}", expr(value), inertia.unwrap_or_default())
+        }
+        Action::Inertia { value, on } => format!("inertia {} on {on}", expr(value)),
+        Action::Force { value, axes, on } => {
+            let axes = axes.as_ref().map(|axes| format!(" in {axes}")).unwrap_or_default();
+            format!("force {}{axes} on {on}", pair(value))
+        }
+        Action::ForceBetween { value, points: [p, q] } => {
+            format!("force {} between {p} and {q}", expr(value))
+        }
+        Action::Torque { value, on } => format!("torque {} on {on}", expr(value)),
+        Action::TorqueBetween { value, bodies: [a, b] } => {
+            format!("torque {} between {a} and {b}", expr(value))
+        }
+        Action::Spring { name, ends: [a, b], fields } => {
+            let name = name.as_ref().map(|name| format!("{name} ")).unwrap_or_default();
+            format!("spring {name}between {a} and {b} {{ {} }}", self::fields(fields))
+        }
+    }
+}
+
+fn group(group: &Group) -> String {
+    let legs = group.legs.iter().map(|leg| match &leg.joint {
+        Some(joint) => format!("{}({joint})", leg.link),
+        None => format!("{}(?)", leg.link),
+    });
+    let pin = group.pin.as_ref().map(|pin| format!(" -> {pin}")).unwrap_or_default();
+    let legs = legs.collect::<Vec<_>>().join(", ");
+    format!("{} {legs}{pin} {{ {} }}", group.keyword, fields(group))
+}
+
+fn fields(group: &Group) -> String {
+    let fields = group.fields.iter().map(|field| match &field.value {
+        FieldValue::One(value) => format!("{}: {}", field.name, expr(value)),
+        FieldValue::Pair(values) => format!("{}: {}", field.name, pair(values)),
+    });
+    fields.collect::<Vec<_>>().join(", ")
+}
+
+fn carrier(on: &Option<proc_macro2::Ident>) -> String {
+    on.as_ref().map(|link| format!(" on {link}")).unwrap_or_default()
+}
+
+fn list(names: &[proc_macro2::Ident]) -> String {
+    names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+}
+
+fn pair(values: &[Expr; 2]) -> String {
+    format!("({}, {})", expr(&values[0]), expr(&values[1]))
+}
+
+fn expr(value: &Expr) -> String {
+    match &value.kind {
+        ExprKind::Number { digits, units } => match &units[..] {
+            [] => digits.clone(),
+            [(unit, 1)] => format!("{digits}{unit}"),
+            units => {
+                let units: Vec<_> = units.iter().map(|(u, power)| format!("{u}^{power}")).collect();
+                format!("{digits}({})", units.join(" "))
+            }
+        },
+        ExprKind::Name(name) => name.to_string(),
+        ExprKind::Member(link, member) => format!("{link}.{member}"),
+        ExprKind::Negate(operand) => format!("(-{})", expr(operand)),
+        ExprKind::Chain(first, rest) => rest.iter().fold(expr(first), |left, (operator, right)| {
+            let sign = match operator {
+                BinaryOp::Add => '+',
+                BinaryOp::Sub => '-',
+                BinaryOp::Mul => '*',
+                BinaryOp::Div => '/',
+            };
+            format!("({left} {sign} {})", expr(right))
+        }),
+        ExprKind::Call(name, arguments) => {
+            format!("{name}({})", arguments.iter().map(expr).collect::<Vec<_>>().join(", "))
+        }
+        ExprKind::Mistake => "?".to_string(),
+    }
+}
