@@ -1,0 +1,108 @@
+//! Production files, read as the compiler reads them: from each crate's root along its modules,
+//! without what is compiled for tests alone.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use syn::{Attribute, File, ImplItem, Item, Meta};
+
+/// The module behind a file.
+pub(crate) struct Source {
+    /// Names from the crate's root, which has none.
+    pub module: Vec<String>,
+    /// The file's place in the repository.
+    pub path: String,
+    pub file: File,
+}
+
+/// A crate of the repository.
+pub(crate) struct Crate {
+    pub name: &'static str,
+    pub sources: Vec<Source>,
+}
+
+const FOLDERS: [(&str, &str); 3] = [
+    ("linkage-core", "linkage-core/src"),
+    ("linkage-compiler", "linkage-macros/src"),
+    ("linkage-compiler", "linkage-macros/compiler/src"),
+];
+
+/// Every published crate.
+pub(crate) fn crates() -> Vec<Crate> {
+    let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folders = FOLDERS.iter().filter(|(_, folder)| repository.join(folder).exists());
+    let crates: Vec<Crate> = folders
+        .map(|&(name, folder)| {
+            let root = repository.join(folder).join("lib.rs");
+            let mut sources = Vec::new();
+            read(&repository, &root, &repository.join(folder), &[], &mut sources);
+            Crate { name, sources }
+        })
+        .collect();
+    let files: usize = crates.iter().map(|known| known.sources.len()).sum();
+    assert!(files > 200, "only {files} files were found");
+    crates
+}
+
+/// A module and those below it. `folder` is where its submodules are.
+fn read(repository: &Path, path: &Path, folder: &Path, module: &[String], to: &mut Vec<Source>) {
+    let text = fs::read_to_string(path).expect("the file is there");
+    let mut file = syn::parse_file(&text).expect("the file is Rust");
+    keep_production(&mut file.items);
+    for item in &file.items {
+        let Item::Mod(below) = item else { continue };
+        if below.content.is_some() {
+            continue;
+        }
+        let name = below.ident.to_string();
+        let inner = folder.join(&name);
+        let beside: PathBuf = folder.join(format!("{name}.rs"));
+        let path = if beside.exists() { beside } else { inner.join("mod.rs") };
+        read(repository, &path, &inner, &[module, &[name]].concat(), to);
+    }
+    let path = path.strip_prefix(repository).expect("the file is in the repository");
+    let path = path.display().to_string();
+    to.push(Source { module: module.to_vec(), path, file });
+}
+
+/// Drops what is compiled for tests alone.
+fn keep_production(items: &mut Vec<Item>) {
+    items.retain(|item| !attributes(item).iter().any(is_for_tests));
+    for item in items {
+        match item {
+            Item::Mod(module) => {
+                if let Some((_, items)) = &mut module.content {
+                    keep_production(items);
+                }
+            }
+            Item::Impl(block) => block.items.retain(|item| match item {
+                ImplItem::Fn(function) => !function.attrs.iter().any(is_for_tests),
+                ImplItem::Const(constant) => !constant.attrs.iter().any(is_for_tests),
+                _ => true,
+            }),
+            _ => {}
+        }
+    }
+}
+
+fn is_for_tests(attribute: &Attribute) -> bool {
+    let Meta::List(list) = &attribute.meta else { return false };
+    list.path.is_ident("cfg") && ["test", "doctest"].contains(&list.tokens.to_string().as_str())
+}
+
+fn attributes(item: &Item) -> &[Attribute] {
+    match item {
+        Item::Const(item) => &item.attrs,
+        Item::Enum(item) => &item.attrs,
+        Item::Fn(item) => &item.attrs,
+        Item::Impl(item) => &item.attrs,
+        Item::Macro(item) => &item.attrs,
+        Item::Mod(item) => &item.attrs,
+        Item::Static(item) => &item.attrs,
+        Item::Struct(item) => &item.attrs,
+        Item::Trait(item) => &item.attrs,
+        Item::Type(item) => &item.attrs,
+        Item::Use(item) => &item.attrs,
+        _ => &[],
+    }
+}
