@@ -39,6 +39,7 @@
 //! Lengths are in metres, coordinates those of the ground, forces in newtons. Pictures are at most
 //! 720 pixels wide and 640 high, but for texts, to one scale in both directions.
 
+mod asking;
 mod bodies;
 mod boxes;
 mod drawn;
@@ -51,6 +52,7 @@ mod page;
 mod picture;
 mod placing;
 mod plan;
+mod poses;
 mod scene;
 mod shapes;
 mod springs;
@@ -65,38 +67,7 @@ pub use film::{Film, FilmGap};
 pub use plan::{Applied, Drawn};
 #[doc(hidden)]
 pub use plan::{Made, Plan, Spring, applied, followed, place, place_open};
+pub use poses::LinkPose;
 pub use still::{Sketch, Still};
 pub use style::{Palette, Theme, Unit};
 pub use svg::View;
-
-use crate::{Direction, Point};
-use scene::Scene;
-
-/// Where a link is: its frame in ground axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LinkPose {
-    /// The frame's origin, in metres.
-    pub origin: Point<f64>,
-    /// The unit vector along its x.
-    pub direction: Direction<f64>,
-}
-
-fn point_of(scene: &Scene, pose: usize, name: &str) -> Result<Point<f64>, SketchError> {
-    let point = traces::point(scene.plan, name)?;
-    let pose = scene.frames().nth(pose).ok_or(SketchError::EmptyPath)?;
-    let [x, y] = scene.point(pose, point).ok_or_else(|| missing(scene, pose))?;
-    Ok(Point { x, y })
-}
-
-fn link_of(scene: &Scene, pose: usize, name: &str) -> Result<LinkPose, SketchError> {
-    let link = traces::link(scene.plan, name)?;
-    let pose = scene.frames().nth(pose).ok_or(SketchError::EmptyPath)?;
-    let frame = scene.link(pose, link).ok_or_else(|| missing(scene, pose))?;
-    let ([x, y], scene::Pose { cos, sin, .. }) = (frame.origin, frame);
-    Ok(LinkPose { origin: Point { x, y }, direction: Direction { cos, sin } })
-}
-
-/// Only what failed is missing.
-fn missing(scene: &Scene, pose: usize) -> SketchError {
-    scene.failure(pose).map_or(SketchError::EmptyPath, |failure| failure.error.into())
-}

@@ -8,13 +8,14 @@ use std::vec::Vec;
 
 use super::error::SketchError;
 use super::options::Options;
+use super::page;
 use super::picture::Picture;
-use super::plan::Drawn;
+use super::plan::{Drawn, PlanOf};
+use super::poses::{self, LinkPose};
 use super::scene::Scene;
 use super::still::Still;
 use super::style::Theme;
 use super::svg::View;
-use super::{LinkPose, page};
 use crate::{Point, SolveError};
 
 /// A mechanism as it moves through a path of inputs.
@@ -165,7 +166,7 @@ impl Film {
     /// # Errors
     /// `UnknownName`; `EmptyPath` behind the last pose; `Solve` where the point is missing.
     pub fn point(&self, pose: usize, name: &str) -> Result<Point<f64>, SketchError> {
-        super::point_of(&self.scene, pose, name)
+        poses::point_of(&self.scene, pose, name)
     }
 
     /// Where a link is in a pose.
@@ -173,7 +174,7 @@ impl Film {
     /// # Errors
     /// As for [`point`](Self::point).
     pub fn link(&self, pose: usize, name: &str) -> Result<LinkPose, SketchError> {
-        super::link_of(&self.scene, pose, name)
+        poses::link_of(&self.scene, pose, name)
     }
 
     /// From metres in ground axes to pixels of the picture.
@@ -230,13 +231,6 @@ impl Film {
     pub fn write_html(&self, path: impl AsRef<Path>) -> Result<(), SketchError> {
         Ok(std::fs::write(path, self.to_html()?)?)
     }
-}
-
-/// The plan as a constant in memory.
-pub(super) struct PlanOf<S>(core::marker::PhantomData<S>);
-
-impl<S: Drawn> PlanOf<S> {
-    pub(super) const PLAN: super::plan::Plan = S::PLAN;
 }
 
 fn push<S: Drawn>(scene: &mut Scene, solver: &S, q: S::Input, refused: Option<SolveError>) {

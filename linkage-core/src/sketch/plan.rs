@@ -52,6 +52,13 @@ pub struct Plan {
     pub springs: &'static [Spring],
 }
 
+/// The plan as a constant in memory.
+pub(super) struct PlanOf<S>(core::marker::PhantomData<S>);
+
+impl<S: Drawn> PlanOf<S> {
+    pub(super) const PLAN: Plan = S::PLAN;
+}
+
 /// A spring, a damper, or both, between two points.
 #[derive(Clone, Copy, Debug)]
 pub struct Spring {
