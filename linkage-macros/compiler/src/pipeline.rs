@@ -117,10 +117,9 @@ pub(crate) fn stand_in(declaration: &Declaration, options: &Options) -> TokenStr
     let interface = Interface::of(&mechanism);
     // Whether the one input is a driver's bare angle is not known; a method too many says nothing.
     let answers = interface.entries.iter();
-    let answers = answers.map(|entry| (entry.name, interface.numbers(entry.result)));
+    let answers = answers.map(|entry| (Some(entry.point), interface.numbers(entry.result)));
     let is_pushed = declaration.statements.iter().any(|statement| statement.kind.is_force());
-    let applied = is_pushed.then_some((equations::placing::APPLIED, 0));
-    let drawn = [(equations::placing::ENTRY, 0)].into_iter().chain(applied);
+    let drawn = std::iter::repeat_n((None, 0), if is_pushed { 2 } else { 1 });
     let nothing = options.sketch.then(|| Program::of_zeros(drawn));
     code(&mechanism, &Program::of_zeros(answers), nothing.as_ref(), options)
 }

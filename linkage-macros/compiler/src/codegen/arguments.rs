@@ -14,7 +14,7 @@ use crate::ir::graph::Node;
 /// What all arguments of all functions are called.
 pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
     let entries = cx.interface.entries.iter();
-    let names = entries.flat_map(|entry| Arguments::new(cx, entry.given).names);
+    let names = entries.flat_map(|entry| Arguments::new(cx, &entry.given).names);
     let names = names.map(|name| name.to_string());
     names.chain(SWEEP_ARGUMENTS.map(str::to_string)).collect::<BTreeSet<_>>().into_iter()
 }
@@ -68,12 +68,12 @@ fn clear_of(names: &[Ident], mut name: Ident) -> Ident {
 /// One input: an argument for its value, rate and second rate; several: a record for each.
 pub(super) struct Arguments<'a> {
     cx: &'a Context<'a>,
-    given: &'static [Given],
+    given: &'a [Given],
     names: Vec<Ident>,
 }
 
 impl<'a> Arguments<'a> {
-    pub(super) fn new(cx: &'a Context<'a>, given: &'static [Given]) -> Self {
+    pub(super) fn new(cx: &'a Context<'a>, given: &'a [Given]) -> Self {
         let plain = |name| Ident::new(name, Span::call_site());
         let order = |nth: usize| match cx.inputs() {
             None => cx.names.only_input[nth].clone(),
@@ -100,7 +100,7 @@ impl<'a> Arguments<'a> {
 
     /// Those of a function that only generated code calls, for formulas that are written as text: the
     /// names have nothing of the tokens that the user may have had a macro write.
-    pub(super) fn of_our_own(cx: &'a Context<'a>, given: &'static [Given]) -> Self {
+    pub(super) fn of_our_own(cx: &'a Context<'a>, given: &'a [Given]) -> Self {
         let mut arguments = Self::new(cx, given);
         arguments.names.iter_mut().for_each(|name| name.set_span(Span::call_site()));
         arguments

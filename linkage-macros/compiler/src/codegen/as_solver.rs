@@ -6,25 +6,17 @@ use super::input_records::{input_of, of_numbers};
 use super::text::Text;
 use super::{fast_path, tracking};
 use crate::interface::EntryId;
-use crate::interface::entries::Entry;
+use crate::interface::entries::Analysis;
 use crate::interface::records::Shape;
-
-/// The entry points by the orders of the inputs that they are given.
-const ORDERS: [&str; 3] = ["position", "velocity", "motion"];
-
-/// Whether the sweep of an entry point goes by the solver.
-pub(super) fn sweeps(entry: &Entry) -> bool {
-    ORDERS.contains(&entry.name)
-}
 
 /// Nothing where not everything is offered that the trait asks for, as in some tests.
 pub(super) fn items(cx: &Context<'_>) -> Text {
-    let (found, mut to) = (|name: &str| cx.interface.find(name), Text::long());
-    let ([Some(position), Some(velocity), Some(motion)], Some(_)) =
-        (ORDERS.map(found), found("coefficients"))
-    else {
+    let mut to = Text::long();
+    let stages = Analysis::STAGES.map(|analysis| cx.interface.find(analysis.by_value()));
+    let [Some(position), Some(velocity), Some(motion)] = stages else { return to };
+    if !cx.interface.has(Analysis::Coefficients) {
         return to;
-    };
+    }
     let by_order = [position, velocity, motion];
     let (solver, scalar) = (&cx.names.solver, &cx.names.scalar);
     let [trait_, real] = ["Solver", "Real"].map(|item| cx.paths.written(item));

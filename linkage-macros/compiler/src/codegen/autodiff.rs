@@ -8,12 +8,12 @@ use super::context::Context;
 use super::identifiers::{generated, used};
 use super::token_list::Tokens;
 use super::{docs, results, solver};
-use crate::interface::entries::Given;
+use crate::interface::entries::{Analysis, Given};
 use crate::model::mechanism::Param;
 
 /// For `f32` and `f64`, and only where the run-time crate has its feature `ad`.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
-    if cx.interface.find("position").is_none() {
+    if !cx.interface.has(Analysis::Position) {
         return TokenStream::new();
     }
     let (with_ad, name, number) = (cx.paths.item("with_ad"), &cx.names.solver, &cx.names.scalar);

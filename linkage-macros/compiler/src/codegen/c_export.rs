@@ -45,11 +45,6 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
 /// What C calls the declaration's parameters together.
 const PARAMETERS: &str = "mechanism";
 
-/// What C calls the argument that an answer is written to.
-fn answer_name(entry: &Entry) -> &'static str {
-    entry.name.trim_end_matches("_at")
-}
-
 /// The parameters in a layout that C can fill with anything; nothing without parameters.
 fn parameters(cx: &Context<'_>) -> TokenStream {
     if cx.mechanism.params.is_empty() {
@@ -184,10 +179,10 @@ fn reply(cx: &Context<'_>) -> TokenStream {
 /// One entry point for one width.
 fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
     let name = function_name(&c_identifiers::function(&cx.names.solver, of, width));
-    let method = function_name(of.name);
+    let method = function_name(of.name());
     let number = cx.paths.item(width.in_rust());
     let number = quote!(#number);
-    let arguments = Arguments::new(cx, of.given);
+    let arguments = Arguments::new(cx, &of.given);
     let names: Vec<Ident> =
         (0..arguments.names().len()).map(|i| generated(&format!("q{i}_"))).collect();
     let (mut declared, mut read) = (TokenStream::new(), TokenStream::new());
@@ -204,7 +199,7 @@ fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
     let (solver, parameter) = called(cx, &number);
     let value = results::ty(cx, of.result, &number);
     let [result, ok, error, i32] = ["Result", "Ok", "CError", "i32"].map(|i| cx.paths.item(i));
-    let label = answer_name(of);
+    let label = of.point.answer();
     let (to, why, answer) = (generated("to_"), generated("why_"), generated("answer_"));
     quote! {
         #[unsafe(no_mangle)]

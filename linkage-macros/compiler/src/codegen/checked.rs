@@ -15,10 +15,10 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
     let scalar = &cx.names.scalar;
     let scalar = quote!(#scalar);
-    let arguments = Arguments::new(cx, entry.given);
+    let arguments = Arguments::new(cx, &entry.given);
     let (declared, converted) = (arguments.declared(&scalar), arguments.converted(&scalar));
     let result = results::ty(cx, entry.result, &scalar);
-    let name = function_name(entry.name);
+    let name = function_name(entry.name());
     let docs = docs::checked(cx, id);
     let (outcome, error, ok) =
         (cx.paths.item("Result"), cx.paths.item("SolveError"), cx.paths.item("Ok"));

@@ -4,9 +4,10 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::identifiers::text;
+use super::identifiers::{function_name, text};
 use super::token_list::Tokens;
 use crate::interface::EntryId;
+use crate::interface::entries::Analysis;
 use crate::ir::cost::Operations;
 
 /// The most evaluations between two ends, in double and in single precision, as the run-time crate
@@ -20,7 +21,7 @@ pub(super) fn of(cx: &Context<'_>, entry: EntryId) -> Operations {
 
 /// The type of `COST`.
 pub(super) fn ty(cx: &Context<'_>) -> Tokens {
-    cx.paths.item(match (cx.searches(), is_about_forces(cx)) {
+    cx.paths.item(match (cx.searches(), has_forces(cx)) {
         (true, true) => "SearchingForcesCost",
         (true, false) => "SearchingCost",
         (false, true) => "ForcesCost",
@@ -28,32 +29,25 @@ pub(super) fn ty(cx: &Context<'_>) -> Tokens {
     })
 }
 
-fn is_about_forces(cx: &Context<'_>) -> bool {
-    ["forces", "energy", "forward_dynamics"].iter().any(|name| cx.interface.find(name).is_some())
+/// Whether anything about forces has a cost.
+fn has_forces(cx: &Context<'_>) -> bool {
+    let mut points = cx.interface.entries.iter().map(|entry| entry.point);
+    points.any(|point| point.is_about_forces() && point.row().has_cost)
 }
 
 /// The initialiser of `COST`.
 pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
-    let of = |name: &str| {
-        let cost = cx.interface.find(name).map_or_else(Operations::default, |id| of(cx, id));
-        record(cx, cost)
-    };
-    let [position, motion, coefficients] = ["position", "motion", "coefficients"].map(of);
-    let cost = ty(cx);
-    let forces = is_about_forces(cx).then(|| {
-        let [forces, statics, energy, forward] =
-            ["forces", "statics", "energy", "forward_dynamics"].map(of);
-        quote! {
-            , forces: #forces, statics: #statics, energy: #energy, forward_dynamics: #forward
-        }
+    let (cost, has_forces) = (ty(cx), has_forces(cx));
+    let points = Analysis::all().map(Analysis::by_value);
+    let points = points.filter(|point| point.row().has_cost);
+    let fields = points.filter(|point| has_forces || !point.is_about_forces()).map(|point| {
+        let cost = cx.interface.find(point).map_or_else(Operations::default, |id| of(cx, id));
+        let (name, cost) = (function_name(point.name()), record(cx, cost));
+        quote!(#name: #cost)
     });
-    let searches = cx.searches().then(|| {
-        let searches = searches(cx);
-        quote!(, searches: #searches)
-    });
-    quote! {
-        #cost { position: #position, motion: #motion, coefficients: #coefficients #forces #searches }
-    }
+    let searches = cx.searches().then(|| searches(cx)).map(|searches| quote!(searches: #searches));
+    let fields = fields.chain(searches);
+    quote!(#cost { #(#fields),* })
 }
 
 /// The costs of the searches, as a list.

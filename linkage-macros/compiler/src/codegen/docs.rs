@@ -75,7 +75,7 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
     let costs = cx.entries().map(|entry| {
         format!(
             "`{}`: {}",
-            cx.entry(entry).name,
+            cx.entry(entry).name(),
             costs_in_words::in_words(costs_in_words::of(cx, entry))
         )
     });
@@ -163,17 +163,17 @@ pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
         Subject::Load(index) => forces::load(&cx.mechanism.dynamics.loads[index]),
         Subject::Effort(index) => forces::effort(cx, index),
         Subject::Efforts(index) => forces::owner(cx, index),
-        Subject::Equations("mass") => quote! {
+        Subject::Mass => quote! {
             /// The mass matrix, symmetric: in kg along a length, in kg·m² about an angle.
         },
-        Subject::Equations(_) => quote! {
+        Subject::GeneralizedForce => quote! {
             /// What acts along each input, of what is applied, weight, springs and the inertia that is left
             /// without second rates: in N along a length, in N·m about an angle.
         },
-        Subject::Energy("kinetic") => quote! {
+        Subject::KineticEnergy => quote! {
             /// In J: ½ m v² + ½ J ω² of every mass.
         },
-        Subject::Energy(_) => quote! {
+        Subject::PotentialEnergy => quote! {
             /// In J: of every mass in the field of gravity, zero at the ground's origin, and of every
             /// spring, zero where it is slack.
         },
@@ -296,7 +296,7 @@ pub(super) fn fast_path(cx: &Context<'_>, id: EntryId) -> TokenStream {
     lines(&format!(
         "{}, {}and whether they may be used.\n\n{}\n\n\
          Where the mask says no, the numbers mean nothing. Costs {}.",
-        entry.subject,
+        entry.point.row().subject,
         if cx.searches() { "" } else { "without a branch, " },
         details(cx, entry),
         costs_in_words::in_words(costs_in_words::of(cx, id)),
@@ -312,7 +312,7 @@ pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
         "{}.\n\n{}\n\nCosts {}.\n\n# Errors\n\
          The group that cannot be assembled, is singular or was given an invalid length, or the \
          input or result that is not finite.{}{}",
-        entry.subject,
+        entry.point.row().subject,
         details(cx, entry),
         costs_in_words::in_words(costs_in_words::of(cx, id)),
         exceptions(cx, entry),
@@ -328,25 +328,7 @@ fn exceptions(cx: &Context<'_>, entry: &Entry) -> &'static str {
     if entry.takes_cosine() {
         return " `OffCircle` where the amplitude is no resolver's.";
     }
-    match entry.name {
-        "forward_dynamics" if cx.inputs().is_some() => {
-            " `Singular` names an input that moves no mass in this pose, or moves it as earlier inputs do as \
-             far as rounding can tell. Next to such a pose digits are lost: of two equal bars \
-             that enclose a small angle b, an error of some 10 ε/b² of the largest second rate is left. \
-             At a dead point of the inputs the group is named: choose the cranks that turn fully as \
-             inputs."
-        }
-        "forward_dynamics" => {
-            " `Singular` names an input that moves no mass in this pose; at a dead point of the inputs \
-             the group is: choose the crank that turns fully as input."
-        }
-        "coefficients" => " An input that no coefficient depends on is not looked at.",
-        "margins" => {
-            " A margin is there also beyond its own group's limit, but not behind another group \
-             that has no pose: the error names that one, and by how much it is out of reach."
-        }
-        _ => "",
-    }
+    entry.point.row().errors[usize::from(cx.inputs().is_some())]
 }
 
 pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {
@@ -365,14 +347,14 @@ pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {
          `{}` would be an error, the numbers are NaN and `status` has the error's kind. `progress` is told \
          how many poses are done, and how many there are, every few thousand poses; `()` tells nobody.\n\n\
          # Errors\nTwo slices are not of one length; nothing was computed.",
-        entry.subject,
+        entry.point.row().subject,
         details(cx, entry),
-        entry.name,
+        entry.name(),
     ))
 }
 
 pub(super) fn slow_path(entry: &Entry) -> TokenStream {
-    lines(&format!("Why `solve_{}` gave no answer, or the answer at a limit.", entry.name))
+    lines(&format!("Why `solve_{}` gave no answer, or the answer at a limit.", entry.name()))
 }
 
 pub(super) fn jacobian(cx: &Context<'_>) -> TokenStream {

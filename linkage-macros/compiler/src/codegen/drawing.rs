@@ -106,7 +106,7 @@ fn applied(cx: &Context<'_>) -> Option<TokenStream> {
         ["Result", "Applied", "SolveError", "applied", "Drawn"].map(path);
     let float = &cx.names.scalar;
     let number = quote!(#float);
-    let arguments = Arguments::new(cx, routine.given);
+    let arguments = Arguments::new(cx, &routine.given);
     let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
     let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
     let given = routine.reads.iter().filter_map(read);

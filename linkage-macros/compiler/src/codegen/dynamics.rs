@@ -7,14 +7,15 @@ use super::arguments::Arguments;
 use super::context::Context;
 use super::doc_comments::lines;
 use super::identifiers::{generated, text};
-use crate::interface::entries::FORWARD;
+use crate::interface::entries::Analysis;
 
 /// Nothing where there is no forward dynamics.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
-    let Some(id) = cx.interface.find(FORWARD) else { return TokenStream::new() };
+    let forward = cx.interface.find(Analysis::ForwardDynamics.by_value());
+    let Some(id) = forward else { return TokenStream::new() };
     let (solver, scalar) = (&cx.names.solver, &cx.names.scalar);
     let number = quote!(#scalar);
-    let arguments = Arguments::new(cx, cx.entry(id).given);
+    let arguments = Arguments::new(cx, &cx.entry(id).given);
     // Values and rates are the state; drives and loads come as they do.
     let (own, declared) = (&arguments.names()[2..], arguments.declared(&number));
     let declared = &declared[2..];

@@ -9,7 +9,7 @@ use super::context::Context;
 use super::identifiers::{function_name, generated};
 use super::text::Text;
 use super::token_list::Tokens;
-use super::{as_solver, doc_comments, docs, formulas, results};
+use super::{doc_comments, docs, formulas, results};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
 use crate::ir::graph::Node;
@@ -19,18 +19,18 @@ use crate::lower::routine::{Adapted, Asked, Compute, Limits};
 /// the public function, where that has.
 pub(super) fn core_name(cx: &Context<'_>, entry: &Entry) -> Ident {
     match has_core(cx, entry) {
-        true => function_name(&format!("core_{}_", entry.name)),
+        true => function_name(&format!("core_{}_", entry.name())),
         false => public_name(entry),
     }
 }
 
 fn public_name(entry: &Entry) -> Ident {
-    function_name(&format!("solve_{}", entry.name))
+    function_name(&format!("solve_{}", entry.name()))
 }
 
 /// Whether the public function turns its arguments into others before anything is computed.
 fn has_core(cx: &Context<'_>, entry: &Entry) -> bool {
-    entry.takes_cosine() || Arguments::new(cx, entry.given).has_records()
+    entry.takes_cosine() || Arguments::new(cx, &entry.given).has_records()
 }
 
 /// `solve_…`, and the core that it shares with everything else.
@@ -40,7 +40,7 @@ fn has_core(cx: &Context<'_>, entry: &Entry) -> bool {
 pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let (entry, scalar) = (cx.entry(id), &cx.names.scalar);
     let number = quote!(#scalar);
-    let arguments = Arguments::new(cx, entry.given);
+    let arguments = Arguments::new(cx, &entry.given);
     let (declared, received) = (arguments.declared(&number), arguments.received(&number));
     let (converted, answer) = (arguments.converted(&number), answer(cx, id));
     let body = match cx.compute(id) {
@@ -86,7 +86,7 @@ pub(super) fn call(cx: &Context<'_>, id: EntryId) -> TokenStream {
     if !entry.takes_cosine() {
         return answer(cx, id);
     }
-    let (arguments, name) = (Arguments::new(cx, entry.given), public_name(entry));
+    let (arguments, name) = (Arguments::new(cx, &entry.given), public_name(entry));
     let given = arguments.names();
     quote!(self.#name(#(#given),*))
 }
@@ -95,7 +95,7 @@ pub(super) fn call(cx: &Context<'_>, id: EntryId) -> TokenStream {
 /// divided out here, because an angle's have none.
 fn answer(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
-    let (arguments, core) = (Arguments::new(cx, entry.given), core_name(cx, entry));
+    let (arguments, core) = (Arguments::new(cx, &entry.given), core_name(cx, entry));
     let (names, [result, ok]) = (arguments.names(), ["result_", "ok_"].map(generated));
     if !entry.takes_cosine() {
         return quote!(self.#core(#(#names),*));
@@ -127,12 +127,12 @@ pub(super) fn following(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     let Compute::Own { routine, stage, asked } = cx.compute(id) else { return None };
     let has_seeds = cx.lowered.searches.iter().any(|search| search.apart.is_some());
     let entry = cx.entry(id);
-    if !has_seeds || entry.takes_cosine() || !as_solver::sweeps(entry) {
+    if !has_seeds || !entry.is_a_stage() {
         return None;
     }
     let (scalar, seeds) = (&cx.names.scalar, generated("seeds_"));
     let number = quote!(#scalar);
-    let received = Arguments::new(cx, entry.given).received(&number);
+    let received = Arguments::new(cx, &entry.given).received(&number);
     let [start, seed] = ["AllMet", "Seed"].map(|item| cx.paths.item(item));
     let start = quote!(#start::following(#seeds));
     let call = formulas::Call { routine: *routine, stage: *stage };
@@ -152,7 +152,7 @@ pub(super) fn following(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
 
 /// The name of the function that [`following`] makes.
 pub(super) fn following_name(entry: &Entry) -> Ident {
-    function_name(&format!("follow_{}_", entry.name))
+    function_name(&format!("follow_{}_", entry.name()))
 }
 
 /// [`compared`], the conditions by these checks.
@@ -229,7 +229,7 @@ impl<'a> Together<'a> {
     }
 
     fn is_met(&self, cx: &Context<'_>, entry: &Entry) -> TokenStream {
-        let arguments = Arguments::new(cx, entry.given);
+        let arguments = Arguments::new(cx, &entry.given);
         let [fused, is_met] = ["fused", "ge"].map(|item| cx.scalar(item));
         let of_order = |wanted: u8| {
             let is_it = |node: &Node| matches!(node, Node::Input { order, .. } if *order == wanted);
@@ -275,7 +275,7 @@ pub(super) fn of_unit_rate(
 /// square of the rate's: |q̈| ≤ bound² − q̇² is one comparison for two.
 fn within(cx: &Context<'_>, entry: &Entry, inputs: &[(Node, [f64; 2])]) -> Vec<TokenStream> {
     let (arguments, is_within, fused) =
-        (Arguments::new(cx, entry.given), cx.scalar("is_within"), cx.scalar("fused"));
+        (Arguments::new(cx, &entry.given), cx.scalar("is_within"), cx.scalar("fused"));
     let is_asked = |node| inputs.iter().any(|&(other, _)| other == node);
     let term = |&(node, [wide, narrow]): &(Node, [f64; 2])| {
         let Node::Input { input, order } = node else { return None };

@@ -30,7 +30,7 @@ impl Call {
     pub(super) fn under(self, cx: &Context<'_>, checks: &TokenStream) -> TokenStream {
         let routine = &cx.lowered.routines[self.routine];
         let name = function_name(&routine.name);
-        let arguments = Arguments::new(cx, routine.given);
+        let arguments = Arguments::new(cx, &routine.given);
         let last = routine.stages.len() - 1;
         if last == 0 {
             let given = arguments.names();

@@ -11,7 +11,7 @@ use syn::Visibility;
 use super::context::Context;
 use super::identifiers::{function_name, text};
 use super::paths::{a_module_can_hold, seen_from_inside};
-use crate::interface::entries::FORWARD;
+use crate::interface::entries::Analysis;
 
 /// The code in its module, and its items where the declaration stands.
 pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
@@ -24,7 +24,8 @@ pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
     let is_understood = !cx.mechanism.references.made.is_empty();
     let absent = is_understood.then(|| {
         // Where nothing about forces is absent, loads make no difference.
-        let has_all = ["forces", FORWARD].iter().all(|name| cx.interface.find(name).is_some());
+        let has = |analysis| cx.interface.has(analysis);
+        let has_all = has(Analysis::Forces) && has(Analysis::ForwardDynamics);
         let takes_loads = !cx.mechanism.dynamics.loads.is_empty() && !has_all;
         let absent = cx.paths.item(if takes_loads { "AbsentUnderLoads" } else { "Absent" });
         quote!(#[doc(hidden)] pub use #absent as _;)

@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use super::identifiers::text;
-use crate::interface::entries::FORWARD;
+use crate::interface::entries::Analysis;
 use crate::model::mechanism::Rotatability;
 use crate::reach::turn::Range;
 
@@ -26,7 +26,7 @@ pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
         Range::Never => "never".to_string(),
     };
     let mut line = format!("{group}: {range}; {}", found.reason);
-    let moves_under_forces = cx.interface.find(FORWARD).is_some();
+    let moves_under_forces = cx.interface.has(Analysis::ForwardDynamics);
     if !found.turn.change_points.is_empty() {
         let angles: Vec<_> = found.turn.change_points.iter().copied().map(degrees).collect();
         let angles = angles.join(" and ");

@@ -17,7 +17,7 @@ use crate::lower::routine::{Adapted, Asked, Compute};
 
 /// The name of the function on the slow path of an entry point.
 fn name(entry: &Entry) -> Ident {
-    function_name(&format!("diagnose_{}_", entry.name))
+    function_name(&format!("diagnose_{}_", entry.name()))
 }
 
 /// What a public function returns where its fast path gave no answer.
@@ -63,7 +63,7 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     let (entry, scalar) = (cx.entry(id), &cx.names.scalar);
     let number = quote!(#scalar);
     let Compute::Own { routine, stage, asked } = cx.compute(id) else { return None };
-    let arguments = Arguments::new(cx, entry.given);
+    let arguments = Arguments::new(cx, &entry.given);
     let (name, received) = (name(entry), arguments.received(&number));
     let call = formulas::Call { routine: *routine, stage: *stage };
     let body = diagnosed(cx, entry, &arguments, call, asked);
@@ -111,5 +111,5 @@ fn diagnosed(
 }
 
 fn coefficient_labels(cx: &Context<'_>, entry: &Entry) -> Vec<String> {
-    labels::of_result(cx.interface, cx.mechanism, entry.result)
+    labels::of_result(cx.interface, cx.mechanism, entry)
 }

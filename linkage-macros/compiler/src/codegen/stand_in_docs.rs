@@ -72,7 +72,7 @@ fn output(cx: &Context<'_>, output: &Output) -> TokenStream {
 
 /// A function of an entry point.
 pub(super) fn entry(entry: &Entry) -> TokenStream {
-    lines(&format!("{}.", entry.subject))
+    lines(&format!("{}.", entry.point.row().subject))
 }
 
 /// `COST`, whose numbers are zeros.

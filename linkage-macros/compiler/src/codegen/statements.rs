@@ -27,7 +27,7 @@ pub(super) struct Printer<'a> {
 
 impl<'a> Printer<'a> {
     pub(super) fn new(cx: &'a Context<'a>, routine: &'a Routine) -> Self {
-        let (arguments, number) = (Arguments::of_our_own(cx, routine.given), cx.number());
+        let (arguments, number) = (Arguments::of_our_own(cx, &routine.given), cx.number());
         let constants = Constants::default();
         Self { cx, arguments, routine, number: number.to_string(), constants }
     }

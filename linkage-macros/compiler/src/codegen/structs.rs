@@ -8,14 +8,13 @@ use super::identifiers::generated;
 use super::results::{self, read, ty};
 use super::text::Text;
 use super::{docs, module};
-use crate::interface::entries::EQUATIONS;
 use crate::interface::labels;
 use crate::interface::quantity::Order;
 use crate::interface::records::{Field, Kind, Record, RecordId, Shape};
 
 /// All records of a mechanism, each for serde as well where they are to be serialised.
 pub(super) fn definitions(cx: &Context<'_>, is_serialised: bool) -> TokenStream {
-    let records = cx.interface.records.iter().filter(|record| is_returned(cx, record));
+    let records = cx.interface.records.iter().filter(|record| cx.interface.is_used(record));
     let defined = |record: &Record| match is_serialised && serde_knows(record) {
         true => serialised(cx, &definition(cx, record)),
         false => definition(cx, record),
@@ -45,15 +44,6 @@ fn serialised(cx: &Context<'_>, definition: &TokenStream) -> TokenStream {
     }
 }
 
-/// Whether something is given or returns it: margins may be outputs without an entry point.
-pub(super) fn is_returned(cx: &Context<'_>, record: &Record) -> bool {
-    match record.kind {
-        Kind::Margins => cx.interface.find("margins").is_some(),
-        Kind::Equations => cx.interface.find(EQUATIONS).is_some(),
-        _ => true,
-    }
-}
-
 /// What can be done with them.
 pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
     let implementation = |record: &Record| match record.kind {
@@ -66,7 +56,7 @@ pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
         | Kind::Energy
         | Kind::Equations => TokenStream::new(),
     };
-    let returned = cx.interface.record_ids().filter(|&id| is_returned(cx, cx.record(id)));
+    let returned = cx.interface.record_ids().filter(|&id| cx.interface.is_used(cx.record(id)));
     let mut arrays = Text::long();
     returned.for_each(|id| as_array(cx, id, &mut arrays));
     let own = cx.interface.records.iter().map(implementation);
@@ -197,7 +187,7 @@ fn as_array(cx: &Context<'_>, id: RecordId, to: &mut Text) {
 
 /// What its numbers are.
 fn labels_of(cx: &Context<'_>, id: RecordId, to: &mut Text) {
-    let labels = labels::of_result(cx.interface, cx.mechanism, Shape::Record(id));
+    let labels = labels::of_record(cx.interface, cx.mechanism, id);
     let list: Vec<String> = labels.iter().map(|label| format!("{label:?}")).collect();
     to.put("[").put(&list.join(", ")).put("]");
 }

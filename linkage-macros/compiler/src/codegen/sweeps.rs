@@ -8,9 +8,9 @@ use super::arguments::{Arguments, Form};
 use super::context::Context;
 use super::identifiers::{function_name, generated, used};
 use super::token_list::Tokens;
-use super::{as_solver, docs, fast_path, results};
+use super::{docs, fast_path, results};
 use crate::interface::EntryId;
-use crate::interface::entries::{EQUATIONS, Entry, FORWARD};
+use crate::interface::entries::Entry;
 use crate::interface::records::Shape;
 
 /// `sweep_position` and its kin.
@@ -19,12 +19,18 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, float) = (&cx.names.solver, &cx.names.scalar, cx.paths.item("Float"));
     let functions = sweeps.iter().map(Sweep::function);
     // The others are the solver's own.
-    let implementations = sweeps.iter().filter(|sweep| !as_solver::sweeps(sweep.entry));
+    let implementations = sweeps.iter().filter(|sweep| !sweep.entry.is_a_stage());
     let implementations = implementations.map(Sweep::implementation);
     let functions: TokenStream = functions.collect();
     let functions = (!functions.is_empty())
         .then(|| quote!(impl<#scalar: #float> #name<#scalar> { #functions }));
     quote!(#functions #(#implementations)*)
+}
+
+/// `OfForwardDynamics` of `forward_dynamics`: the run-time type that stands for an entry point.
+fn run_time_type(name: &str) -> String {
+    let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
+    format!("Of{}", name.split('_').map(capital).collect::<String>())
 }
 
 struct Sweep<'a> {
@@ -45,26 +51,16 @@ impl<'a> Sweep<'a> {
     /// The sweep of an entry point, if it has one.
     fn of(cx: &'a Context<'a>, id: EntryId) -> Option<Self> {
         let entry = cx.entry(id);
-        if !entry.sweeps {
+        if !entry.point.row().sweeps || entry.takes_cosine() {
             return None;
         }
-        let kind = match entry.name {
-            "position" => "OfPosition",
-            "velocity" => "OfVelocity",
-            "forces" => "OfForces",
-            "statics" => "OfStatics",
-            "energy" => "OfEnergy",
-            FORWARD => "OfForwardDynamics",
-            EQUATIONS => "OfEquationsOfMotion",
-            _ => "OfMotion",
-        };
-        let arguments = Arguments::new(cx, entry.given);
+        let arguments = Arguments::new(cx, &entry.given);
         let numbers = arguments.parts().map(|(_, form)| form.numbers()).sum();
         Some(Self {
             cx,
             id,
             entry,
-            kind: cx.paths.item(kind),
+            kind: cx.paths.item(&run_time_type(entry.name())),
             arguments,
             numbers,
             ins: Literal::usize_unsuffixed(numbers),
@@ -102,7 +98,7 @@ impl<'a> Sweep<'a> {
         let inputs = self.inputs();
         let slices = results::ty(cx, entry.result, &quote!(&mut [#scalar]));
         let outputs = self.numbers_of(&quote!(out));
-        let function = function_name(&format!("sweep_{}", entry.name));
+        let function = function_name(&format!("sweep_{}", entry.name()));
         let docs = docs::sweep(cx, self.id);
         quote! {
             #docs
@@ -128,7 +124,7 @@ impl<'a> Sweep<'a> {
         let [float, any, trait_, once, result, error] =
             ["Float", "Scalar", "Entry", "FnOnce", "Result", "SolveError"]
                 .map(|item| cx.paths.item(item));
-        let (core, method) = (fast_path::core_name(cx, entry), function_name(entry.name));
+        let (core, method) = (fast_path::core_name(cx, entry), function_name(entry.name()));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.call(&locals);
         let single = self.put_found(quote!(self.#method(#(#arguments),*)));

@@ -55,9 +55,9 @@ use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::motion::Direction;
 use crate::equations::symbol::Sheet;
 use crate::interface::Interface;
-use crate::interface::entries::{Entry, Given};
+use crate::interface::entries::{Analysis, Entry};
 use crate::interface::quantity::Order;
-use crate::interface::records::{Kind, Shape, is_margin};
+use crate::interface::records::is_margin;
 use crate::ir::construct::Rule;
 use crate::ir::graph::Id;
 use crate::ir::program::{Answer, Clearance, Closure, Program};
@@ -93,15 +93,16 @@ fn asked<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Asked {
         }
         // Where an angle's cosine and sine are enough, nobody asks for formulas of the angle itself; but
         // how clear of its limits a search is, is followed by the angle.
+        let analysis = entry.point.analysis;
         let goes_by_cosine = entry.takes_cosine()
             || mechanism.unknowns.is_empty()
-                && (matches!(entry.result, Shape::Matrix { .. })
-                    || interface.of_cosine(entry).is_some());
+                && (analysis == Analysis::Coefficients || interface.of_cosine(entry).is_some());
         let kinematics = at_cosine.filter(|_| goes_by_cosine).unwrap_or_else(free);
-        if entry.needs_mass() && !forces::every_input_moves_mass(kinematics) {
+        let needs_mass = entry.point.is_about_dynamics();
+        if needs_mass && !forces::every_input_moves_mass(kinematics) {
             continue;
         }
-        answers.push(Answer { entry: entry.name, sinks: sinks(&interface, entry, kinematics) });
+        answers.push(Answer { entry: Some(entry.point), sinks: sinks(analysis, kinematics) });
     }
     let clearances = match mechanism.unknowns.is_empty() {
         true => clearance::of_pose(bare.motion().unwrap_or_else(free)),
@@ -112,28 +113,21 @@ fn asked<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Asked {
     Asked { answers, clearances, closures }
 }
 
-/// The numbers of an entry point's result, in the order of its shape.
-fn sinks(interface: &Interface, entry: &Entry, kinematics: &Kinematics<'_>) -> Vec<Id> {
-    match entry.result {
-        Shape::Matrix { .. } => coefficients(kinematics),
-        Shape::Record(record) => match interface.record(record).kind {
-            Kind::Outputs(order) => components(kinematics, order),
-            Kind::Motion => {
-                Order::ALL.into_iter().flat_map(|order| components(kinematics, order)).collect()
-            }
-            Kind::Margins => margins(kinematics),
-            Kind::Forces if entry.given.contains(&Given::Acceleration) => {
-                forces::in_motion(kinematics)
-            }
-            Kind::Forces => forces::at_rest(kinematics),
-            Kind::Energy => forces::energy(kinematics),
-            Kind::Equations => forces::equations(kinematics),
-            Kind::Inputs | Kind::Loads | Kind::ForcesOf(_) => {
-                unreachable!("what is given or a part of a result is none itself")
-            }
-        },
-        Shape::Number | Shape::List(_) => forces::accelerations(kinematics),
-        Shape::Quantity(..) => unreachable!("no entry point returns a single output"),
+/// The numbers of a result, in the order of its shape.
+fn sinks(analysis: Analysis, kinematics: &Kinematics<'_>) -> Vec<Id> {
+    match analysis {
+        Analysis::Position => components(kinematics, Order::Position),
+        Analysis::Velocity => components(kinematics, Order::Velocity),
+        Analysis::Motion => {
+            Order::ALL.into_iter().flat_map(|order| components(kinematics, order)).collect()
+        }
+        Analysis::Coefficients => coefficients(kinematics),
+        Analysis::Margins => margins(kinematics),
+        Analysis::Forces => forces::in_motion(kinematics),
+        Analysis::Statics => forces::at_rest(kinematics),
+        Analysis::Energy => forces::energy(kinematics),
+        Analysis::ForwardDynamics => forces::accelerations(kinematics),
+        Analysis::EquationsOfMotion => forces::equations(kinematics),
     }
 }
 
@@ -152,7 +146,7 @@ impl<'s> Bare<'s> {
         let is_bare = |sinks: fn(&Kinematics<'_>) -> Vec<Id>| {
             on_circle.as_ref().is_some_and(|kinematics| !sheet.reads_input(&sinks(kinematics)))
         };
-        let asks_forces = interface.entries.iter().any(Entry::is_about_forces);
+        let asks_forces = interface.entries.iter().any(|entry| entry.point.is_about_forces());
         let moves = is_bare(motion_sinks);
         let acts = moves && asks_forces && is_bare(force_sinks);
         Self { on_circle, moves, acts }
@@ -166,7 +160,7 @@ impl<'s> Bare<'s> {
     /// The same if the entry point's answer has no other use for the input: it occurs bare as an angle
     /// and nowhere else on the way there.
     fn kinematics(&self, entry: &Entry) -> Option<&Kinematics<'s>> {
-        let is_bare = if entry.is_about_forces() { self.acts } else { self.moves };
+        let is_bare = if entry.point.is_about_forces() { self.acts } else { self.moves };
         self.on_circle.as_ref().filter(|_| is_bare)
     }
 }

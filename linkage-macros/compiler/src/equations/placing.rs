@@ -13,7 +13,8 @@ use crate::model::mechanism::{Mechanism, Step};
 
 /// Point after point x and y; link after link the frame's origin, the direction's cosine and sine,
 /// and the slide, zero where it has none; guide after guide origin, cosine and sine; statement after
-/// statement its [`dimensions`].
+/// statement its [`dimensions`]. A second answer gives the forces that the declaration puts on points,
+/// if there are any: x and y of one after the other.
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     let sheet = Sheet::new(rules);
     let kinematics = Kinematics::of(&sheet, mechanism, Source::free(mechanism, &sheet));
@@ -35,11 +36,11 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     }
     placed.extend(mechanism.steps.iter().flat_map(|step| dimensions(&kinematics, step)));
     let sinks = placed.into_iter().map(|symbol| symbol.id).collect();
-    let mut answers = vec![Answer { entry: ENTRY, sinks }];
+    let mut answers = vec![Answer { entry: None, sinks }];
     let forces = forces::declared(&kinematics);
     if !forces.is_empty() {
         let numbers = forces.into_iter().flat_map(|(_, force)| [force.x.id, force.y.id]);
-        answers.push(Answer { entry: APPLIED, sinks: numbers.collect() });
+        answers.push(Answer { entry: None, sinks: numbers.collect() });
     }
     let closures = kinematics.closures;
     Program {
@@ -50,12 +51,6 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
         groups: mechanism.titles(),
     }
 }
-
-/// What places everything.
-pub(crate) const ENTRY: &str = "place";
-
-/// What gives the forces that the declaration puts on points: x and y of one after the other.
-pub(crate) const APPLIED: &str = "applied";
 
 /// The lengths and offsets of a statement, in its own order: known also where the group that they
 /// belong to cannot be assembled.

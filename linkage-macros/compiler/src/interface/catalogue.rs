@@ -10,48 +10,38 @@ use crate::interface::records::{
 use crate::model::mechanism::Mechanism;
 
 /// All records of a mechanism, in the order in which they are defined.
-pub(super) struct Records {
-    pub list: Vec<Record>,
-    pub input: Option<RecordId>,
-    pub orders: [RecordId; 3],
-    pub motion: RecordId,
-    pub margins: Option<RecordId>,
-    pub loads: Option<RecordId>,
-    pub forces: Option<RecordId>,
-    pub energy: Option<RecordId>,
-    pub equations: Option<RecordId>,
-}
-
-impl Records {
-    pub(super) fn of(mechanism: &Mechanism) -> Self {
-        let mut list = Vec::new();
-        let mut add = |record: Record| {
-            list.push(record);
-            RecordId::of(list.len() - 1)
-        };
-        let input = (mechanism.inputs.len() > 1).then(|| add(inputs(mechanism)));
-        let orders = Order::ALL.map(|order| add(outputs(mechanism, order)));
-        let motion = add(motion(mechanism, orders));
-        let has_margins = mechanism.outputs.iter().any(is_margin);
-        let margins = has_margins.then(|| add(margins(mechanism)));
-        let loads = (mechanism.dynamics.loads.len() > 1).then(|| add(forces::loads(mechanism)));
-        let owners = forces::owners(mechanism);
-        let fields: Vec<_> = owners
-            .iter()
-            .map(|owned| {
-                forces::field_of_the_whole(mechanism, owned.start).unwrap_or_else(|| {
-                    let record = forces::of_owner(mechanism, owned.clone());
-                    forces::field_of_owner(mechanism, owned.start, add(record))
-                })
-            })
-            .collect();
-        let forces =
-            (!fields.is_empty()).then(|| add(record(mechanism, "Forces", Kind::Forces, fields)));
-        let energy = mechanism.dynamics.energy.then(|| add(forces::energy(mechanism)));
-        let has_mass = !mechanism.dynamics.masses.is_empty();
-        let equations = has_mass.then(|| add(forces::equations(mechanism)));
-        Self { list, input, orders, motion, margins, loads, forces, energy, equations }
+pub(super) fn records(mechanism: &Mechanism) -> Vec<Record> {
+    let mut list = Vec::new();
+    if mechanism.inputs.len() > 1 {
+        list.push(inputs(mechanism));
     }
+    let first = list.len();
+    list.extend(Order::ALL.map(|order| outputs(mechanism, order)));
+    list.push(motion(mechanism, [0, 1, 2].map(|order| RecordId::of(first + order))));
+    if mechanism.outputs.iter().any(is_margin) {
+        list.push(margins(mechanism));
+    }
+    if mechanism.dynamics.loads.len() > 1 {
+        list.push(forces::loads(mechanism));
+    }
+    let mut fields = Vec::new();
+    for owned in forces::owners(mechanism) {
+        let of_the_whole = forces::field_of_the_whole(mechanism, owned.start);
+        fields.push(of_the_whole.unwrap_or_else(|| {
+            list.push(forces::of_owner(mechanism, owned.clone()));
+            forces::field_of_owner(mechanism, owned.start, RecordId::of(list.len() - 1))
+        }));
+    }
+    if !fields.is_empty() {
+        list.push(record(mechanism, "Forces", Kind::Forces, fields));
+    }
+    if mechanism.dynamics.energy {
+        list.push(forces::energy(mechanism));
+    }
+    if !mechanism.dynamics.masses.is_empty() {
+        list.push(forces::equations(mechanism));
+    }
+    list
 }
 
 fn inputs(mechanism: &Mechanism) -> Record {

@@ -1,6 +1,10 @@
-//! The entry points: what each is called, given and returns.
+//! The entry points: one table, of which everything is asked that an entry point is.
+//!
+//! A new one is a row here and its numbers in `equations`; with a sweep it is a type of the run-time
+//! crate, too.
 
-use crate::interface::records::{RecordId, Shape};
+use crate::interface::quantity::Order;
+use crate::interface::records::{Kind, Shape};
 
 /// What an argument says of the inputs: each is a number, or a record of several inputs' numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,152 +21,318 @@ pub(crate) enum Given {
     Drives,
 }
 
-/// An entry point.
-#[derive(Clone, Debug)]
-pub(crate) struct Entry {
-    /// The function that returns a `Result`; `solve_` in front is that of the fast path.
-    pub name: &'static str,
-    pub given: &'static [Given],
-    pub result: Shape,
-    /// What it computes, in words.
-    pub subject: &'static str,
-    /// Whether it has a `sweep_` over slices.
-    pub sweeps: bool,
+/// A question about a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Analysis {
+    Position,
+    Velocity,
+    Motion,
+    Coefficients,
+    Margins,
+    Forces,
+    Statics,
+    Energy,
+    ForwardDynamics,
+    EquationsOfMotion,
 }
 
-impl Entry {
-    /// Whether the only input is given by its cosine and sine.
-    pub(crate) fn takes_cosine(&self) -> bool {
-        self.given.first() == Some(&Given::Cosine)
+/// The field that an analysis belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Topic {
+    Kinematics,
+    /// Forces and energy.
+    Forces,
+    /// Accelerations under forces: every input has to move some mass.
+    Dynamics,
+}
+
+/// The result of an analysis.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Returns {
+    /// A record of this kind: where a mechanism has none, the analysis is not offered.
+    Record(Kind),
+    /// A row an output, a column an input.
+    Coefficients,
+    /// A number for every input, and its name in errors.
+    OfInputs(&'static str),
+}
+
+/// The properties of an analysis.
+#[derive(Debug)]
+pub(crate) struct Row {
+    analysis: Analysis,
+    /// The function that returns a `Result`; `solve_` in front is that of the fast path.
+    name: &'static str,
+    /// The same function of the only input's cosine and sine, if there is one.
+    name_at: Option<&'static str>,
+    /// The result, in words.
+    pub subject: &'static str,
+    pub topic: Topic,
+    /// The arguments; loads only where there are any.
+    given: &'static [Given],
+    pub(super) returns: Returns,
+    /// Whether it has a `sweep_` over slices.
+    pub sweeps: bool,
+    /// Whether `COST` has a field of its name.
+    pub has_cost: bool,
+    /// What its documentation adds about errors: with one input, and with several.
+    pub errors: [&'static str; 2],
+}
+
+/// A name of the interface: an analysis, by the inputs or by the only input's cosine and sine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct EntryPoint {
+    pub analysis: Analysis,
+    pub by_cosine: bool,
+}
+
+/// An entry point of a mechanism.
+#[derive(Clone, Debug)]
+pub(crate) struct Entry {
+    pub point: EntryPoint,
+    pub given: Vec<Given>,
+    pub result: Shape,
+}
+
+impl Analysis {
+    /// Each computes what the one before it does, and one order more: they share their formulas, and
+    /// are what the run-time crate's trait `Solver` asks for.
+    pub(crate) const STAGES: [Self; 3] = [Self::Position, Self::Velocity, Self::Motion];
+
+    /// All of them, in the order of the rows.
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
+        ROWS.iter().copied().flatten().map(|row| row.analysis)
+    }
+
+    pub(crate) fn row(self) -> &'static Row {
+        let mut rows = ROWS.iter().copied().flatten();
+        rows.find(|row| row.analysis == self).expect("every analysis has a row")
+    }
+
+    /// The entry point that is given the inputs themselves.
+    pub(crate) fn by_value(self) -> EntryPoint {
+        EntryPoint { analysis: self, by_cosine: false }
+    }
+}
+
+impl EntryPoint {
+    #[cfg(test)]
+    pub(crate) fn named(name: &str) -> Self {
+        let points = Analysis::all()
+            .flat_map(|analysis| [false, true].map(|by_cosine| Self { analysis, by_cosine }));
+        points.into_iter().find(|point| point.name() == name).expect("an entry point has the name")
+    }
+
+    pub(crate) fn row(self) -> &'static Row {
+        self.analysis.row()
+    }
+
+    pub(crate) fn name(self) -> &'static str {
+        let row = self.row();
+        row.name_at.filter(|_| self.by_cosine).unwrap_or(row.name)
+    }
+
+    /// The name of its answer, however the input is given.
+    pub(crate) fn answer(self) -> &'static str {
+        self.row().name
     }
 
     /// Whether it is about forces or energy.
-    pub(crate) fn is_about_forces(&self) -> bool {
-        is_about_forces(self.name)
+    pub(crate) fn is_about_forces(self) -> bool {
+        self.row().topic != Topic::Kinematics
     }
 
-    /// Whether it needs every input to move some mass.
-    pub(crate) fn needs_mass(&self) -> bool {
-        [FORWARD, EQUATIONS].contains(&self.name)
-    }
-
-    /// What is given beside the inputs' values.
-    pub(crate) fn rates(&self) -> &'static [Given] {
-        &self.given[if self.takes_cosine() { 2 } else { 1 }..]
+    /// Whether it is about accelerations under forces.
+    pub(crate) fn is_about_dynamics(self) -> bool {
+        self.row().topic == Topic::Dynamics
     }
 }
 
-/// Whether the entry point of this name is about forces or energy.
-pub(crate) fn is_about_forces(name: &str) -> bool {
-    ["forces", "statics", "energy", FORWARD, EQUATIONS].iter().any(|known| name.starts_with(known))
+impl Entry {
+    pub(crate) fn name(&self) -> &'static str {
+        self.point.name()
+    }
+
+    /// Whether the only input is given by its cosine and sine.
+    pub(crate) fn takes_cosine(&self) -> bool {
+        self.point.by_cosine
+    }
+
+    /// Whether it is position, velocity or motion at given inputs.
+    pub(crate) fn is_a_stage(&self) -> bool {
+        !self.takes_cosine() && Analysis::STAGES.contains(&self.point.analysis)
+    }
 }
 
-const POSITIONS: &str = "Positions of the outputs";
-const VELOCITIES: &str = "Velocities of the outputs";
-const MOTIONS: &str = "Positions, velocities and accelerations of the outputs";
-const COEFFICIENTS: &str = "Kinematic coefficients ∂outputs/∂inputs";
-const MARGINS: &str = "Distances of the groups from their limits";
-
-/// Every entry point that there may be, in the order in which they are computed and documented.
-/// Those that are given a cosine exist only where the formulas need the value nowhere else.
+/// Every entry point of a mechanism with so many inputs, in the order in which they are computed and
+/// documented. Those that are given a cosine exist only where the formulas need the value nowhere else.
 pub(super) fn all(
-    rows: usize,
     columns: usize,
-    [position, velocity, _]: [RecordId; 3],
-    motion: RecordId,
-    margins: Option<RecordId>,
+    has_loads: bool,
+    result: impl Fn(&Row) -> Option<Shape>,
 ) -> Vec<Entry> {
-    use Given::{Acceleration, Cosine, Rate, Sine, Value};
-    let entry =
-        |name, given, result, subject| Entry { name, given, result, subject, sweeps: false };
-    let sweeping = |name, given, result, subject| Entry {
-        sweeps: true,
-        ..entry(name, given, Shape::Record(result), subject)
+    let points = ROWS.iter().flat_map(|&rows| {
+        let forms = if columns == 1 { &[false, true][..] } else { &[false] };
+        let of_form = move |&by_cosine: &bool| {
+            let rows = rows.iter().filter(move |row| !by_cosine || row.name_at.is_some());
+            rows.map(move |row| EntryPoint { analysis: row.analysis, by_cosine })
+        };
+        forms.iter().flat_map(of_form)
+    });
+    let entry = |point: EntryPoint| {
+        let form =
+            if point.by_cosine { &[Given::Cosine, Given::Sine][..] } else { &[Given::Value] };
+        let beside = point.row().given.iter().filter(|&&given| has_loads || given != Given::Loads);
+        let given = form.iter().chain(beside).copied().collect();
+        Some(Entry { point, given, result: result(point.row())? })
     };
-    let at = |name, given, result, subject| entry(name, given, Shape::Record(result), subject);
-    let mut entries = vec![
-        sweeping("position", &[Value], position, POSITIONS),
-        sweeping("velocity", &[Value, Rate], velocity, VELOCITIES),
-        sweeping("motion", &[Value, Rate, Acceleration], motion, MOTIONS),
-        entry("coefficients", &[Value], Shape::Matrix { rows, columns }, COEFFICIENTS),
-    ];
-    if columns == 1 {
-        entries.extend([
-            at("position_at", &[Cosine, Sine], position, POSITIONS),
-            at("velocity_at", &[Cosine, Sine, Rate], velocity, VELOCITIES),
-            at("motion_at", &[Cosine, Sine, Rate, Acceleration], motion, MOTIONS),
-        ]);
-    }
-    entries.extend(margins.map(|margins| at("margins", &[Value], margins, MARGINS)));
-    entries
+    points.filter_map(entry).collect()
 }
 
-const FORCES: &str = "Efforts of drives and reactions of joints in motion";
-const STATICS: &str = "Efforts of drives and reactions of joints at rest";
+/// All rows. The forms by cosine and sine of a group follow the others of that.
+const ROWS: [&[Row]; 5] = [
+    &[POSITION, VELOCITY, MOTION, COEFFICIENTS],
+    &[MARGINS],
+    &[FORCES, STATICS],
+    &[ENERGY],
+    &[FORWARD_DYNAMICS, EQUATIONS_OF_MOTION],
+];
 
-/// The entry points about forces: in motion, and at rest.
-pub(super) fn of_forces(columns: usize, has_loads: bool, forces: RecordId) -> Vec<Entry> {
-    use Given::{Acceleration, Cosine, Loads, Rate, Sine, Value};
-    type Lists = [&'static [Given]; 4];
-    let [moving, resting, moving_at, resting_at]: Lists = match has_loads {
-        false => [
-            &[Value, Rate, Acceleration],
-            &[Value],
-            &[Cosine, Sine, Rate, Acceleration],
-            &[Cosine, Sine],
-        ],
-        true => [
-            &[Value, Rate, Acceleration, Loads],
-            &[Value, Loads],
-            &[Cosine, Sine, Rate, Acceleration, Loads],
-            &[Cosine, Sine, Loads],
-        ],
-    };
-    let result = Shape::Record(forces);
-    let entry = |name, given, subject, sweeps| Entry { name, given, result, subject, sweeps };
-    let mut entries =
-        vec![entry("forces", moving, FORCES, true), entry("statics", resting, STATICS, true)];
-    if columns == 1 {
-        entries.extend([
-            entry("forces_at", moving_at, FORCES, false),
-            entry("statics_at", resting_at, STATICS, false),
-        ]);
+const POSITION: Row = Row {
+    analysis: Analysis::Position,
+    name: "position",
+    name_at: Some("position_at"),
+    subject: "Positions of the outputs",
+    topic: Topic::Kinematics,
+    given: &[],
+    returns: Returns::Record(Kind::Outputs(Order::Position)),
+    sweeps: true,
+    has_cost: true,
+    errors: [""; 2],
+};
+
+const VELOCITY: Row = Row {
+    analysis: Analysis::Velocity,
+    name: "velocity",
+    name_at: Some("velocity_at"),
+    subject: "Velocities of the outputs",
+    given: &[Given::Rate],
+    returns: Returns::Record(Kind::Outputs(Order::Velocity)),
+    has_cost: false,
+    ..POSITION
+};
+
+const MOTION: Row = Row {
+    analysis: Analysis::Motion,
+    name: "motion",
+    name_at: Some("motion_at"),
+    subject: "Positions, velocities and accelerations of the outputs",
+    given: &[Given::Rate, Given::Acceleration],
+    returns: Returns::Record(Kind::Motion),
+    ..POSITION
+};
+
+const COEFFICIENTS: Row = Row {
+    analysis: Analysis::Coefficients,
+    name: "coefficients",
+    name_at: None,
+    subject: "Kinematic coefficients ∂outputs/∂inputs",
+    returns: Returns::Coefficients,
+    sweeps: false,
+    errors: [" An input that no coefficient depends on is not looked at."; 2],
+    ..POSITION
+};
+
+const MARGINS: Row = Row {
+    analysis: Analysis::Margins,
+    name: "margins",
+    name_at: None,
+    subject: "Distances of the groups from their limits",
+    returns: Returns::Record(Kind::Margins),
+    sweeps: false,
+    has_cost: false,
+    errors: [" A margin is there also beyond its own group's limit, but not behind another group \
+              that has no pose: the error names that one, and by how much it is out of reach.";
+        2],
+    ..POSITION
+};
+
+const FORCES: Row = Row {
+    analysis: Analysis::Forces,
+    name: "forces",
+    name_at: Some("forces_at"),
+    subject: "Efforts of drives and reactions of joints in motion",
+    topic: Topic::Forces,
+    given: &[Given::Rate, Given::Acceleration, Given::Loads],
+    returns: Returns::Record(Kind::Forces),
+    ..POSITION
+};
+
+const STATICS: Row = Row {
+    analysis: Analysis::Statics,
+    name: "statics",
+    name_at: Some("statics_at"),
+    subject: "Efforts of drives and reactions of joints at rest",
+    given: &[Given::Loads],
+    ..FORCES
+};
+
+const ENERGY: Row = Row {
+    analysis: Analysis::Energy,
+    name: "energy",
+    name_at: Some("energy_at"),
+    subject: "Kinetic and potential energy",
+    given: &[Given::Rate],
+    returns: Returns::Record(Kind::Energy),
+    ..FORCES
+};
+
+const FORWARD_DYNAMICS: Row = Row {
+    analysis: Analysis::ForwardDynamics,
+    name: "forward_dynamics",
+    name_at: None,
+    subject: "Second rates of the inputs under given drives",
+    topic: Topic::Dynamics,
+    given: &[Given::Rate, Given::Drives, Given::Loads],
+    returns: Returns::OfInputs("acceleration"),
+    errors: [
+        " `Singular` names an input that moves no mass in this pose; at a dead point of the inputs \
+         the group is: choose the crank that turns fully as input.",
+        " `Singular` names an input that moves no mass in this pose, or moves it as earlier inputs do as \
+         far as rounding can tell. Next to such a pose digits are lost: of two equal bars \
+         that enclose a small angle b, an error of some 10 ε/b² of the largest second rate is left. \
+         At a dead point of the inputs the group is named: choose the cranks that turn fully as \
+         inputs.",
+    ],
+    ..POSITION
+};
+
+const EQUATIONS_OF_MOTION: Row = Row {
+    analysis: Analysis::EquationsOfMotion,
+    name: "equations_of_motion",
+    subject: "Equations of motion, mass times second rates = force + drives",
+    given: &[Given::Rate, Given::Loads],
+    returns: Returns::Record(Kind::Equations),
+    has_cost: false,
+    errors: [""; 2],
+    ..FORWARD_DYNAMICS
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_entry_points_have_one_name() {
+        let points = Analysis::all().flat_map(|analysis| {
+            let [own, at] =
+                [false, true].map(|by_cosine| EntryPoint { analysis, by_cosine }.name());
+            [Some(own), Some(at).filter(|&at| at != own)]
+        });
+        let mut names: Vec<&str> = points.flatten().collect();
+        let count = names.len();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!((names.len(), count), (16, 16), "{names:?}");
     }
-    entries
-}
-
-/// From forces to motion.
-pub(crate) const FORWARD: &str = "forward_dynamics";
-pub(crate) const EQUATIONS: &str = "equations_of_motion";
-
-/// The entry points that give accelerations, or the equations for them.
-pub(super) fn of_dynamics(columns: usize, has_loads: bool, equations: RecordId) -> Vec<Entry> {
-    use Given::{Drives, Loads, Rate, Value};
-    let [forward, moving]: [&'static [Given]; 2] = match has_loads {
-        false => [&[Value, Rate, Drives], &[Value, Rate]],
-        true => [&[Value, Rate, Drives, Loads], &[Value, Rate, Loads]],
-    };
-    let accelerations = if columns == 1 { Shape::Number } else { Shape::List(columns) };
-    let entry = |name, given, result, subject| Entry { name, given, result, subject, sweeps: true };
-    vec![
-        entry(FORWARD, forward, accelerations, "Second rates of the inputs under given drives"),
-        entry(
-            EQUATIONS,
-            moving,
-            Shape::Record(equations),
-            "Equations of motion, mass times second rates = force + drives",
-        ),
-    ]
-}
-
-/// Of what moves, and of what is lifted or sprung.
-pub(super) fn of_energy(columns: usize, energy: RecordId) -> Vec<Entry> {
-    use Given::{Cosine, Rate, Sine, Value};
-    let (result, subject) = (Shape::Record(energy), "Kinetic and potential energy");
-    let entry = |name, given, sweeps| Entry { name, given, result, subject, sweeps };
-    let mut entries = vec![entry("energy", &[Value, Rate][..], true)];
-    if columns == 1 {
-        entries.push(entry("energy_at", &[Cosine, Sine, Rate], false));
-    }
-    entries
 }

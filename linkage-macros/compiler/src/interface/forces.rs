@@ -80,10 +80,11 @@ pub(super) fn field_of_the_whole(mechanism: &Mechanism, index: usize) -> Option<
 
 /// The two parts of the energy.
 pub(super) fn energy(mechanism: &Mechanism) -> Record {
-    let fields = ["kinetic", "potential"].map(|part| Field {
+    let parts = [("kinetic", Subject::KineticEnergy), ("potential", Subject::PotentialEnergy)];
+    let fields = parts.map(|(part, subject)| Field {
         name: Ident::new(part, proc_macro2::Span::call_site()),
         shape: Shape::Number,
-        subject: Subject::Energy(part),
+        subject,
     });
     record(mechanism, "Energy", Kind::Energy, fields.into())
 }
@@ -91,13 +92,14 @@ pub(super) fn energy(mechanism: &Mechanism) -> Record {
 /// The mass matrix, and what acts along the inputs.
 pub(super) fn equations(mechanism: &Mechanism) -> Record {
     let count = mechanism.inputs.len();
-    let fields =
-        [("mass", Shape::Matrix { rows: count, columns: count }), ("force", Shape::List(count))]
-            .map(|(part, shape)| Field {
-                name: Ident::new(part, proc_macro2::Span::call_site()),
-                shape,
-                subject: Subject::Equations(part),
-            });
+    let matrix = Shape::Matrix { rows: count, columns: count };
+    let parts =
+        [("mass", matrix, Subject::Mass), ("force", Shape::List(count), Subject::GeneralizedForce)];
+    let fields = parts.map(|(part, shape, subject)| Field {
+        name: Ident::new(part, proc_macro2::Span::call_site()),
+        shape,
+        subject,
+    });
     record(mechanism, "Equations", Kind::Equations, fields.into())
 }
 

@@ -2,8 +2,9 @@
 
 use syn::ext::IdentExt;
 
+use crate::interface::entries::{Entry, Returns};
 use crate::interface::quantity::{Order, Quantity};
-use crate::interface::records::{Field, Shape, Subject};
+use crate::interface::records::{Field, RecordId, Shape, Subject};
 use crate::interface::{Interface, forces};
 use crate::model::mechanism::{Expr, Mechanism, Output, OutputKind};
 
@@ -35,23 +36,36 @@ pub(crate) fn all_rows(mechanism: &Mechanism) -> Vec<String> {
     mechanism.outputs.iter().flat_map(|output| rows(mechanism, output)).collect()
 }
 
-/// What an error calls each number of a result, in the order of the sinks.
-pub(crate) fn of_result(interface: &Interface, mechanism: &Mechanism, shape: Shape) -> Vec<String> {
-    match shape {
-        Shape::Record(id) => {
-            let fields = interface.record(id).fields.iter();
-            fields.flat_map(|field| of_field(interface, mechanism, field)).collect()
-        }
-        Shape::Matrix { .. } => {
+/// What an error calls each number of an entry point's result, in the order of the sinks.
+pub(crate) fn of_result(
+    interface: &Interface,
+    mechanism: &Mechanism,
+    entry: &Entry,
+) -> Vec<String> {
+    match entry.point.row().returns {
+        Returns::Record(_) => of_shape(interface, mechanism, entry.result),
+        Returns::Coefficients => {
             let inputs = mechanism.inputs.iter().map(|input| input.name.unraw().to_string());
             let rows = all_rows(mechanism);
             let column =
                 |input| rows.iter().map(move |row| format!("coefficient of {input} of {row}"));
             inputs.flat_map(|input| column(input).collect::<Vec<_>>()).collect()
         }
-        // No entry point returns numbers or a list of them but the second rates of its inputs.
-        Shape::Number | Shape::List(_) => of_inputs(mechanism, "acceleration"),
-        Shape::Quantity(..) => Vec::new(),
+        Returns::OfInputs(what) => of_inputs(mechanism, what),
+    }
+}
+
+/// What an error calls each number of a record.
+pub(crate) fn of_record(interface: &Interface, mechanism: &Mechanism, id: RecordId) -> Vec<String> {
+    let fields = interface.record(id).fields.iter();
+    fields.flat_map(|field| of_field(interface, mechanism, field)).collect()
+}
+
+/// The same of a record in another; what is none has names of its own.
+fn of_shape(interface: &Interface, mechanism: &Mechanism, shape: Shape) -> Vec<String> {
+    match shape {
+        Shape::Record(id) => of_record(interface, mechanism, id),
+        _ => Vec::new(),
     }
 }
 
@@ -64,19 +78,14 @@ fn of_inputs(mechanism: &Mechanism, what: &str) -> Vec<String> {
 fn of_field(interface: &Interface, mechanism: &Mechanism, field: &Field) -> Vec<String> {
     match field.subject {
         Subject::Output(index, order) => of_output(mechanism, &mechanism.outputs[index], order),
-        Subject::Outputs(_) => of_result(interface, mechanism, field.shape),
+        Subject::Outputs(_) | Subject::Efforts(_) => of_shape(interface, mechanism, field.shape),
         Subject::Input(index) => vec![mechanism.inputs[index].name.unraw().to_string()],
         Subject::Load(index) => vec![mechanism.dynamics.loads[index].name.unraw().to_string()],
         Subject::Effort(index) => forces::rows(&mechanism.dynamics.asked[index]),
-        Subject::Equations(part) => {
-            let numbers = of_inputs(mechanism, part);
-            match field.shape {
-                Shape::Matrix { columns, .. } => vec![numbers; columns].concat(),
-                _ => numbers,
-            }
-        }
-        Subject::Energy(part) => vec![format!("{part} energy")],
-        Subject::Efforts(_) => of_result(interface, mechanism, field.shape),
+        Subject::Mass => vec![of_inputs(mechanism, "mass"); mechanism.inputs.len()].concat(),
+        Subject::GeneralizedForce => of_inputs(mechanism, "force"),
+        Subject::KineticEnergy => vec!["kinetic energy".to_string()],
+        Subject::PotentialEnergy => vec!["potential energy".to_string()],
     }
 }
 

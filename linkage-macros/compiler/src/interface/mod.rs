@@ -12,10 +12,9 @@ pub(crate) mod quantity;
 pub(crate) mod records;
 pub(crate) mod units_in_words;
 
-use crate::interface::catalogue::Records;
-use crate::interface::entries::Entry;
+use crate::interface::entries::{Analysis, Entry, EntryPoint, Returns, Row, Topic};
 use crate::interface::quantity::Quantity;
-use crate::interface::records::{Record, RecordId, Shape};
+use crate::interface::records::{Kind, Record, RecordId, Shape};
 use crate::model::mechanism::Mechanism;
 
 /// See the module's documentation.
@@ -41,46 +40,36 @@ impl Interface {
     pub(crate) fn of(mechanism: &Mechanism) -> Self {
         let rows = mechanism.outputs.iter().map(|output| Quantity::of(&output.kind).rows().len());
         let (rows, columns) = (rows.sum(), mechanism.inputs.len());
-        let Records {
-            list: records,
-            input: inputs,
-            orders,
-            motion,
-            margins,
-            loads,
-            forces,
-            energy,
-            equations,
-        } = Records::of(mechanism);
-        let mut entries = entries::all(rows, columns, orders, motion, margins);
-        let has_loads = !mechanism.dynamics.loads.is_empty();
-        if let Some(forces) = forces {
-            entries.extend(entries::of_forces(columns, has_loads, forces));
-        }
-        if let Some(energy) = energy {
-            entries.extend(entries::of_energy(columns, energy));
-        }
-        if let Some(equations) = equations {
-            entries.extend(entries::of_dynamics(columns, has_loads, equations));
-        }
+        let records = catalogue::records(mechanism);
+        let of_kind =
+            |kind| records.iter().position(|record| record.kind == kind).map(RecordId::of);
+        let (inputs, loads) = (of_kind(Kind::Inputs), of_kind(Kind::Loads));
+        let has_mass = !mechanism.dynamics.masses.is_empty();
+        let result = |row: &Row| match row.returns {
+            _ if row.topic == Topic::Dynamics && !has_mass => None,
+            Returns::Record(kind) => of_kind(kind).map(Shape::Record),
+            Returns::Coefficients => Some(Shape::Matrix { rows, columns }),
+            Returns::OfInputs(_) if columns == 1 => Some(Shape::Number),
+            Returns::OfInputs(_) => Some(Shape::List(columns)),
+        };
+        let entries = entries::all(columns, !mechanism.dynamics.loads.is_empty(), result);
         Self { records, entries, inputs, loads, rows, columns }
     }
 
     /// The same with these entry points alone, in this order.
-    pub(crate) fn limited_to<'n>(mut self, names: impl Iterator<Item = &'n str>) -> Self {
+    pub(crate) fn limited_to(mut self, points: impl Iterator<Item = EntryPoint>) -> Self {
         let known = self.entries;
-        let entry = |name: &str| known.iter().find(|entry| entry.name == name).cloned();
-        self.entries = names.filter_map(entry).collect();
+        let entry = |point| known.iter().find(|entry| entry.point == point).cloned();
+        self.entries = points.filter_map(entry).collect();
         self
     }
 
     /// The entry point that gives the same from the only input's cosine and sine.
     pub(crate) fn of_cosine(&self, own: &Entry) -> Option<EntryId> {
-        self.ids().find(|&other| {
-            let other = self.entry(other);
-            let is_same = other.result == own.result && other.rates() == own.rates();
-            is_same && other.takes_cosine() && !own.takes_cosine()
-        })
+        if own.takes_cosine() {
+            return None;
+        }
+        self.find(EntryPoint { by_cosine: true, ..own.point })
     }
 
     pub(crate) fn entry(&self, id: EntryId) -> &Entry {
@@ -91,9 +80,24 @@ impl Interface {
         (0..self.entries.len()).map(EntryId)
     }
 
-    /// The entry point of this name, if it is offered.
-    pub(crate) fn find(&self, name: &str) -> Option<EntryId> {
-        self.entries.iter().position(|entry| entry.name == name).map(EntryId)
+    /// An entry point, if it is offered.
+    pub(crate) fn find(&self, point: EntryPoint) -> Option<EntryId> {
+        self.entries.iter().position(|entry| entry.point == point).map(EntryId)
+    }
+
+    /// Whether an analysis is offered at given inputs.
+    pub(crate) fn has(&self, analysis: Analysis) -> bool {
+        self.find(analysis.by_value()).is_some()
+    }
+
+    /// Whether something is given or returns a record: margins may be outputs without an entry point, and
+    /// masses may be such that no equations of motion are offered.
+    pub(crate) fn is_used(&self, record: &Record) -> bool {
+        match record.kind {
+            Kind::Margins => self.has(Analysis::Margins),
+            Kind::Equations => self.has(Analysis::EquationsOfMotion),
+            _ => true,
+        }
     }
 
     pub(crate) fn record_ids(&self) -> impl Iterator<Item = RecordId> + use<> {

@@ -94,10 +94,12 @@ pub(crate) enum Subject {
     Effort(usize),
     /// Those of one input or link, of which this is the first.
     Efforts(usize),
-    /// Kinetic or potential.
-    Energy(&'static str),
-    /// `mass` or `force` of the equations of motion.
-    Equations(&'static str),
+    KineticEnergy,
+    PotentialEnergy,
+    /// The mass matrix of the equations of motion.
+    Mass,
+    /// Their right-hand side without drives.
+    GeneralizedForce,
 }
 
 /// Whether an output exists also where the pose does not.

@@ -1,6 +1,7 @@
 //! What the equations make of a mechanism: one graph and the values each entry point asks of it.
 
 use crate::exact::Exact;
+use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Graph, Id};
 use crate::ir::liveness::{Path, live};
 
@@ -18,7 +19,7 @@ pub(crate) struct Program {
 
 impl Program {
     /// A program in which every number of every result is zero, given how many each has.
-    pub(crate) fn of_zeros(answers: impl Iterator<Item = (&'static str, usize)>) -> Self {
+    pub(crate) fn of_zeros(answers: impl Iterator<Item = (Option<EntryPoint>, usize)>) -> Self {
         let mut graph = Graph::new();
         let zero = graph.constant(Exact::integer(0));
         let answers = answers.map(|(entry, count)| Answer { entry, sinks: vec![zero; count] });
@@ -29,7 +30,8 @@ impl Program {
     /// What the entry point asks, if there is one of this name.
     #[cfg(test)]
     pub(crate) fn answer(&self, entry: &str) -> Option<&Answer> {
-        self.answers.iter().find(|answer| answer.entry == entry)
+        let point = Some(EntryPoint::named(entry));
+        self.answers.iter().find(|answer| answer.entry == point)
     }
 
     /// The sinks of all entry points and clearances.
@@ -64,8 +66,8 @@ pub(crate) struct Closure {
 /// What one entry point asks of the graph.
 #[derive(Clone, Debug)]
 pub(crate) struct Answer {
-    /// The entry point's name.
-    pub entry: &'static str,
+    /// The entry point; none in the program by which a mechanism is drawn.
+    pub entry: Option<EntryPoint>,
     /// The numbers of its result, in the order of the result's shape.
     pub sinks: Vec<Id>,
 }

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::program::Program;
 
@@ -13,7 +14,8 @@ pub(crate) fn text(program: &Program) -> String {
     }
     for answer in &program.answers {
         let sinks: Vec<_> = answer.sinks.iter().map(|&id| name(id)).collect();
-        let _ = writeln!(out, "{}: {}", answer.entry, sinks.join(" "));
+        let entry = answer.entry.map_or("drawing", EntryPoint::name);
+        let _ = writeln!(out, "{entry}: {}", sinks.join(" "));
     }
     out
 }

@@ -21,9 +21,9 @@ use crate::model::mechanism::Mechanism;
 
 /// The routines of everything that the program has answers for.
 pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
-    let names = program.answers.iter().map(|answer| answer.entry);
-    let interface = Interface::of(mechanism).limited_to(names);
-    let (plan, locals) = (Plan::of(&interface), locals::named(mechanism, &interface, program));
+    let points = program.answers.iter().filter_map(|answer| answer.entry);
+    let interface = Interface::of(mechanism).limited_to(points);
+    let (plan, locals) = (Plan::of(&interface), locals::named(mechanism, program));
     let searches = searches(mechanism, program, "root");
     let builder = Builder { program, interface, locals, searches };
     let overflows: Vec<_> = plan.routines.iter().map(|entries| builder.overflow(entries)).collect();
@@ -110,9 +110,9 @@ impl Builder<'_> {
 
     fn routine(&self, entries: &[EntryId], overflow: Option<&Overflow>) -> Routine {
         let last = *entries.last().expect("a routine has a stage");
-        let given = self.interface.entry(last).given;
+        let given = self.interface.entry(last).given.clone();
         let name = match (entries, given.first()) {
-            ([only], _) => format!("formulas_{}_", self.interface.entry(*only).name),
+            ([only], _) => format!("formulas_{}_", self.interface.entry(*only).name()),
             (_, Some(Given::Cosine)) => "formulas_at_".to_string(),
             _ => "formulas_".to_string(),
         };
@@ -170,7 +170,7 @@ impl Builder<'_> {
     }
 
     /// A routine that returns the sinks in a list.
-    fn listing(&self, name: &str, given: &'static [Given], path: Path, sinks: &[Id]) -> Routine {
+    fn listing(&self, name: &str, given: &[Given], path: Path, sinks: &[Id]) -> Routine {
         let mut schedule =
             Schedule::new(self.graph(), &self.locals, path, None, &self.searches, sinks);
         let needed = match path {
@@ -184,7 +184,7 @@ impl Builder<'_> {
         let Schedule { reads, has_checks, path, .. } = schedule;
         Routine {
             name: name.to_string(),
-            given,
+            given: given.to_vec(),
             result: Shape::List(sinks.len()),
             path,
             stages: vec![Stage {

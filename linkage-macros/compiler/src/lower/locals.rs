@@ -8,23 +8,19 @@ use syn::ext::IdentExt;
 
 use super::routine::{Locals, Statement};
 use super::schedule::defines;
-use crate::interface::Interface;
+use crate::interface::entries::{Analysis, EntryPoint};
 use crate::interface::quantity::{Order, Quantity};
-use crate::interface::records::{Kind, Shape};
 use crate::ir::graph::Graph;
 use crate::ir::hash::Map;
 use crate::ir::program::Program;
 use crate::model::mechanism::{Mechanism, Output};
 
 /// The names of the locals that hold components of results.
-pub(super) fn named(mechanism: &Mechanism, interface: &Interface, program: &Program) -> Locals {
+pub(super) fn named(mechanism: &Mechanism, program: &Program) -> Locals {
     let mut names = Map::default();
-    let is_motion = |shape| match shape {
-        Shape::Record(record) => interface.record(record).kind == Kind::Motion,
-        _ => false,
-    };
-    let motions = interface.entries.iter().zip(&program.answers);
-    for (_, answer) in motions.filter(|(entry, _)| is_motion(entry.result)) {
+    let is_motion = |point: EntryPoint| point.analysis == Analysis::Motion;
+    let motions = program.answers.iter().filter(|answer| answer.entry.is_some_and(is_motion));
+    for answer in motions {
         let labels = Order::ALL.into_iter().flat_map(|order| components(mechanism, order));
         // Upper and lower case may make one name of two.
         let mut taken = Map::default();

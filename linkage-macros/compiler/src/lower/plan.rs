@@ -2,9 +2,7 @@
 //! another.
 
 use super::routine::Adapted;
-use crate::interface::entries::{Entry, Given};
-use crate::interface::quantity::Order;
-use crate::interface::records::{Kind, Shape};
+use crate::interface::entries::{Analysis, EntryPoint};
 use crate::interface::{EntryId, Interface};
 
 /// How every entry point comes to its numbers.
@@ -54,42 +52,21 @@ impl Plan {
 /// The way by another entry point, if there is one.
 fn via(interface: &Interface, id: EntryId) -> Option<Way> {
     let own = interface.entry(id);
-    let is_velocity = |&other: &EntryId| {
-        let other = interface.entry(other);
-        other.given == [Given::Value, Given::Rate]
-            && order_of(interface, other) == Some(Order::Velocity)
-    };
-    let (entry, given) = match own.result {
-        Shape::Matrix { columns: 1, .. } => (interface.ids().find(is_velocity)?, Adapted::UnitRate),
+    let (entry, given) = match own.point.analysis {
+        Analysis::Coefficients if interface.columns == 1 => {
+            (interface.find(Analysis::Velocity.by_value())?, Adapted::UnitRate)
+        }
         _ => (interface.of_cosine(own)?, Adapted::CosineAndSine),
     };
     Some(Way::Via { entry, given })
 }
 
-/// The order of the record of outputs that an entry point returns.
-fn order_of(interface: &Interface, entry: &Entry) -> Option<Order> {
-    let Shape::Record(record) = entry.result else { return None };
-    match interface.record(record).kind {
-        Kind::Outputs(order) => Some(order),
-        _ => None,
-    }
-}
-
 /// Position, velocity and motion of one kind of input, of which the entry point is one: what each
 /// computes is part of what the next does.
 fn family(interface: &Interface, id: EntryId) -> Option<[EntryId; 3]> {
-    let takes_cosine = interface.entry(id).takes_cosine();
-    let find = |does: &dyn Fn(&Entry) -> bool| {
-        interface.ids().find(|&other| {
-            let other = interface.entry(other);
-            other.takes_cosine() == takes_cosine && does(other)
-        })
-    };
-    let of_order = |order| find(&|entry| order_of(interface, entry) == Some(order));
-    let motion = |entry: &Entry| match entry.result {
-        Shape::Record(record) => interface.record(record).kind == Kind::Motion,
-        _ => false,
-    };
-    let family = [of_order(Order::Position)?, of_order(Order::Velocity)?, find(&motion)?];
+    let by_cosine = interface.entry(id).takes_cosine();
+    let find = |analysis| interface.find(EntryPoint { analysis, by_cosine });
+    let [position, velocity, motion] = Analysis::STAGES.map(find);
+    let family = [position?, velocity?, motion?];
     family.contains(&id).then_some(family)
 }

@@ -67,7 +67,7 @@ pub(crate) enum Adapted {
 /// A function that holds formulas.
 pub(crate) struct Routine {
     pub name: String,
-    pub given: &'static [Given],
+    pub given: Vec<Given>,
     /// What the stages make together.
     pub result: Shape,
     pub path: Path,

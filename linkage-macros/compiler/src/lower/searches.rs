@@ -93,7 +93,7 @@ fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
     }
     let routine = Routine {
         name,
-        given: &[],
+        given: Vec::new(),
         result: Shape::List(sought.sides.len()),
         path: Path::Unchecked,
         stages: vec![Stage {

@@ -19,7 +19,7 @@ use std::cmp::Ordering;
 
 use super::{RULES, contract, in_dynamics};
 use crate::exact::Exact;
-use crate::interface::entries::is_about_forces;
+use crate::interface::entries::EntryPoint;
 use crate::ir::construct::{Maker, remade};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
@@ -39,7 +39,9 @@ pub(super) fn collect_multiples(program: &Program) -> Program {
 
 /// For every node, whether it is to stay as it is written.
 fn stays(program: &Program) -> Vec<bool> {
-    let about_motion = program.answers.iter().filter(|answer| !is_about_forces(answer.entry));
+    let is_about_forces = EntryPoint::is_about_forces;
+    let about_motion = program.answers.iter();
+    let about_motion = about_motion.filter(|answer| !answer.entry.is_some_and(is_about_forces));
     let about_motion = about_motion.flat_map(|answer| &answer.sinks);
     let clearances = program.clearances.iter().flat_map(Clearance::sinks);
     let closures = program.closures.iter().map(|closure| closure.condition);

@@ -15,10 +15,10 @@ mod simplify;
 #[cfg(test)]
 mod tests;
 
-use crate::interface::entries::{EQUATIONS, FORWARD};
+use crate::interface::entries::EntryPoint;
 use crate::ir::construct::{Rule, rebuild};
 use crate::ir::graph::{Graph, Id};
-use crate::ir::program::{Answer, Program};
+use crate::ir::program::Program;
 
 /// The rules under which the equations are written down. Afterwards no operation has only
 /// constants as operands, and no operand is a neutral or annihilating one.
@@ -45,17 +45,14 @@ fn shortened(program: &Program) -> Program {
 }
 
 /// The program with the sinks of its equations of motion made anew, behind everything else, which stands
-/// where it stood.
+/// where it stood: for these, formulas of many groups are put together, and what they have in common is
+/// worth looking for.
 fn in_dynamics(program: &Program, mut remake: impl FnMut(&mut Graph, &[Id]) -> Vec<Id>) -> Program {
     let mut new = program.clone();
-    for answer in new.answers.iter_mut().filter(|answer| is_of_dynamics(answer)) {
-        answer.sinks = remake(&mut new.graph, &answer.sinks);
+    for answer in &mut new.answers {
+        if answer.entry.is_some_and(EntryPoint::is_about_dynamics) {
+            answer.sinks = remake(&mut new.graph, &answer.sinks);
+        }
     }
     new
-}
-
-/// Whether the answer is about the equations of motion: for these, formulas of many groups are put
-/// together, and what they have in common is worth looking for.
-fn is_of_dynamics(answer: &Answer) -> bool {
-    [FORWARD, EQUATIONS].contains(&answer.entry)
 }

@@ -41,7 +41,7 @@ impl Width {
 
 /// `flying_shear_position` or `flying_shear_position_f32`.
 pub(super) fn function(solver: &Ident, entry: &Entry, width: Width) -> String {
-    suffixed(solver, entry.name, width)
+    suffixed(solver, entry.name(), width)
 }
 
 /// The function that returns the parameters as declared.

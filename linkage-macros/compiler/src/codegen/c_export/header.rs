@@ -3,13 +3,13 @@
 
 use syn::{Attribute, Expr, ExprLit, Lit, Meta};
 
+use super::PARAMETERS;
 use super::c_identifiers::{Width, default, distinct, function, snake_case};
-use super::{PARAMETERS, answer_name};
 use crate::codegen::arguments::{Arguments, Form};
 use crate::codegen::context::Context;
 use crate::codegen::identifiers::text as plain;
 use crate::codegen::{docs, forces};
-use crate::interface::entries::Entry;
+use crate::interface::entries::{Analysis, Entry};
 use crate::interface::labels;
 use crate::interface::quantity::Order;
 use crate::interface::records::{self, Field, Kind, Shape, Subject};
@@ -45,7 +45,7 @@ pub(super) fn text(cx: &Context<'_>) -> String {
         cx.columns(),
         cx.rows(),
     );
-    if cx.interface.find("forces").is_some() {
+    if cx.interface.has(Analysis::Forces) {
         header += &format!("\n{FORCES}");
     }
     for width in Width::ALL {
@@ -121,7 +121,7 @@ impl Record {
 fn types(cx: &Context<'_>, width: Width) -> String {
     let parameters = (!cx.mechanism.params.is_empty()).then(|| parameters(cx, width));
     let records = cx.interface.records.iter();
-    let returned = records.filter(|record| crate::codegen::structs::is_returned(cx, record));
+    let returned = records.filter(|record| cx.interface.is_used(record));
     let records = returned.map(|of| record(cx, width, of));
     parameters.into_iter().chain(records).map(|record| record.text()).collect()
 }
@@ -215,11 +215,9 @@ fn about_field(cx: &Context<'_>, subject: Subject) -> String {
         Subject::Efforts(first) => {
             format!("Forces of {}", plain(&cx.mechanism.dynamics.asked[first].owner))
         }
-        Subject::Energy(_) => "In J".to_string(),
-        Subject::Equations("mass") => {
-            "Row by row; along a length in kg, about an angle in kg*m^2".to_string()
-        }
-        Subject::Equations(_) => "In N along a length, in N*m about an angle".to_string(),
+        Subject::KineticEnergy | Subject::PotentialEnergy => "In J".to_string(),
+        Subject::Mass => "Row by row; along a length in kg, about an angle in kg*m^2".to_string(),
+        Subject::GeneralizedForce => "In N along a length, in N*m about an angle".to_string(),
     }
 }
 
@@ -237,7 +235,7 @@ fn functions(cx: &Context<'_>, width: Width) -> String {
 }
 
 fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {
-    let (arguments, answer) = (Arguments::new(cx, of.given), answer_name(of));
+    let (arguments, answer) = (Arguments::new(cx, &of.given), of.point.answer());
     // The inputs come last here, so that they give way to the names that are always there.
     let fixed = [PARAMETERS, answer, "error"].map(str::to_string);
     let names = distinct(fixed.into_iter().chain(arguments.names().iter().map(plain)));
@@ -253,7 +251,7 @@ fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {
         .chain(inputs)
         .chain([answer_argument(cx, of, width), "LinkageError *error".to_string()])
         .collect();
-    let mut about = vec![format!("{}.", of.subject)];
+    let mut about = vec![format!("{}.", of.point.row().subject)];
     if matches!(of.result, Shape::Matrix { .. }) {
         about.push(format!("Row by row: {}.", labels::all_rows(cx.mechanism).join(", ")));
     }
@@ -263,7 +261,7 @@ fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {
 
 /// Where the answer goes.
 fn answer_argument(cx: &Context<'_>, of: &Entry, width: Width) -> String {
-    let (name, ty) = (answer_name(of), type_of(cx, of.result, width));
+    let (name, ty) = (of.point.answer(), type_of(cx, of.result, width));
     match of.result {
         Shape::Matrix { .. } | Shape::List(_) => format!("{ty} {name}{}", dimensions(of.result)),
         Shape::Number | Shape::Quantity(..) | Shape::Record(_) => format!("{ty} *{name}"),

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Span};
 use syn::{Attribute, Visibility};
 
 use crate::exact::Exact;
+use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::program::{Answer, Program};
 use crate::model::mechanism::*;
@@ -56,7 +57,7 @@ pub(super) fn one_value(build: impl FnOnce(&mut Graph) -> Id) -> (Mechanism, Pro
     let mechanism = mechanism("Tiny", vec![input("theta", ANGLE)], vec![output("y", kind)]);
     let mut graph = Graph::new();
     let sinks = vec![build(&mut graph)];
-    let answers = vec![Answer { entry: "position", sinks }];
+    let answers = vec![Answer { entry: Some(EntryPoint::named("position")), sinks }];
     (
         mechanism,
         Program {
@@ -126,7 +127,9 @@ fn four_bar_program() -> Program {
         ("motion_at", motion_at),
         ("margins", margin),
     ];
-    let answers = answers.map(|(entry, sinks)| Answer { entry, sinks }).to_vec();
+    let answers = answers
+        .map(|(entry, sinks)| Answer { entry: Some(EntryPoint::named(entry)), sinks })
+        .to_vec();
     Program {
         graph,
         answers,
@@ -273,10 +276,16 @@ pub(super) fn table() -> (Mechanism, Program) {
     let parts = [g.push(Node::Mul(s1, x)), g.push(Node::Mul(s, x1))];
     let area1 = g.push(Node::Add(parts[0], parts[1]));
     let answers = vec![
-        Answer { entry: "position", sinks: vec![one, zero, slide, x, area, cos, sin] },
-        Answer { entry: "velocity", sinks: vec![zero, slide1, x1, area1, s1] },
         Answer {
-            entry: "coefficients",
+            entry: Some(EntryPoint::named("position")),
+            sinks: vec![one, zero, slide, x, area, cos, sin],
+        },
+        Answer {
+            entry: Some(EntryPoint::named("velocity")),
+            sinks: vec![zero, slide1, x1, area1, s1],
+        },
+        Answer {
+            entry: Some(EntryPoint::named("coefficients")),
             sinks: vec![zero, way, zero, x, one, zero, zero, one, s, zero],
         },
     ];

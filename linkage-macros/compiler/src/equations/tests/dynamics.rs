@@ -13,7 +13,7 @@ use crate::equations::tests::forces::topologies::random_mechanism;
 use crate::equations::tests::forces::{loaded, with_every_input_asked};
 use crate::equations::tests::newton_euler::Motion;
 use crate::exact::Exact;
-use crate::interface::entries::{EQUATIONS, FORWARD};
+use crate::interface::entries::Analysis;
 use crate::ir::graph::{Check, Id, Node};
 use crate::ir::interpret::{Given, Number, interpret};
 use crate::ir::program::{Answer, Program};
@@ -21,14 +21,17 @@ use crate::model::mechanism::Mechanism;
 use crate::oracle::{Digits, mechanism};
 use crate::passes;
 
+/// The places of the answers.
+const FORWARD: usize = 0;
+const EQUATIONS: usize = 1;
+const ENERGY: usize = 2;
 /// The efforts of the inputs' drives, by the walk.
-const WALK: &str = "forces by the walk";
+const WALK: usize = 3;
 /// The same by power.
-const POWER: &str = "forces by power";
+const POWER: usize = 4;
 /// For each input the terms of that power: of each action both components and the couple, at a unit
 /// rate of the input.
-const TERMS: &str = "forces' terms";
-const ENERGY: &str = "energy";
+const TERMS: usize = 5;
 
 /// Everything that the tests compare, after all passes; nothing where an input moves no mass.
 fn program(mechanism: &Mechanism) -> Option<Program> {
@@ -39,16 +42,20 @@ fn program(mechanism: &Mechanism) -> Option<Program> {
     }
     let walk = Walk::of(&kinematics);
     let answers = [
-        (FORWARD, accelerations(&kinematics)),
-        (EQUATIONS, equations(&kinematics)),
-        (ENERGY, energy(&kinematics)),
-        (WALK, walk.input_efforts().iter().map(|effort| effort.id).collect()),
-        (POWER, in_motion(&kinematics)),
-        (TERMS, terms(&kinematics)),
+        (Analysis::ForwardDynamics, accelerations(&kinematics)),
+        (Analysis::EquationsOfMotion, equations(&kinematics)),
+        (Analysis::Energy, energy(&kinematics)),
+        (Analysis::Forces, walk.input_efforts().iter().map(|effort| effort.id).collect()),
+        (Analysis::Forces, in_motion(&kinematics)),
+        (Analysis::Forces, terms(&kinematics)),
     ];
     drop(walk);
     drop(kinematics);
-    let answers = answers.map(|(entry, sinks)| Answer { entry, sinks }).into();
+    let answer = |(analysis, sinks): (Analysis, _)| {
+        let entry = Some(analysis.by_value());
+        Answer { entry, sinks }
+    };
+    let answers = answers.map(answer).into();
     let (closures, groups) = (Vec::new(), mechanism.titles());
     let program =
         Program { graph: sheet.into_graph(), answers, clearances: Vec::new(), closures, groups };
@@ -91,8 +98,8 @@ struct Found<'m, N> {
 }
 
 impl<N: Number> Found<'_, N> {
-    fn of(&self, entry: &str) -> Vec<N> {
-        let answer = self.program.answer(entry).expect("it is asked for");
+    fn of(&self, answer: usize) -> Vec<N> {
+        let answer = &self.program.answers[answer];
         answer.sinks.iter().map(|sink| self.values[sink.index()].clone()).collect()
     }
 }

@@ -9,6 +9,7 @@ use crate::equations::symbol::Sheet;
 use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 use crate::equations::tests::newton_euler::{Matrix, Motion};
 use crate::exact::Exact;
+use crate::interface::entries::EntryPoint;
 use crate::ir::graph::Id;
 use crate::ir::interpret::{Given, Number, interpret};
 use crate::ir::program::{Answer, Program};
@@ -218,7 +219,7 @@ fn compare(
     let sheet = Sheet::new(passes::RULES);
     let nodes = nodes(&Kinematics::of(&sheet, &mechanism, jets(&mechanism, &sheet, inputs_rest)));
     let (graph, groups) = (sheet.into_graph(), Vec::new());
-    let answers = vec![Answer { entry: "forces", sinks: Vec::new() }];
+    let answers = vec![Answer { entry: Some(EntryPoint::named("forces")), sinks: Vec::new() }];
     let program = Program { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups };
     let given = Given {
         inputs: inputs.iter().map(|q| q.map(Digits::float)).collect(),

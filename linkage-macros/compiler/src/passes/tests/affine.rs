@@ -1,6 +1,7 @@
 //! Squares of distances next to a crank: which become affine, and what of.
 
 use crate::exact::Exact;
+use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::program::{Answer, Program};
 use crate::ir::text::text;
@@ -22,7 +23,7 @@ fn square(x: &str, y: &str, length: &str, and: impl FnOnce(&mut Graph, [Id; 2]) 
         g.push(Node::Mul(component, component))
     });
     let sink = and(&mut g, squares);
-    let answers = vec![Answer { entry: "position", sinks: vec![sink] }];
+    let answers = vec![Answer { entry: Some(EntryPoint::named("position")), sinks: vec![sink] }];
     text(&square_distances(&Program {
         graph: g,
         answers,
@@ -101,7 +102,7 @@ fn what_moves_on_no_circle_stays_a_sum_of_squares() {
     let x = g.push(Node::Sub(far, turned));
     let squares = [x, aside].map(|part| g.push(Node::Mul(part, part)));
     let sink = sum(&mut g, squares);
-    let answers = vec![Answer { entry: "position", sinks: vec![sink] }];
+    let answers = vec![Answer { entry: Some(EntryPoint::named("position")), sinks: vec![sink] }];
     let program = Program {
         graph: g,
         answers,

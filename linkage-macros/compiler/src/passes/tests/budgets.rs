@@ -11,6 +11,7 @@
 //! run time also pay for what rounding does to their height, which says on which side of a limit they
 //! are.
 
+use crate::interface::entries::EntryPoint;
 use crate::ir::cost::{Costs, Operations};
 use crate::oracle::mechanism;
 use crate::{equations, lower, passes};
@@ -22,7 +23,7 @@ fn cost(source: &str, entry: &str) -> Budget {
     let mechanism = mechanism(source);
     let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
     let lowered = lower::lower(&mechanism, &program);
-    let entry = lowered.interface.find(entry).expect("the entry exists");
+    let entry = lowered.interface.find(EntryPoint::named(entry)).expect("the entry exists");
     let Operations { additions, multiplications, divisions, roots, sines } =
         lowered.costs[entry.index()];
     [additions, multiplications, divisions, roots, sines]

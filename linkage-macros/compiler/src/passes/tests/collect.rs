@@ -5,7 +5,7 @@ use super::rules::{c, nested, x, y};
 use crate::equations;
 use crate::equations::tests::declarations::VARIANTS;
 use crate::equations::tests::forces::loaded;
-use crate::interface::entries::{EQUATIONS, FORWARD};
+use crate::interface::entries::EntryPoint;
 use crate::ir::construct::rebuild;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::interpret::Given;
@@ -22,13 +22,15 @@ fn program<const N: usize>(
     let mut graph = Graph::new();
     let sinks = build(&mut graph);
     let answers = entries.into_iter().zip(sinks);
-    let answers = answers.map(|(entry, sink)| Answer { entry, sinks: vec![sink] }).collect();
+    let answers = answers
+        .map(|(entry, sink)| Answer { entry: Some(EntryPoint::named(entry)), sinks: vec![sink] })
+        .collect();
     Program { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups: Vec::new() }
 }
 
 /// The only answer, one of the equations of motion, as nested text after the pass.
 fn collected(build: impl FnOnce(&mut Graph) -> Id) -> String {
-    let program = collect::collect_multiples(&program([FORWARD], |g| [build(g)]));
+    let program = collect::collect_multiples(&program(["forward_dynamics"], |g| [build(g)]));
     nested(&program.graph, program.answers[0].sinks[0])
 }
 
@@ -186,7 +188,7 @@ fn only_the_equations_of_motion_are_collected() {
     }
     // What the motion needs as well stays; what forces need as well is made twice.
     for (entry, expected) in [("motion", "((0.3*x + y) + 0.4*x)"), ("forces", "(y + 0.7*x)")] {
-        let before = program([entry, EQUATIONS], |g| [sum_of_multiples(g); 2]);
+        let before = program([entry, "equations_of_motion"], |g| [sum_of_multiples(g); 2]);
         let after = collect::collect_multiples(&before);
         let [shared, own] = [0, 1].map(|i| nested(&after.graph, after.answers[i].sinks[0]));
         assert_eq!((&shared[..], &own[..]), ("((0.3*x + y) + 0.4*x)", expected), "{entry}");
@@ -227,7 +229,7 @@ fn collecting_changes_no_value() {
             unit: None,
         };
         // Not every input moves mass in every variant.
-        let entries = [FORWARD, EQUATIONS].into_iter();
+        let entries = ["forward_dynamics", "equations_of_motion"].into_iter();
         for entry in entries.filter(|entry| raw.answer(entry).is_some()) {
             let expected = values(&raw, entry, &given);
             let (one, all) = (collect::collect_multiples(&raw), shortened(&raw));

@@ -1,7 +1,7 @@
 //! Equal conditions of two groups: asked once, and by the first.
 
 use super::rules::{nested, x, y};
-use crate::interface::entries::FORWARD;
+use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::liveness::{Path, live, live_nodes};
 use crate::ir::program::{Answer, Program};
@@ -15,7 +15,7 @@ fn provided(g: &mut Graph, value: Id, check: Check, group: u32, operands: Vec<Id
 fn asked(entry: &'static str, build: impl FnOnce(&mut Graph) -> Id) -> (Vec<u32>, String) {
     let mut graph = Graph::new();
     let sinks = vec![build(&mut graph)];
-    let answers = vec![Answer { entry, sinks }];
+    let answers = vec![Answer { entry: Some(EntryPoint::named(entry)), sinks }];
     let groups = vec!["AB".into(), "CD".into()];
     let program = Program { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups };
     let after = conditions::ask_once(&program);
@@ -42,7 +42,7 @@ fn two_assemblies(g: &mut Graph) -> Id {
 
 #[test]
 fn two_groups_under_one_condition_share_what_they_make() {
-    let (groups, text) = asked(FORWARD, two_assemblies);
+    let (groups, text) = asked("forward_dynamics", two_assemblies);
     assert_eq!((groups, &text[..]), (vec![0, 0], "(y/sqrt(x) + y/sqrt(x))"));
     let (groups, text) = asked("motion", two_assemblies);
     assert_eq!(groups, [0, 0, 1, 1], "{text}");
@@ -50,7 +50,7 @@ fn two_groups_under_one_condition_share_what_they_make() {
 
 #[test]
 fn another_condition_is_asked_for_itself() {
-    let (groups, _) = asked(FORWARD, |g| {
+    let (groups, _) = asked("forward_dynamics", |g| {
         let (a, b) = (x(g), y(g));
         let others = [
             (a, Check::Nonzero, vec![]),
@@ -71,7 +71,7 @@ fn another_condition_is_asked_for_itself() {
 
 #[test]
 fn a_group_that_stands_alone_keeps_its_name() {
-    let (groups, _) = asked(FORWARD, |g| {
+    let (groups, _) = asked("forward_dynamics", |g| {
         let (a, b) = (x(g), y(g));
         let aside = provided(g, a, Check::Nonzero, 0, vec![]);
         g.push(Node::Sqrt(aside));

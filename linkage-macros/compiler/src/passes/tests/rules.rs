@@ -1,6 +1,7 @@
 //! The rules one by one, on text.
 
 use crate::exact::Exact;
+use crate::interface::entries::EntryPoint;
 use crate::ir::construct::{Maker, Rule, rebuild};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::program::{Answer, Program};
@@ -11,7 +12,7 @@ use crate::passes::{RULES, contract, fold, simplify};
 fn program(build: impl FnOnce(&mut Graph) -> Id) -> Program {
     let mut graph = Graph::new();
     let sink = build(&mut graph);
-    let answers = vec![Answer { entry: "position", sinks: vec![sink] }];
+    let answers = vec![Answer { entry: Some(EntryPoint::named("position")), sinks: vec![sink] }];
     Program {
         graph,
         answers,
