@@ -16,6 +16,7 @@
 //! |---|---|---|
 //! | `pipeline` | START HERE: the phases in order | |
 //! | `diagnostics` | collects mistakes, stops at the barriers | |
+//! | `function` | the functions that expressions call, a row each | compute |
 //! | `exact` | real constants without error, rounded once | |
 //! | `syntax` | tokens and spans into a tree | resolve a name |
 //! | `reach` | what constant dimensions say before anything is solved, exactly | know a mechanism |
@@ -58,6 +59,7 @@ mod equations;
 mod exact;
 #[cfg(test)]
 mod expansions;
+mod function;
 #[cfg(test)]
 mod fuzz;
 mod interface;

@@ -4,6 +4,7 @@
 use crate::diagnostics::{Diagnostics, Failure};
 use crate::exact::Exact;
 use crate::exact::enclosure::Enclosure;
+use crate::function::Function;
 use crate::ir::interpret::{Given, Number, interpret};
 use crate::ir::program::Program;
 use crate::model::mechanism::{Mechanism, ParamKind, Sign};
@@ -68,32 +69,9 @@ impl Number for Digits {
     fn div(&self, other: &Self) -> Self {
         Self(self.0.div(&other.0).expect("tests do not divide by zero"))
     }
-    fn sqrt(&self) -> Self {
-        Self(self.0.sqrt().expect("tests assemble"))
-    }
-    fn sin(&self) -> Self {
-        Self(self.0.sin())
-    }
-    fn cos(&self) -> Self {
-        Self(self.0.cos())
-    }
-    fn tan(&self) -> Self {
-        Self(self.0.tan().expect("tests stay off the poles"))
-    }
-    fn asin(&self) -> Self {
-        Self(self.0.asin().expect("tests stay in the domain"))
-    }
-    fn acos(&self) -> Self {
-        Self(self.0.acos().expect("tests stay in the domain"))
-    }
-    fn atan(&self) -> Self {
-        Self(self.0.atan())
-    }
-    fn atan2(&self, x: &Self) -> Self {
-        Self(self.0.atan2(&x.0).expect("tests stay off the origin"))
-    }
-    fn hypot(&self, other: &Self) -> Self {
-        Self(self.0.hypot(&other.0))
+    fn of(function: Function, operands: &[&Self]) -> Self {
+        let operands: Vec<_> = operands.iter().map(|operand| &operand.0).collect();
+        Self(Enclosure::of(function, &operands).expect("tests stay in the domain"))
     }
     fn is_at_least(&self, other: &Self) -> bool {
         self.to_f64() >= other.to_f64()

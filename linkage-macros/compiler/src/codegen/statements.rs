@@ -54,7 +54,7 @@ impl<'a> Printer<'a> {
                 self.sin_cos(*angle, [*sin, *cos], *is_checked, to);
             }
             Statement::Hypot { id, least_square } => {
-                let Node::Hypot(x, y) = self.node(*id) else { unreachable!("it is one") };
+                let Node::Apply2(_, x, y) = self.node(*id) else { unreachable!("it is one") };
                 to.put("let ").put(&self.local(*id)).put(" = checks_.hypot(");
                 for operand in [x, y] {
                     self.value(operand, to);
@@ -258,13 +258,8 @@ impl<'a> Printer<'a> {
             Node::Sub(a, b) => self.infix(a, " - ", b, to),
             Node::Mul(a, b) => self.infix(a, " * ", b, to),
             Node::Div(a, b) => self.infix(a, " / ", b, to),
-            Node::Sqrt(a) => self.call("sqrt", &[a], to),
-            Node::Tan(a) => self.call("tan", &[a], to),
-            Node::Asin(a) => self.call("asin", &[a], to),
-            Node::Acos(a) => self.call("acos", &[a], to),
-            Node::Atan(a) => self.call("atan", &[a], to),
-            Node::Atan2(y, x) => self.call("atan2", &[y, x], to),
-            Node::Hypot(a, b) => self.call("hypot", &[a, b], to),
+            Node::Apply(function, a) => self.call(function.name(), &[a], to),
+            Node::Apply2(function, a, b) => self.call(function.name(), &[a, b], to),
             Node::Det(operands) => self.call("det", &operands, to),
             Node::Select([a, b, x, y]) => {
                 to.put(&self.number).put("::select(");
@@ -283,8 +278,6 @@ impl<'a> Printer<'a> {
             | Node::Param(_)
             | Node::Load(_)
             | Node::Drive(_)
-            | Node::Sin(_)
-            | Node::Cos(_)
             | Node::Trial(_)
             | Node::Root(_)
             | Node::Size(_)

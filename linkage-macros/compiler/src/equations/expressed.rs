@@ -6,7 +6,7 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::{Check, Node};
-use crate::model::mechanism::{AngleSum, Axis, Expr, Function, GuideId, Length, Operator, PointId};
+use crate::model::mechanism::{AngleSum, Axis, Expr, GuideId, Length, Operator, PointId};
 
 impl<'s> Kinematics<'s> {
     pub(super) fn jet(&self, expr: &Expr) -> Jet<'s> {
@@ -43,7 +43,7 @@ impl<'s> Kinematics<'s> {
             }),
             Expr::Call(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(|a| self.jet(a)).collect();
-                call(*function, &arguments)
+                Jet::of(*function, &arguments)
             }
         }
     }
@@ -117,19 +117,4 @@ fn power<'s>(u: Vector<'s>, times: i32) -> Vector<'s> {
     }
     let sheet = u.x.sheet();
     result.unwrap_or_else(|| Vector { x: sheet.integer(1), y: sheet.zero() })
-}
-
-fn call<'s>(function: Function, arguments: &[Jet<'s>]) -> Jet<'s> {
-    match (function, arguments) {
-        (Function::Sqrt, [a]) => a.sqrt(),
-        (Function::Sin, [a]) => a.sin_cos().0,
-        (Function::Cos, [a]) => a.sin_cos().1,
-        (Function::Tan, [a]) => a.tan(),
-        (Function::Asin, [a]) => a.asin(),
-        (Function::Acos, [a]) => a.acos(),
-        (Function::Atan, [a]) => a.atan(),
-        (Function::Atan2, [y, x]) => y.atan2(*x),
-        (Function::Hypot, [x, y]) => x.hypot(*y),
-        _ => unreachable!("the model checked the number of arguments"),
-    }
 }

@@ -28,6 +28,7 @@ mod dead_points;
 mod double_word;
 mod expressed;
 mod forces;
+mod functions;
 mod guide;
 mod jet;
 mod kinematics;

@@ -8,6 +8,7 @@ use std::cell::{Cell, RefCell};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::ir::construct::{Maker, Rule, remade};
 use crate::ir::graph::{Check, ConstantId, Graph, Guard, Id, Node};
 use crate::ir::liveness::{Path, live, live_nodes};
@@ -126,41 +127,30 @@ impl<'s> Sym<'s> {
         self.sheet.node(node(self.id, other.id))
     }
 
+    /// A function of this number.
+    pub(crate) fn apply(self, function: Function) -> Self {
+        self.sheet.node(Node::Apply(function, self.id))
+    }
+
     pub(crate) fn sqrt(self) -> Self {
-        self.unary(Node::Sqrt)
+        self.apply(Function::Sqrt)
     }
 
     pub(crate) fn sin(self) -> Self {
-        self.unary(Node::Sin)
+        self.apply(Function::Sin)
     }
 
     pub(crate) fn cos(self) -> Self {
-        self.unary(Node::Cos)
-    }
-
-    pub(crate) fn tan(self) -> Self {
-        self.unary(Node::Tan)
-    }
-
-    pub(crate) fn asin(self) -> Self {
-        self.unary(Node::Asin)
-    }
-
-    pub(crate) fn acos(self) -> Self {
-        self.unary(Node::Acos)
-    }
-
-    pub(crate) fn atan(self) -> Self {
-        self.unary(Node::Atan)
+        self.apply(Function::Cos)
     }
 
     /// The angle of the vector (x, self).
     pub(crate) fn atan2(self, x: Self) -> Self {
-        self.binary(x, Node::Atan2)
+        self.sheet.node(Node::Apply2(Function::Atan2, self.id, x.id))
     }
 
     pub(crate) fn hypot(self, other: Self) -> Self {
-        self.binary(other, Node::Hypot)
+        self.sheet.node(Node::Apply2(Function::Hypot, self.id, other.id))
     }
 
     /// `x` where this is at least as large as the other, `y` elsewhere.

@@ -1,17 +1,82 @@
-//! Sines, cosines and angles in normal form.
+//! Functions of exact numbers; sines, cosines and angles in normal form.
 //!
 //! A sine or cosine that stays unopened has an angle of one of two shapes, so that the same number
 //! always has the same shape: r·π with 0 < r < 1/4, or r·π + x with 0 ≤ r < 1/2, where x has no
 //! rational multiple of π in it and a positive first coefficient.
 
+use core::cmp::Ordering;
+
 use super::Exact;
 use super::atom::Kind;
 use super::rational::Rational;
 use super::sum::Term;
+use crate::function::Function;
 
 impl Exact {
+    /// The function of these numbers; `None` outside its domain.
+    pub(crate) fn of(function: Function, arguments: &[&Self]) -> Option<Self> {
+        let (a, b) = (arguments[0], arguments[arguments.len() - 1]);
+        match function {
+            Function::Sqrt => a.sqrt(),
+            Function::Hypot => Some(a.hypot(b)),
+            Function::Sin => Some(a.sin()),
+            Function::Cos => Some(a.cos()),
+            Function::Tan => a.sin().div(&a.cos()),
+            Function::Asin => a.asin(),
+            Function::Acos => Some(Self::half_turns(&Rational::ratio(1, 2)).sub(&a.asin()?)),
+            Function::Atan => Some(a.arc_tangent()),
+            Function::Atan2 => a.atan2(b),
+        }
+    }
+
+    /// Exact at multiples of 30° and 90° as far as the value is rational, roots at those of 45°
+    /// and 60°, and normalised by symmetry elsewhere (sin(−x) = −sin x, …), so that equal values
+    /// compare equal.
+    pub(crate) fn sin(&self) -> Self {
+        self.sine(0)
+    }
+
+    /// See [`Self::sin`].
+    pub(crate) fn cos(&self) -> Self {
+        self.sine(1)
+    }
+
+    /// `None` outside [−1, 1].
+    fn asin(&self) -> Option<Self> {
+        let one = Self::integer(1);
+        let within = self.cmp_value(&one).is_le() && self.cmp_value(&one.neg()).is_ge();
+        within.then(|| self.arc_sine())
+    }
+
+    /// The angle of the vector (x, self) in (−π, π]; `None` for the zero vector.
+    pub(crate) fn atan2(&self, x: &Self) -> Option<Self> {
+        let half_turn = match (x.signum(), self.signum()) {
+            (Ordering::Equal, Ordering::Equal) => return None,
+            (Ordering::Equal, Ordering::Greater) => {
+                return Some(Self::half_turns(&Rational::ratio(1, 2)));
+            }
+            (Ordering::Equal, Ordering::Less) => {
+                return Some(Self::half_turns(&Rational::ratio(-1, 2)));
+            }
+            (Ordering::Greater, _) => Rational::ZERO,
+            (Ordering::Less, Ordering::Less) => Rational::integer(-1),
+            (Ordering::Less, _) => Rational::ONE,
+        };
+        Some(self.quotient_of(x).arc_tangent().add(&Self::half_turns(&half_turn)))
+    }
+
+    /// The length of the vector (self, other).
+    pub(crate) fn hypot(&self, other: &Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            let size = self.add(other);
+            return if size.signum().is_lt() { size.neg() } else { size };
+        }
+        // A sum of squares is not negative, even where its sign is beyond the finest enclosure.
+        self.mul(self).add(&other.mul(other)).sqrt().unwrap_or_else(|| Self::integer(0))
+    }
+
     /// The sine of self + `quarter_turns`·π/2.
-    pub(super) fn sine(&self, quarter_turns: i64) -> Self {
+    fn sine(&self, quarter_turns: i64) -> Self {
         let (half_turns, rest) = self.split_at_pi();
         let half_turns = half_turns.add(&Rational::ratio(quarter_turns, 2));
         if rest.is_structural_zero() {
@@ -29,24 +94,24 @@ impl Exact {
     }
 
     /// The arc sine of a number in [−1, 1].
-    pub(super) fn arc_sine(&self) -> Self {
+    fn arc_sine(&self) -> Self {
         if self.monic().0.signum().is_lt() {
             return self.neg().arc_sine().neg();
         }
         match known_sine(self) {
             Some(half_turns) => Self::half_turns(&half_turns),
-            None => Self::atom(Kind::Asin(self.clone())),
+            None => Self::atom(Kind::Of(Function::Asin, self.clone())),
         }
     }
 
     /// The arc tangent in (−π/2, π/2).
-    pub(super) fn arc_tangent(&self) -> Self {
+    fn arc_tangent(&self) -> Self {
         if self.monic().0.signum().is_lt() {
             return self.neg().arc_tangent().neg();
         }
         match known_tangent(self) {
             Some(half_turns) => Self::half_turns(&half_turns),
-            None => Self::atom(Kind::Atan(self.clone())),
+            None => Self::atom(Kind::Of(Function::Atan, self.clone())),
         }
     }
 
@@ -77,10 +142,12 @@ fn sine_of_half_turns(half_turns: &Rational) -> Exact {
     let acute = folded.min(complement);
     let value = match KNOWN_SINES.iter().find(|known| known.half_turns() == acute) {
         Some(known) => known.sine(),
-        None if acute < Rational::ratio(1, 4) => Exact::atom(Kind::Sin(Exact::half_turns(&acute))),
+        None if acute < Rational::ratio(1, 4) => {
+            Exact::atom(Kind::Of(Function::Sin, Exact::half_turns(&acute)))
+        }
         None => {
             let complement = Rational::ratio(1, 2).sub(&acute);
-            Exact::atom(Kind::Cos(Exact::half_turns(&complement)))
+            Exact::atom(Kind::Of(Function::Cos, Exact::half_turns(&complement)))
         }
     };
     if negative { value.neg() } else { value }
@@ -91,16 +158,20 @@ fn sine_of_half_turns(half_turns: &Rational) -> Exact {
 fn unreduced_sine(half_turns: &Rational, rest: &Exact, cosine: bool) -> Exact {
     let one = Exact::rational(Rational::ONE);
     match rest.as_atom().filter(|_| half_turns.is_zero()) {
-        Some(Kind::Asin(sine)) if cosine => return one.sub(&sine.mul(sine)).root(),
-        Some(Kind::Asin(sine)) => return sine.clone(),
-        Some(Kind::Atan(tangent)) => {
+        Some(Kind::Of(Function::Asin, sine)) if cosine => return one.sub(&sine.mul(sine)).root(),
+        Some(Kind::Of(Function::Asin, sine)) => return sine.clone(),
+        Some(Kind::Of(Function::Atan, tangent)) => {
             let secant = one.add(&tangent.mul(tangent)).root();
             return if cosine { secant.reciprocal() } else { tangent.quotient_of(&secant) };
         }
         _ => {}
     }
     let angle = rest.add(&Exact::half_turns(half_turns));
-    Exact::atom(if cosine { Kind::Cos(angle) } else { Kind::Sin(angle) })
+    Exact::atom(if cosine {
+        Kind::Of(Function::Cos, angle)
+    } else {
+        Kind::Of(Function::Sin, angle)
+    })
 }
 
 /// The acute angle, in half turns, whose sine is known to be the number.
@@ -109,8 +180,10 @@ fn known_sine(sine: &Exact) -> Option<Rational> {
         return Some(known.half_turns());
     }
     match sine.as_atom()? {
-        Kind::Sin(angle) => in_half_turns(angle),
-        Kind::Cos(angle) => in_half_turns(angle).map(|angle| Rational::ratio(1, 2).sub(&angle)),
+        Kind::Of(Function::Sin, angle) => in_half_turns(angle),
+        Kind::Of(Function::Cos, angle) => {
+            in_half_turns(angle).map(|angle| Rational::ratio(1, 2).sub(&angle))
+        }
         _ => None,
     }
 }
@@ -126,8 +199,10 @@ fn known_tangent(tangent: &Exact) -> Option<Rational> {
     let term = tangent.as_term().filter(|term| term.coefficient.is_one())?;
     let [first, second] = term.factors.as_slice() else { return None };
     match (first.atom.kind(), second.atom.kind(), first.power, second.power) {
-        (Kind::Sin(a), Kind::Cos(b), 1, -1) if a == b => in_half_turns(a),
-        (Kind::Sin(a), Kind::Cos(b), -1, 1) if a == b => {
+        (Kind::Of(Function::Sin, a), Kind::Of(Function::Cos, b), 1, -1) if a == b => {
+            in_half_turns(a)
+        }
+        (Kind::Of(Function::Sin, a), Kind::Of(Function::Cos, b), -1, 1) if a == b => {
             in_half_turns(a).map(|angle| Rational::ratio(1, 2).sub(&angle))
         }
         _ => None,

@@ -19,6 +19,7 @@ use std::rc::Rc;
 use super::enclosure::Enclosure;
 use super::sum::Term;
 use super::{Exact, Form};
+use crate::function::Function;
 
 /// What an atom is.
 ///
@@ -29,12 +30,9 @@ pub(super) enum Kind {
     /// The root of a positive number: an integer without small square factors, or one that is not
     /// rational and has the first coefficient ±1. Its power in a product is always one.
     Root(Exact),
-    /// The sine of an angle in the normal form of [`super::angle`]; its power is never above one.
-    Sin(Exact),
-    Cos(Exact),
-    /// The arc sine of a number whose first coefficient is positive.
-    Asin(Exact),
-    Atan(Exact),
+    /// A function of one number. The angle of a sine is in the normal form of [`super::angle`], and a
+    /// sine's power is never above one; the argument of an arc has a positive first coefficient.
+    Of(Function, Exact),
     /// A sum of several terms whose first coefficient is one, as a factor: a divisor mostly.
     Sum(Exact),
 }
@@ -170,12 +168,7 @@ impl Kind {
     fn argument(&self) -> Option<&Exact> {
         match self {
             Self::Pi => None,
-            Self::Root(argument)
-            | Self::Sin(argument)
-            | Self::Cos(argument)
-            | Self::Asin(argument)
-            | Self::Atan(argument)
-            | Self::Sum(argument) => Some(argument),
+            Self::Root(argument) | Self::Of(_, argument) | Self::Sum(argument) => Some(argument),
         }
     }
 }
@@ -213,10 +206,7 @@ impl Atom {
         let enclosure = match self.kind() {
             Kind::Pi => Enclosure::pi(bits),
             Kind::Root(radicand) => radicand.enclosed(bits)?.sqrt()?,
-            Kind::Sin(angle) => angle.enclosed(bits)?.sin(),
-            Kind::Cos(angle) => angle.enclosed(bits)?.cos(),
-            Kind::Asin(sine) => sine.enclosed(bits)?.asin()?,
-            Kind::Atan(tangent) => tangent.enclosed(bits)?.atan(),
+            Kind::Of(function, argument) => argument.enclosed(bits)?.apply(*function)?,
             Kind::Sum(sum) => sum.enclosed(bits)?,
         };
         ATOMS.with_borrow_mut(|atoms| atoms.finest.insert(self.0.number, enclosure.clone()));
@@ -228,10 +218,11 @@ impl Atom {
         match self.kind() {
             Kind::Pi | Kind::Root(_) => true,
             // Multiples of π are between 0 and 45°.
-            Kind::Sin(angle) | Kind::Cos(angle) => {
+            Kind::Of(Function::Sin | Function::Cos, angle) => {
                 angle.as_term().is_some_and(Term::is_multiple_of_pi)
             }
-            Kind::Asin(value) | Kind::Atan(value) => matches!(value.form, Form::Rational(_)),
+            // An arc of a number with a positive first coefficient.
+            Kind::Of(_, value) => matches!(value.form, Form::Rational(_)),
             Kind::Sum(_) => false,
         }
     }

@@ -88,10 +88,7 @@ fn write_factor(text: &mut Bounded, factor: &Factor) -> fmt::Result {
     let (function, argument) = match factor.atom.kind() {
         Kind::Pi => ("pi", None),
         Kind::Root(radicand) => ("sqrt", Some(radicand)),
-        Kind::Sin(angle) => ("sin", Some(angle)),
-        Kind::Cos(angle) => ("cos", Some(angle)),
-        Kind::Asin(sine) => ("asin", Some(sine)),
-        Kind::Atan(tangent) => ("atan", Some(tangent)),
+        Kind::Of(function, argument) => (function.name(), Some(argument)),
         Kind::Sum(sum) => ("", Some(sum)),
     };
     text.write_str(function)?;

@@ -10,9 +10,59 @@ use num_integer::{Integer, Roots};
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::enclosure::Enclosure;
+use crate::function::Function;
 
 /// The finest π asked for so far; every function of an angle needs it.
 static FINEST_PI: Mutex<Option<Enclosure>> = Mutex::new(None);
+
+impl Enclosure {
+    /// The function of an atom, of all numbers of the enclosure; `None` where it has no value.
+    pub(super) fn apply(&self, function: Function) -> Option<Self> {
+        match function {
+            Function::Sin => Some(self.sin_cos().0),
+            Function::Cos => Some(self.sin_cos().1),
+            Function::Asin => self.asin(),
+            Function::Atan => Some(self.atan()),
+            // Normal forms make these of the others.
+            _ => None,
+        }
+    }
+
+    /// Neither sine nor cosine changes faster than the angle: they are evaluated in the middle.
+    pub(super) fn sin_cos(&self) -> (Self, Self) {
+        let (middle, radius) = self.middle();
+        let (sin, cos) = sin_cos(&middle, self.bits);
+        (sin.widened(&radius).within_one(), cos.widened(&radius).within_one())
+    }
+
+    /// The arc sine in [−π/2, π/2] of what lies in [−1, 1] of the enclosure, unless nothing does.
+    pub(super) fn asin(&self) -> Option<Self> {
+        let one = BigInt::one() << self.bits;
+        if self.lower > one || self.upper < -&one {
+            return None;
+        }
+        let within = self.within_one();
+        let below = asin(&within.lower, self.bits);
+        if within.lower == within.upper {
+            return Some(below);
+        }
+        let above = asin(&within.upper, self.bits);
+        Some(Self::new(below.lower, above.upper, self.bits))
+    }
+
+    /// The arc tangent in [−π/2, π/2], which does not change faster than its argument either.
+    pub(super) fn atan(&self) -> Self {
+        let (middle, radius) = self.middle();
+        let one = BigInt::one() << self.bits;
+        angle(&middle, &one, self.bits).widened(&radius)
+    }
+
+    /// The part of the enclosure in [−1, 1]; there is some.
+    fn within_one(&self) -> Self {
+        let one = BigInt::one() << self.bits;
+        Self::new(self.lower.clone().max(-&one), self.upper.clone().min(one), self.bits)
+    }
+}
 
 /// An enclosure of π.
 pub(super) fn pi(bits: u32) -> Enclosure {
@@ -170,7 +220,7 @@ fn small_arc_tangent(v: &BigInt, working: u32) -> (BigInt, BigInt) {
 }
 
 /// An enclosure of the arc sine of `sine`·2^−bits, which lies in [−1, 1].
-pub(super) fn asin(sine: &BigInt, bits: u32) -> Enclosure {
+fn asin(sine: &BigInt, bits: u32) -> Enclosure {
     let working = bits + 2;
     let sine = sine << 2;
     let one = BigInt::one() << working;

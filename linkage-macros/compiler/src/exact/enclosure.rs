@@ -12,7 +12,7 @@ use core::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed, Zero};
+use num_traits::{Signed, Zero};
 
 use super::elementary;
 use super::rational::Rational;
@@ -20,9 +20,9 @@ use super::rational::Rational;
 /// An interval [lower, upper]·2^−bits.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Enclosure {
-    lower: BigInt,
-    upper: BigInt,
-    bits: u32,
+    pub(super) lower: BigInt,
+    pub(super) upper: BigInt,
+    pub(super) bits: u32,
 }
 
 impl Enclosure {
@@ -171,43 +171,6 @@ impl Enclosure {
         Some(Self::new(lower.sqrt(), ceil_sqrt(&(&self.upper << self.bits)), self.bits))
     }
 
-    pub(crate) fn sin(&self) -> Self {
-        self.sin_cos().0
-    }
-
-    pub(crate) fn cos(&self) -> Self {
-        self.sin_cos().1
-    }
-
-    /// Neither sine nor cosine changes faster than the angle: they are evaluated in the middle.
-    pub(crate) fn sin_cos(&self) -> (Self, Self) {
-        let (middle, radius) = self.middle();
-        let (sin, cos) = elementary::sin_cos(&middle, self.bits);
-        (sin.widened(&radius).within_one(), cos.widened(&radius).within_one())
-    }
-
-    /// The arc sine in [−π/2, π/2] of what lies in [−1, 1] of the enclosure, unless nothing does.
-    pub(crate) fn asin(&self) -> Option<Self> {
-        let one = BigInt::one() << self.bits;
-        if self.lower > one || self.upper < -&one {
-            return None;
-        }
-        let within = self.within_one();
-        let below = elementary::asin(&within.lower, self.bits);
-        if within.lower == within.upper {
-            return Some(below);
-        }
-        let above = elementary::asin(&within.upper, self.bits);
-        Some(Self::new(below.lower, above.upper, self.bits))
-    }
-
-    /// The arc tangent in [−π/2, π/2], which does not change faster than its argument either.
-    pub(crate) fn atan(&self) -> Self {
-        let (middle, radius) = self.middle();
-        let one = BigInt::one() << self.bits;
-        elementary::angle(&middle, &one, self.bits).widened(&radius)
-    }
-
     /// A point near the middle, and the distance from it that covers the enclosure.
     pub(super) fn middle(&self) -> (BigInt, BigInt) {
         let middle: BigInt = (&self.lower + &self.upper) >> 1;
@@ -217,12 +180,6 @@ impl Enclosure {
 
     pub(super) fn widened(&self, by: &BigInt) -> Self {
         Self::new(&self.lower - by, &self.upper + by, self.bits)
-    }
-
-    /// What of the enclosure lies in [−1, 1]; some of it does.
-    fn within_one(&self) -> Self {
-        let one = BigInt::one() << self.bits;
-        Self::new(self.lower.clone().max(-&one), self.upper.clone().min(one), self.bits)
     }
 
     /// The operation on both enclosures in the finer units of the two.

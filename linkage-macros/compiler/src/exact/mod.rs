@@ -110,66 +110,6 @@ impl Exact {
         }
     }
 
-    /// Exact at multiples of 30° and 90° as far as the value is rational, roots at those of 45°
-    /// and 60°, and normalised by symmetry elsewhere (sin(−x) = −sin x, …), so that equal values
-    /// compare equal.
-    pub(crate) fn sin(&self) -> Self {
-        self.sine(0)
-    }
-
-    /// See [`Self::sin`].
-    pub(crate) fn cos(&self) -> Self {
-        self.sine(1)
-    }
-
-    /// `None` where the cosine is zero.
-    pub(crate) fn tan(&self) -> Option<Self> {
-        self.sin().div(&self.cos())
-    }
-
-    /// `None` outside [−1, 1].
-    pub(crate) fn asin(&self) -> Option<Self> {
-        let one = Self::integer(1);
-        let within = self.cmp_value(&one).is_le() && self.cmp_value(&one.neg()).is_ge();
-        within.then(|| self.arc_sine())
-    }
-
-    /// `None` outside [−1, 1].
-    pub(crate) fn acos(&self) -> Option<Self> {
-        Some(Self::half_turns(&Rational::ratio(1, 2)).sub(&self.asin()?))
-    }
-
-    pub(crate) fn atan(&self) -> Self {
-        self.arc_tangent()
-    }
-
-    /// The angle of the vector (x, self) in (−π, π]; `None` for the zero vector.
-    pub(crate) fn atan2(&self, x: &Self) -> Option<Self> {
-        let half_turn = match (x.signum(), self.signum()) {
-            (Ordering::Equal, Ordering::Equal) => return None,
-            (Ordering::Equal, Ordering::Greater) => {
-                return Some(Self::half_turns(&Rational::ratio(1, 2)));
-            }
-            (Ordering::Equal, Ordering::Less) => {
-                return Some(Self::half_turns(&Rational::ratio(-1, 2)));
-            }
-            (Ordering::Greater, _) => Rational::ZERO,
-            (Ordering::Less, Ordering::Less) => Rational::integer(-1),
-            (Ordering::Less, _) => Rational::ONE,
-        };
-        Some(self.quotient_of(x).arc_tangent().add(&Self::half_turns(&half_turn)))
-    }
-
-    /// The length of the vector (self, other).
-    pub(crate) fn hypot(&self, other: &Self) -> Self {
-        if self.is_zero() || other.is_zero() {
-            let size = self.add(other);
-            return if size.signum().is_lt() { size.neg() } else { size };
-        }
-        // A sum of squares is not negative, even where its sign is beyond the finest enclosure.
-        self.mul(self).add(&other.mul(other)).sqrt().unwrap_or_else(|| Self::integer(0))
-    }
-
     pub(crate) fn is_zero(&self) -> bool {
         self.signum().is_eq()
     }

@@ -9,6 +9,7 @@ use super::atom::Kind;
 use super::rational::{Rational, square_part};
 use super::sum::{Factor, Term};
 use super::{Exact, Form};
+use crate::function::Function;
 
 impl Exact {
     /// The root of a number that is not negative.
@@ -73,10 +74,10 @@ fn sine_of_square(number: &Exact) -> Option<Exact> {
     let [one, square] = terms.as_slice() else { return None };
     let [Factor { atom, power: 2 }] = square.factors.as_slice() else { return None };
     match atom.kind() {
-        Kind::Cos(angle)
+        Kind::Of(Function::Cos, angle)
             if one.factors.is_empty() && square.coefficient == one.coefficient.neg() =>
         {
-            Some(Exact::atom(Kind::Sin(angle.clone())))
+            Some(Exact::atom(Kind::Of(Function::Sin, angle.clone())))
         }
         _ => None,
     }

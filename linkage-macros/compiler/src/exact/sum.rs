@@ -8,6 +8,7 @@
 use super::atom::{Atom, Kind};
 use super::rational::Rational;
 use super::{Exact, Form};
+use crate::function::Function;
 
 /// Products with more terms than this are not multiplied out, so that a sum grows no faster than
 /// the source it came from.
@@ -284,12 +285,12 @@ fn join_roots(factors: &mut Vec<Factor>) -> Option<Exact> {
 /// sin² x = 1 − cos² x.
 fn open_square_of_sine(factors: &mut Vec<Factor>) -> Option<Exact> {
     let (place, angle) = find(factors, |factor| match factor.atom.kind() {
-        Kind::Sin(angle) if factor.power > 1 => Some(angle.clone()),
+        Kind::Of(Function::Sin, angle) if factor.power > 1 => Some(angle.clone()),
         _ => None,
     })?;
     factors[place].power -= 2;
     factors.retain(|factor| factor.power != 0);
-    let cosine = Atom::new(Kind::Cos(angle));
+    let cosine = Atom::new(Kind::Of(Function::Cos, angle));
     let square = vec![Factor { atom: cosine, power: 2 }];
     Some(Exact::collect(vec![
         Term::rational(Rational::ONE),

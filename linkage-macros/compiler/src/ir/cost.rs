@@ -5,6 +5,7 @@
 
 use std::ops::AddAssign;
 
+use crate::function::Function;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, trial_nodes, tried, unguarded};
@@ -56,7 +57,7 @@ impl<'g> Costs<'g> {
     pub(crate) fn of(graph: &'g Graph) -> Self {
         let (mut turned, mut multiplied) = (Map::default(), Map::default());
         let mut cost = |(id, node): (Id, Node)| match node {
-            Node::Sin(angle) | Node::Cos(angle) => {
+            Node::Apply(Function::Sin | Function::Cos, angle) => {
                 let by = *turned.or_insert(unguarded(graph, angle), id);
                 Cost::Shared { by, is_sine: true, adds: false }
             }
@@ -141,8 +142,7 @@ fn of(node: Node) -> Operations {
         | Node::Low(_)
         | Node::Neg(_)
         | Node::Guard(..)
-        | Node::Sin(_)
-        | Node::Cos(_)
+        | Node::Apply(Function::Sin | Function::Cos, _)
         | Node::Trial(_)
         | Node::Root(_)
         | Node::Size(_) => none,
@@ -150,11 +150,11 @@ fn of(node: Node) -> Operations {
         Node::Add(..) | Node::Sub(..) | Node::Select(_) => Operations { additions: 1, ..none },
         Node::Mul(..) => Operations { multiplications: 1, ..none },
         Node::Div(..) => Operations { divisions: 1, ..none },
-        Node::Sqrt(_) => Operations { roots: 1, ..none },
-        Node::Tan(_) | Node::Asin(_) | Node::Acos(_) | Node::Atan(_) | Node::Atan2(..) => {
-            Operations { sines: 1, ..none }
+        Node::Apply(Function::Sqrt, _) => Operations { roots: 1, ..none },
+        Node::Apply2(Function::Hypot, ..) => {
+            Operations { additions: 1, multiplications: 2, roots: 1, ..none }
         }
-        Node::Hypot(..) => Operations { additions: 1, multiplications: 2, roots: 1, ..none },
+        Node::Apply(..) | Node::Apply2(..) => Operations { sines: 1, ..none },
         Node::Det(_) => Operations { additions: 1, multiplications: 2, ..none },
         Node::MulErr(..) | Node::Fused(..) => {
             Operations { additions: 1, multiplications: 1, ..none }
@@ -177,7 +177,12 @@ mod tests {
     fn sine_and_cosine_of_one_angle_are_one_call() {
         let mut graph = Graph::new();
         let (a, b) = (input(&mut graph, 0), input(&mut graph, 1));
-        let sinks = [Node::Sin(a), Node::Cos(a), Node::Cos(b)].map(|node| graph.push(node));
+        let sinks = [
+            Node::Apply(Function::Sin, a),
+            Node::Apply(Function::Cos, a),
+            Node::Apply(Function::Cos, b),
+        ]
+        .map(|node| graph.push(node));
         assert_eq!(Costs::of(&graph).operations(&sinks).sines, 2);
         assert_eq!(Costs::of(&graph).operations(&sinks[..2]).sines, 1);
     }
@@ -200,7 +205,7 @@ mod tests {
         let (a, b) = (input(&mut graph, 0), input(&mut graph, 1));
         let product = graph.push(Node::Mul(a, b));
         let square = graph.push(Node::Mul(product, product));
-        let root = graph.push(Node::Sqrt(product));
+        let root = graph.push(Node::Apply(Function::Sqrt, product));
         let quotient = graph.push(Node::Div(a, b));
         let counted = Costs::of(&graph).operations(&[square, root]);
         let expected = Operations { multiplications: 2, roots: 1, ..Operations::default() };

@@ -2,6 +2,7 @@
 //! programs. In real numbers a rounding error is zero and a fused operation is its two parts.
 
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::ir::graph::{Id, Node, Sought, Wanted};
 use crate::ir::liveness::{trial_nodes, tried};
 use crate::ir::program::Program;
@@ -14,19 +15,25 @@ pub(crate) trait Number: Clone {
     fn sub(&self, other: &Self) -> Self;
     fn mul(&self, other: &Self) -> Self;
     fn div(&self, other: &Self) -> Self;
-    fn sqrt(&self) -> Self;
-    fn sin(&self) -> Self;
-    fn cos(&self) -> Self;
-    fn tan(&self) -> Self;
-    fn asin(&self) -> Self;
-    fn acos(&self) -> Self;
-    fn atan(&self) -> Self;
-    /// The angle of the vector (x, self).
-    fn atan2(&self, x: &Self) -> Self;
-    fn hypot(&self, other: &Self) -> Self;
+    /// The function of one number or two.
+    fn of(function: Function, operands: &[&Self]) -> Self;
     fn is_at_least(&self, other: &Self) -> bool;
-    /// The number without what is not known of it.
+    /// The midpoint of what the number is known to lie in.
     fn point(&self) -> Self;
+
+    fn sin(&self) -> Self {
+        Self::of(Function::Sin, &[self])
+    }
+    fn cos(&self) -> Self {
+        Self::of(Function::Cos, &[self])
+    }
+    /// The angle of the vector (x, self).
+    fn atan2(&self, x: &Self) -> Self {
+        Self::of(Function::Atan2, &[self, x])
+    }
+    fn hypot(&self, other: &Self) -> Self {
+        Self::of(Function::Hypot, &[self, other])
+    }
 }
 
 /// What the program is given.
@@ -119,15 +126,8 @@ fn value<N: Number>(
         Node::Sub(a, b) => v(a).sub(v(b)),
         Node::Mul(a, b) => v(a).mul(v(b)),
         Node::Div(a, b) => v(a).div(v(b)),
-        Node::Sqrt(a) => v(a).sqrt(),
-        Node::Sin(a) => v(a).sin(),
-        Node::Cos(a) => v(a).cos(),
-        Node::Tan(a) => v(a).tan(),
-        Node::Asin(a) => v(a).asin(),
-        Node::Acos(a) => v(a).acos(),
-        Node::Atan(a) => v(a).atan(),
-        Node::Atan2(a, b) => v(a).atan2(v(b)),
-        Node::Hypot(a, b) => v(a).hypot(v(b)),
+        Node::Apply(function, a) => N::of(function, &[v(a)]),
+        Node::Apply2(function, a, b) => N::of(function, &[v(a), v(b)]),
         Node::Det([a, b, c, d]) => v(a).mul(v(b)).sub(&v(c).mul(v(d))),
         Node::Select([a, b, x, y]) => if v(a).is_at_least(v(b)) { v(x) } else { v(y) }.clone(),
         Node::MulErr(..) | Node::AddErr(..) | Node::Low(_) => N::exact(&Exact::integer(0)),

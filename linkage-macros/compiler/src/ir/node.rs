@@ -1,5 +1,7 @@
 //! The nodes of the expression graph, and what each is made from.
 
+use crate::function::Function;
+
 /// A node of a graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct Id(pub u32);
@@ -45,17 +47,10 @@ pub(crate) enum Node {
     Sub(Id, Id),
     Mul(Id, Id),
     Div(Id, Id),
-    Sqrt(Id),
-    /// Sine and cosine of the same angle are one call in the generated code.
-    Sin(Id),
-    Cos(Id),
-    Tan(Id),
-    Asin(Id),
-    Acos(Id),
-    Atan(Id),
-    /// `Atan2(y, x)`
-    Atan2(Id, Id),
-    Hypot(Id, Id),
+    /// A function of one number. Sine and cosine of the same angle are one call in the generated code.
+    Apply(Function, Id),
+    /// A function of two numbers.
+    Apply2(Function, Id, Id),
     /// a·b − c·d, rounded as if it were one operation; opaque to simplification except where it
     /// collapses to a single product.
     Det([Id; 4]),
@@ -141,20 +136,13 @@ impl Node {
             }),
             Self::Size(root) => Self::Size(f(root)),
             Self::Neg(a) => Self::Neg(f(a)),
-            Self::Sqrt(a) => Self::Sqrt(f(a)),
-            Self::Sin(a) => Self::Sin(f(a)),
-            Self::Cos(a) => Self::Cos(f(a)),
-            Self::Tan(a) => Self::Tan(f(a)),
-            Self::Asin(a) => Self::Asin(f(a)),
-            Self::Acos(a) => Self::Acos(f(a)),
-            Self::Atan(a) => Self::Atan(f(a)),
+            Self::Apply(function, a) => Self::Apply(function, f(a)),
             Self::Guard(a, guard) => Self::Guard(f(a), guard),
             Self::Add(a, b) => Self::Add(f(a), f(b)),
             Self::Sub(a, b) => Self::Sub(f(a), f(b)),
             Self::Mul(a, b) => Self::Mul(f(a), f(b)),
             Self::Div(a, b) => Self::Div(f(a), f(b)),
-            Self::Atan2(a, b) => Self::Atan2(f(a), f(b)),
-            Self::Hypot(a, b) => Self::Hypot(f(a), f(b)),
+            Self::Apply2(function, a, b) => Self::Apply2(function, f(a), f(b)),
             Self::MulErr(a, b) => Self::MulErr(f(a), f(b)),
             Self::AddErr(a, b) => Self::AddErr(f(a), f(b)),
             Self::Fused(a, b, c) => Self::Fused(f(a), f(b), f(c)),

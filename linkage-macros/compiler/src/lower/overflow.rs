@@ -13,6 +13,7 @@ use super::ranges::{Assumed, Thresholds, Values};
 use super::routine::{Limits, Threshold};
 use super::witnesses::witnesses;
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::ir::graph::{Check, Graph, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes};
@@ -143,7 +144,7 @@ fn asked(graph: &Graph, sinks: &[Id]) -> Vec<Node> {
     let mut only_turned = vec![true; graph.len()];
     sinks.iter().for_each(|sink| only_turned[sink.index()] = false);
     for (_, node) in live_nodes(graph, &live) {
-        if !matches!(node, Node::Sin(_) | Node::Cos(_)) {
+        if !matches!(node, Node::Apply(Function::Sin | Function::Cos, _)) {
             node.for_operands(&mut |operand| only_turned[operand.index()] = false);
         }
     }

@@ -10,6 +10,7 @@
 mod tests;
 
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{live_nodes, unguarded};
@@ -122,10 +123,6 @@ impl Bounds<'_> {
             Node::Input { order: 0 | 1, .. } => Range::about(limits.input),
             Node::Input { .. } => Range::about(limits.input * limits.input),
             Node::InputCos(_) | Node::InputSin(_) => Range::about(1.0).rounded(),
-            Node::Sin(angle) | Node::Cos(angle) => {
-                self.of(angle)?;
-                Range::about(1.0).rounded()
-            }
             // A parameter can be anything, and so can a load.
             Node::Param(_) | Node::Load(_) | Node::Drive(_) => return None,
             // What a search makes of the inputs is not followed.
@@ -141,8 +138,8 @@ impl Bounds<'_> {
             }
             Node::Select([_, _, x, y]) => self.of(x)?.or(self.of(y)?),
             Node::Div(a, b) => self.quotient(a, b)?.rounded(),
-            Node::Sqrt(a) => self.of(a)?.root()?.rounded(),
-            Node::Hypot(a, b) => {
+            Node::Apply(Function::Sqrt, a) => self.of(a)?.root()?.rounded(),
+            Node::Apply2(Function::Hypot, a, b) => {
                 // The fast path asks for squares of full precision, or for a share of the largest.
                 let high = self.of(a)?.largest() + self.of(b)?.largest();
                 let least = limits.square.sqrt().max(limits.share * high).min(high);
@@ -151,16 +148,11 @@ impl Bounds<'_> {
             }
             Node::MulErr(a, b) => Range::about(self.exact_product(a, b)?.largest() * SLACK),
             Node::AddErr(a, b) => Range::about(self.of(a)?.plus(self.of(b)?).largest() * SLACK),
-            Node::Asin(a) | Node::Acos(a) | Node::Atan(a) => {
-                self.of(a)?;
-                Range::about(3.2)
+            Node::Apply(function, _) | Node::Apply2(function, ..) => {
+                let mut is_bounded = true;
+                node.for_operands(&mut |operand| is_bounded &= self.of(operand).is_some());
+                Range::about(function.largest().filter(|_| is_bounded)?).rounded()
             }
-            Node::Atan2(a, b) => {
-                self.of(a)?;
-                self.of(b)?;
-                Range::about(3.2)
-            }
-            Node::Tan(_) => return None,
             Node::Guard(value, guard) => self.guarded(value, self.graph.condition(guard))?,
         })
     }
@@ -185,7 +177,9 @@ impl Bounds<'_> {
     fn quotient(&self, a: Id, b: Id) -> Option<Range> {
         let (x, y) = (self.of(a)?, self.of(b)?);
         match self.graph.node(unguarded(self.graph, a)) {
-            Node::Sqrt(under) if unguarded(self.graph, under) == unguarded(self.graph, b) => {
+            Node::Apply(Function::Sqrt, under)
+                if unguarded(self.graph, under) == unguarded(self.graph, b) =>
+            {
                 y.root()?.reciprocal()
             }
             _ => Some(x.times(y.reciprocal()?)),

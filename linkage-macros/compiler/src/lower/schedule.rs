@@ -4,6 +4,7 @@
 use super::checks;
 use super::overflow::Overflow;
 use super::routine::{Locals, Search, Statement, Threshold, is_leaf};
+use crate::function::Function;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes, tried};
@@ -72,12 +73,12 @@ impl<'a> Schedule<'a> {
                 continue;
             }
             // What the slow path alone looks at asks nothing of the fast one.
-            let is_measured = matches!(node, Node::Hypot(..))
+            let is_measured = matches!(node, Node::Apply2(Function::Hypot, ..))
                 && self.path != Path::Unchecked
                 && self.fast[id.index()];
             self.has_checks |= is_measured || self.is_checked(node);
             let statement = match node {
-                Node::Hypot(..) if is_measured => {
+                Node::Apply2(Function::Hypot, ..) if is_measured => {
                     let known = self.overflow.map(|overflow| overflow.least_square(id));
                     let least_square = known.unwrap_or(Threshold::SmallestSquare);
                     Some(Statement::Hypot { id, least_square })
@@ -88,10 +89,12 @@ impl<'a> Schedule<'a> {
                 }
                 Node::Constant(_) | Node::Low(_) => None,
                 Node::Neg(_) if !self.locals.components.contains(&id) => None,
-                Node::Sin(angle) | Node::Cos(angle) => take(&mut pairs, angle).map(|pair| {
-                    let Pair { sin, cos } = pair;
-                    Statement::SinCos { angle, sin, cos, is_checked: self.is_checked(node) }
-                }),
+                Node::Apply(Function::Sin | Function::Cos, angle) => {
+                    take(&mut pairs, angle).map(|pair| {
+                        let Pair { sin, cos } = pair;
+                        Statement::SinCos { angle, sin, cos, is_checked: self.is_checked(node) }
+                    })
+                }
                 // It comes with its root.
                 Node::Size(_) => None,
                 Node::Root(_) => Some(self.find(id)),
@@ -124,7 +127,7 @@ impl<'a> Schedule<'a> {
         self.path != Path::Unchecked
             && match node {
                 Node::Guard(..) | Node::Root(_) => true,
-                Node::Sin(angle) | Node::Cos(angle) => !is_constant(angle),
+                Node::Apply(Function::Sin | Function::Cos, angle) => !is_constant(angle),
                 _ => false,
             }
     }
@@ -171,8 +174,12 @@ pub(super) fn pairs(nodes: impl Iterator<Item = (Id, Node)>) -> Map<Id, Pair> {
     let mut pairs: Map<Id, Pair> = Map::default();
     for (id, node) in nodes {
         match node {
-            Node::Sin(angle) => pairs.or_insert(angle, Pair::default()).sin = Some(id),
-            Node::Cos(angle) => pairs.or_insert(angle, Pair::default()).cos = Some(id),
+            Node::Apply(Function::Sin, angle) => {
+                pairs.or_insert(angle, Pair::default()).sin = Some(id)
+            }
+            Node::Apply(Function::Cos, angle) => {
+                pairs.or_insert(angle, Pair::default()).cos = Some(id)
+            }
             _ => {}
         }
     }
@@ -195,7 +202,10 @@ mod tests {
     fn a_hypotenuse_that_the_slow_path_alone_looks_at_is_not_asked() {
         let mut graph = Graph::new();
         let [a, b, c] = [0, 1, 2].map(|input| graph.push(Node::Input { input, order: 0 }));
-        let (diagnosed, result) = (graph.push(Node::Hypot(a, b)), graph.push(Node::Hypot(b, c)));
+        let (diagnosed, result) = (
+            graph.push(Node::Apply2(Function::Hypot, a, b)),
+            graph.push(Node::Apply2(Function::Hypot, b, c)),
+        );
         // Of an offset, the fast path looks at the value alone.
         let check = Check::ReachOffset;
         let operands = vec![diagnosed, a, b];

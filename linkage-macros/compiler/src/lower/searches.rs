@@ -4,6 +4,7 @@
 use super::routine::{Locals, Routine, Search, Stage, Statement};
 use super::schedule::{pairs, take};
 use super::{apart, locals, one_root};
+use crate::function::Function;
 use crate::interface::records::Shape;
 use crate::ir::cost::Costs;
 use crate::ir::graph::{Graph, Id, Node, Sought, Trend, Wanted};
@@ -78,9 +79,14 @@ fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
     for (id, node) in of_trial() {
         statements.extend(match node {
             Node::Trial(_) | Node::Neg(_) => None,
-            Node::Sin(angle) | Node::Cos(angle) => take(&mut pairs, angle).map(|pair| {
-                Statement::SinCos { angle, sin: pair.sin, cos: pair.cos, is_checked: false }
-            }),
+            Node::Apply(Function::Sin | Function::Cos, angle) => {
+                take(&mut pairs, angle).map(|pair| Statement::SinCos {
+                    angle,
+                    sin: pair.sin,
+                    cos: pair.cos,
+                    is_checked: false,
+                })
+            }
             _ => Some(Statement::Let(id)),
         });
     }

@@ -5,6 +5,7 @@
 //! them brings a finite value back. So a sink that enters another tested sink on such a path needs
 //! no test of its own. A denominator (1/∞ = 0), an angle and a rounding error do not carry on.
 
+use crate::function::Function;
 use crate::ir::graph::{Graph, Id, Node};
 
 /// The sinks that need a test of their own, each node once, in the order of the graph.
@@ -40,7 +41,7 @@ fn for_carried(node: Node, f: &mut impl FnMut(Id)) {
         | Node::Add(..)
         | Node::Sub(..)
         | Node::Mul(..)
-        | Node::Sqrt(_)
+        | Node::Apply(Function::Sqrt, _)
         | Node::Det(_)
         | Node::Fused(..)
         | Node::Guard(..) => node.for_operands(f),
@@ -80,8 +81,8 @@ mod tests {
     fn a_denominator_an_angle_and_a_rounding_error_are_not_dominated() {
         for build in [
             |a, b| Node::Div(b, a),
-            |a, _| Node::Sin(a),
-            |a, b| Node::Atan2(a, b),
+            |a, _| Node::Apply(Function::Sin, a),
+            |a, b| Node::Apply2(Function::Atan2, a, b),
             |a, b| Node::MulErr(a, b),
             |a, b| Node::AddErr(a, b),
         ] {
@@ -95,7 +96,7 @@ mod tests {
     fn a_path_must_carry_on_at_every_step() {
         let (mut graph, a, b) = graph_of_two();
         let product = graph.push(Node::Mul(a, b));
-        let root = graph.push(Node::Sqrt(product));
+        let root = graph.push(Node::Apply(Function::Sqrt, product));
         let quotient = graph.push(Node::Div(b, root));
         let sum = graph.push(Node::Add(quotient, b));
         // b enters the sum; a enters it only below the fraction bar.

@@ -1,6 +1,7 @@
 //! Numbers of a resolved declaration: names are ids, lengths in metres, angles in radians.
 
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::model::ids::{
     GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
 };
@@ -49,19 +50,6 @@ pub(crate) enum Operator {
     Sub,
     Mul,
     Div,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Function {
-    Sqrt,
-    Hypot,
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    Atan2,
 }
 
 /// An angle (or any other number, then without link angles): Σ kᵢ·linkᵢ.angle + rest.

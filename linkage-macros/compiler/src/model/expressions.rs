@@ -4,12 +4,13 @@ use proc_macro2::Ident;
 
 use crate::diagnostics::{Extent, nearest};
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
 use super::Resolver;
 use super::dimension::Measure;
 use super::folding::shown;
-use super::mechanism::{AngleSum, Dimension, Expr, Function, LinkId, Operator, ParamKind};
+use super::mechanism::{AngleSum, Dimension, Expr, LinkId, Operator, ParamKind};
 use super::names::{Entity, Kind, NUMBERS};
 use super::numbers::bare_name;
 
@@ -32,18 +33,6 @@ const OFFSET: &str = "offset";
 
 /// The function that forces alone may depend on.
 pub(super) const RATE: &str = "rate";
-
-const FUNCTIONS: [(&str, Function, usize); 9] = [
-    ("sqrt", Function::Sqrt, 1),
-    ("hypot", Function::Hypot, 2),
-    ("sin", Function::Sin, 1),
-    ("cos", Function::Cos, 1),
-    ("tan", Function::Tan, 1),
-    ("asin", Function::Asin, 1),
-    ("acos", Function::Acos, 1),
-    ("atan", Function::Atan, 1),
-    ("atan2", Function::Atan2, 2),
-];
 
 impl Quantity {
     pub(super) fn plain(measure: Measure, rest: Expr) -> Self {
@@ -287,8 +276,7 @@ impl Resolver<'_> {
     }
 
     fn call(&mut self, name: &Ident, arguments: &[tree::Expr]) -> Option<Quantity> {
-        let found = FUNCTIONS.iter().find(|(known, ..)| name == known);
-        let Some(&(_, function, count)) = found else {
+        let Some(function) = Function::named(&name.to_string()) else {
             if self.member_as_a_function(name, arguments) {
                 return None;
             }
@@ -300,8 +288,8 @@ impl Resolver<'_> {
             return None;
         };
         let values: Vec<_> = arguments.iter().map(|argument| self.quantity(argument)).collect();
-        if arguments.len() != count {
-            let takes = if count == 1 { "one argument" } else { "two arguments" };
+        if arguments.len() != function.arity() {
+            let takes = if function.arity() == 1 { "one argument" } else { "two arguments" };
             let message = format!("`{name}` takes {takes}, and {} given", counted(arguments.len()));
             self.diagnostics.error(name.span(), message);
             return None;
@@ -345,25 +333,22 @@ impl Resolver<'_> {
     fn function_exists(&mut self, name: &Ident) {
         let text = name.to_string();
         let mut message = format!("no function named `{text}`");
-        let known = FUNCTIONS.iter().map(|(known, ..)| *known).chain([DISTANCE, OFFSET, RATE]);
+        let known = Function::names().chain([DISTANCE, OFFSET, RATE]);
         if let Some(near) = nearest(&text, known) {
             message += &format!("; a function with a similar name exists: `{near}`");
         }
-        let reason = "the functions are `sqrt hypot sin cos tan asin acos atan atan2 distance \
-                      offset`, and `rate` in the values of forces and torques";
+        let names: Vec<_> = Function::names().chain([DISTANCE, OFFSET]).collect();
+        let reason = format!(
+            "the functions are `{}`, and `{RATE}` in the values of forces and torques",
+            names.join(" ")
+        );
         self.diagnostics.error_because(name.span(), message, reason);
     }
 
     /// Reports a function of constants where it has no value.
     fn function_is_defined(&mut self, function: Function, argument: &tree::Expr, call: &str) {
-        let reason = match function {
-            Function::Sqrt => "a square root needs a number that is not negative",
-            Function::Asin | Function::Acos => "a sine or a cosine lies between -1 and 1",
-            Function::Tan => "the tangent is infinite where the cosine is zero",
-            _ => "the zero vector has no direction",
-        };
         let message = format!("`{call}` has no value");
-        self.diagnostics.error_because(argument.span, message, reason);
+        self.diagnostics.error_because(argument.span, message, function.domain());
     }
 }
 

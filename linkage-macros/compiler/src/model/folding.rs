@@ -4,8 +4,9 @@
 //! the passes' business.
 
 use crate::exact::Exact;
+use crate::function::Function;
 
-use super::mechanism::{Expr, Function, Operator};
+use super::mechanism::{Expr, Operator};
 
 impl Expr {
     pub(crate) const fn is_constant(&self) -> bool {
@@ -66,30 +67,10 @@ impl Expr {
     /// The function of the arguments; `None` where constants have no value.
     pub(super) fn call(function: Function, arguments: Vec<Self>) -> Option<Self> {
         let constants: Option<Vec<_>> = arguments.iter().map(Self::constant).collect();
-        match constants.as_deref() {
-            Some([x]) => Some(Self::Constant(function.of_one(x)?)),
-            Some([y, x]) => Some(Self::Constant(match function {
-                Function::Atan2 => y.atan2(x)?,
-                _ => y.hypot(x),
-            })),
-            _ => Some(Self::Call(function, arguments)),
-        }
-    }
-}
-
-impl Function {
-    fn of_one(self, x: &Exact) -> Option<Exact> {
-        match self {
-            Self::Sqrt => x.sqrt(),
-            Self::Sin => Some(x.sin()),
-            Self::Cos => Some(x.cos()),
-            Self::Tan => x.tan(),
-            Self::Asin => x.asin(),
-            Self::Acos => x.acos(),
-            Self::Atan => Some(x.atan()),
-            // Both take two arguments, which was checked.
-            Self::Hypot | Self::Atan2 => None,
-        }
+        Some(match constants {
+            Some(constants) => Self::Constant(Exact::of(function, &constants)?),
+            None => Self::Call(function, arguments),
+        })
     }
 }
 

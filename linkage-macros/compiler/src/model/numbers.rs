@@ -3,13 +3,14 @@
 use proc_macro2::Ident;
 
 use crate::diagnostics::Extent;
+use crate::function::{Function, Measures};
 use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
 use super::Resolver;
 use super::dimension::Measure;
 use super::expressions::{ANGLE_REASON, Quantity};
 use super::folding::shown;
-use super::mechanism::{AngleSum, Dimension, Expr, Function, ParamKind};
+use super::mechanism::{AngleSum, Dimension, Expr, ParamKind};
 use super::names::{Entity, Kind};
 
 impl Resolver<'_> {
@@ -192,8 +193,8 @@ impl Resolver<'_> {
         arguments: &[tree::Expr],
         values: &[Quantity],
     ) -> Option<Measure> {
-        match function {
-            Function::Sqrt => {
+        match function.measures() {
+            Measures::Root => {
                 let root = values[0].measure.root();
                 if root.is_none() {
                     let message = format!(
@@ -205,20 +206,20 @@ impl Resolver<'_> {
                 }
                 root
             }
-            Function::Sin | Function::Cos | Function::Tan => {
+            Measures::OfAngle => {
                 self.dimension_fits(&arguments[0], &values[0], Dimension::ANGLE)?;
                 Some(Measure::NUMBER)
             }
-            Function::Asin | Function::Acos | Function::Atan => {
+            Measures::OfNumber => {
                 self.dimension_fits(&arguments[0], &values[0], Dimension::NUMBER)?;
                 Some(Measure::ANGLE)
             }
-            Function::Hypot | Function::Atan2 => {
+            measures @ (Measures::Common | Measures::Direction) => {
                 let sum = values[0].measure.sum(values[1].measure);
                 if sum.is_none() {
                     self.dimension_fits(&arguments[1], &values[1], values[0].measure.dimension())?;
                 }
-                sum.map(|sum| if function == Function::Hypot { sum } else { Measure::ANGLE })
+                sum.map(|sum| if measures == Measures::Common { sum } else { Measure::ANGLE })
             }
         }
     }

@@ -28,6 +28,7 @@ use std::cmp::Ordering;
 
 use super::RULES;
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::ir::construct::{Maker, Moved, rebuild_with};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
@@ -103,8 +104,8 @@ fn forms(graph: &Graph) -> Vec<Option<Form>> {
         let of = |id: Id| forms[id.index()].as_ref();
         let form = match node {
             Node::Constant(constant) => Some(Form::constant(graph.value(constant).clone())),
-            Node::Cos(angle) => Some(Form::of(Turn::By(angle), 1)),
-            Node::Sin(angle) => Some(Form::of(Turn::By(angle), 2)),
+            Node::Apply(Function::Cos, angle) => Some(Form::of(Turn::By(angle), 1)),
+            Node::Apply(Function::Sin, angle) => Some(Form::of(Turn::By(angle), 2)),
             Node::InputCos(input) => Some(Form::of(Turn::Given(input), 1)),
             Node::InputSin(input) => Some(Form::of(Turn::Given(input), 2)),
             Node::Neg(a) => of(a).map(|a| a.scaled(&Exact::integer(-1))),
@@ -183,7 +184,10 @@ impl Form {
 
     fn make(&self, maker: &mut Maker<'_>, moved: &Moved) -> Option<Id> {
         let [cos, sin] = match self.turn? {
-            Turn::By(angle) => [Node::Cos(moved.of(angle)), Node::Sin(moved.of(angle))],
+            Turn::By(angle) => [
+                Node::Apply(Function::Cos, moved.of(angle)),
+                Node::Apply(Function::Sin, moved.of(angle)),
+            ],
             Turn::Given(input) => [Node::InputCos(input), Node::InputSin(input)],
         };
         let mut sum = maker.constant(self.terms[0].clone());

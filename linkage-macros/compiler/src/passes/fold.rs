@@ -46,15 +46,8 @@ fn evaluate(graph: &Graph, node: Node) -> Option<Exact> {
         Node::Sub(a, b) => Some(value(a)?.sub(value(b)?)),
         Node::Mul(a, b) => Some(value(a)?.mul(value(b)?)),
         Node::Div(a, b) => value(a)?.div(value(b)?),
-        Node::Sqrt(a) => value(a)?.sqrt(),
-        Node::Sin(a) => Some(value(a)?.sin()),
-        Node::Cos(a) => Some(value(a)?.cos()),
-        Node::Tan(a) => value(a)?.tan(),
-        Node::Asin(a) => value(a)?.asin(),
-        Node::Acos(a) => value(a)?.acos(),
-        Node::Atan(a) => Some(value(a)?.atan()),
-        Node::Atan2(a, b) => value(a)?.atan2(value(b)?),
-        Node::Hypot(a, b) => Some(value(a)?.hypot(value(b)?)),
+        Node::Apply(function, a) => Exact::of(function, &[value(a)?]),
+        Node::Apply2(function, a, b) => Exact::of(function, &[value(a)?, value(b)?]),
         Node::Det([a, b, c, d]) => Some(value(a)?.mul(value(b)?).sub(&value(c)?.mul(value(d)?))),
         // The product or sum of two constants is itself a constant without error.
         Node::MulErr(a, b) | Node::AddErr(a, b) => {

@@ -4,6 +4,7 @@
 use std::cmp::Ordering;
 
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::ir::construct::Maker;
 use crate::ir::graph::{Form, Id, Node};
 
@@ -18,7 +19,7 @@ pub(crate) fn simplify(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
         Node::Det(operands) => determinant(maker, operands),
         Node::MulErr(a, b) => product_error(maker, a, b),
         Node::AddErr(a, b) => sum_error(maker, a, b),
-        Node::Hypot(a, b) if is_zero(maker, b) => absolute(maker, a),
+        Node::Apply2(Function::Hypot, a, b) if is_zero(maker, b) => absolute(maker, a),
         Node::Fused(a, b, c) if is_zero(maker, a) || is_zero(maker, b) => Some(c),
         Node::Fused(a, b, c) if is_zero(maker, c) => Some(maker.make(Node::Mul(a, b))),
         _ => None,
@@ -232,10 +233,10 @@ fn sum_error(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
 /// |x| of a root or of an absolute value is the value itself.
 fn absolute(maker: &mut Maker<'_>, a: Id) -> Option<Id> {
     match maker.graph.node(a) {
-        Node::Sqrt(_) | Node::Hypot(..) => Some(a),
+        Node::Apply(Function::Sqrt, _) | Node::Apply2(Function::Hypot, ..) => Some(a),
         Node::Neg(inner) => {
             let zero = zero(maker);
-            Some(maker.make(Node::Hypot(inner, zero)))
+            Some(maker.make(Node::Apply2(Function::Hypot, inner, zero)))
         }
         _ => None,
     }

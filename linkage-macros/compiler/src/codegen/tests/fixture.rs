@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Span};
 use syn::{Attribute, Visibility};
 
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::program::{Answer, Program};
@@ -104,7 +105,10 @@ fn four_bar_program() -> Program {
     let rate = graph.push(Node::Input { input: 0, order: 1 });
     let second = graph.push(Node::Input { input: 0, order: 2 });
     let unit = graph.constant(exact("1"));
-    let turned = [graph.push(Node::Cos(angle)), graph.push(Node::Sin(angle))];
+    let turned = [
+        graph.push(Node::Apply(Function::Cos, angle)),
+        graph.push(Node::Apply(Function::Sin, angle)),
+    ];
     let given = [graph.push(Node::InputCos(0)), graph.push(Node::InputSin(0))];
     let orders = |graph: &mut Graph, direction| {
         let pose = Pose::new(graph, direction);
@@ -173,7 +177,7 @@ impl Pose {
         let spread = g.constant(exact("2"));
         let operands = vec![d[0], d[1], lengths[0], lengths[1], spread];
         let height = g.guard(height, check(Check::ReachCircles, operands));
-        let height = g.push(Node::Sqrt(height));
+        let height = g.push(Node::Apply(Function::Sqrt, height));
         let across = g.push(Node::Mul(mode, height));
         let (one, half) = (g.constant(exact("1")), g.constant(exact("0.5")));
         let skew = g.push(Node::Div(skew, reach));
@@ -271,7 +275,7 @@ pub(super) fn table() -> (Mechanism, Program) {
     let [zero, one] = ["0", "1"].map(|digits| g.constant(exact(digits)));
     let slide = g.push(Node::Mul(way, s));
     let area = g.push(Node::Mul(s, x));
-    let (cos, sin) = (g.push(Node::Cos(s)), g.push(Node::Sin(s)));
+    let (cos, sin) = (g.push(Node::Apply(Function::Cos, s)), g.push(Node::Apply(Function::Sin, s)));
     let slide1 = g.push(Node::Mul(way, s1));
     let parts = [g.push(Node::Mul(s1, x)), g.push(Node::Mul(s, x1))];
     let area1 = g.push(Node::Add(parts[0], parts[1]));

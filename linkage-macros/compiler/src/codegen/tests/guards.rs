@@ -2,16 +2,17 @@
 
 use super::fixture::{exact, one_value};
 use super::{angle, expand, function, squeezed};
+use crate::function::Function;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 
 #[test]
 fn a_checks_is_given_what_it_looks_at_and_its_value_goes_on() {
     let text = expand(&one_value(|g| {
         let (angle, l1) = (angle(g), g.constant(exact("0.25")));
-        let looked_at = g.push(Node::Hypot(angle, angle));
+        let looked_at = g.push(Node::Apply2(Function::Hypot, angle, angle));
         let operands = vec![looked_at, looked_at, l1, l1, l1];
         let guarded = g.guard(angle, Guard { check: Check::ReachCircles, group: 0, operands });
-        g.push(Node::Sqrt(guarded))
+        g.push(Node::Apply(Function::Sqrt, guarded))
     }));
     let formulas = squeezed(function(&text, "formulas_position_"));
     assert!(formulas.contains("let v2_ = T::hypot(theta, theta);"), "{formulas}");
@@ -42,7 +43,11 @@ fn guard(check: &Check, bounded: bool) -> Vec<String> {
     let text = expand(&one_value(|g| {
         let angle = angle(g);
         // Nothing is known of how large a tangent is.
-        let angle = g.push(if bounded { Node::Sin(angle) } else { Node::Tan(angle) });
+        let angle = g.push(if bounded {
+            Node::Apply(Function::Sin, angle)
+        } else {
+            Node::Apply(Function::Tan, angle)
+        });
         let value = g.push(Node::Mul(angle, angle));
         let operands = vec![angle; 4];
         let two = g.constant(exact("2"));
@@ -103,7 +108,7 @@ fn what_is_above_zero_is_not_asked_whether_it_is_zero() {
 fn mask(divisor: impl FnOnce(&mut Graph, Id) -> Id) -> String {
     let text = expand(&one_value(|g| {
         let angle = angle(g);
-        let sine = g.push(Node::Sin(angle));
+        let sine = g.push(Node::Apply(Function::Sin, angle));
         let divisor = divisor(g, sine);
         let group = Guard { check: Check::Nonzero, group: 0, operands: Vec::new() };
         let divisor = g.guard(divisor, group);
@@ -120,7 +125,7 @@ fn bounds_are_asked_in_place_of_results() {
     });
     let unless = "private::is_finite_unless(T::plain(true, true), result_.y)";
     assert!(known.contains(unless), "{known}");
-    let unknown = mask(|g, sine| g.push(Node::Tan(sine)));
+    let unknown = mask(|g, sine| g.push(Node::Apply(Function::Tan, sine)));
     assert!(unknown.contains("all_met_.all() & T::is_finite(result_.y)"), "{unknown}");
 }
 
@@ -128,13 +133,13 @@ fn bounds_are_asked_in_place_of_results() {
 fn bounds_of_one_width_leave_the_other_its_own_questions() {
     let text = expand(&one_value(|g| {
         let angle = angle(g);
-        let sine = g.push(Node::Sin(angle));
+        let sine = g.push(Node::Apply(Function::Sin, angle));
         // Its square leaves the range of f32.
         let large = g.constant(exact("1e20"));
         let value = g.push(Node::Mul(large, sine));
         let square = g.push(Node::Mul(value, value));
         let square = g.guard(square, Guard { check: Check::Square, group: 0, operands: vec![] });
-        g.push(Node::Sqrt(square))
+        g.push(Node::Apply(Function::Sqrt, square))
     }));
     let formulas = squeezed(function(&text, "formulas_position_"));
     assert!(formulas.contains("T::lit(4.6e-277, 8.4e-25)"), "{formulas}");

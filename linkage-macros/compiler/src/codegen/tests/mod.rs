@@ -12,6 +12,7 @@ mod turning;
 
 use proc_macro2::{Group, TokenStream, TokenTree};
 
+use crate::function::Function;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::program::Program;
 use crate::lower::lower;
@@ -159,7 +160,8 @@ fn docs_pass_the_users_words_on_and_say_what_a_thing_is() {
 fn sine_and_cosine_are_one_call() {
     let text = expand(&one_value(|g| {
         let angle = angle(g);
-        let (sin, cos) = (g.push(Node::Sin(angle)), g.push(Node::Cos(angle)));
+        let (sin, cos) =
+            (g.push(Node::Apply(Function::Sin, angle)), g.push(Node::Apply(Function::Cos, angle)));
         g.push(Node::Mul(sin, cos))
     }));
     let formulas = squeezed(function(&text, "formulas_position_"));
@@ -172,7 +174,7 @@ fn sine_and_cosine_are_one_call() {
 fn an_unneeded_sine_is_dropped_and_a_constant_angle_is_not_guarded() {
     let text = expand(&one_value(|g| {
         let angle = g.constant(exact("1e9"));
-        g.push(Node::Cos(angle))
+        g.push(Node::Apply(Function::Cos, angle))
     }));
     let formulas = function(&text, "formulas_position_");
     let call = "let (_, v1_) = T::sin_cos(T::num(1000000000.0));";
@@ -309,7 +311,7 @@ fn the_crate_may_have_another_name() {
 fn an_operation_inside_of_another_has_parentheses_beside_a_sign_alone() {
     let text = expand(&one_value(|g| {
         let angle = angle(g);
-        let sine = g.push(Node::Sin(angle));
+        let sine = g.push(Node::Apply(Function::Sin, angle));
         let negated = g.push(Node::Neg(angle));
         let sum = g.push(Node::Add(sine, negated));
         let difference = g.push(Node::Sub(sine, angle));

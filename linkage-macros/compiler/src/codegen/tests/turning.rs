@@ -3,6 +3,7 @@
 use super::{generate, line_by_line};
 use crate::equations;
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::ir::interpret::{Given, Number, interpret};
 use crate::oracle::mechanism;
 use crate::passes;
@@ -31,32 +32,19 @@ impl Number for f64 {
     fn div(&self, other: &Self) -> Self {
         self / other
     }
-    fn sqrt(&self) -> Self {
-        Self::sqrt(*self)
-    }
-    fn sin(&self) -> Self {
-        Self::sin(*self)
-    }
-    fn cos(&self) -> Self {
-        Self::cos(*self)
-    }
-    fn tan(&self) -> Self {
-        Self::tan(*self)
-    }
-    fn asin(&self) -> Self {
-        Self::asin(*self)
-    }
-    fn acos(&self) -> Self {
-        Self::acos(*self)
-    }
-    fn atan(&self) -> Self {
-        Self::atan(*self)
-    }
-    fn atan2(&self, x: &Self) -> Self {
-        Self::atan2(*self, *x)
-    }
-    fn hypot(&self, other: &Self) -> Self {
-        Self::hypot(*self, *other)
+    fn of(function: Function, operands: &[&Self]) -> Self {
+        match (function, operands) {
+            (Function::Sqrt, [x]) => Self::sqrt(**x),
+            (Function::Sin, [x]) => Self::sin(**x),
+            (Function::Cos, [x]) => Self::cos(**x),
+            (Function::Hypot, [x, y]) => Self::hypot(**x, **y),
+            (Function::Atan2, [y, x]) => Self::atan2(**y, **x),
+            (Function::Tan, [x]) => Self::tan(**x),
+            (Function::Asin, [x]) => Self::asin(**x),
+            (Function::Acos, [x]) => Self::acos(**x),
+            (Function::Atan, [x]) => Self::atan(**x),
+            other => unreachable!("{other:?}"),
+        }
     }
     fn is_at_least(&self, other: &Self) -> bool {
         self >= other

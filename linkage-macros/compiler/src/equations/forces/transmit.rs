@@ -7,9 +7,11 @@
 //! gears and racks transmit. The derivatives are taken backwards through the expression.
 
 use crate::equations::forces::walk::Walk;
+use crate::equations::functions::slopes;
 use crate::equations::symbol::{Sym, Vector};
+use crate::function::Function;
 use crate::model::mechanism::{
-    AngleSum, Axis, Carrier, Expr, Function, GuideId, Operator, Placement, PointId,
+    AngleSum, Axis, Carrier, Expr, GuideId, Operator, Placement, PointId,
 };
 
 impl<'s> Walk<'_, 's> {
@@ -99,30 +101,7 @@ impl<'s> Walk<'_, 's> {
 
     fn transmit_call(&mut self, function: Function, arguments: &[Expr], effort: Sym<'s>) {
         let values: Vec<_> = arguments.iter().map(|a| self.kinematics.jet(a).value).collect();
-        let one = self.sheet().integer(1);
-        let a = values[0];
-        let leg = || ((one - a) * (one + a)).sqrt();
-        let slopes = match (function, values.get(1)) {
-            (Function::Sqrt, _) => vec![a.sqrt().twice().recip()],
-            (Function::Sin, _) => vec![a.cos()],
-            (Function::Cos, _) => vec![-a.sin()],
-            (Function::Tan, _) => vec![one + a.tan().squared()],
-            (Function::Asin, _) => vec![leg().recip()],
-            (Function::Acos, _) => vec![-leg().recip()],
-            (Function::Atan, _) => vec![(one + a.squared()).recip()],
-            (Function::Atan2, Some(&x)) => {
-                let square = x.squared() + a.squared();
-                vec![x / square, -(a / square)]
-            }
-            (Function::Hypot, Some(&y)) => {
-                let root = a.hypot(y);
-                vec![a / root, y / root]
-            }
-            (Function::Atan2 | Function::Hypot, None) => {
-                unreachable!("the model checked the number of arguments")
-            }
-        };
-        for (argument, slope) in arguments.iter().zip(slopes) {
+        for (argument, slope) in arguments.iter().zip(slopes(function, &values)) {
             self.transmit(argument, effort * slope);
         }
     }

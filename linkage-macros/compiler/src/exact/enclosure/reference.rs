@@ -8,6 +8,7 @@ use super::{Enclosure, ceil_shift, ceil_sqrt};
 use crate::exact::elementary;
 use crate::exact::rounding::WIDE;
 use crate::exact::word;
+use crate::function::Function;
 
 impl Enclosure {
     /// The exact value of a float; `None` unless finite.
@@ -46,6 +47,27 @@ impl Enclosure {
             let upper = ceil_sqrt(&(&a_greatest * &a_greatest + &b_greatest * &b_greatest));
             Self::new(lower, upper, a.bits)
         })
+    }
+
+    /// The function of these numbers, unless some of them have none.
+    pub(crate) fn of(function: Function, operands: &[&Self]) -> Option<Self> {
+        match (function, operands) {
+            (Function::Sqrt, [a]) => a.sqrt(),
+            (Function::Tan, [a]) => a.tan(),
+            (Function::Acos, [a]) => a.acos(),
+            (Function::Atan2, [y, x]) => y.atan2(x),
+            (Function::Hypot, [x, y]) => Some(x.hypot(y)),
+            (_, [a]) => a.apply(function),
+            other => unreachable!("{other:?}"),
+        }
+    }
+
+    pub(crate) fn sin(&self) -> Self {
+        self.sin_cos().0
+    }
+
+    pub(crate) fn cos(&self) -> Self {
+        self.sin_cos().1
     }
 
     /// The tangent, unless the enclosure of the cosine holds zero.

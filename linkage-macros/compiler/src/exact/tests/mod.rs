@@ -9,6 +9,7 @@ mod rounding;
 mod text;
 
 use super::{Enclosure, Exact};
+use crate::function::Function;
 
 fn number(text: &str) -> Exact {
     Exact::decimal(text).expect("a decimal literal")
@@ -44,14 +45,7 @@ fn unary(word: &str, a: &Exact) -> Option<Option<Exact>> {
     Some(match word {
         "deg" => a.mul(&Exact::pi()).div(&Exact::integer(180)),
         "neg" => Some(a.neg()),
-        "sqrt" => a.sqrt(),
-        "sin" => Some(a.sin()),
-        "cos" => Some(a.cos()),
-        "tan" => a.tan(),
-        "asin" => a.asin(),
-        "acos" => a.acos(),
-        "atan" => Some(a.atan()),
-        _ => return None,
+        _ => Exact::of(of_arity(word, 1)?, &[a]),
     })
 }
 
@@ -61,10 +55,12 @@ fn binary(word: &str, a: &Exact, b: &Exact) -> Option<Exact> {
         "sub" => Some(a.sub(b)),
         "mul" => Some(a.mul(b)),
         "div" => a.div(b),
-        "atan2" => a.atan2(b),
-        "hypot" => Some(a.hypot(b)),
-        _ => panic!("`{word}` is no operation"),
+        _ => Exact::of(of_arity(word, 2).expect("an operation"), &[a, b]),
     }
+}
+
+fn of_arity(word: &str, arity: usize) -> Option<Function> {
+    Function::named(word).filter(|function| function.arity() == arity)
 }
 
 /// The enclosure of a postfix expression, operation by operation; `None` where one is undefined.
@@ -80,14 +76,10 @@ fn enclosed(postfix: &str, bits: u32) -> Option<Enclosure> {
             let result = match word {
                 "deg" => b.mul(&Enclosure::pi(bits)).div(&Enclosure::integer(180, bits)),
                 "neg" => Some(b.neg()),
-                "sqrt" => b.sqrt(),
-                "sin" => Some(b.sin()),
-                "cos" => Some(b.cos()),
-                "tan" => b.tan(),
-                "asin" => b.asin(),
-                "acos" => b.acos(),
-                "atan" => Some(b.atan()),
-                _ => enclosed_binary(word, &stack.pop().expect("two operands"), &b),
+                _ => match of_arity(word, 1) {
+                    Some(function) => Enclosure::of(function, &[&b]),
+                    None => enclosed_binary(word, &stack.pop().expect("two operands"), &b),
+                },
             };
             stack.push(result?);
         }
@@ -101,9 +93,7 @@ fn enclosed_binary(word: &str, a: &Enclosure, b: &Enclosure) -> Option<Enclosure
         "sub" => Some(a.sub(b)),
         "mul" => Some(a.mul(b)),
         "div" => a.div(b),
-        "atan2" => a.atan2(b),
-        "hypot" => Some(a.hypot(b)),
-        _ => panic!("`{word}` is no operation"),
+        _ => Enclosure::of(of_arity(word, 2).expect("an operation"), &[a, b]),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::ir::graph::Guard;
 
 const WIDE: Assumed = Assumed {
@@ -42,7 +43,8 @@ impl Sample {
 
     /// a + b·cos θ.
     fn affine(&mut self, a: f64, b: f64) -> Id {
-        let (cos, a, b) = (self.push(Node::Cos(self.angle)), self.number(a), self.number(b));
+        let (cos, a, b) =
+            (self.push(Node::Apply(Function::Cos, self.angle)), self.number(a), self.number(b));
         let product = self.push(Node::Mul(b, cos));
         self.push(Node::Add(a, product))
     }
@@ -69,7 +71,7 @@ fn a_divisor_that_may_vanish_has_a_threshold_and_a_root_has_not() {
     let mut sample = sample();
     let product = sample.affine(2.0, 2.0);
     let reach = sample.guard(product, Check::ReachCircles);
-    let root = sample.push(Node::Sqrt(reach));
+    let root = sample.push(Node::Apply(Function::Sqrt, reach));
     let loose = Assumed { share: 0.0, ..WIDE };
     assert_eq!(sample.thresholds(&loose).unwrap()[&product], Some(0.0));
     // Behind 1/√x the sign alone is not enough.
@@ -83,7 +85,7 @@ fn a_divisor_that_may_vanish_has_a_threshold_and_a_root_has_not() {
 #[test]
 fn what_is_known_to_be_small_alone_is_asked() {
     let mut sample = sample();
-    let cosine = sample.push(Node::Cos(sample.angle));
+    let cosine = sample.push(Node::Apply(Function::Cos, sample.angle));
     let square = sample.push(Node::Mul(cosine, cosine));
     for (least, is_asked) in [(1e-32, true), (1e-28, false)] {
         let least = sample.number(least);
@@ -132,13 +134,13 @@ fn overflow_is_found_at_the_node_where_it_happens() {
 #[test]
 fn a_square_is_not_negative_and_a_product_may_be() {
     let mut sample = sample();
-    let sine = sample.push(Node::Sin(sample.angle));
-    let cosine = sample.push(Node::Cos(sample.angle));
+    let sine = sample.push(Node::Apply(Function::Sin, sample.angle));
+    let cosine = sample.push(Node::Apply(Function::Cos, sample.angle));
     let square = sample.push(Node::Mul(sine, sine));
-    sample.push(Node::Sqrt(square));
+    sample.push(Node::Apply(Function::Sqrt, square));
     assert!(sample.thresholds(&WIDE).is_some());
     let product = sample.push(Node::Mul(sine, cosine));
-    sample.push(Node::Sqrt(product));
+    sample.push(Node::Apply(Function::Sqrt, product));
     assert!(sample.thresholds(&WIDE).is_none());
 }
 
@@ -177,7 +179,7 @@ fn a_factor_of_an_exact_product_must_leave_room_to_be_split() {
 fn a_hypotenuse_is_at_least_a_share_of_its_largest() {
     let mut sample = sample();
     let (x, y) = (sample.affine(3.0, 2.0), sample.affine(0.0, 1.0));
-    let hypotenuse = sample.push(Node::Hypot(x, y));
+    let hypotenuse = sample.push(Node::Apply2(Function::Hypot, x, y));
     sample.push(Node::Div(sample.rate, hypotenuse));
     let lengths = |limits: &Assumed| {
         let values = Values::new(&sample.graph, &vec![true; sample.graph.len()]);

@@ -1,6 +1,7 @@
 //! Squares of distances next to a crank: which become affine, and what of.
 
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::program::{Answer, Program};
@@ -15,7 +16,8 @@ fn c(graph: &mut Graph, digits: &str) -> Id {
 fn square(x: &str, y: &str, length: &str, and: impl FnOnce(&mut Graph, [Id; 2]) -> Id) -> String {
     let mut g = Graph::new();
     let angle = g.push(Node::Input { input: 0, order: 0 });
-    let (cos, sin) = (g.push(Node::Cos(angle)), g.push(Node::Sin(angle)));
+    let (cos, sin) =
+        (g.push(Node::Apply(Function::Cos, angle)), g.push(Node::Apply(Function::Sin, angle)));
     let length = c(&mut g, length);
     let squares = [(x, cos), (y, sin)].map(|(pivot, part)| {
         let (pivot, part) = (c(&mut g, pivot), g.push(Node::Mul(length, part)));
@@ -95,7 +97,8 @@ fn what_is_asked_for_its_rounding_error_stays_a_sum_of_squares() {
 fn what_moves_on_no_circle_stays_a_sum_of_squares() {
     let mut g = Graph::new();
     let angle = g.push(Node::Input { input: 0, order: 0 });
-    let (cos, sin) = (g.push(Node::Cos(angle)), g.push(Node::Sin(angle)));
+    let (cos, sin) =
+        (g.push(Node::Apply(Function::Cos, angle)), g.push(Node::Apply(Function::Sin, angle)));
     // Along a line: cosine and sine have coefficients of one size, but not across each other.
     let turned = g.push(Node::Add(cos, sin));
     let (far, aside) = (c(&mut g, "9"), c(&mut g, "1"));

@@ -1,5 +1,6 @@
 //! What becomes a chain of sums, in which order, and where signs go.
 
+use crate::function::Function;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::liveness::{Path, live};
@@ -19,7 +20,7 @@ fn sample() -> Sample {
     let mut graph = Graph::new();
     let [a, b, c, d] = [0, 1, 2, 3].map(|param| graph.push(Node::Param(param)));
     let numbers = [a, b, c, d, graph.push(Node::Input { input: 0, order: 1 })];
-    let late = graph.push(Node::Sqrt(numbers[4]));
+    let late = graph.push(Node::Apply(Function::Sqrt, numbers[4]));
     Sample { graph, numbers, late }
 }
 

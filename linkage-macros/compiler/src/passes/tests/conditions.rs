@@ -1,6 +1,7 @@
 //! Equal conditions of two groups: asked once, and by the first.
 
 use super::rules::{nested, x, y};
+use crate::function::Function;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::liveness::{Path, live, live_nodes};
@@ -33,7 +34,7 @@ fn two_assemblies(g: &mut Graph) -> Id {
     let (a, b) = (x(g), y(g));
     let roots = [0, 1].map(|group| {
         let square = provided(g, a, Check::ReachOffset, group, vec![b]);
-        let root = g.push(Node::Sqrt(square));
+        let root = g.push(Node::Apply(Function::Sqrt, square));
         let root = provided(g, root, Check::Nonzero, group, vec![]);
         g.push(Node::Div(b, root))
     });
@@ -74,7 +75,7 @@ fn a_group_that_stands_alone_keeps_its_name() {
     let (groups, _) = asked("forward_dynamics", |g| {
         let (a, b) = (x(g), y(g));
         let aside = provided(g, a, Check::Nonzero, 0, vec![]);
-        g.push(Node::Sqrt(aside));
+        g.push(Node::Apply(Function::Sqrt, aside));
         let own = provided(g, a, Check::Nonzero, 1, vec![]);
         g.push(Node::Mul(own, b))
     });

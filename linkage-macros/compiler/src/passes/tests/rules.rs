@@ -1,6 +1,7 @@
 //! The rules one by one, on text.
 
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::interface::entries::EntryPoint;
 use crate::ir::construct::{Maker, Rule, rebuild};
 use crate::ir::graph::{Graph, Id, Node};
@@ -61,7 +62,7 @@ pub(super) fn nested(graph: &Graph, id: Id) -> String {
         Node::Select([a, b, x, y]) => format!("({} if {} ≥ {} else {})", n(x), n(a), n(b), n(y)),
         Node::MulErr(a, b) => format!("mul_err({}, {})", n(a), n(b)),
         Node::AddErr(a, b) => format!("add_err({}, {})", n(a), n(b)),
-        Node::Sqrt(a) => format!("sqrt({})", n(a)),
+        Node::Apply(Function::Sqrt, a) => format!("sqrt({})", n(a)),
         Node::Guard(a, _) => n(a),
         other => format!("{other:?}"),
     }
@@ -81,7 +82,7 @@ const SIMPLIFY: &[Rule] = &[simplify::simplify];
 
 rewrites! {
     constants_fold_exactly: FOLD, |g| { let (a, b) = (c(g, "0.1"), c(g, "0.2")); g.push(Node::Add(a, b)) } => "0.3";
-    roots_of_squares_fold: FOLD, |g| { let a = c(g, "0.09"); g.push(Node::Sqrt(a)) } => "0.3";
+    roots_of_squares_fold: FOLD, |g| { let a = c(g, "0.09"); g.push(Node::Apply(Function::Sqrt, a)) } => "0.3";
     constants_around_a_sum_become_one: SIMPLIFY, |g| { let (a, b, x) = (c(g, "0.5"), c(g, "2"), x(g)); let s = g.push(Node::Add(b, x)); g.push(Node::Add(a, s)) } => "(2.5 + x)";
     a_division_by_zero_is_left: FOLD, |g| { let (a, b) = (c(g, "1"), c(g, "0")); g.push(Node::Div(a, b)) } => "1/0";
     errors_of_constants_are_zero: FOLD, |g| { let (a, b) = (c(g, "0.1"), c(g, "0.2")); g.push(Node::MulErr(a, b)) } => "0";
@@ -191,7 +192,7 @@ fn a_sum_of_a_product_and_what_is_made_of_it_stays() {
         let (a, b) = (x(g), y(g));
         let p = g.push(Node::Mul(a, b));
         let square = g.push(Node::Mul(p, p));
-        let magnitude = g.push(Node::Sqrt(square));
+        let magnitude = g.push(Node::Apply(Function::Sqrt, square));
         g.push(Node::Add(p, magnitude))
     });
     assert_eq!(kept, "(x*y + sqrt(x*y*x*y))");

@@ -2,7 +2,7 @@
 
 use super::whole;
 use crate::ir::interpret::Number;
-use crate::model::mechanism::{Expr, Function, Mechanism, Operator};
+use crate::model::mechanism::{Expr, Mechanism, Operator};
 use crate::oracle::Digits;
 
 /// What an expression reads of earlier links.
@@ -65,18 +65,8 @@ fn evaluate(mechanism: &Mechanism, expr: &Expr, given: &dyn Fn(&Expr) -> Digits)
             }
         }),
         Expr::Call(function, arguments) => {
-            let [a, b] = [arguments.first(), arguments.last()].map(|a| value(a.expect("one")));
-            match function {
-                Function::Sqrt => a.sqrt(),
-                Function::Sin => a.sin(),
-                Function::Cos => a.cos(),
-                Function::Tan => a.tan(),
-                Function::Asin => a.asin(),
-                Function::Acos => a.acos(),
-                Function::Atan => a.atan(),
-                Function::Atan2 => a.atan2(&b),
-                Function::Hypot => a.hypot(&b),
-            }
+            let values: Vec<_> = arguments.iter().map(value).collect();
+            Digits::of(*function, &values.iter().collect::<Vec<_>>())
         }
         leaf => given(leaf),
     }

@@ -1,0 +1,130 @@
+//! The functions of expressions: as jets, by the chain rule to second order, and their slopes.
+
+use crate::equations::jet::Jet;
+use crate::equations::symbol::Sym;
+use crate::function::Function;
+
+impl<'s> Jet<'s> {
+    /// The function of these numbers, as many as it takes.
+    pub(crate) fn of(function: Function, arguments: &[Self]) -> Self {
+        let (a, b) = (arguments[0], arguments[arguments.len() - 1]);
+        match function {
+            Function::Sqrt => a.sqrt(),
+            Function::Hypot => a.hypot(b),
+            Function::Sin => a.sin_cos().0,
+            Function::Cos => a.sin_cos().1,
+            Function::Tan => a.tan(),
+            Function::Asin => a.asin(),
+            Function::Acos => a.acos(),
+            Function::Atan => a.atan(),
+            Function::Atan2 => a.atan2(b),
+        }
+    }
+
+    /// From s² = a: 2 s ṡ = ȧ and 2 ṡ² + 2 s s̈ = ä.
+    pub(crate) fn sqrt(self) -> Self {
+        let value = self.value.sqrt();
+        let rate = self.rate.half() / value;
+        let accel = (self.accel.half() - rate.squared()) / value;
+        Self { value, rate, accel }
+    }
+
+    /// Sine and cosine of the jet.
+    pub(crate) fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = (self.value.sin(), self.value.cos());
+        let square = self.rate.squared();
+        let sine =
+            Self { value: sin, rate: cos * self.rate, accel: cos * self.accel - sin * square };
+        let cosine = Self {
+            value: cos,
+            rate: -(sin * self.rate),
+            accel: -(sin * self.accel) - cos * square,
+        };
+        (sine, cosine)
+    }
+
+    /// With t' = 1 + t²: ṫ = t' ȧ and ẗ = t' (ä + 2 t ȧ²).
+    fn tan(self) -> Self {
+        let value = self.value.apply(Function::Tan);
+        let slope = self.value.sheet().integer(1) + value.squared();
+        let rate = slope * self.rate;
+        let accel = slope * (self.accel + (value * self.rate.squared()).twice());
+        Self { value, rate, accel }
+    }
+
+    /// From sin v = a, with c = cos v = √((1 − a)(1 + a)): c v̇ = ȧ and c v̈ = ä + a v̇².
+    fn asin(self) -> Self {
+        let cosine = self.other_leg();
+        let rate = self.rate / cosine;
+        let accel = (self.accel + self.value * rate.squared()) / cosine;
+        Self { value: self.value.apply(Function::Asin), rate, accel }
+    }
+
+    /// From cos v = a, with s = sin v = √((1 − a)(1 + a)): s v̇ = −ȧ and s v̈ = −(ä + a v̇²).
+    fn acos(self) -> Self {
+        let sine = self.other_leg();
+        let rate = -(self.rate / sine);
+        let accel = -((self.accel + self.value * rate.squared()) / sine);
+        Self { value: self.value.apply(Function::Acos), rate, accel }
+    }
+
+    /// √(1 − a²) by factors, exact where a is near ±1.
+    fn other_leg(self) -> Sym<'s> {
+        let one = self.value.sheet().integer(1);
+        ((one - self.value) * (one + self.value)).sqrt()
+    }
+
+    /// From tan v = a: (1 + a²) v̇ = ȧ and (1 + a²) v̈ = ä − 2 a ȧ v̇.
+    fn atan(self) -> Self {
+        let slope = self.value.sheet().integer(1) + self.value.squared();
+        let rate = self.rate / slope;
+        let accel = (self.accel - (self.value * self.rate * rate).twice()) / slope;
+        Self { value: self.value.apply(Function::Atan), rate, accel }
+    }
+
+    /// The angle v of (x, y): r² v̇ = x ẏ − y ẋ and r² v̈ = x ÿ − y ẍ − 2 v̇ (x ẋ + y ẏ).
+    pub(crate) fn atan2(self, x: Self) -> Self {
+        let y = self;
+        let square = x.value.squared() + y.value.squared();
+        let rate = (x.value * y.rate - y.value * x.rate) / square;
+        let moment = x.value * y.accel - y.value * x.accel;
+        let radial = x.value * x.rate + y.value * y.rate;
+        let accel = (moment - (rate * radial).twice()) / square;
+        Self { value: y.value.atan2(x.value), rate, accel }
+    }
+
+    /// From h² = x² + y²: h ḣ = x ẋ + y ẏ and h ḧ = x ẍ + y ÿ + ẋ² + ẏ² − ḣ².
+    pub(crate) fn hypot(self, y: Self) -> Self {
+        let x = self;
+        let value = x.value.hypot(y.value);
+        let rate = (x.value * x.rate + y.value * y.rate) / value;
+        let accel = (x.value * x.accel + y.value * y.accel + x.rate.squared() + y.rate.squared()
+            - rate.squared())
+            / value;
+        Self { value, rate, accel }
+    }
+}
+
+/// The partial derivatives of a function of these numbers.
+pub(crate) fn slopes<'s>(function: Function, arguments: &[Sym<'s>]) -> Vec<Sym<'s>> {
+    let (a, b) = (arguments[0], arguments[arguments.len() - 1]);
+    let one = a.sheet().integer(1);
+    let leg = || ((one - a) * (one + a)).sqrt();
+    match function {
+        Function::Sqrt => vec![a.sqrt().twice().recip()],
+        Function::Hypot => {
+            let root = a.hypot(b);
+            vec![a / root, b / root]
+        }
+        Function::Sin => vec![a.cos()],
+        Function::Cos => vec![-a.sin()],
+        Function::Tan => vec![one + a.apply(Function::Tan).squared()],
+        Function::Asin => vec![leg().recip()],
+        Function::Acos => vec![-leg().recip()],
+        Function::Atan => vec![(one + a.squared()).recip()],
+        Function::Atan2 => {
+            let square = b.squared() + a.squared();
+            vec![b / square, -(a / square)]
+        }
+    }
+}
