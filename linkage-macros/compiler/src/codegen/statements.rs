@@ -9,9 +9,10 @@ use super::identifiers::{generated, text};
 use super::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
+use crate::ir::check::{Check, Comparison, Operands};
 use crate::ir::graph::{Id, Node, Wanted};
 use crate::ir::liveness::Path;
-use crate::lower::routine::{Comparison, Condition, Reading, Routine, Statement, Threshold};
+use crate::lower::routine::{Condition, Reading, Routine, Statement, Threshold};
 use crate::model::mechanism::ParamKind;
 
 /// What the statements of one routine are printed with.
@@ -197,9 +198,9 @@ impl<'a> Printer<'a> {
     fn condition(&self, condition: &Condition, to: &mut Text) {
         let value = self.value_alone(condition.value);
         let group = quoted(&self.cx.program().groups[condition.group as usize]);
-        let word = condition.word.as_ref().map(|word| quoted(word));
-        let operands = condition.operands.iter();
-        if condition.diagnosis == "closed" {
+        let word = condition.check.word().map(quoted);
+        let (row, operands) = (condition.check.row(), condition.operands.iter());
+        if let Check::Closed(_) = condition.check {
             to.put("checks_.closed(").append(&value);
             operands.for_each(|&operand| self.value(operand, to.put(", ")));
             to.put(", ").put(&group);
@@ -225,14 +226,14 @@ impl<'a> Printer<'a> {
             self.value(spread, to.put(", "));
             to.put(");\n");
         }
-        to.put("let ").put(&self.local(condition.id)).put(" = checks_.").put(condition.diagnosis);
+        to.put("let ").put(&self.local(condition.id)).put(" = checks_.").put(row.diagnosis);
         to.put("(").append(&value);
         to.put(", ");
-        match condition.in_a_list {
-            true => {
+        match row.operands {
+            Operands::List => {
                 to.put("[").list(operands, |to, &id| self.value(id, to)).put("], ");
             }
-            false => operands.for_each(|&operand| {
+            Operands::OneByOne | Operands::Unread => operands.for_each(|&operand| {
                 self.value(operand, to);
                 to.put(", ");
             }),

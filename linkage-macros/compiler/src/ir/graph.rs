@@ -32,6 +32,7 @@
 //! every rewrite, for whoever reads the generated code. Names mean nothing to the compiler.
 
 use crate::exact::Exact;
+pub(crate) use crate::ir::check::Check;
 use crate::ir::hash::Map;
 pub(crate) use crate::ir::node::{ConstantId, GuardId, Id, Node, Sought, Trend, Wanted};
 
@@ -46,58 +47,11 @@ pub(crate) struct Guard {
     pub operands: Vec<Id>,
 }
 
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Check {
-    /// Fast path: value above what rounding does to it. Slow path: circles of radii l₁ and l₂ about
-    /// points d = (dx, dy) apart must meet. Operands dx, dy, l₁, l₂, a unit and the spread, a number that
-    /// rounding changes the value in the last places of. The value is
-    /// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²)/(4 l₁ l₂)² in squares of the unit; where rounding could have
-    /// changed its sign it is replaced by what it is without, and at the limit by 0.
-    ReachCircles,
-    /// Fast path: nothing. Slow path: where the `ReachCircles` of the first operand, its value, is
-    /// decided without rounding, so is this, (d² + l₁² − l₂²)/2d²; at the limit it is ± l₁/|d|. The
-    /// other operands are those of `ReachCircles` but for the unit.
-    ShareOfCentres,
-    /// Fast path: value above what rounding does to it. Slow path: a point must have the
-    /// distances r₁ and r₂ from (0, 0) and (l, 0). Operands l, r₁, r₂ and the spread. The value is the
-    /// square of the point's y, replaced as that of `ReachCircles` is.
-    ReachDistances,
-    /// Fast path: value ≥ the smallest number of full precision. Slow path: |t| ≤ l. Operands t, l.
-    /// At the limit the value is replaced by 0.
-    ReachLine,
-    /// Fast path: value ≥ 0. Slow path: |e| ≤ |(bx, by)|. Operands bx, by, e. At the limit the
-    /// value is replaced by 0.
-    ReachOffset,
-    /// Fast path: |value| > 0. Slow path: zero is `Singular`.
-    Nonzero,
-    /// Fast path: value > 0. Slow path: zero or negative is `Invalid` with this name.
-    Positive(String),
-    /// Fast path: value ≥ 0. Slow path: negative is `Invalid` with this name.
-    NotNegative(String),
-    /// An equation's left − right in the final pose, in this unit. Operand: the size of its sides.
-    /// Both paths ask whether it is closed; `NoSolution`, where it is not, bears the group's name.
-    Closed(String),
-    /// The slope of an equation at its root, in the wanted way, or a pivot of a mass matrix. Fast path:
-    /// above what rounding does to it. Slow path: `Singular` where it is not. Operand: the spread.
-    Moving,
-    /// Fast path: value ≥ the smallest square of full precision. Slow path: a squared length
-    /// below it is refused, as `Singular` where it is the square of zero. With the first operands of
-    /// `ReachCircles` it is the square of d, and out of reach where the circles do not meet.
-    Square,
-}
-
 impl Guard {
     /// The same condition on other operands.
     pub(crate) fn on(&self, moved: &dyn Fn(Id) -> Id) -> Self {
         let operands = self.operands.iter().map(|&operand| moved(operand)).collect();
         Self { operands, ..self.clone() }
-    }
-}
-
-impl Check {
-    /// Whether the last operand is a spread, which the straight line compares the value with.
-    pub(crate) fn has_spread(&self) -> bool {
-        matches!(self, Self::ReachCircles | Self::ReachDistances | Self::Moving)
     }
 }
 

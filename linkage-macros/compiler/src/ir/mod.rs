@@ -2,6 +2,7 @@
 //! made of them, their cost, their text form, and an interpreter as oracle. No formula of a
 //! mechanism and no rewrite rule lives here.
 
+pub(crate) mod check;
 pub(crate) mod construct;
 pub(crate) mod cost;
 pub(crate) mod graph;

@@ -2,8 +2,9 @@
 //! question for the slow path.
 
 use super::overflow::{Overflow, Spread};
-use super::routine::{Comparison, Condition, Threshold};
-use crate::ir::graph::{Check, Graph, Guard, Id, Node};
+use super::routine::{Condition, Threshold};
+use crate::ir::check::{Check, Comparison, Least, Operands};
+use crate::ir::graph::{Graph, Guard, Id, Node};
 use crate::ir::liveness::unguarded;
 
 pub(super) fn condition(
@@ -13,10 +14,9 @@ pub(super) fn condition(
     value: Id,
     guard: &Guard,
 ) -> Condition {
-    let operands = match guard.check {
-        // These look at the value alone; the operands are there to be computed first.
-        Check::Nonzero | Check::Positive(_) | Check::NotNegative(_) => Vec::new(),
-        _ => guard.operands.clone(),
+    let operands = match guard.check.row().operands {
+        Operands::Unread => Vec::new(),
+        Operands::OneByOne | Operands::List => guard.operands.clone(),
     };
     let spread = spread(graph, id);
     // Without limits on the inputs, rounding is asked of a spread in any case.
@@ -26,22 +26,14 @@ pub(super) fn condition(
         Some(Spread::AtRunTime(spread)) => Some(spread),
         None => None,
     };
-    let word = match &guard.check {
-        Check::Positive(word) | Check::NotNegative(word) | Check::Closed(word) => {
-            Some(word.clone())
-        }
-        _ => None,
-    };
     Condition {
         id,
         value,
         comparison: comparison(graph, overflow, value, &guard.check, spread),
         above_rounding,
-        diagnosis: diagnosis(guard),
+        check: guard.check.clone(),
         operands,
-        in_a_list: guard.check.has_spread() || guard.check == Check::ShareOfCentres,
         group: guard.group,
-        word,
     }
 }
 
@@ -50,25 +42,7 @@ fn spread(graph: &Graph, id: Id) -> Option<Spread<'_>> {
     Some(graph.as_constant(spread).map_or(Spread::AtRunTime(spread), Spread::Known))
 }
 
-/// The function of the run-time crate that looks at the operands.
-fn diagnosis(guard: &Guard) -> &'static str {
-    match guard.check {
-        Check::ReachCircles => "reach_circles",
-        Check::ShareOfCentres => "share_of_centres",
-        Check::ReachDistances => "reach_distances",
-        Check::ReachLine => "reach_line",
-        Check::ReachOffset => "reach_offset",
-        Check::Nonzero => "nonzero",
-        Check::Positive(_) => "positive",
-        Check::NotNegative(_) => "not_negative",
-        Check::Moving => "moving",
-        Check::Closed(_) => "closed",
-        Check::Square if guard.operands.is_empty() => "square",
-        Check::Square => "square_of_centres",
-    }
-}
-
-/// What the fast path asks; nothing where the condition is known to hold.
+/// The comparison of the fast path; none where the condition is known to hold.
 fn comparison(
     graph: &Graph,
     overflow: Option<&Overflow>,
@@ -76,23 +50,16 @@ fn comparison(
     check: &Check,
     spread: Option<Spread<'_>>,
 ) -> Option<(Comparison, Threshold)> {
-    let comparison = match check {
-        Check::ShareOfCentres | Check::Closed(_) => return None,
-        Check::Nonzero if is_above_zero(graph, value) => return None,
-        Check::ReachCircles | Check::ReachDistances | Check::Positive(_) | Check::Moving => {
-            Comparison::Above
-        }
-        Check::ReachLine | Check::ReachOffset | Check::Square | Check::NotNegative(_) => {
-            Comparison::AtLeast
-        }
-        Check::Nonzero => Comparison::Away,
-    };
-    let threshold = match (overflow, check) {
-        (Some(overflow), _) => overflow.threshold(unguarded(graph, value), check, spread)?,
-        (None, Check::Square) => Threshold::SmallestSquare,
-        (None, Check::ReachLine) => Threshold::Number(f64::MIN_POSITIVE, f32::MIN_POSITIVE.into()),
-        (None, _) if spread.is_some() => return None,
-        (None, _) => Threshold::Number(0.0, 0.0),
+    let (comparison, least) = check.row().comparison?;
+    if comparison == Comparison::Away && is_above_zero(graph, value) {
+        return None;
+    }
+    let threshold = match (overflow, least) {
+        (Some(overflow), _) => overflow.threshold(unguarded(graph, value), least, spread)?,
+        (None, Least::Square) => Threshold::SmallestSquare,
+        (None, Least::Normal) => Threshold::Number(f64::MIN_POSITIVE, f32::MIN_POSITIVE.into()),
+        (None, Least::Rounding) if spread.is_some() => return None,
+        (None, Least::Rounding | Least::Zero) => Threshold::Number(0.0, 0.0),
     };
     Some((comparison, threshold))
 }
@@ -101,12 +68,7 @@ fn comparison(
 fn is_above_zero(graph: &Graph, value: Id) -> bool {
     match graph.node(value) {
         Node::Guard(inner, guard) => {
-            let check = &graph.condition(guard).check;
-            let is_kept = matches!(
-                check,
-                Check::ReachCircles | Check::ReachDistances | Check::Positive(_) | Check::Moving
-            );
-            is_kept || is_above_zero(graph, inner)
+            graph.condition(guard).check.keeps_above_zero() || is_above_zero(graph, inner)
         }
         _ => false,
     }

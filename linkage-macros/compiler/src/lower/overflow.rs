@@ -14,7 +14,8 @@ use super::routine::{Limits, Threshold};
 use super::witnesses::witnesses;
 use crate::exact::Exact;
 use crate::function::Function;
-use crate::ir::graph::{Check, Graph, Id, Node};
+use crate::ir::check::Least;
+use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes};
 
@@ -90,12 +91,12 @@ impl Overflow {
     pub(super) fn threshold(
         &self,
         value: Id,
-        check: &Check,
+        least: Least,
         spread: Option<Spread<'_>>,
     ) -> Option<Threshold> {
-        let sign = |assumed: Assumed| match (check, spread) {
-            (Check::Square, _) => assumed.square,
-            (Check::ReachLine, _) => assumed.normal,
+        let sign = |assumed: Assumed| match (least, spread) {
+            (Least::Square, _) => assumed.square,
+            (Least::Normal, _) => assumed.normal,
             (_, Some(Spread::Known(spread))) => assumed.rounding_of(spread),
             _ => 0.0,
         };
@@ -172,7 +173,7 @@ mod tests {
             Some(Width { thresholds, lengths: Map::default(), input: 1e6 })
         };
         let overflow = Overflow { wide: width(wide), narrow: width(narrow) };
-        overflow.threshold(VALUE, &Check::ReachCircles, spread)
+        overflow.threshold(VALUE, Least::Rounding, spread)
     }
 
     /// A spread that is computed is compared with beside the threshold, and says more than a sign.
@@ -199,7 +200,7 @@ mod tests {
             wide: Some(Width { thresholds, lengths: Map::default(), input: 1e60 }),
             narrow: None,
         };
-        let found = overflow.threshold(VALUE, &Check::ReachCircles, known);
+        let found = overflow.threshold(VALUE, Least::Rounding, known);
         assert_eq!(found, both(0.0, 32.0 * f64::from(f32::EPSILON)));
     }
 }

@@ -11,7 +11,8 @@ mod tests;
 
 use crate::exact::Exact;
 use crate::function::Function;
-use crate::ir::graph::{Check, Graph, Guard, Id, Node};
+use crate::ir::check::{Comparison, Least};
+use crate::ir::graph::{Graph, Guard, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{live_nodes, unguarded};
 
@@ -188,24 +189,19 @@ impl Bounds<'_> {
 
     /// The range that the fast path goes on with, once it has asked for the threshold.
     fn guarded(&mut self, value: Id, Guard { check, operands, .. }: &Guard) -> Option<Range> {
-        if *check == Check::ShareOfCentres {
-            return self.of(value);
-        }
         let range = self.of(value)?;
+        let Some((comparison, least)) = check.row().comparison else { return Some(range) };
         let share = self.limits.share * range.largest();
-        let least = match check {
-            Check::Square => self.limits.square.max(share),
-            Check::ReachLine => self.limits.normal.max(share),
-            _ if check.has_spread() => {
+        let least = match least {
+            Least::Square => self.limits.square.max(share),
+            Least::Normal => self.limits.normal.max(share),
+            Least::Rounding => {
                 let spread = operands.last().and_then(|&spread| self.graph.as_constant(spread));
                 spread.map_or(share, |spread| self.limits.rounding_of(spread).max(share))
             }
-            _ => share,
+            Least::Zero => share,
         };
-        let known = match check {
-            Check::Nonzero => range.away,
-            _ => range.low,
-        };
+        let known = if comparison == Comparison::Away { range.away } else { range.low };
         // No threshold is below zero.
         let threshold = (known <= least).then_some(least);
         if range.largest() <= least {
@@ -218,9 +214,9 @@ impl Bounds<'_> {
             (Some(one), Some(other)) => Some(one.max(other)),
             (one, other) => one.or(other),
         };
-        Some(match (threshold, check) {
+        Some(match (threshold, comparison) {
             (None, _) => range,
-            (Some(least), Check::Nonzero) => Range { away: least, ..range },
+            (Some(least), Comparison::Away) => Range { away: least, ..range },
             (Some(least), _) => Range { low: least, away: least, ..range },
         })
     }

@@ -6,6 +6,7 @@ use super::apart::Apart;
 use crate::interface::entries::Given;
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
+use crate::ir::check::{Check, Comparison};
 use crate::ir::cost::Operations;
 use crate::ir::graph::{Graph, Id, Node, Sought};
 use crate::ir::hash::{Map, Set};
@@ -131,24 +132,10 @@ pub(crate) struct Condition {
     /// What the fast path asks whether the value is above the rounding of.
     pub above_rounding: Option<Id>,
     /// The slow path's question, and the numbers it looks at beside the value.
-    pub diagnosis: &'static str,
+    pub check: Check,
     pub operands: Vec<Id>,
-    /// Whether the operands are handed over together.
-    pub in_a_list: bool,
     /// Whose failure it is: an index into `Program::groups`.
     pub group: u32,
-    /// The name of a length that has to be positive, or the unit of an equation.
-    pub word: Option<String>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Comparison {
-    /// value > threshold
-    Above,
-    /// value ≥ threshold
-    AtLeast,
-    /// |value| > threshold
-    Away,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,41 +1,18 @@
 //! Folds operations on constants, exactly: the generated code rounds the result once.
 
-use std::cmp::Ordering;
-
 use crate::exact::Exact;
 use crate::ir::construct::Maker;
-use crate::ir::graph::{Check, Graph, Id, Node};
+use crate::ir::graph::{Graph, Id, Node};
 
 /// The constant that the operation makes, if all its operands are constants.
 pub(crate) fn fold_constants(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
     if let Node::Guard(value, guard) = node {
         let check = &maker.graph.condition(guard).check;
-        let holds = holds(check, maker.graph.as_constant(value)?);
-        return holds.then_some(value);
+        return (check.row().holds)(maker.graph.as_constant(value)?).then_some(value);
     }
     // What would grow without bounds, along a chain of groups of constants, is left to run time.
     let value = evaluate(maker.graph, node).filter(|value| !value.is_too_long_for_formulas())?;
     Some(maker.constant(value))
-}
-
-/// Whether a constant is known to pass a check in every width.
-fn holds(check: &Check, value: &Exact) -> bool {
-    match check {
-        Check::Nonzero => value.signum() != Ordering::Equal,
-        Check::NotNegative(_) => value.signum() != Ordering::Less,
-        // What moves with nothing is no equation's business.
-        Check::Closed(_) => false,
-        Check::Positive(_)
-        | Check::ReachCircles
-        | Check::ReachDistances
-        | Check::ReachLine
-        | Check::ReachOffset
-        | Check::Moving => value.signum() == Ordering::Greater,
-        // A constant is not rounded before it is known.
-        Check::ShareOfCentres => true,
-        // Far inside the range of squares that both f32 and f64 hold with full precision.
-        Check::Square => (1e-24..1e24).contains(&value.to_f64()),
-    }
 }
 
 fn evaluate(graph: &Graph, node: Node) -> Option<Exact> {

@@ -85,9 +85,10 @@ fn every_check_is_marked_and_looked_at() {
     assert_eq!(guard(&Check::ReachLine, false), [mark, look]);
     assert_eq!(guard(&Check::ReachLine, true), ["sin_cos(theta)", mark, look]);
     let look = "square_of_centres(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")";
-    assert_eq!(guard(&Check::Square, false), ["at_least(v4_, T::smallest_square())", look]);
+    let check = Check::SquareOfCentres;
+    assert_eq!(guard(&check, false), ["at_least(v4_, T::smallest_square())", look]);
     let mark = "at_least(v4_, T::lit(4.6e-277, 8.4e-25))";
-    assert_eq!(guard(&Check::Square, true), ["sin_cos(theta)", mark, look]);
+    assert_eq!(guard(&check, true), ["sin_cos(theta)", mark, look]);
 }
 
 #[test]

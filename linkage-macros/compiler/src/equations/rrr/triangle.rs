@@ -89,7 +89,7 @@ pub(super) fn triangle<'s>(
     let is_compensated = scope.numerics == Numerics::Compensated;
     let crank = if is_compensated { None } else { CrankPin::of(joints) };
     let plain = crank.map_or_else(|| line.dot(line), CrankPin::square);
-    let square = plain.provided(Check::Square, scope.group, &[line.x, line.y, l2, l3]);
+    let square = plain.provided(Check::SquareOfCentres, scope.group, &[line.x, line.y, l2, l3]);
     let over_square = scope.call("inverse d2", scope.call("d2", square).recip());
     let factors = match (is_compensated, crank) {
         (true, _) => carried(line, [l2, l3]),

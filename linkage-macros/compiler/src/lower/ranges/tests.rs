@@ -3,6 +3,7 @@
 use super::*;
 use crate::exact::Exact;
 use crate::function::Function;
+use crate::ir::graph::Check;
 use crate::ir::graph::Guard;
 
 const WIDE: Assumed = Assumed {
