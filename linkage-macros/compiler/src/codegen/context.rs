@@ -13,10 +13,10 @@ use super::token_list::Tokens;
 use crate::interface::entries::Entry;
 use crate::interface::records::{Record, RecordId};
 use crate::interface::{EntryId, Interface};
-use crate::ir::graph::{Graph, Node, Sought, Wanted};
+use crate::ir::graph::{Graph, Node};
 use crate::ir::hash::Map;
 use crate::ir::program::Program;
-use crate::lower::routine::{Compute, Lowered, Search};
+use crate::lower::routine::{Compute, Lowered};
 use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
 pub(super) struct Context<'a> {
@@ -88,14 +88,6 @@ impl<'a> Context<'a> {
     /// The name of the record of several loads.
     pub(super) fn loads(&self) -> Option<&'a Ident> {
         self.interface.loads.map(|id| &self.record(id).name)
-    }
-
-    /// The search of an unknown, where anything asks for it.
-    pub(super) fn search(&self, unknown: usize) -> Option<&'a Search> {
-        let of_it = |sought: &Sought| sought.unknown as usize == unknown;
-        let is_root = |sought: &Sought| sought.wanted == Wanted::Root;
-        let mut searches = self.lowered.searches.iter();
-        searches.find(|search| of_it(&search.sought) && is_root(&search.sought))
     }
 
     /// Whether anything is searched.

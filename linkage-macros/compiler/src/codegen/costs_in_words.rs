@@ -54,7 +54,7 @@ pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
 fn searches(cx: &Context<'_>) -> TokenStream {
     let cost_type = cx.paths.item("SearchCost");
     let costs = cx.mechanism.unknowns.iter().enumerate().filter_map(|(index, unknown)| {
-        let search = cx.search(index)?;
+        let search = cx.lowered.search(index)?;
         let (name, evaluation) = (text(&unknown.name), record(cx, search.cost));
         let [wide, narrow] = MOST.map(Literal::u32_unsuffixed);
         Some(quote!(#cost_type {

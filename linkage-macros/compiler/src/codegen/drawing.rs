@@ -10,6 +10,7 @@ use super::identifiers::{generated, text};
 use super::{formulas, searches};
 use crate::interface::entries::Given;
 use crate::lower::routine::Lowered;
+use crate::lower::{APPLIED, PLACED};
 use crate::model::dynamics::{Ends, Force, Spring};
 use crate::model::mechanism::{Carrier, Length, Mechanism, Step};
 
@@ -34,13 +35,13 @@ fn drawn(cx: &Context<'_>) -> TokenStream {
     let path = |name| cx.paths.item(name);
     let [drawn, plan_type, vec, result, error, place, place_open] =
         ["Drawn", "Plan", "Vec", "Result", "SolveError", "place", "place_open"].map(path);
-    let routine = &cx.lowered.routines[0];
+    let routine = &cx.lowered.routines[PLACED];
     let arguments = Arguments::new(cx, &[Given::Value]);
     let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
     let given = routine.reads.iter().filter_map(read);
     let given: Vec<_> = given.map(|(value, label)| quote!((#value, #label))).collect();
     let (q, checks, input) = (&arguments.names()[0], generated("checks_"), cx.input(float));
-    let formulas = formulas::Call { routine: 0, stage: 0 }.under(cx, &quote!(#checks));
+    let formulas = formulas::Call { routine: PLACED, stage: 0 }.under(cx, &quote!(#checks));
     let (without, str_) = (generated("without_"), cx.paths.item("str"));
     let unused = given.is_empty().then(|| quote!(let _ = #q;));
     let (plan, followed) = (plan(cx), followed(cx));
@@ -100,7 +101,7 @@ fn methods(cx: &Context<'_>) -> TokenStream {
 
 /// The forces that the declaration puts on points, where there are any.
 fn applied(cx: &Context<'_>) -> Option<TokenStream> {
-    let routine = cx.lowered.routines.get(1)?;
+    let routine = cx.lowered.routines.get(APPLIED)?;
     let path = |name| cx.paths.item(name);
     let [result, record, error, applied, drawn] =
         ["Result", "Applied", "SolveError", "applied", "Drawn"].map(path);
@@ -112,7 +113,7 @@ fn applied(cx: &Context<'_>) -> Option<TokenStream> {
     let given = routine.reads.iter().filter_map(read);
     let given: Vec<_> = given.map(|(value, label)| quote!((#value, #label))).collect();
     let checks = generated("checks_");
-    let formulas = formulas::Call { routine: 1, stage: 0 }.under(cx, &quote!(#checks));
+    let formulas = formulas::Call { routine: APPLIED, stage: 0 }.under(cx, &quote!(#checks));
     let points = cx.mechanism.dynamics.forces.iter().flat_map(|force| match force {
         Force::At { point, .. } => vec![*point],
         Force::Between { points, .. } => points.to_vec(),

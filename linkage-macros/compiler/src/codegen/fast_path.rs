@@ -8,12 +8,10 @@ use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{function_name, generated};
 use super::text::Text;
-use super::token_list::Tokens;
 use super::{doc_comments, docs, formulas, results};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
-use crate::ir::graph::Node;
-use crate::lower::routine::{Adapted, Asked, Compute, Limits};
+use crate::lower::routine::{Adapted, Asked, Bound, Compute, Finite, Sum};
 
 /// The name of the core of an entry point, which has the numbers and records themselves for arguments:
 /// the public function, where that has.
@@ -56,7 +54,7 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     };
     let (docs, result) = (docs::fast_path(cx, id), results::ty(cx, entry.result, &number));
     let (name, core) = (public_name(entry), core_name(cx, entry));
-    let square = Together::of(cx, id).map(|_| {
+    let square = cx.lowered.takes_square(id).then(|| {
         let square = generated(SQUARE);
         quote!(, #square: #scalar)
     });
@@ -103,7 +101,7 @@ fn answer(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let (given, rates) = names.split_at(2);
     let ([cos, sin, near], on_circle) =
         (["cos_", "sin_", "near_"].map(generated), cx.paths.item("on_circle"));
-    let square = Together::of(cx, id).map(|_| {
+    let square = cx.lowered.takes_square(id).then(|| {
         // A sum with −0 is the other number, whatever it is, and no addition.
         let none = cx.literal(-0.0, -0.0);
         quote!(, #none)
@@ -165,7 +163,8 @@ fn compared_from(
 ) -> TokenStream {
     let [all_met, result] = ["all_met_", "result_"].map(generated);
     let formulas = call.under(cx, &quote!(&mut #all_met));
-    let finite = is_finite(cx, id, asked, "result_").map(|finite| quote!(& #finite));
+    let finite = asked.finite.as_ref().map(|finite| is_finite(cx, id, finite));
+    let finite = finite.map(|finite| quote!(& #finite));
     quote! {
         let mut #all_met = #start;
         let #result = #formulas;
@@ -178,7 +177,7 @@ fn by_cosine(cx: &Context<'_>, arguments: &Arguments<'_>, other: EntryId) -> Tok
     let [sin, cos, result, ok] = ["sin_", "cos_", "result_", "ok_"].map(generated);
     let (sin_cos, core) = (cx.scalar("sin_cos_near"), core_name(cx, cx.entry(other)));
     let (angle, rates) = arguments.names().split_first().expect("the angle comes first");
-    if Together::of(cx, other).is_some() {
+    if cx.lowered.takes_square(other) {
         return quote! {
             let (#sin, #cos) = #sin_cos(#angle);
             self.#core(#cos, #sin #(, #rates)*, #angle * #angle)
@@ -195,60 +194,6 @@ fn by_cosine(cx: &Context<'_>, arguments: &Arguments<'_>, other: EntryId) -> Tok
 /// The square of the angle, for a core that compares it together with its rates; zero where cosine and sine
 /// are given.
 const SQUARE: &str = "square_";
-
-/// The angles for which sines are right without a look at more of π, in rad, in both widths: 2²⁰ and some
-/// 8192 turns.
-const NEAR: [f64; 2] = [1_048_576.0, 51_471.0];
-
-/// One comparison for an angle and its rates: (θ² + θ̇²)² + θ̈² up to the fourth power of a limit keeps angle
-/// and rate within the limit and the second rate within its square. In double precision it lies at 170 000
-/// turns and as many a second.
-struct Together<'a> {
-    limits: &'a Limits,
-}
-
-impl<'a> Together<'a> {
-    /// Of an entry point that is given cosine and sine and asks for rates.
-    fn of(cx: &'a Context<'_>, id: EntryId) -> Option<Self> {
-        let Compute::Own { asked, .. } = cx.compute(id) else { return None };
-        let limits = asked.limits.as_ref().filter(|limits| !limits.inputs.is_empty())?;
-        cx.entry(id).takes_cosine().then_some(Self { limits })
-    }
-
-    /// Powers of the limit: the least that the angle or a rate has.
-    fn limit(&self, cx: &Context<'_>, power: i32) -> Tokens {
-        let mut least = NEAR;
-        for (node, bounds) in &self.limits.inputs {
-            let is_second = matches!(node, Node::Input { order: 2, .. });
-            for (least, bound) in least.iter_mut().zip(bounds) {
-                *least = least.min(if is_second { bound.sqrt() } else { *bound });
-            }
-        }
-        let [wide, narrow] = least.map(|limit| limit.powi(power));
-        cx.literal(wide, narrow as f32)
-    }
-
-    fn is_met(&self, cx: &Context<'_>, entry: &Entry) -> TokenStream {
-        let arguments = Arguments::new(cx, &entry.given);
-        let [fused, is_met] = ["fused", "ge"].map(|item| cx.scalar(item));
-        let of_order = |wanted: u8| {
-            let is_it = |node: &Node| matches!(node, Node::Input { order, .. } if *order == wanted);
-            let mut nodes = self.limits.inputs.iter().map(|(node, _)| *node);
-            nodes.find(is_it).and_then(|node| arguments.read(node))
-        };
-        let square = generated(SQUARE);
-        let squares = match of_order(1) {
-            Some(rate) => quote!(#fused(#rate, #rate, #square)),
-            None => quote!(#square),
-        };
-        let Some(second) = of_order(2) else {
-            let limit = self.limit(cx, 2);
-            return quote!(#is_met(#limit, #squares));
-        };
-        let limit = self.limit(cx, 4);
-        quote!(#is_met(#limit, #fused(#squares, #squares, #second * #second)))
-    }
-}
 
 /// The velocities at a rate of one, a column of rows.
 fn at_unit_rate(cx: &Context<'_>, arguments: &Arguments<'_>, velocity: EntryId) -> TokenStream {
@@ -271,65 +216,59 @@ pub(super) fn of_unit_rate(
     quote!(self.#core(#(#names,)* #one))
 }
 
-/// |value| ≤ bound for each of the inputs; a rate together with its second rate, whose bound is the
-/// square of the rate's: |q̈| ≤ bound² − q̇² is one comparison for two.
-fn within(cx: &Context<'_>, entry: &Entry, inputs: &[(Node, [f64; 2])]) -> Vec<TokenStream> {
-    let (arguments, is_within, fused) =
-        (Arguments::new(cx, &entry.given), cx.scalar("is_within"), cx.scalar("fused"));
-    let is_asked = |node| inputs.iter().any(|&(other, _)| other == node);
-    let term = |&(node, [wide, narrow]): &(Node, [f64; 2])| {
-        let Node::Input { input, order } = node else { return None };
-        if order == 1 && is_asked(Node::Input { input, order: 2 }) {
-            return None;
-        }
-        let value = arguments.read(node)?;
-        let bound = cx.literal(wide.min(f64::MAX), (narrow as f32).min(f32::MAX));
-        let rate = Node::Input { input, order: 1 };
-        if order < 2 || !is_asked(rate) {
-            return Some(quote!(#is_within(#value, #bound)));
-        }
-        let rate = arguments.read(rate)?;
-        Some(quote!(#is_within(#value, #fused(-#rate, #rate, #bound))))
-    };
-    inputs.iter().filter_map(term).collect()
-}
-
-/// Whether the result is finite, as a term of a mask; nothing where it cannot be otherwise.
-fn is_finite(cx: &Context<'_>, id: EntryId, asked: &Asked, result: &str) -> Option<TokenStream> {
+/// Whether the result is finite, as a term of a mask.
+fn is_finite(cx: &Context<'_>, id: EntryId, finite: &Finite) -> TokenStream {
     let entry = cx.entry(id);
-    let components = results::components(cx, entry.result, result);
-    let witnesses: Vec<_> = asked.witnesses.iter().map(|&at| components[at].clone()).collect();
-    if witnesses.is_empty() {
-        return None;
-    }
+    let components = results::components(cx, entry.result, "result_");
     // Of their sum, because what is not finite stays so.
-    let (is_finite, sum) = (cx.scalar("is_finite"), Text::from(sum(&witnesses)));
-    let Some(Limits { wide, narrow, inputs }) = &asked.limits else {
-        return Some(quote!(#is_finite(#sum)));
+    let (is_finite, sum) = (cx.scalar("is_finite"), Text::from(sum(&finite.sum, &components)));
+    let Some(([wide, narrow], bounds)) = &finite.instead else {
+        return quote!(#is_finite(#sum));
     };
     let (plain, unless) = (cx.scalar("plain"), cx.paths.item("is_finite_unless"));
-    let mut terms = match Together::of(cx, id) {
-        Some(together) => vec![together.is_met(cx, entry)],
-        None => within(cx, entry, inputs),
-    };
-    terms.push(quote!(#unless(#plain(#wide, #narrow), #sum)));
-    Some(quote!(#(#terms)&*))
+    let arguments = Arguments::new(cx, &entry.given);
+    let bounds = bounds.iter().map(|bound| is_kept(cx, &arguments, bound));
+    quote!(#(#bounds&)* #unless(#plain(#wide, #narrow), #sum))
 }
 
-/// The sum as a balanced tree: it is short in time, and shallow for the compiler.
-fn sum(values: &[String]) -> String {
-    match values {
-        [] => String::new(),
-        [only] => only.clone(),
-        _ => {
-            let (left, right) = values.split_at(values.len().div_ceil(2));
-            let (left, right) = (term(left), term(right));
-            format!("{left} + {right}")
+/// A comparison of inputs with a limit.
+fn is_kept(cx: &Context<'_>, arguments: &Arguments<'_>, bound: &Bound) -> TokenStream {
+    let [is_within, fused, at_least] = ["is_within", "fused", "ge"].map(|item| cx.scalar(item));
+    let read = |node| arguments.read(node).expect("what is asked is given");
+    let literal = |[wide, narrow]: [f64; 2]| cx.literal(wide, narrow as f32);
+    match *bound {
+        Bound::Within { value, limit } => {
+            let (value, limit) = (read(value), literal(limit));
+            quote!(#is_within(#value, #limit))
+        }
+        Bound::WithRate { rate, second, limit } => {
+            let ([rate, second], limit) = ([rate, second].map(read), literal(limit));
+            quote!(#is_within(#second, #fused(-#rate, #rate, #limit)))
+        }
+        Bound::OnCircle { rate, second, limit } => {
+            let (square, limit) = (generated(SQUARE), literal(limit));
+            let squares = match rate.map(read) {
+                Some(rate) => quote!(#fused(#rate, #rate, #square)),
+                None => quote!(#square),
+            };
+            match second.map(read) {
+                Some(second) => {
+                    quote!(#at_least(#limit, #fused(#squares, #squares, #second * #second)))
+                }
+                None => quote!(#at_least(#limit, #squares)),
+            }
         }
     }
 }
 
-fn term(values: &[String]) -> String {
-    let sum = sum(values);
-    if values.len() > 1 { format!("({sum})") } else { sum }
+/// A sum of components.
+fn sum(of: &Sum, components: &[String]) -> String {
+    let term = |part: &Sum| match part {
+        Sum::One(_) => sum(part, components),
+        Sum::Of(_) => format!("({})", sum(part, components)),
+    };
+    match of {
+        Sum::One(at) => components[*at].clone(),
+        Sum::Of(parts) => parts.each_ref().map(term).join(" + "),
+    }
 }

@@ -10,7 +10,6 @@ mod as_solver;
 mod autodiff;
 mod c_export;
 mod checked;
-mod constants;
 mod context;
 mod costs_in_words;
 mod doc_comments;

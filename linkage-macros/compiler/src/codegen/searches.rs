@@ -27,7 +27,8 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     let given = search.given.iter().map(|&id| printer.name(id));
     let count = Literal::usize_unsuffixed(search.given.len());
     let [result, error, option] = ["Result", "FindError", "Option"].map(|item| cx.paths.item(item));
-    let (find, trial) = (cx.paths.item(finder(cx, search)), generated(TRIAL));
+    let finder = if search.asks_for_a_turn { "root_within_a_turn" } else { "root" };
+    let (find, trial) = (cx.paths.item(finder), generated(TRIAL));
     let trend = trend(cx, search.sought.trend);
     let between = search.sought.between.map(|end| printer.value_alone(end));
     let near = search.sought.near.map(|near| printer.value_alone(near));
@@ -91,14 +92,6 @@ fn apart_of(cx: &Context<'_>, printer: &Printer<'_>, search: &Search, apart: Apa
     quote!(#ty { given: #given, is_right: #is_right, has_one_root: #has_one_root })
 }
 
-/// The function that finds the root: of an angle whose ends are not known while compiling, one that asks
-/// for their distance.
-fn finder(cx: &Context<'_>, search: &Search) -> &'static str {
-    let unknown = &cx.mechanism.unknowns[search.sought.unknown as usize];
-    let are_known = unknown.between.iter().all(|end| end.constant().is_some());
-    if unknown.dimension.angle && !are_known { "root_within_a_turn" } else { "root" }
-}
-
 fn docs(cx: &Context<'_>, search: &Search) -> TokenStream {
     let name = text(&cx.mechanism.unknowns[search.sought.unknown as usize].name);
     doc_comments::lines(&match search.sought.wanted {
@@ -132,7 +125,7 @@ pub(super) fn in_words(cx: &Context<'_>) -> Vec<String> {
 }
 
 fn of_unknown(cx: &Context<'_>, index: usize, unknown: &Unknown) -> Option<String> {
-    let search = cx.search(index)?;
+    let search = cx.lowered.search(index)?;
     let mode = mode(cx.mechanism, unknown);
     let [wide, narrow] = MOST;
     let seed = match unknown.near {

@@ -3,7 +3,6 @@
 use proc_macro2::{Ident, Literal};
 
 use super::arguments::Arguments;
-use super::constants::Constants;
 use super::context::Context;
 use super::identifiers::{generated, text};
 use super::text::Text;
@@ -22,22 +21,20 @@ pub(super) struct Printer<'a> {
     pub routine: &'a Routine,
     /// Whose functions compute: the type parameter.
     number: String,
-    /// What is read by a name.
-    constants: Constants,
 }
 
 impl<'a> Printer<'a> {
     pub(super) fn new(cx: &'a Context<'a>, routine: &'a Routine) -> Self {
         let (arguments, number) = (Arguments::of_our_own(cx, &routine.given), cx.number());
-        let constants = Constants::default();
-        Self { cx, arguments, routine, number: number.to_string(), constants }
+        Self { cx, arguments, routine, number: number.to_string() }
     }
 
-    /// For a function that holds all of the routine: what it reads more than once is bound first.
+    /// For a function that holds all of the routine: its constants are bound first.
     pub(super) fn beginning(cx: &'a Context<'a>, routine: &'a Routine, to: &mut Text) -> Self {
-        let constants = Constants::shared(cx.graph(), routine);
-        constants.bind(cx, to);
-        Self { constants, ..Self::new(cx, routine) }
+        for (constant, name) in routine.constants.iter() {
+            to.put("let ").put(name).put(" = ").put(&cx.constant(*constant)).put(";\n");
+        }
+        Self::new(cx, routine)
     }
 
     pub(super) fn statements(&self, statements: &[Statement], to: &mut Text) {
@@ -145,7 +142,7 @@ impl<'a> Printer<'a> {
                 let leaf = self.arguments.written(*node);
                 to.put(&leaf.expect("a routine reads what it is given"));
             }
-            Reading::Constant(node) => match self.constants.name(*node) {
+            Reading::Constant(node) => match self.routine.constants.get(node) {
                 Some(name) => {
                     to.put(name);
                 }

@@ -1,6 +1,5 @@
 //! A program made into routines.
 
-use super::locals;
 use super::nesting::{nest, reads};
 use super::overflow::Overflow;
 use super::plan::{Plan, Way};
@@ -8,6 +7,7 @@ use super::routine::{Adapted, Asked, Compute, Locals, Lowered, Routine, Search, 
 use super::schedule::{Schedule, defines};
 use super::searches::searches;
 use super::witnesses::witnesses;
+use super::{constants, limits, locals};
 use crate::interface::entries::Given;
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
@@ -45,6 +45,11 @@ pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<
     Lowered { program, interface, routines, entries, costs, clearances, searches }
 }
 
+/// The routine of a placing program that says where everything stands, …
+pub(crate) const PLACED: usize = 0;
+/// … and the one that says which forces are applied, if any are.
+pub(crate) const APPLIED: usize = 1;
+
 /// The routines of a program that places what is drawn: where everything stands, and the forces on it.
 pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
     // What it takes and returns is no entry point: the records of the solver's own are enough.
@@ -56,6 +61,7 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
         true => &[Given::Value, Given::Rate],
         false => &[Given::Value, Given::Rate, Given::Loads],
     };
+    // `PLACED` and `APPLIED`.
     let kinds = [("placed_", &[Given::Value][..]), ("forces_applied_", forces)];
     let routines = kinds
         .into_iter()
@@ -142,7 +148,8 @@ impl Builder<'_> {
         }
         let tells = !clear.is_empty();
         let Schedule { reads, has_checks, path, .. } = schedule;
-        Routine { name, given, result, path, stages, tells, reads, has_checks, locals }
+        let constants = constants::shared(graph, &locals, &stages);
+        Routine { name, given, result, path, stages, tells, reads, has_checks, locals, constants }
     }
 
     /// Values and scales of clearances, where they are functions of the pose and these are its formulas.
@@ -182,21 +189,11 @@ impl Builder<'_> {
         let reads = reads(&schedule, std::slice::from_ref(&statements), sinks);
         let statements = nest(&schedule, &reads, &mut locals, statements);
         let Schedule { reads, has_checks, path, .. } = schedule;
-        Routine {
-            name: name.to_string(),
-            given: given.to_vec(),
-            result: Shape::List(sinks.len()),
-            path,
-            stages: vec![Stage {
-                result: Shape::List(sinks.len()),
-                sinks: sinks.to_vec(),
-                statements,
-            }],
-            tells: false,
-            reads,
-            has_checks,
-            locals,
-        }
+        let result = Shape::List(sinks.len());
+        let stages = vec![Stage { result, sinks: sinks.to_vec(), statements }];
+        let constants = constants::shared(self.graph(), &locals, &stages);
+        let (name, given, tells) = (name.to_string(), given.to_vec(), false);
+        Routine { name, given, result, path, stages, tells, reads, has_checks, locals, constants }
     }
 
     fn asked(&self, entry: EntryId, overflow: Option<&Overflow>) -> Asked {
@@ -208,9 +205,11 @@ impl Builder<'_> {
         let is_known = |id| matches!(graph.node(id), Node::Constant(_) | Node::Mode(_));
         let results = sinks.iter().enumerate();
         let results = results.filter(|&(_, &sink)| !is_known(sink) && seen.insert(sink));
+        let witnesses: Vec<usize> = witnesses(graph, sinks).into_iter().filter_map(place).collect();
+        let limits = overflow.map(|overflow| overflow.limits(graph, sinks));
+        let takes_cosine = self.interface.entry(entry).takes_cosine();
         Asked {
-            witnesses: witnesses(graph, sinks).into_iter().filter_map(place).collect(),
-            limits: overflow.map(|overflow| overflow.limits(graph, sinks)),
+            finite: limits::finite(&witnesses, limits, takes_cosine),
             given: read.collect(),
             results: results.map(|(at, _)| at).collect(),
         }

@@ -3,13 +3,15 @@
 //!
 //! Everything about the generated code that has to be decided is decided here; `codegen` prints it.
 //! `plan` says which entry point computes for itself, `ranges` how large values can become,
-//! `overflow` what is asked so that none overflows, `witnesses` which results stand for all,
-//! `checks` what a condition becomes, `schedule` in which order statements stand, `locals` what they
-//! are called, `nesting` which have no name, `one_root` whether an equation has several.
+//! `overflow` what is asked so that none overflows, `witnesses` which results stand for all, `limits` in
+//! which comparisons, `checks` what a condition becomes, `schedule` in which order statements stand, `locals` what they
+//! are called, `constants` which constants are, `nesting` which values have no name, `one_root` whether an equation has several.
 
 pub(crate) mod apart;
 mod build;
 mod checks;
+mod constants;
+mod limits;
 mod locals;
 mod nesting;
 mod one_root;
@@ -21,6 +23,5 @@ mod schedule;
 mod searches;
 mod witnesses;
 
-pub(crate) use build::lower;
-pub(crate) use build::lower_placing;
+pub(crate) use build::{APPLIED, PLACED, lower, lower_placing};
 pub(crate) use searches::TRIAL;

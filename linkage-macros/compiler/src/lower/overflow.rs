@@ -9,8 +9,9 @@
 //! It is worth a fifth of a solver's instructions: `measurements.md` of the run-time crate says how
 //! that was counted.
 
+use super::limits::Limits;
 use super::ranges::{Assumed, Thresholds, Values};
-use super::routine::{Limits, Threshold};
+use super::routine::Threshold;
 use super::witnesses::witnesses;
 use crate::exact::Exact;
 use crate::function::Function;
@@ -132,8 +133,7 @@ impl Overflow {
             _ => (node, first),
         };
         Limits {
-            wide: self.wide.is_some(),
-            narrow: self.narrow.is_some(),
+            widths: [self.wide.is_some(), self.narrow.is_some()],
             inputs: asked(graph, sinks).into_iter().map(limit).collect(),
         }
     }

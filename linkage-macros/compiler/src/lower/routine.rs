@@ -8,7 +8,7 @@ use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
 use crate::ir::check::{Check, Comparison};
 use crate::ir::cost::Operations;
-use crate::ir::graph::{Graph, Id, Node, Sought};
+use crate::ir::graph::{Graph, Id, Node, Sought, Wanted};
 use crate::ir::hash::{Map, Set};
 use crate::ir::liveness::{Path, unguarded};
 use crate::ir::program::Program;
@@ -45,6 +45,8 @@ pub(crate) struct Search {
     pub has_one_root: Option<bool>,
     /// How its equation stands apart, if it does: a sweep then searches by the root before.
     pub apart: Option<Apart>,
+    /// Whether the ends are angles whose distance, at most a turn, is known at run time alone.
+    pub asks_for_a_turn: bool,
 }
 
 /// How an entry point comes to its numbers.
@@ -81,6 +83,8 @@ pub(crate) struct Routine {
     /// Whether it asks anything of anybody.
     pub has_checks: bool,
     pub locals: Locals,
+    /// The constants that are bound to names where it begins, in order.
+    pub constants: Map<Node, String>,
 }
 
 /// Statements that end in a result.
@@ -150,25 +154,39 @@ pub(crate) enum Threshold {
 /// witnesses are indices into the stage's sinks and those of the stages before it.
 #[derive(Clone, Debug)]
 pub(crate) struct Asked {
-    /// The fast path asks whether the sum of these is finite.
-    pub witnesses: Vec<usize>,
-    /// What it asks instead of numbers of the widths that these limits keep from overflowing.
-    pub limits: Option<Limits>,
+    /// The fast path asks this; nothing where no result can be other than finite.
+    pub finite: Option<Finite>,
     /// The slow path asks these whether they are finite: first what is given, …
     pub given: Vec<Node>,
     /// … in the end what comes out.
     pub results: Vec<usize>,
 }
 
-/// Within these limits no value overflows on the way.
+/// Whether a sum of results is finite.
 #[derive(Clone, Debug)]
-pub(crate) struct Limits {
-    /// Whether there are limits for double precision.
-    pub wide: bool,
-    /// Whether there are for single precision.
-    pub narrow: bool,
-    /// The largest magnitude of each of these inputs in either width.
-    pub inputs: Vec<(Node, [f64; 2])>,
+pub(crate) struct Finite {
+    pub sum: Sum,
+    /// The widths that need no such test, double and single precision, where these bounds are kept.
+    pub instead: Option<([bool; 2], Vec<Bound>)>,
+}
+
+/// A sum in the order in which it is added up.
+#[derive(Clone, Debug)]
+pub(crate) enum Sum {
+    One(usize),
+    Of(Box<[Self; 2]>),
+}
+
+/// A comparison of inputs with a limit, in double and in single precision.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Bound {
+    /// |value| ≤ limit
+    Within { value: Node, limit: [f64; 2] },
+    /// |second| ≤ limit − rate²
+    WithRate { rate: Node, second: Node, limit: [f64; 2] },
+    /// s + rate² ≤ limit, or with a second rate (s + rate²)² + second² ≤ limit, where s is the square of the
+    /// angle that cosine and sine were made of, zero where they are given.
+    OnCircle { rate: Option<Node>, second: Option<Node>, limit: [f64; 2] },
 }
 
 /// What the values of a routine are called, and which are written down where they are used.
@@ -245,6 +263,22 @@ impl Reading {
             Self::Negated(inner) => inner.local(),
             Self::Local(id) => Some(*id),
         }
+    }
+}
+
+impl Lowered<'_> {
+    /// Whether an entry point compares the square of the angle, which whoever calls it gives.
+    pub(crate) fn takes_square(&self, id: EntryId) -> bool {
+        let Compute::Own { asked, .. } = &self.entries[id.index()] else { return false };
+        let bounds = asked.finite.iter().filter_map(|finite| finite.instead.as_ref());
+        bounds.flat_map(|(_, bounds)| bounds).any(|bound| matches!(bound, Bound::OnCircle { .. }))
+    }
+
+    /// The search of an unknown's root, where anything asks for it.
+    pub(crate) fn search(&self, unknown: usize) -> Option<&Search> {
+        let is_it =
+            |sought: &Sought| sought.unknown as usize == unknown && sought.wanted == Wanted::Root;
+        self.searches.iter().find(|search| is_it(&search.sought))
     }
 }
 

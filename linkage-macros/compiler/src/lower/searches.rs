@@ -8,6 +8,7 @@ use crate::function::Function;
 use crate::interface::records::Shape;
 use crate::ir::cost::Costs;
 use crate::ir::graph::{Graph, Id, Node, Sought, Trend, Wanted};
+use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, trial_nodes, tried};
 use crate::ir::program::{Clearance, Program};
 use crate::model::mechanism::Mechanism;
@@ -18,7 +19,8 @@ pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -
     let mut searches: Vec<Search> = Vec::new();
     for root in roots.chain(ends(program)) {
         let Node::Root(sought) = program.graph.node(root) else { continue };
-        let name = mechanism.unknowns[sought.unknown as usize].name.to_string();
+        let unknown = &mechanism.unknowns[sought.unknown as usize];
+        let name = unknown.name.to_string();
         // An unknown is searched in one way for an angle, in another for its cosine and sine.
         let of_it = |sought: &Sought| (sought.unknown, sought.wanted);
         let is_known = searches.iter().any(|known| of_it(&known.sought) == of_it(&sought));
@@ -29,7 +31,10 @@ pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -
             Wanted::End(_) => "upper",
         };
         let name = locals::single_underscores(&format!("{begin}_{name}{suffix}").to_lowercase());
-        searches.push(search(&program.graph, root, sought, name));
+        let of_unknown = search(&program.graph, root, sought, name);
+        let are_known = unknown.between.iter().all(|end| end.constant().is_some());
+        let asks_for_a_turn = unknown.dimension.angle && !are_known;
+        searches.push(Search { asks_for_a_turn, ..of_unknown });
     }
     let ends: Vec<Sought> = searches.iter().map(|search| search.sought).collect();
     for search in &mut searches {
@@ -111,9 +116,11 @@ fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
         reads: Vec::new(),
         has_checks: false,
         locals,
+        constants: Map::default(),
     };
     let cost = Costs::of(graph).of_trial(&sought.sides);
-    Search { routine, root, sought, given, cost, has_one_root: None, apart: None }
+    let (has_one_root, apart, asks_for_a_turn) = (None, None, false);
+    Search { routine, root, sought, given, cost, has_one_root, apart, asks_for_a_turn }
 }
 
 /// What a trial is called.

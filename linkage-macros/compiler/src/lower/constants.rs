@@ -1,43 +1,23 @@
 //! Constants that a function reads more than once: bound to names where it begins. Each is a call for
 //! the compiler, a fifth of all that a mechanism's formulas make, and nothing at run time.
 
-use super::context::Context;
-use super::text::Text;
+use super::routine::{Locals, Stage, Statement};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
-use crate::lower::routine::{Locals, Routine, Statement};
 
-/// The names of constants.
-#[derive(Default)]
-pub(super) struct Constants(Map<Node, String>);
-
-impl Constants {
-    /// Those that the routine reads more than once, in the order in which it does.
-    pub(super) fn shared(graph: &Graph, routine: &Routine) -> Self {
-        let mut count = Count { graph, locals: &routine.locals, times: Map::default() };
-        for stage in &routine.stages {
-            count.statements(&stage.statements);
-            stage.sinks.iter().for_each(|&sink| count.value(sink));
-        }
-        let mut stem = "k".to_string();
-        while routine.locals.names.values().any(|name| name.starts_with(&stem)) {
-            stem.push('k');
-        }
-        let often = count.times.iter().filter(|(_, times)| *times > 1);
-        let named = often.enumerate().map(|(nth, (node, _))| (*node, format!("{stem}{nth}_")));
-        Self(named.collect())
+/// The constants that the stages read more than once, in the order in which they do, and their names.
+pub(super) fn shared(graph: &Graph, locals: &Locals, stages: &[Stage]) -> Map<Node, String> {
+    let mut count = Count { graph, locals, times: Map::default() };
+    for stage in stages {
+        count.statements(&stage.statements);
+        stage.sinks.iter().for_each(|&sink| count.value(sink));
     }
-
-    pub(super) fn name(&self, constant: Node) -> Option<&str> {
-        self.0.get(&constant).map(|name| &name[..])
+    let mut stem = "k".to_string();
+    while locals.names.values().any(|name| name.starts_with(&stem)) {
+        stem.push('k');
     }
-
-    /// Binds the names.
-    pub(super) fn bind(&self, cx: &Context<'_>, to: &mut Text) {
-        for (constant, name) in self.0.iter() {
-            to.put("let ").put(name).put(" = ").put(&cx.constant(*constant)).put(";\n");
-        }
-    }
+    let often = count.times.iter().filter(|(_, times)| *times > 1);
+    often.enumerate().map(|(nth, (node, _))| (*node, format!("{stem}{nth}_"))).collect()
 }
 
 /// How often each constant is read.
