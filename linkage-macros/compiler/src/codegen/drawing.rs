@@ -12,7 +12,8 @@ use crate::interface::entries::Given;
 use crate::lower::routine::Lowered;
 use crate::lower::{APPLIED, PLACED};
 use crate::model::dynamics::{Ends, Force, Spring};
-use crate::model::mechanism::{Carrier, Length, Mechanism, Step};
+use crate::model::mechanism::{Carrier, Drive, Group, Length, Mechanism, Step};
+use crate::syntax::anatomy::Class;
 
 /// Nothing where the run-time crate has no feature `sketch`: Cargo may turn the macro's on for
 /// another build of that crate.
@@ -185,53 +186,45 @@ fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {
             let (point, carrier) = (number(point.0), on(*carrier));
             quote!(#made::Point(#point, #carrier))
         }
-        Step::Crank { link, pivot, pin, angle, relative_to, .. } => {
-            let (link, pivot) = (number(link.0), number(pivot.0));
-            let end = option(cx, pin.as_ref().map(|(pin, _)| pin.0));
-            let turns = *relative_to == Carrier::Ground && cx.mechanism.turns(angle);
-            let driven = pin.as_ref().is_some_and(|(_, length)| driven(cx, length));
-            quote!(#made::Crank(#link, #pivot, #end, [#turns, #driven]))
-        }
-        Step::Slider { link, guide, pin, slide, .. } => {
-            let (link, guide) = (number(link.0), number(guide.0));
-            let moves = cx.mechanism.moves(slide);
-            let pin = option(cx, pin.map(|pin| pin.0));
-            quote!(#made::Slider(#link, #guide, #pin, #moves))
-        }
-        _ => dyad(cx, step),
+        Step::Group(group) => self::group(cx, group),
     }
 }
 
-fn dyad(cx: &Context<'_>, step: &Step) -> TokenStream {
+fn group(cx: &Context<'_>, group: &Group) -> TokenStream {
     let made = cx.paths.item("Made");
-    match step {
-        Step::Rrr { links, outer, pin, lengths, .. } => {
-            let (links, outer, pin) =
-                (links.map(|l| number(l.0)), outer.map(|p| number(p.0)), number(pin.0));
-            let driven = [driven(cx, &lengths[0]), driven(cx, &lengths[1])];
-            quote!(#made::Rrr([#(#links),*], [#(#outer),*], #pin, [#(#driven),*]))
+    let links: Vec<_> = group.links.iter().map(|link| number(link.0)).collect();
+    let (points, guides): (Vec<_>, Vec<_>) = (
+        group.outer.iter().filter_map(|joint| Some(number(joint.point()?.0))).collect(),
+        group.outer.iter().filter_map(|joint| Some(number(joint.guide()?.0))).collect(),
+    );
+    let pin = group.pin.map(|pin| number(pin.0));
+    let end = option(cx, group.pin.map(|pin| pin.0));
+    let driven: Vec<_> = group.lengths.iter().flatten().map(|length| driven(cx, length)).collect();
+    match group.kind {
+        Class::Crank => {
+            let turns = match &group.outer[0].drive {
+                Some(Drive::Angle { angle, relative_to: Carrier::Ground }) => {
+                    cx.mechanism.turns(angle)
+                }
+                _ => false,
+            };
+            let driven = driven.first().copied().unwrap_or_default();
+            quote!(#made::Crank(#(#links),*, #(#points),*, #end, [#turns, #driven]))
         }
-        Step::Rrp { links, outer, guide, pin, length, .. } => {
-            let links = links.map(|l| number(l.0));
-            let [outer, guide, pin] = [outer.0, guide.0, pin.0].map(number);
-            let driven = driven(cx, length);
-            quote!(#made::Rrp([#(#links),*], #outer, #guide, #pin, #driven))
+        Class::Slider => {
+            let moves = match &group.outer[0].drive {
+                Some(Drive::Slide(slide)) => cx.mechanism.moves(slide),
+                _ => false,
+            };
+            quote!(#made::Slider(#(#links),*, #(#guides),*, #end, #moves))
         }
-        Step::Rpr { links, outer, .. } => {
-            let (links, outer) = (links.map(|l| number(l.0)), outer.map(|p| number(p.0)));
-            quote!(#made::Rpr([#(#links),*], [#(#outer),*]))
+        Class::Rrr => quote!(#made::Rrr([#(#links),*], [#(#points),*], #pin, [#(#driven),*])),
+        Class::Rrp => {
+            quote!(#made::Rrp([#(#links),*], #(#points),*, #(#guides),*, #pin, #(#driven),*))
         }
-        Step::Prp { links, guides, pin, .. } => {
-            let (links, guides, pin) =
-                (links.map(|l| number(l.0)), guides.map(|g| number(g.0)), number(pin.0));
-            quote!(#made::Prp([#(#links),*], [#(#guides),*], #pin))
-        }
-        Step::Rpp { links, outer, guide, .. } => {
-            let links = links.map(|l| number(l.0));
-            let [outer, guide] = [outer.0, guide.0].map(number);
-            quote!(#made::Rpp([#(#links),*], #outer, #guide))
-        }
-        _ => unreachable!("only dyads come here"),
+        Class::Rpr => quote!(#made::Rpr([#(#links),*], [#(#points),*])),
+        Class::Prp => quote!(#made::Prp([#(#links),*], [#(#guides),*], #pin)),
+        Class::Rpp => quote!(#made::Rpp([#(#links),*], #(#points),*, #(#guides),*)),
     }
 }
 

@@ -8,8 +8,8 @@ use super::identifiers::text;
 use crate::interface::forces::path;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
-use crate::model::dynamics::{Asked, Effort, Ends, Load, Owner};
-use crate::model::mechanism::{Carrier, Dimension, LinkId, PointId, SpringId, Step};
+use crate::model::dynamics::{Asked, Effort, Ends, Load};
+use crate::model::mechanism::{Body, Carrier, Dimension, Drive, LinkId, PointId, SpringId};
 
 pub(super) fn load(load: &Load) -> TokenStream {
     let unit = unit(load.dimension, Order::Position);
@@ -71,8 +71,8 @@ fn sentence(cx: &Context<'_>, asked: &Asked) -> String {
         }
         Effort::Pin(id, joint) => {
             let by = match cx.mechanism.owner(joint) {
-                Some(Owner::Ground) => "the ground".to_string(),
-                Some(Owner::Link(by)) => format!("`{}`", link(by)),
+                Some(Body::Ground) => "the ground".to_string(),
+                Some(Body::Link(by)) => format!("`{}`", link(by)),
                 _ => format!("the pin `{}`", point(joint)),
             };
             format!("force in N on `{}` at `{}`, exerted by {by}", link(id), point(joint))
@@ -133,21 +133,19 @@ fn effort_unit(dimension: Dimension) -> String {
 /// What drives a crank or a slider, and against what.
 fn driven(cx: &Context<'_>, id: LinkId) -> String {
     let name = text(&cx.mechanism.links[id.index()].name);
-    let found = cx.mechanism.steps.iter().find_map(|step| match step {
-        Step::Crank { link, relative_to, .. } if *link == id => Some(match relative_to {
-            Carrier::Ground => {
-                format!("couple in N·m on `{name}`, exerted by its drive against the ground")
-            }
-            Carrier::Link(against) => format!(
-                "couple in N·m on `{name}`, exerted by its drive against `{}`",
-                text(&cx.mechanism.links[against.index()].name)
-            ),
-        }),
-        Step::Slider { link, guide, .. } if *link == id => Some(format!(
-            "force in N on `{name}` along `{}`, exerted by its drive against what carries that",
-            text(&cx.mechanism.guides[guide.index()].name)
+    let group = cx.mechanism.group_with(id);
+    let found = group.and_then(|group| match group.outer[0].drive.as_ref()? {
+        Drive::Angle { relative_to: Carrier::Ground, .. } => {
+            Some(format!("couple in N·m on `{name}`, exerted by its drive against the ground"))
+        }
+        Drive::Angle { relative_to: Carrier::Link(against), .. } => Some(format!(
+            "couple in N·m on `{name}`, exerted by its drive against `{}`",
+            text(&cx.mechanism.links[against.index()].name)
         )),
-        _ => None,
+        Drive::Slide(_) => Some(format!(
+            "force in N on `{name}` along `{}`, exerted by its drive against what carries that",
+            text(&cx.mechanism.guides[group.slides_on(0).index()].name)
+        )),
     });
     found.unwrap_or_else(|| format!("effort of the drive of `{name}`"))
 }

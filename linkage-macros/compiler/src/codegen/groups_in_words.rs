@@ -6,20 +6,21 @@ use super::context::Context;
 use super::identifiers::text;
 use crate::exact::Exact;
 use crate::model::mechanism::{
-    AngleSum, Carrier, Expr, Group, GroupId, Known, Length, LinkId, Mechanism, Mode, PointId, Sign,
-    Step,
+    AngleSum, Carrier, Drive, Expr, Group, GroupName, Known, LinkId, Mechanism, Mode, PointId,
+    Sign, Slideway,
 };
 use crate::reach::absolute;
+use crate::syntax::anatomy::Class;
 
 /// The group with this index: `rrr BC, DC: lengths 632 mm and 374 mm, …`.
 pub(super) fn in_words(cx: &Context<'_>, index: usize) -> String {
     let mechanism = cx.mechanism;
-    let Group { keyword, title, .. } = &mechanism.groups[index];
+    let GroupName { keyword, title, .. } = &mechanism.groups[index];
     let words = Words { mechanism };
-    let step = mechanism.steps.iter().find_map(|step| words.step(step, index));
-    let step = step.or_else(|| words.unknown(index));
-    match step {
-        Some(step) => format!("{keyword} {title}: {step}"),
+    let group = mechanism.group_steps().find(|group| group.id.index() == index);
+    let said = group.map(|group| words.group(group)).or_else(|| words.unknown(index));
+    match said {
+        Some(said) => format!("{keyword} {title}: {said}"),
         None => format!("{keyword} {title}"),
     }
 }
@@ -39,73 +40,64 @@ impl Words<'_> {
         Some(format!("between {from} and {to}, fixed by its equation, {trend}"))
     }
 
-    /// The step in words, if it is the group's.
-    fn step(&self, step: &Step, index: usize) -> Option<String> {
-        let words = match step {
-            Step::Crank { group, pin, angle, relative_to, .. } if group.index() == index => {
-                self.crank(pin.as_ref(), angle, *relative_to)
+    /// The group in words.
+    fn group(&self, group: &Group) -> String {
+        let outer = || [0, 1].map(|index| group.stands_on(index));
+        let offsets = group.offsets();
+        match group.kind {
+            Class::Crank => self.crank(group),
+            Class::Slider => {
+                let Some(Drive::Slide(slide)) = &group.outer[0].drive else { return String::new() };
+                format!("slide {}{}", self.length(slide), self.offset(offsets[0]))
             }
-            Step::Slider { group, slide, offset, .. } if group.index() == index => {
-                format!("slide {}{}", self.length(slide), self.offset(offset))
+            Class::Rrr => self.rrr(group, outer()),
+            Class::Rrp => self.rrp(group, offsets[0]),
+            Class::Rpr => self.rpr(group, outer(), offsets[0]),
+            Class::Prp => {
+                format!("{}assembles where the guides are not parallel", self.offsets(&offsets))
             }
-            Step::Rrr { group, outer, pin, lengths, mode, .. } if group.index() == index => {
-                self.rrr(*group, *outer, *pin, lengths, *mode)
-            }
-            Step::Rrp { group, outer, pin, length, offset, mode, .. } if group.index() == index => {
-                self.rrp([*outer, *pin], length, offset, *mode)
-            }
-            Step::Rpr { group, links, outer, offset, mode } if group.index() == index => {
-                self.rpr(links[1], *outer, offset, *mode)
-            }
-            Step::Prp { group, offsets, .. } if group.index() == index => {
-                format!("{}assembles where the guides are not parallel", self.offsets(offsets))
-            }
-            Step::Rpp { group, slot, offsets, .. } if group.index() == index => {
-                let range = match slot.constant() {
-                    Some(_) => "assembles everywhere",
-                    None => "assembles where the slot is not along the rail",
-                };
-                format!("slot at {}, {}{range}", self.angle(slot), self.offsets(offsets))
-            }
-            _ => return None,
-        };
-        Some(words)
+            Class::Rpp => self.rpp(group, &offsets),
+        }
     }
 
-    fn crank(
-        &self,
-        pin: Option<&(PointId, Length)>,
-        angle: &AngleSum,
-        relative_to: Carrier,
-    ) -> String {
-        let length = pin.map(|(_, length)| format!("length {}, ", self.length(&length.value)));
+    fn crank(&self, group: &Group) -> String {
+        let Some(Drive::Angle { angle, relative_to }) = &group.outer[0].drive else {
+            return String::new();
+        };
+        let length = group.lengths[0].as_ref();
+        let length = length.map(|length| format!("length {}, ", self.length(&length.value)));
         let from = match relative_to {
             Carrier::Ground => String::new(),
-            Carrier::Link(link) => format!(" from `{}`", self.link(link)),
+            Carrier::Link(link) => format!(" from `{}`", self.link(*link)),
         };
         format!("{}angle {}{from}", length.unwrap_or_default(), self.angle(angle))
     }
 
-    fn rrr(
-        &self,
-        group: GroupId,
-        outer: [PointId; 2],
-        pin: PointId,
-        lengths: &[Length; 2],
-        mode: Mode,
-    ) -> String {
+    fn rpp(&self, group: &Group, offsets: &[&Expr]) -> String {
+        let Some(Slideway::Slot { angle, .. }) = group.inner[0].slideway() else {
+            return String::new();
+        };
+        let range = match angle.constant() {
+            Some(_) => "assembles everywhere",
+            None => "assembles where the slot is not along the rail",
+        };
+        format!("slot at {}, {}{range}", self.angle(angle), self.offsets(offsets))
+    }
+
+    fn rrr(&self, group: &Group, outer: [PointId; 2]) -> String {
         let [b, d] = outer.map(|point| self.point(point));
-        let pin = self.point(pin);
-        let [first, second] = [0, 1].map(|i| self.length(&lengths[i].value));
-        let side = match mode {
-            Mode::Fixed(Sign::Plus) => "on the left".to_string(),
-            Mode::Fixed(Sign::Minus) => "on the right".to_string(),
-            Mode::Param(param) => format!(
+        let pin = self.pin(group);
+        let lengths = [0, 1].map(|bar| &group.length(bar).value);
+        let [first, second] = lengths.map(|length| self.length(length));
+        let side = match group.mode() {
+            Some(Mode::Fixed(Sign::Plus)) | None => "on the left".to_string(),
+            Some(Mode::Fixed(Sign::Minus)) => "on the right".to_string(),
+            Some(Mode::Param(param)) => format!(
                 "on the side that `{}` says",
                 text(&self.mechanism.params[param.index()].name)
             ),
         };
-        let known = self.mechanism.known.iter().find(|known| known.group == group);
+        let known = self.mechanism.known.iter().find(|known| known.group == group.id);
         let range = self.range_of_rrr([b, d], lengths, known.and_then(|known| known.span.as_ref()));
         let mut words = format!(
             "lengths {first} and {second}, `{pin}` {side} seen from `{b}` to `{d}`; \
@@ -126,10 +118,9 @@ impl Words<'_> {
     fn range_of_rrr(
         &self,
         [b, d]: [&Ident; 2],
-        lengths: &[Length; 2],
+        [first, second]: [&Expr; 2],
         span: Option<&Exact>,
     ) -> String {
-        let [first, second] = [&lengths[0].value, &lengths[1].value];
         let driven = match (first, second) {
             (Expr::Input(input), other) | (other, Expr::Input(input)) => {
                 other.constant().zip(span).map(|(other, span)| (*input, other, span))
@@ -146,19 +137,19 @@ impl Words<'_> {
         }
     }
 
-    fn rrp(&self, points: [PointId; 2], length: &Length, offset: &Expr, mode: Mode) -> String {
-        let [outer, pin] = points.map(|point| self.point(point));
-        let length = self.length(&length.value);
-        let (sense, offset) = (self.sense(mode, "ahead of", "behind"), self.offset(offset));
+    fn rrp(&self, group: &Group, offset: &Expr) -> String {
+        let (outer, pin) = (self.point(group.stands_on(0)), self.pin(group));
+        let length = self.length(&group.length(0).value);
+        let (sense, offset) = (self.sense(group, "ahead of", "behind"), self.offset(offset));
         format!(
             "length {length}{offset}, `{pin}` {sense} the foot of `{outer}`; assembles while `{outer}` is no \
              farther than {length} from the line on which `{pin}` slides"
         )
     }
 
-    fn rpr(&self, bar: LinkId, outer: [PointId; 2], offset: &Expr, mode: Mode) -> String {
-        let ([b, d], bar) = (outer.map(|point| self.point(point)), self.link(bar));
-        let sense = self.sense(mode, "positive", "negative");
+    fn rpr(&self, group: &Group, outer: [PointId; 2], offset: &Expr) -> String {
+        let ([b, d], bar) = (outer.map(|point| self.point(point)), self.link(group.links[1]));
+        let sense = self.sense(group, "positive", "negative");
         let range = match offset.constant() {
             Some(offset) if offset.is_zero() => format!("assembles while `{b}` is not on `{d}`"),
             Some(offset) => {
@@ -172,11 +163,11 @@ impl Words<'_> {
         format!("{offset}block on the {sense} side of `{bar}`; {range}")
     }
 
-    fn sense(&self, mode: Mode, plus: &str, minus: &str) -> String {
-        match mode {
-            Mode::Fixed(Sign::Plus) => plus.to_string(),
-            Mode::Fixed(Sign::Minus) => minus.to_string(),
-            Mode::Param(param) => {
+    fn sense(&self, group: &Group, plus: &str, minus: &str) -> String {
+        match group.mode() {
+            Some(Mode::Fixed(Sign::Plus)) | None => plus.to_string(),
+            Some(Mode::Fixed(Sign::Minus)) => minus.to_string(),
+            Some(Mode::Param(param)) => {
                 let name = text(&self.mechanism.params[param.index()].name);
                 format!("{plus} or {minus}, as `{name}` says,")
             }
@@ -192,12 +183,12 @@ impl Words<'_> {
     }
 
     /// `offsets 5 mm and 0 m; `; nothing where there are none.
-    fn offsets(&self, offsets: &[Expr; 2]) -> String {
-        let is_zero = |offset: &Expr| offset.constant().is_some_and(Exact::is_zero);
+    fn offsets(&self, offsets: &[&Expr]) -> String {
+        let is_zero = |offset: &&Expr| offset.constant().is_some_and(Exact::is_zero);
         if offsets.iter().all(is_zero) {
             return String::new();
         }
-        let [first, second] = [0, 1].map(|i| self.length(&offsets[i]));
+        let [first, second] = [0, 1].map(|index| self.length(offsets[index]));
         format!("offsets {first} and {second}; ")
     }
 
@@ -227,6 +218,10 @@ impl Words<'_> {
             }
             _ => "as computed".to_string(),
         }
+    }
+
+    fn pin(&self, group: &Group) -> &Ident {
+        self.point(group.pin.expect("its row has a pin"))
     }
 
     fn point(&self, point: PointId) -> &Ident {

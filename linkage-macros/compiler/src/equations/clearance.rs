@@ -7,10 +7,11 @@
 //! its rates while the inputs move along a straight line, and given with a scale: a small change of all
 //! lengths by a share δ of themselves changes the value by at most 4 δ of it.
 
+use crate::equations::dead_points;
+use crate::equations::groups::formulas;
 use crate::equations::kinematics::{Kinematics, Source};
 use crate::equations::parts::Clearance;
 use crate::equations::symbol::Sheet;
-use crate::equations::{dead_points, rpr, rrp, rrr};
 use crate::ir::program;
 use crate::model::mechanism::{Mechanism, Mode, Step, UnknownId};
 
@@ -47,28 +48,8 @@ pub(super) fn beside_unknowns<'s>(
 }
 
 fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::Clearance> {
-    let (group, mode, clearance) = match step {
-        Step::Rrr { group, outer, lengths, mode, .. } => {
-            let joints = kinematics.outer_joints(*outer).seen;
-            let [first, second] = lengths;
-            let lengths = [kinematics.jet(&first.value), kinematics.jet(&second.value)];
-            (*group, *mode, rrr::clearance(joints, lengths))
-        }
-        Step::Rrp { group, outer, guide, length, offset, mode, .. } => {
-            let (b, guide) = (kinematics.point(*outer), kinematics.guide(*guide));
-            let (length, offset) = (kinematics.jet(&length.value), kinematics.jet(offset));
-            (*group, *mode, rrp::clearance(b, guide, length, offset))
-        }
-        Step::Rpr { group, outer, offset, mode, .. } => {
-            let joints = outer.map(|joint| kinematics.point(joint));
-            (
-                *group,
-                *mode,
-                rpr::clearance(kinematics.mechanism.numerics, joints, kinematics.jet(offset)),
-            )
-        }
-        _ => return None,
-    };
+    let Step::Group(group) = step else { return None };
+    let (mode, clearance) = (group.mode()?, formulas(group.kind).clearance(kinematics, group)?);
     let param = match mode {
         Mode::Fixed(_) => None,
         Mode::Param(param) => Some(param.0),
@@ -80,7 +61,7 @@ fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::C
     }
     let rates = Some([value.rate.id, value.accel.id]);
     Some(program::Clearance {
-        group: group.0,
+        group: group.id.0,
         param,
         value: value.value.id,
         scale: scale.id,

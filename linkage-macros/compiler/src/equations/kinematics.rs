@@ -3,14 +3,14 @@
 use std::collections::HashMap;
 
 use crate::equations::jet::Jet;
-use crate::equations::levers::Levers;
 use crate::equations::motion::{Frame, PointMotion};
 use crate::equations::parts::{LimitMeasures, LinkMotion, Solved};
+use crate::equations::reactions::Levers;
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::ir::graph::Node;
 use crate::ir::program::Closure;
 use crate::model::mechanism::{
-    Carrier, Expr, Group, GroupId, GuideId, LinkId, Mechanism, Mode, PointId, Sign,
+    Assembly, Carrier, Expr, Group, GroupId, GuideId, LinkId, Mechanism, Mode, PointId, Sign,
 };
 
 /// An input as the sheet knows it.
@@ -80,8 +80,8 @@ pub(super) struct Kinematics<'s> {
     pub(super) guides: Vec<Option<Frame<'s>>>,
     /// Where a point lies in the frame of what carries it.
     pub(super) coordinates: HashMap<(Carrier, PointId), [Jet<'s>; 2]>,
-    pub(super) qualities: HashMap<GroupId, LimitMeasures<'s>>,
-    pub(super) levers: HashMap<GroupId, Levers<'s>>,
+    pub(super) measures: HashMap<GroupId, LimitMeasures<'s>>,
+    pub(super) levers: HashMap<GroupId, Box<dyn Levers<'s> + 's>>,
     /// Of links between an outer joint and a pin: the vector from one to the other, its length, and
     /// the pin.
     pub(super) bars: HashMap<LinkId, (Vector<'s>, Jet<'s>, PointId)>,
@@ -109,7 +109,7 @@ impl<'s> Kinematics<'s> {
             links: vec![None; mechanism.links.len()],
             guides: vec![None; mechanism.guides.len()],
             coordinates: HashMap::new(),
-            qualities: HashMap::new(),
+            measures: HashMap::new(),
             levers: HashMap::new(),
             bars: HashMap::new(),
         }
@@ -128,8 +128,8 @@ impl<'s> Kinematics<'s> {
         self.links[id.index()].expect("a step uses only what earlier steps have made")
     }
 
-    pub(super) fn quality(&self, group: GroupId) -> Option<LimitMeasures<'s>> {
-        self.qualities.get(&group).copied()
+    pub(super) fn measures_of(&self, group: GroupId) -> Option<LimitMeasures<'s>> {
+        self.measures.get(&group).copied()
     }
 
     pub(super) fn guide(&self, id: GuideId) -> Frame<'s> {
@@ -141,8 +141,8 @@ impl<'s> Kinematics<'s> {
         self.bars.get(&link).copied()
     }
 
-    pub(super) fn levers(&self, group: GroupId) -> &Levers<'s> {
-        &self.levers[&group]
+    pub(super) fn levers(&self, group: GroupId) -> &dyn Levers<'s> {
+        &*self.levers[&group]
     }
 
     /// Where a point lies in the frame of what carries it.
@@ -164,6 +164,14 @@ impl<'s> Kinematics<'s> {
         }
     }
 
+    /// The root that a group with two ways of assembly is to take.
+    pub(super) fn mode_of(&self, group: &Group) -> Sym<'s> {
+        match group.assembly {
+            Assembly::Unique => self.sheet.integer(1),
+            Assembly::Signed(mode) => self.mode(mode),
+        }
+    }
+
     pub(super) fn sign(&self, sign: Sign) -> Sym<'s> {
         self.sheet.integer(if sign == Sign::Plus { 1 } else { -1 })
     }
@@ -173,15 +181,25 @@ impl<'s> Kinematics<'s> {
     }
 
     /// Takes over what a group has placed.
-    pub(super) fn set_group(&mut self, group: GroupId, solved: &Solved<'s>) {
-        let Group { links, pin, .. } = &self.mechanism.groups[group.index()];
-        for (link, &motion) in links.iter().zip(&solved.links) {
-            self.links[link.index()] = Some(motion);
-        }
-        if let (&Some(pin), Some(motion)) = (pin, solved.pin) {
+    pub(super) fn set_group(&mut self, group: &Group, solved: Solved<'s>) {
+        let mut bars = solved.bars.into_iter();
+        if let (Some(pin), Some(motion)) = (group.pin, solved.pin) {
             self.set_point(pin, motion);
         }
-        self.levers.extend(solved.levers.map(|levers| (group, levers)));
+        for (index, (&link, motion)) in group.links.iter().zip(solved.links).enumerate() {
+            self.links[link.index()] = Some(motion);
+            let origin = group.origin(link).or(group.pin);
+            let bar = group.lengths[index].as_ref().zip(group.pin);
+            match (origin, bar.and_then(|bar| Some((bar, bars.next()?)))) {
+                (Some(outer), Some(((length, pin), vector))) => {
+                    let length = self.length(length, group.id.0);
+                    self.set_bar(link, vector, [outer, pin], length);
+                }
+                (Some(origin), None) => self.set_origin(link, origin),
+                (None, _) => {}
+            }
+        }
+        self.levers.extend(solved.levers.map(|levers| (group.id, levers)));
     }
 
     /// Notes where a joint lies on the x axis of a link.

@@ -22,27 +22,21 @@
 //! width can hold, so a large factor there stands before a small error.
 
 mod clearance;
-mod crank;
 mod crank_pin;
 mod dead_points;
 mod double_word;
 mod expressed;
 mod forces;
 mod functions;
+mod groups;
 mod guide;
 mod jet;
 mod kinematics;
-mod levers;
 mod motion;
 mod parts;
 pub(crate) mod placing;
 mod point;
-mod prp;
-mod rpp;
-mod rpr;
-mod rrp;
-mod rrr;
-mod slider;
+mod reactions;
 mod steps;
 mod symbol;
 #[cfg(test)]
@@ -246,13 +240,13 @@ fn turn<'s>(kinematics: &Kinematics<'s>, output: &Output) -> Direction<'s> {
 
 /// A numeric output.
 fn value<'s>(kinematics: &Kinematics<'s>, output: &Output) -> Jet<'s> {
-    let quality = |group| kinematics.quality(group).expect("the step saw that it is wanted");
+    let measures = |group| kinematics.measures_of(group).expect("the step saw that it is wanted");
     match &output.kind {
         OutputKind::Value { value, .. } => kinematics.jet(value),
         OutputKind::Margin(group) => {
-            quality(*group).margin.expect("the model checked that the group has a reach")
+            measures(*group).margin.expect("the model checked that the group has a reach")
         }
-        OutputKind::Transmission(group) => quality(*group).transmission,
+        OutputKind::Transmission(group) => measures(*group).transmission,
         _ => unreachable!("points and links have components of their own"),
     }
 }

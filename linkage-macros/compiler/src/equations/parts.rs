@@ -2,8 +2,8 @@
 //! and the block as parts of a dyad.
 
 use crate::equations::jet::Jet;
-use crate::equations::levers::Levers;
 use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
+use crate::equations::reactions::Levers;
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::model::mechanism::{Carrier, LinkId, Numerics};
 
@@ -83,8 +83,10 @@ pub(super) struct LinkMotion<'s> {
 pub(super) struct Solved<'s> {
     pub links: Vec<LinkMotion<'s>>,
     pub pin: Option<PointMotion<'s>>,
+    /// By bar, from its outer joint to the pin.
+    pub bars: Vec<Vector<'s>>,
     /// Of a dyad.
-    pub levers: Option<Levers<'s>>,
+    pub levers: Option<Box<dyn Levers<'s> + 's>>,
 }
 
 /// A bar from its outer joint to the pin.
@@ -167,22 +169,6 @@ impl<'s> Bar<'s> {
         };
         LinkMotion { frame: Frame { origin: self.outer, direction }, slide: None }
     }
-}
-
-/// What acts on a link but for the joints of its own group: the force, and the moment about the
-/// link's origin, its outer joint.
-#[derive(Clone, Copy)]
-pub(super) struct Acting<'s> {
-    pub force: Vector<'s>,
-    pub moment: Sym<'s>,
-}
-
-/// What a guide exerts on the link that slides on it: a force along its normal, at the origin of the
-/// link's frame, and a couple.
-#[derive(Clone, Copy)]
-pub(super) struct GuideReaction<'s> {
-    pub normal: Sym<'s>,
-    pub couple: Sym<'s>,
 }
 
 /// A block on a guide, at a known slide.

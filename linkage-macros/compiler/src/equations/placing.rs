@@ -42,7 +42,8 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
         let numbers = forces.into_iter().flat_map(|(_, force)| [force.x.id, force.y.id]);
         answers.push(Answer { entry: None, sinks: numbers.collect() });
     }
-    let closures = kinematics.closures;
+    let closures = kinematics.closures.clone();
+    drop(kinematics);
     Program {
         graph: sheet.into_graph(),
         answers,
@@ -55,19 +56,8 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
 /// The lengths and offsets of a statement, in its own order: known also where the group that they
 /// belong to cannot be assembled.
 fn dimensions<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Vec<Sym<'s>> {
-    let jets = match step {
-        Step::Ground { .. } | Step::Guide { .. } | Step::Point { .. } => vec![],
-        Step::Crank { pin, .. } => {
-            pin.iter().map(|(_, length)| kinematics.jet(&length.value)).collect()
-        }
-        Step::Rrr { lengths, .. } => {
-            lengths.iter().map(|length| kinematics.jet(&length.value)).collect()
-        }
-        Step::Rrp { length, offset, .. } => {
-            vec![kinematics.jet(&length.value), kinematics.jet(offset)]
-        }
-        Step::Slider { offset, .. } | Step::Rpr { offset, .. } => vec![kinematics.jet(offset)],
-        Step::Prp { offsets, .. } | Step::Rpp { offsets, .. } => kinematics.jets(offsets).to_vec(),
-    };
-    jets.into_iter().map(|jet| jet.value).collect()
+    let Step::Group(group) = step else { return Vec::new() };
+    let lengths = group.lengths.iter().flatten().map(|length| &length.value);
+    let jets = lengths.chain(group.offsets()).map(|expr| kinematics.jet(expr));
+    jets.map(|jet| jet.value).collect()
 }

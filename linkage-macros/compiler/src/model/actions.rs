@@ -8,8 +8,8 @@ use crate::syntax::action::Action;
 use crate::syntax::tree::{self, Declaration, StatementKind};
 
 use super::Resolver;
-use super::dynamics::{Axes, Force, Load, Owner, Torque};
-use super::mechanism::{Carrier, Dimension, Expr, LoadId, PointId};
+use super::dynamics::{Axes, Force, Load, Torque};
+use super::mechanism::{Body, Carrier, Dimension, Expr, LoadId, PointId};
 use super::names::{Entity, Kind};
 use super::springs::is_rate;
 use super::units::unit;
@@ -165,7 +165,7 @@ impl Resolver<'_> {
     fn moved_point(&mut self, name: &Ident) -> Option<PointId> {
         let point = self.point(name)?;
         match self.mechanism.owner(point)? {
-            Owner::Ground => self.ground_moves_nothing(name, "force"),
+            Body::Ground => self.ground_moves_nothing(name, "force"),
             _ => Some(point),
         }
     }
@@ -197,8 +197,8 @@ impl Resolver<'_> {
     }
 
     /// Whether one of the points moves in the body that both belong to.
-    fn is_driven_in(&self, owner: Owner, points: [PointId; 2]) -> bool {
-        let Owner::Link(link) = owner else { return false };
+    fn is_driven_in(&self, owner: Body, points: [PointId; 2]) -> bool {
+        let Body::Link(link) = owner else { return false };
         let moves = |point| self.mechanism.coordinates_move(Carrier::Link(link), point);
         points.into_iter().any(|point| moves(point) != [false; 2])
     }

@@ -6,8 +6,9 @@ use crate::exact::Exact;
 use crate::reach::absolute;
 
 use super::Resolver;
-use super::folding::shown;
+use super::folding::{shown, shown_in_degrees};
 use super::groups::Parts;
+use super::joints::Dimensions;
 use super::mechanism::{AngleSum, Carrier, Expr, GuideId, Length, LinkId, PointId};
 
 impl AngleSum {
@@ -100,12 +101,61 @@ impl Resolver<'_> {
         format!("|{}{}|", name(from), name(to))
     }
 
+    /// A dyad of constants can be assembled. The rule follows from the outer joints and the pin: a bar
+    /// keeps the pin on a circle, a guide keeps it on a line.
+    pub(super) fn constants_can_be_assembled(
+        &mut self,
+        parts: &Parts,
+        dimensions: &Dimensions,
+    ) -> Option<()> {
+        let Dimensions { lengths, offsets, slot, .. } = dimensions;
+        let [first, second] = &lengths[..] else { return Some(()) };
+        match ([0, 1].map(|index| parts.slides(index)), parts.has_pin()) {
+            ([false, false], true) => {
+                let outer = [parts.point(0)?, parts.point(1)?];
+                let lengths = [first.as_ref()?, second.as_ref()?];
+                self.bars_meet(parts, outer, lengths)?;
+                self.constants_say(parts.id, outer, lengths);
+                Some(())
+            }
+            ([false, true], true) => {
+                let (outer, guide) = (parts.point(0)?, parts.guide(1)?);
+                self.bar_reaches_the_guide(
+                    parts,
+                    (outer, guide),
+                    first.as_ref()?,
+                    offsets.as_ref()?.first()?,
+                )
+            }
+            ([true, true], true) => self.guides_cross(parts, [parts.guide(0)?, parts.guide(1)?]),
+            ([false, false], false) => {
+                let outer = [parts.point(0)?, parts.point(1)?];
+                self.offset_is_within_reach(parts, outer, offsets.as_ref()?.first()?)
+            }
+            ([false, true], false) => {
+                slot.as_ref()?;
+                self.slot_crosses_the_rail(parts, dimensions)
+            }
+            _ => Some(()),
+        }
+    }
+
+    /// A slot along the rail fixes nothing across it.
+    fn slot_crosses_the_rail(&mut self, parts: &Parts, dimensions: &Dimensions) -> Option<()> {
+        let Some(angle) = dimensions.slot_along_the_rail() else { return Some(()) };
+        let message =
+            format!("a slot at {}° lies along the rail; turn it away", shown_in_degrees(angle));
+        let reason = "slot and rail must cross for the group to be determined";
+        self.diagnostics.error_because(parts.fields.one("slot")?.span, message, reason);
+        None
+    }
+
     /// The bars of an rrr of constants reach each other.
-    pub(super) fn bars_meet(
+    fn bars_meet(
         &mut self,
         parts: &Parts,
         outer: [PointId; 2],
-        lengths: &[Length; 2],
+        lengths: [&Length; 2],
     ) -> Option<()> {
         let Some([dx, dy]) = self.facts.between(outer[0], outer[1]) else {
             return Some(());
@@ -137,11 +187,10 @@ impl Resolver<'_> {
     }
 
     /// The bar of an rrp of constants reaches the line its pin slides on.
-    pub(super) fn bar_reaches_the_guide(
+    fn bar_reaches_the_guide(
         &mut self,
         parts: &Parts,
-        outer: PointId,
-        guide: GuideId,
+        (outer, guide): (PointId, GuideId),
         length: &Length,
         offset: &Expr,
     ) -> Option<()> {
@@ -165,7 +214,7 @@ impl Resolver<'_> {
     }
 
     /// The joints of an rpr of constants are at least its offset apart.
-    pub(super) fn offset_is_within_reach(
+    fn offset_is_within_reach(
         &mut self,
         parts: &Parts,
         outer: [PointId; 2],
@@ -191,7 +240,7 @@ impl Resolver<'_> {
     }
 
     /// The guides of a prp of constants are not parallel.
-    pub(super) fn guides_cross(&mut self, parts: &Parts, guides: [GuideId; 2]) -> Option<()> {
+    fn guides_cross(&mut self, parts: &Parts, guides: [GuideId; 2]) -> Option<()> {
         let [first, second] = guides.map(|guide| &self.facts.guides[guide.index()]);
         let (Some(a), Some(b)) = (&first.angle, &second.angle) else {
             return Some(());

@@ -12,7 +12,7 @@ impl Resolver<'_> {
         &mut self,
         group: GroupId,
         outer: [PointId; 2],
-        lengths: &[Length; 2],
+        lengths: [&Length; 2],
     ) {
         let span = self.facts.between(outer[0], outer[1]).map(|[dx, dy]| dx.hypot(&dy));
         let coincides_with = self.point_at(outer, lengths);
@@ -23,7 +23,7 @@ impl Resolver<'_> {
 
     /// The point whose distances from both outer joints are constant and are the group's lengths:
     /// kites and inversors have one. One mode of the group gives the machine, the other this point.
-    fn point_at(&self, outer: [PointId; 2], lengths: &[Length; 2]) -> Option<PointId> {
+    fn point_at(&self, outer: [PointId; 2], lengths: [&Length; 2]) -> Option<PointId> {
         let lengths = [lengths[0].value.constant()?, lengths[1].value.constant()?];
         let is_at = |point: PointId| {
             outer.into_iter().zip(lengths).all(|(joint, length)| {

@@ -7,7 +7,7 @@ use syn::Attribute;
 use super::dimension::Dimension;
 use super::expr::Expr;
 use super::ids::{GuideId, InputId, LinkId, PointId, SpringId, UnknownId};
-use super::step::Carrier;
+use super::incidence::Carrier;
 
 /// Everything that a declaration says about forces; empty where it says nothing.
 #[derive(Default)]
@@ -30,15 +30,6 @@ pub(crate) struct Load {
     pub name: Ident,
     pub docs: Vec<Attribute>,
     pub dimension: Dimension,
-}
-
-/// What a force can act on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Owner {
-    Ground,
-    Link(LinkId),
-    /// The pin between the links of a dyad, a body without mass of its own; or a driven point.
-    Point(PointId),
 }
 
 pub(crate) struct Mass {

@@ -6,8 +6,10 @@ use quote::format_ident;
 use syn::Attribute;
 
 use super::Resolver;
-use super::dynamics::{Asked, Effort, Owner};
-use super::mechanism::{InputId, LinkId, OutputKind, PointId, SpringId, Step};
+use super::dynamics::{Asked, Effort};
+use super::mechanism::{
+    Body, Group, InputId, JointKind, LinkId, Mechanism, OutputKind, PointId, Slideway, SpringId,
+};
 use super::names::{Entity, Kind};
 use super::outputs::MEMBERS;
 use super::springs::parts;
@@ -300,12 +302,12 @@ impl Resolver<'_> {
 
     /// Drive, push, joints and guides of a link.
     fn efforts_of(&self, link: LinkId) -> Efforts {
-        let steps = &self.mechanism.steps;
-        let mut efforts: Efforts = steps.iter().flat_map(|step| self.of_step(step, link)).collect();
+        let group = self.mechanism.group_with(link);
+        let mut efforts = group.map_or(Vec::new(), |group| self.of_group(group, link));
         // Points of its own that others stand on.
         let mut own: Vec<PointId> = Vec::new();
         for (point, _) in self.mechanism.standing() {
-            let is_own = self.mechanism.owner(point) == Some(Owner::Link(link));
+            let is_own = self.mechanism.owner(point) == Some(Body::Link(link));
             if is_own && !own.contains(&point) {
                 own.push(point);
             }
@@ -315,51 +317,37 @@ impl Resolver<'_> {
         efforts
     }
 
-    fn of_step(&self, step: &Step, link: LinkId) -> Efforts {
-        let pin = |point: &PointId| (self.point_name(*point), Effort::Pin(link, *point));
-        let guide = |name: &Ident| (name.clone(), Effort::Guide(link));
-        let guides = &self.mechanism.guides;
-        let drive = || (format_ident!("drive"), Effort::Drive(link));
-        let push = || (format_ident!("push"), Effort::Push(link));
-        let place = |links: &[LinkId; 2]| links.iter().position(|known| *known == link);
-        let of_link = |link: LinkId| &self.mechanism.links[link.index()].name;
-        match step {
-            Step::Crank { link: own, pivot, pin: end, .. } if *own == link => {
-                let driven = end.as_ref().filter(|(_, l)| self.mechanism.moves(&l.value));
-                [drive()].into_iter().chain(driven.map(|_| push())).chain([pin(pivot)]).collect()
-            }
-            Step::Slider { link: own, guide: on, .. } if *own == link => {
-                vec![drive(), guide(&guides[on.index()].name)]
-            }
-            Step::Rrr { links, outer, pin: inner, lengths, .. } => {
-                let Some(k) = place(links) else { return Vec::new() };
-                let driven = self.mechanism.moves(&lengths[k].value).then(push);
-                driven.into_iter().chain([pin(&outer[k]), pin(inner)]).collect()
-            }
-            Step::Rrp { links, outer, guide: on, pin: inner, length, .. } => match place(links) {
-                Some(0) => {
-                    let driven = self.mechanism.moves(&length.value).then(push);
-                    driven.into_iter().chain([pin(outer), pin(inner)]).collect()
-                }
-                Some(_) => vec![pin(inner), guide(&guides[on.index()].name)],
-                None => Vec::new(),
-            },
-            Step::Rpr { links, outer, .. } => match place(links) {
-                Some(0) => vec![pin(&outer[0]), guide(of_link(links[1]))],
-                Some(_) => vec![pin(&outer[1])],
-                None => Vec::new(),
-            },
-            Step::Prp { links, guides: on, pin: inner, .. } => match place(links) {
-                Some(k) => vec![pin(inner), guide(&guides[on[k].index()].name)],
-                None => Vec::new(),
-            },
-            Step::Rpp { links, outer, guide: on, .. } => match place(links) {
-                Some(0) => vec![pin(outer), guide(of_link(links[1]))],
-                Some(_) => vec![guide(&guides[on.index()].name)],
-                None => Vec::new(),
-            },
-            _ => Vec::new(),
+    /// The drive of a link of a group, and the reactions of its joints.
+    fn of_group(&self, group: &Group, link: LinkId) -> Efforts {
+        let Mechanism { links, guides, .. } = &self.mechanism;
+        let (mut efforts, mut by_slideways) = (Vec::new(), Vec::new());
+        let own = || group.joints().filter(|joint| joint.link() == link);
+        if own().any(|joint| joint.drive.is_some()) {
+            efforts.push((format_ident!("drive"), Effort::Drive(link)));
         }
+        let mut bars = group.links.iter().zip(&group.lengths);
+        let length = bars.find_map(|(own, length)| length.as_ref().filter(|_| *own == link));
+        if length.is_some_and(|length| self.mechanism.moves(&length.value)) {
+            efforts.push((format_ident!("push"), Effort::Push(link)));
+        }
+        for joint in own() {
+            match &joint.kind {
+                JointKind::Revolute(point) => {
+                    efforts.push((self.point_name(*point), Effort::Pin(link, *point)));
+                }
+                JointKind::Prismatic { along, .. } => {
+                    let by = match along {
+                        Slideway::Guide(guide) => &guides[guide.index()].name,
+                        Slideway::Bar(by) | Slideway::Slot { link: by, .. } => {
+                            &links[by.index()].name
+                        }
+                    };
+                    by_slideways.push((by.clone(), Effort::Guide(link)));
+                }
+            }
+        }
+        efforts.extend(by_slideways);
+        efforts
     }
 
     fn point_name(&self, point: PointId) -> Ident {

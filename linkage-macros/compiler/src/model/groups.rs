@@ -10,9 +10,9 @@ use crate::syntax::words::built_by;
 use super::Resolver;
 use super::facts::LinkFacts;
 use super::fields::Fields;
-use super::mechanism::{Body, Group, GroupId, GuideId, Link, LinkId, Point, PointId};
+use super::mechanism::{GroupId, GroupName, GuideId, Link, LinkId, PartOf, Point, PointId, Step};
 use super::names::{Entity, Kind};
-use crate::syntax::anatomy::{Anatomy, Class, Joint, KEYWORDS, Pin, Reason};
+use crate::syntax::anatomy::{Anatomy, JointRule, KEYWORDS, Pin, Reason};
 
 /// What a group statement has made and was given.
 pub(super) struct Parts<'t> {
@@ -45,10 +45,6 @@ impl Parts<'_> {
 
     pub(super) fn link(&self, i: usize) -> Option<LinkId> {
         self.links.get(i).copied().flatten()
-    }
-
-    pub(super) fn both_links(&self) -> Option<[LinkId; 2]> {
-        Some([self.link(0)?, self.link(1)?])
     }
 
     pub(super) fn point(&self, i: usize) -> Option<PointId> {
@@ -84,25 +80,12 @@ impl Resolver<'_> {
             .map(|(leg, slides)| self.add_link(docs, &leg.link, id, slides))
             .collect();
         let pin = self.pin(docs, group, anatomy, id);
-        self.mechanism.groups.push(Group {
-            keyword: group.keyword.clone(),
-            title: group.title(),
-            links: links.iter().copied().flatten().collect(),
-            pin,
-        });
+        let (keyword, title) = (group.keyword.clone(), group.title());
+        self.mechanism.groups.push(GroupName { keyword, title });
         let outer = self.outer_joints(group, anatomy);
         let fields = self.fields(group, anatomy);
         let parts = Parts { group, anatomy, id, links, outer, pin, fields };
-        let step = match anatomy.class {
-            Class::Crank => self.crank(&parts),
-            Class::Slider => self.slider(&parts),
-            Class::Rrr => self.rrr(&parts),
-            Class::Rrp => self.rrp(&parts),
-            Class::Rpr => self.rpr(&parts),
-            Class::Prp => self.prp(&parts),
-            Class::Rpp => self.rpp(&parts),
-            Class::Spring => None,
-        };
+        let step = self.jointed(&parts).map(Step::Group);
         self.facts_of_what_was_made(&parts, step.is_some());
         self.mechanism.steps.extend(step);
     }
@@ -166,7 +149,7 @@ impl Resolver<'_> {
         &mut self,
         docs: &[Attribute],
         name: &Ident,
-        part_of: Body,
+        part_of: PartOf,
     ) -> Option<PointId> {
         self.name_is_new(name)?;
         let id = PointId(self.mechanism.points.len() as u32);
@@ -193,7 +176,7 @@ impl Resolver<'_> {
                 self.name_is_new(pin);
                 None
             }
-            (Some(pin), _) => self.add_point(docs, pin, Body::Pin(id)),
+            (Some(pin), _) => self.add_point(docs, pin, PartOf::Pin(id)),
             (None, Pin::Needed) if group.head_is_read => {
                 let message = format!("`{keyword}` makes a pin; name it with `-> C`");
                 let reason = format!("it reads `{}`", anatomy.form);
@@ -239,14 +222,14 @@ impl Resolver<'_> {
     fn joint_stands_on_its_kind(
         &mut self,
         name: &Ident,
-        joint: Joint,
+        joint: JointRule,
         anatomy: &Anatomy,
     ) -> Option<OuterJoint> {
         let (reason, wrong, wanted) = match (joint, self.names.kind(name)) {
-            (Joint::Revolute(reason), Some(Kind::Guide)) => (reason, Kind::Guide, Kind::Point),
-            (Joint::Prismatic(reason), Some(Kind::Point)) => (reason, Kind::Point, Kind::Guide),
-            (Joint::Revolute(_), _) => return self.point(name).map(OuterJoint::Point),
-            (Joint::Prismatic(_), _) => return self.guide(name).map(OuterJoint::Guide),
+            (JointRule::Revolute(reason), Some(Kind::Guide)) => (reason, Kind::Guide, Kind::Point),
+            (JointRule::Prismatic(reason), Some(Kind::Point)) => (reason, Kind::Point, Kind::Guide),
+            (JointRule::Revolute(_), _) => return self.point(name).map(OuterJoint::Point),
+            (JointRule::Prismatic(_), _) => return self.guide(name).map(OuterJoint::Guide),
         };
         let keyword = anatomy.keyword;
         let (wrong, wanted) = (wrong.one(), wanted.one());

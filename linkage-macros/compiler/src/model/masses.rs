@@ -6,9 +6,9 @@ use crate::syntax::action::MassPlace as Written;
 use crate::syntax::tree;
 
 use super::Resolver;
-use super::dynamics::{Mass, MassPlace, Owner, Quantity};
+use super::dynamics::{Mass, MassPlace, Quantity};
 use super::folding::shown;
-use super::mechanism::{Carrier, Dimension, Expr, LinkId, ParamKind, PointId};
+use super::mechanism::{Body, Carrier, Dimension, Expr, LinkId, ParamKind, PointId};
 use super::names::Kind;
 
 impl Resolver<'_> {
@@ -119,9 +119,9 @@ impl Resolver<'_> {
         }
         let point = self.point(on)?;
         match self.mechanism.owner(point)? {
-            Owner::Ground => self.ground_moves_nothing(on, "mass"),
-            Owner::Link(link) => Some(MassPlace::Point(link, point)),
-            Owner::Point(point) => Some(MassPlace::Pin(point)),
+            Body::Ground => self.ground_moves_nothing(on, "mass"),
+            Body::Link(link) => Some(MassPlace::Point(link, point)),
+            Body::Pin(point) => Some(MassPlace::Pin(point)),
         }
     }
 

@@ -15,9 +15,10 @@ pub(crate) use crate::model::findings::{Known, Rotatability};
 pub(crate) use crate::model::ids::{
     GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
 };
-pub(crate) use crate::model::step::{
-    Carrier, GuideDirection, Length, Mode, Placement, Sign, Step, Through,
+pub(crate) use crate::model::incidence::{
+    Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, Mode, Sign, Slideway,
 };
+pub(crate) use crate::model::step::{GuideDirection, Placement, Step, Through};
 
 pub(crate) struct Mechanism {
     pub docs: Vec<Attribute>,
@@ -33,7 +34,7 @@ pub(crate) struct Mechanism {
     pub links: Vec<Link>,
     pub guides: Vec<Guide>,
     /// Drivers and dyads, for messages and docs.
-    pub groups: Vec<Group>,
+    pub groups: Vec<GroupName>,
     /// What places points, guides and links, in solving order: a step uses only what earlier
     /// steps have made.
     pub steps: Vec<Step>,
@@ -58,12 +59,12 @@ pub(crate) struct Mechanism {
 pub(crate) struct Point {
     pub name: Ident,
     pub docs: Vec<Attribute>,
-    pub part_of: Body,
+    pub part_of: PartOf,
 }
 
 /// What a point is part of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Body {
+pub(crate) enum PartOf {
     Ground,
     /// Placed on a link.
     Link(LinkId),
@@ -115,17 +116,17 @@ impl Mechanism {
 
     /// The statement that makes a group, as errors and docs call it: `rrr BC, DC`.
     pub(crate) fn statement(&self, group: GroupId) -> String {
-        let Group { keyword, title, .. } = &self.groups[group.index()];
+        let GroupName { keyword, title, .. } = &self.groups[group.index()];
         format!("{keyword} {title}")
     }
 
     /// What made a point: `ground`, `crank AB`, `rrr BC, DC`, `point on BC`.
     pub(crate) fn maker(&self, point: PointId) -> String {
         match self.points[point.index()].part_of {
-            Body::Ground => "ground".to_string(),
-            Body::Link(link) => format!("point on {}", self.links[link.index()].name),
-            Body::Pin(group) => self.statement(group),
-            Body::Driven(_) => "driven point".to_string(),
+            PartOf::Ground => "ground".to_string(),
+            PartOf::Link(link) => format!("point on {}", self.links[link.index()].name),
+            PartOf::Pin(group) => self.statement(group),
+            PartOf::Driven(_) => "driven point".to_string(),
         }
     }
 }
@@ -213,15 +214,12 @@ pub(crate) struct Link {
     pub slides: bool,
 }
 
-/// A driver or a dyad, or a driven point, which is a group of its own.
-pub(crate) struct Group {
+/// The name of a driver or a dyad, or of a driven point, which is a group of its own.
+pub(crate) struct GroupName {
     /// `crank`, `slider`, `rrr`, …, where it is written.
     pub keyword: Ident,
     /// The links, as run-time errors name them: `"BC, DC"`.
     pub title: String,
-    /// In the order of the statement.
-    pub links: Vec<LinkId>,
-    pub pin: Option<PointId>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

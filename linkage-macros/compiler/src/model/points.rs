@@ -10,13 +10,13 @@ use crate::syntax::tree::{self, Expr as Written};
 use super::Resolver;
 use super::assembly::{constants, polar};
 use super::folding::shown;
-use super::mechanism::{Body, Carrier, Expr, Group, Length, LinkId, Placement, Sign, Step};
+use super::mechanism::{Carrier, Expr, GroupName, Length, LinkId, PartOf, Placement, Sign, Step};
 use super::numbers::bare_name;
 
 impl Resolver<'_> {
     pub(super) fn ground(&mut self, docs: &[Attribute], points: &[(Ident, [Written; 2])]) {
         for (name, place) in points {
-            let point = self.add_point(docs, name, Body::Ground);
+            let point = self.add_point(docs, name, PartOf::Ground);
             let at = [0, 1].map(|i| {
                 self.depends_on_no_input(&place[i], name)?;
                 self.length(&place[i])
@@ -49,18 +49,16 @@ impl Resolver<'_> {
             return;
         };
         let (part_of, group) = match carrier {
-            Carrier::Ground => (Body::Driven(self.next_group()), self.next_group()),
-            Carrier::Link(link) => (Body::Link(link), self.mechanism.links[link.index()].made_by),
+            Carrier::Ground => (PartOf::Driven(self.next_group()), self.next_group()),
+            Carrier::Link(link) => (PartOf::Link(link), self.mechanism.links[link.index()].made_by),
         };
         let Some(point) = self.add_point(docs, name, part_of) else {
             return;
         };
         if carrier == Carrier::Ground {
-            self.mechanism.groups.push(Group {
+            self.mechanism.groups.push(GroupName {
                 keyword: Ident::new("point", name.span()),
                 title: name.to_string(),
-                links: Vec::new(),
-                pin: Some(point),
             });
         }
         self.facts.points[point.index()] = self.moves;

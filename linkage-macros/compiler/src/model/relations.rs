@@ -1,51 +1,94 @@
-//! What the steps of a mechanism say of its parts: whose a point is, and what moves.
+//! Owners, carriers and motion, read from steps and joints.
 
-use super::dynamics::Owner;
 use super::mechanism::{
-    AngleSum, Body, Carrier, Expr, LinkId, Mechanism, Placement, PointId, Step,
+    AngleSum, Body, Carrier, Drive, Expr, Group, GuideDirection, GuideId, Joint, LinkId, Mechanism,
+    PartOf, Placement, PointId, Slideway, Step,
 };
 
 impl Mechanism {
+    pub(crate) fn group_steps(&self) -> impl Iterator<Item = &Group> {
+        self.steps.iter().filter_map(|step| match step {
+            Step::Group(group) => Some(group),
+            Step::Ground { .. } | Step::Guide { .. } | Step::Point { .. } => None,
+        })
+    }
+
+    /// The group that makes the link; none where its step is missing.
+    pub(crate) fn group_with(&self, link: LinkId) -> Option<&Group> {
+        self.group_steps().find(|group| group.links.contains(&link))
+    }
+
+    /// The joints of all groups.
+    pub(crate) fn joints(&self) -> impl Iterator<Item = &Joint> {
+        self.group_steps().flat_map(Group::joints)
+    }
+
     /// The group that makes the pin or the driven point.
     pub(crate) fn group_of(&self, point: PointId) -> u32 {
         match self.points[point.index()].part_of {
-            Body::Pin(group) | Body::Driven(group) => group.0,
-            Body::Link(link) => self.links[link.index()].made_by.0,
-            Body::Ground => 0,
+            PartOf::Pin(group) | PartOf::Driven(group) => group.0,
+            PartOf::Link(link) => self.links[link.index()].made_by.0,
+            PartOf::Ground => 0,
         }
     }
 
-    /// What the point belongs to; none where the step that makes it is missing.
-    pub(crate) fn owner(&self, point: PointId) -> Option<Owner> {
+    /// The body that the point belongs to; none where the step that makes it is missing.
+    pub(crate) fn owner(&self, point: PointId) -> Option<Body> {
         self.steps.iter().find_map(|step| match step {
-            Step::Ground { point: made, .. } if *made == point => Some(Owner::Ground),
+            Step::Ground { point: made, .. } if *made == point => Some(Body::Ground),
             Step::Point { point: made, carrier, .. } if *made == point => Some(match carrier {
-                Carrier::Ground => Owner::Point(point),
-                Carrier::Link(link) => Owner::Link(*link),
+                Carrier::Ground => Body::Pin(point),
+                Carrier::Link(link) => Body::Link(*link),
             }),
-            Step::Crank { link, pin: Some((made, _)), .. } if *made == point => {
-                Some(Owner::Link(*link))
-            }
-            Step::Slider { link, pin: Some(made), .. } if *made == point => {
-                Some(Owner::Link(*link))
-            }
-            Step::Rrr { pin, .. } | Step::Rrp { pin, .. } | Step::Prp { pin, .. }
-                if *pin == point =>
-            {
-                Some(Owner::Point(point))
+            Step::Group(group) if group.pin == Some(point) => Some(match group.links[..] {
+                [link] => Body::Link(link),
+                _ => Body::Pin(point),
+            }),
+            _ => None,
+        })
+    }
+
+    /// The carrier of the guide, and its direction there.
+    pub(crate) fn course(&self, guide: GuideId) -> Option<(Carrier, &GuideDirection)> {
+        self.steps.iter().find_map(|step| match step {
+            Step::Guide { guide: made, carrier, course, .. } if *made == guide => {
+                Some((*carrier, course))
             }
             _ => None,
         })
     }
 
-    /// Whether the coordinates of a point in the frame of its carrier change with an input.
+    /// The points that links stand on, and the links: every revolute outer joint.
+    pub(crate) fn standing(&self) -> Vec<(PointId, LinkId)> {
+        let outer = self.group_steps().flat_map(|group| &group.outer);
+        outer.filter_map(|joint| Some((joint.point()?, joint.link()))).collect()
+    }
+
+    /// The carrier of a link's angle, and the turn against it; none where the joints leave the link
+    /// an angle of its own.
+    pub(crate) fn carried_angle(&self, link: LinkId) -> Option<(Carrier, Option<&AngleSum>)> {
+        let mut joints = self.joints().filter(|joint| joint.link() == link);
+        joints.find_map(|joint| match (&joint.drive, joint.slideway()) {
+            (Some(Drive::Angle { angle, relative_to }), _) => Some((*relative_to, Some(angle))),
+            (_, Some(Slideway::Guide(guide))) => match self.course(*guide)? {
+                (carrier, GuideDirection::Along(turn)) => Some((carrier, Some(turn))),
+                (_, GuideDirection::Towards(_)) => None,
+            },
+            (_, Some(Slideway::Bar(bar))) => Some((Carrier::Link(*bar), None)),
+            (_, Some(Slideway::Slot { link, angle, .. })) => {
+                Some((Carrier::Link(*link), Some(angle)))
+            }
+            (_, None) => None,
+        })
+    }
+
+    /// Tells whether a point's coordinates in the frame of its carrier change with an input.
     pub(crate) fn coordinates_move(&self, carrier: Carrier, point: PointId) -> [bool; 2] {
-        let along = |length: &Expr| [self.moves(length), false];
+        let moves = |values: &[&Expr]| values.iter().any(|value| self.moves(value));
         let found = self.steps.iter().find_map(|step| match step {
             Step::Point { point: made, carrier: own, place, .. }
                 if *made == point && *own == carrier =>
             {
-                let moves = |values: &[&Expr]| values.iter().any(|value| self.moves(value));
                 Some(match place {
                     Placement::Cartesian([x, y]) => [self.moves(x), self.moves(y)],
                     Placement::Polar(radius, angle) => [moves(&[radius, angle]); 2],
@@ -54,26 +97,17 @@ impl Mechanism {
                     }
                 })
             }
-            Step::Crank { link, pin: Some((pin, length)), .. }
-                if *pin == point && carrier == Carrier::Link(*link) =>
-            {
-                Some(along(&length.value))
-            }
-            Step::Rrr { links, pin, lengths, .. } if *pin == point => {
-                let bar = links.iter().position(|link| carrier == Carrier::Link(*link))?;
-                Some(along(&lengths[bar].value))
-            }
-            Step::Rrp { links, pin, length, .. }
-                if *pin == point && carrier == Carrier::Link(links[0]) =>
-            {
-                Some(along(&length.value))
+            Step::Group(group) if group.pin == Some(point) => {
+                let mut bars = group.links.iter().zip(&group.lengths);
+                let (_, length) = bars.find(|(link, _)| carrier == Carrier::Link(**link))?;
+                length.as_ref().map(|length| [self.moves(&length.value), false])
             }
             _ => None,
         });
         found.unwrap_or([false; 2])
     }
 
-    /// Whether the expression changes with an input.
+    /// Tells whether the expression changes with an input.
     pub(crate) fn moves(&self, expr: &Expr) -> bool {
         match expr {
             Expr::Constant(_) | Expr::Param(_) | Expr::Load(_) => false,
@@ -94,23 +128,8 @@ impl Mechanism {
         }
     }
 
-    /// Whether the angle changes with an input.
+    /// Tells whether the angle changes with an input.
     pub(crate) fn turns(&self, angle: &AngleSum) -> bool {
         !angle.links.is_empty() || self.moves(&angle.rest)
-    }
-
-    /// The points that links stand on, and the links: every revolute outer joint.
-    pub(crate) fn standing(&self) -> Vec<(PointId, LinkId)> {
-        let of = |step: &Step| match step {
-            Step::Crank { pivot, link, .. } => vec![(*pivot, *link)],
-            Step::Rrr { outer, links, .. } | Step::Rpr { outer, links, .. } => {
-                vec![(outer[0], links[0]), (outer[1], links[1])]
-            }
-            Step::Rrp { outer, links, .. } | Step::Rpp { outer, links, .. } => {
-                vec![(*outer, links[0])]
-            }
-            _ => Vec::new(),
-        };
-        self.steps.iter().flat_map(of).collect()
     }
 }

@@ -12,8 +12,8 @@ use super::Resolver;
 use super::assembly::constants;
 use super::folding::shown;
 use super::mechanism::{
-    AngleSum, Carrier, Expr, Group, GroupId, GuideDirection, GuideId, InputId, LinkId, Mechanism,
-    Point, PointId, Rotatability, Step, Through,
+    AngleSum, Carrier, Drive, Expr, Group, GroupId, GroupName, GuideDirection, GuideId, InputId,
+    LinkId, Mechanism, Point, PointId, Rotatability, Step, Through,
 };
 
 /// A crank on the ground: its circle and what turns it.
@@ -59,44 +59,59 @@ impl<'m> Ground<'m> {
                 let line = line(still, through, course);
                 self.guides.extend(line.map(|line| (*guide, line)));
             }
-            Step::Crank { link, pivot, pin, angle, relative_to: Carrier::Ground, .. } => {
-                let radius = pin.as_ref().and_then(|(pin, r)| Some((*pin, r.value.constant()?)));
-                if let (Some(pivot), Some((pin, radius))) = (still.get(pivot), radius)
-                    && angle.constant().is_none()
-                    && angle.links.is_empty()
-                {
-                    let input = match angle.rest {
-                        Expr::Input(input) => Some(input),
-                        _ => None,
-                    };
-                    let crank = Crank { link: *link, pivot, radius, input, name: pin };
-                    self.cranks.insert(pin, crank);
-                }
-            }
+            Step::Group(group) => self.cranks.extend(crank(still, group)),
             _ => {}
         }
     }
 
+    /// Of a bar that hangs on a crank, with another bar or with a block on the ground.
     fn rotatability(&self, mechanism: &Mechanism, step: &Step) -> Option<Rotatability> {
-        match step {
-            Step::Rrr { group, outer, lengths, .. } => {
-                let lengths = [lengths[0].value.constant()?, lengths[1].value.constant()?];
+        let Step::Group(group @ Group { id, outer, lengths, pin: Some(_), .. }) = step else {
+            return None;
+        };
+        let constant = |index: usize| lengths.get(index)?.as_ref()?.value.constant();
+        match &outer[..] {
+            [first, second] if second.guide().is_none() => {
+                let (outer, lengths) =
+                    ([first.point()?, second.point()?], [constant(0)?, constant(1)?]);
                 let near = usize::from(!self.cranks.contains_key(&outer[0]));
                 let (crank, far) = (self.cranks.get(&outer[near])?, outer[1 - near]);
                 let at = self.points.get(&far)?;
                 let lengths = [lengths[near], lengths[1 - near]];
                 let span = span(mechanism, crank.name, far);
-                Some(crank.with_two_bars(*group, at, lengths, &span))
+                Some(crank.with_two_bars(*id, at, lengths, &span))
             }
-            Step::Rrp { group, outer, guide, length, offset, .. } => {
-                let (length, offset) = (length.value.constant()?, offset.constant()?);
-                let (crank, line) = (self.cranks.get(outer)?, self.guides.get(guide)?);
+            [first, second] => {
+                let (length, offset) = (constant(0)?, second.offset()?.constant()?);
+                let line = self.guides.get(&group.slides_on(1))?;
+                let crank = self.cranks.get(&first.point()?)?;
                 let pin = &mechanism.points[crank.name.index()].name;
-                Some(crank.with_bar_and_block(*group, line, length, offset, &pin.to_string()))
+                Some(crank.with_bar_and_block(*id, line, length, offset, &pin.to_string()))
             }
             _ => None,
         }
     }
+}
+
+/// The group as a crank on the ground that turns, by its pin.
+fn crank<'m>(
+    still: &'m HashMap<PointId, [Exact; 2]>,
+    group: &'m Group,
+) -> Option<(PointId, Crank<'m>)> {
+    let joint = group.outer.first()?;
+    let Some(Drive::Angle { angle, relative_to: Carrier::Ground }) = &joint.drive else {
+        return None;
+    };
+    let (pin, radius) = (group.pin?, group.lengths[0].as_ref()?.value.constant()?);
+    let pivot = still.get(&joint.point()?)?;
+    if angle.constant().is_some() || !angle.links.is_empty() {
+        return None;
+    }
+    let input = match angle.rest {
+        Expr::Input(input) => Some(input),
+        _ => None,
+    };
+    Some((pin, Crank { link: group.links[0], pivot, radius, input, name: pin }))
 }
 
 fn line(
@@ -184,7 +199,7 @@ impl Resolver<'_> {
     pub(super) fn cranks_can_turn(&mut self) {
         let never = |found: &&Rotatability| found.turn.range == Range::Never;
         for found in self.mechanism.rotatabilities.iter().filter(never) {
-            let Group { keyword, title, .. } = &self.mechanism.groups[found.group.index()];
+            let GroupName { keyword, title, .. } = &self.mechanism.groups[found.group.index()];
             let crank = &self.mechanism.links[found.crank.index()].name;
             let message = format!(
                 "`{title}` cannot be assembled at any angle of `{crank}`; change its dimensions"

@@ -12,13 +12,13 @@ use super::expressions::{self, RATE};
 use super::fields::Fields;
 use super::mechanism::{self, Dimension, OutputKind, SpringId};
 use super::names::{Entity, Kind};
-use crate::syntax::anatomy::{Anatomy, Class, FieldRule, Pin, optional};
+use crate::syntax::anatomy::{Anatomy, FieldRule, Pin, optional};
 
 const DAMPING: FieldRule = optional("damping", "what it exerts against its rate, `10(N*s/m)`");
 
 const BETWEEN_POINTS: Anatomy = Anatomy {
     keyword: "spring",
-    class: Class::Spring,
+    class: None,
     joints: &[],
     pin: Pin::Optional,
     fields: &[

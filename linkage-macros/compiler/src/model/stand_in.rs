@@ -17,8 +17,8 @@ use syn::Attribute;
 use crate::exact::Exact;
 use crate::model::dynamics::Load;
 use crate::model::mechanism::{
-    AngleSum, Body, Dimension, Expr, Group, GroupId, Input, Link, LinkId, Mechanism, Output,
-    OutputKind, Param, ParamKind, Point, PointId, Sign,
+    AngleSum, Dimension, Expr, GroupId, GroupName, Input, Link, LinkId, Mechanism, Output,
+    OutputKind, Param, ParamKind, PartOf, Point, PointId, Sign,
 };
 use crate::syntax::anatomy::Anatomy;
 use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, StatementKind};
@@ -90,12 +90,12 @@ impl StandIn {
             }
             StatementKind::Ground { points } => {
                 for (name, _) in points {
-                    self.point(docs, name, Fixed::Yes, Body::Ground);
+                    self.point(docs, name, Fixed::Yes, PartOf::Ground);
                 }
             }
             StatementKind::Point { name, .. } => {
                 // On which link is not known: its name may be the mistake.
-                self.point(docs, name, Fixed::No, Body::Driven(GroupId(0)));
+                self.point(docs, name, Fixed::No, PartOf::Driven(GroupId(0)));
             }
             StatementKind::Group(group) => self.group(docs, group),
             StatementKind::Crate { path } => self.mechanism.crate_path = Some(path.clone()),
@@ -151,7 +151,7 @@ impl StandIn {
         self.mechanism.params.push(Param { name: name.clone(), docs: docs.to_vec(), kind });
     }
 
-    fn point(&mut self, docs: &[Attribute], key: &Ident, fixed: Fixed, part_of: Body) {
+    fn point(&mut self, docs: &[Attribute], key: &Ident, fixed: Fixed, part_of: PartOf) {
         if self.things.contains_key(&key.to_string()) {
             return;
         }
@@ -164,8 +164,8 @@ impl StandIn {
 
     fn group(&mut self, docs: &[Attribute], group: &tree::Group) {
         let made_by = GroupId(self.mechanism.groups.len() as u32);
-        let (keyword, title, links) = (group.keyword.clone(), group.title(), Vec::new());
-        self.mechanism.groups.push(Group { keyword, title, links, pin: None });
+        let (keyword, title) = (group.keyword.clone(), group.title());
+        self.mechanism.groups.push(GroupName { keyword, title });
         let slides = sliding(&group.keyword.to_string());
         for (leg, slides) in group.legs.iter().zip(slides) {
             if self.things.contains_key(&leg.link.to_string()) {
@@ -178,7 +178,7 @@ impl StandIn {
             self.mechanism.links.push(Link { name, docs: docs.to_vec(), made_by, slides });
         }
         if let Some(pin) = &group.pin {
-            self.point(docs, pin, Fixed::No, Body::Pin(made_by));
+            self.point(docs, pin, Fixed::No, PartOf::Pin(made_by));
         }
     }
 

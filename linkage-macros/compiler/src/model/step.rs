@@ -1,28 +1,8 @@
-//! What places points, guides and links, one statement a step.
+//! Steps: statements that place points, guides and links, in solving order.
 
 use crate::model::expr::{AngleSum, Expr};
-use crate::model::ids::{GroupId, GuideId, LinkId, ParamId, PointId};
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sign {
-    Plus,
-    Minus,
-}
-
-/// An assembly mode: +1 is `left` or `ahead`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mode {
-    Fixed(Sign),
-    /// A mode parameter.
-    Param(ParamId),
-}
-
-/// What a point, a guide or a crank's angle is fixed to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Carrier {
-    Ground,
-    Link(LinkId),
-}
+use crate::model::ids::{GroupId, GuideId, PointId};
+use crate::model::incidence::{Carrier, Group, Length, Sign};
 
 pub(crate) enum GuideDirection {
     /// The angle against the carrier's x.
@@ -48,7 +28,7 @@ pub(crate) enum Placement {
     },
 }
 
-/// One statement that places something. The comments name what the formulas call it.
+/// One statement that places something.
 pub(crate) enum Step {
     Ground {
         point: PointId,
@@ -67,68 +47,5 @@ pub(crate) enum Step {
         place: Placement,
         group: GroupId,
     },
-    Crank {
-        group: GroupId,
-        link: LinkId,
-        pivot: PointId,
-        /// The pin and its distance from the pivot; a body without a pin has neither.
-        pin: Option<(PointId, Length)>,
-        angle: AngleSum,
-        relative_to: Carrier,
-    },
-    Slider {
-        group: GroupId,
-        link: LinkId,
-        guide: GuideId,
-        pin: Option<PointId>,
-        slide: Expr,
-        offset: Expr,
-    },
-    Rrr {
-        group: GroupId,
-        links: [LinkId; 2],
-        outer: [PointId; 2],
-        pin: PointId,
-        lengths: [Length; 2],
-        mode: Mode,
-    },
-    Rrp {
-        group: GroupId,
-        links: [LinkId; 2],
-        outer: PointId,
-        guide: GuideId,
-        pin: PointId,
-        length: Length,
-        offset: Expr,
-        mode: Mode,
-    },
-    Rpr {
-        group: GroupId,
-        links: [LinkId; 2],
-        outer: [PointId; 2],
-        offset: Expr,
-        mode: Mode,
-    },
-    Prp {
-        group: GroupId,
-        links: [LinkId; 2],
-        guides: [GuideId; 2],
-        pin: PointId,
-        offsets: [Expr; 2],
-    },
-    Rpp {
-        group: GroupId,
-        links: [LinkId; 2],
-        outer: PointId,
-        guide: GuideId,
-        slot: AngleSum,
-        offsets: [Expr; 2],
-    },
-}
-
-/// A length that must be positive, and the words that name it in `SolveError::Invalid`.
-#[derive(Clone, Debug)]
-pub(crate) struct Length {
-    pub value: Expr,
-    pub name: String,
+    Group(Group),
 }

@@ -14,7 +14,8 @@ use super::dynamics::Effort;
 use super::folding::shown_in_degrees;
 use super::inputs::KINDS;
 use super::mechanism::{
-    AngleSum, Dimension, Equation, Expr, Group, Mode, ParamKind, Sign, Step, Unknown, UnknownId,
+    AngleSum, Dimension, Drive, Equation, Expr, GroupName, Mode, ParamKind, Sign, Unknown,
+    UnknownId,
 };
 use super::names::{Entity, Kind};
 use super::searched::Searched;
@@ -37,11 +38,9 @@ impl Resolver<'_> {
         };
         let id = UnknownId(self.mechanism.unknowns.len() as u32);
         let group = self.next_group();
-        self.mechanism.groups.push(Group {
+        self.mechanism.groups.push(GroupName {
             keyword: Ident::new("unknown", name.span()),
             title: name.to_string(),
-            links: Vec::new(),
-            pin: None,
         });
         let steps = [self.mechanism.steps.len(); 2];
         // Nothing is solved by it: what has no `solve` is reported.
@@ -186,17 +185,19 @@ impl Resolver<'_> {
 
     /// Where a dyad of constants stops the crank that an unknown turns, both ends lie on one side.
     pub(super) fn ends_can_be_assembled(&mut self) {
-        for step in &self.mechanism.steps {
-            let Step::Crank { link, angle: AngleSum { links, rest: Expr::Unknown(id) }, .. } = step
+        for group in self.mechanism.group_steps() {
+            let Some(Drive::Angle { angle: AngleSum { links, rest: Expr::Unknown(id) }, .. }) =
+                &group.outer[0].drive
             else {
                 continue;
             };
+            let link = group.links[0];
             let ends = &self.mechanism.unknowns[id.index()].between;
             let [Some(from), Some(to)] = ends.each_ref().map(Expr::constant) else { continue };
             let [from, to] = [from, to].map(|end| end.to_f64().to_degrees());
             let found =
                 self.mechanism.rotatabilities.iter().find_map(|found| match &found.turn.range {
-                    Range::Within(stretches) if found.crank == *link && links.is_empty() => {
+                    Range::Within(stretches) if found.crank == link && links.is_empty() => {
                         let outside = outside(stretches, [from, to])?;
                         Some((found, outside, stretches))
                     }

@@ -3,9 +3,10 @@
 
 pub(crate) struct Anatomy {
     pub keyword: &'static str,
-    pub class: Class,
+    /// None of a spring, which is no group, but has fields like one.
+    pub class: Option<Class>,
     /// The outer joints, one a link.
-    pub joints: &'static [Joint],
+    pub joints: &'static [JointRule],
     pub pin: Pin,
     pub fields: &'static [FieldRule],
     pub modes: Option<Modes>,
@@ -24,13 +25,11 @@ pub(crate) enum Class {
     Rpr,
     Prp,
     Rpp,
-    /// No group at all, but its fields are read like one's.
-    Spring,
 }
 
 /// An outer joint: what it stands on, and what says so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Joint {
+pub(crate) enum JointRule {
     /// Stands on a point.
     Revolute(Reason),
     /// Stands on a guide.
@@ -97,8 +96,8 @@ const INNER_P: Pin = Pin::None("its inner joint is prismatic and has no point");
 const ANATOMIES: [Anatomy; 7] = [
     Anatomy {
         keyword: "crank",
-        class: Class::Crank,
-        joints: &[Joint::Revolute(Reason::Driver("turns about a point"))],
+        class: Some(Class::Crank),
+        joints: &[JointRule::Revolute(Reason::Driver("turns about a point"))],
         pin: Pin::Optional,
         fields: &[
             FieldRule {
@@ -114,8 +113,8 @@ const ANATOMIES: [Anatomy; 7] = [
     },
     Anatomy {
         keyword: "slider",
-        class: Class::Slider,
-        joints: &[Joint::Prismatic(Reason::Driver("slides on a guide"))],
+        class: Some(Class::Slider),
+        joints: &[JointRule::Prismatic(Reason::Driver("slides on a guide"))],
         pin: Pin::Optional,
         fields: &[
             needed("slide", "the distance from the guide's point, along its direction"),
@@ -127,10 +126,10 @@ const ANATOMIES: [Anatomy; 7] = [
     },
     Anatomy {
         keyword: "rrr",
-        class: Class::Rrr,
+        class: Some(Class::Rrr),
         joints: &[
-            Joint::Revolute(Reason::Letter("first")),
-            Joint::Revolute(Reason::Letter("third")),
+            JointRule::Revolute(Reason::Letter("first")),
+            JointRule::Revolute(Reason::Letter("third")),
         ],
         pin: Pin::Needed,
         fields: &[FieldRule {
@@ -143,10 +142,10 @@ const ANATOMIES: [Anatomy; 7] = [
     },
     Anatomy {
         keyword: "rrp",
-        class: Class::Rrp,
+        class: Some(Class::Rrp),
         joints: &[
-            Joint::Revolute(Reason::Letter("first")),
-            Joint::Prismatic(Reason::Letter("third")),
+            JointRule::Revolute(Reason::Letter("first")),
+            JointRule::Prismatic(Reason::Letter("third")),
         ],
         pin: Pin::Needed,
         fields: &[needed("length", "the distance from the outer joint to the pin"), OFFSET],
@@ -156,10 +155,10 @@ const ANATOMIES: [Anatomy; 7] = [
     },
     Anatomy {
         keyword: "rpr",
-        class: Class::Rpr,
+        class: Some(Class::Rpr),
         joints: &[
-            Joint::Revolute(Reason::Letter("first")),
-            Joint::Revolute(Reason::Letter("third")),
+            JointRule::Revolute(Reason::Letter("first")),
+            JointRule::Revolute(Reason::Letter("third")),
         ],
         pin: INNER_P,
         fields: &[OFFSET],
@@ -169,10 +168,10 @@ const ANATOMIES: [Anatomy; 7] = [
     },
     Anatomy {
         keyword: "prp",
-        class: Class::Prp,
+        class: Some(Class::Prp),
         joints: &[
-            Joint::Prismatic(Reason::Letter("first")),
-            Joint::Prismatic(Reason::Letter("third")),
+            JointRule::Prismatic(Reason::Letter("first")),
+            JointRule::Prismatic(Reason::Letter("third")),
         ],
         pin: Pin::Needed,
         fields: &[OFFSETS],
@@ -182,10 +181,10 @@ const ANATOMIES: [Anatomy; 7] = [
     },
     Anatomy {
         keyword: "rpp",
-        class: Class::Rpp,
+        class: Some(Class::Rpp),
         joints: &[
-            Joint::Revolute(Reason::Letter("first")),
-            Joint::Prismatic(Reason::Letter("third")),
+            JointRule::Revolute(Reason::Letter("first")),
+            JointRule::Prismatic(Reason::Letter("third")),
         ],
         pin: INNER_P,
         fields: &[needed("slot", "the angle of the slot to the rail"), OFFSETS],
@@ -241,7 +240,7 @@ impl Anatomy {
 
     /// Only an rpr, where one mode is almost always meant, has a default.
     pub(crate) fn mode_is_needed(&self) -> bool {
-        self.modes.is_some() && self.class != Class::Rpr
+        self.modes.is_some() && self.class != Some(Class::Rpr)
     }
 
     /// The names of its fields, the mode included.

@@ -38,13 +38,8 @@ pub(super) fn output(field: &str, kind: OutputKind) -> Output {
     Output { field: ident(field), docs: Vec::new(), kind }
 }
 
-fn group(keyword: &str, title: &str, links: &[u32]) -> Group {
-    Group {
-        keyword: ident(keyword),
-        title: title.to_string(),
-        links: links.iter().map(|&link| LinkId(link)).collect(),
-        pin: None,
-    }
+fn group(keyword: &str, title: &str) -> GroupName {
+    GroupName { keyword: ident(keyword), title: title.to_string() }
 }
 
 pub(super) fn mechanism(name: &str, inputs: Vec<Input>, outputs: Vec<Output>) -> Mechanism {
@@ -92,10 +87,10 @@ pub(super) fn four_bar() -> (Mechanism, Program) {
     let side = ParamKind::Side { default: Sign::Plus };
     let mode = Param { name: ident("elbow"), docs: Vec::new(), kind: side };
     shear.params = vec![number("crank", "0.08"), mode];
-    let part_of = Body::Pin(GroupId(1));
+    let part_of = PartOf::Pin(GroupId(1));
     shear.points = vec![Point { name: ident("C"), docs: docs(" The coupler's pin."), part_of }];
     shear.links = vec![link("AB", 0), link("BC", 1), link("DC", 1)];
-    shear.groups = vec![group("crank", "AB", &[0]), group("rrr", "BC, DC", &[1, 2])];
+    shear.groups = vec![group("crank", "AB"), group("rrr", "BC, DC")];
     (shear, four_bar_program())
 }
 
@@ -267,7 +262,7 @@ pub(super) fn table() -> (Mechanism, Program) {
     let sense = ParamKind::Sense { default: Sign::Minus };
     table.params = vec![Param { name: ident("way"), docs: Vec::new(), kind: sense }];
     table.links = vec![link("ram"), link("bed")];
-    table.groups = vec![group("slider", "ram", &[0])];
+    table.groups = vec![group("slider", "ram")];
     let mut g = Graph::new();
     let [s, s1, x, x1] =
         [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(input, order)| g.push(Node::Input { input, order }));

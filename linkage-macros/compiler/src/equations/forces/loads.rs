@@ -7,10 +7,10 @@ use crate::equations::forces::springs;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Frame, PointMotion};
-use crate::equations::parts::Acting;
+use crate::equations::reactions::Acting;
 use crate::equations::symbol::{Sym, Vector};
-use crate::model::dynamics::{Axes, Force, MassPlace, Owner};
-use crate::model::mechanism::{Carrier, Expr, LinkId, PointId};
+use crate::model::dynamics::{Axes, Force, MassPlace};
+use crate::model::mechanism::{Body, Carrier, Expr, LinkId, PointId};
 
 /// The masses of a link that are fixed in it, summed up: Σm, Σm x, Σm y, Σ(J + m r²) about its origin.
 #[derive(Clone, Copy)]
@@ -239,6 +239,6 @@ pub(super) fn torques<'s>(kinematics: &Kinematics<'s>) -> Vec<(Carrier, Sym<'s>)
 }
 
 /// What the body of a point is; a point without a step belongs to nothing that moves.
-pub(super) fn owner(kinematics: &Kinematics<'_>, point: PointId) -> Owner {
-    kinematics.mechanism.owner(point).unwrap_or(Owner::Ground)
+pub(super) fn owner(kinematics: &Kinematics<'_>, point: PointId) -> Body {
+    kinematics.mechanism.owner(point).unwrap_or(Body::Ground)
 }

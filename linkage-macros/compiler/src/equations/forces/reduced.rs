@@ -18,8 +18,7 @@ use crate::equations::forces::loads::{Centre, Inertia, Masses, gravity};
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::PointMotion;
 use crate::equations::symbol::{Sym, Vector};
-use crate::model::dynamics::Owner;
-use crate::model::mechanism::{Carrier, LinkId, Mechanism, PointId, Step};
+use crate::model::mechanism::{Body, Carrier, LinkId, Mechanism, PointId};
 
 /// See the module's documentation.
 pub(super) struct Reduced<'s> {
@@ -203,46 +202,22 @@ struct Pivots {
 impl Pivots {
     fn of(unit: &Kinematics<'_>) -> Self {
         let mut pivots = Self { origins: HashMap::new(), bars: HashMap::new() };
-        for step in &unit.mechanism.steps {
-            pivots.add(step);
+        for group in unit.mechanism.group_steps() {
+            let origins = group.links.iter().filter_map(|&link| Some((link, group.origin(link)?)));
+            pivots.origins.extend(origins);
+            let bars = group.links.iter().zip(&group.lengths).filter(|(_, bar)| bar.is_some());
+            pivots.bars.extend(group.pin.map(|pin| (pin, bars.map(|(&link, _)| link).collect())));
         }
         pivots
-    }
-
-    fn add(&mut self, step: &Step) {
-        match step {
-            Step::Crank { link, pivot, .. } => {
-                self.origins.insert(*link, *pivot);
-            }
-            Step::Rrr { links, outer, pin, .. } => {
-                self.origins.extend([(links[0], outer[0]), (links[1], outer[1])]);
-                self.bars.insert(*pin, links.to_vec());
-            }
-            Step::Rrp { links, outer, pin, .. } => {
-                self.origins.extend([(links[0], *outer), (links[1], *pin)]);
-                self.bars.insert(*pin, vec![links[0]]);
-            }
-            Step::Rpr { links, outer, .. } => {
-                self.origins.extend([(links[0], outer[0]), (links[1], outer[1])]);
-            }
-            Step::Prp { links, pin, .. } => {
-                self.origins.extend(links.map(|link| (link, *pin)));
-            }
-            Step::Rpp { links, outer, .. } => {
-                self.origins.insert(links[0], *outer);
-            }
-            Step::Ground { .. } | Step::Guide { .. } | Step::Point { .. } | Step::Slider { .. } => {
-            }
-        }
     }
 
     /// The link with a fixed origin that carries the point, and the square of the distance.
     fn swing<'s>(&self, unit: &Kinematics<'s>, point: PointId) -> Option<(LinkId, Sym<'s>)> {
         let mechanism: &Mechanism = unit.mechanism;
         let carriers = match mechanism.owner(point)? {
-            Owner::Link(link) => vec![link],
-            Owner::Point(pin) => self.bars.get(&pin)?.clone(),
-            Owner::Ground => return None,
+            Body::Link(link) => vec![link],
+            Body::Pin(pin) => self.bars.get(&pin)?.clone(),
+            Body::Ground => return None,
         };
         carriers.into_iter().find_map(|link| {
             let frame = unit.link(link).frame;

@@ -24,9 +24,7 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
 use crate::model::dynamics::{Ends, Spring};
-use crate::model::mechanism::{
-    AngleSum, Carrier, GuideDirection, GuideId, LinkId, PointId, SpringId, Step,
-};
+use crate::model::mechanism::{AngleSum, Carrier, LinkId, PointId, SpringId};
 
 /// Stiffness, damping, and the length or angle at which it is slack.
 struct Numbers<'s> {
@@ -186,38 +184,13 @@ struct Turned<'s> {
 impl<'s> Turned<'s> {
     fn add_body(&mut self, kinematics: &Kinematics<'s>, body: Carrier, times: i64) {
         let Carrier::Link(link) = body else { return };
-        for step in &kinematics.mechanism.steps {
-            match step {
-                Step::Crank { link: own, angle, relative_to, .. } if *own == link => {
-                    self.add_body(kinematics, *relative_to, times);
-                    return self.add_turn(kinematics, angle, times);
-                }
-                Step::Slider { link: own, guide, .. } if *own == link => {
-                    return self.add_guide(kinematics, link, *guide, times);
-                }
-                Step::Rrp { links: [_, block], guide, .. } if *block == link => {
-                    return self.add_guide(kinematics, link, *guide, times);
-                }
-                Step::Prp { links, guides, .. } if links.contains(&link) => {
-                    let guide = guides[usize::from(links[1] == link)];
-                    return self.add_guide(kinematics, link, guide, times);
-                }
-                Step::Rpr { links: [block, bar], .. } if *block == link => {
-                    return self.add_body(kinematics, Carrier::Link(*bar), times);
-                }
-                Step::Rpp { links: [block, yoke], guide, slot, .. } => {
-                    if *block == link {
-                        self.add_body(kinematics, Carrier::Link(*yoke), times);
-                        return self.add_turn(kinematics, slot, times);
-                    }
-                    if *yoke == link {
-                        return self.add_guide(kinematics, link, *guide, times);
-                    }
-                }
-                _ => {}
-            }
+        let Some((carrier, turn)) = kinematics.mechanism.carried_angle(link) else {
+            return self.add_link(link, times);
+        };
+        self.add_body(kinematics, carrier, times);
+        if let Some(turn) = turn {
+            self.add_turn(kinematics, turn, times);
         }
-        self.add_link(link, times);
     }
 
     fn add_link(&mut self, link: LinkId, times: i64) {
@@ -233,22 +206,5 @@ impl<'s> Turned<'s> {
         }
         let factor = kinematics.sheet.integer(times);
         self.rest = self.rest + kinematics.jet(&turn.rest).times(factor);
-    }
-
-    /// A guide through two points has the angle of whatever lies on it.
-    fn add_guide(&mut self, kinematics: &Kinematics<'s>, link: LinkId, guide: GuideId, times: i64) {
-        let found = kinematics.mechanism.steps.iter().find_map(|step| match step {
-            Step::Guide { guide: made, carrier, course, .. } if *made == guide => {
-                Some((*carrier, course))
-            }
-            _ => None,
-        });
-        match found {
-            Some((carrier, GuideDirection::Along(turn))) => {
-                self.add_body(kinematics, carrier, times);
-                self.add_turn(kinematics, turn, times);
-            }
-            _ => self.add_link(link, times),
-        }
     }
 }

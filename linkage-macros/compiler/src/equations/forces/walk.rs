@@ -11,10 +11,10 @@ use crate::equations::forces::{springs, together};
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Frame;
-use crate::equations::parts::{Acting, GuideReaction};
+use crate::equations::reactions::{Acting, GuideReaction};
 use crate::equations::symbol::{Sheet, Sym, Vector};
-use crate::model::dynamics::{Effort, Owner};
-use crate::model::mechanism::{Carrier, GuideId, InputId, LinkId, PointId};
+use crate::model::dynamics::Effort;
+use crate::model::mechanism::{Body, Carrier, GuideId, InputId, Joint, LinkId, PointId};
 
 /// What has been gathered on the way, and what was found.
 pub(in crate::equations) struct Walk<'k, 's> {
@@ -161,10 +161,14 @@ impl<'k, 's> Walk<'k, 's> {
 
     /// A force on a point, and so on what the point belongs to.
     pub(super) fn push(&mut self, point: PointId, force: Vector<'s>) {
-        match loads::owner(self.kinematics, point) {
-            Owner::Ground => self.push_ground(self.kinematics.point(point).position(), force),
-            Owner::Link(link) => self.push_on(Carrier::Link(link), point, force),
-            Owner::Point(point) => {
+        self.push_body(loads::owner(self.kinematics, point), point, force);
+    }
+
+    fn push_body(&mut self, body: Body, point: PointId, force: Vector<'s>) {
+        match body {
+            Body::Ground => self.push_ground(self.kinematics.point(point).position(), force),
+            Body::Link(link) => self.push_on(Carrier::Link(link), point, force),
+            Body::Pin(point) => {
                 let sum = &mut self.points[point.index()];
                 *sum = *sum + force;
             }
@@ -234,12 +238,13 @@ impl<'k, 's> Walk<'k, 's> {
         self.found.insert(Effort::Pin(link, point), vec![force.x, force.y]);
     }
 
-    /// The outer joint's force on a link is known: its opposite is on what the joint belongs to.
-    fn stand(&mut self, link: LinkId, joint: PointId, force: Vector<'s>) {
-        self.note_pin(link, joint, force);
-        self.push(joint, -force);
+    /// An outer joint's force on its link is known: the opposite is on the other body.
+    fn react_on_joint(&mut self, joint: &Joint, force: Vector<'s>) {
+        let point = joint.point().expect("a force at a point is a revolute joint's");
+        self.note_pin(joint.link(), point, force);
+        self.push_body(joint.bodies[0], point, -force);
         let zero = self.sheet().zero_vector();
-        let sum = self.standing.entry(joint).or_insert(zero);
+        let sum = self.standing.entry(point).or_insert(zero);
         *sum = *sum - force;
     }
 
@@ -247,15 +252,16 @@ impl<'k, 's> Walk<'k, 's> {
         self.found.insert(Effort::Guide(link), vec![normal, couple]);
     }
 
-    /// The guide's force on a link at (slide, offset): n along its normal, s along it.
+    /// A guide's force on the link of a joint, at its slide: along the guide and along its normal.
     fn on_guide(
         &mut self,
-        (link, guide): (LinkId, GuideId),
+        joint: &Joint,
         reaction: GuideReaction<'s>,
-        along: Sym<'s>,
-        [slide, offset]: [Sym<'s>; 2],
+        [slide, along]: [Sym<'s>; 2],
     ) {
-        self.note_guide(link, reaction);
+        self.note_guide(joint.link(), reaction);
+        let guide = joint.guide().expect("it slides on a guide");
+        let offset = self.kinematics.offset_in(joint).value;
         let frame = self.kinematics.guide(guide);
         let sum = &mut self.guides[guide.index()];
         sum.force = sum.force - frame.vector(along, reaction.normal);

@@ -13,8 +13,8 @@ use crate::interface::entries::EntryPoint;
 use crate::ir::graph::Id;
 use crate::ir::interpret::{Given, Number, interpret};
 use crate::ir::program::{Answer, Program};
-use crate::model::dynamics::{Asked, Effort, Owner};
-use crate::model::mechanism::{Carrier, Expr, GuideId, InputId, Link, Mechanism, PointId};
+use crate::model::dynamics::{Asked, Effort};
+use crate::model::mechanism::{Body, Carrier, Expr, GuideId, InputId, Link, Mechanism, PointId};
 use crate::oracle::{Digits, defaults, mechanism};
 use crate::passes;
 use topologies::random_mechanism;
@@ -38,9 +38,9 @@ pub(crate) fn loaded(source: &str) -> String {
     for (index, point) in points.enumerate() {
         let name = &plain.points[point.index()].name;
         match plain.owner(point) {
-            Some(Owner::Ground) | None => continue,
-            Some(Owner::Point(_)) => added += &format!("mass {} on {name};", 0.3 + index as f64),
-            Some(Owner::Link(_)) => {}
+            Some(Body::Ground) | None => continue,
+            Some(Body::Pin(_)) => added += &format!("mass {} on {name};", 0.3 + index as f64),
+            Some(Body::Link(_)) => {}
         }
         added += &format!("force ({}, {}) on {name};", 3.0 - index as f64, 1.5 * index as f64);
         added += &format!(
@@ -66,8 +66,8 @@ pub(crate) fn loaded(source: &str) -> String {
 }
 
 /// Whether a point of a link moves in it.
-fn moves_inside(plain: &Mechanism, owner: Option<Owner>, points: [PointId; 2]) -> bool {
-    let Some(Owner::Link(link)) = owner else { return false };
+fn moves_inside(plain: &Mechanism, owner: Option<Body>, points: [PointId; 2]) -> bool {
+    let Some(Body::Link(link)) = owner else { return false };
     let moves = |point| plain.coordinates_move(Carrier::Link(link), point) != [false; 2];
     points.into_iter().any(moves)
 }

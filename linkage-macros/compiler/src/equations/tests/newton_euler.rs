@@ -3,6 +3,7 @@
 //! are solved, or of moments about joints; what it shares with the formulas is the motion.
 
 mod acting;
+mod declared;
 mod joints;
 mod matrix;
 mod readings;
@@ -13,8 +14,7 @@ use crate::equations::symbol::Vector;
 use crate::exact::Exact;
 use crate::ir::graph::Id;
 use crate::ir::interpret::Number;
-use crate::model::dynamics::Owner;
-use crate::model::mechanism::{Carrier, Expr, GuideId, LinkId, Mechanism, PointId, Step};
+use crate::model::mechanism::{Body, Carrier, Expr, GuideId, LinkId, Mechanism, PointId};
 use crate::oracle::Digits;
 pub(super) use matrix::Matrix;
 use readings::readings;
@@ -113,14 +113,9 @@ fn part(mechanism: &Mechanism, link: LinkId, moves: bool) -> Part {
 }
 
 fn driven_length(mechanism: &Mechanism, link: LinkId) -> Option<&Expr> {
-    let length = mechanism.steps.iter().find_map(|step| match step {
-        Step::Crank { link: own, pin: Some((_, length)), .. } if *own == link => Some(length),
-        Step::Rrr { links, lengths, .. } => {
-            let place = links.iter().position(|own| *own == link)?;
-            Some(&lengths[place])
-        }
-        Step::Rrp { links, length, .. } if links[0] == link => Some(length),
-        _ => None,
+    let length = mechanism.group_steps().find_map(|group| {
+        let place = group.links.iter().position(|own| *own == link)?;
+        group.lengths[place].as_ref()
     });
     length.map(|length| &length.value).filter(|length| mechanism.moves(length))
 }
@@ -148,9 +143,9 @@ fn part_of_point(kinematics: &Kinematics<'_>, carrier: Carrier, point: PointId) 
 
 fn part_of(kinematics: &Kinematics<'_>, point: PointId) -> Part {
     match kinematics.mechanism.owner(point).expect("every point has a step") {
-        Owner::Ground => Part::Ground,
-        Owner::Link(link) => part_of_point(kinematics, Carrier::Link(link), point),
-        Owner::Point(point) => Part::Pin(point),
+        Body::Ground => Part::Ground,
+        Body::Link(link) => part_of_point(kinematics, Carrier::Link(link), point),
+        Body::Pin(point) => Part::Pin(point),
     }
 }
 

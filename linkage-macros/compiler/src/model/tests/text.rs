@@ -155,74 +155,58 @@ impl Names<'_> {
                 let (point, carrier) = (self.point(*point), self.carrier(*carrier));
                 format!("point {point} on {carrier} at {place} by {}", self.title(*group))
             }
-            Step::Crank { group, link, pivot, pin, angle, relative_to } => {
-                let pin = pin.as_ref().map_or(String::new(), |(pin, length)| {
-                    format!(" -> {} at {}", self.point(*pin), self.length(length))
-                });
-                let (pivot, angle) = (self.point(*pivot), self.turn(angle));
-                let base = self.carrier(*relative_to);
-                let made = self.made(*group, &[*link]);
-                format!("{made}({pivot}){pin} turned {angle} from {base}")
-            }
-            Step::Slider { link, guide, pin, slide, offset, .. } => {
-                let pin = pin.map_or(String::new(), |pin| format!(" -> {}", self.point(pin)));
-                let (guide, slide) = (self.guide(*guide), self.expr(slide));
-                let group = self.0.links[link.index()].made_by;
-                let made = self.made(group, &[*link]);
-                format!("{made}({guide}){pin} {slide} offset {}", self.expr(offset))
-            }
-            _ => self.dyad(step),
+            Step::Group(group) => match &group.outer[0].drive {
+                Some(drive) => self.driver(group, drive),
+                None => self.dyad(group),
+            },
         }
     }
 
-    fn dyad(&self, step: &Step) -> String {
-        match step {
-            Step::Rrr { group, links, outer, pin, lengths, mode } => format!(
-                "{} on {}, {} -> {} lengths {}, {} mode {}",
-                self.made(*group, links),
-                self.point(outer[0]),
-                self.point(outer[1]),
-                self.point(*pin),
-                self.length(&lengths[0]),
-                self.length(&lengths[1]),
-                self.mode(*mode)
-            ),
-            Step::Rrp { group, links, outer, guide, pin, length, offset, mode } => format!(
-                "{} on {}, {} -> {} length {} offset {} mode {}",
-                self.made(*group, links),
-                self.point(*outer),
-                self.guide(*guide),
-                self.point(*pin),
-                self.length(length),
-                self.expr(offset),
-                self.mode(*mode)
-            ),
-            Step::Rpr { group, links, outer, offset, mode } => format!(
-                "{} on {}, {} offset {} mode {}",
-                self.made(*group, links),
-                self.point(outer[0]),
-                self.point(outer[1]),
-                self.expr(offset),
-                self.mode(*mode)
-            ),
-            Step::Prp { group, links, guides, pin, offsets } => format!(
-                "{} on {}, {} -> {} offsets {}",
-                self.made(*group, links),
-                self.guide(guides[0]),
-                self.guide(guides[1]),
-                self.point(*pin),
-                self.pair(offsets)
-            ),
-            Step::Rpp { group, links, outer, guide, slot, offsets } => format!(
-                "{} on {}, {} slot {} offsets {}",
-                self.made(*group, links),
-                self.point(*outer),
-                self.guide(*guide),
-                self.turn(slot),
-                self.pair(offsets)
-            ),
-            _ => unreachable!("drivers and places are not dyads"),
+    fn driver(&self, group: &Group, drive: &Drive) -> String {
+        let made = self.made(group.id, &group.links);
+        let pin = group.pin.map_or(String::new(), |pin| format!(" -> {}", self.point(pin)));
+        let length = group.lengths[0].as_ref().map(|length| format!(" at {}", self.length(length)));
+        let pin = pin + &length.unwrap_or_default();
+        match drive {
+            Drive::Angle { angle, relative_to } => {
+                let (pivot, angle) = (self.point(group.stands_on(0)), self.turn(angle));
+                format!("{made}({pivot}){pin} turned {angle} from {}", self.carrier(*relative_to))
+            }
+            Drive::Slide(slide) => {
+                let (guide, slide) = (self.guide(group.slides_on(0)), self.expr(slide));
+                let offset = self.expr(group.outer[0].offset().unwrap());
+                format!("{made}({guide}){pin} {slide} offset {offset}")
+            }
         }
+    }
+
+    fn dyad(&self, group: &Group) -> String {
+        let made = self.made(group.id, &group.links);
+        let outer = group.outer.iter().map(|joint| match joint.point() {
+            Some(point) => self.point(point),
+            None => self.guide(joint.guide().unwrap()),
+        });
+        let outer = outer.collect::<Vec<_>>().join(", ");
+        let pin = group.pin.map_or(String::new(), |pin| format!(" -> {}", self.point(pin)));
+        let lengths = group.lengths.iter().flatten().map(|length| self.length(length));
+        let lengths = match &lengths.collect::<Vec<_>>()[..] {
+            [] => String::new(),
+            [only] => format!(" length {only}"),
+            several => format!(" lengths {}", several.join(", ")),
+        };
+        let slot = group.inner[0].slideway().and_then(|slideway| match slideway {
+            Slideway::Slot { angle, .. } => Some(format!(" slot {}", self.turn(angle))),
+            Slideway::Guide(_) | Slideway::Bar(_) => None,
+        });
+        let slot = slot.unwrap_or_default();
+        let offsets = match group.offsets()[..] {
+            [] => String::new(),
+            [only] => format!(" offset {}", self.expr(only)),
+            [first, second] => format!(" offsets ({}, {})", self.expr(first), self.expr(second)),
+            _ => unreachable!("no statement has three"),
+        };
+        let mode = group.mode().map_or(String::new(), |mode| format!(" mode {}", self.mode(mode)));
+        format!("{made} on {outer}{pin}{lengths}{slot}{offsets}{mode}")
     }
 
     fn output(&self, output: &Output) -> String {

@@ -2,13 +2,12 @@
 //! what carries them.
 
 use super::Walk;
-use crate::equations::levers::Levers;
-use crate::equations::parts::{Acting, GuideReaction};
+use crate::equations::reactions::{Acting, GuideReaction, Inner, Loads, Reaction, Reactions};
 use crate::equations::symbol::{Sym, Vector};
-use crate::equations::{prp, rpp, rpr, rrp, rrr};
 use crate::model::dynamics::Effort;
 use crate::model::mechanism::{
-    Carrier, Expr, GroupId, GuideDirection, GuideId, LinkId, PointId, Step, Through,
+    Carrier, Drive, Expr, Group, GuideDirection, GuideId, Joint, LinkId, PointId, Slideway, Step,
+    Through,
 };
 
 impl<'k, 's> Walk<'k, 's> {
@@ -31,13 +30,10 @@ impl<'k, 's> Walk<'k, 's> {
                 }
                 self.transmit_place((*carrier, *point), place, efforts);
             }
-            Step::Crank { .. } => self.leave_crank(step),
-            Step::Slider { .. } => self.leave_slider(step),
-            Step::Rrr { .. } => self.leave_rrr(step),
-            Step::Rrp { .. } => self.leave_rrp(step),
-            Step::Rpr { .. } => self.leave_rpr(step),
-            Step::Prp { .. } => self.leave_prp(step),
-            Step::Rpp { .. } => self.leave_rpp(step),
+            Step::Group(group) => match &group.outer[0] {
+                Joint { drive: Some(drive), .. } => self.leave_driver(group, drive),
+                _ => self.leave_dyad(group),
+            },
         }
     }
 
@@ -99,17 +95,31 @@ impl<'k, 's> Walk<'k, 's> {
         }
     }
 
-    /// A crank's drive takes all moment about the pivot, the pivot all force.
-    fn leave_crank(&mut self, step: &Step) {
-        let Step::Crank { link, pivot, pin, angle, relative_to, .. } = step else { return };
+    /// A crank's drive takes all moment about the pivot, the pivot all force; a slider's drive takes
+    /// what is along the guide, the guide the rest.
+    fn leave_driver(&mut self, group: &Group, drive: &Drive) {
+        let (joint, link) = (&group.outer[0], group.links[0]);
         let Acting { force, moment } = self.links[link.index()];
-        self.found.insert(Effort::Drive(*link), vec![-moment]);
-        self.stand(*link, *pivot, -force);
-        self.turn(*relative_to, moment);
-        self.transmit_turn(angle, -moment);
-        if let Some((pin, length)) = pin {
-            let [along, _] = self.driven(Carrier::Link(*link), *pin);
-            self.drive_length(*link, &length.value, along);
+        match drive {
+            Drive::Angle { angle, relative_to } => {
+                self.found.insert(Effort::Drive(link), vec![-moment]);
+                self.react_on_joint(joint, -force);
+                self.turn(*relative_to, moment);
+                self.transmit_turn(angle, -moment);
+                self.drive_bar(group, 0, self.sheet().zero_vector());
+            }
+            Drive::Slide(slide) => {
+                let frame = self.kinematics.guide(group.slides_on(0));
+                let along = -force.dot(frame.direction.u);
+                let drive = along - self.slide(link);
+                self.found.insert(Effort::Drive(link), vec![drive]);
+                let normal = -force.dot(frame.direction.n());
+                let reaction = GuideReaction { normal, couple: -moment };
+                let slide_value = self.kinematics.jet(slide).value;
+                self.on_guide(joint, reaction, [slide_value, along]);
+                self.transmit(slide, drive);
+                self.transmit_offset(joint, normal);
+            }
         }
     }
 
@@ -120,36 +130,40 @@ impl<'k, 's> Walk<'k, 's> {
         self.transmit(length, push);
     }
 
-    /// A slider's drive takes what is along the guide, the guide the rest.
-    fn leave_slider(&mut self, step: &Step) {
-        let Step::Slider { link, guide, slide, offset, .. } = step else { return };
-        let Acting { force, moment } = self.links[link.index()];
-        let frame = self.kinematics.guide(*guide);
-        let along = -force.dot(frame.direction.u);
-        let drive = along - self.slide(*link);
-        let normal = -force.dot(frame.direction.n());
-        let place = [slide, offset].map(|expr| self.kinematics.jet(expr).value);
-        self.found.insert(Effort::Drive(*link), vec![drive]);
-        let reaction = GuideReaction { normal, couple: -moment };
-        self.on_guide((*link, *guide), reaction, along, place);
-        self.transmit(slide, drive);
-        self.transmit(offset, normal);
-    }
-
-    fn leave_rrr(&mut self, step: &Step) {
-        let Step::Rrr { group, links, outer, pin, lengths, .. } = step else { return };
-        let Levers::Rrr(levers) = self.levers(*group) else { return };
-        let on_pin = self.points[pin.index()];
-        let found = rrr::reactions(*levers, self.acting(*links), on_pin);
-        for k in 0..2 {
-            self.note_pin(links[k], *pin, found.inner[k]);
-            self.drive_bar(links[k], *pin, &lengths[k].value, found.inner[k]);
-            self.stand(links[k], outer[k], found.outer[k]);
+    /// The joints of a dyad exert their reactions, and the opposites of them are on what carries it.
+    fn leave_dyad(&mut self, group: &Group) {
+        let links = [group.links[0], group.links[1]];
+        let nothing = self.sheet().zero_vector();
+        let pin = group.pin.map_or(nothing, |pin| self.points[pin.index()]);
+        let loads = Loads { links: self.acting(links), pin, along: self.slide(links[0]) };
+        let Reactions { outer, inner } = self.kinematics.levers(group.id).reactions(&loads);
+        for (joint, reaction) in group.outer.iter().zip(&outer) {
+            if let Reaction::Guide(reaction) = *reaction {
+                self.slide_on(joint, reaction);
+            }
+        }
+        let by_pin = match inner {
+            Inner::Pin(forces) => forces,
+            Inner::Slide(reaction) => {
+                self.slide_in(group, reaction);
+                [nothing; 2]
+            }
+        };
+        for (index, reaction) in outer.into_iter().enumerate() {
+            if let Some(pin) = group.pin {
+                self.note_pin(links[index], pin, by_pin[index]);
+            }
+            self.drive_bar(group, index, by_pin[index]);
+            if let Reaction::Force(force) = reaction {
+                self.react_on_joint(&group.outer[index], force);
+            }
         }
     }
 
     /// What drives a bar's length pushes against the pin, and against what lies on the rod.
-    fn drive_bar(&mut self, link: LinkId, pin: PointId, length: &Expr, by_pin: Vector<'s>) {
+    fn drive_bar(&mut self, group: &Group, index: usize, by_pin: Vector<'s>) {
+        let (Some(length), Some(pin)) = (&group.lengths[index], group.pin) else { return };
+        let (length, link) = (&length.value, group.links[index]);
         if self.kinematics.mechanism.moves(length) {
             let u = self.kinematics.link(link).frame.direction.u;
             let [along, _] = self.driven(Carrier::Link(link), pin);
@@ -157,91 +171,31 @@ impl<'k, 's> Walk<'k, 's> {
         }
     }
 
-    fn levers(&self, group: GroupId) -> &'k Levers<'s> {
-        self.kinematics.levers(group)
-    }
-
-    fn leave_rrp(&mut self, step: &Step) {
-        let Step::Rrp { group, links, outer, guide, pin, length, offset, .. } = step else {
-            return;
-        };
-        let Levers::Rrp(levers) = self.levers(*group) else { return };
-        let on_pin = self.points[pin.index()];
-        let found = rrp::reactions(*levers, self.acting(*links), on_pin);
-        for (&link, force) in links.iter().zip(found.inner) {
-            self.note_pin(link, *pin, force);
-        }
-        self.drive_bar(links[0], *pin, &length.value, found.inner[0]);
-        self.slide_on((links[1], *guide), found.guide, offset);
-        self.transmit(offset, found.guide.normal);
-        self.stand(links[0], *outer, found.outer);
-    }
-
     /// A block at its slide on a guide.
-    fn slide_on(
-        &mut self,
-        (link, guide): (LinkId, GuideId),
-        reaction: GuideReaction<'s>,
-        offset: &Expr,
-    ) {
+    fn slide_on(&mut self, joint: &Joint, reaction: GuideReaction<'s>) {
+        let link = joint.link();
         let slide = self.kinematics.link(link).slide.expect("a block slides").value;
-        let offset = self.kinematics.jet(offset).value;
-        let along = self.slide(link);
-        self.on_guide((link, guide), reaction, along, [slide, offset]);
+        self.on_guide(joint, reaction, [slide, self.slide(link)]);
+        self.transmit_offset(joint, reaction.normal);
     }
 
-    fn leave_rpr(&mut self, step: &Step) {
-        let Step::Rpr { group, links, outer, offset, .. } = step else { return };
-        let Levers::Rpr(levers) = self.levers(*group) else { return };
-        // What is transmitted along the bar acts between the two: (s u + e n) × −S u = e S.
-        let along = self.slide(links[0]);
-        let u = self.kinematics.link(links[1]).frame.direction.u;
-        let e = self.kinematics.jet(offset).value;
-        let [block, _] = self.acting(*links);
-        let bar = self.links[links[1].index()];
-        let force = bar.force - along * u;
-        let bar = Acting { force, moment: bar.moment + e * along };
-        let found = rpr::reactions(*levers, [block, bar]);
-        self.note_guide(links[0], found.guide);
-        self.transmit(offset, found.guide.normal);
-        for k in 0..2 {
-            self.stand(links[k], outer[k], found.outer[k]);
+    /// A block in another link: the group's formulas put its opposite on that.
+    fn slide_in(&mut self, group: &Group, reaction: GuideReaction<'s>) {
+        let joint = &group.inner[0];
+        self.note_guide(joint.link(), reaction);
+        let Some(Slideway::Slot { across, angle, .. }) = joint.slideway() else {
+            return self.transmit_offset(joint, reaction.normal);
+        };
+        let along = self.slide(joint.link());
+        let efforts = self.kinematics.levers(group.id).efforts_of_slot(reaction, along);
+        self.transmit(across, efforts[0]);
+        self.transmit_offset(joint, reaction.normal);
+        self.transmit_turn(angle, efforts[1]);
+    }
+
+    fn transmit_offset(&mut self, joint: &Joint, effort: Sym<'s>) {
+        if let Some(offset) = joint.offset() {
+            self.transmit(offset, effort);
         }
-    }
-
-    fn leave_prp(&mut self, step: &Step) {
-        let Step::Prp { group, links, guides, pin, offsets } = step else { return };
-        let Levers::Prp(levers) = self.levers(*group) else { return };
-        let on_pin = self.points[pin.index()];
-        let found = prp::reactions(*levers, self.acting(*links), on_pin);
-        for k in 0..2 {
-            self.note_pin(links[k], *pin, found.inner[k]);
-            self.slide_on((links[k], guides[k]), found.guides[k], &offsets[k]);
-            self.transmit(&offsets[k], found.guides[k].normal);
-        }
-    }
-
-    fn leave_rpp(&mut self, step: &Step) {
-        let Step::Rpp { group, links, outer, guide, slot, offsets } = step else { return };
-        let Levers::Rpp(levers) = self.levers(*group) else { return };
-        let [e1, e2] = self.kinematics.jets(offsets).map(|jet| jet.value);
-        let [block, yoke] = links.map(|link| self.kinematics.link(link));
-        let s2 = block.slide.expect("the block slides in its slot").value;
-        // What is transmitted along the slot acts between block and slot, at B.
-        let along = self.slide(links[0]);
-        let (u2, rail) = (block.frame.direction.u, yoke.frame.direction);
-        let [on_block, on_yoke] = self.acting(*links);
-        let back = along * u2;
-        let arm = e1 * rail.n() + (s2 * u2 + e2 * u2.normal());
-        let on_yoke =
-            Acting { force: on_yoke.force - back, moment: on_yoke.moment - arm.cross(back) };
-        let found = rpp::reactions(*levers, [on_block, on_yoke]);
-        self.note_guide(links[0], found.slot);
-        self.slide_on((links[1], *guide), found.rail, &Expr::zero());
-        self.transmit(&offsets[0], found.offset_effort + along * u2.dot(rail.n()));
-        self.transmit(&offsets[1], found.slot.normal);
-        let turning = s2 * found.slot.normal + found.slot.couple - e2 * along;
-        self.transmit_turn(slot, turning);
-        self.stand(links[0], *outer, found.outer);
     }
 }

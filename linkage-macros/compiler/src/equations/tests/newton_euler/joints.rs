@@ -1,5 +1,6 @@
 //! What joints and drives can exert: a column of the matrix an unknown.
 
+use super::declared::Declared;
 use super::matrix::Matrix;
 use super::{
     Pair, Part, cross, has_readings, normal, part_of, part_of_carrier, part_of_point, whole,
@@ -7,9 +8,10 @@ use super::{
 use crate::ir::interpret::Number;
 use crate::model::dynamics::Effort;
 use crate::model::mechanism::{
-    Carrier, Expr, GuideDirection, GuideId, LinkId, Placement, PointId, Step, Through,
+    Carrier, Drive, Expr, GuideDirection, GuideId, LinkId, Placement, PointId, Step, Through,
 };
 use crate::oracle::Digits;
+use crate::syntax::anatomy::Class;
 
 impl<'k> Matrix<'k, '_> {
     fn revolute(&mut self, link: LinkId, on: Part, by: Part, point: PointId) {
@@ -125,84 +127,97 @@ impl<'k> Matrix<'k, '_> {
                 }
             }
             Step::Point { .. } => {}
-            Step::Crank { link, pivot, pin, angle, relative_to, .. } => {
-                let own = Part::Link(*link);
-                self.revolute(*link, own, part_of(self.kinematics, *pivot), *pivot);
-                let zero = [whole(0), whole(0)];
-                let column = self.pair([own, part_of_carrier(*relative_to)], &zero, &zero, 1);
-                let drive = self.drive(Effort::Drive(*link), column);
-                self.transmit_turn(angle, &[(drive, whole(1))]);
-                if let Some((pin, length)) = pin {
-                    self.rod(*link, *pin, &length.value);
-                }
-            }
-            Step::Slider { link, guide, slide, offset, .. } => {
-                let parts = [Part::Link(*link), self.carrier_of(*guide)];
-                let (at, u) =
-                    (&self.motion.origins[link.index()], &self.motion.guides[guide.index()].1);
-                let column = self.pair(parts, at, u, 0);
-                let drive = self.drive(Effort::Drive(*link), column);
-                let [normal, _] = self.on_guide(*link, *guide, parts, Some(drive));
-                self.transmit(slide, &[(drive, whole(1))]);
-                self.transmit(offset, &[(normal, whole(1))]);
-            }
-            _ => self.dyad(step),
+            Step::Group(group) => match Declared::of(group) {
+                Declared { drive: Some(drive), .. } => self.driver(drive, Declared::of(group)),
+                declared => self.dyad(group.kind, declared),
+            },
         }
     }
 
-    fn dyad(&mut self, step: &'k Step) {
-        match step {
-            Step::Rrr { links, outer, pin, lengths, .. } => {
-                for k in 0..2 {
-                    self.bar(links[k], outer[k], *pin, &lengths[k].value);
+    fn driver(&mut self, drive: &'k Drive, declared: Declared<'k>) {
+        let (link, own) = (declared.links[0], Part::Link(declared.links[0]));
+        match drive {
+            Drive::Angle { angle, relative_to } => {
+                let pivot = declared.points[0];
+                self.revolute(link, own, part_of(self.kinematics, pivot), pivot);
+                let zero = [whole(0), whole(0)];
+                let column = self.pair([own, part_of_carrier(*relative_to)], &zero, &zero, 1);
+                let drive = self.drive(Effort::Drive(link), column);
+                self.transmit_turn(angle, &[(drive, whole(1))]);
+                if let (Some(pin), Some(length)) = (declared.pin, declared.lengths.first()) {
+                    self.rod(link, pin, length);
                 }
             }
-            Step::Rrp { links, outer, guide, pin, length, offset, .. } => {
-                self.bar(links[0], *outer, *pin, &length.value);
-                self.revolute(links[1], Part::Link(links[1]), Part::Pin(*pin), *pin);
-                let parts = [Part::Link(links[1]), self.carrier_of(*guide)];
-                let [normal, _] = self.on_guide(links[1], *guide, parts, None);
-                self.transmit(offset, &[(normal, whole(1))]);
+            Drive::Slide(slide) => {
+                let guide = declared.guides[0];
+                let parts = [own, self.carrier_of(guide)];
+                let (at, u) =
+                    (&self.motion.origins[link.index()], &self.motion.guides[guide.index()].1);
+                let column = self.pair(parts, at, u, 0);
+                let drive = self.drive(Effort::Drive(link), column);
+                let [normal, _] = self.on_guide(link, guide, parts, Some(drive));
+                self.transmit(slide, &[(drive, whole(1))]);
+                self.transmit(declared.offsets[0], &[(normal, whole(1))]);
             }
-            Step::Rpr { links, outer, offset, .. } => {
+        }
+    }
+
+    fn dyad(&mut self, kind: Class, declared: Declared<'k>) {
+        let Declared { links, points, guides, pin, lengths, offsets, slot, .. } = declared;
+        match kind {
+            Class::Rrr => {
                 for k in 0..2 {
-                    let by = part_of(self.kinematics, outer[k]);
-                    self.revolute(links[k], Part::Link(links[k]), by, outer[k]);
+                    self.bar(links[k], points[k], pin.unwrap(), lengths[k]);
+                }
+            }
+            Class::Rrp => {
+                let (pin, guide) = (pin.unwrap(), guides[0]);
+                self.bar(links[0], points[0], pin, lengths[0]);
+                self.revolute(links[1], Part::Link(links[1]), Part::Pin(pin), pin);
+                let parts = [Part::Link(links[1]), self.carrier_of(guide)];
+                let [normal, _] = self.on_guide(links[1], guide, parts, None);
+                self.transmit(offsets[0], &[(normal, whole(1))]);
+            }
+            Class::Rpr => {
+                for k in 0..2 {
+                    let by = part_of(self.kinematics, points[k]);
+                    self.revolute(links[k], Part::Link(links[k]), by, points[k]);
                 }
                 let (at, u) = (
-                    &self.motion.points[outer[0].index()],
+                    &self.motion.points[points[0].index()],
                     &self.motion.directions[links[1].index()],
                 );
-                let parts = links.map(Part::Link);
+                let parts = [0, 1].map(|k| Part::Link(links[k]));
                 let [normal, _] = self.prismatic(Some(links[0]), parts, at, &normal(u));
-                self.transmit(offset, &[(normal, whole(1))]);
+                self.transmit(offsets[0], &[(normal, whole(1))]);
             }
-            Step::Prp { links, guides, pin, offsets, .. } => {
+            Class::Prp => {
                 for k in 0..2 {
                     let own = Part::Link(links[k]);
-                    self.revolute(links[k], own, Part::Pin(*pin), *pin);
+                    self.revolute(links[k], own, Part::Pin(pin.unwrap()), pin.unwrap());
                     let parts = [own, self.carrier_of(guides[k])];
                     let [normal, _] = self.on_guide(links[k], guides[k], parts, None);
-                    self.transmit(&offsets[k], &[(normal, whole(1))]);
+                    self.transmit(offsets[k], &[(normal, whole(1))]);
                 }
             }
-            Step::Rpp { links, outer, guide, slot, offsets, .. } => {
-                let by = part_of(self.kinematics, *outer);
-                self.revolute(links[0], Part::Link(links[0]), by, *outer);
-                let at = &self.motion.points[outer.index()];
+            Class::Rpp => {
+                let by = part_of(self.kinematics, points[0]);
+                self.revolute(links[0], Part::Link(links[0]), by, points[0]);
+                let at = &self.motion.points[points[0].index()];
                 let [u2, u1] = [0, 1].map(|k| &self.motion.directions[links[k].index()]);
-                let parts = links.map(Part::Link);
+                let parts = [0, 1].map(|k| Part::Link(links[k]));
                 let [across, couple] = self.prismatic(Some(links[0]), parts, at, &normal(u2));
-                let rail = [Part::Link(links[1]), self.carrier_of(*guide)];
-                self.on_guide(links[1], *guide, rail, None);
+                let rail = [Part::Link(links[1]), self.carrier_of(guides[0])];
+                self.on_guide(links[1], guides[0], rail, None);
                 // The slot moves along n₁ against the yoke with e₁, along n₂ with e₂, and turns.
                 let cosine = u1[0].mul(&u2[0]).add(&u1[1].mul(&u2[1]));
-                self.transmit(&offsets[0], &[(across, cosine)]);
-                self.transmit(&offsets[1], &[(across, whole(1))]);
+                self.transmit(offsets[0], &[(across, cosine)]);
+                self.transmit(offsets[1], &[(across, whole(1))]);
                 let slide = self.motion.slides[links[0].index()].clone().expect("it slides");
-                self.transmit_turn(slot, &[(across, slide), (couple, whole(1))]);
+                let turn = slot.expect("its row has a slot");
+                self.transmit_turn(turn, &[(across, slide), (couple, whole(1))]);
             }
-            _ => unreachable!("the others are no dyads"),
+            Class::Crank | Class::Slider => unreachable!("drivers are no dyads"),
         }
     }
 }

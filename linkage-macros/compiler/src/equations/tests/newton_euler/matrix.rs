@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use super::{Applied, Motion, Pair, Part, cross, driven_length, negative, whole};
 use crate::equations::kinematics::Kinematics;
 use crate::ir::interpret::Number;
-use crate::model::dynamics::{Effort, Owner};
-use crate::model::mechanism::{Expr, LinkId, PointId};
+use crate::model::dynamics::Effort;
+use crate::model::mechanism::{Body, Expr, LinkId, PointId};
 use crate::oracle::Digits;
 
 /// One unknown: what one unit of it puts on every part's equations.
@@ -58,7 +58,7 @@ impl<'k, 's> Matrix<'k, 's> {
             }
         }
         for index in 0..mechanism.points.len() as u32 {
-            if mechanism.owner(PointId(index)) == Some(Owner::Point(PointId(index))) {
+            if mechanism.owner(PointId(index)) == Some(Body::Pin(PointId(index))) {
                 self.add_part(Part::Pin(PointId(index)), 2);
             }
         }

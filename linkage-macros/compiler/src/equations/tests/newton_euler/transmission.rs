@@ -1,11 +1,13 @@
 //! Driven dimensions that read earlier links: what drives them pushes back on what they read.
 
+use super::declared::Declared;
 use super::matrix::{Column, Matrix};
 use super::readings::{readings, slope};
 use super::{Pair, Part, negative, normal, part_of, whole};
 use crate::ir::interpret::Number;
-use crate::model::mechanism::{AngleSum, Axis, Expr, LinkId, Step};
+use crate::model::mechanism::{AngleSum, Axis, Expr, LinkId};
 use crate::oracle::Digits;
+use crate::syntax::anatomy::Class;
 
 impl Matrix<'_, '_> {
     /// An effort, a sum of unknowns with factors, of an angle.
@@ -76,18 +78,16 @@ impl Matrix<'_, '_> {
 
     /// What a link slides on.
     fn under(&self, link: LinkId) -> Part {
-        let mut steps = self.kinematics.mechanism.steps.iter();
-        let found = steps.find_map(|step| match step {
-            Step::Slider { link: own, guide, .. } if *own == link => Some(self.carrier_of(*guide)),
-            Step::Rrp { links, guide, .. } if links[1] == link => Some(self.carrier_of(*guide)),
-            Step::Rpr { links, .. } if links[0] == link => Some(Part::Link(links[1])),
-            Step::Prp { links, guides, .. } => {
-                let place = links.iter().position(|own| *own == link)?;
-                Some(self.carrier_of(guides[place]))
-            }
-            Step::Rpp { links, .. } if links[0] == link => Some(Part::Link(links[1])),
-            Step::Rpp { links, guide, .. } if links[1] == link => Some(self.carrier_of(*guide)),
-            _ => None,
+        let mut groups = self.kinematics.mechanism.group_steps();
+        let found = groups.find_map(|group| {
+            let Declared { links, guides, .. } = Declared::of(group);
+            let place = links.iter().position(|own| *own == link)?;
+            Some(match (group.kind, place) {
+                (Class::Slider, _) | (Class::Rrp | Class::Rpp, 1) => self.carrier_of(guides[0]),
+                (Class::Prp, _) => self.carrier_of(guides[place]),
+                (Class::Rpr | Class::Rpp, 0) => Part::Link(links[1]),
+                _ => return None,
+            })
         });
         found.expect("what slides was made by a step")
     }

@@ -50,18 +50,40 @@
 
 use crate::equations::crank_pin::CrankPin;
 use crate::equations::double_word::DoubleWord;
+use crate::equations::groups::Formulas;
 use crate::equations::jet::Jet;
-use crate::equations::levers::{self, Levers};
+use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
 use crate::equations::parts::{
-    Acting, Clearance, GroupScope, GuideReaction, LimitMeasures, LinkMotion, Solved, root_in_reach,
-    size,
+    Clearance, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
+};
+use crate::equations::reactions::{
+    Acting, GuideReaction, Inner, Levers, Loads, Reaction, Reactions,
 };
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
-use crate::model::mechanism::{Carrier, Numerics};
+use crate::model::mechanism::{Carrier, Group, Numerics};
 
-pub(super) fn rpr<'s>(
+pub(super) struct Rpr;
+
+impl Formulas for Rpr {
+    fn solve<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Solved<'s> {
+        let (joints, offset) = (known.both_joints(group), known.offset_in(&group.inner[0]));
+        rpr(&known.scope(group), joints, offset, known.mode_of(group))
+    }
+
+    fn measures<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<LimitMeasures<'s>> {
+        let (joints, offset) = (known.both_joints(group), known.offset_in(&group.inner[0]));
+        Some(measures(known.mechanism.numerics, joints, offset))
+    }
+
+    fn clearance<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<Clearance<'s>> {
+        let (joints, offset) = (known.both_joints(group), known.offset_in(&group.inner[0]));
+        Some(clearance(known.mechanism.numerics, joints, offset))
+    }
+}
+
+fn rpr<'s>(
     scope: &GroupScope<'s>,
     [b, d]: [PointMotion<'s>; 2],
     offset: Jet<'s>,
@@ -113,24 +135,30 @@ pub(super) fn rpr<'s>(
     Solved {
         links: vec![link(b, Some(slide)), link(d, None)],
         pin: None,
-        levers: Some(Levers::Rpr(levers::Rpr { n: u.normal(), inverse })),
+        bars: Vec::new(),
+        levers: Some(Box::new(RprLevers { u, e, inverse })),
     }
 }
 
-/// The outer joints' forces on block and bar, and what the bar exerts on the block.
-pub(super) struct Reactions<'s> {
-    pub outer: [Vector<'s>; 2],
-    pub guide: GuideReaction<'s>,
+/// The bar's direction, e and 1/s.
+struct RprLevers<'s> {
+    u: Vector<'s>,
+    e: Sym<'s>,
+    inverse: Sym<'s>,
 }
 
-pub(super) fn reactions<'s>(
-    levers::Rpr { n, inverse }: levers::Rpr<'s>,
-    [block, bar]: [Acting<'s>; 2],
-) -> Reactions<'s> {
-    let normal = (bar.moment + block.moment) * inverse;
-    let push = normal * n;
-    let guide = GuideReaction { normal, couple: -block.moment };
-    Reactions { outer: [-(block.force + push), push - bar.force], guide }
+impl<'s> Levers<'s> for RprLevers<'s> {
+    fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
+        let (&Self { u, e, inverse }, [block, bar]) = (self, loads.links);
+        // What is transmitted along the bar acts between the two: (s u + e n) × −S u = e S.
+        let force = bar.force - loads.along * u;
+        let bar = Acting { force, moment: bar.moment + e * loads.along };
+        let normal = (bar.moment + block.moment) * inverse;
+        let push = normal * u.normal();
+        let inner = Inner::Slide(GuideReaction { normal, couple: -block.moment });
+        let outer = [-(block.force + push), push - bar.force].map(Reaction::Force);
+        Reactions { outer, inner }
+    }
 }
 
 /// s² = b² − e², which is smooth, vanishes at the limit and is negative out of reach; its value
@@ -152,11 +180,7 @@ fn left_of_offset<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'
 
 /// Signed distance from the limit in metres, (b² − e²)/(|b| + |e|) = |b| − |e|, and the sine of
 /// the transmission angle between bar and line to the block, √(b² − e²)/|b|.
-pub(super) fn quality<'s>(
-    numerics: Numerics,
-    [b, d]: [PointMotion<'s>; 2],
-    e: Jet<'s>,
-) -> LimitMeasures<'s> {
+fn measures<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> LimitMeasures<'s> {
     let [x, y] = d.jets_to(b);
     let reach = x.hypot(y);
     if e.is_zero() {
@@ -170,11 +194,7 @@ pub(super) fn quality<'s>(
 }
 
 /// b² − e².
-pub(super) fn clearance<'s>(
-    numerics: Numerics,
-    [b, d]: [PointMotion<'s>; 2],
-    e: Jet<'s>,
-) -> Clearance<'s> {
+fn clearance<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Clearance<'s> {
     let scale = e.value.squared() + size(d, b);
     Clearance { value: left_of_offset(numerics, [b, d], e), scale }
 }

@@ -52,23 +52,54 @@
 //! it is a multiple of 90° or 30°. They are taken from β itself: the difference of the rounded
 //! angles of slot and rail would lose every digit that β is small by.
 
+use crate::equations::groups::Formulas;
 use crate::equations::jet::Jet;
-use crate::equations::levers::{self, Levers};
+use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame, PointMotion};
-use crate::equations::parts::{
-    Acting, GroupScope, GuideReaction, LimitMeasures, LinkMotion, Solved,
+use crate::equations::parts::{GroupScope, LimitMeasures, LinkMotion, Solved};
+use crate::equations::reactions::{
+    Acting, GuideReaction, Inner, Levers, Loads, Reaction, Reactions,
 };
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
+use crate::model::mechanism::{Group, JointKind, Slideway};
+
+pub(super) struct Rpp;
+
+impl Formulas for Rpp {
+    fn solve<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Solved<'s> {
+        let (b, rail) = (known.stands_on(group, 0), known.slides_on(group, 1));
+        let slot = Slot::of(known, group, rail);
+        let offsets = group.offsets();
+        let offsets = [0, 1].map(|index| known.jet(offsets[index]));
+        rpp(&known.scope(group), b, rail, slot, offsets)
+    }
+
+    fn measures<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<LimitMeasures<'s>> {
+        let rail = known.slides_on(group, 1);
+        Some(measures(rail, Slot::of(known, group, rail)))
+    }
+}
 
 /// The slot's direction, and the same in the rail's axes.
 #[derive(Clone, Copy)]
-pub(super) struct Slot<'s> {
-    pub direction: Direction<'s>,
-    pub relative: Direction<'s>,
+struct Slot<'s> {
+    direction: Direction<'s>,
+    relative: Direction<'s>,
 }
 
-pub(super) fn rpp<'s>(
+impl<'s> Slot<'s> {
+    fn of(known: &Kinematics<'s>, group: &Group, rail: Frame<'s>) -> Self {
+        let JointKind::Prismatic { along: Slideway::Slot { angle, .. }, .. } = &group.inner[0].kind
+        else {
+            unreachable!("the block slides in a slot")
+        };
+        let relative = known.turned(Direction::ground(known.sheet), angle);
+        Self { direction: known.turned(rail.direction, angle), relative }
+    }
+}
+
+fn rpp<'s>(
     scope: &GroupScope<'s>,
     b: PointMotion<'s>,
     rail: Frame<'s>,
@@ -110,7 +141,15 @@ pub(super) fn rpp<'s>(
         - (beta_rate * (rail.direction.omega.twice() + beta_rate)) * rho2
         + beta_rate.twice() * sigma2.normal();
     let accel = slides(b.acceleration - (carried + turned + e1.accel * n1 + e2.accel * n2));
-    let levers = levers::Rpp { rail: u1, slot: u2, cosine, inverse, arm: s2 + e1.value * sine };
+    let levers = RppLevers {
+        rail: u1,
+        slot: u2,
+        cosine,
+        inverse,
+        arm: s2 + e1.value * sine,
+        offsets: [e1.value, e2.value],
+        slide: s2,
+    };
     let on_rail = Jet { value: s1, rate: rate[0], accel: accel[0] };
     let in_slot = Jet { value: s2, rate: rate[1], accel: accel[1] };
     let foot = rail.place(on_rail, Jet::zero(scope.sheet));
@@ -119,34 +158,53 @@ pub(super) fn rpp<'s>(
         slide: Some(slide),
     };
     let links = vec![link(b, slot.direction, in_slot), link(foot, rail.direction, on_rail)];
-    Solved { links, pin: None, levers: Some(Levers::Rpp(levers)) }
+    Solved { links, pin: None, bars: Vec::new(), levers: Some(Box::new(levers)) }
 }
 
-/// The outer joint's force on the block, what the slot exerts on the block and the rail on the yoke.
-pub(super) struct Reactions<'s> {
-    pub outer: Vector<'s>,
-    pub slot: GuideReaction<'s>,
-    pub rail: GuideReaction<'s>,
-    /// N₂ c, the effort of the offset e₁.
-    pub offset_effort: Sym<'s>,
+/// The directions of rail and slot, c and 1/σ, s₂ + e₁ σ, both offsets and s₂.
+struct RppLevers<'s> {
+    rail: Vector<'s>,
+    slot: Vector<'s>,
+    cosine: Sym<'s>,
+    inverse: Sym<'s>,
+    arm: Sym<'s>,
+    offsets: [Sym<'s>; 2],
+    slide: Sym<'s>,
 }
 
-pub(super) fn reactions<'s>(
-    levers::Rpp { rail, slot, cosine, inverse, arm }: levers::Rpp<'s>,
-    [block, yoke]: [Acting<'s>; 2],
-) -> Reactions<'s> {
-    let normal = -(yoke.force.dot(rail) * inverse);
-    let by_slot = GuideReaction { normal, couple: -block.moment };
-    let offset_effort = normal * cosine;
-    let by_rail = GuideReaction {
-        normal: offset_effort - yoke.force.dot(rail.normal()),
-        couple: by_slot.couple - yoke.moment + normal * arm,
-    };
-    let outer = -(block.force + normal * slot.normal());
-    Reactions { outer, slot: by_slot, rail: by_rail, offset_effort }
+impl<'s> Levers<'s> for RppLevers<'s> {
+    fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
+        let &Self { rail, slot, cosine, inverse, arm, offsets: [e1, e2], slide } = self;
+        let [block, yoke] = loads.links;
+        // What is transmitted along the slot acts between block and slot, at B.
+        let back = loads.along * slot;
+        let to_block = e1 * rail.normal() + (slide * slot + e2 * slot.normal());
+        let moment = yoke.moment - to_block.cross(back);
+        let yoke = Acting { force: yoke.force - back, moment };
+        let normal = -(yoke.force.dot(rail) * inverse);
+        let reaction = GuideReaction { normal, couple: -block.moment };
+        let across = normal * cosine;
+        let by_rail = GuideReaction {
+            normal: across - yoke.force.dot(rail.normal()),
+            couple: reaction.couple - yoke.moment + normal * arm,
+        };
+        let on_block = -(block.force + normal * slot.normal());
+        Reactions {
+            outer: [Reaction::Force(on_block), Reaction::Guide(by_rail)],
+            inner: Inner::Slide(reaction),
+        }
+    }
+
+    /// A driven offset e₁ moves the slot against the yoke.
+    fn efforts_of_slot(&self, reaction: GuideReaction<'s>, along: Sym<'s>) -> [Sym<'s>; 2] {
+        let &Self { rail, slot, cosine, offsets: [_, e2], slide, .. } = self;
+        let GuideReaction { normal, couple } = reaction;
+        let across = normal * cosine + along * slot.dot(rail.normal());
+        [across, slide * normal + couple - e2 * along]
+    }
 }
 
 /// The sine of the angle between rail and slot, not negative.
-pub(super) fn quality<'s>(rail: Frame<'s>, slot: Slot<'s>) -> LimitMeasures<'s> {
+fn measures<'s>(rail: Frame<'s>, slot: Slot<'s>) -> LimitMeasures<'s> {
     LimitMeasures::of_directions(rail.direction, slot.direction, slot.relative.u.y)
 }

@@ -80,23 +80,64 @@
 mod triangle;
 mod turning;
 
+use crate::equations::groups::Formulas;
 use crate::equations::jet::Jet;
-use crate::equations::levers::{self, Levers};
+use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{
-    Acting, Bar, Clearance, GroupScope, LimitMeasures, Solved, root_in_reach, size,
+    Bar, Clearance, GroupScope, LimitMeasures, Solved, root_in_reach, size,
 };
+use crate::equations::reactions::{Inner, Levers, Loads, Reaction, Reactions};
 use crate::equations::symbol::{Sym, Vector};
+use crate::model::mechanism::{Carrier, Group, LinkId};
+
+pub(super) struct Rrr;
+
+impl Formulas for Rrr {
+    fn solve<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Solved<'s> {
+        let (outer, lengths) = (Outer::of(known, group), known.lengths(group));
+        rrr(&known.scope(group), outer, lengths, known.mode_of(group))
+    }
+
+    fn measures<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<LimitMeasures<'s>> {
+        Some(measures(Outer::of(known, group).seen, known.lengths(group)))
+    }
+
+    fn clearance<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<Clearance<'s>> {
+        let lengths = [0, 1].map(|bar| known.jet(&group.length(bar).value));
+        Some(clearance(Outer::of(known, group).seen, lengths))
+    }
+}
 
 /// The outer joints, and as they are seen from the frame in which the group is solved.
 #[derive(Clone, Copy)]
-pub(super) struct Outer<'s> {
-    pub joints: [PointMotion<'s>; 2],
-    pub frame: Frame<'s>,
-    pub seen: [PointMotion<'s>; 2],
+struct Outer<'s> {
+    joints: [PointMotion<'s>; 2],
+    frame: Frame<'s>,
+    seen: [PointMotion<'s>; 2],
 }
 
-pub(super) fn rrr<'s>(
+impl<'s> Outer<'s> {
+    /// Seen from the link on which both of them stand, or from the ground.
+    fn of(known: &Kinematics<'s>, group: &Group) -> Self {
+        let outer = [0, 1].map(|bar| group.stands_on(bar));
+        let joints = outer.map(|joint| known.point(joint));
+        let place = |link, joint| known.coordinates.get(&(Carrier::Link(link), joint)).copied();
+        let common = (0..known.links.len()).find_map(|link| {
+            let link = LinkId(link as u32);
+            Some((link, [place(link, outer[0])?, place(link, outer[1])?]))
+        });
+        match common {
+            Some((link, places)) => {
+                let frame = known.link(link).frame;
+                Self { joints, frame, seen: places.map(|[x, y]| PointMotion::placed(x, y)) }
+            }
+            None => Self { joints, frame: Frame::ground(known.sheet), seen: joints },
+        }
+    }
+}
+
+fn rrr<'s>(
     scope: &GroupScope<'s>,
     Outer { joints, frame, seen }: Outer<'s>,
     lengths: [Jet<'s>; 2],
@@ -119,7 +160,8 @@ pub(super) fn rrr<'s>(
     Solved {
         links: links.collect(),
         pin: Some(pin),
-        levers: Some(Levers::Rrr(levers::Rrr { r, inverse: triangle.inverse })),
+        bars: r.into(),
+        levers: Some(Box::new(RrrLevers { r, inverse: triangle.inverse })),
     }
 }
 
@@ -130,23 +172,22 @@ fn carrier<'s>([b, d]: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> usize {
     usize::from(d.is_fixed() || is_cylinder && !b.is_fixed())
 }
 
-/// The pin's forces on the bars, and those of the outer joints.
-pub(super) struct Reactions<'s> {
-    pub inner: [Vector<'s>; 2],
-    pub outer: [Vector<'s>; 2],
+/// The vectors of the bars and 1/J.
+struct RrrLevers<'s> {
+    r: [Vector<'s>; 2],
+    inverse: Sym<'s>,
 }
 
-pub(super) fn reactions<'s>(
-    levers::Rrr { r: [r2, r3], inverse }: levers::Rrr<'s>,
-    [first, second]: [Acting<'s>; 2],
-    on_pin: Vector<'s>,
-) -> Reactions<'s> {
-    let from_second = (second.moment + r3.cross(on_pin)) * inverse;
-    let from_first = first.moment * inverse;
-    let on_first = -(from_second * r2 + from_first * r3);
-    let on_second = on_pin - on_first;
-    let outer = [-(first.force + on_first), -(second.force + on_second)];
-    Reactions { inner: [on_first, on_second], outer }
+impl<'s> Levers<'s> for RrrLevers<'s> {
+    fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
+        let (&Self { r: [r2, r3], inverse }, [first, second]) = (self, loads.links);
+        let from_second = (second.moment + r3.cross(loads.pin)) * inverse;
+        let from_first = first.moment * inverse;
+        let on_first = -(from_second * r2 + from_first * r3);
+        let on_second = loads.pin - on_first;
+        let outer = [-(first.force + on_first), -(second.force + on_second)];
+        Reactions { outer: outer.map(Reaction::Force), inner: Inner::Pin([on_first, on_second]) }
+    }
 }
 
 /// S = sin² μ/4 of the angle μ between the bars, which is smooth, vanishes at both toggles and is negative
@@ -171,17 +212,14 @@ fn half_sine<'s>(joints: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> HalfSi
 
 /// Signed distance from the limit in metres, 2 l₂ l₃ S/d with slope one against d at both toggles,
 /// and sine of the transmission angle, 2 √S.
-pub(super) fn quality<'s>(
-    joints: [PointMotion<'s>; 2],
-    lengths: [Jet<'s>; 2],
-) -> LimitMeasures<'s> {
+fn measures<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> LimitMeasures<'s> {
     let (square, [x, y]) = (half_sine(joints, lengths).square, joints[0].jets_to(joints[1]));
     let margin = square * ((lengths[0] * lengths[1]).twice() / x.hypot(y));
     LimitMeasures { margin: Some(margin), transmission: root_in_reach(square).twice() }
 }
 
 /// S. Where one bar is long or the joints are far away, so is the rounding of i against l₂ l₃.
-pub(super) fn clearance<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> Clearance<'s> {
+fn clearance<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> Clearance<'s> {
     let HalfSine { scale, square, .. } = half_sine(joints, lengths);
     let [l2, l3] = lengths.map(|length| length.value.squared());
     let squares = l2 + l3 + size(joints[0], joints[1]);

@@ -10,12 +10,28 @@
 //! with and without fused operations (`linkage-core`'s kernels hold that), the pin's offsets one
 //! rounding more; on a moving link three roundings are added for turning one direction by another.
 
+use crate::equations::groups::Formulas;
 use crate::equations::jet::Jet;
+use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{GroupScope, LinkMotion, Solved};
+use crate::model::mechanism::{Drive, Group};
+
+pub(super) struct Crank;
+
+impl Formulas for Crank {
+    fn solve<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Solved<'s> {
+        let Some(Drive::Angle { angle, relative_to }) = &group.outer[0].drive else {
+            unreachable!("a crank is driven by its angle")
+        };
+        let direction = known.turned(known.carrier(*relative_to).direction, angle);
+        let length = group.lengths[0].as_ref().map(|length| known.length(length, group.id.0));
+        crank(&known.scope(group), known.stands_on(group, 0), direction, length)
+    }
+}
 
 /// The crank, and its pin where it has a length.
-pub(super) fn crank<'s>(
+fn crank<'s>(
     scope: &GroupScope<'s>,
     pivot: PointMotion<'s>,
     direction: Direction<'s>,
@@ -27,5 +43,7 @@ pub(super) fn crank<'s>(
     if let Some(pin) = pin {
         scope.call_vector("r", pin.offset);
     }
-    Solved { links: vec![LinkMotion { frame, slide: None }], pin, levers: None }
+    let bars = length.map(|length| frame.vector(length.value, scope.sheet.zero()));
+    let links = vec![LinkMotion { frame, slide: None }];
+    Solved { links, pin, bars: bars.into_iter().collect(), levers: None }
 }

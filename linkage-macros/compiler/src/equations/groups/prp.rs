@@ -39,20 +39,33 @@
 //! # Source
 //! Cramer's rule; W. Kahan for the 2×2 determinants.
 
+use crate::equations::groups::Formulas;
 use crate::equations::jet::Jet;
-use crate::equations::levers::{self, Levers};
+use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Frame, PointMotion};
-use crate::equations::parts::{
-    Acting, Block, GroupScope, GuideReaction, LimitMeasures, LinkMotion, Solved,
+use crate::equations::parts::{Block, GroupScope, LimitMeasures, LinkMotion, Solved};
+use crate::equations::reactions::{
+    Acting, GuideReaction, Inner, Levers, Loads, Reaction, Reactions,
 };
-use crate::equations::symbol::Vector;
+use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
+use crate::model::mechanism::Group;
 
-pub(super) fn prp<'s>(
-    scope: &GroupScope<'s>,
-    guides: [Frame<'s>; 2],
-    offsets: [Jet<'s>; 2],
-) -> Solved<'s> {
+pub(super) struct Prp;
+
+impl Formulas for Prp {
+    fn solve<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Solved<'s> {
+        let guides = [0, 1].map(|block| known.slides_on(group, block));
+        let offsets = [0, 1].map(|block| known.offset_in(&group.outer[block]));
+        prp(&known.scope(group), guides, offsets)
+    }
+
+    fn measures<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<LimitMeasures<'s>> {
+        Some(measures([0, 1].map(|block| known.slides_on(group, block))))
+    }
+}
+
+fn prp<'s>(scope: &GroupScope<'s>, guides: [Frame<'s>; 2], offsets: [Jet<'s>; 2]) -> Solved<'s> {
     let [u1, u2] = guides.map(|guide| guide.direction.u);
     let (sine, _) = guides[0].direction.sin_cos_to(guides[1].direction);
     let inverse = sine.provided(Check::Nonzero, scope.group, &[]).recip();
@@ -86,31 +99,31 @@ pub(super) fn prp<'s>(
     Solved {
         links: vec![block(0), block(1)],
         pin: Some(pin),
-        levers: Some(Levers::Prp(levers::Prp { u: [u1, u2], inverse })),
+        bars: Vec::new(),
+        levers: Some(Box::new(PrpLevers { u: [u1, u2], inverse })),
     }
 }
 
-/// The pin's forces on the blocks, and the guides'.
-pub(super) struct Reactions<'s> {
-    pub inner: [Vector<'s>; 2],
-    pub guides: [GuideReaction<'s>; 2],
+/// The guides' directions and 1/Δ.
+struct PrpLevers<'s> {
+    u: [Vector<'s>; 2],
+    inverse: Sym<'s>,
 }
 
-pub(super) fn reactions<'s>(
-    levers::Prp { u: [u1, u2], inverse }: levers::Prp<'s>,
-    [first, second]: [Acting<'s>; 2],
-    on_pin: Vector<'s>,
-) -> Reactions<'s> {
-    let [along_first, along_second] =
-        [first.force.dot(u1) * inverse, (second.force + on_pin).dot(u2) * inverse];
-    let on_first = along_first * u2.normal() + along_second * u1.normal();
-    let on_second = on_pin - on_first;
-    let guide = |link: Acting<'s>, by_pin: Vector<'s>, u: Vector<'s>| GuideReaction {
-        normal: -(link.force + by_pin).dot(u.normal()),
-        couple: -link.moment,
-    };
-    let guides = [guide(first, on_first, u1), guide(second, on_second, u2)];
-    Reactions { inner: [on_first, on_second], guides }
+impl<'s> Levers<'s> for PrpLevers<'s> {
+    fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
+        let (&Self { u: [u1, u2], inverse }, [first, second]) = (self, loads.links);
+        let [along_first, along_second] =
+            [first.force.dot(u1) * inverse, (second.force + loads.pin).dot(u2) * inverse];
+        let on_first = along_first * u2.normal() + along_second * u1.normal();
+        let on_second = loads.pin - on_first;
+        let guide = |link: Acting<'s>, by_pin: Vector<'s>, u: Vector<'s>| GuideReaction {
+            normal: -(link.force + by_pin).dot(u.normal()),
+            couple: -link.moment,
+        };
+        let guides = [guide(first, on_first, u1), guide(second, on_second, u2)];
+        Reactions { outer: guides.map(Reaction::Guide), inner: Inner::Pin([on_first, on_second]) }
+    }
 }
 
 /// Two guides along the axes cross where one gives x and the other gives y, without arithmetic.
@@ -130,7 +143,7 @@ fn exact_coordinates<'s>(pin: PointMotion<'s>, blocks: &[Block<'s>; 2]) -> Vecto
 }
 
 /// The sine of the angle between the guides, not negative.
-pub(super) fn quality<'s>(guides: [Frame<'s>; 2]) -> LimitMeasures<'s> {
+fn measures<'s>(guides: [Frame<'s>; 2]) -> LimitMeasures<'s> {
     let [a, b] = guides.map(|guide| guide.direction);
     LimitMeasures::of_directions(a, b, a.sin_cos_to(b).0)
 }

@@ -58,18 +58,41 @@
 //! Norton, Design of Machinery, ch. 4 (slider-crank) in the axes of the guide.
 
 use crate::equations::double_word::DoubleWord;
+use crate::equations::groups::Formulas;
 use crate::equations::jet::Jet;
-use crate::equations::levers::{self, Levers};
+use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{
-    Acting, Bar, Block, Clearance, GroupScope, GuideReaction, LimitMeasures, LinkMotion, Solved,
-    root_in_reach, size,
+    Bar, Block, Clearance, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
 };
+use crate::equations::reactions::{GuideReaction, Inner, Levers, Loads, Reaction, Reactions};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
-use crate::model::mechanism::Numerics;
+use crate::model::mechanism::{Group, Numerics};
 
-pub(super) fn rrp<'s>(
+pub(super) struct Rrp;
+
+impl Formulas for Rrp {
+    fn solve<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Solved<'s> {
+        let (b, guide) = (known.stands_on(group, 0), known.slides_on(group, 1));
+        let (length, offset) = (known.bar_length(group, 0), known.offset_in(&group.outer[1]));
+        rrp(&known.scope(group), b, guide, length, offset, known.mode_of(group))
+    }
+
+    fn measures<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<LimitMeasures<'s>> {
+        let (b, guide) = (known.stands_on(group, 0), known.slides_on(group, 1));
+        let (length, offset) = (known.bar_length(group, 0), known.offset_in(&group.outer[1]));
+        Some(measures(b, guide, length, offset))
+    }
+
+    fn clearance<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<Clearance<'s>> {
+        let (b, guide) = (known.stands_on(group, 0), known.slides_on(group, 1));
+        let length = known.jet(&group.length(0).value);
+        Some(clearance(b, guide, length, known.offset_in(&group.outer[1])))
+    }
+}
+
+fn rrp<'s>(
     scope: &GroupScope<'s>,
     b: PointMotion<'s>,
     guide: Frame<'s>,
@@ -119,7 +142,8 @@ pub(super) fn rrp<'s>(
     Solved {
         links: vec![bar.link(scope.links[0]), block],
         pin: Some(pin),
-        levers: Some(Levers::Rrp(levers::Rrp { r: bar.vector(), u, n, across: t, inverse })),
+        bars: vec![bar.vector()],
+        levers: Some(Box::new(RrpLevers { u, n, across: t, inverse })),
     }
 }
 
@@ -145,25 +169,26 @@ fn pin<'s>(
     }
 }
 
-/// The pin's forces on bar and block, the outer joint's on the bar, the guide's on the block.
-pub(super) struct Reactions<'s> {
-    pub inner: [Vector<'s>; 2],
-    pub outer: Vector<'s>,
-    pub guide: GuideReaction<'s>,
+/// The guide's axes, t of the bar in them, and 1/X.
+struct RrpLevers<'s> {
+    u: Vector<'s>,
+    n: Vector<'s>,
+    across: Sym<'s>,
+    inverse: Sym<'s>,
 }
 
-pub(super) fn reactions<'s>(
-    levers: levers::Rrp<'s>,
-    [bar, block]: [Acting<'s>; 2],
-    on_pin: Vector<'s>,
-) -> Reactions<'s> {
-    let levers::Rrp { u, n, across, inverse, .. } = levers;
-    let outside = on_pin + block.force;
-    let along = outside.dot(u);
-    let normal = (across * along - bar.moment) * inverse;
-    let on_bar = along * u + normal * n;
-    let guide = GuideReaction { normal: normal - outside.dot(n), couple: -block.moment };
-    Reactions { inner: [on_bar, on_pin - on_bar], outer: -(bar.force + on_bar), guide }
+impl<'s> Levers<'s> for RrpLevers<'s> {
+    fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
+        let (&Self { u, n, across, inverse }, [bar, block]) = (self, loads.links);
+        let outside = loads.pin + block.force;
+        let along = outside.dot(u);
+        let normal = (across * along - bar.moment) * inverse;
+        let on_bar = along * u + normal * n;
+        let guide = GuideReaction { normal: normal - outside.dot(n), couple: -block.moment };
+        let inner = Inner::Pin([on_bar, loads.pin - on_bar]);
+        let outer = Reaction::Force(-(bar.force + on_bar));
+        Reactions { outer: [outer, Reaction::Guide(guide)], inner }
+    }
 }
 
 /// The distance y of B from the guide.
@@ -194,7 +219,7 @@ fn carried<'s>(l: Sym<'s>, offset: Sym<'s>, y: Sym<'s>) -> Sym<'s> {
 
 /// Signed distance from the limit in metres, X²/(2 l), and the sine of the transmission angle
 /// between bar and guide's normal, |X|/l.
-pub(super) fn quality<'s>(
+fn measures<'s>(
     b: PointMotion<'s>,
     guide: Frame<'s>,
     l: Jet<'s>,
@@ -205,7 +230,7 @@ pub(super) fn quality<'s>(
 }
 
 /// X².
-pub(super) fn clearance<'s>(
+fn clearance<'s>(
     b: PointMotion<'s>,
     guide: Frame<'s>,
     l: Jet<'s>,

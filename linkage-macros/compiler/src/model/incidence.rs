@@ -1,0 +1,194 @@
+//! Bodies and joints: what every group is made of, and what follows from it.
+//!
+//! A group is a way to solve some joints. Owners, carriers and motion are read from the joints, once
+//! for all kinds of groups. Code matches a kind only where formulas, words or shapes are its own.
+
+use super::expr::{AngleSum, Expr};
+use super::ids::{GroupId, GuideId, LinkId, ParamId, PointId};
+use crate::syntax::anatomy::Class;
+
+/// A body that joints connect and that forces act on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Body {
+    Ground,
+    Link(LinkId),
+    /// The pin between the links of a dyad, a body without mass of its own; or a driven point.
+    Pin(PointId),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sign {
+    Plus,
+    Minus,
+}
+
+/// An assembly mode: +1 is `left` or `ahead`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mode {
+    Fixed(Sign),
+    /// A mode parameter.
+    Param(ParamId),
+}
+
+/// What a point, a guide or a crank's angle is fixed to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Carrier {
+    Ground,
+    Link(LinkId),
+}
+
+/// A length that must be positive, and the words that name it in `SolveError::Invalid`.
+#[derive(Clone, Debug)]
+pub(crate) struct Length {
+    pub value: Expr,
+    pub name: String,
+}
+
+/// A joint of a group: its link is the second of the bodies.
+pub(crate) struct Joint {
+    pub kind: JointKind,
+    pub bodies: [Body; 2],
+    pub drive: Option<Drive>,
+}
+
+pub(crate) enum JointKind {
+    Revolute(PointId),
+    /// The link's origin keeps the offset from the line, along its normal; none where it is on it.
+    Prismatic {
+        along: Slideway,
+        offset: Option<Expr>,
+    },
+}
+
+/// The line that a link slides along.
+pub(crate) enum Slideway {
+    Guide(GuideId),
+    /// The x axis of a link.
+    Bar(LinkId),
+    /// A slot of a link, at an angle to the link's x axis and so far across it.
+    Slot {
+        link: LinkId,
+        across: Expr,
+        angle: AngleSum,
+    },
+}
+
+/// The motion that a driver sets.
+pub(crate) enum Drive {
+    Angle { angle: AngleSum, relative_to: Carrier },
+    Slide(Expr),
+}
+
+/// The ways in which a group can be assembled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Assembly {
+    Unique,
+    Signed(Mode),
+}
+
+/// A driver or a dyad.
+pub(crate) struct Group {
+    pub id: GroupId,
+    pub kind: Class,
+    pub links: Vec<LinkId>,
+    /// One a link, in their order.
+    pub outer: Vec<Joint>,
+    /// Between the links: both on the pin, or one that slides.
+    pub inner: Vec<Joint>,
+    pub pin: Option<PointId>,
+    /// By link, from its outer joint to the pin.
+    pub lengths: Vec<Option<Length>>,
+    pub assembly: Assembly,
+}
+
+impl From<Carrier> for Body {
+    fn from(carrier: Carrier) -> Self {
+        match carrier {
+            Carrier::Ground => Self::Ground,
+            Carrier::Link(link) => Self::Link(link),
+        }
+    }
+}
+
+impl Joint {
+    pub(crate) fn link(&self) -> LinkId {
+        match self.bodies[1] {
+            Body::Link(link) => link,
+            Body::Ground | Body::Pin(_) => unreachable!("a joint is a link's"),
+        }
+    }
+
+    pub(crate) fn point(&self) -> Option<PointId> {
+        match self.kind {
+            JointKind::Revolute(point) => Some(point),
+            JointKind::Prismatic { .. } => None,
+        }
+    }
+
+    pub(crate) fn slideway(&self) -> Option<&Slideway> {
+        match &self.kind {
+            JointKind::Revolute(_) => None,
+            JointKind::Prismatic { along, .. } => Some(along),
+        }
+    }
+
+    pub(crate) fn guide(&self) -> Option<GuideId> {
+        match self.slideway()? {
+            Slideway::Guide(guide) => Some(*guide),
+            Slideway::Bar(_) | Slideway::Slot { .. } => None,
+        }
+    }
+
+    pub(crate) fn offset(&self) -> Option<&Expr> {
+        match &self.kind {
+            JointKind::Revolute(_) => None,
+            JointKind::Prismatic { offset, .. } => offset.as_ref(),
+        }
+    }
+}
+
+impl Group {
+    /// Outer joints, then inner ones.
+    pub(crate) fn joints(&self) -> impl Iterator<Item = &Joint> {
+        self.outer.iter().chain(&self.inner)
+    }
+
+    /// The point that the link with this index stands on.
+    pub(crate) fn stands_on(&self, index: usize) -> PointId {
+        self.outer[index].point().expect("its row has a revolute joint here")
+    }
+
+    /// The guide that the link with this index slides on.
+    pub(crate) fn slides_on(&self, index: usize) -> GuideId {
+        self.outer[index].guide().expect("its row has a prismatic joint here")
+    }
+
+    pub(crate) fn length(&self, index: usize) -> &Length {
+        self.lengths[index].as_ref().expect("its row has a bar here")
+    }
+
+    /// Distances declared across its slideways, joint by joint: a slot's own, then the offset in it.
+    pub(crate) fn offsets(&self) -> Vec<&Expr> {
+        let across = |joint| match Joint::slideway(joint)? {
+            Slideway::Slot { across, .. } => Some(across),
+            Slideway::Guide(_) | Slideway::Bar(_) => None,
+        };
+        self.joints().flat_map(|joint| [across(joint), joint.offset()]).flatten().collect()
+    }
+
+    pub(crate) fn mode(&self) -> Option<Mode> {
+        match self.assembly {
+            Assembly::Unique => None,
+            Assembly::Signed(mode) => Some(mode),
+        }
+    }
+
+    /// The point at the origin of the link: its outer joint, or the pin where it slides.
+    pub(crate) fn origin(&self, link: LinkId) -> Option<PointId> {
+        let place = self.links.iter().position(|own| *own == link)?;
+        self.outer[place].point().or_else(|| {
+            let mut inner = self.inner.iter().filter(|joint| joint.link() == link);
+            inner.find_map(Joint::point)
+        })
+    }
+}

@@ -1,0 +1,256 @@
+//! The joints of a group, read from its statement field by field as its row has them.
+
+use crate::exact::Exact;
+use crate::syntax::anatomy::{JointRule, Pin};
+use crate::syntax::tree;
+
+use super::Resolver;
+use super::groups::{OuterJoint, Parts};
+use super::mechanism::{
+    AngleSum, Assembly, Body, Carrier, Drive, Expr, Group, Joint, JointKind, Length, LinkId,
+    PointId, Slideway,
+};
+use super::numbers::bare_name;
+
+/// The numbers that the fields of a group give, as far as they are right.
+pub(super) struct Dimensions {
+    /// By link.
+    pub lengths: Vec<Option<Length>>,
+    pub angle: Option<AngleSum>,
+    relative_to: Option<Carrier>,
+    slide: Option<Expr>,
+    pub slot: Option<AngleSum>,
+    /// In the order of the statement.
+    pub offsets: Option<Vec<Expr>>,
+    assembly: Option<Assembly>,
+}
+
+impl Parts<'_> {
+    /// Tells whether the link has its outer joint at one end and the pin at the other.
+    pub(super) fn is_bar(&self, index: usize) -> bool {
+        !self.slides(index) && !matches!(self.anatomy.pin, Pin::None(_))
+    }
+
+    /// Tells whether the outer joint of the link is prismatic.
+    pub(super) fn slides(&self, index: usize) -> bool {
+        matches!(self.anatomy.joints[index], JointRule::Prismatic(_))
+    }
+
+    fn has_field(&self, name: &str) -> bool {
+        self.anatomy.fields.iter().any(|rule| rule.name == name)
+    }
+
+    /// The point at the origin of the link: its outer joint, or the pin where that slides.
+    fn origin(&self, index: usize) -> Option<PointId> {
+        if self.slides(index) { self.pin } else { self.point(index) }
+    }
+}
+
+impl Resolver<'_> {
+    /// The group with its joints, where everything that it is given is known.
+    pub(super) fn jointed(&mut self, parts: &Parts) -> Option<Group> {
+        let mut dimensions = self.dimensions(parts);
+        self.points_of_links(parts, &dimensions);
+        self.constants_can_be_assembled(parts, &dimensions)?;
+        let pin = if parts.has_pin() { Some(parts.pin?) } else { None };
+        let links: Vec<LinkId> = parts.links.iter().copied().collect::<Option<_>>()?;
+        let mut lengths = Vec::new();
+        for (index, length) in dimensions.lengths.drain(..).enumerate() {
+            let is_bar = parts.is_bar(index) && pin.is_some();
+            lengths.push(if is_bar { Some(length?) } else { None });
+        }
+        let mut offsets = dimensions.offsets.take()?.into_iter();
+        let has_slot = parts.has_field("slot");
+        let mut outer = Vec::new();
+        for (&joint, &link) in parts.outer.iter().zip(&links) {
+            // A link that a slot lies in is on its rail, and the slot beside it.
+            let mut offset = || if has_slot { None } else { offsets.next() };
+            outer.push(self.outer_joint(joint?, link, &mut offset));
+        }
+        if let Some(first) = outer.first_mut() {
+            first.drive = dimensions.drive(parts)?;
+        }
+        let inner = match pin {
+            Some(pin) if links.len() > 1 => on_pin(&links, pin),
+            None if links.len() > 1 => vec![dimensions.between(&links, has_slot, &mut offsets)?],
+            _ => Vec::new(),
+        };
+        let (id, kind, assembly) = (parts.id, parts.anatomy.class?, dimensions.assembly?);
+        Some(Group { id, kind, links, outer, inner, pin, lengths, assembly })
+    }
+
+    fn dimensions(&mut self, parts: &Parts) -> Dimensions {
+        let fields = &parts.fields;
+        Dimensions {
+            lengths: self.lengths_of_bars(parts),
+            angle: fields.one("angle").and_then(|angle| self.turn(angle)),
+            relative_to: match fields.one("relative_to") {
+                Some(value) => self.relative_to_is_a_body(value),
+                None => fields.is_left_out("relative_to").then_some(Carrier::Ground),
+            },
+            slide: fields.one("slide").and_then(|slide| self.length(slide)),
+            slot: fields.one("slot").and_then(|slot| self.turn(slot)),
+            offsets: self.offsets(parts),
+            assembly: match parts.anatomy.modes {
+                Some(_) => {
+                    self.mode(parts.group, parts.anatomy, &parts.fields).map(Assembly::Signed)
+                }
+                None => Some(Assembly::Unique),
+            },
+        }
+    }
+
+    /// The field `length` is the first link's, `lengths` are both links'.
+    fn lengths_of_bars(&mut self, parts: &Parts) -> Vec<Option<Length>> {
+        let legs = parts.group.legs.iter().enumerate();
+        let lengths = legs.map(|(index, leg)| {
+            let length = match parts.fields.pair("lengths") {
+                Some(lengths) => lengths.get(index),
+                None => parts.fields.one("length").filter(|_| index == 0),
+            };
+            length.and_then(|length| self.bar_length(length, &leg.link.to_string()))
+        });
+        lengths.collect()
+    }
+
+    /// The length of a bar, positive as far as that is known.
+    fn bar_length(&mut self, expr: &tree::Expr, link: &str) -> Option<Length> {
+        let value = self.length(expr)?;
+        self.length_is_positive(expr, &value, &format!("the length of `{link}`"))?;
+        let name = match bare_name(expr) {
+            Some(name) => name.to_string(),
+            None => format!("length of {link}"),
+        };
+        Some(Length { value, name })
+    }
+
+    /// The field `offset` or `offsets`, zero where it is not given.
+    fn offsets(&mut self, parts: &Parts) -> Option<Vec<Expr>> {
+        let fields = &parts.fields;
+        if parts.has_field("offset") {
+            return match fields.one("offset") {
+                Some(offset) => Some(vec![self.length(offset)?]),
+                None => fields.is_left_out("offset").then(|| vec![Expr::zero()]),
+            };
+        }
+        if !parts.has_field("offsets") {
+            return Some(Vec::new());
+        }
+        match fields.pair("offsets") {
+            Some(offsets) => self.lengths(offsets).map(Vec::from),
+            None => fields.is_left_out("offsets").then(|| vec![Expr::zero(), Expr::zero()]),
+        }
+    }
+
+    /// A crank's angle is relative to the ground or to a link.
+    fn relative_to_is_a_body(&mut self, value: &tree::Expr) -> Option<Carrier> {
+        match bare_name(value) {
+            Some(name) if name == "ground" => Some(Carrier::Ground),
+            Some(name) => self.link(name).map(Carrier::Link),
+            None => {
+                let message = "`relative_to` takes `ground` or the name of a link";
+                self.diagnostics.error(value.span, message);
+                None
+            }
+        }
+    }
+
+    /// The points of the group's links: their origins, the ends of bars, and a pin that stands
+    /// still.
+    fn points_of_links(&mut self, parts: &Parts, dimensions: &Dimensions) {
+        for (index, length) in dimensions.lengths.iter().enumerate() {
+            if parts.is_bar(index) {
+                self.bar_is_made(parts, index, length.as_ref());
+            } else if let (Some(link), Some(origin)) = (parts.link(index), parts.origin(index)) {
+                self.block_is_made(link, origin);
+            }
+        }
+        let Some(pin) = parts.pin else { return };
+        let Dimensions { lengths, angle, relative_to, slide, offsets, .. } = dimensions;
+        if let (
+            Some(OuterJoint::Point(pivot)),
+            Some(Carrier::Ground),
+            Some(angle),
+            [Some(length)],
+        ) = (parts.outer[0], relative_to, angle, &lengths[..])
+        {
+            self.pin_of_a_fixed_crank(pivot, pin, angle, &length.value);
+        }
+        if let (Some(OuterJoint::Guide(guide)), Some(slide), Some([offset])) =
+            (parts.outer[0], slide, offsets.as_deref())
+        {
+            self.pin_of_a_fixed_slider(guide, pin, slide, offset);
+        }
+    }
+
+    fn outer_joint(
+        &self,
+        joint: OuterJoint,
+        link: LinkId,
+        offset: &mut impl FnMut() -> Option<Expr>,
+    ) -> Joint {
+        // After a mistake a missing body counts as the ground.
+        let mechanism = &self.mechanism;
+        let (kind, on) = match joint {
+            OuterJoint::Point(point) => {
+                (JointKind::Revolute(point), mechanism.owner(point).unwrap_or(Body::Ground))
+            }
+            OuterJoint::Guide(guide) => {
+                let on = mechanism.course(guide).map_or(Carrier::Ground, |(carrier, _)| carrier);
+                let along = Slideway::Guide(guide);
+                (JointKind::Prismatic { along, offset: offset() }, on.into())
+            }
+        };
+        Joint { kind, bodies: [on, Body::Link(link)], drive: None }
+    }
+}
+
+/// Both links turn on the pin.
+fn on_pin(links: &[LinkId], pin: PointId) -> Vec<Joint> {
+    let joint = |&link| Joint {
+        kind: JointKind::Revolute(pin),
+        bodies: [Body::Pin(pin), Body::Link(link)],
+        drive: None,
+    };
+    links.iter().map(joint).collect()
+}
+
+impl Dimensions {
+    /// A driver's; none of a dyad.
+    fn drive(&mut self, parts: &Parts) -> Option<Option<Drive>> {
+        if parts.has_field("angle") {
+            let (angle, relative_to) = (self.angle.take()?, self.relative_to?);
+            return Some(Some(Drive::Angle { angle, relative_to }));
+        }
+        if parts.has_field("slide") {
+            return Some(Some(Drive::Slide(self.slide.take()?)));
+        }
+        Some(None)
+    }
+
+    /// The first link slides in the second.
+    fn between(
+        &mut self,
+        links: &[LinkId],
+        has_slot: bool,
+        offsets: &mut impl Iterator<Item = Expr>,
+    ) -> Option<Joint> {
+        let along = match has_slot {
+            true => {
+                let (across, angle) = (offsets.next()?, self.slot.take()?);
+                Slideway::Slot { link: links[1], across, angle }
+            }
+            false => Slideway::Bar(links[1]),
+        };
+        Some(Joint {
+            kind: JointKind::Prismatic { along, offset: Some(offsets.next()?) },
+            bodies: [Body::Link(links[1]), Body::Link(links[0])],
+            drive: None,
+        })
+    }
+
+    /// The angle of a slot that lies along its rail.
+    pub(super) fn slot_along_the_rail(&self) -> Option<&Exact> {
+        self.slot.as_ref()?.constant().filter(|slot| slot.sin().is_zero())
+    }
+}
