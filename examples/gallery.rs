@@ -1,4 +1,4 @@
-//! Every mechanism of the examples, animated, on a page: `target/gallery/index.html`.
+//! A site of every mechanism of the examples, by kind and animated: `target/gallery/index.html`.
 //!
 //! The gallery is a package of its own, since it needs `linkage-core`'s feature `sketch`, which Cargo
 //! would switch on for every example beside it. This program runs it.

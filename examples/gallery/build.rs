@@ -30,22 +30,33 @@ fn main() {
     let folders = FOLDERS.map(|(file, name)| (name.to_string(), examples.join(file)));
     let mut files: Vec<(String, PathBuf)> = single.chain(folders).collect();
     files.sort();
-    let (mut modules, mut names) = (String::new(), String::new());
+    let (mut modules, mut names, mut texts) = (String::new(), String::new(), String::new());
     for (module, file) in files {
         let text = fs::read_to_string(&file).expect("the example can be read");
         let declarations = declarations(&text);
         if !declarations.is_empty() {
             writeln!(modules, "/// The example's.\npub mod {module} {{ use linkage_core::mechanism; {declarations} }}")
                 .expect("a string takes everything");
-            for name in structs(&declarations) {
+            for declaration in declarations.split_inclusive("\n}\n") {
+                let Some(name) = structs(declaration).next() else { continue };
                 write!(names, "\"{module}::{name}\", ").expect("a string takes everything");
+                let (file, declaration) = (named(&examples, &file), declaration.trim());
+                write!(texts, "({file:?}, {declaration:?}), ").expect("a string takes everything");
             }
         }
     }
     writeln!(modules, "/// All that can be drawn.\npub const NAMES: &[&str] = &[{names}];")
         .expect("a string takes everything");
+    writeln!(modules, "/// Of each the example's file and its text.\npub const TEXTS: &[(&str, &str)] = &[{texts}];")
+        .expect("a string takes everything");
     let out = env::var_os("OUT_DIR").expect("a build script has one");
     fs::write(Path::new(&out).join("declarations.rs"), modules).expect("it can be written");
+}
+
+/// The file as the root of the workspace sees it.
+fn named(examples: &Path, file: &Path) -> String {
+    let below = file.strip_prefix(examples).expect("it is one of them");
+    format!("examples/{}", below.display())
 }
 
 /// The name of the example.

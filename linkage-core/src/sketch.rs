@@ -34,7 +34,11 @@
 //! inputs says nothing: their values may hold loads and rates, so the solver's results are handed in.
 //! `film.applied(path.map(|q| solver.applied(q, rate, load)))` draws what the declaration's `force`
 //! statements put on points, `film.reactions(path.map(|q| solver.statics(q, load)))` the reactions of
-//! joints that its outputs ask for, `film.force("P", …)` any other. Couples have no arrows.
+//! joints that its outputs ask for, `film.force("P", …)` any other, `film.couple("A", …)` couples as arcs.
+//! A still writes each value beside its arrow, a film the largest of each below.
+//!
+//! One picture suits light and dark pages: a browser replaces its colours where the reader prefers a dark
+//! scheme, other programs show it light. `theme` fixes either.
 //!
 //! Lengths are in metres, coordinates those of the ground, forces in newtons. Pictures are at most
 //! 720 pixels wide and 640 high, but for texts, to one scale in both directions.
@@ -45,6 +49,7 @@ mod boxes;
 mod drawn;
 mod error;
 mod film;
+mod forces;
 mod gaps;
 mod labels;
 mod options;

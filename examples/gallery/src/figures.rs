@@ -22,6 +22,10 @@ pub fn addresses() -> Result<String, SketchError> {
         '%' => "%25".into(),
         '"' => "%22".into(),
         ' ' => "%20".into(),
+        '{' => "%7B".into(),
+        '}' => "%7D".into(),
+        '[' => "%5B".into(),
+        ']' => "%5D".into(),
         '\n' => String::new(),
         letter => letter.to_string(),
     };
@@ -29,7 +33,7 @@ pub fn addresses() -> Result<String, SketchError> {
         let figure: String = figure.chars().map(escaped).collect();
         format!("[{name} drawn]: <data:image/svg+xml,{figure}>\n")
     };
-    let mut all = figures(Theme::Light)?;
+    let mut all = figures(Theme::Auto)?;
     all.push(("suspension", crate::motions::of_unknowns().to_svg()?));
     Ok(all.into_iter().map(line).collect::<String>() + "\n")
 }

@@ -1,9 +1,10 @@
-//! Every mechanism of the examples as a film, the figures of the language, and the page that shows
+//! Every mechanism of the examples as a film, the figures of the language, and the site that shows
 //! them. What is drawn here is drawn by `linkage_core::sketch`; what is said here is how each moves.
 
 pub mod declarations;
 pub mod figures;
 pub mod motions;
 pub mod page;
+pub mod sheet;
 
-pub use motions::{Piece, pieces, readme};
+pub use motions::{Kind, Piece, pieces, readme};

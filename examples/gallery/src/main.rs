@@ -1,27 +1,18 @@
-//! Writes every mechanism of the examples, animated, to `target/gallery/index.html`; with
+//! Writes a site of every mechanism of the examples to `target/gallery/index.html`; with
 //! `--committed` also the pictures that the documentation and the README keep, with `--sheets` pages
 //! on which all pictures of a width and a theme can be looked at together.
 
 use std::path::Path;
 
-use gallery::{figures, page, pieces};
+use gallery::{figures, page, pieces, sheet};
 use linkage_core::sketch::{SketchError, Theme};
 
 fn main() -> Result<(), SketchError> {
     let folder = Path::new("target/gallery");
     std::fs::create_dir_all(folder)?;
     let pieces = pieces();
-    let written: Result<Vec<String>, SketchError> =
-        pieces.iter().map(|piece| page::figure(piece, folder)).collect();
-    let index = folder.join("index.html");
-    std::fs::write(&index, page::page(&written?))?;
-    println!("{} films: {}", pieces.len(), index.display());
-    for (name, figure) in figures::figures(Theme::Dark)? {
-        std::fs::write(folder.join(format!("{name}_dark.svg")), figure)?;
-    }
-    for (name, figure) in figures::figures(Theme::Light)? {
-        std::fs::write(folder.join(format!("{name}.svg")), figure)?;
-    }
+    page::write(&pieces, folder)?;
+    println!("{} machines: {}", pieces.len(), folder.join("index.html").display());
     let is_asked = |wanted| std::env::args().any(|argument| argument == wanted);
     if is_asked("--committed") {
         committed()?;
@@ -44,11 +35,11 @@ fn sheets(folder: &Path) -> Result<(), SketchError> {
                 films.iter().map(|film| film.still().to_svg_in(theme)).collect();
             for (what, pictures) in [("films", moving?), ("stills", stills?)] {
                 let file = folder.join(format!("sheet_{what}_{name}_{width}.html"));
-                std::fs::write(file, page::sheet(&pictures, theme))?;
+                std::fs::write(file, sheet::sheet(&pictures, theme))?;
             }
         }
         let figures = figures::figures(theme)?.into_iter().map(|(_, figure)| figure);
-        let page = page::sheet(&figures.collect::<Vec<_>>(), theme);
+        let page = sheet::sheet(&figures.collect::<Vec<_>>(), theme);
         std::fs::write(folder.join(format!("sheet_figures_{name}.html")), page)?;
     }
     Ok(())
@@ -59,21 +50,15 @@ fn committed() -> Result<(), SketchError> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let kept = root.join("linkage-core/src/figures");
     std::fs::create_dir_all(&kept)?;
-    for (name, figure) in figures::figures(Theme::Light)? {
+    for (name, figure) in figures::figures(Theme::Auto)? {
         std::fs::write(kept.join(format!("{name}.svg")), figure)?;
     }
     std::fs::write(kept.join("suspension.svg"), gallery::motions::of_unknowns().to_svg()?)?;
     std::fs::write(kept.join("drawn.md"), figures::addresses()?)?;
-    let kept = root.join("examples/gallery/figures");
-    std::fs::create_dir_all(&kept)?;
-    for (name, figure) in figures::figures(Theme::Dark)? {
-        std::fs::write(kept.join(format!("{name}_dark.svg")), figure)?;
-    }
     let kept = root.join("examples/gallery/films");
     std::fs::create_dir_all(&kept)?;
     for (name, film) in gallery::readme() {
         std::fs::write(kept.join(format!("{name}.svg")), film.to_svg()?)?;
-        std::fs::write(kept.join(format!("{name}_dark.svg")), film.to_svg_in(Theme::Dark)?)?;
     }
     Ok(())
 }

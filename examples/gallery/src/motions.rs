@@ -12,10 +12,47 @@ use crate::declarations::{
     shear_bearings, six_bar, six_bar_reactions, slider_crank, suspension, transplanter, whitworth,
 };
 
+/// Under which heading a machine stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Four links.
+    FourBar,
+    /// A block on a guide, or a yoke.
+    Slider,
+    /// More links than four and one input.
+    SixBar,
+    /// Two inputs or three.
+    SeveralInputs,
+    /// At a given motion, with the forces that go with it.
+    Loaded,
+    /// Moved by its forces, integrated.
+    Free,
+}
+
+impl Kind {
+    /// In the order of the index.
+    pub const ALL: [Self; 6] =
+        [Self::FourBar, Self::Slider, Self::SixBar, Self::SeveralInputs, Self::Loaded, Self::Free];
+
+    /// The heading.
+    pub const fn heading(self) -> &'static str {
+        match self {
+            Self::FourBar => "Four-bars",
+            Self::Slider => "Sliders, yokes and quick returns",
+            Self::SixBar => "Six-bars and larger",
+            Self::SeveralInputs => "Several inputs",
+            Self::Loaded => "Forces in bearings and on the base",
+            Self::Free => "Motion under forces",
+        }
+    }
+}
+
 /// A film and where it is from.
 pub struct Piece {
     /// The example and the struct.
     pub name: &'static str,
+    /// The heading that it stands under.
+    pub kind: Kind,
     /// What one sees.
     pub text: &'static str,
     /// The motion.
@@ -40,41 +77,49 @@ pub fn pieces() -> Vec<Piece> {
     let mut pieces = vec![
         Piece {
             name: "flying_shear::FlyingShear",
+            kind: Kind::FourBar,
             text: "A strip mill's flying shear: the coupler carries the upper blade.",
             film: flying_shear::FlyingShear::new().film(turn()).trace("blade"),
         },
         Piece {
             name: "six_bar::SixBar",
+            kind: Kind::SixBar,
             text: "Crank, swinging rod and ram: a quick return.",
             film: six_bar::SixBar::new().film(turn()).trace("E"),
         },
         Piece {
             name: "excavator::Excavator",
+            kind: Kind::SeveralInputs,
             text: "Boom, stick and bucket, each moved by a cylinder, over one digging cycle.",
             film: excavator::Excavator::new().film(digging()).trace("tooth").seconds(7.5),
         },
         Piece {
             name: "jansen_leg::JansenLeg",
+            kind: Kind::SixBar,
             text: "A leg of Jansen's walkers: the foot's path is straight where it carries.",
             film: jansen_leg::JansenLeg::new().film(turn().map(|q| -q)).trace("foot"),
         },
         Piece {
             name: "four_bar::FourBar",
+            kind: Kind::FourBar,
             text: "A crank-rocker.",
             film: four_bar::FourBar::new().film(turn()).trace("C"),
         },
         Piece {
             name: "slider_crank::OffsetSliderCrank",
+            kind: Kind::Slider,
             text: "Crank, connecting rod and piston; the cylinder's axis passes beside the shaft.",
             film: slider_crank::OffsetSliderCrank::new().film(turn()),
         },
         Piece {
             name: "crank_rocker_slider::CrankRockerSlider",
+            kind: Kind::Slider,
             text: "Crank, rocker, and a connecting rod to a block.",
             film: crank_rocker_slider::CrankRockerSlider::new().film(turn()).trace("E"),
         },
         Piece {
             name: "crank_rpp::CrankYoke",
+            kind: Kind::Slider,
             text: "A Scotch yoke: the block slides in the slot of the yoke, the yoke on its rail.",
             film: crank_rpp::CrankYoke::new().film(turn()),
         },
@@ -108,26 +153,31 @@ fn more() -> Vec<Piece> {
     vec![
         Piece {
             name: "whitworth::Shaper",
+            kind: Kind::Slider,
             text: "A shaper's quick return: the bar swings about its lower pivot.",
             film: whitworth::Shaper::new().film(turn()),
         },
         Piece {
             name: "whitworth::Whitworth",
+            kind: Kind::Slider,
             text: "Whitworth's form: the bar goes round.",
             film: whitworth::Whitworth::new().film(turn()),
         },
         Piece {
             name: "five_bar_robot::Forward",
+            kind: Kind::SeveralInputs,
             text: "Two motors and a tool that goes round a circle, forward: angles are given.",
             film: five_bar_robot::Forward::new().film(motors()).trace("P").seconds(5.0),
         },
         Piece {
             name: "five_bar_robot::Inverse",
+            kind: Kind::SeveralInputs,
             text: "The same, inverse: the tool's place is given.",
             film: five_bar_robot::Inverse::new().film(circle()).trace("P").seconds(5.0),
         },
         Piece {
             name: "transplanter::Transplanter",
+            kind: Kind::SeveralInputs,
             text: "A double-crank five-bar with a bill that sets seedlings.",
             film: transplanter::Transplanter::new()
                 .film(turn().map(|q| [-q, 0.5 - q]))
@@ -135,31 +185,37 @@ fn more() -> Vec<Piece> {
         },
         Piece {
             name: "driving_torque::FourBar",
-            text: "The force that shakes the base at four turns a second, drawn at A.",
+            kind: Kind::Loaded,
+            text: "At four turns a second: the force that shakes the base, drawn at A, and the crank's torque.",
             film: loaded(),
         },
         Piece {
             name: "driving_torque::AsInTheText",
+            kind: Kind::Loaded,
             text: "The same with its masses in the middles of the bars.",
             film: driving_torque::AsInTheText::new().film(turn()),
         },
         Piece {
             name: "shear_bearings::FlyingShear",
+            kind: Kind::Loaded,
             text: "What the bearings exert on the links, 10 kN on the blade.",
             film: cutting(),
         },
         Piece {
             name: "six_bar_reactions::SixBar",
+            kind: Kind::Loaded,
             text: "What the bearings exert on the links at one turn a second.",
             film: turning(),
         },
         Piece {
             name: "range::FourBar",
+            kind: Kind::FourBar,
             text: "A base too long for its bars: where the circles do not meet there is no pose.",
             film: range::FourBar { base: 0.39 }.film(turn()).trace("C").seconds(6.0),
         },
         Piece {
             name: "range::Shaper",
+            kind: Kind::Slider,
             text: "A shaper whose bar passes beside its pivot.",
             film: range::Shaper::new().film(turn()),
         },
@@ -170,6 +226,7 @@ fn designed() -> Vec<Piece> {
     vec![
         Piece {
             name: "electronic_cam::FlyingShear",
+            kind: Kind::FourBar,
             text: "The shear of the electronic cam, to and fro by 240°.",
             film: electronic_cam::FlyingShear::new()
                 .film(shares().map(|s| 2.0 + 4.0 * PI / 3.0 * s))
@@ -178,11 +235,13 @@ fn designed() -> Vec<Piece> {
         },
         Piece {
             name: "calibration::SixBar",
+            kind: Kind::SixBar,
             text: "The six-bar whose fourteen dimensions are found from measured poses.",
             film: calibration::SixBar::new().film(turn()).trace("F"),
         },
         Piece {
             name: "function_generator::FunctionGenerator",
+            kind: Kind::FourBar,
             text: "A rocker that shall turn as its pointer does.",
             film: function_generator::FunctionGenerator::new()
                 .film(shares().map(|s| s * PI / 2.0))
@@ -190,6 +249,7 @@ fn designed() -> Vec<Piece> {
         },
         Piece {
             name: "suspension::ByTheArm",
+            kind: Kind::SixBar,
             text: "A double wishbone, its lower arm up and down.",
             film: suspension::ByTheArm::new()
                 .film(shares().map(|s| 0.05 - 0.3 * (TAU * s).cos()))
@@ -197,6 +257,7 @@ fn designed() -> Vec<Piece> {
         },
         Piece {
             name: "function_generator::Transmission",
+            kind: Kind::FourBar,
             text: "Its transmission angle is that between coupler and rocker.",
             film: function_generator::Transmission::new().film(turn()),
         },
@@ -208,6 +269,7 @@ fn commanded() -> Vec<Piece> {
     vec![
         Piece {
             name: "suspension::ByTheWheel",
+            kind: Kind::SixBar,
             text: "A double wishbone by its wheel's travel: the arm's angle is searched.",
             film: suspension::ByTheWheel::new()
                 .film(turn().map(|q| 0.33 - 0.06 * q.cos()))
@@ -216,6 +278,7 @@ fn commanded() -> Vec<Piece> {
         },
         Piece {
             name: "set_point::Press",
+            kind: Kind::Slider,
             text: "A press whose ram is commanded: down, a dwell, and up.",
             film: set_point::Press::new().film(shares().map(commanded_ram)),
         },
@@ -271,7 +334,8 @@ fn loaded() -> Film {
     let forces = turn().map(|q| solver.forces(q, rate, 0.0).expect("the crank turns fully"));
     let forces: Vec<_> = forces.collect();
     let film = solver.film(turn());
-    film.force("A", forces.iter().map(|f| [f.shaking.x, f.shaking.y]))
+    let film = film.force("A", forces.iter().map(|f| [f.shaking.x, f.shaking.y]));
+    film.couple("A", forces.iter().map(|f| f.theta.drive))
 }
 
 /// Reactions at rest.

@@ -1,8 +1,11 @@
-//! The page of all films.
+//! The gallery as a site: an index by kind of machine, and a page for each.
 
-use linkage_core::sketch::{SketchError, Theme};
+use std::path::Path;
 
-use crate::Piece;
+use linkage_core::sketch::SketchError;
+
+use crate::declarations::{NAMES, TEXTS};
+use crate::{Kind, Piece};
 
 const HEAD: &str = r##"<!DOCTYPE html>
 <html lang="en">
@@ -11,65 +14,111 @@ const HEAD: &str = r##"<!DOCTYPE html>
 <meta name="color-scheme" content="light dark">
 <title>Mechanisms</title>
 <style>
-body { margin: 0; padding: 24px; font: 15px/1.5 "Helvetica Neue", Arial, sans-serif; background: #f4f5f6; color: #222222; }
-main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 400px), 1fr)); gap: 24px; max-width: 1400px; margin: auto; }
-figure { margin: 0; padding: 12px; background: #ffffff; border-radius: 6px; }
-figure img { display: block; width: 100%; height: 360px; object-fit: contain; }
-figcaption { padding-top: 8px; }
+body { margin: 0; padding: 16px; font: 15px/1.5 "Helvetica Neue", Arial, sans-serif; background: #f4f5f6; color: #222222; }
+main, header { max-width: 1330px; margin: auto; }
+h1 { font-size: 24px; margin: 8px 0; }
+h2 { font-size: 19px; margin: 32px 0 12px; }
+nav { display: flex; flex-wrap: wrap; gap: 4px 20px; }
+section { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 320px), 1fr)); gap: 16px; }
+section h2 { grid-column: 1 / -1; margin-bottom: 0; }
+section a { display: flex; flex-direction: column; justify-content: space-between; padding: 12px; border-radius: 6px; background: #ffffff; color: inherit; text-decoration: none; }
+section a:hover, section a:focus-visible { outline: 2px solid #0072b2; }
+img { display: block; max-width: 100%; height: auto; margin: auto; }
+span { display: block; padding-top: 8px; }
 code { font-size: 13px; }
-a { color: inherit; }
+nav a { color: inherit; }
 @media (prefers-color-scheme: dark) {
   body { background: #161b22; color: #e6edf3; }
-  figure { background: #0d1117; }
+  section a { background: #0d1117; }
+  section a:hover, section a:focus-visible { outline-color: #4ea1e0; }
 }
 </style>
-<main>
+<header>
+<h1>Mechanisms</h1>
+<p>Every machine that the examples declare. Each picture leads to a page on which the machine moves, with its declaration.</p>
 "##;
 
-/// Writes a film light and dark, a page of its own, and its place on the page of all.
+/// What the page of a machine has beside that of its film.
+const STYLE: &str = r#"<style>
+h1 { font-size: 20px; margin: 12px 0 4px; }
+nav, p { line-height: 1.5; }
+nav { display: flex; justify-content: space-between; gap: 12px; }
+nav a { color: inherit; }
+pre { overflow-x: auto; padding: 12px; border: 1px solid #8a9096; border-radius: 6px; font-size: 13px; line-height: 1.45; }
+</style>"#;
+
+/// Width of the pictures of the index, which shows them in their own size: their letters are equally large.
+const WIDTH: f64 = 296.0;
+
+/// Writes the index, and a still and a page of each machine.
 ///
 /// # Errors
 /// What cannot be drawn or written.
-pub fn figure(piece: &Piece, folder: &std::path::Path) -> Result<String, SketchError> {
-    let stem = piece.name.replace("::", "_");
-    let path = |end: &str| folder.join(format!("{stem}{end}"));
-    std::fs::write(path(".svg"), piece.film.to_svg()?)?;
-    std::fs::write(path("_dark.svg"), piece.film.to_svg_in(Theme::Dark)?)?;
-    piece.film.write_html(path(".html"))?;
-    Ok(format!(
-        "<figure><a href=\"{stem}.html\"><picture><source media=\"(prefers-color-scheme: dark)\" \
-         srcset=\"{stem}_dark.svg\"><img src=\"{stem}.svg\" alt=\"{text}\"></picture></a>\
-         <figcaption>{text}<br><code>{name}</code></figcaption></figure>\n",
-        text = piece.text,
-        name = piece.name,
-    ))
+pub fn write(pieces: &[Piece], folder: &Path) -> Result<(), SketchError> {
+    let ordered = ordered(pieces);
+    for (nth, piece) in ordered.iter().enumerate() {
+        let still = piece.film.still().width(WIDTH);
+        std::fs::write(folder.join(format!("{}.svg", stem(piece))), still.to_svg()?)?;
+        let beside = [nth.checked_sub(1), Some(nth + 1)];
+        let beside = beside.map(|nth| Some(*ordered.get(nth?)?));
+        std::fs::write(folder.join(format!("{}.html", stem(piece))), machine(piece, beside)?)?;
+    }
+    Ok(std::fs::write(folder.join("index.html"), index(pieces))?)
 }
 
-/// Pictures side by side, stopped at the second that stands behind `#` in the address.
-pub fn sheet(pictures: &[String], theme: Theme) -> String {
-    let frame = theme.palette().quiet;
-    format!(
-        r#"<!DOCTYPE html>
-<html lang="en">
-<meta charset="utf-8">
-<title>Pictures</title>
-<style>body {{ margin: 0; background: {frame}; }} svg {{ margin: 2px; vertical-align: top; }}</style>
-<body>{}</body>
-<script>
-addEventListener("load", () => setTimeout(() => {{
-  for (const film of document.querySelectorAll("svg")) {{
-    film.pauseAnimations();
-    film.setCurrentTime(Number(location.hash.slice(1)));
-  }}
-}}, 300));
-</script>
-</html>
-"#,
-        pictures.concat()
-    )
+/// The pieces as the index has them.
+fn ordered(pieces: &[Piece]) -> Vec<&Piece> {
+    let of = |kind: Kind| pieces.iter().filter(move |piece| piece.kind == kind);
+    Kind::ALL.into_iter().flat_map(of).collect()
 }
 
-/// The page of all films.
-pub fn page(figures: &[String]) -> String {
-    format!("{HEAD}{}</main>\n</html>\n", figures.concat())
+fn stem(piece: &Piece) -> String {
+    piece.name.replace("::", "_")
+}
+
+/// The index: a section for each kind of machine.
+pub fn index(pieces: &[Piece]) -> String {
+    let (mut links, mut sections) = (String::new(), String::new());
+    for kind in Kind::ALL {
+        let (id, heading) = (format!("{kind:?}"), kind.heading());
+        links += &format!("<a href=\"#{id}\">{heading}</a>\n");
+        sections += &format!("<section id=\"{id}\">\n<h2>{heading}</h2>\n");
+        for piece in pieces.iter().filter(|piece| piece.kind == kind) {
+            let (stem, text, name) = (stem(piece), piece.text, piece.name);
+            sections += &format!(
+                "<a href=\"{stem}.html\"><img src=\"{stem}.svg\" loading=\"lazy\" alt=\"\">\
+                 <span>{text}<br><code>{name}</code></span></a>\n"
+            );
+        }
+        sections += "</section>\n";
+    }
+    format!("{HEAD}<nav>\n{links}</nav>\n</header>\n<main>\n{sections}</main>\n</html>\n")
+}
+
+/// The page of a film with the machine's text, its declaration, and the machines before and behind.
+///
+/// # Errors
+/// What cannot be drawn.
+pub fn machine(piece: &Piece, beside: [Option<&Piece>; 2]) -> Result<String, SketchError> {
+    let page = piece.film.to_html()?;
+    let link = |(piece, word): (Option<&Piece>, &str)| match piece {
+        Some(piece) => format!("<a href=\"{}.html\">{word}</a>", stem(piece)),
+        None => format!("<span>{word}</span>"),
+    };
+    let [before, behind] = [(beside[0], "← before"), (beside[1], "next →")].map(link);
+    let above = format!(
+        "{STYLE}<main>\n<nav>{before}<a href=\"index.html#{:?}\">{}</a>{behind}</nav>\n\
+         <h1>{}</h1>",
+        piece.kind,
+        piece.kind.heading(),
+        piece.text
+    );
+    let declared = NAMES.iter().position(|name| *name == piece.name);
+    let below = declared.map_or(String::new(), |nth| {
+        let (file, text) = TEXTS[nth];
+        let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+        format!("<p>Declared in <code>{file}</code>:</p>\n<pre><code>{text}</code></pre>\n</main>")
+    });
+    let page = page.replacen("<main>", &above, 1);
+    Ok(page.replacen("</main>", &below, 1))
 }

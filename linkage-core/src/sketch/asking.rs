@@ -1,4 +1,4 @@
-//! The methods by which a user asks for parts of a picture: one list for films and sketches.
+//! The methods by which a user asks for parts of a picture: one list for films, stills and sketches.
 
 use std::string::ToString;
 use std::vec::Vec;
@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::film::Film;
 use super::options::{applied, reactions};
 use super::plan::Applied;
-use super::still::Sketch;
+use super::still::{Sketch, Still};
 use super::style::{Theme, Unit};
 use crate::{Record, SolveError};
 
@@ -40,7 +40,16 @@ macro_rules! asked_of_a_picture {
             #[must_use]
             pub fn force(mut self, point: &str, forces: impl IntoIterator<Item = [f64; 2]>) -> Self {
                 let forces = forces.into_iter().collect();
-                self.options.forces.push((point.to_string(), forces));
+                self.options.loads.forces.push((point.to_string(), forces));
+                self
+            }
+
+            /// Draws an arc with an arrow for a couple about a point, in newton metres, counter-clockwise
+            /// positive: one for each pose, or one for all.
+            #[must_use]
+            pub fn couple(mut self, point: &str, couples: impl IntoIterator<Item = f64>) -> Self {
+                let couples = couples.into_iter().collect();
+                self.options.loads.couples.push((point.to_string(), couples));
                 self
             }
 
@@ -52,7 +61,7 @@ macro_rules! asked_of_a_picture {
                 mut self,
                 results: impl IntoIterator<Item = Result<R, SolveError>>,
             ) -> Self {
-                self.options.forces.extend(reactions(results));
+                self.options.loads.forces.extend(reactions(results));
                 self
             }
 
@@ -64,11 +73,11 @@ macro_rules! asked_of_a_picture {
                 mut self,
                 results: impl IntoIterator<Item = Result<Applied, SolveError>>,
             ) -> Self {
-                self.options.forces.extend(applied(results));
+                self.options.loads.forces.extend(applied(results));
                 self
             }
 
-            /// Light or dark; light if nothing is said.
+            /// The colours; those that the reader prefers if nothing is said.
             #[must_use]
             pub const fn theme(mut self, theme: Theme) -> Self {
                 self.options.theme = theme;
@@ -108,4 +117,4 @@ macro_rules! asked_of_a_picture {
     )*};
 }
 
-asked_of_a_picture!(Film Sketch);
+asked_of_a_picture!(Film Sketch Still);

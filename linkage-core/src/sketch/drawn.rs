@@ -10,7 +10,7 @@ use super::picture::{Picture, is_ground};
 use super::scene::Spot;
 use super::style::{FONT, HEADING, HEADING_LINE, JOINT, SMALL, text_width, wrapped};
 use super::svg::{Timing, escaped, pair, rigid, short};
-use super::{springs, symbols, traces};
+use super::{forces, springs, symbols, traces};
 
 impl Picture<'_> {
     pub(super) fn colour(&self, link: Option<usize>) -> &'static str {
@@ -58,9 +58,15 @@ impl Picture<'_> {
         svg += &self.ground_joints();
         let gaps = self.gaps.iter();
         svg.extend(gaps.map(|gap| gap.drawn(timing, |link| self.colour(Some(link)), palette)));
-        svg.extend(self.forces.iter().map(|force| force.drawn(timing, palette)));
+        svg.extend(
+            self.loads.iter().map(|load| {
+                load.drawn(&escaped(self.scene.plan.points[load.point]), timing, palette)
+            }),
+        );
         svg += &labels::drawn(&self.labels, timing, palette);
-        svg + &footers + "</svg>\n"
+        svg += &footers;
+        svg += "</svg>\n";
+        self.options.theme.applied_to(&svg)
     }
 
     pub(super) fn title(&self) -> String {
@@ -178,10 +184,11 @@ impl Picture<'_> {
         let (mut y, mut below) = (line, 0.0);
         x += 28.0;
         let messages = messages(self.scene, self.options.unit).into_iter();
-        let messages = messages.map(|message| (message, palette.links[0]));
-        let scale = traces::force_scale(&self.forces).map(|scale| (scale, palette.quiet));
+        let messages = messages.map(|message| (message, palette.accent));
+        let legend = forces::legend(&self.loads, self.scene.plan.points).into_iter();
+        let legend = legend.map(|line| (line, palette.accent));
         let room = self.page[0] - 40.0;
-        let lines = messages.chain(scale).flat_map(|(text, colour)| {
+        let lines = messages.chain(legend).flat_map(|(text, colour)| {
             wrapped(&text, SMALL, room).into_iter().map(move |line| (line, colour))
         });
         for (text, colour) in lines {

@@ -210,18 +210,20 @@ impl Film {
         Ok(std::fs::write(path, self.to_svg()?)?)
     }
 
-    /// The film on a page, light or dark as its reader wants it, with a button and a slider.
+    /// The film on a page, light or dark as its reader wants it, with a button and a slider. It stands still
+    /// at first for a reader who prefers reduced motion.
     ///
     /// # Errors
     /// Those of [`to_svg`](Self::to_svg).
     pub fn to_html(&self) -> Result<String, SketchError> {
-        let picture = |theme| {
-            let options = Options { theme, ..self.options.clone() };
+        let picture = |width: f64| {
+            let width = width.min(self.options.width);
+            let options = Options { theme: Theme::Auto, width, ..self.options.clone() };
             let picture = Picture::new(&self.scene, &options)?;
             Ok::<_, SketchError>((picture.title(), picture.svg(true)))
         };
-        let ((title, light), (_, dark)) = (picture(Theme::Light)?, picture(Theme::Dark)?);
-        Ok(page::page(&title, &light, &dark, self.options.seconds))
+        let ((title, wide), (_, narrow)) = (picture(f64::MAX)?, picture(page::NARROW)?);
+        Ok(page::page(&title, [&wide, &narrow], self.options.seconds))
     }
 
     /// Writes the page.

@@ -176,7 +176,7 @@ impl Gap {
     }
 
     fn arrow(&self, timing: Option<Timing>, palette: &Palette) -> String {
-        let look = format!(r#"stroke="{}" stroke-width="2""#, palette.ink);
+        let look = format!(r#"stroke="{}" stroke-width="2""#, palette.accent);
         moving_arrow(&self.missing, true, timing, &look)
     }
 }

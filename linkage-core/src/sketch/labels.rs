@@ -1,6 +1,7 @@
 //! Names beside joints: upright, on one side of their joint all the time, and where they cover least.
-//! Where a joint, a link or another name comes in their way all the same they fade until it has
-//! passed.
+//! A name that fits nowhere near stands farther away, at the end of a thin line. Where a joint, a link or
+//! another name comes in its way all the same it is dimmed until that has passed; it never goes while
+//! its joint is there.
 
 use std::format;
 use std::string::String;
@@ -9,7 +10,7 @@ use std::vec::Vec;
 use super::boxes::Box2;
 use super::scene::Spot;
 use super::style::{FONT, JOINT, LABEL, Palette, has_descender, text_width};
-use super::svg::{Seat, Timing, escaped, pair, rigid};
+use super::svg::{Seat, Timing, escaped, pair, path, rigid};
 
 /// What is in the way in one pose, on the page.
 #[derive(Clone, Debug, Default)]
@@ -27,8 +28,8 @@ pub(super) struct Obstacles {
 pub(super) struct Label {
     pub text: String,
     pub at: Vec<Option<Spot>>,
-    /// Whether it is shown though there is little room.
-    pub is_wanted: bool,
+    /// Its colour, where it is not that of names.
+    pub colour: Option<&'static str>,
 }
 
 impl Label {
@@ -57,15 +58,14 @@ pub(super) struct Placed {
     /// From the joint to the middle of the text.
     beside: Spot,
     half: Spot,
-    /// In which poses it is shown.
-    shown: Vec<bool>,
+    /// In which poses nothing is in its way.
+    free: Vec<bool>,
 }
 
 impl Placed {
-    /// What it covers over all poses in which it is shown.
+    /// What it covers over all poses.
     pub(super) fn extent(&self) -> Box2 {
-        let shown = (0..self.shown.len()).filter(|&pose| self.shown[pose]);
-        shown.filter_map(|pose| self.at(pose)).fold(Box2::NOTHING, Box2::with)
+        (0..self.free.len()).filter_map(|pose| self.at(pose)).fold(Box2::NOTHING, Box2::with)
     }
 
     pub(super) fn shift(&mut self, by: Spot) {
@@ -83,43 +83,94 @@ impl Placed {
         *self.label.at.get(pose).or(self.label.at.first())?
     }
 
-    fn drawn(&self, timing: Option<Timing>) -> String {
-        let is_shown = self.shown.first().copied().unwrap_or_default();
-        if !is_shown && timing.is_none() {
+    /// The line to a label that stands far from its joint, as that sees it.
+    fn leader(&self) -> Option<[Spot; 2]> {
+        let box2 = Box2::about(self.beside, self.half);
+        let end = [0, 1].map(|axis| 0.0_f64.clamp(box2.low[axis], box2.high[axis]));
+        let length = end[0].hypot(end[1]);
+        let start = (JOINT + 2.0) / length;
+        (length > FAR).then(|| [[start * end[0], start * end[1]], end])
+    }
+
+    fn leader_at(&self, pose: usize) -> Option<[Spot; 2]> {
+        let [x, y] = self.joint(pose)?;
+        Some(self.leader()?.map(|[dx, dy]| [x + dx, y + dy]))
+    }
+
+    /// How much of it is seen in each pose.
+    fn opacities(&self) -> Vec<f64> {
+        let opacity = |pose: usize| match () {
+            () if self.joint(pose).is_none() => 0.0,
+            () if self.free[pose] => 1.0,
+            () => DIMMED,
+        };
+        (0..self.free.len()).map(opacity).collect()
+    }
+
+    fn drawn(&self, timing: Option<Timing>, palette: &Palette) -> String {
+        let opacities = self.opacities();
+        // What nothing can pass stands out.
+        let first = match opacities[0] {
+            opacity if opacity > 0.0 && timing.is_none() => 1.0,
+            opacity => opacity,
+        };
+        if first == 0.0 && timing.is_none() {
             return String::new();
         }
-        let hidden = if is_shown { "" } else { r#" opacity="0""# };
-        let fading = timing.map(|timing| timing.fading(&self.shown)).unwrap_or_default();
+        let hidden = match first {
+            1.0 => String::new(),
+            opacity => format!(r#" opacity="{opacity}""#),
+        };
+        let fading = timing.map(|timing| timing.fading(&opacities)).unwrap_or_default();
         let [dx, dy] = [self.beside[0], self.beside[1] + self.label.baseline()];
         let seat = |at: &Option<Spot>| at.map(|[x, y]| Seat { at: [x + dx, y + dy], degrees: 0.0 });
         let seats: Vec<_> = self.label.at.iter().map(seat).collect();
         let text = escaped(&self.label.text);
-        if let [Some(only)] = &seats[..] {
+        let colour =
+            self.label.colour.map(|colour| format!(r#" fill="{colour}""#)).unwrap_or_default();
+        let leader = self.leader().map(|ends| leader(ends.map(|[x, y]| [x - dx, y - dy]), palette));
+        if let ([Some(only)], None) = (&seats[..], &leader) {
             let at = pair(only.at);
             let (x, y) = at.split_once(' ').unwrap_or_default();
-            return format!(r#"<text x="{x}" y="{y}"{hidden}>{text}{fading}</text>"#);
+            return format!(r#"<text x="{x}" y="{y}"{colour}{hidden}>{text}{fading}</text>"#);
         }
         // Where the joint is missing the label is not shown, wherever it would be.
         let seats: Vec<_> =
             super::svg::filled(&seats).unwrap_or_default().into_iter().map(Some).collect();
-        rigid(&seats, timing, hidden, &format!("{fading}<text>{text}</text>"))
+        let leader = leader.unwrap_or_default();
+        let timing = timing.filter(|_| seats.len() > 1);
+        rigid(&seats, timing, &hidden, &format!("{fading}{leader}<text{colour}>{text}</text>"))
     }
 }
+
+/// From a joint to its name.
+fn leader(ends: [Spot; 2], palette: &Palette) -> String {
+    format!(
+        r#"<path d="{}" fill="none" stroke="{}" stroke-width="1"/>"#,
+        path(&ends, false),
+        palette.quiet
+    )
+}
+
+/// The distance from which on a name needs a line to its joint.
+const FAR: f64 = JOINT + 22.0;
+/// How much is seen of a label while something is in its way.
+const DIMMED: f64 = 0.55;
 
 /// All labels in a group that says how they look.
 pub(super) fn drawn(labels: &[Placed], timing: Option<Timing>, palette: &Palette) -> String {
     if labels.is_empty() {
         return String::new();
     }
-    let texts: String = labels.iter().map(|label| label.drawn(timing)).collect();
+    let texts: String = labels.iter().map(|label| label.drawn(timing, palette)).collect();
     format!(
         r#"<g font-family="{FONT}" font-size="{LABEL}" font-style="italic" text-anchor="middle" fill="{}" stroke="{}" stroke-width="3" stroke-linejoin="round" paint-order="stroke">{texts}</g>"#,
         palette.ink, palette.paper,
     )
 }
 
-/// Puts every label where it can be seen most of the time, one after the other; leaves out those that
-/// could not be for long, unless they are wanted. There are obstacles for every pose.
+/// Puts every label where it can be seen most of the time, one after the other. There are obstacles for
+/// every pose.
 pub(super) fn place(labels: Vec<Label>, obstacles: &[Obstacles]) -> Vec<Placed> {
     let mut placed: Vec<Placed> = Vec::new();
     let count = obstacles.len().min(SAMPLES);
@@ -127,9 +178,12 @@ pub(super) fn place(labels: Vec<Label>, obstacles: &[Obstacles]) -> Vec<Placed> 
     let samples: Vec<usize> = (0..count).map(sample).collect();
     for label in labels {
         let half = label.half();
-        let mut best = Placed { label, beside: [0.0; 2], half, shown: Vec::new() };
+        let mut best = Placed { label, beside: [0.0; 2], half, free: Vec::new() };
         let (mut found, mut least) = ([0.0; 2], f64::INFINITY);
         for (beside, bias) in places(half) {
+            if bias >= least {
+                continue;
+            }
             best.beside = beside;
             let cost = bias + cost(&best, &samples, obstacles, &placed, least - bias);
             if cost < least {
@@ -138,31 +192,22 @@ pub(super) fn place(labels: Vec<Label>, obstacles: &[Obstacles]) -> Vec<Placed> 
         }
         best.beside = found;
         let free = (0..obstacles.len()).map(|pose| is_free(&best, pose, obstacles, &placed));
-        best.shown = steady(free.collect());
-        if let ([shown], true) = (&mut best.shown[..], best.label.is_wanted) {
-            // Whoever asks for a name in a still has it.
-            *shown = true;
-        }
-        let seen = best.shown.iter().filter(|shown| **shown).count();
-        let enough = if best.label.is_wanted { LEAST } else { ENOUGH };
-        if seen as f64 > enough * obstacles.len() as f64 {
-            placed.push(best);
-        }
+        best.free = steady(free.collect());
+        placed.push(best);
     }
     placed
 }
 
 /// Poses by which places are chosen.
 const SAMPLES: usize = 24;
-/// The share of a film for which a label is worth showing; the same of one that is asked for.
-const ENOUGH: f64 = 0.6;
-const LEAST: f64 = 0.15;
 
-/// Twelve directions at three distances, from the upper right on, and what speaks against each.
+/// Twelve directions at seven distances, from the upper right on, and what speaks against each.
 fn places(half: Spot) -> impl Iterator<Item = (Spot, f64)> {
     let directions = [-45, -135, 45, 135, 0, 180, -90, 90, -20, -160, 20, 160_i32];
-    let gaps = [(JOINT + 4.5, 0.0), (JOINT + 12.0, 2.5), (JOINT + 20.0, 6.0)];
-    gaps.into_iter().flat_map(move |(gap, far)| {
+    let near = [(JOINT + 4.5, 0.0), (JOINT + 12.0, 2.5), (JOINT + 20.0, 6.0)];
+    let far =
+        [(JOINT + 30.0, 18.0), (JOINT + 44.0, 22.0), (JOINT + 62.0, 28.0), (JOINT + 84.0, 36.0)];
+    near.into_iter().chain(far).flat_map(move |(gap, far)| {
         directions.into_iter().enumerate().map(move |(nth, degrees)| {
             let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
             // The box begins where the gap ends, whichever way it lies.
@@ -199,17 +244,23 @@ fn cost(
     (100.0 * hidden + 0.5 * traces) / seen
 }
 
-/// Whether a label covers no joint, link, support or other label in a pose.
+/// Whether a label covers no joint, link, support or other label in a pose, and its line no joint or label.
 fn is_free(label: &Placed, pose: usize, obstacles: &[Obstacles], placed: &[Placed]) -> bool {
     let (Some(covered), Some(own)) = (label.at(pose), label.joint(pose)) else { return false };
     let Obstacles { lines, boxes, joints, .. } = &obstacles[pose];
+    let leader = label.leader_at(pose);
+    let crosses = |other: Box2| leader.is_some_and(|line| other.length_inside(line) > 0.0);
     let is_own = |joint: Spot| (joint[0] - own[0]).hypot(joint[1] - own[1]) < 0.5;
-    let on_joint = |&joint: &Spot| !is_own(joint) && covered.grown(JOINT + CLEAR).holds(joint);
+    let on_joint = |&joint: &Spot| {
+        let circle = || Box2::about(joint, [JOINT; 2]);
+        !is_own(joint) && (covered.grown(JOINT + CLEAR).holds(joint) || crosses(circle()))
+    };
     let on_line =
         |&(line, width): &([Spot; 2], f64)| covered.grown(width + CLEAR).length_inside(line) > 0.0;
     let on_label = |other: &Placed| {
-        let is_shown = other.shown[pose];
-        is_shown && other.at(pose).is_some_and(|other| covered.overlap(other.grown(CLEAR)) > 0.0)
+        let covers = |box2: Box2| covered.overlap(box2.grown(CLEAR)) > 0.0 || crosses(box2);
+        other.at(pose).is_some_and(covers)
+            || other.leader_at(pose).is_some_and(|line| covered.length_inside(line) > 0.0)
     };
     !(joints.iter().any(on_joint)
         || lines.iter().any(on_line)
@@ -220,8 +271,8 @@ fn is_free(label: &Placed, pose: usize, obstacles: &[Obstacles], placed: &[Place
 /// What stays free between a label and anything else, in pixels.
 const CLEAR: f64 = 2.0;
 
-/// Hides a label one pose before anything comes in its way and shows it one pose later, and does not
-/// show it for a moment only.
+/// Dims a label one pose before anything comes in its way until one pose later, and does not show it in
+/// full for a moment only.
 fn steady(free: Vec<bool>) -> Vec<bool> {
     let last = free.len() - 1;
     let around = |pose: usize| pose.saturating_sub(1)..=(pose + 1).min(last);

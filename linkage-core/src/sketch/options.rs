@@ -3,6 +3,7 @@
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use super::forces::Asked;
 use super::plan::Applied;
 use super::style::{Theme, Unit, WIDTH};
 use crate::{Record, SolveError};
@@ -17,7 +18,7 @@ pub(super) struct Options {
     pub width: f64,
     pub unit: Option<Unit>,
     pub title: Option<String>,
-    pub forces: Vec<(String, Vec<[f64; 2]>)>,
+    pub loads: Asked,
     pub has_scale: bool,
     pub poses: usize,
     /// Whether nothing but the first pose is drawn in full.
@@ -30,11 +31,11 @@ impl Default for Options {
         Self {
             traces: Vec::new(),
             labels: None,
-            theme: Theme::Light,
+            theme: Theme::Auto,
             width: WIDTH,
             unit: None,
             title: None,
-            forces: Vec::new(),
+            loads: Asked::default(),
             has_scale: true,
             poses: 1,
             is_still: false,

@@ -6,16 +6,17 @@ use std::vec::Vec;
 use super::bodies::{Body, bodies, guide_ends};
 use super::boxes::Box2;
 use super::error::SketchError;
+use super::forces::Load;
 use super::gaps::{Gap, gaps};
 use super::labels::Placed;
 use super::options::Options;
 use super::plan::Made;
 use super::scene::{Scene, Spot};
-use super::springs::{Coil, springs, wall_box};
+use super::springs::{Coil, below, springs, wall_box};
 use super::style::{HEADING, HEADING_LINE, HEIGHT, MARGIN, Palette, text_width, wrapped};
-use super::svg::View;
+use super::svg::{Seat, View};
 use super::symbols;
-use super::traces::{self, Force, Trace};
+use super::traces::{self, Trace};
 
 /// Everything that is to be drawn, on a page of its size.
 pub(super) struct Picture<'s> {
@@ -26,7 +27,7 @@ pub(super) struct Picture<'s> {
     pub(super) view: View,
     pub(super) bodies: Vec<Body>,
     pub(super) traces: Vec<Trace>,
-    pub(super) forces: Vec<Force>,
+    pub(super) loads: Vec<Load>,
     pub(super) gaps: Vec<Gap>,
     pub(super) springs: Vec<Coil>,
     pub(super) supports: Vec<(Spot, f64)>,
@@ -55,7 +56,7 @@ impl<'s> Picture<'s> {
             view: View { scale: first_scale(scene), origin: [0.0; 2] },
             bodies: Vec::new(),
             traces: Vec::new(),
-            forces: Vec::new(),
+            loads: Vec::new(),
             gaps: Vec::new(),
             springs: Vec::new(),
             supports: Vec::new(),
@@ -80,8 +81,10 @@ impl<'s> Picture<'s> {
     /// The scale at which everything fits: what is measured in pixels does not grow with it, so it is
     /// found in a few steps.
     fn fit(&mut self) -> Result<(), SketchError> {
+        // Largest forces and couples take a second line below.
+        let below = BELOW + if self.options.loads.is_empty() { 0.0 } else { 20.0 };
         let room =
-            [self.options.width - 2.0 * MARGIN, HEIGHT - MARGIN - FOOT - BELOW - self.head()];
+            [self.options.width - 2.0 * MARGIN, HEIGHT - MARGIN - FOOT - below - self.head()];
         for _ in 0..6 {
             self.make()?;
             let [width, height] = self.extent().size();
@@ -110,7 +113,7 @@ impl<'s> Picture<'s> {
         };
         self.traces = self.options.traces.iter().map(trace).collect::<Result<_, _>>()?;
         self.gaps = gaps(scene, view);
-        self.forces = Force::all(scene, view, &self.options.forces)?;
+        self.loads = Load::all(scene, view, &self.options.loads)?;
         Ok(())
     }
 
@@ -139,20 +142,29 @@ impl<'s> Picture<'s> {
             };
         }
         let gaps = self.gaps.iter().map(Gap::extent);
-        let forces = self.forces.iter().map(Force::extent);
+        let loads = self.loads.iter().map(Load::extent);
         let springs = self.springs.iter().map(Coil::extent);
-        all = gaps.chain(forces).chain(springs).fold(all, Box2::with);
+        all = gaps.chain(loads).chain(springs).fold(all, Box2::with);
         if all.is_nothing() { Box2::about([0.0; 2], [60.0; 2]) } else { all }
     }
 
-    /// The guides of the ground.
-    pub(super) fn rails(&self) -> Vec<(super::svg::Seat, [f64; 2])> {
-        let guides = self.scene.plan.statements.iter().filter_map(|&made| {
-            let Made::Guide(guide, None) = made else { return None };
-            let seat = self.view.seat(self.scene.still(guide)?);
-            Some((seat, guide_ends(self.scene, self.view, guide)))
-        });
-        guides.collect()
+    /// The guides of the ground: where blocks move, or below them where a spring takes that place.
+    pub(super) fn rails(&self) -> Vec<(Seat, [f64; 2])> {
+        let mut rails: Vec<(Seat, [f64; 2])> = Vec::new();
+        for &made in self.scene.plan.statements {
+            let Made::Guide(guide, None) = made else { continue };
+            let Some(pose) = self.scene.still(guide) else { continue };
+            let seat = self.view.seat(pose);
+            let ends = guide_ends(self.scene, self.view, guide);
+            match below(&self.springs, seat) {
+                Some((low, reach)) => {
+                    let seat = Seat { at: seat.place([0.0, low]), ..seat };
+                    join(&mut rails, seat, [ends[0].min(reach[0]), ends[1].max(reach[1])]);
+                }
+                None => rails.push((seat, ends)),
+            }
+        }
+        rails
     }
 
     /// Of every crank that an input turns against the ground: pivot, radius on the page, and from
@@ -204,7 +216,7 @@ impl<'s> Picture<'s> {
         self.traces
             .iter_mut()
             .for_each(|trace| *trace = Trace::new(self.scene, self.view, trace.point));
-        self.forces.iter_mut().for_each(|force| force.shift(by));
+        self.loads.iter_mut().for_each(|load| load.shift(by));
         self.supports.iter_mut().for_each(|support| support.0 = moved(support.0));
         self.walls.iter_mut().for_each(|wall| wall.0 = moved(wall.0));
         self.arcs.iter_mut().for_each(|arc| arc.0 = moved(arc.0));
@@ -219,6 +231,24 @@ const BELOW: f64 = 18.0;
 const EDGE: f64 = 8.0;
 /// The page is wide enough for the scale.
 const MIN_WIDTH: f64 = 200.0;
+
+/// One more rail, or a longer one where it lies in line with another.
+fn join(rails: &mut Vec<(Seat, [f64; 2])>, seat: Seat, [start, end]: [f64; 2]) {
+    let along = |other: &Seat| {
+        let (sin, cos) = other.degrees.to_radians().sin_cos();
+        let (x, y) = (seat.at[0] - other.at[0], seat.at[1] - other.at[1]);
+        let is_in_line =
+            (seat.degrees - other.degrees).abs() < 0.01 && (cos * y - sin * x).abs() < 0.5;
+        is_in_line.then_some(cos * x + sin * y)
+    };
+    for (other, ends) in rails.iter_mut() {
+        if let Some(x) = along(other) {
+            *ends = [ends[0].min(x + start), ends[1].max(x + end)];
+            return;
+        }
+    }
+    rails.push((seat, [start, end]));
+}
 
 /// Whether a point is one of the ground.
 pub(super) fn is_ground(scene: &Scene, point: usize) -> bool {

@@ -154,7 +154,7 @@ impl Picture<'_> {
         let points = 0..self.scene.plan.points.len();
         let points = points.filter_map(|point| self.scene.point(frame, point));
         obstacles.joints.extend(points.map(|at| self.view.pixels(at)));
-        let arrows = self.forces.iter().filter_map(|force| force.line(frame));
+        let arrows = self.loads.iter().flat_map(|load| load.sides(frame));
         let arrows = arrows.chain(self.gaps.iter().filter_map(|gap| gap.line(frame)));
         obstacles.lines.extend(arrows.map(|line| (line, ARROW)));
         obstacles
@@ -176,12 +176,8 @@ impl Picture<'_> {
                 .map(|name| traces::point(plan, name))
                 .collect::<Result<Vec<usize>, _>>()?,
         };
-        // What is asked for or traced is named in any case, and first.
-        let is_wanted = |point: usize| {
-            self.options.labels.is_some()
-                || self.traces.iter().any(|trace| trace.point == point)
-                || self.forces.iter().any(|force| force.point == point)
-        };
+        // What is traced is named first, where it likes best.
+        let is_traced = |point: &usize| self.traces.iter().any(|trace| trace.point == *point);
         let label = |&point: &usize| {
             let at = frames.iter().map(|&f| Some(self.view.pixels(scene.point(f, point)?)));
             let mut at: Vec<Option<Spot>> = at.collect();
@@ -189,13 +185,23 @@ impl Picture<'_> {
             if first.is_some() && at.iter().all(|spot| *spot == first) {
                 at.truncate(1);
             }
-            let text = plan.points[point].to_string();
-            Label { text, at, is_wanted: is_wanted(point) }
+            Label { text: plan.points[point].to_string(), at, colour: None }
         };
+        let mut wanted: Vec<usize> = wanted;
+        wanted.sort_by_key(|point| !is_traced(point));
         let mut labels: Vec<Label> = wanted.iter().map(label).collect();
-        labels.sort_by_key(|label| !label.is_wanted);
+        if frames.len() == 1 {
+            labels.extend(self.values());
+        }
         let obstacles = self.obstacles_in(&frames);
         self.labels = labels::place(labels, &obstacles);
         Ok(())
+    }
+
+    /// What forces and couples amount to in the first pose.
+    fn values(&self) -> Vec<Label> {
+        let written = self.loads.iter().filter_map(|load| load.value(0));
+        let colour = Some(self.palette.accent);
+        written.map(|(at, text)| Label { text, at: [Some(at)].into(), colour }).collect()
     }
 }

@@ -9,7 +9,7 @@ use std::vec::Vec;
 use super::boxes::Box2;
 use super::plan::Spring;
 use super::scene::{Scene, Spot, range};
-use super::style::{DAMPER, Palette, WALL, ZIGZAG};
+use super::style::{BLOCK, DAMPER, Palette, WALL, ZIGZAG};
 use super::svg::{Seat, Timing, View, filled, fine, rigid, short};
 
 /// A spring on the page: the frame has its origin at the first end and its x towards the second.
@@ -161,6 +161,28 @@ impl Coil {
         let half = self.half_width();
         lines.map(|line| Box2::around(line).grown(half)).fold(Box2::NOTHING, Box2::with)
     }
+}
+
+/// How far below a guide its rail has room for the blocks and springs on the guide, and from where to
+/// where these springs reach along it; nothing where none lies on it.
+pub(super) fn below(springs: &[Coil], guide: Seat) -> Option<(f64, [f64; 2])> {
+    let (sin, cos) = guide.degrees.to_radians().sin_cos();
+    let seen = |[x, y]: Spot| {
+        let (x, y) = (x - guide.at[0], y - guide.at[1]);
+        [cos * x + sin * y, cos * y - sin * x]
+    };
+    let spots = |coil: &Coil| -> Vec<Spot> {
+        let lines = (0..coil.seats.len()).filter_map(|frame| coil.line(frame));
+        lines.flatten().map(seen).collect()
+    };
+    let on_it = springs.iter().filter_map(|coil| {
+        let spots = spots(coil);
+        let is_on_it = !spots.is_empty() && spots.iter().all(|[_, y]| y.abs() < 1.0);
+        let reach = range(spots.iter().map(|[x, _]| Some(*x)))?;
+        let low = (coil.half_width() + 2.0).max(0.5 * BLOCK[1] + 1.8);
+        is_on_it.then_some((low, reach))
+    });
+    on_it.reduce(|(low, [a, b]), (other, [c, d])| (low.max(other), [a.min(c), b.max(d)]))
 }
 
 /// Along the spring's x or against it.

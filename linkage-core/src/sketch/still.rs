@@ -17,7 +17,7 @@ use crate::{Point, SolveError};
 #[derive(Clone, Debug)]
 pub struct Still {
     scene: Scene,
-    options: Options,
+    pub(super) options: Options,
 }
 
 impl Still {

@@ -1,13 +1,16 @@
 //! Colours and sizes: everything about the look that is not a shape.
 
+use std::format;
 use std::string::String;
 use std::vec::Vec;
 
 /// On which paper a picture is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
-    /// Dark ink on white.
+    /// Light, and dark in a browser whose reader prefers a dark scheme.
     #[default]
+    Auto,
+    /// Dark ink on white.
     Light,
     /// Light ink on near black.
     Dark,
@@ -45,28 +48,60 @@ pub struct Palette {
     pub ink: &'static str,
     /// For what only explains.
     pub quiet: &'static str,
+    /// Forces, couples, and what is missing in a pose.
+    pub accent: &'static str,
     /// The links', by their declaration: told apart without colour vision too (Okabe and Ito).
     pub links: [&'static str; 6],
 }
 
+impl Palette {
+    fn all(&self) -> impl Iterator<Item = &'static str> {
+        [self.paper, self.ink, self.quiet, self.accent].into_iter().chain(self.links)
+    }
+}
+
 impl Theme {
-    /// Its colours.
+    /// Its colours; those of paper that is light at first.
     #[must_use]
     pub const fn palette(self) -> Palette {
         match self {
-            Self::Light => Palette {
+            Self::Auto | Self::Light => Palette {
                 paper: "#ffffff",
                 ink: "#222222",
-                quiet: "#8a9096",
+                quiet: "#667079",
+                accent: "#b8123c",
                 links: ["#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"],
             },
             Self::Dark => Palette {
                 paper: "#0d1117",
                 ink: "#e6edf3",
                 quiet: "#7d8590",
+                accent: "#ff7d95",
                 links: ["#f08a3c", "#4ea1e0", "#2fc99b", "#e39cc4", "#f2b53b", "#7cc7f2"],
             },
         }
+    }
+
+    /// The text of a picture in the colours of [`palette`](Self::palette); of `Auto` with rules by which
+    /// a browser replaces them where its reader prefers a dark scheme.
+    #[must_use]
+    pub fn applied_to(self, svg: &str) -> String {
+        let parts = svg.split_once('>').filter(|_| self == Self::Auto);
+        let Some((head, rest)) = parts else { return svg.into() };
+        let [day, night] = [Self::Light, Self::Dark].map(Self::palette);
+        let mut rules = String::new();
+        for (from, to) in day.all().zip(night.all()) {
+            for property in ["fill", "stroke"] {
+                let attribute = format!(r#"{property}="{from}""#);
+                if rest.contains(&attribute) {
+                    // Pictures of other themes may stand on the same page.
+                    rules += &format!(".auto [{attribute}]{{{property}:{to}}}");
+                }
+            }
+        }
+        format!(
+            r#"{head} class="auto"><style>@media (prefers-color-scheme:dark){{{rules}}}</style>{rest}"#
+        )
     }
 }
 

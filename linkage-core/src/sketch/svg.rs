@@ -152,24 +152,28 @@ impl Timing {
         )
     }
 
-    /// Fades out before a frame that is not `seen`, and in again behind.
-    pub(super) fn fading(self, seen: &[bool]) -> String {
+    /// Goes from opacity to opacity within a few frames, so that every frame has its own at most.
+    pub(super) fn fading(self, opacities: &[f64]) -> String {
         let opacity = |frame: usize| {
-            let near = (0..FADE).find(|&by| {
-                let around = [frame.checked_sub(by), Some(frame + by)];
-                around.into_iter().flatten().any(|other| seen.get(other) == Some(&false))
+            let near = (0..FADE).flat_map(|by| {
+                let around = [frame.checked_sub(by), Some(frame + by)].into_iter().flatten();
+                let rise = by as f64 / FADE as f64;
+                around
+                    .filter_map(|other| opacities.get(other))
+                    .map(move |own| own + (1.0 - own) * rise)
             });
-            near.unwrap_or(FADE)
+            near.fold(1.0, f64::min)
         };
-        let steps: Vec<usize> = (0..self.frames).map(opacity).collect();
-        if steps.iter().all(|step| *step == steps[0]) {
+        let steps: Vec<f64> = (0..self.frames).map(opacity).collect();
+        let is_near = |a: f64, b: f64| (a - b).abs() < 1e-9;
+        if steps.iter().all(|&step| is_near(step, steps[0])) {
             return String::new();
         }
         let last = self.frames - 1;
         // Only where it begins to change, or ceases to.
         let bends = |&frame: &usize| {
             let is_inside = frame > 0 && frame < last;
-            !is_inside || steps[frame - 1] + steps[frame + 1] != 2 * steps[frame]
+            !is_inside || !is_near(steps[frame - 1] + steps[frame + 1], 2.0 * steps[frame])
         };
         let frames: Vec<usize> = (0..self.frames).filter(bends).collect();
         let list = |value: &dyn Fn(usize) -> f64, decimals: usize| {
@@ -180,7 +184,7 @@ impl Timing {
             r#"<animate attributeName="opacity" {} keyTimes="{}" values="{}"/>"#,
             self.duration(),
             list(&|frame| frame as f64 / last as f64, 5),
-            list(&|frame| steps[frame] as f64 / FADE as f64, 2),
+            list(&|frame| steps[frame], 2),
         )
     }
 

@@ -7,7 +7,7 @@ use std::vec::Vec;
 use super::boxes::Box2;
 use super::scene::Spot;
 use super::style::{FONT, Palette, SMALL, SUPPORT, Unit, text_width};
-use super::svg::{Seat, Timing, filled, fine, pair, path, short};
+use super::svg::{Seat, Timing, fine, pair, path, short};
 
 /// Which way a support stands: the angles by which the upright one is turned.
 pub(super) const WAYS: [f64; 4] = [0.0, 90.0, -90.0, 180.0];
@@ -115,19 +115,18 @@ const HEAD: f64 = 8.0;
 
 /// The path of an arrow from one place to another, with a head at one end or both.
 fn arrow([from, to]: [Spot; 2], is_double: bool) -> String {
+    let back = if is_double { barbs([to, from]) } else { String::new() };
+    format!("M{}L{}{}{back}", pair(from), pair(to), barbs([from, to]))
+}
+
+/// The head at the end of a line; a short line has a small one.
+fn barbs([from, to]: [Spot; 2]) -> String {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let length = dx.hypot(dy).max(1e-9);
-    // A short arrow has a small head.
     let head = HEAD.min(0.45 * length);
     let (ux, uy) = (dx / length * head, dy / length * head);
-    let barbs = |tip: Spot, sign: f64| {
-        let barb = |side: f64| {
-            [tip[0] - sign * ux - side * 0.4 * uy, tip[1] - sign * uy + side * 0.4 * ux]
-        };
-        format!("M{}L{}L{}", pair(barb(1.0)), pair(tip), pair(barb(-1.0)))
-    };
-    let back = if is_double { barbs(from, -1.0) } else { String::new() };
-    format!("M{}L{}{}{back}", pair(from), pair(to), barbs(to, 1.0))
+    let barb = |side: f64| [to[0] - ux - side * 0.4 * uy, to[1] - uy + side * 0.4 * ux];
+    format!("M{}L{}L{}", pair(barb(1.0)), pair(to), pair(barb(-1.0)))
 }
 
 /// An arrow that moves, hidden where it has no ends; nothing at all without any.
@@ -137,14 +136,42 @@ pub(super) fn moving_arrow(
     timing: Option<Timing>,
     look: &str,
 ) -> String {
-    let Some(filled) = filled(ends) else { return String::new() };
-    let paths: Vec<String> = filled.into_iter().map(|ends| arrow(ends, is_double)).collect();
-    let seen: Vec<bool> = ends.iter().map(Option::is_some).collect();
+    let paths = ends.iter().map(|ends| ends.map(|ends| arrow(ends, is_double)));
+    moving_path(&paths.collect::<Vec<_>>(), timing, look)
+}
+
+/// A bent line with a head at its end.
+pub(super) fn turning_arrow(line: &[Spot]) -> String {
+    let drawn = path(line, false);
+    match line {
+        // The head of the last side alone would be as short as that side.
+        [.., from, to] => {
+            let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+            let longer = HEAD / 0.45 / dx.hypot(dy).max(1e-9);
+            let tail = [to[0] - longer * dx, to[1] - longer * dy];
+            drawn + &barbs([tail, *to])
+        }
+        _ => drawn,
+    }
+}
+
+/// A line that moves, hidden where there is none; nothing at all without any. All have the same corners.
+pub(super) fn moving_path(paths: &[Option<String>], timing: Option<Timing>, look: &str) -> String {
+    let Some(first) = paths.iter().flatten().next() else { return String::new() };
+    let mut last = first.clone();
+    let fill = |path: &Option<String>| {
+        if let Some(path) = path {
+            last.clone_from(path);
+        }
+        last.clone()
+    };
+    let filled: Vec<String> = paths.iter().map(fill).collect();
+    let seen: Vec<bool> = paths.iter().map(Option::is_some).collect();
     let hidden = if seen[0] { "" } else { r#" opacity="0""# };
     let moves = timing
-        .map(|timing| timing.animate("d", &paths) + &timing.visible(&seen))
+        .map(|timing| timing.animate("d", &filled) + &timing.visible(&seen))
         .unwrap_or_default();
-    format!(r#"<path d="{}"{hidden} fill="none" {look}>{moves}</path>"#, paths[0])
+    format!(r#"<path d="{}"{hidden} fill="none" {look}>{moves}</path>"#, filled[0])
 }
 
 /// How long the scale bar is, in pixels, and what it says.

@@ -1,4 +1,4 @@
-//! The paths of points, faint poses, and forces.
+//! The paths of points, and faint poses.
 
 use std::format;
 use std::string::{String, ToString};
@@ -9,9 +9,7 @@ use super::boxes::Box2;
 use super::error::SketchError;
 use super::plan::Plan;
 use super::scene::{Scene, Spot};
-use super::style::Palette;
-use super::svg::{Timing, View, path, short, three_digits};
-use super::symbols::moving_arrow;
+use super::svg::{View, path, short};
 
 /// The point of this name.
 pub(super) fn point(plan: &Plan, name: &str) -> Result<usize, SketchError> {
@@ -148,68 +146,6 @@ pub(super) fn is_closed(scene: &Scene) -> bool {
         (None, None) => true,
         _ => false,
     })
-}
-
-/// A force on a point, in every pose.
-#[derive(Clone, Debug)]
-pub(super) struct Force {
-    pub point: usize,
-    /// From where to where the arrow goes, on the page.
-    ends: Vec<Option<[Spot; 2]>>,
-    /// The largest of all forces, in newtons.
-    largest: f64,
-}
-
-/// Length of the largest force's arrow.
-const LONGEST: f64 = 80.0;
-
-impl Force {
-    /// All forces, to one scale.
-    pub(super) fn all(
-        scene: &Scene,
-        view: View,
-        forces: &[(String, Vec<[f64; 2]>)],
-    ) -> Result<Vec<Self>, SketchError> {
-        let sizes = forces.iter().flat_map(|(_, force)| force).map(|[x, y]| x.hypot(*y));
-        let largest = sizes.filter(|size| size.is_finite()).fold(0.0, f64::max);
-        let of = |(name, force): &(String, Vec<[f64; 2]>)| {
-            let point = point(scene.plan, name)?;
-            let ends = |frame: usize| {
-                // One force is the same in all poses.
-                let &[x, y] = force.get(scene.pose(frame)).or(force.last())?;
-                let at = view.pixels(scene.point(frame, point)?);
-                let tip = [at[0] + x / largest * LONGEST, at[1] - y / largest * LONGEST];
-                tip.iter().all(|x| x.is_finite()).then_some([at, tip])
-            };
-            Ok(Self { point, ends: scene.frames().map(ends).collect(), largest })
-        };
-        forces.iter().map(of).collect()
-    }
-
-    pub(super) fn extent(&self) -> Box2 {
-        Box2::around(self.ends.iter().flatten().flatten().copied())
-    }
-
-    pub(super) fn line(&self, frame: usize) -> Option<[Spot; 2]> {
-        self.ends[frame]
-    }
-
-    pub(super) fn shift(&mut self, by: Spot) {
-        let ends = self.ends.iter_mut().flatten().flatten();
-        ends.for_each(|spot| *spot = [spot[0] + by[0], spot[1] + by[1]]);
-    }
-
-    pub(super) fn drawn(&self, timing: Option<Timing>, palette: &Palette) -> String {
-        let look = format!(r#"stroke="{}" stroke-width="2" stroke-linecap="round""#, palette.ink);
-        moving_arrow(&self.ends, false, timing, &look)
-    }
-}
-
-/// What the longest arrow stands for.
-pub(super) fn force_scale(forces: &[Force]) -> Option<String> {
-    let largest = forces.first()?.largest;
-    let (value, unit) = if largest >= 1e3 { (largest / 1e3, "kN") } else { (largest, "N") };
-    Some(format!("longest arrow: {} {unit}", three_digits(value)))
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ type Spot = [f64; 2];
 
 /// A sketch with something written over it.
 pub struct Figure {
+    theme: Theme,
     palette: Palette,
     view: View,
     /// What the sketch draws, and its size.
@@ -47,6 +48,7 @@ impl Figure {
         let (below, above) = (String::new(), String::new());
         let sketch = inside.to_string();
         Ok(Self {
+            theme,
             palette: theme.palette(),
             view,
             sketch,
@@ -267,14 +269,15 @@ impl Figure {
         let shift = left + 0.5 * (width - self.size[0] - left - right).max(0.0);
         let statement =
             self.statement.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-        format!(
+        let figure = format!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img"><title>{statement}</title><rect width="{width}" height="{height}" fill="{paper}"/><g transform="translate({shift} {top})">{}{}{}</g><text x="14" y="{}" font-family="monospace" font-size="13" fill="{ink}">{statement}</text></svg>
 "#,
             self.below,
             self.sketch,
             self.above,
             height - 16.0
-        )
+        );
+        self.theme.applied_to(&figure)
     }
 }
 

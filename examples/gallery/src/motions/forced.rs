@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use linkage_core::SolveError;
 use linkage_core::sketch::Film;
 
-use super::{POSES, Piece, turn};
+use super::{Kind, POSES, Piece, turn};
 use crate::declarations::{
     andrews_squeezer, cart, computed_torque, counterweight, crane, dead_point, parallelograms,
     run_up, vibration,
@@ -15,32 +15,38 @@ pub(super) fn pieces() -> Vec<Piece> {
     let mut pieces = vec![
         Piece {
             name: "vibration::Oscillator",
+            kind: Kind::Free,
             text: "A mass on a spring, let go, over two periods.",
             film: oscillator(),
         },
         Piece {
             name: "vibration::TwoMasses",
+            kind: Kind::Free,
             text: "Two masses in a row on two springs; the outer one was pulled and let go.",
             film: two_masses(),
         },
         Piece {
             name: "andrews_squeezer::Squeezer",
+            kind: Kind::Free,
             text: "Andrews' squeezing mechanism under a constant torque, 500 times slower.",
             film: squeezer(),
         },
         Piece {
             name: "parallelograms::TwoParallelograms",
+            kind: Kind::Free,
             text: "Two parallelograms, let go where their cranks are level.",
             film: falling(),
         },
         Piece {
             name: "crane::Crane",
+            kind: Kind::Free,
             text: "A crane that speeds up and brakes within a period of its load, which then hangs still.",
             film: riding(),
         },
         Piece {
             name: "dead_point::ByLeft",
-            text: "A triple-rocker swings; its left rocker is the coordinate.",
+            kind: Kind::FourBar,
+            text: "A triple-rocker, its left rocker moved to and fro; the example lets it swing.",
             film: dead_point::ByLeft::new().film(turn().map(|q| -0.6 * (1.0 - q.cos()))).trace("C"),
         },
     ];
@@ -52,31 +58,37 @@ fn turning() -> Vec<Piece> {
     vec![
         Piece {
             name: "dead_point::ByRight",
-            text: "The same by its right rocker.",
+            kind: Kind::FourBar,
+            text: "The same triple-rocker, its right rocker moved to and fro.",
             film: dead_point::ByRight::new().film(turn().map(|q| 2.35 - 0.5 * q.cos())).trace("B"),
         },
         Piece {
             name: "run_up::FourBar",
-            text: "The four-bar that a motor runs up.",
+            kind: Kind::FourBar,
+            text: "A four-bar at constant speed; the example runs it up by a motor.",
             film: run_up::FourBar::new().film(turn()).trace("C"),
         },
         Piece {
             name: "cart::Steering",
+            kind: Kind::SixBar,
             text: "The steering of a cart: a crank on its gears turns the front wheel's fork.",
             film: cart::Steering::new().film(turn()).trace("C"),
         },
         Piece {
             name: "computed_torque::Robot",
-            text: "The robot whose controller computes the torques, on its circle.",
+            kind: Kind::SeveralInputs,
+            text: "A five-bar robot, its tool on the wanted circle; the example controls it there.",
             film: computed_torque::Robot::new().film(motors()).trace("P"),
         },
         Piece {
             name: "computed_torque::Arms",
-            text: "The same by the tool's place.",
+            kind: Kind::SeveralInputs,
+            text: "The same robot by the place of its tool.",
             film: computed_torque::Arms::new().film(circle()).trace("P"),
         },
         Piece {
             name: "counterweight::FourBar",
+            kind: Kind::Loaded,
             text: "The four-bar that is balanced by counterweights.",
             film: counterweight::FourBar::new().film(turn()),
         },

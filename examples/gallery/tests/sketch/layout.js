@@ -55,7 +55,8 @@ const isHard = (shape, ink) => {
   const style = getComputedStyle(shape);
   const width = style.stroke === "none" ? 0 : parseFloat(style.strokeWidth);
   if (shape.closest("[data-trace]")) return false;
-  return shape.closest("[data-link]") !== null || shape.hasAttribute("data-point")
+  return shape.closest("[data-link]") !== null
+    || ["point", "force", "couple"].some((kind) => kind in shape.dataset)
     || (shape.localName === "circle" && shape.r.animVal.value <= 6)
     || width >= 4 || style.stroke === ink || style.fill === ink;
 };
@@ -88,7 +89,8 @@ const check = (film, [name, poses, seconds], report) => {
   const times = poses > 1 ? Array.from({ length: Math.ceil((poses - 1) / 2.5) }, (_, k) => 2.5 * k) : [0];
   for (const time of times) {
     film.setCurrentTime(time / Math.max(1, poses - 1) * seconds);
-    const boxes = texts.filter((text) => opacity(text) > 0.05).map((text) => [text.textContent, letters(text)]);
+    // What is dimmed is passed.
+    const boxes = texts.filter((text) => opacity(text) > 0.9).map((text) => [text.textContent, letters(text)]);
     boxes.forEach(([text, box], nth) => {
       report.texts += 1;
       if (isOutside(box.left, box.top, 1) || isOutside(box.right, box.bottom, 1)) report.add(name, time, text, "the edge");
