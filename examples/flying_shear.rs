@@ -7,8 +7,8 @@
 
 use std::f64::consts::PI;
 
-use charts::{COLOURS, Curve, Panel};
-use linkage_core::{SolveError, mechanism};
+use charts::{COLOURS, Curve, GREY, Panel, rounded};
+use linkage_core::{Point, SolveError, mechanism};
 
 mechanism! {
     /// The shear's crank-rocker.
@@ -43,8 +43,8 @@ fn drive(t: f64) -> [f64; 3] {
 fn main() -> Result<(), SolveError> {
     let shear = FlyingShear::new();
     println!("Flying shear under θ(t) = π/12 (1 − cos(π t/15)) + 115°\n");
-    println!("    t     crank    rocker        ω          α        C.x      C.y  blade.x  blade.y");
-    println!("    s     deg      deg       mrad/s    mrad/s²        mm       mm       mm       mm");
+    println!("    t     crank        DC   ω of DC    α of DC       C.x      C.y  blade.x  blade.y");
+    println!("    s       deg       deg    mrad/s    mrad/s²        mm       mm       mm       mm");
     for step in 0..=30 {
         let t = f64::from(step) * 0.5;
         let [theta, omega, alpha] = drive(t);
@@ -53,8 +53,8 @@ fn main() -> Result<(), SolveError> {
             "{t:5.1} {:9.3} {:9.4} {:9.4} {:10.5} {:9.2} {:8.2} {:8.2} {:8.2}",
             theta.to_degrees(),
             m.position.DC.angle().to_degrees(),
-            m.velocity.DC.omega * 1e3,
-            m.acceleration.DC.alpha * 1e3,
+            rounded(m.velocity.DC.omega * 1e3, 4),
+            rounded(m.acceleration.DC.alpha * 1e3, 5),
             m.position.C.x * 1e3,
             m.position.C.y * 1e3,
             m.position.blade.x * 1e3,
@@ -78,14 +78,19 @@ fn chart(shear: &FlyingShear) -> Result<(), SolveError> {
         c.push((m.position.C.x * 1e3, m.position.C.y * 1e3));
         blade.push((m.position.blade.x * 1e3, m.position.blade.y * 1e3));
     }
+    let pin = |point: Point<f64>| (point.x * 1e3, point.y * 1e3);
     let (mut turn_b, mut turn_c, mut turn_blade) = (vec![], vec![], vec![]);
     for step in 0..=120 {
         let p = shear.position(f64::from(step) * PI / 60.0)?;
-        turn_b.push((p.B.x * 1e3, p.B.y * 1e3));
-        turn_c.push((p.C.x * 1e3, p.C.y * 1e3));
-        turn_blade.push((p.blade.x * 1e3, p.blade.y * 1e3));
+        turn_b.push(pin(p.B));
+        turn_c.push(pin(p.C));
+        turn_blade.push(pin(p.blade));
     }
+    let machine = shear.position(115_f64.to_radians())?;
+    let bars = [(0.0, 0.0), pin(machine.B), pin(machine.blade), pin(machine.C), pin(machine.B)];
     let paths = vec![
+        Curve::named("machine at the start", GREY, bars.into()),
+        Curve::line(GREY, &[pin(machine.C), (665.7, 0.0)]),
         Curve::named("a whole turn", COLOURS[5], turn_b),
         Curve::line(COLOURS[5], &turn_c),
         Curve::line(COLOURS[5], &turn_blade),

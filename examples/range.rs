@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use charts::{COLOURS, Curve, Panel};
 use linkage_core::mechanism;
-use linkage_core::range::{Extrema, RangeError, Stop, Stretches, extrema, extrema_of, limits};
+use linkage_core::range::{End, Extrema, RangeError, Stop, Stretches, extrema, extrema_of, limits};
 
 mechanism! {
     /// A four-bar whose ground is as long as one likes.
@@ -45,7 +45,7 @@ mechanism! {
 /// The whole turn, seen from where the crank lies along the ground.
 const TURN: [f64; 2] = [-PI, PI];
 
-/// What ends the stretches of an input, a line for each stretch.
+/// The stretches of an input and what ends each, a line for each stretch.
 fn described(stretches: &Stretches) -> Vec<String> {
     if stretches.is_whole() {
         return vec!["turns fully".to_owned()];
@@ -55,8 +55,18 @@ fn described(stretches: &Stretches) -> Vec<String> {
         Stop::Limit { group } => format!("{group} at its limit"),
         Stop::ChangePoint { group } => format!("{group} at a change point"),
     };
-    let lines = stretches.iter().map(|stretch| {
-        let [from, to] = [stretch.from, stretch.to];
+    let mut ends: Vec<[End; 2]> =
+        stretches.iter().map(|stretch| [stretch.from, stretch.to]).collect();
+    // What goes on at both ends of the turn is one stretch, across ±180°.
+    if let ([[first, _], .., [_, last]], true) = (&ends[..], ends.len() > 1)
+        && (first.stop, last.stop) == (Stop::Edge, Stop::Edge)
+    {
+        let [_, to] = ends.remove(0);
+        if let Some(last) = ends.last_mut() {
+            last[1] = End { at: to.at + TAU, ..to };
+        }
+    }
+    let lines = ends.into_iter().map(|[from, to]| {
         let degrees = [from.at, to.at].map(f64::to_degrees);
         let stops = if from.stop == to.stop {
             end(from.stop)
@@ -170,9 +180,9 @@ fn chart() -> Result<(), RangeError> {
         "How far a four-bar goes: crank 100 mm, coupler 250 mm, rocker 200 mm",
         3,
         vec![
-            Panel::over("Crank's range", axes("deg"), range),
-            Panel::over("Rocker's swing", axes("deg"), swing),
-            Panel::over("Time ratio", axes("of crank angles"), ratio),
+            Panel::over("Crank's range", axes("crank in deg"), range),
+            Panel::over("Rocker's swing", axes("rocker in deg"), swing),
+            Panel::over("Time ratio", axes("crank angle out over back"), ratio),
         ],
     );
     Ok(())
