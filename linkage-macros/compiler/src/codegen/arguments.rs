@@ -6,10 +6,11 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::identifiers::{SWEEP_ARGUMENTS, argument, text, used};
-use super::token_list::Tokens;
+use super::identifiers::{CIRCLE, SWEEP_ARGUMENTS, argument};
+use super::text::Text;
 use crate::interface::entries::Given;
 use crate::ir::graph::Node;
+use crate::lower::label;
 
 /// What all arguments of all functions are called.
 pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
@@ -85,8 +86,8 @@ impl<'a> Arguments<'a> {
                 Given::Value => order(0),
                 Given::Rate => order(1),
                 Given::Acceleration => order(2),
-                Given::Cosine => plain("cos"),
-                Given::Sine => plain("sin"),
+                Given::Cosine => plain(CIRCLE[0]),
+                Given::Sine => plain(CIRCLE[1]),
                 Given::Loads => match &cx.mechanism.dynamics.loads[..] {
                     [only] => clear_of(&names, argument(&only.name, "")),
                     _ => clear_of(&names, plain("loads")),
@@ -204,25 +205,6 @@ impl<'a> Arguments<'a> {
     }
 
     /// The expression that reads an input or a parameter.
-    pub(super) fn read(&self, node: Node) -> Option<Tokens> {
-        Some(match self.place(node)? {
-            (None, Part::Field(field)) => {
-                let field = used(field);
-                quote!(self.#field).into()
-            }
-            (Some(name), Part::Field(field)) => {
-                let field = used(field);
-                quote!(#name.#field).into()
-            }
-            (Some(name), Part::Index(index)) => {
-                let index = Literal::u32_unsuffixed(index);
-                quote!(#name[#index]).into()
-            }
-            (name, _) => name?.clone().into(),
-        })
-    }
-
-    /// The same as text.
     pub(super) fn written(&self, node: Node) -> Option<String> {
         Some(match self.place(node)? {
             (None, Part::Field(field)) => format!("self.{field}"),
@@ -252,23 +234,14 @@ impl<'a> Arguments<'a> {
         Some((Some(name), part))
     }
 
-    /// What an error calls the input or parameter.
-    pub(super) fn label(&self, node: Node) -> Option<String> {
-        match node {
-            Node::Param(param) => Some(text(&self.cx.mechanism.params[param as usize].name)),
-            Node::Load(load) => Some(text(&self.cx.mechanism.dynamics.loads[load as usize].name)),
-            Node::Drive(input) => {
-                let name = text(&self.cx.mechanism.inputs[input as usize].name);
-                Some(format!("drive of {name}"))
-            }
-            Node::InputCos(_) => Some("cos".to_string()),
-            Node::InputSin(_) => Some("sin".to_string()),
-            Node::Input { input, order } => {
-                let suffix = ["", "_rate", "_acceleration"][usize::from(order)];
-                let name = text(&self.cx.mechanism.inputs[input as usize].name);
-                Some(format!("{name}{suffix}"))
-            }
-            _ => None,
-        }
+    /// A list of inputs and parameters, each with what an error calls it.
+    pub(super) fn labelled(&self, nodes: &[Node]) -> Text {
+        let mut list = Text::default();
+        let read = |&node: &Node| Some((self.written(node)?, label(self.cx.mechanism, node)?));
+        list.put("[").list(nodes.iter().filter_map(read), |to, (value, label)| {
+            to.put(&format!("({value}, {label:?})"));
+        });
+        list.put("]");
+        list
     }
 }

@@ -1,13 +1,14 @@
 //! `Solver`: what the run-time crate asks of a solver, once for all that it does with every mechanism.
 
+use quote::quote;
+
 use super::context::Context;
 use super::identifiers::text;
 use super::input_records::{input_of, of_numbers};
 use super::text::Text;
-use super::{fast_path, tracking};
+use super::{fast_path, results, tracking};
 use crate::interface::EntryId;
 use crate::interface::entries::Analysis;
-use crate::interface::records::Shape;
 
 /// Nothing where not everything is offered that the trait asks for, as in some tests.
 pub(super) fn items(cx: &Context<'_>) -> Text {
@@ -39,10 +40,8 @@ pub(super) fn items(cx: &Context<'_>) -> Text {
 
 /// The type of an entry point's record.
 fn record(cx: &Context<'_>, id: EntryId) -> String {
-    match cx.entry(id).result {
-        Shape::Record(id) => format!("{}<{}>", cx.record(id).name, cx.names.scalar),
-        _ => unreachable!("positions, velocities and motions are records"),
-    }
+    let scalar = &cx.names.scalar;
+    results::ty(cx, cx.entry(id).result, &quote!(#scalar)).to_string()
 }
 
 fn types(cx: &Context<'_>, entries: [EntryId; 3], to: &mut Text) {

@@ -6,7 +6,6 @@ use quote::quote;
 use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{generated, used};
-use super::token_list::Tokens;
 use super::{docs, results, solver};
 use crate::interface::entries::{Analysis, Given};
 use crate::model::mechanism::Param;
@@ -33,8 +32,9 @@ fn jacobian(cx: &Context<'_>) -> TokenStream {
     let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
     let names = arguments.names();
     let (rows, columns, docs) = (cx.rows(), cx.columns(), docs::jacobian(cx));
-    let (matrix, error, result) = (item(cx, "SMatrix"), item(cx, "SolveError"), item(cx, "Result"));
-    let of_lifted = item(cx, "jacobian");
+    let [matrix, error, result] =
+        ["SMatrix", "SolveError", "Result"].map(|name| cx.paths.item(name));
+    let of_lifted = cx.paths.item("jacobian");
     let values = match &cx.mechanism.inputs[..] {
         [_] => quote!([#(#names),*]),
         inputs => {
@@ -64,8 +64,9 @@ fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
     let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
     let (rows, docs) = (cx.rows(), docs::sensitivity(cx));
     let columns = Literal::usize_unsuffixed(params.len());
-    let (matrix, error, result) = (item(cx, "SMatrix"), item(cx, "SolveError"), item(cx, "Result"));
-    let differentiate = item(cx, "differentiate");
+    let [matrix, error, result] =
+        ["SMatrix", "SolveError", "Result"].map(|name| cx.paths.item(name));
+    let differentiate = cx.paths.item("differentiate");
     let fields: Vec<_> = params.iter().map(|param| used(&param.name)).collect();
     let duals: Vec<_> = (0..fields.len()).map(|i| generated(&format!("p{i}_"))).collect();
     let (name, at) = (&cx.names.solver, constant_inputs(cx));
@@ -105,8 +106,4 @@ fn constant_inputs(cx: &Context<'_>) -> TokenStream {
         quote!(#field: #value)
     });
     quote!(#record { #(#fields),* })
-}
-
-fn item(cx: &Context<'_>, name: &str) -> Tokens {
-    cx.paths.item(name)
 }

@@ -5,7 +5,7 @@
 //! stand in an unnamed constant, so that they meet no name of the user's.
 
 mod c_identifiers;
-mod header;
+pub(super) mod header;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;

@@ -24,19 +24,19 @@ fn quoted(own: &[Attribute]) -> String {
 
 /// The words of the user's comments in one line.
 pub(super) fn words(own: &[Attribute]) -> String {
-    let words = own.iter().filter_map(|attribute| match &attribute.meta {
+    let lines: Vec<String> = own_lines(own).collect();
+    lines.iter().flat_map(|line| line.split_whitespace()).collect::<Vec<_>>().join(" ")
+}
+
+/// The user's comments line by line.
+pub(super) fn own_lines(own: &[Attribute]) -> impl Iterator<Item = String> {
+    own.iter().filter_map(|attribute| match &attribute.meta {
         Meta::NameValue(MetaNameValue {
             value: Expr::Lit(ExprLit { lit: Lit::Str(line), .. }),
             ..
         }) => Some(line.value()),
         _ => None,
-    });
-    let words: Vec<String> = words.flat_map(|line| words_of(&line)).collect();
-    words.join(" ")
-}
-
-fn words_of(line: &str) -> Vec<String> {
-    line.split_whitespace().map(str::to_string).collect()
+    })
 }
 
 /// The struct of the mechanism: the page a user lands on.

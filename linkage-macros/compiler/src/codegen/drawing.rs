@@ -38,13 +38,11 @@ fn drawn(cx: &Context<'_>) -> TokenStream {
         ["Drawn", "Plan", "Vec", "Result", "SolveError", "place", "place_open"].map(path);
     let routine = &cx.lowered.routines[PLACED];
     let arguments = Arguments::new(cx, &[Given::Value]);
-    let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
-    let given = routine.reads.iter().filter_map(read);
-    let given: Vec<_> = given.map(|(value, label)| quote!((#value, #label))).collect();
+    let given = arguments.labelled(&routine.reads);
     let (q, checks, input) = (&arguments.names()[0], generated("checks_"), cx.input(float));
     let formulas = formulas::Call { routine: PLACED, stage: 0 }.under(cx, &quote!(#checks));
     let (without, str_) = (generated("without_"), cx.paths.item("str"));
-    let unused = given.is_empty().then(|| quote!(let _ = #q;));
+    let unused = routine.reads.is_empty().then(|| quote!(let _ = #q;));
     let (plan, followed) = (plan(cx), followed(cx));
     quote! {
         impl #drawn for #name<#float> {
@@ -53,7 +51,7 @@ fn drawn(cx: &Context<'_>) -> TokenStream {
 
             fn place(&self, #q: #input) -> #result<#vec<#float>, #error> {
                 #unused
-                #place(&Self::PLAN, &[#(#given),*], |#checks| #formulas)
+                #place(&Self::PLAN, &#given, |#checks| #formulas)
             }
 
             fn place_open(&self, #q: #input, #without: &'static #str_) -> #vec<#float> {
@@ -110,9 +108,7 @@ fn applied(cx: &Context<'_>) -> Option<TokenStream> {
     let number = quote!(#float);
     let arguments = Arguments::new(cx, &routine.given);
     let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
-    let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
-    let given = routine.reads.iter().filter_map(read);
-    let given: Vec<_> = given.map(|(value, label)| quote!((#value, #label))).collect();
+    let given = arguments.labelled(&routine.reads);
     let checks = generated("checks_");
     let formulas = formulas::Call { routine: APPLIED, stage: 0 }.under(cx, &quote!(#checks));
     let points = cx.mechanism.dynamics.forces.iter().flat_map(|force| match force {
@@ -127,7 +123,7 @@ fn applied(cx: &Context<'_>) -> Option<TokenStream> {
         /// What is given and not finite, and what a force is said by and cannot be assembled.
         pub fn applied(&self, #(#declared),*) -> #result<#record, #error> {
             #converted
-            #applied(&<Self as #drawn>::PLAN, &[#(#points),*], &[#(#given),*], |#checks| #formulas)
+            #applied(&<Self as #drawn>::PLAN, &[#(#points),*], &#given, |#checks| #formulas)
         }
     })
 }

@@ -234,7 +234,7 @@ fn is_finite(cx: &Context<'_>, id: EntryId, finite: &Finite) -> TokenStream {
 /// A comparison of inputs with a limit.
 fn is_kept(cx: &Context<'_>, arguments: &Arguments<'_>, bound: &Bound) -> TokenStream {
     let [is_within, fused, at_least] = ["is_within", "fused", "ge"].map(|item| cx.scalar(item));
-    let read = |node| arguments.read(node).expect("what is asked is given");
+    let read = |node| Text::from(arguments.written(node).expect("what is asked is given"));
     let literal = |[wide, narrow]: [f64; 2]| cx.literal(wide, narrow as f32);
     match *bound {
         Bound::Within { value, limit } => {

@@ -56,7 +56,7 @@ pub(super) fn function_name(name: &str) -> Ident {
 pub(super) const SWEEP_ARGUMENTS: [&str; 3] = ["out", "status", "progress"];
 
 /// What given cosines are called.
-const CIRCLE: [&str; 2] = ["cos", "sin"];
+pub(super) const CIRCLE: [&str; 2] = ["cos", "sin"];
 
 /// An argument named after an input, in lower case. It has no span of the input's: an editor would show
 /// every argument of that name where the input is declared.

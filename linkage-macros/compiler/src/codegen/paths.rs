@@ -25,7 +25,7 @@ pub(super) struct Paths {
 }
 
 /// What `private::names` holds: types, traits and variants that most mechanisms need.
-const IMPORTED: [&str; 48] = [
+pub(super) const IMPORTED: [&str; 48] = [
     "AllMet",
     "AngularAcceleration",
     "AngularVelocity",

@@ -86,12 +86,10 @@ fn diagnosed(
     asked: &Asked,
 ) -> TokenStream {
     let [checks, result] = ["checks_", "result_"].map(generated);
-    let read = |&node| Some((arguments.read(node)?, arguments.label(node)?));
-    let given = asked.given.iter().filter_map(read);
-    let given: Vec<_> = given.map(|(value, label)| quote!((#value, #label))).collect();
+    let given = arguments.labelled(&asked.given);
     let (formulas, diagnose) = (call.under(cx, &quote!(#checks)), cx.paths.item("diagnose"));
     if let Shape::Record(_) = entry.result {
-        return quote!(#diagnose(&[#(#given),*], |#checks| #formulas));
+        return quote!(#diagnose(&#given, |#checks| #formulas));
     }
     let (diagnose_all, labels) = (cx.paths.item("diagnose_all"), coefficient_labels(cx, entry));
     let values = results::components(cx, entry.result, "result_");
@@ -103,7 +101,7 @@ fn diagnosed(
     let (scalar, count) = (&cx.names.scalar, Literal::usize_unsuffixed(asked.results.len()));
     quote! {
         #diagnose_all::<#scalar, _, #count>(
-            &[#(#given),*],
+            &#given,
             |#checks| #formulas,
             |#result| [#(#pairs),*],
         )

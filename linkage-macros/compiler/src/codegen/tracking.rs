@@ -6,14 +6,14 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::identifiers::function_name;
+use super::identifiers::{function_name, used};
 use super::input_records::{input_of, of_fields, of_numbers};
-use super::solver::marker;
+use super::solver;
 use super::statements::Printer;
 use super::text::Text;
 use crate::interface::entries::Given;
 use crate::lower::routine::Routine;
-use crate::model::mechanism::ParamKind;
+use crate::model::mechanism::{Param, ParamKind};
 
 /// How many groups there are.
 pub(super) fn count(cx: &Context<'_>) -> usize {
@@ -74,19 +74,18 @@ fn told(cx: &Context<'_>, to: &mut Text) {
     if cx.numeric_params().is_empty() {
         to.put("let _ = standing_; ");
     }
-    to.put(&format!("let lifted_ = {}:: <{lifted}> {{ ", cx.names.solver));
-    for param in &cx.mechanism.params {
-        let field = &param.name;
-        match param.kind {
-            ParamKind::Number { .. } => to.put(&format!("{field}: standing_(self.{field}), ")),
-            _ => to.put(&format!("{field}: self.{field}, ")),
-        };
-    }
-    if let Some((field, value)) = marker(cx) {
-        let value = quote!(#value);
-        to.put(&format!("{field}: {value}"));
-    }
-    to.put(" };\n");
+    let field = |param: &Param| used(&param.name);
+    let lift = |param: &Param| {
+        let field = field(param);
+        quote!(standing_(self.#field))
+    };
+    let keep = |param: &Param| {
+        let field = field(param);
+        quote!(self.#field)
+    };
+    let solver = &cx.names.solver;
+    let lifted = solver::construct(cx, &quote!(#solver::<#lifted>), lift, keep);
+    to.put(&format!("let lifted_ = {lifted};\n"));
 }
 
 /// A core without guards, as what is out of reach is a number below zero here, not a refusal.

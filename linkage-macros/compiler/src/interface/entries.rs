@@ -52,7 +52,7 @@ pub(super) enum Returns {
     /// A record of this kind: where a mechanism has none, the analysis is not offered.
     Record(Kind),
     /// A row an output, a column an input.
-    Coefficients,
+    Matrix,
     /// A number for every input, and its name in errors.
     OfInputs(&'static str),
 }
@@ -237,7 +237,7 @@ const COEFFICIENTS: Row = Row {
     name: "coefficients",
     name_at: None,
     subject: "Kinematic coefficients ∂outputs/∂inputs",
-    returns: Returns::Coefficients,
+    returns: Returns::Matrix,
     sweeps: false,
     errors: [" An input that no coefficient depends on is not looked at."; 2],
     ..POSITION

@@ -44,7 +44,7 @@ pub(crate) fn of_result(
 ) -> Vec<String> {
     match entry.point.row().returns {
         Returns::Record(_) => of_shape(interface, mechanism, entry.result),
-        Returns::Coefficients => {
+        Returns::Matrix => {
             let inputs = mechanism.inputs.iter().map(|input| input.name.unraw().to_string());
             let rows = all_rows(mechanism);
             let column =

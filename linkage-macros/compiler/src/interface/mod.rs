@@ -48,7 +48,7 @@ impl Interface {
         let result = |row: &Row| match row.returns {
             _ if row.topic == Topic::Dynamics && !has_mass => None,
             Returns::Record(kind) => of_kind(kind).map(Shape::Record),
-            Returns::Coefficients => Some(Shape::Matrix { rows, columns }),
+            Returns::Matrix => Some(Shape::Matrix { rows, columns }),
             Returns::OfInputs(_) if columns == 1 => Some(Shape::Number),
             Returns::OfInputs(_) => Some(Shape::List(columns)),
         };
@@ -95,7 +95,7 @@ impl Interface {
     pub(crate) fn is_used(&self, record: &Record) -> bool {
         match record.kind {
             Kind::Margins => self.has(Analysis::Margins),
-            Kind::Equations => self.has(Analysis::EquationsOfMotion),
+            Kind::Equations => self.entries.iter().any(|entry| entry.point.is_about_dynamics()),
             _ => true,
         }
     }

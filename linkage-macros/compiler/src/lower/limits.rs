@@ -6,7 +6,7 @@ use crate::ir::graph::Node;
 
 /// Within these limits no value overflows on the way.
 #[derive(Clone, Debug)]
-pub(super) struct Limits {
+pub(super) struct InputLimits {
     /// Whether there are limits for double precision, and for single precision.
     pub widths: [bool; 2],
     /// The largest magnitude of each of these inputs in either width.
@@ -15,16 +15,16 @@ pub(super) struct Limits {
 
 /// The angles for which sines are right without a look at more of π, in rad, in both widths: 2²⁰ and some
 /// 8192 turns.
-const NEAR: [f64; 2] = [1_048_576.0, 51_471.0];
+pub(crate) const NEAR: [f64; 2] = [1_048_576.0, 51_471.0];
 
 /// The test of an entry point with these witnesses; none where nothing can be other than finite.
 pub(super) fn finite(
     witnesses: &[usize],
-    limits: Option<Limits>,
+    limits: Option<InputLimits>,
     takes_cosine: bool,
 ) -> Option<Finite> {
     let sum = sum(witnesses)?;
-    let instead = limits.map(|Limits { widths, inputs }| match takes_cosine {
+    let instead = limits.map(|InputLimits { widths, inputs }| match takes_cosine {
         true if !inputs.is_empty() => (widths, vec![on_circle(&inputs)]),
         _ => (widths, within(&inputs)),
     });
@@ -93,7 +93,7 @@ mod tests {
             SECOND => (node, [100.0, 1e4]),
             _ => (node, [10.0, 100.0]),
         });
-        let limits = Limits { widths: [true; 2], inputs: inputs.collect() };
+        let limits = InputLimits { widths: [true; 2], inputs: inputs.collect() };
         let finite = finite(&[0], Some(limits), takes_cosine).expect("there is a witness");
         finite.instead.expect("there are limits").1
     }

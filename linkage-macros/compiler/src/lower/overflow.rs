@@ -9,7 +9,7 @@
 //! It is worth a fifth of a solver's instructions: `measurements.md` of the run-time crate says how
 //! that was counted.
 
-use super::limits::Limits;
+use super::limits::InputLimits;
 use super::ranges::{Assumed, Thresholds, Values};
 use super::routine::Threshold;
 use super::witnesses::witnesses;
@@ -125,14 +125,14 @@ impl Overflow {
     }
 
     /// The limits on the inputs that lead to some of the sinks.
-    pub(super) fn limits(&self, graph: &Graph, sinks: &[Id]) -> Limits {
+    pub(super) fn limits(&self, graph: &Graph, sinks: &[Id]) -> InputLimits {
         let input = |width: &Option<Width>, largest| width.as_ref().map_or(largest, |w| w.input);
         let first = [input(&self.wide, f64::MAX), input(&self.narrow, f64::from(f32::MAX))];
         let limit = |node| match node {
             Node::Input { order: 2, .. } => (node, first.map(|bound| bound * bound)),
             _ => (node, first),
         };
-        Limits {
+        InputLimits {
             widths: [self.wide.is_some(), self.narrow.is_some()],
             inputs: asked(graph, sinks).into_iter().map(limit).collect(),
         }

@@ -2,6 +2,8 @@
 //!
 //! A statement names nodes of the graph; there is no second language of expressions.
 
+use syn::ext::IdentExt;
+
 use super::apart::Apart;
 use crate::interface::entries::Given;
 use crate::interface::records::Shape;
@@ -12,6 +14,7 @@ use crate::ir::graph::{Graph, Id, Node, Sought, Wanted};
 use crate::ir::hash::{Map, Set};
 use crate::ir::liveness::{Path, unguarded};
 use crate::ir::program::Program;
+use crate::model::mechanism::Mechanism;
 
 /// A program, ready to be printed.
 pub(crate) struct Lowered<'p> {
@@ -226,6 +229,22 @@ pub(crate) fn is_leaf(node: Node) -> bool {
             | Node::Load(_)
             | Node::Drive(_)
     )
+}
+
+/// What an error calls an input or a parameter.
+pub(crate) fn label(mechanism: &Mechanism, leaf: Node) -> Option<String> {
+    let input = |input: u32| mechanism.inputs[input as usize].name.unraw();
+    Some(match leaf {
+        Node::Param(param) => mechanism.params[param as usize].name.unraw().to_string(),
+        Node::Load(load) => mechanism.dynamics.loads[load as usize].name.unraw().to_string(),
+        Node::Drive(of) => format!("drive of {}", input(of)),
+        Node::InputCos(_) => "cos".to_string(),
+        Node::InputSin(_) => "sin".to_string(),
+        Node::Input { input: of, order } => {
+            format!("{}{}", input(of), ["", "_rate", "_acceleration"][usize::from(order)])
+        }
+        _ => return None,
+    })
 }
 
 impl Locals {

@@ -1,8 +1,6 @@
 //! The text of the header: the types and functions as C sees them, field for field what the
 //! generated Rust lays out.
 
-use syn::{Attribute, Expr, ExprLit, Lit, Meta};
-
 use super::PARAMETERS;
 use super::c_identifiers::{Width, default, distinct, function, snake_case};
 use crate::codegen::arguments::{Arguments, Form};
@@ -17,13 +15,13 @@ use crate::interface::units_in_words::unit;
 use crate::model::mechanism::{Param, ParamKind};
 
 /// What all headers share: status codes, modes and the records that outputs are made of.
-const SHARED: &str = include_str!("linkage.h");
+pub(in crate::codegen) const SHARED: &str = include_str!("linkage.h");
 
 /// The records that forces are made of, where they are asked for.
 const FORCES: &str = include_str!("forces.h");
 
 /// The status of mechanisms in which something is searched.
-const NO_SOLUTION: &str = "\
+pub(in crate::codegen) const NO_SOLUTION: &str = "\
 /* The unknown `name` has no solution of its mode between its ends; `by` is left of its equation. */
 #define LINKAGE_NO_SOLUTION 8
 /* The equation of `name` has several dead points between its ends: narrow the interval. */
@@ -59,7 +57,7 @@ pub(super) fn text(cx: &Context<'_>) -> String {
 
 fn about(cx: &Context<'_>, solver: &str) -> String {
     let mut lines = vec![format!("{solver}, generated from its declaration in Rust; do not edit.")];
-    lines.extend(own_words(&cx.mechanism.docs));
+    lines.extend(docs::own_lines(&cx.mechanism.docs).map(|line| line.trim().to_string()));
     lines.extend(
         [
             "",
@@ -71,18 +69,6 @@ fn about(cx: &Context<'_>, solver: &str) -> String {
         .map(str::to_string),
     );
     comment(&lines, "")
-}
-
-/// The user's doc comments, line by line.
-fn own_words(attributes: &[Attribute]) -> Vec<String> {
-    let line = |attribute: &Attribute| match &attribute.meta {
-        Meta::NameValue(pair) => match &pair.value {
-            Expr::Lit(ExprLit { lit: Lit::Str(line), .. }) => Some(line.value().trim().to_string()),
-            _ => None,
-        },
-        _ => None,
-    };
-    attributes.iter().filter_map(line).collect()
 }
 
 /// A comment of one line or several. What would end it or begin another is taken apart, and our

@@ -7,6 +7,7 @@ mod fixture;
 mod groups;
 mod guards;
 mod one_root;
+mod run_time;
 mod spans;
 mod turning;
 
@@ -200,8 +201,7 @@ fn constants_are_rounded_to_both_widths_and_beyond_a_width_are_infinite() {
     assert!(straight.contains("T::num(1e300)"), "{straight}");
 }
 
-/// Just above the middle between two numbers of the narrow width; rounded to the wide one first, in the
-/// middle, and from there to the even one below.
+/// Just above the middle of two numbers of `f32`; rounded to `f64` first, the middle, and then the even one.
 #[test]
 fn a_constant_that_rounding_twice_would_change_is_two_literals() {
     let text = expand(&one_value(|g| {
