@@ -13,7 +13,7 @@ use quote::quote;
 use self::c_identifiers::Width;
 use super::arguments::{Arguments, Form};
 use super::context::{Context, literal};
-use super::identifiers::{function_name, generated, string, text, used};
+use super::identifiers::{generated, string, text, used};
 use super::{results, solver};
 use crate::interface::entries::Entry;
 use crate::model::mechanism::{Param, ParamKind, Sign};
@@ -98,7 +98,7 @@ fn mode(cx: &Context<'_>, param: &Param) -> TokenStream {
 /// The function that returns the parameters as declared.
 fn default(cx: &Context<'_>, width: Width) -> TokenStream {
     let number = cx.paths.item(width.in_rust());
-    let name = function_name(&c_identifiers::default(&cx.names.solver, width));
+    let name = generated(&c_identifiers::default(&cx.names.solver, width));
     let fields = cx.mechanism.params.iter().map(|param| {
         let field = used(&param.name);
         let value = match &param.kind {
@@ -178,8 +178,8 @@ fn reply(cx: &Context<'_>) -> TokenStream {
 
 /// One entry point for one width.
 fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
-    let name = function_name(&c_identifiers::function(&cx.names.solver, of, width));
-    let method = function_name(of.name());
+    let name = generated(&c_identifiers::function(&cx.names.solver, of, width));
+    let method = generated(of.name());
     let number = cx.paths.item(width.in_rust());
     let number = quote!(#number);
     let arguments = Arguments::new(cx, &of.given);

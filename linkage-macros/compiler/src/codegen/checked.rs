@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::context::Context;
-use super::identifiers::{function_name, generated};
+use super::identifiers::generated;
 use super::token_list::Tokens;
 use super::{arguments::Arguments, docs, fast_path, results, slow_path};
 use crate::interface::EntryId;
@@ -18,7 +18,7 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let arguments = Arguments::new(cx, &entry.given);
     let (declared, converted) = (arguments.declared(&scalar), arguments.converted(&scalar));
     let result = results::ty(cx, entry.result, &scalar);
-    let name = function_name(entry.name());
+    let name = generated(entry.name());
     let docs = docs::checked(cx, id);
     let (outcome, error, ok) =
         (cx.paths.item("Result"), cx.paths.item("SolveError"), cx.paths.item("Ok"));

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::identifiers::{Names, function_name};
+use super::identifiers::{Names, generated};
 use super::paths::Paths;
 use super::text::Text;
 use super::token_list::Tokens;
@@ -112,7 +112,7 @@ impl<'a> Context<'a> {
 
     /// A function of the type parameter, which nothing but its bound can provide.
     pub(super) fn scalar(&self, function: &str) -> Tokens {
-        Tokens::path(self.number(), function_name(function))
+        Tokens::path(self.number(), generated(function))
     }
 
     /// What has the functions of numbers.

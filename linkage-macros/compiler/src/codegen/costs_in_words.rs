@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::identifiers::{function_name, text};
+use super::identifiers::{generated, text};
 use super::token_list::Tokens;
 use crate::interface::EntryId;
 use crate::interface::entries::Analysis;
@@ -42,7 +42,7 @@ pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
     let points = points.filter(|point| point.row().has_cost);
     let fields = points.filter(|point| has_forces || !point.is_about_forces()).map(|point| {
         let cost = cx.interface.find(point).map_or_else(Operations::default, |id| of(cx, id));
-        let (name, cost) = (function_name(point.name()), record(cx, cost));
+        let (name, cost) = (generated(point.name()), record(cx, cost));
         quote!(#name: #cost)
     });
     let searches = cx.searches().then(|| searches(cx)).map(|searches| quote!(searches: #searches));

@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::identifiers::{function_name, generated};
+use super::identifiers::generated;
 use super::text::Text;
 use super::{doc_comments, docs, formulas, results};
 use crate::interface::EntryId;
@@ -17,13 +17,13 @@ use crate::lower::routine::{Adapted, Asked, Bound, Compute, Finite, Sum};
 /// the public function, where that has.
 pub(super) fn core_name(cx: &Context<'_>, entry: &Entry) -> Ident {
     match has_core(cx, entry) {
-        true => function_name(&format!("core_{}_", entry.name())),
+        true => generated(&format!("core_{}_", entry.name())),
         false => public_name(entry),
     }
 }
 
 fn public_name(entry: &Entry) -> Ident {
-    function_name(&format!("solve_{}", entry.name()))
+    generated(&format!("solve_{}", entry.name()))
 }
 
 /// Whether the public function turns its arguments into others before anything is computed.
@@ -150,7 +150,7 @@ pub(super) fn following(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
 
 /// The name of the function that [`following`] makes.
 pub(super) fn following_name(entry: &Entry) -> Ident {
-    function_name(&format!("follow_{}_", entry.name()))
+    generated(&format!("follow_{}_", entry.name()))
 }
 
 /// [`compared`], the conditions by these checks.

@@ -10,7 +10,7 @@ use quote::{ToTokens, quote};
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::identifiers::{function_name, generated, used};
+use super::identifiers::{generated, used};
 use super::results;
 use super::statements::Printer;
 use super::text::Text;
@@ -29,7 +29,7 @@ impl Call {
     /// The result under the checks.
     pub(super) fn under(self, cx: &Context<'_>, checks: &TokenStream) -> TokenStream {
         let routine = &cx.lowered.routines[self.routine];
-        let name = function_name(&routine.name);
+        let name = generated(&routine.name);
         let arguments = Arguments::new(cx, &routine.given);
         let last = routine.stages.len() - 1;
         if last == 0 {
@@ -62,7 +62,7 @@ pub(super) fn functions(cx: &Context<'_>) -> TokenStream {
 fn function(cx: &Context<'_>, routine: &Routine) -> TokenStream {
     let mut lines = Text::long();
     let printer = Printer::beginning(cx, routine, &mut lines);
-    let name = function_name(&routine.name);
+    let name = generated(&routine.name);
     match &routine.stages[..] {
         [only] => {
             printer.statements(&only.statements, &mut lines);

@@ -42,13 +42,9 @@ pub(super) fn clear_of(preferred: &str, solver: &Ident) -> Ident {
     Ident::new(&format!("{preferred}{clash}"), Span::call_site())
 }
 
-/// A local that no identifier outside the generated code can meet: its name ends in an underscore.
+/// A function that the generated code defines, or a local that no identifier outside it can meet: a local's
+/// name ends in an underscore.
 pub(super) fn generated(name: &str) -> Ident {
-    Ident::new(name, Span::call_site())
-}
-
-/// A function that the generated code defines.
-pub(super) fn function_name(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
 }
 

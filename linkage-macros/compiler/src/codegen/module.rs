@@ -9,7 +9,7 @@ use quote::quote;
 use syn::Visibility;
 
 use super::context::Context;
-use super::identifiers::{function_name, text};
+use super::identifiers::{generated, text};
 use super::paths::{a_module_can_hold, seen_from_inside};
 use crate::interface::entries::Analysis;
 
@@ -62,7 +62,7 @@ pub(super) fn allowed_outside(cx: &Context<'_>) -> Option<TokenStream> {
 }
 
 fn name(solver: &Ident) -> Ident {
-    function_name(&format!("{}_", text(solver)))
+    generated(&format!("{}_", text(solver)))
 }
 
 /// How visible the structs are inside the module, so that they are outside what is declared.

@@ -6,7 +6,7 @@ use quote::quote;
 use super::context::Context;
 use super::costs_in_words::{self, MOST};
 use super::doc_comments;
-use super::identifiers::{function_name, generated, text};
+use super::identifiers::{generated, text};
 use super::statements::Printer;
 use super::text::Text;
 use crate::interface::quantity::Order;
@@ -39,7 +39,7 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     lines.put("[").list(search.sought.sides, |to, side| printer.value(side, to)).put("]");
     let given: Vec<_> = given.collect();
     let (real, plain) = (cx.paths.item("Real"), generated("plain_"));
-    let (name, docs) = (function_name(&search.routine.name), docs(cx, search));
+    let (name, docs) = (generated(&search.routine.name), docs(cx, search));
     if let Wanted::End(end) = search.sought.wanted {
         let (bound, end) = (cx.paths.item("bound"), Literal::u8_unsuffixed(end));
         return quote! {
@@ -51,33 +51,27 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
             }
         };
     }
-    if let Some(apart) = search.apart {
-        let [seed, by_seed] = ["Seed", "root_by_seed"].map(|item| cx.paths.item(item));
-        let (side, seed_name) = (apart_of(cx, &printer, search, apart), generated("seed_"));
-        return quote! {
-            #docs
-            fn #name(
-                &self,
-                [#(#given),*]: [#scalar; #count],
-                #seed_name: #option<&mut #seed<#scalar>>,
-            ) -> #result<[#scalar; 2], #error> {
-                let #plain = || {
-                    self.lift::<<#scalar as #real>::Plain>()
-                        .#name([#(#real::plain_value(#given)),*], #option::None)
-                };
-                #by_seed([#(#between),*], #trend, #seed_name, #side, #plain, |#trial: #scalar| {
-                    #lines
-                })
-            }
-        };
-    }
+    // By the root before or by a declared seed.
+    let (received, passed, find, begins) = match search.apart {
+        Some(apart) => {
+            let [seed, by_seed] = ["Seed", "root_by_seed"].map(|item| cx.paths.item(item));
+            let (side, name) = (apart_of(cx, &printer, search, apart), generated("seed_"));
+            let received = quote!(, #name: #option<&mut #seed<#scalar>>,);
+            (received, quote!(, #option::None), by_seed, quote!(#name, #side))
+        }
+        None => (TokenStream::new(), TokenStream::new(), find, near),
+    };
     quote! {
         #docs
-        fn #name(&self, [#(#given),*]: [#scalar; #count]) -> #result<[#scalar; 2], #error> {
+        fn #name(
+            &self,
+            [#(#given),*]: [#scalar; #count] #received
+        ) -> #result<[#scalar; 2], #error> {
             let #plain = || {
-                self.lift::<<#scalar as #real>::Plain>().#name([#(#real::plain_value(#given)),*])
+                self.lift::<<#scalar as #real>::Plain>()
+                    .#name([#(#real::plain_value(#given)),*] #passed)
             };
-            #find([#(#between),*], #trend, #near, #plain, |#trial: #scalar| {
+            #find([#(#between),*], #trend, #begins, #plain, |#trial: #scalar| {
                 #lines
             })
         }

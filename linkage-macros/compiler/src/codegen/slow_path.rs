@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::identifiers::{function_name, generated, text};
+use super::identifiers::{generated, text};
 use super::text::Text;
 use super::token_list::Tokens;
 use super::{docs, formulas, results};
@@ -17,7 +17,7 @@ use crate::lower::routine::{Adapted, Asked, Compute};
 
 /// The name of the function on the slow path of an entry point.
 fn name(entry: &Entry) -> Ident {
-    function_name(&format!("diagnose_{}_", entry.name()))
+    generated(&format!("diagnose_{}_", entry.name()))
 }
 
 /// What a public function returns where its fast path gave no answer.

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::context::{Context, literal};
-use super::identifiers::{function_name, text};
+use super::identifiers::{generated, text};
 use super::token_list::Tokens;
 use super::{costs_in_words, docs, identifiers, module, structs};
 use crate::interface::{forces, labels};
@@ -58,7 +58,7 @@ pub(super) fn marker(cx: &Context<'_>) -> Option<(Ident, Tokens)> {
         name.push('_');
     }
     let phantom = cx.paths.item("PhantomData");
-    cx.numeric_params().is_empty().then(|| (function_name(&name), phantom))
+    cx.numeric_params().is_empty().then(|| (generated(&name), phantom))
 }
 
 /// `Self { … }` with every field given by the expression made for its parameter.

@@ -177,19 +177,16 @@ fn as_array(cx: &Context<'_>, id: RecordId, to: &mut Text) {
     let array = format!("[{scalar}; {count}]");
     to.put(&format!("impl<{scalar}> {trait_} for {name}<{scalar}> {{ type Number = {scalar}; "));
     to.put(&format!("type Array = {array}; const LABELS: & 'static [& 'static {str_}] = &"));
-    labels_of(cx, id, to);
+    let labels = labels::of_record(cx.interface, cx.mechanism, id);
+    to.put("[").list(labels, |to, label| {
+        to.put(&format!("{label:?}"));
+    });
+    to.put("]");
     // Always inlined on the way out: lanes must stay in registers of their own instruction set.
     to.put(&format!("; #[inline(always)] fn into_array(self) -> {array} {{ ")).append(&taken);
     to.put(" } #[inline] fn from_array(").append(&pattern);
     to.put(&format!(": {array}) -> Self {{ ")).append(&made);
     to.put(" } }\n");
-}
-
-/// What its numbers are.
-fn labels_of(cx: &Context<'_>, id: RecordId, to: &mut Text) {
-    let labels = labels::of_record(cx.interface, cx.mechanism, id);
-    let list: Vec<String> = labels.iter().map(|label| format!("{label:?}")).collect();
-    to.put("[").put(&list.join(", ")).put("]");
 }
 
 /// A record of records, to and from the numbers of all of them: taken apart and joined as lists, since

@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::arguments::{Arguments, Form};
 use super::context::Context;
-use super::identifiers::{function_name, generated, used};
+use super::identifiers::{generated, used};
 use super::token_list::Tokens;
 use super::{docs, fast_path, results};
 use crate::interface::EntryId;
@@ -98,7 +98,7 @@ impl<'a> Sweep<'a> {
         let inputs = self.inputs();
         let slices = results::ty(cx, entry.result, &quote!(&mut [#scalar]));
         let outputs = self.numbers_of(&quote!(out));
-        let function = function_name(&format!("sweep_{}", entry.name()));
+        let function = generated(&format!("sweep_{}", entry.name()));
         let docs = docs::sweep(cx, self.id);
         quote! {
             #docs
@@ -124,7 +124,7 @@ impl<'a> Sweep<'a> {
         let [float, any, trait_, once, result, error] =
             ["Float", "Scalar", "Entry", "FnOnce", "Result", "SolveError"]
                 .map(|item| cx.paths.item(item));
-        let (core, method) = (fast_path::core_name(cx, entry), function_name(entry.name()));
+        let (core, method) = (fast_path::core_name(cx, entry), generated(entry.name()));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.call(&locals);
         let single = self.put_found(quote!(self.#method(#(#arguments),*)));

@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::identifiers::{function_name, used};
+use super::identifiers::{generated, used};
 use super::input_records::{input_of, of_fields, of_numbers};
 use super::solver;
 use super::statements::Printer;
@@ -123,7 +123,7 @@ fn on_the_way(cx: &Context<'_>, to: &mut Text) {
         to.put("let _ = (lifted_, input_, of_); [] }\n");
         return;
     };
-    let (told, function) = (cx.paths.written("told"), function_name(&routine.name));
+    let (told, function) = (cx.paths.written("told"), generated(&routine.name));
     let turns = routine.given.first() == Some(&Given::Cosine);
     if turns {
         to.put(&format!("let (sin_, cos_) = {}::sin_cos(", cx.names.lifted));

@@ -1,11 +1,9 @@
 //! Every record of a mechanism, with its fields.
 
-use proc_macro2::Ident;
-
 use crate::interface::forces;
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{
-    Field, Kind, Record, RecordId, Shape, Subject, field_of_motion, is_margin, record,
+    Kind, Record, RecordId, Shape, Subject, field, field_of_motion, is_margin, own_field, record,
 };
 use crate::model::mechanism::Mechanism;
 
@@ -45,19 +43,15 @@ pub(super) fn records(mechanism: &Mechanism) -> Vec<Record> {
 }
 
 fn inputs(mechanism: &Mechanism) -> Record {
-    let fields = mechanism.inputs.iter().enumerate().map(|(index, input)| Field {
-        name: input.name.clone(),
-        shape: Shape::Number,
-        subject: Subject::Input(index),
-    });
+    let fields = mechanism.inputs.iter().enumerate();
+    let fields = fields.map(|(at, input)| field(&input.name, Shape::Number, Subject::Input(at)));
     record(mechanism, "Input", Kind::Inputs, fields.collect())
 }
 
 fn outputs(mechanism: &Mechanism, order: Order) -> Record {
-    let fields = mechanism.outputs.iter().enumerate().map(|(index, output)| Field {
-        name: output.field.clone(),
-        shape: Shape::Quantity(Quantity::of(&output.kind), order),
-        subject: Subject::Output(index, order),
+    let fields = mechanism.outputs.iter().enumerate().map(|(index, output)| {
+        let shape = Shape::Quantity(Quantity::of(&output.kind), order);
+        field(&output.field, shape, Subject::Output(index, order))
     });
     let suffix = match order {
         Order::Position => "Position",
@@ -68,20 +62,16 @@ fn outputs(mechanism: &Mechanism, order: Order) -> Record {
 }
 
 fn motion(mechanism: &Mechanism, orders: [RecordId; 3]) -> Record {
-    let fields = Order::ALL.into_iter().zip(orders).map(|(order, record)| Field {
-        name: Ident::new(field_of_motion(order), proc_macro2::Span::call_site()),
-        shape: Shape::Record(record),
-        subject: Subject::Outputs(order),
+    let fields = Order::ALL.into_iter().zip(orders).map(|(order, record)| {
+        own_field(field_of_motion(order), Shape::Record(record), Subject::Outputs(order))
     });
     record(mechanism, "Motion", Kind::Motion, fields.collect())
 }
 
 fn margins(mechanism: &Mechanism) -> Record {
     let outputs = mechanism.outputs.iter().enumerate().filter(|(_, output)| is_margin(output));
-    let fields = outputs.map(|(index, output)| Field {
-        name: output.field.clone(),
-        shape: Shape::Number,
-        subject: Subject::Output(index, Order::Position),
+    let fields = outputs.map(|(index, output)| {
+        field(&output.field, Shape::Number, Subject::Output(index, Order::Position))
     });
     record(mechanism, "Margins", Kind::Margins, fields.collect())
 }

@@ -3,11 +3,12 @@
 
 use std::ops::Range;
 
-use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
 use crate::interface::quantity::{Order, Quantity};
-use crate::interface::records::{Field, Kind, Record, RecordId, Shape, Subject, record};
+use crate::interface::records::{
+    Field, Kind, Record, RecordId, Shape, Subject, field, own_field, record,
+};
 use crate::model::dynamics::{Asked, Effort};
 use crate::model::mechanism::Mechanism;
 
@@ -60,10 +61,8 @@ pub(super) fn owners(mechanism: &Mechanism) -> Vec<Range<usize>> {
 pub(super) fn of_owner(mechanism: &Mechanism, owned: Range<usize>) -> Record {
     let (first, asked) = (owned.start, &mechanism.dynamics.asked);
     let suffix = format!("ForcesOf{}", asked[first].owner.unraw());
-    let fields = owned.map(|index| Field {
-        name: asked[index].field.clone(),
-        shape: shape(asked[index].effort),
-        subject: Subject::Effort(index),
+    let fields = owned.map(|index| {
+        field(&asked[index].field, shape(asked[index].effort), Subject::Effort(index))
     });
     record(mechanism, &suffix, Kind::ForcesOf(first), fields.collect())
 }
@@ -71,49 +70,32 @@ pub(super) fn of_owner(mechanism: &Mechanism, owned: Range<usize>) -> Record {
 /// What has no owner but the whole mechanism: a field of its own.
 pub(super) fn field_of_the_whole(mechanism: &Mechanism, index: usize) -> Option<Field> {
     let asked = &mechanism.dynamics.asked[index];
-    matches!(asked.effort, Effort::Shaking).then(|| Field {
-        name: asked.owner.clone(),
-        shape: shape(asked.effort),
-        subject: Subject::Effort(index),
-    })
+    matches!(asked.effort, Effort::Shaking)
+        .then(|| field(&asked.owner, shape(asked.effort), Subject::Effort(index)))
 }
 
 /// The two parts of the energy.
 pub(super) fn energy(mechanism: &Mechanism) -> Record {
-    let parts = [("kinetic", Subject::KineticEnergy), ("potential", Subject::PotentialEnergy)];
-    let fields = parts.map(|(part, subject)| Field {
-        name: Ident::new(part, proc_macro2::Span::call_site()),
-        shape: Shape::Number,
-        subject,
-    });
-    record(mechanism, "Energy", Kind::Energy, fields.into())
+    let kinetic = own_field("kinetic", Shape::Number, Subject::KineticEnergy);
+    let potential = own_field("potential", Shape::Number, Subject::PotentialEnergy);
+    record(mechanism, "Energy", Kind::Energy, vec![kinetic, potential])
 }
 
 /// The mass matrix, and what acts along the inputs.
 pub(super) fn equations(mechanism: &Mechanism) -> Record {
     let count = mechanism.inputs.len();
-    let matrix = Shape::Matrix { rows: count, columns: count };
-    let parts =
-        [("mass", matrix, Subject::Mass), ("force", Shape::List(count), Subject::GeneralizedForce)];
-    let fields = parts.map(|(part, shape, subject)| Field {
-        name: Ident::new(part, proc_macro2::Span::call_site()),
-        shape,
-        subject,
-    });
-    record(mechanism, "Equations", Kind::Equations, fields.into())
+    let mass = own_field("mass", Shape::Matrix { rows: count, columns: count }, Subject::Mass);
+    let force = own_field("force", Shape::List(count), Subject::GeneralizedForce);
+    record(mechanism, "Equations", Kind::Equations, vec![mass, force])
 }
 
 pub(super) fn field_of_owner(mechanism: &Mechanism, first: usize, record: RecordId) -> Field {
-    let name: Ident = mechanism.dynamics.asked[first].owner.clone();
-    Field { name, shape: Shape::Record(record), subject: Subject::Efforts(first) }
+    let owner = &mechanism.dynamics.asked[first].owner;
+    field(owner, Shape::Record(record), Subject::Efforts(first))
 }
 
 pub(super) fn loads(mechanism: &Mechanism) -> Record {
     let loads = mechanism.dynamics.loads.iter().enumerate();
-    let fields = loads.map(|(index, load)| Field {
-        name: load.name.clone(),
-        shape: Shape::Number,
-        subject: Subject::Load(index),
-    });
+    let fields = loads.map(|(at, load)| field(&load.name, Shape::Number, Subject::Load(at)));
     record(mechanism, "Loads", Kind::Loads, fields.collect())
 }

@@ -101,7 +101,7 @@ impl Interface {
     }
 
     pub(crate) fn record_ids(&self) -> impl Iterator<Item = RecordId> + use<> {
-        RecordId::first(self.records.len())
+        (0..self.records.len()).map(RecordId::of)
     }
 
     pub(crate) fn record(&self, id: RecordId) -> &Record {

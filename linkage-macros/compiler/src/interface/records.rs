@@ -16,11 +16,6 @@ impl RecordId {
         Self(index)
     }
 
-    /// The ids of so many records.
-    pub(super) fn first(count: usize) -> impl Iterator<Item = Self> {
-        (0..count).map(Self)
-    }
-
     pub(super) fn index(self) -> usize {
         self.0
     }
@@ -114,6 +109,15 @@ pub(crate) fn field_of_motion(order: Order) -> &'static str {
         Order::Velocity => "velocity",
         Order::Acceleration => "acceleration",
     }
+}
+
+pub(super) fn field(name: &Ident, shape: Shape, subject: Subject) -> Field {
+    Field { name: name.clone(), shape, subject }
+}
+
+/// A field that no declaration names.
+pub(super) fn own_field(name: &str, shape: Shape, subject: Subject) -> Field {
+    Field { name: Ident::new(name, Span::call_site()), shape, subject }
 }
 
 pub(super) fn record(
