@@ -698,25 +698,32 @@ mod FourBar_ {
                 let bc_dc_d_x_ = T::fused(-k2_, cos, k3_);
                 let v34_ = T::fused(-k0_, cos, T::num(0.1032256));
                 let bc_dc_d2_ = checks_
-                    .square_of_centres(v34_, bc_dc_d_x_, -b_y_, k4_, k5_, "BC, DC");
+                    .guard(
+                        v34_,
+                        private::SquareOfCentres([bc_dc_d_x_, -b_y_, k4_, k5_], "BC, DC"),
+                    );
                 let bc_dc_inverse_d2_ = k6_ / bc_dc_d2_;
                 let bc_dc_i_half_ = T::fused(-k7_, cos, T::num(0.04870958));
                 let v44_ = bc_dc_i_half_ * T::fused(k7_, cos, T::num(0.04161282));
                 let bc_dc_j2_ = checks_
-                    .reach_circles(
+                    .guard(
                         v44_,
-                        [bc_dc_d_x_, -b_y_, k4_, k5_, T::num(0.0903224), k8_],
-                        "BC, DC",
+                        private::ReachCircles(
+                            [bc_dc_d_x_, -b_y_, k4_, k5_, T::num(0.0903224), k8_],
+                            "BC, DC",
+                        ),
                     );
                 let bc_dc_j_ = T::sqrt(bc_dc_j2_);
                 let bc_dc_h_ = bc_dc_inverse_d2_ * bc_dc_j_;
                 let bc_dc_b_d2_ = bc_dc_i_half_ - T::num(0.01354836);
                 let v54_ = bc_dc_inverse_d2_ * bc_dc_b_d2_;
                 let bc_dc_b_ = checks_
-                    .share_of_centres(
+                    .guard(
                         v54_,
-                        [v44_, bc_dc_d_x_, -b_y_, k5_, k4_, k8_],
-                        "BC, DC",
+                        private::ShareOfCentres(
+                            [v44_, bc_dc_d_x_, -b_y_, k5_, k4_, k8_],
+                            "BC, DC",
+                        ),
                     );
                 let v56_ = b_y_ * bc_dc_h_;
                 let v57_ = bc_dc_d_x_ * bc_dc_h_;
@@ -752,7 +759,7 @@ mod FourBar_ {
                 let b_vx_ = -(theta_rate * b_y_);
                 let b_vy_ = theta_rate * b_x_;
                 let v29_ = k7_ * sin;
-                let v48_ = checks_.nonzero(bc_dc_j2_, "BC, DC");
+                let v48_ = checks_.guard(bc_dc_j2_, private::Nonzero("BC, DC"));
                 let bc_dc_inverse_j_ = bc_dc_j_ * (k6_ / v48_);
                 let v68_ = T::fused(k7_, cos, -T::num(0.01032256));
                 let v76_ = T::fused(v29_, bc_dc_b_, bc_dc_h_ * v68_);

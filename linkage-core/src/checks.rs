@@ -32,7 +32,7 @@ mod all_met;
 
 pub use all_met::AllMet;
 
-use crate::diagnosis;
+use crate::diagnosis::{self, Diagnosis};
 use crate::find::FindError;
 use crate::find::seed::Seed;
 use crate::{Real, Scalar, SolveError};
@@ -79,10 +79,6 @@ pub trait Checks<T: Scalar> {
     #[inline(always)]
     fn clearances(&mut self, _groups: &[[T; 2]]) {}
 
-    /// Told by a diagnosis that what was compared so far is all of its condition.
-    #[inline(always)]
-    fn diagnosed(&mut self) {}
-
     /// Asks whether `value` > `least`.
     #[inline(always)]
     fn above(&mut self, _value: T, _least: T) {}
@@ -100,75 +96,10 @@ pub trait Checks<T: Scalar> {
     #[inline(always)]
     fn above_rounding(&mut self, _value: T, _spread: T) {}
 
-    /// See `diagnosis::reach_circles`.
+    /// Asks for a condition whose comparisons have been made: the value under it, or what stands for it at a
+    /// limit.
     #[inline(always)]
-    fn reach_circles(&mut self, value: T, _operands: [T; 6], _: &'static str) -> T {
-        value
-    }
-
-    /// See `diagnosis::share_of_centres`.
-    #[inline(always)]
-    fn share_of_centres(&mut self, value: T, _operands: [T; 6], _: &'static str) -> T {
-        value
-    }
-
-    /// See `diagnosis::reach_distances`.
-    #[inline(always)]
-    fn reach_distances(&mut self, value: T, _operands: [T; 4], _: &'static str) -> T {
-        value
-    }
-
-    /// See `diagnosis::reach_line`.
-    #[inline(always)]
-    fn reach_line(&mut self, value: T, _: T, _: T, _: &'static str) -> T {
-        value
-    }
-
-    /// See `diagnosis::reach_offset`.
-    #[inline(always)]
-    fn reach_offset(&mut self, value: T, _: T, _: T, _: T, _: &'static str) -> T {
-        value
-    }
-
-    /// See `diagnosis::nonzero`.
-    #[inline(always)]
-    fn nonzero(&mut self, value: T, _: &'static str) -> T {
-        self.diagnosed();
-        value
-    }
-
-    /// See `diagnosis::positive`.
-    #[inline(always)]
-    fn positive(&mut self, value: T, _: &'static str, _: &'static str) -> T {
-        self.diagnosed();
-        value
-    }
-
-    /// See `diagnosis::not_negative`.
-    #[inline(always)]
-    fn not_negative(&mut self, value: T, _: &'static str, _: &'static str) -> T {
-        self.diagnosed();
-        value
-    }
-
-    /// See `diagnosis::moving`.
-    #[inline(always)]
-    fn moving(&mut self, slope: T, _: [T; 1], _: &'static str) -> T {
-        self.diagnosed();
-        slope
-    }
-
-    /// See `diagnosis::square`.
-    #[inline(always)]
-    fn square(&mut self, value: T, _: &'static str) -> T {
-        self.diagnosed();
-        value
-    }
-
-    /// See `diagnosis::square_of_centres`.
-    #[inline(always)]
-    fn square_of_centres(&mut self, value: T, _: T, _: T, _: T, _: T, _: &'static str) -> T {
-        self.diagnosed();
+    fn guard(&mut self, value: T, _diagnosis: impl Diagnosis<T>) -> T {
         value
     }
 }
@@ -242,60 +173,12 @@ impl<T: Real> Checks<T> for FirstError {
         }
     }
 
-    fn moving(&mut self, slope: T, [spread]: [T; 1], unknown: &'static str) -> T {
-        self.keep(slope, || diagnosis::moving(slope, spread, unknown))
-    }
-
     fn sin_cos(&mut self, angle: T) -> (T, T) {
         angle.sin_cos()
     }
 
-    fn reach_circles(&mut self, value: T, operands: [T; 6], group: &'static str) -> T {
-        self.keep(value, || diagnosis::reach_circles(value, operands, group))
-    }
-
-    fn share_of_centres(&mut self, value: T, operands: [T; 6], _: &'static str) -> T {
-        self.keep(value, || Ok(diagnosis::share_of_centres(value, operands)))
-    }
-
-    fn reach_distances(&mut self, value: T, operands: [T; 4], group: &'static str) -> T {
-        self.keep(value, || diagnosis::reach_distances(value, operands, group))
-    }
-
-    fn reach_line(&mut self, value: T, t: T, l: T, group: &'static str) -> T {
-        self.keep(value, || diagnosis::reach_line(value, t, l, group))
-    }
-
-    fn reach_offset(&mut self, value: T, bx: T, by: T, e: T, group: &'static str) -> T {
-        self.keep(value, || diagnosis::reach_offset(value, bx, by, e, group))
-    }
-
-    fn nonzero(&mut self, value: T, group: &'static str) -> T {
-        self.keep(value, || diagnosis::nonzero(value, group))
-    }
-
-    fn positive(&mut self, value: T, group: &'static str, name: &'static str) -> T {
-        self.keep(value, || diagnosis::positive(value, group, name))
-    }
-
-    fn not_negative(&mut self, value: T, group: &'static str, name: &'static str) -> T {
-        self.keep(value, || diagnosis::not_negative(value, group, name))
-    }
-
-    fn square(&mut self, value: T, group: &'static str) -> T {
-        self.keep(value, || diagnosis::square(value, group))
-    }
-
-    fn square_of_centres(
-        &mut self,
-        value: T,
-        dx: T,
-        dy: T,
-        l1: T,
-        l2: T,
-        group: &'static str,
-    ) -> T {
-        self.keep(value, || diagnosis::square_of_centres(value, dx, dy, l1, l2, group))
+    fn guard(&mut self, value: T, diagnosis: impl Diagnosis<T>) -> T {
+        self.keep(value, || diagnosis.diagnose(value))
     }
 }
 

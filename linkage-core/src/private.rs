@@ -22,6 +22,7 @@ pub use crate::c_interface::{CError, c_sense, c_side, c_trend};
 pub use crate::checks::{AllMet, Checks, FirstError};
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate, jacobian};
+pub use crate::diagnosis::*;
 pub use crate::find::bound::bound;
 pub use crate::find::seed::{Apart, Seed, root_by_seed};
 pub use crate::find::unknown::{open, root, root_within_a_turn};

@@ -81,7 +81,8 @@ mod generated {
             }
             let (cos, sin) = p::from_angle(theta, "theta", |cos, sin| p::Ok((cos, sin)))?;
             let mut first_error = p::FirstError::new();
-            let radius = p::Checks::positive(&mut first_error, self.radius, "AB", "radius");
+            let radius =
+                p::Checks::guard(&mut first_error, self.radius, p::Positive("AB", "radius"));
             first_error.first()?;
             let y = p::Side::sign::<T>(self.elbow) * radius * sin;
             p::Ok(p::Point { x: radius * cos, y })

@@ -1,7 +1,7 @@
 //! Conditions as the fast path asks for them: comparisons alone.
 
 use super::Checks;
-use crate::diagnosis;
+use crate::diagnosis::{self, Diagnosis};
 use crate::find::FindError;
 use crate::find::seed::Seed;
 use crate::{Mask, Real, Scalar};
@@ -61,21 +61,12 @@ impl<M: Mask, S> AllMet<M, S> {
         self.0 = self.0.and_condition(met);
     }
 
-    /// Behind a group that is out of reach for certain where `value` is that far below zero; a value and operands
-    /// that are not finite are another refusal, and so may be what is made of them.
+    /// Behind a condition that is compared alone.
     #[inline(always)]
-    fn reach<T: Scalar<Mask = M>>(&mut self, value: T, scale: T, operands: &[T]) {
-        self.0 = self.0.behind_reach(|| {
-            let sum = operands.iter().copied().fold(value, |sum, next| sum + next);
-            (T::lit(-BEYOND.0, -BEYOND.1) * scale).gt(value) & sum.is_finite()
-        });
+    fn behind(&mut self) {
+        self.0 = self.0.behind_condition();
     }
 }
-
-/// 16 √ε: how far below zero, as a share of its spread, what stands under a group's root shows for certain
-/// that the group is out of reach. Rounding alone moves it by 16 ε, and so do the four last places that a
-/// group may miss; but a pin behind another group's toggle is known to √ε of its bars.
-const BEYOND: (f64, f32) = (1.0 / (1_u32 << 22) as f64, 1.0 / (1_u32 << 7) as f32);
 
 impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
     #[inline(always)]
@@ -93,7 +84,7 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
             Err(_) => {
                 let zero = T::lit(0.0, 0.0);
                 self.and(zero.gt(zero));
-                Checks::<T>::diagnosed(self);
+                self.behind();
                 (zero, zero)
             }
         }
@@ -105,13 +96,13 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
         T: Real,
     {
         self.and(difference.is_within(diagnosis::open_by(size)));
-        Checks::<T>::diagnosed(self);
+        self.behind();
     }
 
     #[inline(always)]
     fn sin_cos(&mut self, angle: T) -> (T, T) {
         self.and(angle.is_near());
-        Checks::<T>::diagnosed(self);
+        self.behind();
         angle.sin_cos_near()
     }
 
@@ -119,7 +110,7 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
     fn hypot(&mut self, x: T, y: T, least: T) -> T {
         let (length, is_near) = x.hypot_near(y, least);
         self.and(is_near);
-        Checks::<T>::diagnosed(self);
+        self.behind();
         length
     }
 
@@ -149,37 +140,8 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
     }
 
     #[inline(always)]
-    fn diagnosed(&mut self) {
-        self.0 = self.0.behind_condition();
-    }
-
-    /// Against (l₁ + l₂)²/4l₁l₂ in squares of the unit: compensated values have no spread.
-    #[inline(always)]
-    fn reach_circles(&mut self, value: T, operands: [T; 6], _: &'static str) -> T {
-        let [dx, dy, l1, l2, unit, _] = operands;
-        let (sum, half) = (l1 + l2, T::lit(0.5, 0.5) * unit);
-        self.reach(value, (sum * sum) * (half / l1 * (half / l2)), &[dx, dy, l1, l2]);
-        value
-    }
-
-    #[inline(always)]
-    fn reach_distances(&mut self, value: T, operands: [T; 4], _: &'static str) -> T {
-        let [l, r1, r2, spread] = operands;
-        self.reach(value, spread, &[l, r1, r2]);
-        value
-    }
-
-    /// (l − t)(l + t), against t².
-    #[inline(always)]
-    fn reach_line(&mut self, value: T, t: T, l: T, _: &'static str) -> T {
-        self.reach(value, t * t, &[t, l]);
-        value
-    }
-
-    /// bx² + by² − e², against e².
-    #[inline(always)]
-    fn reach_offset(&mut self, value: T, bx: T, by: T, e: T, _: &'static str) -> T {
-        self.reach(value, e * e, &[bx, by, e]);
+    fn guard(&mut self, value: T, diagnosis: impl Diagnosis<T>) -> T {
+        self.0 = diagnosis.behind(self.0, value);
         value
     }
 }

@@ -1,12 +1,13 @@
 use super::*;
+use crate::diagnosis::{Nonzero, Positive};
 
 #[test]
 fn the_first_error_is_kept() {
     let mut first_error = FirstError::new();
-    assert_eq!(first_error.nonzero(2.0, "a"), 2.0);
+    assert_eq!(first_error.guard(2.0, Nonzero("a")), 2.0);
     assert_eq!(first_error.first(), Ok(()));
-    first_error.nonzero(0.0, "b");
-    first_error.positive(-1.0, "c", "length");
+    first_error.guard(0.0, Nonzero("b"));
+    first_error.guard(-1.0, Positive("c", "length"));
     assert_eq!(first_error.first(), Err(SolveError::Singular { group: "b" }));
 }
 
@@ -37,7 +38,7 @@ fn all_is_met_only_where_every_condition_is() {
 #[test]
 fn the_one_does_not_diagnose_and_the_other_does_not_compare() {
     let mut all = AllMet::<bool>::new();
-    assert_eq!(all.nonzero(0.0, "a"), 0.0);
+    assert_eq!(all.guard(0.0, Nonzero("a")), 0.0);
     assert!(all.all());
     let mut first_error = FirstError::new();
     first_error.above(-1.0, 0.0);

@@ -1,6 +1,6 @@
 //! What became of the search for an unknown.
 
-use super::ROUNDINGS;
+use super::{Diagnosis, ROUNDINGS};
 use crate::find::FindError;
 use crate::{Real, Scalar, SolveError};
 
@@ -56,19 +56,28 @@ pub(crate) fn closed<T: Real>(
     Err(SolveError::NoSolution { unknown, by: difference.value().abs(), unit, other: None })
 }
 
-/// The slope of an equation by its unknown, provided that it is the wanted way, or the pivot of an input
-/// in the mass matrix, provided that it is above zero; and not by rounding alone.
+/// The value is the slope of an equation by its unknown, and is the wanted way, or the pivot of an input in
+/// the mass matrix, and is above zero; and not by rounding alone. Operand the spread; then the name.
 ///
 /// # Errors
 /// `Singular` where it is not, at a dead point; `NotFinite` where it is not a number.
-#[cold]
-pub(crate) fn moving<T: Real>(value: T, spread: T, name: &'static str) -> Result<T, SolveError> {
-    let real = value.value();
-    if real.is_nan() {
-        Err(SolveError::NotFinite { name })
-    } else if real > ROUNDINGS * T::EPSILON * spread.value() {
-        Ok(value)
-    } else {
-        Err(SolveError::Singular { group: name })
+#[derive(Clone, Copy, Debug)]
+pub struct Moving<T>(pub [T; 1], pub &'static str);
+
+impl<T: Scalar> Diagnosis<T> for Moving<T> {
+    #[cold]
+    fn diagnose(self, value: T) -> Result<T, SolveError>
+    where
+        T: Real,
+    {
+        let Self([spread], name) = self;
+        let real = value.value();
+        if real.is_nan() {
+            Err(SolveError::NotFinite { name })
+        } else if real > ROUNDINGS * T::EPSILON * spread.value() {
+            Ok(value)
+        } else {
+            Err(SolveError::Singular { group: name })
+        }
     }
 }

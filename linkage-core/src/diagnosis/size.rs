@@ -1,6 +1,7 @@
 //! Conditions on the size of one number: finite, positive, large enough to be divided by.
 
-use crate::{Real, SolveError};
+use super::Diagnosis;
+use crate::{Real, Scalar, SolveError};
 
 /// Whether an input, or a parameter, is finite.
 ///
@@ -40,46 +41,62 @@ pub(crate) fn finite_result<T: Real>(
     Err(SolveError::NotFinite { name: blamed.1 })
 }
 
-/// The value, provided that it is not zero.
+/// The value is not zero. With the group.
 ///
 /// # Errors
 /// `Singular` where it is zero, `NotFinite` where it is not a number.
-#[cold]
-pub(crate) fn nonzero<T: Real>(value: T, group: &'static str) -> Result<T, SolveError> {
-    let real = value.value();
-    if real.is_nan() {
-        Err(SolveError::NotFinite { name: group })
-    } else if real == 0.0 {
-        Err(SolveError::Singular { group })
-    } else {
-        Ok(value)
+#[derive(Clone, Copy, Debug)]
+pub struct Nonzero(pub &'static str);
+
+impl<T: Scalar> Diagnosis<T> for Nonzero {
+    #[cold]
+    fn diagnose(self, value: T) -> Result<T, SolveError>
+    where
+        T: Real,
+    {
+        let real = value.value();
+        if real.is_nan() {
+            Err(SolveError::NotFinite { name: self.0 })
+        } else if real == 0.0 {
+            Err(SolveError::Singular { group: self.0 })
+        } else {
+            Ok(value)
+        }
     }
 }
 
-/// The value, a length, provided that it is greater than zero.
+/// The value, a length, is greater than zero. With the group and the length's name.
 ///
 /// # Errors
 /// `Invalid` with its name where it is not, `NotFinite` with its name where it is not a number.
-#[cold]
-pub(crate) fn positive<T: Real>(
-    value: T,
-    group: &'static str,
-    name: &'static str,
-) -> Result<T, SolveError> {
-    valid(value, group, name, |size| size > 0.0)
+#[derive(Clone, Copy, Debug)]
+pub struct Positive(pub &'static str, pub &'static str);
+
+impl<T: Scalar> Diagnosis<T> for Positive {
+    #[cold]
+    fn diagnose(self, value: T) -> Result<T, SolveError>
+    where
+        T: Real,
+    {
+        valid(value, self.0, self.1, |size| size > 0.0)
+    }
 }
 
-/// The value, a mass or an inertia, provided that it is not negative.
+/// The value, a mass or an inertia, is not negative. With the group and the value's name.
 ///
 /// # Errors
 /// `Invalid` with its name where it is, `NotFinite` with its name where it is not a number.
-#[cold]
-pub(crate) fn not_negative<T: Real>(
-    value: T,
-    group: &'static str,
-    name: &'static str,
-) -> Result<T, SolveError> {
-    valid(value, group, name, |size| size >= 0.0)
+#[derive(Clone, Copy, Debug)]
+pub struct NotNegative(pub &'static str, pub &'static str);
+
+impl<T: Scalar> Diagnosis<T> for NotNegative {
+    #[cold]
+    fn diagnose(self, value: T) -> Result<T, SolveError>
+    where
+        T: Real,
+    {
+        valid(value, self.0, self.1, |size| size >= 0.0)
+    }
 }
 
 fn valid<T: Real>(
@@ -95,20 +112,28 @@ fn valid<T: Real>(
     }
 }
 
-/// The value, a squared length that something is divided by, provided that it is in the range in
-/// which a square carries full precision.
+/// The value, a squared length that something is divided by, is in the range in which a square carries full
+/// precision. With the group.
 ///
 /// # Errors
 /// `Singular` where it is zero, `NotFinite` with the group's name where it is below
-/// [`Scalar::smallest_square`](crate::Scalar::smallest_square), infinite or not a number.
-#[cold]
-pub(crate) fn square<T: Real>(value: T, group: &'static str) -> Result<T, SolveError> {
-    let real = value.value();
-    if real == 0.0 {
-        Err(SolveError::Singular { group })
-    } else if real.is_finite() && real >= T::smallest_square().value() {
-        Ok(value)
-    } else {
-        Err(SolveError::NotFinite { name: group })
+/// [`Scalar::smallest_square`], infinite or not a number.
+#[derive(Clone, Copy, Debug)]
+pub struct Square(pub &'static str);
+
+impl<T: Scalar> Diagnosis<T> for Square {
+    #[cold]
+    fn diagnose(self, value: T) -> Result<T, SolveError>
+    where
+        T: Real,
+    {
+        let real = value.value();
+        if real == 0.0 {
+            Err(SolveError::Singular { group: self.0 })
+        } else if real.is_finite() && real >= T::smallest_square().value() {
+            Ok(value)
+        } else {
+            Err(SolveError::NotFinite { name: self.0 })
+        }
     }
 }

@@ -6,6 +6,7 @@ use std::vec::Vec;
 
 use super::super::{Entry, OfPosition, Series, Status, sweep};
 use crate::checks::{AllMet, Checks};
+use crate::diagnosis::{Nonzero, Positive, ReachCircles};
 use crate::{Float, Scalar, SolveError};
 
 const GROUP: &str = "bars";
@@ -25,15 +26,15 @@ impl<T: Float> Entry<OfPosition, T, 5, 1> for Conditions {
         let [first, reach, second, other, beside] = given;
         let (one, mut all) = (U::num(1.0), AllMet::new());
         all.above(first, U::num(0.0));
-        let length = all.positive(first, GROUP, "length");
+        let length = all.guard(first, Positive(GROUP, "length"));
         all.away(second, U::num(0.0));
-        let divisor = all.nonzero(second, GROUP);
+        let divisor = all.guard(second, Nonzero(GROUP));
         let hypotenuse = all.hypot(first, U::num(0.0), U::num(0.25));
         all.above(reach, U::num(0.0));
         all.above_rounding(reach, one);
-        let root = all.reach_circles(reach, [one, one, one, one, one, one], GROUP).sqrt();
+        let root = all.guard(reach, ReachCircles([one; 6], GROUP)).sqrt();
         all.above_rounding(other, one);
-        let height = all.reach_circles(other, [one, one, one, one, one, one], GROUP).sqrt();
+        let height = all.guard(other, ReachCircles([one; 6], GROUP)).sqrt();
         let sum = length + hypotenuse + root + one / divisor + height;
         put(&[sum]);
         all.all() & one.ge(beside) & sum.is_finite()

@@ -8,7 +8,7 @@ use super::identifiers::{generated, text};
 use super::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
-use crate::ir::check::{Check, Comparison, Operands};
+use crate::ir::check::{Check, Comparison};
 use crate::ir::graph::{Id, Node, Wanted};
 use crate::ir::liveness::Path;
 use crate::lower::routine::{Condition, Reading, Routine, Statement, Threshold};
@@ -196,7 +196,7 @@ impl<'a> Printer<'a> {
         let value = self.value_alone(condition.value);
         let group = quoted(&self.cx.program().groups[condition.group as usize]);
         let word = condition.check.word().map(quoted);
-        let (row, operands) = (condition.check.row(), condition.operands.iter());
+        let operands = condition.operands.iter();
         if let Check::Closed(_) = condition.check {
             to.put("checks_.closed(").append(&value);
             operands.for_each(|&operand| self.value(operand, to.put(", ")));
@@ -223,23 +223,17 @@ impl<'a> Printer<'a> {
             self.value(spread, to.put(", "));
             to.put(");\n");
         }
-        to.put("let ").put(&self.local(condition.id)).put(" = checks_.").put(row.diagnosis);
-        to.put("(").append(&value);
-        to.put(", ");
-        match row.operands {
-            Operands::List => {
-                to.put("[").list(operands, |to, &id| self.value(id, to)).put("], ");
-            }
-            Operands::OneByOne | Operands::Unread => operands.for_each(|&operand| {
-                self.value(operand, to);
-                to.put(", ");
-            }),
+        let diagnosis = self.cx.paths.written(condition.check.row().diagnosis);
+        to.put("let ").put(&self.local(condition.id)).put(" = checks_.guard(").append(&value);
+        to.put(", ").put(&diagnosis).put("(");
+        if condition.check.row().reads_operands {
+            to.put("[").list(operands, |to, &id| self.value(id, to)).put("], ");
         }
         to.put(&group);
-        word.iter().for_each(|length| {
-            to.put(", ").put(length);
+        word.iter().for_each(|word| {
+            to.put(", ").put(word);
         });
-        to.put(");\n");
+        to.put("));\n");
     }
 
     fn threshold(&self, threshold: Threshold, to: &mut Text) {

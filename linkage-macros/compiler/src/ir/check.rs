@@ -3,7 +3,7 @@
 use crate::exact::Exact;
 
 /// A condition on a value. The fast path makes the comparison of its row; the slow path looks at the
-/// operands and decides, by the function of the run-time crate that the row names.
+/// operands and decides, by the type of the run-time crate that the row names.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Check {
     /// Circles of radii l₁ and l₂ about points d = (dx, dy) apart must meet. Operands dx, dy, l₁, l₂, a
@@ -68,57 +68,46 @@ pub(crate) enum Least {
 /// A condition's row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row {
-    /// The function of the run-time crate.
+    /// The condition's type in the run-time crate.
     pub diagnosis: &'static str,
     /// The comparison of the fast path, if it makes one.
     pub comparison: Option<(Comparison, Least)>,
-    /// The form in which the slow path is given the operands.
-    pub operands: Operands,
+    /// Whether the slow path reads the operands; elsewhere they are computed first, and the value says all.
+    pub reads_operands: bool,
     /// Whether a constant passes in every width.
     pub holds: fn(&Exact) -> bool,
-}
-
-/// The form in which a function takes operands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Operands {
-    /// None: they are computed first, and the value says all.
-    Unread,
-    OneByOne,
-    List,
 }
 
 impl Check {
     pub(crate) fn row(&self) -> Row {
         use Comparison::{Above, AtLeast, Away};
-        use Operands::{List, OneByOne, Unread};
-        let row =
-            |diagnosis, comparison, operands, holds| Row { diagnosis, comparison, operands, holds };
-        let of = |comparison, least| Some((comparison, least));
+        let row = |diagnosis, comparison, reads_operands, holds| Row {
+            diagnosis,
+            comparison,
+            reads_operands,
+            holds,
+        };
+        let [above_zero, above_rounding] =
+            [Least::Zero, Least::Rounding].map(|least| Some((Above, least)));
+        let [at_least_zero, normal, full_square] =
+            [Least::Zero, Least::Normal, Least::Square].map(|least| Some((AtLeast, least)));
         match self {
-            Self::ReachCircles => {
-                row("reach_circles", of(Above, Least::Rounding), List, is_positive)
-            }
+            Self::ReachCircles => row("ReachCircles", above_rounding, true, is_positive),
             // A constant is not rounded before it is known.
-            Self::ShareOfCentres => row("share_of_centres", None, List, |_| true),
-            Self::ReachDistances => {
-                row("reach_distances", of(Above, Least::Rounding), List, is_positive)
-            }
-            Self::ReachLine => row("reach_line", of(AtLeast, Least::Normal), OneByOne, is_positive),
-            Self::ReachOffset => {
-                row("reach_offset", of(AtLeast, Least::Zero), OneByOne, is_positive)
-            }
-            Self::Nonzero => row("nonzero", of(Away, Least::Zero), Unread, |x| !x.is_zero()),
-            Self::Positive(_) => row("positive", of(Above, Least::Zero), Unread, is_positive),
+            Self::ShareOfCentres => row("ShareOfCentres", None, true, |_| true),
+            Self::ReachDistances => row("ReachDistances", above_rounding, true, is_positive),
+            Self::ReachLine => row("ReachLine", normal, true, is_positive),
+            Self::ReachOffset => row("ReachOffset", at_least_zero, true, is_positive),
+            Self::Nonzero => row("Nonzero", Some((Away, Least::Zero)), false, |x| !x.is_zero()),
+            Self::Positive(_) => row("Positive", above_zero, false, is_positive),
             Self::NotNegative(_) => {
-                row("not_negative", of(AtLeast, Least::Zero), Unread, |x| x.signum().is_ge())
+                row("NotNegative", at_least_zero, false, |x| x.signum().is_ge())
             }
             // An equation that nothing moves is left to run time.
-            Self::Closed(_) => row("closed", None, OneByOne, |_| false),
-            Self::Moving => row("moving", of(Above, Least::Rounding), List, is_positive),
-            Self::Square => row("square", of(AtLeast, Least::Square), OneByOne, is_square),
-            Self::SquareOfCentres => {
-                row("square_of_centres", of(AtLeast, Least::Square), OneByOne, is_square)
-            }
+            Self::Closed(_) => row("Closed", None, true, |_| false),
+            Self::Moving => row("Moving", above_rounding, true, is_positive),
+            Self::Square => row("Square", full_square, false, is_square),
+            Self::SquareOfCentres => row("SquareOfCentres", full_square, true, is_square),
         }
     }
 

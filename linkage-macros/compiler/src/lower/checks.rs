@@ -3,7 +3,7 @@
 
 use super::overflow::{Overflow, Spread};
 use super::routine::{Condition, Threshold};
-use crate::ir::check::{Check, Comparison, Least, Operands};
+use crate::ir::check::{Check, Comparison, Least};
 use crate::ir::graph::{Graph, Guard, Id, Node};
 use crate::ir::liveness::unguarded;
 
@@ -14,9 +14,9 @@ pub(super) fn condition(
     value: Id,
     guard: &Guard,
 ) -> Condition {
-    let operands = match guard.check.row().operands {
-        Operands::Unread => Vec::new(),
-        Operands::OneByOne | Operands::List => guard.operands.clone(),
+    let operands = match guard.check.row().reads_operands {
+        true => guard.operands.clone(),
+        false => Vec::new(),
     };
     let spread = spread(graph, id);
     // Without limits on the inputs, rounding is asked of a spread in any case.

@@ -17,7 +17,7 @@ fn a_checks_is_given_what_it_looks_at_and_its_value_goes_on() {
     let formulas = squeezed(function(&text, "formulas_position_"));
     assert!(formulas.contains("let v2_ = T::hypot(theta, theta);"), "{formulas}");
     assert!(formulas.contains("let k0_ = T::num(0.25);"), "{formulas}");
-    let call = "let v3_ = checks_.reach_circles(theta, [v2_, v2_, k0_, k0_, k0_], \"BC, DC\"); \
+    let call = "let v3_ = checks_.guard(theta, private::ReachCircles([v2_, v2_, k0_, k0_, k0_], \"BC, DC\")); \
                 let v4_ = T::sqrt(v3_);";
     assert!(formulas.contains(call), "{formulas}");
 }
@@ -62,29 +62,29 @@ fn guard(check: &Check, bounded: bool) -> Vec<String> {
 #[test]
 fn every_check_is_marked_and_looked_at() {
     for (check, mark, look) in [
-        (Check::Nonzero, "away", "nonzero(v4_, \"BC, DC\")"),
-        (Check::Positive("a".to_string()), "above", "positive(v4_, \"BC, DC\", \"a\")"),
-        (Check::ReachOffset, "at_least", "reach_offset(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")"),
+        (Check::Nonzero, "away", "Nonzero(\"BC, DC\")"),
+        (Check::Positive("a".to_string()), "above", "Positive(\"BC, DC\", \"a\")"),
+        (Check::ReachOffset, "at_least", "ReachOffset([v1_, v1_, v1_, v1_], \"BC, DC\")"),
     ] {
         let mark = format!("{mark}(v4_, T::num(0.0))");
-        assert_eq!(guard(&check, false), [mark, look.to_string()]);
+        assert_eq!(guard(&check, false), [mark, format!("guard(v4_, private::{look})")]);
     }
     let (mark, look) = ("above_rounding(v4_, v1_)", "[v1_, v1_, v1_, v1_], \"BC, DC\")");
     for (check, name) in
-        [(Check::ReachCircles, "reach_circles"), (Check::ReachDistances, "reach_distances")]
+        [(Check::ReachCircles, "ReachCircles"), (Check::ReachDistances, "ReachDistances")]
     {
-        let look = format!("{name}(v4_, {look}");
+        let look = format!("guard(v4_, private::{name}({look})");
         assert_eq!(guard(&check, false), [mark.to_string(), look.clone()]);
         // A spread that is not known before run time is compared with in any case.
         assert_eq!(guard(&check, true), ["sin_cos(theta)", mark, &look]);
     }
-    let share = "share_of_centres(v4_, [v1_, v1_, v1_, v1_], \"BC, DC\")";
+    let share = "guard(v4_, private::ShareOfCentres([v1_, v1_, v1_, v1_], \"BC, DC\"))";
     assert_eq!(guard(&Check::ShareOfCentres, false), [share]);
-    let look = "reach_line(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")";
+    let look = "guard(v4_, private::ReachLine([v1_, v1_, v1_, v1_], \"BC, DC\"))";
     let mark = "at_least(v4_, T::lit(2.2250738585072014e-308, 1.1754944e-38))";
     assert_eq!(guard(&Check::ReachLine, false), [mark, look]);
     assert_eq!(guard(&Check::ReachLine, true), ["sin_cos(theta)", mark, look]);
-    let look = "square_of_centres(v4_, v1_, v1_, v1_, v1_, \"BC, DC\")";
+    let look = "guard(v4_, private::SquareOfCentres([v1_, v1_, v1_, v1_], \"BC, DC\"))";
     let check = Check::SquareOfCentres;
     assert_eq!(guard(&check, false), ["at_least(v4_, T::smallest_square())", look]);
     let mark = "at_least(v4_, T::lit(4.6e-277, 8.4e-25))";
@@ -102,7 +102,7 @@ fn what_is_above_zero_is_not_asked_whether_it_is_zero() {
     let formulas = function(&text, "formulas_position_");
     assert_eq!(formulas.matches(".above").count(), 1, "{formulas}");
     assert_eq!(formulas.matches(".away").count(), 0, "{formulas}");
-    assert_eq!(formulas.matches(".nonzero").count(), 1, "{formulas}");
+    assert_eq!(formulas.matches("Nonzero(").count(), 1, "{formulas}");
 }
 
 /// The mask of the fast path on a quotient of two numbers made from the angle's sine.
