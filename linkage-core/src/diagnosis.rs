@@ -40,7 +40,7 @@ pub trait Diagnosis<T: Scalar>: Sized {
 }
 
 /// The factor of ε of the spread by which a value may be wrong; a larger value is positive for certain.
-pub(crate) const ROUNDINGS: f64 = 16.0;
+pub const ROUNDINGS: f64 = 16.0;
 
 /// 16 √ε: how far below zero, as a share of its spread, what stands under a group's root shows for certain
 /// that the group is out of reach. Rounding alone moves it by 16 ε, and so do the four last places that a

@@ -110,6 +110,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn searches_take_as_many_evaluations_as_at_run_time() {
+        use linkage_core::find::Search;
+        assert_eq!(MOST, [Search::<f64>::MOST, Search::<f32>::MOST]);
+    }
+
+    #[test]
     fn a_cost_reads_as_a_sentence() {
         let none = Operations::default();
         assert_eq!(in_words(none), "no operation");

@@ -128,6 +128,15 @@ mod tests {
     }
 
     #[test]
+    fn angles_are_near_as_far_as_at_run_time() {
+        use linkage_core::Scalar;
+        let [wide, narrow] = NEAR;
+        assert!(wide.is_near() && !wide.next_up().is_near());
+        let narrow = narrow as f32;
+        assert!(narrow.is_near() && !narrow.next_up().is_near());
+    }
+
+    #[test]
     fn a_sum_is_as_shallow_as_can_be() {
         fn depth(sum: &Sum) -> usize {
             match sum {

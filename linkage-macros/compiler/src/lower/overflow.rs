@@ -203,4 +203,15 @@ mod tests {
         let found = overflow.threshold(VALUE, Least::Rounding, known);
         assert_eq!(found, both(0.0, 32.0 * f64::from(f32::EPSILON)));
     }
+
+    /// Up to the digits that are written down, and never below.
+    #[test]
+    fn squares_of_full_precision_begin_where_they_do_at_run_time() {
+        use linkage_core::Scalar;
+        let narrow = f64::from(f32::smallest_square());
+        let widths = [(WIDE[0], f64::smallest_square()), (NARROW[0], narrow)];
+        for (assumed, smallest) in widths {
+            assert!((smallest..1.03 * smallest).contains(&assumed.square), "{assumed:?}");
+        }
+    }
 }

@@ -36,10 +36,13 @@ pub(crate) struct Assumed {
     pub factor: f64,
 }
 
+/// The factor of ε of the spread by which a value may be wrong, as the run-time crate counts it.
+const ROUNDINGS: f64 = 16.0;
+
 impl Assumed {
-    /// What rounding does to a value of this spread, as the run-time crate counts it.
+    /// What rounding does to a value of this spread.
     pub(super) fn rounding_of(&self, spread: &Exact) -> f64 {
-        16.0 * self.epsilon * spread.to_f64()
+        ROUNDINGS * self.epsilon * spread.to_f64()
     }
 }
 

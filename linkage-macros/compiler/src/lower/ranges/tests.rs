@@ -193,3 +193,8 @@ fn a_hypotenuse_is_at_least_a_share_of_its_largest() {
     assert_eq!(lengths(&Assumed { share: 0.0, ..WIDE }), None);
     assert_eq!(lengths(&Assumed { share: 1e-240, ..WIDE }), None);
 }
+
+#[test]
+fn roundings_are_counted_as_at_run_time() {
+    assert_eq!(ROUNDINGS, linkage_core::private::ROUNDINGS);
+}
