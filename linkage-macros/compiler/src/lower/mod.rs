@@ -11,6 +11,7 @@ pub(crate) mod apart;
 mod build;
 mod checks;
 mod constants;
+mod interval;
 mod limits;
 mod locals;
 mod nesting;

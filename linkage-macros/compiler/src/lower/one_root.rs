@@ -7,6 +7,7 @@
 //! curvature keeps its sign, so that the slope passes zero once. Near the dead points that most brackets
 //! end at this is what decides.
 
+use super::interval::Interval;
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::ir::graph::{Graph, Id, Node, Sought};
@@ -34,7 +35,7 @@ pub(super) fn is_steady(graph: &Graph, between: [Id; 2], side: Id, slope: Id) ->
     let Some(pieces) = pieces(graph, between, [side, slope]) else { return false };
     let mut signs = Vec::new();
     for [side, slope] in pieces {
-        if !side.is_some_and(|Interval(low, high)| (high - low).is_finite()) {
+        if !side.is_some_and(|side| (side.high - side.low).is_finite()) {
             return false;
         }
         signs.push(slope.and_then(Interval::sign));
@@ -71,11 +72,11 @@ fn pieces<const N: usize>(
     let mut values = vec![None; graph.len()];
     let is_constant = |node: Node| matches!(node, Node::Constant(_));
     for &(id, _) in nodes.iter().filter(|&&(_, node)| is_constant(node)) {
-        values[id.index()] = graph.as_constant(id).map(|value| Interval::about(value.to_f64()));
+        values[id.index()] = graph.as_constant(id).map(|value| Interval::around(value.to_f64()));
     }
     let nodes: Vec<_> = nodes.into_iter().filter(|&(_, node)| !is_constant(node)).collect();
     Some((0..PIECES).map(move |piece| {
-        let trial = Interval(at(piece), at(piece + 1)).widened();
+        let trial = Interval::of(at(piece), at(piece + 1)).widened();
         for &(id, node) in &nodes {
             values[id.index()] = value(&values, node, trial);
         }
@@ -113,97 +114,49 @@ impl Course {
     }
 }
 
-/// All numbers from the first to the second.
-#[derive(Clone, Copy, Debug)]
-struct Interval(f64, f64);
-
 fn value(values: &[Option<Interval>], node: Node, trial: Interval) -> Option<Interval> {
     let v = |id: Id| values[id.index()];
-    match node {
-        Node::Trial(_) => Some(trial),
+    let product = |a: Id, b: Id| Some(v(a)?.times(v(b)?).widened());
+    Some(match node {
+        Node::Trial(_) => trial,
         // Parts of a rounding: in real numbers they are zero.
-        Node::Low(_) | Node::MulErr(..) | Node::AddErr(..) => Some(Interval(0.0, 0.0)),
-        Node::Neg(a) => v(a).map(Interval::negated),
-        Node::Add(a, b) => Some(v(a)?.plus(v(b)?)),
-        Node::Sub(a, b) => Some(v(a)?.plus(v(b)?.negated())),
-        Node::Mul(a, b) if a == b => Some(v(a)?.squared()),
-        Node::Mul(a, b) => Some(v(a)?.times(v(b)?)),
-        Node::Fused(a, b, c) => Some(v(a)?.times(v(b)?).plus(v(c)?)),
-        Node::Det([a, b, c, d]) => Some(v(a)?.times(v(b)?).plus(v(c)?.times(v(d)?).negated())),
-        Node::Div(a, b) => Some(v(a)?.times(v(b)?.reciprocal()?)),
-        Node::Apply(Function::Sqrt, a) => v(a)?.root(),
-        Node::Apply(Function::Sin, a) => Some(v(a)?.wave(f64::sin, f64::cos)),
-        Node::Apply(Function::Cos, a) => Some(v(a)?.wave(f64::cos, f64::sin)),
-        Node::Guard(a, _) => v(a),
+        Node::Low(_) | Node::MulErr(..) | Node::AddErr(..) => Interval::point(0.0),
+        Node::Neg(a) => v(a)?.negated(),
+        Node::Add(a, b) => v(a)?.plus(v(b)?).widened(),
+        Node::Sub(a, b) => v(a)?.plus(v(b)?.negated()).widened(),
+        Node::Mul(a, b) if a == b => v(a)?.squared().widened(),
+        Node::Mul(a, b) => product(a, b)?,
+        Node::Fused(a, b, c) => product(a, b)?.plus(v(c)?).widened(),
+        Node::Det([a, b, c, d]) => product(a, b)?.plus(product(c, d)?.negated()).widened(),
+        Node::Div(a, b) => v(a)?.times(v(b)?.reciprocal()?.widened()).widened(),
+        Node::Apply(Function::Sqrt, a) => v(a)?.root()?.widened(),
+        Node::Apply(Function::Sin, a) => v(a)?.wave(f64::sin, f64::cos),
+        Node::Apply(Function::Cos, a) => v(a)?.wave(f64::cos, f64::sin),
+        Node::Guard(a, _) => v(a)?,
         // Of what else there is nothing is said.
-        _ => None,
-    }
+        _ => return None,
+    })
 }
 
 impl Interval {
-    /// What a number is that was rounded to this.
-    fn about(value: f64) -> Self {
-        Self(value, value).widened()
+    /// The numbers that are rounded to this.
+    fn around(value: f64) -> Self {
+        Self::point(value).widened()
     }
 
     /// With the rounding of the operation that made it.
     fn widened(self) -> Self {
-        Self(self.0.next_down(), self.1.next_up())
-    }
-
-    fn sign(self) -> Option<bool> {
-        match self {
-            Self(low, _) if low > 0.0 => Some(true),
-            Self(_, high) if high < 0.0 => Some(false),
-            _ => None,
-        }
-    }
-
-    fn negated(self) -> Self {
-        Self(-self.1, -self.0)
-    }
-
-    fn plus(self, other: Self) -> Self {
-        Self(self.0 + other.0, self.1 + other.1).widened()
-    }
-
-    fn times(self, other: Self) -> Self {
-        let products = [self.0 * other.0, self.0 * other.1, self.1 * other.0, self.1 * other.1];
-        Self::around(products)
-    }
-
-    fn squared(self) -> Self {
-        let [low, high] = [self.0 * self.0, self.1 * self.1];
-        let holds_zero = self.sign().is_none();
-        Self::around([low, high, if holds_zero { 0.0 } else { low }, high])
-    }
-
-    fn around(numbers: [f64; 4]) -> Self {
-        // What is no number makes everything unknown.
-        if numbers.iter().any(|number| number.is_nan()) {
-            return Self(f64::NEG_INFINITY, f64::INFINITY);
-        }
-        let least = numbers.into_iter().fold(f64::INFINITY, f64::min);
-        Self(least, numbers.into_iter().fold(f64::NEG_INFINITY, f64::max)).widened()
-    }
-
-    fn reciprocal(self) -> Option<Self> {
-        self.sign()?;
-        Some(Self(1.0 / self.1, 1.0 / self.0).widened())
-    }
-
-    fn root(self) -> Option<Self> {
-        (self.0 >= 0.0).then(|| Self(self.0.sqrt(), self.1.sqrt()).widened())
+        Self::of(self.low.next_down(), self.high.next_up())
     }
 
     /// Of a sine or a cosine f: within |f′(m)| r + r²/2 of f(m), of which no library is wrong by more
     /// than 1e-14 at the angles of a turn.
     fn wave(self, f: fn(f64) -> f64, slope: fn(f64) -> f64) -> Self {
-        let middle = 0.5 * (self.0 + self.1);
-        let radius = (self.1 - middle).max(middle - self.0).next_up();
+        let middle = 0.5 * (self.low + self.high);
+        let radius = (self.high - middle).max(middle - self.low).next_up();
         let off = (slope(middle).abs() + 1e-14) * radius + 0.5 * radius * radius + 1e-14;
         let value = f(middle);
-        Self((value - off).max(-1.0), (value + off).min(1.0)).widened()
+        Self::of((value - off).max(-1.0), (value + off).min(1.0)).widened()
     }
 }
 
@@ -248,40 +201,43 @@ mod tests {
 
     #[test]
     fn intervals_hold_what_they_are_made_of() {
-        let holds = |Interval(low, high): Interval, value: f64| low <= value && value <= high;
+        let holds = |x: Interval, value: f64| x.low <= value && value <= x.high;
         for (a, b) in [(-0.3, 0.2), (0.1, 0.4), (-2.0, -1.9), (0.0, 1.0)] {
-            let x = Interval(a, b);
+            let x = Interval::of(a, b);
             for part in [0.0, 0.3, 0.5, 1.0] {
                 let at = a + part * (b - a);
-                assert!(holds(x.squared(), at * at) && holds(x.times(x), at * at));
+                assert!(
+                    holds(x.squared().widened(), at * at) && holds(x.times(x).widened(), at * at)
+                );
                 assert!(holds(x.wave(f64::sin, f64::cos), at.sin()));
                 assert!(holds(x.wave(f64::cos, f64::sin), at.cos()));
-                assert!(x.reciprocal().is_none_or(|inverse| holds(inverse, 1.0 / at)));
-                assert!(x.root().is_none_or(|root| holds(root, at.sqrt())));
+                assert!(x.reciprocal().is_none_or(|inverse| holds(inverse.widened(), 1.0 / at)));
+                assert!(x.root().is_none_or(|root| holds(root.widened(), at.sqrt())));
             }
         }
         // The rounded number is off by up to half a unit in its last place, to either side.
-        let [a, b] = [0.1, 0.7].map(|number| Interval(number, number));
+        let [a, b] = [0.1, 0.7].map(Interval::point);
         for (interval, rounded) in [
-            (a.plus(b), 0.1 + 0.7),
-            (a.times(b), 0.1 * 0.7),
-            (b.squared(), 0.7 * 0.7),
-            (b.reciprocal().expect("it is not zero"), 1.0 / 0.7),
-            (b.root().expect("it is above zero"), 0.7_f64.sqrt()),
-            (Interval::about(0.1), 0.1),
+            (a.plus(b).widened(), 0.1 + 0.7),
+            (a.times(b).widened(), 0.1 * 0.7),
+            (b.squared().widened(), 0.7 * 0.7),
+            (b.reciprocal().expect("it is not zero").widened(), 1.0 / 0.7),
+            (b.root().expect("it is above zero").widened(), 0.7_f64.sqrt()),
+            (Interval::around(0.1), 0.1),
         ] {
-            assert!(interval.0 < rounded && rounded < interval.1, "{interval:?}");
+            assert!(interval.low < rounded && rounded < interval.high, "{interval:?}");
         }
-        assert!(Interval(-1.0, 1.0).reciprocal().is_none() && Interval(-1.0, 1.0).root().is_none());
-        let infinite = Interval(0.0, f64::INFINITY).times(Interval(0.0, 1.0));
+        let unsigned = Interval::of(-1.0, 1.0);
+        assert!(unsigned.reciprocal().is_none() && unsigned.root().is_none());
+        let infinite = Interval::of(0.0, f64::INFINITY).times(Interval::of(0.0, 1.0));
         assert!(infinite.sign().is_none());
     }
 
     /// Every operation of the graph, on intervals whose ends are sums of few powers of two.
     #[test]
     fn operations_of_the_graph_are_those_of_intervals() {
-        let given =
-            [(0.25, 0.5), (-2.0, -1.5), (3.0, 3.25), (-0.5, 0.125)].map(|(a, b)| Interval(a, b));
+        let given = [(0.25, 0.5), (-2.0, -1.5), (3.0, 3.25), (-0.5, 0.125)]
+            .map(|(a, b)| Interval::of(a, b));
         let values = given.map(Some);
         let [a, b, c, d] = [0, 1, 2, 3].map(Id);
         for (node, [low, high]) in [
@@ -299,12 +255,12 @@ mod tests {
             (Node::Apply(Function::Sqrt, a), [0.5, 0.5_f64.sqrt()]),
             (Node::MulErr(a, b), [0.0, 0.0]),
         ] {
-            let found = value(&values, node, Interval(10.0, 11.0)).expect("it is known");
+            let found = value(&values, node, Interval::of(10.0, 11.0)).expect("it is known");
             // Each of at most three operations widens by an ulp of at most four.
             let is_close = |found: f64, end: f64| (found - end).abs() <= 12.0 * f64::EPSILON;
-            assert!(found.0 <= low && high <= found.1, "{node:?}: {found:?}");
-            assert!(is_close(found.0, low) && is_close(found.1, high), "{node:?}: {found:?}");
+            assert!(found.low <= low && high <= found.high, "{node:?}: {found:?}");
+            assert!(is_close(found.low, low) && is_close(found.high, high), "{node:?}: {found:?}");
         }
-        assert!(value(&values, Node::Apply(Function::Tan, a), Interval(0.0, 0.0)).is_none());
+        assert!(value(&values, Node::Apply(Function::Tan, a), Interval::point(0.0)).is_none());
     }
 }

@@ -9,6 +9,7 @@
 #[cfg(test)]
 mod tests;
 
+use super::interval::Interval;
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::ir::check::{Comparison, Least};
@@ -57,19 +58,11 @@ const SLACK: f64 = 1e-6;
 /// More than what underflow takes from a value in either width.
 const TINY: f64 = 1e-35;
 
-/// The values that a node can take: `low ≤ x ≤ high`, and |x| ≥ `away`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Range {
-    low: f64,
-    high: f64,
-    away: f64,
-}
-
 /// The live nodes of a graph and the ranges of its constants, which hold under any limits.
 pub(crate) struct Values<'a> {
     graph: &'a Graph,
     live: Vec<(Id, Node)>,
-    constants: Vec<Option<Range>>,
+    constants: Vec<Option<Interval>>,
 }
 
 impl<'a> Values<'a> {
@@ -79,8 +72,8 @@ impl<'a> Values<'a> {
         for &(id, node) in &live {
             let value = |constant| graph.value(constant).to_f64();
             constants[id.index()] = match node {
-                Node::Constant(constant) => Some(Range::point(value(constant))),
-                Node::Low(constant) => Some(Range::about(value(constant).abs() * SLACK)),
+                Node::Constant(constant) => Some(Interval::point(value(constant)).rounded()),
+                Node::Low(constant) => Some(Interval::about(value(constant).abs() * SLACK)),
                 _ => None,
             };
         }
@@ -110,28 +103,28 @@ impl<'a> Values<'a> {
 struct Bounds<'a> {
     graph: &'a Graph,
     limits: &'a Assumed,
-    ranges: Vec<Option<Range>>,
+    ranges: Vec<Option<Interval>>,
     thresholds: Thresholds,
     lengths: Map<Id, f64>,
 }
 
 impl Bounds<'_> {
-    fn of(&self, id: Id) -> Option<Range> {
+    fn of(&self, id: Id) -> Option<Interval> {
         self.ranges[id.index()]
     }
 
-    fn range(&mut self, id: Id, node: Node) -> Option<Range> {
+    fn range(&mut self, id: Id, node: Node) -> Option<Interval> {
         let limits = self.limits;
         Some(match node {
             Node::Constant(_) | Node::Low(_) => return None,
-            Node::Input { order: 0 | 1, .. } => Range::about(limits.input),
-            Node::Input { .. } => Range::about(limits.input * limits.input),
-            Node::InputCos(_) | Node::InputSin(_) => Range::about(1.0).rounded(),
+            Node::Input { order: 0 | 1, .. } => Interval::about(limits.input),
+            Node::Input { .. } => Interval::about(limits.input * limits.input),
+            Node::InputCos(_) | Node::InputSin(_) => Interval::about(1.0).rounded(),
             // A parameter can be anything, and so can a load.
             Node::Param(_) | Node::Load(_) | Node::Drive(_) => return None,
             // What a search makes of the inputs is not followed.
             Node::Trial(_) | Node::Root(_) | Node::Size(_) => return None,
-            Node::Mode(_) => Range { low: -1.0, high: 1.0, away: 1.0 },
+            Node::Mode(_) => Interval { low: -1.0, high: 1.0, away: 1.0 },
             Node::Neg(a) => self.of(a)?.negated(),
             Node::Add(a, b) => self.of(a)?.plus(self.of(b)?).rounded(),
             Node::Sub(a, b) => self.of(a)?.plus(self.of(b)?.negated()).rounded(),
@@ -148,20 +141,20 @@ impl Bounds<'_> {
                 let high = self.of(a)?.largest() + self.of(b)?.largest();
                 let least = limits.square.sqrt().max(limits.share * high).min(high);
                 self.lengths.insert(id, least);
-                Range::of(least, high).rounded()
+                Interval::of(least, high).rounded()
             }
-            Node::MulErr(a, b) => Range::about(self.exact_product(a, b)?.largest() * SLACK),
-            Node::AddErr(a, b) => Range::about(self.of(a)?.plus(self.of(b)?).largest() * SLACK),
+            Node::MulErr(a, b) => Interval::about(self.exact_product(a, b)?.largest() * SLACK),
+            Node::AddErr(a, b) => Interval::about(self.of(a)?.plus(self.of(b)?).largest() * SLACK),
             Node::Apply(function, _) | Node::Apply2(function, ..) => {
                 let mut is_bounded = true;
                 node.for_operands(&mut |operand| is_bounded &= self.of(operand).is_some());
-                Range::about(function.largest().filter(|_| is_bounded)?).rounded()
+                Interval::about(function.largest().filter(|_| is_bounded)?).rounded()
             }
             Node::Guard(value, guard) => self.guarded(value, self.graph.condition(guard))?,
         })
     }
 
-    fn product(&self, a: Id, b: Id) -> Option<Range> {
+    fn product(&self, a: Id, b: Id) -> Option<Interval> {
         let (x, y) = (self.of(a)?, self.of(b)?);
         Some(if unguarded(self.graph, a) == unguarded(self.graph, b) {
             x.squared()
@@ -172,13 +165,13 @@ impl Bounds<'_> {
 
     /// The product where its rounding error is asked for: without fused operations the factors are
     /// split by a multiplication with up to 2²⁷ + 1 (f32: 2¹² + 1), which must not overflow.
-    fn exact_product(&self, a: Id, b: Id) -> Option<Range> {
+    fn exact_product(&self, a: Id, b: Id) -> Option<Interval> {
         let room = |id| self.of(id).filter(|range| range.largest() < self.limits.factor);
         room(a).and(room(b)).and_then(|_| self.product(a, b))
     }
 
     /// √x/x is 1/√x: the quotient of the two ranges would be far too wide.
-    fn quotient(&self, a: Id, b: Id) -> Option<Range> {
+    fn quotient(&self, a: Id, b: Id) -> Option<Interval> {
         let (x, y) = (self.of(a)?, self.of(b)?);
         match self.graph.node(unguarded(self.graph, a)) {
             Node::Apply(Function::Sqrt, under)
@@ -191,7 +184,7 @@ impl Bounds<'_> {
     }
 
     /// The range that the fast path goes on with, once it has asked for the threshold.
-    fn guarded(&mut self, value: Id, Guard { check, operands, .. }: &Guard) -> Option<Range> {
+    fn guarded(&mut self, value: Id, Guard { check, operands, .. }: &Guard) -> Option<Interval> {
         let range = self.of(value)?;
         let Some((comparison, least)) = check.row().comparison else { return Some(range) };
         let share = self.limits.share * range.largest();
@@ -219,37 +212,13 @@ impl Bounds<'_> {
         };
         Some(match (threshold, comparison) {
             (None, _) => range,
-            (Some(least), Comparison::Away) => Range { away: least, ..range },
-            (Some(least), _) => Range { low: least, away: least, ..range },
+            (Some(least), Comparison::Away) => Interval { away: least, ..range },
+            (Some(least), _) => Interval { low: least, away: least, ..range },
         })
     }
 }
 
-impl Range {
-    fn point(value: f64) -> Self {
-        Self { low: value, high: value, away: value.abs() }.rounded()
-    }
-
-    /// From −`magnitude` to `magnitude`.
-    fn about(magnitude: f64) -> Self {
-        Self { low: -magnitude, high: magnitude, away: 0.0 }
-    }
-
-    fn of(low: f64, high: f64) -> Self {
-        let away = if low > 0.0 {
-            low
-        } else if high < 0.0 {
-            -high
-        } else {
-            0.0
-        };
-        Self { low, high, away }
-    }
-
-    fn largest(self) -> f64 {
-        self.low.abs().max(self.high.abs())
-    }
-
+impl Interval {
     /// With the rounding of the operation that made it, which does not change a sign.
     fn rounded(self) -> Self {
         let slack = SLACK * self.largest() + TINY;
@@ -259,59 +228,5 @@ impl Range {
             high: if self.high <= 0.0 { -inward(-self.high) } else { self.high + slack },
             away: inward(self.away),
         }
-    }
-
-    fn negated(self) -> Self {
-        Self { low: -self.high, high: -self.low, ..self }
-    }
-
-    fn plus(self, other: Self) -> Self {
-        Self::of(self.low + other.low, self.high + other.high)
-    }
-
-    /// The values of either.
-    fn or(self, other: Self) -> Self {
-        Self {
-            low: self.low.min(other.low),
-            high: self.high.max(other.high),
-            away: self.away.min(other.away),
-        }
-    }
-
-    fn times(self, other: Self) -> Self {
-        let corners = [
-            self.low * other.low,
-            self.low * other.high,
-            self.high * other.low,
-            self.high * other.high,
-        ];
-        let (low, high) = corners
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)));
-        Self { low, high, away: self.away * other.away }
-    }
-
-    fn squared(self) -> Self {
-        let (low, high) = (self.away * self.away, self.largest() * self.largest());
-        Self { low, high, away: low }
-    }
-
-    fn reciprocal(self) -> Option<Self> {
-        let (least, most) = (1.0 / self.largest(), 1.0 / self.away);
-        if !most.is_finite() {
-            return None;
-        }
-        Some(if self.low > 0.0 {
-            Self::of(least, most)
-        } else if self.high < 0.0 {
-            Self::of(-most, -least)
-        } else {
-            Self { low: -most, high: most, away: least }
-        })
-    }
-
-    /// The root, of what cannot be negative.
-    fn root(self) -> Option<Self> {
-        (self.low >= 0.0).then(|| Self::of(self.low.sqrt(), self.high.sqrt()))
     }
 }
