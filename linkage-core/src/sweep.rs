@@ -31,7 +31,8 @@ pub use kinds::*;
 ///
 /// There are two differences. Without fused operations the exact product of numbers beyond 2⁹⁹⁶ (`f32`:
 /// 2¹¹⁵) cannot be made, and a call that needs it answers [`SolveError::NotFinite`]; a sweep that
-/// found fused instructions on the machine needs no splitting and may solve such a pose. And behind
+/// found fused instructions on the machine needs no splitting and may solve such a pose, or find it out of
+/// reach. And behind
 /// a group whose pin was rounded otherwise, a pose that is at its limit in the one may be a rounding
 /// away from it in the other, which then has a velocity; so it may be behind a root that a sweep found from
 /// the pose before. What a sweep calls solved is right.

@@ -8,6 +8,8 @@ pub(crate) trait Number: Differentiable + Float + PartialOrd {
     const NAME: &'static str;
     /// Half the distance from 1 to the next number.
     const HALF_UNIT: f64;
+    /// The largest number whose products are exact without fused operations.
+    const SPLIT: f64;
 
     /// The number of a bit pattern, of which as many bits count as the number has.
     fn from_bits(bits: u64) -> Self;
@@ -26,10 +28,11 @@ pub(crate) trait Number: Differentiable + Float + PartialOrd {
 }
 
 macro_rules! number {
-    ($float:ident, $bits:ident) => {
+    ($float:ident, $bits:ident, $split:literal) => {
         impl Number for $float {
             const NAME: &'static str = stringify!($float);
             const HALF_UNIT: f64 = $float::EPSILON as f64 / 2.0;
+            const SPLIT: f64 = $split;
 
             fn from_bits(bits: u64) -> Self {
                 Self::from_bits(bits as $bits)
@@ -52,8 +55,9 @@ macro_rules! number {
     };
 }
 
-number!(f32, u32);
-number!(f64, u64);
+// 2¹¹⁵ and 2⁹⁹⁶, see `sweep::Status`.
+number!(f32, u32, 4.15e34);
+number!(f64, u64, 6.69e299);
 
 /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): the same numbers in every run.
 pub(crate) struct Source(u64);
