@@ -13,6 +13,8 @@
 //! grid also has, and [`shape`](crate::shape) takes mirror images for the same. Linkages whose crank only swings
 //! are not included.
 
+use std::fmt;
+
 use linkage_core::Side;
 
 use crate::four_bar::Dimensions;
@@ -75,12 +77,62 @@ impl Candidates {
         self.linkages.len() * self.points.len()
     }
 
-    /// Ten million of them: lengths from 1.1 to 5 in tenths, and 21 × 15 coupler points.
+    /// The candidate of this number: the linkages in order, each with all its coupler points.
     #[must_use]
-    pub fn ten_million() -> Self {
-        // At a change point the curve may turn off: these linkages are left out.
-        let lengths: Vec<f64> = (11..=50).map(|tenths| f64::from(tenths) / 10.0).collect();
-        Self { linkages: linkages(&lengths, 0.05), points: coupler_points([21, 15]) }
+    pub fn dimensions(&self, candidate: usize) -> Option<Dimensions> {
+        let per_linkage = self.points.len().max(1);
+        let lengths = self.linkages.get(candidate / per_linkage)?;
+        Some(curve(*lengths, *self.points.get(candidate % per_linkage)?))
+    }
+}
+
+/// The candidates of a search by three numbers: how many lengths each bar has, and how many columns and rows
+/// of coupler points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Grid {
+    /// Lengths in equal steps from 1.1 to 5 cranks; at least two.
+    pub lengths: u32,
+    /// Coupler points along the coupler; at least two.
+    pub columns: u32,
+    /// Coupler points across it; at least two.
+    pub rows: u32,
+}
+
+impl Grid {
+    /// Ten million candidates: lengths in tenths, and 21 × 15 coupler points.
+    pub const TEN_MILLION: Self = Self { lengths: 40, columns: 21, rows: 15 };
+
+    /// By how much the sums of lengths differ at least: at a change point the curve may turn off.
+    pub const SLACK: f64 = 0.05;
+
+    /// The three numbers with commas between them, as `40,21,15`; none where one of them is below two.
+    #[must_use]
+    pub fn parse(text: &str) -> Option<Self> {
+        let numbers: Option<Vec<u32>> = text.split(',').map(|number| number.parse().ok()).collect();
+        match numbers?[..] {
+            [lengths, columns, rows] if lengths.min(columns).min(rows) >= 2 => {
+                Some(Self { lengths, columns, rows })
+            }
+            _ => None,
+        }
+    }
+
+    /// The candidates, in an order that depends on the three numbers alone.
+    #[must_use]
+    pub fn candidates(self) -> Candidates {
+        // Whole numbers divided once, so that forty lengths are the tenths themselves.
+        let of = |k: u32| {
+            f64::from(11 * (self.lengths - 1) + 39 * k) / f64::from(10 * (self.lengths - 1))
+        };
+        let lengths: Vec<f64> = (0..self.lengths).map(of).collect();
+        let points = coupler_points([self.columns, self.rows]);
+        Candidates { linkages: linkages(&lengths, Self::SLACK), points }
+    }
+}
+
+impl fmt::Display for Grid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{},{},{}", self.lengths, self.columns, self.rows)
     }
 }
 

@@ -1,4 +1,4 @@
-//! The picture: the drawn path, and on it the curves that come nearest with the four-bars that draw them.
+//! The picture: the ten best curves over the drawn path, and the best four-bars at work on it.
 
 use std::f64::consts::TAU;
 
@@ -8,45 +8,57 @@ use linkage_core::SolveError;
 use crate::drawn_path::DrawnPath;
 use crate::search::Found;
 
-/// A curve that was found, and where.
-#[derive(Clone, Debug)]
-pub struct Drawn {
-    /// Of its panel.
-    pub title: String,
-    /// The curve.
-    pub found: Found,
-}
-
-/// Writes `target/charts/atlas.svg` and says so.
+/// Writes `target/charts/NAME.svg` and says so: all curves in the first panel, and the first three with their
+/// linkages.
 ///
 /// # Errors
 /// Where a curve's poses cannot be assembled, which those of the grid can.
-pub fn write(path: &DrawnPath, curves: &[Drawn]) -> Result<(), SolveError> {
-    let panels: Result<Vec<Panel>, SolveError> =
-        curves.iter().map(|curve| panel(path, curve)).collect();
-    let title = "A drawn path, and the coupler curves that come nearest";
-    charts::write("atlas", title, 2, panels?);
+pub fn write(name: &str, path: &DrawnPath, curves: &[Found]) -> Result<(), SolveError> {
+    let mut panels = vec![all(path, curves)?];
+    for (nth, found) in (1..).zip(curves.iter().take(3)) {
+        panels.push(panel(
+            path,
+            &format!("{nth}: apart by {:.5} of its size", found.distance),
+            found,
+        )?);
+    }
+    charts::write(name, "A drawn path, and the coupler curves that come nearest", 2, panels);
     Ok(())
 }
 
-fn panel(path: &DrawnPath, Drawn { title, found }: &Drawn) -> Result<Panel, SolveError> {
+/// The curve, laid onto the path.
+fn placed_curve(found: &Found) -> Result<Vec<(f64, f64)>, SolveError> {
+    let four_bar = found.dimensions.four_bar();
+    let mut curve = Vec::new();
+    for k in 0..=720 {
+        let pose = four_bar.position(TAU * f64::from(k) / 720.0)?;
+        let [x, y] = found.placement.place([pose.P.x, pose.P.y]);
+        curve.push((x, y));
+    }
+    Ok(curve)
+}
+
+fn all(path: &DrawnPath, curves: &[Found]) -> Result<Panel, SolveError> {
+    let mut drawn = vec![Curve::band(path.closed())];
+    for (nth, found) in curves.iter().enumerate() {
+        let name = format!("{}: {:.5}", nth + 1, found.distance);
+        drawn.push(Curve::named(&name, COLOURS[nth % COLOURS.len()], placed_curve(found)?));
+    }
+    Ok(Panel::plane(&format!("the {} best designs", curves.len()), ["x", "y"], drawn))
+}
+
+fn panel(path: &DrawnPath, title: &str, found: &Found) -> Result<Panel, SolveError> {
     let placed = |x: f64, y: f64| {
         let [x, y] = found.placement.place([x, y]);
         (x, y)
     };
     let four_bar = found.dimensions.four_bar();
-    let angle = |k: u32| TAU * f64::from(k) / 720.0;
-    let mut curve = Vec::new();
-    for k in 0..=720 {
-        let pose = four_bar.position(angle(k))?;
-        curve.push(placed(pose.P.x, pose.P.y));
-    }
     let pose = four_bar.position(1.0)?;
     let [a, d] = [placed(0.0, 0.0), placed(found.dimensions.base, 0.0)];
     let [b, c, p] = [pose.B, pose.C, pose.P].map(|pin| placed(pin.x, pin.y));
     let curves = vec![
         Curve::band(path.closed()),
-        Curve::named("curve", COLOURS[1], curve),
+        Curve::named("curve", COLOURS[1], placed_curve(found)?),
         Curve::named("crank", COLOURS[0], vec![a, b]),
         Curve::named("coupler", COLOURS[2], vec![b, c, p, b]),
         Curve::named("follower", COLOURS[3], vec![c, d]),

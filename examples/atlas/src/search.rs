@@ -1,11 +1,17 @@
 //! The search: every candidate is traced and compared, on all cores.
 //!
-//! Each is traced through [`POSES`] poses by one sweep and described. Only where the bound of the distance,
-//! which is cheap, is not above the worst of a short list is the distance itself computed, so that the list is
-//! that of a comparison of all with all; which thread was how fast does not matter. The [`SHORT_LIST`] is traced
-//! once more through ten times as many poses, and the nearest of these is the answer.
+//! Each is traced through [`POSES`] poses by one sweep and described. A linkage counts by the nearest of its
+//! curves, so that the short list holds as many linkages, and not one linkage with all its coupler points. Only
+//! where the bound of the distance, which is cheap, is not above the linkage's best and the worst of the list is
+//! the distance itself computed: the list is that of a comparison of all with all, and which thread was how fast
+//! does not matter. The [`SHORT_LIST`] is traced once more through ten times as many poses, and the nearest of
+//! these is the answer.
+//!
+//! The list of a part of the linkages is [`short_list`], and the lists of all parts together are, by
+//! [`shortest`], the list of the whole.
 
 use std::collections::BinaryHeap;
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -23,15 +29,41 @@ pub const POSES: u32 = 64;
 /// Poses of a curve of the short list.
 pub const FINE_POSES: u32 = 10 * POSES;
 
-/// As many curves are compared once more.
+/// As many linkages are compared once more.
 pub const SHORT_LIST: usize = 1000;
+
+/// The most by which rounding lifts a bound above its distance. Each is a root of a sum of 48 squares; a term
+/// is off by some 50 ε, of twelve powers of a unit number, and all together by some 400 ε.
+const ROUNDING: f64 = 1e-12;
+
+/// A linkage on a short list, with the nearest of its curves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Entry {
+    /// Through [`POSES`] poses.
+    pub distance: f64,
+    /// The number of the candidate in its grid.
+    pub candidate: usize,
+}
+
+impl Entry {
+    /// Distances are not negative, so that their bits are in their order; equal ones are in that of the grid.
+    fn key(&self) -> (u64, usize) {
+        (self.distance.to_bits(), self.candidate)
+    }
+
+    fn nearer(self, other: Self) -> Self {
+        if other.key() < self.key() { other } else { self }
+    }
+}
 
 /// A curve, and how it is laid onto the drawn path.
 #[derive(Clone, Copy, Debug)]
 pub struct Found {
-    /// The four-bar, as in the grid; mirrored if the placement says so.
+    /// The number of the candidate in its grid.
+    pub candidate: usize,
+    /// The four-bar, as in the grid or refined; mirrored if the placement says so.
     pub dimensions: Dimensions,
-    /// See [`shape`](crate::shape).
+    /// Through [`FINE_POSES`] poses; see [`shape`](crate::shape).
     pub distance: f64,
     /// From the four-bar's axes to the path's.
     pub placement: Placement,
@@ -39,9 +71,8 @@ pub struct Found {
 
 /// The nearest curves that were seen so far, the farthest of them on top.
 struct ShortList {
-    /// The bits of a distance, which are in the order of the distances, and whose it is.
     nearest: Mutex<BinaryHeap<(u64, usize)>>,
-    /// The distance of the farthest once the list is full, infinity before: bits again.
+    /// The bits of the distance of the farthest once the list is full, infinity before.
     limit: AtomicU64,
     length: usize,
 }
@@ -52,13 +83,14 @@ impl ShortList {
         Self { nearest: Mutex::new(BinaryHeap::new()), limit, length }
     }
 
-    fn may_take(&self, bound: f64) -> bool {
-        bound.to_bits() <= self.limit.load(Ordering::Relaxed)
+    /// Whether a distance that is no less than this may be on the list.
+    fn may_take(&self, least: f64) -> bool {
+        least <= f64::from_bits(self.limit.load(Ordering::Relaxed))
     }
 
-    fn offer(&self, distance: f64, candidate: usize) {
+    fn offer(&self, entry: Entry) {
         let mut nearest = self.nearest.lock().unwrap_or_else(PoisonError::into_inner);
-        nearest.push((distance.to_bits(), candidate));
+        nearest.push(entry.key());
         if nearest.len() > self.length {
             nearest.pop();
         }
@@ -67,9 +99,11 @@ impl ShortList {
         }
     }
 
-    fn into_candidates(self) -> Vec<usize> {
+    /// Nearest first.
+    fn into_entries(self) -> Vec<Entry> {
         let nearest = self.nearest.into_inner().unwrap_or_else(PoisonError::into_inner);
-        nearest.into_iter().map(|(_, candidate)| candidate).collect()
+        let entry = |(bits, candidate)| Entry { distance: f64::from_bits(bits), candidate };
+        nearest.into_sorted_vec().into_iter().map(entry).collect()
     }
 }
 
@@ -84,53 +118,103 @@ pub fn nearest(
     length: usize,
     progress: &Progress,
 ) -> Result<Vec<Found>, LengthMismatch> {
+    let all = 0..candidates.linkages.len();
+    compared_again(path, candidates, &short_list(path, candidates, all, length, progress)?)
+}
+
+/// The short list of these linkages, nearest first: as many as `length` says, or all there are.
+///
+/// # Errors
+/// Never: all slices of a sweep are of one length.
+pub fn short_list(
+    path: &Descriptor,
+    candidates: &Candidates,
+    linkages: Range<usize>,
+    length: usize,
+    progress: &Progress,
+) -> Result<Vec<Entry>, LengthMismatch> {
     let (list, points) = (ShortList::new(length), &candidates.points);
-    candidates.linkages.par_iter().enumerate().try_for_each_init(
+    linkages.into_par_iter().try_for_each_init(
         || (Tracer::new(POSES), Describer::default()),
-        |(tracer, describer), (linkage, &lengths)| {
+        |(tracer, describer), linkage| {
+            let Some(&lengths) = candidates.linkages.get(linkage) else { return Ok(()) };
+            let mut best: Option<Entry> = None;
             for (nth, &point) in points.iter().enumerate() {
                 if !tracer.trace(&grid::curve(lengths, point))? {
                     continue;
                 }
                 let Some(curve) = describer.describe(&tracer.x, &tracer.y) else { continue };
-                if list.may_take(path.bound(&curve)) {
-                    list.offer(path.distance(&curve).0, linkage * points.len() + nth);
+                let least = path.bound(&curve) - ROUNDING;
+                if list.may_take(least) && best.is_none_or(|best| least <= best.distance) {
+                    let candidate = linkage * points.len() + nth;
+                    let entry = Entry { distance: path.distance(&curve).0, candidate };
+                    best = Some(best.map_or(entry, |best| best.nearer(entry)));
                 }
             }
+            best.into_iter().for_each(|entry| list.offer(entry));
             progress.advance(points.len() as u64);
             Ok(())
         },
     )?;
-    let mut found = compared_again(path, candidates, &list.into_candidates())?;
-    found.sort_by(|one, two| one.distance.total_cmp(&two.distance));
-    Ok(found)
+    Ok(list.into_entries())
 }
 
-/// The curves of the short list through many poses.
-fn compared_again(
+/// The short list of several: the nearest of all, in the order of [`short_list`].
+#[must_use]
+pub fn shortest(mut entries: Vec<Entry>, length: usize) -> Vec<Entry> {
+    entries.sort_unstable_by_key(Entry::key);
+    entries.truncate(length);
+    entries
+}
+
+/// The curves of the short list through [`FINE_POSES`] poses, nearest first.
+///
+/// # Errors
+/// Never: all slices of a sweep are of one length.
+pub fn compared_again(
     path: &Descriptor,
     candidates: &Candidates,
-    list: &[usize],
+    list: &[Entry],
 ) -> Result<Vec<Found>, LengthMismatch> {
-    let (mut tracer, mut describer) = (Tracer::new(FINE_POSES), Describer::default());
-    let mut found = Vec::new();
-    for &candidate in list {
-        let per_linkage = candidates.points.len();
-        let lengths = candidates.linkages[candidate / per_linkage];
-        let dimensions = grid::curve(lengths, candidates.points[candidate % per_linkage]);
-        if !tracer.trace(&dimensions)? {
-            continue;
-        }
-        if let Some(curve) = describer.describe(&tracer.x, &tracer.y) {
-            let (distance, placement) = path.distance(&curve);
-            found.push(Found { dimensions, distance, placement });
-        }
-    }
+    let compared: Result<Vec<Option<Found>>, LengthMismatch> = list
+        .par_iter()
+        .map(|entry| {
+            let Some(dimensions) = candidates.dimensions(entry.candidate) else { return Ok(None) };
+            compared(path, entry.candidate, dimensions)
+        })
+        .collect();
+    let mut found: Vec<Found> = compared?.into_iter().flatten().collect();
+    sort(&mut found);
     Ok(found)
 }
 
-/// The nearest, and after it the nearest of those that are another design: from each linkage that was taken, one
-/// of its three lengths at least differs by half a crank or more.
+/// A four-bar's curve through [`FINE_POSES`] poses; none where it has no size or its crank does not turn.
+///
+/// # Errors
+/// Never: all slices of a sweep are of one length.
+pub fn compared(
+    path: &Descriptor,
+    candidate: usize,
+    dimensions: Dimensions,
+) -> Result<Option<Found>, LengthMismatch> {
+    let mut tracer = Tracer::new(FINE_POSES);
+    if !tracer.trace(&dimensions)? {
+        return Ok(None);
+    }
+    let curve = Describer::default().describe(&tracer.x, &tracer.y);
+    Ok(curve.map(|curve| {
+        let (distance, placement) = path.distance(&curve);
+        Found { candidate, dimensions, distance, placement }
+    }))
+}
+
+/// Nearest first, equal ones in the order of the grid.
+pub(crate) fn sort(found: &mut [Found]) {
+    found.sort_by_key(|found| (found.distance.to_bits(), found.candidate));
+}
+
+/// The first, which is the nearest where they are in order, and after it the first of those that are another
+/// design: from each linkage that was taken, one of its three lengths at least differs by half a crank or more.
 #[must_use]
 pub fn designs(found: &[Found], count: usize) -> Vec<Found> {
     let lengths = |found: &Found| {

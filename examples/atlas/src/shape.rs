@@ -131,6 +131,20 @@ impl Placement {
     }
 }
 
+/// How the coefficients of one curve are laid onto those of another: exchanged or not, conjugated or not, then
+/// multiplied by e^{i(ψ+kτ)}.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Alignment {
+    /// cₖ and c₋ₖ change places.
+    pub(crate) swapped: bool,
+    /// Each becomes its conjugate.
+    pub(crate) mirrored: bool,
+    /// e^{iψ}.
+    pub(crate) turn: Complex,
+    /// τ.
+    pub(crate) shift: f64,
+}
+
 /// Describes curves, one after the other with the same memory.
 #[derive(Clone, Debug, Default)]
 pub struct Describer {
@@ -247,32 +261,42 @@ impl Descriptor {
         straight.min(apart(0, 1) + apart(1, 0)).sqrt()
     }
 
+    /// c₁, c₂, … and c₋₁, c₋₂, …, of square sum 1.
+    pub(crate) fn sides(&self) -> [[Complex; HARMONICS]; 2] {
+        [self.ahead, self.back]
+    }
+
     /// The distance to the other curve, and how that one is laid onto this one.
     #[must_use]
     pub fn distance(&self, other: &Self) -> (f64, Placement) {
-        let conjugate = |side: [Complex; HARMONICS]| side.map(Complex::conjugate);
-        let Self { ahead, back, .. } = *other;
-        let ways = [
-            (false, [ahead, back]),
-            // Run through the other way.
-            (false, [back, ahead]),
-            (true, [conjugate(back), conjugate(ahead)]),
-            (true, [conjugate(ahead), conjugate(back)]),
-        ];
-        let laid = ways.map(|(mirrored, sides)| {
-            let (square, turn) = self.laid_onto(&sides);
-            (square, mirrored, turn)
-        });
-        let least = laid.into_iter().reduce(|one, two| if two.0 < one.0 { two } else { one });
-        let (square, mirrored, turn) = least.unwrap_or((2.0, false, Complex::default()));
+        let (square, Alignment { mirrored, turn, .. }) = self.aligned(other);
         let factor = turn.scaled(self.size / other.size);
         let centre = if mirrored { other.centre.conjugate() } else { other.centre };
         let offset = self.centre - factor * centre;
         (square.sqrt(), Placement { mirrored, factor, offset })
     }
 
-    /// The square of the distance over all turns and starting points, and the turn.
-    fn laid_onto(&self, other: &[[Complex; HARMONICS]; 2]) -> (f64, Complex) {
+    /// The square of the distance, and the alignment that makes it least.
+    pub(crate) fn aligned(&self, other: &Self) -> (f64, Alignment) {
+        let conjugate = |side: [Complex; HARMONICS]| side.map(Complex::conjugate);
+        let Self { ahead, back, .. } = *other;
+        let ways = [
+            (false, false, [ahead, back]),
+            // Run through the other way.
+            (true, false, [back, ahead]),
+            (true, true, [conjugate(back), conjugate(ahead)]),
+            (false, true, [conjugate(ahead), conjugate(back)]),
+        ];
+        let laid = ways.map(|(swapped, mirrored, sides)| {
+            let (square, turn, shift) = self.laid_onto(&sides);
+            (square, Alignment { swapped, mirrored, turn, shift })
+        });
+        let [first, rest @ ..] = laid;
+        rest.into_iter().fold(first, |one, two| if two.0 < one.0 { two } else { one })
+    }
+
+    /// The square of the distance over all turns and starting points, the turn and the start.
+    fn laid_onto(&self, other: &[[Complex; HARMONICS]; 2]) -> (f64, Complex, f64) {
         let product = |t: &[Complex; HARMONICS], c: &[Complex; HARMONICS]| {
             let mut h = *c;
             h.iter_mut().zip(t).for_each(|(h, t)| *h = t.conjugate() * *h);
@@ -296,7 +320,7 @@ impl Descriptor {
             square += (t1 - turn * by * c1).square();
             square += (t2 - turn * by.conjugate() * c2).square();
         }
-        (square, turn)
+        (square, turn, shift)
     }
 }
 

@@ -6,7 +6,7 @@ use linkage_core::Side;
 
 use crate::drawn_path::{DrawnPath, PathError};
 use crate::four_bar::{Dimensions, Tracer};
-use crate::grid::{self, Candidates};
+use crate::grid::{self, Grid};
 use crate::progress::Progress;
 use crate::search;
 use crate::shape::{Complex, Describer, Descriptor};
@@ -45,7 +45,7 @@ const BEAN: Dimensions = Dimensions {
 fn the_atlas_has_the_curves_that_its_module_says() {
     let atlas = grid::atlas();
     assert_eq!((atlas.linkages.len(), atlas.count()), (156, 7800));
-    assert_eq!(Candidates::ten_million().count(), 10_086_300);
+    assert_eq!(Grid::TEN_MILLION.candidates().count(), 10_086_300);
     // By the links' lengths alone: Grashof's rule, and the crank the shortest.
     for [a, b, c] in &atlas.linkages {
         let longest = a.max(*b).max(*c);
@@ -182,9 +182,9 @@ fn a_curve_of_the_atlas_is_found_again() {
     });
     drawn.0.rotate_left(100);
     drawn.1.rotate_left(100);
-    let found = search::nearest(&described(&drawn), &atlas, 50, &Progress::silent());
+    let found = search::nearest(&described(&drawn), &atlas, 15, &Progress::silent());
     let found = found.expect("slices of one length");
-    assert_eq!(found.len(), 50);
+    assert_eq!(found.len(), 15);
     let first = &found[0];
     assert_eq!(first.dimensions, wanted);
     assert!(first.distance < NOTHING, "{}", first.distance);
@@ -199,24 +199,24 @@ fn a_curve_of_the_atlas_is_found_again() {
 #[test]
 fn the_list_is_that_of_a_comparison_of_all_with_all() {
     let mut few = grid::atlas();
-    few.linkages.truncate(10);
+    few.linkages.truncate(12);
     let path = described(&traced(&BEAN, search::FINE_POSES));
-    let found = search::nearest(&path, &few, 40, &Progress::silent());
+    let all = 0..few.linkages.len();
+    let found = search::short_list(&path, &few, all, 8, &Progress::silent());
     let found = found.expect("slices of one length");
-    let mut coarse: Vec<(f64, Dimensions)> = Vec::new();
-    for &lengths in &few.linkages {
-        for &point in &few.points {
-            let dimensions = grid::curve(lengths, point);
-            let curve = described(&traced(&dimensions, search::POSES));
-            coarse.push((path.distance(&curve).0, dimensions));
-        }
+    // Every linkage by the nearest of its curves, the first of the grid where two are as near.
+    let mut nearest: Vec<(f64, usize)> = Vec::new();
+    for linkage in 0..few.linkages.len() {
+        let of_linkage = (0..few.points.len()).map(|nth| {
+            let candidate = linkage * few.points.len() + nth;
+            let dimensions = few.dimensions(candidate).expect("it is one");
+            (path.distance(&described(&traced(&dimensions, search::POSES))).0, candidate)
+        });
+        nearest.extend(of_linkage.min_by(|one, two| one.0.total_cmp(&two.0)));
     }
-    coarse.sort_by(|one, two| one.0.total_cmp(&two.0));
-    let farthest = coarse[40].0;
-    for (distance, dimensions) in &coarse[..40] {
-        let listed = found.iter().any(|found| found.dimensions == *dimensions);
-        assert!(listed || *distance == farthest, "{dimensions:?}");
-    }
+    nearest.sort_by(|one, two| one.0.total_cmp(&two.0));
+    let found: Vec<(f64, usize)> = found.iter().map(|one| (one.distance, one.candidate)).collect();
+    assert_eq!(found, nearest[..8]);
 }
 
 #[test]
@@ -237,7 +237,15 @@ fn what_is_no_path_is_refused_in_words() {
 }
 
 #[test]
-fn the_committed_path_is_one() {
-    let path = DrawnPath::parse(include_str!("../paths/step.txt")).expect("it is drawn");
-    assert_eq!(path.x.len(), 21);
+fn the_committed_paths_are_paths() {
+    for (text, points) in [
+        (include_str!("../paths/step.txt"), 21),
+        (include_str!("../paths/line.txt"), 40),
+        (include_str!("../paths/eight.txt"), 72),
+        (include_str!("../paths/d.txt"), 64),
+    ] {
+        let path = DrawnPath::parse(text).expect("it is drawn");
+        assert_eq!(path.x.len(), points);
+        assert!(Describer::default().describe(&path.x, &path.y).is_some());
+    }
 }
