@@ -96,6 +96,11 @@ impl Diagnostics {
         Self { mistakes: Vec::new(), asked: false }
     }
 
+    /// Takes back what was reported after so many mistakes.
+    pub(crate) fn forget_since(&mut self, count: usize) {
+        self.mistakes.truncate(count);
+    }
+
     /// Reports a mistake at the tokens that made it: one line that says what to do.
     pub(crate) fn error(&mut self, at: impl Into<Extent>, message: impl std::fmt::Display) {
         self.mistakes.push(Diagnostic::new(at.into(), message.to_string(), None));

@@ -20,6 +20,7 @@
 //! | `exact` | real constants without error, rounded once | |
 //! | `syntax` | tokens and spans into a tree | resolve a name |
 //! | `reach` | what constant dimensions say before anything is solved, exactly | know a mechanism |
+//! | `chain` | a machine as it is drawn, cut into drivers and groups by counting freedoms | know a name, write a message |
 //! | `model` | names into ids, dimensions, one function a rule | know how a mechanism is solved |
 //! | `interface` | what is offered: entry points, records, units, labels | compute or print |
 //! | `ir` | the expression graph, its cost, its text, its interpreter | know a mechanism |
@@ -53,8 +54,11 @@
 #[cfg(feature = "macro")]
 extern crate proc_macro;
 
+mod chain;
 mod codegen;
 mod diagnostics;
+#[cfg(test)]
+mod drawings;
 mod equations;
 mod exact;
 #[cfg(test)]

@@ -124,7 +124,7 @@ fn constants(cx: &Context<'_>) -> TokenStream {
         params.iter().map(|p| identifiers::string(&text(&p.name), p.name.span())).collect();
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
     let (cost_type, cost) = (costs_in_words::ty(cx), costs_in_words::constant(cx));
-    let (forces, cost_docs) = (force_rows(cx), docs::cost(cx));
+    let (forces, cost_docs, drawn) = (force_rows(cx), docs::cost(cx), drawn(cx));
     let [float, string, is] = ["f64", "str", "Is"].map(|name| cx.paths.item(name));
     quote! {
         impl #name<#float> {
@@ -134,6 +134,7 @@ fn constants(cx: &Context<'_>) -> TokenStream {
             pub const INPUTS: [&'static #string; #columns] = [#(#inputs),*];
             /// The numeric parameters, in the order of the columns of sensitivities.
             pub const PARAMS: [&'static #string; #numbers] = [#(#params),*];
+            #drawn
             #forces
             #cost_docs
             pub const COST: #cost_type = #cost;
@@ -146,6 +147,18 @@ fn constants(cx: &Context<'_>) -> TokenStream {
             #[must_use]
             pub const fn new() -> #name<#float> where #float: #is<#scalar> { #new }
         }
+    }
+}
+
+/// The inputs of the pose in which the mechanism is drawn; nothing where it is not.
+fn drawn(cx: &Context<'_>) -> TokenStream {
+    let Some(values) = &cx.mechanism.drawn else { return TokenStream::new() };
+    let float = cx.paths.item("f64");
+    let (values, columns) =
+        (values.iter().map(|&value| Literal::f64_unsuffixed(value)), cx.columns());
+    quote! {
+        /// The inputs of the pose in which the mechanism is drawn, in metres and radians.
+        pub const DRAWN: [#float; #columns] = [#(#values),*];
     }
 }
 

@@ -10,6 +10,7 @@
 //! says why.
 
 mod declarations;
+mod drawn;
 mod fingerprint;
 mod parts;
 

@@ -47,6 +47,8 @@ pub(crate) struct Mechanism {
     pub dynamics: Dynamics,
     /// For editors.
     pub references: References,
+    /// The inputs of the pose in which it is drawn, where it is drawn and they are determined.
+    pub drawn: Option<Vec<f64>>,
     /// Whether it stands in for a declaration with mistakes, of which only names are known.
     pub stands_in: bool,
     pub numerics: Numerics,
@@ -95,6 +97,7 @@ impl Mechanism {
             known: Vec::new(),
             dynamics: Dynamics::default(),
             references: References::default(),
+            drawn: None,
             stands_in: false,
             numerics: Numerics::Plain,
             crate_path: None,

@@ -14,6 +14,7 @@ mod assembly;
 mod class_three;
 mod coincidence;
 mod dimension;
+mod drawn;
 pub(crate) mod dynamics;
 mod dynamics_outputs;
 mod expr;
@@ -68,31 +69,21 @@ use searched::Searched;
 
 /// The mechanism that the declaration means; `None` if anything in it was reported.
 pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
-    let before = diagnostics.count();
-    let mut resolver = Resolver {
-        diagnostics,
-        unread: &tree.unread,
-        names: Names::collect(tree),
-        mechanism: empty(tree),
-        facts: Facts::of(tree),
-        moves: false,
-        too_early: Vec::new(),
-        use_is_hidden: false,
-        number_is_unknown: false,
-        reported_unknown: HashSet::new(),
-        is_about_forces: false,
-        gravity_at: None,
-        searched: None,
-        follows: false,
-        solved: tree.statements.iter().filter_map(solved).collect(),
-    };
-    for (index, statement) in tree.statements.iter().enumerate() {
-        resolver.names.go_to(index);
-        resolver.moves = false;
-        resolver.statement(statement);
-        resolver.note_what_follows(statement);
+    match drawn::is_drawn(tree) {
+        true => drawn::resolve(tree, diagnostics),
+        false => resolve_groups(tree, diagnostics, &[]),
     }
-    resolver.names.go_to(tree.statements.len());
+}
+
+/// The same where every group is declared, `turned` links with the frames that they are written in.
+fn resolve_groups(
+    tree: &Declaration,
+    diagnostics: &mut Diagnostics,
+    turned: &[drawn::Turned],
+) -> Option<Mechanism> {
+    let before = diagnostics.count();
+    let mut resolver = Resolver::new(tree, &tree.unread, diagnostics);
+    resolver.statements(tree);
     resolver.every_unknown_is_solved(tree);
     resolver.outputs(tree);
     resolver.statements_are_in_order(tree);
@@ -103,6 +94,7 @@ pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     resolver.mechanism.rotatabilities = rotatability::rotatabilities(&resolver.mechanism);
     resolver.cranks_can_turn();
     resolver.ends_can_be_assembled();
+    resolver.directions_are_as_written(turned);
     let mechanism = resolver.mechanism;
     (diagnostics.count() == before).then_some(mechanism)
 }
@@ -138,7 +130,39 @@ struct Resolver<'d> {
     solved: HashSet<String>,
 }
 
+impl<'d> Resolver<'d> {
+    fn new(tree: &Declaration, unread: &'d Unread, diagnostics: &'d mut Diagnostics) -> Self {
+        Self {
+            diagnostics,
+            unread,
+            names: Names::collect(tree),
+            mechanism: empty(tree),
+            facts: Facts::of(tree),
+            moves: false,
+            too_early: Vec::new(),
+            use_is_hidden: false,
+            number_is_unknown: false,
+            reported_unknown: HashSet::new(),
+            is_about_forces: false,
+            gravity_at: None,
+            searched: None,
+            follows: false,
+            solved: tree.statements.iter().filter_map(solved).collect(),
+        }
+    }
+}
+
 impl Resolver<'_> {
+    fn statements(&mut self, tree: &Declaration) {
+        for (index, statement) in tree.statements.iter().enumerate() {
+            self.names.go_to(index);
+            self.moves = false;
+            self.statement(statement);
+            self.note_what_follows(statement);
+        }
+        self.names.go_to(tree.statements.len());
+    }
+
     fn statement(&mut self, statement: &Statement) {
         let docs = &statement.docs;
         match &statement.kind {
@@ -159,8 +183,12 @@ impl Resolver<'_> {
                 self.placed_point(docs, name, on.as_ref(), place);
             }
             StatementKind::Group(group) => self.group(docs, group),
-            // Outputs may name anything, wherever they stand: they come last.
-            StatementKind::Output { .. } => {}
+            // Outputs may name anything, wherever they stand: they come last. What is drawn was made
+            // into groups.
+            StatementKind::Output { .. }
+            | StatementKind::Pin { .. }
+            | StatementKind::Link { .. }
+            | StatementKind::Drive(_) => {}
             StatementKind::Load { names, kind } => self.load(docs, names, kind.as_ref()),
             StatementKind::Action(action) => self.action(docs, action),
             StatementKind::Numerics { mode } => self.numerics(mode),

@@ -166,6 +166,8 @@ pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
         StatementKind::Let { name, .. } => vec![(name, Kind::Let)],
         StatementKind::Unknown { name, .. } => vec![(name, Kind::Unknown)],
         StatementKind::Ground { points } => points.iter().map(|p| (&p.0, Kind::Point)).collect(),
+        StatementKind::Pin { points } => points.iter().map(|p| (&p.0, Kind::Point)).collect(),
+        StatementKind::Link { links, .. } => links.iter().map(|l| (&l.name, Kind::Link)).collect(),
         StatementKind::Guide { name, .. } => vec![(name, Kind::Guide)],
         StatementKind::Point { name, .. } => vec![(name, Kind::Point)],
         StatementKind::Group(group) => {
@@ -177,6 +179,7 @@ pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
             name.iter().map(|name| (name, Kind::Spring)).collect()
         }
         StatementKind::Solve(_)
+        | StatementKind::Drive(_)
         | StatementKind::Action(_)
         | StatementKind::Output { .. }
         | StatementKind::Numerics { .. }
@@ -194,6 +197,9 @@ pub(super) fn title(statement: &Statement, name: &str) -> String {
         StatementKind::Unknown { .. } => format!("unknown {name}"),
         StatementKind::Solve(solve) => format!("solve {}", solve.unknown),
         StatementKind::Ground { .. } => format!("ground {name}"),
+        StatementKind::Pin { .. } => format!("pin {name}"),
+        StatementKind::Link { .. } => format!("link {name}"),
+        StatementKind::Drive(drive) => format!("drive {}.{}", drive.link, drive.member),
         StatementKind::Guide { .. } => format!("guide {name}"),
         StatementKind::Point { .. } => format!("point {name}"),
         StatementKind::Group(group) => {

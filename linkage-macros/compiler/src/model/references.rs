@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use crate::syntax::tree::{
-    Course, Declaration, Expr, ExprKind, Place, Spot, Statement, StatementKind,
+    Course, Declaration, Expr, ExprKind, Group, Place, Spot, Statement, StatementKind,
 };
 
 use super::mechanism::References;
@@ -57,6 +57,12 @@ fn joints(statement: &Statement) -> Vec<&Ident> {
             on.iter().chain(through).chain(towards).collect()
         }
         StatementKind::Point { on, .. } => on.iter().collect(),
+        StatementKind::Link { links, .. } => {
+            links.iter().flat_map(|link| link.pins.iter().chain(&link.on)).collect()
+        }
+        StatementKind::Drive(drive) => {
+            [&drive.link].into_iter().chain(drive.to.iter().map(|(link, _)| link)).collect()
+        }
         StatementKind::Solve(solve) => vec![&solve.unknown],
         StatementKind::Action(action) => action.names(),
         StatementKind::Group(group) => {
@@ -70,7 +76,11 @@ fn joints(statement: &Statement) -> Vec<&Ident> {
 pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
     match &statement.kind {
         StatementKind::Param { default: value, .. } | StatementKind::Let { value, .. } => f(value),
-        StatementKind::Ground { points } => {
+        StatementKind::Drive(drive) => f(&drive.value),
+        StatementKind::Link { fields, .. } => {
+            fields.iter().flat_map(Group::values).for_each(f);
+        }
+        StatementKind::Ground { points } | StatementKind::Pin { points } => {
             points.iter().flat_map(|(_, place)| place).for_each(f);
         }
         StatementKind::Guide { through, course, .. } => {

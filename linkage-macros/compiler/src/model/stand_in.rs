@@ -93,6 +93,14 @@ impl StandIn {
                     self.point(docs, name, Fixed::Yes, PartOf::Ground);
                 }
             }
+            StatementKind::Pin { points } => {
+                for (name, _) in points {
+                    self.point(docs, name, Fixed::No, PartOf::Driven(GroupId(0)));
+                }
+            }
+            StatementKind::Link { links, .. } => {
+                links.iter().for_each(|link| self.drawn_link(docs, link));
+            }
             StatementKind::Point { name, .. } => {
                 // On which link is not known: its name may be the mistake.
                 self.point(docs, name, Fixed::No, PartOf::Driven(GroupId(0)));
@@ -106,6 +114,7 @@ impl StandIn {
             StatementKind::Action(_) => {}
             StatementKind::Guide { name, .. } => self.guides.push(name.clone()),
             StatementKind::Solve(_)
+            | StatementKind::Drive(_)
             | StatementKind::Output { .. }
             | StatementKind::Numerics { .. } => {}
         }
@@ -180,6 +189,13 @@ impl StandIn {
         if let Some(pin) = &group.pin {
             self.point(docs, pin, Fixed::No, PartOf::Pin(made_by));
         }
+    }
+
+    /// A link that no group has placed yet.
+    fn drawn_link(&mut self, docs: &[Attribute], link: &tree::DrawnLink) {
+        let mut group = tree::Group::of_link(&link.name);
+        group.legs.push(tree::Leg { link: link.name.clone(), joint: None });
+        self.group(docs, &group);
     }
 
     /// Whether an expression holds the angle of a link, itself or under a name.

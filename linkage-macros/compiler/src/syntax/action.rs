@@ -11,6 +11,7 @@ use super::tree::{Expr, Group, StatementKind};
 pub(crate) const ACTING: [&str; 5] = ["mass", "inertia", "force", "torque", "spring"];
 
 /// `gravity`, `mass`, `inertia`, `force`, `torque` or `spring`.
+#[derive(Clone)]
 pub(crate) enum Action {
     /// `gravity (0, -g);` and where it stands.
     Gravity { at: Span, value: [Expr; 2] },
@@ -32,6 +33,7 @@ pub(crate) enum Action {
 }
 
 /// Where a mass is.
+#[derive(Clone)]
 pub(crate) enum MassPlace {
     /// Nothing is said: the mass is on a point.
     Here,

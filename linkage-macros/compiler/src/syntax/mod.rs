@@ -8,6 +8,9 @@
 //!            | `unknown` NAME `:` KIND `between` pair `;`
 //!            | `solve` NAME `{` expression `=` expression `,` (FIELD `:` expression),* `}`
 //!            | `ground` (NAME pair),* `;`
+//!            | `pin` (NAME pair),* `;`
+//!            | `link` (NAME `(` PIN,* `)` (`on` GUIDE,*)?),* (`;` | `{` FIELD `:` expression `}`)
+//!            | `drive` LINK `.` MEMBER (`-` LINK `.` MEMBER)? `=` expression `;`
 //!            | `guide` NAME (`on` LINK)? `through` (pair | POINT)
 //!                                        (`along` expression | `towards` POINT) `;`
 //!            | `point` NAME (`on` LINK)? `at` (pair | `polar` pair | `distances` pair SIDE) `;`
@@ -33,6 +36,7 @@
 
 pub(crate) mod action;
 pub(crate) mod anatomy;
+mod chain;
 mod declaration;
 pub(crate) mod expression;
 mod group;

@@ -127,6 +127,8 @@ impl Parser<'_> {
                 Some(TokenTree::Punct(_)) | None => false,
                 Some(_) => true,
             },
+            "pin" | "link" => named && paren,
+            "drive" => named && self.is_punct(2, '.'),
             "guide" | "point" => named && self.peek_ident(2).is_some(),
             "ground" => named && paren,
             group => words::GROUPS.contains(&group) && named && paren,

@@ -27,10 +27,14 @@ impl Parser<'_> {
             "numerics" => self.numerics(),
             "crate" => self.crate_path(),
             "export" => self.export(),
+            "pin" => self.pins(),
+            "link" => self.links(keyword),
+            "drive" => self.drive(),
             _ => self.action(keyword)?,
         };
-        // A spring ends with its braces.
-        if parsed.is_ok() && keyword != "spring" {
+        // A spring ends with its braces, and so may a link.
+        let has_braces = keyword == "spring" || keyword == "link" && self.ended_with_braces();
+        if parsed.is_ok() && !has_braces {
             self.semicolon();
         }
         Some(parsed)
@@ -124,7 +128,7 @@ impl Parser<'_> {
         Ok(StatementKind::Let { name, value })
     }
 
-    fn ground(&mut self) -> Parse<StatementKind> {
+    pub(super) fn ground(&mut self) -> Parse<StatementKind> {
         let mut points = Vec::new();
         loop {
             let name = match self.new_name("a point") {

@@ -22,6 +22,7 @@ pub(crate) struct Declaration {
 
 /// What a mistake kept from being read. A name in it may have been declared or used there: later
 /// phases say nothing of its absence.
+#[derive(Clone)]
 pub(crate) enum Unread {
     /// Nothing behind the name of the mechanism.
     Everything,
@@ -38,12 +39,14 @@ impl Unread {
     }
 }
 
+#[derive(Clone)]
 pub(crate) struct Statement {
     /// Doc comments in front of the statement.
     pub docs: Vec<Attribute>,
     pub kind: StatementKind,
 }
 
+#[derive(Clone)]
 pub(crate) enum StatementKind {
     /// `input s, x: length;`; without a kind only after a mistake.
     Input { names: Vec<Ident>, kind: Option<Ident> },
@@ -57,6 +60,12 @@ pub(crate) enum StatementKind {
     Let { name: Ident, value: Expr },
     /// `ground A(0, 0), D(…);`
     Ground { points: Vec<(Ident, [Expr; 2])> },
+    /// `pin B(80mm, 0), C(600mm, 360mm);`: where joints and tracer points are in the drawing.
+    Pin { points: Vec<(Ident, [Expr; 2])> },
+    /// `link AB(A, B), block(Q) on slot;` or `link lift(F, G) { length: s }`
+    Link { links: Vec<DrawnLink>, fields: Option<Group> },
+    /// `drive AB.angle = theta;`
+    Drive(Drive),
     /// `guide slot on BC through P towards C;`
     Guide { name: Ident, on: Option<Ident>, through: Spot, course: Course },
     /// `point P on BC at …;`
@@ -85,6 +94,7 @@ impl StatementKind {
 }
 
 /// `rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: left }`.
+#[derive(Clone)]
 pub(crate) struct Group {
     /// `crank`, `slider`, `rrr`, …; not yet known to be one of them.
     pub keyword: Ident,
@@ -99,7 +109,28 @@ pub(crate) struct Group {
     pub fields_are_read: bool,
 }
 
+/// `BC(B, C, blade) on slot`: a body through pins, rigid as it is drawn.
+#[derive(Clone)]
+pub(crate) struct DrawnLink {
+    pub name: Ident,
+    pub pins: Vec<Ident>,
+    /// The guides on which it slides without turning.
+    pub on: Vec<Ident>,
+}
+
+/// `drive BC.angle - AB.angle = theta;`.
+#[derive(Clone)]
+pub(crate) struct Drive {
+    pub link: Ident,
+    /// `angle` or `slide`; not yet known to be one of them.
+    pub member: Ident,
+    /// The link that the first one is driven against and its member; the ground where there is none.
+    pub to: Option<(Ident, Ident)>,
+    pub value: Expr,
+}
+
 /// `solve theta { ram.slide = x, mode: falling, near: seed }`.
+#[derive(Clone)]
 pub(crate) struct Solve {
     pub unknown: Ident,
     /// The two sides; `None` only after a mistake.
@@ -126,6 +157,11 @@ impl Group {
         }
     }
 
+    /// A group of which only a link is known.
+    pub(crate) fn of_link(link: &Ident) -> Self {
+        Self::without_links(Ident::new("link", link.span()), link.span())
+    }
+
     /// The values of its fields.
     pub(crate) fn values(&self) -> impl Iterator<Item = &Expr> {
         self.fields.iter().flat_map(|field| match &field.value {
@@ -141,6 +177,7 @@ impl Group {
 }
 
 /// `BC(B)`: a link and what its outer joint stands on.
+#[derive(Clone)]
 pub(crate) struct Leg {
     pub link: Ident,
     /// `None` only after a mistake.
@@ -148,6 +185,7 @@ pub(crate) struct Leg {
 }
 
 /// `lengths: (632mm, 374mm)`.
+#[derive(Clone)]
 pub(crate) struct Field {
     pub name: Ident,
     pub value: FieldValue,
@@ -161,6 +199,7 @@ pub(crate) enum FieldValue {
 }
 
 /// What a guide goes through.
+#[derive(Clone)]
 pub(crate) enum Spot {
     At([Expr; 2]),
     Point(Ident),
@@ -169,6 +208,7 @@ pub(crate) enum Spot {
 }
 
 /// Where a guide goes.
+#[derive(Clone)]
 pub(crate) enum Course {
     Along(Expr),
     Towards(Ident),
@@ -176,6 +216,7 @@ pub(crate) enum Course {
     Mistake,
 }
 
+#[derive(Clone)]
 pub(crate) enum Place {
     /// `at (x, y)`
     Cartesian([Expr; 2]),
@@ -187,6 +228,7 @@ pub(crate) enum Place {
     Mistake,
 }
 
+#[derive(Clone)]
 pub(crate) struct OutputItem {
     /// `fold =`, where the item is a named expression.
     pub name: Option<Ident>,

@@ -3,6 +3,7 @@
 mod actions;
 mod class_three;
 mod constants;
+mod drawn;
 mod expressions;
 mod fields;
 

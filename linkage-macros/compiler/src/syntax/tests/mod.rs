@@ -1,6 +1,7 @@
 //! The parser on tiny declarations: trees in text form, and mistakes with their tokens.
 
 mod actions;
+mod chain;
 mod expression_mistakes;
 mod group_mistakes;
 mod recovery;
@@ -80,6 +81,9 @@ fn kind(kind: &StatementKind) -> String {
         StatementKind::Ground { points } => {
             let points = points.iter().map(|(name, at)| format!("{name}{}", pair(at)));
             format!("ground {}", points.collect::<Vec<_>>().join(", "))
+        }
+        StatementKind::Pin { .. } | StatementKind::Link { .. } | StatementKind::Drive(_) => {
+            chain::drawn(kind)
         }
         StatementKind::Guide { name, on, through, course } => {
             let through = match through {

@@ -1,0 +1,280 @@
+//! Drivers and dyads among bodies that depend on each other.
+
+use super::machine::{Driven, GROUND, Machine};
+
+/// What places bodies once all before it are placed.
+#[derive(Clone, Debug)]
+pub(crate) enum Step {
+    /// A body is turned about a pin that is known.
+    Crank {
+        drive: usize,
+        body: usize,
+        reference: usize,
+        pivot: usize,
+    },
+    /// A body is moved along a slide.
+    Slider {
+        drive: usize,
+        body: usize,
+        slide: usize,
+    },
+    Dyad(Dyad),
+}
+
+/// Two legs, each with a joint outside, and a joint between them.
+#[derive(Clone, Debug)]
+pub(crate) struct Dyad {
+    pub legs: [Leg; 2],
+    pub inner: Joint,
+}
+
+/// Bodies that drives hold together, most often a single one.
+#[derive(Clone, Debug)]
+pub(crate) struct Leg {
+    pub bodies: Vec<usize>,
+    pub outer: Joint,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Joint {
+    Pin(usize),
+    Slide(usize),
+}
+
+impl Joint {
+    /// The letter of the joint in the name of a dyad.
+    pub(crate) fn letter(self) -> char {
+        match self {
+            Self::Pin(_) => 'r',
+            Self::Slide(_) => 'p',
+        }
+    }
+
+    fn is_pin(self) -> bool {
+        matches!(self, Self::Pin(_))
+    }
+}
+
+impl Dyad {
+    /// The letters of its joints, from one outside joint to the other.
+    pub(crate) fn letters(&self) -> String {
+        [self.legs[0].outer, self.inner, self.legs[1].outer].map(Joint::letter).iter().collect()
+    }
+
+    /// The legs in the order in which the language names them: the bar in front of the block, the
+    /// block in front of what it slides on.
+    fn ordered(mut self, machine: &Machine) -> Self {
+        let swaps = match (self.legs[0].outer.is_pin(), self.legs[1].outer.is_pin()) {
+            (false, true) => true,
+            (true, true) => match self.inner {
+                Joint::Slide(slide) => !self.legs[0].bodies.contains(&machine.slides[slide].body),
+                Joint::Pin(_) => false,
+            },
+            _ => false,
+        };
+        if swaps {
+            self.legs.reverse();
+        }
+        self
+    }
+}
+
+/// The bodies and pins that are placed.
+#[derive(Clone)]
+pub(crate) struct Known {
+    bodies: Vec<bool>,
+    pins: Vec<bool>,
+}
+
+impl Known {
+    /// The ground and what is given, as if all of it were there: the groups come in an order in which it
+    /// is.
+    pub(crate) fn at_first(machine: &Machine) -> Self {
+        let mut known = Self {
+            bodies: vec![false; machine.bodies.len()],
+            pins: vec![false; machine.pins.len()],
+        };
+        let given: Vec<_> =
+            (0..machine.bodies.len()).filter(|&body| machine.is_given(body)).collect();
+        known.bodies[GROUND] = true;
+        machine.bodies[GROUND].pins.iter().for_each(|&pin| known.pins[pin] = true);
+        for body in given {
+            known.bodies[body] = true;
+            let needs = machine.bodies[body].given.as_ref();
+            let made = machine.bodies[body].pins.iter();
+            let made = made.filter(|pin| needs.is_none_or(|needs| !needs.pins.contains(pin)));
+            made.for_each(|&pin| known.pins[pin] = true);
+        }
+        known
+    }
+
+    pub(crate) fn add(&mut self, machine: &Machine, bodies: &[usize]) {
+        for &body in bodies {
+            self.bodies[body] = true;
+            machine.bodies[body].pins.iter().for_each(|&pin| self.pins[pin] = true);
+        }
+    }
+
+    pub(crate) fn body(&self, body: usize) -> bool {
+        self.bodies[body]
+    }
+
+    pub(crate) fn pin(&self, pin: usize) -> bool {
+        self.pins[pin]
+    }
+}
+
+/// Unknown bodies, in parts that drives hold together.
+#[derive(Clone)]
+pub(crate) struct Parts<'m> {
+    pub machine: &'m Machine,
+    pub known: Known,
+    pub parts: Vec<Vec<usize>>,
+}
+
+/// What a joint is between.
+const KNOWN: usize = usize::MAX;
+
+impl Parts<'_> {
+    /// The part that holds a body, [`KNOWN`] where it is placed.
+    fn part_of(&self, body: usize) -> Option<usize> {
+        match self.known.body(body) {
+            true => Some(KNOWN),
+            false => self.parts.iter().position(|part| part.contains(&body)),
+        }
+    }
+
+    /// The joints among these parts and with what is known, each with what it is between.
+    fn joints(&self, set: &[usize]) -> Vec<(Joint, Vec<usize>)> {
+        let mut joints = Vec::new();
+        for pin in 0..self.machine.pins.len() {
+            let mut between: Vec<usize> = Vec::new();
+            for body in self.machine.at(pin) {
+                let part = self.part_of(body).filter(|part| set.contains(part));
+                between.extend(part.filter(|part| !between.contains(part)));
+            }
+            if self.known.pin(pin) && !between.is_empty() {
+                between.push(KNOWN);
+            }
+            if between.len() > 1 {
+                joints.push((Joint::Pin(pin), between));
+            }
+        }
+        for (index, slide) in self.machine.slides.iter().enumerate() {
+            let (Some(a), Some(b)) = (self.part_of(slide.body), self.part_of(slide.carrier)) else {
+                continue;
+            };
+            let is_among = |part: usize| part == KNOWN || set.contains(&part);
+            if a != b && is_among(a) && is_among(b) && (set.contains(&a) || set.contains(&b)) {
+                joints.push((Joint::Slide(index), vec![a, b]));
+            }
+        }
+        joints
+    }
+
+    /// The dyad that two parts are.
+    fn dyad(&self, set: [usize; 2]) -> Option<Dyad> {
+        let joints = self.joints(&set);
+        let [first, second, third] = &joints[..] else { return None };
+        if [first, second, third].iter().any(|(_, between)| between.len() != 2) {
+            return None;
+        }
+        let inner = joints.iter().find(|(_, between)| !between.contains(&KNOWN))?;
+        let outer = |part: usize| {
+            let mut outer = joints
+                .iter()
+                .filter(|(_, between)| between.contains(&KNOWN) && between.contains(&part));
+            let only = outer.next()?.0;
+            outer.next().is_none().then_some(only)
+        };
+        let leg = |part: usize| Some(Leg { bodies: self.parts[part].clone(), outer: outer(part)? });
+        let legs = [leg(set[0])?, leg(set[1])?];
+        let sliding =
+            legs.iter().filter(|leg| !leg.outer.is_pin()).count() + usize::from(!inner.0.is_pin());
+        // Two links with prismatic joints alone cannot turn.
+        (sliding < 3).then(|| Dyad { legs, inner: inner.0 }.ordered(self.machine))
+    }
+
+    /// Joins the parts between which a joint is driven.
+    fn hold(&mut self) {
+        for drive in &self.machine.drives {
+            let [a, b] = drive.bodies.map(|body| self.part_of(body));
+            let (Some(a), Some(b)) = (a, b) else { continue };
+            let is_joined = match drive.kind {
+                Driven::Angle => self.machine.shared_pin(drive.bodies).is_some(),
+                Driven::Slide(_) => true,
+            };
+            if is_joined && a != b && a != KNOWN && b != KNOWN {
+                let (kept, gone) = (a.min(b), a.max(b));
+                let more = self.parts.remove(gone);
+                self.parts[kept].extend(more);
+                self.parts[kept].sort_unstable();
+            }
+        }
+    }
+
+    fn take(&mut self, mut set: Vec<usize>) {
+        set.sort_unstable();
+        for part in set.into_iter().rev() {
+            let bodies = self.parts.remove(part);
+            self.known.add(self.machine, &bodies);
+        }
+    }
+
+    /// A driver whose other side is known.
+    fn driver(&self) -> Option<(usize, Step)> {
+        self.machine.drives.iter().enumerate().find_map(|(index, drive)| {
+            let [a, b] = drive.bodies;
+            [(a, b), (b, a)].into_iter().find_map(|(body, reference)| {
+                let part = self.part_of(body).filter(|&part| part != KNOWN)?;
+                if !self.known.body(reference) || self.parts[part].len() != 1 {
+                    return None;
+                }
+                let step = match drive.kind {
+                    Driven::Slide(slide) => Step::Slider { drive: index, body, slide },
+                    Driven::Angle => {
+                        let mut pins = self.machine.bodies[body].pins.iter().copied();
+                        let pivot = pins.find(|&pin| self.known.pin(pin))?;
+                        Step::Crank { drive: index, body, reference, pivot }
+                    }
+                };
+                Some((part, step))
+            })
+        })
+    }
+
+    /// Drivers and dyads as far as they go.
+    pub(crate) fn place(&mut self) -> Vec<Step> {
+        let mut steps = Vec::new();
+        loop {
+            if let Some((part, step)) = self.driver() {
+                steps.push(step);
+                self.take(vec![part]);
+                continue;
+            }
+            let pairs = (0..self.parts.len()).flat_map(|b| (0..b).map(move |a| [a, b]));
+            let Some((pair, dyad)) = pairs.filter_map(|pair| Some((pair, self.dyad(pair)?))).next()
+            else {
+                return steps;
+            };
+            steps.push(Step::Dyad(dyad));
+            self.take(pair.to_vec());
+        }
+    }
+}
+
+/// The drivers and dyads that a group is made of; `None` where it is of class III or higher.
+pub(crate) fn steps(machine: &Machine, known: &Known, group: &[usize]) -> Option<Vec<Step>> {
+    let parts = group.iter().map(|&body| vec![body]).collect();
+    let mut parts = Parts { machine, known: known.clone(), parts };
+    let mut steps = parts.place();
+    if !parts.parts.is_empty() {
+        parts.hold();
+        steps.extend(parts.place());
+    }
+    let is_plain = |step: &Step| match step {
+        Step::Dyad(dyad) => dyad.legs.iter().all(|leg| leg.bodies.len() == 1),
+        _ => true,
+    };
+    (parts.parts.is_empty() && steps.iter().all(is_plain)).then_some(steps)
+}

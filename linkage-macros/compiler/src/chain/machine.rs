@@ -1,0 +1,78 @@
+//! Bodies, joints and drives of a machine in the pose in which it is drawn.
+
+use super::plane::Complex;
+
+/// The body that does not move.
+pub(crate) const GROUND: usize = 0;
+
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Machine {
+    /// Where the pins are in the drawing.
+    pub pins: Vec<Complex>,
+    /// The ground first.
+    pub bodies: Vec<Body>,
+    pub slides: Vec<Slide>,
+    pub drives: Vec<Drive>,
+}
+
+/// A rigid body. A pin of several bodies is a revolute joint between them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Body {
+    pub pins: Vec<usize>,
+    /// The bodies and pins from which the body follows by other means, where it is no body of the
+    /// chain.
+    pub given: Option<Needs>,
+    /// The bodies on which its length depends.
+    pub reads: Vec<usize>,
+}
+
+/// What a given body stands on.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Needs {
+    pub bodies: Vec<usize>,
+    pub pins: Vec<usize>,
+}
+
+/// A prismatic joint: the body slides along a line of the carrier and does not turn against it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slide {
+    pub body: usize,
+    pub carrier: usize,
+    /// A point of the line.
+    pub through: Complex,
+    /// Its direction, of length one.
+    pub along: Complex,
+}
+
+/// A driven joint: the angle or the slide of a body against another is given.
+#[derive(Clone, Debug)]
+pub(crate) struct Drive {
+    pub kind: Driven,
+    /// The body that is driven, and what it is driven against.
+    pub bodies: [usize; 2],
+    /// The bodies on which the given value depends.
+    pub reads: Vec<usize>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Driven {
+    Angle,
+    /// Along this slide.
+    Slide(usize),
+}
+
+impl Machine {
+    /// The bodies through a pin.
+    pub(crate) fn at(&self, pin: usize) -> impl Iterator<Item = usize> {
+        (0..self.bodies.len()).filter(move |&body| self.bodies[body].pins.contains(&pin))
+    }
+
+    pub(crate) fn is_given(&self, body: usize) -> bool {
+        body == GROUND || self.bodies[body].given.is_some()
+    }
+
+    /// A pin that both bodies have.
+    pub(crate) fn shared_pin(&self, [a, b]: [usize; 2]) -> Option<usize> {
+        self.bodies[a].pins.iter().copied().find(|pin| self.bodies[b].pins.contains(pin))
+    }
+}

@@ -1,0 +1,33 @@
+//! Machines as links and joints: the groups that are found, and the poses of what is generated.
+//!
+//! The groups are those that another program found in the same machines. Poses are judged by the drawing
+//! and by the bodies alone, in a hundred digits: at the drawn inputs every pin is where it is drawn,
+//! and beside them every body keeps the distances of its pins and the side on which each lies.
+
+mod groups;
+mod poses;
+
+/// A machine of the text files beside this.
+struct Case {
+    name: &'static str,
+    statements: &'static str,
+    expected: Vec<&'static str>,
+}
+
+fn cases() -> Vec<Case> {
+    let texts = [include_str!("classical.txt"), include_str!("eight_bars.txt")];
+    let blocks = texts.into_iter().flat_map(|text| text.split("\n# ").skip(1));
+    let case = |block: &'static str| {
+        let (name, rest) = block.split_once('\n').expect("a machine has a name");
+        let (statements, expected) = rest.split_once("=> ").expect("groups are expected");
+        let expected = expected.trim().split("; ").collect();
+        Case { name, statements, expected }
+    };
+    blocks.map(case).collect()
+}
+
+impl Case {
+    fn declaration(&self) -> String {
+        format!("pub struct M {{ {} }}", self.statements)
+    }
+}

@@ -1,0 +1,124 @@
+//! The names of a drawing: its pins, links, guides and drives, and the machine that they are.
+
+use proc_macro2::Ident;
+
+use crate::chain::machine::{Drive as Driving, Driven, GROUND, Machine, Slide};
+use crate::chain::plane::Complex;
+use crate::syntax::tree::{Declaration, Drive, Expr, ExprKind, Place};
+
+use super::frames::{Frame, Line};
+use super::numbers::{Number, Pen};
+
+/// A point of the ground, a pin, or a point that is declared on a link.
+pub(super) struct Pin<'t> {
+    pub name: Ident,
+    pub at: [Number; 2],
+    /// Where it is declared on a link: the place, which the link's frame gives.
+    pub on: Option<(usize, &'t Place)>,
+}
+
+/// A link of the drawing.
+pub(super) struct Link<'t> {
+    pub name: &'t Ident,
+    /// Through which it goes, in the order of its statement.
+    pub pins: Vec<usize>,
+    /// Those that are declared on it.
+    pub points: Vec<usize>,
+    /// Its guides.
+    pub on: Vec<usize>,
+    /// The length that is declared, and its value where that is known.
+    pub length: Option<(&'t Expr, Option<Number>)>,
+    /// Its statement.
+    pub statement: usize,
+    /// Whether a group that is declared makes it.
+    pub is_given: bool,
+}
+
+/// A guide of the drawing.
+pub(super) struct Guide<'t> {
+    pub name: &'t Ident,
+    /// The body that it is on.
+    pub on: usize,
+    /// The angle that it is given by.
+    pub along: Option<&'t Expr>,
+    pub line: Line,
+}
+
+/// All of a drawing by its names.
+pub(super) struct Bodies<'t> {
+    pub tree: &'t Declaration,
+    pub pins: Vec<Pin<'t>>,
+    /// Body `i + 1` is link `i`.
+    pub links: Vec<Link<'t>>,
+    pub guides: Vec<Guide<'t>>,
+    pub drives: Vec<(usize, &'t Drive)>,
+    /// The frames that links are written in.
+    pub frames: Vec<Frame>,
+    pub machine: Machine,
+}
+
+impl<'t> Bodies<'t> {
+    /// The name of a body, as messages quote it.
+    pub(super) fn name(&self, body: usize) -> String {
+        match body {
+            GROUND => "the ground".to_string(),
+            _ => format!("`{}`", self.links[body - 1].name),
+        }
+    }
+
+    pub(super) fn link(&self, body: usize) -> &Link<'t> {
+        &self.links[body - 1]
+    }
+
+    /// The angle of a link's frame in the drawing.
+    fn drawn_angle(&self, body: usize) -> f64 {
+        let [x, y] = &self.frames[body].axis;
+        Complex::new(x.value, y.value).angle()
+    }
+
+    /// What a drive is in the drawing.
+    pub(super) fn drawn_value(&self, drive: usize) -> Option<f64> {
+        let Driving { kind, bodies: [body, to], .. } = &self.machine.drives[drive];
+        match kind {
+            Driven::Angle => {
+                Some(Complex::turned(self.drawn_angle(*body) - self.drawn_angle(*to)).angle())
+            }
+            Driven::Slide(slide) => {
+                let Slide { through, along, .. } = self.machine.slides[*slide];
+                let origin = &self.frames[*body].origin;
+                Some(along.dot(Complex::new(origin[0].value, origin[1].value) - through))
+            }
+        }
+    }
+
+    /// The expression with the angles of links as they are drawn.
+    pub(super) fn as_drawn(&self, expr: &Expr, pen: &Pen) -> Expr {
+        let inside = |expr: &Expr| self.as_drawn(expr, pen);
+        let kind = match &expr.kind {
+            ExprKind::Member(link, member) if member == "angle" => match self.body(link) {
+                Some(body) => return pen.float(self.drawn_angle(body), "rad"),
+                None => expr.kind.clone(),
+            },
+            ExprKind::Negate(inner) => ExprKind::Negate(Box::new(inside(inner))),
+            ExprKind::Chain(first, rest) => ExprKind::Chain(
+                Box::new(inside(first)),
+                rest.iter().map(|(operator, operand)| (*operator, inside(operand))).collect(),
+            ),
+            ExprKind::Call(function, arguments) => {
+                ExprKind::Call(function.clone(), arguments.iter().map(inside).collect())
+            }
+            kind => kind.clone(),
+        };
+        Expr { kind, span: expr.span }
+    }
+
+    /// Whether a point is a pin of a body.
+    pub(super) fn has_pin(&self, body: usize, name: &Ident) -> bool {
+        self.machine.bodies[body].pins.iter().any(|&pin| self.pins[pin].name == *name)
+    }
+
+    /// The body that a link's name stands for.
+    pub(super) fn body(&self, name: &Ident) -> Option<usize> {
+        self.links.iter().position(|link| link.name == name).map(|index| index + 1)
+    }
+}

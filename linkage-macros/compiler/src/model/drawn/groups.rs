@@ -1,0 +1,332 @@
+//! The steps of a cut as statements of drivers and groups.
+
+use proc_macro2::Ident;
+
+use crate::chain::groups::{Dyad, Joint, Step};
+use crate::chain::machine::GROUND;
+use crate::chain::pose::sine;
+use crate::syntax::tree::{
+    self, BinaryOp, Expr, ExprKind, Field, FieldValue, Group, Place, Statement, StatementKind,
+};
+
+use super::Turned;
+use super::bodies::Bodies;
+use super::frames::{Axis, Frame, Origin};
+use super::numbers::{Number, Pen};
+use super::order;
+use super::rewritten::Turns;
+
+/// Writes statements in solving order.
+pub(super) struct Writer<'b, 't> {
+    pub(super) bodies: &'b Bodies<'t>,
+    pub(super) pen: Pen,
+    /// Whether a statement makes the pin so far.
+    pub(super) made: Vec<bool>,
+    /// The frames of links that groups have given other ones than they are written in.
+    pub(super) turns: Turns,
+    /// The frames that groups have given links so far.
+    pub(super) own: Vec<Option<Frame>>,
+    /// Each with the statement of the drawing behind which it stands.
+    pub(super) written: Vec<(usize, Statement)>,
+}
+
+impl<'b, 't> Writer<'b, 't> {
+    pub(super) fn new(bodies: &'b Bodies<'t>, pen: &Pen) -> Self {
+        // Points that are declared on links have statements of their own.
+        let mut made: Vec<_> = bodies.pins.iter().map(|pin| pin.on.is_some()).collect();
+        for (index, body) in bodies.machine.bodies.iter().enumerate() {
+            let needs = body.given.as_ref();
+            if index == GROUND || needs.is_some() {
+                let own = body.pins.iter();
+                let own = own.filter(|pin| needs.is_none_or(|needs| !needs.pins.contains(pin)));
+                own.for_each(|&pin| made[pin] = true);
+            }
+        }
+        let turns = Turns::new(pen);
+        let own = vec![None; bodies.machine.bodies.len()];
+        Self { bodies, pen: pen.clone(), made, turns, own, written: Vec::new() }
+    }
+
+    /// All statements of the declaration, in solving order.
+    pub(super) fn declaration(self) -> (Vec<Statement>, Vec<Turned>) {
+        let Self { bodies, turns, mut written, .. } = self;
+        for (index, statement) in bodies.other_statements() {
+            written.push((index, turns.statement(bodies, statement)));
+        }
+        written.sort_by_key(|(index, _)| *index);
+        let statements =
+            order::ordered(written.into_iter().map(|(_, statement)| statement).collect());
+        (statements, turns.directions())
+    }
+
+    pub(super) fn step(&mut self, step: &Step) {
+        match step {
+            Step::Crank { drive, body, reference, pivot } => {
+                self.crank(*drive, *body, *reference, *pivot);
+            }
+            Step::Slider { drive, body, slide } => self.slider(*drive, *body, *slide),
+            Step::Dyad(dyad) => self.dyad(dyad),
+        }
+    }
+
+    pub(super) fn name(&self, body: usize) -> &'t Ident {
+        self.bodies.link(body).name
+    }
+
+    pub(super) fn place(&self, pin: usize) -> &'b [Number; 2] {
+        &self.bodies.pins[pin].at
+    }
+
+    /// The value of a drive, negative where the body is the one that it is driven against.
+    pub(super) fn value(&self, drive: usize, body: usize) -> Expr {
+        let value = self.turns.expr(&self.bodies.drives[drive].1.value);
+        match self.bodies.machine.drives[drive].bodies[0] == body {
+            true => value,
+            false => Expr { span: value.span, kind: ExprKind::Negate(Box::new(value)) },
+        }
+    }
+
+    fn crank(&mut self, drive: usize, body: usize, reference: usize, pivot: usize) {
+        let written = self.bodies.frames[body].clone();
+        let mut angle = self.value(drive, body);
+        if reference != GROUND {
+            angle = self.turns.added(self.name(reference), angle);
+        }
+        let mut fields = Vec::new();
+        let pins = &self.bodies.link(body).pins;
+        let tip = match (pins.first() == Some(&pivot), pins.get(1)) {
+            (true, Some(&tip)) if !self.made[tip] => Some(tip),
+            _ => None,
+        };
+        if let Some(tip) = tip {
+            fields.push(("length", FieldValue::One(self.length(body, pivot, tip))));
+        }
+        fields.push(("angle", FieldValue::One(angle)));
+        if reference != GROUND {
+            let name = self.name(reference).clone();
+            let span = name.span().into();
+            fields
+                .push(("relative_to", FieldValue::One(Expr { kind: ExprKind::Name(name), span })));
+        }
+        let legs = [(body, self.bodies.pins[pivot].name.clone())];
+        self.group("crank", &legs, tip, fields, Some(drive));
+        let frame = match tip {
+            Some(_) => written,
+            None => {
+                Frame { begins: Origin::Pin(pivot), origin: self.place(pivot).clone(), ..written }
+            }
+        };
+        self.settle(body, frame);
+    }
+
+    fn dyad(&mut self, dyad: &Dyad) {
+        let sign = sine(&self.bodies.machine, dyad);
+        let joints = (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer);
+        match joints {
+            (Joint::Pin(u), Joint::Pin(v), Joint::Pin(w)) => {
+                let [a, b] = self.bars(dyad);
+                let lengths = [self.length(a, u, v), self.length(b, w, v)];
+                let mode = if sign > 0.0 { "left" } else { "right" };
+                let fields = vec![("lengths", FieldValue::Pair(lengths)), self.mode(a, mode)];
+                self.write(dyad, Some(v), fields);
+                self.bar_is_placed(a, u, v);
+                self.bar_is_placed(b, w, v);
+            }
+            (Joint::Pin(u), Joint::Pin(v), Joint::Slide(s)) => {
+                let [bar, block] = self.bars(dyad);
+                let guide = self.guide_of(s);
+                let mut fields = vec![("length", FieldValue::One(self.length(bar, u, v)))];
+                let offset = self.offset(guide, v);
+                fields.extend(given(offset));
+                fields.push(self.mode(bar, sense(sign)));
+                self.write(dyad, Some(v), fields);
+                self.bar_is_placed(bar, u, v);
+                self.block_is_placed(block, v, guide);
+            }
+            (Joint::Pin(u), Joint::Slide(s), Joint::Pin(w)) => {
+                let [block, bar] = self.bars(dyad);
+                let guide = self.guide_of(s);
+                let line = &self.bodies.guides[guide].line;
+                let from_bar = self.pen.minus(self.place(u), self.place(w));
+                let [_, offset] = self.pen.seen_from(&line.along, &from_bar);
+                let mut fields = Vec::new();
+                fields.extend(given(offset));
+                fields.push(self.mode(block, sense(sign)));
+                self.write(dyad, None, fields);
+                self.block_is_placed(block, u, guide);
+                self.block_is_placed(bar, w, guide);
+            }
+            (Joint::Slide(s), Joint::Pin(v), Joint::Slide(t)) => {
+                let [a, b] = self.bars(dyad);
+                let guides = [self.guide_of(s), self.guide_of(t)];
+                let offsets = guides.map(|guide| self.offset(guide, v));
+                let fields = self.offsets(offsets);
+                self.write(dyad, Some(v), fields);
+                self.block_is_placed(a, v, guides[0]);
+                self.block_is_placed(b, v, guides[1]);
+            }
+            (Joint::Pin(u), Joint::Slide(s), Joint::Slide(t)) => self.yoke(dyad, u, s, t),
+            _ => {}
+        }
+    }
+
+    /// A block in the slot of a yoke on a rail.
+    fn yoke(&mut self, dyad: &Dyad, pin: usize, slot: usize, rail: usize) {
+        let [block, yoke] = self.bars(dyad);
+        let guides = [slot, rail].map(|slide| self.guide_of(slide));
+        let lines = guides.map(|guide| self.bodies.guides[guide].line.clone());
+        let along = lines.each_ref().map(|line| line.along.clone());
+        let pen = self.pen.at(self.name(yoke).span());
+        let written = &self.bodies.frames[yoke];
+        let slot_of_yoke = &self.bodies.guides[guides[0]];
+        let angle = match slot_of_yoke.along {
+            Some(angle) if slot_of_yoke.on == yoke && written.points == lines[1].points => {
+                angle.clone()
+            }
+            _ => pen.angle(&[pen.dot(&along[1], &along[0]), pen.cross(&along[1], &along[0])]).text,
+        };
+        // The yoke's frame begins on the rail: where it is written if that lies there.
+        let origin = pen.minus(&written.origin, &lines[1].through);
+        let is_on_rail =
+            pen.cross(&along[1], &origin).is_zero() || written.begins == Origin::Guide(guides[0]);
+        let frame = Frame {
+            begins: if is_on_rail { written.begins } else { Origin::Guide(guides[1]) },
+            points: lines[1].points,
+            origin: if is_on_rail { written.origin.clone() } else { lines[1].through.clone() },
+            axis: along[1].clone(),
+        };
+        let [_, offset] = pen.seen_from(&along[0], &pen.minus(self.place(pin), &frame.origin));
+        let mut fields = vec![("slot", FieldValue::One(self.turns.expr(&angle)))];
+        fields.extend(self.offsets([pen.zero(), offset]));
+        self.write(dyad, None, fields);
+        self.settle(yoke, frame);
+        self.block_is_placed(block, pin, guides[0]);
+    }
+
+    /// The field `offsets`, none where both are zero.
+    fn offsets(&self, offsets: [Number; 2]) -> Vec<(&'static str, FieldValue)> {
+        match offsets.iter().all(Number::is_zero) {
+            true => Vec::new(),
+            false => vec![("offsets", FieldValue::Pair(offsets.map(|offset| offset.text)))],
+        }
+    }
+
+    /// The body of each leg at its joints.
+    fn bars(&self, dyad: &Dyad) -> [usize; 2] {
+        dyad.legs.each_ref().map(|leg| leg.bodies[0])
+    }
+
+    /// The length of a bar between two pins: as declared, or as drawn.
+    fn length(&self, body: usize, from: usize, to: usize) -> Expr {
+        if let Some((length, _)) = &self.bodies.link(body).length {
+            return self.turns.expr(length);
+        }
+        let pen = self.pen.at(self.name(body).span());
+        pen.size(&pen.minus(self.place(to), self.place(from))).text
+    }
+
+    fn mode(&self, body: usize, word: &str) -> (&'static str, FieldValue) {
+        let name = Ident::new(word, self.name(body).span());
+        let span = name.span().into();
+        ("mode", FieldValue::One(Expr { kind: ExprKind::Name(name), span }))
+    }
+
+    fn write(&mut self, dyad: &Dyad, pin: Option<usize>, fields: Vec<(&str, FieldValue)>) {
+        let legs = dyad.legs.each_ref().map(|leg| {
+            let joint = match leg.outer {
+                Joint::Pin(pin) => self.bodies.pins[pin].name.clone(),
+                Joint::Slide(slide) => self.rail(slide, leg.bodies[0]),
+            };
+            (leg.bodies[0], joint)
+        });
+        self.group(&dyad.letters(), &legs, pin, fields, None);
+    }
+
+    pub(super) fn group(
+        &mut self,
+        keyword: &str,
+        legs: &[(usize, Ident)],
+        pin: Option<usize>,
+        fields: Vec<(&str, FieldValue)>,
+        drive: Option<usize>,
+    ) {
+        let links = legs.iter().map(|(body, _)| self.bodies.link(*body));
+        let drive = drive.map(|drive| self.bodies.drives[drive].0);
+        let behind = links.map(|link| link.statement).chain(drive).max().unwrap_or(0);
+        let span = self.name(legs[0].0).span();
+        let field =
+            |(name, value): (&str, FieldValue)| Field { name: Ident::new(name, span), value };
+        let leg = |(body, joint): &(usize, Ident)| tree::Leg {
+            link: self.name(*body).clone(),
+            joint: Some(joint.clone()),
+        };
+        let group = Group {
+            keyword: Ident::new(keyword, span),
+            legs: legs.iter().map(leg).collect(),
+            pin: pin.map(|pin| self.bodies.pins[pin].name.clone()),
+            fields: fields.into_iter().map(field).collect(),
+            end: span,
+            head_is_read: true,
+            fields_are_read: true,
+        };
+        if let Some(pin) = pin {
+            self.made[pin] = true;
+        }
+        let kind = StatementKind::Group(group);
+        self.written.push((behind, Statement { docs: Vec::new(), kind }));
+    }
+
+    fn bar_is_placed(&mut self, body: usize, from: usize, to: usize) {
+        let origin = self.place(from).clone();
+        let axis = self.pen.at(self.name(body).span()).minus(self.place(to), &origin);
+        let (begins, points) = (Origin::Pin(from), Axis::Pins(from, to));
+        self.settle(body, Frame { begins, points, origin, axis });
+    }
+
+    fn block_is_placed(&mut self, body: usize, pin: usize, guide: usize) {
+        let line = self.bodies.guides[guide].line.clone();
+        let origin = self.place(pin).clone();
+        let frame =
+            Frame { begins: Origin::Pin(pin), points: line.points, origin, axis: line.along };
+        self.settle(body, frame);
+    }
+
+    /// Remembers the frame that a group gave a link, and makes the link's other pins.
+    pub(super) fn settle(&mut self, body: usize, frame: Frame) {
+        let (bodies, link) = (self.bodies, self.bodies.link(body));
+        let length = link.length.as_ref().map(|(length, _)| *length);
+        self.own[body] = Some(frame.clone());
+        self.turns.note(link.name, &bodies.frames[body], &frame, length);
+        for &pin in &link.pins {
+            if std::mem::replace(&mut self.made[pin], true) {
+                continue;
+            }
+            let name = bodies.pins[pin].name.clone();
+            let place = match length {
+                // The first of two pins, seen from the second.
+                Some(length) => [self.turns.negated(length), self.pen.zero().text],
+                None => frame
+                    .local(&self.pen.at(name.span()), self.place(pin))
+                    .map(|number| number.text),
+            };
+            let (on, place) = (Some(link.name.clone()), Place::Cartesian(place));
+            let kind = StatementKind::Point { name, on, place };
+            self.written.push((link.statement, Statement { docs: Vec::new(), kind }));
+        }
+    }
+}
+
+/// The field `offset`, none where it is zero.
+pub(super) fn given(offset: Number) -> Option<(&'static str, FieldValue)> {
+    (!offset.is_zero()).then_some(("offset", FieldValue::One(offset.text)))
+}
+
+fn sense(sign: f64) -> &'static str {
+    if sign > 0.0 { "ahead" } else { "behind" }
+}
+
+/// The sum of two expressions.
+pub(super) fn sum(first: Expr, second: Expr) -> Expr {
+    let span = first.span;
+    Expr { kind: ExprKind::Chain(Box::new(first), vec![(BinaryOp::Add, second)]), span }
+}

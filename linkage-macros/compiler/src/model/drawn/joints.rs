@@ -1,0 +1,144 @@
+//! The machine of a drawing: its joints and drives.
+
+use proc_macro2::Ident;
+
+use crate::chain::machine::{Body, Drive as Driving, Driven, GROUND, Machine, Needs, Slide};
+use crate::chain::plane::Complex;
+use crate::model::references::{names_in, names_used};
+use crate::syntax::tree::{Drive, Expr, Group, Statement, StatementKind};
+
+use super::bodies::{Bodies, Guide};
+use super::frames::Frame;
+use super::numbers::Number;
+use super::reader::Reader;
+
+impl<'t> Reader<'t, '_, '_> {
+    pub(super) fn read_drives(&mut self) -> Vec<(usize, &'t Drive)> {
+        let tree = self.tree;
+        let mut drives = Vec::new();
+        for (index, statement) in tree.statements.iter().enumerate() {
+            let StatementKind::Drive(drive) = &statement.kind else { continue };
+            self.body(&drive.link);
+            if let Some((link, _)) = &drive.to {
+                self.body(link);
+            }
+            let members = [Some(&drive.member), drive.to.as_ref().map(|(_, member)| member)];
+            let [first, second] = members.map(|member| member.map(ToString::to_string));
+            let is_fine = matches!(
+                (first.as_deref(), second.as_deref()),
+                (Some("angle"), None | Some("angle")) | (Some("slide"), None)
+            );
+            if !is_fine {
+                let message = "a drive gives an angle, the difference of two, or a slide";
+                let reason = "write `drive AB.angle = …`, `drive BC.angle - AB.angle = …` or `drive \
+                              ram.slide = …`";
+                self.report(&drive.member, message.to_string(), reason.to_string());
+            }
+            drives.push((index, drive));
+        }
+        drives
+    }
+
+    /// The machine of all that was read.
+    pub(super) fn machine(
+        mut self,
+        drives: Vec<(usize, &'t Drive)>,
+        frames: Vec<Frame>,
+    ) -> Option<Bodies<'t>> {
+        let drawn = |at: &[Number; 2]| Complex::new(at[0].value, at[1].value);
+        let mut machine = Machine {
+            pins: self.pins.iter().map(|pin| drawn(&pin.at)).collect(),
+            ..Machine::default()
+        };
+        let grounded = self.tree.statements.iter().flat_map(|statement| match &statement.kind {
+            StatementKind::Ground { points } => &points[..],
+            _ => &[],
+        });
+        let grounded = grounded.filter_map(|(name, _)| self.pin_of.get(&name.to_string()).copied());
+        machine.bodies.push(Body { pins: grounded.collect(), ..Body::default() });
+        for index in 0..self.links.len() {
+            let link = &self.links[index];
+            let pins = link.pins.iter().chain(&link.points).copied().collect();
+            let statement = &self.tree.statements[link.statement];
+            let given = link.is_given.then(|| self.needs(statement));
+            let reads = match &link.length {
+                Some((length, _)) => self.links_in(length),
+                None => Vec::new(),
+            };
+            machine.bodies.push(Body { pins, given, reads });
+        }
+        for (index, link) in self.links.iter().enumerate() {
+            for &guide in &link.on {
+                let Guide { on, line, .. } = &self.guides[guide];
+                machine.slides.push(Slide {
+                    body: index + 1,
+                    carrier: *on,
+                    through: drawn(&line.through),
+                    along: drawn(&line.along).unit(),
+                });
+            }
+        }
+        for (_, drive) in &drives {
+            machine.drives.push(self.driving(&machine, drive)?);
+        }
+        let Self { tree, pins, links, guides, .. } = self;
+        Some(Bodies { tree, pins, links, guides, drives, frames, machine })
+    }
+
+    fn driving(&mut self, machine: &Machine, drive: &Drive) -> Option<Driving> {
+        let body = self.body(&drive.link)?;
+        let to = match &drive.to {
+            Some((link, _)) => self.body(link)?,
+            None => GROUND,
+        };
+        let reads = self.links_in(&drive.value);
+        let slide =
+            |slide: &Slide| slide.body == body && (drive.member == "slide" || slide.carrier == to);
+        let slide = machine.slides.iter().position(slide);
+        let link = &drive.link;
+        if drive.member == "slide" {
+            let Some(slide) = slide else {
+                let message = format!("`{link}` slides on no guide");
+                let reason = format!("declare it as `link {link}(…) on GUIDE;`");
+                self.report(&drive.member, message, reason);
+                return None;
+            };
+            let bodies = [body, machine.slides[slide].carrier];
+            return Some(Driving { kind: Driven::Slide(slide), bodies, reads });
+        }
+        if slide.is_some() {
+            let message = format!("`{link}` slides without turning; drive its slide");
+            self.report(&drive.member, message, format!("write `drive {link}.slide = …`"));
+            return None;
+        }
+        Some(Driving { kind: Driven::Angle, bodies: [body, to], reads })
+    }
+
+    /// The bodies whose links an expression names.
+    fn links_in(&self, expr: &Expr) -> Vec<usize> {
+        let mut found = Vec::new();
+        names_in(expr, &mut |name| {
+            found.extend(self.link_of.get(&name.to_string()).map(|link| link + 1));
+        });
+        found
+    }
+
+    /// What a declared group stands on.
+    fn needs(&self, statement: &Statement) -> Needs {
+        let own = |name: &Ident| match &statement.kind {
+            StatementKind::Group(Group { legs, pin, .. }) => {
+                legs.iter().any(|leg| leg.link == *name) || pin.as_ref() == Some(name)
+            }
+            _ => false,
+        };
+        let mut needs = Needs::default();
+        for name in names_used(statement).iter().filter(|name| !own(name)) {
+            let text = name.to_string();
+            needs.pins.extend(self.pin_of.get(&text));
+            needs.bodies.extend(self.link_of.get(&text).map(|link| link + 1));
+            let guide = self.guide_of.get(&text).map(|&guide| self.guides[guide].on);
+            needs.bodies.extend(guide);
+        }
+        needs
+    }
+}

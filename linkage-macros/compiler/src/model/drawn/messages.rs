@@ -1,0 +1,134 @@
+//! What is said of a drawing that cannot be cut.
+
+use crate::chain::Trouble;
+use crate::chain::groups::{Dyad, Joint};
+use crate::chain::machine::GROUND;
+use crate::diagnostics::Diagnostics;
+use crate::model::names::listed;
+
+use super::bodies::Bodies;
+use super::text::text;
+
+/// The least sine by which a drawing tells the two sides of a dyad apart. Drawn to four digits, a
+/// point is off by half of this of its distance.
+pub(super) const LEAST_SINE: f64 = 1e-4;
+
+/// Reports what is wrong with the counts of bodies and joints.
+pub(super) fn report(bodies: &Bodies<'_>, trouble: &Trouble, diagnostics: &mut Diagnostics) {
+    match trouble {
+        Trouble::TooMany { bodies: those, drives, freedoms } => {
+            too_many(bodies, (those, drives, *freedoms), diagnostics);
+        }
+        Trouble::Loose { bodies: those, freedoms } => {
+            loose(bodies, those, *freedoms, diagnostics);
+        }
+        Trouble::Undecided { bodies: those } => undecided(bodies, those, diagnostics),
+    }
+}
+
+/// The bodies in words.
+fn named(bodies: &Bodies<'_>, those: &[usize]) -> String {
+    // The ground comes last.
+    let (ground, links): (Vec<usize>, Vec<_>) = those.iter().partition(|&&body| body == GROUND);
+    let names: Vec<_> = links.into_iter().chain(ground).map(|body| bodies.name(body)).collect();
+    listed(&names, "and")
+}
+
+/// The last link of those, where a message stands.
+fn last_link<'b>(bodies: &'b Bodies<'_>, those: &[usize]) -> Option<&'b proc_macro2::Ident> {
+    those.iter().rev().find(|&&body| body != GROUND).map(|&body| bodies.link(body).name)
+}
+
+fn too_many(
+    bodies: &Bodies<'_>,
+    (those, drives, freedoms): (&[usize], &[usize], usize),
+    diagnostics: &mut Diagnostics,
+) {
+    let values = drives.iter().map(|&drive| bodies.drives[drive].1);
+    let written: Vec<_> = values
+        .clone()
+        .map(|drive| match &drive.to {
+            Some((to, member)) => {
+                format!("`drive {}.{} - {to}.{member}`", drive.link, drive.member)
+            }
+            None => format!("`drive {}.{}`", drive.link, drive.member),
+        })
+        .collect();
+    let Some(link) = last_link(bodies, those) else { return };
+    let who = named(bodies, those);
+    if freedoms > 0 && freedoms < drives.len() {
+        let values: Vec<_> =
+            values.clone().map(|drive| format!("`{}`", text(&drive.value))).collect();
+        let at = values_span(bodies, drives).unwrap_or(link.span().into());
+        let inputs = if drives.len() == 1 { "input" } else { "inputs" };
+        let freedom = if freedoms == 1 { "one freedom" } else { &format!("{freedoms} freedoms") };
+        let message = format!(
+            "{} fight: {who} have {freedom} and {} {inputs}",
+            listed(&values, "and"),
+            drives.len()
+        );
+        diagnostics.error_because(at, message, format!("leave out {}", listed(&written, "or")));
+        return;
+    }
+    let without = match written.is_empty() {
+        true => String::new(),
+        false => format!(" without {}", listed(&written, "and")),
+    };
+    let message = format!("{who} hold each other{without}: one constraint too many");
+    let drives = written.iter().map(|drive| format!(" or {drive}")).collect::<String>();
+    let reason = format!("leave out `link {link}`, or one of its joints{drives}");
+    diagnostics.error_because(link.span(), message, reason);
+}
+
+/// Where the last of some drives stands.
+fn values_span(bodies: &Bodies<'_>, drives: &[usize]) -> Option<crate::diagnostics::Extent> {
+    drives.last().map(|&drive| bodies.drives[drive].1.value.span)
+}
+
+fn loose(bodies: &Bodies<'_>, those: &[usize], freedoms: usize, diagnostics: &mut Diagnostics) {
+    let Some(link) = last_link(bodies, those) else { return };
+    let (still, them) =
+        if those.len() == 1 { ("still moves", "it") } else { ("still move", "one of them") };
+    let few = match freedoms {
+        1 => "one drive too few".to_string(),
+        _ => format!("{freedoms} drives too few"),
+    };
+    let message = format!("{} {still} when every input is held: {few}", named(bodies, those));
+    let reason = format!("drive {them}, `drive {link}.angle = …;`, or pin {them} to another link");
+    diagnostics.error_because(link.span(), message, reason);
+}
+
+fn undecided(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {
+    let Some(link) = last_link(bodies, those) else { return };
+    let message = format!("{} are one group of class III or higher", named(bodies, those));
+    let reason = "drive another joint, so that each pair of links stands on what is known; or declare \
+                  the groups with `unknown` and `solve`";
+    diagnostics.error_because(link.span(), message, reason);
+}
+
+/// Reports a dyad whose two sides the drawing does not tell apart.
+pub(super) fn report_limit(bodies: &Bodies<'_>, dyad: &Dyad, diagnostics: &mut Diagnostics) {
+    let [a, b] = dyad.legs.each_ref().map(|leg| leg.bodies[0]);
+    let [first, second] = [a, b].map(|body| bodies.name(body));
+    let message = match (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer) {
+        (Joint::Pin(_), Joint::Pin(_), Joint::Pin(_)) => {
+            format!(
+                "in the drawing {first} and {second} are in one line: `left` and `right` come together there"
+            )
+        }
+        (Joint::Pin(_), Joint::Pin(_), Joint::Slide(_)) => {
+            format!(
+                "in the drawing {first} stands square to its guide: `ahead` and `behind` come together there"
+            )
+        }
+        (Joint::Pin(_), Joint::Slide(_), Joint::Pin(_)) => {
+            format!(
+                "in the drawing {first} is at the foot of {second}: `ahead` and `behind` come together there"
+            )
+        }
+        _ => format!(
+            "in the drawing {first} and {second} slide along one line: they are held by nothing there"
+        ),
+    };
+    diagnostics.error_because(bodies.link(b).name.span(), message, "draw another pose");
+}

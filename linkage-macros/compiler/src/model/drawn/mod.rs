@@ -1,0 +1,147 @@
+//! Mechanisms as they are drawn: `pin`, `link` and `drive` into the statements of drivers and
+//! groups.
+//!
+//! [`values`] knows the numbers of the drawing, [`bodies`] its names, [`frames`] the frames of its links. The
+//! room `chain` cuts the machine that they make; [`groups`] writes each step as a statement of the
+//! language, [`rewritten`] what else names a link, and [`order`] puts all of them in solving order. What
+//! comes out is resolved like any declaration, so that there is one meaning of everything.
+
+mod bodies;
+mod frames;
+mod groups;
+mod guides;
+mod joints;
+mod messages;
+mod numbers;
+mod order;
+mod reader;
+mod rewritten;
+mod text;
+mod values;
+
+use proc_macro2::Ident;
+
+use crate::chain;
+use crate::diagnostics::Diagnostics;
+use crate::syntax::tree::{Declaration, Expr, Statement, StatementKind};
+
+use super::Resolver;
+use super::mechanism::{Mechanism, OutputKind, References};
+use super::names::Entity;
+use bodies::Bodies;
+use reader::Reader;
+use values::Values;
+
+/// A link whose frame is turned against that of its group, and the angle.
+pub(super) struct Turned {
+    pub link: Ident,
+    pub angle: Expr,
+}
+
+/// The declaration of the groups of a drawing.
+struct Cut {
+    tree: Declaration,
+    turned: Vec<Turned>,
+    /// The inputs of the drawn pose, where the drives determine them.
+    inputs: Option<Vec<f64>>,
+}
+
+/// Whether anything of the declaration is drawn.
+pub(super) fn is_drawn(tree: &Declaration) -> bool {
+    tree.statements.iter().any(|statement| is_of_a_drawing(&statement.kind))
+}
+
+fn is_of_a_drawing(kind: &StatementKind) -> bool {
+    matches!(kind, StatementKind::Pin { .. } | StatementKind::Link { .. } | StatementKind::Drive(_))
+}
+
+/// The mechanism that a drawing means.
+pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
+    let cut = cut(tree, diagnostics)?;
+    let mut mechanism = super::resolve_groups(&cut.tree, diagnostics, &cut.turned)?;
+    mechanism.references = References::of(tree);
+    mechanism.drawn = cut.inputs;
+    for statement in &tree.statements {
+        document(&mut mechanism, statement);
+    }
+    Some(mechanism)
+}
+
+/// The drawing as groups; `None` where it is in error, which was reported.
+fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Cut> {
+    let mut values = Values::of(tree, diagnostics)?;
+    let bodies = Reader::read(tree, &mut values)?;
+    let steps = match chain::cut(&bodies.machine) {
+        Ok(steps) => steps,
+        Err(troubles) => {
+            for trouble in &troubles {
+                messages::report(&bodies, trouble, values.resolver.diagnostics);
+            }
+            return None;
+        }
+    };
+    if let Some(dyad) = chain::pose::at_limit(&bodies.machine, &steps, messages::LEAST_SINE) {
+        messages::report_limit(&bodies, dyad, values.resolver.diagnostics);
+        return None;
+    }
+    let inputs = values.inputs_of_the_drawing(&bodies);
+    let mut writer = groups::Writer::new(&bodies, &values.pen);
+    steps.iter().for_each(|step| writer.step(step));
+    let (statements, turned) = writer.declaration();
+    let mut docs = tree.docs.clone();
+    docs.extend(text::documentation(tree, &statements));
+    let declaration = Declaration {
+        docs,
+        visibility: tree.visibility.clone(),
+        name: tree.name.clone(),
+        statements,
+        unread: tree.unread.clone(),
+    };
+    Some(Cut { tree: declaration, turned, inputs })
+}
+
+/// Gives the pins and links of a statement its documentation.
+fn document(mechanism: &mut Mechanism, statement: &Statement) {
+    let names: Vec<&Ident> = match &statement.kind {
+        StatementKind::Pin { points } => points.iter().map(|(name, _)| name).collect(),
+        StatementKind::Link { links, .. } => links.iter().map(|link| &link.name).collect(),
+        _ => return,
+    };
+    for name in names {
+        for point in mechanism.points.iter_mut().filter(|point| point.name == *name) {
+            point.docs.clone_from(&statement.docs);
+        }
+        for link in mechanism.links.iter_mut().filter(|link| link.name == *name) {
+            link.docs.clone_from(&statement.docs);
+        }
+        for output in mechanism.outputs.iter_mut().filter(|output| output.field == *name) {
+            output.docs.extend(statement.docs.iter().cloned());
+        }
+    }
+}
+
+impl Resolver<'_> {
+    /// The direction of a link among the results is that of the frame that it is written in.
+    pub(super) fn directions_are_as_written(&mut self, turned: &[Turned]) {
+        for Turned { link, angle } in turned {
+            let Some(Entity::Link(id)) = self.names.entity(link) else { continue };
+            let Some(turn) = self.turn(angle) else { continue };
+            for output in &mut self.mechanism.outputs {
+                if matches!(output.kind, OutputKind::Link { link, slide: false, .. } if link == id)
+                {
+                    let mut sum = turn.clone();
+                    sum.links.push((id, 1));
+                    output.kind = OutputKind::Angle(sum);
+                }
+            }
+        }
+    }
+}
+
+impl Bodies<'_> {
+    /// The statements that stay as they are, but for what they say of links.
+    fn other_statements(&self) -> impl Iterator<Item = (usize, &Statement)> {
+        let statements = self.tree.statements.iter().enumerate();
+        statements.filter(|(_, statement)| !is_of_a_drawing(&statement.kind))
+    }
+}

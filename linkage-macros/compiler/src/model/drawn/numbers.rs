@@ -1,0 +1,258 @@
+//! Numbers of the drawing: how each is written in the declaration of the groups, and its value.
+//!
+//! Where a number is an exact decimal it is written as one, in the unit of the drawing; where it is
+//! not, it stays an expression of what the user has written, so that a parameter in a pin is a
+//! parameter of the solver.
+
+use proc_macro2::{Ident, Span};
+
+use crate::exact::Exact;
+use crate::model::units::unit;
+use crate::syntax::tree::{BinaryOp, Expr, ExprKind};
+
+/// A number of the drawing.
+#[derive(Clone)]
+pub(super) struct Number {
+    pub text: Expr,
+    pub value: f64,
+    /// The value without error, where no parameter is in it.
+    pub exact: Option<Exact>,
+    /// The power of metres in it.
+    power: i32,
+}
+
+impl Number {
+    pub(super) fn length(text: Expr, value: f64, exact: Option<Exact>) -> Self {
+        Self { text, value, exact, power: 1 }
+    }
+
+    pub(super) fn plain(text: Expr, value: f64, exact: Option<Exact>) -> Self {
+        Self { text, value, exact, power: 0 }
+    }
+
+    /// Zero whatever the parameters are.
+    pub(super) fn is_zero(&self) -> bool {
+        self.exact.as_ref().is_some_and(Exact::is_zero)
+    }
+
+    /// The number one, no length of a metre.
+    fn is_one(&self) -> bool {
+        self.power == 0 && self.exact.as_ref().and_then(Exact::to_integer) == Some(1)
+    }
+}
+
+/// Writes numbers in the unit of the drawing, with the place that messages about them point to.
+#[derive(Clone)]
+pub(super) struct Pen {
+    /// The unit of lengths; bare numbers where there is none.
+    pub unit: Option<String>,
+    pub at: Span,
+}
+
+/// A constant of the arithmetic below.
+fn folded<T>(a: &Number, b: &Number, f: impl FnOnce(&Exact, &Exact) -> T) -> Option<T> {
+    Some(f(a.exact.as_ref()?, b.exact.as_ref()?))
+}
+
+impl Pen {
+    pub(super) fn at(&self, at: Span) -> Self {
+        Self { at, ..self.clone() }
+    }
+
+    fn expr(&self, kind: ExprKind) -> Expr {
+        Expr { kind, span: self.at.into() }
+    }
+
+    fn chain(&self, a: &Number, operator: BinaryOp, b: &Number) -> Expr {
+        let rest = vec![(operator, b.text.clone())];
+        self.expr(ExprKind::Chain(Box::new(a.text.clone()), rest))
+    }
+
+    fn call(&self, function: &str, arguments: &[&Number]) -> Expr {
+        let arguments = arguments.iter().map(|argument| argument.text.clone()).collect();
+        self.expr(ExprKind::Call(Ident::new(function, self.at), arguments))
+    }
+
+    /// The number as a decimal, where it is one.
+    fn decimal(&self, value: &Exact, power: i32) -> Option<Expr> {
+        let (mut scaled, mut units) = (value.clone(), Vec::new());
+        if let (Some(name), true) = (&self.unit, power != 0) {
+            let (_, factor) = unit(name)?;
+            for _ in 0..power.unsigned_abs() {
+                scaled = if power > 0 { scaled.div(&factor)? } else { scaled.mul(&factor) };
+            }
+            units.push((name.clone(), power));
+        }
+        self.literal(&scaled, units)
+    }
+
+    fn literal(&self, value: &Exact, units: Vec<(String, i32)>) -> Option<Expr> {
+        let text = value.to_string();
+        let digits = text.strip_prefix('-').unwrap_or(&text);
+        if !digits.bytes().all(|digit| digit.is_ascii_digit() || digit == b'.') {
+            return None;
+        }
+        let number = self.expr(ExprKind::Number { digits: digits.to_string(), units });
+        Some(match text.starts_with('-') {
+            true => self.expr(ExprKind::Negate(Box::new(number))),
+            false => number,
+        })
+    }
+
+    fn made(
+        &self,
+        (value, power): (f64, i32),
+        exact: Option<Exact>,
+        text: impl FnOnce() -> Expr,
+    ) -> Number {
+        let decimal = exact.as_ref().and_then(|exact| self.decimal(exact, power));
+        Number { text: decimal.unwrap_or_else(text), value, exact, power }
+    }
+
+    /// The number written as a decimal, where it is one.
+    pub(super) fn as_decimal(&self, number: Number) -> Number {
+        let Number { text, value, exact, power } = number;
+        self.made((value, power), exact, || text)
+    }
+
+    pub(super) fn zero(&self) -> Number {
+        let digits = "0".to_string();
+        let text = self.expr(ExprKind::Number { digits, units: Vec::new() });
+        Number { text, value: 0.0, exact: Some(Exact::integer(0)), power: 1 }
+    }
+
+    pub(super) fn add(&self, a: &Number, b: &Number) -> Number {
+        match (a.is_zero(), b.is_zero()) {
+            (true, _) => b.clone(),
+            (_, true) => a.clone(),
+            _ => self.made((a.value + b.value, a.power), folded(a, b, Exact::add), || {
+                self.chain(a, BinaryOp::Add, b)
+            }),
+        }
+    }
+
+    pub(super) fn sub(&self, a: &Number, b: &Number) -> Number {
+        match (a.is_zero(), b.is_zero()) {
+            (true, _) => self.neg(b),
+            (_, true) => a.clone(),
+            _ => self.made((a.value - b.value, a.power), folded(a, b, Exact::sub), || {
+                self.chain(a, BinaryOp::Sub, b)
+            }),
+        }
+    }
+
+    pub(super) fn neg(&self, a: &Number) -> Number {
+        if a.is_zero() {
+            return a.clone();
+        }
+        self.made((-a.value, a.power), a.exact.as_ref().map(Exact::neg), || {
+            self.expr(ExprKind::Negate(Box::new(a.text.clone())))
+        })
+    }
+
+    pub(super) fn mul(&self, a: &Number, b: &Number) -> Number {
+        let power = a.power + b.power;
+        if a.is_zero() || b.is_zero() {
+            return Number { power, ..self.zero() };
+        }
+        match (a.is_one(), b.is_one()) {
+            (true, _) => b.clone(),
+            (_, true) => a.clone(),
+            _ => self.made((a.value * b.value, power), folded(a, b, Exact::mul), || {
+                self.chain(a, BinaryOp::Mul, b)
+            }),
+        }
+    }
+
+    /// The quotient; the divisor is no zero.
+    pub(super) fn div(&self, a: &Number, b: &Number) -> Number {
+        let power = a.power - b.power;
+        if a.is_zero() {
+            return Number { power, ..self.zero() };
+        }
+        let exact = folded(a, b, Exact::div).flatten();
+        self.made((a.value / b.value, power), exact, || self.chain(a, BinaryOp::Div, b))
+    }
+
+    pub(super) fn hypot(&self, a: &Number, b: &Number) -> Number {
+        let value = a.value.hypot(b.value);
+        self.made((value, a.power), folded(a, b, Exact::hypot), || self.call("hypot", &[a, b]))
+    }
+
+    pub(super) fn cos(&self, angle: &Number) -> Number {
+        let exact = angle.exact.as_ref().map(Exact::cos);
+        self.made((angle.value.cos(), 0), exact, || self.call("cos", &[angle]))
+    }
+
+    pub(super) fn sin(&self, angle: &Number) -> Number {
+        let exact = angle.exact.as_ref().map(Exact::sin);
+        self.made((angle.value.sin(), 0), exact, || self.call("sin", &[angle]))
+    }
+
+    /// The angle of a vector, in degrees where that is a decimal.
+    pub(super) fn angle(&self, [x, y]: &[Number; 2]) -> Number {
+        let exact = folded(y, x, Exact::atan2).flatten();
+        let degree = unit("deg").map(|(_, factor)| factor);
+        let degrees = exact.as_ref().zip(degree).and_then(|(angle, degree)| angle.div(&degree));
+        let decimal = degrees.and_then(|value| self.literal(&value, vec![("deg".into(), 1)]));
+        let text = decimal.unwrap_or_else(|| self.call("atan2", &[y, x]));
+        Number { text, value: y.value.atan2(x.value), exact, power: 0 }
+    }
+
+    /// A length of the drawing that is known as a float only: its shortest decimal.
+    pub(super) fn drawn(&self, value: f64) -> Number {
+        let exact = Exact::decimal(&format!("{:?}", value.abs()));
+        let exact = exact.map(|exact| if value < 0.0 { exact.neg() } else { exact });
+        self.as_decimal(Number::length(self.float(value, "m"), value, exact))
+    }
+
+    /// An angle of the drawing that is known as a float only.
+    pub(super) fn float(&self, value: f64, unit: &str) -> Expr {
+        let digits = format!("{:?}", value.abs());
+        let number = self.expr(ExprKind::Number { digits, units: vec![(unit.to_string(), 1)] });
+        match value < 0.0 {
+            true => self.expr(ExprKind::Negate(Box::new(number))),
+            false => number,
+        }
+    }
+}
+
+/// Vectors of numbers.
+impl Pen {
+    pub(super) fn minus(&self, a: &[Number; 2], b: &[Number; 2]) -> [Number; 2] {
+        [self.sub(&a[0], &b[0]), self.sub(&a[1], &b[1])]
+    }
+
+    pub(super) fn plus(&self, a: &[Number; 2], b: &[Number; 2]) -> [Number; 2] {
+        [self.add(&a[0], &b[0]), self.add(&a[1], &b[1])]
+    }
+
+    pub(super) fn size(&self, a: &[Number; 2]) -> Number {
+        match (a[0].is_zero(), a[1].is_zero()) {
+            (true, _) if a[1].value > 0.0 && a[1].exact.is_some() => a[1].clone(),
+            (_, true) if a[0].value > 0.0 && a[0].exact.is_some() => a[0].clone(),
+            _ => self.hypot(&a[0], &a[1]),
+        }
+    }
+
+    pub(super) fn dot(&self, a: &[Number; 2], b: &[Number; 2]) -> Number {
+        self.add(&self.mul(&a[0], &b[0]), &self.mul(&a[1], &b[1]))
+    }
+
+    pub(super) fn cross(&self, a: &[Number; 2], b: &[Number; 2]) -> Number {
+        self.sub(&self.mul(&a[0], &b[1]), &self.mul(&a[1], &b[0]))
+    }
+
+    /// The vector in axes whose x has this direction.
+    pub(super) fn seen_from(&self, axis: &[Number; 2], vector: &[Number; 2]) -> [Number; 2] {
+        let size = self.size(axis);
+        let part = |number: Number| if size.is_one() { number } else { self.div(&number, &size) };
+        [part(self.dot(axis, vector)), part(self.cross(axis, vector))]
+    }
+
+    /// The vector whose coordinates in these axes are given.
+    pub(super) fn seen_in_ground(&self, axis: &[Number; 2], local: &[Number; 2]) -> [Number; 2] {
+        let mirrored = [axis[0].clone(), self.neg(&axis[1])];
+        self.seen_from(&mirrored, local)
+    }
+}

@@ -1,0 +1,367 @@
+//! Reads the names of a drawing: its pins, links and guides.
+
+use std::collections::HashMap;
+
+use proc_macro2::Ident;
+
+use crate::chain::machine::GROUND;
+use crate::diagnostics::nearest;
+use crate::model::names::{Kind, Names, declared_by};
+use crate::syntax::tree::{
+    Course, Declaration, DrawnLink, Expr, FieldValue, Statement, StatementKind,
+};
+
+use super::bodies::{Bodies, Guide, Link, Pin};
+use super::frames::{self, Line};
+use super::numbers::Number;
+use super::values::Values;
+
+/// Reads the names of a drawing one after the other.
+pub(super) struct Reader<'t, 'v, 'd> {
+    pub tree: &'t Declaration,
+    pub values: &'v mut Values<'d>,
+    pub pins: Vec<Pin<'t>>,
+    pub(super) pin_of: HashMap<String, usize>,
+    pub links: Vec<Link<'t>>,
+    pub(super) link_of: HashMap<String, usize>,
+    pub guides: Vec<Guide<'t>>,
+    pub(super) guide_of: HashMap<String, usize>,
+}
+
+/// The links of a statement with what its braces say.
+fn drawn_links(statement: &Statement) -> &[DrawnLink] {
+    match &statement.kind {
+        StatementKind::Link { links, .. } => links,
+        _ => &[],
+    }
+}
+
+impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
+    /// The machine that is drawn; `None` where a name in it is in error, which was reported.
+    pub(super) fn read(tree: &'t Declaration, values: &'v mut Values<'d>) -> Option<Bodies<'t>> {
+        let before = values.resolver.diagnostics.count();
+        let mut reader = Reader {
+            tree,
+            values,
+            pins: Vec::new(),
+            pin_of: HashMap::new(),
+            links: Vec::new(),
+            link_of: HashMap::new(),
+            guides: Vec::new(),
+            guide_of: HashMap::new(),
+        };
+        reader.names_are_given_once()?;
+        reader.read_pins();
+        reader.read_links();
+        reader.read_given();
+        reader.read_points();
+        reader.pins_are_on_bodies();
+        reader.read_guides();
+        reader.guides_of_links();
+        let drives = reader.read_drives();
+        if reader.values.resolver.diagnostics.count() != before {
+            return None;
+        }
+        let frames = frames::written(&mut reader)?;
+        reader.machine(drives, frames)
+    }
+
+    pub(super) fn report(&mut self, at: &Ident, message: String, reason: String) {
+        self.values.resolver.diagnostics.error_because(at.span(), message, reason);
+    }
+
+    /// A link has one declaration, and a pin one place.
+    fn names_are_given_once(&mut self) -> Option<()> {
+        let mut seen: HashMap<String, Kind> = HashMap::new();
+        let mut is_fine = Some(());
+        for statement in &self.tree.statements {
+            let names = declared_by(statement);
+            let is_drawn =
+                matches!(statement.kind, StatementKind::Pin { .. } | StatementKind::Link { .. });
+            for (name, kind) in names {
+                // A group that is declared makes a pin whose place the drawing gives.
+                let is_placed = kind == Kind::Point && !is_drawn;
+                match seen.insert(name.to_string(), kind) {
+                    Some(Kind::Point) if is_placed => {}
+                    Some(before) => {
+                        let message = format!("the name `{name}` is taken; choose another");
+                        self.report(name, message, format!("`{name}` is {}", before.one()));
+                        is_fine = None;
+                    }
+                    None => {}
+                }
+            }
+        }
+        is_fine
+    }
+
+    fn read_pins(&mut self) {
+        for statement in &self.tree.statements {
+            let (StatementKind::Ground { points } | StatementKind::Pin { points }) =
+                &statement.kind
+            else {
+                continue;
+            };
+            for (name, _) in points {
+                let Some(at) = self.values.places.get(&name.to_string()).cloned() else { continue };
+                self.pin_of.insert(name.to_string(), self.pins.len());
+                self.pins.push(Pin { name: name.clone(), at, on: None });
+            }
+        }
+        for statement in &self.tree.statements {
+            let StatementKind::Point { name, on, .. } = &statement.kind else { continue };
+            let is_drawn = |on: &Ident| {
+                self.tree.statements.iter().flat_map(drawn_links).any(|link| link.name == *on)
+            };
+            if on.as_ref().is_some_and(is_drawn) && !self.pin_of.contains_key(&name.to_string()) {
+                self.pin_of.insert(name.to_string(), self.pins.len());
+                let zero = self.values.pen.zero();
+                self.pins.push(Pin { name: name.clone(), at: [zero.clone(), zero], on: None });
+            }
+        }
+    }
+
+    /// The points that are declared on links go through them as pins do.
+    fn read_points(&mut self) {
+        for statement in &self.tree.statements {
+            let StatementKind::Point { name, on: Some(on), place } = &statement.kind else {
+                continue;
+            };
+            let pin = self.pin_of.get(&name.to_string()).copied();
+            let link = self.link_of.get(&on.to_string()).copied();
+            let (Some(pin), Some(link)) = (pin, link) else { continue };
+            if self.links[link].is_given {
+                continue;
+            }
+            if self.links[link].pins.contains(&pin) {
+                let message = format!("`{name}` is a pin of `{on}` already; remove one");
+                let reason = "its place on the link follows from the drawing";
+                self.report(name, message, reason.to_string());
+                continue;
+            }
+            self.pins[pin].on = Some((link + 1, place));
+            self.links[link].points.push(pin);
+        }
+    }
+
+    fn read_links(&mut self) {
+        for (index, statement) in self.tree.statements.iter().enumerate() {
+            for link in drawn_links(statement) {
+                let pins: Vec<_> = link.pins.iter().filter_map(|pin| self.pin(pin)).collect();
+                if let Some(twice) = (1..pins.len()).find(|&i| pins[..i].contains(&pins[i])) {
+                    let pin = &link.pins[twice];
+                    let message = format!("`{pin}` is named twice; remove one");
+                    let reason = format!("`{}` goes through it once", link.name);
+                    self.report(pin, message, reason);
+                }
+                let length = self.length_of(statement, link);
+                self.link_of.insert(link.name.to_string(), self.links.len());
+                self.links.push(Link {
+                    name: &link.name,
+                    pins,
+                    points: Vec::new(),
+                    on: Vec::new(),
+                    length,
+                    statement: index,
+                    is_given: false,
+                });
+            }
+        }
+    }
+
+    /// What the braces of a link say: its length, where it has two pins.
+    fn length_of(
+        &mut self,
+        statement: &'t Statement,
+        link: &'t DrawnLink,
+    ) -> Option<(&'t Expr, Option<Number>)> {
+        let StatementKind::Link { links, fields: Some(fields) } = &statement.kind else {
+            return None;
+        };
+        for field in &fields.fields {
+            if field.name != "length" {
+                let message = format!("`link` has no field `{}`", field.name);
+                let reason = "its only field is `length`; everything else is as drawn";
+                self.report(&field.name, message, reason.to_string());
+            }
+        }
+        let field = fields.fields.iter().find(|field| field.name == "length")?;
+        if links.len() > 1 || link.pins.len() != 2 {
+            let message = "a length is that of one link with two pins".to_string();
+            let reason = format!(
+                "write it in a statement of its own: `link {}(…, …) {{ length: … }}`",
+                link.name
+            );
+            self.report(&field.name, message, reason);
+            return None;
+        }
+        match &field.value {
+            FieldValue::One(value) => Some((value, self.values.length(value))),
+            FieldValue::Pair(_) => {
+                self.report(
+                    &field.name,
+                    "a link has one length".to_string(),
+                    "`length: 2m`".to_string(),
+                );
+                None
+            }
+        }
+    }
+
+    /// The bodies of groups that are declared, and points that move by themselves.
+    fn read_given(&mut self) {
+        for (index, statement) in self.tree.statements.iter().enumerate() {
+            if let StatementKind::Point { name, on: None, .. } = &statement.kind
+                && let Some(&pin) = self.pin_of.get(&name.to_string())
+            {
+                self.links.push(Link {
+                    name,
+                    pins: vec![pin],
+                    points: Vec::new(),
+                    on: Vec::new(),
+                    length: None,
+                    statement: index,
+                    is_given: true,
+                });
+            }
+            let StatementKind::Group(group) = &statement.kind else { continue };
+            for leg in &group.legs {
+                let joint = leg.joint.iter();
+                let pins = joint.chain(&group.pin).chain(self.points_on(&leg.link));
+                let pins =
+                    pins.filter_map(|pin| self.pin_of.get(&pin.to_string()).copied()).collect();
+                self.link_of.insert(leg.link.to_string(), self.links.len());
+                self.links.push(Link {
+                    name: &leg.link,
+                    pins,
+                    points: Vec::new(),
+                    on: Vec::new(),
+                    length: None,
+                    statement: index,
+                    is_given: true,
+                });
+            }
+        }
+    }
+
+    /// The points that are declared on a link.
+    fn points_on(&self, link: &Ident) -> impl Iterator<Item = &'t Ident> {
+        let link = link.clone();
+        self.tree.statements.iter().filter_map(move |statement| match &statement.kind {
+            StatementKind::Point { name, on: Some(on), .. } if *on == link => Some(name),
+            _ => None,
+        })
+    }
+
+    /// Every pin is one of a link, or of a group.
+    fn pins_are_on_bodies(&mut self) {
+        for statement in &self.tree.statements {
+            let StatementKind::Pin { points } = &statement.kind else { continue };
+            for (name, _) in points {
+                let pin = self.pin_of.get(&name.to_string());
+                let is_used = pin.is_none_or(|pin| {
+                    self.links
+                        .iter()
+                        .any(|link| link.pins.contains(pin) || link.points.contains(pin))
+                });
+                if !is_used {
+                    let message = format!("no link goes through `{name}`");
+                    let reason = format!("name it among the pins of one: `link BC(B, {name});`");
+                    self.report(name, message, reason);
+                }
+            }
+        }
+    }
+
+    /// A pin by its name.
+    fn pin(&mut self, name: &Ident) -> Option<usize> {
+        if let Some(&pin) = self.pin_of.get(&name.to_string()) {
+            return Some(pin);
+        }
+        let names = Names::collect(self.tree);
+        if names.kind(name) == Some(Kind::Point) {
+            let message = format!("`{name}` has no place in the drawing");
+            let reason = format!("say where it is drawn: `pin {name}(…, …);`");
+            self.report(name, message, reason);
+            return None;
+        }
+        let known: Vec<_> = self.pins.iter().map(|pin| pin.name.to_string()).collect();
+        let near = nearest(&name.to_string(), known.iter().map(|name| &name[..]));
+        let message = match near {
+            Some(near) => {
+                format!("no pin named `{name}`; one with a similar name exists: `{near}`")
+            }
+            None => format!("no pin named `{name}`"),
+        };
+        self.report(name, message, format!("say where it is drawn: `pin {name}(…, …);`"));
+        None
+    }
+
+    /// A body by the name of its link.
+    pub(super) fn body(&mut self, name: &Ident) -> Option<usize> {
+        if name == "ground" {
+            return Some(GROUND);
+        }
+        if let Some(&link) = self.link_of.get(&name.to_string()) {
+            return Some(link + 1);
+        }
+        let known: Vec<_> = self.links.iter().map(|link| link.name.to_string()).collect();
+        let near = nearest(&name.to_string(), known.iter().map(|name| &name[..]));
+        let message = match near {
+            Some(near) => {
+                format!("no link named `{name}`; one with a similar name exists: `{near}`")
+            }
+            None => format!("no link named `{name}`"),
+        };
+        let reason = "links are declared with the pins through them: `link BC(B, C);`";
+        self.report(name, message, reason.to_string());
+        None
+    }
+
+    fn read_guides(&mut self) {
+        for statement in &self.tree.statements {
+            let StatementKind::Guide { name, on, course, .. } = &statement.kind else { continue };
+            let body = match on {
+                Some(on) => self.body(on),
+                None => Some(GROUND),
+            };
+            let along = match course {
+                Course::Along(angle) => Some(angle),
+                Course::Towards(_) | Course::Mistake => None,
+            };
+            let Some(on) = body else { continue };
+            self.guide_of.insert(name.to_string(), self.guides.len());
+            self.guides.push(Guide {
+                name,
+                on,
+                along,
+                line: Line::unknown(self.values.pen.zero()),
+            });
+        }
+    }
+
+    /// The guides that links slide on.
+    fn guides_of_links(&mut self) {
+        let tree = self.tree;
+        for (index, link) in tree.statements.iter().flat_map(drawn_links).enumerate() {
+            for guide in &link.on {
+                match self.guide_of.get(&guide.to_string()).copied() {
+                    Some(guide) if self.guides[guide].on == index + 1 => {
+                        let message = format!("`{}` slides on a guide of itself", link.name);
+                        let guide = &link.on[0];
+                        self.report(guide, message, "a guide is on another body".to_string());
+                    }
+                    Some(guide) => self.links[index].on.push(guide),
+                    None => {
+                        let message = format!("no guide named `{guide}`");
+                        let reason = format!(
+                            "declare it: `guide {guide} through A along 0deg;`, or `guide {guide} \
+                             on LINK …` for a slot"
+                        );
+                        self.report(guide, message, reason);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,300 @@
+//! Links whose group gave them another frame than their statement: what else is written in their
+//! frames is rewritten for those of the groups.
+
+use std::collections::HashMap;
+
+use proc_macro2::Ident;
+
+use crate::chain::machine::GROUND;
+use crate::exact::Exact;
+use crate::syntax::action::{Action, MassPlace};
+use crate::syntax::tree::{
+    Course, Expr, ExprKind, FieldValue, OutputItem, Place, Spot, Statement, StatementKind,
+};
+
+use super::Turned;
+use super::bodies::Bodies;
+use super::frames::{Axis, Frame};
+use super::groups::sum;
+use super::numbers::{Number, Pen};
+
+/// The written frame of a link in that of its group.
+struct Turn {
+    link: Ident,
+    /// Its angle, where it is turned.
+    angle: Option<Number>,
+    /// The cosine and the sine of that angle.
+    axis: [Number; 2],
+    origin: [Expr; 2],
+    is_reversed: bool,
+}
+
+pub(super) struct Turns {
+    pen: Pen,
+    by_link: HashMap<String, Turn>,
+}
+
+impl Turns {
+    pub(super) fn new(pen: &Pen) -> Self {
+        Self { pen: pen.clone(), by_link: HashMap::new() }
+    }
+
+    /// Remembers a link whose group gave it this frame.
+    pub(super) fn note(
+        &mut self,
+        link: &Ident,
+        written: &Frame,
+        own: &Frame,
+        length: Option<&Expr>,
+    ) {
+        if written.is(own) {
+            return;
+        }
+        let pen = self.pen.at(link.span());
+        let is_reversed = match (written.points, own.points) {
+            (Axis::Pins(a, b), Axis::Pins(c, d)) => (a, b) == (d, c),
+            _ => false,
+        };
+        let whole = |value: i64| {
+            let exact = Exact::integer(value);
+            pen.as_decimal(Number::plain(pen.zero().text, value as f64, Some(exact)))
+        };
+        let (angle, axis) = match () {
+            () if written.points == own.points => (None, [whole(1), whole(0)]),
+            () if is_reversed => {
+                let axis = [whole(-1), whole(0)];
+                (Some(pen.angle(&axis)), axis)
+            }
+            () => {
+                let along = own.local_direction(&pen, &written.axis);
+                let size = pen.size(&along);
+                let axis = along.each_ref().map(|part| pen.div(part, &size));
+                (Some(pen.angle(&along)), axis)
+            }
+        };
+        let origin = match length {
+            Some(length) if is_reversed => [length.clone(), pen.zero().text],
+            _ => own.local(&pen, &written.origin).map(|number| number.text),
+        };
+        let turn = Turn { link: link.clone(), angle, axis, origin, is_reversed };
+        self.by_link.insert(link.to_string(), turn);
+    }
+
+    /// The links whose directions are other ones.
+    pub(super) fn directions(self) -> Vec<Turned> {
+        let turned = self.by_link.into_values();
+        let turned =
+            turned.filter_map(|turn| Some(Turned { link: turn.link, angle: turn.angle?.text }));
+        let mut turned: Vec<_> = turned.collect();
+        turned.sort_by_key(|turned| turned.link.to_string());
+        turned
+    }
+
+    fn of(&self, link: &Ident) -> Option<&Turn> {
+        self.by_link.get(&link.to_string())
+    }
+
+    /// An angle against the written frame of a link, against that of its group.
+    pub(super) fn added(&self, link: &Ident, angle: Expr) -> Expr {
+        match self.of(link).and_then(|turn| turn.angle.as_ref()) {
+            Some(turn) => sum(angle, turn.text.clone()),
+            None => angle,
+        }
+    }
+
+    pub(super) fn negated(&self, expr: &Expr) -> Expr {
+        Expr { kind: ExprKind::Negate(Box::new(expr.clone())), span: expr.span }
+    }
+
+    /// An expression in which the angles of links are those of their groups' frames.
+    pub(super) fn expr(&self, expr: &Expr) -> Expr {
+        let inside = |expr: &Expr| self.expr(expr);
+        let kind = match &expr.kind {
+            ExprKind::Member(link, member) if member == "angle" => {
+                return self.added(link, expr.clone());
+            }
+            ExprKind::Negate(inner) => ExprKind::Negate(Box::new(inside(inner))),
+            ExprKind::Chain(first, rest) => ExprKind::Chain(
+                Box::new(inside(first)),
+                rest.iter().map(|(operator, operand)| (*operator, inside(operand))).collect(),
+            ),
+            ExprKind::Call(function, arguments) => {
+                ExprKind::Call(function.clone(), arguments.iter().map(inside).collect())
+            }
+            kind => kind.clone(),
+        };
+        Expr { kind, span: expr.span }
+    }
+
+    fn pair(&self, [first, second]: &[Expr; 2]) -> [Expr; 2] {
+        [self.expr(first), self.expr(second)]
+    }
+
+    /// Components along the axes of a link.
+    fn components(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
+        let local = self.pair(local);
+        let Some(turn) = self.of(link).filter(|turn| turn.angle.is_some()) else { return local };
+        let pen = self.pen.at(link.span());
+        let [x, y] = local.map(|text| Number::length(text, f64::NAN, None));
+        let [cos, sin] = &turn.axis;
+        [
+            pen.sub(&pen.mul(cos, &x), &pen.mul(sin, &y)).text,
+            pen.add(&pen.mul(sin, &x), &pen.mul(cos, &y)).text,
+        ]
+    }
+
+    /// Coordinates in the frame of a link.
+    fn place(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
+        let turned = self.components(link, local);
+        let Some(turn) = self.of(link) else { return turned };
+        let [x, y] = turned;
+        let [dx, dy] = turn.origin.clone();
+        [sum_of(dx, x), sum_of(dy, y)]
+    }
+
+    /// The statement with everything in the frames of groups.
+    pub(super) fn statement(&self, bodies: &Bodies<'_>, statement: &Statement) -> Statement {
+        let kind = match &statement.kind {
+            StatementKind::Guide { name, on, through, course } => {
+                self.guide(bodies, name, on.as_ref(), through, course)
+            }
+            StatementKind::Point { name, on, place } => StatementKind::Point {
+                name: name.clone(),
+                on: on.clone(),
+                place: self.point(on.as_ref(), place),
+            },
+            StatementKind::Let { name, value } => {
+                StatementKind::Let { name: name.clone(), value: self.expr(value) }
+            }
+            StatementKind::Output { items } => StatementKind::Output {
+                items: items
+                    .iter()
+                    .map(|item| OutputItem {
+                        name: item.name.clone(),
+                        renamed_at: item.renamed_at,
+                        // A part of a link by itself is a direction.
+                        value: match &item.value.kind {
+                            ExprKind::Member(..) if item.name.is_none() => item.value.clone(),
+                            _ => self.expr(&item.value),
+                        },
+                    })
+                    .collect(),
+            },
+            StatementKind::Group(group) => {
+                let mut group = group.clone();
+                self.group(&mut group);
+                StatementKind::Group(group)
+            }
+            StatementKind::Action(action) => StatementKind::Action(self.action(action)),
+            kind => kind.clone(),
+        };
+        Statement { docs: statement.docs.clone(), kind }
+    }
+
+    fn group(&self, group: &mut crate::syntax::tree::Group) {
+        let reference = group.fields.iter().find_map(|field| match &field.value {
+            FieldValue::One(Expr { kind: ExprKind::Name(name), .. })
+                if field.name == "relative_to" =>
+            {
+                Some(name.clone())
+            }
+            _ => None,
+        });
+        for field in &mut group.fields {
+            field.value = match &field.value {
+                FieldValue::One(value) => FieldValue::One(match &reference {
+                    Some(reference) if field.name == "angle" => {
+                        self.added(reference, self.expr(value))
+                    }
+                    _ => self.expr(value),
+                }),
+                FieldValue::Pair(values) => FieldValue::Pair(self.pair(values)),
+            };
+        }
+    }
+
+    fn guide(
+        &self,
+        bodies: &Bodies<'_>,
+        name: &Ident,
+        on: Option<&Ident>,
+        through: &Spot,
+        course: &Course,
+    ) -> StatementKind {
+        let body = on.and_then(|on| bodies.body(on)).unwrap_or(GROUND);
+        let spot = match (through, on) {
+            (Spot::At(place), Some(on)) => Spot::At(self.place(on, place)),
+            // Any pin's place in the drawing will do.
+            (Spot::Point(point), Some(on)) if !bodies.has_pin(body, point) => {
+                let guide = bodies.guides.iter().find(|guide| guide.name == name);
+                let frame = &bodies.frames[body];
+                match guide.filter(|_| body != GROUND && !bodies.link(body).is_given) {
+                    Some(guide) => {
+                        let local = frame.local(&self.pen.at(point.span()), &guide.line.through);
+                        Spot::At(self.place(on, &local.map(|number| number.text)))
+                    }
+                    None => through.clone(),
+                }
+            }
+            _ => through.clone(),
+        };
+        let course = match (course, on) {
+            (Course::Along(angle), Some(on)) => Course::Along(self.added(on, self.expr(angle))),
+            (Course::Along(angle), None) => Course::Along(self.expr(angle)),
+            _ => course.clone(),
+        };
+        StatementKind::Guide { name: name.clone(), on: on.cloned(), through: spot, course }
+    }
+
+    fn point(&self, on: Option<&Ident>, place: &Place) -> Place {
+        let Some((on, turn)) = on.and_then(|on| Some((on, self.of(on)?))) else {
+            return match place {
+                Place::Cartesian(place) => Place::Cartesian(self.pair(place)),
+                Place::Polar(place) => Place::Polar(self.pair(place)),
+                Place::Distances(distances, side) => {
+                    Place::Distances(self.pair(distances), side.clone())
+                }
+                Place::Mistake => Place::Mistake,
+            };
+        };
+        let pen = self.pen.at(on.span());
+        match place {
+            Place::Cartesian(place) => Place::Cartesian(self.place(on, place)),
+            Place::Polar([radius, angle]) => {
+                let radius = Number::length(self.expr(radius), f64::NAN, None);
+                let angle = Number::plain(self.expr(angle), f64::NAN, None);
+                let local =
+                    [pen.mul(&radius, &pen.cos(&angle)), pen.mul(&radius, &pen.sin(&angle))];
+                Place::Cartesian(self.place(on, &local.map(|number| number.text)))
+            }
+            Place::Distances([first, second], side) if turn.is_reversed => {
+                let word = if side == "left" { "right" } else { "left" };
+                let side = Ident::new(word, side.span());
+                Place::Distances([self.expr(second), self.expr(first)], side)
+            }
+            place => place.clone(),
+        }
+    }
+
+    fn action(&self, action: &Action) -> Action {
+        let mut action = action.clone();
+        match &mut action {
+            Action::Mass { on, place: MassPlace::At(place), .. } => *place = self.place(on, place),
+            Action::Force { value, axes: Some(axes), .. } => {
+                *value = self.components(axes, value);
+            }
+            _ => {}
+        }
+        action
+    }
+}
+
+/// The sum, without a zero in front.
+fn sum_of(first: Expr, second: Expr) -> Expr {
+    let is_zero = |expr: &Expr| matches!(&expr.kind, ExprKind::Number { digits, .. } if digits.bytes().all(|d| d == b'0'));
+    match (is_zero(&first), is_zero(&second)) {
+        (true, _) => second,
+        (_, true) => first,
+        _ => sum(first, second),
+    }
+}

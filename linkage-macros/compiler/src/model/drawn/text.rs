@@ -1,0 +1,216 @@
+//! The declaration of the groups as text, for the documentation of the solver.
+
+use proc_macro2::Span;
+use syn::Attribute;
+
+use crate::syntax::action::{Action, MassPlace};
+use crate::syntax::tree::{
+    BinaryOp, Course, Declaration, Expr, ExprKind, FieldValue, Group, Place, Spot, Statement,
+    StatementKind,
+};
+
+/// What was found in the drawing, as documentation of the struct.
+pub(super) fn documentation(tree: &Declaration, statements: &[Statement]) -> Vec<Attribute> {
+    let mut lines = vec![
+        String::new(),
+        " # Groups found in the drawing".to_string(),
+        String::new(),
+        " The links and joints of the drawing are these drivers and groups:".to_string(),
+        String::new(),
+        " ```text".to_string(),
+        " mechanism! {".to_string(),
+        format!("     pub struct {} {{", tree.name),
+    ];
+    lines.extend(statements.iter().map(|statement| format!("         {}", written(statement))));
+    lines.extend(
+        [" ", "     }", " }", " ```"].into_iter().filter(|line| *line != " ").map(String::from),
+    );
+    lines.iter().map(|line| doc(line)).collect()
+}
+
+fn doc(line: &str) -> Attribute {
+    let text = proc_macro2::Literal::string(line);
+    let _ = Span::call_site();
+    syn::parse_quote!(#[doc = #text])
+}
+
+/// A statement as it is declared.
+pub(super) fn written(statement: &Statement) -> String {
+    let named = |names: &[proc_macro2::Ident]| {
+        names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+    };
+    let kind_of = |kind: &Option<proc_macro2::Ident>| {
+        kind.as_ref().map(|kind| format!(": {kind}")).unwrap_or_default()
+    };
+    match &statement.kind {
+        StatementKind::Input { names, kind } => format!("input {}{};", named(names), kind_of(kind)),
+        StatementKind::Load { names, kind } => format!("load {}{};", named(names), kind_of(kind)),
+        StatementKind::Param { name, kind, default } => {
+            format!("param {name}{} = {};", kind_of(kind), text(default))
+        }
+        StatementKind::Let { name, value } => format!("let {name} = {};", text(value)),
+        StatementKind::Unknown { name, kind, between } => {
+            let ends = between.as_ref().map(pair).unwrap_or_default();
+            format!("unknown {name}{} between {ends};", kind_of(kind))
+        }
+        StatementKind::Solve(solve) => {
+            let [left, right] =
+                solve.equation.as_ref().map(|sides| sides.each_ref().map(text)).unwrap_or_default();
+            let mode = solve.mode.iter().map(|mode| format!(", mode: {mode}"));
+            let near = solve.near.iter().map(|near| format!(", near: {}", text(near)));
+            let fields: String = mode.chain(near).collect();
+            format!("solve {} {{ {left} = {right}{fields} }}", solve.unknown)
+        }
+        StatementKind::Ground { points } | StatementKind::Pin { points } => {
+            let points = points.iter().map(|(name, at)| format!("{name}{}", pair(at)));
+            format!("ground {};", points.collect::<Vec<_>>().join(", "))
+        }
+        StatementKind::Guide { name, on, through, course } => {
+            format!("guide {name}{} {};", on_link(on.as_ref()), line(through, course))
+        }
+        StatementKind::Point { name, on, place } => {
+            format!("point {name}{} {};", on_link(on.as_ref()), spot(place))
+        }
+        StatementKind::Group(group) => written_group(group),
+        StatementKind::Action(action) => written_action(action),
+        StatementKind::Output { items } => {
+            let items = items.iter().map(|item| match &item.name {
+                Some(name) => format!("{name} = {}", text(&item.value)),
+                None => text(&item.value),
+            });
+            format!("output {};", items.collect::<Vec<_>>().join(", "))
+        }
+        StatementKind::Numerics { mode } => format!("numerics {mode};"),
+        StatementKind::Export { language } => format!("export {language};"),
+        StatementKind::Crate { path } => {
+            format!("crate = {};", quote::quote!(#path).to_string().replace(' ', ""))
+        }
+        StatementKind::Link { .. } | StatementKind::Drive(_) => String::new(),
+    }
+}
+
+fn on_link(on: Option<&proc_macro2::Ident>) -> String {
+    on.map(|on| format!(" on {on}")).unwrap_or_default()
+}
+
+fn line(through: &Spot, course: &Course) -> String {
+    let through = match through {
+        Spot::At(place) => pair(place),
+        Spot::Point(point) => point.to_string(),
+        Spot::Mistake => String::new(),
+    };
+    match course {
+        Course::Along(angle) => format!("through {through} along {}", text(angle)),
+        Course::Towards(point) => format!("through {through} towards {point}"),
+        Course::Mistake => String::new(),
+    }
+}
+
+fn spot(place: &Place) -> String {
+    match place {
+        Place::Cartesian(place) => format!("at {}", pair(place)),
+        Place::Polar(place) => format!("at polar {}", pair(place)),
+        Place::Distances(distances, side) => format!("at distances {} {side}", pair(distances)),
+        Place::Mistake => String::new(),
+    }
+}
+
+fn written_group(group: &Group) -> String {
+    let leg = |leg: &crate::syntax::tree::Leg| match &leg.joint {
+        Some(joint) => format!("{}({joint})", leg.link),
+        None => leg.link.to_string(),
+    };
+    let legs: Vec<_> = group.legs.iter().map(leg).collect();
+    let pin = group.pin.iter().map(|pin| format!(" -> {pin}")).collect::<String>();
+    format!("{} {}{pin} {}", group.keyword, legs.join(", "), braces(group))
+}
+
+fn braces(group: &Group) -> String {
+    let fields = group.fields.iter().map(|field| match &field.value {
+        FieldValue::One(value) => format!("{}: {}", field.name, text(value)),
+        FieldValue::Pair(values) => format!("{}: {}", field.name, pair(values)),
+    });
+    match fields.collect::<Vec<_>>() {
+        fields if fields.is_empty() => "{ }".to_string(),
+        fields => format!("{{ {} }}", fields.join(", ")),
+    }
+}
+
+fn written_action(action: &Action) -> String {
+    match action {
+        Action::Gravity { value, .. } => format!("gravity {};", pair(value)),
+        Action::Mass { value, on, place, inertia } => {
+            let place = match place {
+                MassPlace::Here => String::new(),
+                MassPlace::At(place) => format!(" at {}", pair(place)),
+                MassPlace::Point(point) => format!(" at {point}"),
+                MassPlace::Uniform(_) => " uniform".to_string(),
+            };
+            let inertia = inertia.iter().map(|inertia| format!(" inertia {}", text(inertia)));
+            format!("mass {} on {on}{place}{};", text(value), inertia.collect::<String>())
+        }
+        Action::Inertia { value, on } => format!("inertia {} on {on};", text(value)),
+        Action::Force { value, axes, on } => {
+            let axes = axes.iter().map(|axes| format!(" in {axes}")).collect::<String>();
+            format!("force {}{axes} on {on};", pair(value))
+        }
+        Action::ForceBetween { value, points: [a, b] } => {
+            format!("force {} between {a} and {b};", text(value))
+        }
+        Action::Torque { value, on } => format!("torque {} on {on};", text(value)),
+        Action::TorqueBetween { value, bodies: [a, b] } => {
+            format!("torque {} between {a} and {b};", text(value))
+        }
+        Action::Spring { name, ends: [a, b], fields } => {
+            let name = name.iter().map(|name| format!(" {name}")).collect::<String>();
+            format!("spring{name} between {a} and {b} {}", braces(fields))
+        }
+    }
+}
+
+fn pair([first, second]: &[Expr; 2]) -> String {
+    format!("({}, {})", text(first), text(second))
+}
+
+/// An expression as it is written.
+pub(super) fn text(expr: &Expr) -> String {
+    match &expr.kind {
+        ExprKind::Number { digits, units } => match &units[..] {
+            [] => digits.clone(),
+            [(unit, 1)] => format!("{digits}{unit}"),
+            units => {
+                let units = units.iter().map(|(unit, power)| format!("{unit}^{power}"));
+                format!("{digits}({})", units.collect::<Vec<_>>().join("*"))
+            }
+        },
+        ExprKind::Name(name) => name.to_string(),
+        ExprKind::Member(owner, member) => format!("{owner}.{member}"),
+        ExprKind::Negate(inner) => format!("-{}", operand(inner)),
+        ExprKind::Chain(first, rest) => {
+            let mut text = operand(first);
+            for (operator, operand_of) in rest {
+                let sign = match operator {
+                    BinaryOp::Add => '+',
+                    BinaryOp::Sub => '-',
+                    BinaryOp::Mul => '*',
+                    BinaryOp::Div => '/',
+                };
+                text += &format!(" {sign} {}", operand(operand_of));
+            }
+            text
+        }
+        ExprKind::Call(function, arguments) => {
+            let arguments: Vec<_> = arguments.iter().map(text).collect();
+            format!("{function}({})", arguments.join(", "))
+        }
+        ExprKind::Mistake => "…".to_string(),
+    }
+}
+
+/// An operand, in parentheses where it is a chain itself.
+fn operand(expr: &Expr) -> String {
+    match &expr.kind {
+        ExprKind::Chain(..) => format!("({})", text(expr)),
+        _ => text(expr),
+    }
+}

@@ -1,0 +1,289 @@
+//! Values of what is written in a drawing: the numbers of a declaration are resolved with its pins
+//! as points that stand still, so that the rules and the messages of the ground's points are theirs.
+
+use std::collections::{HashMap, HashSet};
+
+use proc_macro2::{Ident, Span};
+
+use crate::diagnostics::Diagnostics;
+use crate::exact::Exact;
+use crate::model::expr::{Axis, Expr as Resolved};
+use crate::model::mechanism::{InputId, Mechanism, ParamKind, Step};
+use crate::model::names::{Entity, declared_by};
+use crate::model::references::{expressions, names_used};
+use crate::model::{Resolver, units};
+use crate::syntax::tree::{Declaration, Expr, ExprKind, Statement, StatementKind};
+
+use super::bodies::Bodies;
+use super::numbers::{Number, Pen};
+
+/// What the numbers of a drawing are.
+pub(super) struct Values<'d> {
+    pub resolver: Resolver<'d>,
+    pub pen: Pen,
+    /// By name, where the points of the ground and the pins are.
+    pub places: HashMap<String, [Number; 2]>,
+}
+
+/// The statements whose numbers say where a drawing's pins are, its pins as points of the ground.
+fn numbers_of(tree: &Declaration) -> Declaration {
+    let mut known = HashSet::new();
+    let mut statements = Vec::new();
+    for statement in &tree.statements {
+        let uses_known =
+            || names_used(statement).iter().all(|name| known.contains(&name.to_string()));
+        let kind = match &statement.kind {
+            StatementKind::Input { names, kind } => {
+                StatementKind::Input { names: names.clone(), kind: kind.clone() }
+            }
+            StatementKind::Param { name, kind, default } => StatementKind::Param {
+                name: name.clone(),
+                kind: kind.clone(),
+                default: default.clone(),
+            },
+            StatementKind::Let { name, value } if uses_known() => {
+                StatementKind::Let { name: name.clone(), value: value.clone() }
+            }
+            StatementKind::Ground { points } | StatementKind::Pin { points } => {
+                StatementKind::Ground { points: points.clone() }
+            }
+            _ => continue,
+        };
+        known.extend(declared_by(statement).iter().map(|(name, _)| name.to_string()));
+        statements.push(Statement { docs: Vec::new(), kind });
+    }
+    Declaration {
+        docs: Vec::new(),
+        visibility: tree.visibility.clone(),
+        name: tree.name.clone(),
+        statements,
+        unread: crate::syntax::tree::Unread::Words(HashSet::new()),
+    }
+}
+
+/// The unit of the first length that has one.
+fn unit_of(tree: &Declaration) -> Option<String> {
+    let mut found = None;
+    for statement in &tree.statements {
+        expressions(statement, &mut |expr| {
+            let mut open = vec![expr];
+            while let Some(next) = open.pop() {
+                if let ExprKind::Number { units, .. } = &next.kind
+                    && let [(name, 1)] = &units[..]
+                    && units::unit(name).is_some_and(|(measure, _)| measure.length == 1)
+                {
+                    found.get_or_insert_with(|| name.clone());
+                }
+                open.extend(next.parts());
+            }
+        });
+    }
+    found
+}
+
+impl<'d> Values<'d> {
+    /// The numbers of a drawing; `None` where one of them is in error, which was reported.
+    pub(super) fn of(tree: &'d Declaration, diagnostics: &'d mut Diagnostics) -> Option<Self> {
+        let before = diagnostics.count();
+        let numbers = numbers_of(tree);
+        let mut resolver = Resolver::new(&numbers, &tree.unread, diagnostics);
+        resolver.facts.longest_in_small_units =
+            super::super::literals::longest_in_small_units(tree);
+        resolver.statements(&numbers);
+        resolver.statements_are_in_order(&numbers);
+        if resolver.diagnostics.count() != before {
+            return None;
+        }
+        let pen = Pen { unit: unit_of(tree), at: Span::call_site() };
+        let mut values = Self { resolver, pen, places: HashMap::new() };
+        for statement in &numbers.statements {
+            let StatementKind::Ground { points } = &statement.kind else { continue };
+            for (name, written) in points {
+                let place = values.place(name, written)?;
+                values.places.insert(name.to_string(), place);
+            }
+        }
+        Some(values)
+    }
+
+    /// Where a point that was resolved is.
+    fn place(&self, name: &Ident, written: &[Expr; 2]) -> Option<[Number; 2]> {
+        let Some(Entity::Point(id)) = self.resolver.names.entity(name) else { return None };
+        let at = self.mechanism().steps.iter().find_map(|step| match step {
+            Step::Ground { point, at } if *point == id => Some(at),
+            _ => None,
+        })?;
+        let [x, y] = [0, 1].map(|i| self.number(&written[i], &at[i], name.span()));
+        Some([x?, y?])
+    }
+
+    pub(super) fn mechanism(&self) -> &Mechanism {
+        &self.resolver.mechanism
+    }
+
+    /// The length that was written as this and resolved to that.
+    fn number(&self, written: &Expr, resolved: &Resolved, at: Span) -> Option<Number> {
+        let exact = resolved.constant().cloned();
+        let value = value(resolved, self.mechanism(), &[])?;
+        let is_written_out = match &written.kind {
+            ExprKind::Negate(inner) => matches!(inner.kind, ExprKind::Number { .. }),
+            kind => matches!(kind, ExprKind::Number { .. }),
+        };
+        let number = Number::length(self.substituted(written), value, exact);
+        Some(if is_written_out { number } else { self.pen.at(at).as_decimal(number) })
+    }
+
+    /// The expression with the pins' coordinates as they are drawn.
+    pub(super) fn substituted(&self, expr: &Expr) -> Expr {
+        let inside = |expr: &Expr| self.substituted(expr);
+        let kind = match &expr.kind {
+            ExprKind::Member(owner, member) if member == "x" || member == "y" => {
+                match self.places.get(&owner.to_string()) {
+                    Some(place) => return place[usize::from(member == "y")].text.clone(),
+                    None => expr.kind.clone(),
+                }
+            }
+            ExprKind::Negate(inner) => ExprKind::Negate(Box::new(inside(inner))),
+            ExprKind::Chain(first, rest) => ExprKind::Chain(
+                Box::new(inside(first)),
+                rest.iter().map(|(operator, operand)| (*operator, inside(operand))).collect(),
+            ),
+            ExprKind::Call(function, arguments) => {
+                ExprKind::Call(function.clone(), arguments.iter().map(inside).collect())
+            }
+            kind => kind.clone(),
+        };
+        Expr { kind, span: expr.span }
+    }
+
+    /// The length that an expression of constants and parameters is; `None` where it is in error,
+    /// which is reported where the groups are resolved.
+    pub(super) fn length(&mut self, expr: &Expr) -> Option<Number> {
+        let resolved = self.quietly(|resolver| resolver.length(expr))?;
+        Some(Number::length(
+            self.substituted(expr),
+            value(&resolved, self.mechanism(), &[])?,
+            resolved.constant().cloned(),
+        ))
+    }
+
+    /// The same for an angle.
+    pub(super) fn angle(&mut self, expr: &Expr) -> Option<Number> {
+        let resolved = self.quietly(|resolver| resolver.plain_angle(expr))?;
+        Some(Number::plain(
+            self.substituted(expr),
+            value(&resolved, self.mechanism(), &[])?,
+            resolved.constant().cloned(),
+        ))
+    }
+
+    /// The value of an expression at these inputs.
+    pub(super) fn at_inputs(&mut self, expr: &Expr, inputs: &[f64]) -> Option<f64> {
+        let resolved = self.quietly(|resolver| resolver.quantity(expr))?;
+        resolved.links.is_empty().then_some(())?;
+        value(&resolved.rest, self.mechanism(), inputs)
+    }
+
+    /// The inputs at which the drives are as they are drawn; `None` where the drives do not determine
+    /// them.
+    pub(super) fn inputs_of_the_drawing(&mut self, bodies: &Bodies<'_>) -> Option<Vec<f64>> {
+        let count = self.mechanism().inputs.len();
+        let mut equations = Vec::new();
+        for (index, (_, drive)) in bodies.drives.iter().enumerate() {
+            let drawn = bodies.drawn_value(index)?;
+            equations.push((&drive.value, drawn));
+        }
+        for link in &bodies.links {
+            if let Some((length, None)) = &link.length {
+                let [first, second] = link.pins[..] else { continue };
+                let between = bodies.machine.pins[second] - bodies.machine.pins[first];
+                equations.push((length, between.length()));
+            }
+        }
+        let mut rows = Vec::new();
+        for (value, drawn) in equations {
+            let value = bodies.as_drawn(value, &self.pen);
+            let mut inputs = vec![0.0; count];
+            let rest = self.at_inputs(&value, &inputs)?;
+            let mut row = Vec::new();
+            for input in 0..count {
+                inputs[input] = 1.0;
+                row.push(self.at_inputs(&value, &inputs)? - rest);
+                inputs[input] = 0.0;
+            }
+            row.push(drawn - rest);
+            rows.push(row);
+        }
+        let inputs = solved(rows, count)?;
+        Some(inputs)
+    }
+
+    /// What the resolver makes of something, whose mistakes are reported later.
+    fn quietly<T>(&mut self, f: impl FnOnce(&mut Resolver<'_>) -> Option<T>) -> Option<T> {
+        let before = self.resolver.diagnostics.count();
+        let found = f(&mut self.resolver);
+        self.resolver.diagnostics.forget_since(before);
+        found
+    }
+}
+
+/// The value of a number at the defaults of the parameters.
+fn value(expr: &Resolved, mechanism: &Mechanism, inputs: &[f64]) -> Option<f64> {
+    let value = folded(expr, mechanism, inputs)?.constant()?.to_f64();
+    value.is_finite().then_some(value)
+}
+
+/// The number as the constant that it is at the defaults of the parameters.
+fn folded(expr: &Resolved, mechanism: &Mechanism, inputs: &[f64]) -> Option<Resolved> {
+    let of = |expr: &Resolved| folded(expr, mechanism, inputs);
+    match expr {
+        Resolved::Constant(_) => Some(expr.clone()),
+        Resolved::Input(InputId(id)) => {
+            Some(Resolved::Constant(Exact::float(*inputs.get(*id as usize)?)?))
+        }
+        Resolved::Param(id) => match &mechanism.params[id.index()].kind {
+            ParamKind::Number { default, .. } => Some(Resolved::Constant(default.clone())),
+            _ => None,
+        },
+        Resolved::Let(id) => of(&mechanism.lets[id.index()].rest),
+        Resolved::Coordinate(point, axis) => {
+            let at = mechanism.steps.iter().find_map(|step| match step {
+                Step::Ground { point: known, at } if known == point => Some(at),
+                _ => None,
+            })?;
+            of(&at[usize::from(*axis == Axis::Y)])
+        }
+        Resolved::Negate(inner) => Some(of(inner)?.negated()),
+        Resolved::Chain(first, rest) => rest
+            .iter()
+            .try_fold(of(first)?, |sum, (operator, operand)| sum.combined(*operator, of(operand)?)),
+        Resolved::Call(function, arguments) => {
+            let arguments: Option<Vec<_>> = arguments.iter().map(of).collect();
+            Resolved::call(*function, arguments?)
+        }
+        _ => None,
+    }
+}
+
+/// The solution of linear equations, each with its right side last; `None` where there is not exactly one.
+fn solved(mut rows: Vec<Vec<f64>>, count: usize) -> Option<Vec<f64>> {
+    for column in 0..count {
+        let size = |row: &Vec<f64>| row[column].abs();
+        let pivot =
+            (column..rows.len()).max_by(|&a, &b| size(&rows[a]).total_cmp(&size(&rows[b])))?;
+        rows.swap(column, pivot);
+        let pivot = rows[column].clone();
+        // Coefficients are ratios of gears and lengths of racks: far from rounding errors.
+        if pivot[column].abs() < 1e-9 {
+            return None;
+        }
+        for (index, row) in rows.iter_mut().enumerate() {
+            let factor = row[column] / pivot[column];
+            if index != column {
+                row.iter_mut().zip(&pivot).for_each(|(value, pivot)| *value -= factor * pivot);
+            }
+        }
+    }
+    let solution = (0..count).map(|i| rows[i][count] / rows[i][i]);
+    solution.map(|value| value.is_finite().then_some(value)).collect()
+}

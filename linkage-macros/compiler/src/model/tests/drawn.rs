@@ -1,0 +1,158 @@
+//! Drawings of links and joints: what is said of those that cannot be cut.
+
+use super::check;
+
+/// A four-bar without its drive.
+const BARS: &str = "input t: angle; ground A(0, 0), D(4m, 0); pin B(0.5m, 0.9m), C(3.2m, 2.6m); \
+                    link AB(A, B), BC(B, C), DC(D, C);";
+/// A four-bar.
+const FOUR_BAR: &str = "input t: angle; ground A(0, 0), D(4m, 0); pin B(0.5m, 0.9m), \
+                        C(3.2m, 2.6m); link AB(A, B), BC(B, C), DC(D, C); drive AB.angle = t;";
+
+#[test]
+fn counts_that_do_not_fit_name_bodies_and_drives() {
+    check(&[
+        (FOUR_BAR, "", ""),
+        (
+            BARS,
+            "output AB;",
+            "DC: `AB`, `BC` and `DC` still move when every input is held: one drive too few / drive one of them, `drive DC.angle = …;`, or pin one of them to another link",
+        ),
+        (
+            BARS,
+            "input u: angle; drive AB.angle = t; drive DC.angle = u;",
+            "u: `t` and `u` fight: `AB`, `BC`, `DC` and the ground have one freedom and 2 inputs / leave out `drive AB.angle` or `drive DC.angle`",
+        ),
+        (
+            FOUR_BAR,
+            "link BD(B, D);",
+            "BD: `AB`, `BD` and the ground hold each other without `drive AB.angle`: one constraint too many / leave out `link BD`, or one of its joints or `drive AB.angle`",
+        ),
+        (
+            FOUR_BAR,
+            "pin X(5m, 5m); link tail(C, X);",
+            "tail: `tail` still moves when every input is held: one drive too few / drive it, `drive tail.angle = …;`, or pin it to another link",
+        ),
+        (
+            FOUR_BAR,
+            "pin X(5m, 5m), Y(6m, 5m); link tail(C, X), end(X, Y);",
+            "end: `tail` and `end` still move when every input is held: 2 drives too few / drive one of them, `drive end.angle = …;`, or pin one of them to another link",
+        ),
+    ]);
+}
+
+#[test]
+fn names_of_a_drawing_are_given_once_and_exist() {
+    check(&[
+        (
+            FOUR_BAR,
+            "pin X(5m, 5m); link tail(C, Y);",
+            "Y: no pin named `Y` / say where it is drawn: `pin Y(…, …);`\nX: no link goes through `X` / name it among the pins of one: `link BC(B, X);`",
+        ),
+        (
+            FOUR_BAR,
+            "link tail(C, C);",
+            "C: `C` is named twice; remove one / `tail` goes through it once",
+        ),
+        (
+            FOUR_BAR,
+            "drive AD.angle = t;",
+            "AD: no link named `AD`; one with a similar name exists: `AB` / links are declared with the pins through them: `link BC(B, C);`",
+        ),
+        (
+            FOUR_BAR,
+            "link ram(C) on bed;",
+            "bed: no guide named `bed` / declare it: `guide bed through A along 0deg;`, or `guide bed on LINK …` for a slot",
+        ),
+        (FOUR_BAR, "link AB(A, C);", "AB: the name `AB` is taken; choose another / `AB` is a link"),
+        (
+            FOUR_BAR,
+            "pin E(1m, 0);",
+            "E: no link goes through `E` / name it among the pins of one: `link BC(B, E);`",
+        ),
+    ]);
+}
+
+#[test]
+fn drives_give_an_angle_or_a_slide() {
+    check(&[
+        (
+            FOUR_BAR,
+            "drive AB.slide = 1m;",
+            "slide: `AB` slides on no guide / declare it as `link AB(…) on GUIDE;`",
+        ),
+        (
+            FOUR_BAR,
+            "drive AB.omega = 1;",
+            "omega: a drive gives an angle, the difference of two, or a slide / write `drive AB.angle = …`, `drive BC.angle - AB.angle = …` or `drive ram.slide = …`",
+        ),
+        (
+            "input t: angle; ground A(0, 0); guide bed through A along 0deg; pin C(1m, 0); link ram(C) on bed; drive ram.angle = t;",
+            "",
+            "angle: `ram` slides without turning; drive its slide / write `drive ram.slide = …`",
+        ),
+        (
+            "input t: length; ground A(0, 0); guide bed through A along 0deg; pin C(1m, 0); link ram(C) on bed; drive ram.slide = t;",
+            "",
+            "",
+        ),
+    ]);
+}
+
+#[test]
+fn places_of_pins_are_those_of_points_that_stand_still() {
+    check(&[
+        (
+            FOUR_BAR,
+            "pin E(t, 0);",
+            "t: a ground point is fixed; it cannot depend on an input / a point that is driven is declared `point E at (x, y);`",
+        ),
+        (
+            FOUR_BAR,
+            "pin E(3deg, 0);",
+            "3deg: an angle where a length belongs / an angle times a length is a length, as in `theta * 20mm`",
+        ),
+        (
+            FOUR_BAR,
+            "pin E(x, 0);",
+            "x: no input, parameter or `let` named `x` / declared so far: `t`",
+        ),
+    ]);
+}
+
+#[test]
+fn poses_and_chains_that_are_not_decided() {
+    check(&[
+        (
+            "input t: angle; ground A(0, 0), D(4m, 0); pin B(1m, 0), C(2m, 0); link AB(A, B), BC(B, C), DC(D, C); drive AB.angle = t;",
+            "",
+            "DC: in the drawing `BC` and `DC` are in one line: `left` and `right` come together there / draw another pose",
+        ),
+        (
+            "input t: angle; ground A(0, 0), D(4m, 0), E(1m, 0); pin B(0, 1m), C(4m, 1m), F(1m, 1m); link AB(A, B), BC(B, C, F), DC(D, C), EF(E, F); drive AB.angle = t;",
+            "",
+            "EF: `AB`, `BC`, `DC`, `EF` and the ground hold each other without `drive AB.angle`: one constraint too many / leave out `link EF`, or one of its joints or `drive AB.angle`",
+        ),
+        (
+            "input t: angle; ground A(0, 0), D(4m, 0), E(0.4m, 4.2m); pin B(0.5m, 0.9m), P(1.6m, 1.6m), Q(3m, 1.9m), R(2.4m, 3m); link AB(A, B), BP(B, P), plate(P, Q, R), DQ(D, Q), ER(E, R); drive AB.angle = t;",
+            "",
+            "ER: `BP`, `plate`, `DQ` and `ER` are one group of class III or higher / drive another joint, so that each pair of links stands on what is known; or declare the groups with `unknown` and `solve`",
+        ),
+    ]);
+}
+
+#[test]
+fn a_length_is_that_of_one_bar() {
+    check(&[
+        (
+            "input t: angle; ground A(0, 0); pin B(1m, 0); link AB(A, B) { length: 2m, width: 1m } drive AB.angle = t;",
+            "",
+            "width: `link` has no field `width` / its only field is `length`; everything else is as drawn",
+        ),
+        (
+            "input t: angle; ground A(0, 0); pin B(1m, 0); link AB(A, B), AC(A, B) { length: 2m } drive AB.angle = t;",
+            "",
+            "length: a length is that of one link with two pins / write it in a statement of its own: `link AB(…, …) { length: … }`\nlength: a length is that of one link with two pins / write it in a statement of its own: `link AC(…, …) { length: … }`",
+        ),
+    ]);
+}
