@@ -138,48 +138,34 @@ impl<'a> Arguments<'a> {
 
     /// Each argument with what it is.
     pub(super) fn parts(&self) -> impl Iterator<Item = (&Ident, Form<'a>)> {
-        self.given.iter().zip(&self.names).map(|(given, name)| {
-            let form = match self.record(*given) {
-                Some(record) => Form::Record(record, self.fields(*given)),
-                None if *given == Given::Drives && self.cx.inputs().is_some() => {
-                    Form::List(self.cx.mechanism.inputs.len())
-                }
-                None => Form::Number,
-            };
-            (name, form)
-        })
+        self.given.iter().zip(&self.names).map(|(given, name)| (name, self.form(*given)))
     }
 
-    fn fields(&self, given: Given) -> Vec<&'a Ident> {
+    fn form(&self, given: Given) -> Form<'a> {
         let mechanism = self.cx.mechanism;
-        match given {
-            Given::Loads => mechanism.dynamics.loads.iter().map(|load| &load.name).collect(),
-            _ => mechanism.inputs.iter().map(|input| &input.name).collect(),
-        }
-    }
-
-    /// The record that an argument is; none for a number.
-    fn record(&self, given: Given) -> Option<&'a Ident> {
-        match given {
-            Given::Loads => self.cx.loads(),
-            Given::Drives => None,
-            _ => self.cx.inputs(),
+        let inputs = || mechanism.inputs.iter().map(|input| &input.name).collect();
+        let loads = || mechanism.dynamics.loads.iter().map(|load| &load.name).collect();
+        match (given, self.cx.inputs(), self.cx.loads()) {
+            (Given::Loads, _, Some(record)) => Form::Record(record, loads()),
+            (Given::Drives, Some(_), _) => Form::List(mechanism.inputs.len()),
+            (Given::Loads, _, None) | (_, None, _) => Form::Number,
+            (_, Some(record), _) => Form::Record(record, inputs()),
         }
     }
 
     /// Whether a public function makes records of what it is given.
     pub(super) fn has_records(&self) -> bool {
-        self.given.iter().any(|&given| self.record(given).is_some())
+        self.parts().any(|(_, form)| matches!(form, Form::Record(..)))
     }
 
     /// Makes records of what a public function was given; nothing for plain numbers.
     pub(super) fn converted(&self, scalar: &TokenStream) -> TokenStream {
         let into = self.cx.paths.item("Into");
-        let convert = |(given, name): (&Given, &Ident)| {
-            let record = self.record(*given)?;
+        let convert = |(name, form): (&Ident, Form<'_>)| {
+            let Form::Record(record, _) = form else { return None };
             Some(quote!(let #name: #record<#scalar> = #into::into(#name);))
         };
-        self.given.iter().zip(&self.names).filter_map(convert).collect()
+        self.parts().filter_map(convert).collect()
     }
 
     /// Names the arguments that are not read, so that none counts as forgotten.
