@@ -36,10 +36,9 @@ pub use crate::sketch::{
 };
 pub use crate::slow_path::{apart, diagnose, diagnose_all};
 pub use crate::solver::{Solver, Titles};
+pub use crate::sweep::kinds::*;
 pub use crate::sweep::{
-    Entry, LengthMismatch, OfEnergy, OfEquationsOfMotion, OfForces, OfForwardDynamics, OfMotion,
-    OfPosition, OfStatics, OfVelocity, Progress, Series, Status, put_found, put_solved, put_usable,
-    sweep,
+    Entry, LengthMismatch, Progress, Series, Status, put_found, put_solved, put_usable, sweep,
 };
 pub use crate::tracker::{Clearance, told};
 pub use crate::with_ad_ as with_ad;

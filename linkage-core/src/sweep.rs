@@ -12,7 +12,7 @@ mod batch;
 mod block;
 mod entries;
 mod instructions;
-mod kinds;
+pub(crate) mod kinds;
 mod poses;
 #[cfg(test)]
 mod tests;
@@ -24,7 +24,6 @@ use crate::find::seed::Seed;
 use crate::{Float, Record, Scalar, SolveError};
 use batch::Batch;
 pub use entries::{put_found, put_solved, put_usable};
-pub use kinds::*;
 
 /// What came of one pose, in a byte: the single call's answer without its details, which the
 /// single call still gives.

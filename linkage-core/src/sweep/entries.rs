@@ -1,7 +1,8 @@
 //! Position, velocity and motion as sweeps call them: what a [`Solver`] has of each, given the numbers of
 //! a pose one after the other, the inputs' values and then their rates.
 
-use super::{Entry, OfMotion, OfPosition, OfVelocity};
+use super::Entry;
+use super::kinds::{OfMotion, OfPosition, OfVelocity};
 use crate::find::seed::Seed;
 use crate::solver::{Solver, number};
 use crate::{Float, Record, Scalar, SolveError};

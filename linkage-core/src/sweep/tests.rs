@@ -5,7 +5,8 @@ use std::vec::Vec;
 
 mod out_of_reach;
 
-use super::{Entry, LengthMismatch, OfPosition, REPORT_EVERY, Series, Status, sweep};
+use super::kinds::OfPosition;
+use super::{Entry, LengthMismatch, REPORT_EVERY, Series, Status, sweep};
 use crate::{Float, Scalar, SolveError};
 
 /// √(x·scale), and half of it.

@@ -4,7 +4,8 @@ use std::cell::RefCell;
 use std::vec;
 use std::vec::Vec;
 
-use super::super::{Entry, OfPosition, Series, Status, sweep};
+use super::super::kinds::OfPosition;
+use super::super::{Entry, Series, Status, sweep};
 use crate::checks::{AllMet, Checks};
 use crate::diagnosis::{Nonzero, Positive, ReachCircles};
 use crate::{Float, Scalar, SolveError};
