@@ -59,7 +59,7 @@ pub(super) enum Returns {
 
 /// The properties of an analysis.
 #[derive(Debug)]
-pub(crate) struct Row {
+pub(crate) struct EntryRow {
     analysis: Analysis,
     /// The function that returns a `Result`; `solve_` in front is that of the fast path.
     name: &'static str,
@@ -104,7 +104,7 @@ impl Analysis {
         ROWS.iter().copied().flatten().map(|row| row.analysis)
     }
 
-    pub(crate) fn row(self) -> &'static Row {
+    pub(crate) fn row(self) -> &'static EntryRow {
         let mut rows = ROWS.iter().copied().flatten();
         rows.find(|row| row.analysis == self).expect("every analysis has a row")
     }
@@ -123,7 +123,7 @@ impl EntryPoint {
         points.into_iter().find(|point| point.name() == name).expect("an entry point has the name")
     }
 
-    pub(crate) fn row(self) -> &'static Row {
+    pub(crate) fn row(self) -> &'static EntryRow {
         self.analysis.row()
     }
 
@@ -169,7 +169,7 @@ impl Entry {
 pub(super) fn all(
     columns: usize,
     has_loads: bool,
-    result: impl Fn(&Row) -> Option<Shape>,
+    result: impl Fn(&EntryRow) -> Option<Shape>,
 ) -> Vec<Entry> {
     let points = ROWS.iter().flat_map(|&rows| {
         let forms = if columns == 1 { &[false, true][..] } else { &[false] };
@@ -190,7 +190,7 @@ pub(super) fn all(
 }
 
 /// All rows. The forms by cosine and sine of a group follow the others of that.
-const ROWS: [&[Row]; 5] = [
+const ROWS: [&[EntryRow]; 5] = [
     &[POSITION, VELOCITY, MOTION, COEFFICIENTS],
     &[MARGINS],
     &[FORCES, STATICS],
@@ -198,7 +198,7 @@ const ROWS: [&[Row]; 5] = [
     &[FORWARD_DYNAMICS, EQUATIONS_OF_MOTION],
 ];
 
-const POSITION: Row = Row {
+const POSITION: EntryRow = EntryRow {
     analysis: Analysis::Position,
     name: "position",
     name_at: Some("position_at"),
@@ -211,7 +211,7 @@ const POSITION: Row = Row {
     errors: [""; 2],
 };
 
-const VELOCITY: Row = Row {
+const VELOCITY: EntryRow = EntryRow {
     analysis: Analysis::Velocity,
     name: "velocity",
     name_at: Some("velocity_at"),
@@ -222,7 +222,7 @@ const VELOCITY: Row = Row {
     ..POSITION
 };
 
-const MOTION: Row = Row {
+const MOTION: EntryRow = EntryRow {
     analysis: Analysis::Motion,
     name: "motion",
     name_at: Some("motion_at"),
@@ -232,7 +232,7 @@ const MOTION: Row = Row {
     ..POSITION
 };
 
-const COEFFICIENTS: Row = Row {
+const COEFFICIENTS: EntryRow = EntryRow {
     analysis: Analysis::Coefficients,
     name: "coefficients",
     name_at: None,
@@ -243,7 +243,7 @@ const COEFFICIENTS: Row = Row {
     ..POSITION
 };
 
-const MARGINS: Row = Row {
+const MARGINS: EntryRow = EntryRow {
     analysis: Analysis::Margins,
     name: "margins",
     name_at: None,
@@ -257,7 +257,7 @@ const MARGINS: Row = Row {
     ..POSITION
 };
 
-const FORCES: Row = Row {
+const FORCES: EntryRow = EntryRow {
     analysis: Analysis::Forces,
     name: "forces",
     name_at: Some("forces_at"),
@@ -268,7 +268,7 @@ const FORCES: Row = Row {
     ..POSITION
 };
 
-const STATICS: Row = Row {
+const STATICS: EntryRow = EntryRow {
     analysis: Analysis::Statics,
     name: "statics",
     name_at: Some("statics_at"),
@@ -277,7 +277,7 @@ const STATICS: Row = Row {
     ..FORCES
 };
 
-const ENERGY: Row = Row {
+const ENERGY: EntryRow = EntryRow {
     analysis: Analysis::Energy,
     name: "energy",
     name_at: Some("energy_at"),
@@ -287,7 +287,7 @@ const ENERGY: Row = Row {
     ..FORCES
 };
 
-const FORWARD_DYNAMICS: Row = Row {
+const FORWARD_DYNAMICS: EntryRow = EntryRow {
     analysis: Analysis::ForwardDynamics,
     name: "forward_dynamics",
     name_at: None,
@@ -307,7 +307,7 @@ const FORWARD_DYNAMICS: Row = Row {
     ..POSITION
 };
 
-const EQUATIONS_OF_MOTION: Row = Row {
+const EQUATIONS_OF_MOTION: EntryRow = EntryRow {
     analysis: Analysis::EquationsOfMotion,
     name: "equations_of_motion",
     subject: "Equations of motion, mass times second rates = force + drives",

@@ -12,7 +12,7 @@ pub(crate) mod quantity;
 pub(crate) mod records;
 pub(crate) mod units_in_words;
 
-use crate::interface::entries::{Analysis, Entry, EntryPoint, Returns, Row, Topic};
+use crate::interface::entries::{Analysis, Entry, EntryPoint, EntryRow, Returns, Topic};
 use crate::interface::quantity::Quantity;
 use crate::interface::records::{Kind, Record, RecordId, Shape};
 use crate::model::mechanism::Mechanism;
@@ -45,7 +45,7 @@ impl Interface {
             |kind| records.iter().position(|record| record.kind == kind).map(RecordId::of);
         let (inputs, loads) = (of_kind(Kind::Inputs), of_kind(Kind::Loads));
         let has_mass = !mechanism.dynamics.masses.is_empty();
-        let result = |row: &Row| match row.returns {
+        let result = |row: &EntryRow| match row.returns {
             _ if row.topic == Topic::Dynamics && !has_mass => None,
             Returns::Record(kind) => of_kind(kind).map(Shape::Record),
             Returns::Matrix => Some(Shape::Matrix { rows, columns }),
