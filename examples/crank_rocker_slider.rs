@@ -33,7 +33,7 @@ fn turns_fully(machine: &CrankRockerSlider) -> Result<(), (i32, SolveError)> {
 fn main() -> Result<(), SolveError> {
     let machine = CrankRockerSlider::new();
     println!("Crank-rocker with a slider, 10 rad/s\n");
-    println!("crank   rocker  rocker ω  rocker α     block   block v    block a");
+    println!("crank       DC   ω of DC   α of DC     block v of block a of block");
     println!("  deg      deg     rad/s    rad/s²        mm       m/s       m/s²");
     let (mut slides, mut speeds, mut seconds, mut rocker) = (vec![], vec![], vec![], vec![]);
     for degrees in (0..=360).step_by(3) {

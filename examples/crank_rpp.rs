@@ -1,7 +1,7 @@
 //! A crank whose pin slides in the upright slot of a yoke: slides, velocities and accelerations
 //! over a turn at 10 rad/s.
 
-use charts::{COLOURS, Curve, Panel};
+use charts::{COLOURS, Curve, Panel, rounded};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -24,7 +24,7 @@ const OMEGA: f64 = 10.0;
 fn main() -> Result<(), SolveError> {
     let crank = CrankYoke::new();
     println!("Crank 0.4 m with an RPP group, rail 0.8 m below, at {OMEGA} rad/s\n");
-    println!("crank  in slot    velocity  acceleration    on rail    velocity  acceleration");
+    println!("crank   block  v of block    a of block       yoke   v of yoke     a of yoke");
     println!("  deg        m         m/s          m/s²          m         m/s          m/s²");
     let mut tables: [Vec<(f64, f64)>; 6] = Default::default();
     for degrees in (0..=360).step_by(3) {
@@ -34,9 +34,10 @@ fn main() -> Result<(), SolveError> {
         let row =
             [p.block.slide, v.block.slide, a.block.slide, p.yoke.slide, v.yoke.slide, a.yoke.slide];
         if degrees % 15 == 0 {
+            let shown = row.map(|value| rounded(value, 4));
             println!(
                 "{degrees:5} {:8.4} {:11.4} {:13.4} {:10.4} {:11.4} {:13.4}",
-                row[0], row[1], row[2], row[3], row[4], row[5]
+                shown[0], shown[1], shown[2], shown[3], shown[4], shown[5]
             );
         }
         for (table, value) in tables.iter_mut().zip(row) {

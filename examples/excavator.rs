@@ -1,6 +1,6 @@
 //! Excavator: the inputs are the lengths of the three cylinders, as its hydraulics give them.
 
-use charts::{BLACK, COLOURS, Curve, Panel};
+use charts::{BLACK, COLOURS, Curve, Panel, rounded};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -55,12 +55,8 @@ fn main() -> Result<(), SolveError> {
     let digger = Excavator::new();
     let duration = LEG * (CYCLE.len() - 1) as f64;
     println!("Excavator over one digging cycle of {duration} s\n");
-    println!(
-        "    t    lift   crowd    curl   tooth x  tooth y   speed     acc.  bucket   bucket ω"
-    );
-    println!(
-        "    s       m       m       m         m        m     m/s     m/s²     deg      rad/s"
-    );
+    println!("    t    lift   crowd    curl   tooth x  tooth y v tooth  a tooth  bucket  ω bucket");
+    println!("    s       m       m       m         m        m     m/s     m/s²     deg     rad/s");
     let (mut path, mut speeds) = (vec![], vec![]);
     let mut volumes = [vec![], vec![], vec![]];
     for step in 0..=150 {
@@ -71,7 +67,7 @@ fn main() -> Result<(), SolveError> {
         let speed = v.x.hypot(v.y);
         if step % 5 == 0 {
             println!(
-                "{t:5.2} {:7.3} {:7.3} {:7.3} {:9.3} {:8.3} {speed:7.3} {:8.3} {:7.1} {:10.3}",
+                "{t:5.2} {:7.3} {:7.3} {:7.3} {:9.3} {:8.3} {speed:7.3} {:8.3} {:7.1} {:9.3}",
                 q[0],
                 q[1],
                 q[2],
@@ -79,7 +75,7 @@ fn main() -> Result<(), SolveError> {
                 p.y,
                 a.x.hypot(a.y),
                 m.position.bucket.angle().to_degrees(),
-                m.velocity.bucket.omega,
+                rounded(m.velocity.bucket.omega, 3),
             );
         }
         path.push((p.x, p.y));

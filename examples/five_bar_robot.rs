@@ -51,8 +51,8 @@ fn task(t: f64) -> [[f64; 2]; 3] {
 fn main() -> Result<(), SolveError> {
     let (forward, inverse) = (Forward::new(), Inverse::new());
     println!("Five-bar robot on a circle of 50 mm, once a second\n");
-    println!("    t     tool x   tool y     left    right   left ω  right ω  left α  right α");
-    println!("    s         mm       mm      deg      deg    rad/s    rad/s   rad/s²   rad/s²");
+    println!("    t     tool x   tool y       AB       DE  ω of AB  ω of DE  α of AB α of DE");
+    println!("    s         mm       mm      deg      deg    rad/s    rad/s   rad/s²  rad/s²");
     let mut worst = [0.0_f64; 3];
     let (mut left, mut right, mut rates) = (vec![], vec![], [vec![], vec![]]);
     for step in 0..=100 {
@@ -64,7 +64,7 @@ fn main() -> Result<(), SolveError> {
         let spinning = [arm.acceleration.AB.alpha, arm.acceleration.DE.alpha];
         if step % 5 == 0 {
             println!(
-                "{t:5.2} {:10.3} {:8.3} {:8.3} {:8.3} {:8.3} {:8.3} {:7.2} {:8.2}",
+                "{t:5.2} {:10.3} {:8.3} {:8.3} {:8.3} {:8.3} {:8.3} {:8.2} {:7.2}",
                 place[0] * 1e3,
                 place[1] * 1e3,
                 motors[0].to_degrees(),

@@ -21,7 +21,7 @@ const OMEGA: f64 = 250.0;
 fn main() -> Result<(), SolveError> {
     let bars = FourBar::new();
     println!("Four-bar 304.8 / 101.6 / 254.0 / 177.8 mm at {OMEGA} rad/s\n");
-    println!("crank  coupler   rocker  coupler ω  rocker ω  coupler α   rocker α");
+    println!("crank       BC       DC    ω of BC   ω of DC    α of BC    α of DC");
     println!("  deg      deg      deg      rad/s     rad/s     rad/s²     rad/s²");
     let mut tables: [Vec<(f64, f64)>; 6] = Default::default();
     for step in 0..=72 {

@@ -28,7 +28,7 @@ const SINKING: f64 = 0.02;
 fn main() -> Result<(), SolveError> {
     let leg = JansenLeg::new();
     println!("Jansen's leg at one turn of the crank a second\n");
-    println!("crank   foot x   foot y   velocity x  velocity y");
+    println!("crank   foot x   foot y  v of foot x v of foot y");
     println!("  deg       cm       cm         cm/s        cm/s");
     let mut path = Vec::new();
     for degrees in 0..360 {

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use charts::{COLOURS, Curve, Panel};
+use charts::{COLOURS, Curve, Panel, rounded};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -53,8 +53,8 @@ fn command(t: f64) -> [f64; 3] {
 fn main() -> Result<(), SolveError> {
     let mut press = Press::new();
     println!("{}", Press::COST);
-    println!("\n    t       ram     theta      omega        alpha");
-    println!("   ms        mm       deg      rad/s      rad/s^2");
+    println!("\n    t       ram     theta ω of theta   α of theta");
+    println!("   ms        mm       deg      rad/s      rad/s²");
     let mut curves = [vec![], vec![], vec![], vec![]];
     let mut worst = 0.0_f64;
     for tick in 0..=1000 {
@@ -70,6 +70,7 @@ fn main() -> Result<(), SolveError> {
         }
         if tick % 50 == 0 {
             let degrees = theta.to_degrees();
+            let (omega, alpha) = (rounded(omega, 4), rounded(alpha, 4));
             println!("{tick:5} {:9.3} {degrees:9.4} {omega:10.4} {alpha:12.4}", 1e3 * x);
         }
     }

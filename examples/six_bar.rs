@@ -1,6 +1,6 @@
 //! Six-bar of a crank, an RPR and an RPP group: a shaper whose swinging rod moves a ram.
 
-use charts::{COLOURS, Curve, Panel};
+use charts::{COLOURS, Curve, Panel, rounded};
 use linkage_core::{SolveError, mechanism};
 
 mechanism! {
@@ -24,7 +24,7 @@ const OMEGA: f64 = 10.0;
 fn main() -> Result<(), SolveError> {
     let shaper = SixBar::new();
     println!("Six-bar: crank 0.4 m, rod 1.6 m about a pivot 1 m below, at {OMEGA} rad/s\n");
-    println!("crank     rod    rod ω     rod α    block   in slot       ram     ram v      ram a");
+    println!("crank     rod ω of rod  α of rod    block       pin       ram  v of ram   a of ram");
     println!("  deg     deg    rad/s    rad/s²        m         m         m       m/s       m/s²");
     let (mut slides, mut speeds, mut seconds) = (vec![], vec![], vec![]);
     for degrees in (0..=360).step_by(3) {
@@ -34,13 +34,13 @@ fn main() -> Result<(), SolveError> {
             println!(
                 "{degrees:5} {:7.2} {:8.4} {:9.4} {:8.4} {:9.4} {:9.4} {:9.4} {:10.4}",
                 p.rod.angle().to_degrees(),
-                v.rod.omega,
-                a.rod.alpha,
+                rounded(v.rod.omega, 4),
+                rounded(a.rod.alpha, 4),
                 p.block.slide,
                 p.pin.slide,
-                p.ram.slide,
-                v.ram.slide,
-                a.ram.slide,
+                rounded(p.ram.slide, 4),
+                rounded(v.ram.slide, 4),
+                rounded(a.ram.slide, 4),
             );
         }
         slides.push((f64::from(degrees), p.ram.slide));

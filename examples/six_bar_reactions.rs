@@ -9,7 +9,7 @@
 
 use std::f64::consts::TAU;
 
-use charts::{COLOURS, Curve, Panel};
+use charts::{COLOURS, Curve, Panel, rounded};
 use linkage_core::{Direction, Force, SolveError, mechanism};
 
 mechanism! {
@@ -64,8 +64,9 @@ fn main() -> Result<(), SolveError> {
             f.slider.E.y,
         ];
         print!("{degrees:6.0}");
-        numbers.iter().for_each(|number| print!(" {number:7.1}"));
-        println!(" {:9.1} {:9.1} {:9.2}", f.slider.yoke.normal, f.yoke.rail.normal, f.AB.drive);
+        numbers.iter().for_each(|number| print!(" {:7.1}", rounded(*number, 1)));
+        let [slot, rail] = [f.slider.yoke.normal, f.yoke.rail.normal].map(|n| rounded(n, 1));
+        println!(" {slot:9.1} {rail:9.1} {:9.2}", rounded(f.AB.drive, 2));
     }
     chart(machine)
 }

@@ -43,12 +43,12 @@ fn main() -> Result<(), SolveError> {
         "Engine with 43 mm crank, 136 mm rod, axis {:.0} mm off, 3000 rpm\n",
         engine.desaxe * 1e3
     );
-    println!("crank   piston  velocity  acceleration   rod angle");
-    println!("  deg       mm       m/s          m/s²         deg");
+    println!("crank   piston v of piston a of piston   angle of rod");
+    println!("  deg       mm         m/s        m/s²            deg");
     for degrees in (0..=360).step_by(15) {
         let m = engine.motion(f64::from(degrees).to_radians(), OMEGA, 0.0)?;
         println!(
-            "{degrees:5} {:8.3} {:9.4} {:13.2} {:11.3}",
+            "{degrees:5} {:8.3} {:11.4} {:11.2} {:14.3}",
             m.position.piston.slide * 1e3,
             m.velocity.piston.slide,
             m.acceleration.piston.slide,

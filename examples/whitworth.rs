@@ -80,7 +80,7 @@ fn main() -> Result<(), SolveError> {
 
     let shaper = Shaper::new();
     println!("\nShaper at 1 turn a second, pivot 250 mm below");
-    println!("crank      bar      ram   velocity  acceleration");
+    println!("crank      bar      ram   v of ram      a of ram");
     println!("  deg      deg       mm        m/s          m/s²");
     for degrees in (0..=360).step_by(20) {
         let m = shaper.motion(f64::from(degrees).to_radians(), TAU, 0.0)?;

@@ -46,6 +46,7 @@
 mod asking;
 mod bodies;
 mod boxes;
+mod by_name;
 mod drawn;
 mod error;
 mod film;
@@ -57,7 +58,7 @@ mod page;
 mod picture;
 mod placing;
 mod plan;
-mod poses;
+
 mod scene;
 mod shapes;
 mod springs;
@@ -67,12 +68,12 @@ mod svg;
 mod symbols;
 mod traces;
 
+pub use by_name::LinkPose;
 pub use error::SketchError;
 pub use film::{Film, FilmGap};
 pub use plan::{Applied, Drawn};
 #[doc(hidden)]
 pub use plan::{Made, Plan, Spring, applied, followed, place, place_open};
-pub use poses::LinkPose;
 pub use still::{Sketch, Still};
 pub use style::{Palette, Theme, Unit};
 pub use svg::View;

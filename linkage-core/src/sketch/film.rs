@@ -6,12 +6,12 @@ use std::path::Path;
 use std::string::String;
 use std::vec::Vec;
 
+use super::by_name::{self, LinkPose};
 use super::error::SketchError;
 use super::options::Options;
 use super::page;
 use super::picture::Picture;
 use super::plan::{Drawn, PlanOf};
-use super::poses::{self, LinkPose};
 use super::scene::Scene;
 use super::still::Still;
 use super::style::Theme;
@@ -166,7 +166,7 @@ impl Film {
     /// # Errors
     /// `UnknownName`; `EmptyPath` behind the last pose; `Solve` where the point is missing.
     pub fn point(&self, pose: usize, name: &str) -> Result<Point<f64>, SketchError> {
-        poses::point_of(&self.scene, pose, name)
+        by_name::point_of(&self.scene, pose, name)
     }
 
     /// Where a link is in a pose.
@@ -174,7 +174,7 @@ impl Film {
     /// # Errors
     /// As for [`point`](Self::point).
     pub fn link(&self, pose: usize, name: &str) -> Result<LinkPose, SketchError> {
-        poses::link_of(&self.scene, pose, name)
+        by_name::link_of(&self.scene, pose, name)
     }
 
     /// From metres in ground axes to pixels of the picture.

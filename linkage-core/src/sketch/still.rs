@@ -3,11 +3,11 @@
 use std::path::Path;
 use std::string::String;
 
+use super::by_name::{self, LinkPose};
 use super::error::SketchError;
 use super::options::Options;
 use super::picture::Picture;
 use super::plan::{Drawn, PlanOf};
-use super::poses::{self, LinkPose};
 use super::scene::Scene;
 use super::style::Theme;
 use super::svg::View;
@@ -75,7 +75,7 @@ impl Sketch {
     /// # Errors
     /// `UnknownName`.
     pub fn point(&self, name: &str) -> Result<Point<f64>, SketchError> {
-        poses::point_of(&self.scene, 0, name)
+        by_name::point_of(&self.scene, 0, name)
     }
 
     /// Where a link is.
@@ -83,7 +83,7 @@ impl Sketch {
     /// # Errors
     /// `UnknownName`.
     pub fn link(&self, name: &str) -> Result<LinkPose, SketchError> {
-        poses::link_of(&self.scene, 0, name)
+        by_name::link_of(&self.scene, 0, name)
     }
 
     /// From metres in ground axes to pixels of the picture.
