@@ -9,7 +9,7 @@ pub(crate) struct Axis {
 
 /// Whether the label of an axis says degrees.
 pub(crate) fn is_angle(label: &str) -> bool {
-    label == "deg" || label.ends_with(" deg")
+    label == "deg" || label.ends_with(" deg") || label.ends_with(" degrees")
 }
 
 impl Axis {

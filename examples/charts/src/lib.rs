@@ -122,7 +122,16 @@ impl Panel {
         Self { is_logarithmic: true, ..self }
     }
 
-    fn drawn(self) -> (Vec<Plot>, Layout) {
+    /// How many names of curves stand in a line below a panel so wide, and how many lines that makes.
+    fn legend(&self, width: f64) -> (usize, usize) {
+        let names = self.curves.iter().filter_map(|curve| curve.name.as_deref());
+        let letters = names.clone().map(|name| name.chars().count()).max().unwrap_or_default();
+        let columns = ((width - 110.0) / (44.0 + 7.6 * letters as f64)).floor().max(1.0) as usize;
+        (columns, names.count().div_ceil(columns))
+    }
+
+    fn drawn(self, width: f64) -> (Vec<Plot>, Layout) {
+        let columns = self.legend(width).0;
         let mut curves = self.curves;
         if let [only] = &mut curves[..] {
             // The title names it.
@@ -142,6 +151,7 @@ impl Panel {
             .with_y_label(self.axes[1].as_str())
             .with_legend_position(LegendPosition::OutsideBottomColumns)
             .with_legend_box(false)
+            .with_legend_col_limit(columns)
             .with_title_size(15)
             .with_label_size(13)
             .with_tick_size(12)
@@ -188,15 +198,16 @@ fn drawn(curve: Curve, is_angle: bool) -> Vec<Plot> {
 /// The panels as one picture, `columns` in a row, for light pages and dark ones.
 fn text(title: &str, columns: usize, panels: Vec<Panel>) -> String {
     let rows = panels.len().div_ceil(columns);
-    let legend =
-        panels.iter().map(|panel| panel.curves.iter().filter(|curve| curve.name.is_some()).count());
-    let lines = legend.max().unwrap_or_default().div_ceil(2);
-    let (plots, layouts): (Vec<_>, Vec<_>) = panels.into_iter().map(Panel::drawn).unzip();
+    // Wide enough for numbers and words of a page, and the whole no wider than most windows.
+    let width = (1260.0 / columns as f64).clamp(420.0, 560.0);
+    let lines = panels.iter().map(|panel| panel.legend(width).1).max().unwrap_or_default();
+    let (plots, layouts): (Vec<_>, Vec<_>) =
+        panels.into_iter().map(|panel| panel.drawn(width)).unzip();
     let scene = Figure::new(rows, columns)
         .with_title(title)
         .with_plots(plots)
         .with_layouts(layouts)
-        .with_cell_size(560.0, 400.0 + 20.0 * lines as f64)
+        .with_cell_size(width, 0.6 * width + 64.0 + 20.0 * lines as f64)
         .render();
     page::fitted(&SvgBackend.render_scene(&scene))
 }
@@ -269,12 +280,12 @@ mod tests {
         });
         let widths: Vec<f64> = widths.collect();
         // Numbers at the ticks may be of other lengths.
-        assert!(widths[0] > 440.0 && (widths[0] - widths[1]).abs() < 12.0, "{widths:?}");
+        assert!(widths[0] > 430.0 && (widths[0] - widths[1]).abs() < 12.0, "{widths:?}");
     }
 
     #[test]
     fn an_angle_that_wraps_is_drawn_in_pieces() {
-        let count = |panel: Panel| panel.drawn().0.len();
+        let count = |panel: Panel| panel.drawn(560.0).0.len();
         let [one, several] = panels().try_into().ok().unwrap();
         assert_eq!((count(one), count(several)), (1, 4));
     }
