@@ -166,13 +166,13 @@ fn more() -> Vec<Piece> {
         Piece {
             name: "five_bar_robot::Forward",
             kind: Kind::SeveralInputs,
-            text: "Two motors and a tool that goes round a circle, forward: angles are given.",
+            text: "A five-bar robot, its tool on a circle, forward: the motors' angles are given.",
             film: five_bar_robot::Forward::new().film(motors()).trace("P").seconds(5.0),
         },
         Piece {
             name: "five_bar_robot::Inverse",
             kind: Kind::SeveralInputs,
-            text: "The same, inverse: the tool's place is given.",
+            text: "The five-bar robot, inverse: the tool's place is given.",
             film: five_bar_robot::Inverse::new().film(circle()).trace("P").seconds(5.0),
         },
         Piece {
@@ -192,7 +192,7 @@ fn more() -> Vec<Piece> {
         Piece {
             name: "driving_torque::AsInTheText",
             kind: Kind::Loaded,
-            text: "The same with its masses in the middles of the bars.",
+            text: "The four-bar of the driving torque, its masses in the middles of the bars.",
             film: driving_torque::AsInTheText::new().film(turn()),
         },
         Piece {
@@ -242,7 +242,7 @@ fn designed() -> Vec<Piece> {
         Piece {
             name: "function_generator::FunctionGenerator",
             kind: Kind::FourBar,
-            text: "A rocker that shall turn as its pointer does.",
+            text: "A function generator: the rocker turns as its pointer does, or nearly.",
             film: function_generator::FunctionGenerator::new()
                 .film(shares().map(|s| s * PI / 2.0))
                 .there_and_back(),
@@ -258,7 +258,7 @@ fn designed() -> Vec<Piece> {
         Piece {
             name: "function_generator::Transmission",
             kind: Kind::FourBar,
-            text: "Its transmission angle is that between coupler and rocker.",
+            text: "The transmission angle of the function generator, between coupler and rocker.",
             film: function_generator::Transmission::new().film(turn()),
         },
     ]

@@ -141,7 +141,9 @@ impl<'s> Picture<'s> {
                 }
             };
         }
-        let gaps = self.gaps.iter().map(Gap::extent);
+        // A still shows what its own pose misses alone.
+        let gaps = self.gaps.iter().filter(|gap| !self.options.is_still || gap.fails[0]);
+        let gaps = gaps.map(Gap::extent);
         let loads = self.loads.iter().map(Load::extent);
         let springs = self.springs.iter().map(Coil::extent);
         all = gaps.chain(loads).chain(springs).fold(all, Box2::with);
