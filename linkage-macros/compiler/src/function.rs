@@ -16,6 +16,11 @@ pub(crate) enum Function {
     Atan,
     /// The angle of the vector (second argument, first argument).
     Atan2,
+    Abs,
+    /// −1, 0 or 1.
+    Sign,
+    Min,
+    Max,
 }
 
 /// The dimensions of arguments and value.
@@ -29,6 +34,8 @@ pub(crate) enum Measures {
     OfNumber,
     /// The common dimension of the arguments.
     Common,
+    /// A number of any argument.
+    Number,
     /// The angle of a vector, whose components have a common dimension.
     Direction,
 }
@@ -41,21 +48,26 @@ struct Row {
     measures: Measures,
     /// The largest magnitude of a value that no argument exceeds, rounding aside.
     largest: Option<f64>,
+    /// Whether rates change without a jump: no dimension has a corner.
+    is_smooth: bool,
     /// The reason where constants have no value.
     domain: &'static str,
 }
 
 /// The order of [`Function`].
-const ROWS: [Row; 9] = {
-    use Function::{Acos, Asin, Atan, Atan2, Cos, Hypot, Sin, Sqrt, Tan};
-    use Measures::{Common, Direction, OfAngle, OfNumber, Root};
+const ROWS: [Row; 13] = {
+    use Function::{Abs, Acos, Asin, Atan, Atan2, Cos, Hypot, Max, Min, Sign, Sin, Sqrt, Tan};
+    use Measures::{Common, Direction, Number, OfAngle, OfNumber, Root};
     const fn row(
         (function, name, arity): (Function, &'static str, usize),
         measures: Measures,
         largest: Option<f64>,
         domain: &'static str,
     ) -> Row {
-        Row { function, name, arity, measures, largest, domain }
+        Row { function, name, arity, measures, largest, is_smooth: true, domain }
+    }
+    const fn cornered(name: (Function, &'static str, usize), measures: Measures) -> Row {
+        Row { is_smooth: false, ..row(name, measures, None, "") }
     }
     const SIGNED: &str = "a square root needs a number that is not negative";
     const SINE: &str = "a sine or a cosine lies between -1 and 1";
@@ -71,6 +83,10 @@ const ROWS: [Row; 9] = {
         row((Acos, "acos", 1), OfNumber, Some(3.2), SINE),
         row((Atan, "atan", 1), OfNumber, Some(3.2), ""),
         row((Atan2, "atan2", 2), Direction, Some(3.2), ZERO),
+        cornered((Abs, "abs", 1), Common),
+        cornered((Sign, "sign", 1), Number),
+        cornered((Min, "min", 2), Common),
+        cornered((Max, "max", 2), Common),
     ]
 };
 
@@ -104,6 +120,11 @@ impl Function {
     /// The largest magnitude of a value, rounding aside; `None` where it depends on the argument.
     pub(crate) const fn largest(self) -> Option<f64> {
         self.row().largest
+    }
+
+    /// Whether a dimension may depend on it.
+    pub(crate) const fn is_smooth(self) -> bool {
+        self.row().is_smooth
     }
 
     /// The reason why constants may have no value.

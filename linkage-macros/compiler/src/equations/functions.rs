@@ -18,7 +18,39 @@ impl<'s> Jet<'s> {
             Function::Acos => a.acos(),
             Function::Atan => a.atan(),
             Function::Atan2 => a.atan2(b),
+            Function::Abs => a.abs(),
+            Function::Sign => Self::constant(a.sign()),
+            Function::Min => a.min(b),
+            Function::Max => -(-a).min(-b),
         }
+    }
+
+    /// `x` where this value is at least as large as the other, `y` elsewhere.
+    fn at_least(self, other: Self, x: Self, y: Self) -> Self {
+        let choice = |x, y| self.value.at_least(other.value, x, y);
+        Self {
+            value: choice(x.value, y.value),
+            rate: choice(x.rate, y.rate),
+            accel: choice(x.accel, y.accel),
+        }
+    }
+
+    /// At zero with the rates of the positive side.
+    fn abs(self) -> Self {
+        self.at_least(Self::zero(self.value.sheet()), self, -self)
+    }
+
+    /// What is no number stays none.
+    fn sign(self) -> Sym<'s> {
+        let [zero, one] = [0, 1].map(|value| self.value.sheet().integer(value));
+        let above = zero.at_least(self.value, zero, one);
+        let below = zero.at_least(self.value, -one, self.value);
+        self.value.at_least(zero, above, below)
+    }
+
+    /// The first of equal numbers; the sum where either is no number, which it shows.
+    fn min(self, other: Self) -> Self {
+        other.at_least(self, self, self.at_least(other, other, self + other))
     }
 
     /// From s² = a: 2 s ṡ = ȧ and 2 ṡ² + 2 s s̈ = ä.
@@ -108,7 +140,7 @@ impl<'s> Jet<'s> {
 /// The partial derivatives of a function of these numbers.
 pub(crate) fn slopes<'s>(function: Function, arguments: &[Sym<'s>]) -> Vec<Sym<'s>> {
     let (a, b) = (arguments[0], arguments[arguments.len() - 1]);
-    let one = a.sheet().integer(1);
+    let [zero, one] = [0, 1].map(|value| a.sheet().integer(value));
     let leg = || ((one - a) * (one + a)).sqrt();
     match function {
         Function::Sqrt => vec![a.sqrt().twice().recip()],
@@ -126,5 +158,45 @@ pub(crate) fn slopes<'s>(function: Function, arguments: &[Sym<'s>]) -> Vec<Sym<'
             let square = b.squared() + a.squared();
             vec![b / square, -(a / square)]
         }
+        Function::Abs => vec![a.at_least(zero, one, -one)],
+        Function::Sign => vec![zero],
+        Function::Min => vec![b.at_least(a, one, zero), b.at_least(a, zero, one)],
+        Function::Max => vec![a.at_least(b, one, zero), a.at_least(b, zero, one)],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equations::symbol::Sheet;
+    use crate::ir::graph::Node;
+    use crate::ir::interpret::{Given, interpret};
+    use crate::ir::program::Program;
+
+    /// The values of abs a, sign a, min and max of a and b, in double precision.
+    fn corners(a: f64, b: f64) -> [f64; 4] {
+        let sheet = Sheet::new(&[]);
+        let [x, y] = [0, 1].map(|param| Jet::constant(sheet.node(Node::Param(param))));
+        let ids = [
+            Jet::of(Function::Abs, &[x]),
+            Jet::of(Function::Sign, &[x]),
+            Jet::of(Function::Min, &[x, y]),
+            Jet::of(Function::Max, &[x, y]),
+        ]
+        .map(|jet| jet.value.id);
+        let program = Program { graph: sheet.into_graph(), ..Program::of_zeros([].into_iter()) };
+        let (inputs, loads, drives) = (Vec::new(), Vec::new(), Vec::new());
+        let given = Given { inputs, params: vec![a, b], loads, drives, unit: None };
+        let values = interpret(&program, &given);
+        ids.map(|id| values[id.index()])
+    }
+
+    #[test]
+    fn corners_choose_the_value_and_hide_none() {
+        assert_eq!(corners(-2.0, 3.0), [2.0, -1.0, -2.0, 3.0]);
+        assert_eq!(corners(3.0, -2.0), [3.0, 1.0, -2.0, 3.0]);
+        assert_eq!(corners(0.0, 0.0), [0.0; 4]);
+        assert!(corners(f64::NAN, 1.0).iter().all(|value| value.is_nan()));
+        assert!(corners(1.0, f64::NAN)[2..].iter().all(|value| value.is_nan()));
     }
 }

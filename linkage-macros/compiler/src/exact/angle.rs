@@ -26,6 +26,10 @@ impl Exact {
             Function::Acos => Some(Self::half_turns(&Rational::ratio(1, 2)).sub(&a.asin()?)),
             Function::Atan => Some(a.arc_tangent()),
             Function::Atan2 => a.atan2(b),
+            Function::Abs => Some(if a.signum().is_lt() { a.neg() } else { a.clone() }),
+            Function::Sign => Some(Self::integer(a.signum() as i64)),
+            Function::Min => Some(if a.cmp_value(b).is_le() { a } else { b }.clone()),
+            Function::Max => Some(if a.cmp_value(b).is_ge() { a } else { b }.clone()),
         }
     }
 

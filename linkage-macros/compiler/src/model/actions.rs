@@ -124,9 +124,9 @@ impl Resolver<'_> {
 
     /// The value of a force or a torque: loads may stand in it.
     fn acting(&mut self, expr: &tree::Expr, dimension: Dimension) -> Option<Expr> {
-        self.is_about_forces = true;
+        (self.is_about_forces, self.may_have_corners) = (true, true);
         let value = self.scalar(expr, dimension);
-        self.is_about_forces = false;
+        (self.is_about_forces, self.may_have_corners) = (false, false);
         value
     }
 

@@ -307,7 +307,14 @@ impl Resolver<'_> {
             let call = format!("{name}({})", constants.join(", "));
             self.function_is_defined(function, &arguments[0], &call);
         }
-        called.map(|rest| Quantity::plain(measure, rest))
+        let called = called?;
+        if !function.is_smooth() && !called.is_constant() && !self.may_have_corners {
+            let message = format!("`{name}` stands in forces, torques and outputs alone");
+            let reason = "a dimension is smooth: write `hypot(x, e)` with a small `e` for `abs(x)`";
+            self.diagnostics.error_because(name.span(), message, reason);
+            return None;
+        }
+        Some(Quantity::plain(measure, called))
     }
 
     /// Reports `angle(BC)` and `x(P)`; whether it was one of these.

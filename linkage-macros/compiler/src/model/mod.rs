@@ -120,6 +120,8 @@ struct Resolver<'d> {
     /// Whether the expression being resolved is the value of a force or a torque, in which loads and
     /// rates may stand.
     is_about_forces: bool,
+    /// Whether it is such a value or an output, which may have corners.
+    may_have_corners: bool,
     /// Where gravity is given.
     gravity_at: Option<proc_macro2::Span>,
     /// The unknown between its `unknown` and its `solve`.
@@ -144,6 +146,7 @@ impl<'d> Resolver<'d> {
             number_is_unknown: false,
             reported_unknown: HashSet::new(),
             is_about_forces: false,
+            may_have_corners: false,
             gravity_at: None,
             searched: None,
             follows: false,

@@ -210,6 +210,8 @@ impl Resolver<'_> {
                 self.dimension_fits(&arguments[0], &values[0], Dimension::ANGLE)?;
                 Some(Measure::NUMBER)
             }
+            Measures::Common if values.len() == 1 => Some(values[0].measure),
+            Measures::Number => Some(Measure::NUMBER),
             Measures::OfNumber => {
                 self.dimension_fits(&arguments[0], &values[0], Dimension::NUMBER)?;
                 Some(Measure::ANGLE)

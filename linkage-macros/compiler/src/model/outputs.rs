@@ -83,7 +83,10 @@ impl Resolver<'_> {
     /// `fold = BC.angle - DC.angle`
     fn named_output(&mut self, docs: &[Attribute], name: &Ident, value: &Expr) {
         let is_new = self.output_name_is_new(name);
-        let Some(quantity) = self.quantity(value) else {
+        self.may_have_corners = true;
+        let quantity = self.quantity(value);
+        self.may_have_corners = false;
+        let Some(quantity) = quantity else {
             return;
         };
         let kind = if quantity.links.is_empty() {

@@ -19,6 +19,7 @@ pub(crate) fn simplify(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
         Node::Det(operands) => determinant(maker, operands),
         Node::MulErr(a, b) => product_error(maker, a, b),
         Node::AddErr(a, b) => sum_error(maker, a, b),
+        Node::Select([_, _, x, y]) if x == y => Some(x),
         Node::Apply2(Function::Hypot, a, b) if is_zero(maker, b) => absolute(maker, a),
         Node::Fused(a, b, c) if is_zero(maker, a) || is_zero(maker, b) => Some(c),
         Node::Fused(a, b, c) if is_zero(maker, c) => Some(maker.make(Node::Mul(a, b))),

@@ -278,6 +278,15 @@ pub(crate) const VARIANTS: &[Variant] = &[
         inputs: TWO,
     },
     Variant {
+        name: "outputs and forces with corners",
+        source: fixed!("crank BE(B) -> E { length: 0.2 + s, angle: 2 * q }"
+            "force (min(3N, 20(N/m) * E.y), max(1N, 40(N/m) * s) - abs(5(N*s/m) * rate(E.y))) on E;"
+            "torque -2(N*m) * sign(rate(q)) on AB;"
+            "output E, up = abs(E.y), down = abs(-E.y - 1m), side = sign(q - 2) * E.x,"
+            "least = min(E.x, E.y), same = min(E.y, E.x), most = max(E.x, s), other = max(s, E.x);"),
+        inputs: TWO,
+    },
+    Variant {
         name: "every function of a driven angle",
         source: fixed!("point S at (1m * sin(2 * q), 1m * cos(q) * sin(q));"
             "point T at (1m * tan(q / 2), 1m * sqrt(1 + q)); slider z(post) { slide: s * q / (1 + s / 1m) }"),

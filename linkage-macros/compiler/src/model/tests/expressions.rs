@@ -158,8 +158,8 @@ fn a_function_is_known_and_has_its_arguments() {
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: sine(t) }",
             "sine: no function named `sine`; a function with a similar name exists: `sin` / the \
-             functions are `sqrt hypot sin cos tan asin acos atan atan2 distance offset`, and \
-             `rate` in the values of forces and torques",
+             functions are `sqrt hypot sin cos tan asin acos atan atan2 abs sign min max distance \
+             offset`, and `rate` in the values of forces and torques",
         ),
         (
             CRANK,
@@ -187,6 +187,12 @@ fn constants_have_a_value() {
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: atan2(0, 0) }",
             "0: `atan2(0, 0)` has no value / the zero vector has no direction",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: asin(1.5) + acos(-2) }",
+            "1.5: `asin(1.5)` has no value / a sine or a cosine lies between -1 and 1\n\
+             -2: `acos(-2)` has no value / a sine or a cosine lies between -1 and 1",
         ),
         (
             CRANK,

@@ -191,6 +191,35 @@ fn a_spring_stands_between_two_bodies() {
 }
 
 #[test]
+fn corners_stand_in_forces_and_outputs_and_nowhere_else() {
+    let alone = |name: &str| {
+        format!(
+            "{name}: `{name}` stands in forces, torques and outputs alone / a dimension is smooth: \
+             write `hypot(x, e)` with a small `e` for `abs(x)`"
+        )
+    };
+    for (statements, name) in [
+        ("let w = abs(t);", "abs"),
+        ("point P on AB at (max(B.x, 1m), 0);", "max"),
+        ("point P on AB at (sign(t) * 1m, 0);", "sign"),
+        ("output W; point W on AB at (1m, min(B.x, B.y));", "min"),
+    ] {
+        check(&[(CRANK, statements, &alone(name))]);
+    }
+    check(&[
+        (CRANK, "point P on AB at (abs(-1m), max(1m, 2m) * sign(3m - 2m));", ""),
+        (CRANK, "output size = abs(B.x), side = sign(t), far = min(B.x, B.y) + max(0m, B.y);", ""),
+        (CRANK, "torque -2(N*m) * sign(rate(t)) on AB; force (abs(B.x) * 1(N/m), 0) on B;", ""),
+        (
+            CRANK,
+            "output w = max(B.x, t);",
+            "t: an angle where a length belongs / an angle times a length is a length, as in `theta * 20mm`",
+        ),
+        (CRANK, "output w = min(B.x);", "min: `min` takes two arguments, and one is given"),
+    ]);
+}
+
+#[test]
 fn rates_stand_in_forces_and_nowhere_else() {
     const ALONE: &str = "rate: a `rate` stands in the values of forces and torques alone / what the \
                          mechanism is made of depends on no rate; of outputs, `velocity` gives the \
