@@ -18,7 +18,7 @@ pub(crate) fn mechanism(source: &str) -> Mechanism {
     let mut diagnostics = Diagnostics::new();
     let tokens = source.parse().expect("the declaration is made of tokens");
     let tree = syntax::parse(tokens, &mut diagnostics);
-    let mechanism = tree.and_then(|tree| model::resolve(&tree, &mut diagnostics));
+    let mechanism = tree.and_then(|tree| model::resolve(&tree, &mut diagnostics).ok());
     match diagnostics.finish() {
         Ok(()) => mechanism.expect("nothing was reported"),
         Err(Failure(mistakes)) => panic!("{source}\n{mistakes:#?}"),

@@ -6,6 +6,7 @@ use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
 use crate::exact::Scope;
 use crate::interface::Interface;
 use crate::ir::program::Program;
+use crate::model::Stub;
 use crate::model::mechanism::Mechanism;
 use crate::syntax::tree::Declaration;
 use crate::{codegen, equations, lower, model, passes, syntax};
@@ -55,32 +56,26 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
     let _atoms = Scope::begin();
     let mut diagnostics = Diagnostics::new();
     let declaration = syntax::parse(source, &mut diagnostics);
-    match resolved(declaration.as_ref(), diagnostics) {
-        Ok(mechanism) => {
+    // No barrier between the two: the tree marks what could not be read, and the model says nothing of
+    // what may only be missing because of that. Afterwards every name is a typed id, every dimension is
+    // checked, and nothing that follows can fail.
+    let resolved =
+        declaration.as_ref().map(|declaration| model::resolve(declaration, &mut diagnostics));
+    match (resolved, diagnostics.finish()) {
+        (Some(Ok(mechanism)), Ok(())) => {
             let placing = options.sketch.then(|| placing(&mechanism));
             let tokens = code(&mechanism, &program(&mechanism), placing.as_ref(), options);
             Output { tokens, diagnostics: Vec::new() }
         }
-        Err(Failure(diagnostics)) => {
+        (resolved, Err(Failure(diagnostics))) => {
             let errors = diagnostics.iter().map(Diagnostic::compile_error);
-            let stand_in = declaration.as_ref().map(|declaration| stand_in(declaration, options));
-            Output { tokens: errors.chain(stand_in).collect(), diagnostics }
+            let understood = declaration.as_ref().zip(resolved.and_then(Result::err));
+            let stub = understood
+                .map(|(declaration, Stub(mechanism))| stub(declaration, &mechanism, options));
+            Output { tokens: errors.chain(stub).collect(), diagnostics }
         }
+        (_, Ok(())) => unreachable!("a phase that gives nothing has reported why"),
     }
-}
-
-/// Syntax and model. Afterwards every name is a typed id, every dimension is checked, and nothing
-/// that follows can fail.
-fn resolved(
-    declaration: Option<&Declaration>,
-    mut diagnostics: Diagnostics,
-) -> Result<Mechanism, Failure> {
-    // No barrier between the two: the tree marks what could not be read, and the model says
-    // nothing of what may only be missing because of that.
-    let mechanism =
-        declaration.and_then(|declaration| model::resolve(declaration, &mut diagnostics));
-    diagnostics.finish()?;
-    Ok(mechanism.expect("a phase that gives nothing has reported why"))
 }
 
 /// Equations and passes.
@@ -110,16 +105,18 @@ fn code(
     codegen::generate(mechanism, &lowered, placing.as_ref(), options.serde)
 }
 
-/// The struct and its methods for a declaration of which not everything was understood. They never
-/// run: every result is zero.
-pub(crate) fn stand_in(declaration: &Declaration, options: &Options) -> TokenStream {
-    let mechanism = model::stand_in::stand_in(declaration);
-    let interface = Interface::of(&mechanism);
+/// The struct and its methods for a declaration with mistakes. They never run: every result is zero.
+pub(crate) fn stub(
+    declaration: &Declaration,
+    mechanism: &Mechanism,
+    options: &Options,
+) -> TokenStream {
+    let interface = Interface::of(mechanism);
     // Whether the one input is a driver's bare angle is not known; a method too many says nothing.
     let answers = interface.entries.iter();
     let answers = answers.map(|entry| (Some(entry.point), interface.numbers(entry.result)));
     let is_pushed = declaration.statements.iter().any(|statement| statement.kind.is_force());
     let drawn = std::iter::repeat_n((None, 0), if is_pushed { 2 } else { 1 });
     let nothing = options.sketch.then(|| Program::of_zeros(drawn));
-    code(&mechanism, &Program::of_zeros(answers), nothing.as_ref(), options)
+    code(mechanism, &Program::of_zeros(answers), nothing.as_ref(), options)
 }

@@ -8,7 +8,7 @@ use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 use super::context::Context;
 use super::doc_comments::{after, lines};
 use super::identifiers::text;
-use super::{costs_in_words, forces, groups_in_words, ranges_in_words, searches, stand_in_docs};
+use super::{costs_in_words, forces, groups_in_words, ranges_in_words, searches, stub_docs};
 use crate::interface::entries::{Entry, Given};
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Field, Kind, Record, Shape, Subject};
@@ -41,8 +41,8 @@ pub(super) fn own_lines(own: &[Attribute]) -> impl Iterator<Item = String> {
 
 /// The struct of the mechanism: the page a user lands on.
 pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
-    if cx.mechanism.stands_in {
-        return stand_in_docs::solver(cx);
+    if cx.mechanism.is_stub {
+        return stub_docs::solver(cx);
     }
     let mut page = String::from(match cx.searches() {
         false => "Solver of position, velocity and acceleration in closed form.\n",
@@ -84,8 +84,8 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
 }
 
 pub(super) fn param(cx: &Context<'_>, param: &Param) -> TokenStream {
-    if cx.mechanism.stands_in {
-        return stand_in_docs::param(param);
+    if cx.mechanism.is_stub {
+        return stub_docs::param(param);
     }
     let line = match &param.kind {
         ParamKind::Number { dimension, default } => {
@@ -154,7 +154,7 @@ pub(super) fn record(cx: &Context<'_>, record: &Record) -> TokenStream {
 
 /// A field of a record.
 pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
-    let of_mistakes = cx.mechanism.stands_in.then(|| stand_in_docs::field(cx, field));
+    let of_mistakes = cx.mechanism.is_stub.then(|| stub_docs::field(cx, field));
     if let Some(docs) = of_mistakes.flatten() {
         return docs;
     }
@@ -192,8 +192,8 @@ pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
 
 /// `COST`.
 pub(super) fn cost(cx: &Context<'_>) -> TokenStream {
-    match cx.mechanism.stands_in {
-        true => stand_in_docs::cost(),
+    match cx.mechanism.is_stub {
+        true => stub_docs::cost(),
         false => quote! {
             /// The floating-point operations of one call.
         },
@@ -290,8 +290,8 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
 
 pub(super) fn fast_path(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
-    if cx.mechanism.stands_in {
-        return stand_in_docs::entry(entry);
+    if cx.mechanism.is_stub {
+        return stub_docs::entry(entry);
     }
     lines(&format!(
         "{}, {}and whether they may be used.\n\n{}\n\n\
@@ -305,8 +305,8 @@ pub(super) fn fast_path(cx: &Context<'_>, id: EntryId) -> TokenStream {
 
 pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
-    if cx.mechanism.stands_in {
-        return stand_in_docs::entry(entry);
+    if cx.mechanism.is_stub {
+        return stub_docs::entry(entry);
     }
     lines(&format!(
         "{}.\n\n{}\n\nCosts {}.\n\n# Errors\n\
@@ -333,8 +333,8 @@ fn exceptions(cx: &Context<'_>, entry: &Entry) -> &'static str {
 
 pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
-    if cx.mechanism.stands_in {
-        return stand_in_docs::entry(entry);
+    if cx.mechanism.is_stub {
+        return stub_docs::entry(entry);
     }
     let has_list = entry.given.contains(&Given::Drives) && cx.inputs().is_some();
     let list =

@@ -11,7 +11,7 @@ fn resolved(case: &Case) -> Result<Mechanism, Vec<String>> {
     let mut diagnostics = Diagnostics::new();
     let tokens = case.declaration().parse().expect("these are tokens");
     let tree = syntax::parse(tokens, &mut diagnostics).expect("it has a name");
-    let mechanism = model::resolve(&tree, &mut diagnostics);
+    let mechanism = model::resolve(&tree, &mut diagnostics).ok();
     let mistakes = diagnostics.into_mistakes();
     match mechanism {
         Some(mechanism) => Ok(mechanism),

@@ -21,7 +21,7 @@ fn machine(source: &str) -> Option<Machine> {
     let mut diagnostics = Diagnostics::new();
     let tokens = source.parse().expect("these are tokens");
     let tree = syntax::parse(tokens, &mut diagnostics).expect("it has a name");
-    let mechanism = model::resolve(&tree, &mut diagnostics);
+    let mechanism = model::resolve(&tree, &mut diagnostics).ok();
     diagnostics.into_mistakes();
     let mechanism = mechanism?;
     let program = equations::derive(&mechanism, passes::RULES);

@@ -22,7 +22,7 @@ use proc_macro2::{TokenStream, TokenTree};
 
 use crate::diagnostics::Diagnostics;
 use crate::pipeline::Options;
-use crate::{fuzz, pipeline, syntax};
+use crate::{fuzz, model, pipeline, syntax};
 use declarations::Declaration;
 use fingerprint::{exact, hash, numbered_anew};
 use parts::taken_apart;
@@ -38,7 +38,7 @@ struct Hashes {
     docs: String,
     drawing: String,
     header: String,
-    stand_in: String,
+    stub: String,
 }
 
 /// How an expansion differs from the one that is kept.
@@ -48,7 +48,7 @@ const RENAMED: &str = "expands to the same under other names of locals";
 const DOCS: &str = "has another documentation";
 const DRAWING: &str = "is drawn by other code";
 const HEADER: &str = "has another header";
-const STAND_IN: &str = "has another stand-in";
+const STUB: &str = "has another stub";
 const CHANGED: &str = "expands to other code";
 
 fn kept_in() -> PathBuf {
@@ -69,18 +69,18 @@ impl Hashes {
             renumbered: numbered_anew(parts::without_docs(expansion)),
             drawing: exact(taken_apart(exported).1),
             header: hash(&[header.expect("C is asked for")]),
-            stand_in: exact(stand_in(declaration.tokens.clone())),
+            stub: exact(stub(declaration.tokens.clone())),
         }
     }
 
     fn of_list(list: [String; 6]) -> Self {
-        let [exact, renumbered, docs, drawing, header, stand_in] = list;
-        Self { exact, renumbered, docs, drawing, header, stand_in }
+        let [exact, renumbered, docs, drawing, header, stub] = list;
+        Self { exact, renumbered, docs, drawing, header, stub }
     }
 
     fn list(&self) -> [&str; 6] {
-        let Self { exact, renumbered, docs, drawing, header, stand_in } = self;
-        [exact, renumbered, docs, drawing, header, stand_in]
+        let Self { exact, renumbered, docs, drawing, header, stub } = self;
+        [exact, renumbered, docs, drawing, header, stub]
     }
 
     /// What matters most of the differences. The exact tokens hold documentation and names of locals.
@@ -92,17 +92,18 @@ impl Hashes {
             () if self.exact != kept.exact => Some(RENAMED),
             () if self.drawing != kept.drawing => Some(DRAWING),
             () if self.header != kept.header => Some(HEADER),
-            () => Some(STAND_IN),
+            () => Some(STUB),
         }
     }
 }
 
-/// What would stand in if the declaration had mistakes.
-fn stand_in(tokens: TokenStream) -> TokenStream {
+/// The stub that the declaration would have if it had mistakes.
+fn stub(tokens: TokenStream) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
     let tree = syntax::parse(tokens, &mut diagnostics);
     assert!(diagnostics.into_mistakes().is_empty());
-    pipeline::stand_in(&tree.expect("it expands"), &Options::NONE)
+    let tree = tree.expect("it expands");
+    pipeline::stub(&tree, &model::stub(&tree), &Options::NONE)
 }
 
 fn all() -> BTreeMap<Key, Hashes> {

@@ -126,6 +126,18 @@ impl Resolver<'_> {
         slides: bool,
     ) -> Option<LinkId> {
         self.name_is_new(name)?;
+        let id = self.new_link(docs, name, made_by, slides);
+        self.names.bind(name, Entity::Link(id));
+        Some(id)
+    }
+
+    pub(super) fn new_link(
+        &mut self,
+        docs: &[Attribute],
+        name: &Ident,
+        made_by: GroupId,
+        slides: bool,
+    ) -> LinkId {
         let id = LinkId(self.mechanism.links.len() as u32);
         self.mechanism.links.push(Link {
             name: name.clone(),
@@ -141,8 +153,7 @@ impl Resolver<'_> {
             is_placed: true,
         });
         self.facts.order.push(Entity::Link(id));
-        self.names.bind(name, Entity::Link(id));
-        Some(id)
+        id
     }
 
     pub(super) fn add_point(
@@ -152,12 +163,22 @@ impl Resolver<'_> {
         part_of: PartOf,
     ) -> Option<PointId> {
         self.name_is_new(name)?;
+        let id = self.new_point(docs, name, part_of);
+        self.names.bind(name, Entity::Point(id));
+        Some(id)
+    }
+
+    pub(super) fn new_point(
+        &mut self,
+        docs: &[Attribute],
+        name: &Ident,
+        part_of: PartOf,
+    ) -> PointId {
         let id = PointId(self.mechanism.points.len() as u32);
         self.mechanism.points.push(Point { name: name.clone(), docs: docs.to_vec(), part_of });
         self.facts.points.push(false);
         self.facts.order.push(Entity::Point(id));
-        self.names.bind(name, Entity::Point(id));
-        Some(id)
+        id
     }
 
     /// A group names a pin exactly where its inner joint is one.

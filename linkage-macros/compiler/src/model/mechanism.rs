@@ -49,8 +49,8 @@ pub(crate) struct Mechanism {
     pub references: References,
     /// The inputs of the pose in which it is drawn, where it is drawn and they are determined.
     pub drawn: Option<Vec<f64>>,
-    /// Whether it stands in for a declaration with mistakes, of which only names are known.
-    pub stands_in: bool,
+    /// Whether the declaration has mistakes, so that only part of it was understood.
+    pub is_stub: bool,
     pub numerics: Numerics,
     /// `crate = path;`, where given.
     pub crate_path: Option<syn::Path>,
@@ -98,7 +98,7 @@ impl Mechanism {
             dynamics: Dynamics::default(),
             references: References::default(),
             drawn: None,
-            stands_in: false,
+            is_stub: false,
             numerics: Numerics::Plain,
             crate_path: None,
             export_c: false,

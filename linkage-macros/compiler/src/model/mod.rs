@@ -47,8 +47,8 @@ mod searched;
 mod settings;
 mod solves;
 mod springs;
-pub(crate) mod stand_in;
 mod step;
+mod stub;
 mod titles;
 pub(crate) mod units;
 mod unknowns;
@@ -67,21 +67,64 @@ use mechanism::{Mechanism, References};
 use names::{Names, TooEarly};
 use searched::Searched;
 
-/// The mechanism that the declaration means; `None` if anything in it was reported.
-pub(crate) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
-    match drawn::is_drawn(tree) {
-        true => drawn::resolve(tree, diagnostics),
-        false => resolve_groups(tree, diagnostics, &[]),
+/// The stub of a declaration in which something was reported.
+pub(crate) struct Stub(pub Mechanism);
+
+/// The mechanism that the declaration means; a stub of it if a mistake was reported, by the parser or
+/// here.
+pub(crate) fn resolve(
+    tree: &Declaration,
+    diagnostics: &mut Diagnostics,
+) -> Result<Mechanism, Stub> {
+    if drawn::is_drawn(tree) {
+        let resolved = drawn::resolve(tree, diagnostics).filter(|_| diagnostics.count() == 0);
+        return resolved.ok_or_else(|| Stub(stub_of_drawing(tree, diagnostics)));
+    }
+    let resolver = walked(tree, diagnostics, &[]);
+    match resolver.diagnostics.count() {
+        0 => Ok(resolver.mechanism),
+        _ => Err(Stub(resolver.stub(tree))),
     }
 }
 
-/// The same where every group is declared, `turned` links with the frames that they are written in.
+/// The stub that the declaration would have if it had mistakes.
+#[cfg(test)]
+pub(crate) fn stub(tree: &Declaration) -> Mechanism {
+    let mut diagnostics = Diagnostics::new();
+    let stub = match drawn::is_drawn(tree) {
+        true => stub_of_drawing(tree, &mut diagnostics),
+        false => walked(tree, &mut diagnostics, &[]).stub(tree),
+    };
+    drop(diagnostics.into_mistakes());
+    stub
+}
+
+/// The stub of a drawing, which may not be one of drivers and groups. Mistakes were reported.
+fn stub_of_drawing(tree: &Declaration, diagnostics: &mut Diagnostics) -> Mechanism {
+    let reported = diagnostics.count();
+    let mut resolver = Resolver::new(tree, &tree.unread, diagnostics);
+    resolver.statements(tree);
+    let stub = resolver.stub(tree);
+    diagnostics.forget_since(reported);
+    stub
+}
+
+/// The mechanism of a declaration of drivers and groups; `None` if anything in it was reported.
 fn resolve_groups(
     tree: &Declaration,
     diagnostics: &mut Diagnostics,
     turned: &[drawn::Turned],
 ) -> Option<Mechanism> {
-    let before = diagnostics.count();
+    let resolver = walked(tree, diagnostics, turned);
+    (resolver.diagnostics.count() == 0).then_some(resolver.mechanism)
+}
+
+/// Every statement and every rule; `turned` links with the frames that they are written in.
+fn walked<'d>(
+    tree: &'d Declaration,
+    diagnostics: &'d mut Diagnostics,
+    turned: &[drawn::Turned],
+) -> Resolver<'d> {
     let mut resolver = Resolver::new(tree, &tree.unread, diagnostics);
     resolver.statements(tree);
     resolver.every_unknown_is_solved(tree);
@@ -95,8 +138,7 @@ fn resolve_groups(
     resolver.cranks_can_turn();
     resolver.ends_can_be_assembled();
     resolver.directions_are_as_written(turned);
-    let mechanism = resolver.mechanism;
-    (diagnostics.count() == before).then_some(mechanism)
+    resolver
 }
 
 /// What is known while the statements are walked.

@@ -119,6 +119,11 @@ impl Names {
         names
     }
 
+    /// Every name means its first declaration, although there are others.
+    pub(super) fn are_unique(&mut self) {
+        self.symbols.iter_mut().for_each(|symbol| symbol.ambiguous = false);
+    }
+
     /// Goes on to the statement with this index: what earlier ones made can be used.
     pub(super) fn go_to(&mut self, statement: usize) {
         self.current = statement;

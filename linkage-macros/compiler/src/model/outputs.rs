@@ -9,7 +9,7 @@ use crate::syntax::anatomy::Anatomy;
 use crate::syntax::tree::{Declaration, Expr, ExprKind, OutputItem, StatementKind};
 
 use super::Resolver;
-use super::mechanism::{Expr as Resolved, LinkId, Output, OutputKind, UnknownId};
+use super::mechanism::{Expr as Resolved, LinkId, Output, OutputKind};
 use super::names::{Entity, Kind};
 use super::numbers::bare_name;
 
@@ -40,29 +40,49 @@ impl Resolver<'_> {
 
     fn every_moving_thing_is_given(&mut self) {
         for entity in self.facts.order.clone() {
-            let output = match entity {
-                Entity::Point(id) if self.facts.points[id.index()] => {
-                    let point = &self.mechanism.points[id.index()];
-                    let kind = OutputKind::Point(id);
-                    Output { field: point.name.clone(), docs: point.docs.clone(), kind }
-                }
+            match entity {
+                Entity::Point(id) if !self.facts.points[id.index()] => {}
                 Entity::Unknown(id) => {
-                    let name = self.mechanism.unknowns[id.index()].name.clone();
-                    self.unknown_output(name.span(), &[], id);
-                    continue;
+                    let at = self.mechanism.unknowns[id.index()].name.span();
+                    self.give_whole(at, &[], entity);
                 }
-                Entity::Link(id) => {
-                    let link = &self.mechanism.links[id.index()];
-                    let kind = OutputKind::Link { link: id, direction: true, slide: link.slides };
-                    Output { field: link.name.clone(), docs: link.docs.clone(), kind }
-                }
-                _ => continue,
-            };
-            self.mechanism.outputs.push(output);
+                _ => self.mechanism.outputs.extend(self.whole(entity)),
+            }
         }
     }
 
-    fn output(&mut self, docs: &[Attribute], item: &OutputItem) {
+    /// A point, a link, an unknown or a named expression as an output, under its own name.
+    pub(super) fn whole(&self, entity: Entity) -> Option<Output> {
+        let mechanism = &self.mechanism;
+        Some(match entity {
+            Entity::Point(id) => {
+                let point = &mechanism.points[id.index()];
+                let kind = OutputKind::Point(id);
+                Output { field: point.name.clone(), docs: point.docs.clone(), kind }
+            }
+            Entity::Link(id) => {
+                let link = &mechanism.links[id.index()];
+                let kind = OutputKind::Link { link: id, direction: true, slide: link.slides };
+                Output { field: link.name.clone(), docs: link.docs.clone(), kind }
+            }
+            // A number with its rates, between its ends.
+            Entity::Unknown(id) => {
+                let unknown = &mechanism.unknowns[id.index()];
+                let (value, dimension) = (Resolved::Unknown(id), unknown.dimension);
+                let kind = OutputKind::Value { value, dimension };
+                Output { field: unknown.name.clone(), docs: unknown.docs.clone(), kind }
+            }
+            _ => return None,
+        })
+    }
+
+    fn give_whole(&mut self, at: Span, docs: &[Attribute], entity: Entity) {
+        if let Some(Output { field, docs: own, kind }) = self.whole(entity) {
+            self.give(at, field, &[docs, &own].concat(), kind);
+        }
+    }
+
+    pub(super) fn output(&mut self, docs: &[Attribute], item: &OutputItem) {
         match (&item.name, &item.value.kind) {
             (Some(name), _) if item.renamed_at.is_some() => self.name_stands_in_front(name, item),
             (Some(name), _) => self.named_output(docs, name, &item.value),
@@ -146,11 +166,8 @@ impl Resolver<'_> {
             return self.diagnostics.error_because(name.span(), message, reason);
         }
         match self.usable(name, &[Kind::Point, Kind::Link, Kind::Let, Kind::Unknown]) {
-            Some(Entity::Unknown(id)) => self.unknown_output(name.span(), docs, id),
-            Some(Entity::Point(id)) => {
-                let point = &self.mechanism.points[id.index()];
-                let (field, own) = (point.name.clone(), point.docs.clone());
-                self.give(name.span(), field, &[docs, &own].concat(), OutputKind::Point(id));
+            Some(entity @ (Entity::Unknown(_) | Entity::Point(_))) => {
+                self.give_whole(name.span(), docs, entity);
             }
             Some(Entity::Link(link)) => {
                 let slide = self.mechanism.links[link.index()].slides;
@@ -168,14 +185,6 @@ impl Resolver<'_> {
             }
             _ => {}
         }
-    }
-
-    /// What an equation fixes: a number with its rates, between its ends.
-    fn unknown_output(&mut self, at: Span, docs: &[Attribute], id: UnknownId) {
-        let unknown = &self.mechanism.unknowns[id.index()];
-        let (field, own) = (unknown.name.clone(), unknown.docs.clone());
-        let kind = OutputKind::Value { value: Resolved::Unknown(id), dimension: unknown.dimension };
-        self.give(at, field, &[docs, &own].concat(), kind);
     }
 
     /// What is given from outside or stands in the ground is no result.

@@ -64,7 +64,7 @@ impl Resolver<'_> {
     }
 
     /// Whether one of the ends is a body: then the other should be one, too.
-    fn is_between_bodies(&self, ends: &[Ident; 2]) -> bool {
+    pub(super) fn is_between_bodies(&self, ends: &[Ident; 2]) -> bool {
         ends.iter().any(|end| end == "ground" || self.names.kind(end) == Some(Kind::Link))
     }
 

@@ -157,11 +157,6 @@ impl Group {
         }
     }
 
-    /// A group of which only a link is known.
-    pub(crate) fn of_link(link: &Ident) -> Self {
-        Self::without_links(Ident::new("link", link.span()), link.span())
-    }
-
     /// The values of its fields.
     pub(crate) fn values(&self) -> impl Iterator<Item = &Expr> {
         self.fields.iter().flat_map(|field| match &field.value {

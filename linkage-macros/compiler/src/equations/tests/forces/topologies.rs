@@ -184,7 +184,7 @@ impl Topology {
 fn assembles(source: &str, inputs: &[[f64; 3]]) -> bool {
     let mut diagnostics = Diagnostics::new();
     let tree = syntax::parse(source.parse().expect("tokens"), &mut diagnostics);
-    let mechanism = tree.and_then(|tree| model::resolve(&tree, &mut diagnostics));
+    let mechanism = tree.and_then(|tree| model::resolve(&tree, &mut diagnostics).ok());
     drop(diagnostics.into_mistakes());
     let Some(mechanism) = mechanism else { return false };
     let program = equations::derive(&mechanism, passes::RULES);

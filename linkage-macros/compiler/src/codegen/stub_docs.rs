@@ -1,4 +1,4 @@
-//! Docs of what stands in for a declaration with mistakes: the user's comments, and kinds as they are
+//! Docs of the stub of a declaration with mistakes: the user's comments, and kinds as they are
 //! written. Costs, ranges, units and what else follows from the whole declaration are unknown.
 
 use proc_macro2::TokenStream;

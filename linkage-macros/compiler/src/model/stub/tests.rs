@@ -7,6 +7,7 @@ use syn::{File, ImplItem, Item};
 
 use crate::codegen::tests::{associated_items, file};
 use crate::diagnostics::Diagnostics;
+use crate::model::{self, Stub};
 use crate::pipeline;
 use crate::syntax::parse;
 
@@ -14,8 +15,12 @@ fn expand(source: &str) -> File {
     let mut diagnostics = Diagnostics::new();
     let tokens = source.parse().expect("the source is made of Rust's tokens");
     let tree = parse(tokens, &mut diagnostics).expect("the declaration has a name");
+    let stub = match model::resolve(&tree, &mut diagnostics) {
+        Ok(_) => model::stub(&tree),
+        Err(Stub(mechanism)) => mechanism,
+    };
     drop(diagnostics.into_mistakes());
-    file(pipeline::stand_in(&tree, &pipeline::Options::NONE))
+    file(pipeline::stub(&tree, &stub, &pipeline::Options::NONE))
 }
 
 /// The fields of a generated struct as `name: type`, without paths; `None` where there is no such
@@ -286,6 +291,12 @@ fn any_statements_have_stubs() {
         "input B, X: length;",
         "param A = 1;",
         "param X: mode = ahead;",
+        "param C = 1kgg;",
+        "unknown U: angle between (1, 0);",
+        "guide G through Q along C;",
+        "load F: newton;",
+        "spring S between A and X { stiffness: C }",
+        "mass C on A uniform;",
         "let A = X.angle;",
         "let B = -A + f(B, 1);",
         "ground A(0, 0), X(1, 1);",
@@ -298,6 +309,8 @@ fn any_statements_have_stubs() {
         "output A, B.slide, X.angle;",
         "output X = A, X.margin, A.margin, B.transmission;",
         "output B, nothing, 2 * A;",
+        "output E = C + A.angle, U, S.force, A.drive, A.G, energy;",
+        "rrp E(A), H(G) -> K { length: C }",
         "numerics compensated;",
         "export c;",
     ];
@@ -336,7 +349,8 @@ fn forces_are_offered_where_something_has_mass_or_acts() {
         assert!(names.iter().all(|name| methods.iter().any(|known| known == name)), "{acting}");
         let of =
             |link: &str| fields(&file, &format!("MForcesOf{link}")).expect("there is a record");
-        assert_eq!(of("AB"), "drive: T, push: T, A: Force<T>, B: Force<T>");
+        // No length of the crank is driven.
+        assert_eq!(of("AB"), "drive: T, A: Force<T>, B: Force<T>");
         assert_eq!(of("DC"), "push: T, D: Force<T>, C: Force<T>");
         assert_eq!(of("ram"), "drive: T, rail: GuideForce<T>, P: Force<T>");
         assert_eq!(of("t"), "drive: T");
