@@ -5,7 +5,7 @@
 
 use core::ptr;
 
-use crate::find::Trend;
+use crate::crossing::Trend;
 use crate::{Sense, Side, SolveError};
 
 /// Why a C function gave no answer: `LinkageError` of the header.

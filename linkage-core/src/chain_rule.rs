@@ -4,7 +4,7 @@
 //! A function of such a number is its value and its derivatives at the real part, put together by
 //! the chain rule ([`Compose`]). A real part may itself carry derivatives.
 //!
-//! [`Jet`]: crate::tracker::Jet
+//! [`Jet`]: crate::clearance::Jet
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -33,8 +33,8 @@ mod all_met;
 pub use all_met::AllMet;
 
 use crate::diagnosis::{self, Diagnosis};
-use crate::find::FindError;
-use crate::find::seed::Seed;
+use crate::roots::FindError;
+use crate::roots::seed::Seed;
 use crate::{Real, Scalar, SolveError};
 
 /// Who asks for conditions, see the module's documentation. A condition is two calls: a comparison,

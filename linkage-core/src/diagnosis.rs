@@ -15,10 +15,11 @@ mod tests;
 pub use circles::{ReachCircles, ReachDistances, ShareOfCentres, SquareOfCentres};
 pub use guides::{ReachLine, ReachOffset};
 pub use search::Moving;
-pub(crate) use search::{ENDS_OF_BETWEEN, closed, no_root, open_by};
+pub(crate) use search::{closed, no_root, open_by};
 pub use size::{Nonzero, NotNegative, Positive, Square};
 pub(crate) use size::{finite_input, finite_result};
 
+pub use crate::limit::ROUNDINGS;
 use crate::limit::{Reach, Width};
 use crate::{Mask, Real, Scalar, SolveError};
 
@@ -38,9 +39,6 @@ pub trait Diagnosis<T: Scalar>: Sized {
         met.behind_condition()
     }
 }
-
-/// The factor of ε of the spread by which a value may be wrong; a larger value is positive for certain.
-pub const ROUNDINGS: f64 = 16.0;
 
 /// 16 √ε: how far below zero, as a share of its spread, what stands under a group's root shows for certain
 /// that the group is out of reach. Rounding alone moves it by 16 ε, and so do the four last places that a

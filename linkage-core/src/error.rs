@@ -2,9 +2,11 @@
 
 use core::fmt;
 
-use crate::diagnosis::ENDS_OF_BETWEEN;
-use crate::find::{Crossing, SEVERAL_DEAD_POINTS};
+use crate::crossing::{Crossing, SEVERAL_DEAD_POINTS};
 use crate::shown::{Digits, Length, Measured};
+
+/// The name of ends that are in order and too far apart.
+pub(crate) const ENDS_OF_BETWEEN: &str = "ends of between";
 
 /// Why a solver gave no answer. The group is named by its links, as declared: `"BC, DC"`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -134,8 +134,10 @@ mod absent;
 mod c_interface;
 mod chain_rule;
 mod checks;
+mod clearance;
 mod conversions;
 mod cost;
+mod crossing;
 #[cfg(feature = "ad")]
 mod derivatives;
 mod diagnosis;
@@ -157,6 +159,7 @@ mod record;
 pub mod reference;
 mod resolver;
 mod results;
+mod roots;
 mod scalar;
 mod shown;
 #[cfg(feature = "sketch")]
@@ -168,10 +171,10 @@ mod tracker;
 
 pub use absent::Inputs;
 pub use cost::{Cost, ForcesCost, Operations, SearchCost, SearchingCost, SearchingForcesCost};
+pub use crossing::Trend;
 #[cfg(feature = "ad")]
 pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_twice};
 pub use error::SolveError;
-pub use find::Trend;
 pub use kernels::{Float, Fused, Fusion, Plain};
 pub use lanes::{LaneMask, Lanes};
 pub use mechanism::Mechanism;

@@ -7,6 +7,9 @@
 
 use crate::kernels::{Native, exact_sum, mul_err, sqrt, two_sum};
 
+/// How many ε of the spread a value may be wrong by: whoever is above that is above zero.
+pub const ROUNDINGS: f64 = 16.0;
+
 /// How much a pose may be short of assembly, in units in the last place of the longest length:
 /// what rounding does to a joint that lies on the line of centres in real numbers.
 const ULPS: f64 = 4.0;

@@ -1,5 +1,6 @@
 //! `f32` and `f64` as scalars.
 
+use crate::kernels::arithmetic::Arithmetic;
 use crate::kernels::{self, Float, Native};
 use crate::scalar::root_of_squares;
 use crate::tracker::Enclosure;

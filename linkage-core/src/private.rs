@@ -20,15 +20,17 @@ pub use core::result::Result::{self, Err, Ok};
 pub use crate::absent::*;
 pub use crate::c_interface::{CError, c_sense, c_side, c_trend};
 pub use crate::checks::{AllMet, Checks, FirstError};
+pub use crate::clearance::{Clearance, told};
+pub use crate::crossing::Trend;
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate, jacobian};
 pub use crate::diagnosis::*;
-pub use crate::find::bound::bound;
-pub use crate::find::seed::{Apart, Seed, root_by_seed};
-pub use crate::find::unknown::{open, root, root_within_a_turn};
-pub use crate::find::{FindError, Trend};
 pub use crate::record::{column, joined};
 pub use crate::resolver::{from_angle, from_circle, on_circle};
+pub use crate::roots::FindError;
+pub use crate::roots::bound::bound;
+pub use crate::roots::seed::{Apart, Seed, root_by_seed};
+pub use crate::roots::unknown::{open, root, root_within_a_turn};
 pub use crate::scalar::is_finite_unless;
 #[cfg(feature = "sketch")]
 pub use crate::sketch::{
@@ -40,7 +42,6 @@ pub use crate::sweep::kinds::*;
 pub use crate::sweep::{
     Entry, LengthMismatch, Progress, Series, Status, put_found, put_solved, put_usable, sweep,
 };
-pub use crate::tracker::{Clearance, told};
 pub use crate::with_ad_ as with_ad;
 pub use crate::with_serde_ as with_serde;
 pub use crate::with_sketch_ as with_sketch;

@@ -15,10 +15,11 @@
 //! missed. Behind the first 34 turns (214 rad) the rest is walked in sixteen panels, however long: what
 //! repeats with every turn shows in the first 34, as none or as more than the 32 that an answer may have.
 
+mod chart;
 mod confirm;
 mod extrema;
+mod extrema_of;
 mod limits;
-mod output;
 mod panels;
 #[cfg(test)]
 mod tests;
@@ -28,8 +29,8 @@ use core::fmt;
 use core::ops::Deref;
 
 pub use extrema::{Extrema, Extremum, Turn, extrema};
+pub use extrema_of::extrema_of;
 pub use limits::limits;
-pub use output::extrema_of;
 
 use crate::find::no_output;
 use crate::{Real, SolveError};

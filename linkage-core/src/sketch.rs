@@ -48,7 +48,6 @@ mod bodies;
 mod boxes;
 mod by_name;
 mod drawn;
-mod error;
 mod film;
 mod forces;
 mod gaps;
@@ -58,6 +57,7 @@ mod page;
 mod picture;
 mod placing;
 mod plan;
+mod sketch_error;
 
 mod scene;
 mod shapes;
@@ -69,11 +69,11 @@ mod symbols;
 mod traces;
 
 pub use by_name::LinkPose;
-pub use error::SketchError;
 pub use film::{Film, FilmGap};
 pub use plan::{Applied, Drawn};
 #[doc(hidden)]
 pub use plan::{Made, Plan, Spring, applied, followed, place, place_open};
+pub use sketch_error::SketchError;
 pub use still::{Sketch, Still};
 pub use style::{Palette, Theme, Unit};
 pub use svg::View;

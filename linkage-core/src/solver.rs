@@ -5,8 +5,8 @@
 //! [`Mechanism`](crate::Mechanism). What a trait costs a user's compiler is less what stands in its
 //! functions than their signatures, so that each of them is asked for once.
 
-use crate::find::seed::Seed;
-use crate::tracker::{Clearance, Jet, moving};
+use crate::clearance::{Clearance, Jet, moving};
+use crate::roots::seed::Seed;
 use crate::{Real, Record, Scalar, SolveError};
 
 /// What the declaration calls things.

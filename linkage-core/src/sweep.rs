@@ -20,7 +20,7 @@ mod verdict;
 
 use core::fmt;
 
-use crate::find::seed::Seed;
+use crate::roots::seed::Seed;
 use crate::{Float, Record, Scalar, SolveError};
 use batch::Batch;
 pub use entries::{put_found, put_solved, put_usable};

@@ -16,18 +16,13 @@
 
 mod around;
 mod enclosure;
-mod jet;
 mod line;
 mod linear;
 mod passage;
 mod stretch;
 mod thresholds;
-mod told;
 
 pub(crate) use enclosure::Enclosure;
-pub(crate) use jet::Jet;
-pub(crate) use told::moving;
-pub use told::told;
 
 use linear::Linear;
 use passage::Passage;
@@ -35,19 +30,6 @@ use thresholds::{Thresholds, Zone};
 
 use crate::solver::Solver;
 use crate::{Record, Scalar, SolveError};
-
-/// How clear of its limit a group is: zero at a toggle, negative out of reach.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Clearance<T> {
-    /// The value under the square root of the group's height.
-    pub value: T,
-    /// Its rate.
-    pub rate: T,
-    /// Its second rate, the inputs' rates being constant.
-    pub second_rate: T,
-    /// Against this the rounding of `value` is a few ε.
-    pub scale: T,
-}
 
 /// A solver that follows its motion: each pose continues the one before.
 ///

@@ -2,8 +2,9 @@
 
 use super::Checks;
 use crate::diagnosis::{self, Diagnosis};
-use crate::find::FindError;
-use crate::find::seed::Seed;
+use crate::limit::ROUNDINGS;
+use crate::roots::FindError;
+use crate::roots::seed::Seed;
 use crate::{Mask, Real, Scalar};
 
 /// Whether every condition was met. Every value goes on as it is.
@@ -126,8 +127,8 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
 
     #[inline(always)]
     fn above_rounding(&mut self, value: T, spread: T) {
-        const WIDE: f64 = diagnosis::ROUNDINGS * f64::EPSILON;
-        const NARROW: f32 = diagnosis::ROUNDINGS as f32 * f32::EPSILON;
+        const WIDE: f64 = ROUNDINGS * f64::EPSILON;
+        const NARROW: f32 = ROUNDINGS as f32 * f32::EPSILON;
         self.and(value.gt(T::lit(WIDE, NARROW) * spread));
     }
 

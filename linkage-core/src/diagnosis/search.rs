@@ -1,11 +1,10 @@
 //! What became of the search for an unknown.
 
-use super::{Diagnosis, ROUNDINGS};
-use crate::find::FindError;
+use super::Diagnosis;
+use crate::error::ENDS_OF_BETWEEN;
+use crate::limit::ROUNDINGS;
+use crate::roots::FindError;
 use crate::{Real, Scalar, SolveError};
-
-/// The name of ends that are in order and too far apart.
-pub(crate) const ENDS_OF_BETWEEN: &str = "ends of between";
 
 /// Why an unknown has no root of its equation in this unit; where the equation is not a number, the
 /// trial at which it is none.

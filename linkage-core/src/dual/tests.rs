@@ -7,7 +7,7 @@ use num_dual::{
 };
 
 use crate::chain_rule::Compose;
-use crate::tracker::Jet;
+use crate::clearance::Jet;
 use crate::{Real, Scalar};
 
 /// A few roundings of numbers of the size of `scale`.

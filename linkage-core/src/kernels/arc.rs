@@ -26,7 +26,8 @@ macro_rules! arc {
      quarter: [$quarter:expr, $quarter_low:literal], eighth: $eighth:expr,
      asin: [$($p:literal),*], atan: [$($q:literal),*]) => {
         mod $width {
-            use crate::kernels::{Float, Fusion, $sqrt};
+            use crate::kernels::arithmetic::Arithmetic;
+            use crate::kernels::{Fusion, $sqrt};
 
             /// asin s = s + s r of s = |x|, or above a half of √((1 − |x|)/2) = high + low; whether it is above
             /// that; then s, r, high and r s + low.

@@ -1,24 +1,10 @@
 //! `f32` and `f64` under one name, for kernels that are the same in both.
 
-use super::{Fusion, arc, native, sin_cos_f32, sin_cos_f64};
-use crate::Real;
+use super::arithmetic::Arithmetic;
+use super::{Fusion, arc, sin_cos_f32, sin_cos_f64};
 
 /// `f32` or `f64`.
-pub trait Float: Real + sealed::Sealed {
-    /// 2^⌈p/2⌉ + 1 for p bits of precision: multiplying by it splits a number in two halves whose
-    /// products are exact.
-    #[doc(hidden)]
-    const SPLITTER: Self;
-
-    /// The number without its sign.
-    #[doc(hidden)]
-    #[must_use]
-    fn magnitude(self) -> Self;
-
-    /// a·b + c with one rounding, whatever the target.
-    #[doc(hidden)]
-    fn multiply_add(a: Self, b: Self, c: Self) -> Self;
-
+pub trait Float: Arithmetic {
     /// The kernel behind [`Scalar::sin_cos`](crate::Scalar::sin_cos) of a near argument.
     #[doc(hidden)]
     fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self);
@@ -40,26 +26,9 @@ pub trait Float: Real + sealed::Sealed {
     fn atan_kernel<F: Fusion>(self) -> Self;
     #[doc(hidden)]
     fn atan2_kernel<F: Fusion>(self, x: Self) -> Self;
-
-    /// a·b + c with one rounding or two, as `F` says.
-    #[doc(hidden)]
-    #[inline]
-    fn fused_by<F: Fusion>(a: Self, b: Self, c: Self) -> Self {
-        if F::FUSED { Self::multiply_add(a, b, c) } else { a * b + c }
-    }
 }
 
 impl Float for f64 {
-    const SPLITTER: Self = 134_217_729.0;
-
-    #[inline]
-    fn magnitude(self) -> Self {
-        self.abs()
-    }
-    #[inline]
-    fn multiply_add(a: Self, b: Self, c: Self) -> Self {
-        native::fma(a, b, c)
-    }
     #[inline]
     fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self) {
         sin_cos_f64::sin_cos::<F>(self)
@@ -87,16 +56,6 @@ impl Float for f64 {
 }
 
 impl Float for f32 {
-    const SPLITTER: Self = 4097.0;
-
-    #[inline]
-    fn magnitude(self) -> Self {
-        self.abs()
-    }
-    #[inline]
-    fn multiply_add(a: Self, b: Self, c: Self) -> Self {
-        native::fmaf(a, b, c)
-    }
     #[inline]
     fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self) {
         sin_cos_f32::sin_cos::<F>(self)
@@ -117,10 +76,4 @@ impl Float for f32 {
     fn atan2_kernel<F: Fusion>(self, x: Self) -> Self {
         arc::atan2f::<F>(self, x)
     }
-}
-
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
 }

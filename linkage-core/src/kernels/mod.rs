@@ -6,6 +6,7 @@
 //! same bits as a single number.
 
 mod arc;
+pub(crate) mod arithmetic;
 mod error_free;
 mod float;
 mod fusion;

@@ -26,7 +26,8 @@
 // The digits are those of the binary value: the reader can check them against the bits.
 #![allow(clippy::excessive_precision)]
 
-use super::{Float, Fusion};
+use super::Fusion;
+use super::arithmetic::Arithmetic;
 
 /// Largest argument of the kernel, in radians: 8192 turns, so that q takes 15 bits.
 pub(crate) const LIMIT: f32 = 51_471.0;

@@ -32,7 +32,8 @@
 // The digits are those of the binary value: the reader can check them against the bits.
 #![allow(clippy::excessive_precision)]
 
-use super::{Float, Fusion};
+use super::Fusion;
+use super::arithmetic::Arithmetic;
 
 /// Largest argument of the kernel, in radians: 2²⁰, so that q takes 20 bits.
 pub(crate) const LIMIT: f64 = 1_048_576.0;

@@ -3,10 +3,10 @@
 //! The stretch is sampled, and where there is no pose, its end is moved to the last input at which
 //! there is one: by rounding at a limit, and elsewhere to where a dimension is none any more.
 
-use super::limits::Chart;
+use super::chart::Chart;
 use super::panels::Panels;
 use super::{End, RangeError, Stop, Stretch, Stretches};
-use crate::find::{constant, number};
+use crate::roots::{constant, number};
 use crate::solver::Solver;
 use crate::{Real, SolveError};
 

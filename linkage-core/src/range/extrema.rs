@@ -6,7 +6,7 @@ use core::ops::Deref;
 use super::panels::Panels;
 use super::walk::{Event, Walk};
 use super::{MOST, RangeError};
-use crate::find::{Approach, FindError, constant, greater, magnitude, number};
+use crate::roots::{Approach, FindError, constant, greater, magnitude, number};
 use crate::{Real, SolveError};
 
 /// Which way an output turns.

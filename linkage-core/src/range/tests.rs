@@ -9,8 +9,8 @@ use std::vec::Vec;
 use super::panels::Panels;
 use super::walk::{Event, Walk};
 use super::{extrema, limits};
+use crate::clearance::Clearance;
 use crate::solver::{Solver, Titles};
-use crate::tracker::Clearance;
 use crate::{Mask, Real, Scalar, SolveError};
 
 fn events(f: impl FnMut(f64) -> [f64; 2], ends: [f64; 2]) -> Vec<Event<f64>> {

@@ -6,7 +6,7 @@
 
 use super::panels::Panels;
 use crate::Real;
-use crate::find::{
+use crate::roots::{
     At, Cubic, FindError, constant, crossing, differentiated, greater, less, lowest, magnitude,
     number,
 };

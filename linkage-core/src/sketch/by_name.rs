@@ -1,7 +1,7 @@
 //! Places of points and links in a pose, by their names.
 
-use super::error::SketchError;
 use super::scene::{Pose, Scene};
+use super::sketch_error::SketchError;
 use super::traces;
 use crate::{Direction, Point};
 

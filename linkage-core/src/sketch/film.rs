@@ -7,12 +7,12 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::by_name::{self, LinkPose};
-use super::error::SketchError;
 use super::options::Options;
 use super::page;
 use super::picture::Picture;
 use super::plan::{Drawn, PlanOf};
 use super::scene::Scene;
+use super::sketch_error::SketchError;
 use super::still::Still;
 use super::style::Theme;
 use super::svg::View;

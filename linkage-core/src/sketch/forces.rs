@@ -5,8 +5,8 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::boxes::Box2;
-use super::error::SketchError;
 use super::scene::{Scene, Spot};
+use super::sketch_error::SketchError;
 use super::style::Palette;
 use super::svg::{Timing, View, three_digits};
 use super::symbols::{moving_arrow, moving_path, on_circle, turning_arrow};

@@ -5,13 +5,13 @@ use std::vec::Vec;
 
 use super::bodies::{Body, bodies, guide_ends};
 use super::boxes::Box2;
-use super::error::SketchError;
 use super::forces::Load;
 use super::gaps::{Gap, gaps};
 use super::labels::Placed;
 use super::options::Options;
 use super::plan::Made;
 use super::scene::{Scene, Spot};
+use super::sketch_error::SketchError;
 use super::springs::{Coil, below, springs, wall_box};
 use super::style::{HEADING, HEADING_LINE, HEIGHT, MARGIN, Palette, text_width, wrapped};
 use super::svg::{Seat, View};

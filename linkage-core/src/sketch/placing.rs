@@ -4,11 +4,11 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::boxes::Box2;
-use super::error::SketchError;
 use super::labels::{self, Label, Obstacles};
 use super::picture::{Picture, is_ground, revolutes};
 use super::plan::Made;
 use super::scene::Spot;
+use super::sketch_error::SketchError;
 use super::springs::{Coil, wall_box};
 use super::style::JOINT;
 use super::symbols::{self, WAYS};

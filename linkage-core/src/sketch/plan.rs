@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use crate::checks::{Checks, FirstError};
 use crate::diagnosis::finite_result;
-use crate::find::FindError;
+use crate::roots::FindError;
 use crate::slow_path::conditions_met;
 use crate::solver::Solver;
 use crate::{Scalar, SolveError, Tracker};

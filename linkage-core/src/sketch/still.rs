@@ -4,11 +4,11 @@ use std::path::Path;
 use std::string::String;
 
 use super::by_name::{self, LinkPose};
-use super::error::SketchError;
 use super::options::Options;
 use super::picture::Picture;
 use super::plan::{Drawn, PlanOf};
 use super::scene::Scene;
+use super::sketch_error::SketchError;
 use super::style::Theme;
 use super::svg::View;
 use crate::{Point, SolveError};

@@ -6,9 +6,9 @@ use std::vec::Vec;
 
 use super::bodies::Body;
 use super::boxes::Box2;
-use super::error::SketchError;
 use super::plan::Plan;
 use super::scene::{Scene, Spot};
+use super::sketch_error::SketchError;
 use super::svg::{View, path, short};
 
 /// The point of this name.

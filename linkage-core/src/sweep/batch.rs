@@ -4,7 +4,7 @@ use super::block::{APART, BLOCK, Circles, Column, put};
 use super::poses::Poses;
 use super::verdict::{Asked, Reach, Usable};
 use super::{Entry, SEEDS, Series, Status};
-use crate::find::seed::Seed;
+use crate::roots::seed::Seed;
 use crate::{Float, Fusion, Scalar};
 
 /// What a sweep works on.

@@ -1,6 +1,7 @@
 //! The numbers of a block of poses, in columns.
 
-use super::poses::{Poses, TOGETHER};
+use super::poses::Poses;
+use super::verdict::TOGETHER;
 use crate::{Float, Fusion, Lanes, Scalar};
 
 /// Poses in a block: a few registers full, so that the block's columns stay in the first cache.

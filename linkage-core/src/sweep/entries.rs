@@ -3,7 +3,7 @@
 
 use super::Entry;
 use super::kinds::{OfMotion, OfPosition, OfVelocity};
-use crate::find::seed::Seed;
+use crate::roots::seed::Seed;
 use crate::solver::{Solver, number};
 use crate::{Float, Record, Scalar, SolveError};
 

@@ -4,14 +4,9 @@
 use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::verdict::{Asked, Usable};
+use super::verdict::{Asked, TOGETHER, Usable};
 use crate::scalar::root_of_squares;
 use crate::{Float, Fusion, Lanes, Scalar};
-
-/// How many poses are computed beside each other, before the compiler takes several such sets at a time
-/// into vectors: so a vector of poses is begun while the one before waits for its root. Three would take
-/// more registers than most machines have.
-pub(super) const TOGETHER: usize = 2;
 
 /// A number of some poses, and their sines and cosines if it was read from a sweep's first input. Lanes
 /// rather than numbers, since their type says whether products are fused.

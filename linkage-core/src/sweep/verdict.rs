@@ -9,8 +9,12 @@
 use core::fmt::Debug;
 use core::ops::BitAnd;
 
-use super::poses::TOGETHER;
 use crate::{LaneMask, Mask};
+
+/// How many poses are computed beside each other, before the compiler takes several such sets at a time
+/// into vectors: so a vector of poses is begun while the one before waits for its root. Three would take
+/// more registers than most machines have.
+pub(super) const TOGETHER: usize = 2;
 
 type Lanes = LaneMask<TOGETHER>;
 

@@ -1,6 +1,7 @@
 //! Clearances along a straight line of inputs.
 
-use super::{Clearance, Linear};
+use super::Linear;
+use crate::clearance::Clearance;
 use crate::solver::Solver;
 use crate::{Real, Scalar};
 

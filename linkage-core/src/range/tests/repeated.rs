@@ -5,9 +5,9 @@ use core::f64::consts::{PI, TAU};
 use std::prelude::v1::*;
 use std::vec::Vec;
 
-use crate::find::number;
 use crate::range::panels::Panels;
 use crate::range::{RangeError, Stop, extrema, limits};
+use crate::roots::number;
 use crate::solver::{Solver, Titles};
 use crate::{Real, Scalar, SolveError};
 

@@ -2,8 +2,8 @@
 
 use std::vec::Vec;
 
-use crate::find::number;
 use crate::range::{Turn, extrema};
+use crate::roots::number;
 use crate::{Real, SolveError};
 
 /// Value, rate and second rate.

@@ -6,7 +6,7 @@ use super::approach::{Approach, constant, greater, magnitude, number};
 use super::equation::Equation;
 use super::{FindError, Search, Trend};
 use crate::Real;
-use crate::diagnosis::ROUNDINGS;
+use crate::limit::ROUNDINGS;
 
 /// How many last places of what the two sides are made of a target may lie beyond an end.
 const SLACK: f64 = 4.0;

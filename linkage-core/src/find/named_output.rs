@@ -3,9 +3,8 @@
 use core::cell::Cell;
 use core::fmt;
 
-use super::approach::{constant, magnitude, number};
-use super::{FindError, Root, Search};
 use crate::mechanism::row;
+use crate::roots::{FindError, Root, Search, constant, magnitude, number};
 use crate::{Mechanism, Real, SolveError};
 
 /// Why an output was not brought to where it is wanted.

@@ -1,8 +1,8 @@
 //! Where an output turns back, by the output's name.
 
 use super::{Extrema, RangeError, extrema};
-use crate::find::number;
 use crate::mechanism::row;
+use crate::roots::number;
 use crate::{Mechanism, Real};
 
 /// [`extrema`] of the output of this name, one of [`Mechanism::OUTPUTS`]. The mechanism has one input; of

@@ -2,8 +2,8 @@
 
 use super::{Clearance, Jet};
 use crate::checks::Checks;
-use crate::find::FindError;
-use crate::find::unknown::open;
+use crate::roots::FindError;
+use crate::roots::unknown::open;
 use crate::{Real, Scalar};
 
 /// Value and scale of every group's clearance, asked of the formulas. Conditions are passed by: what is

@@ -3,8 +3,8 @@
 use core::cell::Cell;
 
 use super::*;
-use crate::find::seed::{Apart, Seed, root_by_seed};
-use crate::find::unknown::root;
+use crate::roots::seed::{Apart, Seed, root_by_seed};
+use crate::roots::unknown::root;
 
 const STROKE: [f64; 2] = [0.0, core::f64::consts::PI];
 
