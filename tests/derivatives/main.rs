@@ -2,5 +2,5 @@
 
 mod awkward;
 mod exact;
-mod tabulated;
+mod sensitivities;
 mod without_heap;
