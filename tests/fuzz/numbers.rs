@@ -2,6 +2,7 @@
 //! somebody might mean.
 
 use linkage_core::{Differentiable, Float};
+use linkage_tests::random::Random;
 
 /// `f32` or `f64`, and its bits.
 pub(crate) trait Number: Differentiable + Float + PartialOrd {
@@ -59,19 +60,16 @@ macro_rules! number {
 number!(f32, u32, 4.15e34);
 number!(f64, u64, 6.69e299);
 
-/// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): the same numbers in every run.
-pub(crate) struct Source(u64);
+/// Random numbers of every class.
+pub(crate) struct Source(Random);
 
 impl Source {
     pub(crate) fn new(seed: u64) -> Self {
-        Self(seed)
+        Self(Random::new(seed))
     }
 
     fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        self.0.bits()
     }
 
     pub(crate) fn below(&mut self, count: usize) -> usize {
@@ -79,7 +77,7 @@ impl Source {
     }
 
     pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (self.next() >> 11) as f64 / (1_u64 << 53) as f64 * (high - low)
+        self.0.anywhere(low, high)
     }
 
     fn signed(&mut self, size: f64) -> f64 {

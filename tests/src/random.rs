@@ -4,21 +4,22 @@
 /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
 pub struct Random {
     state: u64,
-    /// Of the numbers that `between` draws.
-    bits: u32,
+    /// How many bits the numbers have that `between` draws.
+    width: u32,
 }
 
 impl Random {
     pub fn new(seed: u64) -> Self {
-        Self { state: seed, bits: 24 }
+        Self { state: seed, width: 24 }
     }
 
     /// Draws numbers of so few bits that sums of them are exact.
     pub fn coarse(seed: u64) -> Self {
-        Self { state: seed, bits: 4 }
+        Self { state: seed, width: 4 }
     }
 
-    fn next(&mut self) -> u64 {
+    /// Draws 64 bits.
+    pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.state ^ (self.state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -27,12 +28,17 @@ impl Random {
 
     /// Uniform in [low, high), and a number that `f32` holds exactly.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        let unit = (self.next() >> (64 - self.bits)) as f64 / (1_u64 << self.bits) as f64;
+        let unit = (self.bits() >> (64 - self.width)) as f64 / (1_u64 << self.width) as f64;
         f64::from((low + unit * (high - low)) as f32)
+    }
+
+    /// Uniform in [0, 1), to 53 bits.
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// Uniform in [low, high), to the last place of an `f64`.
     pub fn anywhere(&mut self, low: f64, high: f64) -> f64 {
-        low + (self.next() >> 11) as f64 / (1_u64 << 53) as f64 * (high - low)
+        low + self.unit() * (high - low)
     }
 }
