@@ -28,12 +28,8 @@ where
         seeds: &mut [Seed<T>],
         put: impl FnOnce(&[T]),
     ) -> Result<(), SolveError> {
-        let mut put = Some(put);
-        if S::SEARCHES && follow::<S, IN, 0>(self, &given, seeds, &mut put) {
-            return Ok(());
-        }
         let single = |put| Entry::<OfPosition, T, IN, OUT>::solve_one(self, given, put);
-        put.map_or(Ok(()), single)
+        follow::<S, IN, 0, _>(self, &given, seeds, put, single)
     }
 }
 
@@ -59,12 +55,8 @@ where
         seeds: &mut [Seed<T>],
         put: impl FnOnce(&[T]),
     ) -> Result<(), SolveError> {
-        let mut put = Some(put);
-        if S::SEARCHES && follow::<S, IN, 1>(self, &given, seeds, &mut put) {
-            return Ok(());
-        }
         let single = |put| Entry::<OfVelocity, T, IN, OUT>::solve_one(self, given, put);
-        put.map_or(Ok(()), single)
+        follow::<S, IN, 1, _>(self, &given, seeds, put, single)
     }
 }
 
@@ -90,24 +82,26 @@ where
         seeds: &mut [Seed<T>],
         put: impl FnOnce(&[T]),
     ) -> Result<(), SolveError> {
-        let mut put = Some(put);
-        if S::SEARCHES && follow::<S, IN, 2>(self, &given, seeds, &mut put) {
-            return Ok(());
-        }
         let single = |put| Entry::<OfMotion, T, IN, OUT>::solve_one(self, given, put);
-        put.map_or(Ok(()), single)
+        follow::<S, IN, 2, _>(self, &given, seeds, put, single)
     }
 }
 
-/// The solver's own, whether it has put the numbers.
-fn follow<S: Solver, const IN: usize, const ORDER: usize>(
+/// Solves a pose by the seeds of its searches, or else as `single` does.
+#[inline]
+fn follow<S: Solver, const IN: usize, const ORDER: usize, P: FnOnce(&[S::Scalar])>(
     solver: &S,
     given: &[S::Scalar; IN],
     seeds: &mut [Seed<S::Scalar>],
-    put: &mut Option<impl FnOnce(&[S::Scalar])>,
-) -> bool {
+    put: P,
+    single: impl FnOnce(P) -> Result<(), SolveError>,
+) -> Result<(), SolveError> {
+    let mut put = Some(put);
     let once = |found: &[S::Scalar]| put.take().into_iter().for_each(|put| put(found));
-    solver.follow::<ORDER>(seeds, |at| number(given, at), once)
+    if S::SEARCHES && solver.follow::<ORDER>(seeds, |at| number(given, at), once) {
+        return Ok(());
+    }
+    put.map_or(Ok(()), single)
 }
 
 /// Values, rates or second rates of the inputs, of as many `ORDERS` as are given.
