@@ -1,5 +1,51 @@
 //! Zeros of functions that are made to be missed.
 
+/// A solver whose output is its input; where it has a pose and how clear of its limits, a test says.
+macro_rules! output_is_input {
+    ($number:ident) => {
+        type Scalar = $number;
+        type Input = $number;
+        type Position = $number;
+        type Velocity = $number;
+        type Motion = $number;
+        type Rows = [$number; 1];
+        type Coefficients = [[$number; 1]; 1];
+
+        fn input(mut number: impl FnMut(usize) -> $number) -> $number {
+            number(0)
+        }
+
+        fn velocity(&self, q: $number, _: $number) -> Result<$number, SolveError> {
+            self.position(q)
+        }
+
+        fn motion(&self, q: $number, _: $number, _: $number) -> Result<$number, SolveError> {
+            self.position(q)
+        }
+
+        fn coefficients(&self, q: $number) -> Result<[[$number; 1]; 1], SolveError> {
+            self.position(q).map(|q| [[q]])
+        }
+
+        fn position_rows(q: $number) -> [$number; 1] {
+            [q]
+        }
+
+        fn motion_rows(q: $number) -> [[$number; 1]; 3] {
+            [[q]; 3]
+        }
+
+        fn solve<const ORDER: usize, U: Scalar>(
+            &self,
+            given: impl Fn(usize) -> U,
+            put: impl FnOnce(&[U]),
+        ) -> U::Mask {
+            put(&[given(0)]);
+            <U::Mask as crate::Mask>::ALL
+        }
+    };
+}
+
 mod repeated;
 mod turns;
 
@@ -11,7 +57,7 @@ use super::walk::{Event, Walk};
 use super::{extrema, limits};
 use crate::clearance::Clearance;
 use crate::solver::{Solver, Titles};
-use crate::{Mask, Real, Scalar, SolveError};
+use crate::{Real, Scalar, SolveError};
 
 fn events(f: impl FnMut(f64) -> [f64; 2], ends: [f64; 2]) -> Vec<Event<f64>> {
     let mut list = Vec::new();
@@ -228,13 +274,7 @@ struct Chained<'a> {
 }
 
 impl Solver for Chained<'_> {
-    type Scalar = f64;
-    type Input = f64;
-    type Position = f64;
-    type Velocity = f64;
-    type Motion = f64;
-    type Rows = [f64; 1];
-    type Coefficients = [[f64; 1]; 1];
+    output_is_input!(f64);
     type Groups<X: Copy> = [X; 2];
 
     const TITLES: Titles = Titles {
@@ -244,45 +284,12 @@ impl Solver for Chained<'_> {
         groups: &[("first", None), ("second", None)],
     };
 
-    fn input(mut number: impl FnMut(usize) -> f64) -> f64 {
-        number(0)
-    }
-
     fn position(&self, q: f64) -> Result<f64, SolveError> {
         let [first, second] = self.clearances(q, 0.0).map(|clearance| clearance.value);
         let group = if first < -4e-16 { "first" } else { "second" };
         // Rounding, as in a group's own rule; what is no number stands behind the first's limit.
         let is_met = group == "second" && (second.is_nan() || second >= -1e-15);
         if is_met { Ok(q) } else { Err(SolveError::OutOfReach { group, by: 1.0 }) }
-    }
-
-    fn velocity(&self, q: f64, _: f64) -> Result<f64, SolveError> {
-        self.position(q)
-    }
-
-    fn motion(&self, q: f64, _: f64, _: f64) -> Result<f64, SolveError> {
-        self.position(q)
-    }
-
-    fn coefficients(&self, q: f64) -> Result<[[f64; 1]; 1], SolveError> {
-        self.position(q).map(|q| [[q]])
-    }
-
-    fn position_rows(q: f64) -> [f64; 1] {
-        [q]
-    }
-
-    fn motion_rows(q: f64) -> [[f64; 1]; 3] {
-        [[q]; 3]
-    }
-
-    fn solve<const ORDER: usize, U: Scalar>(
-        &self,
-        given: impl Fn(usize) -> U,
-        put: impl FnOnce(&[U]),
-    ) -> U::Mask {
-        put(&[given(0)]);
-        U::Mask::ALL
     }
 
     /// Its clearances are its own.

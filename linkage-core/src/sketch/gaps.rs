@@ -18,13 +18,13 @@ use crate::shown::Measured;
 pub(super) struct Gap {
     /// In which poses.
     pub fails: Vec<bool>,
-    reaches: Vec<Reach>,
+    reaches: Vec<SweptReach>,
     /// What is missing, from one reach to the other, on the page.
     missing: Vec<Option<[Spot; 2]>>,
 }
 
 /// How far a link reaches.
-struct Reach {
+struct SweptReach {
     link: usize,
     /// The middle of a circle, or a place of a line; its radius, none for a line.
     seats: Vec<Option<Seat>>,
@@ -49,7 +49,7 @@ fn fails(scene: &Scene, frame: usize, statement: usize) -> bool {
 }
 
 fn gap(scene: &Scene, view: View, statement: usize, made: Made, fails: Vec<bool>) -> Gap {
-    let circle = |link: usize, point: usize, nth: usize| Reach {
+    let circle = |link: usize, point: usize, nth: usize| SweptReach {
         link,
         seats: scene
             .frames()
@@ -65,7 +65,7 @@ fn gap(scene: &Scene, view: View, statement: usize, made: Made, fails: Vec<bool>
                 .collect(),
         ),
     };
-    let reaches: Vec<Reach> = match made {
+    let reaches: Vec<SweptReach> = match made {
         Made::Rrr(links, outer, ..) => {
             (0..2).map(|nth| circle(links[nth], outer[nth], nth)).collect()
         }
@@ -77,7 +77,7 @@ fn gap(scene: &Scene, view: View, statement: usize, made: Made, fails: Vec<bool>
                 Some(view.seat(pose.moved_to(pose.place([foot, offset]))))
             };
             let seats = scene.frames().map(line).collect();
-            [circle(bar, outer, 0), Reach { link: block, seats, radii: None }].into()
+            [circle(bar, outer, 0), SweptReach { link: block, seats, radii: None }].into()
         }
         Made::Rpr([block, bar], [sleeve, pivot]) => {
             let mut own = circle(block, sleeve, 0);
@@ -94,7 +94,7 @@ fn gap(scene: &Scene, view: View, statement: usize, made: Made, fails: Vec<bool>
 }
 
 /// The shortest way from what the first link reaches to what the second one does.
-fn between(reaches: &[Reach], frame: usize) -> Option<[Spot; 2]> {
+fn between(reaches: &[SweptReach], frame: usize) -> Option<[Spot; 2]> {
     let [first, second] = reaches else { return None };
     let (a, b) = (first.seats[frame]?, second.seats[frame]?);
     let r = first.radii.as_ref()?[frame]?;

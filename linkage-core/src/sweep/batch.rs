@@ -2,7 +2,7 @@
 
 use super::block::{APART, BLOCK, Circles, Column, put};
 use super::poses::Poses;
-use super::verdict::{Asked, Reach, Usable};
+use super::verdict::{Asked, OutOfReach, Usable};
 use super::{Entry, SEEDS, Series, Status};
 use crate::roots::seed::Seed;
 use crate::{Float, Fusion, Scalar};
@@ -101,7 +101,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
     {
         let mut refused = [false; BLOCK];
         for pose in 0..APART {
-            let numbers = numbers::<T, F, Reach, IN>(inputs, circles, pose);
+            let numbers = numbers::<T, F, OutOfReach, IN>(inputs, circles, pose);
             let verdict = self.entry.solve(numbers, |_| ());
             for (nth, is_out) in verdict.out_of_reach().into_iter().enumerate() {
                 refused.get_mut(pose + nth * APART).into_iter().for_each(|to| *to = is_out);

@@ -16,7 +16,7 @@ use crate::{LaneMask, Mask};
 /// more registers than most machines have.
 pub(super) const TOGETHER: usize = 2;
 
-type Lanes = LaneMask<TOGETHER>;
+type PoseMask = LaneMask<TOGETHER>;
 
 /// What comparisons are to tell.
 pub(super) trait Asked: Copy + Debug + 'static {
@@ -24,13 +24,13 @@ pub(super) trait Asked: Copy + Debug + 'static {
     type Mask: Mask;
 
     /// That of a comparison.
-    fn compared(met: Lanes) -> Self::Mask;
+    fn compared(met: PoseMask) -> Self::Mask;
 
     /// That of a result's being finite, which it is not where a group is out of reach.
-    fn finite(met: Lanes) -> Self::Mask;
+    fn finite(met: PoseMask) -> Self::Mask;
 
     /// The poses that may be used.
-    fn usable(mask: Self::Mask) -> Lanes;
+    fn usable(mask: Self::Mask) -> PoseMask;
 }
 
 /// Which poses may be used.
@@ -38,39 +38,39 @@ pub(super) trait Asked: Copy + Debug + 'static {
 pub(super) enum Usable {}
 
 impl Asked for Usable {
-    type Mask = Lanes;
+    type Mask = PoseMask;
 
     #[inline(always)]
-    fn compared(met: Lanes) -> Lanes {
+    fn compared(met: PoseMask) -> PoseMask {
         met
     }
     #[inline(always)]
-    fn finite(met: Lanes) -> Lanes {
+    fn finite(met: PoseMask) -> PoseMask {
         met
     }
     #[inline(always)]
-    fn usable(mask: Lanes) -> Lanes {
+    fn usable(mask: PoseMask) -> PoseMask {
         mask
     }
 }
 
 /// Which poses are out of reach as well.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Reach {}
+pub(super) enum OutOfReach {}
 
-impl Asked for Reach {
+impl Asked for OutOfReach {
     type Mask = Verdict;
 
     #[inline(always)]
-    fn compared(met: Lanes) -> Verdict {
+    fn compared(met: PoseMask) -> Verdict {
         Verdict { met, sound: met, ..Verdict::ALL }
     }
     #[inline(always)]
-    fn finite(met: Lanes) -> Verdict {
+    fn finite(met: PoseMask) -> Verdict {
         Verdict { met, ..Verdict::ALL }
     }
     #[inline(always)]
-    fn usable(mask: Verdict) -> Lanes {
+    fn usable(mask: Verdict) -> PoseMask {
         mask.met
     }
 }
@@ -79,13 +79,13 @@ impl Asked for Reach {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Verdict {
     /// All of them are met.
-    met: Lanes,
+    met: PoseMask,
     /// Those before the last one are met.
-    earlier: Lanes,
+    earlier: PoseMask,
     /// No first failure is a group out of reach.
-    reached: Lanes,
+    reached: PoseMask,
     /// What is asked beside the formulas is met, as that an angle is small enough for its sine to be right.
-    sound: Lanes,
+    sound: PoseMask,
 }
 
 impl Verdict {
@@ -116,8 +116,12 @@ impl BitAnd for Verdict {
 }
 
 impl Mask for Verdict {
-    const ALL: Self =
-        Self { met: Lanes::ALL, earlier: Lanes::ALL, reached: Lanes::ALL, sound: Lanes::ALL };
+    const ALL: Self = Self {
+        met: PoseMask::ALL,
+        earlier: PoseMask::ALL,
+        reached: PoseMask::ALL,
+        sound: PoseMask::ALL,
+    };
 
     #[inline(always)]
     fn all(self) -> bool {
@@ -141,6 +145,6 @@ impl Mask for Verdict {
         for (reached, refused) in reached.iter_mut().zip(refused) {
             *reached &= !refused;
         }
-        Self { reached: Lanes::new(reached), earlier: self.met, ..self }
+        Self { reached: PoseMask::new(reached), earlier: self.met, ..self }
     }
 }

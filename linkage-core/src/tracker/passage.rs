@@ -40,7 +40,7 @@ struct Change {
 }
 
 /// How a group fares on a part of the way.
-enum Course {
+enum Advance {
     /// Clear of its limit at the end.
     Clear,
     /// At its limit in the end; up to this place it is clear.
@@ -137,9 +137,9 @@ impl<M: Solver> Passage<M> {
         for group in 0..M::TITLES.groups.len() {
             // What groups behind this one do is to be asked only before its limit.
             match self.course(solver, group, [here, to], budget)? {
-                Course::Clear => {}
-                Course::Fading(at) => to = at,
-                Course::Changing(change) => {
+                Advance::Clear => {}
+                Advance::Fading(at) => to = at,
+                Advance::Changing(change) => {
                     to = here.max(change.at - change.aside);
                     first = Some(change);
                 }
@@ -155,7 +155,7 @@ impl<M: Solver> Passage<M> {
         group: usize,
         [mut here, to]: [f64; 2],
         budget: &mut usize,
-    ) -> Result<Course, SolveError> {
+    ) -> Result<Advance, SolveError> {
         let read = |part| self.line.reading(solver, part, group);
         let unknown = || SolveError::Singular { group: title::<M>(group) };
         let thresholds = Thresholds::of::<M::Scalar>();
@@ -176,7 +176,7 @@ impl<M: Solver> Passage<M> {
             };
             match judged {
                 Finding::Quiet if end == to && b.is_below(thresholds.clear) => {
-                    return Ok(Course::Fading(self.last_clear(solver, group, [here, end])));
+                    return Ok(Advance::Fading(self.last_clear(solver, group, [here, end])));
                 }
                 Finding::Quiet => {
                     (length, here, a) = (2.0 * (end - here), end, b);
@@ -185,11 +185,11 @@ impl<M: Solver> Passage<M> {
                 Finding::Lost => return Err(unknown()),
                 Finding::Ended(at) => return Err(self.dead_end(solver, at, group)),
                 Finding::Touching(lowest) => {
-                    return Ok(Course::Changing(change(group, lowest, thresholds)));
+                    return Ok(Advance::Changing(change(group, lowest, thresholds)));
                 }
             }
         }
-        Ok(Course::Clear)
+        Ok(Advance::Clear)
     }
 
     /// The last place where a group that comes to its limit is clear, or close to it: where its

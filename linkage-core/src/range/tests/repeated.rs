@@ -38,21 +38,11 @@ fn clearance<U: Scalar>([crank, base, rocker, coupler]: [U; 4], angle: U) -> [U;
 }
 
 impl<T: Real> Solver for FourBar<'static, T> {
-    type Scalar = T;
-    type Input = T;
-    type Position = T;
-    type Velocity = T;
-    type Motion = T;
-    type Rows = [T; 1];
-    type Coefficients = [[T; 1]; 1];
+    output_is_input!(T);
     type Groups<X: Copy> = [X; 1];
 
     const TITLES: Titles =
         Titles { name: "FourBar", inputs: &["q"], outputs: &["q"], groups: &[("dyad", None)] };
-
-    fn input(mut number: impl FnMut(usize) -> T) -> T {
-        number(0)
-    }
 
     fn position(&self, q: T) -> Result<T, SolveError> {
         let [value, size] = clearance(self.lengths, q).map(Real::value);
@@ -61,35 +51,6 @@ impl<T: Real> Solver for FourBar<'static, T> {
         let group = if is_met { "dimension" } else { "dyad" };
         let is_answered = is_a_dimension && is_met;
         if is_answered { Ok(q) } else { Err(SolveError::OutOfReach { group, by: 1.0 }) }
-    }
-
-    fn velocity(&self, q: T, _: T) -> Result<T, SolveError> {
-        self.position(q)
-    }
-
-    fn motion(&self, q: T, _: T, _: T) -> Result<T, SolveError> {
-        self.position(q)
-    }
-
-    fn coefficients(&self, q: T) -> Result<[[T; 1]; 1], SolveError> {
-        self.position(q).map(|q| [[q]])
-    }
-
-    fn position_rows(q: T) -> [T; 1] {
-        [q]
-    }
-
-    fn motion_rows(q: T) -> [[T; 1]; 3] {
-        [[q]; 3]
-    }
-
-    fn solve<const ORDER: usize, U: Scalar>(
-        &self,
-        given: impl Fn(usize) -> U,
-        put: impl FnOnce(&[U]),
-    ) -> U::Mask {
-        put(&[given(0)]);
-        <U::Mask as crate::Mask>::ALL
     }
 
     fn told<U: Real, X: Copy>(
