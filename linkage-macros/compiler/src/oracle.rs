@@ -86,9 +86,7 @@ pub(crate) fn defaults(mechanism: &Mechanism) -> Vec<Digits> {
         .iter()
         .map(|param| match &param.kind {
             ParamKind::Number { default, .. } => Digits::exact(default),
-            ParamKind::Side { default }
-            | ParamKind::Sense { default }
-            | ParamKind::Trend { default } => Digits::exact(&sign(*default)),
+            ParamKind::Mode { default, .. } => Digits::exact(&sign(*default)),
         })
         .collect()
 }

@@ -88,9 +88,8 @@ fn is_number(param: &Param) -> bool {
 fn mode(cx: &Context<'_>, param: &Param) -> TokenStream {
     let (field, name) = (used(&param.name), string(&text(&param.name), param.name.span()));
     let convert = match param.kind {
-        ParamKind::Sense { .. } => cx.paths.item("c_sense"),
-        ParamKind::Trend { .. } => cx.paths.item("c_trend"),
-        _ => cx.paths.item("c_side"),
+        ParamKind::Mode { of, .. } => Some(cx.paths.item(of.row().from_c)),
+        ParamKind::Number { .. } => None,
     };
     quote!(#convert(self.#field, #name)?)
 }
@@ -106,9 +105,7 @@ fn default(cx: &Context<'_>, width: Width) -> TokenStream {
                 literal(default.to_f64())
             }
             ParamKind::Number { default, .. } => literal(default.to_f32()),
-            ParamKind::Side { default }
-            | ParamKind::Sense { default }
-            | ParamKind::Trend { default } => match default {
+            ParamKind::Mode { default, .. } => match default {
                 Sign::Plus => quote!(1).into(),
                 Sign::Minus => quote!(-1).into(),
             },

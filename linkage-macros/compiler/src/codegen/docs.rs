@@ -15,6 +15,7 @@ use crate::interface::records::{Field, Kind, Record, Shape, Subject};
 use crate::interface::units_in_words::{per_time, unit};
 use crate::interface::{EntryId, labels};
 use crate::model::mechanism::{Input, Output, OutputKind, Param, ParamKind, Sign};
+use crate::syntax::anatomy::{ModeRow, Modes};
 
 /// The words of the user's comments, to be put behind our own.
 fn quoted(own: &[Attribute]) -> String {
@@ -96,17 +97,15 @@ pub(super) fn param(cx: &Context<'_>, param: &Param) -> TokenStream {
                 default.to_f64()
             )
         }
-        ParamKind::Side { default } => mode(param, *default, "Side", ["left", "right"]),
-        ParamKind::Sense { default } => mode(param, *default, "Sense", ["ahead", "behind"]),
-        ParamKind::Trend { default } => mode(param, *default, "Trend", ["rising", "falling"]),
+        ParamKind::Mode { of, default } => mode(param, *default, *of),
     };
     after(&param.docs, &line)
 }
 
-fn mode(param: &Param, default: Sign, ty: &str, words: [&str; 2]) -> String {
+fn mode(param: &Param, default: Sign, of: Modes) -> String {
+    let ModeRow { words, type_name, .. } = of.row();
     let word = words[usize::from(default == Sign::Minus)];
-    let [plus, minus] =
-        words.map(|word| format!("`{ty}::{}{}`", word[..1].to_uppercase(), &word[1..]));
+    let [plus, minus] = words.map(|word| format!("`{type_name}::{}`", Modes::variant(word)));
     format!("Assembly mode `{}`, {plus} or {minus}; as declared {word}.", text(&param.name))
 }
 

@@ -16,6 +16,7 @@ use crate::lower::TRIAL;
 use crate::lower::apart::Apart;
 use crate::lower::routine::Search;
 use crate::model::mechanism::{Expr, Mechanism, Mode, Sign, Unknown};
+use crate::syntax::anatomy::Modes;
 
 /// One function a root: nothing but this is done again and again.
 pub(super) fn functions(cx: &Context<'_>) -> TokenStream {
@@ -142,11 +143,12 @@ fn of_unknown(cx: &Context<'_>, index: usize, unknown: &Unknown) -> Option<Strin
 
 /// `rising`, `falling` or the parameter that says which.
 pub(super) fn mode(mechanism: &Mechanism, unknown: &Unknown) -> String {
+    let [plus, minus] = Modes::Trend.words();
     match unknown.mode {
-        Mode::Fixed(Sign::Plus) => "rising".to_string(),
-        Mode::Fixed(Sign::Minus) => "falling".to_string(),
+        Mode::Fixed(Sign::Plus) => plus.to_string(),
+        Mode::Fixed(Sign::Minus) => minus.to_string(),
         Mode::Param(param) => {
-            format!("rising or falling by `{}`", text(&mechanism.params[param.index()].name))
+            format!("{plus} or {minus} by `{}`", text(&mechanism.params[param.index()].name))
         }
     }
 }

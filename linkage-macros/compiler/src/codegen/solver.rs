@@ -1,7 +1,7 @@
 //! The struct that stands for the mechanism: its parameters, defaults and constants.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{ToTokens, quote};
+use quote::{ToTokens, format_ident, quote};
 
 use super::context::{Context, literal};
 use super::identifiers::{generated, text};
@@ -9,6 +9,7 @@ use super::token_list::Tokens;
 use super::{costs_in_words, docs, identifiers, module, structs};
 use crate::interface::{forces, labels};
 use crate::model::mechanism::{Output, Param, ParamKind, Sign};
+use crate::syntax::anatomy::Modes;
 
 /// What can be done without solving anything.
 pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
@@ -42,9 +43,7 @@ pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
 fn mode_type(param: &Param) -> Option<&'static str> {
     match param.kind {
         ParamKind::Number { .. } => None,
-        ParamKind::Side { .. } => Some("Side"),
-        ParamKind::Sense { .. } => Some("Sense"),
-        ParamKind::Trend { .. } => Some("Trend"),
+        ParamKind::Mode { of, .. } => Some(of.row().type_name),
     }
 }
 
@@ -101,15 +100,10 @@ fn defaults(
 }
 
 fn default_variant(param: &Param) -> TokenStream {
-    match param.kind {
-        ParamKind::Side { default: Sign::Plus } => quote!(Left),
-        ParamKind::Side { default: Sign::Minus } => quote!(Right),
-        ParamKind::Sense { default: Sign::Plus } => quote!(Ahead),
-        ParamKind::Sense { default: Sign::Minus } => quote!(Behind),
-        ParamKind::Trend { default: Sign::Plus } => quote!(Rising),
-        ParamKind::Trend { default: Sign::Minus } => quote!(Falling),
-        ParamKind::Number { .. } => TokenStream::new(),
-    }
+    let ParamKind::Mode { of, default } = param.kind else { return TokenStream::new() };
+    let [plus, minus] = of.words();
+    let word = if default == Sign::Plus { plus } else { minus };
+    format_ident!("{}", Modes::variant(word)).into_token_stream()
 }
 
 /// What needs no type parameter to be written.

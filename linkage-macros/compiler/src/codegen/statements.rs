@@ -290,9 +290,8 @@ impl<'a> Printer<'a> {
     fn mode(&self, param: u32, to: &mut Text) {
         let param = &self.cx.mechanism.params[param as usize];
         let ty = self.cx.paths.written(match param.kind {
-            ParamKind::Sense { .. } => "Sense",
-            ParamKind::Trend { .. } => "Trend",
-            ParamKind::Side { .. } | ParamKind::Number { .. } => "Side",
+            ParamKind::Mode { of, .. } => of.row().type_name,
+            ParamKind::Number { .. } => unreachable!("the sign of a number is not asked for"),
         });
         // Spaces: two signs without one between are read as one operator's.
         let scalar = self.cx.names.scalar.to_string();

@@ -23,7 +23,7 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
 pub(super) fn param(param: &Param) -> TokenStream {
     let what = match param.kind {
         ParamKind::Number { .. } => "Parameter",
-        ParamKind::Side { .. } | ParamKind::Sense { .. } | ParamKind::Trend { .. } => "Mode",
+        ParamKind::Mode { .. } => "Mode",
     };
     after(&param.docs, &format!("{what} `{}`.", text(&param.name)))
 }

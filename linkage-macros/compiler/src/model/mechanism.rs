@@ -19,6 +19,7 @@ pub(crate) use crate::model::incidence::{
     Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, Mode, Sign, Slideway,
 };
 pub(crate) use crate::model::step::{GuideDirection, Placement, Step, Through};
+use crate::syntax::anatomy::Modes;
 
 pub(crate) struct Mechanism {
     pub docs: Vec<Attribute>,
@@ -191,22 +192,8 @@ pub(crate) struct Param {
 }
 
 pub(crate) enum ParamKind {
-    Number {
-        dimension: Dimension,
-        default: Exact,
-    },
-    /// `left` (+1) or `right` (−1): the type is `Side`.
-    Side {
-        default: Sign,
-    },
-    /// `ahead` (+1) or `behind` (−1): the type is `Sense`.
-    Sense {
-        default: Sign,
-    },
-    /// `rising` (+1) or `falling` (−1): the type is `find::Trend`.
-    Trend {
-        default: Sign,
-    },
+    Number { dimension: Dimension, default: Exact },
+    Mode { of: Modes, default: Sign },
 }
 
 pub(crate) struct Link {

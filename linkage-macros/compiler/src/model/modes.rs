@@ -21,42 +21,25 @@ impl Modes {
             _ => None,
         }
     }
-
-    fn other(self) -> Self {
-        match self {
-            Self::Side => Self::Sense,
-            Self::Sense => Self::Side,
-        }
-    }
 }
 
 /// The kind of mode parameter that the word is a value of, and its sign.
 pub(super) fn mode_word(word: &Ident) -> Option<ParamKind> {
     let word = word.to_string();
-    if let Some(default) = Modes::Side.sign(&word) {
-        return Some(ParamKind::Side { default });
-    }
-    if let Some(default) = trend_word(&word) {
-        return Some(ParamKind::Trend { default });
-    }
-    Modes::Sense.sign(&word).map(|default| ParamKind::Sense { default })
+    let mode = |of: Modes| Some(ParamKind::Mode { of, default: of.sign(&word)? });
+    Modes::ALL.into_iter().find_map(mode)
 }
 
 /// How an equation goes at its root: the sign of its slope.
 pub(super) fn trend_word(word: &str) -> Option<Sign> {
-    match word {
-        "rising" => Some(Sign::Plus),
-        "falling" => Some(Sign::Minus),
-        _ => None,
-    }
+    Modes::Trend.sign(word)
 }
 
 /// Both words of a mode parameter.
 pub(super) fn words_of(kind: &ParamKind) -> [&'static str; 2] {
     match kind {
-        ParamKind::Sense { .. } => Modes::Sense.words(),
-        ParamKind::Trend { .. } => ["rising", "falling"],
-        ParamKind::Side { .. } | ParamKind::Number { .. } => Modes::Side.words(),
+        ParamKind::Mode { of, .. } => of.words(),
+        ParamKind::Number { .. } => Modes::Side.words(),
     }
 }
 
@@ -87,7 +70,8 @@ impl Resolver<'_> {
         if let Some(sign) = modes.sign(&word.to_string()) {
             return Some(Mode::Fixed(sign));
         }
-        if modes.other().sign(&word.to_string()).is_some() {
+        let is_another = |other: &Modes| *other != modes && other.sign(&word.to_string()).is_some();
+        if [Modes::Side, Modes::Sense].iter().any(is_another) {
             let message = format!("`{word}` is no mode of `{}`", group.keyword);
             let reason = self.modes_explained(modes, group);
             self.diagnostics.error_because(word.span(), message, reason);
@@ -108,9 +92,7 @@ impl Resolver<'_> {
             return None;
         };
         match (&self.mechanism.params[id.index()].kind, modes) {
-            (ParamKind::Side { .. }, Modes::Side) | (ParamKind::Sense { .. }, Modes::Sense) => {
-                Some(Mode::Param(id))
-            }
+            (ParamKind::Mode { of, .. }, _) if *of == modes => Some(Mode::Param(id)),
             (ParamKind::Number { .. }, _) => {
                 let message = format!("`{word}` is a number, not a mode");
                 let [plus, _] = modes.words();
@@ -171,6 +153,7 @@ impl Resolver<'_> {
                 joint(0),
                 joint(1)
             ),
+            Modes::Trend => "`rising` or `falling`: how the equation passes its root".to_string(),
         }
     }
 

@@ -12,6 +12,7 @@ use super::modes::{trend_word, words_of};
 use super::names::{Entity, Kind};
 use super::numbers::bare_name;
 use super::searched::Searched;
+use crate::syntax::anatomy::Modes;
 
 /// What both modes mean.
 const MODES: &str = "`rising` or `falling`: how left minus right goes at the root while the unknown \
@@ -162,7 +163,7 @@ impl Resolver<'_> {
         if self.unread.may_hold(&text) {
             return None;
         }
-        let known = ["rising", "falling"].into_iter().chain(self.names.of_kinds(&[Kind::Param]));
+        let known = Modes::Trend.words().into_iter().chain(self.names.of_kinds(&[Kind::Param]));
         let near = nearest(&text, known);
         let message = match near {
             Some(near) => {
@@ -178,7 +179,7 @@ impl Resolver<'_> {
     fn trend_param(&mut self, word: &Ident) -> Option<Mode> {
         let Entity::Param(id) = self.usable(word, &[Kind::Param])? else { return None };
         match &self.mechanism.params[id.index()].kind {
-            ParamKind::Trend { .. } => return Some(Mode::Param(id)),
+            ParamKind::Mode { of: Modes::Trend, .. } => return Some(Mode::Param(id)),
             ParamKind::Number { .. } => {
                 let message = format!("`{word}` is a number, not a mode");
                 let reason = format!("write `param {word}: mode = rising;`");

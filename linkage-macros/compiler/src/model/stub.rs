@@ -12,7 +12,7 @@ use quote::format_ident;
 
 use crate::exact::Exact;
 use crate::syntax::action::{ACTING, Action};
-use crate::syntax::anatomy::{Anatomy, Pin};
+use crate::syntax::anatomy::{Anatomy, Modes, Pin};
 use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, Statement, StatementKind};
 
 use super::Resolver;
@@ -137,7 +137,7 @@ impl Resolver<'_> {
                 let is_mode = kind.as_ref().is_some_and(|kind| kind == "mode");
                 let kind = match bare_name(default).and_then(mode_word) {
                     Some(mode) => mode,
-                    None if is_mode => ParamKind::Side { default: Sign::Plus },
+                    None if is_mode => ParamKind::Mode { of: Modes::ALL[0], default: Sign::Plus },
                     None => ParamKind::Number { dimension: NUMBER, default: Exact::integer(0) },
                 };
                 params.push(Param { name, docs, kind });

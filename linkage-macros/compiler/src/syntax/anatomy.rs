@@ -74,6 +74,20 @@ pub(crate) enum Modes {
     Side,
     /// `ahead` or `behind`.
     Sense,
+    /// `rising` or `falling`, of equations.
+    Trend,
+}
+
+/// What there is to know of a kind of mode.
+pub(crate) struct ModeRow {
+    /// The word for +1, and that for −1.
+    pub words: [&'static str; 2],
+    /// The type, whose variants are the words.
+    pub type_name: &'static str,
+    /// The function that makes one of the number that C gives.
+    pub from_c: &'static str,
+    /// The numbers that C gives.
+    pub in_c: &'static str,
 }
 
 pub(crate) const fn needed(name: &'static str, meaning: &'static str) -> FieldRule {
@@ -252,10 +266,37 @@ impl Anatomy {
 }
 
 impl Modes {
-    pub(crate) fn words(self) -> [&'static str; 2] {
+    pub(crate) const ALL: [Self; 3] = [Self::Side, Self::Sense, Self::Trend];
+
+    pub(crate) const fn row(self) -> ModeRow {
         match self {
-            Self::Side => ["left", "right"],
-            Self::Sense => ["ahead", "behind"],
+            Self::Side => ModeRow {
+                words: ["left", "right"],
+                type_name: "Side",
+                from_c: "c_side",
+                in_c: "LINKAGE_LEFT or LINKAGE_RIGHT",
+            },
+            Self::Sense => ModeRow {
+                words: ["ahead", "behind"],
+                type_name: "Sense",
+                from_c: "c_sense",
+                in_c: "LINKAGE_AHEAD or LINKAGE_BEHIND",
+            },
+            Self::Trend => ModeRow {
+                words: ["rising", "falling"],
+                type_name: "Trend",
+                from_c: "c_trend",
+                in_c: "1 where the equation rises, or -1",
+            },
         }
+    }
+
+    pub(crate) const fn words(self) -> [&'static str; 2] {
+        self.row().words
+    }
+
+    /// The variant of the type that a word names.
+    pub(crate) fn variant(word: &str) -> String {
+        format!("{}{}", word[..1].to_uppercase(), &word[1..])
     }
 }

@@ -1,5 +1,6 @@
 //! `unknown` and `solve`: a number that an equation fixes.
 
+use super::anatomy::Modes;
 use proc_macro2::{Delimiter, Ident};
 
 use super::tokens::{Parse, Parser};
@@ -80,7 +81,7 @@ impl Parser<'_> {
             return self.field_of_solve(&field, solve);
         }
         if let Some(word) = self.peek_ident(0).map(ToString::to_string)
-            && ["rising", "falling"].contains(&&word[..])
+            && Modes::Trend.words().contains(&&word[..])
             && (self.is_punct(1, ',') || self.peek(1).is_none())
         {
             return self.refuse(&format!("write `mode: {word}`"));

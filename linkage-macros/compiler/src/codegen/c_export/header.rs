@@ -121,9 +121,7 @@ fn parameters(cx: &Context<'_>, width: Width) -> Record {
                 let unit = unit(*dimension, Order::Position);
                 (width.in_c(), format!("In {unit}; as declared {}", default.to_f64()))
             }
-            ParamKind::Side { .. } => ("int32_t", "LINKAGE_LEFT or LINKAGE_RIGHT".to_string()),
-            ParamKind::Sense { .. } => ("int32_t", "LINKAGE_AHEAD or LINKAGE_BEHIND".to_string()),
-            ParamKind::Trend { .. } => ("int32_t", "1 where the equation rises, or -1".to_string()),
+            ParamKind::Mode { of, .. } => ("int32_t", of.row().in_c.to_string()),
         };
         (ty.to_string(), name, about, String::new())
     };

@@ -9,6 +9,7 @@ use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::program::{Answer, Program};
 use crate::model::mechanism::*;
+use crate::syntax::anatomy::Modes;
 
 pub(super) const LENGTH: Dimension = Dimension::LENGTH;
 pub(super) const ANGLE: Dimension = Dimension::ANGLE;
@@ -84,7 +85,7 @@ pub(super) fn four_bar() -> (Mechanism, Program) {
     let mut shear = mechanism("FourBar", vec![input("theta", ANGLE)], outputs);
     shear.docs = docs(" A crank-rocker.");
     shear.inputs[0].docs = docs(" The crank's angle.");
-    let side = ParamKind::Side { default: Sign::Plus };
+    let side = ParamKind::Mode { of: Modes::Side, default: Sign::Plus };
     let mode = Param { name: ident("elbow"), docs: Vec::new(), kind: side };
     shear.params = vec![number("crank", "0.08"), mode];
     let part_of = PartOf::Pin(GroupId(1));
@@ -259,7 +260,7 @@ pub(super) fn table() -> (Mechanism, Program) {
     ];
     let mut table = mechanism("Table", vec![input("s", LENGTH), input("X", LENGTH)], outputs);
     table.visibility = Visibility::Inherited;
-    let sense = ParamKind::Sense { default: Sign::Minus };
+    let sense = ParamKind::Mode { of: Modes::Sense, default: Sign::Minus };
     table.params = vec![Param { name: ident("way"), docs: Vec::new(), kind: sense }];
     table.links = vec![link("ram"), link("bed")];
     table.groups = vec![group("slider", "ram")];

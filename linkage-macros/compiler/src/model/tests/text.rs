@@ -13,9 +13,9 @@ pub(super) fn text(mechanism: &Mechanism) -> String {
             ParamKind::Number { dimension, default } => {
                 format!("{} {}", dimension.words(), default.to_f64())
             }
-            ParamKind::Side { default } => format!("side {}", sign(*default)),
-            ParamKind::Sense { default } => format!("sense {}", sign(*default)),
-            ParamKind::Trend { default } => format!("trend {}", sign(*default)),
+            ParamKind::Mode { of, default } => {
+                format!("{} {}", format!("{of:?}").to_lowercase(), sign(*default))
+            }
         };
         lines.push(format!("param {}: {default}", param.name));
     }
