@@ -15,7 +15,7 @@ pub(super) struct InputLimits {
 
 /// The angles for which sines are right without a look at more of π, in rad, in both widths: 2²⁰ and some
 /// 8192 turns.
-pub(crate) const NEAR: [f64; 2] = [1_048_576.0, 51_471.0];
+const NEAR: [f64; 2] = [1_048_576.0, 51_471.0];
 
 /// The test of an entry point with these witnesses; none where nothing can be other than finite.
 pub(super) fn finite(

@@ -25,7 +25,5 @@ mod searches;
 mod witnesses;
 
 pub(crate) use build::{APPLIED, PLACED, lower, lower_placing};
-#[cfg(test)]
-pub(crate) use limits::NEAR;
 pub(crate) use routine::label;
 pub(crate) use searches::TRIAL;

@@ -1,4 +1,4 @@
-//! Names and numbers that generated code and the run-time crate have to agree on. Neither crate may include
+//! Names and codes that generated code and the run-time crate have to agree on. Neither crate may include
 //! a file of the other's, as both are published: here one is read beside the other.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,7 +9,6 @@ use syn::{Item, UseTree};
 
 use crate::codegen::c_export::header::{NO_SOLUTION, SHARED};
 use crate::codegen::paths::IMPORTED;
-use crate::lower::NEAR;
 
 /// The items of a file of the run-time crate.
 fn items(file: &str) -> Vec<Item> {
@@ -52,12 +51,6 @@ fn what_is_imported_is_what_there_is() {
     }
     let expected = IMPORTED.map(str::to_string);
     assert_eq!(BTreeSet::from_iter(names), BTreeSet::from(expected));
-}
-
-#[test]
-fn angles_are_near_up_to_the_limits_of_the_kernels() {
-    let limit = |file: &str| constants(file)["LIMIT"].parse::<f64>().expect("it is a number");
-    assert_eq!(NEAR, ["kernels/sin_cos_f64.rs", "kernels/sin_cos_f32.rs"].map(limit));
 }
 
 #[test]
