@@ -108,6 +108,9 @@ mod tests {
         let other = Node::Input { input: 1, order: 2 };
         let apart = [within(RATE, [10.0, 100.0]), within(other, [10.0, 100.0])];
         assert_eq!(bounds(&[RATE, other], false), apart);
+        // Infinity is within no limit.
+        let beyond = [(RATE, [f64::INFINITY; 2])];
+        assert_eq!(super::within(&beyond), [within(RATE, [f64::MAX, f32::MAX.into()])]);
     }
 
     #[test]
