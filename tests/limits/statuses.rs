@@ -244,6 +244,28 @@ fn statuses_are_the_kinds_of_single_calls<T: Float>(poses: usize) {
     assert!(counts.iter().all(|&count| count > poses / 200), "{counts:?}");
 }
 
+/// A guide whose origin is farther than its direction is exact: a difference of products overflows where it is
+/// not fused. Single calls refuse that as no number, and so do sweeps behind a pose that is out of reach, whether
+/// or not they fuse.
+#[test]
+fn a_guide_at_the_end_of_the_range_is_refused_alike() {
+    use linkage_tests::mechanisms::driven_groups::{DrivenRrp, DrivenRrpPosition};
+    let solver = DrivenRrp::<f32>::default();
+    let poses = [[0.0, 2.0, 0.0, 0.0, 0.0], [0.0, -2.8e-13, -3.4e38, 68.3, 3.5e-39]];
+    let columns: [Vec<f32>; 5] =
+        std::array::from_fn(|input| (0..16).map(|at| poses[at % 2][input]).collect());
+    let (mut x, mut y, mut status) = ([0.0; 16], [0.0; 16], [Status::default(); 16]);
+    let out = DrivenRrpPosition { C: Point { x: &mut x[..], y: &mut y[..] }, ..unwanted() };
+    let given = columns.each_ref().map(|column| Series::from(&column[..]));
+    solver.sweep_position(given, out, &mut status, ()).unwrap();
+    let single = poses.map(|pose| Status::from(solver.position(pose).unwrap_err()));
+    assert_eq!(single, [Status::OutOfReach, Status::NotFinite]);
+    for (at, status) in status.iter().enumerate() {
+        assert_eq!(*status, single[at % 2]);
+        assert!(x[at].is_nan() && y[at].is_nan());
+    }
+}
+
 /// Compensated values have no spread, and beside them up to four last places beyond a limit count as the limit:
 /// behind a pose that is far beyond, which vectors tell, they are left to single calls.
 fn compensated_poses_at_their_limit_are_solved_in_sweeps<T: Float>() {

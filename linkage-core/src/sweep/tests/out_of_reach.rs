@@ -13,7 +13,7 @@ use crate::{Float, Scalar, SolveError};
 const GROUP: &str = "bars";
 
 /// A condition of the first input and one of the third, a hypotenuse, the reaches of two groups, of the second
-/// and the fourth, and a limit beside the formulas; which poses were solved one by one.
+/// and of twice the fourth, and a limit beside the formulas; which poses were solved one by one.
 struct Conditions {
     singly: RefCell<Vec<[f64; 5]>>,
     /// What single calls say.
@@ -34,8 +34,9 @@ impl<T: Float> Entry<OfPosition, T, 5, 1> for Conditions {
         all.above(reach, U::num(0.0));
         all.above_rounding(reach, one);
         let root = all.guard(reach, ReachCircles([one; 6], GROUP)).sqrt();
-        all.above_rounding(other, one);
-        let height = all.guard(other, ReachCircles([one; 6], GROUP)).sqrt();
+        let twice = other + other;
+        all.above_rounding(twice, one);
+        let height = all.guard(twice, ReachCircles([one; 6], GROUP)).sqrt();
         let sum = length + hypotenuse + root + one / divisor + height;
         put(&[sum]);
         all.all() & one.ge(beside) & sum.is_finite()
@@ -120,6 +121,11 @@ fn what_is_not_first_or_not_clear_is_solved_by_itself() {
     assert_eq!(status::<f64>([1.0, -1.1 * 2_f64.powi(-22), 1.0, 1.0, 0.0]), Status::OutOfReach);
     assert_eq!(status::<f32>([1.0, -0.9 * 2_f64.powi(-7), 1.0, 1.0, 0.0]), Status::Singular);
     assert_eq!(status::<f32>([1.0, -1.1 * 2_f64.powi(-7), 1.0, 1.0, 0.0]), Status::OutOfReach);
+    // A value that overflows, of inputs and operands that do not.
+    assert_eq!(status::<f64>([1.0, 1.0, 1.0, -1e308, 0.0]), Status::Singular);
+    assert_eq!(status::<f64>([1.0, 1.0, 1.0, -1e305, 0.0]), Status::OutOfReach);
+    assert_eq!(status::<f32>([1.0, 1.0, 1.0, -3e38, 0.0]), Status::Singular);
+    assert_eq!(status::<f32>([1.0, 1.0, 1.0, -3e35, 0.0]), Status::OutOfReach);
     // A limit beside the formulas, and numbers that are none.
     assert_eq!(in_both_widths([1.0, -1.0, 1.0, 1.0, 2.0]), Status::Singular);
     for place in 0..5 {
