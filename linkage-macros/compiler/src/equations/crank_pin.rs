@@ -53,6 +53,12 @@ impl<'s> CrankPin<'s> {
         sum - along.twice()
     }
 
+    /// Half of the rate and of the second rate of d²: ω G × a, and α G × a + ω² G·a.
+    pub(super) fn half_rates(self) -> [Sym<'s>; 2] {
+        let (omega, alpha) = (self.swing.omega, self.swing.alpha);
+        [omega * self.across, alpha * self.across + omega.squared() * self.along]
+    }
+
     /// a·d
     pub(super) fn along(self) -> Sym<'s> {
         self.along - self.squares[1]

@@ -42,6 +42,16 @@ impl<'s> Jet<'s> {
     pub(crate) fn twice(self) -> Self {
         self.times(self.value.sheet().integer(2))
     }
+
+    /// 1/d of a distance d, from half of the rate and of the second rate of d², e and f: −e/d³ and
+    /// (3 e²/d² − f)/d³, by one division.
+    pub(crate) fn inverse_distance(distance: Sym<'s>, [e, f]: [Sym<'s>; 2]) -> Self {
+        let value = distance.recip();
+        let square = value.squared();
+        let turn = e * square;
+        let three = distance.sheet().integer(3);
+        Self { value, rate: -(turn * value), accel: (three * turn.squared() - f * square) * value }
+    }
 }
 
 impl Add for Jet<'_> {

@@ -15,8 +15,10 @@ pub(crate) struct PointMotion<'s> {
     pub offset: Vector<'s>,
     pub velocity: Vector<'s>,
     pub acceleration: Vector<'s>,
-    /// Where the point is known to turn about a point of the ground.
+    /// Where the point is known to turn about a point of the ground, its base.
     pub swing: Option<Swing<'s>>,
+    /// A bound of the offset's length, where constants give one.
+    pub radius: Option<f64>,
 }
 
 /// What turns about a point of the ground: its velocity is ω r⊥, its acceleration α r⊥ − ω² r.
@@ -105,7 +107,14 @@ pub(crate) struct Frame<'s> {
 impl<'s> PointMotion<'s> {
     pub(crate) fn fixed(base: Vector<'s>) -> Self {
         let zero = base.x.sheet().zero_vector();
-        Self { base, offset: zero, velocity: zero, acceleration: zero, swing: None }
+        Self {
+            base,
+            offset: zero,
+            velocity: zero,
+            acceleration: zero,
+            swing: None,
+            radius: Some(0.0),
+        }
     }
 
     /// A point of a frame that counts as the ground.
@@ -125,6 +134,7 @@ impl<'s> PointMotion<'s> {
             velocity: Vector { x: x.rate, y: y.rate },
             acceleration: Vector { x: x.accel, y: y.accel },
             swing: None,
+            radius: None,
         }
     }
 
@@ -170,6 +180,13 @@ impl<'s> PointMotion<'s> {
                     .map(|u| Rates { velocity: velocity.dot(u), acceleration: acceleration.dot(u) })
             }
         }
+    }
+
+    /// A bound from below of the distance to the other point, where constants give one.
+    pub(crate) fn least_distance(self, other: Self) -> Option<f64> {
+        let between = other.base - self.base;
+        let apart = between.dot(between).constant_value()?.sqrt();
+        Some(apart - self.radius? - other.radius?)
     }
 
     /// Whether the point is a point of the ground.
@@ -221,10 +238,7 @@ impl<'s> Direction<'s> {
         let angle = self.turned.zip(other.turned).and_then(|(mine, its)| mine.angle_to(its));
         match angle {
             Some(angle) => (angle.sin(), angle.cos()),
-            None => {
-                let sine = self.u.x.sheet().det(self.u.x, other.u.y, self.u.y, other.u.x);
-                (sine, self.u.dot(other.u))
-            }
+            None => (self.u.cross(other.u), self.u.dot(other.u)),
         }
     }
 }
@@ -255,11 +269,39 @@ impl<'s> Frame<'s> {
     /// instructions where operations are not fused.
     pub(crate) fn transport(self, rho: Vector<'s>, sigma: Vector<'s>) -> (Vector<'s>, Vector<'s>) {
         let Direction { omega, alpha, .. } = self.direction;
+        if let Some(swing) = self.swing() {
+            return self.about_pivot(swing.arm + rho, sigma);
+        }
         let velocity = self.origin.velocity + omega * rho.normal();
         let acceleration = self.origin.acceleration
             + (alpha * rho.normal() - omega.squared() * rho)
             + omega.twice() * sigma.normal();
         (velocity, acceleration)
+    }
+
+    /// The same of a place of the frame where a point is.
+    pub(crate) fn transport_at(
+        self,
+        point: PointMotion<'s>,
+        sigma: Vector<'s>,
+    ) -> (Vector<'s>, Vector<'s>) {
+        match self.swing() {
+            Some(_) => self.about_pivot((point.base - self.origin.base) + point.offset, sigma),
+            None => self.transport(self.origin.to(point), sigma),
+        }
+    }
+
+    /// The swing of the origin, where the frame turns with it about one pivot.
+    pub(crate) fn swing(self) -> Option<Swing<'s>> {
+        let Direction { omega, alpha, .. } = self.direction;
+        self.origin.swing.filter(|swing| swing.omega.id == omega.id && swing.alpha.id == alpha.id)
+    }
+
+    /// The transport at r from the pivot of a frame that swings: ω r⊥ and α r⊥ − ω² r + 2 ω σ⊥.
+    fn about_pivot(self, r: Vector<'s>, sigma: Vector<'s>) -> (Vector<'s>, Vector<'s>) {
+        let Direction { omega, alpha, .. } = self.direction;
+        let acceleration = alpha * r.normal() - omega.squared() * r;
+        (omega * r.normal(), acceleration + omega.twice() * sigma.normal())
     }
 
     /// The point at the coordinates (x, y) of the frame: P = O + x u + y n; its velocity and
@@ -281,6 +323,12 @@ impl<'s> Frame<'s> {
                 arm: rho,
                 coordinates: Vector { x: x.value, y: y.value },
             }),
+            radius: self.origin.radius.zip(length_of(x.value, y.value)).map(|(r, l)| r + l),
         }
     }
+}
+
+/// The length of a constant vector.
+fn length_of(x: Sym<'_>, y: Sym<'_>) -> Option<f64> {
+    Some(x.constant_value()?.hypot(y.constant_value()?))
 }

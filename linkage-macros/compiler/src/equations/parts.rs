@@ -156,6 +156,7 @@ impl<'s> Bar<'s> {
             velocity: self.pushed_velocity() + self.omega * self.r.normal(),
             acceleration: self.pushed_acceleration(self.omega) + self.alpha * self.r.normal(),
             swing: None,
+            radius: self.outer.radius.zip(self.length.value.constant_value()).map(|(r, l)| r + l),
         }
     }
 
@@ -217,6 +218,7 @@ impl<'s> Block<'s> {
             velocity: self.carried_velocity() + slide_rate * u,
             acceleration: carried + slide_accel * u,
             swing: None,
+            radius: None,
         }
     }
 

@@ -8,13 +8,23 @@
 //! s₁ = (k × u₂)/Δ        s₂ = (k × u₁)/Δ
 //! ```
 //!
-//! Each product is one difference of products; Δ of two guides on one carrier is the sine of the
-//! difference of their angles.
+//! Δ of two guides on one carrier is the sine of the difference of their angles.
 //!
 //! # Velocity and acceleration
 //! With v_k the velocity of guide k's point under the pin and of its changing offset, and
 //! w = v₂ − v₁: ṡ₁ = (w × u₂)/Δ, ṡ₂ = (w × u₁)/Δ; the same with accelerations, w replaced by the
 //! difference of the transport, Coriolis and offset accelerations.
+//!
+//! Where guide 2 stands still and guide 1 swings about a point of the ground, by ω and α, these are made of the
+//! vector r from there to C:
+//!
+//! ```text
+//! ṡ₁ = ω r·u₂/Δ    s̈₁ = (α r·u₂ + ω² r × u₂ + 2 ω ṡ₁ u₁·u₂)/Δ
+//! ṡ₂ = ω r·u₁/Δ    s̈₂ = (α r·u₁ + ω² r × u₁ + 2 ω ṡ₁)/Δ
+//! ```
+//!
+//! in which r × u₂ is a constant and r·u₂ is s₂ and a constant. With the guides in the other order Δ has the
+//! other sign.
 //!
 //! # Reactions
 //! With L all that acts on the pin from outside the group, F and M what acts on the blocks but for
@@ -37,12 +47,12 @@
 //! of two carriers Δ is made of rounded directions, and its error is ε over the sine between them.
 //!
 //! # Source
-//! Cramer's rule; W. Kahan for the 2×2 determinants.
+//! Cramer's rule.
 
 use crate::equations::groups::Formulas;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
-use crate::equations::motion::{Frame, PointMotion};
+use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{Block, GroupScope, LimitMeasures, LinkMotion, Solved};
 use crate::equations::reactions::{
     Acting, GuideReaction, Inner, Levers, Loads, Reaction, Reactions,
@@ -70,8 +80,7 @@ fn prp<'s>(scope: &GroupScope<'s>, guides: [Frame<'s>; 2], offsets: [Jet<'s>; 2]
     let (sine, _) = guides[0].direction.sin_cos_to(guides[1].direction);
     let inverse = sine.provided(Check::Nonzero, scope.group, &[]).recip();
     scope.call("inverse sin", inverse);
-    let cross = |a: Vector<'s>, b: Vector<'s>| scope.sheet.det(a.x, b.y, a.y, b.x);
-    let slides = |w: Vector<'s>| [cross(w, u2) * inverse, cross(w, u1) * inverse];
+    let slides = |w: Vector<'s>| [w.cross(u2) * inverse, w.cross(u1) * inverse];
 
     let shift = |k: usize| offsets[k].value * guides[k].direction.n();
     let apart = guides[0].origin.to(guides[1].origin) + (shift(1) - shift(0));
@@ -82,10 +91,12 @@ fn prp<'s>(scope: &GroupScope<'s>, guides: [Frame<'s>; 2], offsets: [Jet<'s>; 2]
 
     let blocks: [Block<'s>; 2] =
         core::array::from_fn(|k| Block::new(guides[k], value[k], offsets[k]));
-    let rate = slides(blocks[1].carried_velocity() - blocks[0].carried_velocity());
-    let transport: [Vector<'s>; 2] =
-        core::array::from_fn(|k| blocks[k].carried_acceleration(rate[k]));
-    let accel = slides(transport[1] - transport[0]);
+    let (rate, accel) = crossing(guides, offsets, value, inverse).unwrap_or_else(|| {
+        let rate = slides(blocks[1].carried_velocity() - blocks[0].carried_velocity());
+        let [first, second] = [0, 1].map(|k| blocks[k].carried_acceleration(rate[k]));
+        (rate, slides(second - first))
+    });
+    let transport = [0, 1].map(|k| blocks[k].carried_acceleration(rate[k]));
 
     // From the guide on the ground, if there is one, and with an exact coordinate, if it has one.
     let fixed = |k: usize| guides[k].origin.is_fixed() && guides[k].direction.omega.is_zero();
@@ -102,6 +113,38 @@ fn prp<'s>(scope: &GroupScope<'s>, guides: [Frame<'s>; 2], offsets: [Jet<'s>; 2]
         bars: Vec::new(),
         levers: Some(Box::new(PrpLevers { u: [u1, u2], inverse })),
     }
+}
+
+/// Rates and second rates of the slides where one guide, of any offset, stands still and the other one
+/// swings about a point of the ground.
+fn crossing<'s>(
+    guides: [Frame<'s>; 2],
+    offsets: [Jet<'s>; 2],
+    slides: [Sym<'s>; 2],
+    inverse: Sym<'s>,
+) -> Option<([Sym<'s>; 2], [Sym<'s>; 2])> {
+    let still = guides.iter().position(|guide| guide.is_fixed())?;
+    let (moving, rail) = (guides[1 - still], guides[still]);
+    let Direction { u: u1, omega, alpha, .. } = moving
+        .swing()
+        .map(|_| moving.direction)
+        .filter(|_| offsets.iter().all(|e| e.is_fixed()))?;
+    let (u2, offset) = (rail.direction.u, offsets[still].value * rail.direction.n());
+    let start = rail.origin.base - moving.origin.base + offset;
+    let r = start + slides[still] * u2;
+    let along = [r.dot(u1), start.dot(u2) + slides[still]];
+    let across = [r.cross(u1), start.cross(u2)];
+    // The sign of Δ is that of the order of the guides.
+    let over_sine = if still == 1 { inverse } else { -inverse };
+    let [of_rail, of_moving] = along.map(|along| omega * along * over_sine);
+    let coriolis = (omega * of_moving).twice();
+    let turning = |k: usize| alpha * along[k] + omega.squared() * across[k];
+    let rail_accel = (turning(0) + coriolis) * over_sine;
+    let moving_accel = (turning(1) + coriolis * u1.dot(u2)) * over_sine;
+    let ordered = |of_moving, of_rail| {
+        if still == 1 { [of_moving, of_rail] } else { [of_rail, of_moving] }
+    };
+    Some((ordered(of_moving, of_rail), ordered(moving_accel, rail_accel)))
 }
 
 /// The guides' directions and 1/Δ.

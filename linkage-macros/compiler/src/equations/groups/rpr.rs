@@ -10,7 +10,8 @@
 //! ```
 //!
 //! b² − e² is made with the rounding errors of its squares put back, so that it keeps its digits
-//! where the block comes to the foot of the pivot; without an offset nothing of that remains.
+//! where the block comes to the foot of the pivot; without an offset nothing of that remains, nor where
+//! constants keep |b| above 2 |e|, so that b² − e² is at least three quarters of b².
 //!
 //! # Velocity and acceleration
 //! Differentiating b = s u + e n, with Δv = v_B − v_D, Δa = a_B − a_D:
@@ -166,7 +167,7 @@ impl<'s> Levers<'s> for RprLevers<'s> {
 fn left_of_offset<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Jet<'s> {
     let [x, y] = d.jets_to(b);
     let plain = x * x + y * y - e * e;
-    if e.is_zero() {
+    if e.is_zero() || numerics == Numerics::Plain && stays_beyond([b, d], e) {
         return plain;
     }
     let coordinate = match numerics {
@@ -176,6 +177,13 @@ fn left_of_offset<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'
     let square = DoubleWord::square_of(d.to(b), coordinate);
     let value = square.difference(coordinate(e.value).squared());
     Jet { value, ..plain }
+}
+
+/// Whether the joints are never nearer than twice the offset.
+fn stays_beyond<'s>([b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> bool {
+    let offset = e.value.constant_value().filter(|_| e.is_fixed());
+    let least = d.least_distance(b).zip(offset);
+    least.is_some_and(|(distance, offset)| distance >= 2.0 * offset.abs())
 }
 
 /// Signed distance from the limit in metres, (b² − e²)/(|b| + |e|) = |b| − |e|, and the sine of

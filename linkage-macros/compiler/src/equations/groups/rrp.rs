@@ -9,8 +9,8 @@
 //! r = C − B = X u + t n      slide = x + X
 //! ```
 //!
-//! The factors keep full accuracy at the limit |t| = l; y is one difference of products, so that
-//! a guide whose origin is far away costs nothing.
+//! The factors keep full accuracy at the limit |t| = l. A guide whose origin is far away costs last places of
+//! that distance in y, as rounding the guide's direction does; along an axis it costs nothing.
 //!
 //! # Velocity and acceleration
 //! As seen from the guide, which may turn with ω_g and α_g: with ρ = B − K the pivot moves with
@@ -103,11 +103,15 @@ fn rrp<'s>(
     let (u, n) = (guide.direction.u, guide.direction.n());
     let from = scope.call_vector("rho", guide.origin.to(b));
     let foot = scope.call("x", from.dot(u));
-    let (l, t) = (length.value, scope.call("t", across(b, guide, offset).value));
-    let square = match scope.numerics {
-        Numerics::Plain => legs(b, guide, length, offset).value,
-        Numerics::Compensated => carried(l, offset.value, distance(b, guide)),
+    let l = length.value;
+    let (t, square) = match scope.numerics {
+        Numerics::Plain => (across(b, guide, offset).value, legs(b, guide, length, offset).value),
+        Numerics::Compensated => {
+            let y = exact_distance(b, guide);
+            (offset.value - y, carried(l, offset.value, y))
+        }
     };
+    scope.call("t", t);
     let square = square.provided(Check::ReachLine, scope.group, &[t, l]);
     let reach = scope.call("reach", mode * square.sqrt());
     let slide = scope.call("slide", foot + reach);
@@ -117,8 +121,8 @@ fn rrp<'s>(
     // 1/X = X/X²: the division runs beside the root.
     let inverse = reach * square.provided(Check::Nonzero, scope.group, &[]).recip();
     scope.call("inverse reach", inverse);
-    let v = b.velocity - guide.transport(from, scope.sheet.zero_vector()).0;
-    let a = b.acceleration - guide.transport(from, v).1;
+    let v = b.velocity - guide.transport_at(b, scope.sheet.zero_vector()).0;
+    let a = b.acceleration - guide.transport_at(b, v).1;
     scope.call_vector("v", v);
     scope.call_vector("a", a);
     // The bar's direction in the guide's axes; of a bar of constant length nothing of it remains.
@@ -191,8 +195,8 @@ impl<'s> Levers<'s> for RrpLevers<'s> {
     }
 }
 
-/// The distance y of B from the guide.
-fn distance<'s>(b: PointMotion<'s>, guide: Frame<'s>) -> Sym<'s> {
+/// The distance y of B from the guide, within rounding of itself.
+fn exact_distance<'s>(b: PointMotion<'s>, guide: Frame<'s>) -> Sym<'s> {
     let (from, u) = (guide.origin.to(b), guide.direction.u);
     u.x.sheet().det(u.x, from.y, u.y, from.x)
 }
@@ -201,7 +205,7 @@ fn distance<'s>(b: PointMotion<'s>, guide: Frame<'s>) -> Sym<'s> {
 fn across<'s>(b: PointMotion<'s>, guide: Frame<'s>, offset: Jet<'s>) -> Jet<'s> {
     let [x, y] = guide.origin.jets_to(b);
     let [ux, uy] = guide.direction.jets();
-    offset - Jet { value: distance(b, guide), ..ux * y - uy * x }
+    offset - (ux * y - uy * x)
 }
 
 /// X² = (l − t)(l + t), which is smooth, vanishes at the limit and is negative out of reach.

@@ -80,6 +80,7 @@
 mod triangle;
 mod turning;
 
+use crate::equations::crank_pin::CrankPin;
 use crate::equations::groups::Formulas;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
@@ -200,21 +201,34 @@ struct HalfSine<'s> {
 }
 
 fn half_sine<'s>(joints: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> HalfSine<'s> {
-    let [x, y] = joints[0].jets_to(joints[1]);
+    let d = joints[0].to(joints[1]);
+    let [rate, accel] = half_rates(joints).map(Sym::twice);
     let (difference, product) = (l2 - l3, (l2 * l3).twice().twice());
-    let near = x * x + y * y - difference * difference;
-    let scale = Jet::constant(x.value.sheet().integer(1)) / product;
+    let near = Jet { value: d.dot(d), rate, accel } - difference * difference;
+    let scale = Jet::constant(d.x.sheet().integer(1)) / product;
     // The difference of lengths, not 1 − i/4l₂l₃: that would be the rounding of 1/4l₂l₃ where a fused
     // operation takes it, and no zero at a toggle that the data hit.
     let far = product - near;
     HalfSine { scale, square: (near * scale) * (far * scale) }
 }
 
+/// Half of the rate and of the second rate of d².
+fn half_rates<'s>(joints: [PointMotion<'s>; 2]) -> [Sym<'s>; 2] {
+    if let Some(crank) = CrankPin::of(joints) {
+        return crank.half_rates();
+    }
+    let [x, y] = joints[0].jets_to(joints[1]);
+    let squares = x.rate.squared() + y.rate.squared();
+    let along = x.value * x.accel + y.value * y.accel;
+    [x.value * x.rate + y.value * y.rate, along + squares]
+}
+
 /// Signed distance from the limit in metres, 2 l₂ l₃ S/d with slope one against d at both toggles,
 /// and sine of the transmission angle, 2 √S.
 fn measures<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> LimitMeasures<'s> {
-    let (square, [x, y]) = (half_sine(joints, lengths).square, joints[0].jets_to(joints[1]));
-    let margin = square * ((lengths[0] * lengths[1]).twice() / x.hypot(y));
+    let (square, d) = (half_sine(joints, lengths).square, joints[0].to(joints[1]));
+    let over_distance = Jet::inverse_distance(d.x.hypot(d.y), half_rates(joints));
+    let margin = square * ((lengths[0] * lengths[1]).twice() * over_distance);
     LimitMeasures { margin: Some(margin), transmission: root_in_reach(square).twice() }
 }
 

@@ -87,6 +87,13 @@ pub(crate) const VARIANTS: &[Variant] = &[
         inputs: TWO,
     },
     Variant {
+        name: "rrr with a cylinder beside a bar on the ground, first and second",
+        source: fixed!("rrr AC(A), DC(D) -> C { lengths: (0.6 + s, 0.5), mode: left }"
+            "rrr AE(A), DE(D) -> E { lengths: (0.5, 0.6 + s), mode: right }"
+            "point X on AC at (0.1, 0.2); point Y on DE at (0.2, -0.1);"),
+        inputs: TWO,
+    },
+    Variant {
         name: "rrr with two cylinders on a crank",
         source: fixed!("point K on AB at (0.25, 0.2); point L on AB at (-0.3, 0.1);"
             "rrr KC(K), LC(L) -> C { lengths: (0.4m + 0.2m * q, 0.3 + s), mode: right }"
@@ -162,6 +169,13 @@ pub(crate) const VARIANTS: &[Variant] = &[
             "prp a(way), b(bar) -> C { offsets: (0.05, 0.02m * q) } prp c(tilt), d(bar) -> E {}"
             "prp e(way), f(tilt) -> G { offsets: (0, 0.1) } point X on c at (0.1, 0.1);"),
         inputs: ONE,
+    },
+    Variant {
+        name: "prp on a fixed guide and one that swings, first and second",
+        source: fixed!("guide cross on AB through (0.2, 0.1) along 15deg; slider z(post) -> Z { slide: s }"
+            "prp a(rail), b(cross) -> C { offsets: (0.02, -0.03) }"
+            "prp c(cross), d(post) -> E { offsets: (0.04, 0.01) }"),
+        inputs: TWO,
     },
     Variant {
         name: "rpp on a fixed rail",

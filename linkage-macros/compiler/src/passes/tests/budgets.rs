@@ -124,7 +124,7 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         "crank on a moving pivot",
         after_crank!("crank BG(B) -> G { length: 0.1, angle: 30deg, relative_to: AB } output G;"),
         [4, 8, 0, 0, 1],
-        [12, 21, 0, 0, 1],
+        [6, 15, 0, 0, 1],
     ),
     (
         "slider on a level guide",
@@ -204,16 +204,16 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         "rrr with a cylinder on the ground",
         "struct M { input s: length; ground A(0, 0), D(0.9, 0.15);
          rrr AC(A), DC(D) -> C { lengths: (s, 0.5), mode: left } output C; }",
-        [8, 16, 1, 1, 0],
-        [19, 45, 2, 1, 0],
+        [8, 11, 0, 1, 0],
+        [12, 25, 1, 1, 0],
     ),
     (
         "rrr with a cylinder between joints of one link",
         "struct M { input q: angle; input s: length; ground A(0, 0);
          crank AB(A) -> B { length: 0.3, angle: q } point K on AB at (0.25, 0.2);
          rrr KC(K), BC(B) -> C { lengths: (s, 0.6), mode: right } output C; }",
-        [10, 23, 1, 1, 1],
-        [29, 60, 2, 1, 1],
+        [10, 18, 0, 1, 1],
+        [22, 40, 1, 1, 1],
     ),
     (
         "rrr with a cylinder between joints of two links",
@@ -261,7 +261,7 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         "rrp on a moving guide",
         after_crank!("rrp BC(B), block(way) -> C { length: 1.9, mode: ahead } output C;"),
         [14, 17, 0, 1, 2],
-        [41, 55, 1, 1, 2],
+        [36, 46, 1, 1, 2],
     ),
     (
         "rrp, slide",
@@ -281,8 +281,8 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
     (
         "rpr with offset",
         after_crank!("rpr block(B), bar(D) { offset: 0.1 } output block;"),
-        [17, 12, 1, 1, 1],
-        [26, 36, 2, 1, 1],
+        [7, 10, 1, 1, 1],
+        [16, 34, 2, 1, 1],
     ),
     (
         "rpr about a moving pivot",
@@ -302,7 +302,7 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         "prp on moving and fixed guide",
         after_crank!("prp a(way), b(slope) -> C {} output C;"),
         [10, 13, 1, 0, 2],
-        [24, 49, 1, 0, 2],
+        [16, 31, 1, 0, 2],
     ),
     (
         "rpp, upright slot on a level rail",
@@ -320,6 +320,6 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         "rpp on a moving rail",
         after_crank!("rpp block(B), yoke(way) { slot: 60deg } output block.slide, yoke.slide;"),
         [10, 16, 0, 0, 2],
-        [32, 50, 0, 0, 2],
+        [28, 44, 0, 0, 2],
     ),
 ];

@@ -183,7 +183,7 @@ impl<'s> Height<'s> {
         let (product, one) = (l2 * l3, d.x.sheet().integer(1));
         let over_product = product.recip();
         // J² in m⁴ or in squares of l₂l₃: what its factors are scaled by, and its root.
-        let (scale, area, unit, of_constants) = if has_room(product) {
+        let (scale, area, unit, of_constants) = if has_room([l2, l3], of_line) {
             (one, one, product.twice(), product)
         } else {
             (over_product, product, one.twice(), over_product)
@@ -193,7 +193,7 @@ impl<'s> Height<'s> {
             // Factors that are wrong by last places of themselves.
             Numerics::Compensated => d.x.sheet().zero(),
             Numerics::Plain if product.is_constant() => (l2 + l3).squared() * of_constants,
-            Numerics::Plain => of_line * over_product,
+            Numerics::Plain => of_line * of_constants,
         };
         let circles = [d.x, d.y, l2, l3, unit, spread];
         let square = rounded.provided(Check::ReachCircles, scope.group, &circles);
@@ -207,8 +207,16 @@ impl<'s> Height<'s> {
     }
 }
 
-/// Whether the lengths are constant and far enough within the range of f32 for their fourth power: J² is
-/// looked at down to 16 ε of its largest value.
-fn has_room(product: Sym<'_>) -> bool {
-    product.constant_value().is_some_and(|product| (1e-12..1e12).contains(&product.abs()))
+/// Whether J² is known to be far enough within the range of f32: it is looked at down to 16 ε of its largest
+/// value, which is (l₂ l₃)². Of a cylinder and a bar between joints that stand still J is at most d times the bar,
+/// and J² is looked at where the cylinder is longer than 16 ε of the bar, above 256 ε² of (d l)².
+fn has_room(lengths: [Sym<'_>; 2], of_line: Sym<'_>) -> bool {
+    let largest = match lengths.map(Sym::constant_value) {
+        [Some(l2), Some(l3)] => Some(l2 * l3),
+        [Some(bar), None] | [None, Some(bar)] => {
+            of_line.constant_value().map(|square| bar * square.sqrt())
+        }
+        [None, None] => None,
+    };
+    largest.is_some_and(|largest| (1e-12..1e12).contains(&largest.abs()))
 }

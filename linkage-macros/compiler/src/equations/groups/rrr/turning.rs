@@ -9,7 +9,18 @@
 //! w·r = ω (r × a)       g·r = α (r × a) + ω² a·r
 //! ```
 //!
-//! # Cylinders between joints that stand still
+//! # A cylinder and a bar between joints that stand still
+//! Where l₂ alone is driven, l₂² is d² + l₃² + 2 d·r₃, of which d and l₃ stay, so that the bar turns with
+//!
+//! ```text
+//! ω₃ = −l₂ l̇₂/J                  α₃ = −(l̇₂² + l₂ l̈₂ + ω₃² d·r₃)/J
+//! ω₂ = −(l̇₂/l₂) r₂·r₃/J          α₂ = (α₃ r₂·r₃ − ω₃² J)/l₂² − 2 ω₂ l̇₂/l₂
+//! ```
+//!
+//! the cylinder's by the pin's velocity and acceleration across it. Where l₃ alone is, the other signs hold, with
+//! d·r₂ for d·r₃.
+//!
+//! # Two cylinders between joints that stand still
 //! What pushes the pin acts along the bars alone, w = l̇₃ u₃ − l̇₂ u₂, and its products are those of the bars:
 //!
 //! ```text
@@ -46,17 +57,46 @@ impl<'s> Triangle<'s> {
         bars: [Bar<'s>; 2],
         lengths: [Jet<'s>; 2],
     ) -> [(Sym<'s>, Sym<'s>); 2] {
-        let is_driven = lengths.iter().any(|length| !length.is_fixed());
-        match self.crank.filter(|_| !is_driven) {
-            Some(crank) => self.swinging(scope, crank),
-            None if is_driven && bars.iter().all(|bar| bar.stands()) => {
-                self.telescoping(scope, lengths)
-            }
-            None => self.moving(scope, bars),
+        let are_driven = lengths.map(|length| !length.is_fixed());
+        if let (Some(crank), [false, false]) = (self.crank, are_driven) {
+            return self.swinging(scope, crank);
+        }
+        match are_driven {
+            _ if !bars.iter().all(|bar| bar.stands()) => self.moving(scope, bars),
+            [true, false] => self.pushed(scope, 0, lengths[0]),
+            [false, true] => self.pushed(scope, 1, lengths[1]),
+            _ => self.telescoping(scope, lengths),
         }
     }
 
-    /// Between joints that stand still.
+    /// Between joints that stand still, where only the bar at `driven` changes its length.
+    fn pushed(
+        &self,
+        scope: &GroupScope<'s>,
+        driven: usize,
+        length: Jet<'s>,
+    ) -> [(Sym<'s>, Sym<'s>); 2] {
+        let (cosine, over_length) = (self.cosine(), self.over_length(driven));
+        let signed = |value: Sym<'s>| if driven == 0 { -value } else { value };
+        let omega = signed(length.value * length.rate) * self.inverse;
+        let square = omega.squared();
+        let growth = length.rate.squared() + length.value * length.accel;
+        let alpha = signed(growth - square * self.shares[1 - driven]) * self.inverse;
+        let rate = length.rate * over_length;
+        let own_omega = signed(rate * cosine) * self.inverse;
+        let across = alpha * cosine + signed(square * self.cross);
+        let own_alpha = across * over_length.squared() - (rate * own_omega).twice();
+        let rates = if driven == 0 {
+            [(own_omega, own_alpha), (omega, alpha)]
+        } else {
+            [(omega, alpha), (own_omega, own_alpha)]
+        };
+        scope.call("omega2", rates[0].0);
+        scope.call("omega3", rates[1].0);
+        rates
+    }
+
+    /// Between joints that stand still, both lengths driven.
     fn telescoping(
         &self,
         scope: &GroupScope<'s>,
