@@ -188,7 +188,7 @@ impl<T: Real> Search<T> {
         let mut f = Equation::new(f, self.trend);
         let at = match self
             .near
-            .and_then(|seed| f.newton(seed, approach, approach.to - approach.from))
+            .and_then(|seed| f.newton(seed, approach, approach.to - approach.from, None))
         {
             Some(at) => at,
             None => self.bracketed(&mut f, approach, |_| self.slack)?,

@@ -57,10 +57,18 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
     }
 
     /// The root that Newton's method converges to from a seed, if it does at once, inside and by no step
-    /// longer than this.
-    pub(super) fn newton(&mut self, seed: T, approach: Approach<T>, longest: T) -> Option<T> {
+    /// longer than this. `last` is the step that led to the seed, and f's slope where it began, if they are
+    /// known.
+    pub(super) fn newton(
+        &mut self,
+        seed: T,
+        approach: Approach<T>,
+        longest: T,
+        last: Option<(T, T)>,
+    ) -> Option<T> {
         let Approach { from, to, tolerance } = approach;
-        let mut steps = Steps { tolerance, width: to - from, slopes: Slopes::Exact, last: None };
+        let last = last.map(|(step, slope)| (step, self.sign * slope));
+        let mut steps = Steps { tolerance, width: to - from, slopes: Slopes::Exact, last };
         let mut x = constant(seed);
         for _ in 0..SEEDED {
             if !(x.ge(from) && to.ge(x)) {

@@ -6,8 +6,8 @@
 //! unknown's side and the slope at both ends of the interval are those of the pose before, to the last bit,
 //! and a search that reads them instead of evaluating them gives the same root and the same refusal.
 //!
-//! Where it is proved, besides, that the equation has one root, Newton's steps from the last root come first.
-//! Their root is taken where a search from both ends is sure to find one: where the difference has the
+//! Where it is proved, besides, that the equation has one root, Newton's steps come first, from where the last
+//! two trials foresee the root. Their root is taken where a search from both ends is sure to find one: where the difference has the
 //! signs of the trend at both ends. Both roots are right to the same tolerance; the last place may differ.
 
 use core::cell::Cell;
@@ -24,20 +24,47 @@ use crate::kernels::sqrt;
 /// of the interval, the most that the foreseen last step may leave. A longer one is not worth two more trials.
 const LONGEST: f64 = 1.0 / 64.0;
 
+/// The longest step, as a multiple of the last one, for which the trials before are a guide.
+const FARTHEST: f64 = 2.0;
+
 /// The facts that one pose leaves to the next about the search of one unknown.
 #[derive(Clone, Copy, Debug)]
 pub struct Seed<T> {
-    /// The last root; not a number before the first.
-    at: T,
+    /// The last trials of the last two searches, the older one first; not numbers before they are known.
+    trials: [Trial<T>; 2],
     /// The unknown's side and the slope at both ends; not numbers before they are known.
     ends: [[T; 2]; 2],
+}
+
+/// A place, and the unknown's side and the slope there.
+#[derive(Clone, Copy, Debug)]
+struct Trial<T> {
+    x: T,
+    side: T,
+    slope: T,
 }
 
 impl<T: Real> Seed<T> {
     /// The seed of the first pose.
     pub(crate) fn unknown() -> Self {
         let none = number(f64::NAN);
-        Self { at: none, ends: [[none; 2]; 2] }
+        Self { trials: [Trial { x: none, side: none, slope: none }; 2], ends: [[none; 2]; 2] }
+    }
+
+    /// Where the unknown's side is expected to be `given`: on the cubic in the side through places and slopes of
+    /// both trials; on the line through the later one where the cubic is no guide or there is but one trial.
+    fn foreseen(&self, given: T, turn: T) -> T {
+        let [older, Trial { x, side, slope }] = self.trials;
+        let run = side - older.side;
+        let [before, after] = [older.slope, slope].map(|slope| turn * run / slope);
+        let (rise, step) = (x - older.x, (given - side) / run);
+        let bend = before + after + after - number::<T>(3.0) * rise;
+        let twist = before + after - (rise + rise);
+        if number::<T>(FARTHEST).ge(magnitude(step)) {
+            x + step * (after + step * (bend + step * twist))
+        } else {
+            x + turn * (given - side) / slope
+        }
     }
 }
 
@@ -80,6 +107,13 @@ pub fn root_by_seed<T: Real>(
 ) -> Result<[T; 2], FindError> {
     let seed = seed.filter(|_| T::ORDER == 0);
     let Some(seed) = seed else { return root(between, trend, None, plain, sides) };
+    let last = Cell::new(None);
+    let mut sides = |x| {
+        let met = sides(x);
+        let [side, slope] = apart.parts(met);
+        last.set(Some(Trial { x, side, slope }));
+        met
+    };
     let found = match followed(seed, between, trend, apart, &mut sides) {
         Some(found) => Ok(found),
         None => root(between, trend, None, plain, |x| {
@@ -94,9 +128,9 @@ pub fn root_by_seed<T: Real>(
             apart.sides(*known)
         }),
     };
-    // A pose without a root leaves the next one the root before it.
-    if let Ok([at, _]) = found {
-        seed.at = at;
+    // A pose without a root leaves the next one the trials before it.
+    if let (Ok(_), Some(trial)) = (&found, last.get()) {
+        seed.trials = [seed.trials[1], trial];
     }
     found
 }
@@ -133,7 +167,12 @@ fn followed<T: Real>(
         [left - right, slope]
     };
     let mut f = Equation::new(difference, trend);
-    let at = f.newton(seed.at, approach, width * number(LONGEST))?;
+    // The slope is that of left − right.
+    let turn = number::<T>(if apart.is_right { 1.0 } else { -1.0 });
+    let foreseen = seed.foreseen(apart.given, turn);
+    let Trial { x, slope, .. } = seed.trials[1];
+    let led = Some((foreseen - x, slope));
+    let at = f.newton(foreseen, approach, width * number(LONGEST), led)?;
     let (change, size) = (change.get(), extent.get() + change.get());
     (size.is_finite() && change.gt(size * number(sqrt(<T as Real>::EPSILON)))).then_some([at, size])
 }

@@ -95,7 +95,7 @@ fn searched<T: Real>(
         [left - right, slope]
     };
     let mut f = Equation::new(difference, trend);
-    let at = match near.and_then(|seed| f.newton(seed, approach, width)) {
+    let at = match near.and_then(|seed| f.newton(seed, approach, width, None)) {
         Some(at) => {
             let last = change.get();
             if last.gt(extent.get()) {
