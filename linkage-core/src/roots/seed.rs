@@ -31,14 +31,14 @@ const FARTHEST: f64 = 2.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Seed<T> {
     /// The last trials of the last two searches, the older one first; not numbers before they are known.
-    trials: [Trial<T>; 2],
+    trials: [LastTrial<T>; 2],
     /// The unknown's side and the slope at both ends; not numbers before they are known.
     ends: [[T; 2]; 2],
 }
 
 /// A place, and the unknown's side and the slope there.
 #[derive(Clone, Copy, Debug)]
-struct Trial<T> {
+struct LastTrial<T> {
     x: T,
     side: T,
     slope: T,
@@ -48,13 +48,13 @@ impl<T: Real> Seed<T> {
     /// The seed of the first pose.
     pub(crate) fn unknown() -> Self {
         let none = number(f64::NAN);
-        Self { trials: [Trial { x: none, side: none, slope: none }; 2], ends: [[none; 2]; 2] }
+        Self { trials: [LastTrial { x: none, side: none, slope: none }; 2], ends: [[none; 2]; 2] }
     }
 
     /// Where the unknown's side is expected to be `given`: on the cubic in the side through places and slopes of
     /// both trials; on the line through the later one where the cubic is no guide or there is but one trial.
     fn foreseen(&self, given: T, turn: T) -> T {
-        let [older, Trial { x, side, slope }] = self.trials;
+        let [older, LastTrial { x, side, slope }] = self.trials;
         let run = side - older.side;
         let [before, after] = [older.slope, slope].map(|slope| turn * run / slope);
         let (rise, step) = (x - older.x, (given - side) / run);
@@ -111,7 +111,7 @@ pub fn root_by_seed<T: Real>(
     let mut sides = |x| {
         let met = sides(x);
         let [side, slope] = apart.parts(met);
-        last.set(Some(Trial { x, side, slope }));
+        last.set(Some(LastTrial { x, side, slope }));
         met
     };
     let found = match followed(seed, between, trend, apart, &mut sides) {
@@ -170,7 +170,7 @@ fn followed<T: Real>(
     // The slope is that of left − right.
     let turn = number::<T>(if apart.is_right { 1.0 } else { -1.0 });
     let foreseen = seed.foreseen(apart.given, turn);
-    let Trial { x, slope, .. } = seed.trials[1];
+    let LastTrial { x, slope, .. } = seed.trials[1];
     let led = Some((foreseen - x, slope));
     let at = f.newton(foreseen, approach, width * number(LONGEST), led)?;
     let (change, size) = (change.get(), extent.get() + change.get());
