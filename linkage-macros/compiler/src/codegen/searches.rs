@@ -13,7 +13,7 @@ use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Trend, Wanted};
 use crate::lower::TRIAL;
-use crate::lower::apart::Apart;
+use crate::lower::routine::Apart;
 use crate::lower::routine::Search;
 use crate::model::mechanism::{Expr, Mechanism, Mode, Sign, Unknown};
 use crate::syntax::anatomy::Modes;

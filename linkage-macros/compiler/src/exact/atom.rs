@@ -17,7 +17,6 @@ use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use super::enclosure::Enclosure;
-use super::sum::Term;
 use super::{Exact, Form};
 use crate::function::Function;
 
@@ -211,20 +210,6 @@ impl Atom {
         };
         ATOMS.with_borrow_mut(|atoms| atoms.finest.insert(self.0.number, enclosure.clone()));
         Some(enclosure)
-    }
-
-    /// Whether the form alone says that the atom is positive.
-    pub(super) fn is_surely_positive(&self) -> bool {
-        match self.kind() {
-            Kind::Pi | Kind::Root(_) => true,
-            // Multiples of π are between 0 and 45°.
-            Kind::Of(Function::Sin | Function::Cos, angle) => {
-                angle.as_term().is_some_and(Term::is_multiple_of_pi)
-            }
-            // An arc of a number with a positive first coefficient.
-            Kind::Of(_, value) => matches!(value.form, Form::Rational(_)),
-            Kind::Sum(_) => false,
-        }
     }
 }
 

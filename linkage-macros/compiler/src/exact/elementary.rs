@@ -16,6 +16,19 @@ use crate::function::Function;
 static FINEST_PI: Mutex<Option<Enclosure>> = Mutex::new(None);
 
 impl Enclosure {
+    /// An enclosure of π.
+    pub(crate) fn pi(bits: u32) -> Self {
+        // It is replaced as a whole: a panic elsewhere does not spoil it.
+        let mut finest = FINEST_PI.lock().unwrap_or_else(PoisonError::into_inner);
+        match finest.as_ref() {
+            Some(known) if known.bits() >= bits => known.with_bits(bits),
+            _ => {
+                let pi = machin(bits.next_power_of_two().max(512));
+                finest.insert(pi).with_bits(bits)
+            }
+        }
+    }
+
     /// The function of an atom, of all numbers of the enclosure; `None` where it has no value.
     pub(super) fn apply(&self, function: Function) -> Option<Self> {
         match function {
@@ -61,19 +74,6 @@ impl Enclosure {
     fn within_one(&self) -> Self {
         let one = BigInt::one() << self.bits;
         Self::new(self.lower.clone().max(-&one), self.upper.clone().min(one), self.bits)
-    }
-}
-
-/// An enclosure of π.
-pub(super) fn pi(bits: u32) -> Enclosure {
-    // It is replaced as a whole: a panic elsewhere does not spoil it.
-    let mut finest = FINEST_PI.lock().unwrap_or_else(PoisonError::into_inner);
-    match finest.as_ref() {
-        Some(known) if known.bits() >= bits => known.with_bits(bits),
-        _ => {
-            let pi = machin(bits.next_power_of_two().max(512));
-            finest.insert(pi).with_bits(bits)
-        }
     }
 }
 
@@ -145,7 +145,7 @@ fn reduce(angle: &BigInt, bits: u32, working: u32) -> (BigInt, u32) {
     let whole_bits = (angle.bits() as u32).saturating_sub(bits);
     let fine = working + whole_bits + 4;
     // π in units of 2^−(fine − 1) is π/2 in units of 2^−fine.
-    let quarter = pi(fine - 1).lower().clone();
+    let quarter = Enclosure::pi(fine - 1).lower().clone();
     let angle = angle << (fine - bits);
     let doubled: BigInt = &angle * 2;
     let turns = (doubled + &quarter).div_floor(&(&quarter * 2));

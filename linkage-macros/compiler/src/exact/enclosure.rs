@@ -14,7 +14,6 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed, Zero};
 
-use super::elementary;
 use super::rational::Rational;
 
 /// An interval [lower, upper]·2^−bits.
@@ -52,10 +51,6 @@ impl Enclosure {
         let (quotient, remainder) = (value.numerator() << bits).div_mod_floor(&value.denominator());
         let upper = if remainder.is_zero() { quotient.clone() } else { &quotient + 1 };
         Self::new(quotient, upper, bits)
-    }
-
-    pub(crate) fn pi(bits: u32) -> Self {
-        elementary::pi(bits)
     }
 
     pub(crate) fn bits(&self) -> u32 {

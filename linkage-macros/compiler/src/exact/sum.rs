@@ -48,6 +48,22 @@ impl Term {
     }
 }
 
+impl Atom {
+    /// Whether the form alone says that the atom is positive.
+    pub(super) fn is_surely_positive(&self) -> bool {
+        match self.kind() {
+            Kind::Pi | Kind::Root(_) => true,
+            // Multiples of π are between 0 and 45°.
+            Kind::Of(Function::Sin | Function::Cos, angle) => {
+                angle.as_term().is_some_and(Term::is_multiple_of_pi)
+            }
+            // An arc of a number with a positive first coefficient.
+            Kind::Of(_, value) => matches!(value.form, Form::Rational(_)),
+            Kind::Sum(_) => false,
+        }
+    }
+}
+
 impl Exact {
     /// The number that the atom is. A [`Kind::Sum`] is none by itself.
     pub(super) fn atom(kind: Kind) -> Self {

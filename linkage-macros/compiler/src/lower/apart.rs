@@ -2,18 +2,9 @@
 //! no trial changes. From one pose of a sweep to the next the first of them stays what it is at every trial.
 
 use super::one_root;
-use super::routine::Search;
+use super::routine::{Apart, Search};
 use crate::ir::graph::{Graph, Id, Node, Wanted};
 use crate::ir::liveness::{trial_nodes, tried};
-
-/// How an equation stands apart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Apart {
-    /// The side that no trial changes: 0 for the left one, 1 for the right one.
-    pub given: usize,
-    /// Whether it is proved that there is one root, and that the slope changes its sign next to an end alone.
-    pub has_one_root: bool,
-}
 
 /// How the equation of a search stands apart, if it does. A declared seed is a wish for another search, and
 /// ends that are parameters may be more than a turn apart.

@@ -4,7 +4,6 @@
 
 use syn::ext::IdentExt;
 
-use super::apart::Apart;
 use crate::interface::entries::Given;
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
@@ -50,6 +49,15 @@ pub(crate) struct Search {
     pub apart: Option<Apart>,
     /// Whether the ends are angles whose distance, at most a turn, is known at run time alone.
     pub asks_for_a_turn: bool,
+}
+
+/// How an equation stands apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Apart {
+    /// The side that no trial changes: 0 for the left one, 1 for the right one.
+    pub given: usize,
+    /// Whether it is proved that there is one root, and that the slope changes its sign next to an end alone.
+    pub has_one_root: bool,
 }
 
 /// How an entry point comes to its numbers.

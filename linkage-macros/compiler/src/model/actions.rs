@@ -4,8 +4,7 @@ use proc_macro2::{Ident, Span};
 use syn::Attribute;
 
 use crate::diagnostics::nearest;
-use crate::syntax::action::Action;
-use crate::syntax::tree::{self, Declaration, StatementKind};
+use crate::syntax::tree::{self, Action, Declaration, StatementKind};
 
 use super::Resolver;
 use super::dynamics::{Axes, Force, Load, Torque};

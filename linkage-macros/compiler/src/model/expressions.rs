@@ -12,7 +12,6 @@ use super::dimension::Measure;
 use super::folding::shown;
 use super::mechanism::{AngleSum, Dimension, Expr, LinkId, Operator, ParamKind};
 use super::names::{Entity, Kind, NUMBERS};
-use super::numbers::bare_name;
 
 /// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
 pub(super) struct Quantity {
@@ -365,5 +364,13 @@ pub(super) fn counted(count: usize) -> String {
         0 => "none is".into(),
         1 => "one is".into(),
         _ => format!("{count} are"),
+    }
+}
+
+/// The name of an expression that is a bare name.
+pub(super) fn bare_name(expr: &tree::Expr) -> Option<&Ident> {
+    match &expr.kind {
+        ExprKind::Name(name) => Some(name),
+        _ => None,
     }
 }

@@ -8,10 +8,10 @@ use crate::syntax::tree;
 
 use super::Resolver;
 use super::assembly::constants;
+use super::expressions::bare_name;
 use super::facts::GuideFacts;
 use super::mechanism::{Carrier, Guide, GuideDirection, GuideId, LinkId, PointId, Step, Through};
 use super::names::Entity;
-use super::numbers::bare_name;
 
 impl Resolver<'_> {
     pub(super) fn guide_line(

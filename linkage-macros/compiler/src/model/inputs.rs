@@ -9,11 +9,11 @@ use crate::syntax::tree::{Declaration, Expr, Statement, StatementKind};
 
 use super::Resolver;
 use super::dimension::Measure;
+use super::expressions::bare_name;
 use super::facts::{LetFacts, ParamFacts};
 use super::mechanism::{Dimension, Input, InputId, LetId, Param, ParamId, ParamKind};
 use super::modes::mode_word;
 use super::names::Entity;
-use super::numbers::bare_name;
 use super::references::{expressions, names_in};
 use super::units::unit;
 

@@ -5,12 +5,12 @@ use crate::syntax::anatomy::{JointRule, Pin};
 use crate::syntax::tree;
 
 use super::Resolver;
+use super::expressions::bare_name;
 use super::groups::{OuterJoint, Parts};
 use super::mechanism::{
     AngleSum, Assembly, Body, Carrier, Drive, Expr, Group, Joint, JointKind, Length, LinkId,
     PointId, Slideway,
 };
-use super::numbers::bare_name;
 
 /// The numbers that the fields of a group give, as far as they are right.
 pub(super) struct Dimensions {

@@ -2,8 +2,8 @@
 
 use proc_macro2::{Ident, Span};
 
-use crate::syntax::action::MassPlace as Written;
 use crate::syntax::tree;
+use crate::syntax::tree::MassSite as Written;
 
 use super::Resolver;
 use super::dynamics::{Mass, MassPlace, Quantity};

@@ -6,10 +6,10 @@ use crate::diagnostics::nearest;
 use crate::syntax::tree::{Expr, Group};
 
 use super::Resolver;
+use super::expressions::bare_name;
 use super::fields::Fields;
 use super::mechanism::{Mode, ParamKind, Sign};
 use super::names::{Entity, Kind};
-use super::numbers::bare_name;
 use crate::syntax::anatomy::{Anatomy, Modes};
 
 impl Modes {

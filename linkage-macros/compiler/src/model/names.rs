@@ -8,8 +8,7 @@ use std::collections::HashMap;
 
 use proc_macro2::Ident;
 
-use crate::syntax::action::Action;
-use crate::syntax::tree::{Declaration, Statement, StatementKind};
+use crate::syntax::tree::{Action, Declaration, Statement, StatementKind};
 
 use super::mechanism::{
     GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,

@@ -255,11 +255,3 @@ impl Resolver<'_> {
         None
     }
 }
-
-/// The name of an expression that is a bare name.
-pub(super) fn bare_name(expr: &tree::Expr) -> Option<&Ident> {
-    match &expr.kind {
-        ExprKind::Name(name) => Some(name),
-        _ => None,
-    }
-}

@@ -9,9 +9,9 @@ use crate::syntax::anatomy::Anatomy;
 use crate::syntax::tree::{Declaration, Expr, ExprKind, OutputItem, StatementKind};
 
 use super::Resolver;
+use super::expressions::bare_name;
 use super::mechanism::{Expr as Resolved, LinkId, Output, OutputKind};
 use super::names::{Entity, Kind};
-use super::numbers::bare_name;
 
 pub(super) const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
 

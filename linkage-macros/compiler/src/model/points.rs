@@ -9,9 +9,9 @@ use crate::syntax::tree::{self, Expr as Written};
 
 use super::Resolver;
 use super::assembly::{constants, polar};
+use super::expressions::bare_name;
 use super::folding::shown;
 use super::mechanism::{Carrier, Expr, GroupName, Length, LinkId, PartOf, Placement, Sign, Step};
-use super::numbers::bare_name;
 
 impl Resolver<'_> {
     pub(super) fn ground(&mut self, docs: &[Attribute], points: &[(Ident, [Written; 2])]) {

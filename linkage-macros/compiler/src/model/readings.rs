@@ -8,10 +8,10 @@ use crate::syntax::tree;
 
 use super::Resolver;
 use super::dimension::Measure;
+use super::expressions::bare_name;
 use super::expressions::{Quantity, counted};
 use super::mechanism::{Axis, Carrier, Expr, GuideId, LinkId, PointId, Step};
 use super::names::Kind;
-use super::numbers::bare_name;
 
 /// What a rate may be called by whoever looks for it among the members of a point.
 const RATES: [&str; 7] = ["velocity", "acceleration", "speed", "rate", "vx", "vy", "v"];

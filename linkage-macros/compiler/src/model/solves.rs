@@ -7,10 +7,10 @@ use crate::syntax::tree::{self, Solve};
 
 use super::Resolver;
 use super::expressions::Quantity;
+use super::expressions::bare_name;
 use super::mechanism::{Dimension, Equation, Expr, Length, Mode, Operator, ParamKind};
 use super::modes::{trend_word, words_of};
 use super::names::{Entity, Kind};
-use super::numbers::bare_name;
 use super::searched::Searched;
 use crate::syntax::anatomy::Modes;
 

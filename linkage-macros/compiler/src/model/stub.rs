@@ -11,13 +11,16 @@ use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
 use crate::exact::Exact;
-use crate::syntax::action::{ACTING, Action};
+use crate::syntax::action::ACTING;
 use crate::syntax::anatomy::{Anatomy, Modes, Pin};
-use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, Statement, StatementKind};
+use crate::syntax::tree::{
+    self, Action, Declaration, ExprKind, OutputItem, Statement, StatementKind,
+};
 
 use super::Resolver;
 use super::dimension::Measure;
 use super::dynamics::{Asked, Dynamics, Effort, Ends, Load, Mass, MassPlace, Quantity, Spring};
+use super::expressions::bare_name;
 use super::facts::{GuideFacts, ParamFacts};
 use super::mechanism::{
     AngleSum, Carrier, Dimension, Expr, GroupId, GroupName, Guide, GuideId, Input, InputId, LoadId,
@@ -26,7 +29,6 @@ use super::mechanism::{
 };
 use super::modes::mode_word;
 use super::names::{Entity, Kind, declared_by};
-use super::numbers::bare_name;
 
 const NUMBER: Dimension = Dimension::NUMBER;
 

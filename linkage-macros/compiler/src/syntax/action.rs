@@ -5,45 +5,10 @@
 use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Expr, Group, StatementKind};
+use super::tree::{Action, Group, MassSite, StatementKind};
 
 /// Words that say that something has mass or acts.
 pub(crate) const ACTING: [&str; 5] = ["mass", "inertia", "force", "torque", "spring"];
-
-/// `gravity`, `mass`, `inertia`, `force`, `torque` or `spring`.
-#[derive(Clone)]
-pub(crate) enum Action {
-    /// `gravity (0, -g);` and where it stands.
-    Gravity { at: Span, value: [Expr; 2] },
-    /// `mass 2kg on BC at G inertia 0.1(kg*m^2);`
-    Mass { value: Expr, on: Ident, place: MassPlace, inertia: Option<Expr> },
-    /// `inertia J on AB;`
-    Inertia { value: Expr, on: Ident },
-    /// `force (0, -f) in BC on P;`
-    Force { value: [Expr; 2], axes: Option<Ident>, on: Ident },
-    /// `force f between P and Q;`
-    ForceBetween { value: Expr, points: [Ident; 2] },
-    /// `torque t on DC;`
-    Torque { value: Expr, on: Ident },
-    /// `torque t between AB and DC;`
-    TorqueBetween { value: Expr, bodies: [Ident; 2] },
-    /// `spring shock between P and Q { stiffness: 15(N/m), free_length: 0.3m }`: two points, or two
-    /// bodies. Its fields are read like those of a group.
-    Spring { name: Option<Ident>, ends: [Ident; 2], fields: Group },
-}
-
-/// Where a mass is.
-#[derive(Clone)]
-pub(crate) enum MassPlace {
-    /// Nothing is said: the mass is on a point.
-    Here,
-    /// `at (x, y)` in the link's frame.
-    At([Expr; 2]),
-    /// `at G`
-    Point(Ident),
-    /// `uniform`, and where the word stands.
-    Uniform(Span),
-}
 
 const MASS_FORMS: &str = "a mass is `mass 2kg on BC at G`, `… on BC at (x, y)`, \
                           `… on BC uniform` or, on a pin or point, `mass 2kg on C`";
@@ -53,41 +18,6 @@ const AXES: &str = "a force f across a link is `force (0, f) in LINK on P`: behi
 const SPRING_FORM: &str = "a spring is `spring between P and Q { stiffness: 15(N/m), free_length: \
                            0.3m }`, between two points or two links, and may have a name";
 const TORQUE_FORMS: &str = "a torque is `torque t on BC` or `torque t between BC and DC`";
-
-impl Action {
-    /// The names that the statement builds on.
-    pub(crate) fn names(&self) -> Vec<&Ident> {
-        match self {
-            Self::Gravity { .. } => Vec::new(),
-            Self::Mass { on, place: MassPlace::Point(point), .. } => vec![on, point],
-            Self::Mass { on, .. } | Self::Inertia { on, .. } | Self::Torque { on, .. } => vec![on],
-            Self::Force { axes, on, .. } => axes.iter().chain([on]).collect(),
-            Self::ForceBetween { points: ends, .. } | Self::TorqueBetween { bodies: ends, .. } => {
-                ends.iter().collect()
-            }
-            Self::Spring { ends, .. } => ends.iter().collect(),
-        }
-    }
-
-    /// The expressions in it, from left to right.
-    pub(crate) fn expressions(&self) -> Vec<&Expr> {
-        match self {
-            Self::Gravity { value, .. } | Self::Force { value, .. } => value.iter().collect(),
-            Self::Mass { value, place, inertia, .. } => {
-                let place: &[Expr] = match place {
-                    MassPlace::At(place) => place,
-                    MassPlace::Here | MassPlace::Point(_) | MassPlace::Uniform(_) => &[],
-                };
-                [value].into_iter().chain(place).chain(inertia).collect()
-            }
-            Self::Inertia { value, .. }
-            | Self::ForceBetween { value, .. }
-            | Self::Torque { value, .. }
-            | Self::TorqueBetween { value, .. } => vec![value],
-            Self::Spring { fields, .. } => fields.values().collect(),
-        }
-    }
-}
 
 impl Parser<'_> {
     /// The statement whose first word is `keyword`, which was taken; `None` where the word begins
@@ -150,16 +80,16 @@ impl Parser<'_> {
             () if self.is_word(0, "uniform") => {
                 let at = self.here();
                 self.take();
-                MassPlace::Uniform(at)
+                MassSite::Uniform(at)
             }
             () if self.take_word("at") => match self.is_group(0, Delimiter::Parenthesis) {
-                true => MassPlace::At(self.pair("`(x, y)`")?),
+                true => MassSite::At(self.pair("`(x, y)`")?),
                 false if self.peek_ident(0).is_none() => {
                     return self.expected_because("a point or `(x, y)`", MASS_FORMS);
                 }
-                false => MassPlace::Point(self.name_of("a point")?),
+                false => MassSite::Point(self.name_of("a point")?),
             },
-            () => MassPlace::Here,
+            () => MassSite::Here,
         };
         let inertia = match self.take_word("inertia") {
             true => Some(self.expression()?),

@@ -2,8 +2,8 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenTree};
 
+use super::aftermath::stand_in;
 use super::literal;
-use super::recovery::stand_in;
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{BinaryOp, Expr, ExprKind};
 use super::words;

@@ -35,6 +35,7 @@
 //! stands in `anatomy`.
 
 pub(crate) mod action;
+mod aftermath;
 pub(crate) mod anatomy;
 mod chain;
 mod declaration;
@@ -62,6 +63,6 @@ use tree::Declaration;
 /// mistakes their places are marked, and [`tree::Unread`] holds what may be missing because of
 /// them.
 pub(crate) fn parse(source: TokenStream, diagnostics: &mut Diagnostics) -> Option<Declaration> {
-    let mut aftermath = recovery::Aftermath::default();
+    let mut aftermath = aftermath::Aftermath::default();
     tokens::Parser::new(source, diagnostics, &mut aftermath).declaration()
 }

@@ -1,62 +1,9 @@
-//! Going on after a mistake: where a statement in error ends, and what is remembered of the tokens
-//! that were given up, so that nothing else is reported because of them.
-
-use std::collections::HashSet;
+//! Going on after a mistake: where a statement in error ends, and which tokens are given up.
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use super::tokens::Parser;
 use super::words;
-
-/// What mistakes leave behind for the rest of the declaration.
-#[derive(Default)]
-pub(super) struct Aftermath {
-    /// The identifiers that were given up, see [`super::tree::Unread`].
-    pub unread: HashSet<String>,
-    /// Whether the statement in hand was told that no expression reads a reaction.
-    pub reads_a_reaction: bool,
-    /// Names that were declared and cannot be: one message is enough for all of their uses.
-    refused: HashSet<String>,
-}
-
-impl Aftermath {
-    /// Remembers a name that cannot be given, and gives the one that stands in for it.
-    pub(super) fn refuse(&mut self, name: &Ident) -> Ident {
-        self.refused.insert(name.to_string());
-        // A use may be read as something else, as that of `pi` is.
-        let instead = stand_in(name);
-        self.unread.insert(instead.to_string());
-        instead
-    }
-
-    pub(super) fn was_refused(&self, name: &Ident) -> bool {
-        self.refused.contains(&name.to_string())
-    }
-
-    fn give_up(&mut self, tree: &TokenTree) {
-        // What is given up may be nested deeper than a stack of calls is.
-        let mut trees = vec![tree.clone()];
-        while let Some(tree) = trees.pop() {
-            match tree {
-                TokenTree::Ident(word) => {
-                    self.unread.insert(word.to_string());
-                }
-                TokenTree::Group(group) => trees.extend(group.stream()),
-                TokenTree::Punct(_) | TokenTree::Literal(_) => {}
-            }
-        }
-    }
-}
-
-/// The name in the place of one that cannot be given.
-pub(super) fn stand_in(name: &Ident) -> Ident {
-    let word = name.to_string();
-    let plain = word.trim_start_matches("r#");
-    match words::is_rust_keyword(plain) {
-        true => Ident::new(&format!("{plain}_"), name.span()),
-        false => Ident::new(plain, name.span()),
-    }
-}
 
 impl Parser<'_> {
     /// Remembers that the tokens from `first` up to here were given up.

@@ -3,7 +3,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Spacing, Span, TokenStream, TokenTree};
 
-use super::recovery::{Aftermath, stand_in};
+use super::aftermath::{Aftermath, stand_in};
 use super::words;
 use crate::diagnostics::{Diagnostics, Extent};
 

@@ -8,7 +8,6 @@ use proc_macro2::{Ident, Span};
 use syn::{Attribute, Visibility};
 
 use crate::diagnostics::Extent;
-use crate::syntax::action::Action;
 
 /// `pub struct Name { statements }`.
 pub(crate) struct Declaration {
@@ -90,6 +89,76 @@ impl StatementKind {
     /// Whether it puts a force on a point or two.
     pub(crate) fn is_force(&self) -> bool {
         matches!(self, Self::Action(Action::Force { .. } | Action::ForceBetween { .. }))
+    }
+}
+
+/// `gravity`, `mass`, `inertia`, `force`, `torque` or `spring`.
+#[derive(Clone)]
+pub(crate) enum Action {
+    /// `gravity (0, -g);` and where it stands.
+    Gravity { at: Span, value: [Expr; 2] },
+    /// `mass 2kg on BC at G inertia 0.1(kg*m^2);`
+    Mass { value: Expr, on: Ident, place: MassSite, inertia: Option<Expr> },
+    /// `inertia J on AB;`
+    Inertia { value: Expr, on: Ident },
+    /// `force (0, -f) in BC on P;`
+    Force { value: [Expr; 2], axes: Option<Ident>, on: Ident },
+    /// `force f between P and Q;`
+    ForceBetween { value: Expr, points: [Ident; 2] },
+    /// `torque t on DC;`
+    Torque { value: Expr, on: Ident },
+    /// `torque t between AB and DC;`
+    TorqueBetween { value: Expr, bodies: [Ident; 2] },
+    /// `spring shock between P and Q { stiffness: 15(N/m), free_length: 0.3m }`: two points, or two
+    /// bodies. Its fields are read like those of a group.
+    Spring { name: Option<Ident>, ends: [Ident; 2], fields: Group },
+}
+
+/// Where a mass is.
+#[derive(Clone)]
+pub(crate) enum MassSite {
+    /// Nothing is said: the mass is on a point.
+    Here,
+    /// `at (x, y)` in the link's frame.
+    At([Expr; 2]),
+    /// `at G`
+    Point(Ident),
+    /// `uniform`, and where the word stands.
+    Uniform(Span),
+}
+
+impl Action {
+    /// The names that the statement builds on.
+    pub(crate) fn names(&self) -> Vec<&Ident> {
+        match self {
+            Self::Gravity { .. } => Vec::new(),
+            Self::Mass { on, place: MassSite::Point(point), .. } => vec![on, point],
+            Self::Mass { on, .. } | Self::Inertia { on, .. } | Self::Torque { on, .. } => vec![on],
+            Self::Force { axes, on, .. } => axes.iter().chain([on]).collect(),
+            Self::ForceBetween { points: ends, .. } | Self::TorqueBetween { bodies: ends, .. } => {
+                ends.iter().collect()
+            }
+            Self::Spring { ends, .. } => ends.iter().collect(),
+        }
+    }
+
+    /// The expressions in it, from left to right.
+    pub(crate) fn expressions(&self) -> Vec<&Expr> {
+        match self {
+            Self::Gravity { value, .. } | Self::Force { value, .. } => value.iter().collect(),
+            Self::Mass { value, place, inertia, .. } => {
+                let place: &[Expr] = match place {
+                    MassSite::At(place) => place,
+                    MassSite::Here | MassSite::Point(_) | MassSite::Uniform(_) => &[],
+                };
+                [value].into_iter().chain(place).chain(inertia).collect()
+            }
+            Self::Inertia { value, .. }
+            | Self::ForceBetween { value, .. }
+            | Self::Torque { value, .. }
+            | Self::TorqueBetween { value, .. } => vec![value],
+            Self::Spring { fields, .. } => fields.values().collect(),
+        }
     }
 }
 

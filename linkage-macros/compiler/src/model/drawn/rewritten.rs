@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::exact::Exact;
-use crate::syntax::action::{Action, MassPlace};
+use crate::syntax::tree::{Action, MassSite};
 use crate::syntax::tree::{
     Course, Expr, ExprKind, FieldValue, OutputItem, Place, Spot, Statement, StatementKind,
 };
@@ -279,7 +279,7 @@ impl Turns {
     fn action(&self, action: &Action) -> Action {
         let mut action = action.clone();
         match &mut action {
-            Action::Mass { on, place: MassPlace::At(place), .. } => *place = self.place(on, place),
+            Action::Mass { on, place: MassSite::At(place), .. } => *place = self.place(on, place),
             Action::Force { value, axes: Some(axes), .. } => {
                 *value = self.components(axes, value);
             }

@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 use syn::Attribute;
 
-use crate::syntax::action::{Action, MassPlace};
+use crate::syntax::tree::{Action, MassSite};
 use crate::syntax::tree::{
     BinaryOp, Course, Declaration, Expr, ExprKind, FieldValue, Group, Place, Spot, Statement,
     StatementKind,
@@ -141,10 +141,10 @@ fn written_action(action: &Action) -> String {
         Action::Gravity { value, .. } => format!("gravity {};", pair(value)),
         Action::Mass { value, on, place, inertia } => {
             let place = match place {
-                MassPlace::Here => String::new(),
-                MassPlace::At(place) => format!(" at {}", pair(place)),
-                MassPlace::Point(point) => format!(" at {point}"),
-                MassPlace::Uniform(_) => " uniform".to_string(),
+                MassSite::Here => String::new(),
+                MassSite::At(place) => format!(" at {}", pair(place)),
+                MassSite::Point(point) => format!(" at {point}"),
+                MassSite::Uniform(_) => " uniform".to_string(),
             };
             let inertia = inertia.iter().map(|inertia| format!(" inertia {}", text(inertia)));
             format!("mass {} on {on}{place}{};", text(value), inertia.collect::<String>())

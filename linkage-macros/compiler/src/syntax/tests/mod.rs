@@ -11,7 +11,6 @@ mod trees;
 
 use std::fmt::Write;
 
-use super::action::{Action, MassPlace};
 use super::parse;
 use super::tree::*;
 use crate::diagnostics::Diagnostics;
@@ -148,10 +147,10 @@ fn action(action: &Action) -> String {
         Action::Gravity { value, .. } => format!("gravity {}", pair(value)),
         Action::Mass { value, on, place, inertia } => {
             let place = match place {
-                MassPlace::Here => String::new(),
-                MassPlace::At(at) => format!(" at {}", pair(at)),
-                MassPlace::Point(point) => format!(" at {point}"),
-                MassPlace::Uniform(_) => " uniform".to_string(),
+                MassSite::Here => String::new(),
+                MassSite::At(at) => format!(" at {}", pair(at)),
+                MassSite::Point(point) => format!(" at {point}"),
+                MassSite::Uniform(_) => " uniform".to_string(),
             };
             let inertia = inertia.as_ref().map(|value| format!(" inertia {}", expr(value)));
             format!("mass {} on {on}{place}{}", expr(value), inertia.unwrap_or_default())

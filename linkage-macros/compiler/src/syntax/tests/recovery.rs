@@ -1,6 +1,6 @@
 //! Going on after a mistake: everything else is parsed, and reported where it is wrong too.
 
-use super::super::recovery::Aftermath;
+use super::super::aftermath::Aftermath;
 use super::super::tokens::Parser;
 use super::{body, parsed};
 use crate::diagnostics::Diagnostics;
