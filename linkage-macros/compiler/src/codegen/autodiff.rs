@@ -75,11 +75,7 @@ fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
         let dual = index.map(|index| &duals[index]);
         quote!(#dual)
     };
-    let keep = |param: &Param| {
-        let field = used(&param.name);
-        quote!(self.#field)
-    };
-    let solver = solver::construct(cx, &quote!(#name), dual, keep);
+    let solver = solver::construct(cx, &quote!(#name), dual, solver::held);
     let answer = quote!((#solver).position(#at));
     let of_duals = results::in_place(cx, &answer, |found| quote!(#found.rows()));
     Some(quote! {

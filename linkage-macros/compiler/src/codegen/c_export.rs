@@ -59,11 +59,7 @@ fn parameters(cx: &Context<'_>) -> TokenStream {
         let ty = if is_number(param) { quote!(#scalar) } else { quote!(#i32) };
         quote!(#field: #ty)
     });
-    let keep = |param: &Param| {
-        let field = used(&param.name);
-        quote!(self.#field)
-    };
-    let solver = solver::construct(cx, &quote!(#name), keep, |param| mode(cx, param));
+    let solver = solver::construct(cx, &quote!(#name), solver::held, |param| mode(cx, param));
     let marker = solver::marker(cx).map(|(field, ty)| quote!(#field: #ty<#scalar>));
     let defaults = Width::ALL.map(|width| default(cx, width));
     quote! {

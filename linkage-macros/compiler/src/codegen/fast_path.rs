@@ -49,7 +49,9 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
             at_unit_rate(cx, &arguments, *other)
         }
         Compute::Own { routine, stage, asked } => {
-            compared(cx, id, formulas::Call { routine: *routine, stage: *stage }, asked)
+            let (start, call) =
+                (cx.paths.item("AllMet"), formulas::Call { routine: *routine, stage: *stage });
+            compared(cx, id, call, asked, &quote!(#start::new()))
         }
     };
     let (docs, result) = (docs::fast_path(cx, id), results::ty(cx, entry.result, &number));
@@ -113,12 +115,6 @@ fn answer(cx: &Context<'_>, id: EntryId) -> TokenStream {
     }
 }
 
-/// The formulas, every condition compared, and the test that every result is finite.
-fn compared(cx: &Context<'_>, id: EntryId, call: formulas::Call, asked: &Asked) -> TokenStream {
-    let start = cx.paths.item("AllMet");
-    compared_from(cx, id, call, asked, &quote!(#start::new()))
-}
-
 /// The fast path of a sweep's pose, whose searches begin by the seeds of their unknowns; none where nothing is
 /// searched by a seed, or where the formulas are another entry point's.
 pub(super) fn following(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
@@ -134,7 +130,7 @@ pub(super) fn following(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     let [start, seed] = ["AllMet", "Seed"].map(|item| cx.paths.item(item));
     let start = quote!(#start::following(#seeds));
     let call = formulas::Call { routine: *routine, stage: *stage };
-    let body = compared_from(cx, id, call, asked, &start);
+    let body = compared(cx, id, call, asked, &start);
     let (name, result) = (following_name(entry), results::ty(cx, entry.result, &number));
     let docs = doc_comments::lines(&format!(
         "`{}` in a sweep: searches begin by what the pose before has left.",
@@ -153,8 +149,8 @@ pub(super) fn following_name(entry: &Entry) -> Ident {
     generated(&format!("follow_{}_", entry.name()))
 }
 
-/// [`compared`], the conditions by these checks.
-fn compared_from(
+/// The formulas, every condition compared by these checks, and the test that every result is finite.
+fn compared(
     cx: &Context<'_>,
     id: EntryId,
     call: formulas::Call,

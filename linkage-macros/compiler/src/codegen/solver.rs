@@ -60,6 +60,12 @@ pub(super) fn marker(cx: &Context<'_>) -> Option<(Ident, Tokens)> {
     cx.numeric_params().is_empty().then(|| (generated(&name), phantom))
 }
 
+/// A parameter as the solver holds it.
+pub(super) fn held(param: &Param) -> TokenStream {
+    let field = identifiers::used(&param.name);
+    quote!(self.#field)
+}
+
 /// `Self { … }` with every field given by the expression made for its parameter.
 pub(super) fn construct(
     cx: &Context<'_>,
@@ -204,15 +210,8 @@ fn default(cx: &Context<'_>) -> TokenStream {
 fn lift(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, lifted) = (&cx.names.solver, &cx.names.scalar, &cx.names.lifted);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
-    let keep = |param: &Param| {
-        let field = identifiers::used(&param.name);
-        quote!(self.#field)
-    };
-    let number = |param: &Param| {
-        let field = identifiers::used(&param.name);
-        lifted_number(cx, &quote!(self.#field), &quote!(#lifted))
-    };
-    let value = construct(cx, &quote!(#name), number, keep);
+    let number = |param: &Param| lifted_number(cx, &held(param), &quote!(#lifted));
+    let value = construct(cx, &quote!(#name), number, held);
     quote! {
         impl<#scalar: #real> #name<#scalar> {
             /// The same solver on other numbers, the parameters without derivatives.

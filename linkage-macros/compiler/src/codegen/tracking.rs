@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::identifiers::{generated, used};
+use super::identifiers::generated;
 use super::input_records::{input_of, of_fields, of_numbers};
 use super::solver;
 use super::statements::Printer;
@@ -74,17 +74,12 @@ fn told(cx: &Context<'_>, to: &mut Text) {
     if cx.numeric_params().is_empty() {
         to.put("let _ = standing_; ");
     }
-    let field = |param: &Param| used(&param.name);
     let lift = |param: &Param| {
-        let field = field(param);
-        quote!(standing_(self.#field))
-    };
-    let keep = |param: &Param| {
-        let field = field(param);
-        quote!(self.#field)
+        let held = solver::held(param);
+        quote!(standing_(#held))
     };
     let solver = &cx.names.solver;
-    let lifted = solver::construct(cx, &quote!(#solver::<#lifted>), lift, keep);
+    let lifted = solver::construct(cx, &quote!(#solver::<#lifted>), lift, solver::held);
     to.put(&format!("let lifted_ = {lifted};\n"));
 }
 

@@ -66,10 +66,8 @@ impl Interface {
 
     /// The entry point that gives the same from the only input's cosine and sine.
     pub(crate) fn of_cosine(&self, own: &Entry) -> Option<EntryId> {
-        if own.takes_cosine() {
-            return None;
-        }
-        self.find(EntryPoint { by_cosine: true, ..own.point })
+        let other = self.find(EntryPoint { by_cosine: true, ..own.point });
+        other.filter(|_| !own.takes_cosine())
     }
 
     pub(crate) fn entry(&self, id: EntryId) -> &Entry {
