@@ -10,25 +10,25 @@ pub(crate) struct Machine {
     /// Where the pins are in the drawing.
     pub pins: Vec<Complex>,
     /// The ground first.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<RigidBody>,
     pub slides: Vec<Slide>,
-    pub drives: Vec<Drive>,
+    pub drives: Vec<Driving>,
 }
 
 /// A rigid body. A pin of several bodies is a revolute joint between them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Body {
+pub(crate) struct RigidBody {
     pub pins: Vec<usize>,
     /// The bodies and pins from which the body follows by other means, where it is no body of the
     /// chain.
-    pub given: Option<Needs>,
+    pub given: Option<Footing>,
     /// The bodies on which its length depends.
     pub reads: Vec<usize>,
 }
 
 /// What a given body stands on.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Needs {
+pub(crate) struct Footing {
     pub bodies: Vec<usize>,
     pub pins: Vec<usize>,
 }
@@ -46,7 +46,7 @@ pub(crate) struct Slide {
 
 /// A driven joint: the angle or the slide of a body against another is given.
 #[derive(Clone, Debug)]
-pub(crate) struct Drive {
+pub(crate) struct Driving {
     pub kind: Driven,
     /// The body that is driven, and what it is driven against.
     pub bodies: [usize; 2],
@@ -71,8 +71,12 @@ impl Machine {
         body == GROUND || self.bodies[body].given.is_some()
     }
 
-    /// A pin that both bodies have.
-    pub(crate) fn shared_pin(&self, [a, b]: [usize; 2]) -> Option<usize> {
-        self.bodies[a].pins.iter().copied().find(|pin| self.bodies[b].pins.contains(pin))
+    /// The greatest distance between two pins along an axis: the size by which lengths are judged.
+    pub(crate) fn size(&self) -> f64 {
+        let extent = |of: fn(&Complex) -> f64| {
+            let values = || self.pins.iter().map(of);
+            values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+        };
+        extent(|pin| pin.x).max(extent(|pin| pin.y)).max(f64::MIN_POSITIVE)
     }
 }

@@ -3,23 +3,28 @@
 //! [`cut`] takes bodies, the joints between them and what is driven, with one pose in which all of
 //! it is drawn, and returns the groups in solving order. [`count`] finds them by counting freedoms:
 //! every constraint is held by a body or a pin that it leaves one freedom less, and bodies that
-//! hold each other's constraints in a circle are one group. [`groups`] makes drivers and dyads of
-//! them, [`pose`] says how far each is from its limit.
+//! hold each other's constraints in a circle are one group. [`cutting`] makes drivers and dyads of
+//! them. A group of class III is solved by one unknown: [`options`] lists what can be left out and what
+//! be driven, and [`trace`] follows the machine to choose among them. [`pose`] computes poses, and
+//! [`limits`] says how far each group is from its limit.
 //!
 //! Only numbers in `f64` and indices stand here: no names, no tokens, no exact constants and no
 //! messages. A result decides which groups there are and on which side they assemble, and no
 //! dimension of them.
 
 pub(crate) mod count;
-pub(crate) mod groups;
+pub(crate) mod cutting;
+pub(crate) mod limits;
 pub(crate) mod machine;
+pub(crate) mod options;
 pub(crate) mod plane;
-pub(crate) mod pose;
+mod pose;
+mod trace;
 
 #[cfg(test)]
 mod tests;
 
-use groups::Step;
+use cutting::Found;
 use machine::Machine;
 
 /// What keeps a machine from being cut. Bodies and drives by their indices.
@@ -35,24 +40,29 @@ pub(crate) enum Trouble {
     },
     /// The bodies still move when every drive is held.
     Loose { bodies: Vec<usize>, freedoms: usize },
-    /// The bodies are one group, which is no driver and no dyad.
+    /// The bodies are one group, which is no driver and no dyad, and which no unknown solves.
     Undecided { bodies: Vec<usize> },
 }
 
 /// The groups of a machine in solving order, or all that keeps it from being cut.
-pub(crate) fn cut(machine: &Machine) -> Result<Vec<Step>, Vec<Trouble>> {
+pub(crate) fn cut(machine: &Machine) -> Result<Vec<Found>, Vec<Trouble>> {
     let troubles = count::troubles(machine);
     if !troubles.is_empty() {
         return Err(troubles);
     }
     let mut steps = Vec::new();
-    let mut known = groups::Known::at_first(machine);
+    let mut known = cutting::Placed::at_first(machine);
     for group in count::groups(machine) {
-        let found = groups::steps(machine, &known, &group);
-        let Some(found) = found else {
-            return Err(vec![Trouble::Undecided { bodies: group }]);
-        };
-        steps.extend(found);
+        match cutting::steps(machine, &known, &group) {
+            Some(found) => steps.extend(found),
+            None => {
+                let options = options::options(machine, &known, &group);
+                let Some(search) = trace::chosen(machine, &steps, options) else {
+                    return Err(vec![Trouble::Undecided { bodies: group }]);
+                };
+                steps.push(Found::Search(Box::new(search)));
+            }
+        }
         known.add(machine, &group);
     }
     Ok(steps)

@@ -30,6 +30,11 @@ impl Complex {
         Self::new(self.x * factor, self.y * factor)
     }
 
+    /// The vector mirrored at the x axis.
+    pub(crate) fn conjugate(self) -> Self {
+        Self::new(self.x, -self.y)
+    }
+
     /// The unit vector of its direction.
     pub(crate) fn unit(self) -> Self {
         self.times(1.0 / self.length())

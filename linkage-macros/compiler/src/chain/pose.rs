@@ -1,41 +1,247 @@
-//! How far groups are from their limits in the drawing.
+//! Poses of the groups that were found, from the drawing on.
 
-use super::groups::{Dyad, Joint, Step};
-use super::machine::Machine;
+use super::cutting::{Dyad, Found, Pair};
+use super::limits::sine;
+use super::machine::{GROUND, Machine};
+use super::options::Search;
 use super::plane::Complex;
 
-/// The signed measure of a dyad in the drawing: the sine of the angle between what its links are
-/// held by. Its sign is the assembly mode where the dyad has one, and zero is the limit.
-pub(crate) fn sine(machine: &Machine, dyad: &Dyad) -> f64 {
-    let pin = |index: usize| machine.pins[index];
-    let slide = |index: usize| machine.slides[index];
-    match (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer) {
-        (Joint::Pin(u), Joint::Pin(v), Joint::Pin(w)) => {
-            let (a, b) = (pin(v) - pin(u), pin(v) - pin(w));
-            ratio(a.cross(b), a.length() * b.length())
-        }
-        (Joint::Pin(u), Joint::Pin(v), Joint::Slide(s)) => along(slide(s).along, pin(v) - pin(u)),
-        (Joint::Pin(u), Joint::Slide(s), Joint::Pin(w)) => along(slide(s).along, pin(u) - pin(w)),
-        (Joint::Slide(s), _, Joint::Slide(t))
-        | (Joint::Pin(_), Joint::Slide(s), Joint::Slide(t)) => slide(t).along.cross(slide(s).along),
-        _ => 0.0,
+/// The motion of a body from the drawing: z ↦ shift + turn z.
+#[derive(Clone, Copy, Debug)]
+struct Motion {
+    shift: Complex,
+    turn: Complex,
+}
+
+impl Motion {
+    fn of(self, place: Complex) -> Complex {
+        self.shift + self.turn * place
+    }
+
+    /// The motion with this turning that brings a place of the drawing to another.
+    fn taking(from: Complex, to: Complex, turn: Complex) -> Self {
+        Self { shift: to - turn * from, turn }
     }
 }
 
-/// The cosine of the angle between a direction and a vector.
-fn along(direction: Complex, vector: Complex) -> f64 {
-    ratio(direction.dot(vector), vector.length())
+/// What drives and unknowns are, from the drawing.
+pub(super) struct Given {
+    pub drives: Vec<f64>,
+    /// The unknowns of the searches so far; each begins where it was.
+    pub unknowns: Vec<f64>,
 }
 
-/// Zero where nothing has a length.
-fn ratio(part: f64, whole: f64) -> f64 {
-    if whole > 0.0 { part / whole } else { 0.0 }
+/// Bodies as far as they are placed.
+#[derive(Clone)]
+pub(super) struct Posed<'m> {
+    machine: &'m Machine,
+    of: Vec<Option<Motion>>,
 }
 
-/// The step whose dyad is within `least` of its limit in the drawing.
-pub(crate) fn at_limit<'s>(machine: &Machine, steps: &'s [Step], least: f64) -> Option<&'s Dyad> {
-    steps.iter().find_map(|step| match step {
-        Step::Dyad(dyad) if sine(machine, dyad).abs() < least => Some(dyad),
-        _ => None,
-    })
+impl<'m> Posed<'m> {
+    pub(super) fn new(machine: &'m Machine) -> Self {
+        let mut of = vec![None; machine.bodies.len()];
+        of[GROUND] = Some(Motion { shift: Complex::new(0.0, 0.0), turn: Complex::new(1.0, 0.0) });
+        Self { machine, of }
+    }
+
+    fn pin(&self, pin: usize) -> Option<Complex> {
+        let motion = self.machine.at(pin).find_map(|body| self.of[body])?;
+        Some(motion.of(self.machine.pins[pin]))
+    }
+
+    /// Places bodies; `None` where a dyad does not assemble or a search has no root nearby.
+    pub(super) fn run(&mut self, steps: &[Found], given: &mut Given, unknown: f64) -> Option<()> {
+        let mut searches = 0;
+        for step in steps {
+            match step {
+                Found::Crank { drive, body, reference, pivot } => {
+                    let change = self.change(*drive, *body, given, unknown);
+                    let turn = self.of[*reference]?.turn * Complex::turned(change);
+                    let place = Motion::taking(self.machine.pins[*pivot], self.pin(*pivot)?, turn);
+                    self.of[*body] = Some(place);
+                }
+                Found::Slider { drive, body, slide } => {
+                    let slide = self.machine.slides[*slide];
+                    let is_body = slide.body == *body;
+                    let other = self.of[if is_body { slide.carrier } else { slide.body }]?;
+                    let change = self.change(*drive, *body, given, unknown);
+                    let sign = if is_body || drive.is_some() { 1.0 } else { -1.0 };
+                    let way = other.turn * slide.along.times(sign * change);
+                    self.of[*body] = Some(Motion { shift: other.shift + way, turn: other.turn });
+                }
+                Found::Dyad(dyad) => self.dyad(dyad)?,
+                Found::Search(search) => {
+                    let start = given.unknowns.get(searches).copied().unwrap_or(0.0);
+                    let root = self.solve(search, given, start)?;
+                    if let Some(unknown) = given.unknowns.get_mut(searches) {
+                        *unknown = root;
+                    }
+                    searches += 1;
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// How far a driver is from the drawing.
+    fn change(&self, drive: Option<usize>, body: usize, given: &Given, unknown: f64) -> f64 {
+        match drive {
+            None => unknown,
+            Some(drive) if self.machine.drives[drive].bodies[0] == body => given.drives[drive],
+            Some(drive) => -given.drives[drive],
+        }
+    }
+
+    /// By how much the equation of a search is missed, as a length.
+    pub(super) fn residual(
+        &mut self,
+        search: &Search,
+        given: &mut Given,
+        unknown: f64,
+    ) -> Option<f64> {
+        self.run(&search.steps, given, unknown)?;
+        let machine = self.machine;
+        let Pair::Pin(first) = search.joints[0] else { return None };
+        let at = self.pin(first)?;
+        let missed = match search.joints[1] {
+            Pair::Pin(second) => {
+                let drawn = machine.pins[second] - machine.pins[first];
+                let now = self.pin(second)? - at;
+                let turn = (now * drawn.conjugate()).unit();
+                self.of[search.left_out] = Some(Motion::taking(machine.pins[first], at, turn));
+                now.length() - drawn.length()
+            }
+            Pair::Slide(slide) => {
+                let slide = machine.slides[slide];
+                let is_body = slide.body == search.left_out;
+                let other = self.of[if is_body { slide.carrier } else { slide.body }]?;
+                let drawn = slide.along.cross(machine.pins[first] - slide.through);
+                let from = at - other.of(slide.through);
+                self.of[search.left_out] =
+                    Some(Motion::taking(machine.pins[first], at, other.turn));
+                (other.turn * slide.along).cross(from) - drawn
+            }
+        };
+        missed.is_finite().then_some(missed)
+    }
+
+    /// The slope of the equation over the unknown.
+    pub(super) fn slope(&self, search: &Search, given: &mut Given, unknown: f64) -> Option<f64> {
+        const STEP: f64 = 1e-6;
+        let mut at = |unknown: f64| self.clone().residual(search, given, unknown);
+        Some((at(unknown + STEP)? - at(unknown - STEP)?) / (2.0 * STEP))
+    }
+
+    /// Newton's root of a search beside a start; its bodies are placed there.
+    pub(super) fn solve(&mut self, search: &Search, given: &mut Given, start: f64) -> Option<f64> {
+        const STEPS: usize = 20;
+        let mut unknown = start;
+        for _ in 0..STEPS {
+            let missed = self.clone().residual(search, given, unknown)?;
+            let step = missed / self.slope(search, given, unknown)?;
+            unknown -= step;
+            if !unknown.is_finite() {
+                return None;
+            }
+            if step.abs() < 1e-11 {
+                self.residual(search, given, unknown)?;
+                return Some(unknown);
+            }
+        }
+        None
+    }
+
+    fn dyad(&mut self, dyad: &Dyad) -> Option<()> {
+        let machine = self.machine;
+        let sign = sine(machine, dyad).signum();
+        let drawn = |pin: usize| machine.pins[pin];
+        let [a, b] = dyad.legs.each_ref().map(|leg| leg.bodies[0]);
+        match (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer) {
+            (Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)) => {
+                let (from, to) = (self.pin(u)?, self.pin(w)?);
+                let (first, second) =
+                    ((drawn(v) - drawn(u)).length(), (drawn(v) - drawn(w)).length());
+                let base = to - from;
+                let far = base.length();
+                let x = (far + (first - second) * (first + second) / far) / 2.0;
+                let tip =
+                    from + base.unit() * Complex::new(x, sign * root((first - x) * (first + x))?);
+                for (body, pin, at) in [(a, u, from), (b, w, to)] {
+                    let turn = ((tip - at) * (drawn(v) - drawn(pin)).conjugate()).unit();
+                    self.of[body] = Some(Motion::taking(drawn(pin), at, turn));
+                }
+            }
+            (Pair::Pin(u), Pair::Pin(v), Pair::Slide(s)) => {
+                let (from, rail) = (self.pin(u)?, self.rail(s, b)?);
+                let (along, through) = (rail.1, rail.0);
+                let offset = machine.slides[s].along.cross(drawn(v) - machine.slides[s].through);
+                let foot = along.cross(from - through) - offset;
+                let length = (drawn(v) - drawn(u)).length();
+                let way =
+                    along.dot(from - through) + sign * root((length - foot) * (length + foot))?;
+                let tip = through + along * Complex::new(way, offset);
+                let turn = ((tip - from) * (drawn(v) - drawn(u)).conjugate()).unit();
+                self.of[a] = Some(Motion::taking(drawn(u), from, turn));
+                self.of[b] = Some(Motion::taking(drawn(v), tip, rail.2));
+            }
+            (Pair::Pin(u), Pair::Slide(s), Pair::Pin(w)) => {
+                let (from, to) = (self.pin(u)?, self.pin(w)?);
+                let along = machine.slides[s].along;
+                let offset = along.cross(drawn(u) - drawn(w));
+                let far = (from - to).length();
+                let way = sign * root((far - offset) * (far + offset))?;
+                let turn = ((from - to) * (along * Complex::new(way, offset)).conjugate()).unit();
+                self.of[a] = Some(Motion::taking(drawn(u), from, turn));
+                self.of[b] = Some(Motion::taking(drawn(w), to, turn));
+            }
+            (Pair::Slide(s), Pair::Pin(v), Pair::Slide(t)) => {
+                self.on_two_rails([a, b], [s, t], v)?
+            }
+            (Pair::Pin(u), Pair::Slide(s), Pair::Slide(t)) => {
+                let (through, along, turn) = self.rail(t, b)?;
+                let slot = turn * machine.slides[s].along;
+                let carried = through + turn * (drawn(u) - machine.slides[t].through);
+                let way = quotient((self.pin(u)? - carried).cross(slot), along.cross(slot))?;
+                let yoke =
+                    Motion::taking(machine.slides[t].through, through + along.times(way), turn);
+                self.of[b] = Some(yoke);
+                self.of[a] = Some(Motion::taking(drawn(u), self.pin(u)?, turn));
+            }
+            _ => return None,
+        }
+        Some(())
+    }
+
+    fn on_two_rails(&mut self, [a, b]: [usize; 2], [s, t]: [usize; 2], pin: usize) -> Option<()> {
+        let drawn = self.machine.pins[pin];
+        let line = |slide: usize, body: usize| {
+            let (through, along, turn) = self.rail(slide, body)?;
+            let slide = self.machine.slides[slide];
+            let offset = slide.along.cross(drawn - slide.through);
+            Some((through + along * Complex::new(0.0, offset), along, turn))
+        };
+        let (first, second) = (line(s, a)?, line(t, b)?);
+        let way = quotient((second.0 - first.0).cross(second.1), first.1.cross(second.1))?;
+        let tip = first.0 + first.1.times(way);
+        self.of[a] = Some(Motion::taking(drawn, tip, first.2));
+        self.of[b] = Some(Motion::taking(drawn, tip, second.2));
+        Some(())
+    }
+
+    /// A point, the direction and the turning of the line along which a body slides.
+    fn rail(&self, slide: usize, body: usize) -> Option<(Complex, Complex, Complex)> {
+        let slide = self.machine.slides[slide];
+        let known = self.of[if slide.body == body { slide.carrier } else { slide.body }]?;
+        Some((known.of(slide.through), known.turn * slide.along, known.turn))
+    }
+}
+
+/// The root of a number that is not negative.
+fn root(square: f64) -> Option<f64> {
+    (square >= 0.0).then(|| square.sqrt())
+}
+
+fn quotient(above: f64, below: f64) -> Option<f64> {
+    (below != 0.0).then(|| above / below)
 }

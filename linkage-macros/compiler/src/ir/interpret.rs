@@ -91,6 +91,9 @@ fn root<N: Number>(program: &Program, given: &Given<N>, values: &mut [N], sought
     let middle = from.add(&to).mul(&half);
     let mut trial = sought.near.map_or(middle, |near| values[near.index()].clone()).point();
     let nodes = trial_nodes(&program.graph, &sought.sides);
+    if sought.near.is_none() {
+        trial = halved(program, given, values, sought, &nodes);
+    }
     for _ in 0..STEPS {
         for &(id, node) in &nodes {
             values[id.index()] = value(program, given, values, node, Some(&trial));
@@ -100,6 +103,37 @@ fn root<N: Number>(program: &Program, given: &Given<N>, values: &mut [N], sought
     }
     trial
 }
+
+/// The middle of a small interval around the root, at whose ends the equation changes its sign.
+fn halved<N: Number>(
+    program: &Program,
+    given: &Given<N>,
+    values: &mut [N],
+    sought: &Sought,
+    nodes: &[(Id, Node)],
+) -> N {
+    let half = N::exact(&Exact::float(0.5).expect("finite"));
+    let [mut from, mut to] = sought.between.map(|end| values[end.index()].point());
+    let mut is_above = |trial: &N| {
+        for &(id, node) in nodes {
+            values[id.index()] = value(program, given, values, node, Some(trial));
+        }
+        values[sought.sides[0].index()].is_at_least(&values[sought.sides[1].index()])
+    };
+    let first = is_above(&from);
+    for _ in 0..HALVINGS {
+        let middle = from.add(&to).mul(&half).point();
+        if is_above(&middle) == first {
+            from = middle;
+        } else {
+            to = middle;
+        }
+    }
+    from.add(&to).mul(&half).point()
+}
+
+/// Enough for Newton's method to converge.
+const HALVINGS: usize = 16;
 
 /// More than Newton's method takes to a hundred digits from the first.
 const STEPS: usize = 14;

@@ -113,7 +113,7 @@ fn stub_of_drawing(tree: &Declaration, diagnostics: &mut Diagnostics) -> Mechani
 fn resolve_groups(
     tree: &Declaration,
     diagnostics: &mut Diagnostics,
-    turned: &[drawn::Turned],
+    turned: &[drawn::TurnedFrame],
 ) -> Option<Mechanism> {
     let resolver = walked(tree, diagnostics, turned);
     (resolver.diagnostics.count() == 0).then_some(resolver.mechanism)
@@ -123,7 +123,7 @@ fn resolve_groups(
 fn walked<'d>(
     tree: &'d Declaration,
     diagnostics: &'d mut Diagnostics,
-    turned: &[drawn::Turned],
+    turned: &[drawn::TurnedFrame],
 ) -> Resolver<'d> {
     let mut resolver = Resolver::new(tree, &tree.unread, diagnostics);
     resolver.statements(tree);

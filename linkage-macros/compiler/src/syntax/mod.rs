@@ -37,10 +37,10 @@
 pub(crate) mod action;
 mod aftermath;
 pub(crate) mod anatomy;
-mod chain;
 mod declaration;
 pub(crate) mod expression;
 mod group;
+mod links;
 mod literal;
 mod recovery;
 mod slips;

@@ -64,7 +64,7 @@ pub(crate) enum StatementKind {
     /// `link AB(A, B), block(Q) on slot;` or `link lift(F, G) { length: s }`
     Link { links: Vec<DrawnLink>, fields: Option<Group> },
     /// `drive AB.angle = theta;`
-    Drive(Drive),
+    Drive(DriveStatement),
     /// `guide slot on BC through P towards C;`
     Guide { name: Ident, on: Option<Ident>, through: Spot, course: Course },
     /// `point P on BC at …;`
@@ -189,7 +189,7 @@ pub(crate) struct DrawnLink {
 
 /// `drive BC.angle - AB.angle = theta;`.
 #[derive(Clone)]
-pub(crate) struct Drive {
+pub(crate) struct DriveStatement {
     pub link: Ident,
     /// `angle` or `slide`; not yet known to be one of them.
     pub member: Ident,

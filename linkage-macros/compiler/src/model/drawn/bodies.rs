@@ -2,23 +2,23 @@
 
 use proc_macro2::Ident;
 
-use crate::chain::machine::{Drive as Driving, Driven, GROUND, Machine, Slide};
+use crate::chain::machine::{Driven, Driving, GROUND, Machine, Slide};
 use crate::chain::plane::Complex;
-use crate::syntax::tree::{Declaration, Drive, Expr, ExprKind, Place};
+use crate::syntax::tree::{Declaration, DriveStatement, Expr, ExprKind, Place};
 
-use super::frames::{Frame, Line};
-use super::numbers::{Number, Pen};
+use super::figures::{Figure, Pen};
+use super::frames::{DrawnFrame, DrawnLine};
 
 /// A point of the ground, a pin, or a point that is declared on a link.
-pub(super) struct Pin<'t> {
+pub(super) struct PinPlace<'t> {
     pub name: Ident,
-    pub at: [Number; 2],
+    pub at: [Figure; 2],
     /// Where it is declared on a link: the place, which the link's frame gives.
     pub on: Option<(usize, &'t Place)>,
 }
 
 /// A link of the drawing.
-pub(super) struct Link<'t> {
+pub(super) struct LinkOutline<'t> {
     pub name: &'t Ident,
     /// Through which it goes, in the order of its statement.
     pub pins: Vec<usize>,
@@ -27,7 +27,7 @@ pub(super) struct Link<'t> {
     /// Its guides.
     pub on: Vec<usize>,
     /// The length that is declared, and its value where that is known.
-    pub length: Option<(&'t Expr, Option<Number>)>,
+    pub length: Option<(&'t Expr, Option<Figure>)>,
     /// Its statement.
     pub statement: usize,
     /// Whether a group that is declared makes it.
@@ -35,25 +35,25 @@ pub(super) struct Link<'t> {
 }
 
 /// A guide of the drawing.
-pub(super) struct Guide<'t> {
+pub(super) struct GuideLine<'t> {
     pub name: &'t Ident,
     /// The body that it is on.
     pub on: usize,
     /// The angle that it is given by.
     pub along: Option<&'t Expr>,
-    pub line: Line,
+    pub line: DrawnLine,
 }
 
 /// All of a drawing by its names.
 pub(super) struct Bodies<'t> {
     pub tree: &'t Declaration,
-    pub pins: Vec<Pin<'t>>,
+    pub pins: Vec<PinPlace<'t>>,
     /// Body `i + 1` is link `i`.
-    pub links: Vec<Link<'t>>,
-    pub guides: Vec<Guide<'t>>,
-    pub drives: Vec<(usize, &'t Drive)>,
+    pub links: Vec<LinkOutline<'t>>,
+    pub guides: Vec<GuideLine<'t>>,
+    pub drives: Vec<(usize, &'t DriveStatement)>,
     /// The frames that links are written in.
-    pub frames: Vec<Frame>,
+    pub frames: Vec<DrawnFrame>,
     pub machine: Machine,
 }
 
@@ -66,7 +66,7 @@ impl<'t> Bodies<'t> {
         }
     }
 
-    pub(super) fn link(&self, body: usize) -> &Link<'t> {
+    pub(super) fn link(&self, body: usize) -> &LinkOutline<'t> {
         &self.links[body - 1]
     }
 

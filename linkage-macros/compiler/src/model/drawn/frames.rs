@@ -9,7 +9,7 @@ use crate::chain::machine::GROUND;
 use crate::exact::Exact;
 use crate::syntax::tree::{Course, Place, Spot, StatementKind};
 
-use super::numbers::{Number, Pen};
+use super::figures::{Figure, Pen};
 use super::reader::Reader;
 
 /// Where a frame begins.
@@ -23,7 +23,7 @@ pub(super) enum Origin {
 
 /// Where its x points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Axis {
+pub(super) enum Heading {
     X,
     Pins(usize, usize),
     Guide(usize),
@@ -31,36 +31,36 @@ pub(super) enum Axis {
 
 /// The frame of a link in the drawing.
 #[derive(Clone)]
-pub(super) struct Frame {
+pub(super) struct DrawnFrame {
     pub begins: Origin,
-    pub points: Axis,
-    pub origin: [Number; 2],
+    pub points: Heading,
+    pub origin: [Figure; 2],
     /// Not of length one.
-    pub axis: [Number; 2],
+    pub axis: [Figure; 2],
 }
 
 /// The line of a guide in the drawing.
 #[derive(Clone)]
-pub(super) struct Line {
-    pub through: [Number; 2],
+pub(super) struct DrawnLine {
+    pub through: [Figure; 2],
     /// Not of length one.
-    pub along: [Number; 2],
-    pub points: Axis,
+    pub along: [Figure; 2],
+    pub points: Heading,
 }
 
-impl Line {
-    pub(super) fn unknown(zero: Number) -> Self {
+impl DrawnLine {
+    pub(super) fn unknown(zero: Figure) -> Self {
         let zero = [zero.clone(), zero];
-        Self { through: zero.clone(), along: zero, points: Axis::X }
+        Self { through: zero.clone(), along: zero, points: Heading::X }
     }
 }
 
-impl Frame {
+impl DrawnFrame {
     pub(super) fn ground(pen: &Pen) -> Self {
         let [zero, one] = [0, 1].map(|value| unit_number(pen, value));
         Self {
             begins: Origin::Ground,
-            points: Axis::X,
+            points: Heading::X,
             origin: [pen.zero(), pen.zero()],
             axis: [one, zero],
         }
@@ -72,46 +72,46 @@ impl Frame {
     }
 
     /// The place in this frame.
-    pub(super) fn local(&self, pen: &Pen, place: &[Number; 2]) -> [Number; 2] {
+    pub(super) fn local(&self, pen: &Pen, place: &[Figure; 2]) -> [Figure; 2] {
         let from_origin = pen.minus(place, &self.origin);
         match self.points {
-            Axis::X => from_origin,
+            Heading::X => from_origin,
             _ => pen.seen_from(&self.axis, &from_origin),
         }
     }
 
     /// The vector in the axes of this frame, not of its own length.
-    pub(super) fn local_direction(&self, pen: &Pen, vector: &[Number; 2]) -> [Number; 2] {
+    pub(super) fn local_direction(&self, pen: &Pen, vector: &[Figure; 2]) -> [Figure; 2] {
         match self.points {
-            Axis::X => vector.clone(),
+            Heading::X => vector.clone(),
             _ => [pen.dot(&self.axis, vector), pen.cross(&self.axis, vector)],
         }
     }
 
     /// The place in the drawing of coordinates in this frame.
-    pub(super) fn placed(&self, pen: &Pen, local: &[Number; 2]) -> [Number; 2] {
+    pub(super) fn placed(&self, pen: &Pen, local: &[Figure; 2]) -> [Figure; 2] {
         pen.plus(&self.origin, &self.direction(pen, local))
     }
 
     /// The vector in the drawing of components in this frame.
-    pub(super) fn direction(&self, pen: &Pen, local: &[Number; 2]) -> [Number; 2] {
+    pub(super) fn direction(&self, pen: &Pen, local: &[Figure; 2]) -> [Figure; 2] {
         match self.points {
-            Axis::X => local.clone(),
+            Heading::X => local.clone(),
             _ => pen.seen_in_ground(&self.axis, local),
         }
     }
 }
 
-fn unit_number(pen: &Pen, value: i64) -> Number {
+fn unit_number(pen: &Pen, value: i64) -> Figure {
     let exact = Exact::integer(value);
-    pen.as_decimal(Number::plain(pen.zero().text, value as f64, Some(exact)))
+    pen.as_decimal(Figure::plain(pen.zero().text, value as f64, Some(exact)))
 }
 
 /// The frames of all links as they are written, and the lines of all guides. `None` where they
 /// stand on each other in a circle, which is reported.
-pub(super) fn written(reader: &mut Reader<'_, '_, '_>) -> Option<Vec<Frame>> {
+pub(super) fn written(reader: &mut Reader<'_, '_, '_>) -> Option<Vec<DrawnFrame>> {
     let mut frames = vec![None; reader.links.len() + 1];
-    frames[GROUND] = Some(Frame::ground(&reader.values.pen));
+    frames[GROUND] = Some(DrawnFrame::ground(&reader.values.pen));
     let mut lines = vec![false; reader.guides.len()];
     let mut pins: Vec<_> = reader.pins.iter().map(|pin| pin.on.is_none()).collect();
     loop {
@@ -164,8 +164,8 @@ pub(super) fn written(reader: &mut Reader<'_, '_, '_>) -> Option<Vec<Frame>> {
 fn point_of_link(
     reader: &mut Reader<'_, '_, '_>,
     pin: usize,
-    frames: &[Option<Frame>],
-) -> Option<[Number; 2]> {
+    frames: &[Option<DrawnFrame>],
+) -> Option<[Figure; 2]> {
     let (body, place) = reader.pins[pin].on?;
     let frame = frames[body].clone()?;
     let pen = reader.values.pen.at(reader.pins[pin].name.span());
@@ -194,9 +194,9 @@ fn point_of_link(
 fn frame_of(
     reader: &mut Reader<'_, '_, '_>,
     link: usize,
-    frames: &[Option<Frame>],
+    frames: &[Option<DrawnFrame>],
     lines: &[bool],
-) -> Option<Frame> {
+) -> Option<DrawnFrame> {
     let pen = reader.values.pen.at(reader.links[link].name.span());
     let place = |reader: &Reader<'_, '_, '_>, pin: usize| reader.pins[pin].at.clone();
     let own = reader.links[link].on.first().copied();
@@ -204,17 +204,17 @@ fn frame_of(
         (&[first, second, ..], _) => {
             let origin = place(reader, first);
             let axis = pen.minus(&place(reader, second), &origin);
-            let (begins, points) = (Origin::Pin(first), Axis::Pins(first, second));
-            Some(Frame { begins, points, origin, axis })
+            let (begins, points) = (Origin::Pin(first), Heading::Pins(first, second));
+            Some(DrawnFrame { begins, points, origin, axis })
         }
         (&[pin], Some(guide)) if lines[guide] => {
             let line = &reader.guides[guide].line;
             let (axis, points) = (line.along.clone(), line.points);
-            Some(Frame { begins: Origin::Pin(pin), points, origin: place(reader, pin), axis })
+            Some(DrawnFrame { begins: Origin::Pin(pin), points, origin: place(reader, pin), axis })
         }
         (&[pin], None) => {
             let origin = place(reader, pin);
-            Some(Frame { begins: Origin::Pin(pin), origin, ..frames[GROUND].clone()? })
+            Some(DrawnFrame { begins: Origin::Pin(pin), origin, ..frames[GROUND].clone()? })
         }
         (&[], Some(guide)) if lines[guide] => frame_without_pins(reader, link, guide),
         (&[], None) => frames[GROUND].clone(),
@@ -224,10 +224,14 @@ fn frame_of(
 
 /// A link without pins begins where the first guide on it crosses its own guide, if that one goes
 /// through a pin; else at the point of its own guide.
-fn frame_without_pins(reader: &mut Reader<'_, '_, '_>, link: usize, guide: usize) -> Option<Frame> {
+fn frame_without_pins(
+    reader: &mut Reader<'_, '_, '_>,
+    link: usize,
+    guide: usize,
+) -> Option<DrawnFrame> {
     let pen = reader.values.pen.at(reader.links[link].name.span());
     let own = reader.guides[guide].line.clone();
-    let frame = Frame {
+    let frame = DrawnFrame {
         begins: Origin::Guide(guide),
         points: own.points,
         origin: own.through,
@@ -247,7 +251,7 @@ fn frame_without_pins(reader: &mut Reader<'_, '_, '_>, link: usize, guide: usize
     let share = pen.div(&pen.cross(&pen.minus(&at, &frame.origin), &along), &across);
     let way = frame.axis.each_ref().map(|part| pen.mul(part, &share));
     let origin = pen.plus(&frame.origin, &way);
-    Some(Frame { begins: Origin::Guide(carried), origin, ..frame })
+    Some(DrawnFrame { begins: Origin::Guide(carried), origin, ..frame })
 }
 
 /// The guide's statement.
@@ -264,8 +268,8 @@ fn written_line<'t>(reader: &Reader<'t, '_, '_>, guide: usize) -> Option<(&'t Sp
 fn line_of(
     reader: &mut Reader<'_, '_, '_>,
     guide: usize,
-    frames: &[Option<Frame>],
-) -> Option<Line> {
+    frames: &[Option<DrawnFrame>],
+) -> Option<DrawnLine> {
     let (spot, course) = written_line(reader, guide)?;
     let on = reader.guides[guide].on;
     let frame = frames[on].clone();
@@ -289,26 +293,26 @@ fn line_of(
     let frame = match course {
         Course::Along(_) => frame?,
         // Not needed.
-        _ => Frame::ground(&pen),
+        _ => DrawnFrame::ground(&pen),
     };
     let (along, is_axis) = direction(reader, course, &frame, &through)?;
     let points = match (from, towards) {
-        (Some(from), Some(towards)) => Axis::Pins(from, towards),
+        (Some(from), Some(towards)) => Heading::Pins(from, towards),
         _ if is_axis => frame.points,
-        _ => Axis::Guide(guide),
+        _ => Heading::Guide(guide),
     };
     // The ground's axis is nobody else's.
-    let points = if points == Axis::X { Axis::Guide(guide) } else { points };
-    Some(Line { through, along, points })
+    let points = if points == Heading::X { Heading::Guide(guide) } else { points };
+    Some(DrawnLine { through, along, points })
 }
 
 /// The direction of a guide in the drawing, and whether it is that of the frame.
 fn direction(
     reader: &mut Reader<'_, '_, '_>,
     course: &Course,
-    frame: &Frame,
-    through: &[Number; 2],
-) -> Option<([Number; 2], bool)> {
+    frame: &DrawnFrame,
+    through: &[Figure; 2],
+) -> Option<([Figure; 2], bool)> {
     let pen = reader.values.pen.clone();
     match course {
         Course::Along(angle) => {

@@ -1,13 +1,13 @@
 //! What is said of a drawing that cannot be cut.
 
 use crate::chain::Trouble;
-use crate::chain::groups::{Dyad, Joint};
+use crate::chain::cutting::{Dyad, Pair};
 use crate::chain::machine::GROUND;
 use crate::diagnostics::Diagnostics;
 use crate::model::names::listed;
 
 use super::bodies::Bodies;
-use super::text::text;
+use super::printed::text;
 
 /// The least sine by which a drawing tells the two sides of a dyad apart. Drawn to four digits, a
 /// point is off by half of this of its distance.
@@ -111,17 +111,17 @@ pub(super) fn report_limit(bodies: &Bodies<'_>, dyad: &Dyad, diagnostics: &mut D
     let [a, b] = dyad.legs.each_ref().map(|leg| leg.bodies[0]);
     let [first, second] = [a, b].map(|body| bodies.name(body));
     let message = match (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer) {
-        (Joint::Pin(_), Joint::Pin(_), Joint::Pin(_)) => {
+        (Pair::Pin(_), Pair::Pin(_), Pair::Pin(_)) => {
             format!(
                 "in the drawing {first} and {second} are in one line: `left` and `right` come together there"
             )
         }
-        (Joint::Pin(_), Joint::Pin(_), Joint::Slide(_)) => {
+        (Pair::Pin(_), Pair::Pin(_), Pair::Slide(_)) => {
             format!(
                 "in the drawing {first} stands square to its guide: `ahead` and `behind` come together there"
             )
         }
-        (Joint::Pin(_), Joint::Slide(_), Joint::Pin(_)) => {
+        (Pair::Pin(_), Pair::Slide(_), Pair::Pin(_)) => {
             format!(
                 "in the drawing {first} is at the foot of {second}: `ahead` and `behind` come together there"
             )

@@ -2,22 +2,23 @@
 //! groups.
 //!
 //! [`values`] knows the numbers of the drawing, [`bodies`] its names, [`frames`] the frames of its links. The
-//! room `chain` cuts the machine that they make; [`groups`] writes each step as a statement of the
-//! language, [`rewritten`] what else names a link, and [`order`] puts all of them in solving order. What
+//! room `chain` cuts the machine that they make; [`writer`] writes each step as a statement of the
+//! language, [`rewritten`] what else names a link, and [`sorted`] puts all of them in solving order. What
 //! comes out is resolved like any declaration, so that there is one meaning of everything.
 
 mod bodies;
+mod figures;
 mod frames;
-mod groups;
-mod guides;
-mod joints;
+mod incidences;
 mod messages;
-mod numbers;
-mod order;
+mod printed;
+mod rails;
 mod reader;
 mod rewritten;
-mod text;
+mod searches;
+mod sorted;
 mod values;
+mod writer;
 
 use proc_macro2::Ident;
 
@@ -30,18 +31,20 @@ use super::mechanism::{Mechanism, OutputKind, References};
 use super::names::Entity;
 use bodies::Bodies;
 use reader::Reader;
-use values::Values;
+use values::Measured;
 
 /// A link whose frame is turned against that of its group, and the angle.
-pub(super) struct Turned {
+pub(super) struct TurnedFrame {
     pub link: Ident,
     pub angle: Expr,
 }
 
 /// The declaration of the groups of a drawing.
-struct Cut {
+struct Translation {
     tree: Declaration,
-    turned: Vec<Turned>,
+    turned: Vec<TurnedFrame>,
+    /// Links that nobody has drawn.
+    hidden: Vec<Ident>,
     /// The inputs of the drawn pose, where the drives determine them.
     inputs: Option<Vec<f64>>,
 }
@@ -61,6 +64,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     let mut mechanism = super::resolve_groups(&cut.tree, diagnostics, &cut.turned)?;
     mechanism.references = References::of(tree);
     mechanism.drawn = cut.inputs;
+    mechanism.outputs.retain(|output| !cut.hidden.contains(&output.field));
     for statement in &tree.statements {
         document(&mut mechanism, statement);
     }
@@ -68,8 +72,8 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
 }
 
 /// The drawing as groups; `None` where it is in error, which was reported.
-fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Cut> {
-    let mut values = Values::of(tree, diagnostics)?;
+fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation> {
+    let mut values = Measured::of(tree, diagnostics)?;
     let bodies = Reader::read(tree, &mut values)?;
     let steps = match chain::cut(&bodies.machine) {
         Ok(steps) => steps,
@@ -80,16 +84,17 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Cut> {
             return None;
         }
     };
-    if let Some(dyad) = chain::pose::at_limit(&bodies.machine, &steps, messages::LEAST_SINE) {
+    if let Some(dyad) = chain::limits::at_limit(&bodies.machine, &steps, messages::LEAST_SINE) {
         messages::report_limit(&bodies, dyad, values.resolver.diagnostics);
         return None;
     }
     let inputs = values.inputs_of_the_drawing(&bodies);
-    let mut writer = groups::Writer::new(&bodies, &values.pen);
+    let mut writer = writer::Writer::new(&bodies, &values.pen);
     steps.iter().for_each(|step| writer.step(step));
-    let (statements, turned) = writer.declaration();
+    let translated = writer.declaration();
     let mut docs = tree.docs.clone();
-    docs.extend(text::documentation(tree, &statements));
+    docs.extend(printed::documentation(tree, &translated));
+    let writer::Translated { statements, turned, hidden, .. } = translated;
     let declaration = Declaration {
         docs,
         visibility: tree.visibility.clone(),
@@ -97,7 +102,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Cut> {
         statements,
         unread: tree.unread.clone(),
     };
-    Some(Cut { tree: declaration, turned, inputs })
+    Some(Translation { tree: declaration, turned, hidden, inputs })
 }
 
 /// Gives the pins and links of a statement its documentation.
@@ -122,8 +127,8 @@ fn document(mechanism: &mut Mechanism, statement: &Statement) {
 
 impl Resolver<'_> {
     /// The direction of a link among the results is that of the frame that it is written in.
-    pub(super) fn directions_are_as_written(&mut self, turned: &[Turned]) {
-        for Turned { link, angle } in turned {
+    pub(super) fn directions_are_as_written(&mut self, turned: &[TurnedFrame]) {
+        for TurnedFrame { link, angle } in turned {
             let Some(Entity::Link(id)) = self.names.entity(link) else { continue };
             let Some(turn) = self.turn(angle) else { continue };
             for output in &mut self.mechanism.outputs {

@@ -11,20 +11,20 @@ use crate::syntax::tree::{
     Course, Declaration, DrawnLink, Expr, FieldValue, Statement, StatementKind,
 };
 
-use super::bodies::{Bodies, Guide, Link, Pin};
-use super::frames::{self, Line};
-use super::numbers::Number;
-use super::values::Values;
+use super::bodies::{Bodies, GuideLine, LinkOutline, PinPlace};
+use super::figures::Figure;
+use super::frames::{self, DrawnLine};
+use super::values::Measured;
 
 /// Reads the names of a drawing one after the other.
 pub(super) struct Reader<'t, 'v, 'd> {
     pub tree: &'t Declaration,
-    pub values: &'v mut Values<'d>,
-    pub pins: Vec<Pin<'t>>,
+    pub values: &'v mut Measured<'d>,
+    pub pins: Vec<PinPlace<'t>>,
     pub(super) pin_of: HashMap<String, usize>,
-    pub links: Vec<Link<'t>>,
+    pub links: Vec<LinkOutline<'t>>,
     pub(super) link_of: HashMap<String, usize>,
-    pub guides: Vec<Guide<'t>>,
+    pub guides: Vec<GuideLine<'t>>,
     pub(super) guide_of: HashMap<String, usize>,
 }
 
@@ -38,7 +38,7 @@ fn drawn_links(statement: &Statement) -> &[DrawnLink] {
 
 impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
     /// The machine that is drawn; `None` where a name in it is in error, which was reported.
-    pub(super) fn read(tree: &'t Declaration, values: &'v mut Values<'d>) -> Option<Bodies<'t>> {
+    pub(super) fn read(tree: &'t Declaration, values: &'v mut Measured<'d>) -> Option<Bodies<'t>> {
         let before = values.resolver.diagnostics.count();
         let mut reader = Reader {
             tree,
@@ -105,7 +105,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             for (name, _) in points {
                 let Some(at) = self.values.places.get(&name.to_string()).cloned() else { continue };
                 self.pin_of.insert(name.to_string(), self.pins.len());
-                self.pins.push(Pin { name: name.clone(), at, on: None });
+                self.pins.push(PinPlace { name: name.clone(), at, on: None });
             }
         }
         for statement in &self.tree.statements {
@@ -116,7 +116,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             if on.as_ref().is_some_and(is_drawn) && !self.pin_of.contains_key(&name.to_string()) {
                 self.pin_of.insert(name.to_string(), self.pins.len());
                 let zero = self.values.pen.zero();
-                self.pins.push(Pin { name: name.clone(), at: [zero.clone(), zero], on: None });
+                self.pins.push(PinPlace { name: name.clone(), at: [zero.clone(), zero], on: None });
             }
         }
     }
@@ -156,7 +156,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
                 }
                 let length = self.length_of(statement, link);
                 self.link_of.insert(link.name.to_string(), self.links.len());
-                self.links.push(Link {
+                self.links.push(LinkOutline {
                     name: &link.name,
                     pins,
                     points: Vec::new(),
@@ -174,7 +174,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         &mut self,
         statement: &'t Statement,
         link: &'t DrawnLink,
-    ) -> Option<(&'t Expr, Option<Number>)> {
+    ) -> Option<(&'t Expr, Option<Figure>)> {
         let StatementKind::Link { links, fields: Some(fields) } = &statement.kind else {
             return None;
         };
@@ -214,7 +214,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             if let StatementKind::Point { name, on: None, .. } = &statement.kind
                 && let Some(&pin) = self.pin_of.get(&name.to_string())
             {
-                self.links.push(Link {
+                self.links.push(LinkOutline {
                     name,
                     pins: vec![pin],
                     points: Vec::new(),
@@ -231,7 +231,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
                 let pins =
                     pins.filter_map(|pin| self.pin_of.get(&pin.to_string()).copied()).collect();
                 self.link_of.insert(leg.link.to_string(), self.links.len());
-                self.links.push(Link {
+                self.links.push(LinkOutline {
                     name: &leg.link,
                     pins,
                     points: Vec::new(),
@@ -331,11 +331,11 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             };
             let Some(on) = body else { continue };
             self.guide_of.insert(name.to_string(), self.guides.len());
-            self.guides.push(Guide {
+            self.guides.push(GuideLine {
                 name,
                 on,
                 along,
-                line: Line::unknown(self.values.pen.zero()),
+                line: DrawnLine::unknown(self.values.pen.zero()),
             });
         }
     }

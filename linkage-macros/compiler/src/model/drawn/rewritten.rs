@@ -12,26 +12,26 @@ use crate::syntax::tree::{
     Course, Expr, ExprKind, FieldValue, OutputItem, Place, Spot, Statement, StatementKind,
 };
 
-use super::Turned;
+use super::TurnedFrame;
 use super::bodies::Bodies;
-use super::frames::{Axis, Frame};
-use super::groups::sum;
-use super::numbers::{Number, Pen};
+use super::figures::{Figure, Pen};
+use super::frames::{DrawnFrame, Heading};
+use super::writer::sum;
 
 /// The written frame of a link in that of its group.
-struct Turn {
+struct FrameShift {
     link: Ident,
     /// Its angle, where it is turned.
-    angle: Option<Number>,
+    angle: Option<Figure>,
     /// The cosine and the sine of that angle.
-    axis: [Number; 2],
+    axis: [Figure; 2],
     origin: [Expr; 2],
     is_reversed: bool,
 }
 
 pub(super) struct Turns {
     pen: Pen,
-    by_link: HashMap<String, Turn>,
+    by_link: HashMap<String, FrameShift>,
 }
 
 impl Turns {
@@ -43,8 +43,8 @@ impl Turns {
     pub(super) fn note(
         &mut self,
         link: &Ident,
-        written: &Frame,
-        own: &Frame,
+        written: &DrawnFrame,
+        own: &DrawnFrame,
         length: Option<&Expr>,
     ) {
         if written.is(own) {
@@ -52,12 +52,12 @@ impl Turns {
         }
         let pen = self.pen.at(link.span());
         let is_reversed = match (written.points, own.points) {
-            (Axis::Pins(a, b), Axis::Pins(c, d)) => (a, b) == (d, c),
+            (Heading::Pins(a, b), Heading::Pins(c, d)) => (a, b) == (d, c),
             _ => false,
         };
         let whole = |value: i64| {
             let exact = Exact::integer(value);
-            pen.as_decimal(Number::plain(pen.zero().text, value as f64, Some(exact)))
+            pen.as_decimal(Figure::plain(pen.zero().text, value as f64, Some(exact)))
         };
         let (angle, axis) = match () {
             () if written.points == own.points => (None, [whole(1), whole(0)]),
@@ -76,21 +76,21 @@ impl Turns {
             Some(length) if is_reversed => [length.clone(), pen.zero().text],
             _ => own.local(&pen, &written.origin).map(|number| number.text),
         };
-        let turn = Turn { link: link.clone(), angle, axis, origin, is_reversed };
+        let turn = FrameShift { link: link.clone(), angle, axis, origin, is_reversed };
         self.by_link.insert(link.to_string(), turn);
     }
 
     /// The links whose directions are other ones.
-    pub(super) fn directions(self) -> Vec<Turned> {
+    pub(super) fn directions(self) -> Vec<TurnedFrame> {
         let turned = self.by_link.into_values();
-        let turned =
-            turned.filter_map(|turn| Some(Turned { link: turn.link, angle: turn.angle?.text }));
+        let turned = turned
+            .filter_map(|turn| Some(TurnedFrame { link: turn.link, angle: turn.angle?.text }));
         let mut turned: Vec<_> = turned.collect();
         turned.sort_by_key(|turned| turned.link.to_string());
         turned
     }
 
-    fn of(&self, link: &Ident) -> Option<&Turn> {
+    fn of(&self, link: &Ident) -> Option<&FrameShift> {
         self.by_link.get(&link.to_string())
     }
 
@@ -135,7 +135,7 @@ impl Turns {
         let local = self.pair(local);
         let Some(turn) = self.of(link).filter(|turn| turn.angle.is_some()) else { return local };
         let pen = self.pen.at(link.span());
-        let [x, y] = local.map(|text| Number::length(text, f64::NAN, None));
+        let [x, y] = local.map(|text| Figure::length(text, f64::NAN, None));
         let [cos, sin] = &turn.axis;
         [
             pen.sub(&pen.mul(cos, &x), &pen.mul(sin, &y)).text,
@@ -261,8 +261,8 @@ impl Turns {
         match place {
             Place::Cartesian(place) => Place::Cartesian(self.place(on, place)),
             Place::Polar([radius, angle]) => {
-                let radius = Number::length(self.expr(radius), f64::NAN, None);
-                let angle = Number::plain(self.expr(angle), f64::NAN, None);
+                let radius = Figure::length(self.expr(radius), f64::NAN, None);
+                let angle = Figure::plain(self.expr(angle), f64::NAN, None);
                 let local =
                     [pen.mul(&radius, &pen.cos(&angle)), pen.mul(&radius, &pen.sin(&angle))];
                 Place::Cartesian(self.place(on, &local.map(|number| number.text)))

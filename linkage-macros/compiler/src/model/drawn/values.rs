@@ -1,4 +1,4 @@
-//! Values of what is written in a drawing: the numbers of a declaration are resolved with its pins
+//! Measured of what is written in a drawing: the numbers of a declaration are resolved with its pins
 //! as points that stand still, so that the rules and the messages of the ground's points are theirs.
 
 use std::collections::{HashMap, HashSet};
@@ -15,14 +15,14 @@ use crate::model::{Resolver, units};
 use crate::syntax::tree::{Declaration, Expr, ExprKind, Statement, StatementKind};
 
 use super::bodies::Bodies;
-use super::numbers::{Number, Pen};
+use super::figures::{Figure, Pen};
 
 /// What the numbers of a drawing are.
-pub(super) struct Values<'d> {
+pub(super) struct Measured<'d> {
     pub resolver: Resolver<'d>,
     pub pen: Pen,
     /// By name, where the points of the ground and the pins are.
-    pub places: HashMap<String, [Number; 2]>,
+    pub places: HashMap<String, [Figure; 2]>,
 }
 
 /// The statements whose numbers say where a drawing's pins are, its pins as points of the ground.
@@ -81,7 +81,7 @@ fn unit_of(tree: &Declaration) -> Option<String> {
     found
 }
 
-impl<'d> Values<'d> {
+impl<'d> Measured<'d> {
     /// The numbers of a drawing; `None` where one of them is in error, which was reported.
     pub(super) fn of(tree: &'d Declaration, diagnostics: &'d mut Diagnostics) -> Option<Self> {
         let before = diagnostics.count();
@@ -107,7 +107,7 @@ impl<'d> Values<'d> {
     }
 
     /// Where a point that was resolved is.
-    fn place(&self, name: &Ident, written: &[Expr; 2]) -> Option<[Number; 2]> {
+    fn place(&self, name: &Ident, written: &[Expr; 2]) -> Option<[Figure; 2]> {
         let Some(Entity::Point(id)) = self.resolver.names.entity(name) else { return None };
         let at = self.mechanism().steps.iter().find_map(|step| match step {
             Step::Ground { point, at } if *point == id => Some(at),
@@ -122,14 +122,14 @@ impl<'d> Values<'d> {
     }
 
     /// The length that was written as this and resolved to that.
-    fn number(&self, written: &Expr, resolved: &Resolved, at: Span) -> Option<Number> {
+    fn number(&self, written: &Expr, resolved: &Resolved, at: Span) -> Option<Figure> {
         let exact = resolved.constant().cloned();
         let value = value(resolved, self.mechanism(), &[])?;
         let is_written_out = match &written.kind {
             ExprKind::Negate(inner) => matches!(inner.kind, ExprKind::Number { .. }),
             kind => matches!(kind, ExprKind::Number { .. }),
         };
-        let number = Number::length(self.substituted(written), value, exact);
+        let number = Figure::length(self.substituted(written), value, exact);
         Some(if is_written_out { number } else { self.pen.at(at).as_decimal(number) })
     }
 
@@ -158,9 +158,9 @@ impl<'d> Values<'d> {
 
     /// The length that an expression of constants and parameters is; `None` where it is in error,
     /// which is reported where the groups are resolved.
-    pub(super) fn length(&mut self, expr: &Expr) -> Option<Number> {
+    pub(super) fn length(&mut self, expr: &Expr) -> Option<Figure> {
         let resolved = self.quietly(|resolver| resolver.length(expr))?;
-        Some(Number::length(
+        Some(Figure::length(
             self.substituted(expr),
             value(&resolved, self.mechanism(), &[])?,
             resolved.constant().cloned(),
@@ -168,9 +168,9 @@ impl<'d> Values<'d> {
     }
 
     /// The same for an angle.
-    pub(super) fn angle(&mut self, expr: &Expr) -> Option<Number> {
+    pub(super) fn angle(&mut self, expr: &Expr) -> Option<Figure> {
         let resolved = self.quietly(|resolver| resolver.plain_angle(expr))?;
-        Some(Number::plain(
+        Some(Figure::plain(
             self.substituted(expr),
             value(&resolved, self.mechanism(), &[])?,
             resolved.constant().cloned(),

@@ -1,9 +1,9 @@
 //! The parser on tiny declarations: trees in text form, and mistakes with their tokens.
 
 mod actions;
-mod chain;
 mod expression_mistakes;
 mod group_mistakes;
+mod links;
 mod recovery;
 mod solve;
 mod statement_mistakes;
@@ -82,7 +82,7 @@ fn kind(kind: &StatementKind) -> String {
             format!("ground {}", points.collect::<Vec<_>>().join(", "))
         }
         StatementKind::Pin { .. } | StatementKind::Link { .. } | StatementKind::Drive(_) => {
-            chain::drawn(kind)
+            links::drawn(kind)
         }
         StatementKind::Guide { name, on, through, course } => {
             let through = match through {

@@ -4,13 +4,11 @@ use proc_macro2::Ident;
 use quote::format_ident;
 
 use crate::chain::machine::GROUND;
-use crate::syntax::tree::{
-    BinaryOp, Course, Expr, ExprKind, FieldValue, Spot, Statement, StatementKind,
-};
+use crate::syntax::tree::{BinaryOp, Course, Expr, ExprKind, FieldValue, Spot, StatementKind};
 
-use super::frames::Frame;
-use super::groups::{Writer, given};
-use super::numbers::Number;
+use super::figures::Figure;
+use super::frames::DrawnFrame;
+use super::writer::{Writer, given};
 
 impl Writer<'_, '_> {
     /// The guide of a slide.
@@ -22,7 +20,7 @@ impl Writer<'_, '_> {
     }
 
     /// The distance of a pin from the line of a guide.
-    pub(super) fn offset(&self, guide: usize, pin: usize) -> Number {
+    pub(super) fn offset(&self, guide: usize, pin: usize) -> Figure {
         let guide = &self.bodies.guides[guide];
         let pen = self.pen.at(self.bodies.pins[pin].name.span());
         let from = pen.minus(self.place(pin), &guide.line.through);
@@ -50,20 +48,19 @@ impl Writer<'_, '_> {
             through: Spot::At(through),
             course: Course::Along(along),
         };
-        let behind = self.bodies.link(link).statement;
-        self.written.push((behind, Statement { docs: Vec::new(), kind }));
+        self.put(self.bodies.link(link).statement, kind);
         name
     }
 
     /// The frame of a body that is placed.
-    fn own_frame(&self, body: usize) -> Frame {
+    fn own_frame(&self, body: usize) -> DrawnFrame {
         match &self.own[body] {
             Some(frame) if body != GROUND => frame.clone(),
             _ => self.bodies.frames[body].clone(),
         }
     }
 
-    pub(super) fn slider(&mut self, drive: usize, body: usize, slide: usize) {
+    pub(super) fn slider(&mut self, drive: Option<usize>, body: usize, slide: usize) {
         let guide = self.guide_of(slide);
         let pin = self.bodies.link(body).pins.first().copied();
         let value = FieldValue::One(self.slide(drive, body, slide));
@@ -71,17 +68,18 @@ impl Writer<'_, '_> {
         fields.extend(pin.and_then(|pin| given(self.offset(guide, pin))));
         let rail = self.rail(slide, body);
         let new = pin.filter(|&pin| !self.made[pin]);
-        self.group("slider", &[(body, rail)], new, fields, Some(drive));
+        self.group("slider", &[(body, rail)], new, fields, drive);
         let line = &self.bodies.guides[guide].line;
         let (axis, points) = (line.along.clone(), line.points);
-        self.settle(body, Frame { axis, points, ..self.bodies.frames[body].clone() });
+        self.settle(body, DrawnFrame { axis, points, ..self.bodies.frames[body].clone() });
     }
 
     /// How far a driven link is along the guide. One that carries the guide goes the other way.
-    fn slide(&self, drive: usize, body: usize, slide: usize) -> Expr {
+    fn slide(&self, drive: Option<usize>, body: usize, slide: usize) -> Expr {
         let value = self.value(drive, body);
+        // The unknown is the slide of the driven link itself.
         let joint = self.bodies.machine.slides[slide];
-        if joint.body == body {
+        if joint.body == body || drive.is_none() {
             return value;
         }
         let pen = self.pen.at(self.name(body).span());

@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
 use super::tokens::{Parse, Parser};
-use super::tree::{DrawnLink, Drive, Group, StatementKind};
+use super::tree::{DrawnLink, DriveStatement, Group, StatementKind};
 
 const LINK: &str =
     "a link is named with the pins through it, its first one in front: `link BC(B, C);`";
@@ -89,7 +89,7 @@ impl Parser<'_> {
             return self.expected_because("`=`", DRIVE);
         }
         let value = self.expression()?;
-        Ok(StatementKind::Drive(Drive { link, member, to, value }))
+        Ok(StatementKind::Drive(DriveStatement { link, member, to, value }))
     }
 
     /// `AB.angle`

@@ -1,6 +1,5 @@
 //! The declaration of the groups as text, for the documentation of the solver.
 
-use proc_macro2::Span;
 use syn::Attribute;
 
 use crate::syntax::tree::{Action, MassSite};
@@ -9,8 +8,11 @@ use crate::syntax::tree::{
     StatementKind,
 };
 
+use super::searches::Sought;
+use super::writer::Translated;
+
 /// What was found in the drawing, as documentation of the struct.
-pub(super) fn documentation(tree: &Declaration, statements: &[Statement]) -> Vec<Attribute> {
+pub(super) fn documentation(tree: &Declaration, translated: &Translated) -> Vec<Attribute> {
     let mut lines = vec![
         String::new(),
         " # Groups found in the drawing".to_string(),
@@ -21,17 +23,21 @@ pub(super) fn documentation(tree: &Declaration, statements: &[Statement]) -> Vec
         " mechanism! {".to_string(),
         format!("     pub struct {} {{", tree.name),
     ];
-    lines.extend(statements.iter().map(|statement| format!("         {}", written(statement))));
-    lines.extend(
-        [" ", "     }", " }", " ```"].into_iter().filter(|line| *line != " ").map(String::from),
-    );
-    lines.iter().map(|line| doc(line)).collect()
-}
-
-fn doc(line: &str) -> Attribute {
-    let text = proc_macro2::Literal::string(line);
-    let _ = Span::call_site();
-    syn::parse_quote!(#[doc = #text])
+    let statements = translated.statements.iter();
+    lines.extend(statements.map(|statement| format!("         {}", written(statement))));
+    lines.extend(["     }", " }", " ```"].map(String::from));
+    for Sought { unknown, stretch: [from, to], is_angle } in &translated.searches {
+        let [from, to] = match is_angle {
+            true => [from, to].map(|end| format!("{:.1}°", end.to_degrees() + 0.0)),
+            false => [from, to].map(|end| format!("{:.3} m", end + 0.0)),
+        };
+        lines.push(String::new());
+        lines.push(format!(
+            " `{unknown}` is searched in one interval: it was followed while the first drive goes from \
+             {from} to {to} about the drawing."
+        ));
+    }
+    lines.iter().map(|line| syn::parse_quote!(#[doc = #line])).collect()
 }
 
 /// A statement as it is declared.

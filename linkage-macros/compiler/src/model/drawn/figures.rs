@@ -12,7 +12,7 @@ use crate::syntax::tree::{BinaryOp, Expr, ExprKind};
 
 /// A number of the drawing.
 #[derive(Clone)]
-pub(super) struct Number {
+pub(super) struct Figure {
     pub text: Expr,
     pub value: f64,
     /// The value without error, where no parameter is in it.
@@ -21,7 +21,7 @@ pub(super) struct Number {
     power: i32,
 }
 
-impl Number {
+impl Figure {
     pub(super) fn length(text: Expr, value: f64, exact: Option<Exact>) -> Self {
         Self { text, value, exact, power: 1 }
     }
@@ -50,7 +50,7 @@ pub(super) struct Pen {
 }
 
 /// A constant of the arithmetic below.
-fn folded<T>(a: &Number, b: &Number, f: impl FnOnce(&Exact, &Exact) -> T) -> Option<T> {
+fn folded<T>(a: &Figure, b: &Figure, f: impl FnOnce(&Exact, &Exact) -> T) -> Option<T> {
     Some(f(a.exact.as_ref()?, b.exact.as_ref()?))
 }
 
@@ -63,12 +63,12 @@ impl Pen {
         Expr { kind, span: self.at.into() }
     }
 
-    fn chain(&self, a: &Number, operator: BinaryOp, b: &Number) -> Expr {
+    fn chain(&self, a: &Figure, operator: BinaryOp, b: &Figure) -> Expr {
         let rest = vec![(operator, b.text.clone())];
         self.expr(ExprKind::Chain(Box::new(a.text.clone()), rest))
     }
 
-    fn call(&self, function: &str, arguments: &[&Number]) -> Expr {
+    fn call(&self, function: &str, arguments: &[&Figure]) -> Expr {
         let arguments = arguments.iter().map(|argument| argument.text.clone()).collect();
         self.expr(ExprKind::Call(Ident::new(function, self.at), arguments))
     }
@@ -104,24 +104,24 @@ impl Pen {
         (value, power): (f64, i32),
         exact: Option<Exact>,
         text: impl FnOnce() -> Expr,
-    ) -> Number {
+    ) -> Figure {
         let decimal = exact.as_ref().and_then(|exact| self.decimal(exact, power));
-        Number { text: decimal.unwrap_or_else(text), value, exact, power }
+        Figure { text: decimal.unwrap_or_else(text), value, exact, power }
     }
 
     /// The number written as a decimal, where it is one.
-    pub(super) fn as_decimal(&self, number: Number) -> Number {
-        let Number { text, value, exact, power } = number;
+    pub(super) fn as_decimal(&self, number: Figure) -> Figure {
+        let Figure { text, value, exact, power } = number;
         self.made((value, power), exact, || text)
     }
 
-    pub(super) fn zero(&self) -> Number {
+    pub(super) fn zero(&self) -> Figure {
         let digits = "0".to_string();
         let text = self.expr(ExprKind::Number { digits, units: Vec::new() });
-        Number { text, value: 0.0, exact: Some(Exact::integer(0)), power: 1 }
+        Figure { text, value: 0.0, exact: Some(Exact::integer(0)), power: 1 }
     }
 
-    pub(super) fn add(&self, a: &Number, b: &Number) -> Number {
+    pub(super) fn add(&self, a: &Figure, b: &Figure) -> Figure {
         match (a.is_zero(), b.is_zero()) {
             (true, _) => b.clone(),
             (_, true) => a.clone(),
@@ -131,7 +131,7 @@ impl Pen {
         }
     }
 
-    pub(super) fn sub(&self, a: &Number, b: &Number) -> Number {
+    pub(super) fn sub(&self, a: &Figure, b: &Figure) -> Figure {
         match (a.is_zero(), b.is_zero()) {
             (true, _) => self.neg(b),
             (_, true) => a.clone(),
@@ -141,7 +141,7 @@ impl Pen {
         }
     }
 
-    pub(super) fn neg(&self, a: &Number) -> Number {
+    pub(super) fn neg(&self, a: &Figure) -> Figure {
         if a.is_zero() {
             return a.clone();
         }
@@ -150,10 +150,10 @@ impl Pen {
         })
     }
 
-    pub(super) fn mul(&self, a: &Number, b: &Number) -> Number {
+    pub(super) fn mul(&self, a: &Figure, b: &Figure) -> Figure {
         let power = a.power + b.power;
         if a.is_zero() || b.is_zero() {
-            return Number { power, ..self.zero() };
+            return Figure { power, ..self.zero() };
         }
         match (a.is_one(), b.is_one()) {
             (true, _) => b.clone(),
@@ -165,45 +165,45 @@ impl Pen {
     }
 
     /// The quotient; the divisor is no zero.
-    pub(super) fn div(&self, a: &Number, b: &Number) -> Number {
+    pub(super) fn div(&self, a: &Figure, b: &Figure) -> Figure {
         let power = a.power - b.power;
         if a.is_zero() {
-            return Number { power, ..self.zero() };
+            return Figure { power, ..self.zero() };
         }
         let exact = folded(a, b, Exact::div).flatten();
         self.made((a.value / b.value, power), exact, || self.chain(a, BinaryOp::Div, b))
     }
 
-    pub(super) fn hypot(&self, a: &Number, b: &Number) -> Number {
+    pub(super) fn hypot(&self, a: &Figure, b: &Figure) -> Figure {
         let value = a.value.hypot(b.value);
         self.made((value, a.power), folded(a, b, Exact::hypot), || self.call("hypot", &[a, b]))
     }
 
-    pub(super) fn cos(&self, angle: &Number) -> Number {
+    pub(super) fn cos(&self, angle: &Figure) -> Figure {
         let exact = angle.exact.as_ref().map(Exact::cos);
         self.made((angle.value.cos(), 0), exact, || self.call("cos", &[angle]))
     }
 
-    pub(super) fn sin(&self, angle: &Number) -> Number {
+    pub(super) fn sin(&self, angle: &Figure) -> Figure {
         let exact = angle.exact.as_ref().map(Exact::sin);
         self.made((angle.value.sin(), 0), exact, || self.call("sin", &[angle]))
     }
 
     /// The angle of a vector, in degrees where that is a decimal.
-    pub(super) fn angle(&self, [x, y]: &[Number; 2]) -> Number {
+    pub(super) fn angle(&self, [x, y]: &[Figure; 2]) -> Figure {
         let exact = folded(y, x, Exact::atan2).flatten();
         let degree = unit("deg").map(|(_, factor)| factor);
         let degrees = exact.as_ref().zip(degree).and_then(|(angle, degree)| angle.div(&degree));
         let decimal = degrees.and_then(|value| self.literal(&value, vec![("deg".into(), 1)]));
         let text = decimal.unwrap_or_else(|| self.call("atan2", &[y, x]));
-        Number { text, value: y.value.atan2(x.value), exact, power: 0 }
+        Figure { text, value: y.value.atan2(x.value), exact, power: 0 }
     }
 
     /// A length of the drawing that is known as a float only: its shortest decimal.
-    pub(super) fn drawn(&self, value: f64) -> Number {
+    pub(super) fn drawn(&self, value: f64) -> Figure {
         let exact = Exact::decimal(&format!("{:?}", value.abs()));
         let exact = exact.map(|exact| if value < 0.0 { exact.neg() } else { exact });
-        self.as_decimal(Number::length(self.float(value, "m"), value, exact))
+        self.as_decimal(Figure::length(self.float(value, "m"), value, exact))
     }
 
     /// An angle of the drawing that is known as a float only.
@@ -219,15 +219,15 @@ impl Pen {
 
 /// Vectors of numbers.
 impl Pen {
-    pub(super) fn minus(&self, a: &[Number; 2], b: &[Number; 2]) -> [Number; 2] {
+    pub(super) fn minus(&self, a: &[Figure; 2], b: &[Figure; 2]) -> [Figure; 2] {
         [self.sub(&a[0], &b[0]), self.sub(&a[1], &b[1])]
     }
 
-    pub(super) fn plus(&self, a: &[Number; 2], b: &[Number; 2]) -> [Number; 2] {
+    pub(super) fn plus(&self, a: &[Figure; 2], b: &[Figure; 2]) -> [Figure; 2] {
         [self.add(&a[0], &b[0]), self.add(&a[1], &b[1])]
     }
 
-    pub(super) fn size(&self, a: &[Number; 2]) -> Number {
+    pub(super) fn size(&self, a: &[Figure; 2]) -> Figure {
         match (a[0].is_zero(), a[1].is_zero()) {
             (true, _) if a[1].value > 0.0 && a[1].exact.is_some() => a[1].clone(),
             (_, true) if a[0].value > 0.0 && a[0].exact.is_some() => a[0].clone(),
@@ -235,23 +235,23 @@ impl Pen {
         }
     }
 
-    pub(super) fn dot(&self, a: &[Number; 2], b: &[Number; 2]) -> Number {
+    pub(super) fn dot(&self, a: &[Figure; 2], b: &[Figure; 2]) -> Figure {
         self.add(&self.mul(&a[0], &b[0]), &self.mul(&a[1], &b[1]))
     }
 
-    pub(super) fn cross(&self, a: &[Number; 2], b: &[Number; 2]) -> Number {
+    pub(super) fn cross(&self, a: &[Figure; 2], b: &[Figure; 2]) -> Figure {
         self.sub(&self.mul(&a[0], &b[1]), &self.mul(&a[1], &b[0]))
     }
 
     /// The vector in axes whose x has this direction.
-    pub(super) fn seen_from(&self, axis: &[Number; 2], vector: &[Number; 2]) -> [Number; 2] {
+    pub(super) fn seen_from(&self, axis: &[Figure; 2], vector: &[Figure; 2]) -> [Figure; 2] {
         let size = self.size(axis);
-        let part = |number: Number| if size.is_one() { number } else { self.div(&number, &size) };
+        let part = |number: Figure| if size.is_one() { number } else { self.div(&number, &size) };
         [part(self.dot(axis, vector)), part(self.cross(axis, vector))]
     }
 
     /// The vector whose coordinates in these axes are given.
-    pub(super) fn seen_in_ground(&self, axis: &[Number; 2], local: &[Number; 2]) -> [Number; 2] {
+    pub(super) fn seen_in_ground(&self, axis: &[Figure; 2], local: &[Figure; 2]) -> [Figure; 2] {
         let mirrored = [axis[0].clone(), self.neg(&axis[1])];
         self.seen_from(&mirrored, local)
     }

@@ -2,19 +2,37 @@
 
 use proc_macro2::Ident;
 
-use crate::chain::groups::{Dyad, Joint, Step};
+use crate::chain::cutting::{Dyad, Found, Pair};
+use crate::chain::limits::sine;
 use crate::chain::machine::GROUND;
-use crate::chain::pose::sine;
 use crate::syntax::tree::{
     self, BinaryOp, Expr, ExprKind, Field, FieldValue, Group, Place, Statement, StatementKind,
 };
 
-use super::Turned;
+use super::TurnedFrame;
 use super::bodies::Bodies;
-use super::frames::{Axis, Frame, Origin};
-use super::numbers::{Number, Pen};
-use super::order;
+use super::figures::{Figure, Pen};
+use super::frames::{DrawnFrame, Heading, Origin};
 use super::rewritten::Turns;
+use super::searches::Sought;
+use super::sorted;
+
+/// A statement of the groups.
+pub(super) struct Written {
+    /// The statement of the drawing behind which it stands.
+    pub behind: usize,
+    /// The search that it is part of.
+    pub search: Option<usize>,
+    pub statement: Statement,
+}
+
+/// What a drawing became.
+pub(super) struct Translated {
+    pub statements: Vec<Statement>,
+    pub turned: Vec<TurnedFrame>,
+    pub searches: Vec<Sought>,
+    pub hidden: Vec<Ident>,
+}
 
 /// Writes statements in solving order.
 pub(super) struct Writer<'b, 't> {
@@ -25,9 +43,14 @@ pub(super) struct Writer<'b, 't> {
     /// The frames of links that groups have given other ones than they are written in.
     pub(super) turns: Turns,
     /// The frames that groups have given links so far.
-    pub(super) own: Vec<Option<Frame>>,
-    /// Each with the statement of the drawing behind which it stands.
-    pub(super) written: Vec<(usize, Statement)>,
+    pub(super) own: Vec<Option<DrawnFrame>>,
+    pub(super) written: Vec<Written>,
+    /// The searches so far.
+    pub(super) searches: Vec<Sought>,
+    /// The search whose statements are written, and behind which statement they stand.
+    pub(super) searching: Option<(usize, usize)>,
+    /// Blocks that only hold a link in place.
+    pub(super) hidden: Vec<Ident>,
 }
 
 impl<'b, 't> Writer<'b, 't> {
@@ -44,28 +67,50 @@ impl<'b, 't> Writer<'b, 't> {
         }
         let turns = Turns::new(pen);
         let own = vec![None; bodies.machine.bodies.len()];
-        Self { bodies, pen: pen.clone(), made, turns, own, written: Vec::new() }
+        Self {
+            bodies,
+            pen: pen.clone(),
+            made,
+            turns,
+            own,
+            written: Vec::new(),
+            searches: Vec::new(),
+            searching: None,
+            hidden: Vec::new(),
+        }
     }
 
     /// All statements of the declaration, in solving order.
-    pub(super) fn declaration(self) -> (Vec<Statement>, Vec<Turned>) {
-        let Self { bodies, turns, mut written, .. } = self;
+    pub(super) fn declaration(self) -> Translated {
+        let Self { bodies, turns, mut written, searches, hidden, .. } = self;
         for (index, statement) in bodies.other_statements() {
-            written.push((index, turns.statement(bodies, statement)));
+            let statement = turns.statement(bodies, statement);
+            written.push(Written { behind: index, search: None, statement });
         }
-        written.sort_by_key(|(index, _)| *index);
-        let statements =
-            order::ordered(written.into_iter().map(|(_, statement)| statement).collect());
-        (statements, turns.directions())
+        written.sort_by_key(|written| written.behind);
+        let statements = sorted::ordered(written);
+        Translated { statements, turned: turns.directions(), searches, hidden }
     }
 
-    pub(super) fn step(&mut self, step: &Step) {
+    /// Puts a statement behind one of the drawing, or where the search in hand stands.
+    pub(super) fn put(&mut self, behind: usize, kind: StatementKind) {
+        let search = self.searching.map(|(search, _)| search);
+        let behind = self.searching.map_or(behind, |(_, behind)| behind);
+        self.written.push(Written {
+            behind,
+            search,
+            statement: Statement { docs: Vec::new(), kind },
+        });
+    }
+
+    pub(super) fn step(&mut self, step: &Found) {
         match step {
-            Step::Crank { drive, body, reference, pivot } => {
+            Found::Crank { drive, body, reference, pivot } => {
                 self.crank(*drive, *body, *reference, *pivot);
             }
-            Step::Slider { drive, body, slide } => self.slider(*drive, *body, *slide),
-            Step::Dyad(dyad) => self.dyad(dyad),
+            Found::Slider { drive, body, slide } => self.slider(*drive, *body, *slide),
+            Found::Dyad(dyad) => self.dyad(dyad),
+            Found::Search(search) => self.search(search),
         }
     }
 
@@ -73,12 +118,14 @@ impl<'b, 't> Writer<'b, 't> {
         self.bodies.link(body).name
     }
 
-    pub(super) fn place(&self, pin: usize) -> &'b [Number; 2] {
+    pub(super) fn place(&self, pin: usize) -> &'b [Figure; 2] {
         &self.bodies.pins[pin].at
     }
 
-    /// The value of a drive, negative where the body is the one that it is driven against.
-    pub(super) fn value(&self, drive: usize, body: usize) -> Expr {
+    /// The value of a drive, negative where the body is the one that it is driven against; without a
+    /// drive the unknown.
+    pub(super) fn value(&self, drive: Option<usize>, body: usize) -> Expr {
+        let Some(drive) = drive else { return self.unknown(body) };
         let value = self.turns.expr(&self.bodies.drives[drive].1.value);
         match self.bodies.machine.drives[drive].bodies[0] == body {
             true => value,
@@ -86,7 +133,7 @@ impl<'b, 't> Writer<'b, 't> {
         }
     }
 
-    fn crank(&mut self, drive: usize, body: usize, reference: usize, pivot: usize) {
+    fn crank(&mut self, drive: Option<usize>, body: usize, reference: usize, pivot: usize) {
         let written = self.bodies.frames[body].clone();
         let mut angle = self.value(drive, body);
         if reference != GROUND {
@@ -109,12 +156,14 @@ impl<'b, 't> Writer<'b, 't> {
                 .push(("relative_to", FieldValue::One(Expr { kind: ExprKind::Name(name), span })));
         }
         let legs = [(body, self.bodies.pins[pivot].name.clone())];
-        self.group("crank", &legs, tip, fields, Some(drive));
+        self.group("crank", &legs, tip, fields, drive);
         let frame = match tip {
             Some(_) => written,
-            None => {
-                Frame { begins: Origin::Pin(pivot), origin: self.place(pivot).clone(), ..written }
-            }
+            None => DrawnFrame {
+                begins: Origin::Pin(pivot),
+                origin: self.place(pivot).clone(),
+                ..written
+            },
         };
         self.settle(body, frame);
     }
@@ -123,7 +172,7 @@ impl<'b, 't> Writer<'b, 't> {
         let sign = sine(&self.bodies.machine, dyad);
         let joints = (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer);
         match joints {
-            (Joint::Pin(u), Joint::Pin(v), Joint::Pin(w)) => {
+            (Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)) => {
                 let [a, b] = self.bars(dyad);
                 let lengths = [self.length(a, u, v), self.length(b, w, v)];
                 let mode = if sign > 0.0 { "left" } else { "right" };
@@ -132,7 +181,7 @@ impl<'b, 't> Writer<'b, 't> {
                 self.bar_is_placed(a, u, v);
                 self.bar_is_placed(b, w, v);
             }
-            (Joint::Pin(u), Joint::Pin(v), Joint::Slide(s)) => {
+            (Pair::Pin(u), Pair::Pin(v), Pair::Slide(s)) => {
                 let [bar, block] = self.bars(dyad);
                 let guide = self.guide_of(s);
                 let mut fields = vec![("length", FieldValue::One(self.length(bar, u, v)))];
@@ -143,7 +192,7 @@ impl<'b, 't> Writer<'b, 't> {
                 self.bar_is_placed(bar, u, v);
                 self.block_is_placed(block, v, guide);
             }
-            (Joint::Pin(u), Joint::Slide(s), Joint::Pin(w)) => {
+            (Pair::Pin(u), Pair::Slide(s), Pair::Pin(w)) => {
                 let [block, bar] = self.bars(dyad);
                 let guide = self.guide_of(s);
                 let line = &self.bodies.guides[guide].line;
@@ -156,7 +205,7 @@ impl<'b, 't> Writer<'b, 't> {
                 self.block_is_placed(block, u, guide);
                 self.block_is_placed(bar, w, guide);
             }
-            (Joint::Slide(s), Joint::Pin(v), Joint::Slide(t)) => {
+            (Pair::Slide(s), Pair::Pin(v), Pair::Slide(t)) => {
                 let [a, b] = self.bars(dyad);
                 let guides = [self.guide_of(s), self.guide_of(t)];
                 let offsets = guides.map(|guide| self.offset(guide, v));
@@ -165,7 +214,7 @@ impl<'b, 't> Writer<'b, 't> {
                 self.block_is_placed(a, v, guides[0]);
                 self.block_is_placed(b, v, guides[1]);
             }
-            (Joint::Pin(u), Joint::Slide(s), Joint::Slide(t)) => self.yoke(dyad, u, s, t),
+            (Pair::Pin(u), Pair::Slide(s), Pair::Slide(t)) => self.yoke(dyad, u, s, t),
             _ => {}
         }
     }
@@ -189,7 +238,7 @@ impl<'b, 't> Writer<'b, 't> {
         let origin = pen.minus(&written.origin, &lines[1].through);
         let is_on_rail =
             pen.cross(&along[1], &origin).is_zero() || written.begins == Origin::Guide(guides[0]);
-        let frame = Frame {
+        let frame = DrawnFrame {
             begins: if is_on_rail { written.begins } else { Origin::Guide(guides[1]) },
             points: lines[1].points,
             origin: if is_on_rail { written.origin.clone() } else { lines[1].through.clone() },
@@ -204,8 +253,8 @@ impl<'b, 't> Writer<'b, 't> {
     }
 
     /// The field `offsets`, none where both are zero.
-    fn offsets(&self, offsets: [Number; 2]) -> Vec<(&'static str, FieldValue)> {
-        match offsets.iter().all(Number::is_zero) {
+    pub(super) fn offsets(&self, offsets: [Figure; 2]) -> Vec<(&'static str, FieldValue)> {
+        match offsets.iter().all(Figure::is_zero) {
             true => Vec::new(),
             false => vec![("offsets", FieldValue::Pair(offsets.map(|offset| offset.text)))],
         }
@@ -217,7 +266,7 @@ impl<'b, 't> Writer<'b, 't> {
     }
 
     /// The length of a bar between two pins: as declared, or as drawn.
-    fn length(&self, body: usize, from: usize, to: usize) -> Expr {
+    pub(super) fn length(&self, body: usize, from: usize, to: usize) -> Expr {
         if let Some((length, _)) = &self.bodies.link(body).length {
             return self.turns.expr(length);
         }
@@ -225,7 +274,7 @@ impl<'b, 't> Writer<'b, 't> {
         pen.size(&pen.minus(self.place(to), self.place(from))).text
     }
 
-    fn mode(&self, body: usize, word: &str) -> (&'static str, FieldValue) {
+    pub(super) fn mode(&self, body: usize, word: &str) -> (&'static str, FieldValue) {
         let name = Ident::new(word, self.name(body).span());
         let span = name.span().into();
         ("mode", FieldValue::One(Expr { kind: ExprKind::Name(name), span }))
@@ -234,8 +283,8 @@ impl<'b, 't> Writer<'b, 't> {
     fn write(&mut self, dyad: &Dyad, pin: Option<usize>, fields: Vec<(&str, FieldValue)>) {
         let legs = dyad.legs.each_ref().map(|leg| {
             let joint = match leg.outer {
-                Joint::Pin(pin) => self.bodies.pins[pin].name.clone(),
-                Joint::Slide(slide) => self.rail(slide, leg.bodies[0]),
+                Pair::Pin(pin) => self.bodies.pins[pin].name.clone(),
+                Pair::Slide(slide) => self.rail(slide, leg.bodies[0]),
             };
             (leg.bodies[0], joint)
         });
@@ -253,46 +302,33 @@ impl<'b, 't> Writer<'b, 't> {
         let links = legs.iter().map(|(body, _)| self.bodies.link(*body));
         let drive = drive.map(|drive| self.bodies.drives[drive].0);
         let behind = links.map(|link| link.statement).chain(drive).max().unwrap_or(0);
-        let span = self.name(legs[0].0).span();
-        let field =
-            |(name, value): (&str, FieldValue)| Field { name: Ident::new(name, span), value };
-        let leg = |(body, joint): &(usize, Ident)| tree::Leg {
-            link: self.name(*body).clone(),
-            joint: Some(joint.clone()),
-        };
-        let group = Group {
-            keyword: Ident::new(keyword, span),
-            legs: legs.iter().map(leg).collect(),
-            pin: pin.map(|pin| self.bodies.pins[pin].name.clone()),
-            fields: fields.into_iter().map(field).collect(),
-            end: span,
-            head_is_read: true,
-            fields_are_read: true,
-        };
-        if let Some(pin) = pin {
+        let legs: Vec<_> =
+            legs.iter().map(|(body, joint)| (self.name(*body).clone(), joint.clone())).collect();
+        let pin = pin.map(|pin| {
             self.made[pin] = true;
-        }
-        let kind = StatementKind::Group(group);
-        self.written.push((behind, Statement { docs: Vec::new(), kind }));
+            self.bodies.pins[pin].name.clone()
+        });
+        let group = group_of(keyword, legs, pin, fields);
+        self.put(behind, StatementKind::Group(group));
     }
 
-    fn bar_is_placed(&mut self, body: usize, from: usize, to: usize) {
+    pub(super) fn bar_is_placed(&mut self, body: usize, from: usize, to: usize) {
         let origin = self.place(from).clone();
         let axis = self.pen.at(self.name(body).span()).minus(self.place(to), &origin);
-        let (begins, points) = (Origin::Pin(from), Axis::Pins(from, to));
-        self.settle(body, Frame { begins, points, origin, axis });
+        let (begins, points) = (Origin::Pin(from), Heading::Pins(from, to));
+        self.settle(body, DrawnFrame { begins, points, origin, axis });
     }
 
     fn block_is_placed(&mut self, body: usize, pin: usize, guide: usize) {
         let line = self.bodies.guides[guide].line.clone();
         let origin = self.place(pin).clone();
         let frame =
-            Frame { begins: Origin::Pin(pin), points: line.points, origin, axis: line.along };
+            DrawnFrame { begins: Origin::Pin(pin), points: line.points, origin, axis: line.along };
         self.settle(body, frame);
     }
 
     /// Remembers the frame that a group gave a link, and makes the link's other pins.
-    pub(super) fn settle(&mut self, body: usize, frame: Frame) {
+    pub(super) fn settle(&mut self, body: usize, frame: DrawnFrame) {
         let (bodies, link) = (self.bodies, self.bodies.link(body));
         let length = link.length.as_ref().map(|(length, _)| *length);
         self.own[body] = Some(frame.clone());
@@ -311,13 +347,36 @@ impl<'b, 't> Writer<'b, 't> {
             };
             let (on, place) = (Some(link.name.clone()), Place::Cartesian(place));
             let kind = StatementKind::Point { name, on, place };
-            self.written.push((link.statement, Statement { docs: Vec::new(), kind }));
+            self.put(link.statement, kind);
         }
     }
 }
 
+/// The statement of a group.
+pub(super) fn group_of(
+    keyword: &str,
+    legs: Vec<(Ident, Ident)>,
+    pin: Option<Ident>,
+    fields: Vec<(&str, FieldValue)>,
+) -> Group {
+    let span = legs[0].0.span();
+    let field = |(name, value): (&str, FieldValue)| Field { name: Ident::new(name, span), value };
+    Group {
+        keyword: Ident::new(keyword, span),
+        legs: legs
+            .into_iter()
+            .map(|(link, joint)| tree::Leg { link, joint: Some(joint) })
+            .collect(),
+        pin,
+        fields: fields.into_iter().map(field).collect(),
+        end: span,
+        head_is_read: true,
+        fields_are_read: true,
+    }
+}
+
 /// The field `offset`, none where it is zero.
-pub(super) fn given(offset: Number) -> Option<(&'static str, FieldValue)> {
+pub(super) fn given(offset: Figure) -> Option<(&'static str, FieldValue)> {
     (!offset.is_zero()).then_some(("offset", FieldValue::One(offset.text)))
 }
 

@@ -2,18 +2,18 @@
 
 use proc_macro2::Ident;
 
-use crate::chain::machine::{Body, Drive as Driving, Driven, GROUND, Machine, Needs, Slide};
+use crate::chain::machine::{Driven, Driving, Footing, GROUND, Machine, RigidBody, Slide};
 use crate::chain::plane::Complex;
 use crate::model::references::{names_in, names_used};
-use crate::syntax::tree::{Drive, Expr, Group, Statement, StatementKind};
+use crate::syntax::tree::{DriveStatement, Expr, Group, Statement, StatementKind};
 
-use super::bodies::{Bodies, Guide};
-use super::frames::Frame;
-use super::numbers::Number;
+use super::bodies::{Bodies, GuideLine};
+use super::figures::Figure;
+use super::frames::DrawnFrame;
 use super::reader::Reader;
 
 impl<'t> Reader<'t, '_, '_> {
-    pub(super) fn read_drives(&mut self) -> Vec<(usize, &'t Drive)> {
+    pub(super) fn read_drives(&mut self) -> Vec<(usize, &'t DriveStatement)> {
         let tree = self.tree;
         let mut drives = Vec::new();
         for (index, statement) in tree.statements.iter().enumerate() {
@@ -42,10 +42,10 @@ impl<'t> Reader<'t, '_, '_> {
     /// The machine of all that was read.
     pub(super) fn machine(
         mut self,
-        drives: Vec<(usize, &'t Drive)>,
-        frames: Vec<Frame>,
+        drives: Vec<(usize, &'t DriveStatement)>,
+        frames: Vec<DrawnFrame>,
     ) -> Option<Bodies<'t>> {
-        let drawn = |at: &[Number; 2]| Complex::new(at[0].value, at[1].value);
+        let drawn = |at: &[Figure; 2]| Complex::new(at[0].value, at[1].value);
         let mut machine = Machine {
             pins: self.pins.iter().map(|pin| drawn(&pin.at)).collect(),
             ..Machine::default()
@@ -55,7 +55,7 @@ impl<'t> Reader<'t, '_, '_> {
             _ => &[],
         });
         let grounded = grounded.filter_map(|(name, _)| self.pin_of.get(&name.to_string()).copied());
-        machine.bodies.push(Body { pins: grounded.collect(), ..Body::default() });
+        machine.bodies.push(RigidBody { pins: grounded.collect(), ..RigidBody::default() });
         for index in 0..self.links.len() {
             let link = &self.links[index];
             let pins = link.pins.iter().chain(&link.points).copied().collect();
@@ -65,11 +65,11 @@ impl<'t> Reader<'t, '_, '_> {
                 Some((length, _)) => self.links_in(length),
                 None => Vec::new(),
             };
-            machine.bodies.push(Body { pins, given, reads });
+            machine.bodies.push(RigidBody { pins, given, reads });
         }
         for (index, link) in self.links.iter().enumerate() {
             for &guide in &link.on {
-                let Guide { on, line, .. } = &self.guides[guide];
+                let GuideLine { on, line, .. } = &self.guides[guide];
                 machine.slides.push(Slide {
                     body: index + 1,
                     carrier: *on,
@@ -85,7 +85,7 @@ impl<'t> Reader<'t, '_, '_> {
         Some(Bodies { tree, pins, links, guides, drives, frames, machine })
     }
 
-    fn driving(&mut self, machine: &Machine, drive: &Drive) -> Option<Driving> {
+    fn driving(&mut self, machine: &Machine, drive: &DriveStatement) -> Option<Driving> {
         let body = self.body(&drive.link)?;
         let to = match &drive.to {
             Some((link, _)) => self.body(link)?,
@@ -124,14 +124,14 @@ impl<'t> Reader<'t, '_, '_> {
     }
 
     /// What a declared group stands on.
-    fn needs(&self, statement: &Statement) -> Needs {
+    fn needs(&self, statement: &Statement) -> Footing {
         let own = |name: &Ident| match &statement.kind {
             StatementKind::Group(Group { legs, pin, .. }) => {
                 legs.iter().any(|leg| leg.link == *name) || pin.as_ref() == Some(name)
             }
             _ => false,
         };
-        let mut needs = Needs::default();
+        let mut needs = Footing::default();
         for name in names_used(statement).iter().filter(|name| !own(name)) {
             let text = name.to_string();
             needs.pins.extend(self.pin_of.get(&text));

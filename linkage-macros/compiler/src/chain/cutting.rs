@@ -1,47 +1,49 @@
 //! Drivers and dyads among bodies that depend on each other.
 
 use super::machine::{Driven, GROUND, Machine};
+use super::options::Search;
 
 /// What places bodies once all before it are placed.
 #[derive(Clone, Debug)]
-pub(crate) enum Step {
-    /// A body is turned about a pin that is known.
+pub(crate) enum Found {
+    /// A body is turned about a pin that is known, by a drive or by the unknown of a search.
     Crank {
-        drive: usize,
+        drive: Option<usize>,
         body: usize,
         reference: usize,
         pivot: usize,
     },
     /// A body is moved along a slide.
     Slider {
-        drive: usize,
+        drive: Option<usize>,
         body: usize,
         slide: usize,
     },
     Dyad(Dyad),
+    Search(Box<Search>),
 }
 
 /// Two legs, each with a joint outside, and a joint between them.
 #[derive(Clone, Debug)]
 pub(crate) struct Dyad {
-    pub legs: [Leg; 2],
-    pub inner: Joint,
+    pub legs: [DyadLeg; 2],
+    pub inner: Pair,
 }
 
 /// Bodies that drives hold together, most often a single one.
 #[derive(Clone, Debug)]
-pub(crate) struct Leg {
+pub(crate) struct DyadLeg {
     pub bodies: Vec<usize>,
-    pub outer: Joint,
+    pub outer: Pair,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Joint {
+pub(crate) enum Pair {
     Pin(usize),
     Slide(usize),
 }
 
-impl Joint {
+impl Pair {
     /// The letter of the joint in the name of a dyad.
     pub(crate) fn letter(self) -> char {
         match self {
@@ -58,7 +60,7 @@ impl Joint {
 impl Dyad {
     /// The letters of its joints, from one outside joint to the other.
     pub(crate) fn letters(&self) -> String {
-        [self.legs[0].outer, self.inner, self.legs[1].outer].map(Joint::letter).iter().collect()
+        [self.legs[0].outer, self.inner, self.legs[1].outer].map(Pair::letter).iter().collect()
     }
 
     /// The legs in the order in which the language names them: the bar in front of the block, the
@@ -67,8 +69,8 @@ impl Dyad {
         let swaps = match (self.legs[0].outer.is_pin(), self.legs[1].outer.is_pin()) {
             (false, true) => true,
             (true, true) => match self.inner {
-                Joint::Slide(slide) => !self.legs[0].bodies.contains(&machine.slides[slide].body),
-                Joint::Pin(_) => false,
+                Pair::Slide(slide) => !self.legs[0].bodies.contains(&machine.slides[slide].body),
+                Pair::Pin(_) => false,
             },
             _ => false,
         };
@@ -81,12 +83,12 @@ impl Dyad {
 
 /// The bodies and pins that are placed.
 #[derive(Clone)]
-pub(crate) struct Known {
+pub(crate) struct Placed {
     bodies: Vec<bool>,
     pins: Vec<bool>,
 }
 
-impl Known {
+impl Placed {
     /// The ground and what is given, as if all of it were there: the groups come in an order in which it
     /// is.
     pub(crate) fn at_first(machine: &Machine) -> Self {
@@ -126,16 +128,16 @@ impl Known {
 
 /// Unknown bodies, in parts that drives hold together.
 #[derive(Clone)]
-pub(crate) struct Parts<'m> {
+pub(crate) struct Unplaced<'m> {
     pub machine: &'m Machine,
-    pub known: Known,
+    pub known: Placed,
     pub parts: Vec<Vec<usize>>,
 }
 
-/// What a joint is between.
-const KNOWN: usize = usize::MAX;
+/// What is placed, among what a joint is between.
+pub(super) const KNOWN: usize = usize::MAX;
 
-impl Parts<'_> {
+impl Unplaced<'_> {
     /// The part that holds a body, [`KNOWN`] where it is placed.
     fn part_of(&self, body: usize) -> Option<usize> {
         match self.known.body(body) {
@@ -145,7 +147,7 @@ impl Parts<'_> {
     }
 
     /// The joints among these parts and with what is known, each with what it is between.
-    fn joints(&self, set: &[usize]) -> Vec<(Joint, Vec<usize>)> {
+    pub(super) fn joints(&self, set: &[usize]) -> Vec<(Pair, Vec<usize>)> {
         let mut joints = Vec::new();
         for pin in 0..self.machine.pins.len() {
             let mut between: Vec<usize> = Vec::new();
@@ -157,7 +159,7 @@ impl Parts<'_> {
                 between.push(KNOWN);
             }
             if between.len() > 1 {
-                joints.push((Joint::Pin(pin), between));
+                joints.push((Pair::Pin(pin), between));
             }
         }
         for (index, slide) in self.machine.slides.iter().enumerate() {
@@ -166,7 +168,7 @@ impl Parts<'_> {
             };
             let is_among = |part: usize| part == KNOWN || set.contains(&part);
             if a != b && is_among(a) && is_among(b) && (set.contains(&a) || set.contains(&b)) {
-                joints.push((Joint::Slide(index), vec![a, b]));
+                joints.push((Pair::Slide(index), vec![a, b]));
             }
         }
         joints
@@ -187,30 +189,13 @@ impl Parts<'_> {
             let only = outer.next()?.0;
             outer.next().is_none().then_some(only)
         };
-        let leg = |part: usize| Some(Leg { bodies: self.parts[part].clone(), outer: outer(part)? });
+        let leg =
+            |part: usize| Some(DyadLeg { bodies: self.parts[part].clone(), outer: outer(part)? });
         let legs = [leg(set[0])?, leg(set[1])?];
         let sliding =
             legs.iter().filter(|leg| !leg.outer.is_pin()).count() + usize::from(!inner.0.is_pin());
         // Two links with prismatic joints alone cannot turn.
         (sliding < 3).then(|| Dyad { legs, inner: inner.0 }.ordered(self.machine))
-    }
-
-    /// Joins the parts between which a joint is driven.
-    fn hold(&mut self) {
-        for drive in &self.machine.drives {
-            let [a, b] = drive.bodies.map(|body| self.part_of(body));
-            let (Some(a), Some(b)) = (a, b) else { continue };
-            let is_joined = match drive.kind {
-                Driven::Angle => self.machine.shared_pin(drive.bodies).is_some(),
-                Driven::Slide(_) => true,
-            };
-            if is_joined && a != b && a != KNOWN && b != KNOWN {
-                let (kept, gone) = (a.min(b), a.max(b));
-                let more = self.parts.remove(gone);
-                self.parts[kept].extend(more);
-                self.parts[kept].sort_unstable();
-            }
-        }
     }
 
     fn take(&mut self, mut set: Vec<usize>) {
@@ -222,7 +207,7 @@ impl Parts<'_> {
     }
 
     /// A driver whose other side is known.
-    fn driver(&self) -> Option<(usize, Step)> {
+    fn driver(&self) -> Option<(usize, Found)> {
         self.machine.drives.iter().enumerate().find_map(|(index, drive)| {
             let [a, b] = drive.bodies;
             [(a, b), (b, a)].into_iter().find_map(|(body, reference)| {
@@ -231,11 +216,11 @@ impl Parts<'_> {
                     return None;
                 }
                 let step = match drive.kind {
-                    Driven::Slide(slide) => Step::Slider { drive: index, body, slide },
+                    Driven::Slide(slide) => Found::Slider { drive: Some(index), body, slide },
                     Driven::Angle => {
                         let mut pins = self.machine.bodies[body].pins.iter().copied();
                         let pivot = pins.find(|&pin| self.known.pin(pin))?;
-                        Step::Crank { drive: index, body, reference, pivot }
+                        Found::Crank { drive: Some(index), body, reference, pivot }
                     }
                 };
                 Some((part, step))
@@ -244,7 +229,7 @@ impl Parts<'_> {
     }
 
     /// Drivers and dyads as far as they go.
-    pub(crate) fn place(&mut self) -> Vec<Step> {
+    pub(crate) fn place(&mut self) -> Vec<Found> {
         let mut steps = Vec::new();
         loop {
             if let Some((part, step)) = self.driver() {
@@ -257,24 +242,16 @@ impl Parts<'_> {
             else {
                 return steps;
             };
-            steps.push(Step::Dyad(dyad));
+            steps.push(Found::Dyad(dyad));
             self.take(pair.to_vec());
         }
     }
 }
 
 /// The drivers and dyads that a group is made of; `None` where it is of class III or higher.
-pub(crate) fn steps(machine: &Machine, known: &Known, group: &[usize]) -> Option<Vec<Step>> {
+pub(crate) fn steps(machine: &Machine, known: &Placed, group: &[usize]) -> Option<Vec<Found>> {
     let parts = group.iter().map(|&body| vec![body]).collect();
-    let mut parts = Parts { machine, known: known.clone(), parts };
-    let mut steps = parts.place();
-    if !parts.parts.is_empty() {
-        parts.hold();
-        steps.extend(parts.place());
-    }
-    let is_plain = |step: &Step| match step {
-        Step::Dyad(dyad) => dyad.legs.iter().all(|leg| leg.bodies.len() == 1),
-        _ => true,
-    };
-    (parts.parts.is_empty() && steps.iter().all(is_plain)).then_some(steps)
+    let mut parts = Unplaced { machine, known: known.clone(), parts };
+    let steps = parts.place();
+    parts.parts.is_empty().then_some(steps)
 }

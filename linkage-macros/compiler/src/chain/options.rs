@@ -1,0 +1,114 @@
+//! How a group of class III is solved by one unknown: a link is left out, another is driven by the
+//! unknown, and the rest are drivers and dyads. The link that was left out is the equation.
+
+use super::cutting::{Found, KNOWN, Pair, Placed, Unplaced};
+use super::machine::{GROUND, Machine};
+
+/// A group that is solved by one unknown.
+#[derive(Clone, Debug)]
+pub(crate) struct Search {
+    pub left_out: usize,
+    /// What holds it: two pins, or a pin and a slide behind it.
+    pub joints: [Pair; 2],
+    /// First what the unknown drives.
+    pub steps: Vec<Found>,
+    /// The ends of the unknown, from its value in the drawing.
+    pub between: [f64; 2],
+    /// Whether the equation's left side grows with the unknown.
+    pub rises: bool,
+    /// How far the first drive can go, from the drawing, as far as the search was followed.
+    pub stretch: [f64; 2],
+}
+
+impl Search {
+    fn of(left_out: usize, joints: [Pair; 2], steps: Vec<Found>) -> Self {
+        Self { left_out, joints, steps, between: [0.0; 2], rises: true, stretch: [0.0; 2] }
+    }
+}
+
+/// All ways to solve a group by one unknown, angles against the ground first.
+pub(crate) fn options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec<Search> {
+    let parts: Vec<_> = group.iter().map(|&body| vec![body]).collect();
+    let all = Unplaced { machine, known: known.clone(), parts };
+    let set: Vec<_> = (0..group.len()).collect();
+    let joints = all.joints(&set);
+    let mut found = Vec::new();
+    for (part, &body) in group.iter().enumerate() {
+        let is_driven = machine.drives.iter().any(|drive| drive.bodies.contains(&body));
+        let mut own: Vec<_> = joints
+            .iter()
+            .filter(|(_, between)| between.contains(&part))
+            .map(|(pair, _)| *pair)
+            .collect();
+        own.sort_by_key(|pair| match pair {
+            // In the order in which they are written.
+            Pair::Pin(pin) => machine.bodies[body].pins.iter().position(|own| own == pin),
+            Pair::Slide(_) => Some(usize::MAX),
+        });
+        let [first @ Pair::Pin(_), second] = own[..] else { continue };
+        if is_driven {
+            continue;
+        }
+        let rest: Vec<_> = group.iter().copied().filter(|&other| other != body).collect();
+        for driven in driven(machine, known, &rest) {
+            if let Some(steps) = by_dyads(machine, known, &rest, driven) {
+                found.push(Search::of(body, [first, second], steps));
+            }
+        }
+    }
+    let is_of_ground = |search: &Search| match search.steps[0] {
+        Found::Crank { reference, .. } => reference == GROUND,
+        _ => true,
+    };
+    found.sort_by_key(|search| !is_of_ground(search));
+    found
+}
+
+/// What the unknown may drive: links at known pins, against each known body there, and links on
+/// known slides.
+fn driven(machine: &Machine, known: &Placed, rest: &[usize]) -> Vec<Found> {
+    let parts = rest.iter().map(|&body| vec![body]).collect();
+    let rest = Unplaced { machine, known: known.clone(), parts };
+    let set: Vec<_> = (0..rest.parts.len()).collect();
+    let mut found = Vec::new();
+    for (pair, between) in rest.joints(&set) {
+        if !between.contains(&KNOWN) {
+            continue;
+        }
+        for &part in between.iter().filter(|&&part| part != KNOWN) {
+            let body = rest.parts[part][0];
+            match pair {
+                Pair::Slide(slide) => found.push(Found::Slider { drive: None, body, slide }),
+                Pair::Pin(pivot) => {
+                    let others =
+                        machine.at(pivot).filter(|&other| other != GROUND && known.body(other));
+                    let references = [GROUND].into_iter().chain(others);
+                    found.extend(references.map(|reference| Found::Crank {
+                        drive: None,
+                        body,
+                        reference,
+                        pivot,
+                    }));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The steps that place the rest once one of its links is driven.
+fn by_dyads(
+    machine: &Machine,
+    known: &Placed,
+    rest: &[usize],
+    driven: Found,
+) -> Option<Vec<Found>> {
+    let (Found::Crank { body, .. } | Found::Slider { body, .. }) = driven else { return None };
+    let mut known = known.clone();
+    known.add(machine, &[body]);
+    let parts = rest.iter().filter(|&&other| other != body).map(|&other| vec![other]).collect();
+    let mut parts = Unplaced { machine, known, parts };
+    let mut steps = vec![driven];
+    steps.extend(parts.place());
+    parts.parts.is_empty().then_some(steps)
+}

@@ -1,0 +1,191 @@
+//! Searches: a group of class III as an unknown, what it drives, and the link that was left out as the
+//! equation.
+
+use proc_macro2::{Ident, Span};
+use quote::format_ident;
+
+use crate::chain::cutting::{Found, Pair};
+use crate::chain::machine::Driven;
+use crate::chain::options::Search;
+use crate::chain::plane::Complex;
+use crate::model::names::Names;
+use crate::syntax::tree::{Expr, ExprKind, FieldValue, Solve, StatementKind};
+
+use super::figures::Figure;
+use super::frames::{DrawnFrame, Heading, Origin};
+use super::writer::{Writer, group_of};
+
+/// An unknown, and how far the first drive was followed with it.
+pub(super) struct Sought {
+    pub unknown: Ident,
+    pub stretch: [f64; 2],
+    /// Whether the first drive is an angle.
+    pub is_angle: bool,
+}
+
+impl Writer<'_, '_> {
+    /// The unknown that drives a body.
+    pub(super) fn unknown(&self, body: usize) -> Expr {
+        let span = self.name(body).span();
+        let name =
+            self.searches.last().map_or("phi".to_string(), |sought| sought.unknown.to_string());
+        Expr { kind: ExprKind::Name(Ident::new(&name, span)), span: span.into() }
+    }
+
+    pub(super) fn search(&mut self, search: &Search) {
+        let links = search.steps.iter().flat_map(bodies_of).chain([search.left_out]);
+        let behind = links.map(|body| self.bodies.link(body).statement).max().unwrap_or(0);
+        self.searching = Some((self.searches.len(), behind));
+        let is_angle = matches!(search.steps[0], Found::Crank { .. });
+        let span = self.name(search.left_out).span();
+        let unknown = self.free_name(span);
+        let stretch = search.stretch;
+        let drives = &self.bodies.machine.drives;
+        let turns = drives.first().is_none_or(|drive| drive.kind == Driven::Angle);
+        self.searches.push(Sought { unknown: unknown.clone(), stretch, is_angle: turns });
+        self.hidden.push(unknown.clone());
+        let drawn = self.drawn(&search.steps[0]);
+        let ends = search.between.map(|end| self.end(drawn + end, is_angle));
+        let kind = Ident::new(if is_angle { "angle" } else { "length" }, span);
+        let (name, kind) = (unknown.clone(), Some(kind));
+        self.put(behind, StatementKind::Unknown { name, kind, between: Some(ends) });
+        search.steps.iter().for_each(|step| self.step(step));
+        let Pair::Pin(first) = search.joints[0] else { return };
+        match search.joints[1] {
+            Pair::Pin(second) => self.distance(search, &unknown, [first, second]),
+            Pair::Slide(slide) => self.offset_of(search, &unknown, first, slide),
+        }
+        self.searching = None;
+    }
+
+    /// The value of what the unknown drives, in the drawing.
+    fn drawn(&self, step: &Found) -> f64 {
+        let frame = |body: usize| &self.bodies.frames[body];
+        let vector = |[x, y]: &[Figure; 2]| Complex::new(x.value, y.value);
+        match step {
+            Found::Crank { body, reference, .. } => {
+                let turn = |body: usize| vector(&frame(body).axis).angle();
+                Complex::turned(turn(*body) - turn(*reference)).angle()
+            }
+            Found::Slider { body, slide, .. } => {
+                let slide = self.bodies.machine.slides[*slide];
+                slide.along.dot(vector(&frame(*body).origin) - slide.through)
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// An end of an interval, to a thousandth of a degree or seven digits.
+    fn end(&self, value: f64, is_angle: bool) -> Expr {
+        match is_angle {
+            true => self.pen.float((value.to_degrees() * 1e3).round() / 1e3, "deg"),
+            false => {
+                let unit = 10_f64.powi(value.abs().max(1e-9).log10().floor() as i32 - 6);
+                self.pen.float((value / unit).round() * unit, "m")
+            }
+        }
+    }
+
+    /// The equation of a bar, and the bar behind it.
+    fn distance(&mut self, search: &Search, unknown: &Ident, [first, second]: [usize; 2]) {
+        let body = search.left_out;
+        let length = self.length(body, first, second);
+        let [p, q] = [first, second].map(|pin| self.bodies.pins[pin].name.clone());
+        self.solve(search, unknown, ("distance", [&p, &q]), length);
+        let block = self.block(body);
+        let fields = vec![self.mode(body, "ahead")];
+        let group = group_of("rpr", vec![(block, q), (self.name(body).clone(), p)], None, fields);
+        self.put(0, StatementKind::Group(group));
+        self.bar_is_placed(body, first, second);
+    }
+
+    /// The equation of a block, and the block behind it.
+    fn offset_of(&mut self, search: &Search, unknown: &Ident, pin: usize, slide: usize) {
+        let body = search.left_out;
+        let guide = self.guide_of(slide);
+        let (offset, rail) = (self.offset(guide, pin), self.rail(slide, body));
+        let name = self.bodies.pins[pin].name.clone();
+        self.solve(search, unknown, ("offset", [&name, &rail]), offset.text.clone());
+        let block = self.block(body);
+        let pen = self.pen.at(self.name(body).span());
+        let slot = pen.float(90.0, "deg");
+        let mut fields = vec![("slot", FieldValue::One(slot))];
+        fields.extend(self.offsets([offset.clone(), pen.zero()]));
+        let group =
+            group_of("rpp", vec![(block, name), (self.name(body).clone(), rail)], None, fields);
+        self.put(0, StatementKind::Group(group));
+        // The link's frame begins at the foot of its pin on the rail.
+        let line = self.bodies.guides[guide].line.clone();
+        let (begins, origin) = match offset.is_zero() {
+            true => (Origin::Pin(pin), self.place(pin).clone()),
+            false => {
+                let from = pen.minus(self.place(pin), &line.through);
+                let [along, _] = pen.seen_from(&line.along, &from);
+                let axis = DrawnFrame {
+                    begins: Origin::Guide(guide),
+                    points: Heading::Guide(guide),
+                    origin: line.through.clone(),
+                    axis: line.along.clone(),
+                };
+                (Origin::Guide(guide), axis.placed(&pen, &[along, pen.zero()]))
+            }
+        };
+        self.settle(body, DrawnFrame { begins, points: line.points, origin, axis: line.along });
+    }
+
+    fn solve(
+        &mut self,
+        search: &Search,
+        unknown: &Ident,
+        (function, of): (&str, [&Ident; 2]),
+        wanted: Expr,
+    ) {
+        let span = unknown.span();
+        let name = |name: &Ident| Expr { kind: ExprKind::Name(name.clone()), span: span.into() };
+        let left = ExprKind::Call(Ident::new(function, span), of.map(name).to_vec());
+        let mode = Ident::new(if search.rises { "rising" } else { "falling" }, span);
+        let solve = Solve {
+            unknown: unknown.clone(),
+            equation: Some([Expr { kind: left, span: span.into() }, wanted]),
+            mode: Some(mode),
+            near: None,
+            end: span,
+            is_read: true,
+        };
+        self.put(0, StatementKind::Solve(solve));
+    }
+
+    /// The name of the block that holds a link in place.
+    fn block(&mut self, body: usize) -> Ident {
+        let mut name = format_ident!("{}_end", self.name(body));
+        let names = Names::collect(self.bodies.tree);
+        while names.kind(&name).is_some() {
+            name = format_ident!("{name}_end");
+        }
+        self.hidden.push(name.clone());
+        name
+    }
+
+    /// A name for an unknown that nothing has.
+    fn free_name(&self, span: Span) -> Ident {
+        let names = Names::collect(self.bodies.tree);
+        let letters = ["phi", "psi", "chi", "xi"].map(String::from).into_iter();
+        let more = (1..).map(|number| format!("phi{number}"));
+        letters
+            .chain(more)
+            .map(|name| Ident::new(&name, span))
+            .find(|name| {
+                let is_taken = self.searches.iter().any(|sought| sought.unknown == *name);
+                names.kind(name).is_none() && !is_taken
+            })
+            .expect("there is always another number")
+    }
+}
+
+fn bodies_of(step: &Found) -> Vec<usize> {
+    match step {
+        Found::Crank { body, .. } | Found::Slider { body, .. } => vec![*body],
+        Found::Dyad(dyad) => dyad.legs.iter().flat_map(|leg| leg.bodies.clone()).collect(),
+        Found::Search(search) => search.steps.iter().flat_map(bodies_of).collect(),
+    }
+}

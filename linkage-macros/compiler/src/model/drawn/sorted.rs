@@ -1,0 +1,62 @@
+//! Statements in an order in which each uses only what earlier ones make.
+
+use std::collections::HashMap;
+
+use crate::model::names::declared_by;
+use crate::model::references::names_used;
+use crate::syntax::tree::{Statement, StatementKind};
+
+use super::writer::Written;
+
+/// The statements, each behind those that it needs and else as they stand. What uses a part of a search
+/// stands behind its `solve`. What stands in a circle keeps its place: that is reported where names
+/// are resolved.
+pub(super) fn ordered(statements: Vec<Written>) -> Vec<Statement> {
+    let mut makers = HashMap::new();
+    let mut solves = HashMap::new();
+    for (index, Written { search, statement, .. }) in statements.iter().enumerate() {
+        for (name, _) in declared_by(statement) {
+            makers.entry(name.to_string()).or_insert(index);
+        }
+        if let (Some(search), StatementKind::Solve(_)) = (search, &statement.kind) {
+            solves.insert(*search, index);
+        }
+    }
+    let mut needs: Vec<Vec<usize>> = statements
+        .iter()
+        .enumerate()
+        .map(|(index, Written { search: own, statement, .. })| {
+            let used = names_used(statement).into_iter();
+            let made = used.filter_map(|name| makers.get(&name.to_string()).copied());
+            let made: Vec<_> = made.filter(|&maker| maker != index).collect();
+            let searches = made.iter().filter_map(|&maker| statements[maker].search);
+            let others = searches.filter(|search| Some(*search) != *own);
+            let mut solved: Vec<_> =
+                others.filter_map(|search| solves.get(&search).copied()).collect();
+            // The link that was left out follows its equation.
+            let is_behind = own.and_then(|own| solves.get(&own)).filter(|&&solve| solve < index);
+            solved.extend(is_behind);
+            [made, solved].concat()
+        })
+        .collect();
+    // A search begins when all is there that it stands on.
+    for (index, Written { search, statement, .. }) in statements.iter().enumerate() {
+        if search.is_some() && matches!(statement.kind, StatementKind::Unknown { .. }) {
+            let own: Vec<_> = (0..statements.len())
+                .filter(|&other| statements[other].search == *search)
+                .collect();
+            let all: Vec<_> = own.iter().flat_map(|&other| needs[other].clone()).collect();
+            needs[index].extend(all.into_iter().filter(|need| !own.contains(need)));
+        }
+    }
+    let mut open: Vec<_> = statements.into_iter().map(|written| Some(written.statement)).collect();
+    let mut ordered = Vec::new();
+    for _ in 0..open.len() {
+        let is_free = |index: &usize| {
+            open[*index].is_some() && needs[*index].iter().all(|&need| open[need].is_none())
+        };
+        let next = (0..open.len()).find(is_free).or_else(|| open.iter().position(Option::is_some));
+        ordered.extend(next.and_then(|next| open[next].take()));
+    }
+    ordered
+}
