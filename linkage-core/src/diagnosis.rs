@@ -12,12 +12,10 @@ mod size;
 #[cfg(test)]
 mod tests;
 
-pub use circles::{ReachCircles, ReachDistances, ShareOfCentres, SquareOfCentres};
-pub use guides::{ReachLine, ReachOffset};
-pub use search::Moving;
-pub(crate) use search::{closed, no_root, open_by};
-pub use size::{Nonzero, NotNegative, Positive, Square};
-pub(crate) use size::{finite_input, finite_result};
+pub use circles::*;
+pub use guides::*;
+pub use search::*;
+pub use size::*;
 
 pub use crate::limit::ROUNDINGS;
 use crate::limit::{Reach, Width};
