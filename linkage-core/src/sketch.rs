@@ -52,6 +52,7 @@ mod film;
 mod forces;
 mod gaps;
 mod labels;
+mod member;
 mod options;
 mod page;
 mod picture;
@@ -70,6 +71,8 @@ mod traces;
 
 pub use by_name::LinkPose;
 pub use film::{Film, FilmGap};
+#[doc(hidden)]
+pub use member::Member;
 pub use plan::{Applied, Drawn};
 #[doc(hidden)]
 pub use plan::{Made, Plan, Spring, applied, followed, place, place_open};

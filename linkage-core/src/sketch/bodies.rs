@@ -3,6 +3,7 @@
 use std::vec;
 use std::vec::Vec;
 
+use super::member::{LinkShape, Member};
 use super::plan::Made;
 use super::scene::{Pose, Scene, Spot};
 use super::shapes::{Shape, skeleton, turned};
@@ -72,41 +73,27 @@ impl Maker<'_> {
         .collect()
     }
 
+    /// Every link of a group, what slides in another one last.
     fn take(&mut self, statement: usize, made: Made) {
-        match made {
-            Made::Ground(_) | Made::Guide(..) | Made::Point(..) => {}
-            Made::Crank(link, _, pin, [_, is_driven]) => match (pin, is_driven) {
-                (Some(pin), true) => self.cylinder(link, pin),
-                (Some(_), false) => self.bar(link),
-                (None, _) => self.body(link),
-            },
-            Made::Slider(link, guide, ..) => self.block(link, guide, statement, 0),
-            Made::Rrr(links, _, pin, driven) => {
-                for (link, is_driven) in links.into_iter().zip(driven) {
-                    if is_driven { self.cylinder(link, pin) } else { self.bar(link) }
+        let is_sleeve = |member: &Member| member.shape == LinkShape::Sleeve;
+        let sleeve = made.members().map(|(_, member)| member).find(is_sleeve);
+        let sleeve = sleeve.map(|member| member.link);
+        for (nth, member) in made.members() {
+            let link = member.link;
+            match (member.shape, sleeve, made.point(), member.guide()) {
+                (LinkShape::Bar, ..) => self.bar(link),
+                (LinkShape::Cylinder, _, Some(pin), _) => self.cylinder(link, pin),
+                (LinkShape::Body, ..) => self.body(link),
+                (LinkShape::Block, .., Some(guide)) => self.block(link, guide, statement, nth),
+                (LinkShape::SlottedBar, Some(block), ..) => {
+                    self.slotted_bar(link, block, statement)
                 }
+                (LinkShape::Yoke, Some(block), ..) => self.yoke(link, block, statement),
+                _ => {}
             }
-            Made::Rrp([bar, block], _, guide, pin, is_driven) => {
-                if is_driven {
-                    self.cylinder(bar, pin)
-                } else {
-                    self.bar(bar)
-                }
-                self.block(block, guide, statement, 1);
-            }
-            Made::Rpr([block, bar], _) => {
-                self.slotted_bar(bar, block, statement);
-                self.sleeve(block);
-            }
-            Made::Prp(links, guides, _) => {
-                for nth in 0..2 {
-                    self.block(links[nth], guides[nth], statement, nth);
-                }
-            }
-            Made::Rpp([block, yoke], ..) => {
-                self.yoke(yoke, block, statement);
-                self.sleeve(block);
-            }
+        }
+        if let Some(block) = sleeve {
+            self.sleeve(block);
         }
     }
 

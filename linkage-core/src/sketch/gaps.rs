@@ -6,6 +6,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::boxes::Box2;
+use super::member::{LinkShape, Member};
 use super::plan::Made;
 use super::scene::{Scene, Spot};
 use super::style::{Palette, Unit};
@@ -65,29 +66,31 @@ fn gap(scene: &Scene, view: View, statement: usize, made: Made, fails: Vec<bool>
                 .collect(),
         ),
     };
-    let reaches: Vec<SweptReach> = match made {
-        Made::Rrr(links, outer, ..) => {
-            (0..2).map(|nth| circle(links[nth], outer[nth], nth)).collect()
+    let pivot = made.members().find_map(|(_, member)| member.pivot());
+    let line = |member: Member, nth: usize| {
+        let seat = |f: usize| {
+            let pose = scene.guide(f, member.guide()?)?;
+            let offset = scene.dimension(f, statement, nth);
+            let foot = pose.local(scene.point(f, pivot?)?)[0];
+            Some(view.seat(pose.moved_to(pose.place([foot, offset]))))
+        };
+        SweptReach { link: member.link, seats: scene.frames().map(seat).collect(), radii: None }
+    };
+    let reach = |(nth, member): (usize, Member)| match member.shape {
+        LinkShape::Bar | LinkShape::Cylinder | LinkShape::SlottedBar => {
+            Some(circle(member.link, member.pivot()?, nth))
         }
-        Made::Rrp([bar, block], outer, guide, ..) => {
-            let line = |f: usize| {
-                let pose = scene.guide(f, guide)?;
-                let offset = scene.dimension(f, statement, 1);
-                let foot = pose.local(scene.point(f, outer)?)[0];
-                Some(view.seat(pose.moved_to(pose.place([foot, offset]))))
-            };
-            let seats = scene.frames().map(line).collect();
-            [circle(bar, outer, 0), SweptReach { link: block, seats, radii: None }].into()
-        }
-        Made::Rpr([block, bar], [sleeve, pivot]) => {
-            let mut own = circle(block, sleeve, 0);
+        LinkShape::Sleeve => {
+            let mut own = circle(member.link, member.pivot()?, nth);
             if let Some(radii) = &mut own.radii {
                 radii.iter_mut().for_each(|radius| *radius = Some(0.0));
             }
-            [own, circle(bar, pivot, 0)].into()
+            Some(own)
         }
-        _ => Vec::new(),
+        LinkShape::Block => Some(line(member, nth)),
+        LinkShape::Body | LinkShape::Yoke => None,
     };
+    let reaches: Vec<SweptReach> = made.members().filter_map(reach).collect();
     let missing =
         scene.frames().map(|f| if fails[f] { between(&reaches, f) } else { None }).collect();
     Gap { fails, reaches, missing }

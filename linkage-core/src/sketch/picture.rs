@@ -8,6 +8,7 @@ use super::boxes::Box2;
 use super::forces::Load;
 use super::gaps::{Gap, gaps};
 use super::labels::Placed;
+use super::member::LinkShape;
 use super::options::Options;
 use super::plan::Made;
 use super::scene::{Scene, Spot};
@@ -174,7 +175,11 @@ impl<'s> Picture<'s> {
     pub(super) fn cranks(&self) -> Vec<(Spot, f64, Option<[f64; 2]>)> {
         let scene = self.scene;
         let of = |&made: &Made| {
-            let Made::Crank(link, pivot, Some(pin), [true, false]) = made else { return None };
+            let (Made::Group(_, Some(pin)), Some(crank)) = (made, made.turned()) else {
+                return None;
+            };
+            let pivot = crank.pivot().filter(|_| crank.shape == LinkShape::Bar)?;
+            let link = crank.link;
             let pivot = scene.point(0, pivot).filter(|_| is_ground(scene, pivot))?;
             let frame = scene.frames().find(|&frame| scene.point(frame, pin).is_some())?;
             let at = scene.point(frame, pin)?;
@@ -273,16 +278,8 @@ pub(super) fn revolutes(scene: &Scene) -> Vec<usize> {
 /// A colour for every link: cylinders have one, the others take turns.
 fn colours(scene: &Scene) -> Vec<usize> {
     let mut is_cylinder: Vec<bool> = scene.plan.links.iter().map(|_| false).collect();
-    for &made in scene.plan.statements {
-        match made {
-            Made::Crank(link, _, _, [_, true]) | Made::Rrp([link, _], _, _, _, true) => {
-                is_cylinder[link] = true;
-            }
-            Made::Rrr(links, _, _, driven) => {
-                links.into_iter().zip(driven).for_each(|(link, driven)| is_cylinder[link] = driven);
-            }
-            _ => {}
-        }
+    for (_, member) in scene.plan.statements.iter().flat_map(|made| made.members()) {
+        is_cylinder[member.link] = member.shape == LinkShape::Cylinder;
     }
     let turns: &[usize] =
         if is_cylinder.contains(&true) { &[0, 1, 2, 3, 5] } else { &[0, 1, 2, 3, 4, 5] };

@@ -6,7 +6,6 @@ use std::vec::Vec;
 use super::boxes::Box2;
 use super::labels::{self, Label, Obstacles};
 use super::picture::{Picture, is_ground, revolutes};
-use super::plan::Made;
 use super::scene::Spot;
 use super::sketch_error::SketchError;
 use super::springs::{Coil, wall_box};
@@ -85,7 +84,8 @@ impl Picture<'_> {
     fn place_arcs(&mut self, obstacles: &[Obstacles]) {
         let scene = self.scene;
         for &made in scene.plan.statements {
-            let Made::Crank(link, pivot, _, [true, _]) = made else { continue };
+            let Some(crank) = made.turned() else { continue };
+            let (Some(pivot), link) = (crank.pivot(), crank.link) else { continue };
             let Some(at) = scene.point(0, pivot).filter(|_| is_ground(scene, pivot)) else {
                 continue;
             };

@@ -4,6 +4,7 @@
 use std::string::String;
 use std::vec::Vec;
 
+use super::member::Member;
 use crate::checks::{Checks, FirstError};
 use crate::diagnosis::finite_result;
 use crate::roots::FindError;
@@ -68,7 +69,7 @@ pub struct Spring {
     pub kinds: [bool; 2],
 }
 
-/// A statement: links, then what they stand on, then the pin.
+/// A statement.
 #[derive(Clone, Copy, Debug)]
 pub enum Made {
     /// A fixed point.
@@ -77,79 +78,56 @@ pub enum Made {
     Guide(usize, Option<usize>),
     /// A point, and the link that carries it; none for a driven point.
     Point(usize, Option<usize>),
-    /// Link, pivot, pin; whether it turns with an input against the ground, and whether its
-    /// length changes with one.
-    Crank(usize, usize, Option<usize>, [bool; 2]),
-    /// Link, guide, pin; whether it slides with an input.
-    Slider(usize, usize, Option<usize>, bool),
-    /// Bars, outer joints, pin; whose length changes with an input.
-    Rrr([usize; 2], [usize; 2], usize, [bool; 2]),
-    /// Bar and block, outer joint, guide, pin; whether the bar's length changes with an input.
-    Rrp([usize; 2], usize, usize, usize, bool),
-    /// Block and bar, outer joints.
-    Rpr([usize; 2], [usize; 2]),
-    /// Blocks, guides, pin.
-    Prp([usize; 2], [usize; 2], usize),
-    /// Block and yoke, outer joint, rail.
-    Rpp([usize; 2], usize, usize),
+    /// The links of a driver or a dyad, and its pin.
+    Group(&'static [Member], Option<usize>),
 }
 
 impl Made {
+    /// The links that it makes, each with the place of its first length or offset.
+    pub(super) fn members(self) -> impl Iterator<Item = (usize, Member)> {
+        let members = match self {
+            Self::Group(members, _) => members,
+            Self::Ground(_) | Self::Guide(..) | Self::Point(..) => &[],
+        };
+        members.iter().scan(0, |before, &member| {
+            let first = *before;
+            *before += member.shape.dimensions();
+            Some((first, member))
+        })
+    }
+
     /// How many lengths and offsets it has.
     pub(super) fn dimensions(self) -> usize {
-        match self {
-            Self::Ground(_) | Self::Guide(..) | Self::Point(..) => 0,
-            Self::Crank(_, _, pin, _) => usize::from(pin.is_some()),
-            Self::Slider(..) | Self::Rpr(..) => 1,
-            Self::Rrr(..) | Self::Rrp(..) | Self::Prp(..) | Self::Rpp(..) => 2,
-        }
+        self.members().map(|(_, member)| member.shape.dimensions()).sum()
     }
 
     /// The links that it makes.
     pub(super) fn links(self) -> Vec<usize> {
-        match self {
-            Self::Ground(_) | Self::Guide(..) | Self::Point(..) => Vec::new(),
-            Self::Crank(link, ..) | Self::Slider(link, ..) => [link].into(),
-            Self::Rrr(links, ..)
-            | Self::Rrp(links, ..)
-            | Self::Rpr(links, ..)
-            | Self::Prp(links, ..)
-            | Self::Rpp(links, ..) => links.into(),
-        }
+        self.members().map(|(_, member)| member.link).collect()
     }
 
     /// The point that it makes.
     pub(super) fn point(self) -> Option<usize> {
         match self {
             Self::Ground(point) | Self::Point(point, _) => Some(point),
-            Self::Crank(_, _, pin, _) | Self::Slider(_, _, pin, _) => pin,
-            Self::Rrr(_, _, pin, _) | Self::Rrp(_, _, _, pin, _) | Self::Prp(_, _, pin) => {
-                Some(pin)
-            }
-            Self::Guide(..) | Self::Rpr(..) | Self::Rpp(..) => None,
+            Self::Group(_, pin) => pin,
+            Self::Guide(..) => None,
         }
     }
 
     /// The points that its links turn about.
     pub(super) fn outer(self) -> Vec<usize> {
-        match self {
-            Self::Crank(_, pivot, ..) => [pivot].into(),
-            Self::Rrr(_, outer, ..) | Self::Rpr(_, outer) => outer.into(),
-            Self::Rrp(_, outer, ..) | Self::Rpp(_, outer, _) => [outer].into(),
-            _ => Vec::new(),
-        }
+        self.members().filter_map(|(_, member)| member.pivot()).collect()
+    }
+
+    /// The crank that an input turns against the ground.
+    pub(super) fn turned(self) -> Option<Member> {
+        self.members().map(|(_, member)| member).find(|member| member.is_turned)
     }
 
     /// The guides that its links slide on, and which link does.
     pub(super) fn slides(self) -> Vec<(usize, usize)> {
-        match self {
-            Self::Slider(link, guide, ..) => [(link, guide)].into(),
-            Self::Rrp(links, _, guide, ..) | Self::Rpp(links, _, guide) => {
-                [(links[1], guide)].into()
-            }
-            Self::Prp(links, guides, _) => [(links[0], guides[0]), (links[1], guides[1])].into(),
-            _ => Vec::new(),
-        }
+        self.members().filter_map(|(_, member)| Some((member.link, member.guide()?))).collect()
     }
 
     /// The link that carries what it makes.
@@ -165,20 +143,11 @@ impl Made {
         match self {
             Self::Ground(_) | Self::Guide(..) => Vec::new(),
             Self::Point(point, carrier) => carrier.into_iter().map(|link| (link, point)).collect(),
-            Self::Crank(link, pivot, pin, _) => {
-                [Some(pivot), pin].into_iter().flatten().map(|point| (link, point)).collect()
+            Self::Group(members, pin) => {
+                let points = |member: &Member| [member.pivot(), pin].map(|at| (member.link, at));
+                let joints = members.iter().flat_map(points);
+                joints.filter_map(|(link, point)| Some((link, point?))).collect()
             }
-            Self::Slider(link, _, pin, _) => pin.into_iter().map(|point| (link, point)).collect(),
-            Self::Rrr(links, outer, pin, _) => {
-                [(links[0], outer[0]), (links[0], pin), (links[1], outer[1]), (links[1], pin)]
-                    .into()
-            }
-            Self::Rrp(links, outer, _, pin, _) => {
-                [(links[0], outer), (links[0], pin), (links[1], pin)].into()
-            }
-            Self::Rpr(links, outer) => [(links[0], outer[0]), (links[1], outer[1])].into(),
-            Self::Prp(links, _, pin) => [(links[0], pin), (links[1], pin)].into(),
-            Self::Rpp(links, outer, _) => [(links[0], outer)].into(),
         }
     }
 }

@@ -2,7 +2,7 @@
 //! The drawing itself is in the run-time crate, once.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::arguments::Arguments;
 use super::context::Context;
@@ -12,8 +12,7 @@ use crate::interface::entries::Given;
 use crate::lower::routine::Lowered;
 use crate::lower::{APPLIED, PLACED};
 use crate::model::dynamics::{Ends, Force, Spring};
-use crate::model::mechanism::{Carrier, Drive, Group, Length, Mechanism, Step};
-use crate::syntax::anatomy::Class;
+use crate::model::mechanism::{Carrier, Drive, Group, Mechanism, Slideway, Step};
 
 /// Nothing where the run-time crate has no feature `sketch`: Cargo may turn the macro's on for
 /// another build of that crate.
@@ -187,46 +186,42 @@ fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {
 }
 
 fn group(cx: &Context<'_>, group: &Group) -> TokenStream {
-    let made = cx.paths.item("Made");
-    let links: Vec<_> = group.links.iter().map(|link| number(link.0)).collect();
-    let (points, guides): (Vec<_>, Vec<_>) = (
-        group.outer.iter().filter_map(|joint| Some(number(joint.point()?.0))).collect(),
-        group.outer.iter().filter_map(|joint| Some(number(joint.guide()?.0))).collect(),
-    );
-    let pin = group.pin.map(|pin| number(pin.0));
-    let end = option(cx, group.pin.map(|pin| pin.0));
-    let driven: Vec<_> = group.lengths.iter().flatten().map(|length| driven(cx, length)).collect();
-    match group.kind {
-        Class::Crank => {
-            let turns = match &group.outer[0].drive {
-                Some(Drive::Angle { angle, relative_to: Carrier::Ground }) => {
-                    cx.mechanism.turns(angle)
-                }
-                _ => false,
-            };
-            let driven = driven.first().copied().unwrap_or_default();
-            quote!(#made::Crank(#(#links),*, #(#points),*, #end, [#turns, #driven]))
-        }
-        Class::Slider => {
-            let moves = match &group.outer[0].drive {
-                Some(Drive::Slide(slide)) => cx.mechanism.moves(slide),
-                _ => false,
-            };
-            quote!(#made::Slider(#(#links),*, #(#guides),*, #end, #moves))
-        }
-        Class::Rrr => quote!(#made::Rrr([#(#links),*], [#(#points),*], #pin, [#(#driven),*])),
-        Class::Rrp => {
-            quote!(#made::Rrp([#(#links),*], #(#points),*, #(#guides),*, #pin, #(#driven),*))
-        }
-        Class::Rpr => quote!(#made::Rpr([#(#links),*], [#(#points),*])),
-        Class::Prp => quote!(#made::Prp([#(#links),*], [#(#guides),*], #pin)),
-        Class::Rpp => quote!(#made::Rpp([#(#links),*], #(#points),*, #(#guides),*)),
-    }
+    let [made, member] = ["Made", "Member"].map(|name| cx.paths.item(name));
+    let members = group.outer.iter().enumerate().map(|(index, joint)| {
+        let (link, shape) = (number(group.links[index].0), shape(cx, group, index));
+        let on = joint.point().map(|point| point.0).or(joint.guide().map(|guide| guide.0));
+        let on = on.map(number);
+        let turned = match &joint.drive {
+            Some(Drive::Angle { angle, relative_to: Carrier::Ground })
+                if cx.mechanism.turns(angle) =>
+            {
+                Some(quote!(.turned()))
+            }
+            _ => None,
+        };
+        quote!(#member::#shape(#link, #on)#turned)
+    });
+    let (members, pin): (Vec<_>, _) = (members.collect(), option(cx, group.pin.map(|pin| pin.0)));
+    quote!(#made::Group(&[#(#members),*], #pin))
 }
 
-/// Whether an input sets the length.
-fn driven(cx: &Context<'_>, length: &Length) -> bool {
-    cx.mechanism.moves(&length.value)
+/// The word for the shape of a link, from its joints.
+fn shape(cx: &Context<'_>, group: &Group, index: usize) -> Ident {
+    let link = group.links[index];
+    let slides_in = group.inner.iter().find_map(|joint| match joint.slideway()? {
+        Slideway::Guide(_) => None,
+        Slideway::Bar(carrier) | Slideway::Slot { link: carrier, .. } => Some(*carrier),
+    });
+    let name = match (&group.lengths[index], slides_in, group.outer[index].guide()) {
+        (Some(length), ..) if cx.mechanism.moves(&length.value) => "cylinder",
+        (Some(_), ..) => "bar",
+        (None, Some(carrier), Some(_)) if carrier == link => "yoke",
+        (None, Some(carrier), None) if carrier == link => "slotted_bar",
+        (None, Some(_), _) => "sleeve",
+        (None, None, Some(_)) => "block",
+        (None, None, None) => "body",
+    };
+    format_ident!("{name}")
 }
 
 fn number(id: u32) -> Literal {
