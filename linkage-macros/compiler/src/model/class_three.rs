@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use proc_macro2::Ident;
 
+use crate::syntax::anatomy::{Anatomy, JointRule};
 use crate::syntax::tree::{
     Declaration, Expr, ExprKind, Field, FieldValue, Group, Leg, Statement, StatementKind,
 };
@@ -19,7 +20,8 @@ pub(super) fn instead(
     needs: &Needs,
     circle: &BTreeSet<usize>,
 ) -> Option<String> {
-    let dyads = circle.iter().filter_map(|&index| Some((index, rrr(&tree.statements[index])?)));
+    let dyads =
+        circle.iter().filter_map(|&index| Some((index, two_bars(&tree.statements[index])?)));
     let ends = dyads.flat_map(|(index, group)| [(index, group, 0), (index, group, 1)]);
     let (index, group, kept) = ends.into_iter().find(|&(index, group, kept)| {
         let cut = Cut { tree, group, index };
@@ -72,7 +74,7 @@ impl Cut<'_> {
         let others = self.tree.statements.iter().enumerate();
         let mut others = others.filter(|&(index, _)| index != self.index);
         others.any(|(_, statement)| {
-            rrr(statement).is_some_and(|other| {
+            two_bars(statement).is_some_and(|other| {
                 other.pin == *far && other.legs.iter().any(|leg| leg.joint == *pin)
             })
         })
@@ -86,14 +88,22 @@ impl Cut<'_> {
 }
 
 /// The dyad of two bars that the statement is, as far as all of it was read.
-fn rrr(statement: &Statement) -> Option<&Group> {
+fn two_bars(statement: &Statement) -> Option<&Group> {
     match &statement.kind {
-        StatementKind::Group(group) if group.keyword == "rrr" => {
+        StatementKind::Group(group) if is_of_two_bars(&group.keyword.to_string()) => {
             let is_whole = |leg: &Leg| leg.joint.is_some();
             (group.legs.len() == 2 && group.legs.iter().all(is_whole)).then_some(group)
         }
         _ => None,
     }
+}
+
+fn is_of_two_bars(keyword: &str) -> bool {
+    let is_revolute = |joint: &JointRule| matches!(joint, JointRule::Revolute(_));
+    Anatomy::of(keyword).is_some_and(|anatomy| {
+        let joints = anatomy.joints;
+        joints.len() == 2 && joints.iter().all(is_revolute) && !anatomy.has_inner_slide()
+    })
 }
 
 fn lengths(group: &Group) -> Option<&[Expr; 2]> {

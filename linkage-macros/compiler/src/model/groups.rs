@@ -76,7 +76,7 @@ impl Resolver<'_> {
             return;
         }
         let id = self.next_group();
-        let links: Vec<_> = (group.legs.iter().zip(anatomy.slides))
+        let links: Vec<_> = (group.legs.iter().zip(anatomy.slides()))
             .map(|(leg, slides)| self.add_link(docs, &leg.link, id, slides))
             .collect();
         let pin = self.pin(docs, group, anatomy, id);
@@ -301,15 +301,16 @@ impl Resolver<'_> {
         let text = keyword.to_string();
         let letters = text.to_lowercase();
         let is_letters = letters.len() > 1 && letters.chars().all(|c| c == 'r' || c == 'p');
+        let reversed: String = letters.chars().rev().collect();
         let (message, reason) = match letters.as_str() {
-            "prr" => (
-                format!("no group `{text}`; write `rrp` with the bar first"),
-                "a dyad is the same read from either end".to_string(),
-            ),
-            "ppr" => (
-                format!("no group `{text}`; write `rpp` with the pinned block first"),
-                "a dyad is the same read from either end".to_string(),
-            ),
+            _ if Anatomy::of(&letters).is_none() && Anatomy::of(&reversed).is_some() => {
+                let has_bar = Anatomy::of(&reversed).is_some_and(Anatomy::has_length);
+                let first = if has_bar { "bar" } else { "pinned block" };
+                (
+                    format!("no group `{text}`; write `{reversed}` with the {first} first"),
+                    "a dyad is the same read from either end".to_string(),
+                )
+            }
             "ppp" => (
                 format!("no group `{text}`; a dyad needs a revolute joint"),
                 "links with prismatic joints alone cannot turn, and are not determined".to_string(),

@@ -1,7 +1,7 @@
 //! The joints of a group, read from its statement field by field as its row has them.
 
 use crate::exact::Exact;
-use crate::syntax::anatomy::{JointRule, Pin};
+use crate::syntax::anatomy::JointRule;
 use crate::syntax::tree;
 
 use super::Resolver;
@@ -28,7 +28,7 @@ pub(super) struct Dimensions {
 impl Parts<'_> {
     /// Tells whether the link has its outer joint at one end and the pin at the other.
     pub(super) fn is_bar(&self, index: usize) -> bool {
-        !self.slides(index) && !matches!(self.anatomy.pin, Pin::None(_))
+        !self.slides(index) && !self.anatomy.has_inner_slide()
     }
 
     /// Tells whether the outer joint of the link is prismatic.

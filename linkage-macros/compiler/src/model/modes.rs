@@ -48,6 +48,11 @@ pub(super) fn side_word(word: &Ident) -> Option<Sign> {
     Modes::Side.sign(&word.to_string())
 }
 
+/// The group's links slide on each other.
+fn is_slide(group: &Group) -> bool {
+    Anatomy::of(&group.keyword.to_string()).is_some_and(Anatomy::has_inner_slide)
+}
+
 impl Resolver<'_> {
     /// The mode of a group that has modes.
     pub(super) fn mode(
@@ -141,7 +146,7 @@ impl Resolver<'_> {
                 joint(0),
                 joint(1)
             ),
-            Modes::Sense if group.keyword == "rpr" => format!(
+            Modes::Sense if is_slide(group) => format!(
                 "`ahead` or `behind`: whether {} lies on the positive or the negative side of \
                  the bar, seen from {}",
                 joint(0),
@@ -174,8 +179,11 @@ impl Resolver<'_> {
         let kind = bare_name(default).and_then(mode_word);
         if kind.is_none() && !default.is_mistake() {
             let message = "a mode is `left`, `right`, `ahead`, `behind`, `rising` or `falling`";
-            let reason = "`left` or `right` for an `rrr`, `ahead` or `behind` for `rrp` and `rpr`, \
-                          `rising` or `falling` for `solve`";
+            let [side, sense] = [Modes::Side, Modes::Sense].map(Anatomy::keywords_with);
+            let reason = format!(
+                "`left` or `right` for an {side}, `ahead` or `behind` for {sense}, `rising` or \
+                 `falling` for `solve`"
+            );
             self.diagnostics.error_because(default.span, message, reason);
         }
         kind

@@ -27,7 +27,6 @@ const BETWEEN_POINTS: Anatomy = Anatomy {
         DAMPING,
     ],
     modes: None,
-    slides: [false; 2],
     form: "spring between P and Q { stiffness: 15(N/m), free_length: 0.3m }",
 };
 

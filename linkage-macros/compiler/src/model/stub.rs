@@ -109,7 +109,8 @@ impl Resolver<'_> {
                 let place = group.legs.iter().position(|leg| leg.link == *name)?;
                 // Where the group is not known, its links have every field.
                 let anatomy = Anatomy::of(&group.keyword.to_string());
-                let slides = anatomy.is_none_or(|anatomy| anatomy.slides.get(place) == Some(&true));
+                let slides =
+                    anatomy.is_none_or(|anatomy| anatomy.slides().get(place) == Some(&true));
                 return Some(Entity::Link(self.new_link(&statement.docs, name, made_by, slides)));
             }
             StatementKind::Link { links, .. } => {
@@ -311,7 +312,7 @@ impl Resolver<'_> {
     /// The efforts and reactions of links as they are written.
     fn forces_of_group(&mut self, group: &tree::Group) {
         let Some(anatomy) = Anatomy::of(&group.keyword.to_string()) else { return };
-        for (leg, slides) in group.legs.iter().zip(anatomy.slides) {
+        for (leg, slides) in group.legs.iter().zip(anatomy.slides()) {
             let Some(Entity::Link(link)) = self.names.made(&leg.link) else { continue };
             let is_placed = self.facts.links[link.index()].is_placed;
             let mut efforts = Vec::new();

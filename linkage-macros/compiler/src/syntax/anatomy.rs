@@ -10,8 +10,6 @@ pub(crate) struct Anatomy {
     pub pin: Pin,
     pub fields: &'static [FieldRule],
     pub modes: Option<Modes>,
-    /// Whether the first and the second link slide.
-    pub slides: [bool; 2],
     /// The statement in full, for messages.
     pub form: &'static str,
 }
@@ -122,7 +120,6 @@ const ANATOMIES: [Anatomy; 7] = [
             optional("relative_to", "`ground` or a link"),
         ],
         modes: None,
-        slides: [false; 2],
         form: "crank AB(A) -> B { length: 80mm, angle: theta }",
     },
     Anatomy {
@@ -135,7 +132,6 @@ const ANATOMIES: [Anatomy; 7] = [
             OFFSET,
         ],
         modes: None,
-        slides: [true, false],
         form: "slider ram(rail) -> P { slide: s }",
     },
     Anatomy {
@@ -151,7 +147,6 @@ const ANATOMIES: [Anatomy; 7] = [
             ..needed("lengths", "the distances from each outer joint to the pin")
         }],
         modes: Some(Modes::Side),
-        slides: [false; 2],
         form: "rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: left }",
     },
     Anatomy {
@@ -164,7 +159,6 @@ const ANATOMIES: [Anatomy; 7] = [
         pin: Pin::Needed,
         fields: &[needed("length", "the distance from the outer joint to the pin"), OFFSET],
         modes: Some(Modes::Sense),
-        slides: [false, true],
         form: "rrp BC(B), piston(rail) -> C { length: 300mm, mode: ahead }",
     },
     Anatomy {
@@ -177,7 +171,6 @@ const ANATOMIES: [Anatomy; 7] = [
         pin: INNER_P,
         fields: &[OFFSET],
         modes: Some(Modes::Sense),
-        slides: [true, false],
         form: "rpr block(B), bar(D) { offset: 0 }",
     },
     Anatomy {
@@ -190,7 +183,6 @@ const ANATOMIES: [Anatomy; 7] = [
         pin: Pin::Needed,
         fields: &[OFFSETS],
         modes: None,
-        slides: [true; 2],
         form: "prp p(rail1), q(rail2) -> C { offsets: (0, 0) }",
     },
     Anatomy {
@@ -203,7 +195,6 @@ const ANATOMIES: [Anatomy; 7] = [
         pin: INNER_P,
         fields: &[needed("slot", "the angle of the slot to the rail"), OFFSETS],
         modes: None,
-        slides: [true; 2],
         form: "rpp block(B), yoke(rail) { slot: 90deg }",
     },
 ];
@@ -222,6 +213,20 @@ pub(crate) const KEYWORDS: [&str; ANATOMIES.len()] = {
 impl Anatomy {
     pub(crate) fn of(keyword: &str) -> Option<&'static Self> {
         ANATOMIES.iter().find(|anatomy| anatomy.keyword == keyword)
+    }
+
+    /// Tells of the first and the second link whether they slide: on a guide, or the first in the second.
+    pub(crate) fn slides(&self) -> [bool; 2] {
+        [0, 1].map(|index| match self.joints.get(index) {
+            Some(JointRule::Prismatic(_)) => true,
+            Some(JointRule::Revolute(_)) => index == 0 && self.has_inner_slide(),
+            None => false,
+        })
+    }
+
+    /// Tells whether its inner joint is prismatic, and so makes no pin.
+    pub(crate) fn has_inner_slide(&self) -> bool {
+        matches!(self.pin, Pin::None(_))
     }
 
     /// Whether it is a dyad and not a driver: a dyad has a transmission angle.
@@ -252,9 +257,15 @@ impl Anatomy {
         }
     }
 
-    /// Only an rpr, where one mode is almost always meant, has a default.
+    /// Only of a block on a bar one mode is almost always meant: it has a default.
     pub(crate) fn mode_is_needed(&self) -> bool {
-        self.modes.is_some() && self.class != Some(Class::Rpr)
+        self.modes.is_some() && !self.has_inner_slide()
+    }
+
+    /// The keywords of the groups that have these modes: `rrp` and `rpr`.
+    pub(crate) fn keywords_with(modes: Modes) -> String {
+        let those = ANATOMIES.iter().filter(|anatomy| anatomy.modes == Some(modes));
+        those.map(|anatomy| format!("`{}`", anatomy.keyword)).collect::<Vec<_>>().join(" and ")
     }
 
     /// The names of its fields, the mode included.

@@ -8,6 +8,7 @@ mod expressions;
 mod fields;
 
 mod groups;
+mod incidence;
 mod names;
 mod numbers;
 mod outputs;
