@@ -8,7 +8,7 @@ use crate::reach::absolute;
 use super::Resolver;
 use super::folding::{shown, shown_in_degrees};
 use super::groups::Parts;
-use super::joints::Dimensions;
+use super::jointed::Dimensions;
 use super::mechanism::{AngleSum, Carrier, Expr, GuideId, Length, LinkId, PointId};
 
 impl AngleSum {

@@ -28,7 +28,7 @@ mod guides;
 mod ids;
 mod incidence;
 mod inputs;
-mod joints;
+mod jointed;
 mod literals;
 mod masses;
 pub(crate) mod mechanism;

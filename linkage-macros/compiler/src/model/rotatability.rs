@@ -17,7 +17,7 @@ use super::mechanism::{
 };
 
 /// A crank on the ground: its circle and what turns it.
-struct Crank<'m> {
+struct TurningCrank<'m> {
     link: LinkId,
     pivot: &'m [Exact; 2],
     radius: &'m Exact,
@@ -30,7 +30,7 @@ struct Crank<'m> {
 struct Ground<'m> {
     points: HashMap<PointId, [Exact; 2]>,
     guides: HashMap<GuideId, Line>,
-    cranks: HashMap<PointId, Crank<'m>>,
+    cranks: HashMap<PointId, TurningCrank<'m>>,
 }
 
 /// Every dyad of constants between a crank and the ground.
@@ -97,7 +97,7 @@ impl<'m> Ground<'m> {
 fn crank<'m>(
     still: &'m HashMap<PointId, [Exact; 2]>,
     group: &'m Group,
-) -> Option<(PointId, Crank<'m>)> {
+) -> Option<(PointId, TurningCrank<'m>)> {
     let joint = group.outer.first()?;
     let Some(Drive::Angle { angle, relative_to: Carrier::Ground }) = &joint.drive else {
         return None;
@@ -111,7 +111,7 @@ fn crank<'m>(
         Expr::Input(input) => Some(input),
         _ => None,
     };
-    Some((pin, Crank { link: group.links[0], pivot, radius, input, name: pin }))
+    Some((pin, TurningCrank { link: group.links[0], pivot, radius, input, name: pin }))
 }
 
 fn line(
@@ -139,7 +139,7 @@ fn span(mechanism: &Mechanism, from: PointId, to: PointId) -> String {
     format!("|{}{}|", name(from).name, name(to).name)
 }
 
-impl Crank<'_> {
+impl TurningCrank<'_> {
     /// The second bar stands on the ground.
     fn with_two_bars(
         &self,

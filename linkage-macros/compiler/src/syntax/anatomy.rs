@@ -262,6 +262,13 @@ impl Anatomy {
         self.modes.is_some() && !self.has_inner_slide()
     }
 
+    /// The head of a dyad, for messages: `rrr BC(B), DC(D) -> C { … }`.
+    pub(super) fn dyad_in_short() -> String {
+        let form = ANATOMIES.iter().find(|anatomy| anatomy.is_dyad()).map_or("", |dyad| dyad.form);
+        let head = form.split('{').next().unwrap_or_default();
+        format!("{head}{{ … }}")
+    }
+
     /// The keywords of the groups that have these modes: `rrp` and `rpr`.
     pub(crate) fn keywords_with(modes: Modes) -> String {
         let those = ANATOMIES.iter().filter(|anatomy| anatomy.modes == Some(modes));

@@ -3,6 +3,7 @@
 
 use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 
+use super::anatomy::Anatomy;
 use super::tokens::{Parse, Parser};
 use super::words;
 use crate::diagnostics::nearest;
@@ -41,7 +42,8 @@ impl Parser<'_> {
                 .to_string();
         }
         if self.is_group(0, Delimiter::Parenthesis) {
-            return "a group begins with its keyword: `rrr BC(B), DC(D) -> C { … }`".to_string();
+            let example = Anatomy::dyad_in_short();
+            return format!("a group begins with its keyword: `{example}`");
         }
         format!(
             "statements are {} and the groups {}",
