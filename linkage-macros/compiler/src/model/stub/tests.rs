@@ -160,6 +160,16 @@ fn an_output_that_is_not_understood_may_be_any_name() {
 }
 
 #[test]
+fn a_named_output_that_is_not_understood_is_an_angle_if_it_holds_one() {
+    let file = expand(&format!(
+        "struct Shear {{ {SHEAR} let turn = BC.angle + nothing;
+         output fold = BC.angle - nobody.angle, swing = 2 * turn, gap = l + nothing; }}"
+    ));
+    let expected = Some("fold: Direction<T>, swing: Direction<T>, gap: T");
+    assert_eq!(fields(&file, "ShearPosition").as_deref(), expected);
+}
+
+#[test]
 fn margins_have_a_record_of_their_own() {
     let file = expand(&format!("struct Shear {{ {SHEAR} output BC.margin, DC.transmission; }}"));
     let margins = Some("BC_margin: T, DC_transmission: T");
