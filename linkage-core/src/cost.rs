@@ -1,4 +1,4 @@
-//! What a solver costs, counted in the generated code.
+//! The cost of a solver, counted in the generated code.
 
 use core::fmt;
 
@@ -17,42 +17,42 @@ pub struct Operations {
     pub sines: u32,
 }
 
-/// What a solver costs, as `COST` of the generated struct states it.
+/// The cost of a solver, as `COST` of the generated struct states it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
-    /// Of `position`.
+    /// One call of `position`.
     pub position: Operations,
-    /// Of `motion`: position, velocity and acceleration together.
+    /// One call of `motion`: position, velocity and acceleration together.
     pub motion: Operations,
-    /// Of `coefficients`.
+    /// One call of `coefficients`.
     pub coefficients: Operations,
 }
 
-/// What a solver with masses or loads costs, as `COST` of the generated struct states it.
+/// The cost of a solver with masses or loads, as `COST` of the generated struct states it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ForcesCost {
-    /// Of `position`.
+    /// One call of `position`.
     pub position: Operations,
-    /// Of `motion`: position, velocity and acceleration together.
+    /// One call of `motion`: position, velocity and acceleration together.
     pub motion: Operations,
-    /// Of `coefficients`.
+    /// One call of `coefficients`.
     pub coefficients: Operations,
-    /// Of `forces`.
+    /// One call of `forces`.
     pub forces: Operations,
-    /// Of `statics`.
+    /// One call of `statics`.
     pub statics: Operations,
-    /// Of `energy`; nothing where it is not asked for.
+    /// One call of `energy`; nothing where it is not asked for.
     pub energy: Operations,
-    /// Of `forward_dynamics`; nothing where an input moves no mass.
+    /// One call of `forward_dynamics`; nothing where an input moves no mass.
     pub forward_dynamics: Operations,
 }
 
-/// What finding one unknown costs.
+/// The cost of finding one unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SearchCost {
     /// The unknown.
     pub unknown: &'static str,
-    /// Of one evaluation of its equation and of the slope of that.
+    /// One evaluation of its equation and of the slope of that.
     pub evaluation: Operations,
     /// The most evaluations of one call in `f64`, from both ends; twice as many where an end lies
     /// beyond a dead point, and three more where there is a seed.
@@ -61,38 +61,38 @@ pub struct SearchCost {
     pub evaluations_f32: u32,
 }
 
-/// What a solver with unknowns costs, as `COST` of the generated struct states it.
+/// The cost of a solver with unknowns, as `COST` of the generated struct states it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SearchingCost {
-    /// Of `position`, but for the searches.
+    /// One call of `position`, but for the searches.
     pub position: Operations,
-    /// Of `motion`: position, velocity and acceleration together, but for the searches.
+    /// One call of `motion`: position, velocity and acceleration together, but for the searches.
     pub motion: Operations,
-    /// Of `coefficients`, but for the searches.
+    /// One call of `coefficients`, but for the searches.
     pub coefficients: Operations,
-    /// Of each unknown, in any of these.
+    /// Each unknown, in any of these.
     pub searches: &'static [SearchCost],
 }
 
-/// What a solver with unknowns and with masses or loads costs, as `COST` of the generated struct
+/// The cost of a solver with unknowns and with masses or loads, as `COST` of the generated struct
 /// states it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SearchingForcesCost {
-    /// Of `position`, but for the searches.
+    /// One call of `position`, but for the searches.
     pub position: Operations,
-    /// Of `motion`: position, velocity and acceleration together, but for the searches.
+    /// One call of `motion`: position, velocity and acceleration together, but for the searches.
     pub motion: Operations,
-    /// Of `coefficients`, but for the searches.
+    /// One call of `coefficients`, but for the searches.
     pub coefficients: Operations,
-    /// Of `forces`, but for the searches.
+    /// One call of `forces`, but for the searches.
     pub forces: Operations,
-    /// Of `statics`, but for the searches.
+    /// One call of `statics`, but for the searches.
     pub statics: Operations,
-    /// Of `energy`, but for the searches; nothing where it is not asked for.
+    /// One call of `energy`, but for the searches; nothing where it is not asked for.
     pub energy: Operations,
-    /// Of `forward_dynamics`, but for the searches; nothing where an input moves no mass.
+    /// One call of `forward_dynamics`, but for the searches; nothing where an input moves no mass.
     pub forward_dynamics: Operations,
-    /// Of each unknown, in any of these.
+    /// Each unknown, in any of these.
     pub searches: &'static [SearchCost],
 }
 

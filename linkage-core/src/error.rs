@@ -20,7 +20,7 @@ pub enum SolveError {
     OutOfReach {
         /// The links of the group.
         group: &'static str,
-        /// How much is missing, in metres.
+        /// The missing distance in metres.
         by: f64,
     },
     /// The group is at a toggle or otherwise undetermined: what was asked for is undefined there. A
@@ -34,7 +34,7 @@ pub enum SolveError {
     Invalid {
         /// The links of the group, or the spring.
         group: &'static str,
-        /// What is out of range, as written in the declaration.
+        /// The expression that is out of range, as written in the declaration.
         name: &'static str,
     },
     /// A cosine and a sine that were given are too far from those of any angle.
@@ -48,7 +48,7 @@ pub enum SolveError {
     NoSolution {
         /// The unknown.
         unknown: &'static str,
-        /// What is left of the equation at the nearer end, or at the dead point next to it.
+        /// The residual of the equation at the nearer end, or at the dead point next to it.
         by: f64,
         /// The unit of that: `m`, `rad`, `m²`, or `1` for a plain number.
         unit: &'static str,
@@ -113,23 +113,23 @@ impl fmt::Display for SolveError {
     }
 }
 
-/// Whether the name is that of a mass or an inertia; a length bears its link's, without a space.
+/// True if the name is that of a mass or an inertia; a length bears its link's, without a space.
 fn is_mass(name: &str) -> bool {
     name.starts_with("mass on ") || name.starts_with("inertia on ")
 }
 
-/// Whether the group is a spring or a force between two points.
+/// True if the group is a spring or a force between two points.
 fn acts_along_a_line(group: &str) -> bool {
     is_spring(group) || group.starts_with("force ")
 }
 
-/// Whether the group is a spring; no link can be called so.
+/// True if the group is a spring; no link can be called so.
 fn is_spring(group: &str) -> bool {
     group.starts_with("spring ")
 }
 
 impl SolveError {
-    /// What the error is about: the group that has no pose, or the unknown, input or parameter.
+    /// The subject of the error: the group that has no pose, or the unknown, input or parameter.
     pub(crate) const fn culprit(self) -> &'static str {
         match self {
             Self::OutOfReach { group, .. }

@@ -1,4 +1,4 @@
-//! Whether joints a distance apart can be bridged, decided exactly.
+//! An exact decision: can two links bridge the distance between their outer joints?
 //!
 //! At a toggle the distance equals the bars' span up to rounding, and what is asked is on which
 //! side of a limit a few last places away it lies: the sign of a difference of squares that
@@ -7,10 +7,10 @@
 
 use crate::kernels::{Native, exact_sum, mul_err, sqrt, two_sum};
 
-/// How many ε of the spread a value may be wrong by: whoever is above that is above zero.
+/// The error of a value in ε of its spread: larger values are positive for certain.
 pub const ROUNDINGS: f64 = 16.0;
 
-/// How much a pose may be short of assembly, in units in the last place of the longest length:
+/// The distance by which a pose may miss assembly, in units in the last place of the longest length:
 /// what rounding does to a joint that lies on the line of centres in real numbers.
 const ULPS: f64 = 4.0;
 
@@ -36,7 +36,7 @@ pub(crate) struct Width {
     pub(crate) smallest: f64,
 }
 
-/// Whether circles of radii |`l1`| and |`l2`| about points (`dx`, `dy`) apart meet.
+/// Decides if circles of radii |`l1`| and |`l2`| about points (`dx`, `dy`) apart meet.
 #[inline(always)]
 pub(crate) fn circles([dx, dy]: [f64; 2], [l1, l2]: [f64; 2], width: Width) -> Reach {
     in_registers(dx, dy, l1, l2, width)
@@ -102,7 +102,7 @@ pub(crate) fn foot_on_line(d: [f64; 2], [l1, l2]: [f64; 2]) -> f64 {
     if foot(d, [l1, l2]) < 0.0 { -share } else { share }
 }
 
-/// Whether (`dx`, `dy`) is at least |`e`| long.
+/// Decides if (`dx`, `dy`) is at least |`e`| long.
 pub(crate) fn offset([dx, dy]: [f64; 2], e: f64, width: Width) -> Reach {
     let Some(scale) = Scale::of([dx, dy, e]) else {
         return Reach::NotFinite;
@@ -112,7 +112,7 @@ pub(crate) fn offset([dx, dy]: [f64; 2], e: f64, width: Width) -> Reach {
     too_close([dx, dy], [e, 0.0], slack, scale)
 }
 
-/// Whether |`t`| ≤ |`l`|.
+/// Decides if |`t`| ≤ |`l`|.
 pub(crate) fn line(t: f64, l: f64, width: Width) -> Reach {
     let Some(scale) = Scale::of([t, l]) else {
         return Reach::NotFinite;
@@ -128,7 +128,7 @@ pub(crate) fn line(t: f64, l: f64, width: Width) -> Reach {
     }
 }
 
-/// Whether points `d` apart are at least `long` − `short` ≥ 0 apart.
+/// Decides if points `d` apart are at least `long` − `short` ≥ 0 apart.
 fn too_close(d: [f64; 2], [long, short]: [f64; 2], slack: f64, scale: Scale) -> Reach {
     let (gap, missing) = (long - short, -excess(d, [long, -short]));
     // Slack makes up for gap² − (gap − slack)², or for all where the gap is no longer than that. What is
@@ -204,7 +204,7 @@ fn distance([dx, dy]: [f64; 2]) -> f64 {
 struct Scale {
     down: f64,
     up: f64,
-    /// Of the largest number.
+    /// The exponent of the largest number.
     exponent: i32,
 }
 

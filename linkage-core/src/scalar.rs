@@ -7,11 +7,11 @@
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
-/// What a comparison answers: `bool` for a single number, one `bool` a lane for lanes.
+/// The answer of a comparison: `bool` for a single number, one `bool` a lane for lanes.
 pub trait Mask: Copy + BitAnd<Output = Self> {
     /// The answer yes everywhere.
     const ALL: Self;
-    /// Whether the answer is yes everywhere.
+    /// True if the answer is yes everywhere.
     fn all(self) -> bool;
 
     /// The answer together with a condition of the formulas.
@@ -60,7 +60,7 @@ pub trait Scalar:
     + Neg<Output = Self>
     + 'static
 {
-    /// What a comparison answers.
+    /// The answer of a comparison.
     type Mask: Mask;
 
     /// A literal, rounded once from the exact value to each width.
@@ -87,7 +87,7 @@ pub trait Scalar:
     #[must_use]
     fn sin_cos_near(self) -> (Self, Self);
 
-    /// Whether the argument lies within the range of [`sin_cos_near`](Self::sin_cos_near):
+    /// True if the argument lies within the range of [`sin_cos_near`](Self::sin_cos_near):
     /// ±1 048 576 rad (2²⁰) for `f64`, ±51 471 rad (8192 turns) for `f32`.
     #[must_use]
     fn is_near(self) -> Self::Mask;
@@ -146,15 +146,15 @@ pub trait Scalar:
     #[must_use]
     fn fused(a: Self, b: Self, c: Self) -> Self;
 
-    /// Whether `self` ≥ `other`; no where either is not a number.
+    /// `self` ≥ `other`; no where either is not a number.
     #[must_use]
     fn ge(self, other: Self) -> Self::Mask;
 
-    /// Whether `self` > `other`; no where either is not a number.
+    /// `self` > `other`; no where either is not a number.
     #[must_use]
     fn gt(self, other: Self) -> Self::Mask;
 
-    /// Whether |`self`| ≤ `bound`, which is not negative; no where either is not a number.
+    /// |`self`| ≤ `bound`, which is not negative; no where either is not a number.
     #[inline(always)]
     #[must_use]
     fn is_within(self, bound: Self) -> Self::Mask {
@@ -169,7 +169,7 @@ pub trait Scalar:
         false
     }
 
-    /// Whether the number, and every derivative it carries, is finite.
+    /// True if the number and every derivative it carries are finite.
     #[must_use]
     fn is_finite(self) -> Self::Mask;
 
@@ -185,7 +185,7 @@ pub trait Scalar:
 
 /// [`Scalar::hypot_near`] of numbers that carry their value alone.
 ///
-/// What underflow takes from a square is below its rounding where the sum is at least the smallest square.
+/// Underflow takes less from a square than its rounding where the sum is at least the smallest square.
 /// Two roundings of ε/2 come under the root, which halves them, and it is rounded itself.
 #[inline(always)]
 pub(crate) fn root_of_squares<T: Scalar>(x: T, y: T, least: T) -> (T, T::Mask) {
@@ -199,7 +199,7 @@ pub(crate) fn lit<T: Scalar>(value: f32) -> T {
     T::lit(value.into(), value)
 }
 
-/// Whether the sum of a result's numbers is finite, and so each of them; not asked of a `plain` number,
+/// True if the sum of a result's numbers is finite, and so each of them; not asked of a `plain` number,
 /// for which the compiler has shown that it must be.
 #[inline(always)]
 pub fn is_finite_unless<T: Scalar>(plain: bool, sum: T) -> T::Mask {
@@ -219,7 +219,7 @@ pub trait Real: Scalar<Mask = bool> {
     #[must_use]
     fn value(self) -> f64;
 
-    /// Whether no derivative is carried; of a type that always carries some, whether all are zero.
+    /// True if no derivative is carried; for a type that always carries some, if all are zero.
     #[must_use]
     fn is_constant(self) -> bool;
 
