@@ -74,6 +74,7 @@ fn a_browser_has_every_joint_where_the_solver_has_it() {
     let read = READ.replace("STEP", &STEP.to_string());
     write!(page, "<script>const counts = [{counts}];{read}</script>").unwrap();
     let lines = run(&page, "joints");
+    let views: Vec<_> = pieces.iter().map(|piece| piece.film.view().unwrap()).collect();
     let (mut seen, mut worst) = (0, 0.0_f64);
     for line in lines.lines() {
         let parts: Vec<&str> = line.split(' ').collect();
@@ -81,7 +82,7 @@ fn a_browser_has_every_joint_where_the_solver_has_it() {
         let nth: usize = film.parse().unwrap();
         let film = &pieces[nth].film;
         let at = film.point(pose.parse().unwrap(), point).expect("what is shown exists");
-        let [px, py] = film.view().unwrap().pixels([at.x, at.y]);
+        let [px, py] = views[nth].pixels([at.x, at.y]);
         let (x, y): (f64, f64) = (x.parse().unwrap(), y.parse().unwrap());
         let off = (x - px).hypot(y - py);
         if off > worst {
