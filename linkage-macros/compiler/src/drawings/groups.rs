@@ -8,8 +8,13 @@ use crate::{model, syntax};
 
 /// The mechanism of a machine, or what is said of it.
 fn resolved(case: &Case) -> Result<Mechanism, Vec<String>> {
+    resolved_text(case.statements)
+}
+
+/// The same for statements.
+pub(super) fn resolved_text(statements: &str) -> Result<Mechanism, Vec<String>> {
     let mut diagnostics = Diagnostics::new();
-    let tokens = case.declaration().parse().expect("these are tokens");
+    let tokens = format!("pub struct M {{ {statements} }}").parse().expect("these are tokens");
     let tree = syntax::parse(tokens, &mut diagnostics).expect("it has a name");
     let mechanism = model::resolve(&tree, &mut diagnostics).ok();
     let mistakes = diagnostics.into_mistakes();
@@ -20,7 +25,7 @@ fn resolved(case: &Case) -> Result<Mechanism, Vec<String>> {
 }
 
 /// The groups of a mechanism, the links of each in the order of the alphabet.
-fn groups(mechanism: &Mechanism) -> Vec<String> {
+pub(super) fn groups(mechanism: &Mechanism) -> Vec<String> {
     let drawn = mechanism.steps.iter().filter_map(|step| group(mechanism, step));
     drawn.collect()
 }
@@ -100,4 +105,30 @@ fn the_groups_are_those_expected() {
         }
     }
     assert_eq!([dyads, higher, two], [25, 22, 0]);
+}
+
+/// The declaration of the groups in the documentation of a solver.
+fn declared_in_docs(mechanism: &Mechanism) -> String {
+    let line = |docs: &syn::Attribute| match &docs.meta {
+        syn::Meta::NameValue(value) => match &value.value {
+            syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) => text.value(),
+            _ => String::new(),
+        },
+        _ => String::new(),
+    };
+    let lines: Vec<_> = mechanism.docs.iter().map(line).collect();
+    let from = lines.iter().position(|line| line.contains("pub struct")).expect("it is there");
+    let to = lines.iter().rposition(|line| line.trim() == "}").expect("it ends");
+    lines[from + 1..to - 1].join("\n")
+}
+
+#[test]
+fn the_declaration_in_the_documentation_compiles_as_it_stands() {
+    for case in cases() {
+        let Ok(mechanism) = resolved(&case) else { continue };
+        let text = declared_in_docs(&mechanism);
+        let by_hand = resolved_text(&text).unwrap_or_else(|told| panic!("{text}\n{told:?}"));
+        assert_eq!(groups(&by_hand), groups(&mechanism), "{text}");
+        assert!(by_hand.drawn.is_none() && by_hand.links.len() == mechanism.links.len());
+    }
 }

@@ -6,6 +6,7 @@
 
 mod groups;
 mod poses;
+mod variants;
 
 /// A machine of the text files beside this.
 struct Case {

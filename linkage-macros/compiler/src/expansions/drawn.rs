@@ -138,3 +138,103 @@ fn machines_with_slides_are_cut_as_by_hand() {
          rpp pin(E), ram(rail) { slot: 90deg }",
     );
 }
+
+#[test]
+fn machines_with_cylinders_points_and_parameters_are_cut_as_by_hand() {
+    expand_alike(
+        "Excavator",
+        "input lift, crowd, curl: length; ground O(0, 1.7m), F(0.6m, 1.2m);
+         pin G(2m, 3m), J(5m, 4.2m), V(7m, 2.6m), W(7.4m, 2.2m);
+         link lift_ram(F, G) { length: lift } link boom(O, G) { length: 2.4m }
+         point S on boom at (5.4m, -0.9m); point H on boom at (2.6m, 0.55m);
+         link crowd_ram(H, J) { length: crowd } link stick(S, J) { length: 0.8m }
+         point T on stick at (-2.7m, 0.2m); point N on stick at (-0.2m, -0.5m);
+         point K on stick at (-2.3m, 0);
+         link curl_ram(N, V) { length: curl } link lever(K, V) { length: 0.6m }
+         link pull(V, W) { length: 0.6m } link bucket(T, W) { length: 0.45m }
+         point tooth on bucket at (-0.4m, -1.4m);",
+        "input lift, crowd, curl: length; ground O(0, 1.7m), F(0.6m, 1.2m);
+         rrr lift_ram(F), boom(O) -> G { lengths: (lift, 2.4m), mode: right }
+         point S on boom at (5.4m, -0.9m); point H on boom at (2.6m, 0.55m);
+         rrr crowd_ram(H), stick(S) -> J { lengths: (crowd, 0.8m), mode: left }
+         point T on stick at (-2.7m, 0.2m); point N on stick at (-0.2m, -0.5m);
+         point K on stick at (-2.3m, 0);
+         rrr curl_ram(N), lever(K) -> V { lengths: (curl, 0.6m), mode: left }
+         rrr pull(V), bucket(T) -> W { lengths: (0.6m, 0.45m), mode: left }
+         point tooth on bucket at (-0.4m, -1.4m);",
+    );
+}
+
+#[test]
+fn machines_with_rods_blocks_and_searches_are_cut_as_by_hand() {
+    expand_alike(
+        "CrankRockerSlider",
+        "input theta: angle; param crank_length = 60mm; param rod_length = 220mm;
+         ground A(0, 0), D(200mm, -40mm); guide way through (0, 260mm) along 0deg;
+         pin B(60mm, 0), C(190mm, 80mm), F(350mm, 260mm);
+         link AB(A, B) { length: crank_length } link BC(B, C) { length: 190mm }
+         link DC(D, C) { length: 120mm } drive AB.angle = theta;
+         point E on DC at (210mm, 0);
+         link EF(E, F) { length: rod_length } link block(F) on way;",
+        "input theta: angle; param crank_length = 60mm; param rod_length = 220mm;
+         ground A(0, 0), D(200mm, -40mm); guide way through (0, 260mm) along 0deg;
+         crank AB(A) -> B { length: crank_length, angle: theta }
+         rrr BC(B), DC(D) -> C { lengths: (190mm, 120mm), mode: left }
+         point E on DC at (210mm, 0);
+         rrp EF(E), block(way) -> F { length: rod_length, offset: 0, mode: ahead }",
+    );
+    expand_alike(
+        "Shaper",
+        "input theta: angle; ground A(0, 0), D(0, -250mm); guide way through (0, 50mm) along 180deg;
+         pin B(120mm, 0), F(-380mm, 50mm); link AB(A, B); drive AB.angle = theta;
+         guide rod on bar through D along 0deg; pin E(155.3mm, 2.4mm);
+         link bar(D, E); link block(B) on rod;
+         link EF(E, F) { length: 420mm } link ram(F) on way; output ram.slide;",
+        "input theta: angle; ground A(0, 0), D(0, -250mm); guide way through (0, 50mm) along 180deg;
+         crank AB(A) -> B { length: 120mm, angle: theta }
+         rpr block(B), bar(D) {
+             offset: (155.3mm * 250mm - 252.4mm * 120mm) / hypot(155.3mm, 252.4mm), mode: ahead
+         }
+         point E on bar at (hypot(155.3mm, 252.4mm), 0);
+         rrp EF(E), ram(way) -> F { length: 420mm, mode: ahead } output ram.slide;",
+    );
+    expand_alike(
+        "Press",
+        "input x: length; param seed: near = 90deg; ground A(0, 0); guide bed through (0, 30mm) along 0deg;
+         pin B(80mm, 0), C(330mm, 30mm); unknown theta: angle between (6deg, 189deg);
+         link AB(A, B); link BC(B, C) { length: 250mm } link ram(C) on bed; drive AB.angle = theta;
+         solve theta { ram.slide = x, mode: falling, near: seed } output theta, ram.slide;",
+        "input x: length; param seed: near = 90deg; ground A(0, 0); guide bed through (0, 30mm) along 0deg;
+         unknown theta: angle between (6deg, 189deg);
+         crank AB(A) -> B { length: 80mm, angle: theta }
+         rrp BC(B), ram(bed) -> C { length: 250mm, mode: ahead }
+         solve theta { ram.slide = x, mode: falling, near: seed } output theta, ram.slide;",
+    );
+    expand_alike(
+        "Inverse",
+        "input x, y: length; ground A(-60mm, 0), D(60mm, 0); pin P(0, 300mm), B(-190mm, 120mm),
+         E(190mm, 120mm); point P at (x, y);
+         link AB(A, B) { length: 180mm } link PB(P, B) { length: 240mm }
+         link DE(D, E) { length: 180mm } link PE(P, E) { length: 240mm } output AB, DE;",
+        "input x, y: length; ground A(-60mm, 0), D(60mm, 0); point P at (x, y);
+         rrr AB(A), PB(P) -> B { lengths: (180mm, 240mm), mode: left }
+         rrr DE(D), PE(P) -> E { lengths: (180mm, 240mm), mode: right } output AB, DE;",
+    );
+}
+
+#[test]
+fn links_keep_the_frames_that_they_are_written_in() {
+    // The rocker is written from its moving pin, the coupler from its far one.
+    expand_alike(
+        "Turned",
+        "input t: angle; ground A(0, 0), D(400mm, 0); pin B(100mm, 0), C(300mm, 200mm);
+         link AB(A, B); link CB(C, B); link DC(D, C); drive AB.angle = t;
+         point P on CB at (20mm, 30mm); output C, P, tilt = CB.angle;",
+        "input t: angle; ground A(0, 0), D(400mm, 0);
+         crank AB(A) -> B { length: 100mm, angle: t }
+         rrr CB(B), DC(D) -> C {
+             lengths: (hypot(200mm, 200mm), hypot(100mm, 200mm)), mode: left
+         }
+         point P on CB at (hypot(200mm, 200mm) - 20mm, -30mm); output C, P, tilt = CB.angle + 180deg;",
+    );
+}

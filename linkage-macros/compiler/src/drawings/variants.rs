@@ -1,0 +1,156 @@
+//! The same machines told otherwise, and machines with a bar too few or too many.
+
+use std::time::Instant;
+
+use super::groups::{groups, resolved_text};
+use super::{Case, cases};
+
+/// A generator of numbers by Marsaglia's xorshift.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, count: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % count as u64) as usize
+    }
+}
+
+/// Machines of dyads alone, without guides.
+fn of_bars() -> impl Iterator<Item = Case> {
+    let is_of_dyads = |case: &Case| case.expected[0].starts_with("crank");
+    cases().into_iter().filter(move |case| is_of_dyads(case) && !case.statements.contains("guide"))
+}
+
+fn found(name: &str, statements: &str) -> Vec<String> {
+    let mechanism = resolved_text(statements).unwrap_or_else(|told| panic!("{name}: {told:?}"));
+    let mut found = groups(&mechanism);
+    found.sort();
+    found
+}
+
+/// The statements with the coordinates of pins changed.
+fn moved(statements: &str, change: impl Fn([f64; 2]) -> [f64; 2]) -> String {
+    let line = |line: &str| {
+        if !line.starts_with("ground") && !line.starts_with("pin") {
+            return line.to_string();
+        }
+        let mut parts = line.split('(');
+        let first = parts.next().expect("a statement has a word").to_string();
+        parts.fold(first, |text, part| {
+            let (place, rest) = part.split_once(')').expect("a place ends");
+            let mut numbers = place.split(", ").map(|number| number.parse().expect("a decimal"));
+            let [x, y] = change([(); 2].map(|()| numbers.next().expect("two numbers")));
+            format!("{text}({x:?}m, {y:?}m){rest}")
+        })
+    };
+    statements.lines().map(line).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn the_order_of_statements_changes_no_group() {
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    for case in cases().into_iter().filter(|case| case.expected[0].starts_with("crank")) {
+        let before = found(case.name, case.statements);
+        let mut lines: Vec<_> = case.statements.lines().collect();
+        for _ in 0..5 {
+            // A point is declared before links name it, as everywhere.
+            for last in (3..lines.len()).rev() {
+                let other = 2 + random.below(last - 1);
+                lines.swap(last, other);
+            }
+            assert_eq!(found(case.name, &lines.join("\n")), before, "{lines:?}");
+        }
+    }
+}
+
+#[test]
+fn scaled_drawings_have_the_same_groups_and_mirrored_ones_the_other_modes() {
+    for case in of_bars() {
+        let before = found(case.name, case.statements);
+        for scale in [1e-3, 1e3] {
+            let scaled = moved(case.statements, |[x, y]| [x * scale, y * scale]);
+            assert_eq!(found(case.name, &scaled), before, "{}", case.name);
+        }
+        let mirrored = found(case.name, &moved(case.statements, |[x, y]| [x, -y]));
+        let swap = |group: &String| match group.strip_suffix(" left") {
+            Some(group) => format!("{group} right"),
+            None => group.replace(" right", " left"),
+        };
+        let mut swapped: Vec<_> = before.iter().map(swap).collect();
+        swapped.sort();
+        assert_eq!(mirrored, swapped, "{}", case.name);
+    }
+}
+
+#[test]
+fn a_bar_too_few_or_too_many_is_told_by_its_names() {
+    let mut told = [0, 0];
+    for case in of_bars() {
+        let lines: Vec<_> = case.statements.lines().collect();
+        let names: Vec<_> = lines
+            .iter()
+            .filter_map(|line| line.strip_prefix("link "))
+            .map(|link| link.split('(').next().expect("a link has a name"))
+            .collect();
+        let driven = lines.iter().find_map(|line| line.strip_prefix("drive ")).expect("a drive");
+        for (index, line) in lines.iter().enumerate() {
+            let is_driven = |link: &str| link.split('(').next() == driven.split('.').next();
+            let Some(link) = line.strip_prefix("link ").filter(|link| !is_driven(link)) else {
+                continue;
+            };
+            let mut fewer = lines.clone();
+            fewer.remove(index);
+            let mistakes = resolved_text(&fewer.join("\n")).err().expect("a link is missing");
+            let all = mistakes.join(" ");
+            let names_of = |name: &&str| all.contains(&format!("`{name}`"));
+            assert!(names.iter().any(names_of) || all.contains("no link goes"), "{link}: {all}");
+            told[0] += 1;
+        }
+        let pins: Vec<_> = lines
+            .iter()
+            .filter(|line| line.starts_with("pin ") || line.starts_with("ground "))
+            .flat_map(|line| line.split_once(' ').expect("names follow").1.split("), "))
+            .map(|pin| pin.split('(').next().expect("a pin has a name"))
+            .collect();
+        for (i, a) in pins.iter().enumerate() {
+            for b in pins[..i].iter().step_by(3) {
+                let more = format!("{}\nlink extra({a}, {b});", case.statements);
+                let mistakes = resolved_text(&more).err().expect("a link is too many");
+                assert!(mistakes[0].contains("`extra`"), "{}: {mistakes:?}", case.name);
+                told[1] += 1;
+            }
+        }
+    }
+    assert!(told[0] > 90 && told[1] > 150, "{told:?}");
+}
+
+#[test]
+fn whatever_incidences_are_drawn_the_compiler_answers_soon() {
+    let mut random = Random(0x2545_f491_4f6c_dd1d);
+    let mut understood = 0;
+    for _ in 0..300 {
+        let (pins, links) = (3 + random.below(8), 1 + random.below(9));
+        let mut text = "input t: angle;\nground P0(0, 0), P1(4, 0);\n".to_string();
+        for pin in 2..pins {
+            let [x, y] = [(); 2].map(|()| random.below(1000) as f64 / 100.0);
+            text += &format!("pin P{pin}({x:?}, {y:?});\n");
+        }
+        for link in 0..links {
+            let through: Vec<_> =
+                (0..1 + random.below(3)).map(|_| format!("P{}", random.below(pins))).collect();
+            text += &format!("link L{link}({});\n", through.join(", "));
+        }
+        let other = random.below(links);
+        text += &match random.below(3) {
+            0 => format!("drive L0.angle - L{other}.angle = t;"),
+            _ => "drive L0.angle = t;".to_string(),
+        };
+        let start = Instant::now();
+        understood += usize::from(resolved_text(&text).is_ok());
+        // In a compiler that is not optimised, beside other work.
+        assert!(start.elapsed().as_secs_f64() < 5.0, "{text}");
+    }
+    println!("{understood} of 300 are machines");
+}
