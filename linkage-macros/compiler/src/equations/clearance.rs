@@ -1,4 +1,4 @@
-//! How clear of its limits each group with an assembly mode is, for following a motion.
+//! Clearance of each group with an assembly mode from its limits, for following a motion.
 //!
 //! A group's height comes from a square root; what stands under the root is smooth wherever the
 //! group's joints go, zero at a toggle and negative out of reach. Where it touches zero and turns
@@ -15,8 +15,8 @@ use crate::equations::symbol::Sheet;
 use crate::ir::program;
 use crate::model::mechanism::{Mechanism, Mode, Step, UnknownId};
 
-/// Of every group with an assembly mode, in solving order, as functions of a pose that has no unknown:
-/// their rates along a straight line are found by running them on numbers that move.
+/// Clearances of all groups with an assembly mode, in solving order, as functions of a pose without
+/// unknowns. Running them on numbers that move along a straight line gives their rates.
 pub(super) fn of_pose(kinematics: &Kinematics<'_>) -> Vec<program::Clearance> {
     let steps = kinematics.mechanism.steps.iter();
     let of_groups = steps.filter_map(|step| of_step(kinematics, step));
@@ -56,7 +56,7 @@ fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::C
     };
     let Clearance { value, scale } = clearance;
     if value.is_fixed() {
-        // What never moves never changes its mode.
+        // A group that never moves never changes its mode.
         return None;
     }
     let rates = Some([value.rate.id, value.accel.id]);

@@ -1,4 +1,4 @@
-//! How far an equation is from having no root, for following a motion and for limits.
+//! Distance of an equation from having no root, for following a motion and for limits.
 //!
 //! Roots of one trend lie between two ends: those of the interval, or dead points, where the slope by
 //! the unknown is zero. At each end e the difference f = left − right, with the sign that it has to
@@ -21,15 +21,15 @@ use crate::ir::graph::{Node, Sought, Wanted};
 use crate::ir::program::Clearance;
 use crate::model::mechanism::{Mode, UnknownId};
 
-/// Of one end: the distance with its rates, the scale to measure it by, and one at a dead point, zero
-/// at an end of the interval.
+/// One end: the distance with its rates, its scale, and a flag that is one at a dead point and zero at an
+/// end of the interval.
 struct End<'s> {
     distance: Jet<'s>,
     scale: Sym<'s>,
     is_dead_point: Sym<'s>,
 }
 
-/// Of both ends, everything in front of the unknown being known.
+/// Clearances of both ends, given everything in front of the unknown.
 pub(super) fn of_ends<'s>(known: &Kinematics<'s>, id: UnknownId) -> Vec<Clearance> {
     let unknown = &known.mechanism.unknowns[id.index()];
     let ends = [0, 1].map(|at| end(known, id, at));
@@ -52,7 +52,7 @@ pub(super) fn of_ends<'s>(known: &Kinematics<'s>, id: UnknownId) -> Vec<Clearanc
     vec![both, entry(None, lower, ends[0].scale), entry(None, upper, ends[1].scale)]
 }
 
-/// Of the root, once it is known: never near zero, but to be the same on a stretch as at its ends.
+/// Entry of the known root. It is never near zero; the root on a stretch is compared with it at the ends.
 pub(super) fn of_root<'s>(known: &Kinematics<'s>, id: UnknownId) -> Clearance {
     let unknown = &known.mechanism.unknowns[id.index()];
     let [from, to] = unknown.between.each_ref().map(|end| known.jet(end).value);
@@ -98,7 +98,7 @@ fn end<'s>(known: &Kinematics<'s>, id: UnknownId, at: u8) -> End<'s> {
     let sign = known.mode(unknown.mode);
     let sign = if at == 0 { -sign } else { sign };
     let distance = Jet { accel: by_inputs.accel - carried, ..by_inputs }.times(sign);
-    // What the sides are made of, and what they change by over a quarter of the interval.
+    // The scale: the size of both sides and their change over a quarter of the interval.
     let quarter = (between[1] - between[0]).half().half();
     let [left, right] = standing.map(|side| side.value);
     let changes = (turning.rate * quarter).hypot(bend * quarter.squared());

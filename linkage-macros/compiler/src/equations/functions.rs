@@ -40,7 +40,7 @@ impl<'s> Jet<'s> {
         self.at_least(Self::zero(self.value.sheet()), self, -self)
     }
 
-    /// What is no number stays none.
+    /// Sign of the value; NaN stays NaN.
     fn sign(self) -> Sym<'s> {
         let [zero, one] = [0, 1].map(|value| self.value.sheet().integer(value));
         let above = zero.at_least(self.value, zero, one);

@@ -30,7 +30,7 @@ impl<'s> Jet<'s> {
         self.value.is_zero() && self.is_fixed()
     }
 
-    /// Whether the rates are known to be zero from their form.
+    /// True if the form alone shows that both rates are zero.
     pub(crate) fn is_fixed(self) -> bool {
         self.rate.is_zero() && self.accel.is_zero()
     }

@@ -69,11 +69,11 @@ pub(super) struct Kinematics<'s> {
     pub mechanism: &'s Mechanism,
     pub inputs: Vec<Source<'s>>,
     pub lets: Vec<Jet<'s>>,
-    /// What equations fix, as far as it is known.
+    /// Unknowns that equations fix, as far as they are known.
     pub unknowns: Vec<Jet<'s>>,
     pub closures: Vec<Closure>,
-    /// What rates are multiplied by where forces ask for them: the only input's rate, in the state
-    /// at its unit rate.
+    /// Scale from the unit-rate state to the actual rates, for forces: the only input's rate. None in other
+    /// states.
     pub tempo: Option<Sym<'s>>,
     pub(super) points: Vec<Option<PointMotion<'s>>>,
     pub(super) links: Vec<Option<LinkMotion<'s>>>,
@@ -82,10 +82,9 @@ pub(super) struct Kinematics<'s> {
     pub(super) coordinates: HashMap<(Carrier, PointId), [Jet<'s>; 2]>,
     pub(super) measures: HashMap<GroupId, LimitMeasures<'s>>,
     pub(super) levers: HashMap<GroupId, Box<dyn Levers<'s> + 's>>,
-    /// Of links between an outer joint and a pin: the vector from one to the other, its length, and
-    /// the pin.
+    /// Links between an outer joint and a pin: the vector from one to the other, its length, and the pin.
     pub(super) bars: HashMap<LinkId, (Vector<'s>, Jet<'s>, PointId)>,
-    /// How many steps were taken.
+    /// Number of steps taken.
     pub(super) taken: usize,
 }
 
@@ -136,7 +135,7 @@ impl<'s> Kinematics<'s> {
         self.guides[id.index()].expect("a step uses only what earlier steps have made")
     }
 
-    /// Of a link between an outer joint and a pin: the vector, its length, and the pin.
+    /// Link between an outer joint and a pin: the vector, its length, and the pin.
     pub(super) fn bar(&self, link: LinkId) -> Option<(Vector<'s>, Jet<'s>, PointId)> {
         self.bars.get(&link).copied()
     }
@@ -236,7 +235,7 @@ impl<'s> Kinematics<'s> {
         }
     }
 
-    /// Whether everything in the expression has been placed.
+    /// True if everything in the expression has been placed.
     fn is_known(&self, expr: &Expr) -> bool {
         match expr {
             Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => true,

@@ -65,9 +65,9 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     Program { graph: sheet.into_graph(), answers, clearances, closures, groups: mechanism.titles() }
 }
 
-/// What is asked of a mechanism's equations.
+/// Answers, clearances and conditions requested of a mechanism's equations.
 struct Asked {
-    /// What every entry point that the mechanism can have asks, one after the other.
+    /// Values requested by each possible entry point of the mechanism, in order.
     answers: Vec<Answer>,
     clearances: Vec<Clearance>,
     /// The conditions of what is searched.
@@ -126,7 +126,7 @@ fn sinks(analysis: Analysis, kinematics: &Kinematics<'_>) -> Vec<Id> {
     }
 }
 
-/// What can be computed from the cosine and sine of the only input in place of its value.
+/// Results computable from the cosine and sine of the only input in place of its value.
 struct Bare<'s> {
     on_circle: Option<Kinematics<'s>>,
     moves: bool,
@@ -177,7 +177,7 @@ fn coefficients(kinematics: &Kinematics<'_>) -> Vec<Id> {
     inputs.flat_map(|moving| kinematics.sheet.at_unit_rate(&velocities, moving)).collect()
 }
 
-/// What exists also where the pose does not.
+/// Margins, which exist also where the pose does not.
 fn margins(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let outputs = kinematics.mechanism.outputs.iter().filter(|output| is_margin(output));
     outputs.map(|output| value(kinematics, output).value.id).collect()

@@ -21,7 +21,7 @@ pub(crate) struct PointMotion<'s> {
     pub radius: Option<f64>,
 }
 
-/// What turns about a point of the ground: its velocity is ω r⊥, its acceleration α r⊥ − ω² r.
+/// Rotation about a point of the ground: the velocity is ω r⊥, the acceleration α r⊥ − ω² r.
 #[derive(Clone, Copy)]
 pub(crate) struct Swing<'s> {
     pub omega: Sym<'s>,
@@ -189,7 +189,7 @@ impl<'s> PointMotion<'s> {
         Some(apart - self.radius? - other.radius?)
     }
 
-    /// Whether the point is a point of the ground.
+    /// True if the point belongs to the ground.
     pub(crate) fn is_fixed(self) -> bool {
         self.offset.is_zero() && self.velocity.is_zero() && self.acceleration.is_zero()
     }
@@ -251,7 +251,7 @@ impl<'s> Frame<'s> {
         }
     }
 
-    /// Whether the frame stands still.
+    /// True if the frame stands still.
     pub(crate) fn is_fixed(self) -> bool {
         let Direction { omega, alpha, .. } = self.direction;
         self.origin.is_fixed() && omega.is_zero() && alpha.is_zero()
@@ -262,11 +262,11 @@ impl<'s> Frame<'s> {
         x * self.direction.u + y * self.direction.n()
     }
 
-    /// What the frame does to a point at ρ from its origin that moves in it with the relative
-    /// velocity σ: the transport velocity v + ω ρ⊥ and the transport and Coriolis acceleration
-    /// a + α ρ⊥ − ω² ρ + 2 ω σ⊥ (any text on kinematics in moving frames, e.g. Norton, Design of
-    /// Machinery, ch. 6 and 7). Both terms of ρ are added first: term by term takes up to a fifteenth more
-    /// instructions where operations are not fused.
+    /// Transport terms of a point at ρ from the frame's origin that moves in the frame with the relative
+    /// velocity σ: the transport velocity v + ω ρ⊥ and the transport and Coriolis acceleration a + α ρ⊥ −
+    /// ω² ρ + 2 ω σ⊥ (any text on kinematics in moving frames, e.g. Norton, Design of Machinery, ch. 6 and
+    /// 7). Both terms of ρ are added first: term by term takes up to a fifteenth more instructions where
+    /// operations are not fused.
     pub(crate) fn transport(self, rho: Vector<'s>, sigma: Vector<'s>) -> (Vector<'s>, Vector<'s>) {
         let Direction { omega, alpha, .. } = self.direction;
         if let Some(swing) = self.swing() {

@@ -1,5 +1,4 @@
-//! What the groups share: where a group stands, what is known of it once it is solved, and the bar
-//! and the block as parts of a dyad.
+//! Parts shared by the groups: the place of a group, its solution, and the bar and the block of a dyad.
 
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
@@ -7,7 +6,7 @@ use crate::equations::reactions::Levers;
 use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::model::mechanism::{Carrier, LinkId, Numerics};
 
-/// How far a group is from its limit.
+/// Distance of a group from its limit.
 #[derive(Clone, Copy)]
 pub(super) struct LimitMeasures<'s> {
     /// Signed distance from the limit in metres; `None` for groups that have no reach to run
@@ -18,8 +17,8 @@ pub(super) struct LimitMeasures<'s> {
 }
 
 impl<'s> LimitMeasures<'s> {
-    /// Of two slides: the size of the sine of the angle between their directions, which has the
-    /// rates of the cross product, with the sign of the cross product.
+    /// Measures of two slides: the absolute sine of the angle between their directions. Its rates are those
+    /// of the cross product, times the sign of the cross product.
     pub(super) fn of_directions(a: Direction<'s>, b: Direction<'s>, sine: Sym<'s>) -> Self {
         let ([ax, ay], [bx, by]) = (a.jets(), b.jets());
         let cross = Jet { value: sine, ..ax * by - ay * bx };
@@ -33,8 +32,7 @@ pub(super) fn root_in_reach(square: Jet<'_>) -> Jet<'_> {
     Jet { value: (square.value + size).half(), ..square }.sqrt()
 }
 
-/// How clear of its limit a group with an assembly mode is, for following a motion: what stands
-/// under its square root, and the scale to measure it by.
+/// Discriminant of a group with an assembly mode and its error scale, for following a motion.
 #[derive(Clone, Copy)]
 pub(super) struct Clearance<'s> {
     pub value: Jet<'s>,
@@ -79,13 +77,13 @@ pub(super) struct LinkMotion<'s> {
     pub slide: Option<Jet<'s>>,
 }
 
-/// What a driver or a dyad has placed: its links in the order of the statement, and its pin.
+/// Placement by a driver or a dyad: its links in the order of the statement, and its pin.
 pub(super) struct Solved<'s> {
     pub links: Vec<LinkMotion<'s>>,
     pub pin: Option<PointMotion<'s>>,
     /// By bar, from its outer joint to the pin.
     pub bars: Vec<Vector<'s>>,
-    /// Of a dyad.
+    /// Levers of a dyad; none for a driver.
     pub levers: Option<Box<dyn Levers<'s> + 's>>,
 }
 
@@ -118,7 +116,7 @@ impl<'s> Bar<'s> {
         self.r
     }
 
-    /// Whether the outer joint stands still.
+    /// True if the outer joint stands still.
     pub(super) fn stands(self) -> bool {
         self.outer.is_fixed()
     }

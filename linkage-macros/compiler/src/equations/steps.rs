@@ -1,4 +1,4 @@
-//! How each step places what it declares: operands are gathered, the group's file computes.
+//! Placement of each step: this file gathers the operands, the group's file computes.
 
 use crate::equations::groups::formulas;
 use crate::equations::jet::Jet;
@@ -22,7 +22,7 @@ impl<'s> Kinematics<'s> {
         self.taken = end;
     }
 
-    /// Whether an output asks how far the group is from its limit.
+    /// True if an output requests the group's margin or transmission.
     fn wants_measures(&self, group: GroupId) -> bool {
         self.mechanism.outputs.iter().any(|output| {
             matches!(output.kind,

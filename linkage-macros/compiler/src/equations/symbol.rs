@@ -17,7 +17,7 @@ use crate::ir::liveness::{Path, live, live_nodes};
 pub(crate) struct Sheet<'r> {
     graph: RefCell<Graph>,
     rules: &'r [Rule],
-    /// Whether conditions are passed by: a trial of an equation refuses nothing.
+    /// True while conditions are ignored: a trial of an equation refuses nothing.
     is_open: Cell<bool>,
 }
 
@@ -73,7 +73,7 @@ impl<'s> Sheet<'s> {
         Sym { sheet: self, id: self.graph.borrow_mut().constant(value) }
     }
 
-    /// Whether any of these needs the value of an input, which its cosine and sine do not stand for.
+    /// True if any sink needs the value of an input beside its cosine and sine.
     pub(crate) fn reads_input(&self, sinks: &[Id]) -> bool {
         let graph = self.graph.borrow();
         let live = live(&graph, sinks, Path::Slow);
@@ -205,7 +205,7 @@ impl<'s> Sym<'s> {
         }
     }
 
-    /// Whether this is made of inputs, parameters and constants by adding and subtracting alone.
+    /// True if this is made of inputs, parameters and constants by addition and subtraction alone.
     pub(crate) fn is_sum_of_given(self) -> bool {
         let node = self.sheet.graph.borrow().node(self.id);
         let is_given = |id| Self { sheet: self.sheet, id }.is_sum_of_given();
@@ -248,7 +248,7 @@ impl<'s> Sym<'s> {
         self.sheet.graph.borrow().as_constant(self.id).map(Exact::to_f64)
     }
 
-    /// Whether this is known to be zero from its form alone.
+    /// True if the form alone shows that this is zero.
     pub(crate) fn is_zero(self) -> bool {
         self.sheet.graph.borrow().is_zero(self.id)
     }

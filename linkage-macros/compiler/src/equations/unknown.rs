@@ -1,4 +1,4 @@
-//! What an equation fixes: f(θ, q) = left − right = 0.
+//! The unknown that an equation fixes: f(θ, q) = left − right = 0.
 //!
 //! The root is searched ([`Node::Root`]); its rates follow from the equation, which holds at all
 //! times. With ḟ(θ̇) = f_θ θ̇ + ḟ(0) and f̈(θ̇, θ̈) = f_θ θ̈ + f̈(θ̇, 0),

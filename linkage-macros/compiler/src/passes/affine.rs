@@ -70,7 +70,7 @@ fn shifted(graph: &Graph, id: Id, squares: &Map<Id, Form>) -> Option<Form> {
     }
 }
 
-/// What is squared, where nobody asks for the rounding errors of the squares and their sum.
+/// Operands of a sum of two squares, if no rounding error of the squares or of the sum is requested.
 fn sum_of_squares(graph: &Graph, id: Id) -> Option<(Id, Id)> {
     let Node::Add(xx, yy) = graph.node(id) else { return None };
     let squared = |id| match graph.node(id) {

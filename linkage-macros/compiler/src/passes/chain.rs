@@ -84,7 +84,7 @@ fn rates(graph: &Graph) -> Vec<bool> {
     rates
 }
 
-/// How many operations every node waits for.
+/// Number of operations on the longest path to each node.
 fn depths(graph: &Graph) -> Vec<u32> {
     let mut depths = Vec::with_capacity(graph.len());
     for (_, node) in graph.iter() {

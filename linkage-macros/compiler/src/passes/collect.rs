@@ -56,9 +56,9 @@ fn stays(program: &Program) -> Vec<bool> {
 struct Sums<'g> {
     graph: &'g Graph,
     stays: &'g [bool],
-    /// How often each node is used.
+    /// Number of uses of each node.
     users: Vec<u32>,
-    /// Whether a node is part of the sum that uses it.
+    /// True if a node is part of the sum that uses it.
     is_inner: Vec<bool>,
 }
 
@@ -70,7 +70,7 @@ struct Term {
     operand: Id,
     factor: Exact,
     value: Id,
-    /// Whether the sum takes it away.
+    /// True if the sum subtracts the term.
     is_taken: bool,
 }
 
@@ -153,7 +153,7 @@ impl<'g> Sums<'g> {
         }
     }
 
-    /// What stands in place of terms of the sum, by where they are; none where nothing is collected.
+    /// Replacements for terms of the sum, by their places; none where nothing is collected.
     fn replacements(
         &self,
         root: Id,
@@ -226,7 +226,7 @@ impl<'g> Sums<'g> {
     }
 }
 
-/// Whether multiplying by it is an operation.
+/// True if multiplying by the factor is an operation.
 fn is_product(factor: &Exact) -> bool {
     factor.first_of(&[0, 1, -1]).is_none()
 }

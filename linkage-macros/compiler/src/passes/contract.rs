@@ -50,7 +50,7 @@ pub(crate) fn fuse_products(program: &Program) -> Program {
     })
 }
 
-/// Whether a node is the other or has it somewhere among its operands.
+/// True if `node` is `other` or depends on it.
 fn is_made_from(graph: &Graph, node: Id, other: Id) -> bool {
     let (mut seen, mut left) = (Set::default(), vec![node]);
     // Operands stand before what is made from them.

@@ -10,7 +10,8 @@ pub(crate) fn fold_constants(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
         let check = &maker.graph.condition(guard).check;
         return (check.row().holds)(maker.graph.as_constant(value)?).then_some(value);
     }
-    // What would grow without bounds, along a chain of groups of constants, is left to run time.
+    // A value that is too long is left to run time: it would grow without bounds along a chain of groups of
+    // constants.
     let value = evaluate(maker.graph, node).filter(|value| !value.is_too_long_for_formulas())?;
     Some(maker.constant(value))
 }

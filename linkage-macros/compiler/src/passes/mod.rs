@@ -1,4 +1,4 @@
-//! What makes a program smaller without changing what it means.
+//! Rewrites that make a program smaller without changing its meaning.
 //!
 //! A rewrite is an identity of real numbers wherever both sides are defined, and never adds a
 //! rounding: x·0, x + 0, x·1, x − x and −(−x) are rewritten; x/x, reassociation and distribution
@@ -26,7 +26,7 @@ pub(crate) const RULES: &[Rule] = &[fold::fold_constants, simplify::simplify];
 
 /// The passes in order.
 pub(crate) fn optimise(program: &Program) -> Program {
-    // Of two products that are added, the one that is known last is added last.
+    // Among two products that are added, the one that is known last is added last.
     let chained = chain::negate_within(&chain::chain_products(&shortened(program)));
     // A product that only a sum uses is part of a fused operation.
     contract::fuse_products(&chained)

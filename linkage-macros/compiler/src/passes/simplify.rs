@@ -8,7 +8,7 @@ use crate::function::Function;
 use crate::ir::construct::Maker;
 use crate::ir::graph::{Form, Id, Node};
 
-/// What stands for the node more simply, if anything does.
+/// Simpler equivalent of the node, if there is one.
 pub(crate) fn simplify(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
     match node {
         Node::Neg(a) => negation(maker, a),
@@ -31,7 +31,7 @@ fn is_zero(maker: &Maker<'_>, id: Id) -> bool {
     maker.graph.is_zero(id)
 }
 
-/// What the node is the negative of.
+/// Operand of a negation; none for any other node.
 fn negated(maker: &Maker<'_>, id: Id) -> Option<Id> {
     match maker.graph.node(id) {
         Node::Neg(a) => Some(a),

@@ -66,7 +66,8 @@ struct Equations<'s> {
 fn equations_of<'s>(kinematics: &Kinematics<'s>) -> Equations<'s> {
     let count = kinematics.inputs.len();
     let units: Vec<_> = (0..count).map(|input| at_unit_rate(kinematics, input)).collect();
-    // What swings with every input: at a unit rate of one, a length that another drives stands still.
+    // The actual motion tells which masses swing: at a unit rate of one input, a length that another drives
+    // stands still.
     let masses = Reduced::of(kinematics);
     if let [unit] = &units[..] {
         let rate = kinematics.inputs[0].jet.rate;
@@ -96,7 +97,7 @@ fn without_second_rates<'s>(kinematics: &Kinematics<'s>) -> Kinematics<'s> {
     Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs)
 }
 
-/// Whether no input is known to move no mass at all.
+/// True if there are masses and no input is known to move none of them.
 pub(in crate::equations) fn every_input_moves_mass(kinematics: &Kinematics<'_>) -> bool {
     let unit = |input| at_unit_rate(kinematics, input);
     let moves = |input| {

@@ -1,4 +1,4 @@
-//! What acts on links, pins and driven points but for joints: weight, inertia, applied forces.
+//! Loads on links, pins and driven points except for those of joints: weight, inertia, applied forces.
 
 use std::collections::HashMap;
 
@@ -238,7 +238,7 @@ pub(super) fn torques<'s>(kinematics: &Kinematics<'s>) -> Vec<(Carrier, Sym<'s>)
     torques.flatten().chain(springs::couples(kinematics)).collect()
 }
 
-/// What the body of a point is; a point without a step belongs to nothing that moves.
+/// Body of a point. A point without a step belongs to the ground.
 pub(super) fn owner(kinematics: &Kinematics<'_>, point: PointId) -> Body {
     kinematics.mechanism.owner(point).unwrap_or(Body::Ground)
 }

@@ -60,7 +60,7 @@ pub(super) fn declared<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<
     loads::declared(kinematics)
 }
 
-/// What `forces` gives: in the order in which it is asked.
+/// Values of the entry point `forces`, in the order of the requests.
 pub(super) fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let asked = || kinematics.mechanism.dynamics.asked.iter();
     if asked().next().is_none() {
@@ -71,7 +71,7 @@ pub(super) fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {
     alone.map_or_else(|| by_walk(kinematics), |numbers| numbers.concat())
 }
 
-/// What can be had without any reaction.
+/// Values of an effort that needs no joint reaction; none for any other effort.
 fn alone(kinematics: &Kinematics<'_>, effort: Effort) -> Option<Vec<Id>> {
     match effort {
         Effort::Input(input) => Some(vec![power::effort(kinematics, input).id]),
@@ -94,7 +94,7 @@ pub(super) fn energy(kinematics: &Kinematics<'_>) -> Vec<Id> {
     }
 }
 
-/// What `statics` gives: the same at rest.
+/// Values of the entry point `statics`: the same at rest.
 pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
     if kinematics.mechanism.dynamics.asked.is_empty() {
         return Vec::new();
@@ -103,7 +103,7 @@ pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let resting = Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs);
     match kinematics.mechanism.unknowns.is_empty() {
         true => by_walk(&resting),
-        // What holds an equation is on no body that a walk could put it on.
+        // The effort that holds an equation acts on no body, so a walk cannot place it.
         false => in_motion(&resting),
     }
 }

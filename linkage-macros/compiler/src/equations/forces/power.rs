@@ -6,8 +6,8 @@
 //! τ = −Σ (F·c + M k)      F, M: applied, weight and inertia
 //! ```
 //!
-//! Of a single input everything about the motion is in c and c′ = dc/dq, of q alone, so that every
-//! constant rate folds (Eksergian's equation):
+//! With a single input, everything about the motion is in c and c′ = dc/dq, functions of q alone, so that
+//! every constant rate folds (Eksergian's equation):
 //!
 //! ```text
 //! τ = M q̈ + ½M′ q̇² − Q      M = Σ m c·c + J k²      ½M′ = Σ m c·c′ + J k k′

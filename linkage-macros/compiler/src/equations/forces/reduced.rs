@@ -22,9 +22,9 @@ use crate::model::mechanism::{Body, Carrier, LinkId, Mechanism, PointId};
 
 /// See the module's documentation.
 pub(super) struct Reduced<'s> {
-    /// What turns with each link: J_O, and m ρ² of what swings on it.
+    /// Inertia that turns with each link: J_O, and m ρ² of the masses that swing on it.
     turning: Vec<(LinkId, Sym<'s>)>,
-    /// What moves with a point: the mass at it.
+    /// Mass that moves with each point.
     moving: Vec<(Place, Sym<'s>)>,
     /// Masses on pins, for their weight.
     points: Vec<(PointId, Sym<'s>)>,
@@ -124,7 +124,7 @@ impl<'s> Reduced<'s> {
         sum
     }
 
-    /// What turns with its link, and what moves in it.
+    /// Adds the inertia that turns with each link and the masses that move in it.
     fn turning_too(&self, mut sum: Sym<'s>, a: &Kinematics<'s>, b: &Kinematics<'s>) -> Sym<'s> {
         let omegas = |link| [a, b].map(|state| state.link(link).frame.direction.omega);
         for (one, other) in Masses::of(a).moving.iter().zip(Masses::of(b).moving) {

@@ -68,7 +68,7 @@ fn between_bodies<'k>(
     })
 }
 
-/// What springs put on their ends.
+/// Forces of the springs on their end points.
 pub(super) fn forces<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s>)> {
     let forces = between_points(kinematics).flat_map(|(index, points)| {
         let force = force(kinematics, index, points);
@@ -91,7 +91,7 @@ fn line<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) -> 
     Line::between(kinematics, points, kinematics.mechanism.title_of_spring(index))
 }
 
-/// What pushes the ends apart.
+/// Force that pushes the ends apart.
 fn push<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) -> Sym<'s> {
     let Numbers { stiffness, damping, free } = numbers(kinematics, index);
     if free.is_zero() && damping.is_zero() {
@@ -113,7 +113,7 @@ fn length<'s>(kinematics: &Kinematics<'s>, points: [PointId; 2]) -> Sym<'s> {
     square_of_length(kinematics, points).sqrt()
 }
 
-/// What torsion springs put on bodies.
+/// Couples of the torsion springs on their bodies.
 pub(super) fn couples<'s>(kinematics: &Kinematics<'s>) -> Vec<(Carrier, Sym<'s>)> {
     let couples = between_bodies(kinematics).flat_map(|(index, [first, second])| {
         let couple = couple(kinematics, index);
@@ -129,7 +129,7 @@ fn couple<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
     -(stiffness * twist.value + damping * kinematics.in_tempo(twist.rate))
 }
 
-/// What the spring exerts: a push or a couple.
+/// Effort of the spring: a push or a couple.
 pub(super) fn effort<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
     match kinematics.mechanism.dynamics.springs[index].ends {
         Ends::Points(points) => push(kinematics, index, points),
@@ -137,7 +137,7 @@ pub(super) fn effort<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
     }
 }
 
-/// What all springs store: ½ k (L − L₀)² and ½ k φ².
+/// Energy stored in all springs: ½ k (L − L₀)² and ½ k φ².
 pub(super) fn energy<'s>(kinematics: &Kinematics<'s>) -> Sym<'s> {
     let straight = between_points(kinematics).map(|(index, points)| {
         let Numbers { stiffness, free, .. } = numbers(kinematics, index);
@@ -154,7 +154,7 @@ pub(super) fn energy<'s>(kinematics: &Kinematics<'s>) -> Sym<'s> {
     straight.chain(twisted).fold(kinematics.sheet.zero(), |sum, energy| sum + energy)
 }
 
-/// How far a spring between two bodies is turned from its free angle.
+/// Angle by which a spring between two bodies is turned from its free angle.
 pub(in crate::equations) fn twist<'s>(kinematics: &Kinematics<'s>, id: SpringId) -> Jet<'s> {
     let mechanism = kinematics.mechanism;
     let Ends::Bodies([first, second]) = mechanism.dynamics.springs[id.index()].ends else {

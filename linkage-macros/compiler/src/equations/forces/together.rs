@@ -1,4 +1,4 @@
-//! What all masses and springs do together: energy, what shakes the ground, the centre of mass.
+//! Sums over all masses and springs: energy, shaking force and moment, centre of mass.
 //!
 //! ```text
 //! T = ½ Σ (m v² + J ω²)      V = −Σ m g·r_G + Σ ½ k (L − L₀)² + Σ ½ k φ²

@@ -19,7 +19,7 @@ impl<'s> Walk<'_, 's> {
     pub(super) fn transmit_turn(&mut self, turn: &AngleSum, effort: Sym<'s>) {
         for &(link, times) in &turn.links {
             let factor = self.sheet().integer(i64::from(times));
-            // What holds the gear train is not modelled: the ground takes the rest.
+            // The supports of the gear train are not modelled: the ground takes the rest.
             self.turn_against_ground(Carrier::Link(link), -(factor * effort));
         }
         self.transmit(&turn.rest, effort);

@@ -16,7 +16,7 @@ use crate::equations::symbol::{Sheet, Sym, Vector};
 use crate::model::dynamics::Effort;
 use crate::model::mechanism::{Body, Carrier, GuideId, InputId, Joint, LinkId, PointId};
 
-/// What has been gathered on the way, and what was found.
+/// Loads gathered on the way, and efforts found so far.
 pub(in crate::equations) struct Walk<'k, 's> {
     pub(super) kinematics: &'k Kinematics<'s>,
     /// By link, about its origin.
@@ -64,7 +64,7 @@ impl<'k, 's> Walk<'k, 's> {
         self.kinematics.sheet
     }
 
-    /// What was found, number by number.
+    /// Components of an effort that the walk has found.
     pub(in crate::equations) fn components(&self, effort: Effort) -> Vec<Sym<'s>> {
         let zero = self.sheet().zero_vector();
         match effort {
@@ -127,7 +127,7 @@ impl<'k, 's> Walk<'k, 's> {
         }
     }
 
-    /// What moves with the rod of a bar of driven length counts in its push.
+    /// Records the push of a bar of driven length, which includes the loads on its rod.
     fn note_rod(&mut self, link: LinkId, effort: Sym<'s>) {
         let rod = self.rods(link) + effort;
         self.found.insert(Effort::Push(link), vec![rod]);
@@ -277,8 +277,8 @@ impl<'k, 's> Walk<'k, 's> {
         sum.moment = sum.moment + moment;
     }
 
-    /// What acts on the links of a group, with what is transmitted to those that slide on guides
-    /// of other bodies.
+    /// Loads on the links of a group, with the forces transmitted to links that slide on guides of other
+    /// bodies.
     fn acting<const N: usize>(&self, links: [LinkId; N]) -> [Acting<'s>; N] {
         links.map(|link| {
             let own = self.links[link.index()];

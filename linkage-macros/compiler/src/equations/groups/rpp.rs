@@ -176,7 +176,7 @@ impl<'s> Levers<'s> for RppLevers<'s> {
     fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
         let &Self { rail, slot, cosine, inverse, arm, offsets: [e1, e2], slide } = self;
         let [block, yoke] = loads.links;
-        // What is transmitted along the slot acts between block and slot, at B.
+        // The force transmitted along the slot acts between block and slot, at B.
         let back = loads.along * slot;
         let to_block = e1 * rail.normal() + (slide * slot + e2 * slot.normal());
         let moment = yoke.moment - to_block.cross(back);

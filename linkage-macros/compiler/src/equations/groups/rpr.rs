@@ -151,7 +151,7 @@ struct RprLevers<'s> {
 impl<'s> Levers<'s> for RprLevers<'s> {
     fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
         let (&Self { u, e, inverse }, [block, bar]) = (self, loads.links);
-        // What is transmitted along the bar acts between the two: (s u + e n) × −S u = e S.
+        // The force S transmitted along the bar acts between the two: (s u + e n) × −S u = e S.
         let force = bar.force - loads.along * u;
         let bar = Acting { force, moment: bar.moment + e * loads.along };
         let normal = (bar.moment + block.moment) * inverse;
@@ -179,7 +179,7 @@ fn left_of_offset<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'
     Jet { value, ..plain }
 }
 
-/// Whether the joints are never nearer than twice the offset.
+/// True if the joints are known to stay at least twice the offset apart.
 fn stays_beyond<'s>([b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> bool {
     let offset = e.value.constant_value().filter(|_| e.is_fixed());
     let least = d.least_distance(b).zip(offset);

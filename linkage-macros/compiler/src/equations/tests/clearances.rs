@@ -1,5 +1,5 @@
-//! How clear an equation is of having no root, in closed form: the height of a crank's pin, 2 sin θ, and what
-//! it is to be, x.
+//! Clearance of an equation from having no root, in closed form: the height of a crank's pin, 2 sin θ, is
+//! to be x.
 
 use crate::equations;
 use crate::ir::interpret::{Given, interpret};

@@ -91,7 +91,7 @@ struct State<'m, N> {
     params: Vec<N>,
 }
 
-/// What every answer is in a state.
+/// Values of all answers in a state.
 struct Found<'m, N> {
     program: &'m Program,
     values: Vec<N>,
@@ -184,8 +184,8 @@ fn check_digits(name: &str, mechanism: &Mechanism, program: &Program, inputs: &[
     }
 }
 
-/// What was given comes back in double precision, both by the walk and by power, within 64 ε of the sizes
-/// of the power's terms.
+/// Checks that the given drives come back in double precision, by the walk and by power, within 64 ε of the
+/// sizes of the power's terms.
 fn check_rounding(
     name: &str,
     mechanism: &Mechanism,
@@ -218,7 +218,7 @@ fn check_rounding(
     worst
 }
 
-/// Whether there are equations of motion to compare, and the worst rounding.
+/// Worst rounding of the equations of motion; none if there are none to compare.
 fn check(name: &str, source: &str, inputs: &[[f64; 3]]) -> Option<f64> {
     let mut mechanism = with_every_input_asked(mechanism(source));
     mechanism.dynamics.energy = true;

@@ -65,7 +65,7 @@ pub(crate) fn loaded(source: &str) -> String {
     format!("{body} {added} }}")
 }
 
-/// Whether a point of a link moves in it.
+/// True if a point of a link moves in it.
 fn moves_inside(plain: &Mechanism, owner: Option<Body>, points: [PointId; 2]) -> bool {
     let Some(Body::Link(link)) = owner else { return false };
     let moves = |point| plain.coordinates_move(Carrier::Link(link), point) != [false; 2];
@@ -135,7 +135,7 @@ pub(super) fn with_every_input_asked(mut mechanism: Mechanism) -> Mechanism {
 
 fn nodes<'s>(kinematics: &Kinematics<'s>) -> Nodes {
     let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
-    // What holds an equation is on no body.
+    // The effort that holds an equation acts on no body.
     let walk = mechanism.unknowns.is_empty().then(|| Walk::of(kinematics));
     let units = (0..mechanism.inputs.len()).map(|moving| {
         let mut inputs = Source::free(mechanism, sheet);
@@ -199,7 +199,7 @@ fn check(name: &str, source: &str, inputs: &[[f64; 3]]) {
     compare(&format!("{name}, at rest"), source, inputs, [Against::Matrix, Against::Power], true);
 }
 
-/// What a pose is compared against.
+/// Reference that a pose is compared against.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Against {
     Matrix,
@@ -295,7 +295,7 @@ fn every_variant_agrees_with_newton_and_euler() {
     }
 }
 
-/// What holds an equation does no work: power alone tells the efforts of the inputs.
+/// The effort that holds an equation does no work: power alone gives the efforts of the inputs.
 #[test]
 fn efforts_beside_an_unknown_agree_with_virtual_power() {
     for variant in UNKNOWNS {

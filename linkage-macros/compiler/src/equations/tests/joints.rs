@@ -168,7 +168,7 @@ fn compensated_numerics_mean_the_same() {
     }
 }
 
-/// What an output is at q = 0.7.
+/// Values of an output at q = 0.7.
 fn output(body: &str) -> Vec<f64> {
     to_f64(&position(&format!("struct M {{ {ARM} {body} }}")))
 }

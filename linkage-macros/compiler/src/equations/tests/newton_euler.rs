@@ -31,7 +31,7 @@ enum Part {
     Pin(PointId),
 }
 
-/// What acts on a part from outside: a force at a point and a couple.
+/// External load on a part: a force at a point and a couple.
 pub(super) struct Applied<T> {
     part: Part,
     pub at: Pair<T>,
@@ -103,8 +103,8 @@ impl Motion<Id> {
     }
 }
 
-/// What moves along the axis of a link of driven length lies on its rod. Not where the length is made
-/// of what other links do: what moves by an expression of its own then goes another way than the pin.
+/// Part that carries a load: the rod if the load moves along a link of driven length. The link carries it
+/// if the length depends on other links: the load then moves another way than the pin.
 fn part(mechanism: &Mechanism, link: LinkId, moves: bool) -> Part {
     match moves && driven_length(mechanism, link).is_some_and(|l| !has_readings(mechanism, l)) {
         true => Part::Rod(link),

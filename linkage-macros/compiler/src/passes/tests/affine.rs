@@ -39,7 +39,7 @@ fn sum(g: &mut Graph, [xx, yy]: [Id; 2]) -> Id {
     g.push(Node::Add(xx, yy))
 }
 
-/// Whether the text computes a constant plus or minus a multiple of the cosine, by the constant.
+/// True if the text computes a constant plus or minus a multiple of the cosine, told by the constant.
 fn starts_at(text: &str, constant: &str) -> bool {
     text.contains(&format!(" = {constant}\n"))
 }

@@ -1,5 +1,5 @@
-//! What each driver and group may cost, by variant: a lost common subexpression, a constant that
-//! leaves a trace, or a group that is computed though nobody asked fails here by name.
+//! Cost limits of each driver and group, by variant: a lost common subexpression, a constant that leaves a
+//! trace, or a group that is computed without a request fails here by name.
 //!
 //! A budget counts what an output costs beyond the declaration without it: additions,
 //! multiplications, divisions, roots, and sine-cosine pairs, a fused operation counting as an

@@ -1,4 +1,4 @@
-//! What becomes a chain of sums, in which order, and where signs go.
+//! Rewriting into chains of sums: which terms, in which order, and where signs go.
 
 use crate::function::Function;
 use crate::interface::entries::EntryPoint;

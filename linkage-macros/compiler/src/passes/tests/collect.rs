@@ -186,7 +186,7 @@ fn only_the_equations_of_motion_are_collected() {
         let before = program([entry], |g| [sum_of_multiples(g)]);
         assert_eq!(text(&collect::collect_multiples(&before)), text(&before), "{entry}");
     }
-    // What the motion needs as well stays; what forces need as well is made twice.
+    // A sum that the motion needs as well stays; one that forces need as well is made twice.
     for (entry, expected) in [("motion", "((0.3*x + y) + 0.4*x)"), ("forces", "(y + 0.7*x)")] {
         let before = program([entry, "equations_of_motion"], |g| [sum_of_multiples(g); 2]);
         let after = collect::collect_multiples(&before);

@@ -1,4 +1,4 @@
-//! What the equations of motion cost: operations before products are contracted into sums.
+//! Cost of the equations of motion: operations before products are contracted into sums.
 
 use crate::ir::cost::{Costs, Operations};
 use crate::ir::graph::{Check, Node};
@@ -32,7 +32,7 @@ fn a_four_bar_moves_in_a_hundred_operations() {
     // The same divisions as the motion's, and the one by the mass.
     let motion = written(FOUR_BAR, "motion");
     assert_eq!((forward.divisions, forward.roots, forward.sines), (3, 1, 1));
-    // What it is computed from is the angle's cosine and sine.
+    // The motion is computed from the given cosine and sine of the angle.
     assert_eq!((motion.divisions, motion.roots, motion.sines), (2, 1, 0));
 }
 

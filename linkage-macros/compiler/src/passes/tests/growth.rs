@@ -1,4 +1,4 @@
-//! What is made of a mechanism grows with its groups and no faster.
+//! Growth of the program: no faster than the number of groups.
 
 use std::fmt::Write;
 

@@ -160,7 +160,7 @@ impl<'k, 's> Walk<'k, 's> {
         }
     }
 
-    /// What drives a bar's length pushes against the pin, and against what lies on the rod.
+    /// Records the drive of a bar's length, which pushes against the pin and against the loads on the rod.
     fn drive_bar(&mut self, group: &Group, index: usize, by_pin: Vector<'s>) {
         let (Some(length), Some(pin)) = (&group.lengths[index], group.pin) else { return };
         let (length, link) = (&length.value, group.links[index]);

@@ -47,7 +47,7 @@ impl<'s> Triangle<'s> {
         self.both(self.line, self.height * self.line.normal())
     }
 
-    /// Of both bars what a linear map makes of them, from the map of d and that of h d⊥.
+    /// Images of both bars under a linear map, given those of d and h d⊥.
     pub(super) fn both<V>(&self, line: V, across: V) -> [V; 2]
     where
         V: Copy + Add<Output = V> + Sub<Output = V>,
@@ -207,9 +207,9 @@ impl<'s> Height<'s> {
     }
 }
 
-/// Whether J² is known to be far enough within the range of f32: it is looked at down to 16 ε of its largest
-/// value, which is (l₂ l₃)². Of a cylinder and a bar between joints that stand still J is at most d times the bar,
-/// and J² is looked at where the cylinder is longer than 16 ε of the bar, above 256 ε² of (d l)².
+/// True if J² is known to lie well within the range of f32. It is compared down to 16 ε of its largest
+/// value, (l₂ l₃)². With a cylinder and a bar between joints that stand still, J is at most d times the
+/// bar; J² is compared where the cylinder is longer than 16 ε of the bar, above 256 ε² of (d l)².
 fn has_room(lengths: [Sym<'_>; 2], of_line: Sym<'_>) -> bool {
     let largest = match lengths.map(Sym::constant_value) {
         [Some(l2), Some(l3)] => Some(l2 * l3),

@@ -1,4 +1,4 @@
-//! How the bars of the dyad RRR turn.
+//! Angular velocities and accelerations of the bars of the dyad RRR.
 //!
 //! # Behind a crank
 //! Where B swings about a point of the ground with the arm a, and D is a point of the ground, the velocity
@@ -194,8 +194,8 @@ impl<'s> Triangle<'s> {
     }
 }
 
-/// Whether the bars are known to differ by a seventh of their sum, which is a quarter of the longer:
-/// then no more than two bits cancel in ω₂² r₂ − ω₃² r₃.
+/// True if the bars are known to differ by a seventh of their sum, which is a quarter of the longer: then
+/// at most two bits cancel in ω₂² r₂ − ω₃² r₃.
 fn differ<'s>(l2: Sym<'s>, l3: Sym<'s>) -> bool {
     let share = (l2 - l3) / (l2 + l3);
     share.squared().constant_value().is_some_and(|square| square >= 1.0 / 49.0)

@@ -36,7 +36,7 @@ struct Topology {
     guides: Vec<String>,
     sliding: Vec<String>,
     count: usize,
-    /// Whether places on links may read slides, which the matrix knows nothing of.
+    /// True if places on links may read slides, which the matrix does not model.
     reads_anywhere: bool,
 }
 
@@ -180,7 +180,7 @@ impl Topology {
     }
 }
 
-/// Whether the declaration is one and assembles at the pose, well off its limits.
+/// True if the declaration is valid and assembles at the pose, well off its limits.
 fn assembles(source: &str, inputs: &[[f64; 3]]) -> bool {
     let mut diagnostics = Diagnostics::new();
     let tree = syntax::parse(source.parse().expect("tokens"), &mut diagnostics);

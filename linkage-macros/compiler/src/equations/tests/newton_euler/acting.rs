@@ -1,4 +1,4 @@
-//! What acts on the parts: weight and inertia of each mass for itself, forces, torques and springs, each
+//! Loads on the parts: weight and inertia of each mass for itself, forces, torques and springs, each
 //! written down as in a textbook, in ground axes.
 
 use super::{Applied, Part, ids, part, part_of, part_of_carrier};

@@ -1,4 +1,4 @@
-//! What joints and drives can exert: a column of the matrix an unknown.
+//! Efforts that joints and drives can exert: one column of the matrix per unknown.
 
 use super::declared::Declared;
 use super::matrix::Matrix;

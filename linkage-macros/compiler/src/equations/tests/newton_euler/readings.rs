@@ -1,11 +1,11 @@
-//! What dimensions read of earlier links, and how much they change with it.
+//! Readings of earlier links in dimensions, and how much the dimensions change with them.
 
 use super::whole;
 use crate::ir::interpret::Number;
 use crate::model::mechanism::{Expr, Mechanism, Operator};
 use crate::oracle::Digits;
 
-/// What an expression reads of earlier links.
+/// Collects the readings of earlier links in an expression, each once.
 pub(super) fn readings(mechanism: &Mechanism, expr: &Expr, leaves: &mut Vec<Expr>) {
     match expr {
         Expr::Slide(_) | Expr::Coordinate(..) | Expr::Distance(_) | Expr::Offset(..) => {

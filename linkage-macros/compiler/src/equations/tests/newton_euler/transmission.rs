@@ -76,7 +76,7 @@ impl Matrix<'_, '_> {
         }
     }
 
-    /// What a link slides on.
+    /// Part that a link slides on.
     fn under(&self, link: LinkId) -> Part {
         let mut groups = self.kinematics.mechanism.group_steps();
         let found = groups.find_map(|group| {
