@@ -1,8 +1,8 @@
 //! Atoms: the numbers that arithmetic does not open.
 //!
-//! Of equal atoms there is one. So a number that is built of others shares them, however often it
-//! names them: a chain of groups of constants stays as small as the graph it came from, equality
-//! costs nothing, and each atom is evaluated once.
+//! Each distinct atom exists once. Numbers built from it share it, however often they name it: a
+//! chain of groups of constants stays as small as the graph it came from, equality costs nothing, and
+//! each atom is evaluated once.
 //!
 //! They are known to their thread, from when they are made until the [`Scope`] they were made in
 //! ends, which is that of a compilation: a server that compiles one declaration after the other
@@ -20,7 +20,7 @@ use super::enclosure::Enclosure;
 use super::{Exact, Form};
 use crate::function::Function;
 
-/// What an atom is.
+/// The kind of an atom, with its arguments.
 ///
 /// The order of the variants is the order of factors in a product and of terms in a sum.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -44,7 +44,7 @@ struct Known {
     /// No two atoms of a thread ever have the same.
     number: u64,
     kind: Kind,
-    /// How many atoms stand inside each other here.
+    /// The nesting depth: the number of atoms inside each other.
     depth: u32,
 }
 
@@ -157,13 +157,13 @@ impl Drop for Scope {
     }
 }
 
-/// How many atoms the thread knows.
+/// The number of atoms the thread knows.
 pub(crate) fn known() -> usize {
     ATOMS.with_borrow(|atoms| atoms.made.len())
 }
 
 impl Kind {
-    /// What the atom is a function of.
+    /// The argument of the root, function or sum; π has none.
     fn argument(&self) -> Option<&Exact> {
         match self {
             Self::Pi => None,
@@ -194,7 +194,7 @@ impl Atom {
             finest.map(|finest| finest.with_bits(bits))
         });
         known.or_else(|| {
-            // What it is made of comes first, so that no call is inside another.
+            // The parts are enclosed first, so that no call is nested in another.
             let coarse = ATOMS.with_borrow(|atoms| atoms.coarse(self, bits));
             coarse.iter().try_fold(None, |_, atom| atom.enclosed_by_parts(bits).map(Some))?
         })

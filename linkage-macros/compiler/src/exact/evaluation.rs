@@ -1,4 +1,4 @@
-//! What a number in normal form amounts to: its enclosure, its sign and its floats.
+//! Evaluation of a number in normal form: its enclosure, its sign and its floats.
 //!
 //! Enclosures are refined until they decide the question. A float is decided at the latest where
 //! the enclosure is narrow against half the least subnormal, unless the number is a tie that the

@@ -36,7 +36,7 @@ fn parse_exponent(text: &str) -> Option<i64> {
     if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
         return None;
     }
-    // What does not fit a word is beyond the limit too.
+    // An exponent that does not fit a word is beyond the limit too.
     let size = digits.parse::<i64>().ok().filter(|&size| size <= EXPONENT_LIMIT)?;
     Some(if text.starts_with('-') { -size } else { size })
 }

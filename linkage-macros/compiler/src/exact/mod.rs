@@ -170,8 +170,8 @@ impl Exact {
         self.rounded(NARROW, &Rational::ZERO) as f32
     }
 
-    /// What `to_f64` left: (self − to_f64) correctly rounded, the low word of a double word; zero
-    /// beyond the range.
+    /// The remainder of `to_f64`: (self − to_f64) correctly rounded, the low word of a double word.
+    /// It is zero beyond the range.
     pub(crate) fn low_f64(&self) -> f64 {
         self.low_word(WIDE)
     }

@@ -91,7 +91,7 @@ impl Rational {
         }
     }
 
-    /// What is left of the number in [0, divisor).
+    /// The number modulo the divisor, in [0, divisor).
     pub(super) fn modulo(&self, divisor: i64) -> Self {
         let divisor = Self::integer(divisor);
         self.sub(&self.div(&divisor).floor().mul(&divisor))

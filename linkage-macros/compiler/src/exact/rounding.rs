@@ -44,7 +44,7 @@ impl Format {
         if numerator.sign() == Sign::Minus { -size } else { size }
     }
 
-    /// Of two integers that are numbers of the format themselves, far from the ends of its range: a
+    /// Divides two integers that the format represents exactly, far from the ends of its range. The
     /// division rounds once.
     fn quotient(self, value: &Rational) -> Option<f64> {
         let &Rational::Small(numerator, denominator) = value else { return None };
@@ -93,7 +93,7 @@ impl Format {
     }
 }
 
-/// What is cut off, against half a unit of what is kept.
+/// The part cut off, compared with half a unit in the last place kept.
 #[derive(PartialEq)]
 enum Tail {
     Nothing,

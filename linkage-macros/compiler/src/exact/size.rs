@@ -1,5 +1,5 @@
-//! How large a number in normal form is. Nothing is rounded here, so every product has the digits
-//! of both its factors: ten squarings one after the other make a thousand digits of one.
+//! The size of a number in normal form. Nothing is rounded here, so every product has the digits of
+//! both its factors: ten squarings in a row make a thousand digits of one.
 
 use super::rational::Rational;
 use super::sum::{Factor, Term};
@@ -19,12 +19,12 @@ const BITS: u64 = 4096;
 const BITS_OF_FORMULAS: u64 = 32 * BITS;
 
 impl Exact {
-    /// Whether the number has more digits than one that is written down may have.
+    /// True if the number has more digits than a written number may have.
     pub(crate) fn is_too_long(&self) -> bool {
         self.bits() > BITS
     }
 
-    /// Whether the number has more digits than formulas may make of those.
+    /// True if the number has more digits than formulas may make of written numbers.
     pub(crate) fn is_too_long_for_formulas(&self) -> bool {
         self.bits() > BITS_OF_FORMULAS
     }
@@ -37,7 +37,7 @@ impl Exact {
         }
     }
 
-    /// How many atoms stand inside each other.
+    /// The nesting depth of the atoms.
     pub(super) fn depth(&self) -> u32 {
         match &self.form {
             Form::Rational(_) => 0,

@@ -49,7 +49,7 @@ impl Term {
 }
 
 impl Atom {
-    /// Whether the form alone says that the atom is positive.
+    /// True if the form alone shows that the atom is positive.
     pub(super) fn is_surely_positive(&self) -> bool {
         match self.kind() {
             Kind::Pi | Kind::Root(_) => true,
@@ -110,7 +110,7 @@ impl Exact {
         }
     }
 
-    /// Whether one of the terms is divided by this sum.
+    /// True if one of the terms has this sum as a divisor.
     fn divides_any_of(&self, terms: &[Term]) -> bool {
         let has_divisor = |term: &Term| term.factors.iter().any(|f| f.is_sum() && f.power < 0);
         // The factor is made only where there is something to compare it with.
@@ -123,7 +123,7 @@ impl Exact {
         }
     }
 
-    /// What the number is, where it is an atom.
+    /// The kind of the atom, if the number is one.
     pub(super) fn as_atom(&self) -> Option<&Kind> {
         let term = self.as_term().filter(|term| term.coefficient.is_one())?;
         match term.factors.as_slice() {
@@ -230,7 +230,7 @@ impl Exact {
     }
 }
 
-/// Whether so many products of these terms are written out: few are, without sums as factors.
+/// True if this many products of the terms are written out: few, and without sums as factors.
 fn is_expanded<'a>(products: usize, mut terms: impl Iterator<Item = &'a Term>) -> bool {
     products <= EXPANSION_LIMIT && !terms.any(|term| term.factors.iter().any(Factor::is_sum))
 }

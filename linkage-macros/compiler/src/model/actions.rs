@@ -1,4 +1,4 @@
-//! What has mass, and what acts.
+//! Loads, gravity, forces and torques, and the check that they have an effect.
 
 use proc_macro2::{Ident, Span};
 use syn::Attribute;
@@ -104,7 +104,7 @@ impl Resolver<'_> {
 
     /// A number of the machine itself: constants and parameters.
     pub(super) fn changes_with_no_input(&mut self, expr: &tree::Expr, what: &str) -> Option<()> {
-        // Of a rate it is said that it stands elsewhere.
+        // Rates have a message of their own.
         let of_a_rate = self.first(expr, &|_, part| is_rate(part)).is_some();
         let Some(span) = self.moving_part(expr).filter(|_| !of_a_rate) else { return Some(()) };
         let message = format!("{what} cannot depend on an input");
@@ -195,7 +195,7 @@ impl Resolver<'_> {
         Some([p, q])
     }
 
-    /// Whether one of the points moves in the body that both belong to.
+    /// True if one of the points moves in the body that both belong to.
     fn is_driven_in(&self, owner: Body, points: [PointId; 2]) -> bool {
         let Body::Link(link) = owner else { return false };
         let moves = |point| self.mechanism.coordinates_move(Carrier::Link(link), point);

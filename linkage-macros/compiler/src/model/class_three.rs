@@ -1,5 +1,6 @@
-//! What to write for a group of class III: the angle of one of its bars as an unknown, the rest as
-//! dyads, and the bar that is left over as the equation, in the machine's own names.
+//! The rewriting that a message proposes for a group of class III: the angle of one bar becomes an
+//! unknown, the other bars form dyads, and the bar left over becomes the equation. It uses the
+//! machine's own names.
 
 use std::collections::BTreeSet;
 
@@ -14,7 +15,7 @@ use super::names::{declared_by, title};
 use super::needs::{Needs, maker};
 use super::references::names_used;
 
-/// What to write in place of statements that need each other, where one unknown is enough.
+/// The replacement for statements that need each other, if one unknown is enough.
 pub(super) fn instead(
     tree: &Declaration,
     needs: &Needs,
@@ -60,7 +61,7 @@ impl Cut<'_> {
         self.pivot(leg).is_some_and(|maker| !circle.contains(&maker))
     }
 
-    /// Whether anything else names the link.
+    /// True if another statement names the link.
     fn carries(&self, link: &Ident) -> bool {
         let others = self.tree.statements.iter().enumerate();
         others
@@ -68,7 +69,7 @@ impl Cut<'_> {
             .any(|(_, statement)| names_used(statement).contains(link))
     }
 
-    /// Whether another bar joins the same two points, so that their distance never changes.
+    /// True if another bar joins the same two points, so that their distance never changes.
     fn is_doubled(&self, leg: usize) -> bool {
         let (far, pin) = (&self.group.legs[leg].joint, &self.group.pin);
         let others = self.tree.statements.iter().enumerate();
@@ -80,7 +81,7 @@ impl Cut<'_> {
         })
     }
 
-    /// Whether the statements of the circle have an order once this one needs its pivot alone.
+    /// True if the statements of the circle have an order once this one needs its pivot alone.
     fn leaves_an_order(&self, leg: usize, needs: &Needs, circle: &BTreeSet<usize>) -> bool {
         let left = needs.with(self.index, self.pivot(leg).into_iter().collect());
         circle.iter().all(|&statement| left.circle(statement).is_empty())

@@ -1,5 +1,5 @@
-//! What constants say of an rrr for its docs: how far apart its outer joints are, and whether one of
-//! its modes puts the pin onto a point that is there already.
+//! Facts that constants fix about an rrr, for its docs: the distance between its outer joints, and a
+//! mode that puts the pin onto a point that is there already.
 
 use crate::exact::Exact;
 
@@ -37,7 +37,8 @@ impl Resolver<'_> {
     }
 }
 
-/// Whether the vector is as long: in squares, which are rational where the coordinates are.
+/// True if the vector has this length. The squares are compared: they are rational where the
+/// coordinates are.
 fn is_as_long(length: &Exact, dx: &Exact, dy: &Exact) -> bool {
     length.mul(length).cmp_value(&dx.mul(dx).add(&dy.mul(dy))).is_eq()
 }

@@ -1,4 +1,4 @@
-//! What a quantity is measured in, and what becomes of that under arithmetic.
+//! Dimensions of quantities, and their arithmetic.
 //!
 //! A number without a unit is bare: it is SI and fits wherever it stands. Beside a quantity that
 //! has a dimension it takes that dimension in a sum and counts as a plain number in a product.
@@ -25,7 +25,7 @@ impl Dimension {
     pub(crate) const TORQUE: Self = Self { length: 2, ..Self::FORCE };
     pub(crate) const INERTIA: Self = Self { length: 2, mass: 1, ..Self::NUMBER };
 
-    /// Whether the quantity is a number or an angle, which counts as one.
+    /// True for a number or an angle, which counts as one.
     pub(super) fn is_plain(self) -> bool {
         self.length == 0 && self.mass == 0 && self.time == 0
     }
@@ -103,7 +103,7 @@ impl Dimension {
     }
 }
 
-/// What is known of an expression's dimension.
+/// The dimension of an expression, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Measure {
     /// Made of numbers without a unit alone.
@@ -124,7 +124,7 @@ impl Measure {
         }
     }
 
-    /// Whether the quantity may stand where `wanted` belongs: angles and numbers stand for each
+    /// True if the quantity may stand where `wanted` belongs. Angles and numbers stand for each
     /// other, so that a ratio of lengths is an angle.
     pub(super) fn fits(self, wanted: Dimension) -> bool {
         match self {

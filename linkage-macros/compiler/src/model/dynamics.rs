@@ -19,9 +19,9 @@ pub(crate) struct Dynamics {
     pub forces: Vec<Force>,
     pub torques: Vec<Torque>,
     pub springs: Vec<Spring>,
-    /// What `forces` and `statics` give.
+    /// The outputs of `forces` and `statics`.
     pub asked: Vec<Asked>,
-    /// Whether `energy` is given.
+    /// True if `energy` is an output.
     pub energy: bool,
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct Mass {
 /// no parameter may make it negative.
 pub(crate) struct Quantity {
     pub value: Expr,
-    /// What an error calls it.
+    /// The name in errors.
     pub name: String,
 }
 
@@ -96,7 +96,7 @@ pub(crate) struct Spring {
     pub free: Quantity,
 }
 
-/// What a spring stands between.
+/// The two ends of a spring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ends {
     Points([PointId; 2]),
@@ -120,7 +120,7 @@ pub(crate) enum Effort {
     Input(InputId),
     /// The same over the rate of an unknown, where that is driven in place of the only input.
     Unknown(UnknownId),
-    /// What drives a crank or a slider.
+    /// The effort that drives a crank or a slider.
     Drive(LinkId),
     /// The force that pushes the ends of a driven length apart.
     Push(LinkId),
@@ -130,16 +130,16 @@ pub(crate) enum Effort {
     Bearing(LinkId, PointId),
     /// Normal force and couple on the link by the guide it slides on.
     Guide(LinkId),
-    /// What a spring exerts on its ends: positive pushes them apart, or turns the second body
+    /// The effort of a spring on its ends: positive pushes them apart, or turns the second body
     /// forwards.
     Spring(SpringId),
-    /// What inertia puts on the ground, as if all of it were one body: force, and couple about the
-    /// origin.
+    /// The shaking force and moment: the load of inertia on the ground, taken as one body. The moment
+    /// is about the origin.
     Shaking,
 }
 
 impl Dynamics {
-    /// Whether anything has mass or acts.
+    /// True if nothing has mass and nothing acts.
     pub(crate) fn is_empty(&self) -> bool {
         let Self { masses, forces, torques, springs, .. } = self;
         masses.is_empty() && forces.is_empty() && torques.is_empty() && springs.is_empty()

@@ -19,7 +19,7 @@ use crate::syntax::action::ACTING;
 /// Outputs of the whole mechanism.
 const WHOLE: [&str; 3] = ["energy", "shaking", "centre_of_mass"];
 
-/// What drives a link.
+/// The members that name the effort driving a link.
 const EFFORTS: [&str; 2] = ["drive", "push"];
 
 /// Words behind a link that mean something, whatever points are called.
@@ -27,11 +27,11 @@ fn is_meant(word: &str) -> bool {
     EFFORTS.contains(&word) || MEMBERS.contains(&word)
 }
 
-/// What a link has to offer: fields and what they are.
+/// The efforts of a link: each field with its effort.
 type Efforts = Vec<(Ident, Effort)>;
 
 impl Resolver<'_> {
-    /// Whether the output is about a force; then it was looked at.
+    /// Returns true if the output is about a force; it is then resolved or reported.
     pub(super) fn effort_output(
         &mut self,
         docs: &[Attribute],
@@ -85,7 +85,7 @@ impl Resolver<'_> {
         true
     }
 
-    /// Whether the output is one of the whole mechanism; then it was looked at.
+    /// Returns true if the output is one of the whole mechanism; it is then resolved or reported.
     pub(super) fn output_of_the_whole(&mut self, docs: &[Attribute], name: &Ident) -> bool {
         let dynamics = &self.mechanism.dynamics;
         let [has_mass, has_spring] = [!dynamics.masses.is_empty(), !dynamics.springs.is_empty()];
@@ -173,7 +173,7 @@ impl Resolver<'_> {
         touching.next().map(|(_, link)| &link.name)
     }
 
-    /// Whether a point is a joint of the link.
+    /// True if the point is a joint of the link.
     fn touches(&self, link: LinkId, point: &Ident) -> bool {
         let is_joint = |effort: &Effort| matches!(effort, Effort::Pin(..) | Effort::Bearing(..));
         self.efforts_of(link).iter().any(|(field, effort)| field == point && is_joint(effort))
@@ -235,14 +235,14 @@ impl Resolver<'_> {
             let message = format!("the output `{path}` is given twice; remove one");
             return self.diagnostics.error(member.span(), message);
         }
-        // What has one owner is one field of the result.
+        // Efforts of one owner form one field of the result.
         let behind = asked.iter().rposition(|known| known.owner == *owner);
         let (owner, field) = (owner.clone(), member.clone());
         let asked_for = Asked { owner, field, docs: docs.to_vec(), effort };
         asked.insert(behind.map_or(asked.len(), |last| last + 1), asked_for);
     }
 
-    /// Whether a mistake may have hidden what acts.
+    /// True if a mistake may have hidden a statement that acts.
     fn a_force_may_be_unread(&self) -> bool {
         ACTING.iter().any(|word| self.unread.may_hold(word)) || self.diagnostics.count() > 0
     }

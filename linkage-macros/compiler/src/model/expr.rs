@@ -14,7 +14,7 @@ pub(crate) enum Expr {
     Param(ParamId),
     /// A load, in the values of forces and torques alone.
     Load(LoadId),
-    /// What an equation fixes.
+    /// An unknown, which an equation fixes.
     Unknown(UnknownId),
     /// The part of a named expression that is not a multiple of link angles.
     Let(LetId),
@@ -26,7 +26,7 @@ pub(crate) enum Expr {
     Distance([PointId; 2]),
     /// The distance of a point from a guide's line, positive on the side of its normal.
     Offset(PointId, GuideId),
-    /// How far a spring between two bodies is turned from its free angle.
+    /// The angle by which a spring between two bodies is turned from its free angle.
     Twist(SpringId),
     /// The rate of a sum of angles, or of any other number, in the values of forces and torques
     /// alone.

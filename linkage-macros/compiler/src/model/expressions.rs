@@ -114,7 +114,7 @@ impl Resolver<'_> {
         self.units_have_parentheses(first, rest)?;
         let (mut span, mut left) = (first.span, self.quantity(first));
         for (operator, operand) in rest {
-            // What stands behind a mistake is still looked at.
+            // Operands after a mistake are still checked.
             let right = self.quantity(operand);
             let sides = left.zip(right);
             left = sides.and_then(|(left, right)| {

@@ -1,4 +1,4 @@
-//! What the rules remember of things already made, beside the mechanism itself.
+//! Facts that the rules remember about things already made, beside the mechanism itself.
 
 use crate::diagnostics::Extent;
 use crate::exact::Exact;
@@ -30,7 +30,7 @@ pub(super) struct Facts {
     pub longest_in_small_units: Option<Exact>,
     /// The longest length without a unit, and where it stands.
     pub longest_bare_length: Option<(Exact, Extent)>,
-    /// Whether a length anywhere has a unit.
+    /// True if a length anywhere has a unit.
     pub a_length_has_a_unit: bool,
     /// Which points belong to which bodies, and where other points stand still on one.
     places: Vec<Location>,
@@ -40,7 +40,7 @@ pub(super) struct ParamFacts {
     pub measure: Measure,
     /// The default, where a mistake about its value is reported.
     pub span: Extent,
-    /// Whether it was reported already.
+    /// True if it was reported already.
     pub blamed: bool,
 }
 
@@ -51,15 +51,14 @@ pub(super) struct LetFacts {
 
 pub(super) struct LinkFacts {
     pub moves: bool,
-    /// Whether it is a bar with an outer joint and a pin.
+    /// True for a bar with an outer joint and a pin.
     pub is_bar: bool,
     /// The distance from one to the other; `None` also where it was in error.
     pub length: Option<Expr>,
-    /// Whether its joint and its pin are known, so that a point which is neither is known not to
-    /// be.
+    /// True if its joint and its pin are known. Any other point is then certainly neither.
     pub has_its_joints: bool,
-    /// Whether its group is placed: where the group's fields or joints are in error, the forces of its
-    /// links are unknown, and that was reported.
+    /// True if its group is placed. Where the group's fields or joints are in error, the forces of
+    /// its links are unknown, and that was reported.
     pub is_placed: bool,
 }
 
@@ -75,7 +74,7 @@ pub(super) struct GuideFacts {
 struct Location {
     carrier: Carrier,
     point: PointId,
-    /// Whether it was declared as a point of the body or is a joint of it.
+    /// True if it was declared as a point of the body or is a joint of it.
     belongs: bool,
     /// The place in the carrier's frame, if it is constant.
     at: Option<[Exact; 2]>,
@@ -87,7 +86,7 @@ impl Facts {
         Self { longest_in_small_units: longest_in_small_units(tree), ..Self::default() }
     }
 
-    /// Whether the thing depends on an input.
+    /// True if the entity depends on an input.
     pub(super) fn moves(&self, entity: Entity) -> bool {
         match entity {
             Entity::Input(_) | Entity::Unknown(_) => true,

@@ -32,7 +32,7 @@ impl<'t> Fields<'t> {
         }
     }
 
-    /// Whether the field's default holds.
+    /// True if the field is absent and its default holds.
     pub(super) fn is_left_out(&self, name: &str) -> bool {
         self.all_are_read && !self.present.contains(&name)
     }
@@ -51,7 +51,7 @@ impl Resolver<'_> {
                 continue;
             };
             if fields.present.contains(&name) {
-                // What could not be read may have been half of this one.
+                // A damaged field of this name may have been half of this one.
                 if !group.fields.iter().any(|other| other.name == name && is_damaged(other)) {
                     let message = format!("the field `{name}` is given twice; remove one");
                     self.diagnostics.error(field.name.span(), message);
@@ -87,7 +87,7 @@ impl Resolver<'_> {
         }
         let keyword = anatomy.keyword;
         let mut message = format!("`{keyword}` has no field `{name}`");
-        // What is given elsewhere by its right name was not meant here.
+        // A field that is given elsewhere by its right name was not meant here.
         let given = |known: &&str| group.fields.iter().any(|field| field.name == known);
         let free = names.iter().copied().filter(|known| !given(known));
         let reason = if let Some(near) = nearest(&name, free) {
@@ -187,7 +187,7 @@ impl Resolver<'_> {
     }
 }
 
-/// Whether the value of the field could not be read.
+/// True if the value of the field could not be read.
 fn is_damaged(field: &Field) -> bool {
     matches!(&field.value, FieldValue::One(value) if value.is_mistake())
 }

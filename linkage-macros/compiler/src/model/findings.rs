@@ -1,19 +1,19 @@
-//! What constant dimensions say of groups before anything is solved, for their docs.
+//! Facts that constant dimensions fix about groups before anything is solved, for their docs.
 
 use crate::exact::Exact;
 use crate::model::ids::{GroupId, InputId, LinkId, PointId};
 use crate::reach::turn::Turn;
 
-/// What constants say of a group.
+/// Facts that constants fix about a group.
 pub(crate) struct Known {
     pub group: GroupId,
-    /// How far apart its outer joints are.
+    /// The distance between its outer joints.
     pub span: Option<Exact>,
     /// The earlier point on which its pin is in one of its modes.
     pub coincides_with: Option<PointId>,
 }
 
-/// What a dyad leaves of the turn of the crank it hangs on.
+/// The range of a crank's turn that a dyad hanging on it allows.
 pub(crate) struct Rotatability {
     pub group: GroupId,
     pub crank: LinkId,

@@ -14,7 +14,7 @@ use super::mechanism::{GroupId, GroupName, GuideId, Link, LinkId, PartOf, Point,
 use super::names::{Entity, Kind};
 use crate::syntax::anatomy::{Anatomy, JointRule, KEYWORDS, Pin, Reason};
 
-/// What a group statement has made and was given.
+/// The things a group statement has made, and those it was given.
 pub(super) struct Parts<'t> {
     pub group: &'t tree::Group,
     pub anatomy: &'static Anatomy,
@@ -26,7 +26,7 @@ pub(super) struct Parts<'t> {
     pub fields: Fields<'t>,
 }
 
-/// What an outer joint stands on.
+/// The support of an outer joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OuterJoint {
     Point(PointId),
@@ -34,7 +34,7 @@ pub(super) enum OuterJoint {
 }
 
 impl Parts<'_> {
-    /// Whether the group has a pin, or should have one.
+    /// True if the group has a pin, or should have one.
     pub(super) fn has_pin(&self) -> bool {
         match self.anatomy.pin {
             Pin::Needed => true,
@@ -90,7 +90,7 @@ impl Resolver<'_> {
         self.mechanism.steps.extend(step);
     }
 
-    /// What a group makes moves if anything it was given moves.
+    /// Everything a group makes moves if anything it was given moves.
     fn facts_of_what_was_made(&mut self, parts: &Parts, is_placed: bool) {
         let pin_is_known = parts.pin.is_some() == parts.has_pin();
         for (link, joint) in parts.links.iter().zip(&parts.outer) {

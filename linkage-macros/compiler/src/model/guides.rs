@@ -61,7 +61,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// What a guide goes through, and where that lies if it is constant.
+    /// The point a guide goes through, and its place if that is constant.
     fn spot(
         &mut self,
         spot: &tree::Spot,
@@ -134,7 +134,7 @@ impl Resolver<'_> {
                 };
                 self.diagnostics.error_because(name.span(), message, reason);
             }
-            // What is not known to be a point of the link may be the one that was in error.
+            // A joint of the link may have been in error, and the name may be meant for it.
             Carrier::Link(link) if !self.facts.links[link.index()].has_its_joints => {}
             Carrier::Link(link) => self.no_point_of(name, link),
         }

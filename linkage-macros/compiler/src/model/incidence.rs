@@ -30,7 +30,7 @@ pub(crate) enum Mode {
     Param(ParamId),
 }
 
-/// What a point, a guide or a crank's angle is fixed to.
+/// The body to which a point, a guide or a crank's angle is fixed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Carrier {
     Ground,

@@ -1,4 +1,4 @@
-//! What the declaration takes from outside or names for itself: inputs, parameters and named
+//! The numbers a declaration takes from outside or names for itself: inputs, parameters and named
 //! expressions.
 
 use proc_macro2::Ident;

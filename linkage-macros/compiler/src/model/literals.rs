@@ -154,7 +154,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// What to write where the letters behind a number are a unit and the name of a number: `2s`.
+    /// The correction of a number whose letters are both its unit and a declared name: `2s`.
     pub(super) fn name_taken_for_a_unit(&self, expr: &tree::Expr) -> Option<String> {
         let ExprKind::Number { digits, units } = &expr.kind else { return None };
         let [(unit, 1)] = &units[..] else { return None };
@@ -319,7 +319,7 @@ fn each_part(expr: &tree::Expr, f: &mut impl FnMut(&tree::Expr)) {
     expr.parts().for_each(|part| each_part(part, f));
 }
 
-/// Whether the expression is a number with one of these units, or a product with one.
+/// True if the expression is a number with one of these units, or a product with one.
 fn is_measured_in(expr: &tree::Expr, units: &[&str]) -> bool {
     match &expr.kind {
         ExprKind::Number { units: own, .. } => {

@@ -1,4 +1,4 @@
-//! What has mass: where it is, and that it is the machine's own.
+//! Masses and inertias: their values and their places. A mass on the ground is refused.
 
 use proc_macro2::{Ident, Span};
 

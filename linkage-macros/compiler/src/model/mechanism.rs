@@ -27,7 +27,7 @@ pub(crate) struct Mechanism {
     pub name: Ident,
     pub inputs: Vec<Input>,
     pub params: Vec<Param>,
-    /// What equations fix, in solving order.
+    /// The unknowns that equations fix, in solving order.
     pub unknowns: Vec<Unknown>,
     /// Named expressions; a later one may use an earlier one.
     pub lets: Vec<AngleSum>,
@@ -36,13 +36,13 @@ pub(crate) struct Mechanism {
     pub guides: Vec<Guide>,
     /// Drivers and dyads, for messages and docs.
     pub groups: Vec<GroupName>,
-    /// What places points, guides and links, in solving order: a step uses only what earlier
-    /// steps have made.
+    /// The steps that place points, guides and links, in solving order: a step uses only the results
+    /// of earlier steps.
     pub steps: Vec<Step>,
     pub outputs: Vec<Output>,
-    /// What dyads of constants leave of the turns of cranks.
+    /// The ranges of the cranks' turns that dyads of constants allow.
     pub rotatabilities: Vec<Rotatability>,
-    /// What constants say of groups, for their docs.
+    /// Facts that constants fix about groups, for their docs.
     pub known: Vec<Known>,
     /// Masses, and what acts.
     pub dynamics: Dynamics,
@@ -50,7 +50,7 @@ pub(crate) struct Mechanism {
     pub references: References,
     /// The inputs of the pose in which it is drawn, where it is drawn and they are determined.
     pub drawn: Option<Vec<f64>>,
-    /// Whether the declaration has mistakes, so that only part of it was understood.
+    /// True if the declaration has mistakes, so that only part of it was understood.
     pub is_stub: bool,
     pub numerics: Numerics,
     /// `crate = path;`, where given.
@@ -65,7 +65,7 @@ pub(crate) struct Point {
     pub part_of: PartOf,
 }
 
-/// What a point is part of.
+/// The part of the mechanism that a point belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PartOf {
     Ground,
@@ -78,7 +78,7 @@ pub(crate) enum PartOf {
 }
 
 impl Mechanism {
-    /// Of this name, and nothing in it yet.
+    /// An empty mechanism of this name.
     pub(crate) fn empty(docs: Vec<Attribute>, visibility: Visibility, name: Ident) -> Self {
         Self {
             docs,
@@ -124,7 +124,7 @@ impl Mechanism {
         format!("{keyword} {title}")
     }
 
-    /// What made a point: `ground`, `crank AB`, `rrr BC, DC`, `point on BC`.
+    /// The statement that made a point: `ground`, `crank AB`, `rrr BC, DC`, `point on BC`.
     pub(crate) fn maker(&self, point: PointId) -> String {
         match self.points[point.index()].part_of {
             PartOf::Ground => "ground".to_string(),
@@ -163,11 +163,11 @@ pub(crate) struct Unknown {
     pub group: GroupId,
     /// Where it is looked for, lower end first.
     pub between: [Expr; 2],
-    /// How many steps stand before `unknown`, and before `solve`: what lies between depends on the
+    /// The number of steps before `unknown`, and before `solve`. The steps between depend on the
     /// trial.
     pub steps: [usize; 2],
     pub equation: Equation,
-    /// What both sides of it are.
+    /// The dimension of both sides.
     pub measure: Dimension,
     /// The sign of the slope of left − right at the wanted root: plus where it rises.
     pub mode: Mode,
@@ -175,7 +175,7 @@ pub(crate) struct Unknown {
     pub near: Option<Expr>,
 }
 
-/// What is zero at the root.
+/// The expression that is zero at the root.
 pub(crate) enum Equation {
     /// left − right
     Difference([Expr; 2]),
@@ -200,7 +200,7 @@ pub(crate) struct Link {
     pub name: Ident,
     pub docs: Vec<Attribute>,
     pub made_by: GroupId,
-    /// Whether it slides on a guide and so has a `slide`.
+    /// True if it slides on a guide and so has a `slide`.
     pub slides: bool,
 }
 

@@ -141,34 +141,33 @@ fn walked<'d>(
     resolver
 }
 
-/// What is known while the statements are walked.
+/// The state of the resolver while it walks the statements.
 struct Resolver<'d> {
     diagnostics: &'d mut Diagnostics,
-    /// What the parser gave up: where a name is among it, nothing is known of the name.
+    /// The tokens that the parser gave up. Nothing is known of a name among them.
     unread: &'d Unread,
     names: Names,
     mechanism: Mechanism,
     facts: Facts,
-    /// Whether the statement being resolved depends on an input so far.
+    /// True if the statement being resolved depends on an input so far.
     moves: bool,
     /// Names used before they are made.
     too_early: Vec<TooEarly>,
-    /// Whether a mistake may have hidden the use of an input.
+    /// True if a mistake may have hidden the use of an input.
     use_is_hidden: bool,
-    /// Whether an expression names a number that nothing declares.
+    /// True if an expression names a number that nothing declares.
     number_is_unknown: bool,
     /// Names that nothing declares, and that were reported.
     reported_unknown: HashSet<String>,
-    /// Whether the expression being resolved is the value of a force or a torque, in which loads and
-    /// rates may stand.
+    /// True while the value of a force or a torque is resolved: loads and rates may stand in it.
     is_about_forces: bool,
-    /// Whether it is such a value or an output, which may have corners.
+    /// True while such a value or an output is resolved: it may have corners.
     may_have_corners: bool,
     /// Where gravity is given.
     gravity_at: Option<proc_macro2::Span>,
     /// The unknown between its `unknown` and its `solve`.
     searched: Option<Searched>,
-    /// Whether the statement being resolved depends on it so far.
+    /// True if the statement being resolved depends on the searched unknown so far.
     follows: bool,
     /// The names behind `solve`.
     solved: HashSet<String>,

@@ -30,7 +30,7 @@ pub(super) fn mode_word(word: &Ident) -> Option<ParamKind> {
     Modes::ALL.into_iter().find_map(mode)
 }
 
-/// How an equation goes at its root: the sign of its slope.
+/// The trend of an equation at its root: the sign of its slope.
 pub(super) fn trend_word(word: &str) -> Option<Sign> {
     Modes::Trend.sign(word)
 }

@@ -27,7 +27,7 @@ pub(super) enum Kind {
     Spring,
 }
 
-/// What may stand in an expression.
+/// The kinds of names that may stand in an expression.
 pub(super) const NUMBERS: [Kind; 4] = [Kind::Input, Kind::Param, Kind::Let, Kind::Unknown];
 
 impl Kind {
@@ -73,13 +73,13 @@ pub(super) struct Symbol {
     pub statement: usize,
     /// The statement as messages call it: `crank AB`, `param l`.
     pub made_by: String,
-    /// Whether it is the pin of a group.
+    /// True for the pin of a group.
     pub is_a_pin: bool,
     /// `None` until its statement is reached, and for good where that was in error.
     pub entity: Option<Entity>,
-    /// Whether its statement was reached, so that another declaration is the second.
+    /// True if its statement was reached, so that another declaration is the second.
     pub declared: bool,
-    /// Whether another declaration was reached: what is meant by the name is unknown from there.
+    /// True if another declaration was reached: the meaning of the name is unknown from there.
     pub ambiguous: bool,
 }
 
@@ -134,19 +134,19 @@ impl Names {
         self.symbols[index].entity = Some(entity);
     }
 
-    /// What the name was declared as, wherever that stands.
+    /// The kind that the name is declared as, wherever its statement stands.
     pub(super) fn kind(&self, name: &Ident) -> Option<Kind> {
         self.symbol(name).filter(|symbol| !symbol.ambiguous).map(|symbol| symbol.kind)
     }
 
-    /// What the name stands for, if it can be used.
+    /// The entity that the name stands for, if it can be used.
     pub(super) fn entity(&self, name: &Ident) -> Option<Entity> {
         self.symbol(name)
             .filter(|symbol| symbol.statement < self.current)
             .and_then(|symbol| symbol.entity)
     }
 
-    /// What the statement in hand has made of the name.
+    /// The entity that the statement in hand has made of the name.
     pub(super) fn made(&self, name: &Ident) -> Option<Entity> {
         self.symbol(name).and_then(|symbol| symbol.entity)
     }

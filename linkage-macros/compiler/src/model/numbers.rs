@@ -1,4 +1,4 @@
-//! What an expression must be to stand where it stands: a length, an angle, a fixed number.
+//! Checks that an expression fits its place: a length, an angle, a fixed number.
 
 use proc_macro2::Ident;
 
@@ -84,7 +84,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// What to write where a product misses a dimension and has a number without a unit:
+    /// The correction of a product that lacks a dimension and has a number without a unit:
     /// `-10 * rate(s)` as a force.
     fn factor_without_unit(&self, expr: &tree::Expr, missing: Dimension) -> Option<String> {
         let unit = missing.unit()?;

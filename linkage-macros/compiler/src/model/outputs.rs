@@ -1,4 +1,4 @@
-//! What is computed: the fields of the result.
+//! Outputs: the fields of the result.
 
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
@@ -187,7 +187,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// What is given from outside or stands in the ground is no result.
+    /// Reports a name that is given from outside or stands in the ground: it is no result.
     fn output_is_a_result(&mut self, name: &Ident) -> Option<()> {
         let kind = self.names.kind(name);
         let reason = match kind {

@@ -1,5 +1,4 @@
-//! What expressions read off the points and links that are placed already: coordinates, distances,
-//! angles and slides.
+//! Readings of points and links that are placed already: coordinates, distances, angles and slides.
 
 use proc_macro2::Ident;
 
@@ -13,16 +12,16 @@ use super::expressions::{Quantity, counted};
 use super::mechanism::{Axis, Carrier, Expr, GuideId, LinkId, PointId, Step};
 use super::names::Kind;
 
-/// What a rate may be called by whoever looks for it among the members of a point.
+/// Words under which a user may look for a rate among the members of a point.
 const RATES: [&str; 7] = ["velocity", "acceleration", "speed", "rate", "vx", "vy", "v"];
 
-/// What links and inputs have as outputs about forces.
+/// True if links or inputs have an output of this name about forces.
 fn is_of_forces(word: &str) -> bool {
     ["drive", "push", "normal", "couple"].contains(&word)
 }
 
 impl Resolver<'_> {
-    /// What an expression reads of a point or a link.
+    /// The value of a member of a point or a link in an expression.
     pub(super) fn member(&mut self, owner: &Ident, member: &Ident) -> Option<Quantity> {
         match self.names.kind(owner) {
             Some(Kind::Point) => {
@@ -137,7 +136,7 @@ impl Resolver<'_> {
 
     fn offset_from_a_line(&mut self, argument: &tree::Expr) -> Option<GuideId> {
         match bare_name(argument) {
-            // What is wrong with the first argument was said there.
+            // A mistake in the first argument was reported there.
             Some(name) if self.names.kind(name) == Some(Kind::Point) => {
                 let message =
                     format!("`{name}` is a point, and an offset is measured from a guide");
@@ -161,7 +160,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// Whether the expression is the bare name of a point or a guide.
+    /// True for the bare name of a point or a guide.
     pub(super) fn is_a_place(&self, expr: &tree::Expr) -> bool {
         let is_place = |kind| matches!(kind, Some(Kind::Point | Kind::Guide));
         bare_name(expr).is_some_and(|name| is_place(self.names.kind(name)))
@@ -181,7 +180,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// What a link offers to expressions is its angle, and its slide if it slides.
+    /// The value of a link's member: its angle, or its slide if it slides.
     fn member_of_link(&mut self, owner: &Ident, member: &Ident) -> Option<Quantity> {
         let link = self.link(owner);
         match member.to_string().as_str() {

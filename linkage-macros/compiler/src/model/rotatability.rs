@@ -25,7 +25,7 @@ struct TurningCrank<'m> {
     name: PointId,
 }
 
-/// What stands still, and what turns on it.
+/// The fixed points and guides, and the cranks that turn on them.
 #[derive(Default)]
 struct Ground<'m> {
     points: HashMap<PointId, [Exact; 2]>,
@@ -64,7 +64,7 @@ impl<'m> Ground<'m> {
         }
     }
 
-    /// Of a bar that hangs on a crank, with another bar or with a block on the ground.
+    /// The rotatability of a bar that hangs on a crank, with another bar or a block on the ground.
     fn rotatability(&self, mechanism: &Mechanism, step: &Step) -> Option<Rotatability> {
         let Step::Group(group @ Group { id, outer, lengths, pin: Some(_), .. }) = step else {
             return None;

@@ -1,4 +1,4 @@
-//! What stands between `unknown` and `solve`.
+//! The statements between `unknown` and `solve`.
 
 use std::collections::HashSet;
 

@@ -14,7 +14,7 @@ use super::names::{Entity, Kind};
 use super::searched::Searched;
 use crate::syntax::anatomy::Modes;
 
-/// What both modes mean.
+/// The meaning of both modes.
 const MODES: &str = "`rising` or `falling`: how left minus right goes at the root while the unknown \
                      grows";
 
@@ -84,7 +84,7 @@ impl Resolver<'_> {
         Some((equation, measure))
     }
 
-    /// What is zero where both sides are equal.
+    /// The equation of two sides: its expression is zero where they are equal.
     fn between_sides(
         &mut self,
         (left, a): (&tree::Expr, Quantity),

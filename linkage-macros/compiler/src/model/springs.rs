@@ -62,7 +62,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Whether one of the ends is a body: then the other should be one, too.
+    /// True if one of the ends is a body: the other should then be one, too.
     pub(super) fn is_between_bodies(&self, ends: &[Ident; 2]) -> bool {
         ends.iter().any(|end| end == "ground" || self.names.kind(end) == Some(Kind::Link))
     }
@@ -268,7 +268,7 @@ impl Resolver<'_> {
     }
 }
 
-/// What a spring has to offer: what it exerts, and how far it is stretched or turned.
+/// The members of a spring: its force and length, or its torque and angle.
 pub(super) fn parts(ends: Ends) -> [&'static str; 2] {
     match ends {
         Ends::Points(_) => ["force", "length"],
@@ -276,7 +276,7 @@ pub(super) fn parts(ends: Ends) -> [&'static str; 2] {
     }
 }
 
-/// Whether the expression is a rate.
+/// True if the expression is a rate.
 pub(super) fn is_rate(expr: &Expr) -> bool {
     matches!(&expr.kind, ExprKind::Call(function, _) if function == RATE)
 }

@@ -170,8 +170,8 @@ impl Resolver<'_> {
         })
     }
 
-    /// What is asked for, by the rules for it. Where one request is not understood, it may be any of
-    /// the names, and all of them become fields.
+    /// Resolves the requested outputs. If one of them is not understood, it may be any of the names:
+    /// all names then become fields.
     fn outputs_of_stub(&mut self, tree: &Declaration) {
         self.mechanism.outputs.clear();
         self.mechanism.dynamics.asked.clear();
@@ -220,7 +220,7 @@ impl Resolver<'_> {
         self.mechanism.outputs.push(Output { field: name.clone(), docs: Vec::new(), kind });
     }
 
-    /// Whether an expression holds the angle of a link, itself or under a name that an earlier
+    /// True if an expression holds the angle of a link, directly or under a name that an earlier
     /// statement gives it.
     fn holds_angle(&self, tree: &Declaration, value: &tree::Expr, before: usize) -> bool {
         match &value.kind {
@@ -241,7 +241,7 @@ impl Resolver<'_> {
         self.mechanism.outputs.iter().any(|output| output.field == *name)
     }
 
-    /// Whether an output has become a field.
+    /// True if an output has become a field.
     fn is_given(&self, item: &OutputItem) -> bool {
         let dynamics = &self.mechanism.dynamics;
         let owns = |name: &Ident| dynamics.asked.iter().any(|asked| asked.owner == *name);

@@ -1,11 +1,11 @@
-//! What errors call groups, springs, forces and inputs.
+//! Titles of groups, springs, forces and inputs in errors.
 
 use super::dynamics::{Ends, Force, Spring};
 use super::mechanism::{Carrier, Mechanism, PointId};
 
 impl Mechanism {
-    /// What errors call the groups, and behind them what acts along a line between two points, which
-    /// has no direction where they meet: springs, then forces; and inputs, which may move no mass.
+    /// Titles for errors, in this order: groups; springs, then forces, along a line between two
+    /// points, which has no direction where they meet; inputs, which may move no mass.
     pub(crate) fn titles(&self) -> Vec<String> {
         let groups = self.groups.iter().map(|group| group.title.clone());
         let springs = self.dynamics.springs.iter().map(|spring| self.spring_title(spring));

@@ -4,7 +4,7 @@ use crate::exact::Exact;
 
 use super::mechanism::Dimension;
 
-/// What the unit measures and its exact value in SI.
+/// The dimension of the unit and its exact value in SI.
 pub(super) fn unit(name: &str) -> Option<(Dimension, Exact)> {
     let ratio = |above: i64, below: i64| {
         Exact::integer(above).div(&Exact::integer(below)).expect("no unit divides by zero")

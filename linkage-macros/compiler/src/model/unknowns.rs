@@ -109,7 +109,7 @@ impl Resolver<'_> {
         Some([from, to])
     }
 
-    /// What is declared of a number that is constant or a parameter, or the negative of one.
+    /// The declared value of a constant or a parameter, or of the negative of one.
     fn declared(&self, expr: &Expr) -> Option<Exact> {
         match expr {
             Expr::Constant(value) => Some(value.clone()),
@@ -145,13 +145,13 @@ impl Resolver<'_> {
         }
     }
 
-    /// Whether the value changes with the unknown that is searched.
+    /// True if the value changes with the unknown that is searched.
     pub(super) fn changes_with(&self, searched: &Searched, expr: &Expr) -> bool {
         let changes = |expr: &Expr| self.changes_with(searched, expr);
         let reaches = |entity| searched.reaches(entity);
         match expr {
             Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => false,
-            // Of forces alone.
+            // Only forces read these.
             Expr::Twist(_) | Expr::Rate(_) => false,
             Expr::Unknown(id) => *id == searched.id,
             Expr::Let(id) => reaches(Entity::Let(*id)),
@@ -249,7 +249,7 @@ impl Resolver<'_> {
     }
 }
 
-/// Whether the effort follows from the power of all that acts, without any reaction.
+/// True if the effort follows from the power of all that acts, without any reaction.
 pub(super) fn is_of_power(effort: Effort) -> bool {
     match effort {
         Effort::Input(_) | Effort::Unknown(_) | Effort::Spring(_) | Effort::Shaking => true,
@@ -263,7 +263,7 @@ pub(super) fn is_of_power(effort: Effort) -> bool {
 
 /// Which of the two angles, in degrees, lies on no stretch that holds the other.
 fn outside(stretches: &[[f64; 2]], [from, to]: [f64; 2]) -> Option<usize> {
-    // What is shown in degrees was rounded.
+    // Angles shown in degrees are rounded.
     const ROOM: f64 = 1e-9;
     let reaches = |[low, high]: &[f64; 2]| {
         let turns = ((from - low + ROOM) / 360.0).floor() * 360.0;

@@ -83,7 +83,7 @@ impl Resolver<'_> {
         Some(entity)
     }
 
-    /// What stands for a number and is not known may be an input, or hold one.
+    /// Remembers that an unknown name for a number may be an input, or hold one.
     fn name_is_unknown(&mut self, kinds: &[Kind]) {
         if kinds == NUMBERS {
             self.use_is_hidden = true;
@@ -152,7 +152,7 @@ impl Resolver<'_> {
     }
 }
 
-/// Whether it is a unit, or a power of one as on a drawing, and hardly a name: `2kg*m2`.
+/// True for a unit, or a power of one as on a drawing, that is hardly a name: `2kg*m2`.
 fn is_meant_as_unit(name: &str) -> bool {
     let unit = name.trim_end_matches(['2', '3']);
     UNITS.contains(&unit) && !LIKELY_NAMES.contains(&unit)
@@ -160,7 +160,7 @@ fn is_meant_as_unit(name: &str) -> bool {
 
 /// "input, parameter or `let`"
 fn words(kinds: &[Kind]) -> String {
-    // What is searched is not among what is usually meant.
+    // An unknown is seldom meant: it is listed only where nothing else fits.
     let usual = kinds.iter().filter(|&&kind| kind != Kind::Unknown || kinds.len() == 1);
     let words: Vec<_> = usual.map(|kind| kind.word()).collect();
     listed(&words, "or")
@@ -175,7 +175,7 @@ fn one_of(kinds: &[Kind]) -> String {
     listed(&words, "or")
 }
 
-/// What to write instead, where a name of one kind stands where another belongs.
+/// The correction where a name of one kind stands in the place of another.
 fn reason_for_kind(name: &Ident, found: &Symbol, wanted: &[Kind]) -> Option<String> {
     match (found.kind, wanted) {
         (Kind::Link, [Kind::Point]) => {

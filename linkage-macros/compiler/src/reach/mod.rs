@@ -1,5 +1,5 @@
-//! What constant dimensions say before anything is solved: where a point lies, what reaches, over
-//! which angles a crank turns. All of it is exact.
+//! Facts that constant dimensions fix before anything is solved: the place of a point, the reach of a
+//! group, the range of a crank's turn. All of them are exact.
 //!
 //! The rules of the model ask here and put the answers into words.
 

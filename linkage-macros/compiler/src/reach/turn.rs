@@ -123,7 +123,7 @@ impl Limits {
 
 /// The interval with its start in (−180°, 180°].
 fn from_half_turn([from, to]: [f64; 2]) -> [f64; 2] {
-    // What is shown as −180° is a half turn as well.
+    // An angle shown as −180° becomes 180°.
     let turns = ((from + 180.0 - 1e-9) / 360.0).floor() * 360.0;
     [from - turns, to - turns]
 }

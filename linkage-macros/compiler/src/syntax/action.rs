@@ -145,7 +145,7 @@ impl Parser<'_> {
         Ok(Action::ForceBetween { value, points })
     }
 
-    /// Whether the parentheses that stand next hold two components.
+    /// True if the parentheses that stand next hold two components.
     fn is_a_vector(&self) -> bool {
         let Some(TokenTree::Group(group)) = self.peek(0) else { return false };
         let is_comma = |tree: TokenTree| matches!(tree, TokenTree::Punct(p) if p.as_char() == ',');
@@ -191,7 +191,7 @@ impl Parser<'_> {
         Ok([first, self.name_of(what)?])
     }
 
-    /// What was parsed, or `fallback` behind the tokens that are given up with it.
+    /// The parsed value, or `fallback` where the statement is skipped because of a mistake.
     pub(super) fn or_skip<T>(&mut self, parsed: Parse<T>, fallback: T) -> T {
         parsed.unwrap_or_else(|Reported| {
             self.skip_statement();

@@ -1,5 +1,4 @@
-//! What is remembered of mistakes while a declaration is read, so that nothing else is reported because
-//! of them.
+//! Memory of the mistakes in a declaration while it is read, so that they cause no further reports.
 
 use std::collections::HashSet;
 
@@ -7,12 +6,12 @@ use proc_macro2::{Ident, TokenTree};
 
 use super::words;
 
-/// What mistakes leave behind for the rest of the declaration.
+/// Consequences of mistakes for the rest of the declaration.
 #[derive(Default)]
 pub(super) struct Aftermath {
     /// The identifiers that were given up, see [`super::tree::Unread`].
     pub unread: HashSet<String>,
-    /// Whether the statement in hand was told that no expression reads a reaction.
+    /// True if the statement in hand was told that no expression reads a reaction.
     pub reads_a_reaction: bool,
     /// Names that were declared and cannot be: one message is enough for all of their uses.
     refused: HashSet<String>,
@@ -33,7 +32,7 @@ impl Aftermath {
     }
 
     pub(super) fn give_up(&mut self, tree: &TokenTree) {
-        // What is given up may be nested deeper than a stack of calls is.
+        // The tokens given up may be nested deeper than a stack of calls can be.
         let mut trees = vec![tree.clone()];
         while let Some(tree) = trees.pop() {
             match tree {

@@ -1,5 +1,5 @@
-//! What every driver and dyad is made of: its joints, whether it makes a pin, its fields, its
-//! modes, and which of its links slide.
+//! The anatomy of every driver and dyad: its joints, its pin, its fields, its modes, and the links
+//! that slide.
 
 pub(crate) struct Anatomy {
     pub keyword: &'static str,
@@ -38,7 +38,7 @@ pub(crate) enum JointRule {
 pub(crate) enum Reason {
     /// The letter of the keyword that names the joint.
     Letter(&'static str),
-    /// What the driver does.
+    /// A driver's own joint, with the driver's motion in words.
     Driver(&'static str),
 }
 
@@ -54,7 +54,7 @@ pub(crate) struct FieldRule {
     pub name: &'static str,
     pub pair: bool,
     pub needed: Needed,
-    /// What the field says, for a message that misses it.
+    /// The meaning of the field, for the message that it is missing.
     pub meaning: &'static str,
 }
 
@@ -76,7 +76,7 @@ pub(crate) enum Modes {
     Trend,
 }
 
-/// What there is to know of a kind of mode.
+/// The properties of a kind of mode.
 pub(crate) struct ModeRow {
     /// The word for +1, and that for −1.
     pub words: [&'static str; 2],
@@ -229,17 +229,17 @@ impl Anatomy {
         matches!(self.pin, Pin::None(_))
     }
 
-    /// Whether it is a dyad and not a driver: a dyad has a transmission angle.
+    /// True for a dyad, which has a transmission angle; false for a driver.
     pub(crate) fn is_dyad(&self) -> bool {
         self.joints.len() == 2
     }
 
-    /// Whether it can be out of reach: its two modes meet where it just reaches.
+    /// True if it can be out of reach: its two modes meet at the limit.
     pub(crate) fn has_a_limit(&self) -> bool {
         self.modes.is_some()
     }
 
-    /// Whether it has bars, whose lengths are given.
+    /// True if it has bars, whose lengths are given.
     pub(crate) fn has_length(&self) -> bool {
         self.fields.iter().any(|field| ["length", "lengths"].contains(&field.name))
     }

@@ -179,7 +179,7 @@ impl Parser<'_> {
         Ok(Expr { kind: value.map_or(ExprKind::Mistake, |value| value.kind), span })
     }
 
-    /// What begins with a name: the name alone, a member, a call.
+    /// Parses an operand that begins with a name: the name alone, a member, a call.
     fn named(&mut self, name: Ident) -> Parse<Expr> {
         let (name, word) = match self.aftermath.was_refused(&name) {
             true => (stand_in(&name), String::new()),
@@ -248,7 +248,7 @@ impl Parser<'_> {
                 format!("write `rate({link}.{member})`"),
                 "in the values of forces and torques; of outputs, `velocity` gives the rates",
             )),
-            // Of a point of a link, or of what acts on the link there.
+            // Any other member is a point of a link, or the reaction on the link there.
             _ if MEMBERS.iter().any(|known| member == known) => None,
             _ if is_coordinate(&last) && self.asks => Some((
                 format!(
@@ -308,7 +308,7 @@ impl Parser<'_> {
                 inner.skip_to_comma();
                 inner.give_up_since(first);
             }
-            // Of the part that was read nothing is known where the rest is missing.
+            // An argument that was read in part counts as a mistake.
             arguments.push(argument.unwrap_or(Expr::mistake(span)));
             inner.take_punct(',');
         }
@@ -360,7 +360,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether there is a comma further on, so that what is missing here is none.
+    /// True if a comma follows further on, so that none is missing here.
     fn comma_follows(&self) -> bool {
         (0..)
             .map_while(|ahead| self.peek(ahead))

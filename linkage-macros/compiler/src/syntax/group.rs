@@ -1,6 +1,6 @@
 //! Statements with braces: `rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: left }`.
 //!
-//! Whether the keyword is one, and which legs and fields it takes, is decided by the model.
+//! The model decides if the keyword names a group, and which legs and fields the group takes.
 
 use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
@@ -10,7 +10,7 @@ use super::tree::{Expr, Field, FieldValue, Group, Leg};
 use super::words;
 
 impl Parser<'_> {
-    /// Whether what comes next reads `link(joint)`.
+    /// True if the next tokens read `link(joint)`.
     fn is_leg(&self) -> bool {
         let Some(TokenTree::Group(joint)) = self.peek(1) else { return false };
         let mut content = joint.stream().into_iter();
@@ -31,7 +31,7 @@ impl Parser<'_> {
         group
     }
 
-    /// What stands behind the head of a statement with braces.
+    /// Reads the fields behind the head of a statement with braces.
     pub(super) fn fields_in_braces(&mut self, group: &mut Group) {
         match self.take_group(Delimiter::Brace) {
             Some(braces) => {
@@ -258,15 +258,15 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether the next token is parentheses around a comma.
+    /// True if the next token is parentheses around a comma.
     fn pair_begins(&self) -> bool {
         let Some(TokenTree::Group(group)) = self.peek(0) else { return false };
         let comma = |tree| matches!(tree, TokenTree::Punct(punct) if punct.as_char() == ',');
         group.delimiter() == Delimiter::Parenthesis && group.stream().into_iter().any(comma)
     }
 
-    /// Whether `word` is a keyword of a group, or is used like one: in front of `link(joint)`
-    /// and braces.
+    /// True if `word` is a keyword of a group, or is used like one: in front of `link(joint)` and
+    /// braces.
     pub(super) fn is_group_keyword(&self, word: &str) -> bool {
         let braces = |ahead| match self.peek(ahead) {
             Some(TokenTree::Group(group)) => {

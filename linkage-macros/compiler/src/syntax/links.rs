@@ -36,7 +36,7 @@ impl Parser<'_> {
         Ok(StatementKind::Link { links, fields })
     }
 
-    /// Whether a statement that was just read ended with its braces.
+    /// True if the statement that was just read ended with its braces.
     pub(super) fn ended_with_braces(&self) -> bool {
         matches!(self.previous(), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace)
     }
@@ -71,7 +71,7 @@ impl Parser<'_> {
         Ok(pins)
     }
 
-    /// Whether a name stands behind the comma that is no other link.
+    /// True if a name that is no other link follows the comma.
     fn another_guide_follows(&self) -> bool {
         self.is_punct(0, ',')
             && self.peek_ident(1).is_some()

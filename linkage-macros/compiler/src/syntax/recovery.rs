@@ -42,7 +42,7 @@ impl Parser<'_> {
         self.skipped = true;
     }
 
-    /// Whether the statement in hand was given up; asking forgets it.
+    /// Returns and clears the mark that the statement in hand was given up.
     pub(super) fn take_skipped(&mut self) -> bool {
         std::mem::take(&mut self.skipped)
     }
@@ -51,7 +51,7 @@ impl Parser<'_> {
         self.skipped
     }
 
-    /// Whether a statement certainly begins here: words that may be names are not enough.
+    /// True if a statement certainly begins here: words that may be names are not enough.
     pub(super) fn statement_begins(&self) -> bool {
         if self.is_punct(0, '#') {
             return self.is_group(1, Delimiter::Bracket);

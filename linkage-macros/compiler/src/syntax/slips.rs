@@ -9,7 +9,7 @@ use super::words;
 use crate::diagnostics::nearest;
 
 impl Parser<'_> {
-    /// What may have been meant by a word that begins no statement and was taken.
+    /// The likely meaning of a word that begins no statement. The word is consumed already.
     pub(super) fn reason_of_unknown(&self, word: &str) -> String {
         if word == "pub" {
             return "leave it out: parameters and results are public".to_string();

@@ -363,7 +363,7 @@ fn mistake(name: &Ident) -> Expr {
     Expr::mistake(name.span())
 }
 
-/// Whether a path may stand in an import: it leads through modules, and no type.
+/// True if a path may stand in an import: it leads through modules, and names no type.
 fn can_be_imported_from(path: &syn::Path) -> bool {
     let is_start = |word: &Ident| ["self", "super", "crate"].iter().any(|start| word == start);
     let rooted = path.leading_colon.is_some();

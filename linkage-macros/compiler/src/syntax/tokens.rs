@@ -19,7 +19,7 @@ pub(super) struct Parser<'d> {
     /// The closing delimiter.
     end: Span,
     closing: &'static str,
-    /// How many delimiters and signs surround the expression in hand.
+    /// The number of delimiters and signs around the expression in hand.
     pub depth: usize,
     /// Where the last expression ended.
     expression_end: usize,
@@ -30,7 +30,7 @@ pub(super) struct Parser<'d> {
     pub aftermath: &'d mut Aftermath,
     /// Where the statement in hand begins.
     pub start: usize,
-    /// Whether the statement in hand asks for results, so that a reaction may be meant.
+    /// True if the statement in hand asks for results, so that a reaction may be meant.
     pub asks: bool,
 }
 
@@ -224,7 +224,7 @@ impl<'d> Parser<'d> {
         Err(Reported)
     }
 
-    /// What habit from elsewhere may have put the next token here.
+    /// The habit from elsewhere that may have put the next token here, as a hint.
     pub(super) fn reason(&self) -> Option<&'static str> {
         if self.is_punct(0, '^') || self.is_sign(['*', '*']) {
             return Some("a power is written as a product: `x * x`");

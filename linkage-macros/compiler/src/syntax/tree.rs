@@ -19,8 +19,8 @@ pub(crate) struct Declaration {
     pub unread: Unread,
 }
 
-/// What a mistake kept from being read. A name in it may have been declared or used there: later
-/// phases say nothing of its absence.
+/// The tokens that a mistake kept from being read. A name among them may have been declared or used
+/// there, so later phases do not report its absence.
 #[derive(Clone)]
 pub(crate) enum Unread {
     /// Nothing behind the name of the mechanism.
@@ -73,7 +73,7 @@ pub(crate) enum StatementKind {
     Group(Group),
     /// `load cut: force;`; without a kind only after a mistake.
     Load { names: Vec<Ident>, kind: Option<Ident> },
-    /// What has mass, and what acts.
+    /// A mass or an action.
     Action(Action),
     /// `output blade, DC.angle, fold = BC.angle - DC.angle;`
     Output { items: Vec<OutputItem> },
@@ -86,7 +86,7 @@ pub(crate) enum StatementKind {
 }
 
 impl StatementKind {
-    /// Whether it puts a force on a point or two.
+    /// True if it puts a force on one or two points.
     pub(crate) fn is_force(&self) -> bool {
         matches!(self, Self::Action(Action::Force { .. } | Action::ForceBetween { .. }))
     }
@@ -172,7 +172,8 @@ pub(crate) struct Group {
     pub fields: Vec<Field>,
     /// The closing brace, where a missing field is reported.
     pub end: Span,
-    /// Whether all of its legs and its pin were read: after a mistake none of them is missing.
+    /// True if all of its legs and its pin were read. After a mistake none of them is reported
+    /// missing.
     pub head_is_read: bool,
     /// The same for the names of its fields.
     pub fields_are_read: bool,
@@ -208,12 +209,12 @@ pub(crate) struct Solve {
     pub near: Option<Expr>,
     /// The closing brace, where a missing mode is reported.
     pub end: Span,
-    /// Whether all of it was read: after a mistake nothing is missing.
+    /// True if all of it was read. After a mistake nothing is reported missing.
     pub is_read: bool,
 }
 
 impl Group {
-    /// What has fields, but neither links nor a pin.
+    /// A statement with fields, but without links or a pin.
     pub(super) fn without_links(keyword: Ident, end: Span) -> Self {
         Self {
             keyword,
@@ -262,7 +263,7 @@ pub(crate) enum FieldValue {
     Pair([Expr; 2]),
 }
 
-/// What a guide goes through.
+/// The place a guide goes through.
 #[derive(Clone)]
 pub(crate) enum Spot {
     At([Expr; 2]),
@@ -336,7 +337,7 @@ impl Expr {
         Self { kind: ExprKind::Mistake, span: at.into() }
     }
 
-    /// What the expression is made of, from left to right.
+    /// The parts of the expression, from left to right.
     pub(crate) fn parts<'e>(&'e self) -> Box<dyn Iterator<Item = &'e Expr> + 'e> {
         match &self.kind {
             ExprKind::Negate(operand) => Box::new(std::iter::once(&**operand)),

@@ -12,7 +12,7 @@ use super::words::UNITS;
 /// No quantity of mechanics has a higher power of a unit, and powers of powers must not overflow.
 const HIGHEST_POWER: i32 = 9;
 
-/// Whether the parentheses hold units and nothing else that has a name.
+/// True if the parentheses hold units and no other names.
 fn holds_units(group: &Group) -> bool {
     let mut names = group.stream().into_iter().filter_map(|tree| match tree {
         TokenTree::Ident(name) => Some(name.to_string()),

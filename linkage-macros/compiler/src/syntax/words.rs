@@ -108,7 +108,7 @@ pub(super) fn meant_by(word: &str) -> Option<&'static str> {
     }
 }
 
-/// How the language builds what engineers have a word for, and it has none.
+/// The construction that replaces an element for which the language has no word.
 pub(crate) fn built_by(word: &str) -> Option<&'static str> {
     match word {
         "gear" | "wheel" | "pulley" | "sprocket" | "belt" | "chain" => Some(

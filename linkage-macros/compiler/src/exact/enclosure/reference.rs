@@ -1,4 +1,4 @@
-//! What the oracle of the tests asks of enclosures beyond what the compiler needs.
+//! Operations on enclosures that only the oracle of the tests needs.
 
 use num_bigint::BigInt;
 use num_integer::Integer;

@@ -15,7 +15,7 @@ fn signed(text: &str) -> Exact {
     }
 }
 
-/// Whether some number lies in both.
+/// True if some number lies in both.
 fn overlap(a: &Enclosure, b: &Enclosure) -> bool {
     let difference = a.sub(b);
     difference.sign().is_none_or(Ordering::is_eq)
@@ -69,7 +69,7 @@ fn normal_forms_keep_the_value() {
     }
 }
 
-/// What a function makes of an enclosure holds what it makes of the points in it.
+/// The image of an enclosure contains the images of the points in it.
 #[test]
 fn wide_enclosures_hold_the_values_of_their_points() {
     type Function = (&'static str, fn(&Enclosure) -> Option<Enclosure>);

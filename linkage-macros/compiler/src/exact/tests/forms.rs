@@ -1,4 +1,4 @@
-//! What is structurally equal, and what the identities make of roots and angles.
+//! Structural equality, and the identities of roots and angles.
 
 use core::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! What a declaration with mistakes still offers to the code that uses it.
+//! The interface that a declaration with mistakes still offers to the code that uses it.
 
 use std::collections::HashSet;
 

@@ -1,4 +1,4 @@
-//! What constants rule out.
+//! Declarations that constants rule out.
 
 use super::*;
 

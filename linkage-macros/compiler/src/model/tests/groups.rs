@@ -1,4 +1,4 @@
-//! What a group is made of.
+//! The parts of a group.
 
 use super::*;
 

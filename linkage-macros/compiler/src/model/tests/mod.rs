@@ -25,7 +25,7 @@ use super::resolve;
 use crate::diagnostics::Diagnostics;
 use crate::syntax::parse;
 
-// What the statements of a row may build on.
+// Statements that a row may build on.
 const NOTHING: &str = "";
 const INPUT: &str = "input t: angle;";
 const CRANK: &str = "input t: angle; ground A(0, 0), D(4m, 0); \

@@ -224,7 +224,7 @@ fn a_mechanism_has_inputs_and_uses_them() {
     ]);
 }
 
-/// What is unknown because of a reported mistake brings no second message in `output`.
+/// An unknown that stems from a reported mistake brings no second message in `output`.
 #[test]
 fn reactions_of_a_group_in_error_are_not_reported() {
     const UNKNOWN: &str = "no input, parameter or `let` named `x` / declared so far: `t`";
@@ -352,8 +352,8 @@ fn an_order_that_works_is_told_or_the_circle() {
     ]);
 }
 
-/// What the message of a circle says to write is a mechanism; where no single unknown opens the
-/// circle, it says so.
+/// The rewriting proposed in the message of a circle is a mechanism. Where no single unknown opens
+/// the circle, the message says so.
 #[test]
 fn a_group_of_class_three_is_told_what_to_write() {
     const LEGS: &str = "input t: angle; ground A1(0, 0), A2(2.6m, 0.1m), O(2m, 1.5m); param reach = 1.1m; \

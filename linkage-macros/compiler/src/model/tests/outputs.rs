@@ -1,4 +1,4 @@
-//! What is asked for.
+//! Requested outputs.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! What legal declarations resolve to.
+//! Resolved forms of legal declarations.
 
 use super::super::mechanism::{Numerics, PointId};
 use super::text::text;

@@ -222,7 +222,7 @@ fn habits_from_elsewhere() {
             "rrr BC(B), DC(D) -> C { mode: left, lengths: 2 * 0.3m, 374mm }",
             "lengths: write `lengths: (…, …)` / two values of a field stand in parentheses",
         ),
-        // What is wrong with these is the model's to say, once.
+        // The model reports the mistakes in these, once.
         ("rrr BC(B), DC(D) -> C { lengths: (1m, 1m), mode: +1 }", ""),
         ("rrr BC(B), DC(D), EC(E) -> C { lengths: (1m, 1m, 1m), mode: left }", ""),
     ];

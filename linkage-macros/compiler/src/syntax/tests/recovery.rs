@@ -41,7 +41,7 @@ angle: write `DC.angle` without parentheses / expressions have functions and mem
          methods
 pi: expected `;`, found `pi` / a product is written with `*`"
     );
-    // What was named keeps its place.
+    // Named things keep their places.
     assert_eq!(
         tree,
         "input theta: ?

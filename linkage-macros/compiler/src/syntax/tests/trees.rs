@@ -1,4 +1,4 @@
-//! What parses, and into what.
+//! Declarations that parse, and their trees.
 
 use super::{body, parsed};
 
@@ -86,7 +86,7 @@ fn every_group_has_its_tree() {
         "prp p(rail1), q(rail2) -> C { offsets: (0, 1) }",
         "prp p(rail1), q(rail2) -> C {  }",
         "rpp block(B), yoke(rail) { slot: 90deg, offsets: (0, 0) }",
-        // Whether there is such a group is for the model to say.
+        // The model decides if such a group exists.
         "prr piston(rail), BC(B) -> C { length: l }",
         "triode a(A), b(B), c(C) { x: 1 }",
     ] {
