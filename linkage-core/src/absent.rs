@@ -3,8 +3,8 @@
 //! The traits of this module are conditions that nothing fulfils, or that only the right argument
 //! does. All they are for is what the compiler says where they are not met.
 
-/// What a solver takes for several inputs, or for several loads, as one argument: an array in the
-/// order of their declaration, or the record `R` with a field for each.
+/// The argument that holds several inputs or loads of a solver: an array in the order of their
+/// declaration, or the record `R` with a field for each.
 #[diagnostic::on_unimplemented(
     message = "the numbers of `{R}` are one argument, and `{Self}` is not all of them",
     label = "write an array, as in `[a, b]`, or the record",
@@ -15,7 +15,7 @@ pub trait Inputs<R>: Into<R> {}
 #[diagnostic::do_not_recommend]
 impl<A: Into<R>, R> Inputs<R> for A {}
 
-/// Of every type the type itself alone.
+/// Implemented for each type by the type itself alone.
 #[diagnostic::on_unimplemented(
     message = "`new` makes a solver in `f64`; write `default` for one in `{T}`",
     label = "write `default()` in place of `new()`"
@@ -29,9 +29,9 @@ macro_rules! conditions {
     ($($(#[$attribute:meta])* $condition:ident)*) => {$(
         $(#[$attribute])*
         pub trait $condition {
-            /// What the call would give.
+            /// The type that the call would return.
             type Answer;
-            /// What there is none of.
+            /// Never called: no solver fulfils the condition.
             fn answer(&self) -> Self::Answer;
         }
     )*};
@@ -159,7 +159,7 @@ macro_rules! of_what_may_be_absent {
 }
 
 of_what_may_be_absent! {
-    /// What a solver may not offer. Where it does, it has a method of its own, which comes first.
+    /// Calls that a solver may not offer. An inherent method of the solver takes precedence over them.
     Absent,
 }
 

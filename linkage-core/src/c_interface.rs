@@ -1,4 +1,4 @@
-//! What the C functions of `export c;` answer with: a status code, and a record of what it means.
+//! Answers of the C functions of `export c;`: a status code, and a record that explains it.
 //!
 //! The layouts and codes here are the ones that the generated header declares. Pointers are only
 //! made here; what follows one is written where `export c;` is, in the crate that asked for it.
@@ -14,8 +14,8 @@ use crate::{Sense, Side, SolveError};
 pub struct CError {
     /// 0, or one of the codes below.
     pub status: i32,
-    /// How much is missing, in metres, where a group is out of reach; what is left of the equation
-    /// where an unknown has no solution; otherwise 0.
+    /// The missing length in metres where a group is out of reach; the remaining difference of the
+    /// equation where an unknown has no solution; otherwise 0.
     pub by: f64,
     /// The links of the group, not terminated; null where no group is to blame.
     pub group: *const u8,

@@ -23,7 +23,7 @@ pub trait Compose:
     + Neg<Output = Self>
     + 'static
 {
-    /// What the real part and the derivatives are made of.
+    /// The type of the real part and of the derivatives.
     type Part: Real;
 
     /// The highest derivative that is carried, 3 at most.
@@ -47,10 +47,10 @@ pub trait Compose:
         (a * b + c).with_real(part)
     }
 
-    /// Whether all derivatives pass the test.
+    /// True if all derivatives pass the test.
     fn derivatives_all(self, test: impl Fn(Self::Part) -> bool) -> bool;
 
-    /// Whether no derivative is carried; of a type that always carries some, whether all are zero.
+    /// True if no derivative is carried; for a type that always carries some, true if all are zero.
     ///
     /// A number that depends on something may have a derivative of zero, and √(x²) has none at
     /// zero all the same.
@@ -59,7 +59,7 @@ pub trait Compose:
     }
 }
 
-/// Whether a part, derivatives of its own included, is zero.
+/// True if a part is zero, its own derivatives included.
 fn is_zero<T: Real>(part: T) -> bool {
     part.value() == 0.0 && part.is_constant()
 }
@@ -77,7 +77,7 @@ fn along_and_across<D: Compose>(x: D, y: D) -> (D, D, D::Part) {
     let inverse = D::constant(lit::<D::Part>(1.0) / length);
     let cos = D::constant(x.real() / length);
     let sin = D::constant(y.real() / length);
-    // What the real parts are in real numbers, whatever derivatives they carry themselves.
+    // The real parts are exact: 1 and 0, whatever derivatives they carry themselves.
     let along = ((cos * x + sin * y) * inverse).with_real(lit(1.0));
     let across = ((cos * y - sin * x) * inverse).with_real(lit(0.0));
     (along, across, length)

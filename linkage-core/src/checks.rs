@@ -108,7 +108,7 @@ pub trait Checks<T: Scalar> {
 #[derive(Clone, Copy, Debug)]
 pub struct FirstError {
     first: Option<SolveError>,
-    /// What is wrong if nothing else turns out to be.
+    /// The error to report if no other condition fails.
     otherwise: Option<SolveError>,
 }
 
@@ -119,7 +119,7 @@ impl FirstError {
         Self { first: None, otherwise: None }
     }
 
-    /// What was wrong first.
+    /// Returns the first error.
     ///
     /// # Errors
     /// The condition that was not met.

@@ -1,5 +1,5 @@
-//! How clear of its limit each group is, with rates: what a solver says of itself to whoever follows its
-//! motion.
+//! Clearances of the groups and their rates, by which a solver reports how near each group is to its
+//! limit.
 
 mod jet;
 mod told;
@@ -8,7 +8,7 @@ pub(crate) use jet::Jet;
 pub(crate) use told::moving;
 pub use told::told;
 
-/// How clear of its limit a group is: zero at a toggle, negative out of reach.
+/// The distance of a group from its limit: zero at a toggle, negative out of reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clearance<T> {
     /// The value under the square root of the group's height.

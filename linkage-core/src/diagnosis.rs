@@ -53,7 +53,7 @@ fn behind_reach<T: Scalar>(met: T::Mask, value: T, scale: T, operands: &[T]) -> 
     })
 }
 
-/// Whether the value is above zero whatever rounding did to it.
+/// True if the value is above zero even with the largest rounding error.
 fn is_certain<T: Real>(value: T, spread: T) -> bool {
     let value = value.value();
     value.is_finite() && value > ROUNDINGS * T::EPSILON * spread.value()

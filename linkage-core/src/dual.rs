@@ -15,7 +15,7 @@ use crate::Real;
 use crate::chain_rule::Compose;
 use crate::scalar::lit;
 
-/// What a dual number of `num-dual` can be made of.
+/// A type that can be the part of a `num-dual` dual number.
 pub trait Part: Real + DualNum {}
 
 impl<T: Real + DualNum> Part for T {}
@@ -125,7 +125,7 @@ impl<T: Part> Compose for HyperHyperDual<T> {
     }
 }
 
-/// Whether all entries pass the test; no entries, no derivative.
+/// True if all entries pass the test; an absent derivative has no entries.
 macro_rules! all_of {
     ($derivative:expr, $test:expr) => {
         match &$derivative {

@@ -27,7 +27,7 @@ pub struct Lanes<T, const W: usize, F = Plain> {
     fusion: PhantomData<F>,
 }
 
-/// What a comparison of lanes answers: yes or no for each.
+/// The result of a comparison of lanes: yes or no for each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LaneMask<const W: usize>([bool; W]);
 

@@ -1,4 +1,4 @@
-//! What every solver offers, for code that serves all of them.
+//! The interface that every solver offers, for code that serves all of them.
 
 use crate::solver::Solver;
 use crate::{Record, Scalar, SolveError};
@@ -45,13 +45,13 @@ pub trait Mechanism {
     /// `[Inputs; N]`: for each of `OUTPUTS` its derivatives with respect to the inputs.
     type Coefficients: Copy + AsRef<[Self::Inputs]>;
 
-    /// What the declaration calls it.
+    /// The name in the declaration.
     const NAME: &'static str;
 
-    /// What the inputs are called.
+    /// The names of the inputs.
     const INPUTS: &'static [&'static str];
 
-    /// What the scalar rows of the outputs are called.
+    /// The names of the scalar rows of the outputs.
     const OUTPUTS: &'static [&'static str];
 
     /// Inputs from the number of each.

@@ -1,4 +1,4 @@
-//! What can be done with points and directions: arithmetic, lengths, conversions, text.
+//! Operations on points and directions: arithmetic, lengths, conversions, text.
 //!
 //! The records themselves stand in `results`; conversions to other crates' types, each behind its
 //! feature, in `conversions`.

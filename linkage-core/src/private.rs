@@ -62,7 +62,7 @@ pub use serde;
 #[cfg(feature = "sketch")]
 pub use std::vec::Vec;
 
-/// What generated code calls by its name alone: no functions, as an argument may be called as they are.
+/// Items that generated code calls by their name alone. No functions: an argument may have a function's name.
 pub mod names {
     pub use super::{
         AllMet, AngularAcceleration, AngularVelocity, Checks, Clearance, Clone, Copy, Cost, Debug,

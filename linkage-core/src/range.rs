@@ -1,4 +1,4 @@
-//! How far a machine can go: the inputs at which it can be assembled, and the extremes of an
+//! The range of motion of a machine: the inputs at which it can be assembled, and the extremes of an
 //! output.
 //!
 //! [`limits`] finds the stretches of an input over which a mechanism of one input can be assembled
@@ -142,7 +142,7 @@ impl Stop {
 }
 
 impl<T: Real> Stretch<T> {
-    /// How long it is.
+    /// The width of the stretch, in the unit of the input.
     #[must_use]
     pub fn width(&self) -> T {
         self.to.at - self.from.at
@@ -150,7 +150,7 @@ impl<T: Real> Stretch<T> {
 }
 
 impl<T: Real> Stretches<T> {
-    /// Whether the mechanism can be assembled at every input between the ends that were asked for.
+    /// True if the mechanism can be assembled at every input between the given ends.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         matches!(

@@ -28,13 +28,13 @@ use crate::{Direction, Point, Scalar};
 /// # Ok::<(), linkage_core::SolveError>(())
 /// ```
 pub trait Record: Sized {
-    /// What the record holds.
+    /// The type of the record's numbers.
     type Number;
 
     /// `[Number; N]`, in the order of the record's fields and their components.
     type Array: AsRef<[Self::Number]> + AsMut<[Self::Number]> + IntoIterator<Item = Self::Number>;
 
-    /// What each number is, as errors call it: `C.x`, `velocity of C.x`, `DC.omega`. A direction holds two
+    /// The name of each number in errors: `C.x`, `velocity of C.x`, `DC.omega`. A direction holds two
     /// numbers, cosine and sine, under the label of its angle.
     const LABELS: &'static [&'static str];
 

@@ -28,7 +28,7 @@ pub struct Force<T = f64> {
     pub y: T,
 }
 
-/// What a guide exerts on the link that slides on it.
+/// The load that a guide exerts on the link that slides on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
@@ -40,7 +40,7 @@ pub struct GuideForce<T = f64> {
     pub couple: T,
 }
 
-/// What the inertia of all masses puts on the ground, weight and applied forces left out.
+/// The load that the inertia of all masses puts on the ground, without weight and applied forces.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
@@ -167,7 +167,7 @@ impl<T: Scalar> Direction<T> {
 }
 
 impl<T: Real> Direction<T> {
-    /// Of all angles 2π apart that mean this direction, the one nearest `previous`.
+    /// The angle nearest `previous` among all angles, 2π apart, of this direction.
     ///
     /// Feeding each answer back as the next `previous` unrolls the angle of a turning link, as
     /// long as it turns less than half a turn between the two. A `previous` that is not finite

@@ -34,7 +34,7 @@ use crate::shown::Digits;
 pub struct Root<T = f64> {
     /// Where f is zero, with the derivatives that f's numbers carry.
     pub at: T,
-    /// How often f was evaluated.
+    /// The number of evaluations of f.
     pub evaluations: u32,
 }
 
@@ -56,7 +56,7 @@ pub enum FindError {
         /// The end, or the dead point, at which f comes nearest to a root of the trend; of several dead
         /// points the nearest of those that were met.
         at: f64,
-        /// How much is missing there, in the unit of f.
+        /// The missing distance there, in the unit of f.
         by: f64,
         /// Where f passes zero against the trend, if it does.
         other: Option<Crossing>,
@@ -147,7 +147,7 @@ pub struct Search<T = f64> {
     /// Where the root is expected. Three steps of Newton's method are tried from there; their
     /// answer is taken if they converge, inside, to a root of the trend.
     pub near: Option<T>,
-    /// How far f may miss zero by its rounding, at an end, for the end to be the root.
+    /// The rounding error of f up to which an end counts as the root.
     pub slack: T,
 }
 

@@ -245,8 +245,7 @@ pub trait Real: Scalar<Mask = bool> {
     #[must_use]
     fn enclosing(self, radius: Self) -> Self::Enclosing;
 
-    /// The smallest and the largest number that this stands for: one and the same, except that a
-    /// range has two.
+    /// The lower and upper bound of this number. They differ only for a range.
     #[doc(hidden)]
     #[must_use]
     fn bounds(self) -> [f64; 2] {
@@ -260,8 +259,8 @@ pub trait Real: Scalar<Mask = bool> {
         self
     }
 
-    /// Of a root of f, which gives its value and its slope, near this number: all that it is while the
-    /// ranges that f is made of take all their values; the number itself where there are none.
+    /// The roots of f near this number, for all values of the ranges in f, which gives value and slope.
+    /// For a number that is no range: the number itself.
     #[doc(hidden)]
     #[must_use]
     fn with_all_roots(self, _f: impl FnMut(Self) -> [Self; 2]) -> Self {
@@ -273,8 +272,8 @@ pub trait Real: Scalar<Mask = bool> {
 mod tests {
     use super::*;
 
-    /// Of numbers of every size whose squares are in range, against double words: by how far the square of the
-    /// root is off, in units of the root's last place.
+    /// The square root is within its bound for numbers of every size whose squares are in range. The error of
+    /// its square, against double words, is measured in units of the root's last place.
     #[test]
     fn a_root_of_squares_is_within_its_bound() {
         use crate::kernels::double_word::DoubleWord;

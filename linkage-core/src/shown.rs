@@ -46,7 +46,7 @@ pub(crate) struct Digits(pub f64);
 impl fmt::Display for Digits {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(value) = *self;
-        // What would round up to the next power of ten has one decimal less.
+        // A value that would round up to the next power of ten has one decimal less.
         match value.abs() {
             0.0 => f.write_str("0"),
             size if size >= 999.5e3 => write!(f, "{value:.2e}"),

@@ -114,9 +114,9 @@ pub trait Solver: Copy {
         false
     }
 
-    /// For each group of its clearance the value and the scale, which are made something `of`; on other
-    /// numbers, that those of the parameters are made into and the inputs are given as. Behind a group
-    /// out of reach there are no numbers.
+    /// Maps each group's clearance, as (value, scale), through `of`. The numbers are of another type:
+    /// `standing` converts the parameters, and `input` gives the inputs. Groups that depend on one
+    /// out of reach have NaN.
     fn told<U: Real, X: Copy>(
         &self,
         standing: impl Fn(Self::Scalar) -> U,

@@ -7,7 +7,7 @@ use crate::roots::FindError;
 use crate::roots::seed::Seed;
 use crate::{Mask, Real, Scalar};
 
-/// Whether every condition was met. Every value goes on as it is.
+/// A mask that is true where every condition is met. Values pass unchanged.
 ///
 /// Inlined always, so that lanes stay on the instruction set of the loop they run in.
 #[derive(Clone, Copy, Debug)]

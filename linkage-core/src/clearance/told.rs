@@ -1,4 +1,4 @@
-//! How formulas of a pose say how clear of their limits the groups are.
+//! The checks through which the formulas of a pose report the clearances of the groups.
 
 use super::{Clearance, Jet};
 use crate::checks::Checks;
@@ -6,8 +6,8 @@ use crate::roots::FindError;
 use crate::roots::unknown::open;
 use crate::{Real, Scalar};
 
-/// Value and scale of every group's clearance, asked of the formulas. Conditions are passed by: what is
-/// out of reach is a number below zero here.
+/// Value and scale of every group's clearance, as the formulas report them. No condition is checked: a
+/// group out of reach has a negative value.
 pub struct Told<T, const N: usize>([[T; 2]; N]);
 
 impl<T: Scalar, const N: usize> Checks<T> for Told<T, N> {
@@ -37,7 +37,7 @@ impl<T: Scalar, const N: usize> Checks<T> for Told<T, N> {
     }
 }
 
-/// What the formulas say.
+/// Runs the formulas and returns the clearances that they report; NaN where they report none.
 #[inline(always)]
 pub fn told<T: Scalar, R, const N: usize>(
     formulas: impl FnOnce(&mut Told<T, N>) -> R,
@@ -47,7 +47,7 @@ pub fn told<T: Scalar, R, const N: usize>(
     told.0
 }
 
-/// Of numbers that move, with the value's rates.
+/// The clearance with the rates of its value, from jets.
 #[inline]
 pub(crate) fn moving<T: Real>([told, scale]: [Jet<T>; 2]) -> Clearance<T> {
     let Jet { value, rate, second_rate, .. } = told;

@@ -1,4 +1,4 @@
-//! What became of the search for an unknown.
+//! Diagnosis of the search for an unknown.
 
 use super::Diagnosis;
 use crate::error::ENDS_OF_BETWEEN;
@@ -28,14 +28,14 @@ pub(crate) fn no_root(
     }
 }
 
-/// What the sides of an equation of this size may differ by at a root: 64 √ε of it. A search ends
-/// where steps below 2⁻²² of its width no longer become shorter; that, 64 times, for `f64`.
+/// The permitted difference between the sides of an equation of this size at a root: 64 √ε of the size.
+/// A search ends where steps below 2⁻²² of its width no longer become shorter; 64 times that, for `f64`.
 pub(crate) fn open_by<T: Scalar>(size: T) -> T {
     // √ε of either width: 2⁻²⁶ and, for 2⁻²³, 2⁻¹¹·⁵.
     T::lit(9.5367431640625e-7, 0.022_097_087) * size
 }
 
-/// Whether an equation is closed in the final pose.
+/// Checks that an equation is closed in the final pose.
 ///
 /// # Errors
 /// `NoSolution` where it is not: its difference jumps from one sign to the other.

@@ -3,7 +3,7 @@
 use super::Diagnosis;
 use crate::{Real, Scalar, SolveError};
 
-/// Whether an input, or a parameter, is finite.
+/// Checks that an input or a parameter is finite.
 ///
 /// # Errors
 /// `NotFinite` with its name.
@@ -12,7 +12,7 @@ pub(crate) fn finite_input<T: Real>(value: T, name: &'static str) -> Result<(), 
     if value.is_finite() { Ok(()) } else { Err(SolveError::NotFinite { name }) }
 }
 
-/// Whether a result is finite, `given` being what it was made from.
+/// Checks that a result is finite, `given` being the numbers it was computed from.
 ///
 /// # Errors
 /// `Singular` where only a derivative that it carries is not finite. Else `NotFinite`: with the

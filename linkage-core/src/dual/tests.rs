@@ -215,7 +215,7 @@ fn all_numbers_agree_on_all_derivatives() {
     same(nested.eps.v2, f3);
 }
 
-/// What stands still is left out of the sums: by each operation with either operand standing.
+/// Constants are left out of the sums, by each operation and with either operand constant.
 #[test]
 fn moving_and_standing_numbers_meet_as_dual_numbers_do() {
     let [re, v1, v2] = [[0.75, 0.5, -1.25], [1.5, -2.0, 3.0], [-0.5, 0.25, 0.125]];

@@ -17,9 +17,9 @@ fn error_f64<F: Fusion>(x: f64, (sin, cos): (DoubleWord, DoubleWord)) -> f64 {
     sin.distance_in_ulp(s, 53).max(cos.distance_in_ulp(c, 53))
 }
 
-/// Of the fast kernel, in units in the last place, and what is promised: half of one for the last
-/// rounding and for that of 1 − r²/2, a quarter for that of r², 0.36 for the remainder's times sin π/4,
-/// and less than 0.1 for the series. The largest seen is 1.42.
+/// The bound of the fast kernel in units in the last place. The promised error is the sum of half a unit
+/// for the last rounding, half for that of 1 − r²/2, a quarter for that of r², 0.36 for the remainder's
+/// times sin π/4, and less than 0.1 for the series. The largest error seen is 1.42.
 const NEAR_BOUND: f64 = 1.7;
 
 /// The same of the fast kernel where operations are fused, without what two words of π/2 are off by: a

@@ -88,7 +88,7 @@ macro_rules! arc {
             #[inline(always)]
             pub(crate) fn $atan2<F: Fusion>(y: $t, x: $t) -> $t {
                 let (across, along) = (y.abs(), x.abs());
-                // What is not a number is one of the two in any case.
+                // A NaN becomes `short` or `long` in any case, so the quotient is NaN as well.
                 let short = if across < along { across } else { along };
                 let long = if across < along { along } else { across };
                 let quotient = short / long;

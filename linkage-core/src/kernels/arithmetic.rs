@@ -1,4 +1,4 @@
-//! What kernels compute with: arithmetic that is the same in both widths.
+//! The arithmetic of the kernels, which is the same in both widths.
 
 use super::{Fusion, native};
 use crate::Real;

@@ -28,7 +28,7 @@ impl DoubleWord {
         Self { high, low: a.mul_add(b, -high) }
     }
 
-    /// How far the number is from `value`, in units of the last place of its own high word
+    /// The distance of the number from `value`, in units of the last place of its own high word
     /// rounded to `bits` of precision.
     pub(crate) fn distance_in_ulp(self, value: f64, bits: i32) -> f64 {
         let exponent = if self.high == 0.0 { -1022 } else { exponent(self.high) };

@@ -1,4 +1,4 @@
-//! Whether a·b + c rounds once or twice.
+//! The choice between a·b + c with one rounding and with two.
 //!
 //! A property of the type, not of the build: inside a function compiled for another instruction
 //! set than the rest, `cfg!` still answers for the rest.
@@ -7,9 +7,9 @@ use core::fmt::Debug;
 
 use super::native;
 
-/// Whether a·b + c is one operation. One of [`Fused`] and [`Plain`].
+/// The choice between a fused and a plain a·b + c: one of [`Fused`] and [`Plain`].
 pub trait Fusion: Copy + Debug + PartialEq + Send + Sync + sealed::Sealed + 'static {
-    /// Whether a·b + c rounds once.
+    /// True if a·b + c rounds once.
     const FUSED: bool;
 }
 
@@ -30,7 +30,7 @@ impl Fusion for Plain {
     const FUSED: bool = false;
 }
 
-/// What single numbers do: fused where the compilation's own target has the instruction.
+/// The choice for single numbers: fused where the compilation's own target has the instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Native {}
 

@@ -1,4 +1,4 @@
-//! What the target does in one instruction but the language reaches only through the standard
+//! Operations that the target does in one instruction but the language reaches only through the standard
 //! library: square root and fused multiplication and addition.
 //!
 //! With the standard library linked (features `std` and `ad`) both are compiler intrinsics, which
@@ -28,7 +28,7 @@ mod intrinsic {
         a.mul_add(b, c)
     }
 
-    /// Whether the compilation's own target has the fused operation as an instruction.
+    /// True if the compilation's own target has the fused operation as an instruction.
     pub(crate) const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
 }
 

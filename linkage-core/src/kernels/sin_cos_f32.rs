@@ -44,7 +44,7 @@ pub(crate) const PARTS: [f32; 5] = [
     6.223371969669989e-14,
 ];
 
-/// What of π/2 the first two parts leave.
+/// The remainder of π/2 after its first two parts.
 const REST: f32 = 3.1391647326017846e-07;
 
 /// At 1.5·2²³ the spacing of f32 is one: adding it rounds to an integer, whose two's complement

@@ -48,7 +48,7 @@ pub(crate) const PARTS: [f64; 4] =
 /// π/2 without 1.5·10⁻³³, in words of 53 bits: where operations are fused no product needs to be exact.
 const WORDS: [f64; 2] = [core::f64::consts::FRAC_PI_2, 6.123233995736766e-17];
 
-/// What of π/2 the first part leaves.
+/// The remainder of π/2 after its first part.
 const REST: f64 = 6.077100506506192e-11;
 
 /// At 1.5·2⁵² the spacing of f64 is one: adding it rounds to an integer, whose two's complement

@@ -1,4 +1,4 @@
-//! What the solver says of a stretch that its clearances allow.
+//! Confirmation, by the solver, of a stretch that its clearances allow.
 //!
 //! The stretch is sampled, and where there is no pose, its end is moved to the last input at which
 //! there is one: by rounding at a limit, and elsewhere to where a dimension is none any more.

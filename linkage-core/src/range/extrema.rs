@@ -53,7 +53,7 @@ impl<T: Real> Extrema<T> {
         self.all().fold(self.ends[0], |most, at| if at[1].gt(most[1]) { at } else { most })
     }
 
-    /// How far the output goes: a ram's stroke, a rocker's swing.
+    /// The range of the output: a ram's stroke, a rocker's swing.
     #[must_use]
     pub fn stroke(&self) -> T {
         self.greatest()[1] - self.least()[1]
@@ -224,8 +224,8 @@ impl<T: Real> Extrema<T> {
     /// Adds the turns of an output whose rate is zero at these places, in order; the walk is over the rate
     /// times the sign.
     ///
-    /// Whether the output rises or falls between two of them is asked of the rate there: next to a place
-    /// where it only touches zero its sign is rounding.
+    /// The rate between two of these places tells a rising output from a falling one. Next to a place where
+    /// the rate only touches zero, its sign is rounding.
     fn turns(
         &mut self,
         walk: &mut Walk<impl FnMut(T) -> [T; 2], T>,

@@ -6,8 +6,8 @@
 //! a number u of which the input is a cubic with a double root at each such end: in u everything
 //! is smooth.
 //!
-//! What clearances do not tell, a length that becomes negative or a square root of less than
-//! nothing in a dimension, the solver itself tells at the end (`confirm`).
+//! Clearances do not show a negative length, nor the square root of a negative number in a dimension:
+//! the solver itself reports these at the end (`confirm`).
 
 use super::chart::Chart;
 use super::confirm::confirm;
@@ -92,7 +92,7 @@ pub fn limits<T: Real, M: Solver<Scalar = T, Input = T>>(
     Ok(confirmed)
 }
 
-/// What a group leaves of a stretch.
+/// Adds the parts of a stretch in which a group can be assembled to `rest`.
 fn of_group<T: Real, M: Solver<Scalar = T, Input = T>>(
     solver: &M,
     group: usize,

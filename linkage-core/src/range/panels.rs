@@ -17,9 +17,9 @@ const MOST: u32 = 535;
 pub(super) struct Panels {
     /// The part of the way of each of the first.
     step: f64,
-    /// How many these are.
+    /// The number of these panels.
     first: u32,
-    /// How many follow over the rest.
+    /// The number of panels over the rest.
     rest: u32,
 }
 

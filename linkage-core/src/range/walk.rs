@@ -11,7 +11,7 @@ use crate::roots::{
     number,
 };
 
-/// What happens at a zero.
+/// The behaviour of the function at a zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Event<T> {
     /// The function becomes positive.
@@ -48,12 +48,12 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
         }
     }
 
-    /// Whether the value counts as above zero: zero itself does.
+    /// True if the value counts as positive: zero itself does.
     pub(super) fn is_positive(&self, at: At<T>) -> bool {
         at.value.ge(-self.zero)
     }
 
-    /// Whether the function is above zero between two places between which its sign does not change, beyond
+    /// True if the function is positive between two places between which its sign does not change, beyond
     /// rounding; none where it is zero to rounding.
     ///
     /// # Errors
@@ -232,7 +232,7 @@ fn half_way<T: Real>(a: T, b: T) -> T {
     a + (b - a) * number(0.5)
 }
 
-/// Whether the cubic of the ends meets the value in the middle: to a quarter of the smallest of
+/// True if the cubic of the ends meets the value in the middle: to a quarter of the smallest of
 /// the three, or to one part in a hundred of the largest.
 fn is_cubic<T: Real>(a: At<T>, middle: At<T>, b: At<T>) -> bool {
     let error = magnitude(Cubic::through([a, b]).at(number(0.5)) - middle.value);

@@ -155,7 +155,7 @@ pub(super) enum Slopes {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Steps<T> {
     pub(super) tolerance: T,
-    /// Of the interval that they stay in.
+    /// The width of the interval that they stay in.
     pub(super) width: T,
     pub(super) slopes: Slopes,
     /// The step before, and the slope that it went by.
@@ -163,7 +163,7 @@ pub(super) struct Steps<T> {
 }
 
 impl<T: Real> Steps<T> {
-    /// Whether this step leads to within the tolerance of the root, as far as the last two tell.
+    /// True if this step leads to within the tolerance of the root, as far as the last two steps show.
     pub(super) fn is_last(&self, step: T, slope: T) -> bool {
         let step = magnitude(step);
         if self.tolerance.ge(step) {

@@ -48,8 +48,8 @@ fn stretch_end<T: Real>(
         return Ok((here, zero));
     }
     if most >= 0.0 {
-        // Of ranges alone: for some inputs the end, for others a dead point next to it, if that is how
-        // the slope goes on from the end.
+        // Only ranges come here: the root is the end for some inputs, and for others a dead point next to it
+        // if the slope's own rate at the end allows one.
         let [lowest, highest] = at_end[1].bounds();
         let is_next_to_it = if end == 0 { lowest > 0.0 } else { highest < 0.0 };
         if !is_next_to_it {

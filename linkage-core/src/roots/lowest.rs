@@ -24,7 +24,7 @@ pub(crate) fn lowest<T: Real>(
     mut sample: impl FnMut(T) -> Result<At<T>, FindError>,
 ) -> Result<At<T>, FindError> {
     let Some(approach) = Approach::new([a.x, b.x]) else { return Ok(a) };
-    // How the slope itself rises at the ends is not known, and not asked for.
+    // The slope's own rate at the ends is unknown and not needed.
     let slope_at = |at: At<T>| At { x: at.x, value: at.slope, slope: number(0.0) };
     let start = a.x + (b.x - a.x) * Cubic::through([a, b]).turning_part();
     let mut last = a;

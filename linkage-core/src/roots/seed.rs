@@ -73,9 +73,9 @@ impl<T: Real> Seed<T> {
 pub struct Apart<T> {
     /// The value of that side.
     pub given: T,
-    /// Whether it is the right one.
+    /// True if that side is the right one.
     pub is_right: bool,
-    /// Whether it is proved that the slope has the trend's sign all over the interval, but for its ends: then
+    /// True if the slope is proved to have the trend's sign over the whole interval except its ends: then
     /// there is one root.
     pub has_one_root: bool,
 }

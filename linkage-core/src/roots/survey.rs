@@ -13,7 +13,7 @@ use super::equation::Equation;
 use super::lowest::{dead_point_most, lowest};
 use crate::Real;
 
-/// What a function does between two ends.
+/// The course of a function between two ends.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Course<T> {
     /// It rises through zero between these two.
@@ -43,9 +43,9 @@ const WIDEST: f64 = 0.125;
 #[derive(Clone, Copy, Debug)]
 struct Piece<T> {
     from: At<T>,
-    /// How far the cubic of the piece may be from the function; not a number before a sample has told.
+    /// A bound on the error of the piece's cubic; NaN until a sample gives one.
     error: T,
-    /// Whether it is known that the function does not rise through zero.
+    /// True if the function is known not to rise through zero.
     is_clear: bool,
 }
 
@@ -57,8 +57,8 @@ struct Survey<T> {
     widest: T,
 }
 
-/// What the function does between the first and the last of the places, which are in rising order, by at
-/// most so many samples beside them.
+/// Finds the course of the function between the first and the last of the places, which are in rising
+/// order, with at most so many further samples.
 ///
 /// # Errors
 /// `NotFinite` where it is not a number.
@@ -89,7 +89,7 @@ pub(super) fn survey<T: Real, F: FnMut(T) -> [T; 2]>(
         let [a, b] = open.ends;
         let x = middle([a.x, b.x]);
         if !(x.gt(a.x) && b.x.gt(x)) {
-            // Of neighbours the signs say everything.
+            // The ends are neighbouring numbers, so their signs say everything.
             survey.clear(index);
             continue;
         }
@@ -128,7 +128,7 @@ struct Open<T> {
 }
 
 impl<T: Real> Open<T> {
-    /// How far the cubics of both halves may be from the function, by the sample in the middle.
+    /// A bound on the errors of the cubics of both halves, from the sample in the middle.
     ///
     /// The remainder of the cubic through values and slopes of both ends is f⁗ u² (1 − u)² w⁴/24: halving
     /// the width divides it by 16. In the middle it is the greatest, and has no slope; a remainder that is
@@ -140,7 +140,7 @@ impl<T: Real> Open<T> {
         off + magnitude(cubic.slope_at(half) - middle.slope * (b.x - a.x)) * number(0.25)
     }
 
-    /// Whether the function does not rise through zero here: it keeps its sign, or it falls all the way, or
+    /// True if the function does not rise through zero here: it keeps its sign, or it falls all the way, or
     /// it rises all the way from above zero or to below it, or it bends one way all the way and is below
     /// zero at an end of a sagging piece, above zero at one of an arched piece, or has no turn.
     fn is_clear(&self) -> bool {
@@ -181,7 +181,7 @@ impl<T: Real> Open<T> {
         }
     }
 
-    /// Whether there is a dip (`sign` 1) or a hump (−1).
+    /// True if there is a dip (`sign` 1) or a hump (−1).
     fn turns(&self, sign: T) -> bool {
         let ([a, b], zero) = (self.ends, number::<T>(0.0));
         zero.gt(sign * a.slope) && (sign * b.slope).gt(zero)

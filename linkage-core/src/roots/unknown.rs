@@ -8,7 +8,7 @@ use super::{FindError, Search, Trend};
 use crate::Real;
 use crate::limit::ROUNDINGS;
 
-/// How many last places of what the two sides are made of a target may lie beyond an end.
+/// A target within 4 ulp of an end counts as that end; the ulp is that of the larger sides.
 const SLACK: f64 = 4.0;
 
 /// The root of left − right, and the size by which their rounding is measured: the largest sides
@@ -89,7 +89,7 @@ fn searched<T: Real>(
     let difference = |x| {
         let [left, right, slope] = sides(x);
         let size = magnitude(constant(left)) + magnitude(constant(right));
-        // What is no number is nobody's size.
+        // Ignore NaN and infinity.
         extent.set(if size.is_finite() { greater(extent.get(), size) } else { extent.get() });
         change.set(magnitude(constant(slope)) * width);
         [left - right, slope]
@@ -113,7 +113,7 @@ fn searched<T: Real>(
     Ok([found, extent.get() + change.get()])
 }
 
-/// What [`root`] has found, and no numbers where it has found nothing.
+/// The root that [`root`] has found and its size, or NaN where it has found none.
 pub fn open<T: Real>(found: Result<[T; 2], FindError>) -> (T, T) {
     let [at, size] = found.unwrap_or([number(f64::NAN); 2]);
     (at, size)
@@ -221,10 +221,10 @@ mod tests {
         assert_eq!(derived(Trend::Falling, -4.0), Ok((0.5, -0.25, 1.0)));
         let none = Err(FindError::Singular { at: 0.5 });
         assert_eq!(derived(Trend::Falling, 2.0), none);
-        // Of a size of one, and over an interval of one, this is what rounding makes.
+        // For a size of one, over an interval of one, a slope this small is rounding.
         assert_eq!(derived(Trend::Rising, ROUNDINGS * f64::EPSILON), none);
         assert!(derived(Trend::Rising, 1.01 * ROUNDINGS * f64::EPSILON).is_ok());
-        // What depends on nothing is asked for no slope: its root may be a dead point.
+        // A root that depends on no differentiated number needs no slope: it may be a dead point.
         let touching = |x: Dual64| {
             let away = x - Dual64::from_re(0.5);
             [away * away, Dual64::from_re(0.0), away + away]

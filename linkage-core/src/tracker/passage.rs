@@ -168,7 +168,7 @@ impl<M: Solver> Passage<M> {
                 return Err(SolveError::NotFinite { name: title::<M>(group) });
             }
             let ranges = self.line.ranges(solver, [here, end]).of(group);
-            // Where another root is found than the one that goes on, nothing is known.
+            // The solver found a root of another branch: the ranges prove nothing here.
             let is_other = M::SEARCHES && [a, b].iter().any(|at| !ranges.hold(at, thresholds.zero));
             let judged = match is_other {
                 true => Finding::divided(end - here),

@@ -23,8 +23,8 @@ fn shares() -> Vec<f64> {
     shares
 }
 
-/// How far an angle is from the one with these cosine and sine, in units in the last place: to the first
-/// order, which leaves 10⁻³⁰ of it.
+/// The error of an angle in units in the last place, against the angle with these cosine and sine. It is
+/// a first-order formula, whose own relative error is 10⁻³⁰.
 fn off(angle: f64, [x, y]: [DoubleWord; 2], length: f64) -> f64 {
     let (sin, cos) = double_word::sin_cos(angle);
     let across = sin * x - cos * y;

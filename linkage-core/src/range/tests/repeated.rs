@@ -17,7 +17,7 @@ struct FourBar<'a, T> {
     lengths: [T; 4],
     /// A dimension is none where the crank's cosine is above this.
     highest_cosine: f64,
-    /// How often its clearance was asked for.
+    /// The number of evaluations of its clearance.
     calls: &'a Cell<u32>,
 }
 
@@ -106,7 +106,7 @@ fn closed_form(
 /// The stretches are those of the law of cosines.
 #[track_caller]
 fn assert_found<T: Real>(lengths: [f64; 4], between: [f64; 2]) -> usize {
-    // Of numbers as they are in this width.
+    // Computed from the lengths and ends as rounded to this width.
     let lengths = lengths.map(|length| number::<T>(length).value());
     let between = between.map(|end| number::<T>(end).value());
     // Next to a change point the angle is right to √ε of the size, a few times over.

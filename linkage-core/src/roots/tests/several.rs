@@ -78,8 +78,8 @@ fn roots(sum: &Sum, places: &[f64], least: f64) -> Option<[Vec<f64>; 2]> {
     Some(found)
 }
 
-/// How far the level would have to change for the nearest of the stretches that go the wanted way to
-/// come to zero, if there is one.
+/// The smallest change of level that brings one of the stretches of the wanted trend to zero, if there
+/// is such a stretch.
 fn missing(sum: &Sum, places: &[f64], trend: Trend) -> Option<f64> {
     let sign: f64 = trend.sign();
     let stretches = places.windows(2).map(|ends| [ends[0], ends[1]].map(|x| sign * sum.at(x)[0]));
@@ -91,14 +91,14 @@ fn missing(sum: &Sum, places: &[f64], trend: Trend) -> Option<f64> {
 #[derive(Debug, Default)]
 struct Answers {
     searches: u32,
-    /// Of intervals with this many dead points.
+    /// The number of searches by the number of dead points in the interval.
     dead_points: [u32; 7],
     found: u32,
     none: u32,
     none_no_other: u32,
     none_nearest: u32,
     unknown: u32,
-    /// Of those that have one root or none.
+    /// The refused searches whose interval has at most one root.
     unknown_of_one: u32,
     evaluations: u32,
     most: u32,
@@ -139,8 +139,8 @@ fn search<T: Real>(least: f64) -> Answers {
                     let place = T::EPSILON * between[0].abs().max(between[1].abs());
                     let rounding = 8.0 * T::EPSILON * sum.size() + 2.0 * place * slope.abs();
                     assert!(value.abs() <= rounding, "{between:?} {trend:?} {at} {value:e}");
-                    // Of two roots with a dead point between them, at which f is `least` or more, each is
-                    // this far from it or more.
+                    // If two roots have a dead point between them at which f is `least` or more, each root is
+                    // this far from the dead point or more.
                     let aside = (least / bend.abs()).sqrt();
                     let is_it = |&root: &f64| (root - at).abs() < aside;
                     assert!(roots[of].iter().any(is_it), "{between:?} {trend:?} {at} {roots:?}");
@@ -160,7 +160,7 @@ fn search<T: Real>(least: f64) -> Answers {
                     assert!((by - sum.at(at)[0].abs()).abs() <= rounding, "{at} {by}");
                     if let Some(missing) = missing(&sum, &places, trend).filter(|_| other.is_none())
                     {
-                        // Of several dead points one that is far from zero need not be met.
+                        // With several dead points, one that is far from zero need not be met.
                         let is_nearest = by - missing <= rounding;
                         answers.none_nearest += u32::from(is_nearest);
                         assert!(missing - by <= rounding, "{between:?} {by} {missing}");
