@@ -72,9 +72,9 @@ pub(crate) struct Row {
     pub diagnosis: &'static str,
     /// The comparison of the fast path, if it makes one.
     pub comparison: Option<(Comparison, Least)>,
-    /// Whether the slow path reads the operands; elsewhere they are computed first, and the value says all.
+    /// True if the slow path reads the operands; otherwise they are computed first, and the value decides.
     pub reads_operands: bool,
-    /// Whether a constant passes in every width.
+    /// True for a constant that passes in every width.
     pub holds: fn(&Exact) -> bool,
 }
 
@@ -119,12 +119,12 @@ impl Check {
         }
     }
 
-    /// Whether the last operand is a spread, which the fast path compares the value with.
+    /// True if the last operand is a spread, which the fast path compares the value with.
     pub(crate) fn has_spread(&self) -> bool {
         matches!(self.row().comparison, Some((_, Least::Rounding)))
     }
 
-    /// Whether a value that passes is above zero.
+    /// True if every value that passes is above zero.
     pub(crate) fn keeps_above_zero(&self) -> bool {
         matches!(self.row().comparison, Some((Comparison::Above, _)))
     }

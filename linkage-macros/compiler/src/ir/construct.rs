@@ -100,8 +100,8 @@ pub(crate) fn rebuild_with(
     Program { graph, answers, clearances, closures, groups: program.groups.clone() }
 }
 
-/// What these sinks of a graph need, made anew behind it: everything else stands where it stood. The
-/// replacement is asked for every node first, operands before users, and told where earlier ones are now.
+/// Remakes the nodes that these sinks need, at the end of the graph; earlier nodes stay in place. The
+/// replacement is called for every node first, operands before users, and told where earlier ones are now.
 pub(crate) fn remade(
     graph: &mut Graph,
     sinks: &[Id],

@@ -1,4 +1,4 @@
-//! What a set of sinks costs: floating-point operations of the fast path.
+//! Cost of a set of sinks: floating-point operations of the fast path.
 //!
 //! Signs, comparisons and constants are free. What `linkage-core` computes by several operations
 //! counts as those of a target with a fused multiply-add.
@@ -32,14 +32,14 @@ impl AddAssign for Operations {
     }
 }
 
-/// What the nodes of a graph cost: found once, and added up for many sinks.
+/// Costs of a graph's nodes: found once, and added up for many sinks.
 pub(crate) struct Costs<'g> {
     graph: &'g Graph,
     nodes: Vec<Cost>,
     tried: Vec<bool>,
 }
 
-/// What a node costs.
+/// Cost of a node.
 #[derive(Clone, Copy)]
 enum Cost {
     Nothing,
@@ -113,7 +113,7 @@ impl<'g> Costs<'g> {
     }
 }
 
-/// What is multiplied, whatever the signs and the order.
+/// Factors of a product, regardless of signs, guards and order.
 fn factors(graph: &Graph, a: Id, b: Id) -> [Id; 2] {
     let mut factors = [a, b].map(|factor| {
         let mut factor = unguarded(graph, factor);

@@ -43,7 +43,7 @@ pub(crate) struct Guard {
     pub check: Check,
     /// The group whose failure it is: an index into `Program::groups`.
     pub group: u32,
-    /// What the slow path looks at.
+    /// Operands that the slow path reads.
     pub operands: Vec<Id>,
 }
 
@@ -63,7 +63,7 @@ struct Constant {
     unit: Option<usize>,
 }
 
-/// What sums and products ask of an operand.
+/// Forms of an operand that sums and products tell apart.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Form {
     Zero,
@@ -91,7 +91,7 @@ pub(crate) struct Graph {
     node_ids: Map<Node, Id>,
     constant_ids: Map<Exact, ConstantId>,
     guard_ids: Map<Guard, GuardId>,
-    /// What formulas call their values; most values have no name.
+    /// Names of values in formulas; most values have none.
     names: Map<Id, String>,
     has_trials: bool,
 }
@@ -164,7 +164,7 @@ impl Graph {
         self.names.or_insert(id, name);
     }
 
-    /// What formulas call the value.
+    /// Name of the value in formulas.
     pub(crate) fn name_of(&self, id: Id) -> Option<&str> {
         self.names.get(&id).map(|name| &name[..])
     }
@@ -190,7 +190,7 @@ impl Graph {
         &self.nodes
     }
 
-    /// Whether anything is searched.
+    /// True if the graph contains a search.
     pub(crate) fn has_trials(&self) -> bool {
         self.has_trials
     }
@@ -208,17 +208,17 @@ impl Graph {
         &self.constants[constant.0 as usize].value
     }
 
-    /// Whether the node is the constant 0.
+    /// True if the node is the constant 0.
     pub(crate) fn is_zero(&self, id: Id) -> bool {
         matches!(self.form(id), Form::Zero)
     }
 
-    /// Whether the node is the constant 1 or −1.
+    /// True if the node is the constant 1 or −1.
     pub(crate) fn is_one_or_minus_one(&self, id: Id) -> bool {
         matches!(self.form(id), Form::One | Form::MinusOne)
     }
 
-    /// What sums and products ask of an operand.
+    /// Form of an operand, as sums and products tell it apart.
     pub(crate) fn form(&self, id: Id) -> Form {
         match self.nodes[id.0 as usize] {
             Node::Constant(constant) => match self.constants[constant.0 as usize].unit {
@@ -250,7 +250,7 @@ impl Graph {
         self.spread(node).into_iter().for_each(f);
     }
 
-    /// What a guard's value is compared with.
+    /// Spread that a guard compares its value with; none for any other node or guard.
     pub(crate) fn spread(&self, node: Node) -> Option<Id> {
         let Node::Guard(_, guard) = node else { return None };
         let guard = self.condition(guard);

@@ -51,7 +51,7 @@ impl<K: Hash + Eq, V> Map<K, V> {
         }
     }
 
-    /// What the key has, or else this value.
+    /// Value of the key; inserts the given value if the key is new.
     pub(crate) fn or_insert(&mut self, key: K, value: V) -> &mut V {
         let hash = hash(&key);
         let entry = match self.find(&key, hash) {
@@ -180,7 +180,7 @@ impl<K: Hash + Eq> Set<K> {
         self.0.contains(key)
     }
 
-    /// Whether the key is new.
+    /// Inserts the key; true if it is new.
     pub(crate) fn insert(&mut self, key: K) -> bool {
         self.0.insert(key, ())
     }

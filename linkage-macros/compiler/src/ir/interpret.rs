@@ -36,7 +36,7 @@ pub(crate) trait Number: Clone {
     }
 }
 
-/// What the program is given.
+/// Values given to the program.
 pub(crate) struct Given<N> {
     /// Value, rate and second rate of each input.
     pub inputs: Vec<[N; 3]>,
@@ -67,7 +67,7 @@ pub(crate) fn interpret<N: Number>(program: &Program, given: &Given<N>) -> Vec<N
     let mut values: Vec<N> = Vec::with_capacity(graph.len());
     for (id, node) in graph.iter() {
         let value = match node {
-            // What a search computes is computed there.
+            // Nodes that depend on a trial are computed inside the search.
             _ if tried[id.index()] => N::exact(&Exact::integer(0)),
             Node::Root(sought) => root(program, given, &mut values, &sought),
             _ => value(program, given, &values, node, None),

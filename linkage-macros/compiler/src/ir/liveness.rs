@@ -1,15 +1,15 @@
-//! What has to be computed for a set of sinks.
+//! Nodes to be computed for a set of sinks.
 
 use crate::ir::graph::{Graph, Id, Node};
 
 /// Which of a guard's operands are followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Path {
-    /// What the fast path computes with: the guarded value, and what it is compared with.
+    /// Operands of the fast path: the guarded value, and what it is compared with.
     Fast,
-    /// What the slow path looks at as well.
+    /// Operands of the slow path as well.
     Slow,
-    /// What the fast path computes with; guards are passed by.
+    /// Operands of the fast path, looking through guards.
     Unchecked,
 }
 
@@ -63,8 +63,8 @@ pub(crate) fn tried(graph: &Graph) -> Vec<bool> {
     tried
 }
 
-/// What a trial computes on the way to the sides of an equation, operands before users. What no
-/// trial changes, another root included, is not followed.
+/// Nodes that a trial computes for the sides of an equation, operands before users. Nodes that no trial
+/// changes, another root included, are not followed.
 pub(crate) fn trial_nodes(graph: &Graph, sides: &[Id]) -> Vec<(Id, Node)> {
     let (tried, mut needed) = (tried(graph), vec![false; graph.len()]);
     sides.iter().for_each(|side| needed[side.index()] = true);

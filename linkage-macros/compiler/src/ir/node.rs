@@ -71,12 +71,12 @@ pub(crate) enum Node {
     Trial(u32),
     /// The root of an unknown's equation, or the end of where there can be one.
     Root(Sought),
-    /// What a search finds beside its place: of a root the size by which the rounding of its equation
-    /// is measured, of an end one at a dead point and zero elsewhere.
+    /// Second result of a search: for a root, the size that the rounding of its equation is measured by;
+    /// for an end, one at a dead point and zero elsewhere.
     Size(Id),
 }
 
-/// What a root is searched by.
+/// Specification of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Sought {
     pub unknown: u32,
@@ -85,12 +85,12 @@ pub(crate) struct Sought {
     pub trend: Trend,
     pub between: [Id; 2],
     pub near: Option<Id>,
-    /// Of a root the two sides at the trial, and the slope of their difference; of an end their
-    /// difference, its slope and its curvature.
+    /// For a root, both sides at the trial and the slope of their difference; for an end, their difference,
+    /// its slope and its curvature.
     pub sides: [Id; 3],
 }
 
-/// What is looked for.
+/// Target of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Wanted {
     Root,

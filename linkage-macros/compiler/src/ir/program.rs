@@ -1,4 +1,4 @@
-//! What the equations make of a mechanism: one graph and the values each entry point asks of it.
+//! Result of the equations: one graph, and the values each entry point requests of it.
 
 use crate::exact::Exact;
 use crate::interface::entries::EntryPoint;
@@ -9,7 +9,7 @@ use crate::ir::liveness::{Path, live};
 pub(crate) struct Program {
     pub graph: Graph,
     pub answers: Vec<Answer>,
-    /// What following a motion through changes of mode looks at, group by group in solving order.
+    /// Clearances for following a motion through changes of mode, group by group in solving order.
     pub clearances: Vec<Clearance>,
     /// Roots, and the condition each stands under: that its equation is closed in the final pose.
     pub closures: Vec<Closure>,
@@ -27,7 +27,7 @@ impl Program {
         Self { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups: Vec::new() }
     }
 
-    /// What the entry point asks, if there is one of this name.
+    /// Answer of the entry point with this name, if there is one.
     #[cfg(test)]
     pub(crate) fn answer(&self, entry: &str) -> Option<&Answer> {
         let point = Some(EntryPoint::named(entry));
@@ -63,7 +63,7 @@ pub(crate) struct Closure {
     pub condition: Id,
 }
 
-/// What one entry point asks of the graph.
+/// Values that one entry point requests of the graph.
 #[derive(Clone, Debug)]
 pub(crate) struct Answer {
     /// The entry point; none in the program by which a mechanism is drawn.
@@ -72,16 +72,16 @@ pub(crate) struct Answer {
     pub sinks: Vec<Id>,
 }
 
-/// How clear of its limit a group with an assembly mode is.
+/// Clearance of a group with an assembly mode from its limit.
 #[derive(Clone, Debug)]
 pub(crate) struct Clearance {
     /// An index into [`Program::groups`].
     pub group: u32,
     /// The parameter that holds the mode; none where it is a constant.
     pub param: Option<u32>,
-    /// What is zero at the limit and negative beyond.
+    /// Zero at the limit and negative beyond.
     pub value: Id,
-    /// What to measure it by.
+    /// Scale that the value is measured by.
     pub scale: Id,
     /// Rate and second rate of the value, at constant rates of the inputs: only beside an unknown, whose
     /// ends are no function of the pose. Elsewhere the formulas of the value say enough.

@@ -6,8 +6,8 @@ use super::routine::{Apart, Search};
 use crate::ir::graph::{Graph, Id, Node, Wanted};
 use crate::ir::liveness::{trial_nodes, tried};
 
-/// How the equation of a search stands apart, if it does. A declared seed is a wish for another search, and
-/// ends that are parameters may be more than a turn apart.
+/// Form of a search whose equation stands apart; none for any other search. A declared seed asks for
+/// another search, and ends that are parameters may be more than a turn apart.
 pub(super) fn apart(graph: &Graph, search: &Search) -> Option<Apart> {
     let sought = search.sought;
     let [left, right, slope] = sought.sides;

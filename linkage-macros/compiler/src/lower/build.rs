@@ -52,7 +52,7 @@ pub(crate) const APPLIED: usize = 1;
 
 /// The routines of a program that places what is drawn: where everything stands, and the forces on it.
 pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
-    // What it takes and returns is no entry point: the records of the solver's own are enough.
+    // A placing program has no entry points: the records of the solver's own are enough.
     let interface = Interface::of(mechanism).limited_to(std::iter::empty());
     // The solver's own searches are given other values: those of its own graph.
     let searches = searches(mechanism, program, "placed_root");
@@ -158,7 +158,7 @@ impl Builder<'_> {
         self.program.clearances.iter().filter(is_posed).flat_map(Clearance::sinks).collect()
     }
 
-    /// What each stage adds to the result: of several, a record.
+    /// Shape that each stage adds to the result: with several stages, a field of its record.
     fn parts(&self, entries: &[EntryId], result: Shape) -> Vec<Shape> {
         match (entries, result) {
             ([_, _, ..], Shape::Record(record)) => {
@@ -215,7 +215,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What goes by the angle's cosine and sine makes them first.
+    /// Cost of an entry point. One that goes by the angle's cosine and sine makes them first.
     fn cost(&self, entry: EntryId, plan: &Plan, of_nodes: &Costs<'_>) -> Operations {
         let way = |entry: EntryId| plan.ways[entry.index()];
         let mut cost = of_nodes.operations(&self.needed(entry));

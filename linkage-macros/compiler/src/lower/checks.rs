@@ -1,4 +1,4 @@
-//! What a condition becomes: a comparison for the fast path, unless it is known to hold, and a
+//! Lowering of a condition: a comparison for the fast path, unless the condition is known to hold, and a
 //! question for the slow path.
 
 use super::overflow::{Overflow, Spread};
@@ -64,7 +64,7 @@ fn comparison(
     Some((comparison, threshold))
 }
 
-/// Whether the value has passed a condition that keeps it above zero.
+/// True if the value has passed a condition that keeps it above zero.
 fn is_above_zero(graph: &Graph, value: Id) -> bool {
     match graph.node(value) {
         Node::Guard(inner, guard) => {

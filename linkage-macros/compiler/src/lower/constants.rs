@@ -20,7 +20,7 @@ pub(super) fn shared(graph: &Graph, locals: &Locals, stages: &[Stage]) -> Map<No
     often.enumerate().map(|(nth, (node, _))| (*node, format!("{stem}{nth}_"))).collect()
 }
 
-/// How often each constant is read.
+/// Number of reads of each constant.
 struct Count<'g> {
     graph: &'g Graph,
     locals: &'g Locals,

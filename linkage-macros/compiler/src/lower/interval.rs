@@ -36,7 +36,7 @@ impl Interval {
         self.low.abs().max(self.high.abs())
     }
 
-    /// Whether all numbers are above zero, or below; `None` where neither is so.
+    /// True if all numbers are above zero, false if all are below; `None` otherwise.
     pub(super) fn sign(self) -> Option<bool> {
         (self.low > 0.0 || self.high < 0.0).then_some(self.low > 0.0)
     }
@@ -65,7 +65,7 @@ impl Interval {
             self.high * other.low,
             self.high * other.high,
         ];
-        // What is no number makes everything unknown.
+        // A NaN corner makes everything unknown.
         if corners.iter().any(|corner| corner.is_nan()) {
             return Self::about(f64::INFINITY);
         }

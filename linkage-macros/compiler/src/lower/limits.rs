@@ -1,5 +1,5 @@
-//! What an entry point asks before its fast path's result may be used: that a sum of results is finite,
-//! and where limits on the inputs keep a width from overflowing, these in place of the sum.
+//! Tests of an entry point before its fast path's result may be used: a sum of results is finite, or, where
+//! limits on the inputs keep a width from overflowing, the inputs are within these.
 
 use super::routine::{Bound, Finite, Sum};
 use crate::ir::graph::Node;
@@ -7,7 +7,7 @@ use crate::ir::graph::Node;
 /// Within these limits no value overflows on the way.
 #[derive(Clone, Debug)]
 pub(super) struct InputLimits {
-    /// Whether there are limits for double precision, and for single precision.
+    /// True for double and for single precision if the limits hold for that width.
     pub widths: [bool; 2],
     /// The largest magnitude of each of these inputs in either width.
     pub inputs: Vec<(Node, [f64; 2])>,
@@ -87,7 +87,7 @@ mod tests {
     const RATE: Node = Node::Input { input: 0, order: 1 };
     const SECOND: Node = Node::Input { input: 0, order: 2 };
 
-    /// What is asked of these inputs in double precision, under limits of 10 and 100.
+    /// Bounds on these inputs, under limits of 10 in double and 100 in single precision.
     fn bounds(inputs: &[Node], takes_cosine: bool) -> Vec<Bound> {
         let inputs = inputs.iter().map(|&node| match node {
             SECOND => (node, [100.0, 1e4]),

@@ -1,6 +1,5 @@
-//! What the values of the graph are called in the generated code: a component of a result after
-//! the user's name for it, a value of a derivation after its group and its letter there, everything
-//! else by its number.
+//! Names of the graph's values in the generated code: a component of a result after the user's name for it,
+//! a value of a derivation after its group and its letter there, everything else by its number.
 
 use std::collections::HashSet;
 
@@ -25,7 +24,7 @@ pub(super) fn named(mechanism: &Mechanism, program: &Program) -> Locals {
         // Upper and lower case may make one name of two.
         let mut taken = Map::default();
         for (label, &sink) in labels.zip(&answer.sinks) {
-            // Whether a letter of another alphabet may stand in a name is for others to know.
+            // Only ASCII labels become names: this pass has no rule for letters of other alphabets.
             let is_its_own = *taken.or_insert(label.clone(), sink) == sink;
             if is_its_own && label.is_ascii() {
                 names.or_insert(sink, label);
@@ -59,7 +58,7 @@ pub(super) fn with_letters<'s>(
     locals
 }
 
-/// What the components of all outputs are called at one order, in the order of the sinks.
+/// Names of the components of all outputs at one order, in the order of the sinks.
 fn components(mechanism: &Mechanism, order: Order) -> Vec<String> {
     let of = |output: &Output| {
         let field = output.field.unraw().to_string().to_lowercase();

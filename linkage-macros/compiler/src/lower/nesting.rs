@@ -11,7 +11,7 @@ use crate::ir::graph::Id;
 /// The most operations that stand in one expression.
 const MOST: usize = 4;
 
-/// How often each value of the graph is read as a local.
+/// Number of reads of each value of the graph as a local.
 pub(super) fn reads(schedule: &Schedule<'_>, stages: &[Vec<Statement>], sinks: &[Id]) -> Vec<u32> {
     let mut reads = vec![0; schedule.graph.len()];
     let mut read = |id: Id| reads[id.index()] += 1;
@@ -48,7 +48,7 @@ pub(super) fn nest(
             && operations + within <= MOST
             && let Some(place) = operands.iter().position(|&operand| operand == last)
         {
-            // Of two that are written inside, the first has to be the operand on the left.
+            // If two operands are written inside, the first has to be the one on the left.
             operands.truncate(place);
             operations += within;
             locals.nested.insert(last);
@@ -66,7 +66,7 @@ mod tests {
     use crate::ir::liveness::Path;
     use crate::lower::schedule::defines;
 
-    /// What of a graph over two values, a = 0 and b = 1, has locals of its own: numbers of nodes.
+    /// Numbers of the nodes with locals of their own, in a graph over two values, a = 0 and b = 1.
     fn locals_of(make: impl FnOnce(&mut Graph, [Id; 2]) -> Vec<Id>, named: &[u32]) -> Vec<u32> {
         let mut graph = Graph::new();
         let given = [0, 1].map(|param| graph.push(Node::Mode(param)));

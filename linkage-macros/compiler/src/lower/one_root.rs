@@ -1,4 +1,4 @@
-//! Whether an equation has one root of its trend at most, where only constants decide.
+//! Proof that an equation has at most one root of its trend, where only constants decide.
 //!
 //! The bracket is walked in pieces. On each the slope and the curvature by the unknown are enclosed by
 //! intervals in `f64`, every bound rounded outward. The roots of a trend lie where the slope has its
@@ -16,8 +16,8 @@ use crate::ir::liveness::{Path, live, live_nodes};
 /// Pieces of the bracket: a slope of a dozen operations is known to a part in a hundred on each.
 const PIECES: u32 = 128;
 
-/// Whether it is proved that there is one root at most of a slope of this sign, given what an end is
-/// searched by; none where the slope depends on more than constants and the unknown.
+/// True if at most one root of a slope of this sign is proved, given the search for an end; none where the
+/// slope depends on more than constants and the unknown.
 pub(super) fn has_one_root(graph: &Graph, sought: &Sought, rises: bool) -> Option<bool> {
     let [_, slope, curvature] = sought.sides;
     let mut pieces = pieces(graph, sought.between, [slope, curvature])?;
@@ -29,8 +29,8 @@ pub(super) fn has_one_root(graph: &Graph, sought: &Sought, rises: bool) -> Optio
     Some(course.is_some())
 }
 
-/// Whether it is proved that the slope has one sign on all pieces but the first and the last, and that the side
-/// of the equation that it belongs to is a number everywhere.
+/// True if the slope is proved to have one sign on all pieces but the first and the last, and the side of
+/// the equation that it belongs to is proved to be a finite number everywhere.
 pub(super) fn is_steady(graph: &Graph, between: [Id; 2], side: Id, slope: Id) -> bool {
     let Some(pieces) = pieces(graph, between, [side, slope]) else { return false };
     let mut signs = Vec::new();
@@ -84,7 +84,7 @@ fn pieces<const N: usize>(
     }))
 }
 
-/// How far the walk has come: whether the slope has had the sign of the trend.
+/// Progress of the walk: the slope has, or has had, the sign of the trend.
 #[derive(Clone, Copy)]
 enum Course {
     /// Not yet.
@@ -133,7 +133,7 @@ fn value(values: &[Option<Interval>], node: Node, trial: Interval) -> Option<Int
         Node::Apply(Function::Sin, a) => v(a)?.wave(f64::sin, f64::cos),
         Node::Apply(Function::Cos, a) => v(a)?.wave(f64::cos, f64::sin),
         Node::Guard(a, _) => v(a)?,
-        // Of what else there is nothing is said.
+        // Any other node has no enclosure.
         _ => return None,
     })
 }
@@ -149,8 +149,8 @@ impl Interval {
         Self::of(self.low.next_down(), self.high.next_up())
     }
 
-    /// Of a sine or a cosine f: within |f′(m)| r + r²/2 of f(m), of which no library is wrong by more
-    /// than 1e-14 at the angles of a turn.
+    /// Range of a sine or a cosine f: within |f′(m)| r + r²/2 of f(m). No library is wrong by more than
+    /// 1e-14 at the angles of a turn.
     fn wave(self, f: fn(f64) -> f64, slope: fn(f64) -> f64) -> Self {
         let middle = 0.5 * (self.low + self.high);
         let radius = (self.high - middle).max(middle - self.low).next_up();

@@ -1,4 +1,4 @@
-//! How the fast path knows that its results are finite.
+//! Tests by which the fast path knows that its results are finite.
 //!
 //! Asking the results is right always, and late: all of them have to be kept until the last is
 //! there. Where limits on the inputs and on the divisors keep every value from overflowing, these
@@ -20,20 +20,20 @@ use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes};
 
-/// What the fast path asks of inputs and divisors in place of its results.
+/// Limits on inputs and divisors that the fast path tests in place of its results.
 pub(super) struct Overflow {
     wide: Option<Width>,
     narrow: Option<Width>,
 }
 
-/// What a value that rounding may have moved across its limit is rounded in the last places of.
+/// Size whose rounding may have moved a value across its limit.
 #[derive(Clone, Copy)]
 pub(super) enum Spread<'g> {
     Known(&'g Exact),
     AtRunTime(Id),
 }
 
-/// What is asked of one width.
+/// Limits for one width.
 struct Width {
     thresholds: Thresholds,
     /// The least lengths of hypotenuses.
@@ -59,14 +59,14 @@ const fn narrow(input: f64, share: f64) -> Assumed {
     Assumed { input, share, square: 8.4e-25, normal, epsilon, largest: 1e37, factor: 1e34 }
 }
 
-/// Of a divisor, or of what is under a root. S of two bars is at most a quarter, and squares of distances
-/// are some square metres: where an input that is a length may be 10²⁰ m, a share of the largest square asks
-/// for more than any pose has, and every pose would take the slow path.
+/// Largest least value of a divisor or a radicand. S of two bars is at most a quarter, and squares of
+/// distances are some square metres. Where a length may be 10²⁰ m as an input, a share of the largest
+/// square exceeds the square of any pose, and every pose would take the slow path.
 const LARGEST_ASKED: f64 = 1e-3;
 
 impl Overflow {
-    /// What to ask so that no value overflows on the way to the sinks, if there is such a thing and
-    /// fewer questions come of it.
+    /// Limits that keep every value on the way to the sinks from overflowing; none if there are none, or if
+    /// they take no fewer tests than the results.
     pub(super) fn of(graph: &Graph, sinks: &[Id]) -> Option<Self> {
         let asked = asked(graph, sinks).len();
         if asked > 0 && asked >= witnesses(graph, sinks).len() {
@@ -107,7 +107,7 @@ impl Overflow {
         };
         let (wide, narrow) = (of(&self.wide, WIDE[0]), of(&self.narrow, NARROW[0]));
         let asked = wide.or(narrow)?;
-        // What is above rounding is above zero.
+        // A value above its rounding is above zero.
         let is_sign_alone = asked + narrow.unwrap_or(0.0) == 0.0;
         if matches!(spread, Some(Spread::AtRunTime(_))) && is_sign_alone {
             return None;
@@ -161,8 +161,8 @@ mod tests {
 
     const VALUE: Id = Id(7);
 
-    /// What is asked of the value where ranges ask for this in double and in single precision; none where
-    /// they show that it holds.
+    /// Threshold of the value where ranges ask for this in double and in single precision; none where they
+    /// show that the condition holds.
     fn threshold(
         [wide, narrow]: [Option<f64>; 2],
         spread: Option<Spread<'_>>,

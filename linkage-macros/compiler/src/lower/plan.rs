@@ -5,7 +5,7 @@ use super::routine::Adapted;
 use crate::interface::entries::{Analysis, EntryPoint};
 use crate::interface::{EntryId, Interface};
 
-/// How every entry point comes to its numbers.
+/// Source of every entry point's numbers.
 pub(super) struct Plan {
     /// Formulas that are written down together: of one entry point, or of several, each of which
     /// goes on where the one before it stops.
@@ -13,7 +13,7 @@ pub(super) struct Plan {
     pub ways: Vec<Way>,
 }
 
-/// How an entry point comes to its numbers.
+/// Source of an entry point's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Way {
     /// By formulas of its own, as a stage of a routine.

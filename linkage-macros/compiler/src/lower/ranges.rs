@@ -1,4 +1,4 @@
-//! How large the values of a graph can become in floating-point arithmetic.
+//! Bounds on the values of a graph in floating-point arithmetic.
 //!
 //! Where every input is bounded and every divisor bounded away from zero, intervals show that no
 //! value overflows, and then none needs to be asked whether it is finite: it is enough to ask the
@@ -17,7 +17,7 @@ use crate::ir::graph::{Graph, Guard, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{live_nodes, unguarded};
 
-/// What is assumed of one width of numbers.
+/// Assumptions on one width of numbers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Assumed {
     /// The largest magnitude of an input that is not an angle in a sine, and of its rate; of its
@@ -31,9 +31,9 @@ pub(crate) struct Assumed {
     pub normal: f64,
     /// The distance from 1 to the next number.
     pub epsilon: f64,
-    /// What is not to be exceeded.
+    /// Upper limit on every magnitude.
     pub largest: f64,
-    /// What a factor is not to exceed where its product's rounding error is asked for.
+    /// Upper limit on a factor whose product's rounding error is requested.
     pub factor: f64,
 }
 
@@ -41,15 +41,14 @@ pub(crate) struct Assumed {
 const ROUNDINGS: f64 = 16.0;
 
 impl Assumed {
-    /// What rounding does to a value of this spread.
+    /// Bound on the rounding error of a value of this spread.
     pub(super) fn rounding_of(&self, spread: &Exact) -> f64 {
         ROUNDINGS * self.epsilon * spread.to_f64()
     }
 }
 
-/// What the fast path has to ask where no result can overflow: the least value, or magnitude,
-/// of what each guard guards, by the unguarded node. Zero where the sign is enough, and
-/// `None` where nothing is left to ask.
+/// Tests left to the fast path where no result can overflow: the least value, or magnitude, of each guarded
+/// value, by the unguarded node. Zero where the sign is enough, and `None` where no test is left.
 pub(crate) type Thresholds = Map<Id, Option<f64>>;
 
 /// More than the relative error of any operation in either width.
@@ -122,7 +121,7 @@ impl Bounds<'_> {
             Node::InputCos(_) | Node::InputSin(_) => Interval::about(1.0).rounded(),
             // A parameter can be anything, and so can a load.
             Node::Param(_) | Node::Load(_) | Node::Drive(_) => return None,
-            // What a search makes of the inputs is not followed.
+            // Values that a search makes of the inputs are not followed.
             Node::Trial(_) | Node::Root(_) | Node::Size(_) => return None,
             Node::Mode(_) => Interval { low: -1.0, high: 1.0, away: 1.0 },
             Node::Neg(a) => self.of(a)?.negated(),

@@ -18,49 +18,49 @@ use crate::model::mechanism::Mechanism;
 /// A program, ready to be printed.
 pub(crate) struct Lowered<'p> {
     pub program: &'p Program,
-    /// What the program has answers for.
+    /// Interface of the entry points that the program answers.
     pub interface: Interface,
     pub routines: Vec<Routine>,
-    /// How each entry point comes to its numbers.
+    /// Source of each entry point's numbers.
     pub entries: Vec<Compute>,
-    /// What one call of each entry point takes.
+    /// Cost of one call of each entry point.
     pub costs: Vec<Operations>,
-    /// How clear of their limits the groups are, for following a motion, with rates; without checks,
-    /// because out of reach is a number below zero there. Only beside an unknown: elsewhere a routine
-    /// says it on the way.
+    /// Clearances of the groups, for following a motion, with rates. There are no checks: out of reach, a
+    /// clearance is a number below zero. Only beside an unknown: elsewhere a routine computes them on the
+    /// way.
     pub clearances: Option<Routine>,
-    /// What finds roots, in the order of the graph.
+    /// Searches for roots, in the order of the graph.
     pub searches: Vec<Search>,
 }
 
 /// A function that finds the root of an equation.
 pub(crate) struct Search {
-    /// What a trial computes: both sides and the slope.
+    /// Routine of a trial: both sides and the slope.
     pub routine: Routine,
     pub root: Id,
     pub sought: Sought,
-    /// What it is given: values that no trial changes.
+    /// Arguments of a trial: values that no trial changes.
     pub given: Vec<Id>,
-    /// Of one trial.
+    /// Cost of one trial.
     pub cost: Operations,
-    /// Whether it is proved that there is one root at most; none where more than constants decide.
+    /// True if at most one root is proved; none where more than constants decide.
     pub has_one_root: Option<bool>,
-    /// How its equation stands apart, if it does: a sweep then searches by the root before.
+    /// Present if the equation stands apart: a sweep then searches by the root before.
     pub apart: Option<Apart>,
-    /// Whether the ends are angles whose distance, at most a turn, is known at run time alone.
+    /// True if the ends are angles whose distance, at most a turn, is known at run time alone.
     pub asks_for_a_turn: bool,
 }
 
-/// How an equation stands apart.
+/// An equation that stands apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Apart {
     /// The side that no trial changes: 0 for the left one, 1 for the right one.
     pub given: usize,
-    /// Whether it is proved that there is one root, and that the slope changes its sign next to an end alone.
+    /// True if one root is proved, with a slope that changes its sign next to an end alone.
     pub has_one_root: bool,
 }
 
-/// How an entry point comes to its numbers.
+/// Source of an entry point's numbers.
 pub(crate) enum Compute {
     /// By formulas of its own, as a stage of a routine.
     Own { routine: usize, stage: usize, asked: Asked },
@@ -68,7 +68,7 @@ pub(crate) enum Compute {
     Via { entry: EntryId, given: Adapted },
 }
 
-/// What is given in place of an entry point's own arguments.
+/// Arguments given in place of an entry point's own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Adapted {
     /// The only input's cosine and sine: where they can be given, its value is needed nowhere
@@ -82,16 +82,16 @@ pub(crate) enum Adapted {
 pub(crate) struct Routine {
     pub name: String,
     pub given: Vec<Given>,
-    /// What the stages make together.
+    /// Result of all stages together.
     pub result: Shape,
     pub path: Path,
     /// One after the other: each uses what those before it have computed.
     pub stages: Vec<Stage>,
-    /// Whether it tells clearances on the way, at one order more than it has stages.
+    /// True if the routine computes clearances on the way, at one order more than it has stages.
     pub tells: bool,
     /// The inputs and parameters it reads, in the order of the graph.
     pub reads: Vec<Node>,
-    /// Whether it asks anything of anybody.
+    /// True if the routine contains a check.
     pub has_checks: bool,
     pub locals: Locals,
     /// The constants that are bound to names where it begins, in order.
@@ -142,9 +142,9 @@ pub(crate) struct Condition {
     /// The node that goes on: the value, or what stands for it at a limit.
     pub id: Id,
     pub value: Id,
-    /// What the fast path asks; nothing where the condition is known to hold.
+    /// Comparison of the fast path; none where the condition is known to hold.
     pub comparison: Option<(Comparison, Threshold)>,
-    /// What the fast path asks whether the value is above the rounding of.
+    /// Spread whose rounding the value has to exceed on the fast path.
     pub above_rounding: Option<Id>,
     /// The slow path's question, and the numbers it looks at beside the value.
     pub check: Check,
@@ -161,8 +161,8 @@ pub(crate) enum Threshold {
     Number(f64, f64),
 }
 
-/// What is asked beside the conditions on the way, before a result may be used. Results and
-/// witnesses are indices into the stage's sinks and those of the stages before it.
+/// Tests beside the conditions on the way, before a result may be used. Results and witnesses are indices
+/// into the stage's sinks and those of the stages before it.
 #[derive(Clone, Debug)]
 pub(crate) struct Asked {
     /// The fast path asks this; nothing where no result can be other than finite.
@@ -173,7 +173,7 @@ pub(crate) struct Asked {
     pub results: Vec<usize>,
 }
 
-/// Whether a sum of results is finite.
+/// Test that a sum of results is finite.
 #[derive(Clone, Debug)]
 pub(crate) struct Finite {
     pub sum: Sum,
@@ -200,19 +200,19 @@ pub(crate) enum Bound {
     OnCircle { rate: Option<Node>, second: Option<Node>, limit: [f64; 2] },
 }
 
-/// What the values of a routine are called, and which are written down where they are used.
+/// Names of a routine's values, and the values that are written where they are used.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Locals {
     pub names: Map<Id, String>,
     /// Components of results: these are bound to a name even where a sign alone makes them.
     pub components: Set<Id>,
-    /// What a function is given in place of what it would be computed from.
+    /// Values that a function is given in place of their operands.
     pub given: Set<Id>,
-    /// What is written where it is read, without a name.
+    /// Values written where they are read, without a name.
     pub nested: Set<Id>,
 }
 
-/// How a value is read.
+/// Form in which a value is read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Reading {
     /// An input or a parameter.
@@ -226,7 +226,7 @@ pub(crate) enum Reading {
     Nested(Id),
 }
 
-/// Whether the node is an input or a parameter.
+/// True if the node is an input or a parameter.
 pub(crate) fn is_leaf(node: Node) -> bool {
     matches!(
         node,
@@ -239,7 +239,7 @@ pub(crate) fn is_leaf(node: Node) -> bool {
     )
 }
 
-/// What an error calls an input or a parameter.
+/// Name of an input or a parameter in an error.
 pub(crate) fn label(mechanism: &Mechanism, leaf: Node) -> Option<String> {
     let input = |input: u32| mechanism.inputs[input as usize].name.unraw();
     Some(match leaf {
@@ -260,8 +260,8 @@ impl Locals {
         self.names.get(&id).cloned().unwrap_or_else(|| format!("v{}_", id.0))
     }
 
-    /// How a node's value is read: constants and signs say more where they are used than a name
-    /// would. A routine without checks sees through conditions.
+    /// Form in which a node's value is read: constants and signs say more where they are used than a name
+    /// would. A routine without checks looks through conditions.
     pub(crate) fn reading(&self, graph: &Graph, path: Path, id: Id) -> Reading {
         if self.given.contains(&id) {
             return Reading::Local(id);
@@ -294,7 +294,7 @@ impl Reading {
 }
 
 impl Lowered<'_> {
-    /// Whether an entry point compares the square of the angle, which whoever calls it gives.
+    /// True if an entry point compares the square of the angle, which its caller gives.
     pub(crate) fn takes_square(&self, id: EntryId) -> bool {
         let Compute::Own { asked, .. } = &self.entries[id.index()] else { return false };
         let bounds = asked.finite.iter().filter_map(|finite| finite.instead.as_ref());

@@ -9,22 +9,22 @@ use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes, tried};
 
-/// What has been scheduled so far, and what it reads from outside.
+/// Nodes scheduled so far, and the values they read from outside.
 #[derive(Clone)]
 pub(super) struct Schedule<'a> {
     pub graph: &'a Graph,
     pub locals: &'a Locals,
     pub path: Path,
-    /// What is asked of divisors in place of results.
+    /// Limits on divisors, tested in place of results.
     pub overflow: Option<&'a Overflow>,
     done: Vec<bool>,
-    /// What the fast path needs for the last sinks.
+    /// Nodes that the fast path needs for the last sinks.
     fast: Vec<bool>,
     /// The inputs and parameters that are read, in the order of the graph.
     pub reads: Vec<Node>,
-    /// Whether anything is asked of anybody.
+    /// True if the schedule contains a check.
     pub has_checks: bool,
-    /// What only a search computes.
+    /// Nodes that only a search computes.
     tried: Vec<bool>,
     /// The searches, by their roots.
     searches: &'a [Search],
@@ -62,7 +62,7 @@ impl<'a> Schedule<'a> {
         }
     }
 
-    /// What the sinks need beyond what was scheduled before.
+    /// Statements for these sinks, beyond those scheduled before.
     pub(super) fn stage(&mut self, sinks: &[Id]) -> Vec<Statement> {
         let graph = self.graph;
         let live = live(graph, sinks, self.path);
@@ -72,7 +72,7 @@ impl<'a> Schedule<'a> {
             if self.tried[id.index()] || std::mem::replace(&mut self.done[id.index()], true) {
                 continue;
             }
-            // What the slow path alone looks at asks nothing of the fast one.
+            // A hypotenuse that the slow path alone reads is not tested on the fast one.
             let is_measured = matches!(node, Node::Apply2(Function::Hypot, ..))
                 && self.path != Path::Unchecked
                 && self.fast[id.index()];
@@ -206,7 +206,7 @@ mod tests {
             graph.push(Node::Apply2(Function::Hypot, a, b)),
             graph.push(Node::Apply2(Function::Hypot, b, c)),
         );
-        // Of an offset, the fast path looks at the value alone.
+        // For an offset, the fast path reads the value alone.
         let check = Check::ReachOffset;
         let operands = vec![diagnosed, a, b];
         let sink = graph.guard(result, Guard { check, group: 0, operands });

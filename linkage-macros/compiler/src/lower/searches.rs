@@ -1,5 +1,5 @@
-//! What finds roots: for every root of the program a function of its own, which position, velocity and
-//! motion share. It is given what no trial changes, so that a trial computes nothing else.
+//! Searches for roots: one function for every root of the program, which position, velocity and motion
+//! share. It is given what no trial changes, so that a trial computes nothing else.
 
 use super::routine::{Locals, Routine, Search, Stage, Statement};
 use super::schedule::{pairs, take};
@@ -47,7 +47,8 @@ pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -
     searches
 }
 
-/// Of both trends where a parameter says which.
+/// True if at most one root is proved, for both trends where a parameter chooses; none where more than
+/// constants decide.
 fn has_one_root(graph: &Graph, end: &Sought) -> Option<bool> {
     let of = |rises| one_root::has_one_root(graph, end, rises);
     match end.trend {
@@ -123,5 +124,5 @@ fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
     Search { routine, root, sought, given, cost, has_one_root, apart, asks_for_a_turn }
 }
 
-/// What a trial is called.
+/// Name of a trial.
 pub(crate) const TRIAL: &str = "trial_";

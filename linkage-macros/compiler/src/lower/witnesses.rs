@@ -10,7 +10,7 @@ use crate::ir::graph::{Graph, Id, Node};
 
 /// The sinks that need a test of their own, each node once, in the order of the graph.
 pub(super) fn witnesses(graph: &Graph, sinks: &[Id]) -> Vec<Id> {
-    // Whether a value that is not finite shows in a tested sink further on.
+    // True if a value that is not finite shows in a tested sink further on.
     let mut shows = vec![false; graph.len()];
     let mut is_sink = vec![false; graph.len()];
     for sink in sinks {
