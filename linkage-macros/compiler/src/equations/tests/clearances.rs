@@ -46,3 +46,25 @@ fn ends_and_root_of_an_equation_are_as_far_as_by_hand() {
         }
     }
 }
+
+/// Of a bar from P to a block: X² = l² − (e − y)², against the squares of l, e and of P from the guide.
+#[test]
+fn a_bar_is_as_clear_of_its_guide_as_by_hand() {
+    let mechanism = mechanism(
+        "struct M { input x: length; input y: length; ground A(0, 0); guide rail through A along 0deg;
+        point P at (x, y);
+        rrp bar(P), block(rail) -> C { length: 3m, offset: 0.5m, mode: ahead } output C; }",
+    );
+    let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
+    let (x, y, l, e) = (0.7, -1.1, 3.0, 0.5);
+    let (params, loads, drives) = (Vec::new(), Vec::new(), Vec::new());
+    let inputs = vec![[x, 0.0, 0.0], [y, 0.0, 0.0]];
+    let values = interpret(&program, &Given { inputs, params, loads, drives, unit: None });
+    let [clearance] = &program.clearances[..] else { panic!("one group has a mode") };
+    let found = [clearance.value, clearance.scale].map(|id| values[id.index()]);
+    let expected = [l * l - (e - y) * (e - y), l * l + e * e + x * x + y * y];
+    for (found, expected) in found.into_iter().zip(expected) {
+        // Some five roundings of numbers up to eleven.
+        assert!((found - expected).abs() < 64.0 * f64::EPSILON, "{found} {expected}");
+    }
+}
