@@ -122,9 +122,9 @@ impl Exact {
         }
     }
 
-    /// The first of the integers that the number is.
+    /// The index of the first of the integers that equals the number.
     pub(crate) fn first_of(&self, integers: &[i64]) -> Option<usize> {
-        // Nearly every number is known to be none of them from one coarse enclosure.
+        // One coarse enclosure rules out all of them for nearly every number.
         if let (Form::Sum(_), Some(coarse)) = (&self.form, self.enclose(Enclosure::MIN_BITS)) {
             let integer = |value| Enclosure::integer(value, coarse.bits());
             let is_other =

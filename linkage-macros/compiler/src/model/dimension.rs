@@ -44,7 +44,7 @@ impl Dimension {
         Self { angle: is_angle && product.is_plain(), ..product }
     }
 
-    /// The unit as it stands behind a number: `N`, `(N*s/m)`. `None` where nobody calls it by one.
+    /// The unit as it stands behind a number: `N`, `(N*s/m)`. `None` if no usual one exists.
     pub(super) fn unit(self) -> Option<&'static str> {
         Some(match (self.length, self.mass, self.time) {
             (1, 0, 0) => "m",

@@ -71,8 +71,8 @@ impl Resolver<'_> {
         fields
     }
 
-    /// A field is one that the group has. One that was nearly written counts as present, and one
-    /// that was left out in favour of what does not exist, so that neither is missed as well.
+    /// Reports a field that the group does not have. A misspelt field counts as present, and so does
+    /// the first missing field where no name is near: neither is reported as missing, too.
     fn field_exists(
         &mut self,
         field: &Field,

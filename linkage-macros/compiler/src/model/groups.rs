@@ -106,7 +106,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// The names of a statement that cannot be understood are taken, and stand for nothing.
+    /// Reserves the names of a statement that cannot be understood. They stay unresolved.
     fn names_stay_unknown(&mut self, group: &tree::Group) {
         for name in group.legs.iter().map(|leg| &leg.link).chain(&group.pin) {
             self.name_is_new(name);

@@ -90,7 +90,7 @@ impl Resolver<'_> {
         self.diagnostics.error_because(span, message, reason);
     }
 
-    /// Reports `20N/mm`, whose `mm` would be the name of a number. What else is a product with it has no
+    /// Reports `20N/mm`, whose `mm` would be the name of a number. Other products with it have no
     /// meaning then.
     pub(super) fn units_have_parentheses(
         &mut self,

@@ -227,7 +227,7 @@ impl Resolver<'_> {
                 self.placed_point(docs, name, on.as_ref(), place);
             }
             StatementKind::Group(group) => self.group(docs, group),
-            // Outputs may name anything, wherever they stand: they come last. What is drawn was made
+            // Outputs may name anything, wherever they stand: they come last. Drawn links were made
             // into groups.
             StatementKind::Output { .. }
             | StatementKind::Pin { .. }

@@ -4,8 +4,8 @@ use super::dynamics::{Ends, Force, Spring};
 use super::mechanism::{Carrier, Mechanism, PointId};
 
 impl Mechanism {
-    /// Titles for errors, in this order: groups; springs, then forces, along a line between two
-    /// points, which has no direction where they meet; inputs, which may move no mass.
+    /// Titles for errors, in this order: groups, springs, forces, inputs. A spring or a force between
+    /// two points has no direction where they meet; an input may move no mass.
     pub(crate) fn titles(&self) -> Vec<String> {
         let groups = self.groups.iter().map(|group| group.title.clone());
         let springs = self.dynamics.springs.iter().map(|spring| self.spring_title(spring));

@@ -166,7 +166,7 @@ fn words(kinds: &[Kind]) -> String {
     listed(&words, "or")
 }
 
-/// "a point or a link"; what stands in an expression is a number, whoever declares it.
+/// "a point or a link"; a name in an expression is a number, whatever statement declares it.
 fn one_of(kinds: &[Kind]) -> String {
     if kinds == NUMBERS {
         return "a number".to_string();

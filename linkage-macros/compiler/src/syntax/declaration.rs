@@ -139,7 +139,7 @@ impl Parser<'_> {
             if self.at_end() && !docs.is_empty() {
                 let _ = self.refuse::<()>("write a statement behind this doc comment, or drop it");
             }
-            // A `;` behind braces is nobody's mistake.
+            // A `;` behind braces is legal.
             if self.at_end() || self.take_punct(';') {
                 continue;
             }

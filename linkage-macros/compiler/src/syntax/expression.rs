@@ -12,8 +12,8 @@ use super::words;
 ///
 /// A level takes most in the parser of a compiler that is not optimised: 7 KiB (measured, rustc
 /// 1.95), which is 700 KiB for all of them. The smallest stacks in use are those of an editor's
-/// server, the 2 MiB that Rust gives a thread. What stands side by side, the operands of a sum and
-/// the named expressions, is walked in a loop and has no limit; `fuzz/large.rs` compiles both.
+/// server, the 2 MiB that Rust gives a thread. The operands of a sum and the named expressions
+/// stand side by side. They are walked in a loop and have no limit; `fuzz/large.rs` compiles both.
 const DEEPEST: usize = 100;
 
 /// Members that are easily taken for functions of a link.
@@ -315,8 +315,8 @@ impl Parser<'_> {
         arguments
     }
 
-    /// Two expressions in parentheses, written as `form`. What is wrong inside the parentheses
-    /// stays inside.
+    /// Two expressions in parentheses, written as `form`. Mistakes inside the parentheses stay
+    /// inside.
     pub(super) fn pair(&mut self, form: &str) -> Parse<[Expr; 2]> {
         let Some(group) = self.take_group(Delimiter::Parenthesis) else {
             return self.expected(form);

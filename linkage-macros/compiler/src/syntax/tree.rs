@@ -315,7 +315,7 @@ pub(crate) struct Expr {
 #[derive(Clone)]
 pub(crate) enum ExprKind {
     /// The digits as written (underscores removed) and the powers of units behind them, none where
-    /// the number is bare. What is no unit stands there too, as the letters behind the digits.
+    /// the number is bare. Letters behind the digits that are no unit stand there too.
     Number {
         digits: String,
         units: Vec<UnitPower>,

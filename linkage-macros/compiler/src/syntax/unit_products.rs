@@ -1,7 +1,6 @@
 //! Products of units behind a number: `15(N/m)`, `0.1(kg*m^2)`, `2(1/s)`.
 //!
-//! They are read from left to right. Behind a `/` stands no `*`: whoever writes `N/m*s` may mean
-//! either of two things.
+//! They are read from left to right. A `*` behind a `/` is refused: `N/m*s` is ambiguous.
 
 use proc_macro2::{Delimiter, Group, Span, TokenTree};
 

@@ -27,7 +27,7 @@ fn an_unknown_that_leaves_a_circle_is_not_proposed() {
     check(&[(GROUND, &circle("C4"), all), (GROUND, &circle("A4"), one)]);
 }
 
-/// A bar whose joint nobody declares is no crank: another one is.
+/// The bar proposed as a crank stands on a joint that is declared.
 #[test]
 fn an_unknown_is_proposed_at_a_joint_that_exists() {
     check(&[(
