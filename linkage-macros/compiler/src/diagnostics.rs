@@ -122,8 +122,8 @@ impl Diagnostics {
         self.mistakes.extend(Diagnostic::adopted(error));
     }
 
-    /// How many mistakes were reported: equal counts before and after a step say that the step
-    /// found none.
+    /// The count of mistakes reported so far. Equal counts before and after a step mean that the step found
+    /// none.
     pub(crate) fn count(&self) -> usize {
         self.mistakes.len()
     }
@@ -185,7 +185,8 @@ pub(crate) fn nearest<'a>(
     candidates
         .map(|candidate| (distance(name, candidate), candidate))
         .filter(|&(distance, _)| distance <= allowed)
-        // Of equally near ones, the one as long as the name: `mn` is rather `mm` than `m`.
+        // Among equally near candidates, the one as long as the name wins: `mn` is taken for `mm`, not for
+        // `m`.
         .min_by_key(|&(distance, near)| (distance, near.chars().count().abs_diff(length)))
         .map(|(_, candidate)| candidate)
 }
@@ -264,7 +265,7 @@ mod tests {
         diagnostics.error(Span::call_site(), "late");
         let failure = diagnostics.barrier().expect_err("a mistake was reported");
         assert_eq!(messages(failure), ["late"]);
-        // What a barrier has handed over is not reported twice.
+        // A mistake that a barrier has handed over is not reported twice.
         assert!(diagnostics.finish().is_ok());
     }
 

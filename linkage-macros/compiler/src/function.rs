@@ -48,7 +48,7 @@ struct Row {
     measures: Measures,
     /// The largest magnitude of a value that no argument exceeds, rounding aside.
     largest: Option<f64>,
-    /// Whether rates change without a jump: no dimension has a corner.
+    /// True if the function has no corner, at which a rate would jump.
     is_smooth: bool,
     /// The reason where constants have no value.
     domain: &'static str,
@@ -122,7 +122,7 @@ impl Function {
         self.row().largest
     }
 
-    /// Whether a dimension may depend on it.
+    /// True if a dimension may depend on the function.
     pub(crate) const fn is_smooth(self) -> bool {
         self.row().is_smooth
     }

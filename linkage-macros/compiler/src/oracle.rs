@@ -1,5 +1,5 @@
-//! What the tests of several rooms stand on: mechanisms from source text, programs computed in a
-//! hundred digits, and derivatives in time by central differences of those.
+//! The reference for the tests of several rooms: mechanisms from source text, programs computed in a hundred
+//! digits, and their derivatives in time by central differences.
 
 use crate::diagnostics::{Diagnostics, Failure};
 use crate::exact::Exact;
@@ -91,7 +91,7 @@ pub(crate) fn defaults(mechanism: &Mechanism) -> Vec<Digits> {
         .collect()
 }
 
-/// What an entry gives.
+/// The results of an entry point.
 pub(crate) fn values(program: &Program, entry: &str, given: &Given<Digits>) -> Vec<Digits> {
     let entry = program.answer(entry).expect("the entry exists");
     let values = interpret(program, given);

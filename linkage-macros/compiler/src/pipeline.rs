@@ -11,7 +11,7 @@ use crate::model::mechanism::Mechanism;
 use crate::syntax::tree::Declaration;
 use crate::{codegen, equations, lower, model, passes, syntax};
 
-/// What is generated beside the solver. The default is nothing.
+/// The parts that are generated beside the solver. The default is none.
 #[derive(Clone, Copy, Debug, Default)]
 #[non_exhaustive]
 pub struct Options {
@@ -112,7 +112,8 @@ pub(crate) fn stub(
     options: &Options,
 ) -> TokenStream {
     let interface = Interface::of(mechanism);
-    // Whether the one input is a driver's bare angle is not known; a method too many says nothing.
+    // The stub does not know if its only input is the bare angle of a driver. It may therefore have a method
+    // too many, which brings no message.
     let answers = interface.entries.iter();
     let answers = answers.map(|entry| (Some(entry.point), interface.numbers(entry.result)));
     let is_pushed = declaration.statements.iter().any(|statement| statement.kind.is_force());

@@ -30,7 +30,7 @@ struct Network {
     units: Vec<Unit>,
     /// The node that holds each unit.
     holder: Vec<Option<usize>>,
-    /// How many units each node holds.
+    /// The count of units that each node holds.
     held: Vec<usize>,
 }
 
@@ -49,7 +49,7 @@ impl Network {
         for pin in 0..machine.pins.len() {
             let (resting, moving): (Vec<_>, Vec<_>) =
                 machine.at(pin).filter(|&body| counts(body)).partition(|&body| rests(body));
-            // What rests holds a pin once.
+            // All bodies at rest count as one body through the pin.
             let through: Vec<_> = resting.into_iter().take(1).chain(moving).collect();
             capacity.push(if through.len() > 1 { PIN } else { 0 });
             if through.len() > 1 {

@@ -3,7 +3,7 @@
 use super::machine::{Driven, GROUND, Machine};
 use super::options::Search;
 
-/// What places bodies once all before it are placed.
+/// The step that places bodies once all before it are placed.
 #[derive(Clone, Debug)]
 pub(crate) enum Found {
     /// A body is turned about a pin that is known, by a drive or by the unknown of a search.
@@ -134,7 +134,7 @@ pub(crate) struct Unplaced<'m> {
     pub parts: Vec<Vec<usize>>,
 }
 
-/// What is placed, among what a joint is between.
+/// The index that stands for all placed bodies in the list of a joint's two parts.
 pub(super) const KNOWN: usize = usize::MAX;
 
 impl Unplaced<'_> {

@@ -1,4 +1,4 @@
-//! How far groups are from their limits in the drawing.
+//! The distances of groups from their limits in the drawing.
 
 use super::cutting::{Dyad, Found, Pair};
 use super::machine::Machine;

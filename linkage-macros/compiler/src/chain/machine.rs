@@ -26,7 +26,7 @@ pub(crate) struct RigidBody {
     pub reads: Vec<usize>,
 }
 
-/// What a given body stands on.
+/// The bodies and pins that a given body depends on.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Footing {
     pub bodies: Vec<usize>,

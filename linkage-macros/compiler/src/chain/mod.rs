@@ -27,7 +27,7 @@ mod tests;
 use cutting::Found;
 use machine::Machine;
 
-/// What keeps a machine from being cut. Bodies and drives by their indices.
+/// The reasons why a machine cannot be divided into groups. Bodies and drives by their indices.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Trouble {
     /// The bodies have more constraints than freedoms, whatever the drawing is.

@@ -1,5 +1,5 @@
-//! How a group of class III is solved by one unknown: a link is left out, another is driven by the
-//! unknown, and the rest are drivers and dyads. The link that was left out is the equation.
+//! The solution of a class III group by one unknown: one link is left out, the unknown drives another, and
+//! the rest are drivers and dyads. The link that was left out is the equation.
 
 use super::cutting::{Found, KNOWN, Pair, Placed, Unplaced};
 use super::machine::{GROUND, Machine};
@@ -8,15 +8,15 @@ use super::machine::{GROUND, Machine};
 #[derive(Clone, Debug)]
 pub(crate) struct Search {
     pub left_out: usize,
-    /// What holds it: two pins, or a pin and a slide behind it.
+    /// The joints that hold it: two pins, or a pin and a slide behind it.
     pub joints: [Pair; 2],
     /// First what the unknown drives.
     pub steps: Vec<Found>,
     /// The ends of the unknown, from its value in the drawing.
     pub between: [f64; 2],
-    /// Whether the equation's left side grows with the unknown.
+    /// True if the equation's left side grows with the unknown.
     pub rises: bool,
-    /// How far the first drive can go, from the drawing, as far as the search was followed.
+    /// The interval of the first drive, measured from the drawing, in which the search was followed.
     pub stretch: [f64; 2],
 }
 
@@ -64,7 +64,7 @@ pub(crate) fn options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec
     found
 }
 
-/// What the unknown may drive: links at known pins, against each known body there, and links on
+/// The steps that the unknown may drive: links at known pins, against each known body there, and links on
 /// known slides.
 fn driven(machine: &Machine, known: &Placed, rest: &[usize]) -> Vec<Found> {
     let parts = rest.iter().map(|&body| vec![body]).collect();

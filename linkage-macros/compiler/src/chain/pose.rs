@@ -24,7 +24,7 @@ impl Motion {
     }
 }
 
-/// What drives and unknowns are, from the drawing.
+/// The changes of drives and unknowns from the drawing.
 pub(super) struct Given {
     pub drives: Vec<f64>,
     /// The unknowns of the searches so far; each begins where it was.
@@ -84,7 +84,7 @@ impl<'m> Posed<'m> {
         Some(())
     }
 
-    /// How far a driver is from the drawing.
+    /// The change of a driver from the drawing.
     fn change(&self, drive: Option<usize>, body: usize, given: &Given, unknown: f64) -> f64 {
         match drive {
             None => unknown,

@@ -7,11 +7,11 @@ use super::machine::{Driven, Machine};
 use super::options::Search;
 use super::pose::{Given, Posed};
 
-/// How many options are followed: those that are farthest from their limits in the drawing.
+/// The count of options that are followed: those that are farthest from their limits in the drawing.
 const FOLLOWED: usize = 5;
 /// The most poses each way.
 const POSES: usize = 60;
-/// How many parts an interval is looked at in.
+/// The count of parts into which an unknown's interval is divided to count its roots.
 const PARTS: usize = 16;
 /// The most poses of a stretch for which an interval is looked at.
 const LOOKED_AT: usize = 12;
@@ -72,7 +72,7 @@ fn rated(machine: &Machine, before: &[Found], mut search: Search) -> Option<Rate
     (score > LEAST).then_some(Rated { search, score })
 }
 
-/// What an unknown is measured by: a radian, or the size of the machine.
+/// The unit of an unknown: a radian, or the size of the machine.
 fn unit(machine: &Machine, search: &Search) -> f64 {
     match search.steps[0] {
         Found::Slider { .. } => machine.size(),

@@ -12,7 +12,7 @@ use crate::interface::entries::Given;
 use crate::ir::graph::Node;
 use crate::lower::label;
 
-/// What all arguments of all functions are called.
+/// The names of the arguments of all functions, without repetition.
 pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
     let entries = cx.interface.entries.iter();
     let names = entries.flat_map(|entry| Arguments::new(cx, &entry.given).names);
@@ -20,7 +20,7 @@ pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
     names.chain(SWEEP_ARGUMENTS.map(str::to_string)).collect::<BTreeSet<_>>().into_iter()
 }
 
-/// What an argument is.
+/// The shape of an argument.
 pub(super) enum Form<'a> {
     Number,
     /// A record, and its fields.
@@ -41,7 +41,7 @@ impl Form<'_> {
         }
     }
 
-    /// How many numbers it holds.
+    /// The count of numbers that it holds.
     pub(super) fn numbers(&self) -> usize {
         match self {
             Self::Number => 1,
@@ -112,7 +112,7 @@ impl<'a> Arguments<'a> {
         &self.names
     }
 
-    /// How a public function declares them, for numbers of this type.
+    /// The declarations of the arguments in a public function, for numbers of this type.
     pub(super) fn declared(&self, scalar: &TokenStream) -> Vec<TokenStream> {
         let declare = |(name, form): (&Ident, Form<'_>)| match form {
             Form::Record(record, _) => {
@@ -127,7 +127,7 @@ impl<'a> Arguments<'a> {
         self.parts().map(declare).collect()
     }
 
-    /// How a private function declares them: as the records themselves.
+    /// The declarations of the arguments in a private function, which takes records as they are.
     pub(super) fn received(&self, scalar: &TokenStream) -> Vec<TokenStream> {
         let receive = |(name, form): (&Ident, Form<'_>)| {
             let ty = form.ty(scalar);
@@ -153,7 +153,7 @@ impl<'a> Arguments<'a> {
         }
     }
 
-    /// Whether a public function makes records of what it is given.
+    /// True if a public function converts an argument into a record.
     pub(super) fn has_records(&self) -> bool {
         self.parts().any(|(_, form)| matches!(form, Form::Record(..)))
     }

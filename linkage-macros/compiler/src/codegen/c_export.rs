@@ -1,4 +1,4 @@
-//! What `export c;` adds: functions that C calls, and the text of their header.
+//! The additions of `export c;`: functions that C calls, and the text of their header.
 //!
 //! This is the only generated code that follows pointers. It does so in two places, `read_` and
 //! `reply_`, behind a test for null; everything else is the solver's own safe interface. The items
@@ -42,7 +42,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     }
 }
 
-/// What C calls the declaration's parameters together.
+/// The name in C of the parameter that points to the declaration's parameters.
 const PARAMETERS: &str = "mechanism";
 
 /// The parameters in a layout that C can fill with anything; nothing without parameters.
@@ -115,7 +115,7 @@ fn default(cx: &Context<'_>, width: Width) -> TokenStream {
     }
 }
 
-/// What a pointer of C's points to.
+/// The function `read_`, which reads the value behind a pointer from C; nothing where no function takes one.
 fn read(cx: &Context<'_>) -> TokenStream {
     let takes_pointers = !cx.mechanism.params.is_empty()
         || cx.mechanism.inputs.len() > 1

@@ -1,4 +1,4 @@
-//! What every part of the generated code is printed from.
+//! The context that every part of the generated code is printed from.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -25,9 +25,9 @@ pub(super) struct Context<'a> {
     pub interface: &'a Interface,
     pub paths: Paths,
     pub names: Names,
-    /// What constants are written as, each rounded once.
+    /// The written form of each constant, rounded once.
     constants: RefCell<Map<Node, Rc<str>>>,
-    /// Whether nothing but `f64` is computed with, so that constants are plain numbers.
+    /// True if the solver computes with `f64` alone, so that constants are plain numbers.
     is_double: bool,
 }
 
@@ -77,7 +77,7 @@ impl<'a> Context<'a> {
         self.interface.inputs.map(|id| &self.record(id).name)
     }
 
-    /// What a call is given as its inputs: a number, or the record of several.
+    /// The type of the inputs in a call: a number, or the record of several.
     pub(super) fn input(&self, number: &impl ToTokens) -> TokenStream {
         match self.inputs() {
             Some(record) => quote!(#record<#number>),
@@ -90,7 +90,7 @@ impl<'a> Context<'a> {
         self.interface.loads.map(|id| &self.record(id).name)
     }
 
-    /// Whether anything is searched.
+    /// True if the mechanism has an unknown, which is found by a search.
     pub(super) fn searches(&self) -> bool {
         !self.mechanism.unknowns.is_empty()
     }
@@ -115,7 +115,7 @@ impl<'a> Context<'a> {
         Tokens::path(self.number(), generated(function))
     }
 
-    /// What has the functions of numbers.
+    /// The type or trait whose functions compute: the type parameter, or `Scalar` for `f64`.
     pub(super) fn number(&self) -> Ident {
         // `f64` has functions of its own by these names, which are each platform's.
         match self.is_double {

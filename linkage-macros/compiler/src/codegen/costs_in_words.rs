@@ -14,7 +14,7 @@ use crate::ir::cost::Operations;
 /// bounds them.
 pub(super) const MOST: [u32; 2] = [61, 32];
 
-/// What an entry point costs.
+/// The operations of an entry point.
 pub(super) fn of(cx: &Context<'_>, entry: EntryId) -> Operations {
     cx.lowered.costs[entry.index()]
 }
@@ -29,7 +29,7 @@ pub(super) fn ty(cx: &Context<'_>) -> Tokens {
     })
 }
 
-/// Whether anything about forces has a cost.
+/// True if an entry point about forces has a cost.
 fn has_forces(cx: &Context<'_>) -> bool {
     let mut points = cx.interface.entries.iter().map(|entry| entry.point);
     points.any(|point| point.is_about_forces() && point.row().has_cost)

@@ -1,5 +1,5 @@
-//! What rustdoc and editors say about the generated code: what it is, its unit, what made it, what
-//! it costs. The user's own doc comments come first.
+//! The documentation of the generated code: the meaning, the unit, the source and the cost of each item. The
+//! user's own doc comments come first.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -251,7 +251,7 @@ pub(super) fn describe(cx: &Context<'_>, output: &Output, order: Order) -> Strin
     }
 }
 
-/// What goes in, and what the list of coefficients means.
+/// The arguments in words, and the meaning of the list of coefficients.
 fn details(cx: &Context<'_>, entry: &Entry) -> String {
     let mut text = match (&cx.mechanism.inputs[..], cx.inputs()) {
         ([only], _) => {
@@ -322,7 +322,7 @@ pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
 const NO_SOLUTION: &str = " `NoSolution` where an equation has no root of its mode between its ends, \
      `SeveralDeadPoints` where that cannot be told.";
 
-/// What is refused, or is not, in an entry point of this kind alone.
+/// The errors that only an entry point of this kind returns, or never returns.
 fn exceptions(cx: &Context<'_>, entry: &Entry) -> &'static str {
     if entry.takes_cosine() {
         return " `OffCircle` where the amplitude is no resolver's.";

@@ -1,4 +1,4 @@
-//! What the feature `sketch` adds: where everything stands, what it is called and what hangs on what.
+//! The code for the feature `sketch`: the places and names of all parts, and the part that each depends on.
 //! The drawing itself is in the run-time crate, once.
 
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -154,7 +154,7 @@ fn plan(cx: &Context<'_>) -> TokenStream {
     }
 }
 
-/// What stands between two points.
+/// The record of a spring between two points; none for a torsion spring.
 fn spring(cx: &Context<'_>, spring: &Spring) -> Option<TokenStream> {
     let Ends::Points(ends) = spring.ends else { return None };
     let (item, ends) = (cx.paths.item("Spring"), ends.map(|end| number(end.0)));

@@ -26,7 +26,7 @@ fn public_name(entry: &Entry) -> Ident {
     generated(&format!("solve_{}", entry.name()))
 }
 
-/// Whether the public function turns its arguments into others before anything is computed.
+/// True if the public function converts its arguments before the core computes.
 fn has_core(cx: &Context<'_>, entry: &Entry) -> bool {
     entry.takes_cosine() || Arguments::new(cx, &entry.given).has_records()
 }
@@ -212,11 +212,11 @@ pub(super) fn of_unit_rate(
     quote!(self.#core(#(#names,)* #one))
 }
 
-/// Whether the result is finite, as a term of a mask.
+/// Tests that the result is finite, as a term of a mask.
 fn is_finite(cx: &Context<'_>, id: EntryId, finite: &Finite) -> TokenStream {
     let entry = cx.entry(id);
     let components = results::components(cx, entry.result, "result_");
-    // Of their sum, because what is not finite stays so.
+    // One test of the sum is enough: a term that is not finite makes the sum not finite.
     let (is_finite, sum) = (cx.scalar("is_finite"), Text::from(sum(&finite.sum, &components)));
     let Some(([wide, narrow], bounds)) = &finite.instead else {
         return quote!(#is_finite(#sum));

@@ -1,4 +1,4 @@
-//! What rustdoc says about forces: of each, which body acts on which, its sign and its unit.
+//! The documentation of forces: the body that acts, the body acted on, the sign and the unit of each.
 
 use proc_macro2::TokenStream;
 
@@ -16,7 +16,7 @@ pub(super) fn load(load: &Load) -> TokenStream {
     after(&load.docs, &format!("Load `{}` in {unit}.", text(&load.name)))
 }
 
-/// How the loads are given.
+/// Describes the form of the loads: a number, or an array or record of several.
 pub(super) fn loads(cx: &Context<'_>) -> String {
     match (&cx.mechanism.dynamics.loads[..], cx.loads()) {
         ([only], _) => {
@@ -104,7 +104,7 @@ fn sentence(cx: &Context<'_>, asked: &Asked) -> String {
     }
 }
 
-/// What a spring exerts on which of its ends.
+/// The force or torque of a spring, and the end on which it acts.
 fn spring(cx: &Context<'_>, id: SpringId) -> String {
     let spring = &cx.mechanism.dynamics.springs[id.index()];
     match spring.ends {
@@ -130,7 +130,7 @@ fn effort_unit(dimension: Dimension) -> String {
     }
 }
 
-/// What drives a crank or a slider, and against what.
+/// The drive of a crank or a slider: its couple or force, and the body that it reacts against.
 fn driven(cx: &Context<'_>, id: LinkId) -> String {
     let name = text(&cx.mechanism.links[id.index()].name);
     let group = cx.mechanism.group_with(id);

@@ -1,4 +1,4 @@
-//! What the docs say of every group: its dimensions, its mode, and where it can be assembled.
+//! The documentation of every group: its dimensions, its mode, and where it can be assembled.
 
 use proc_macro2::Ident;
 
@@ -30,7 +30,7 @@ struct Words<'a> {
 }
 
 impl Words<'_> {
-    /// What an equation fixes, if it is that which bears the group's name.
+    /// The interval and the trend of the unknown that is solved in the group of this index, if there is one.
     fn unknown(&self, index: usize) -> Option<String> {
         let unknowns = &self.mechanism.unknowns;
         let unknown = unknowns.iter().find(|unknown| unknown.group.index() == index)?;

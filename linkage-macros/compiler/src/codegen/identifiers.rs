@@ -48,10 +48,10 @@ pub(super) fn generated(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
 }
 
-/// What a sweep's arguments beside the inputs are called.
+/// The names of a sweep's arguments beside the inputs.
 pub(super) const SWEEP_ARGUMENTS: [&str; 3] = ["out", "status", "progress"];
 
-/// What given cosines are called.
+/// The names of the arguments that give an angle by its cosine and sine.
 pub(super) const CIRCLE: [&str; 2] = ["cos", "sin"];
 
 /// An argument named after an input, in lower case. It has no span of the input's: an editor would show

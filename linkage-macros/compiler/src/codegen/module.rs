@@ -19,8 +19,8 @@ pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
         return code.clone();
     }
     let (module, visibility) = (name(&cx.names.solver), &cx.mechanism.visibility);
-    // What stands in for a declaration with mistakes may lack what was asked for; only names that
-    // were understood are for editors.
+    // The stub of a declaration with mistakes may lack a requested function. A stub serves editors, so
+    // `Absent` is imported only where names were resolved.
     let is_understood = !cx.mechanism.references.made.is_empty();
     let absent = is_understood.then(|| {
         // Where nothing about forces is absent, loads make no difference.
@@ -43,8 +43,8 @@ pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
     }
 }
 
-/// What the compiler is to let pass: names are as declared, no number is `Eq`, and hardly anyone reads
-/// every result.
+/// The lints that generated code is allowed to trip: names are as declared, records derive no `Eq`, and
+/// hardly anyone reads every result.
 fn allowed() -> TokenStream {
     quote! {
         #[allow(
@@ -65,7 +65,7 @@ fn name(solver: &Ident) -> Ident {
     generated(&format!("{}_", text(solver)))
 }
 
-/// How visible the structs are inside the module, so that they are outside what is declared.
+/// The visibility of the structs inside the module that gives them the declared visibility outside.
 pub(super) fn visibility_inside(cx: &Context<'_>) -> TokenStream {
     let visibility = &cx.mechanism.visibility;
     if !a_module_can_hold(cx.mechanism) {

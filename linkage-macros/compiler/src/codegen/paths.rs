@@ -16,15 +16,15 @@ use crate::model::mechanism::Mechanism;
 pub(super) struct Paths {
     /// The hidden module as the user's crate finds it.
     module: TokenStream,
-    /// What it is called inside the unnamed constant.
+    /// The name of the hidden module inside the unnamed constant.
     alias: Ident,
-    /// What the mechanism and its records are called: they hide what is imported.
+    /// The names of the mechanism and its records, which hide imported names.
     own: Vec<String>,
-    /// Whether the code has a module of its own.
+    /// True if the code has a module of its own.
     is_held: bool,
 }
 
-/// What `private::names` holds: types, traits and variants that most mechanisms need.
+/// The items of `private::names`: types, traits and variants that most mechanisms need.
 pub(super) const IMPORTED: [&str; 48] = [
     "AllMet",
     "AngularAcceleration",
@@ -92,12 +92,12 @@ impl Paths {
         Self { module, alias: clear_of("private", &mechanism.name), own, is_held }
     }
 
-    /// What a module of the code's own begins with, if there is one.
+    /// The imports at the start of the code's own module, if it has one.
     pub(super) fn import_in_module(&self) -> Option<TokenStream> {
         self.is_held.then(|| self.import())
     }
 
-    /// What the unnamed constant begins with, if nothing around it has imported anything.
+    /// The imports at the start of the unnamed constant, unless the module around it has them.
     pub(super) fn import_in_constant(&self) -> Option<TokenStream> {
         (!self.is_held).then(|| self.import())
     }
@@ -124,12 +124,12 @@ impl Paths {
         }
     }
 
-    /// Whether something of the mechanism's own has the name of something imported.
+    /// True if the mechanism or one of its records has the name of an imported item.
     fn is_hidden(&self, name: &str) -> bool {
         self.own.iter().any(|own| own == name)
     }
 
-    /// What an imported item is called.
+    /// The name of an imported item in the generated code: it ends in `_` where it would be hidden.
     pub(super) fn imported(&self, name: &str) -> Ident {
         let clash = if self.is_hidden(name) { "_" } else { "" };
         Ident::new(&format!("{name}{clash}"), Span::call_site())

@@ -1,4 +1,4 @@
-//! What the dimensions say about the turn of a crank, in words.
+//! The range of a crank as its dimensions determine it, in words.
 
 use super::context::Context;
 use super::identifiers::text;

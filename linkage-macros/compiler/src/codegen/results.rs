@@ -1,4 +1,4 @@
-//! How a result is made of its numbers, and how they are read from it again.
+//! The construction of a result from its numbers, and the reading of the numbers from a result.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;

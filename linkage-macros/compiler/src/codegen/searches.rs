@@ -113,7 +113,7 @@ fn trend(cx: &Context<'_>, trend: Trend) -> TokenStream {
     }
 }
 
-/// What the page of the solver says of each unknown.
+/// The entry of each unknown in the documentation of the solver.
 pub(super) fn in_words(cx: &Context<'_>) -> Vec<String> {
     let unknowns = cx.mechanism.unknowns.iter().enumerate();
     unknowns.filter_map(|(index, unknown)| of_unknown(cx, index, unknown)).collect()

@@ -20,7 +20,7 @@ fn name(entry: &Entry) -> Ident {
     generated(&format!("diagnose_{}_", entry.name()))
 }
 
-/// What a public function returns where its fast path gave no answer.
+/// The expression that a public function returns where its fast path gave no answer.
 ///
 /// The optimiser may pair the positions of a motion, which are there long before the rates, and so the
 /// sums for sine and cosine: their constants are half as many. Whatever comes last it must not.
@@ -36,8 +36,8 @@ pub(super) fn call(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> Token
     quote!(#apart(#found, #first))
 }
 
-/// What the slow path of an entry point found. A given cosine and sine are brought onto the circle
-/// first, an angle's are there.
+/// The call of an entry point's slow path. A given cosine and sine are first scaled onto the unit circle;
+/// those of an angle lie on it.
 fn found(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> TokenStream {
     let (entry, [cos, sin]) = (cx.entry(id), ["cos_", "sin_"].map(generated));
     let (found, own, given) = match cx.compute(id) {
@@ -77,7 +77,8 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     })
 }
 
-/// What is given must be finite, then every condition be met, then what comes out be finite.
+/// The body of the slow path: it checks that every argument is finite, then every condition, then that the
+/// results are finite.
 fn diagnosed(
     cx: &Context<'_>,
     entry: &Entry,

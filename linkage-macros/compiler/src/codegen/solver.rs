@@ -11,7 +11,7 @@ use crate::interface::{forces, labels};
 use crate::model::mechanism::{Output, Param, ParamKind, Sign};
 use crate::syntax::anatomy::Modes;
 
-/// What can be done without solving anything.
+/// The implementations that need no solving: constants, `Default` and `lift`.
 pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
     let (constants, default, lift) = (constants(cx), default(cx), lift(cx));
     quote!(#constants #default #lift)
@@ -112,7 +112,7 @@ fn default_variant(param: &Param) -> TokenStream {
     format_ident!("{}", Modes::variant(word)).into_token_stream()
 }
 
-/// What needs no type parameter to be written.
+/// The constants and `new`, in an implementation that is named without a type parameter.
 fn constants(cx: &Context<'_>) -> TokenStream {
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let new = defaults(cx, &quote!(#name), |wide, _| literal(wide));

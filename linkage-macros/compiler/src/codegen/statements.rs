@@ -14,7 +14,7 @@ use crate::ir::liveness::Path;
 use crate::lower::routine::{Condition, Reading, Routine, Statement, Threshold};
 use crate::model::mechanism::ParamKind;
 
-/// What the statements of one routine are printed with.
+/// The printer of one routine's statements, with all that they read.
 pub(super) struct Printer<'a> {
     pub cx: &'a Context<'a>,
     pub arguments: Arguments<'a>,
@@ -67,7 +67,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// How clear of their limits the groups are, told to the checks, and zeros for the result.
+    /// Passes the groups' clearances to the checks, and returns zeros for the result.
     fn tell(&self, statements: &[Statement], clearances: &[Id], to: &mut Text) {
         let stages = &self.routine.stages;
         let numbers: usize = stages.iter().map(|stage| stage.sinks.len()).sum();

@@ -22,7 +22,7 @@ pub(super) fn definitions(cx: &Context<'_>, is_serialised: bool) -> TokenStream 
     records.map(defined).collect()
 }
 
-/// Whether serde has an implementation for every field: its arrays end at 32 elements.
+/// True if serde implements its traits for every field: its arrays end at 32 elements.
 fn serde_knows(record: &Record) -> bool {
     record.fields.iter().all(|field| match field.shape {
         Shape::List(count) => count <= 32,
@@ -44,7 +44,7 @@ fn serialised(cx: &Context<'_>, definition: &TokenStream) -> TokenStream {
     }
 }
 
-/// What can be done with them.
+/// The implementations of the records: arrays, rows, and conversions from lists.
 pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
     let implementation = |record: &Record| match record.kind {
         Kind::Inputs | Kind::Loads => from_list(cx, record),
@@ -63,7 +63,7 @@ pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
     [arrays.into_token_stream()].into_iter().chain(own).collect()
 }
 
-/// What stands in front of every struct.
+/// The attributes in front of every struct.
 pub(super) fn attributes(cx: &Context<'_>) -> TokenStream {
     let derives = cx.paths.derives(&["Clone", "Copy", "Debug", "PartialEq"]);
     let layout = cx.mechanism.export_c.then(|| quote!(#[repr(C)]));
@@ -82,7 +82,7 @@ fn definition(cx: &Context<'_>, record: &Record) -> TokenStream {
     });
     let fields: Vec<_> = fields.collect();
     let float = cx.paths.outside("f64");
-    // What is as declared by us alone stands on lines of its own.
+    // The fields of a motion are named by the compiler and stand on lines of their own: a comma ends each.
     let last = (record.kind == Kind::Motion).then(|| quote!(,));
     let named = matches!(record.kind, Kind::ForcesOf(_))
         .then(|| quote!(#[allow(non_camel_case_types, reason = "names are as declared")]));
@@ -129,7 +129,7 @@ fn rows_of(field: &Field) -> Vec<String> {
     angle.into_iter().chain(rest).collect()
 }
 
-/// How a plain list becomes the record of several inputs.
+/// The conversion of a plain array into the record of several inputs or loads.
 fn from_list(cx: &Context<'_>, record: &Record) -> TokenStream {
     let (name, scalar) = (&record.name, &cx.names.scalar);
     let count = Literal::usize_unsuffixed(record.fields.len());

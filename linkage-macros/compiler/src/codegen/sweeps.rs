@@ -38,11 +38,11 @@ struct Sweep<'a> {
     id: EntryId,
     entry: &'a Entry,
     arguments: Arguments<'a>,
-    /// How many numbers a pose takes.
+    /// The count of numbers that a pose takes.
     numbers: usize,
     /// The run-time type that stands for the entry point.
     kind: Tokens,
-    /// How many numbers a pose takes and gives.
+    /// The counts of numbers that a pose takes and gives.
     ins: Literal,
     outs: Literal,
 }
@@ -68,7 +68,7 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// What the user calls.
+    /// The public function.
     fn function(&self) -> TokenStream {
         let Self { cx, entry, kind, ins, outs, .. } = self;
         let scalar = &cx.names.scalar;
@@ -81,7 +81,7 @@ impl<'a> Sweep<'a> {
         for (name, form) in self.arguments.parts() {
             let ty = form.ty(&values);
             let given = match form {
-                // What stands in a list of series says what it is by `into()`.
+                // The user converts each member of an array with `into()`.
                 Form::List(_) => {
                     declared.push(quote!(#name: #ty));
                     continue;

@@ -29,7 +29,7 @@ impl Text {
         self.put(&code.0);
     }
 
-    /// What is written in turn, with commas between.
+    /// Writes each item in turn, with commas between.
     pub(super) fn list<I>(
         &mut self,
         items: impl IntoIterator<Item = I>,

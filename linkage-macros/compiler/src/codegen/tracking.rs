@@ -1,5 +1,5 @@
-//! What following a motion through changes of mode needs: how clear of its limits every group is, and
-//! which parameter holds its mode.
+//! The functions for following a motion through changes of mode: the clearance of every group, and the
+//! parameter that holds its mode.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -15,7 +15,7 @@ use crate::interface::entries::Given;
 use crate::lower::routine::Routine;
 use crate::model::mechanism::{Param, ParamKind};
 
-/// How many groups there are.
+/// The count of groups with a clearance.
 pub(super) fn count(cx: &Context<'_>) -> usize {
     cx.program().clearances.len()
 }
@@ -49,8 +49,8 @@ pub(super) fn flips(cx: &Context<'_>, to: &mut Text) {
     }
 }
 
-/// How clear of their limits the groups are, as the trait asks it: the formulas of a pose say it on their
-/// way. Beside an unknown a routine of its own does, which has rates, too.
+/// The groups' clearances, in the form that the trait requires. The routine of a pose computes them on its
+/// way. A mechanism with an unknown has a routine of its own for them, which computes rates as well.
 pub(super) fn clearances(cx: &Context<'_>, to: &mut Text) {
     told(cx, to);
     match cx.lowered.clearances {
@@ -112,7 +112,7 @@ fn listed(cx: &Context<'_>, routine: &Routine) -> Text {
     text
 }
 
-/// What the formulas of a pose say on the way.
+/// Takes the clearances from the routine of a pose.
 fn on_the_way(cx: &Context<'_>, to: &mut Text) {
     let Some(routine) = cx.lowered.routines.iter().find(|routine| routine.tells) else {
         to.put("let _ = (lifted_, input_, of_); [] }\n");
@@ -151,7 +151,7 @@ fn standstill(cx: &Context<'_>, to: &mut Text) {
     }
 }
 
-/// What the routine with rates says where nothing moves.
+/// Takes the clearances from the routine with rates, with all rates zero.
 fn at_rest(cx: &Context<'_>, to: &mut Text) {
     to.put("lifted_.clearances_(");
     of_numbers(cx, "input_", 0, to);

@@ -85,7 +85,7 @@ fn has_dollar(stream: TokenStream) -> bool {
     })
 }
 
-/// What stands behind `struct`.
+/// The name behind `struct`.
 fn name(stream: TokenStream) -> Option<String> {
     let mut trees = stream.into_iter();
     trees.find(|tree| matches!(tree, TokenTree::Ident(word) if word == "struct"))?;

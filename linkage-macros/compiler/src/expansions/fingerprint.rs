@@ -4,13 +4,13 @@ use std::collections::HashMap;
 
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 
-/// Of the tokens as they are.
+/// The hash of the tokens as they are.
 pub(super) fn exact(stream: TokenStream) -> String {
     hash(&texts(stream))
 }
 
-/// Of the tokens with the generated locals of each function numbered in the order in which they are
-/// bound: names that a `let` binds and that end in an underscore.
+/// The hash of the tokens after the generated locals of each function are numbered in the order of their
+/// bindings. Generated locals are names that a `let` binds and that end in an underscore.
 pub(super) fn numbered_anew(stream: TokenStream) -> String {
     let mut texts = texts(stream);
     let mut numbers: HashMap<String, usize> = HashMap::new();

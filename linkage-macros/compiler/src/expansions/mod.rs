@@ -1,11 +1,11 @@
-//! What every declaration of the workspace expands to, by hashes that are kept beside this file.
+//! The expansions of every declaration of the workspace, compared with the hashes kept beside this file.
 //!
-//! A change of the compiler that means to change no generated code shows here that it changed
-//! none; one that means to shows which declarations it touched. Of each the file holds six hashes: of the
-//! exact tokens; of the tokens without documentation and with the generated locals numbered anew, so that
-//! other names of locals are told from other code; of the documentation; of what it is drawn by; of the header for C; and of
-//! what stands in where the declaration has mistakes. Behind them stand hashes of the messages that
-//! declarations with slips bring. After an intended change
+//! A change of the compiler that should change no generated code shows here that it changed none. One that
+//! should shows which declarations it touched. The file holds six hashes of each declaration: of the exact
+//! tokens; of the tokens without documentation and with the generated locals numbered anew, which tells
+//! renamed locals from other code; of the documentation; of the code that draws it; of the header for C; and
+//! of the stub that replaces a declaration with mistakes. Behind them stand hashes of the messages about
+//! declarations with slips. After an intended change
 //! `LINKAGE_RENEW=1 cargo test -p linkage-compiler expansions` writes the file anew, in a commit that
 //! says why.
 
@@ -41,7 +41,7 @@ struct Hashes {
     stub: String,
 }
 
-/// How an expansion differs from the one that is kept.
+/// The differences between an expansion and the one that is kept.
 const NEW: &str = "declared anew or otherwise";
 const GONE: &str = "declared no more, or otherwise";
 const RENAMED: &str = "expands to the same under other names of locals";
@@ -83,7 +83,8 @@ impl Hashes {
         [exact, renumbered, docs, drawing, header, stub]
     }
 
-    /// What matters most of the differences. The exact tokens hold documentation and names of locals.
+    /// The most important difference. The exact tokens include documentation and names of locals, so they are
+    /// compared after these.
     fn difference(&self, kept: &Self) -> Option<&'static str> {
         match () {
             () if self == kept => None,
@@ -151,7 +152,7 @@ fn messages_of_slips() -> Vec<String> {
     (0..LINES).map(|_| line()).collect()
 }
 
-/// What differs, by how it does.
+/// The names of all declarations that differ, by the kind of difference.
 fn differences(
     made: &BTreeMap<Key, Hashes>,
     kept: &BTreeMap<Key, Hashes>,

@@ -75,7 +75,7 @@ pub(super) fn docs(stream: TokenStream) -> Vec<String> {
     lines
 }
 
-/// What a declaration expands to where it can be drawn, without what it is drawn by; and that.
+/// Splits the expansion of a declaration that can be drawn: the code without the drawing, and the drawing.
 pub(super) fn taken_apart(stream: TokenStream) -> (TokenStream, TokenStream) {
     let (mut solver, mut drawing) = (Vec::<TokenTree>::new(), TokenStream::new());
     for tree in stream {

@@ -97,7 +97,7 @@ impl Mangler {
                 trees.insert(i, new);
             }
             4 => trees[i] = self.any(),
-            // What a user is more likely to write: another word or number, the same otherwise.
+            // A user's more likely slip: another word or number of the same kind.
             _ => trees[i] = self.alike(&trees[i].clone(), trees),
         }
     }

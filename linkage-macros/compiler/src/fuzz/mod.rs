@@ -17,7 +17,7 @@ use crate::pipeline::Options;
 use crate::{model, pipeline, syntax};
 use mangle::Mangler;
 
-/// What came of many declarations.
+/// The counts of declarations that compiled, of those with mistakes, and of the mistakes reported.
 #[derive(Default)]
 struct Tally {
     compiled: usize,

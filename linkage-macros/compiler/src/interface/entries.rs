@@ -6,13 +6,13 @@
 use crate::interface::quantity::Order;
 use crate::interface::records::{Kind, Shape};
 
-/// What an argument says of the inputs: each is a number, or a record of several inputs' numbers.
+/// The meaning of an argument for the inputs: each is a number, or a record of several inputs' numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Given {
     Value,
     Rate,
     Acceleration,
-    /// Of the only input, in place of its value; a sine follows.
+    /// The cosine of the only input, in place of its value; the sine follows.
     Cosine,
     Sine,
     /// The loads, a number or a record of several.
@@ -71,11 +71,11 @@ pub(crate) struct EntryRow {
     /// The arguments; loads only where there are any.
     given: &'static [Given],
     pub(super) returns: Returns,
-    /// Whether it has a `sweep_` over slices.
+    /// True if it has a `sweep_` over slices.
     pub sweeps: bool,
-    /// Whether `COST` has a field of its name.
+    /// True if `COST` has a field of its name.
     pub has_cost: bool,
-    /// What its documentation adds about errors: with one input, and with several.
+    /// The documentation of its particular errors: with one input, and with several.
     pub errors: [&'static str; 2],
 }
 
@@ -137,12 +137,12 @@ impl EntryPoint {
         self.row().name
     }
 
-    /// Whether it is about forces or energy.
+    /// True if it is about forces or energy.
     pub(crate) fn is_about_forces(self) -> bool {
         self.row().topic != Topic::Kinematics
     }
 
-    /// Whether it is about accelerations under forces.
+    /// True if it is about accelerations under forces.
     pub(crate) fn is_about_dynamics(self) -> bool {
         self.row().topic == Topic::Dynamics
     }
@@ -153,12 +153,12 @@ impl Entry {
         self.point.name()
     }
 
-    /// Whether the only input is given by its cosine and sine.
+    /// True if the only input is given by its cosine and sine.
     pub(crate) fn takes_cosine(&self) -> bool {
         self.point.by_cosine
     }
 
-    /// Whether it is position, velocity or motion at given inputs.
+    /// True if it is position, velocity or motion at given inputs.
     pub(crate) fn is_a_stage(&self) -> bool {
         !self.takes_cosine() && Analysis::STAGES.contains(&self.point.analysis)
     }

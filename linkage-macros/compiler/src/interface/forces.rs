@@ -12,7 +12,7 @@ use crate::interface::records::{
 use crate::model::dynamics::{Asked, Effort};
 use crate::model::mechanism::Mechanism;
 
-/// What an effort is made of.
+/// The shape of an effort in the result.
 pub(crate) fn shape(effort: Effort) -> Shape {
     match effort {
         Effort::Input(_)
@@ -45,7 +45,8 @@ pub(crate) fn rows(asked: &Asked) -> Vec<String> {
     }
 }
 
-/// What is asked of each owner: the model keeps it together.
+/// The range of each owner's efforts in the list of requested ones: the model keeps an owner's efforts
+/// together.
 pub(super) fn owners(mechanism: &Mechanism) -> Vec<Range<usize>> {
     let mut owners: Vec<Range<usize>> = Vec::new();
     let asked = &mechanism.dynamics.asked;
@@ -67,7 +68,7 @@ pub(super) fn of_owner(mechanism: &Mechanism, owned: Range<usize>) -> Record {
     record(mechanism, &suffix, Kind::ForcesOf(first), fields.collect())
 }
 
-/// What has no owner but the whole mechanism: a field of its own.
+/// The field of an effort that belongs to the whole mechanism: only shaking does.
 pub(super) fn field_of_the_whole(mechanism: &Mechanism, index: usize) -> Option<Field> {
     let asked = &mechanism.dynamics.asked[index];
     matches!(asked.effort, Effort::Shaking)

@@ -1,4 +1,4 @@
-//! What `OUTPUTS` calls the scalar rows, and errors the single numbers of a result.
+//! The names of the scalar rows in `OUTPUTS`, and the names of a result's numbers in errors.
 
 use syn::ext::IdentExt;
 
@@ -36,7 +36,7 @@ pub(crate) fn all_rows(mechanism: &Mechanism) -> Vec<String> {
     mechanism.outputs.iter().flat_map(|output| rows(mechanism, output)).collect()
 }
 
-/// What an error calls each number of an entry point's result, in the order of the sinks.
+/// The name of each number of an entry point's result in errors, in the order of the sinks.
 pub(crate) fn of_result(
     interface: &Interface,
     mechanism: &Mechanism,
@@ -55,7 +55,7 @@ pub(crate) fn of_result(
     }
 }
 
-/// What an error calls each number of a record.
+/// The name of each number of a record in errors.
 pub(crate) fn of_record(interface: &Interface, mechanism: &Mechanism, id: RecordId) -> Vec<String> {
     let fields = interface.record(id).fields.iter();
     fields.flat_map(|field| of_field(interface, mechanism, field)).collect()

@@ -1,5 +1,5 @@
-//! What the solver offers: which functions, what each is given, what it returns, and what every
-//! number in that is called.
+//! The interface of the solver: its functions, their arguments, their results, and the name of every number
+//! in a result.
 //!
 //! It is known before any formula is, and said once: the equations fill it in, and the generated
 //! code, its documentation and the C header read it. Nothing here computes and nothing prints.
@@ -83,12 +83,12 @@ impl Interface {
         self.entries.iter().position(|entry| entry.point == point).map(EntryId)
     }
 
-    /// Whether an analysis is offered at given inputs.
+    /// True if an analysis is offered at given inputs.
     pub(crate) fn has(&self, analysis: Analysis) -> bool {
         self.find(analysis.by_value()).is_some()
     }
 
-    /// Whether something is given or returns a record: margins may be outputs without an entry point, and
+    /// True if an entry point takes or returns a record. Margins may be outputs without an entry point, and
     /// masses may be such that no equations of motion are offered.
     pub(crate) fn is_used(&self, record: &Record) -> bool {
         match record.kind {
@@ -106,7 +106,7 @@ impl Interface {
         &self.records[id.index()]
     }
 
-    /// How many numbers a result of this shape has.
+    /// The count of numbers in a result of this shape.
     pub(crate) fn numbers(&self, shape: Shape) -> usize {
         match shape {
             Shape::Number => 1,

@@ -1,4 +1,4 @@
-//! What a result is made of: a point has x and y, a direction cosine and sine, a slide a length.
+//! The components of a result: a point has x and y, a direction cosine and sine, a slide a length.
 //!
 //! One table says of each quantity, position, velocity and acceleration apart, which record of the
 //! run-time crate holds it, what its components are called there and in the generated code, which
@@ -6,7 +6,7 @@
 
 use crate::model::mechanism::OutputKind;
 
-/// How often a result was differentiated by time.
+/// The order of a result's derivative by time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Order {
     Position,
@@ -18,7 +18,7 @@ impl Order {
     pub(crate) const ALL: [Self; 3] = [Self::Position, Self::Velocity, Self::Acceleration];
 }
 
-/// What an output is, and so the number and order of its components.
+/// The kind of an output, which determines the number and order of its components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Quantity {
     Point,
@@ -32,9 +32,9 @@ pub(crate) enum Quantity {
     Value,
     /// A force in ground axes.
     Force,
-    /// What a guide exerts on what slides on it.
+    /// The force and couple of a guide on the body that slides on it.
     GuideForce,
-    /// What inertia puts on the ground.
+    /// The force and couple of inertia on the ground.
     Shaking,
 }
 
@@ -47,7 +47,7 @@ pub(crate) struct Part {
     pub local: &'static str,
 }
 
-/// How a quantity is laid out at one order.
+/// The layout of a quantity at one order.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Layout {
     /// The record of the run-time crate; none for a plain number.
@@ -57,12 +57,12 @@ pub(crate) struct Layout {
     /// The scalar rows; of a direction the angle, at every order. A number's row has no name of
     /// its own.
     pub rows: &'static [&'static str],
-    /// What it is, and its unit; of a number only its unit says more.
+    /// The meaning and the unit in words. The unit of a number depends on the output, so it is left out.
     pub words: &'static str,
 }
 
 impl Quantity {
-    /// What an output is.
+    /// The quantity of an output.
     pub(crate) fn of(kind: &OutputKind) -> Self {
         match kind {
             OutputKind::Point(_) | OutputKind::CentreOfMass => Self::Point,

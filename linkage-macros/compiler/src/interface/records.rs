@@ -21,7 +21,7 @@ impl RecordId {
     }
 }
 
-/// What a result or a part of it is, and so the order of the numbers in it.
+/// The shape of a result or a part of it, which determines the order of its numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Shape {
     Number,
@@ -45,7 +45,7 @@ pub(crate) struct Record {
     pub fields: Vec<Field>,
 }
 
-/// What a record is for.
+/// The purpose of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// Several inputs, or their first or second rates.
@@ -58,7 +58,7 @@ pub(crate) enum Kind {
     Margins,
     /// Several loads.
     Loads,
-    /// What is asked about forces, by what it belongs to.
+    /// The requested forces, by the part that they belong to.
     Forces,
     /// The same of one input or link: an index into the mechanism's asked-for forces, its first.
     ForcesOf(usize),
@@ -74,7 +74,7 @@ pub(crate) struct Field {
     pub subject: Subject,
 }
 
-/// What a field holds, for its documentation.
+/// The content of a field, for its documentation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Subject {
     /// An index into the mechanism's inputs.
@@ -97,7 +97,7 @@ pub(crate) enum Subject {
     GeneralizedForce,
 }
 
-/// Whether an output exists also where the pose does not.
+/// True if an output exists even where the mechanism has no pose.
 pub(crate) fn is_margin(output: &Output) -> bool {
     matches!(output.kind, OutputKind::Margin(_) | OutputKind::Transmission(_))
 }

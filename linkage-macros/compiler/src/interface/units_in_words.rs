@@ -26,7 +26,7 @@ pub(crate) fn unit(dimension: Dimension, order: Order) -> String {
     format!("{unit}{}", per_time(order))
 }
 
-/// What an order adds to a unit.
+/// The suffix of a unit at this order.
 pub(crate) fn per_time(order: Order) -> &'static str {
     match order {
         Order::Position => "",

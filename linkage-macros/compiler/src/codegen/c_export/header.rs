@@ -14,7 +14,7 @@ use crate::interface::records::{self, Field, Kind, Shape, Subject};
 use crate::interface::units_in_words::unit;
 use crate::model::mechanism::{Param, ParamKind};
 
-/// What all headers share: status codes, modes and the records that outputs are made of.
+/// The part that all headers share: status codes, modes and the records that outputs are made of.
 pub(in crate::codegen) const SHARED: &str = include_str!("linkage.h");
 
 /// The records that forces are made of, where they are asked for.
@@ -161,7 +161,7 @@ fn record(cx: &Context<'_>, width: Width, of: &records::Record) -> Record {
     Record { about, name: width.type_name(&plain(&of.name)), fields }
 }
 
-/// What stands behind the name of a list.
+/// The dimensions in brackets behind the name of an array.
 fn dimensions(shape: Shape) -> String {
     match shape {
         Shape::Matrix { rows, columns } => format!("[{rows}][{columns}]"),

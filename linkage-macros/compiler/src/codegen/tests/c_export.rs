@@ -1,4 +1,4 @@
-//! What `export c;` adds, and what it leaves alone.
+//! The additions of `export c;`, and the code that it leaves unchanged.
 
 use quote::ToTokens;
 use syn::{Expr, ExprLit, ImplItem, Lit};

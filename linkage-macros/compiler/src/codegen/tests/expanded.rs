@@ -10,7 +10,7 @@ use proc_macro2::{TokenStream, TokenTree};
 
 use crate::pipeline::{self, Options};
 
-/// What the file holds beside the expansion: a head in front, and a program behind.
+/// The lines around the expansion in the file: a head in front, and a program behind.
 const START: &str = "// What `mechanism!` makes of the declaration.\n";
 const END: &str = "// The program.\n";
 
@@ -22,7 +22,7 @@ fn read(name: &str) -> String {
     fs::read_to_string(example(name)).expect("the example is there")
 }
 
-/// What the declaration in `four_bar.rs` expands to.
+/// The expansion of the declaration in `four_bar.rs`.
 fn expansion() -> TokenStream {
     let source = read("four_bar.rs");
     let tokens: TokenStream = source.parse().expect("the example is made of tokens");

@@ -1,4 +1,4 @@
-//! What the docs say of every group: dimensions, mode, and where it can be assembled.
+//! The documentation of every group: dimensions, mode, and where it can be assembled.
 
 use super::{generate, line_by_line};
 use crate::equations;
@@ -94,7 +94,7 @@ fn a_kite_is_told_onto_which_point_it_folds() {
     assert!(cell("0.1m, 0.1m")[3].ends_with(warning), "{:?}", cell("0.1m, 0.1m"));
     let without = cell("0.11m, 0.1m");
     assert!(!without[3].contains("onto"), "{without:?}");
-    // Of the kite's second half `P` is the first.
+    // The dyad of `P` is the first half of the kite, so the second names it.
     assert!(without[2].contains("puts `Q` onto `P`"), "{without:?}");
     assert!(!without[1].contains("onto"), "{without:?}");
 }

@@ -1,4 +1,4 @@
-//! What conditions become, and what the fast path and the slow path make of them.
+//! Conditions in the generated code, on the fast path and on the slow path.
 
 use super::fixture::{exact, one_value};
 use super::{angle, expand, function, squeezed};

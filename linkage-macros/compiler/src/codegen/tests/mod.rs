@@ -21,7 +21,7 @@ use crate::model::mechanism::Mechanism;
 use crate::pipeline::Options;
 use fixture::{exact, four_bar, one_value, table};
 
-/// What the blocks in the unnamed constant implement.
+/// The items of all `impl` blocks in the unnamed constant.
 pub(crate) fn associated_items(file: &syn::File) -> Vec<&syn::ImplItem> {
     let blocks = file.items.iter().filter_map(|item| match item {
         syn::Item::Const(item) => match &*item.expr {
@@ -239,7 +239,7 @@ fn several_inputs_are_a_record_or_an_array() {
 fn coefficients_are_a_row_an_output_and_a_column_an_input() {
     let text = expand(&table());
     let coefficients = squeezed(function(&text, "formulas_coefficients_"));
-    // What is read more than once is bound where the function begins.
+    // The function binds a constant at its start if it reads the constant more than once.
     assert!(coefficients.contains("let k0_ = T::num(0.0); let k1_ = T::num(1.0);"));
     let coefficients = coefficients.replace("k0_", "0").replace("k1_", "1");
     let rows = "[[0, 0], [v4_, 0], [0, 1], [inputs.X, inputs.s], [1, 0]]";

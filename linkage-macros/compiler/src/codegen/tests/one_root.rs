@@ -1,11 +1,11 @@
-//! What the docs say of an equation's roots, where constants decide.
+//! The documentation of an equation's roots, where constants decide.
 
 use super::{generate, line_by_line};
 use crate::equations;
 use crate::oracle::mechanism;
 use crate::passes;
 
-/// What is said of the unknown.
+/// The words about the unknown: its trend, and its count of roots.
 fn said(source: &str) -> String {
     let mechanism = mechanism(&format!("struct M {{ {source} }}"));
     let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
@@ -67,7 +67,7 @@ fn several_roots_are_possible_where_nothing_is_proved() {
     // From its crest at 30° to the next one at 150° it falls once, and from there again.
     assert_eq!(wave("0, 149deg"), "one root, falling");
     assert_eq!(wave("0, 152deg"), "may have several roots, falling");
-    // What a parameter or an input decides is not said.
+    // The docs leave out the count of roots where it depends on a parameter or an input.
     let by_parameter = said(
         "input x: length; param r = 80mm; ground A(0, 0); unknown theta: angle between (0, 1rad);
          crank AB(A) -> B { length: r, angle: theta } solve theta { B.y = x, mode: rising }",

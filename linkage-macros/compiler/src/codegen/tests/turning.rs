@@ -1,4 +1,4 @@
-//! What the docs say about the turn of a crank, and the solver's word on it.
+//! The documentation of a crank's range, compared with where the solver assembles.
 
 use super::{generate, line_by_line};
 use crate::equations;
@@ -71,7 +71,7 @@ fn bar_and_block(line: &str, fields: &str) -> String {
     ))
 }
 
-/// What the docs say about the first dyad.
+/// The documented range of the first dyad.
 fn said(source: &str) -> String {
     let mechanism = mechanism(source);
     let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
@@ -81,7 +81,7 @@ fn said(source: &str) -> String {
     line.flatten().unwrap_or_default().to_string()
 }
 
-/// Whether the solver assembles the mechanism at an angle, in degrees.
+/// A test that the solver assembles the mechanism at an angle in degrees.
 fn assembles(source: &str) -> impl Fn(f64) -> bool {
     let mechanism = mechanism(source);
     let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
