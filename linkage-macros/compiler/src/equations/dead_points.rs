@@ -52,7 +52,7 @@ pub(super) fn of_ends<'s>(known: &Kinematics<'s>, id: UnknownId) -> Vec<Clearanc
     vec![both, entry(None, lower, ends[0].scale), entry(None, upper, ends[1].scale)]
 }
 
-/// Entry of the known root. It is never near zero; the root on a stretch is compared with it at the ends.
+/// Entry of the known root. It is never near zero, but on a stretch it has to agree with the stretch's ends.
 pub(super) fn of_root<'s>(known: &Kinematics<'s>, id: UnknownId) -> Clearance {
     let unknown = &known.mechanism.unknowns[id.index()];
     let [from, to] = unknown.between.each_ref().map(|end| known.jet(end).value);

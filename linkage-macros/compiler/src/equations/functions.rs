@@ -48,7 +48,7 @@ impl<'s> Jet<'s> {
         self.value.at_least(zero, above, below)
     }
 
-    /// The first of equal numbers; the sum where either is no number, which it shows.
+    /// The lesser number, the first of equal ones. NaN in either operand gives NaN, by way of the sum.
     fn min(self, other: Self) -> Self {
         other.at_least(self, self, self.at_least(other, other, self + other))
     }

@@ -52,7 +52,7 @@ impl<'s> Sheet<'s> {
         Sym { sheet: self, id }
     }
 
-    /// These where one input has a rate of one, and the others none: what is not made of a rate stays.
+    /// The sinks with one input rate 1, the others 0. Nodes free of rates are reused.
     pub(crate) fn at_unit_rate(&self, sinks: &[Id], moving: u32) -> Vec<Id> {
         remade(&mut self.graph.borrow_mut(), sinks, self.rules, |maker, id, to| {
             let new = match maker.graph.node(id) {
@@ -192,7 +192,7 @@ impl<'s> Sym<'s> {
         }
     }
 
-    /// The two terms of a sum or a difference, be it under a guard; `None` for everything else.
+    /// The two terms of a sum or a difference, looking through guards; `None` for everything else.
     pub(crate) fn terms(self) -> Option<[Self; 2]> {
         let node = self.sheet.graph.borrow().node(self.id);
         let term = |id| Self { sheet: self.sheet, id };

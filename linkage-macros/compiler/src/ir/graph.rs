@@ -18,10 +18,10 @@
 //!
 //! # Conditions
 //! A node may stand under a condition ([`Guard`]): it is its value, provided that the condition
-//! holds. That is how a group's failure stands in the graph: whoever needs a number behind the
-//! condition asks for it, and whoever does not never fails by it. The fast path compares and goes
-//! on; the slow path looks at the operands of the condition, which are nodes as well. Where nobody
-//! is to refuse anything, conditions are passed by (`liveness::Path`).
+//! holds. That is how a group's failure stands in the graph: a sink that depends on a number behind
+//! the condition can fail by it, and other sinks cannot. The fast path compares and goes on; the slow
+//! path reads the operands of the condition, which are nodes as well. Code that refuses nothing looks
+//! through conditions (`liveness::Path`).
 //!
 //! # Roots
 //! A number that an equation fixes is a node like any other ([`Node::Root`]); its operands are the

@@ -2,7 +2,7 @@
 
 use crate::ir::graph::{Graph, Id, Node};
 
-/// Which of a guard's operands are followed.
+/// Selection of the guard's operands that are followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Path {
     /// Operands of the fast path: the guarded value, and what it is compared with.

@@ -74,8 +74,8 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
     Lowered { program, interface, routines, entries, costs, clearances, searches }
 }
 
-/// Puts clearances behind the last statement of the stage that they need. What they need beside is for
-/// them alone: whatever else does computes it again.
+/// Puts clearances behind the last statement of the stage that they need. Operands used only by clearances
+/// belong to them: a later statement that needs one computes it again.
 fn tell(schedule: &Schedule<'_>, clearances: &[Id], stage: &mut Vec<Statement>) {
     let statements = schedule.clone().stage(clearances);
     let told = Statement::Tell { statements, clearances: clearances.to_vec() };

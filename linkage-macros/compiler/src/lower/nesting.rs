@@ -1,4 +1,4 @@
-//! Which values are written where they are read.
+//! Choice of the values that are written where they are read.
 //!
 //! A local costs rustc as much as the operation that it names. A value that has no letter, and is read
 //! by the statement behind it alone, is therefore written inside of that: `a * b + c` in place of two

@@ -84,16 +84,16 @@ fn pieces<const N: usize>(
     }))
 }
 
-/// Progress of the walk: the slope has, or has had, the sign of the trend.
+/// Progress of the walk, by the slope's sign against that of the trend.
 #[derive(Clone, Copy)]
 enum Course {
-    /// Not yet.
+    /// The slope has not had the sign yet.
     Before,
-    /// It has, or it may from some place on: then it keeps it.
+    /// The slope has the sign, or may gain it in this piece and then keeps it.
     Within,
-    /// It has lost it, or will from some place on.
+    /// The slope changes sign in this piece or a later one.
     Leaving,
-    /// It has not any more.
+    /// The slope no longer has the sign.
     Behind,
 }
 

@@ -1,12 +1,12 @@
 //! Tests by which the fast path knows that its results are finite.
 //!
-//! Asking the results is right always, and late: all of them have to be kept until the last is
-//! there. Where limits on the inputs and on the divisors keep every value from overflowing, these
-//! are asked instead, which are known early. That is decided here, for each width of its own; a
-//! number that carries derivatives is asked for its results in any case, because a derivative may
-//! overflow where the value does not.
+//! A test of the results is always right, but late: all of them have to be kept until the last is
+//! there. Where limits on the inputs and on the divisors keep every value from overflowing, the fast
+//! path tests these instead, which are known early. This file decides between the two for each width.
+//! A number that carries derivatives tests its results in any case, because a derivative may overflow
+//! where the value does not.
 //!
-//! It is worth a fifth of a solver's instructions: `measurements.md` of the run-time crate says how
+//! This saves a fifth of a solver's instructions: `measurements.md` of the run-time crate says how
 //! that was counted.
 
 use super::limits::InputLimits;

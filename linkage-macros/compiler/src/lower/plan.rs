@@ -1,5 +1,5 @@
-//! Which entry point computes for itself, which share their formulas, and which goes by way of
-//! another.
+//! Plan of the entry points: some have formulas of their own, some share formulas, and some go by way
+//! of another.
 
 use super::routine::Adapted;
 use crate::interface::entries::{Analysis, EntryPoint};

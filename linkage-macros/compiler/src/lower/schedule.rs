@@ -22,7 +22,7 @@ pub(super) struct Schedule<'a> {
     fast: Vec<bool>,
     /// The inputs and parameters that are read, in the order of the graph.
     pub reads: Vec<Node>,
-    /// True if the schedule contains a check.
+    /// True if a check has been scheduled.
     pub has_checks: bool,
     /// Nodes that only a search computes.
     tried: Vec<bool>,
@@ -186,7 +186,7 @@ pub(super) fn pairs(nodes: impl Iterator<Item = (Id, Node)>) -> Map<Id, Pair> {
     pairs
 }
 
-/// The pair of the angle, if nobody has taken it.
+/// Takes the pair of the angle; none if it has been taken.
 pub(super) fn take(pairs: &mut Map<Id, Pair>, angle: Id) -> Option<Pair> {
     let pair = std::mem::take(pairs.or_insert(angle, Pair::default()));
     (pair.sin.is_some() || pair.cos.is_some()).then_some(pair)

@@ -1,4 +1,4 @@
-//! Which sinks need a test for being finite.
+//! Sinks that need a test for being finite.
 //!
 //! A value that is not finite makes every sum, difference, product, root, determinant and
 //! numerator it enters not finite as well: +∞ − ∞, 0 · ∞ and √−∞ are no numbers, and none of

@@ -15,8 +15,8 @@ use crate::ir::program::Program;
 
 use super::contract::asked_for_errors;
 
-/// The program with rates that are sums of a number and two products in a chain, where nobody else uses what
-/// the products make together or asks for an error of it.
+/// Rewrites rates c + (ab + de) to the chain (c + ab) + de. The inner sum has a single use, and no rounding
+/// error of either sum is requested.
 pub(super) fn chain_products(program: &Program) -> Program {
     let (graph, own) = (&program.graph, Own::of(program));
     let (depths, are_rates) = (depths(graph), rates(graph));
@@ -40,7 +40,7 @@ pub(super) fn chain_products(program: &Program) -> Program {
     })
 }
 
-/// The program with signs within the sums that nobody else uses.
+/// Moves the sign of a negated sum with a single use to the sum's terms.
 pub(super) fn negate_within(program: &Program) -> Program {
     let sums = Own::of(program);
     rebuild_with(program, &[], |maker, id, moved| match program.graph.node(id) {
@@ -73,7 +73,7 @@ fn summands(graph: &Graph, id: Id) -> Option<[(Id, bool); 2]> {
     }
 }
 
-/// Which nodes are made of an input's first or second rate.
+/// True for nodes that depend on an input's first or second rate.
 fn rates(graph: &Graph) -> Vec<bool> {
     let mut rates = Vec::with_capacity(graph.len());
     for (_, node) in graph.iter() {
@@ -97,7 +97,7 @@ fn depths(graph: &Graph) -> Vec<u32> {
     depths
 }
 
-/// Which nodes one other alone reads, and nobody asks for the error of.
+/// Nodes with a single use whose rounding error is not requested.
 struct Own<'p> {
     graph: &'p Graph,
     uses: Vec<u32>,

@@ -191,7 +191,7 @@ fn parts<'s>(centre: Centre<'s>) -> impl Iterator<Item = (Sym<'s>, Vector<'s>)> 
     [(along, r), (across, r.normal())].into_iter().filter(|(weight, _)| !weight.is_zero())
 }
 
-/// Which points swing about a point of the ground.
+/// Links and pins by which a point may swing about a point of the ground.
 struct Pivots {
     /// By link, the point at its origin.
     origins: HashMap<LinkId, PointId>,

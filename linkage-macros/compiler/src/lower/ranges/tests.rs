@@ -1,4 +1,4 @@
-//! Which thresholds come of which graphs.
+//! Thresholds of small graphs.
 
 use super::*;
 use crate::exact::Exact;

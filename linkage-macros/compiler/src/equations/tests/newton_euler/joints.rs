@@ -114,7 +114,7 @@ impl<'k> Matrix<'k, '_> {
         match step {
             Step::Ground { .. } | Step::Guide { .. } => {}
             Step::Point { point, carrier: Carrier::Ground, place, .. } => {
-                // Held by the ground: two unknowns that nobody asks for.
+                // Held by the ground: two unknowns that no output requests.
                 let at = &self.motion.points[point.index()];
                 let first = self.columns.len();
                 for axis in Self::axes() {

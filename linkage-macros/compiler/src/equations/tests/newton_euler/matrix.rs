@@ -20,7 +20,7 @@ pub(in crate::equations::tests) struct Matrix<'k, 's> {
     rows: HashMap<Part, usize>,
     count: usize,
     pub(super) columns: Vec<Column>,
-    /// Which unknowns are the components of which effort.
+    /// Effort and component of each unknown.
     pub(super) names: Vec<(Effort, usize)>,
 }
 
