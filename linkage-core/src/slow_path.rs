@@ -38,7 +38,7 @@ pub fn diagnose_all<T: Real, R: Copy, const N: usize>(
     Ok(result)
 }
 
-/// What the slow path found, its numbers from the `first` on hidden from the optimiser one by one.
+/// Hides the slow path's numbers from the optimiser one by one, from the `first` on.
 ///
 /// The result lies in memory, side by side, and where it and the fast path's meet, LLVM brings the
 /// latter together likewise: the number that is known first waits for its neighbour, and both move

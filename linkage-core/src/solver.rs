@@ -1,4 +1,4 @@
-//! What this crate asks of a solver's generated code.
+//! The interface between this crate and a solver's generated code.
 //!
 //! One trait serves all that is written once for every mechanism: following a motion
 //! ([`Tracker`](crate::Tracker)), sweeps of positions, velocities and motions, Jacobians and
@@ -9,7 +9,7 @@ use crate::clearance::{Clearance, Jet, moving};
 use crate::roots::seed::Seed;
 use crate::{Real, Record, Scalar, SolveError};
 
-/// What the declaration calls things.
+/// The names in the declaration.
 #[derive(Clone, Copy, Debug)]
 pub struct Titles {
     /// The mechanism.
@@ -46,7 +46,7 @@ pub trait Solver: Copy {
     /// Names.
     const TITLES: Titles;
 
-    /// Whether something is searched: then another root might be found where one is lost.
+    /// True if the solver searches for an unknown: it might then find another root where one is lost.
     const SEARCHES: bool = false;
 
     /// Changes the mode that a parameter holds into its opposite; nothing where none does.
@@ -124,7 +124,7 @@ pub trait Solver: Copy {
         of: impl Fn([U; 2]) -> X,
     ) -> Self::Groups<X>;
 
-    /// How clear of their limits the groups are. Behind a group out of reach there are no numbers.
+    /// The clearances of the groups. Groups that depend on one out of reach have NaN.
     #[inline]
     fn clearances(
         &self,

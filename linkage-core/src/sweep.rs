@@ -5,8 +5,8 @@
 //! need. It runs the same generated code as a single call in a loop that the compiler vectorises,
 //! falls back to the single call where the mask says no, and allocates nothing.
 //!
-//! What is generated for a mechanism says how one pose is solved ([`Entry`]); loops, tails, statuses and the
-//! choice of an instruction set are written once, here.
+//! Generated code solves one pose ([`Entry`]). Loops, tails, statuses and the choice of an instruction set
+//! are written once, here.
 
 mod batch;
 mod block;
@@ -25,8 +25,8 @@ use crate::{Float, Record, Scalar, SolveError};
 use batch::Batch;
 pub use entries::{put_found, put_solved, put_usable};
 
-/// What came of one pose, in a byte: the single call's answer without its details, which the
-/// single call still gives.
+/// The status of one pose, in a byte: the result of a single call without its details, which only the
+/// single call gives.
 ///
 /// There are two differences. Without fused operations the exact product of numbers beyond 2⁹⁹⁶ (`f32`:
 /// 2¹¹⁵) cannot be made, and a call that needs it answers [`SolveError::NotFinite`]; a sweep that

@@ -4,15 +4,15 @@
 //! a parallelogram whose mode is constant turns into an antiparallelogram. A [`Tracker`] keeps the
 //! motion instead and lets the modes change, so that velocities stay continuous.
 //!
-//! What tells a change point is smooth: the value under the square root of the group's height
+//! A change point is recognised by a smooth function: the value under the square root of the group's height
 //! touches zero and turns back, while at a dead end it passes through zero. Between one call and
 //! the next the tracker follows these values along the straight line from input to input, so it
 //! does not matter whether a sample falls on the change point, next to it, or far on either side.
 //! That none is missed is proved stretch by stretch, by ranges that hold all that the values and
 //! their first and second rates can be between two inputs.
 //!
-//! Nothing here knows a formula of a group: how clear of its limit each group is, generated code
-//! says ([`Solver`]).
+//! This module contains no formula of a group: generated code gives the clearance of each group
+//! ([`Solver`]).
 
 mod around;
 mod enclosure;

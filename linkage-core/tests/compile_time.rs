@@ -1,4 +1,4 @@
-//! What declarations cost whoever compiles them: scratch crates, built by Cargo as a user would.
+//! Compile times of declarations: scratch crates, built by Cargo as a user would.
 //!
 //! Times depend on the machine, so nothing is measured unless asked for:
 //! `cargo test -p linkage-core --test compile_time -- --ignored --nocapture`. Where others use the
@@ -68,11 +68,11 @@ impl Scratch {
     }
 }
 
-/// What a build takes.
+/// The cost of a build.
 #[derive(Clone, Copy)]
 struct Cost {
     clock: Duration,
-    /// Of all processors together; zero where it is not known.
+    /// The time of all processors together; zero if it is not known.
     processor: Duration,
 }
 

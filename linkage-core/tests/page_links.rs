@@ -29,7 +29,7 @@ fn definitions(text: &str) -> BTreeMap<&str, &str> {
     text.lines().filter_map(|line| line.trim_start().strip_prefix('[')?.split_once("]: ")).collect()
 }
 
-/// What is in brackets behind text in brackets, or alone.
+/// The references in brackets, behind text in brackets or alone.
 fn references(text: &str) -> Vec<&str> {
     let mut found = Vec::new();
     let mut rest = text;

@@ -69,7 +69,7 @@ fn compiled(file: &str, library: &Path) -> Output {
         .expect("the compiler starts")
 }
 
-/// What the compiler says about a file; nothing if it compiles.
+/// The compiler's messages for a file; empty if it compiles.
 fn messages(file: &str, library: &Path) -> String {
     let output = compiled(file, library);
     let said = text(&output.stderr);

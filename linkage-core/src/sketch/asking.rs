@@ -84,7 +84,7 @@ macro_rules! asked_of_a_picture {
                 self
             }
 
-            /// How wide the picture may be, in pixels: 200 to 4000; 720 if nothing is said.
+            /// The largest width of the picture, in pixels: 200 to 4000; 720 by default.
             #[must_use]
             pub const fn width(mut self, pixels: f64) -> Self {
                 if pixels.is_finite() {

@@ -1,4 +1,4 @@
-//! What moves as one: the shape of every link, in its own frame, and where it is in each pose.
+//! Rigid bodies: the shape of every link in its own frame, and its pose in each frame of the film.
 
 use std::vec;
 use std::vec::Vec;
@@ -13,7 +13,7 @@ use super::svg::{Seat, View};
 /// A rigid body.
 #[derive(Clone, Debug)]
 pub(super) struct Body {
-    /// What it is a part of.
+    /// The link that it is a part of.
     pub link: Option<usize>,
     pub shapes: Vec<Shape>,
     pub seats: Vec<Option<Seat>>,
@@ -30,7 +30,7 @@ impl Body {
     }
 }
 
-/// What every body is made from.
+/// The data that every body is made from.
 struct Maker<'s> {
     scene: &'s Scene,
     view: View,
@@ -353,7 +353,7 @@ fn nearest(ends: [Spot; 2], points: &[(usize, Spot)]) -> Option<[Spot; 2]> {
     (distance(tie[0], tie[1]) > 2.0).then_some(tie)
 }
 
-/// How far a rod reaches into its tube at the longest.
+/// The length of a rod that stays in its tube at full extension.
 const GRIP: f64 = 10.0;
 /// A body that nothing is on.
 const POINTER: f64 = 44.0;

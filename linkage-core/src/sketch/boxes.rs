@@ -10,7 +10,7 @@ pub(super) struct Box2 {
 }
 
 impl Box2 {
-    /// What joins with anything to that alone.
+    /// The empty box: its union with another box is that box.
     pub(super) const NOTHING: Self = Self { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
 
     /// The smallest that holds all of them.
@@ -56,7 +56,7 @@ impl Box2 {
         side(0) * side(1)
     }
 
-    /// How much of a line is inside (Liang and Barsky).
+    /// The length of a line's part inside the box (Liang and Barsky).
     pub(super) fn length_inside(self, [a, b]: [Spot; 2]) -> f64 {
         let is_aside = |axis: usize| {
             a[axis].max(b[axis]) < self.low[axis] || a[axis].min(b[axis]) > self.high[axis]

@@ -83,8 +83,8 @@ impl Film {
         self
     }
 
-    /// How long the motion takes, to the millisecond; 4 s if nothing is said. What is no positive number
-    /// says nothing.
+    /// Sets the duration of the motion, to the millisecond; 4 s by default. A number that is not positive and
+    /// finite changes nothing.
     #[must_use]
     pub fn seconds(mut self, seconds: f64) -> Self {
         if seconds.is_finite() && seconds > 0.0 {
@@ -94,7 +94,7 @@ impl Film {
         self
     }
 
-    /// How long the motion takes, in seconds.
+    /// The duration of the motion, in seconds.
     #[must_use]
     pub const fn duration(&self) -> f64 {
         self.options.seconds
@@ -118,7 +118,7 @@ impl Film {
         Still::of(self.scene.clone(), options)
     }
 
-    /// What cannot be assembled on the path.
+    /// The parts of the path where the mechanism cannot be assembled.
     #[must_use]
     pub fn gaps(&self) -> Vec<FilmGap> {
         let mut gaps: Vec<FilmGap> = Vec::new();
@@ -137,13 +137,13 @@ impl Film {
         gaps
     }
 
-    /// How many poses it has.
+    /// The number of poses.
     #[must_use]
     pub fn len(&self) -> usize {
         self.scene.len()
     }
 
-    /// Whether it has none.
+    /// True if it has no poses.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0

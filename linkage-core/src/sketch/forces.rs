@@ -31,7 +31,7 @@ enum Kind {
     Couple,
 }
 
-/// What a user asked to be drawn: names of points, and x and y of forces or the couples, in each pose.
+/// The loads that the user wants drawn: names of points with x and y of a force, or a couple, in each pose.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Asked {
     pub forces: Vec<(String, Vec<[f64; 2]>)>,

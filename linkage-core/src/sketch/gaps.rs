@@ -20,11 +20,11 @@ pub(super) struct Gap {
     /// In which poses.
     pub fails: Vec<bool>,
     reaches: Vec<SweptReach>,
-    /// What is missing, from one reach to the other, on the page.
+    /// The missing line from one reach to the other, on the page.
     missing: Vec<Option<[Spot; 2]>>,
 }
 
-/// How far a link reaches.
+/// The reach of a link.
 struct SweptReach {
     link: usize,
     /// The middle of a circle, or a place of a line; its radius, none for a line.
@@ -118,7 +118,7 @@ fn between(reaches: &[SweptReach], frame: usize) -> Option<[Spot; 2]> {
 }
 
 impl Gap {
-    /// What is drawn of it, over all poses in which it fails.
+    /// The extent of its drawing over all poses in which it fails.
     pub(super) fn extent(&self) -> Box2 {
         let mut all = Box2::NOTHING;
         for frame in (0..self.fails.len()).filter(|&frame| self.fails[frame]) {
@@ -134,7 +134,7 @@ impl Gap {
         all
     }
 
-    /// What is missing in a pose.
+    /// The missing line in a pose.
     pub(super) fn line(&self, frame: usize) -> Option<[Spot; 2]> {
         self.missing[frame]
     }

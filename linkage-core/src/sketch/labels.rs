@@ -12,14 +12,14 @@ use super::scene::Spot;
 use super::style::{FONT, JOINT, LABEL, Palette, has_descender, text_width};
 use super::svg::{Seat, Timing, escaped, pair, path, rigid};
 
-/// What is in the way in one pose, on the page.
+/// Obstacles to labels in one pose, on the page.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Obstacles {
     /// Lines and half their width.
     pub lines: Vec<([Spot; 2], f64)>,
     pub boxes: Vec<Box2>,
     pub joints: Vec<Spot>,
-    /// What may be covered rather than anything else.
+    /// Lines that a label may cover if it must.
     pub traces: Vec<[Spot; 2]>,
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Label {
 }
 
 impl Label {
-    /// How far the letters reach to the sides of their middle, and above and below it.
+    /// Half the width and half the height of the text.
     fn half(&self) -> Spot {
         [0.5 * LABEL * text_width(&self.text), 0.5 * LABEL * (RISE + self.descent())]
     }
@@ -63,7 +63,7 @@ pub(super) struct Placed {
 }
 
 impl Placed {
-    /// What it covers over all poses.
+    /// The extent over all poses.
     pub(super) fn extent(&self) -> Box2 {
         (0..self.free.len()).filter_map(|pose| self.at(pose)).fold(Box2::NOTHING, Box2::with)
     }
@@ -73,7 +73,7 @@ impl Placed {
         at.for_each(|spot| *spot = [spot[0] + by[0], spot[1] + by[1]]);
     }
 
-    /// What it covers in a pose; a label that stands still has one place for all.
+    /// The box covered in a pose; a label that stands still has one place for all.
     fn at(&self, pose: usize) -> Option<Box2> {
         let [x, y] = self.joint(pose)?;
         Some(Box2::about([x + self.beside[0], y + self.beside[1]], self.half))
@@ -97,7 +97,7 @@ impl Placed {
         Some(self.leader()?.map(|[dx, dy]| [x + dx, y + dy]))
     }
 
-    /// How much of it is seen in each pose.
+    /// The opacity in each pose.
     fn opacities(&self) -> Vec<f64> {
         let opacity = |pose: usize| match () {
             () if self.joint(pose).is_none() => 0.0,
@@ -109,7 +109,7 @@ impl Placed {
 
     fn drawn(&self, timing: Option<Timing>, palette: &Palette) -> String {
         let opacities = self.opacities();
-        // What nothing can pass stands out.
+        // A label of a still is never dimmed.
         let first = match opacities[0] {
             opacity if opacity > 0.0 && timing.is_none() => 1.0,
             opacity => opacity,
@@ -154,7 +154,7 @@ fn leader(ends: [Spot; 2], palette: &Palette) -> String {
 
 /// The distance from which on a name needs a line to its joint.
 const FAR: f64 = JOINT + 22.0;
-/// How much is seen of a label while something is in its way.
+/// The opacity of a label behind an obstacle.
 const DIMMED: f64 = 0.55;
 
 /// All labels in a group that says how they look.
@@ -217,9 +217,9 @@ fn places(half: Spot) -> impl Iterator<Item = (Spot, f64)> {
     })
 }
 
-/// How bad a place is: percents of the poses in which a label would be hidden, what of traces it covers
-/// on the average, and much more if it were hidden at first, where a film stands that is not played.
-/// From `most` on it does not matter how bad.
+/// The cost of a place: the percentage of the poses in which a label would be hidden, and the average
+/// length of traces that it covers. A label hidden in the first pose costs much more, as a film that is
+/// not played shows that pose. The sum ends early once it reaches `most`.
 fn cost(
     candidate: &Placed,
     samples: &[usize],
@@ -244,7 +244,7 @@ fn cost(
     (100.0 * hidden + 0.5 * traces) / seen
 }
 
-/// Whether a label covers no joint, link, support or other label in a pose, and its line no joint or label.
+/// True if a label covers no joint, link, support or other label in a pose, and its line no joint or label.
 fn is_free(label: &Placed, pose: usize, obstacles: &[Obstacles], placed: &[Placed]) -> bool {
     let (Some(covered), Some(own)) = (label.at(pose), label.joint(pose)) else { return false };
     let Obstacles { lines, boxes, joints, .. } = &obstacles[pose];
@@ -268,7 +268,7 @@ fn is_free(label: &Placed, pose: usize, obstacles: &[Obstacles], placed: &[Place
         || placed.iter().any(on_label))
 }
 
-/// What stays free between a label and anything else, in pixels.
+/// The smallest gap between a label and anything else, in pixels.
 const CLEAR: f64 = 2.0;
 
 /// Dims a label one pose before anything comes in its way until one pose later, and does not show it in

@@ -31,7 +31,7 @@ pub(super) enum LinkShape {
 }
 
 impl LinkShape {
-    /// How many lengths and offsets belong to it.
+    /// The number of its lengths and offsets.
     pub(super) fn dimensions(self) -> usize {
         match self {
             Self::Body | Self::Sleeve => 0,

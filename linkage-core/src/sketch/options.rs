@@ -1,4 +1,4 @@
-//! What the user asks of a picture.
+//! The user's options for a picture.
 
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -8,7 +8,7 @@ use super::plan::Applied;
 use super::style::{Theme, Unit, WIDTH};
 use crate::{Record, SolveError};
 
-/// What the user asks of a picture.
+/// The user's options for a picture.
 #[derive(Clone, Debug)]
 pub(super) struct Options {
     pub traces: Vec<String>,
@@ -21,7 +21,7 @@ pub(super) struct Options {
     pub loads: Asked,
     pub has_scale: bool,
     pub poses: usize,
-    /// Whether nothing but the first pose is drawn in full.
+    /// True if only the first pose is drawn in full.
     pub is_still: bool,
     pub seconds: f64,
 }

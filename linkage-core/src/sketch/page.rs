@@ -6,7 +6,7 @@ use std::string::String;
 use super::style::Theme;
 use super::svg::{escaped, number};
 
-/// How wide the film is for a telephone, whose letters are as large as those of a wide one.
+/// The width of the film for a telephone, whose letters are as large as those of a wide one.
 pub(super) const NARROW: f64 = 328.0;
 
 /// The page; the films come as text of SVG and last so long.

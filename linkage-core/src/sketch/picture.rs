@@ -118,7 +118,7 @@ impl<'s> Picture<'s> {
         Ok(())
     }
 
-    /// What the drawing covers, but for texts and supports, which have room in the margin.
+    /// The extent of the drawing without texts and supports, which have room in the margin.
     fn extent(&self) -> Box2 {
         let mut all = Box2::NOTHING;
         for frame in self.scene.frames() {
@@ -170,8 +170,8 @@ impl<'s> Picture<'s> {
         rails
     }
 
-    /// Of every crank that an input turns against the ground: pivot, radius on the page, and from
-    /// where to where its pin goes unless that is all round.
+    /// Each crank that an input turns against the ground: pivot, radius on the page, and the angles between
+    /// which its pin moves, unless it makes full turns.
     pub(super) fn cranks(&self) -> Vec<(Spot, f64, Option<[f64; 2]>)> {
         let scene = self.scene;
         let of = |&made: &Made| {
@@ -234,7 +234,7 @@ impl<'s> Picture<'s> {
 /// From what is drawn to the line of the scale, and from there to the end of the page.
 const FOOT: f64 = 28.0;
 const BELOW: f64 = 18.0;
-/// What is left free around texts.
+/// The free space around texts.
 const EDGE: f64 = 8.0;
 /// The page is wide enough for the scale.
 const MIN_WIDTH: f64 = 200.0;
@@ -257,7 +257,7 @@ fn join(rails: &mut Vec<(Seat, [f64; 2])>, seat: Seat, [start, end]: [f64; 2]) {
     rails.push((seat, [start, end]));
 }
 
-/// Whether a point is one of the ground.
+/// True if a point belongs to the ground.
 pub(super) fn is_ground(scene: &Scene, point: usize) -> bool {
     scene.plan.statements.iter().any(|made| matches!(made, Made::Ground(own) if *own == point))
 }

@@ -114,14 +114,14 @@ impl Picture<'_> {
         }
     }
 
-    /// What labels should not cover, in each of these poses.
+    /// Obstacles that labels should not cover, in each of these poses.
     fn obstacles_in(&self, frames: &[usize]) -> Vec<Obstacles> {
         let (rails, traces) = (self.rails(), self.traces.iter().flat_map(Trace::lines).collect());
         let still = Obstacles { traces, ..self.standing_obstacles(&rails) };
         frames.iter().map(|&frame| self.obstacles(frame, still.clone())).collect()
     }
 
-    /// What is in the way in all poses.
+    /// Obstacles common to all poses.
     fn standing_obstacles(&self, rails: &[(super::svg::Seat, [f64; 2])]) -> Obstacles {
         let mut obstacles = Obstacles::default();
         for &(seat, ends) in rails {
@@ -167,7 +167,7 @@ impl Picture<'_> {
 
     pub(super) fn place_labels(&mut self) -> Result<(), SketchError> {
         let (scene, plan) = (self.scene, self.scene.plan);
-        // Of a still only the first pose is in the way.
+        // In a still, only the first pose has obstacles.
         let frames: Vec<usize> = scene.frames().take(self.shown_poses()).collect();
         let wanted = match &self.options.labels {
             None => (0..plan.points.len()).collect(),
@@ -176,7 +176,7 @@ impl Picture<'_> {
                 .map(|name| traces::point(plan, name))
                 .collect::<Result<Vec<usize>, _>>()?,
         };
-        // What is traced is named first, where it likes best.
+        // Traced points get the first choice of places.
         let is_traced = |point: &usize| self.traces.iter().any(|trace| trace.point == *point);
         let label = |&point: &usize| {
             let at = frames.iter().map(|&f| Some(self.view.pixels(scene.point(f, point)?)));
@@ -198,7 +198,7 @@ impl Picture<'_> {
         Ok(())
     }
 
-    /// What forces and couples amount to in the first pose.
+    /// The values of forces and couples in the first pose.
     fn values(&self) -> Vec<Label> {
         let written = self.loads.iter().filter_map(|load| load.value(0));
         let colour = Some(self.palette.accent);

@@ -1,5 +1,5 @@
-//! What generated code says of a mechanism that is to be drawn: names, what hangs on what, and
-//! where everything stands.
+//! The interface between generated code and drawings of a mechanism: names, dependencies, and the
+//! position of every part.
 
 use std::string::String;
 use std::vec::Vec;
@@ -17,7 +17,7 @@ pub trait Drawn: Copy {
     /// Its input: a number, or a record of several.
     type Input: Copy;
 
-    /// What was declared.
+    /// The plan of the declaration.
     const PLAN: Plan;
 
     /// Where everything stands, in the order of `Layout`.
@@ -47,7 +47,7 @@ pub struct Plan {
     pub links: &'static [&'static str],
     /// The guides' names.
     pub guides: &'static [&'static str],
-    /// What places them, in solving order.
+    /// The statements that place them, in solving order.
     pub statements: &'static [Made],
     /// Springs and dampers between two points.
     pub springs: &'static [Spring],
@@ -65,7 +65,7 @@ impl<S: Drawn> PlanOf<S> {
 pub struct Spring {
     /// Its ends.
     pub ends: [usize; 2],
-    /// Whether it has a stiffness, and whether it has a damping.
+    /// Two flags: it has a stiffness, and it has a damping.
     pub kinds: [bool; 2],
 }
 
@@ -96,7 +96,7 @@ impl Made {
         })
     }
 
-    /// How many lengths and offsets it has.
+    /// The number of its lengths and offsets.
     pub(super) fn dimensions(self) -> usize {
         self.members().map(|(_, member)| member.shape.dimensions()).sum()
     }
@@ -153,7 +153,7 @@ impl Made {
 }
 
 impl Plan {
-    /// What errors call the group of a statement.
+    /// The name that errors give to the group of a statement.
     pub(super) fn title(&self, made: Made) -> String {
         match (made, &made.links()[..]) {
             (Made::Point(point, None), _) => self.points[point].into(),
@@ -164,7 +164,7 @@ impl Plan {
         }
     }
 
-    /// What the number at this place is about.
+    /// The name of the part that the number at this place belongs to.
     fn name_of(&self, place: usize) -> &'static str {
         let layout = Layout::of(self);
         match place {
@@ -220,11 +220,11 @@ impl Checks<f64> for Regardless {
     }
 }
 
-/// What [`Drawn::place`] does with the formulas.
+/// The implementation of [`Drawn::place`] from the formulas.
 ///
 /// # Errors
-/// What is given and not finite, the first condition that is not met, or a result that is not
-/// finite.
+/// An input or parameter that is not finite, the first condition that is not met, or a result that is
+/// not finite.
 pub fn place<const N: usize>(
     plan: &Plan,
     given: &[(f64, &'static str)],
@@ -236,7 +236,7 @@ pub fn place<const N: usize>(
     Ok(placed.into())
 }
 
-/// What [`Drawn::followed`] does, by a [`Tracker`].
+/// The implementation of [`Drawn::followed`], with a [`Tracker`].
 pub fn followed<S: Solver<Scalar = f64>>(
     solver: S,
     path: &[S::Input],
@@ -263,8 +263,8 @@ impl Applied {
     }
 }
 
-/// What a solver's `applied` does with the formulas: x and y of one force after the other, given the
-/// points that they act on.
+/// The implementation of a solver's `applied` from the formulas, which give x and y of one force after
+/// the other. `points` are the points that they act on.
 ///
 /// # Errors
 /// Those of [`place`].
@@ -283,7 +283,7 @@ pub fn applied<const N: usize>(
     Ok(Applied { forces: forces.collect::<Result<_, _>>()? })
 }
 
-/// What [`Drawn::place_open`] does with the formulas.
+/// The implementation of [`Drawn::place_open`] from the formulas.
 pub fn place_open<const N: usize>(
     without: &'static str,
     formulas: impl FnOnce(&mut Regardless) -> [f64; N],

@@ -51,7 +51,7 @@ struct Frame {
     pose: usize,
     numbers: Vec<f64>,
     failure: Option<Failure>,
-    /// Of points, links and guides: whether each is there.
+    /// True for each point that can be drawn; the same for links and guides.
     points: Vec<bool>,
     links: Vec<bool>,
     guides: Vec<bool>,
@@ -104,7 +104,7 @@ impl Scene {
         titles.position(|title| title == group)
     }
 
-    /// What failed, what hangs on it, and what is no number is not there.
+    /// Hides failed, dependent and non-finite parts.
     fn leave_out(&self, frame: &mut Frame) {
         let statement = frame.failure.and_then(|failure| failure.statement);
         for (nth, &made) in self.plan.statements.iter().enumerate() {
@@ -227,7 +227,7 @@ pub(super) fn range(values: impl Iterator<Item = Option<f64>>) -> Option<[f64; 2
     })
 }
 
-/// What all say that say anything, if they agree to a billionth of its size.
+/// The spot that all known spots share, to a billionth of its size; none if they differ.
 fn constant(mut seen: impl Iterator<Item = Option<Spot>>) -> Option<Spot> {
     let first = seen.by_ref().flatten().next()?;
     let size = 1e-9 * (first[0].abs() + first[1].abs()) + 1e-12;

@@ -14,7 +14,7 @@ pub(super) enum Shape {
     Bar([Spot; 2]),
     /// A body through three joints or more: their convex hull.
     Hull(Vec<Spot>),
-    /// What ties a part to the rest.
+    /// A line that connects a part to the rest.
     Stub([Spot; 2]),
     /// A block along x.
     Block(Spot),
@@ -36,12 +36,12 @@ impl Shape {
         }
     }
 
-    /// Whether its outline tells where the body is, so that a faint copy of it does.
+    /// True if its outline shows the position of the body, so that a faint copy of it makes sense.
     pub(super) fn is_long(&self) -> bool {
         !matches!(self, Self::Block(_))
     }
 
-    /// How far it reaches to the sides of its line.
+    /// Half the width across its line.
     pub(super) fn half_width(&self) -> f64 {
         match self {
             Self::Block(_) => BLOCK[1] / 2.0 + 1.0,

@@ -15,7 +15,7 @@ pub enum SketchError {
         name: String,
         /// `point` or `link`.
         kind: &'static str,
-        /// What it may have been meant for.
+        /// The known name nearest to it.
         nearest: Option<&'static str>,
     },
     /// A film of no poses at all.

@@ -163,8 +163,8 @@ impl Coil {
     }
 }
 
-/// How far below a guide its rail has room for the blocks and springs on the guide, and from where to
-/// where these springs reach along it; nothing where none lies on it.
+/// The distance below a guide at which its rail clears the blocks and springs on the guide, and the range
+/// of these springs along it; none if no spring lies on the guide.
 pub(super) fn below(springs: &[Coil], guide: Seat) -> Option<(f64, [f64; 2])> {
     let (sin, cos) = guide.degrees.to_radians().sin_cos();
     let seen = |[x, y]: Spot| {
@@ -217,7 +217,7 @@ pub(super) fn wall(at: Spot, way: f64, palette: &Palette) -> String {
     )
 }
 
-/// What a wall covers.
+/// The box covered by a wall.
 pub(super) fn wall_box(at: Spot, way: f64) -> Box2 {
     let (seat, half) = (Seat { at, degrees: way }, WALL / 2.0 + 1.0);
     let corners = vec![[-half, -1.0], [half, -1.0], [half, 8.0], [-half - 1.0, 8.0]];
@@ -230,7 +230,7 @@ const PITCH: f64 = 13.0;
 const LEAD: f64 = 14.0;
 /// From the line of both ends to a spring and to a damper beside it.
 const BESIDE: f64 = 9.0;
-/// What a cylinder is longer than the stroke at either end.
+/// The length by which a cylinder exceeds the stroke at either end.
 const SPARE: f64 = 5.0;
 /// By how many degrees a spring on a wall may turn.
 const STRAIGHT: f64 = 0.1;

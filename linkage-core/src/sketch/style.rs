@@ -42,7 +42,7 @@ impl Unit {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Palette {
-    /// What everything stands on.
+    /// The background.
     pub paper: &'static str,
     /// Joints, supports, texts.
     pub ink: &'static str,
@@ -124,7 +124,7 @@ pub(super) const DAMPER: f64 = 6.0;
 pub(super) const WALL: f64 = 34.0;
 /// A support: half the base of its triangle, its height, half the base line.
 pub(super) const SUPPORT: [f64; 3] = [10.0, 17.0, 17.0];
-/// What a guide is longer than the travel of its blocks' middles, at both ends.
+/// The length by which a guide exceeds the travel of its blocks' middles, at both ends.
 pub(super) const OVERRUN: f64 = 27.0;
 /// Size of labels, and of what explains.
 pub(super) const LABEL: f64 = 13.0;
@@ -151,12 +151,12 @@ pub(super) fn wrapped(text: &str, size: f64, width: f64) -> Vec<String> {
     lines
 }
 
-/// Whether a letter of the text reaches below its line.
+/// True if a letter of the text reaches below its line.
 pub(super) fn has_descender(text: &str) -> bool {
     text.contains(['g', 'j', 'p', 'q', 'y', 'Q', '_', ',', '(', ')', 'f'])
 }
 
-/// How wide a text is at a size of one, as the fonts above have it, or a little more.
+/// The width of a text at size one in the fonts above, or a little more.
 pub(super) fn text_width(text: &str) -> f64 {
     let width = |letter: char| match letter {
         'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ' ' | '\'' => 0.3,

@@ -56,7 +56,7 @@ impl Seat {
     }
 }
 
-/// How long a film takes, and how many poses it has.
+/// The duration of a film and its number of poses.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Timing {
     pub seconds: f64,

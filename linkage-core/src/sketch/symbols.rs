@@ -1,4 +1,4 @@
-//! What stands still: supports, rails, circles of cranks, arrows, the scale.
+//! Symbols that stand still: supports, rails, circles of cranks, arrows, the scale.
 
 use std::format;
 use std::string::String;
@@ -12,7 +12,7 @@ use super::svg::{Seat, Timing, fine, pair, path, short};
 /// Which way a support stands: the angles by which the upright one is turned.
 pub(super) const WAYS: [f64; 4] = [0.0, 90.0, -90.0, 180.0];
 
-/// What a support covers.
+/// The box covered by a support.
 pub(super) fn support_box(at: Spot, way: f64) -> Box2 {
     let seat = Seat { at, degrees: way };
     let [_, height, half] = SUPPORT;
@@ -49,7 +49,7 @@ fn hatches([start, end]: [f64; 2]) -> Vec<f64> {
     left.chain(right).collect()
 }
 
-/// What the ends of a rail cover.
+/// The boxes covered by the ends of a rail.
 pub(super) fn rail_boxes(seat: Seat, [start, end]: [f64; 2]) -> [Box2; 2] {
     [[start, start + 26.0], [end - 26.0, end]]
         .map(|[a, b]| Box2::around([[a, -1.0], [b, 8.0]].map(|spot| seat.place(spot))))
@@ -174,7 +174,7 @@ pub(super) fn moving_path(paths: &[Option<String>], timing: Option<Timing>, look
     format!(r#"<path d="{}"{hidden} fill="none" {look}>{moves}</path>"#, filled[0])
 }
 
-/// How long the scale bar is, in pixels, and what it says.
+/// The length of the scale bar, in pixels, and its text.
 pub(super) fn scale_bar(scale: f64, width: f64, unit: Option<Unit>) -> (f64, String) {
     let most = 0.2 * width / scale;
     let power = 10_f64.powf(most.log10().floor());

@@ -32,7 +32,7 @@ fn find(
     })
 }
 
-/// How many letters differ, a change of case counting half (Wagner and Fischer).
+/// The number of letters that differ, a change of case counting half (Wagner and Fischer).
 fn distance(a: &str, b: &str) -> usize {
     let letters: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=letters.len()).map(|nth| 2 * nth).collect();
@@ -109,7 +109,7 @@ pub(super) fn ghosts(scene: &Scene, bodies: &[Body], poses: usize) -> Vec<(Optio
         return Vec::new();
     }
     let last = scene.len() - 1;
-    // Of a closed motion the last pose is the first.
+    // The last pose of a closed motion is the first.
     let steps = if is_closed(scene) { poses } else { poses - 1 };
     let frames = (1..poses).map(|nth| nth * last / steps);
     let frames: Vec<usize> = frames.filter(|&frame| frame > 0).collect();
@@ -134,7 +134,7 @@ pub(super) fn ghosts(scene: &Scene, bodies: &[Body], poses: usize) -> Vec<(Optio
     ghosts
 }
 
-/// Whether the motion ends where it began, to a billionth of the mechanism's size.
+/// True if the motion ends where it began, to a billionth of the mechanism's size.
 pub(super) fn is_closed(scene: &Scene) -> bool {
     let last = scene.len() - 1;
     let points = 0..scene.plan.points.len();

@@ -7,16 +7,16 @@ use super::{Entry, SEEDS, Series, Status};
 use crate::roots::seed::Seed;
 use crate::{Float, Fusion, Scalar};
 
-/// What a sweep works on.
+/// The work of a sweep: one solver, its inputs, and the outputs to fill.
 pub(super) struct Batch<'a, E, T, const IN: usize, const OUT: usize> {
     pub(super) entry: &'a E,
     pub(super) inputs: [Series<'a, T>; IN],
     pub(super) outputs: [&'a mut [T]; OUT],
     pub(super) statuses: &'a mut [Status],
-    /// Whether a single call has agreed that a pose is out of reach; it looks at parameters as well, which
-    /// are the same for every pose. Nothing before the first such pose.
+    /// The answer of a single call for the first pose that a sweep finds out of reach: true if both agree. It
+    /// holds for all poses, as they share the parameters that the call checks. None before that pose.
     pub(super) is_agreed: Option<bool>,
-    /// What the poses before have left to the searches of unknowns.
+    /// The seeds that the previous poses leave for the searches of unknowns.
     pub(super) seeds: [Seed<T>; SEEDS],
 }
 
@@ -107,7 +107,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
                 refused.get_mut(pose + nth * APART).into_iter().for_each(|to| *to = is_out);
             }
         }
-        // What is not finite is refused for that.
+        // A pose with an input that is not finite is refused for that, not as out of reach.
         for column in inputs {
             for (refused, number) in refused.iter_mut().zip(&column.0) {
                 *refused &= Scalar::is_finite(*number);
@@ -116,7 +116,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         refused
     }
 
-    /// Whether single calls say so too: the first pose of a sweep that is refused is solved by one.
+    /// True if a single call agrees. Only the first refused pose of a sweep is solved again by one.
     #[inline(always)]
     fn is_agreed<K>(&mut self, start: usize, refused: &[bool; BLOCK]) -> bool
     where
@@ -215,7 +215,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         }
     }
 
-    /// What the single call says of a pose, and its numbers where there are any.
+    /// The status of a pose by a single call, which also writes the numbers if there are any.
     #[cold]
     #[inline(never)]
     fn solved_singly<K>(&mut self, pose: usize, numbers: &mut [T; OUT]) -> Status

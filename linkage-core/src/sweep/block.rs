@@ -7,7 +7,7 @@ use crate::{Float, Fusion, Lanes, Scalar};
 /// Poses in a block: a few registers full, so that the block's columns stay in the first cache.
 pub(super) const BLOCK: usize = 16;
 
-/// How far apart the poses lie that are computed together: those between fill vectors.
+/// The distance between poses that are computed together: those between fill vectors.
 pub(super) const APART: usize = BLOCK / TOGETHER;
 
 /// The numbers of one input or output at the poses of a block, aligned to a line of the cache:

@@ -28,13 +28,13 @@ pub(super) struct Poses<T, F, A = Usable> {
 type Of<T, F> = Lanes<T, TOGETHER, F>;
 
 impl<T: Copy, F, A> Poses<T, F, A> {
-    /// Of numbers alone.
+    /// Poses of numbers alone.
     #[inline(always)]
     pub(super) const fn new(numbers: [T; TOGETHER]) -> Self {
         Self::of(Lanes::new(numbers))
     }
 
-    /// Of angles, their sines and their cosines.
+    /// Poses of angles, with their sines and cosines.
     #[inline(always)]
     pub(super) const fn on_circle([angles, sines, cosines]: [[T; TOGETHER]; 3]) -> Self {
         let circles = Some((Lanes::new(sines), Lanes::new(cosines)));

@@ -1,5 +1,5 @@
-//! What a sweep asks of the fast path's comparisons: which poses may be used and, where some may not, which
-//! of these are out of reach.
+//! Conclusions that a sweep draws from the fast path's comparisons: which poses may be used and, where some
+//! may not, which of these are out of reach.
 //!
 //! Comparisons say that a condition is not met, and leave the reason to the slow path. One reason is as
 //! common as solved poses, in a map of a workspace say, and vectors can tell it: every condition before a
@@ -11,14 +11,14 @@ use core::ops::BitAnd;
 
 use crate::{LaneMask, Mask};
 
-/// How many poses are computed beside each other, before the compiler takes several such sets at a time
-/// into vectors: so a vector of poses is begun while the one before waits for its root. Three would take
+/// The number of poses that are computed beside each other, before the compiler takes several such sets at
+/// a time into vectors. A vector of poses begins while the one before waits for its root. Three would take
 /// more registers than most machines have.
 pub(super) const TOGETHER: usize = 2;
 
 type PoseMask = LaneMask<TOGETHER>;
 
-/// What comparisons are to tell.
+/// The question that comparisons answer.
 pub(super) trait Asked: Copy + Debug + 'static {
     /// The answer.
     type Mask: Mask;
@@ -75,7 +75,7 @@ impl Asked for OutOfReach {
     }
 }
 
-/// What the conditions so far say of each pose.
+/// The state of each pose after the conditions so far.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Verdict {
     /// All of them are met.
@@ -84,7 +84,7 @@ pub(super) struct Verdict {
     earlier: PoseMask,
     /// No first failure is a group out of reach.
     reached: PoseMask,
-    /// What is asked beside the formulas is met, as that an angle is small enough for its sine to be right.
+    /// The range conditions are met: an angle is small enough for its sine to be right, for example.
     sound: PoseMask,
 }
 
@@ -100,7 +100,7 @@ impl Verdict {
     }
 }
 
-/// Of what is asked beside the formulas.
+/// Combines conditions beside the formulas.
 impl BitAnd for Verdict {
     type Output = Self;
 

@@ -1,5 +1,5 @@
-//! What holds close around a change point: where it lies, results interpolated over it, and where
-//! a motion that begins there comes from.
+//! The neighbourhood of a change point: where it lies, results interpolated over it, and the side that
+//! a motion which begins there comes from.
 
 use super::line::Line;
 use super::linear::Estimate;

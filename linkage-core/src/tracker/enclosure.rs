@@ -44,7 +44,7 @@ fn min<T: Float>(a: T, b: T) -> T {
 }
 
 impl<T: Float> Enclosure<T> {
-    /// What is between `middle` − `radius` and `middle` + `radius` as far as the step is taken.
+    /// The range from `middle` − `radius` to `middle` + `radius`, proportional to the step taken.
     pub(crate) fn around(middle: T, radius: T) -> Self {
         // Places on the way are rounded, each for itself.
         Self { middle, slope: radius, radius: epsilon::<T>() * middle.magnitude() }
@@ -70,7 +70,7 @@ impl<T: Float> Enclosure<T> {
         Self { middle, slope: lit(0.0), radius: lit(f32::INFINITY) }
     }
 
-    /// How far from the middle.
+    /// The largest distance from the middle.
     fn spread(self) -> T {
         self.slope.magnitude() + self.radius
     }
@@ -231,8 +231,8 @@ impl<T: Float> Scalar for Enclosure<T> {
 
     /// The angle is followed across ±π, as a link is that turns with it.
     ///
-    /// Of a vector of length ℓ whose end moves by no more than r it changes by the angle of what is
-    /// across over ℓ, but for r²/2(ℓ − r)²: half its largest second derivative, 1/(ℓ − r)².
+    /// The end of a vector of length ℓ moves by at most r. Its angle changes by the transverse motion over ℓ,
+    /// to within r²/2(ℓ − r)²: half the largest second derivative is 1/2(ℓ − r)².
     fn atan2(self, x: Self) -> Self {
         let middle = self.middle.atan2(x.middle);
         let (length, off) = (self.middle.hypot(x.middle), self.off(x));
@@ -247,7 +247,7 @@ impl<T: Float> Scalar for Enclosure<T> {
         Self::rounded(middle, slope, rest + half(part * part)).widened()
     }
 
-    /// Of second derivatives up to 1/(ℓ − r), as above.
+    /// The second derivatives are at most 1/(ℓ − r), as above.
     fn hypot(self, other: Self) -> Self {
         let (middle, off) = (self.middle.hypot(other.middle), self.off(other));
         let least = middle - off;
@@ -315,7 +315,7 @@ impl<T: Float> Enclosure<T> {
         Self { radius: self.radius + error, ..self }
     }
 
-    /// How far the end of a vector of these components moves.
+    /// The largest motion of the end of a vector of these components.
     fn off(self, x: Self) -> T {
         let (y, x) = (self, x);
         let off = y.spread().hypot(x.spread());
@@ -377,7 +377,7 @@ impl<T: Float> Real for Enclosure<T> {
     }
 }
 
-/// How often a range for a root is widened: it needs as much as the slope varies in it.
+/// The number of times that a range for a root is widened: it needs as many as the slope varies in it.
 const ROUNDS: usize = 4;
 
 #[cfg(test)]

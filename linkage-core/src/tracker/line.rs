@@ -124,7 +124,7 @@ impl<M: Solver> AllRanges<M> {
 }
 
 impl<M: Solver> AllValues<M> {
-    /// Of rates nothing is known.
+    /// The ranges of a group, with unbounded rates.
     pub(super) fn of(&self, group: usize) -> Ranges {
         let known = self.0.as_ref().get(group).map(|of| of.map(|range| range.bounds()));
         let [value, scale] = known.unwrap_or([[1.0; 2]; 2]);
@@ -141,12 +141,12 @@ impl<T: Copy> Clearance<T> {
 }
 
 impl Reading {
-    /// Whether the clearance is below so many times its scale; no where it is no number.
+    /// True if the clearance is below so many times its scale; false for NaN.
     pub(super) fn is_below(&self, threshold: f64) -> bool {
         self.value < threshold * self.scale
     }
 
-    /// Whether it is at least so many times its scale.
+    /// True if it is at least so many times its scale.
     pub(super) fn is_above(&self, threshold: f64) -> bool {
         self.scale > 0.0 && self.value >= threshold * self.scale
     }
@@ -158,15 +158,15 @@ impl Reading {
 }
 
 impl Ranges {
-    /// Whether a reading is one of these, but for its own rounding, which is less than `zero` of its
-    /// scale. Ranges that say nothing hold everything.
+    /// True if a reading is within these ranges, but for its own rounding, which is less than `zero` of its
+    /// scale. Ranges of NaN hold every reading.
     pub(super) fn hold(&self, reading: &Reading, zero: f64) -> bool {
         let [least, most] = self.value;
         let room = zero * reading.scale;
         !(reading.value < least - room || reading.value > most + room)
     }
 
-    /// Whether it is everywhere at least so many times its scale.
+    /// True if it is everywhere at least so many times its scale.
     pub(super) fn is_above(&self, threshold: f64) -> bool {
         self.scale[0] > 0.0 && self.value[0] >= threshold * self.scale[1]
     }

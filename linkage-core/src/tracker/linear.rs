@@ -15,7 +15,7 @@ pub(super) trait Linear<T>: Copy {
     #[must_use]
     fn minus(self, other: Self) -> Self;
 
-    /// Whether every number passes the test.
+    /// True if every number passes the test.
     #[must_use]
     fn all(self, test: impl Fn(T) -> bool) -> bool;
 }

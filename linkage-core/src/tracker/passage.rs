@@ -39,7 +39,7 @@ struct Change {
     aside: f64,
 }
 
-/// How a group fares on a part of the way.
+/// The state of a group on a part of the way.
 enum Advance {
     /// Clear of its limit at the end.
     Clear,
@@ -55,23 +55,22 @@ impl<M: Solver> Passage<M> {
         Self { solver, line: Line::new(from, to) }
     }
 
-    /// Whether every group stays so far from its limits that neither modes change nor rounding
-    /// shows, with a clearance of at least `near` parts of its scale: one look at all of the way at
-    /// once.
+    /// True if every group keeps a clearance of at least `near` parts of its scale, so that neither modes
+    /// change nor rounding shows. The whole way is enclosed at once.
     pub(super) fn is_clear(&self, near: f64) -> bool {
         let ranges = self.line.values(&self.solver);
         (0..M::TITLES.groups.len()).all(|group| ranges.of(group).is_above(near))
             && (!M::SEARCHES || [0.0, 1.0].iter().all(|&part| self.agrees(part, &ranges)))
     }
 
-    /// Whether what is searched at a place is what was proved to go on there.
+    /// True if the root found at a place belongs to the branch whose ranges were proved.
     fn agrees(&self, part: f64, ranges: &AllValues<M>) -> bool {
         let zero = Thresholds::of::<M::Scalar>().zero;
         let readings = self.line.readings(&self.solver, part);
         (0..M::TITLES.groups.len()).all(|group| ranges.of(group).hold(&readings.of(group), zero))
     }
 
-    /// Whether the groups are clear of their limits at the end.
+    /// True if the groups are clear of their limits at the end.
     pub(super) fn ends_clear(&self, solver: &M) -> bool {
         !(0..M::TITLES.groups.len()).any(|group| self.ends_fading(solver, group))
     }
@@ -92,7 +91,7 @@ impl<M: Solver> Passage<M> {
         !self.line.reading(solver, 1.0, group).is_above(clear)
     }
 
-    /// Whether no mode changes on the way.
+    /// True if no mode changes on the way.
     pub(super) fn is_quiet(&self) -> bool {
         matches!(self.first_change(&self.solver, 0.0, &mut { STRETCHES }), Ok(None))
     }
@@ -135,7 +134,7 @@ impl<M: Solver> Passage<M> {
     ) -> Result<Option<Change>, SolveError> {
         let (mut first, mut to) = (None, 1.0_f64);
         for group in 0..M::TITLES.groups.len() {
-            // What groups behind this one do is to be asked only before its limit.
+            // Dependent groups are examined only up to this group's limit.
             match self.course(solver, group, [here, to], budget)? {
                 Advance::Clear => {}
                 Advance::Fading(at) => to = at,
@@ -231,7 +230,7 @@ impl<M: Solver> Passage<M> {
             let ends = ends.map(|(solver, part)| (part, self.line.reading(solver, part, group)));
             let changes = match lowest_between(ends) {
                 _ if group == first.group => true,
-                // What comes after the end is not yet to be decided, unless the end is part of it.
+                // A change after the end is left undecided, unless the end is part of it.
                 Some((at, lowest)) if at <= 1.0 || self.ends_fading(solver, group) => {
                     if lowest < -thresholds.zero {
                         return Err(self.dead_end(solver, at, group));

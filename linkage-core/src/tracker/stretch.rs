@@ -1,10 +1,10 @@
-//! What a group's clearance does on a stretch of the way, from what it is at the ends and from all
-//! that it and its rates can be between: a proof, or the admission that there is none.
+//! The course of a group's clearance on a stretch of the way, from its values at the ends and the ranges
+//! of it and its rates between them: a proof, or the admission that there is none.
 
 use super::Thresholds;
 use super::line::{Ranges, Reading};
 
-/// What is known.
+/// The conclusion.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Finding {
     /// It stays above zero, or falls or rises all the time: no change point.
@@ -189,8 +189,8 @@ mod tests {
         }
     }
 
-    /// What falls through zero has ended where it is found below by more than rounding, however
-    /// little that is.
+    /// A clearance that falls through zero ends the motion where it is found below zero by more than
+    /// rounding, however little that is.
     #[test]
     fn what_falls_through_zero_has_ended() {
         let falling = |x: f64| [1e-9 - 3e-8 * x, -3e-8, 0.0];
@@ -198,7 +198,7 @@ mod tests {
         assert!(matches!(judged(0.0, 0.3, falling), Finding::Quiet));
     }
 
-    /// Of two stretches that meet at the lowest place one holds it.
+    /// The lowest place at the common end of two stretches belongs to one of them.
     #[test]
     fn the_lowest_place_belongs_to_one_stretch() {
         assert!(matches!(judged(0.0, 0.3, parabola(0.0)), Finding::Touching(_)));

@@ -20,7 +20,7 @@ impl Thresholds {
     }
 }
 
-/// How far around a change point results are interpolated. At a distance w, where the clearance is
+/// The width of interpolation around a change point. At a distance w, where the clearance is
 /// about ½ w² of its scale, the rounding of an acceleration is ε/w³; a motion that is a power series
 /// as far as ρ is interpolated by n nodes with an error of (w/ρ)ⁿ. Both are equal at
 /// wⁿ⁺³ = ε ρⁿ.
@@ -63,12 +63,12 @@ impl Zone {
         }
     }
 
-    /// How many widths away the outermost nodes are.
+    /// The distance of the outermost nodes, in widths.
     pub(super) fn reach(self) -> f64 {
         self.nodes().last().copied().unwrap_or(1.0)
     }
 
-    /// Whether narrower nodes are tried although those of the whole width give a result.
+    /// True if narrower nodes are tried although those of the whole width give a result.
     pub(super) fn is_refined(self) -> bool {
         self == Self::Integrated
     }

@@ -16,7 +16,7 @@ const GROUP: &str = "bars";
 /// and of twice the fourth, and a limit beside the formulas; which poses were solved one by one.
 struct Conditions {
     singly: RefCell<Vec<[f64; 5]>>,
-    /// What single calls say.
+    /// The answer of single calls.
     answer: SolveError,
 }
 
@@ -103,7 +103,7 @@ fn what_is_first_and_clear_is_told_by_vectors() {
     assert_eq!(in_both_widths([1.0, 1.0, 1.0, 1.0, 0.0]), Status::Solved);
     assert_eq!(in_both_widths([1.0, -1.0, 1.0, 1.0, 0.0]), Status::OutOfReach);
     assert_eq!(in_both_widths([1.0, 1.0, 1.0, -1.0, 0.0]), Status::OutOfReach);
-    // What comes behind it does not matter.
+    // Conditions behind the first failure do not matter.
     assert_eq!(in_both_widths([1.0, -1.0, 1.0, -1.0, 0.0]), Status::OutOfReach);
 }
 

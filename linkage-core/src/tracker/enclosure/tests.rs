@@ -74,7 +74,7 @@ fn a_range_holds_every_value() {
             }
         }
     }
-    // Of 20 ranges and 8 functions, and of 180 pairs and 6: unknown are few.
+    // There are 20 ranges for 8 functions and 180 pairs for 6: less than a tenth may stay unknown.
     assert!(known > (20 * 8 + 180 * 6) * 9 / 10, "{known}");
 }
 
@@ -143,7 +143,7 @@ fn ranges_are_tight() {
     assert!(radius(Ball::anywhere(2.0, 0.0) * Ball::anywhere(3.0, 0.0)) <= 20.0 * f64::EPSILON);
 }
 
-/// What two ranges have in common to first order cancels, whatever they were made by.
+/// Parts common to two ranges to first order cancel, whatever operations made them.
 #[test]
 fn what_is_common_cancels() {
     let radius = |ball: Ball| {
