@@ -47,7 +47,7 @@ fn ends_and_root_of_an_equation_are_as_far_as_by_hand() {
     }
 }
 
-/// Of a bar from P to a block: X² = l² − (e − y)², against the squares of l, e and of P from the guide.
+/// A bar from P to a block: X² = l² − (e − y)², with the scale l² + e² + |AP|².
 #[test]
 fn a_bar_is_as_clear_of_its_guide_as_by_hand() {
     let mechanism = mechanism(

@@ -20,7 +20,7 @@ pub(in crate::equations::tests) struct Matrix<'k, 's> {
     rows: HashMap<Part, usize>,
     count: usize,
     pub(super) columns: Vec<Column>,
-    /// Effort and component of each unknown.
+    /// Each effort with the column of its first component.
     pub(super) names: Vec<(Effort, usize)>,
 }
 
