@@ -68,7 +68,7 @@ use names::{Names, TooEarly};
 use searched::Searched;
 
 /// The stub of a declaration in which something was reported.
-pub(crate) struct Stub(pub Mechanism);
+pub(crate) struct Stub(pub Box<Mechanism>);
 
 /// The mechanism that the declaration means; a stub of it if a mistake was reported, by the parser or
 /// here.
@@ -78,12 +78,12 @@ pub(crate) fn resolve(
 ) -> Result<Mechanism, Stub> {
     if drawn::is_drawn(tree) {
         let resolved = drawn::resolve(tree, diagnostics).filter(|_| diagnostics.count() == 0);
-        return resolved.ok_or_else(|| Stub(stub_of_drawing(tree, diagnostics)));
+        return resolved.ok_or_else(|| Stub(Box::new(stub_of_drawing(tree, diagnostics))));
     }
     let resolver = walked(tree, diagnostics, &[]);
     match resolver.diagnostics.count() {
         0 => Ok(resolver.mechanism),
-        _ => Err(Stub(resolver.stub(tree))),
+        _ => Err(Stub(Box::new(resolver.stub(tree)))),
     }
 }
 

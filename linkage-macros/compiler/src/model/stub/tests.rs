@@ -17,7 +17,7 @@ fn expand(source: &str) -> File {
     let tree = parse(tokens, &mut diagnostics).expect("the declaration has a name");
     let stub = match model::resolve(&tree, &mut diagnostics) {
         Ok(_) => model::stub(&tree),
-        Err(Stub(mechanism)) => mechanism,
+        Err(Stub(mechanism)) => *mechanism,
     };
     drop(diagnostics.into_mistakes());
     file(pipeline::stub(&tree, &stub, &pipeline::Options::NONE))
