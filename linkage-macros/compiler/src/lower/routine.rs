@@ -91,7 +91,7 @@ pub(crate) struct Routine {
     pub tells: bool,
     /// The inputs and parameters it reads, in the order of the graph.
     pub reads: Vec<Node>,
-    /// True if the routine contains a check: of a guard, a search, a hypotenuse, or a sine's or cosine's angle.
+    /// True if the routine contains a check: of a guard, a search, a hypotenuse or an angle.
     pub has_checks: bool,
     pub locals: Locals,
     /// The constants that are bound to names where it begins, in order.
