@@ -13,7 +13,7 @@ use std::process::Command;
 
 use crate::build::{PACKAGE, library, sources, text};
 
-/// What a bare library is compiled with.
+/// The optimisation levels at which a bare library is compiled.
 const LEVELS: [&str; 5] = ["1", "2", "3", "s", "z"];
 
 /// Every entry point in both widths, as the start of a function's name and its end.
@@ -36,7 +36,7 @@ const ENTRIES: [&str; 16] = [
     "equations_of_motion",
 ];
 
-/// How many of the mechanisms have the entry.
+/// The count of mechanisms that have the entry point.
 fn mechanisms_with(entry: &str) -> usize {
     match entry {
         "position_at" | "velocity_at" | "motion_at" => 8,
@@ -146,7 +146,7 @@ fn solvers_stand_alone_at_every_optimisation_level() {
     }
 }
 
-/// What the linker says about a control that compiles.
+/// The result of linking a control that has to compile; the error is the linker's message.
 fn linked(control: &str, level: &str) -> Result<(), String> {
     let library = library(control, level).unwrap_or_else(|error| panic!("{control}: {error}"));
     link_alone(&library, &["control"]).map(drop)

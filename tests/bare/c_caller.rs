@@ -29,7 +29,7 @@ fn run_c(library: &Path, source: &Path) -> Output {
     Command::new(&program).output().expect("the program starts")
 }
 
-/// What every header is called, and its text.
+/// The file name and the text of every header.
 const HEADERS: [(&str, &str); 12] = [
     ("flying_shear.h", FlyingShear::C_HEADER),
     ("watt_six_bar.h", WattSixBar::C_HEADER),
@@ -170,7 +170,7 @@ fn excavator(report: &mut Report, inputs: [f64; 3]) {
     report.add("excavator_coefficients", wide.coefficients(inputs));
 }
 
-/// What the caller makes wrong, and the status it gets: statuses 5 and 6 are C's own.
+/// The caller's mistakes and their statuses. Only C can cause statuses 5 and 6.
 fn mistakes() -> String {
     let mut report = Report::default();
     let position = |coupler: f64, theta| {
@@ -208,7 +208,7 @@ fn mistakes() -> String {
     format!("{}{}silent 5\n", before.concat(), report.0)
 }
 
-/// What the C program has to print.
+/// The expected output of the C program.
 fn expected() -> String {
     let mut report = Report::default();
     for i in -12..=12_i8 {

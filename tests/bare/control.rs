@@ -1,4 +1,4 @@
-//! What the proof has to catch, one at a time: each has to break the build.
+//! The defects that the proof has to catch, one at a time: each has to break the build.
 
 /// A panic: the length of the list is not known.
 #[cfg(feature = "indexing")]

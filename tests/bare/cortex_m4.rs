@@ -16,7 +16,7 @@ use cam::{Cam, FlyingShear, Strip};
 use linkage_core::{Real, Record};
 use mechanisms::{DrivenFourBar, HeavyPress, SixBar, SliderCrank, TunedFourBar};
 
-/// How often each function is called; poses all around the turn.
+/// The count of calls to each function, at poses all around the turn.
 const CALLS: u16 = 100;
 
 /// Numbers whose bits can be summed.

@@ -1,6 +1,6 @@
-//! What a solver offers beside its C functions, each behind a symbol: the straight lines, the
-//! rows, angles, conversion to another width, several numbers side by side, sweeps over slices,
-//! trackers, searches, ranges; and two controllers that are made of them.
+//! The functions of a solver beside its C functions, each behind a symbol: the fast paths, the rows, angles,
+//! conversion to another width, several numbers side by side, sweeps over slices, trackers, searches, ranges;
+//! and two controllers that are made of them.
 
 use linkage_core::find::{FindError, Search, Trend};
 use linkage_core::range::{extrema, limits};

@@ -11,7 +11,7 @@ use num_dual::{Dual, Dual2, Dual2SVec, Dual3, HyperDual};
 struct Counting;
 
 thread_local! {
-    /// Of this thread alone: the one that runs the tests allocates whenever it likes.
+    /// The count of this thread alone: the thread that runs the tests allocates at any time.
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 

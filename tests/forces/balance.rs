@@ -1,4 +1,4 @@
-//! What a mechanism's forces must add up to, whatever they are.
+//! The laws that every mechanism's forces obey: balance with weight and inertia, action and reaction.
 
 use linkage_tests::mechanisms::forces::*;
 
@@ -37,7 +37,7 @@ fn the_ground_carries_weight_and_inertia() {
             let largest = terms.iter().map(|term| term.abs()).fold(0.0, f64::max);
             assert!(sum(&terms).abs() <= 8.0 * f64::EPSILON * largest, "{theta} {axis}");
         }
-        // What two bodies do to each other.
+        // Two bodies exert opposite forces on each other.
         assert_eq!((f.BC.C.x, f.BC.C.y), (-f.DC.C.x, -f.DC.C.y));
         assert_eq!((f.AB.B.x, f.AB.B.y), (-f.BC.B.x, -f.BC.B.y));
     }

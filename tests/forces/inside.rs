@@ -1,4 +1,5 @@
-//! What acts inside a body whose parts move against each other: on the input that moves them alone.
+//! Efforts inside a body whose parts move against each other: they act on the input that moves the parts
+//! alone.
 
 use linkage_core::{Real, differentiate};
 use linkage_tests::in_both_widths;

@@ -1,4 +1,4 @@
-//! What the generated functions take, give and refuse.
+//! The arguments, results and refusals of the generated functions.
 
 use linkage_core::num_dual::DualSVec;
 use linkage_core::{SolveError, differentiate};

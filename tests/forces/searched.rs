@@ -103,7 +103,7 @@ fn drives_put_in_what_the_energy_grows_by() {
     }
 }
 
-/// What is not asked for by name is every effort that power tells.
+/// A declaration that names no effort gets the efforts that its power determines.
 #[test]
 fn without_outputs_the_inputs_and_named_springs_have_efforts() {
     let f = HeavyTriad::new().statics(0.4).expect("it turns fully");

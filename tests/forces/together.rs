@@ -120,7 +120,7 @@ fn shaking_and_the_centre_are_those_of_each_mass() {
         let centre = m.acceleration.centre_of_mass;
         assert!((total * centre.x + force[0]).abs() < 1e-14 * largest, "{state:?}");
         assert!((total * centre.y + force[1]).abs() < 1e-14 * largest, "{state:?}");
-        // What stands on the ground puts weight and shaking on it, and the drive's couple.
+        // The ground carries the weight, the shaking and the reaction of the drive's couple.
         let weight = -9.81 * total;
         assert!((-(f.AB.A.x + f.DC.D.x) - f.shaking.x).abs() < 1e-14 * largest);
         assert!((-(f.AB.A.y + f.DC.D.y) - f.shaking.y - weight).abs() < 1e-14 * largest);

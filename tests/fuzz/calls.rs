@@ -1,4 +1,4 @@
-//! What is asked of every answer, and what was found.
+//! The checks of every answer, and a record of what they found.
 
 use std::collections::BTreeMap;
 use std::fmt::{Debug, Write};
@@ -8,13 +8,13 @@ use linkage_core::{Record, SolveError, Status};
 
 use super::numbers::Number;
 
-/// How calls were answered, and what was wrong about it.
+/// The answers of all calls, and the mistakes found in them.
 #[derive(Default)]
 pub(crate) struct Calls {
     pub(crate) count: u64,
     /// Answers, and refusals of each kind.
     pub(crate) answers: BTreeMap<&'static str, u64>,
-    /// How often, and at what first, by mechanism, entry point and what was wrong.
+    /// The count of a mistake and its first case, by mechanism, entry point and kind of mistake.
     pub(crate) wrong: BTreeMap<String, (u64, String)>,
     /// The worst error, by mechanism, in half units in the last place of everything.
     pub(crate) worst: BTreeMap<String, f64>,
@@ -87,7 +87,8 @@ impl At<'_> {
         Some(numbers)
     }
 
-    /// What the function without a branch answers, if it says that it may be used: the same.
+    /// Checks that the function without a branch, where it reports that its result is usable, returns the
+    /// same result.
     pub(crate) fn straight<T: Number, R: AsRef<[T]>>(
         &mut self,
         entry: &str,

@@ -36,7 +36,7 @@ pub(crate) struct Found<T> {
 /// One state in so many that might be meant is compared with numbers of twice the width, which
 /// takes as long as some hundred calls.
 const COMPARED: usize = 8;
-/// How many states make a sweep, and a way that is followed.
+/// The count of states in a sweep, and in a path that a tracker follows.
 const POSES: usize = 24;
 
 /// Calls everything until about so many calls have been made.
@@ -82,11 +82,11 @@ fn compare<M: Fuzzed<N, P>, T: Number, const N: usize, const P: usize>(
     }
 }
 
-/// Whether derivatives are those of a pose next to a limit and not of one on it: the two ways to them
-/// round the joints on their own, so that a pose may lie on the limit for one and a few units inside
-/// for the other. So many units n inside, a height is √(2 n ε) of the lengths, and a derivative by
-/// it the inverse of that; on the limit, where none exists, what a formula gives is no larger than
-/// the lengths' ratios. Between the two lies n = 512.
+/// True if the derivatives are those of a pose next to a limit, not on it. Derivatives in closed form and
+/// those by dual numbers round the joints separately, so one pose may lie on the limit for the first and a
+/// few units inside for the second. At n units inside, a height is √(2 n ε) of the lengths, and a derivative
+/// by it is the inverse of that. On the limit no derivative exists, and what a formula gives is no larger
+/// than the lengths' ratios. The bound between the two is n = 512.
 pub(crate) fn next_to_a_limit<T: Number>(derivatives: &[T]) -> bool {
     let large = 1.0 / (1024.0 * T::EPSILON).sqrt();
     derivatives.iter().any(|derivative| derivative.value().abs() >= large)
@@ -147,11 +147,11 @@ macro_rules! rows {
     }};
 }
 
-/// What this program has to know of a declaration: how many inputs and numeric parameters it has,
-/// what its mode parameters and margins are called, and the links whose directions are outputs;
-/// `circle` where the only input may be given by its cosine and sine; behind `as` a declaration of the
-/// same mechanism that other formulas are made of, which is taken for right; and behind `=>` what tells a
-/// right position where no numbers of twice the width do.
+/// The facts of a declaration that this program needs. They are its counts of inputs and numeric parameters,
+/// the names of its mode parameters and margins, and the links whose directions are outputs. `circle` marks a
+/// declaration whose only input may be given by its cosine and sine. Behind `as` stands a declaration of the
+/// same mechanism with other formulas, which is taken for right. Behind `=>` stands a test of positions, for
+/// a mechanism that cannot be computed on numbers of twice the width.
 macro_rules! fuzzed {
     ($($name:ident: $inputs:literal $count:ident, $params:literal($($param:ident)*),
         modes($($mode:ident)*), units($($link:ident)*),

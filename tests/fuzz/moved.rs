@@ -18,7 +18,7 @@ use super::truth::{Motion, error};
 trait Moved<const N: usize, const P: usize>: Motion<N, P> {
     const NAME: &'static str;
     const DEFAULTS: [f64; P];
-    /// What the last input bends, if that is an arm.
+    /// The name of the joint that the last input bends, if the mechanism is an arm.
     const ELBOWS: &'static [&'static str];
     /// The operations of one second rate.
     const OPERATIONS: f64;
@@ -32,9 +32,9 @@ trait Moved<const N: usize, const P: usize>: Motion<N, P> {
     fn sweep<T: Number>(states: &[State<T, N, P>], at: &mut At<'_>);
 }
 
-/// How much smaller a pivot of the mass matrix is than the squares that its row is made of: by so much an
-/// elimination multiplies their rounding. The squares are what is on the diagonal, here or where the last
-/// input stands so that nothing is taken from them.
+/// The worst ratio of the squares in a row of the mass matrix to the row's pivot: an elimination multiplies
+/// their rounding by it. The squares are the largest diagonal element, here or at a place of the last input
+/// where no square is subtracted.
 fn loss<const N: usize>(q: [f64; N], mass: impl Fn([f64; N]) -> [[f64; N]; N]) -> f64 {
     let mut rest = mass(q);
     let mut squares: [f64; N] = core::array::from_fn(|i| rest[i][i]);
@@ -95,7 +95,7 @@ fn fuzz<M: Moved<N, P>, T: Number, const N: usize, const P: usize>(
     }
 }
 
-/// What is given for one input or several, as a list.
+/// The value of one input, or the values of several, as a list.
 macro_rules! list {
     (one $given:expr) => {
         [$given]
@@ -105,8 +105,8 @@ macro_rules! list {
     };
 }
 
-/// What this program has to know of a declaration: how many inputs and numeric parameters it has, and
-/// whether it is an arm.
+/// The facts of a declaration that this program needs: its counts of inputs and numeric parameters, and the
+/// joint that its last input bends if it is an arm.
 macro_rules! moved {
     ($($name:ident: $inputs:literal $count:ident, $params:literal($($param:ident)*)
         $(, $elbow:ident)?;)*) => {$(

@@ -17,7 +17,7 @@ pub(crate) trait Number: Differentiable + Float + PartialOrd {
 
     fn near(value: f64) -> Self;
 
-    /// How many numbers lie between zero and this one, negative below zero.
+    /// The count of numbers between zero and this one, negative below zero.
     fn rank(self) -> i64;
 
     fn of_rank(rank: i64) -> Self;

@@ -40,7 +40,7 @@ impl<T: Number> Waves<T> {
     }
 }
 
-/// How many intervals have a dense scan beside them.
+/// One interval in so many is also scanned densely.
 const SCANNED: usize = 16;
 const SAMPLES: u32 = 2000;
 
@@ -66,7 +66,7 @@ pub(crate) fn run<T: Number>(source: &mut Source, count: u64, calls: &mut Calls)
     }
 }
 
-/// How many turns an interval may have: the clearance of a four-bar comes to zero at most four times in each.
+/// The most turns of an interval: the clearance of a four-bar comes to zero at most four times in each turn.
 const MANY_TURNS: f64 = 15.0;
 
 /// Ends no farther apart than somebody may mean, or odd ones.

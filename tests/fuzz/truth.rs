@@ -1,4 +1,4 @@
-//! What is right: the same formulas on numbers of twice the width, and what the data allow.
+//! The truth of a result: the same formulas on numbers of twice the width, and the error that the data allow.
 //!
 //! A result may be as wrong as if every number given, and the result itself, had been changed by
 //! half a unit in its last place as often as the solver rounds: every operation rounds once, and
@@ -15,12 +15,12 @@ use super::state::State;
 /// A mechanism's motion on any number: positions, velocities and accelerations in one list.
 pub(crate) trait Motion<const N: usize, const P: usize> {
     const OUTPUTS: &'static [&'static str];
-    /// What counts as a unit in the last place of a number that is smaller than this is one of this size:
-    /// an angle stands in sums with whole turns.
+    /// The least size whose unit in the last place counts: a smaller number may be wrong by this size's unit,
+    /// as an angle stands in sums with whole turns.
     const LEAST: f64 = 0.0;
 
-    /// How many units in the last place of its largest row a result may be wrong by besides, each time that
-    /// it rounds.
+    /// The additional error that a result may have for each rounding, in units in the last place of its
+    /// largest row.
     fn loss(_: &State<f64, N, P>) -> f64 {
         0.0
     }
@@ -34,7 +34,7 @@ fn moved(place: usize, turn: usize) -> f64 {
     if turn == 0 { 0.0 } else { [-1.0, 1.0][bits % 2] }
 }
 
-/// What half a unit in the last place of everything changes, by row.
+/// The change of each row by half a unit in the last place of every number.
 fn allowed<M: Motion<N, P>, const N: usize, const P: usize>(
     state: &State<f64, N, P>,
     half_unit: f64,

@@ -1,4 +1,4 @@
-//! What a user of a generated solver types: fields, arrays and named inputs, defaults, angles.
+//! The generated interface as a user types it: fields, arrays and named inputs, defaults, angles.
 
 use core::f64::consts::{PI, TAU};
 use linkage_core::Side;

@@ -1,4 +1,4 @@
-//! What a user of a generated solver types and reads.
+//! The generated interface as a user types and reads it.
 
 mod generated;
 mod messages;

@@ -1,4 +1,4 @@
-//! What a control engineer reads when a pose cannot be computed.
+//! The messages that a control engineer reads when a pose cannot be computed.
 
 use linkage_core::SolveError;
 

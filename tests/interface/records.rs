@@ -1,4 +1,4 @@
-//! What a user's own struct may do with what is generated.
+//! The uses of generated items in a user's own struct.
 
 use linkage_core::find::Root;
 use linkage_core::range::{Extrema, Stretches};

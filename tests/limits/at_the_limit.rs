@@ -10,7 +10,8 @@ use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::driven_groups::*;
 use linkage_tests::widths::{list, number};
 
-/// What a pose short of assembly gives: `by` metres, at most four units or more.
+/// Checks the answers at a pose that is `by` metres short of assembly: a pose without a velocity within four
+/// units, a refusal beyond.
 #[track_caller]
 fn assert_limit<P, V>(
     position: Result<P, SolveError>,

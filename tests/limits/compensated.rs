@@ -1,5 +1,5 @@
-//! What `numerics compensated;` promises: where inputs and dimensions are exact numbers, a limit
-//! costs nothing, however near it is.
+//! The promise of `numerics compensated;`: where inputs and dimensions are exact numbers, nearness to a limit
+//! costs no accuracy.
 //!
 //! Next to a limit at the share g of the lengths, whatever rounding is not put back changes the
 //! root by ε/4g of itself or more: at 1e-12 a thousand million times what is allowed here. The truth

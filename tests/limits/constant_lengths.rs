@@ -8,7 +8,7 @@ use linkage_tests::mechanisms::twins::*;
 use linkage_tests::random::Random;
 use linkage_tests::widths::number;
 
-/// Of so many last places of its width.
+/// A value moved by so many last places of its width.
 fn moved<T: Real>(value: f64, ulps: i32) -> f64 {
     value + f64::from(ulps) * 2f64.powi(value.abs().log2().floor() as i32) * T::EPSILON
 }
@@ -149,7 +149,7 @@ fn rates_of_any_size<T: Real + Scalar<Mask = bool>>() {
     let solver = ConstantRocker::<T>::default();
     let all_finite = |rows: &[T]| rows.iter().all(|row| row.value().is_finite());
     let mut random = Random::new(17);
-    // Of the largest number, and of what is solved at once: 2²⁰ rad/s or 51 471, and their squares.
+    // Decimal digits of the largest number and of a rate solved at once: 2²⁰ rad/s or 51 471, or its square.
     let [largest, at_once] = if T::EPSILON < 1e-10 { [308.25, 6.02] } else { [38.53, 4.71] };
     let mut solved = 0;
     for pose in 0..4000 {
@@ -285,8 +285,8 @@ fn quarter_turns(most: i32) -> impl Iterator<Item = f64> {
     (-most..=most).filter(|&quarters| quarters != 0).flat_map(near)
 }
 
-/// What is nearly zero has all its places as well: 1.7 of the kernel's, and what it does not know of a
-/// quarter turn.
+/// A sine or cosine that is nearly zero has all its places as well: 1.7 ulp of the kernel, and the error of
+/// the quarter turn that the kernel subtracts.
 #[test]
 fn a_crank_next_to_a_quarter_turn_is_right_to_its_places() {
     let (solver, exact) = (ConstantRocker::new(), ConstantRocker::<DoubleDouble<false>>::default());

@@ -41,7 +41,7 @@ fn bars(dx: f64, l2: f64, l3: f64) -> StackedRrr {
     StackedRrr { dx, dy: 0.0, l2, l3, elbow: Side::Left }
 }
 
-/// What position, velocity and motion say, in this order.
+/// The errors of position, velocity and motion, in this order.
 fn refusals(group: StackedRrr) -> [SolveError; 3] {
     [
         group.position([0.0; 2]).unwrap_err(),

@@ -17,7 +17,7 @@ fn assert_signed_distance<T: Real>(curvature: f64, margin: impl Fn(f64) -> f64) 
             let found = margin(left);
             let error = (found - left).abs();
             assert!(error <= curvature * left * left + rounding, "{found:e} for {left:e}");
-            // What the data lose of the distance is below eight of their last places.
+            // The data lose less than eight of their last places of the distance.
             assert!(left.abs() < 10.0 * T::EPSILON || found * left > 0.0, "{found:e} for {left:e}");
         }
     }

@@ -1,5 +1,5 @@
-//! How wrong every group is as its limit comes near, 1e-1 to 1e-15 of its size away, against what
-//! rounding the data would change.
+//! The error of every group as its limit comes near, 1e-1 to 1e-15 of its size away, against the change that
+//! rounding the data would cause.
 
 use linkage_tests::double_double::DoubleDouble;
 use linkage_tests::measured;
@@ -8,7 +8,8 @@ use linkage_tests::measured::poses::Source;
 use linkage_tests::measured::{Measured, Pose, Width};
 use linkage_tests::mechanisms::near_limits::{CompensatedRrp, LevelRrp};
 
-/// Of each family at each distance; without optimisation a measurement takes half a millisecond.
+/// The count of poses of each family at each distance; without optimisation a measurement takes half a
+/// millisecond.
 const POSES: usize = if cfg!(debug_assertions) { 50 } else { 1000 };
 
 /// The worst ratio of error to achievable error of position, velocity and acceleration over a
@@ -142,8 +143,8 @@ macro_rules! slide_error {
     }};
 }
 
-/// What e − y loses by rounding is put back: the slide is right to its last places, √(ε/2) of it
-/// would be lost otherwise at a distance of ε.
+/// The rounding error of e − y is added back, so the slide is right to its last places. Without it the slide
+/// would lose √(ε/2) of itself at a distance of ε.
 #[test]
 fn a_carried_distance_pays_nothing_for_the_limit() {
     let mut source = Source::new(3);

@@ -14,7 +14,7 @@ use linkage_tests::mechanisms::single_groups::{
 use linkage_tests::mechanisms::twins::ConstantDragLink;
 use linkage_tests::random::Random;
 
-/// How poses were answered.
+/// The counts of poses, by the path that answered.
 #[derive(Default)]
 struct Answers {
     straight: u32,

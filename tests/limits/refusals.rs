@@ -6,7 +6,7 @@ use linkage_tests::mechanisms::driven_groups::*;
 use linkage_tests::mechanisms::published::FlyingShear;
 use linkage_tests::widths::{list, number};
 
-/// What each entry point that needs no derivative says.
+/// The answers of each entry point that needs no derivative by dual numbers.
 macro_rules! answers {
     ($mechanism:expr, $q:expr, $rate:expr, $second:expr) => {{
         let mechanism = $mechanism;
@@ -19,7 +19,7 @@ macro_rules! answers {
     }};
 }
 
-/// What the entry points by automatic differentiation say.
+/// The answers of the entry points by automatic differentiation.
 macro_rules! derivatives {
     ($mechanism:expr, $q:expr) => {{
         let mechanism = $mechanism;

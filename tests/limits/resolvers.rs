@@ -1,5 +1,5 @@
-//! What resolvers deliver: a cosine and a sine of an amplitude that is nearly one. Bars keep their
-//! lengths whatever is given, or it is refused.
+//! The readings of resolvers: a cosine and a sine of an amplitude that is nearly one. Bars keep their lengths
+//! for every reading that is not refused.
 
 use linkage_core::{Lanes, Real, Scalar, SolveError, differentiate_twice};
 use linkage_tests::in_both_widths;
@@ -115,7 +115,7 @@ fn what_no_resolver_delivers_is_refused<T: Real>() {
     assert_eq!(message, "the cosine and sine of `theta` have an amplitude of 0, not 1");
 }
 
-/// What the amplitude does is undone before the limit is looked at.
+/// The solver divides by the amplitude before it decides on the limit.
 fn a_limit_is_where_the_angle_has_it<T: Real>() {
     let toggle = Toggle::<T>::default();
     for amplitude in amplitudes::<T>() {

@@ -215,7 +215,8 @@ fn a_jacobian_at_a_limit_is_singular() {
     assert_eq!(TouchingBars::<f32>::default().jacobian(0.0).map(|_| ()), Err(bars));
 }
 
-/// What stands still at its limit is no hindrance to what moves elsewhere, but has no sensitivity.
+/// A group at rest at its limit does not prevent derivatives of the parts that move, but it has no
+/// sensitivity.
 #[test]
 fn a_group_at_rest_at_its_limit_has_a_jacobian_and_no_sensitivity() {
     let jacobian = StandingLimit::new().jacobian(0.5).unwrap();

@@ -10,8 +10,8 @@ use linkage_tests::widths::number;
 
 type Wide = DoubleDouble<false>;
 
-/// Of two guides along the axes one gives x and the other gives y, however far away their origins
-/// are along them: by their slides the pin would be off by the last place of 3 km.
+/// A pin on two guides along the axes takes x from one guide and y from the other, however far away their
+/// origins are. Computed from the slides, it would be wrong by the last place of 3 km.
 fn a_pin_of_guides_along_the_axes_is_exact<T: Real>() {
     let mut random = Random::new(3);
     for _ in 0..200 {

@@ -1,5 +1,5 @@
-//! What an answer says of itself: a sweep beside the single call, margins behind a group that cannot
-//! be assembled, inputs that nothing depends on.
+//! The status of an answer: a sweep beside the single call, margins behind a group that cannot be assembled,
+//! inputs that nothing depends on.
 
 #![allow(clippy::needless_update, reason = "a mechanism may have one parameter or several")]
 
@@ -288,7 +288,7 @@ fn compensated_poses_at_their_limit_are_solved_in_sweeps<T: Float>() {
     };
     assert_eq!(status, dx.iter().map(single).collect::<Vec<_>>());
     let solved = status.iter().filter(|status| **status == Status::Solved).count();
-    // Of either stretch eight within, the limit, and four beyond.
+    // Each stretch has eight poses within, the limit, and four beyond.
     assert_eq!(solved, 26);
 }
 

@@ -16,7 +16,7 @@ struct Plan {
     groups: Vec<(f64, f64, Side)>,
     /// C0, C1, …, Cn.
     pins: Vec<[f64; 2]>,
-    /// How far each pin may be from its plan.
+    /// The distance that each pin may have from its plan.
     tolerances: Vec<f64>,
 }
 

@@ -18,7 +18,7 @@ use linkage_tests::widths::{list, number};
 
 const POSES: usize = 2000;
 
-/// What the tolerances are made of.
+/// The quantities that determine the tolerances.
 struct Scale {
     /// Lengths and coordinates over the shortest length.
     size: f64,

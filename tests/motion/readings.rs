@@ -1,4 +1,4 @@
-//! What expressions and outputs read off the mechanism itself: coordinates and distances.
+//! Expressions and outputs that read the mechanism itself: coordinates and distances.
 
 use linkage_core::mechanism;
 

@@ -67,6 +67,6 @@ fn power_is_the_same_on_both_sides_of_a_gripper() {
     let [power, places, forces] = worst.map(|error| error / f64::EPSILON);
     println!("power {power:.2} ε, places {places:.1} ε, forces {forces:.1} ε");
     assert!(power <= 8.0, "{power}");
-    // Of the link's length, there and back through an equation.
+    // The places are compared with the link's length. The test goes through the equation there and back.
     assert!(places <= 16.0 && forces <= 64.0, "{worst:?}");
 }

@@ -24,8 +24,8 @@ fn drawn(random: &mut Random) -> (RamAndFollower, [f64; 2]) {
     (RamAndFollower { r, rod, seed }, [x, 3.0])
 }
 
-/// Whether a slope is one, or rounding alone, is asked of the same numbers: next to a dead point the
-/// derivatives are refused by both, or by none.
+/// Closed forms and dual numbers decide on the same numbers whether a slope differs from rounding alone: next
+/// to a dead point both refuse the derivatives, or neither.
 #[test]
 fn derivatives_are_refused_alike_next_to_dead_points() {
     let mut random = Random::new(31);

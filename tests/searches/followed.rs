@@ -44,7 +44,7 @@ fn limits_of_a_ram_are_its_stroke() {
         let tolerance = 8.0 * f64::EPSILON * (l + r) * (l + r) / near;
         assert!((from - near).abs() < tolerance && (to - far).abs() < tolerance, "{r} {l} {e}");
     }
-    // How the stroke's end moves with the crank: ∂(l + r)/∂r is one.
+    // The derivative of the stroke's ends by the crank's length: ∂(l + r)/∂r is one.
     let [r, l, e, near] = [0.08, 0.25, 0.0, 1.0].map(Dual64::from_re);
     let [from, to] = [-0.3, 3.4].map(Dual64::from_re);
     let press = Press { r: r.derivative(), l, e, from, to, seed: near };
@@ -283,8 +283,8 @@ fn rod_end(psi: f64) -> [[f64; 2]; 3] {
     [[3.0 + 0.8 * cos, 0.8 * sin], [-0.8 * sin, 0.8 * cos], [-0.8 * cos, -0.8 * sin]]
 }
 
-/// How far the equation is from having no root, with its rates, where the input moves the dead point: in
-/// line with A, B and E the rod's place for B is |AE| − 1 away from E. Against closed forms.
+/// The clearance of an equation from having no root, and its rates, where the input moves the dead point.
+/// With A, B and E in line the rod's place for B is |AE| − 1 away from E. The reference is in closed form.
 #[test]
 fn clearances_of_an_equation_have_the_rates_of_closed_forms() {
     const ROD: f64 = 2.9;
@@ -322,7 +322,8 @@ fn clearances_of_an_equation_have_the_rates_of_closed_forms() {
     }
 }
 
-/// What is asked without rates is what comes with them; somewhere it is known, and value and scale differ.
+/// The values without rates equal those that come with rates. Somewhere they are finite, and value and scale
+/// differ.
 #[test]
 fn values_of_an_equation_are_those_that_come_with_rates() {
     let mut known = 0;

@@ -1,5 +1,5 @@
-//! What is searched for rather than solved: the input at which an output is where it is wanted, the
-//! range of an input, the extremes of an output.
+//! The searches: the input at which an output has a wanted value, the range of an input, the extremes of an
+//! output.
 
 mod derived;
 mod followed;

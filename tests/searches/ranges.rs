@@ -1,4 +1,4 @@
-//! How far a machine can go, against closed forms and against stepping.
+//! The range of a machine, against closed forms and against stepping.
 
 use std::f64::consts::{PI, TAU};
 
@@ -222,11 +222,11 @@ fn limits_of_other_drivers_and_groups() {
     assert!(limits(&Guides::new(), [-1.0, 1.0]).expect("an interval").is_whole());
 }
 
-/// How a limit and an extreme move with a length, by dual numbers.
+/// The derivatives of a limit and of an extreme by a length, by dual numbers.
 #[test]
 fn limits_and_extremes_carry_derivatives() {
     let ends = [-PI, PI].map(Dual64::from_re);
-    // Of some of these the rounded limit has no pose with a derivative, and is moved.
+    // At some of these lengths the rounded limit has no pose with a derivative, and is moved.
     for step in 0..40 {
         let lengths = [2.0, 2.7 + 0.01 * f64::from(step), 2.5, 4.0];
         let [crank, coupler, rocker, base] = lengths.map(Dual64::from_re);

@@ -37,7 +37,7 @@ mechanism! {
     }
 }
 
-/// How far two numbers are from each other, beside the larger: by none where both are the same or no numbers.
+/// The distance of two numbers; zero if both are the same or both are NaN.
 fn apart(a: f64, b: f64) -> f64 {
     if a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan() { 0.0 } else { (a - b).abs() }
 }

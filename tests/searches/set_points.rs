@@ -55,8 +55,8 @@ impl Width for f32 {
 /// The truth and the conditioning of an equation.
 macro_rules! over_data {
     ($name:ident, $equation:ident, $count:literal) => {
-        /// What is left of the equation at a root, over what half a unit in the last place of
-        /// every number of the data and of the root would change it.
+        /// The residual of the equation at a root, over its change by half a unit in the last place of every
+        /// number of the data and of the root.
         pub(super) fn $name<T: Width>(data: [T; $count], theta: T) -> f64 {
             let (data, theta): ([f64; $count], f64) = (data.map(Into::into), theta.into());
             let left = match T::NARROW {
@@ -257,7 +257,7 @@ fn a_motion_of_small_steps_takes_three_evaluations() {
     assert!(warm.error <= 1.0, "{}", warm.error);
 }
 
-/// What a seed costs where it is of no use.
+/// The cost of a seed that does not help.
 #[test]
 fn a_bad_seed_costs_three_evaluations() {
     let [(a, _), (b, near)] = ends_of_stroke([0.08, 0.25, 0.03]);
@@ -303,8 +303,8 @@ fn a_root_carries_its_derivatives() {
         let motion = SliderCrank::new().motion(theta, 1.0, 0.0).expect("in the stroke");
         let (slope, second) = (motion.velocity.ram.slide, motion.acceleration.ram.slide);
         let close = |found: f64, expected: f64| {
-            // What the data's rounding leaves of the root, about ε over the slope, changes the
-            // slope; its four terms, all below 0.1, are rounded besides. It enters three times.
+            // The data's rounding changes the root by about ε over the slope, and thereby the slope. Its four
+            // terms, all below 0.1, are rounded besides. The slope enters three times.
             let root = f64::EPSILON / slope.abs();
             let of_slope = (root * second.abs() + 4.0 * 0.1 * f64::EPSILON) / slope.abs();
             let allowed = 3.0 * of_slope + 8.0 * f64::EPSILON;

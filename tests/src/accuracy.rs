@@ -1,4 +1,4 @@
-//! How far a solver's numbers are from a table's, in units of what conditioning allows.
+//! The error of a solver's numbers against a table, in units of what conditioning allows.
 //!
 //! Nothing about one mechanism belongs here.
 

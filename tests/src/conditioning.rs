@@ -28,7 +28,7 @@ pub struct State<T> {
 pub trait Differentiated {
     const NAME: &'static str;
     const OUTPUTS: &'static [&'static str];
-    /// Of the inputs and then of the parameters.
+    /// The ranges of the inputs, then of the parameters.
     const RANGES: &'static [Range];
     const INPUTS: usize;
     /// One, or two where the group has two assembly modes.
@@ -39,12 +39,12 @@ pub trait Differentiated {
     fn coefficients<T: Real>(at: &State<T>) -> Result<Matrix<T>, SolveError>;
 }
 
-/// What a mechanism has for `f32` and `f64` only.
+/// The Jacobian, which a mechanism has for `f32` and `f64` only.
 pub trait Jacobians<F> {
     fn jacobian(at: &State<F>) -> Result<Matrix<F>, SolveError>;
 }
 
-/// What only a mechanism with parameters has.
+/// The sensitivity, which only a mechanism with parameters has.
 pub trait Sensitivities<F> {
     fn sensitivity(at: &State<F>) -> Result<Matrix<F>, SolveError>;
 }
@@ -61,7 +61,7 @@ impl<T: Copy> State<T> {
         }
     }
 
-    /// How many numbers it holds.
+    /// The count of numbers that it holds.
     fn len(&self) -> usize {
         self.params.len() + self.inputs.len() + self.rates.len() + self.seconds.len()
     }
@@ -88,7 +88,7 @@ pub fn columns<T: Copy>(matrix: &Matrix<T>) -> Vec<T> {
     (0..width).flat_map(|column| matrix.iter().map(move |row| row[column])).collect()
 }
 
-/// What ε is multiplied by to measure the errors of results that depend on the state.
+/// The factors of ε that measure the errors of results that depend on the state.
 ///
 /// Each result's condition is the sum, over all numbers of the state, of its change per unit
 /// relative change of the number, and its own size: ε times that is what rounding every number

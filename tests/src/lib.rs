@@ -1,5 +1,5 @@
-//! What the whole-mechanism tests share: declarations, tables of truth, random numbers that are
-//! the same in every run, and arithmetic to compare with.
+//! The parts that tests of whole mechanisms share: declarations, tables of truth, random numbers that are the
+//! same in every run, and arithmetic to compare with.
 //!
 //! A declaration is expanded once, here, and used by as many tests as like it.
 #![allow(missing_docs, reason = "the declarations' fields are named in their statements")]

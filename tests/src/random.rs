@@ -4,7 +4,7 @@
 /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
 pub struct Random {
     state: u64,
-    /// How many bits the numbers have that `between` draws.
+    /// The count of bits of the numbers that `between` draws.
     width: u32,
 }
 

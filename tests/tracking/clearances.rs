@@ -1,5 +1,5 @@
-//! How clear of their limits groups are along a line of inputs: rates against dual numbers, and ranges
-//! against the values in them.
+//! The groups' clearances along a line of inputs: rates against dual numbers, and ranges against the values
+//! in them.
 
 use core::f64::consts::PI;
 use linkage_core::private::{Clearance, Solver};
@@ -74,7 +74,7 @@ where
     }
 }
 
-/// How many groups' ranges say anything, all of whose values at places between are in them.
+/// The count of groups whose ranges are finite. Each of these ranges contains all values at places between.
 fn known_of_ranges<M, const N: usize>(solver: &M, stretch: Stretch<N>) -> usize
 where
     M: Solver<Scalar = f64, Input: Record<Array = [f64; N]>>,

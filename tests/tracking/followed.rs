@@ -1,4 +1,4 @@
-//! What `follow` asks of a solver goes on through change points: motions under forces in both widths.
+//! A function passed to `follow` goes on through change points: motions under forces in both widths.
 
 use core::f64::consts::{PI, TAU};
 use linkage_core::{Float, Side, SolveError, Tracker};
@@ -111,8 +111,8 @@ fn a_first_pose_on_a_change_point_goes_where_its_rate_leads() {
         let mut tracker = Tracker::new(HeavyParallelogram::new());
         let energy = tracker.follow(PI, rate, |solver, q| solver.energy(q, rate));
         let kinetic = energy.expect("it goes on").kinetic;
-        // Of the rocker 1/3 kg·m² at a third of the rate, of the coupler 2 kg at 1/3 m/s and 2/3 kg·m² at
-        // two thirds of it.
+        // The rocker adds 1/3 kg·m² at a third of the rate; the coupler adds 2 kg at 1/3 m/s and 2/3 kg·m² at
+        // two thirds of the rate.
         let other = 1.0 / 3.0 + 1.0 / 27.0 + 2.0 / 9.0 + 8.0 / 27.0;
         let mass = if is_pendulum { 8.0 / 3.0 } else { other };
         assert!((kinetic / 32.0 - mass).abs() < 1e-8, "{rate}: {} for {mass}", kinetic / 32.0);
@@ -152,7 +152,7 @@ fn far_from_the_origin_the_assembly_stays() {
     }
 }
 
-/// What the solver refuses is refused, and the tracker stays where it was.
+/// An error of the solver is passed on, and the tracker stays where it was.
 #[test]
 fn a_refusal_is_the_answers_own_and_changes_nothing() {
     let mut tracker = Tracker::new(HeavyParallelogram::new());

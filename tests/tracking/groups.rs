@@ -215,7 +215,7 @@ fn two_inputs_pass_a_change_point() {
     }
 }
 
-/// What only comes close to a change point keeps its mode.
+/// A near miss of a change point keeps the mode.
 #[test]
 fn a_near_miss_is_no_change() {
     for step in [0.01, 0.1, 0.5] {

@@ -1,4 +1,4 @@
-//! How far what is interpolated over a change point may be off, in both widths.
+//! The error of interpolation over a change point, in both widths.
 //!
 //! An antiparallelogram of bars 1 and 2 has tan φ/2 = −3 tan θ/2, so that e^iφ = (1 − 3it)/(1 + 3it)
 //! of t = tan θ/2 has one pole, at t = i/3: θ = i ln 2 with a residue of 3/2. Its power series has

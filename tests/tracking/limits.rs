@@ -121,8 +121,8 @@ fn two_change_points_missed_by_less_than_counts_are_passed_at_once() {
 /// motion there.
 #[test]
 fn a_gap_beside_a_change_point_ends_the_motion() {
-    // What is below the root, (d² − 1)/8, is −misfit/2, and counts as zero down to √ε of its scale of
-    // 10/16: misfits of up to 1.9e-8.
+    // The value below the root, (d² − 1)/8, is −misfit/2. It counts as zero down to √ε of its scale of 10/16:
+    // misfits of up to 1.9e-8.
     for misfit in [2.2e-8, 3e-8, 4e-8, 1e-7, 1e-6] {
         // Crossed bars: DC turns by −3 where the crank passes 0, and C comes within 1 − 2 misfit of
         // F, which bars of 2 and 1 do not reach.

@@ -80,9 +80,9 @@ struct Sample<S> {
     solver: Option<S>,
 }
 
-/// What results differ by on one branch: next to a change point they come from interpolations at
-/// different places. A wrong branch turns at another rate: by 0.4 at least, of all the mechanisms
-/// here, wherever it is; the bounds are a small part of that.
+/// The difference of results on one branch: next to a change point they come from interpolations at different
+/// places. A wrong branch turns at another rate, at least 0.4 apart for all the mechanisms here, wherever it
+/// is. The bounds are a small part of that.
 fn allowed<S: Stepped>() -> f64 {
     if S::Number::EPSILON > 1e-10 { 0.03 } else { 1e-5 }
 }

@@ -145,7 +145,7 @@ fn sizes<M: Moving<f64, N>, const N: usize>(machine: &M, at: &State<N>) -> [f64;
     })
 }
 
-/// What was given comes back.
+/// The drives that were given are recovered from the accelerations that they cause.
 #[track_caller]
 fn check_drives<M: Moving<f64, N>, const N: usize>(machine: &M, ranges: Ranges<N>) {
     let mut worst = 0.0_f64;

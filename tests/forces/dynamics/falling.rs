@@ -1,4 +1,4 @@
-//! What moves freely for long: loops stay closed because positions are solved, not integrated.
+//! Free motion over a long time: loops stay closed because positions are solved, not integrated.
 
 use linkage_core::{Point, SolveError};
 use linkage_tests::mechanisms::dynamics::{FallingLeg, FallingLegPosition};
@@ -73,7 +73,7 @@ fn a_leg_that_falls_for_a_minute_keeps_its_loops_closed_and_its_energy() {
     let (swinging, turning) = (drift([0.4, 0.0], 60.0, 250.0), drift([0.4, 25.0], 10.0, 1000.0));
     println!("energy: {swinging:.1e} in a minute, {turning:.1e} in ten seconds");
     assert!(swinging < 1e-6 && turning < 1e-6, "{swinging} {turning}");
-    // Of the fourth order over a given time: a sixteenth for half the step.
+    // The method is of fourth order over a given time: half the step leaves a sixteenth of the drift.
     let [coarse, fine] = [125.0, 250.0].map(|steps| drift([0.4, 0.0], 4.0, steps));
     assert!((10.0..40.0).contains(&(coarse / fine)), "{coarse} {fine}");
 }

@@ -41,8 +41,8 @@ fn next_to_a_dead_point_the_mass_grows_as_the_square_of_the_coefficients() {
     let [(mass, square), (near_mass, near_square)] = [at(1e-4), at(1e-8)];
     assert!((near_mass / mass - 1e4).abs() < 200.0, "{mass} {near_mass}");
     assert!((near_square / square - 1e4).abs() < 200.0, "{square} {near_square}");
-    // What is given comes back to the digits that the pose has left: 1e-8 of the angle is known to
-    // eight of them.
+    // The given drive is recovered to the digits that the pose has left: 1e-8 of the angle is known to eight
+    // digits.
     let ddq = machine.forward_dynamics(FRAC_PI_2 - 1e-8, 0.0, 3.0).unwrap();
     let drive = machine.forces(FRAC_PI_2 - 1e-8, 0.0, ddq).unwrap().rocker.drive;
     assert!((drive - 3.0).abs() < 1e-7, "{drive}");

@@ -1,4 +1,4 @@
-//! What a group answers at a pose, how wrong it is, and how wrong its data allow it to be.
+//! The answer of a group at a pose, its error, and the error that its data allow.
 //!
 //! The truth is the same code on numbers of twice the width; that the formulas are right is shown
 //! elsewhere. What the data allow: every input, rate and dimension changed by half a unit in its
@@ -147,8 +147,8 @@ macro_rules! labels {
     };
 }
 
-/// Of a motion positions, velocities and accelerations; of forces those at rest, twice, and those in
-/// motion.
+/// The three rows of results: positions, velocities and accelerations of a motion; the forces at rest, twice,
+/// and those in motion.
 macro_rules! orders {
     (motion $solver:ident, $q:expr, $rate:expr, $second:expr) => {{
         let (m, ok) = $solver.solve_motion($q, $rate, $second);
@@ -169,11 +169,11 @@ macro_rules! measured {
         pub mod $function {
             use super::*;
 
-            /// What the rows are called.
+            /// The names of the rows.
             pub const LABELS: &[&str] = &labels!($kind $mechanism);
             pub const ROWS: usize = LABELS.len();
 
-            /// What is measured, if the solver answers.
+            /// The measured results, if the solver answers.
             fn rows<T: Scalar<Mask = bool>>(
                 numbers: Numbers<T, $inputs, $params>,
                 plus: bool,
@@ -188,7 +188,8 @@ macro_rules! measured {
                 orders!($kind solver, given!($count q), given!($count rate), given!($count second))
             }
 
-            /// What half a unit in the last place of everything changes, at data moved by units.
+            /// The change of every row by half a unit in the last place of every number, at data moved by
+            /// units.
             fn effects(
                 pose: &Pose<$inputs, $params>,
                 half_unit: f64,

@@ -37,7 +37,7 @@ macro_rules! rows {
     };
 }
 
-/// What the tests ask of one declaration.
+/// The functions and constants that the tests need of one declaration.
 macro_rules! differentiated {
     ($name:ident, [$($input:ident)+], $params:tt, $mode:tt, $modes:expr, [$($range:expr),+]) => {
         impl Differentiated for $name {

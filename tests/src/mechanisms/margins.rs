@@ -1,4 +1,4 @@
-//! How far every group is from its limit, between joints and guides that the inputs put anywhere.
+//! The clearance of every group, between joints and guides that the inputs put anywhere.
 
 use linkage_core::mechanism;
 

@@ -1,4 +1,4 @@
-//! How the tables' files are read. They are texts so that no compiler has to read the numbers.
+//! The reader of the tables' files. They are texts so that no compiler has to read the numbers.
 //!
 //! A table is a line `table NAME` and all lines up to the next one's. What follows a `#` is a
 //! comment. Whoever reads a table panics where its text is anything but a table.
@@ -12,7 +12,7 @@ pub fn lines_of(text: &'static str, name: &str) -> impl Iterator<Item = &'static
     lines.take_while(|line| !line.starts_with("table "))
 }
 
-/// What follows the line's first word, which has to be this one.
+/// The rest of the line behind its first word, which has to be this one.
 pub fn after<'t>(word: &str, line: Option<&'t str>) -> &'t str {
     let line = line.unwrap_or_else(|| panic!("no line `{word} …`"));
     line.strip_prefix(word).unwrap_or_else(|| panic!("no `{word} …`: {line}")).trim()

@@ -1,4 +1,4 @@
-//! How tabulated truth is written down: numbers only, no comparison.
+//! The notation of tabulated truth: numbers only, no comparison.
 
 use super::text::{after, all_of, lines_of, numbers, parts};
 

@@ -19,8 +19,8 @@ pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
         return code.clone();
     }
     let (module, visibility) = (name(&cx.names.solver), &cx.mechanism.visibility);
-    // The stub of a declaration with mistakes may lack a requested function. A stub serves editors, so
-    // `Absent` is imported only where names were resolved.
+    // The stub of a declaration with mistakes may lack a requested function, which must not be reported as
+    // absent. The stub's list of references is empty.
     let is_understood = !cx.mechanism.references.made.is_empty();
     let absent = is_understood.then(|| {
         // Where nothing about forces is absent, loads make no difference.
