@@ -22,7 +22,7 @@ mechanism! {
     }
 }
 
-/// Whether the mechanism goes through a whole turn, and if not, where and why it stops first.
+/// Checks that the mechanism makes a whole turn; the error is the first angle that it cannot reach, and why.
 fn turns_fully(machine: &CrankRockerSlider) -> Result<(), (i32, SolveError)> {
     (0..360).try_for_each(|degrees| {
         let pose = machine.position(f64::from(degrees).to_radians());

@@ -124,7 +124,7 @@ fn ripple(speeds: &Points) -> f64 {
     (of(f64::max, f64::MIN) - of(f64::min, f64::MAX)) / FAST
 }
 
-/// What shakes the frame at constant speed: the force's components over a turn.
+/// The shaking force at constant speed: its components over a turn.
 fn shaking(machine: FourBar) -> Result<Points, SolveError> {
     let force = |theta| machine.forces(theta, FAST, 0.0).map(|f| (f.shaking.x, f.shaking.y));
     turn().map(force).collect()
@@ -224,7 +224,7 @@ fn print_speeds(machine: FourBar) -> Result<Vec<Curve>, SolveError> {
     Ok(vec![Curve::named("peak", COLOURS[0], peaks), Curve::named("rms", COLOURS[2], effectives)])
 }
 
-/// What flywheels do to the speed; their curves.
+/// The effect of flywheels on the speed, printed and as curves.
 fn print_ripples(machine: FourBar) -> Result<Vec<Curve>, SolveError> {
     println!("\ncoasting at 120 rpm:\n{:>18} {:>14}", "flywheel kg·m²", "speed ripple %");
     let mut curves = Vec::new();
@@ -236,7 +236,7 @@ fn print_ripples(machine: FourBar) -> Result<Vec<Curve>, SolveError> {
     Ok(curves)
 }
 
-/// What counterweights do to the frame. Those that balance all of it carry the moments of crank and
+/// The effect of counterweights on the frame. Those that balance all of it carry the moments of crank and
 /// rocker and of the coupler's halves at both pins (Berkof and Lowen, 1969).
 fn print_shaking(machine: FourBar) -> Result<Vec<Curve>, SolveError> {
     let crank_weight = 0.5 * (0.05221 + 0.10421) * 0.25 / 0.125;

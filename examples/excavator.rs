@@ -85,7 +85,7 @@ fn main() -> Result<(), SolveError> {
         }
     }
 
-    // What a millimetre of each cylinder does to the tooth, halfway through the cut.
+    // The motion of the tooth for a millimetre of each cylinder, halfway through the cut.
     let slopes = digger.coefficients(cylinders(2.25)[0])?;
     println!("\ntooth per millimetre of cylinder, in the cut");
     for (name, row) in Excavator::OUTPUTS.iter().zip(slopes) {

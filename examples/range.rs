@@ -1,4 +1,4 @@
-//! How far machines go, found instead of stepped: which dimensions let the crank turn fully, which
+//! The range of machines, found instead of stepped: which dimensions let the crank turn fully, which
 //! group stops it where they do not, and the stroke and time ratio where they do.
 
 use std::f64::consts::{PI, TAU};
@@ -57,7 +57,7 @@ fn described(stretches: &Stretches) -> Vec<String> {
     };
     let mut ends: Vec<[End; 2]> =
         stretches.iter().map(|stretch| [stretch.from, stretch.to]).collect();
-    // What goes on at both ends of the turn is one stretch, across ±180°.
+    // Stretches that go on at both ends of the turn are one stretch, across ±180°.
     if let ([[first, _], .., [_, last]], true) = (&ends[..], ends.len() > 1)
         && (first.stop, last.stop) == (Stop::Edge, Stop::Edge)
     {
@@ -79,7 +79,7 @@ fn described(stretches: &Stretches) -> Vec<String> {
     if lines.is_empty() { vec!["cannot be assembled".to_owned()] } else { lines }
 }
 
-/// How far the crank turns while the output goes one way, over how far while it goes back.
+/// The turn of the crank while the output goes one way, over its turn while the output goes back.
 fn time_ratio(turns: &Extrema) -> f64 {
     let part = (turns.greatest()[0] - turns.least()[0]).rem_euclid(TAU);
     let ratio = part / (TAU - part);
@@ -149,7 +149,7 @@ fn main() -> Result<(), RangeError> {
     chart()
 }
 
-/// What the four-bar's ground does to the crank's range, the rocker's swing and the time ratio.
+/// The effect of the four-bar's ground on the crank's range, the rocker's swing and the time ratio.
 fn chart() -> Result<(), RangeError> {
     let (mut upper, mut lower) = (vec![], vec![]);
     let (mut least, mut greatest, mut ratios) = (vec![], vec![], vec![]);

@@ -89,7 +89,7 @@ fn main() -> Result<(), SolveError> {
         }
         if step % 10 == 0 {
             let degrees = p.theta.to_degrees();
-            // What the road pushes up with, since nothing has mass.
+            // The road's upward force is the drive force, as nothing has mass.
             let load = car.statics(0.33 + travel)?.z.drive;
             println!(
                 "{step:6} {camber:10.4} {gain:13.5} {scrub:7.3} {centre:13.3} {degrees:8.3} {load:6.0}"

@@ -49,14 +49,14 @@ struct Design {
     phase: f64,
 }
 
-/// What a path is judged by.
+/// The criteria for a path.
 #[derive(Clone, Copy)]
 struct Goals {
     /// Width of the path in the soil: the hole that is torn.
     hole: f64,
     /// Height of the path.
     lift: f64,
-    /// How much the bill turns while it is in the soil, in radians.
+    /// The turn of the bill while it is in the soil, in radians.
     tilt: f64,
     /// Height of the soil in the frame of the machine.
     soil: f64,

@@ -2,7 +2,7 @@
 //! header, compiles `main.c` with gcc against both, and runs it. An argument is the crank angle in
 //! degrees.
 //!
-//! What this does is, by hand:
+//! The same by hand:
 //!
 //! ```text
 //! cargo build --release --manifest-path examples/c_caller/library/Cargo.toml \

@@ -36,7 +36,7 @@ mechanism! {
 /// The strip that passes while the crank's speed is blended, in m.
 const BLEND: f64 = 0.06;
 
-/// What the strip did since the step before.
+/// The motion of the strip since the step before.
 #[derive(Clone, Copy, Debug)]
 pub struct Strip<T> {
     /// In m.
@@ -47,7 +47,7 @@ pub struct Strip<T> {
     pub acceleration: T,
 }
 
-/// What the drive is to do.
+/// The set-point of the drive.
 #[derive(Clone, Copy, Debug)]
 pub struct Setpoint<T> {
     /// In rad.
@@ -146,7 +146,7 @@ impl<T: Real> Cam<T> {
         })
     }
 
-    /// Whether the blade is in the strip.
+    /// True if the blade is in the strip.
     pub fn is_cutting(&self) -> bool {
         matches!(self.phase, Phase::Cutting { .. })
     }
@@ -224,7 +224,7 @@ impl<T: Real> WayBack<T> {
 #[derive(Clone, Copy, Debug)]
 struct Blend<T> {
     angle: T,
-    /// Of the powers of the travel over the length, in the slope.
+    /// Coefficients of the slope, in powers of the travel over the length.
     coefficients: [T; 4],
     length: T,
 }

@@ -12,9 +12,9 @@ use linkage_core::{Real, SolveError};
 
 /// The period of the control, in s.
 const PERIOD: f64 = 1e-3;
-/// How far the blade goes through the strip, in m: its thickness and the overlap of the blades.
+/// The overtravel of the blade through the strip, in m: its thickness and the overlap of the blades.
 const DEPTH: f64 = 1e-3;
-/// What the order wants: three lengths of each, in m.
+/// The lengths in the order: three pieces of each, in m.
 const ORDER: [f64; 9] = [0.45, 0.45, 0.45, 0.32, 0.32, 0.32, 0.6, 0.6, 0.6];
 
 /// The strip's position, speed and acceleration at time `t`: the line is speeding up, and its
@@ -58,7 +58,7 @@ struct Piece {
     length: f64,
 }
 
-/// What the drive and the blade did.
+/// The record of the drive's and the blade's motion.
 #[derive(Default)]
 struct Record {
     pieces: Vec<Piece>,
@@ -119,8 +119,8 @@ fn reaches(target: f64, [angle, speed, acceleration]: [f64; 3]) -> Option<f64> {
 }
 
 impl Record {
-    /// What the blade does in one period, computed in double precision; in a cut, until the crank
-    /// angle at which the blade is out of the strip.
+    /// Follows the blade over one period in double precision; in a cut, until the crank angle at which
+    /// the blade is out of the strip.
     fn follow(&mut self, t: f64, drive: [f64; 3], cut: Option<f64>) -> Result<(), SolveError> {
         let (shear, [angle, speed, acceleration]) = (FlyingShear::new(), drive);
         self.speed.push((t, speed));

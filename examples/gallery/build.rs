@@ -64,7 +64,7 @@ fn stem(file: &Path) -> String {
     file.file_stem().expect("it has a name").to_string_lossy().into_owned()
 }
 
-/// What is declared.
+/// The names of the declared structs.
 fn structs(declarations: &str) -> impl Iterator<Item = &str> {
     let behind = declarations.split("pub struct ").skip(1);
     behind.filter_map(|behind| behind.split(|c: char| !c.is_alphanumeric()).next())

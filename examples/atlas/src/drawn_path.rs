@@ -19,19 +19,19 @@ pub enum PathError {
     Unreadable {
         /// The file.
         file: String,
-        /// What the system says.
+        /// The system's message.
         reason: String,
     },
     /// A line is not a point.
     NotAPoint {
         /// Counted from 1.
         line: usize,
-        /// What stands there.
+        /// The text of the line.
         text: String,
     },
     /// There are too few points for a closed curve.
     TooFew {
-        /// How many there are.
+        /// The number of points.
         points: usize,
     },
     /// All points are one, or so far apart that the path's length is no number.
@@ -79,7 +79,7 @@ impl DrawnPath {
             most - least
         };
         let size = size(&x).max(size(&y));
-        // What is squared must stay within the numbers.
+        // Squares of the size must stay within the range of numbers.
         if !(1e-100..=1e100).contains(&size) {
             return Err(PathError::NoSize);
         }

@@ -80,7 +80,7 @@ impl Tracer {
         Self { angles, x: numbers.clone(), y: numbers, status: vec![Status::Solved; count] }
     }
 
-    /// How many poses a curve has.
+    /// The number of poses of a curve.
     #[must_use]
     pub fn poses(&self) -> usize {
         self.angles.len()

@@ -8,10 +8,10 @@
 //!
 //! The [`Candidates`] of a search are a finer and wider grid of the same.
 //!
-//! What is included: four-bars whose crank goes round, crank-rockers and drag links, both branches. The branch
-//! `right` is not listed: it is the mirror image of `left` with the coupler point on the other side, which the
-//! grid also has, and [`shape`](crate::shape) takes mirror images for the same. Linkages whose crank only swings
-//! are not included.
+//! The grid holds four-bars whose crank goes round, crank-rockers and drag links, and both branches. It does
+//! not list the branch `right`: this is the mirror image of `left` with the coupler point on the other side,
+//! which the grid also has, and [`shape`](crate::shape) takes mirror images for the same. Linkages whose
+//! crank only swings are not included.
 
 use std::fmt;
 
@@ -22,8 +22,8 @@ use crate::four_bar::Dimensions;
 /// The lengths of coupler, follower and ground over that of the crank.
 pub type Lengths = [f64; 3];
 
-/// Whether the crank goes all the way round: it, the shortest or at the side of the shortest, and the longest
-/// link are together no longer than the others (Grashof). At equality it passes through change points.
+/// True if the crank goes all the way round: the crank or the base is the shortest link, and the shortest
+/// and the longest are together no longer than the others (Grashof). At equality it passes change points.
 ///
 /// The crank's length is 1; `slack` is by how much the sums must differ.
 #[must_use]
@@ -71,7 +71,7 @@ pub struct Candidates {
 }
 
 impl Candidates {
-    /// How many curves these are.
+    /// The number of curves.
     #[must_use]
     pub fn count(&self) -> usize {
         self.linkages.len() * self.points.len()

@@ -28,7 +28,7 @@ pub enum Work {
     Merge(usize, PathBuf),
 }
 
-/// What is searched, where, and by which work.
+/// The options of the command line: the path, the grid, and the share of the work.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
     /// The file of the drawn path; none is the walking machine's.
@@ -110,7 +110,7 @@ fn parsed<T>(
     parse(&text).ok_or_else(|| Misused(format!("`{text}` is no value of `{name}`")))
 }
 
-/// How many parts there are; at least one.
+/// The number of parts, at least one.
 fn count(name: &str, value: &OsString) -> Result<usize, Misused> {
     parsed(name, value, |text| text.parse().ok().filter(|&count| count > 0))
 }

@@ -87,7 +87,7 @@ impl fmt::Display for Part {
     }
 }
 
-/// What a part answers, and by which arithmetic.
+/// The search that a part belongs to, and the arithmetic that it uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Question {
     asked: Fingerprint,

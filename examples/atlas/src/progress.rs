@@ -1,4 +1,4 @@
-//! How far a long computation has come: a bar on a terminal, a line every tenth of the way elsewhere.
+//! Progress of a long computation: a bar on a terminal, a line every tenth of the way elsewhere.
 
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -136,7 +136,7 @@ fn of_curve<T: Real>(free: [T; DIMENSIONS]) -> Result<[T; RESIDUALS], SolveError
     Ok(coefficients(&corners?))
 }
 
-/// What is left of the path's coefficients by the curve's.
+/// The difference between the path's coefficients and the curve's.
 struct Remainder<'a> {
     path: &'a Descriptor,
     alignment: Alignment,

@@ -83,7 +83,7 @@ impl ShortList {
         Self { nearest: Mutex::new(BinaryHeap::new()), limit, length }
     }
 
-    /// Whether a distance that is no less than this may be on the list.
+    /// True if a distance of at least this may be on the list.
     fn may_take(&self, least: f64) -> bool {
         least <= f64::from_bits(self.limit.load(Ordering::Relaxed))
     }

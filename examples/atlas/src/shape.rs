@@ -1,4 +1,4 @@
-//! How near two closed curves are, wherever they lie, however large and turned, mirrored or not, and whatever
+//! The difference in shape of two closed curves, whatever their place, size, turn and mirroring, and whatever
 //! the point and the direction in which they are run through.
 //!
 //! # Descriptors
@@ -26,7 +26,7 @@ use linkage_core::{Lanes, Scalar};
 /// So many harmonics on each side of 0: a coupler curve is of order six, and a corner still shows.
 pub const HARMONICS: usize = 12;
 
-/// How many lanes of a vector; two vectors of 256 bits.
+/// The number of lanes: two vectors of 256 bits.
 const WIDTH: usize = 8;
 type Vector = Lanes<f64, WIDTH>;
 
@@ -101,7 +101,7 @@ pub struct Descriptor {
     centre: Complex,
 }
 
-/// How one curve is laid onto another: mirrored on the real axis or not, then turned and scaled, then moved.
+/// The placement of one curve onto another: mirrored on the real axis or not, then turned, scaled and moved.
 #[derive(Clone, Copy, Debug)]
 pub struct Placement {
     mirrored: bool,
@@ -110,7 +110,7 @@ pub struct Placement {
 }
 
 impl Placement {
-    /// Whether the curve is mirrored.
+    /// True if the curve is mirrored.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         self.mirrored
@@ -131,7 +131,7 @@ impl Placement {
     }
 }
 
-/// How the coefficients of one curve are laid onto those of another: exchanged or not, conjugated or not, then
+/// The alignment of one curve's coefficients with another's: exchanged or not, conjugated or not, then
 /// multiplied by e^{i(ψ+kτ)}.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Alignment {
@@ -148,8 +148,8 @@ pub(crate) struct Alignment {
 /// Describes curves, one after the other with the same memory.
 #[derive(Clone, Debug, Default)]
 pub struct Describer {
-    /// Of each corner, by the lane: e^{iφ} for its share φ of a turn, the power of it that is summed, and the
-    /// change of direction there.
+    /// For each corner, by the lane: e^{iφ} for its share φ of a turn, the power of it that is summed, and
+    /// the change of direction there.
     unit: Vec<[Vector; 2]>,
     power: Vec<[Vector; 2]>,
     bend: Vec<[Vector; 2]>,

@@ -149,7 +149,7 @@ fn the_distance_is_the_mean_between_the_curves_laid_onto_each_other() {
     for e in [0.01, 0.03] {
         let (distance, _) = circle.distance(&described(&ellipse(e)));
         let expected = e * 10.0_f64.sqrt() / 4.0;
-        // What was left out is of the order of e², and so are 720 corners instead of an ellipse.
+        // The neglected terms are of the order of e², and so is the error of 720 corners.
         assert!((distance - expected).abs() < e * e, "{e}: {distance}");
     }
 }

@@ -17,7 +17,7 @@ fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed=include/flying_shear.h");
     let include = Path::new(env!("CARGO_MANIFEST_DIR")).join("include");
     let header = include.join("flying_shear.h");
-    // What C is made of stays untouched where nothing has changed.
+    // An unchanged header is left alone, so that no C file is compiled again.
     if fs::read(&header).is_ok_and(|held| held == FlyingShear::C_HEADER.as_bytes()) {
         return Ok(());
     }

@@ -1,4 +1,4 @@
-//! How often the true dimensions lie within their intervals.
+//! The rate at which the true dimensions lie within their intervals.
 
 use linkage_core::SolveError;
 

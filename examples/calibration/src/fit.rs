@@ -16,7 +16,7 @@ use nalgebra::SMatrix;
 use super::machine::{Dimensions, UNKNOWNS, drawn, six_bar, tracked};
 use super::measurement::Measurement;
 
-/// What a calibration found.
+/// The result of a calibration.
 #[derive(Clone, Debug)]
 pub(crate) struct Calibration {
     pub(crate) dimensions: Dimensions,

@@ -35,10 +35,10 @@ mechanism! {
     }
 }
 
-/// How many dimensions are unknown.
+/// The number of unknown dimensions.
 pub(crate) const UNKNOWNS: usize = SixBar::PARAMS.len();
 
-/// How many coordinates are tracked at each pose: those of the pins C, E and F.
+/// The number of coordinates tracked at each pose: those of the pins C, E and F.
 pub(crate) const TRACKED: usize = SixBar::OUTPUTS.len();
 
 /// In the order of `SixBar::PARAMS`: metres, the last one radians.
@@ -56,12 +56,12 @@ fn dimensions(bars: SixBar) -> Dimensions {
     [ax, ay, dx, dy, gx, gy, crank, coupler, rocker, ex, ey, link, lever, zero]
 }
 
-/// What the drawing says.
+/// The dimensions on the drawing.
 pub(crate) fn drawn() -> Dimensions {
     dimensions(SixBar::new())
 }
 
-/// What was built: up to 1.5 mm and 0.7° off the drawing. A calibration does not know it.
+/// The dimensions as built: up to 1.5 mm and 0.7° off the drawing. A calibration does not know them.
 pub(crate) fn built() -> Dimensions {
     const OFF: Dimensions = [
         0.8e-3, -0.5e-3, 1.2e-3, 0.4e-3, -0.9e-3, 1.1e-3, 0.3e-3, -0.7e-3, 0.6e-3, 1.0e-3, -1.5e-3,

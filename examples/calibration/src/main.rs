@@ -22,7 +22,7 @@ use fit::Calibration;
 use machine::{Dimensions, SixBar, UNKNOWNS};
 use measurement::{NOISE, POSES};
 
-/// How often the calibration is repeated to count what its intervals hold.
+/// The number of repeated calibrations from which the coverage of the intervals is counted.
 const CALIBRATIONS: u32 = 400;
 
 fn main() -> Result<(), SolveError> {

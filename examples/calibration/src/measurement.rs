@@ -1,4 +1,4 @@
-//! What a camera sees of the machine that was built: the tracked pins at 36 poses, with noise.
+//! The camera's measurements of the machine as built: the tracked pins at 36 poses, with noise.
 
 use std::f64::consts::TAU;
 
@@ -42,7 +42,7 @@ impl Noise {
         (((z ^ (z >> 31)) >> 11) + 1) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Of mean 0 and deviation 1 (Box and Muller, 1958).
+    /// A normal random number with mean 0 and deviation 1 (Box and Muller, 1958).
     fn normal(&mut self) -> f64 {
         let radius = (-2.0 * self.uniform().ln()).sqrt();
         radius * (TAU * self.uniform()).cos()

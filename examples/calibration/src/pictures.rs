@@ -30,7 +30,7 @@ fn pins(measurement: &Measurement) -> Panel {
     Panel::plane("Where the pins were seen", ["x in mm", "y in mm"], curves.collect())
 }
 
-/// How far each pin was seen from where the dimensions put it, on average over the pins.
+/// The distance between each pin as seen and as computed from the dimensions, on average over the pins.
 fn residuals(measurement: &Measurement, found: &Calibration) -> Result<Panel, SolveError> {
     let away = |dimensions: Dimensions| -> Result<Vec<(f64, f64)>, SolveError> {
         let poses = measurement.thetas.iter().zip(&measurement.seen);
@@ -67,7 +67,7 @@ fn intervals(found: &Calibration) -> Panel {
     Panel::over("Found dimensions", axes, curves)
 }
 
-/// How many intervals held the true dimension, and where 19 of 20 such counts lie.
+/// The counts of intervals that held the true dimension, and the band of 19 of 20 such counts.
 fn coverage(held: [u32; UNKNOWNS]) -> Panel {
     let percent = |count: u32| 100.0 * f64::from(count) / f64::from(CALIBRATIONS);
     let shares: Vec<_> = (1..).zip(held).map(|(i, count)| (f64::from(i), percent(count))).collect();

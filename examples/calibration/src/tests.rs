@@ -33,9 +33,9 @@ fn noise_is_estimated_and_dimensions_are_found() {
     }
 }
 
-/// Of n intervals 0.95 n hold the true dimension, with a deviation of √(0.95·0.05 n): each
-/// dimension's count within four of them, and the counts' mean, which deviates less, within one
-/// and a half. Intervals half as wide again hold 99.7 %, by a third narrower ones 81 %.
+/// The count of intervals, of n, that hold the true dimension is 0.95 n with a deviation of √(0.95·0.05 n).
+/// Each dimension's count is within four deviations, and the counts' mean, which deviates less, within one
+/// and a half. Intervals half as wide again hold 99.7 %, those a third narrower 81 %.
 #[test]
 fn intervals_hold_the_truth_as_often_as_they_should() {
     let calibrations = if cfg!(debug_assertions) { 100 } else { 1000 };

@@ -7,7 +7,7 @@ pub(crate) struct Axis {
     pub step: f64,
 }
 
-/// Whether the label of an axis says degrees.
+/// True if the label of an axis says degrees.
 pub(crate) fn is_angle(label: &str) -> bool {
     label == "deg" || label.ends_with(" deg") || label.ends_with(" degrees")
 }

@@ -46,7 +46,7 @@ pub fn colour_of(method: &str) -> &'static str {
         "tuned by hand" => COLOURS[5],
         "Newton" => COLOURS[4],
         "num-dual" => COLOURS[3],
-        // What a textbook has.
+        // Textbook forms.
         _ => COLOURS[0],
     }
 }
@@ -122,7 +122,7 @@ impl Panel {
         Self { is_logarithmic: true, ..self }
     }
 
-    /// How many names of curves stand in a line below a panel so wide, and how many lines that makes.
+    /// The number of curve names on a line below a panel so wide, and the number of such lines.
     fn legend(&self, width: f64) -> (usize, usize) {
         let names = self.curves.iter().filter_map(|curve| curve.name.as_deref());
         let letters = names.clone().map(|name| name.chars().count()).max().unwrap_or_default();

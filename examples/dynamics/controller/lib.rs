@@ -77,7 +77,7 @@ pub struct Wanted<T> {
 pub struct Controller<T = f64> {
     /// The robot as the controller believes it to be.
     pub model: Robot<T>,
-    /// How fast errors die out, in 1/s; its reciprocal is several periods.
+    /// The rate at which errors decay, in 1/s; its reciprocal is several periods.
     pub bandwidth: T,
 }
 

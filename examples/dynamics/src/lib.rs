@@ -1,5 +1,5 @@
-//! What the examples of motion under forces share: runs of an integrator over a right side that may
-//! refuse, and where pictures go.
+//! Shared code of the examples of motion under forces: runs of an integrator over a right side that may
+//! refuse, and the folder for pictures.
 //!
 //! A mechanism's states are its inputs and their rates, so that `state_rates` is the whole right side.
 //! The integrator is the crate `differential-equations`: Dormand and Prince's method of order 8 with
@@ -27,16 +27,16 @@ pub struct Motion<F, const N: usize> {
     tolerance: f64,
 }
 
-/// What came out.
+/// The result of a run.
 #[derive(Clone, Debug)]
 pub struct Run<const N: usize> {
     /// In s.
     pub times: Vec<f64>,
     /// One for each time.
     pub states: Vec<[f64; N]>,
-    /// How often the right side was asked.
+    /// The number of evaluations of the right side.
     pub evaluations: usize,
-    /// Whether an event ended it.
+    /// True if an event ended it.
     pub is_interrupted: bool,
 }
 

@@ -66,12 +66,12 @@ pub(crate) fn steps() -> impl Iterator<Item = f64> {
     (1..=30).map(|step| FRAC_PI_2 * f64::from(step) / 30.0)
 }
 
-/// What the rocker shall have turned by.
+/// The wanted turn of the rocker.
 pub(crate) fn wanted(turn: f64) -> f64 {
     2.0 / (3.0 * PI) * turn * turn
 }
 
-/// How far the rocker is ahead of what is wanted.
+/// The lead of the rocker over its wanted turn.
 pub(crate) fn error([coupler, rocker]: Lengths, turn: f64) -> Result<f64, SolveError> {
     Ok(FunctionGenerator { coupler, rocker }.position(turn)?.error.angle())
 }
@@ -121,7 +121,7 @@ impl Limit {
         Ok(bars.position(self.crank_angle())?.transmission.angle())
     }
 
-    /// How far the transmission angle is beyond its limit: an optimum has it at most zero.
+    /// The excess of the transmission angle over its limit: an optimum has at most zero.
     pub(crate) fn excess(self, lengths: Lengths) -> Result<f64, SolveError> {
         let angle = self.angle(lengths)?;
         Ok(match self {

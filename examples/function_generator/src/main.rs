@@ -25,7 +25,7 @@ type Method = fn(Lengths, Progress<'_>) -> Outcome;
 
 const METHODS: [(&str, Method); 2] = [("slsqp", by_gradients), ("cobyla", without_gradients)];
 
-/// How often each search is timed; the shortest counts.
+/// The number of timed runs of each search; the shortest counts.
 const ROUNDS: usize = 20;
 
 fn main() -> Result<(), SolveError> {

@@ -1,4 +1,4 @@
-//! What the search found, as a chart.
+//! The result of the search, as a chart.
 
 use std::f64::consts::SQRT_2;
 

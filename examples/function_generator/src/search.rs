@@ -22,10 +22,10 @@ pub(crate) struct Step {
     pub(crate) with_gradient: bool,
 }
 
-/// How a search ended.
+/// The result of a search.
 #[derive(Clone, Debug)]
 pub(crate) struct Outcome {
-    /// What the search says about itself.
+    /// The status that the search reports.
     pub(crate) status: String,
     pub(crate) lengths: Lengths,
     pub(crate) objective: f64,
@@ -42,7 +42,7 @@ impl Outcome {
     }
 }
 
-/// What is told of every evaluation.
+/// A function that is called with every evaluation.
 pub(crate) type Progress<'a> = &'a dyn Fn(usize, Step);
 
 /// Notes the evaluations of the objective.
@@ -73,8 +73,8 @@ fn both(lengths: &[f64]) -> Lengths {
     [lengths[0], lengths[1]]
 }
 
-/// What a gradient search hears of a number: where the mechanism cannot be assembled, nothing is
-/// worse, and along a line it asks for values only.
+/// The answer to a gradient search. Where the mechanism cannot be assembled, the value is infinite. Along
+/// a line the search asks for values only.
 fn told(
     value: impl FnOnce() -> Result<f64, SolveError>,
     sloped: impl FnOnce() -> Result<Sloped, SolveError>,

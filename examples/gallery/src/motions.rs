@@ -1,4 +1,4 @@
-//! How every mechanism moves.
+//! The motion of every mechanism.
 
 mod forced;
 
@@ -53,7 +53,7 @@ pub struct Piece {
     pub name: &'static str,
     /// The heading that it stands under.
     pub kind: Kind,
-    /// What one sees.
+    /// A description of the motion.
     pub text: &'static str,
     /// The motion.
     pub film: Film,
@@ -264,7 +264,7 @@ fn designed() -> Vec<Piece> {
     ]
 }
 
-/// What an equation drives.
+/// Pieces whose motion an equation drives.
 fn commanded() -> Vec<Piece> {
     vec![
         Piece {
@@ -327,7 +327,7 @@ fn motors() -> Vec<[f64; 2]> {
     angles.map(|angles| angles.expect("the circle is in reach")).collect()
 }
 
-/// What shakes the base at constant speed.
+/// The mechanism with its shaking force at constant speed.
 fn loaded() -> Film {
     let solver = driving_torque::FourBar::new();
     let rate = 4.0 * TAU;

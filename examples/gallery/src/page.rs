@@ -38,7 +38,7 @@ nav a { color: inherit; }
 <p>Every machine that the examples declare. Each picture leads to a page on which the machine moves, with its declaration.</p>
 "##;
 
-/// What the page of a machine has beside that of its film.
+/// The style that a machine's page adds to that of its film.
 const STYLE: &str = r#"<style>
 h1 { font-size: 20px; margin: 12px 0 4px; }
 nav, p { line-height: 1.5; }

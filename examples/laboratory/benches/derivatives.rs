@@ -1,4 +1,4 @@
-//! What exact derivatives cost: `cargo bench -p laboratory --bench derivatives`.
+//! The cost of exact derivatives: `cargo bench -p laboratory --bench derivatives`.
 //!
 //! Every way to a mechanism's derivatives runs on the same inputs, all ways in turn, round after
 //! round. Reported is the median over the rounds of a way's time over that of the position in the

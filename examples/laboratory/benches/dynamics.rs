@@ -1,4 +1,4 @@
-//! What it costs to ask for an acceleration instead of a motion: `cargo bench -p laboratory --bench dynamics`.
+//! The cost of an acceleration over that of a motion: `cargo bench -p laboratory --bench dynamics`.
 //!
 //! The four-bar of three uniform bars under gravity, `motion` with both bars as its outputs beside
 //! `forward_dynamics`, on the same angles and in turn, round after round. Throughput is that of calls which

@@ -1,4 +1,4 @@
-//! How many instructions a call takes, which no other program on the machine can disturb:
+//! The number of instructions of a call, which no other program on the machine can disturb:
 //! `cargo bench -p laboratory --bench instructions`, where valgrind and `gungraun-runner` are installed.
 //!
 //! The mechanisms are those of the example `work_precision`.

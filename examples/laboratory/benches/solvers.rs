@@ -1,4 +1,4 @@
-//! What a call costs, for people: `cargo bench -p laboratory --bench solvers`.
+//! The time of a call, for people: `cargo bench -p laboratory --bench solvers`.
 //!
 //! The mechanisms are those of the example `work_precision`, which says how these times compare
 //! with other ways to the same numbers; here they stand by entry point and width.

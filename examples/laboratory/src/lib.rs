@@ -1,4 +1,4 @@
-//! What is measured, for programs and benches alike.
+//! The measured code and the measurements, for programs and benches alike.
 
 pub mod generated;
 pub mod hand;

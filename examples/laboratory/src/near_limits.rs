@@ -18,7 +18,7 @@ const POSES: usize = 2000;
 pub struct Sweep {
     /// The group and the limit.
     pub title: &'static str,
-    /// What the errors of position and velocity are.
+    /// The kind of the position error and that of the velocity error.
     pub measures: [&'static str; 2],
     /// First what the data allow, then the solver, then other forms.
     pub series: Vec<Series>,
@@ -26,9 +26,9 @@ pub struct Sweep {
 
 /// Position and velocity errors of one form.
 pub struct Series {
-    /// What solves.
+    /// The name of the solver.
     pub name: &'static str,
-    /// Of position and velocity, at every distance.
+    /// Errors of position and velocity, at every distance.
     pub errors: [Vec<f64>; 2],
 }
 
@@ -53,7 +53,7 @@ fn errors<const ROWS: usize>(answer: Answer, truth: &[[f64; ROWS]; 3], rows: Row
     [away.abs() / scale, ((velocity - rate) / rate).abs()]
 }
 
-/// What is measured and what is allowed at a pose, in the same terms.
+/// The measured and the allowed errors at a pose, in the same terms.
 fn measured_errors<const ROWS: usize>(
     orders: &[[Measured; ROWS]; 3],
     truth: &[[f64; ROWS]; 3],
@@ -115,7 +115,7 @@ macro_rules! sweep {
 const OF_PIN: [&str; 2] = ["pin in bar lengths", "relative, ω of the bar"];
 const OF_SLIDE: [&str; 2] = ["relative, slide", "relative, rate of the slide"];
 
-/// Whether the width tells a distance of so many digits from none.
+/// True if the width can tell a distance of so many digits from zero.
 fn is_resolved(exponent: u8, width: Width) -> bool {
     10.0_f64.powi(-i32::from(exponent)) >= width.half_unit()
 }

@@ -92,7 +92,7 @@ impl Fall<'_> {
             .until(0.02, |_, [q, _]| (q - start).abs() - turns * TAU)
     }
 
-    /// What the energy is off by, as a share of the first, over the turns.
+    /// The error of the energy, as a share of the first, over the turns.
     fn off(&self, run: &Run<2>) -> Vec<(f64, f64)> {
         let total = |state| (self.energy)(state).unwrap_or(f64::NAN);
         let first = total(self.start);

@@ -13,13 +13,13 @@ use dynamics::show;
 use linkage_core::{Real, SolveError};
 use robot_controller::{Controller, Pair, Robot, Wanted, motors, rk4};
 
-/// Of the control, in s, and how many steps of the simulation it takes.
+/// The period of the control, in s, and the number of simulation steps in it.
 const PERIOD: f64 = 1e-3;
 const STEPS: u32 = 4;
 const SECONDS: f64 = 2.0;
 /// When the start is forgotten: e⁻⁷⁵ is left of it.
 const SETTLED: f64 = 0.5;
-/// How fast errors die out, in 1/s.
+/// The rate at which errors decay, in 1/s.
 const BANDWIDTH: f64 = 150.0;
 /// Where the tool is set down beside its circle, in m.
 const BESIDE: f64 = 3e-3;
@@ -118,7 +118,7 @@ fn settled(samples: &[Sample]) -> f64 {
 
 const KNOWN: Control = Control::Computed { payload: 0.5 };
 const UNKNOWN: Control = Control::Computed { payload: 0.4 };
-/// What the motors of the standing robot feel on average.
+/// Control with the average inertia that the motors of the standing robot feel.
 const JOINTS: Control = Control::Joints { inertia: 0.025 };
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -236,7 +236,7 @@ mod tests {
         }
     }
 
-    /// Of order 4: half the step, a sixteenth of the error, beside the integrator of order 8.
+    /// Half the step gives a sixteenth of the error, against the integrator of order 8.
     #[test]
     fn the_drives_integrator_is_of_order_four() {
         let robot = Robot::new();

@@ -60,7 +60,7 @@ fn gradient(places: Places) -> Result<Places, SolveError> {
     Ok([0, 1, 2, 3].map(|k| slope[(0, k)]))
 }
 
-/// What the search ends at, and after how many evaluations.
+/// The result of the search, and the number of its evaluations.
 fn balanced() -> (Places, f64, usize) {
     let count = std::cell::Cell::new(0);
     let cost = |places: &[f64], into: Option<&mut [f64]>, (): &mut ()| {

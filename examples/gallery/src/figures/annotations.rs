@@ -1,4 +1,4 @@
-//! What is written over a sketch: axes, dimensions, angles, names, the other mode.
+//! Annotations on a sketch: axes, dimensions, angles, names, the other mode.
 
 use std::fmt::Write;
 
@@ -11,13 +11,13 @@ pub struct Figure {
     theme: Theme,
     palette: Palette,
     view: View,
-    /// What the sketch draws, and its size.
+    /// The sketch's own drawing, and its size.
     sketch: String,
     size: Spot,
     /// Below the sketch's own drawing, and above it.
     below: String,
     above: String,
-    /// What the drawing needs beyond the sketch: left, top, right, bottom.
+    /// The margins that the drawing needs beyond the sketch: left, top, right, bottom.
     more: [f64; 4],
     statement: &'static str,
 }
@@ -42,7 +42,7 @@ impl Figure {
             value.and_then(|value| value.parse().ok()).unwrap_or(0.0)
         };
         let size = [number(" width=\""), number(" height=\"")];
-        // What stands behind the paper.
+        // The elements after the paper, which is the first rectangle.
         let inside = text.split_once("<rect").and_then(|(_, behind)| behind.split_once("/>"));
         let inside = inside.map_or("", |(_, behind)| behind.trim_end().trim_end_matches("</svg>"));
         let (below, above) = (String::new(), String::new());

@@ -1,4 +1,4 @@
-//! How the mechanisms of `examples/dynamics` move: under forces, integrated.
+//! Integrated motions, under forces, of the mechanisms of `examples/dynamics`.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! What nobody should ask for: a typed error or a picture that says so, never a panic.
+//! Invalid requests: each gives a typed error or a picture that says so, never a panic.
 
 use gallery::declarations::{five_bar_robot, flying_shear, range};
 use linkage_core::SolveError;

@@ -18,7 +18,7 @@ fn distance(a: Spot, b: Spot) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
-/// How far a spot is from a stretch.
+/// The distance of a spot from a stretch.
 fn from_stretch(spot: Spot, [a, b]: [Spot; 2]) -> f64 {
     // Densely enough: a hundredth of a pixel at 720 px.
     let at = |k: u32| f64::from(k) / 72_000.0;
@@ -26,8 +26,8 @@ fn from_stretch(spot: Spot, [a, b]: [Spot; 2]) -> f64 {
     (0..=72_000).map(|k| distance(spot, on(at(k)))).fold(f64::MAX, f64::min)
 }
 
-/// How far a spot is from the endless line through two others, left of it positive (on the page, whose y
-/// points down).
+/// The signed distance of a spot from the endless line through two others, positive to its left (on the
+/// page, whose y points down).
 fn from_line(spot: Spot, [a, b]: [Spot; 2]) -> f64 {
     let along = [b[0] - a[0], b[1] - a[1]];
     let off = [spot[0] - a[0], spot[1] - a[1]];
@@ -43,7 +43,7 @@ fn seat(group: &Element) -> impl Fn(Spot) -> Spot {
     move |[u, v]| [x + cos * u - sin * v, y + sin * u + cos * v]
 }
 
-/// What a picture shows of a link in its first pose: its lines, and the middles of its blocks.
+/// The drawing of a link in its first pose: its lines, and the middles of its blocks.
 #[derive(Debug, Default)]
 struct Body {
     lines: Vec<Vec<Spot>>,
@@ -88,7 +88,7 @@ impl Body {
         self.lines.iter().flat_map(|line| line.windows(2).map(|ends| [ends[0], ends[1]]))
     }
 
-    /// How far a spot is from the nearest of the lines.
+    /// The distance of a spot from the nearest of the lines.
     fn away(&self, spot: Spot) -> f64 {
         self.stretches().map(|ends| from_stretch(spot, ends)).fold(f64::MAX, f64::min)
     }

@@ -1,4 +1,4 @@
-//! What a browser makes of the films. Debian's `chromium` has to be there:
+//! Tests of the films in a browser. They need Debian's `chromium`:
 //! `cargo test --release -p gallery -- --ignored browser`.
 
 use std::fmt::Write;

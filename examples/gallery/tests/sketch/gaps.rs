@@ -11,7 +11,7 @@ fn four_bar() -> Film {
     range::FourBar { base: 0.39 }.film(turn())
 }
 
-/// Whether an element is shown at a share of the film's time.
+/// True if an element is shown at a share of the film's time.
 pub(super) fn is_shown(element: &Element, share: f64) -> bool {
     let mut animations = element.children.iter();
     let Some(opacity) =
@@ -93,7 +93,7 @@ fn distance([a, b]: [[f64; 2]; 2]) -> f64 {
     (b[0] - a[0]).hypot(b[1] - a[1])
 }
 
-/// How much is missing in the only pose of a film.
+/// The missing length in the only pose of a film.
 fn missing(film: &Film) -> f64 {
     match film.gaps()[..] {
         [ref gap] => match gap.error {

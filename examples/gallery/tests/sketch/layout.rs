@@ -22,7 +22,7 @@ impl Pictures {
         write!(self.names, "[{name:?}, {poses}, {seconds}],").unwrap();
     }
 
-    /// How many texts were looked at, and what is wrong.
+    /// The number of texts examined, and the faults found.
     fn check(&self, name: &str) -> (usize, Vec<String>) {
         let page = format!(
             "<!DOCTYPE html><body><pre></pre>{}<script>const pictures = [{}];{}</script>",

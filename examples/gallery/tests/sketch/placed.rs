@@ -70,7 +70,7 @@ pub(super) fn compare<M: Mechanism<Scalar = f64>>(
         };
         solved += 1;
         for (name, &value) in M::OUTPUTS.iter().zip(rows.as_ref()) {
-            // What has a name of its own is no part of the picture.
+            // An output without a dot in its name is no part of the picture.
             let Some((name, part)) = name.split_once('.') else { continue };
             let drawn = match part {
                 "x" => film.point(pose, name).unwrap().x,
@@ -137,7 +137,7 @@ fn a_film_that_follows_the_motion_is_where_the_tracker_is() {
             let drawn = film.point(pose, name).unwrap();
             assert!((drawn.x - at.x).hypot(drawn.y - at.y) < 1e-9, "{name} {pose}");
         }
-        // What a parallelogram does.
+        // In a parallelogram the coupler keeps its direction.
         let (b, c) = (film.point(pose, "B").unwrap(), film.point(pose, "C").unwrap());
         assert!((c.x - b.x - 2.0).hypot(c.y - b.y) < 1e-6, "{pose}");
         let other = fixed.point(pose, "C").unwrap();

@@ -132,7 +132,7 @@ fn springs_stretch_between_their_points_and_keep_their_coils() {
     });
     let (least, most) = pitches.fold((f64::MAX, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
     assert!(most > 1.05 * least, "it stretches: {least} to {most}");
-    // What is a spring and a damper has a zigzag, a damper none.
+    // A spring with a damper has a zigzag, a damper alone none.
     assert!(both.paths[0].contains('L') && !damper.paths[0].contains('L'));
 }
 
@@ -193,7 +193,7 @@ fn along(path: &str) -> Vec<f64> {
     let mut along = Vec::new();
     for (nth, &start) in starts.iter().enumerate() {
         let end = starts.get(nth + 1).copied().unwrap_or(path.len());
-        // What goes across stays where it is along.
+        // A vertical line does not change the place along the spring.
         if &path[start..=start] != "V" {
             along.push(numbers(&path[start + 1..end])[0]);
         }

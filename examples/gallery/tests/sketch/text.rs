@@ -103,7 +103,7 @@ fn everything_declared_is_drawn() {
 #[test]
 #[ignore = "a time, meant for a release build: `cargo test --release -p gallery -- --ignored film_is`"]
 fn a_film_is_written_in_twenty_milliseconds() {
-    // What else the machine does can only make a film slower: the quickest of several is its own time.
+    // Other work of the machine can only make a film slower, so the quickest of several times is its own.
     let least = |film: &Film| {
         let times = (0..31).map(|_| {
             let start = Instant::now();

@@ -1,4 +1,4 @@
-//! How right every group is as its limit comes near: tables, and charts with the textbook's forms
+//! Errors of every group as its limit comes near: tables, and charts with the textbook's forms
 //! beside.
 //!
 //! `cargo run --release -p laboratory --bin stability` prints the hard cases, then for each group the

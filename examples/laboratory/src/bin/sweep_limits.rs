@@ -1,4 +1,4 @@
-//! How near sweeps come to what the machine allows: the time of a sweep over that of a loop which has only the
+//! The efficiency of sweeps on this machine: the time of a sweep over that of a loop which has only the
 //! divisions and roots of the same entry point, as many as `COST` counts in the generated code, and over that
 //! of a loop which has its sines, additions and products as well, each product in one operation with a sum.
 //!
@@ -29,9 +29,9 @@ enum OfNothing {}
 /// So many divisions and square roots, and so many sines with their cosines and sums with a product.
 struct Arithmetic<const DIVISIONS: u32, const ROOTS: u32, const SINES: u32, const SUMS: u32>;
 
-/// How many sums of a pose go on beside each other: of the two poses that a sweep computes together more than
-/// a processor begins while one is under way (two each cycle, four cycles long), and few enough for its
-/// registers.
+/// The number of sums of a pose that go on beside each other. For the two poses that a sweep computes
+/// together, these are more sums than a processor begins while one is under way (two each cycle, four cycles
+/// long), and few enough for its registers.
 const CHAINS: usize = 6;
 
 /// For how many sums of each chain `sums` is written out.
@@ -143,7 +143,7 @@ fn compare(name: &str, counts: [u32; 2], mut runs: [Run; 3], rounds: usize) {
     println!(" {arithmetic:12.2} {:6.2}", ratios[1]);
 }
 
-/// How many operations additions and products are at least, where one operation has one of each.
+/// The least number of operations for additions and products, where one operation has one of each.
 const fn at_least(cost: linkage_core::Operations) -> u32 {
     if cost.additions > cost.multiplications { cost.additions } else { cost.multiplications }
 }

@@ -122,7 +122,7 @@ pub fn dyad(from: Moving, to: Joint, [l2, l3]: [f64; 2], side: f64) -> Option<[B
         y: inverse * fused(h, d.x, share * d.y),
     };
     let r3 = r2 - d;
-    // What the first joint has more than the second.
+    // Velocity and acceleration of the first joint relative to the second.
     let (v, a) = match to {
         Joint::Ground(_) => (from.velocity, from.acceleration),
         Joint::Link(joint) => {

@@ -8,7 +8,7 @@ use super::rails::{Rail, Rod, Seen, Slide};
 /// A direction that turns.
 #[derive(Clone, Copy, Debug)]
 pub struct Turning {
-    /// Of length one.
+    /// A unit vector.
     pub u: Vector,
     /// In rad/s.
     pub omega: f64,

@@ -18,7 +18,7 @@ use super::plane::{Bar, Moving, Vector};
 pub struct Rail {
     /// In m.
     pub origin: [f64; 2],
-    /// Of length one.
+    /// A unit vector.
     pub direction: [f64; 2],
 }
 

@@ -65,7 +65,7 @@ pub(crate) fn test_set_row(state: [f64; 14]) -> Result<[f64; 27], SolveError> {
     Ok(row)
 }
 
-/// How far apart the ends are that make up P, in m: the largest of the three loops.
+/// The largest gap, of three loops, between the ends that make up P, in m.
 pub(crate) fn open([be, th, ga, ph, de, om, ep]: [f64; 7]) -> f64 {
     let x = RR * be.cos() - D * (be + th).cos();
     let y = RR * be.sin() - D * (be + th).sin();

@@ -99,7 +99,7 @@ fn two_states(tolerance: f64) -> Result<Run<2>, Stopped> {
     Motion::new([0.0, END], [truth::START[0], 0.0], rates).tolerance(tolerance).ended()
 }
 
-/// What the motor gave but neither motion nor spring has, over the energy at the start.
+/// The error in the energy balance of motion, spring and motor, over the energy at the start.
 fn lost(run: &Run<2>) -> Result<f64, SolveError> {
     let squeezer = Squeezer::new();
     let total = |beta, rate| {
@@ -117,7 +117,7 @@ struct Measured {
     /// In µs.
     time: f64,
     digits: [f64; 4],
-    /// How far the loops are open, in m.
+    /// The largest gap of the loops, in m.
     open: f64,
 }
 

@@ -37,7 +37,7 @@ const ADVANCE: f64 = 3.0;
 const TRIM: f64 = truth::TRIM;
 const TOLERANCE: f64 = 1e-14;
 
-/// How the wheel is turned from straight at an angle of the crank, in rad.
+/// The steering angle of the wheel at an angle of the crank, in rad.
 fn steered(theta: f64) -> Result<f64, SolveError> {
     Ok(Steering::new().position(theta)?.DC.angle() - TRIM)
 }
@@ -135,7 +135,7 @@ mod tests {
         let run = driven(1, 12).unwrap();
         assert_eq!(run.states.len(), truth::POSES.len());
         assert!(worst(&run) < 1e-12, "{:e}", worst(&run));
-        // What is compared is a path: the cart winds, and goes on as it came.
+        // The path is compared: the cart winds, and returns to the x axis.
         let [x, y, heading] = run.last().1;
         let winds = run.states.iter().any(|[_, y, _]| *y < -0.5);
         assert!((heading - truth::HEADING).abs() < 1e-12 && winds, "{heading}");

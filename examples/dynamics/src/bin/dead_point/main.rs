@@ -116,8 +116,8 @@ impl Machine {
         }
     }
 
-    /// How much nearer to its dead point this coordinate is than the other to its own: positive where
-    /// it is to be changed.
+    /// The weighted difference of both coordinates' distances from their dead points: positive where the
+    /// coordinate is to be changed.
     fn strain(&self, state: [f64; 2]) -> f64 {
         // Where there is no pose there is no event: the right side has said so already.
         self.pose(state).map_or(f64::NAN, |pose| {

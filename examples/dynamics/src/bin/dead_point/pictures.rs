@@ -6,7 +6,7 @@ use crate::{Machine, Piece, Pose};
 
 type Points = Vec<(f64, f64)>;
 
-/// What is drawn of the motion, but of its energy: two swings, in s.
+/// The time over which the motion is drawn: two swings, in s. The energy is drawn over all of it.
 const SHOWN: f64 = 3.7;
 
 pub(crate) fn draw(pieces: &[Piece], poses: &[(f64, Pose)]) {

@@ -60,7 +60,7 @@ const MASS: f64 = 1.6632;
 const STIFFNESS: f64 = 15.0;
 /// Where masses are let go, in m.
 const START: f64 = 10.0;
-/// Of the forces, in rad/s, and their amplitudes in N on one mass and on the second of two.
+/// The frequency of the forces, in rad/s, and their amplitudes in N on one mass and on the second of two.
 const FREQUENCY: f64 = TAU;
 const PUSH: f64 = 1.0;
 const PUSH_ON_TWO: f64 = 0.5;

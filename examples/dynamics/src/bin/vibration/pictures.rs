@@ -27,7 +27,7 @@ pub(crate) fn draw(cases: &Cases) {
     );
 }
 
-/// What was found over what is exact.
+/// The computed motion, drawn over the exact one.
 fn motion(title: &str, scale: f64, unit: &str, traces: &[Trace]) -> Panel {
     let scaled = |points: &[(f64, f64)]| points.iter().map(|(t, x)| (*t, x * scale)).collect();
     let behind = traces.iter().map(|trace| Curve::band(scaled(&trace.exact)));

@@ -1,5 +1,5 @@
-//! What a call takes, read from the disassembly of this very program: instructions do not suffer from
-//! what else the machine does.
+//! Instruction counts of a call, read from the disassembly of this very program: other work of the machine
+//! does not change them.
 
 use std::collections::HashMap;
 use std::process::Command;
@@ -13,7 +13,7 @@ pub(crate) struct Count {
     pub(crate) arithmetic: usize,
     /// Operands that are constants in memory.
     pub(crate) constants: usize,
-    /// What moves numbers between the halves of registers.
+    /// Instructions that move numbers between the halves of registers.
     pub(crate) shuffles: usize,
 }
 

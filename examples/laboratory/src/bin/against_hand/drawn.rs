@@ -34,7 +34,7 @@ macro_rules! asked {
     };
 }
 
-/// How many they are.
+/// The number of these numbers.
 macro_rules! count {
     (position, [$($p:ident)*], [$($l:ident)*], [$($s:ident)*]) => {
         0 $(+ { let _ = stringify!($p); 2 })* $(+ { let _ = stringify!($l); 2 })*
@@ -46,7 +46,7 @@ macro_rules! count {
     };
 }
 
-/// What is raced, of the four functions of a mechanism.
+/// The four contests of a mechanism.
 macro_rules! contests {
     ($inputs:ident, $ranges:expr) => {
         pub(crate) const MOTIONS: Contest<MOTION> = Contest {

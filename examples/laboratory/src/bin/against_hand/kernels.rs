@@ -18,14 +18,14 @@ pub(crate) enum Call<const N: usize> {
 pub(crate) struct Contest<const N: usize> {
     pub(crate) made: Call<N>,
     pub(crate) by_hand: Call<N>,
-    /// What the inputs are between.
+    /// The lower and upper bound of each input.
     pub(crate) ranges: [[f64; 2]; 2],
 }
 
-/// Of an angle that turns fully.
+/// The range of an angle that turns fully.
 pub(crate) const TURN: [f64; 2] = [0.0, std::f64::consts::TAU];
 
-/// What is done with every mechanism.
+/// An operation on every mechanism.
 pub(crate) trait Visit {
     fn contest<const N: usize>(&mut self, name: &str, call: &str, contest: &Contest<N>);
 }

@@ -1,4 +1,4 @@
-//! How a hand moves the machines with sliding joints and several inputs: composed of the dyads of
+//! The machines with sliding joints and several inputs, written by hand: composed of the dyads of
 //! `laboratory::hand`, with every dimension a constant.
 
 use laboratory::hand::cylinder::cylinder;
@@ -9,7 +9,7 @@ use laboratory::hand::{Bar, CrankDyad, Joint, Moving, Vector, cos_sin, crank_dya
 /// An input with its rate and second rate.
 type Input = [f64; 3];
 
-/// What may be asked of a machine, by the names of its declaration.
+/// The possible outputs of a machine, by the names in its declaration.
 macro_rules! moved {
     ($($name:ident { $($field:ident: $kind:ident),* })*) => {
         $(

@@ -27,7 +27,7 @@ use race::{Ratios, median};
 
 const ROUNDS: usize = 1001;
 
-/// What was not drawn.
+/// Mechanisms that were not drawn at random.
 const REPORTED: [&str; 3] = ["s1", "other_point", "s5"];
 
 /// A line of the table.

@@ -14,7 +14,7 @@ pub(crate) struct Ratios {
     pub(crate) nanoseconds: [f64; 2],
 }
 
-/// Of each input, in rad/s and rad/s² or in m/s and m/s².
+/// The rates of each input, in rad/s and rad/s² or in m/s and m/s².
 pub(crate) const RATES: [[f64; 2]; 2] = [[250.0, 1000.0], [-130.0, 700.0]];
 
 /// At how many places of a page numbers are put, one after the other: a processor takes a store for one to

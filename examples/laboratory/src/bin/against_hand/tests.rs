@@ -24,7 +24,7 @@ fn largest<const N: usize>(
         for k in 0..N {
             sizes[k] = sizes[k].max(made[k].abs());
             let error = (made[k] - by_hand[k]).abs();
-            // What is no number is far off.
+            // NaN counts as an infinite error.
             errors[k] = if error.is_nan() { f64::INFINITY } else { errors[k].max(error) };
         }
     }

@@ -11,7 +11,7 @@ use parts::{Rail, Rod, direction, sense, sign};
 
 use super::{FourBar, bars, four_bar, is, length, mode, on, some, turn};
 
-/// What a row of the table is made of.
+/// The parts of a row of the table.
 struct Row {
     name: &'static str,
     inputs: &'static str,

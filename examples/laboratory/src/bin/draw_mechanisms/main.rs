@@ -9,8 +9,8 @@
 //! `draw_mechanisms cranks`, `loops` and `slides` write the tables of `errors` instead
 //! (`examples/laboratory/src/bin/errors/cranks.rs` and so on).
 //!
-//! Of the thirty every crank turns fully, and no dyad comes nearer to its limit than a transmission angle of 25°, as a
-//! designer would have it. Half of the rockers stand on the crank's x axis.
+//! Every crank of the thirty turns fully, and no dyad comes nearer to its limit than a transmission angle of
+//! 25°, as a designer would have it. Half of the rockers stand on the crank's x axis.
 
 mod machines;
 mod twins;
@@ -165,7 +165,7 @@ fn row(random: &mut Random, name: &str, machine: &FourBar, second: Option<&Secon
     let FourBar { crank, pivot: [gx, gy], lengths: [l2, l3], is_left, point: [u, v] } = machine;
     let mut row = format!("drawn! {{ {name}: crank {crank:?}, D({gx:?}, {gy:?}),\n");
     row += &format!("    lengths {l2:?} {l3:?} {}, P({u:?}, {v:?}),\n", mode(*is_left));
-    // Of a six-bar something of its second loop is asked for.
+    // A six-bar always has an output of its second loop.
     let (mut points, mut links) = (vec!["C", "P"], vec!["BC", "DC"]);
     let mut asked = Vec::new();
     if let Some(Second { joints: [from, to], q, f, lengths: [l4, l5], is_left }) = second {

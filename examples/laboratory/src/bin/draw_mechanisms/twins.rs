@@ -15,7 +15,7 @@ struct Twin {
     statements: String,
 }
 
-/// How many kinds of bars there are.
+/// The number of kinds of bars.
 const KINDS: usize = 7;
 
 /// A crank's length, where the other pivot stands from its own, and two bars.

@@ -9,7 +9,7 @@ struct Dyad {
 }
 
 impl Dyad {
-    /// How far within its limits, as a share of the shorter bar.
+    /// The clearance of the dyad, as a share of the shorter bar.
     fn clearance(&self, to: [f64; 2]) -> f64 {
         let d = (to[0] - self.from[0]).hypot(to[1] - self.from[1]);
         let [l, m] = self.lengths;

@@ -10,10 +10,10 @@ use linkage_tests::measured::Width;
 use crate::poses::Pose;
 use crate::twins::{Answer, Twin, WAYS, answers};
 
-/// Of position and motion, by way: none where it is solved.
+/// The refusals of position and motion, by way: none where it is solved.
 type Refusals = [[Option<SolveError>; WAYS.len()]; 2];
 
-/// What the ways answer at a pose.
+/// The answers of the ways at a pose.
 pub(crate) struct Sample {
     pub(crate) refusals: Refusals,
     /// Two ways answer otherwise, and the first answers the same within two last places of the inputs: the
@@ -62,7 +62,7 @@ fn kinds(refusals: &Refusals) -> [[Option<Discriminant<SolveError>>; WAYS.len()]
     refusals.each_ref().map(|ways| ways.each_ref().map(|way| way.as_ref().map(discriminant)))
 }
 
-/// Whether the first way answers the same kind at all corners two last places of 1 or more away.
+/// True if the first way answers the same kind at all corners two last places of 1 or more away.
 fn is_decided(twin: &Twin, pose: &Pose, width: Width) -> bool {
     let first = |pose: &Pose| kinds(&asked(twin, pose, width).0).map(|ways| ways[0]);
     let here = first(pose);
@@ -112,7 +112,7 @@ fn errors(
     Some(of(&largest))
 }
 
-/// What half a unit in the last place of everything changes, at data moved by units.
+/// The changes due to half a unit in the last place of everything, at data moved by units.
 fn allowed(twin: &Twin, state: &State<f64>, turn: usize, width: Width) -> Option<Vec<f64>> {
     let half_unit = width.half_unit();
     let mut number = 0;

@@ -1,4 +1,4 @@
-//! What is kept of all poses of a group, and the tables of it.
+//! The results of all poses of a group, and the tables of them.
 
 use linkage_tests::measured::Width;
 
@@ -26,7 +26,7 @@ pub(crate) struct Tally {
     refused: [usize; WAYS.len()],
     /// Solved with constants alone, with parameters alone, and refused for different reasons.
     differences: [usize; 3],
-    /// How many of these poses the data decide.
+    /// The number of these poses that the data decide.
     decided: usize,
     different: Vec<String>,
 }

@@ -1,4 +1,4 @@
-//! What is measured is an error, in the units that are promised.
+//! The measured quantity is an error, in the promised units.
 
 use linkage_core::SolveError;
 use linkage_tests::measured::Width;

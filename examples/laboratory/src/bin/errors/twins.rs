@@ -6,7 +6,7 @@ use linkage_tests::conditioning::State;
 use linkage_tests::double_double::DoubleDouble;
 use num_dual::Dual64;
 
-/// How dimensions are declared, in the order of [`Twin::double`]: their formulas differ.
+/// The two ways to declare dimensions, in the order of [`Twin::double`]: their formulas differ.
 pub(crate) const WAYS: [&str; 2] = ["constant", "tunable"];
 
 /// Rows of the positions, then of the velocities, then of the accelerations.
@@ -25,7 +25,7 @@ pub(crate) struct Twin {
     /// The range of a length; an angle has none.
     pub(crate) inputs: &'static [Option<[f64; 2]>],
     pub(crate) params: &'static [f64],
-    /// What the rows of the positions are called.
+    /// The names of the rows of the positions.
     pub(crate) labels: &'static [&'static str],
     pub(crate) double: [Way<f64>; WAYS.len()],
     pub(crate) single: [Way<f32>; WAYS.len()],

@@ -14,7 +14,7 @@ pub(crate) trait Width: Number + dual::Base + newton::Field + linkage_core::Floa
 impl Width for f32 {}
 impl Width for f64 {}
 
-/// What a solver returns: a motion, or none.
+/// The result of a solver: a motion, or none.
 pub(crate) trait Outcome {
     type Motion;
     fn motion(&self) -> Option<&Self::Motion>;
@@ -36,7 +36,7 @@ impl<M> Outcome for Result<M, SolveError> {
     }
 }
 
-/// What was found out about one method.
+/// The measurements of one method.
 #[derive(Clone, Debug)]
 pub(crate) struct Finding {
     pub(crate) name: String,

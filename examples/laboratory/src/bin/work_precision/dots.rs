@@ -1,4 +1,4 @@
-//! What one run has found, kept for the picture of the next one: with and without fused operations are two
+//! The results of one run, kept for the picture of the next one: with and without fused operations are two
 //! programs, and one picture shows both.
 
 use std::fs;
@@ -32,7 +32,7 @@ pub(crate) fn keep(is_fused: bool, dots: &[Dot]) {
     }
 }
 
-/// What was kept; nothing where nothing can be read.
+/// The kept results; empty where nothing can be read.
 pub(crate) fn kept(is_fused: bool) -> Vec<Dot> {
     let text = fs::read_to_string(path(is_fused)).unwrap_or_default();
     text.lines().filter_map(dot).collect()

@@ -6,7 +6,7 @@ use num_dual::{Dual2, DualNum, DualNumFloat};
 use crate::mechanisms::{CHAIN_DYADS, Dyad, ROCKER, STEPHENSON_DYADS};
 use crate::number::Number;
 
-/// What num-dual can carry derivatives of.
+/// Numbers whose derivatives num-dual can carry.
 pub(crate) trait Base: Number + DualNumFloat + DualNum<Primitive = Self> {}
 impl Base for f32 {}
 impl Base for f64 {}

@@ -18,7 +18,7 @@ pub(crate) struct Race {
     entrants: Vec<(String, Run)>,
 }
 
-/// What came out.
+/// The result of a method.
 #[derive(Clone, Debug)]
 pub(crate) struct Timing {
     pub(crate) name: String,

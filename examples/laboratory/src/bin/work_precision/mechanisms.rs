@@ -14,7 +14,7 @@ pub(crate) struct Dyad {
     pub(crate) lengths: (f64, f64),
 }
 
-/// How a form turns an angle into sine and cosine and solves a dyad.
+/// A form of the formulas: an angle's sine and cosine, and the solution of a dyad.
 pub(crate) trait Form {
     fn sin_cos<F: Number>(angle: F) -> (F, F);
     fn dyad<F: Number>(pin: Moving<F>, dyad: Dyad) -> Option<[Link<F>; 2]>;
@@ -25,7 +25,7 @@ pub(crate) struct Mechanism<const N: usize> {
     pub(crate) name: &'static str,
     pub(crate) rate: f64,
     pub(crate) second: f64,
-    /// How many of the numbers are positions and velocities; the rest are accelerations.
+    /// The number of positions and of velocities; the rest are accelerations.
     pub(crate) orders: (usize, usize),
     /// The sizes of the vectors that an error is a fraction of: a point's two coordinates and a
     /// direction's two components belong together.

@@ -7,7 +7,7 @@ use crate::mechanisms::{CHAIN_DYADS, Dyad, ROCKER, STEPHENSON_DYADS};
 use crate::number::Number;
 use crate::plane::{Link, Moving, Vector, crank};
 
-/// What nalgebra can solve with.
+/// Numbers that nalgebra can solve with.
 pub(crate) trait Field: Number + RealField {}
 impl Field for f32 {}
 impl Field for f64 {}

@@ -15,7 +15,7 @@ pub(crate) trait Number:
     + Neg<Output = Self>
     + 'static
 {
-    /// How the width is called in the tables.
+    /// The name of the width in the tables.
     const NAME: &'static str;
     /// The distance from 1 to the next number.
     const EPSILON: f64;

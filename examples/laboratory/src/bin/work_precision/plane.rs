@@ -110,7 +110,7 @@ impl<F: Number> Link<F> {
         self.swing(self.u * F::of(length))
     }
 
-    /// What the vector r, fixed in the link, does.
+    /// The motion of the vector r, fixed in the link.
     #[inline(always)]
     fn swing(self, r: Vector<F>) -> Moving<F> {
         Moving {

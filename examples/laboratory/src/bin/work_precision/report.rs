@@ -2,7 +2,7 @@
 
 use crate::bench::Finding;
 
-/// What was measured, and on what.
+/// The title of the report: the measurement and the machine.
 pub(crate) fn heading(rounds: usize) -> String {
     let fused = if cfg!(target_feature = "fma") { "with" } else { "without" };
     format!(

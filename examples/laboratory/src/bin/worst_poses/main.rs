@@ -12,7 +12,7 @@ use linkage_tests::measured::poses::{self, Source};
 use linkage_tests::measured::{Measured, Pose, Width, compensated_rrr, prp, rpp, rpr, rrp, rrr};
 use linkage_tests::measured::{prp_forces, rpp_forces, rpr_forces, rrp_forces, rrr_forces};
 
-/// How many of the worst random poses are climbed from, and how many steps each.
+/// The number of the worst random poses from which the search climbs, and the number of steps from each.
 const STARTS: usize = 16;
 const STEPS: usize = 20_000;
 

@@ -1,4 +1,4 @@
-//! What the machines have in common: rails, rods, and words of their declarations.
+//! The common parts of the machines: rails, rods, and words of their declarations.
 
 use linkage_tests::random::Random;
 
@@ -17,7 +17,7 @@ impl Rail {
         Self { origin: [x, y], degrees }
     }
 
-    /// How far a point is from it.
+    /// The signed distance of a point from it.
     pub(super) fn across(&self, [x, y]: [f64; 2]) -> f64 {
         let (sin, cos) = self.degrees.to_radians().sin_cos();
         (y - self.origin[1]) * cos - (x - self.origin[0]) * sin
@@ -52,7 +52,7 @@ impl Rod {
         Self { length: length(random, 0.15, 0.7), offset, is_ahead: is(random) }
     }
 
-    /// Whether the bar is not nearly across the line.
+    /// True if the bar is not nearly across the line.
     pub(super) fn stands(&self, across: f64) -> bool {
         (self.offset - across).abs() <= self.length * 25_f64.to_radians().cos()
     }
