@@ -1,5 +1,5 @@
 //! The solvers as a static library for a machine that has nothing: no standard library, no heap,
-//! and a panic handler that cannot be linked, so that a panic anybody can reach is a link error.
+//! and a panic handler that cannot be linked, so that a reachable panic is a link error.
 //!
 //! With a feature of `control` it holds, in place of the solvers, one thing that the proof has to
 //! catch; see `bare_metal.rs`.

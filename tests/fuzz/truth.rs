@@ -2,8 +2,8 @@
 //!
 //! A result may be as wrong as if every number given, and the result itself, had been changed by
 //! half a unit in its last place as often as the solver rounds: every operation rounds once, and
-//! does no more harm than that. Where what the data allow doubles within a unit, so close to a
-//! limit, nothing is said.
+//! does no more harm than that. Close to a limit the allowed error may double within a
+//! unit; no result is judged there.
 
 use linkage_core::Scalar;
 use linkage_tests::double_double::DoubleDouble;

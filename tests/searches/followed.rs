@@ -137,13 +137,13 @@ fn a_constant_mode_ends_at_the_dead_point() {
     // Beyond its interval there is no root: the crank's end is 100°.
     let beyond = tracker.position(2.0);
     assert!(matches!(beyond, Err(SolveError::NoSolution { unknown: "theta", .. })), "{beyond:?}");
-    // To the end of it and back in one step nobody can tell from through it.
+    // A step to the end and back cannot be distinguished from one through it.
     let mut tracker = Tracker::new(TwinPress::new());
     tracker.position(1.0).expect("clear of it");
     assert!(tracker.position(2.0 * PI - 1.0).is_err());
 }
 
-/// A ram that is told: it stops at its dead point, and has come from where it goes back to.
+/// A ram that is an input stops at its dead point, and returns on the branch that it came on.
 #[test]
 fn a_ram_stops_at_its_dead_point() {
     let mut tracker = Tracker::new(InLine::new());

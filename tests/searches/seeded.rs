@@ -42,7 +42,7 @@ fn apart(a: f64, b: f64) -> f64 {
     if a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan() { 0.0 } else { (a - b).abs() }
 }
 
-/// Places from below to above, in order and then by jumps, some of which are no numbers.
+/// Places from `low` to `high`, in order and then at random. Some are NaN, infinite or beyond the ends.
 fn places(count: u32, low: f64, high: f64, seed: u64) -> Vec<f64> {
     let mut random = Random::new(seed);
     let step = (high - low) / f64::from(count);

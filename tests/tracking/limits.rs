@@ -44,7 +44,7 @@ fn what_is_interpolated_is_a_number_or_an_error() {
     }
 }
 
-/// A first pose on a change point, at a rate whose square is no number of the width.
+/// A first pose on a change point, at a rate whose square underflows or overflows.
 #[test]
 fn a_first_pose_is_a_number_or_an_error() {
     for unit in [0.1, 1.0, 1e-9] {

@@ -126,7 +126,7 @@ fn the_squeezer_accelerates_as_published() {
     assert!((found - expected).abs() < 2e-11 * expected.abs(), "{found} {expected}");
 }
 
-/// A rate that changes no second rate is no number all the same: the rates are part of the answer.
+/// A rate that is not finite is refused even where no second rate depends on it: the answer holds the rates.
 #[test]
 fn state_rates_of_rates_that_are_no_numbers_are_refused() {
     let arm = GearedArm::new();

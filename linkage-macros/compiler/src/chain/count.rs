@@ -4,7 +4,7 @@
 //! it, a slide is two and a drive one between its bodies. Each constraint is held by one of the two
 //! that it is between, no more of them than it has freedoms: a maximum matching, found by
 //! augmenting paths. What cannot be held is too many, and what can hold more is loose. Where all fits,
-//! whoever holds a constraint depends on the other end, and the strongly connected components of
+//! the holder of a constraint depends on the other end, and the strongly connected components of
 //! this dependence are the groups (Shai, Servatius, Whiteley 2012; the count is that of
 //! the pebble game of Lee and Streinu 2008).
 
@@ -24,7 +24,7 @@ struct Unit {
     drive: Option<usize>,
 }
 
-/// Constraints, and who holds them.
+/// Constraints, and the node that holds each.
 struct Network {
     capacity: Vec<usize>,
     units: Vec<Unit>,
@@ -138,7 +138,7 @@ impl Network {
     }
 }
 
-/// Where freedoms and constraints do not fit.
+/// The bodies and drives whose freedoms and constraints do not match.
 pub(crate) fn troubles(machine: &Machine) -> Vec<Trouble> {
     let mut network = Network::of(machine, GROUND);
     let full = network.fill();
@@ -234,7 +234,7 @@ fn dependence(machine: &Machine, network: &Network) -> Vec<Vec<usize>> {
     needs
 }
 
-/// Which nodes each node depends on by way of others.
+/// The nodes that each node depends on, directly or through others.
 fn reached(needs: &[Vec<usize>]) -> Vec<Vec<bool>> {
     let from = |node: usize| {
         let mut reached = vec![false; needs.len()];

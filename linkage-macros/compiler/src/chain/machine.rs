@@ -7,7 +7,7 @@ pub(crate) const GROUND: usize = 0;
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Machine {
-    /// Where the pins are in the drawing.
+    /// The places of the pins in the drawing.
     pub pins: Vec<Complex>,
     /// The ground first.
     pub bodies: Vec<RigidBody>,

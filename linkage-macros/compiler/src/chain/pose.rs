@@ -93,7 +93,7 @@ impl<'m> Posed<'m> {
         }
     }
 
-    /// By how much the equation of a search is missed, as a length.
+    /// The residual of a search's equation, as a length.
     pub(super) fn residual(
         &mut self,
         search: &Search,

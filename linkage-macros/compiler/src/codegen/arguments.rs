@@ -51,7 +51,7 @@ impl Form<'_> {
     }
 }
 
-/// Which part of an argument is read.
+/// The part of an argument that is read.
 enum Part<'a> {
     All,
     Field(&'a Ident),
@@ -175,7 +175,7 @@ impl<'a> Arguments<'a> {
         unread.map(|(_, name)| quote!(let _ = #name;)).collect()
     }
 
-    /// Which argument a node reads.
+    /// The index of the argument that a node reads.
     fn position_of(&self, node: Node) -> Option<usize> {
         let given = match node {
             Node::InputCos(_) => Given::Cosine,

@@ -1,8 +1,8 @@
 //! The names of a declaration for editors: hovering over one, going to where it is made and
 //! renaming it work wherever a token of the generated code has the user's own span.
 //!
-//! Most names are fields. The others are made fields of a struct that nothing else uses, and a
-//! function that nobody calls reads each name wherever the declaration does.
+//! Most names are fields. The others are made fields of a struct that nothing else uses, and an
+//! uncalled function reads each name wherever the declaration does.
 
 use std::collections::HashSet;
 
@@ -59,7 +59,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Which names are fields of what.
+/// The names that are fields already, by the record that has them.
 struct Places {
     params: HashSet<String>,
     inputs: HashSet<String>,

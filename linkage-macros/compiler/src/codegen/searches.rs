@@ -153,7 +153,7 @@ pub(super) fn mode(mechanism: &Mechanism, unknown: &Unknown) -> String {
     }
 }
 
-/// Where it is looked for, where that is constant.
+/// The interval of the search if its ends are constant, and the unit.
 fn ends(unknown: &Unknown) -> String {
     let unit = unit(unknown.dimension, Order::Position);
     match &unknown.between {

@@ -98,7 +98,7 @@ fn diagnosed(
         let (value, label) = (Text::from(values[at].clone()), &labels[at]);
         quote!((#value, #label))
     });
-    // Where nothing is given and nothing asked, nothing else tells the type of the numbers.
+    // An entry point without arguments and results to check leaves the type of its numbers open.
     let (scalar, count) = (&cx.names.scalar, Literal::usize_unsuffixed(asked.results.len()));
     quote! {
         #diagnose_all::<#scalar, _, #count>(

@@ -26,7 +26,7 @@ pub(crate) fn shape(effort: Effort) -> Shape {
     }
 }
 
-/// Where it is in the result.
+/// The path of an effort in the result.
 pub(crate) fn path(asked: &Asked) -> String {
     match asked.effort {
         Effort::Shaking => asked.owner.unraw().to_string(),

@@ -243,7 +243,7 @@ fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {
     format!("\n{about}LinkageStatus {name}({});\n", list.join(", "))
 }
 
-/// Where the answer goes.
+/// The parameter through which C receives the answer.
 fn answer_argument(cx: &Context<'_>, of: &Entry, width: Width) -> String {
     let (name, ty) = (of.point.answer(), type_of(cx, of.result, width));
     match of.result {

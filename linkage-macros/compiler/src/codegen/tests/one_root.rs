@@ -40,7 +40,7 @@ fn one_root_is_said_where_it_is_proved() {
     // A turn has both dead points: from some place on the ram rises again.
     assert_eq!(ram("-90deg, 270deg", "falling", "0"), "one root, falling");
     assert_eq!(ram("-90deg, 270deg", "rising", "0"), "may have several roots, rising");
-    // Where a parameter says which trend, both are asked about: here it falls twice.
+    // A parameter may select either trend, so the docs consider both: here the ram falls twice.
     let either = ram("-270deg, 90deg", "way", "0");
     assert_eq!(either, "may have several roots, rising or falling by `way`");
     // The wheel's travel.
