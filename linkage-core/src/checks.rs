@@ -2,8 +2,8 @@
 //!
 //! A group's formulas hold under conditions: circles of radii l₁ and l₂ must meet, a divisor must
 //! not be zero, a length must be positive, an angle must be small enough for the quick reduction
-//! of sines. Generated code writes the formulas down once, as a function of whoever asks, and calls
-//! it at every condition. There are two who ask:
+//! of sines. Generated code contains the formulas once, as a function of a [`Checks`], which it calls
+//! at every condition. There are two kinds:
 //!
 //! - [`AllMet`], on the **fast path**, compares one number with a threshold and goes on, whatever
 //!   comes of it. There is no branch, so that a loop over poses becomes one over vectors. In the
@@ -37,9 +37,9 @@ use crate::roots::FindError;
 use crate::roots::seed::Seed;
 use crate::{Real, Scalar, SolveError};
 
-/// Who asks for conditions, see the module's documentation. A condition is two calls: a comparison,
+/// A checker of conditions, see the module's documentation. A condition is two calls: a comparison,
 /// which [`FirstError`] passes by, and a diagnosis, which [`AllMet`] passes by and which returns the
-/// value under the condition, or what stands for it at a limit.
+/// value under the condition, or its replacement at a limit.
 pub trait Checks<T: Scalar> {
     /// Sine and cosine of an angle.
     fn sin_cos(&mut self, angle: T) -> (T, T);
@@ -96,8 +96,8 @@ pub trait Checks<T: Scalar> {
     #[inline(always)]
     fn above_rounding(&mut self, _value: T, _spread: T) {}
 
-    /// Asks for a condition whose comparisons have been made: the value under it, or what stands for it at a
-    /// limit.
+    /// Checks a condition whose comparisons have been made. Returns the value under it, or its replacement
+    /// at a limit.
     #[inline(always)]
     fn guard(&mut self, value: T, _diagnosis: impl Diagnosis<T>) -> T {
         value

@@ -198,7 +198,7 @@ mod tests {
         assert_eq!(differentiate_twice::<f64, 1>([1.0], |_| Err(error)), Err(error));
         assert_eq!(differentiate([0.0], |[x]| Ok([Scalar::sqrt(x)])), Err(UNDEFINED));
         assert_eq!(differentiate_twice([0.0], |[x]| Ok(Scalar::sqrt(x))), Err(UNDEFINED));
-        // x^(3/2) has a slope at zero, and no curvature; the chain rule says so of neither.
+        // x^(3/2) has a slope at zero, and no curvature; the chain rule gives neither.
         assert_eq!(differentiate_twice([0.0], |[x]| Ok(x * Scalar::sqrt(x))), Err(UNDEFINED));
     }
 }

@@ -23,7 +23,7 @@ use crate::{Mask, Real, Scalar, SolveError};
 
 /// A condition of one value, with what the slow path looks at.
 pub trait Diagnosis<T: Scalar>: Sized {
-    /// The value under the condition, or what stands for it at a limit.
+    /// The value under the condition, or its replacement at a limit.
     ///
     /// # Errors
     /// The reason why there is none.

@@ -5,9 +5,9 @@ use crate::{Record, Scalar, SolveError};
 
 /// A mechanism, whichever it is: names, and solutions as rows of numbers.
 ///
-/// Every `mechanism!` implements it. The struct's own methods, which return records with a field
-/// for each output, say more to whoever knows the mechanism; here inputs and outputs are arrays, of
-/// one number where there is one.
+/// Every `mechanism!` implements it. Code for one mechanism should use the struct's own methods, which
+/// return records with a field for each output. Here inputs and outputs are arrays, of one number where
+/// there is one.
 ///
 /// ```
 /// use linkage_core::{Mechanism, SolveError, mechanism};

@@ -199,8 +199,8 @@ pub(crate) fn lit<T: Scalar>(value: f32) -> T {
     T::lit(value.into(), value)
 }
 
-/// True if the sum of a result's numbers is finite, and so each of them; not asked of a `plain` number,
-/// for which the compiler has shown that it must be.
+/// True if the sum of a result's numbers is finite, and so each of them. A `plain` number needs no check:
+/// the compiler has shown that it must be finite.
 #[inline(always)]
 pub fn is_finite_unless<T: Scalar>(plain: bool, sum: T) -> T::Mask {
     if plain { T::Mask::ALL } else { sum.is_finite() }

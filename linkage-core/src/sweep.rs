@@ -67,7 +67,7 @@ pub enum Series<'a, T> {
     Constant(T),
 }
 
-/// Who is told how far a sweep has come: nobody, `()`, or a function of the number of poses done
+/// A listener for the progress of a sweep: `()` for none, or a function of the number of poses done
 /// and of all poses.
 pub trait Progress {
     /// Called after every few thousand poses, and at the end.
@@ -111,8 +111,8 @@ pub trait Entry<K, T: Float, const IN: usize, const OUT: usize> {
     }
 }
 
-/// Slices for what is not wanted of a sweep: every field an empty one. It stands for the rest behind
-/// the fields that are:
+/// Empty slices, one a field, for the unwanted outputs of a sweep. They fill the fields behind the wanted
+/// ones:
 ///
 /// ```
 /// # use linkage_core::{Point, mechanism, unwanted};

@@ -80,11 +80,11 @@ use crate::{Record, Scalar, SolveError};
 /// - What leaves the range of numbers, on the way or in the result: as `NotFinite`.
 ///
 /// # Beside an unknown
-/// What is searched (`solve`) is a group as well: it comes to its limit at a dead point of its equation,
+/// A searched unknown (`solve`) is a group as well: it comes to its limit at a dead point of its equation,
 /// where two roots meet, and its mode is the sign of the slope, `rising` or `falling`. On every stretch
-/// it is proved that one root goes on, and that it is the one which is found at both ends of it. Where
-/// the root leaves its interval the motion ends, and where it only touches an end nobody can say how it
-/// goes on, `Singular`. So it is where a group changes its mode of which the equation itself is made.
+/// it is proved that one root continues, and that it is the one found at both ends of it. Where the root
+/// leaves its interval the motion ends. Where it only touches an end, the continuation is undetermined and
+/// the error is `Singular`. The same holds where a group that the equation contains changes its mode.
 ///
 /// ```
 /// use linkage_core::{Tracker, find::Trend, mechanism};
@@ -125,8 +125,8 @@ use crate::{Record, Scalar, SolveError};
 /// clearance that stays above √ε of its scale keeps its mode, and one that falls lower is a dead
 /// end.
 ///
-/// Where a clearance is below 4 √ε of its scale a pose lies on the change point: nobody can tell
-/// before or behind. Change points of two groups that are so close together are passed at once, and
+/// Where a clearance is below 4 √ε of its scale a pose lies on the change point: its sides
+/// cannot be told apart. Change points of two groups that are so close together are passed at once, and
 /// a tracker's modes stay those of the last pose before. Below 1.2e-4
 /// (`f32`: 4.8e-3) of the scale the rounding of rates would show, and results are interpolated over
 /// the change point; those of [`follow`](Self::follow) below 2e-3, as what is integrated adds up.
@@ -160,7 +160,7 @@ impl<M: Solver> Tracker<M> {
     /// # Errors
     /// The solver's; `OutOfReach` or `Singular` also where the motion ends on the way to the
     /// inputs, or where it passes a change point of a group whose mode is not a parameter of its
-    /// own; `Singular` where nobody can say how it goes on; `NotFinite` where numbers leave their
+    /// own; `Singular` where the continuation is undetermined; `NotFinite` where numbers leave their
     /// range on the way. The tracker then stays at the last pose.
     pub fn position(&mut self, q: impl Into<M::Input>) -> Result<M::Position, SolveError> {
         self.advance(self.anchor, q.into(), None, Zone::Shown, |solver, q| solver.position(q))

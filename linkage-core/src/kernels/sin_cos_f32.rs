@@ -114,7 +114,7 @@ fn polynomials<F: Fusion>(r: f32, excess: f32) -> (f32, f32) {
 /// An exclusive or of the bits that is applied or masked away would also leave the bits by which
 /// the two differ in the unused half of a vector register, where they are a subnormal number
 /// whenever the exponents are equal, and the next multiplication takes a hundred cycles over a
-/// result that nobody reads.
+/// result that is never read.
 #[inline(always)]
 fn turn<F: Fusion>(sin: f32, cos: f32, q: u32) -> (f32, f32) {
     const ONE: u32 = 1.0_f32.to_bits();

@@ -120,7 +120,7 @@ fn of_group<T: Real, M: Solver<Scalar = T, Input = T>>(
     };
     let mut walk = Walk { f, zero: number(64.0 * <T as Real>::EPSILON), ends };
     let (Ok(first), Ok(last)) = (walk.at(ends[0]), walk.at(ends[1])) else {
-        // The solver itself says why there are no numbers.
+        // The solver itself gives the reason for the NaN (`confirm`).
         return rest.push(stretch.from, stretch.to);
     };
     let kept = *rest;

@@ -287,7 +287,7 @@ impl Solver for Chained<'_> {
     fn position(&self, q: f64) -> Result<f64, SolveError> {
         let [first, second] = self.clearances(q, 0.0).map(|clearance| clearance.value);
         let group = if first < -4e-16 { "first" } else { "second" };
-        // Rounding, as in a group's own rule; what is no number stands behind the first's limit.
+        // Rounding, as in a group's own rule; NaN is behind the limit of the first group.
         let is_met = group == "second" && (second.is_nan() || second >= -1e-15);
         if is_met { Ok(q) } else { Err(SolveError::OutOfReach { group, by: 1.0 }) }
     }

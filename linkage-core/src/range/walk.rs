@@ -37,7 +37,7 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
     /// f without the derivatives that its numbers carry.
     ///
     /// # Errors
-    /// `NotFinite` where it is no number.
+    /// `NotFinite` where the function is not finite.
     pub(super) fn at(&mut self, x: T) -> Result<At<T>, FindError> {
         let [value, slope] = (self.f)(x).map(constant);
         let is_finite = value.is_finite() && slope.is_finite();
@@ -57,7 +57,7 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
     /// rounding; none where it is zero to rounding.
     ///
     /// # Errors
-    /// `NotFinite` where it is no number.
+    /// `NotFinite` where the function is not finite.
     pub(super) fn way(&mut self, [from, to]: [T; 2]) -> Result<Option<bool>, FindError> {
         // It may touch zero in the middle, but hardly at three places.
         for part in [0.5, 0.3, 0.7] {
@@ -72,7 +72,7 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
     /// Tells every event between the ends, in order, panel by panel.
     ///
     /// # Errors
-    /// `NotFinite` where f is no number.
+    /// `NotFinite` where f is not finite.
     pub(super) fn events(
         &mut self,
         panels: Panels,

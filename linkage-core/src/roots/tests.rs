@@ -189,7 +189,7 @@ fn what_is_no_number_is_an_error_where_it_is_met() {
     // A seed that meets it is left aside.
     let found = search.near(0.5).find(|x| [if x == 0.5 { f64::NAN } else { x - 1.25 }, 1.0]);
     assert_eq!(found.map(|root| root.at), Ok(1.25));
-    // Slopes that are no numbers are no guide, and no error.
+    // Slopes that are not finite, or have the wrong sign, are ignored and cause no error.
     for slope in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0] {
         let root = search.find(|x| [x - 0.3, slope]).expect("the signs differ");
         assert!((root.at - 0.3).abs() <= 2.0 * f64::EPSILON, "{slope} {root:?}");

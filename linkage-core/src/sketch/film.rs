@@ -20,8 +20,8 @@ use crate::{Point, SolveError};
 
 /// A mechanism as it moves through a path of inputs.
 ///
-/// A pose that cannot be assembled is a gap: what hangs on the failed group is not shown, and what
-/// is missing between its links is.
+/// A pose that cannot be assembled is a gap: dependents of the failed group are hidden, and the missing
+/// length between its links is shown.
 pub struct Film {
     scene: Scene,
     pub(super) options: Options,
@@ -88,7 +88,7 @@ impl Film {
     #[must_use]
     pub fn seconds(mut self, seconds: f64) -> Self {
         if seconds.is_finite() && seconds > 0.0 {
-            // As it is written, so that nobody's clock goes otherwise.
+            // Rounded as it is written, so that all clocks agree.
             self.options.seconds = (1e3 * seconds.clamp(1e-3, 1e6)).round() / 1e3;
         }
         self

@@ -26,7 +26,7 @@ pub trait Drawn: Copy {
     /// The first group that cannot be assembled.
     fn place(&self, q: Self::Input) -> Result<Vec<f64>, SolveError>;
 
-    /// The same whatever fails: what hangs on a failed group is no number, nor what hangs on the unknown
+    /// The same without errors: dependents of a failed group are NaN, and so are those of the unknown
     /// of this name.
     fn place_open(&self, q: Self::Input, without: &'static str) -> Vec<f64>;
 

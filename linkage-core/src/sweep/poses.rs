@@ -175,7 +175,7 @@ mod tests {
     /// Every operation is that of a lane for each pose, and leaves what is known of its operands behind.
     #[test]
     fn poses_compute_what_their_lanes_do() {
-        // Sines and cosines that nobody would compute.
+        // Wrong sines and cosines, which show if an operation keeps them.
         let [a, b, c, d] = ALL.map(|numbers| Numbers::on_circle([numbers, [7.0; 2], [8.0; 2]]));
         for nth in 0..TOGETHER {
             let [w, x, y, z] = ALL.map(|numbers| lane(numbers, nth));

@@ -38,7 +38,7 @@ fn half<T: Scalar>(value: T) -> T {
     lit::<T>(0.5) * value
 }
 
-/// The smaller one; the second where the first is no number.
+/// The smaller number; the second if the first is NaN.
 fn min<T: Float>(a: T, b: T) -> T {
     if b.ge(a) { a } else { b }
 }

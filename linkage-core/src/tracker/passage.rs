@@ -75,8 +75,8 @@ impl<M: Solver> Passage<M> {
         !(0..M::TITLES.groups.len()).any(|group| self.ends_fading(solver, group))
     }
 
-    /// The unknown of which the end says that its equation has no root, where one was found: between other
-    /// dead points, where nobody can say how it goes on.
+    /// The error for an unknown whose equation seems to have no root at the end although one was found:
+    /// between other dead points, where the continuation is undetermined.
     pub(super) fn contradicts(&self, solver: &M) -> Option<SolveError> {
         let zero = Thresholds::of::<M::Scalar>().zero;
         let groups = 0..if M::SEARCHES { M::TITLES.groups.len() } else { 0 };
@@ -109,9 +109,9 @@ impl<M: Solver> Passage<M> {
     /// The solver with the modes that the motion has at the end.
     ///
     /// # Errors
-    /// `OutOfReach` or `Singular` where the motion ends before, or where nobody can say whether it
+    /// `OutOfReach` or `Singular` where the motion ends before, or where it cannot be decided whether it
     /// does; `Singular` where it passes a change point of a group whose mode is not a parameter of
-    /// its own; `NotFinite` where the clearance of a group is no number.
+    /// its own; `NotFinite` where the clearance of a group is not finite.
     pub(super) fn follow(&self) -> Result<M, SolveError> {
         let (mut solver, mut here, mut budget) = (self.solver, 0.0, STRETCHES);
         while let Some(change) = self.first_change(&solver, here, &mut budget)? {
