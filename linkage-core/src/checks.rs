@@ -104,7 +104,7 @@ pub trait Checks<T: Scalar> {
     }
 }
 
-/// The first condition that was not met. What follows it is computed and means nothing.
+/// The first condition that was not met. Values computed after it mean nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct FirstError {
     first: Option<SolveError>,

@@ -2,8 +2,8 @@
 //! `num-dual`.
 //!
 //! The generated `sensitivity` is [`differentiate`] on a mechanism's parameters, and so is `jacobian` on its
-//! inputs where the kinematic coefficients do not do. What else is to be differentiated, with respect to whatever else, is a
-//! closure over a lifted solver. Nothing here allocates.
+//! inputs where the kinematic coefficients do not suffice. For any other derivative, write a closure over a
+//! lifted solver. Nothing here allocates.
 
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Derivative, Dual2SVec, DualNum, DualSVec};

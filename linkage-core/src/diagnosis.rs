@@ -84,8 +84,8 @@ fn reached<T: Real>(
     }
 }
 
-/// The value with its derivatives, its real part as it would be without rounding. What is added
-/// first leaves nothing of the rounded one.
+/// The value with its derivatives, and with the exact real part. The first sum cancels the rounded
+/// real part.
 fn restored<T: Real>(value: T, exact: f64) -> T {
     let rounded = value.value();
     value + T::lit(-rounded, -rounded as f32) + T::lit(exact, exact as f32)

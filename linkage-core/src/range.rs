@@ -11,9 +11,9 @@
 //! turn.
 //!
 //! They are no proof. The interval is walked in panels of a sixteenth of it, and of no more than 0.4, a
-//! sixteenth of a turn: what happens within a panel and is not to be seen from its ends and its middle is
-//! missed. Behind the first 34 turns (214 rad) the rest is walked in sixteen panels, however long: what
-//! repeats with every turn shows in the first 34, as none or as more than the 32 that an answer may have.
+//! sixteenth of a turn: a change within a panel that its ends and its middle do not show is missed.
+//! Behind the first 34 turns (214 rad) the rest is walked in sixteen panels, however long: a function that
+//! repeats with every turn has, in the first 34, either no zero or more than the 32 that an answer may have.
 
 mod chart;
 mod confirm;

@@ -46,8 +46,8 @@ pub trait Record: Sized {
     #[must_use]
     fn from_array(array: Self::Array) -> Self;
 
-    /// The points of the record and their names; of velocities and accelerations, theirs. Of forces
-    /// the reactions in ground axes, by their paths.
+    /// The points of the record and their names; for velocities and accelerations, those of the points. For
+    /// forces, the reactions in ground axes, by their paths.
     ///
     /// ```
     /// # use linkage_core::{Record, mechanism};

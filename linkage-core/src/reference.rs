@@ -35,7 +35,7 @@ pub mod language {
 
 pub mod figures {
     //! A figure for each statement, every place in it computed by a solver: frames, dimensions,
-    //! and dotted what the other mode makes. What the letters mean is in [the
+    //! and the other mode, dotted. The letters are explained in [the
     //! language](super::language).
     //!
     //! # Drivers

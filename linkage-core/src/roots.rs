@@ -133,8 +133,8 @@ impl core::error::Error for FindError {}
 /// each call: which one is not promised.
 ///
 /// Dead points between the ends do no harm: a root of the trend is found behind them and between them. The
-/// interval is divided into up to 48 pieces for that. What turns back and forth within a piece may be
-/// missed; where the pieces do not tell, the error is [`FindError::SeveralDeadPoints`].
+/// interval is divided into up to 48 pieces for that. A function that turns back and forth within a piece
+/// may lose a root; where the pieces do not tell, the error is [`FindError::SeveralDeadPoints`].
 ///
 /// A root is right to ε/2 of the larger end, or as far as f's own rounding lets its sign be known.
 #[derive(Clone, Copy, Debug, PartialEq)]

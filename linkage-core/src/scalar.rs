@@ -1,8 +1,8 @@
 //! The numbers a solver runs on.
 //!
 //! Generated code is generic over [`Scalar`]: `f32`, `f64`, lanes of them, and (feature `ad`)
-//! the dual numbers of `num-dual`. What a single number can do beyond that, deciding with a plain
-//! `bool` whether a pose is at the limit, is [`Real`].
+//! the dual numbers of `num-dual`. [`Real`] adds the operations of a single number, which decides
+//! with a plain `bool` whether a pose is at the limit.
 
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};

@@ -30,8 +30,8 @@
 //! assembled is a gap of the film, never bridged: how far the links of the failed group reach is
 //! shown instead, and what is missing between them.
 //!
-//! Springs and dampers between two points are drawn as such, torsion springs are not. Of forces a path of
-//! inputs says nothing: their values may hold loads and rates, so the solver's results are handed in.
+//! Springs and dampers between two points are drawn as such, torsion springs are not. A path of inputs
+//! does not determine forces, whose values may depend on loads and rates: pass the solver's results.
 //! `film.applied(path.map(|q| solver.applied(q, rate, load)))` draws what the declaration's `force`
 //! statements put on points, `film.reactions(path.map(|q| solver.statics(q, load)))` the reactions of
 //! joints that its outputs ask for, `film.force("P", …)` any other, `film.couple("A", …)` couples as arcs.

@@ -2,8 +2,8 @@
 //!
 //! One trait serves all that is written once for every mechanism: following a motion
 //! ([`Tracker`](crate::Tracker)), sweeps of positions, velocities and motions, Jacobians and
-//! [`Mechanism`](crate::Mechanism). What a trait costs a user's compiler is less what stands in its
-//! functions than their signatures, so that each of them is asked for once.
+//! [`Mechanism`](crate::Mechanism). A trait costs a user's compiler more by the
+//! signatures of its functions than by their bodies, so the trait has each function once.
 
 use crate::clearance::{Clearance, Jet, moving};
 use crate::roots::seed::Seed;

@@ -7,7 +7,7 @@
 //! π/2 is the sum of [`PARTS`]: four of 9 bits, whose products with q (15 bits) are exact, and
 //! the rest. x − q·C₁ and the subtraction of q·C₂ are exact: the operands are multiples of the
 //! smaller of ulp(x) and 2⁻²⁰, and the differences are below one (the first, below 17 where ulp(x)
-//! is above 2⁻⁹). What is left of π/2, times q, is subtracted in one rounded step with both its
+//! is above 2⁻⁹). The remainder of π/2, times q, is subtracted in one rounded step with both its
 //! errors known exactly, as in `f64`; q·C₅ is rounded, at 2⁻²⁹·2⁻²⁴. Within the limit no f32 other
 //! than 0 comes closer than 2⁻²⁸ to a multiple of π/2, and for q > 1000 none closer than 2⁻²⁵, so
 //! that r, as an unevaluated difference of two numbers, is right to 2⁻²⁷ of itself.

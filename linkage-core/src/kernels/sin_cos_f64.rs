@@ -6,7 +6,7 @@
 //!
 //! π/2 is the sum of [`PARTS`]: three of 33 bits, whose products with q (20 bits) are exact, and
 //! the rest. x − q·C₁ is exact, because both are multiples of the smaller of ulp(x) and 2⁻³² and
-//! the difference is below one. What is left of π/2, times q, is subtracted in one rounded step,
+//! the difference is below one. The remainder of π/2, times q, is subtracted in one rounded step,
 //! so that the polynomials need not wait; the errors of that product (its difference from
 //! q·C₂ + q·C₃ cancels to fewer than 53 bits) and of that difference (Dekker's fast sum: the
 //! minuend is a multiple of the subtrahend's last place) are exact. q·C₄ is rounded, at
@@ -134,10 +134,10 @@ fn polynomials<F: Fusion>(r: f64, excess: f64) -> (f64, f64) {
 /// 1.7 units in the last place, or 1.5·10⁻³³ for every quarter turn: less than 10⁻²⁷, and more than those
 /// units only where sine or cosine is below 10⁻¹¹. Elsewhere it is [`sin_cos`] itself.
 ///
-/// Half a unit is the last rounding. Of the sine, half of one is the remainder's: x − q·C₁ is exact, a
-/// multiple of the smaller of ulp(x) and 2⁻⁵² below one. Of the cosine, half of one is that of 1 − r²/2, a
-/// quarter that of r² and 0.36 the remainder's, which acts with sin r. What the two words of π/2 leave
-/// acts with q.
+/// The last rounding is half a unit. In the sine, the remainder's rounding is half a unit: x − q·C₁ is exact,
+/// a multiple of the smaller of ulp(x) and 2⁻⁵² below one. In the cosine, that of 1 − r²/2 is half a unit,
+/// that of r² a quarter, and that of the remainder, which acts with sin r, is 0.36. The error of the two
+/// words of π/2 acts with q.
 ///
 /// `ALONE` is a number that stands in no lane: its quarter turns are looked up.
 #[inline(always)]

@@ -7,8 +7,8 @@ const LEAST: u32 = 16;
 /// machine whose crank is the input repeat after a turn, and longer panels may step over a part of each.
 const LONGEST: f64 = 0.4;
 
-/// Panels of no more than that length, at most: 34 turns. What repeats in each turn and comes to
-/// zero has more zeros there than an answer may have. What comes to zero in none of them does so in no turn.
+/// Panels of no more than that length, at most: 34 turns. A function that repeats in each turn
+/// has either no zero at all or more zeros there than an answer may have.
 const MOST: u32 = 535;
 
 /// Panels over a way: equal ones, and where these would be more than [`MOST`], so many of the longest,

@@ -1,8 +1,8 @@
 //! Where a smooth function comes through zero between two places, and where it only touches it.
 //!
 //! The way is walked in panels that a cubic describes. In each a change of sign is closed in on,
-//! and a dip whose cubic comes near zero is followed to its lowest point. What is narrower than a
-//! panel and shows at none of its ends is missed: this is a search, not a proof.
+//! and a dip whose cubic comes near zero is followed to its lowest point. A change that
+//! is narrower than a panel and shows at none of its ends is missed: this is a search, not a proof.
 
 use super::panels::Panels;
 use crate::Real;

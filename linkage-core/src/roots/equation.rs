@@ -134,7 +134,7 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
     }
 
     /// The root, with the derivatives that f's numbers carry: in their arithmetic each of Newton's
-    /// steps makes the derivatives of one more order right. Of ranges it is all roots.
+    /// steps makes the derivatives of one more order right. For ranges, all roots.
     pub(super) fn differentiated(mut self, at: T) -> Result<Root<T>, FindError> {
         let mut x = at;
         for _ in 0..T::ORDER {

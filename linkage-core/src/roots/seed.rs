@@ -19,9 +19,10 @@ use super::{FindError, Trend};
 use crate::Real;
 use crate::kernels::sqrt;
 
-/// The longest first step from a seed, as a part of the interval. Of a step s Newton's method leaves (Cs)⁸/C
-/// after three, with C half the curvature over the slope, about 1 over the interval: of 1/64 that is 2⁻⁴⁸
-/// of the interval, the most that the foreseen last step may leave. A longer one is not worth two more trials.
+/// The longest first step from a seed, as a part of the interval. After a first step s, three of Newton's
+/// steps leave (Cs)⁸/C, with C half the curvature over the slope, about 1 over the interval. For 1/64 that
+/// is 2⁻⁴⁸ of the interval, the most that the foreseen last step may leave. A longer step is not worth two
+/// more trials.
 const LONGEST: f64 = 1.0 / 64.0;
 
 /// The longest step, as a multiple of the last one, for which the trials before are a guide.

@@ -2,8 +2,8 @@
 //!
 //! Samples divide the interval into pieces, the widest of which is halved again and again until two
 //! samples enclose a root, or until every piece is clear: the cubic of its ends shows that the function
-//! does not rise through zero there, by more than the cubic is wrong. How wrong it is follows from the
-//! sample that halved the piece before it. Where neither happens in time, the answer is that it is not
+//! does not rise through zero there, by more than the cubic's error. The error follows from the sample
+//! that halved the piece before it. Where neither happens in time, the answer is that it is not
 //! known.
 
 use super::FindError;

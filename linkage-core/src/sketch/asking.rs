@@ -20,7 +20,7 @@ macro_rules! asked_of_a_picture {
                 self
             }
 
-            /// Names these points and no others. What is not said is named where there is room.
+            /// Names these points and no others. By default, points are named where there is room.
             #[must_use]
             pub fn label<N: AsRef<str>>(mut self, points: impl IntoIterator<Item = N>) -> Self {
                 let names = points.into_iter().map(|name| name.as_ref().to_string());

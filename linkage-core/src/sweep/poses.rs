@@ -14,8 +14,8 @@ use crate::{Float, Fusion, Lanes, Scalar};
 /// The steps of one pose wait for each other: sine and cosine, division and root, and what is made of them.
 /// A processor hides that by beginning with the next poses, as far as its window reaches, and a vector or
 /// two of poses fill it. So a sweep takes the sines of a whole block in a loop of their own, short enough for
-/// several vectors to be under way. Generated code is as ever: it asks an input for its sine, and the input
-/// has it. Whether it does is known while compiling, and sines that no one asks for are computed by no one.
+/// several vectors to be under way. Generated code does not change: it calls an input's sine, and the input
+/// has it. The compiler knows which inputs have theirs, and removes unused sines.
 ///
 /// `A` says what comparisons are to tell: which poses may be used, or which are out of reach.
 #[derive(Clone, Copy, Debug)]

@@ -272,7 +272,7 @@ fn change(group: usize, lowest: Lowest, thresholds: Thresholds) -> Change {
 /// Where the polynomial of fifth degree through two readings is lowest between them, and its value
 /// there in units of its scale, if it falls at the first and rises at the second.
 ///
-/// It is off by S⁗″ h⁶/46080 at most between places h apart. Of a group that turns k times as fast
+/// It is off by S⁗″ h⁶/46080 at most between places h apart. For a group that turns k times as fast
 /// as the one whose change point it is, S⁗″ is about 25 k⁶ of its scale; with h = 0.08 in `f32` and
 /// k = 10 that is 1e-4, where 3e-4 is told apart, and in `f64` far less.
 fn lowest_between([(from, a), (to, b)]: [(f64, Reading); 2]) -> Option<(f64, f64)> {
