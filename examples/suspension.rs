@@ -1,7 +1,7 @@
 //! A double wishbone, driven by the wheel's travel: the chain is a crank and a dyad, but what drives it
 //! is a point at its end. The lower arm's angle is the unknown, the wheel's height its equation; driven
-//! by the arm's angle the same machine goes through the same poses. What its strut does is felt at the
-//! wheel: the effort of the wheel's height is the load.
+//! by the arm's angle the same machine goes through the same poses. The strut acts at the wheel: the
+//! effort of the wheel's height is the load.
 
 use charts::{COLOURS, Curve, Panel};
 use linkage_core::{SolveError, mechanism};

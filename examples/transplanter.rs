@@ -1,5 +1,5 @@
 //! Rice transplanter: two cranks turn at one speed with a phase between them, an RRR group joins
-//! them, and the planting bill is rigid on one of its bars. What matters is the bill's path
+//! them, and the planting bill is rigid on one of its bars. The goal is the bill's path
 //! relative to the ground while the machine drives on: narrow and steep in the soil, high enough
 //! over the plants that stand.
 //!

@@ -1,6 +1,6 @@
 //! A part of a search, and the file that holds its short list.
 //!
-//! Part K of N takes the K-th of N equal runs of linkages. What it finds depends on the question and on the
+//! Part K of N takes the K-th of N equal runs of linkages. Its result depends on the question and on the
 //! arithmetic of the machine alone, not on threads, on other parts or on when it runs. Its file is written
 //! beside its place and then renamed, and ends with a fingerprint of all lines before, so that a file that was
 //! cut off is told from a whole one.

@@ -107,7 +107,7 @@ where
     /// At evenly spaced times, both ends among them.
     ///
     /// # Errors
-    /// What stopped it.
+    /// The error that stopped the run.
     pub fn sampled(&self, intervals: u32) -> Result<Run<N>, Stopped> {
         let [start, end] = self.span;
         let share = |k: u32| f64::from(k) / f64::from(intervals);
@@ -118,7 +118,7 @@ where
     /// At the end alone.
     ///
     /// # Errors
-    /// What stopped it.
+    /// The error that stopped the run.
     pub fn ended(&self) -> Result<Run<N>, Stopped> {
         self.sampled(1)
     }
@@ -127,7 +127,7 @@ where
     /// event itself, to rounding, is the last of them.
     ///
     /// # Errors
-    /// What stopped it.
+    /// The error that stopped the run.
     pub fn until(
         &self,
         apart: f64,
@@ -143,7 +143,7 @@ where
     /// half of states changes by the second half alone and the other way round.
     ///
     /// # Errors
-    /// What stopped it.
+    /// The error that stopped the run.
     pub fn symplectic(&self, step: f64) -> Result<Run<N>, Stopped> {
         let [start, end] = self.span;
         let side = RightSide::new(&self.rates);
@@ -210,7 +210,7 @@ impl<'a, F> RightSide<'a, F> {
 }
 
 impl<F> RightSide<'_, F> {
-    /// Where one step of the method leads. What lies within an accepted step is as exact as its end.
+    /// The end of one step of the method. A state within an accepted step is as exact as its end.
     ///
     /// The method's own dense output is not used: that of version 0.7.0 of the crate exchanges s and 1 − s
     /// in three of its factors, and is off by 1e-8 where steps are right to 1e-13.
@@ -324,7 +324,7 @@ where
 /// Where the pictures of the examples are written.
 ///
 /// # Errors
-/// What the file system says.
+/// An error of the file system.
 pub fn picture(name: &str) -> std::io::Result<PathBuf> {
     let folder = PathBuf::from("target").join("charts");
     std::fs::create_dir_all(&folder)?;
@@ -334,7 +334,7 @@ pub fn picture(name: &str) -> std::io::Result<PathBuf> {
 /// Writes `target/charts/NAME.svg` and says so.
 ///
 /// # Errors
-/// What the film or the file system says.
+/// An error of the film or of the file system.
 pub fn show(name: &str, film: &Film) -> Result<(), SketchError> {
     let path = picture(name)?;
     film.write_svg(&path)?;

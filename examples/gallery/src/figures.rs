@@ -13,7 +13,7 @@ use linkage_core::sketch::{SketchError, Theme};
 /// them: a page of documentation has no files beside it.
 ///
 /// # Errors
-/// What cannot be drawn: a mistake in a figure.
+/// A drawing that fails, by a mistake in a figure.
 pub fn addresses() -> Result<String, SketchError> {
     let escaped = |letter: char| match letter {
         '<' => "%3C".into(),
@@ -41,7 +41,7 @@ pub fn addresses() -> Result<String, SketchError> {
 /// Every figure by the name of its file.
 ///
 /// # Errors
-/// What cannot be drawn: a mistake in a figure.
+/// A drawing that fails, by a mistake in a figure.
 pub fn figures(theme: Theme) -> Result<Vec<(&'static str, String)>, SketchError> {
     Ok(vec![
         ("crank", placing::crank(theme)?),

@@ -1,5 +1,5 @@
 //! Every mechanism of the examples as a film, the figures of the language, and the site that shows
-//! them. What is drawn here is drawn by `linkage_core::sketch`; what is said here is how each moves.
+//! them. `linkage_core::sketch` draws the films; this crate defines the motion of each.
 
 pub mod declarations;
 pub mod figures;

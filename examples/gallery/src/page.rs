@@ -53,7 +53,7 @@ const WIDTH: f64 = 296.0;
 /// Writes the index, and a still and a page of each machine.
 ///
 /// # Errors
-/// What cannot be drawn or written.
+/// The first drawing or file that fails.
 pub fn write(pieces: &[Piece], folder: &Path) -> Result<(), SketchError> {
     let ordered = ordered(pieces);
     for (nth, piece) in ordered.iter().enumerate() {
@@ -98,7 +98,7 @@ pub fn index(pieces: &[Piece]) -> String {
 /// The page of a film with the machine's text, its declaration, and the machines before and behind.
 ///
 /// # Errors
-/// What cannot be drawn.
+/// The first drawing that fails.
 pub fn machine(piece: &Piece, beside: [Option<&Piece>; 2]) -> Result<String, SketchError> {
     let page = piece.film.to_html()?;
     let link = |(piece, word): (Option<&Piece>, &str)| match piece {

@@ -2,8 +2,8 @@
 //!
 //! The numbers are those of a course work: 1.6632 kg on a spring of 15 N/m, let go at 10 m; a damper of
 //! 1.5 N·s/m, the critical one, and one with c/2m = 5/s; a force of 1 N at 2π rad/s; two such masses
-//! in a row, of which the second is let go at 10 m, or pushed with 0.5 N. What the mechanism knows is
-//! masses, springs and what acts; the closed forms in `exact.rs` know nothing of the mechanism.
+//! in a row, of which the second is let go at 10 m, or pushed with 0.5 N. The mechanism contains
+//! masses, springs and forces. The closed forms in `exact.rs` are independent of the mechanism.
 
 mod exact;
 mod pictures;

@@ -47,7 +47,7 @@ fn answer<const N: usize>(call: Call<N>) -> impl FnMut([[f64; 2]; 3]) -> [f64; N
     move |input| called(call, input).unwrap_or_else(|| panic!("{input:?}"))
 }
 
-/// Each way is within 5 ε of the truth on S1, position to acceleration. What a first loop's pin is off by
+/// Each way is within 5 ε of the truth on S1, position to acceleration. The error of a first loop's pin
 /// acts on the second's bars with at most 1/sin 25° a division, of which an acceleration has three.
 struct Agreement;
 

@@ -125,8 +125,8 @@ fn allowed(twin: &Twin, state: &State<f64>, turn: usize, width: Width) -> Option
     is_finite.then(|| conditions.into_iter().map(|condition| condition * half_unit).collect())
 }
 
-/// The largest ratio of error to what is allowed, by order. What is not finite has left the range and
-/// counts as no error.
+/// The largest ratio of error to allowed error, by order. A number that is not finite has left the range
+/// and counts as no error.
 fn worst(twin: &Twin, found: &[f64], truth: &[DoubleDouble], allowed: &[f64]) -> [f64; 3] {
     let rows = twin.labels.len();
     core::array::from_fn(|order| {

@@ -1,7 +1,7 @@
 //! Measures several methods against each other on a machine that does other things too.
 //!
 //! Every method runs for some microseconds at a time, in many rounds, in an order that rotates
-//! from round to round. What is reported is the median over the rounds of the ratio to the first
+//! from round to round. The report is the median over the rounds of the ratio to the first
 //! method's time in the same round: a disturbance hits both or is outvoted.
 
 use std::hint::black_box;

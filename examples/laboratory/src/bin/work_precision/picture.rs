@@ -25,8 +25,8 @@ const FAMILIES: [(&str, MarkerShape); 8] = [
     ("generated", MarkerShape::Circle),
 ];
 
-/// Writes `target/charts/work_precision.svg` and says so: a row a width. What the last run that was
-/// compiled the other way has found is drawn as well.
+/// Writes `target/charts/work_precision.svg` and prints its path: a row a width. The results of the last
+/// run that was compiled the other way are drawn as well.
 pub(crate) fn write(measured: &[Measured]) {
     let here = cfg!(target_feature = "fma");
     let found = found(measured);

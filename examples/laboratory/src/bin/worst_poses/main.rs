@@ -89,7 +89,7 @@ fn search_forces(width: Width, count: usize, seed: u64) {
     });
 }
 
-/// The worst ratio of each order. What is not finite has left the range and counts as no error:
+/// The worst ratio of each order. A number that is not finite has left the range and is no error:
 /// a single-precision acceleration at 1e-15 from a toggle is beyond its largest number.
 fn ratios<const ROWS: usize>(orders: [[Measured; ROWS]; 3]) -> [f64; 3] {
     orders.map(|rows| {
