@@ -9,6 +9,7 @@
 //! | [`solver`] | what is generated and how it is called; errors, sweeps, derivatives |
 //! | [`recipes`] | parallelograms, cylinders, gears, inversors, engines, suspensions |
 //! | [`control`] | without the standard library; from C |
+//! | [`robots`] | closed loops between motors and joints, both ways |
 //! | [`measurements`] | accuracy, speed and size, with the commands that measure them |
 //!
 //! Whoever is new here reads [`language`] down to the table of statements, copies something from
@@ -128,6 +129,12 @@ pub mod control {
     //! [measurements]: super::measurements
     //!
     #![doc = include_str!("../docs/control.md")]
+}
+
+pub mod robots {
+    //! [`limits`]: crate::range::limits()
+    //!
+    #![doc = include_str!("../docs/robots.md")]
 }
 
 pub mod measurements {
