@@ -1,6 +1,6 @@
 //! Sensitivities to dimensions against what geometry says of them.
 
-use linkage_tests::mechanisms::single_groups::*;
+use linkage_tests::mechanisms::driven_groups::DrivenRrr;
 
 /// Lengthening a bar moves the pin along it by that much and along the other bar not at all.
 #[test]
