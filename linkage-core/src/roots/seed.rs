@@ -172,8 +172,10 @@ fn followed<T: Real>(
     let turn = number::<T>(if apart.is_right { 1.0 } else { -1.0 });
     let foreseen = seed.foreseen(apart.given, turn);
     let LastTrial { x, slope, .. } = seed.trials[1];
-    let led = Some((foreseen - x, slope));
-    let at = f.newton(foreseen, approach, width * number(LONGEST), led)?;
+    let longest = width * number(LONGEST);
+    // Two slopes tell the curvature at the root only where they stand close together.
+    let led = longest.ge(magnitude(foreseen - x)).then_some((foreseen - x, slope));
+    let at = f.newton(foreseen, approach, longest, led)?;
     let (change, size) = (change.get(), extent.get() + change.get());
     (size.is_finite() && change.gt(size * number(sqrt(<T as Real>::EPSILON)))).then_some([at, size])
 }

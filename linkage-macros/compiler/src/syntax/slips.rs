@@ -46,7 +46,7 @@ impl Parser<'_> {
             return format!("a group begins with its keyword: `{example}`");
         }
         format!(
-            "statements are {} and the groups {}",
+            "statements are {} and the groups {}; others are about drawings, unknowns and forces",
             quoted(&words::STATEMENTS[..7]),
             quoted(&words::GROUPS)
         )

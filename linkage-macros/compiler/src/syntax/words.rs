@@ -104,6 +104,7 @@ pub(super) fn meant_by(word: &str) -> Option<&'static str> {
         "parameter" | "variable" => Some("param"),
         "motor" | "driver" => Some("crank"),
         "piston" | "actuator" => Some("slider"),
+        "find" => Some("solve"),
         _ => None,
     }
 }

@@ -164,7 +164,7 @@ fn words_that_begin_no_statement() {
             "foo;",
             "foo: no statement begins with `foo` / statements are `input`, `param`, `let`, \
              `ground`, `guide`, `point`, `output` and the groups `crank`, `slider`, `rrr`, `rrp`, \
-             `rpr`, `prp`, `rpp`",
+             `rpr`, `prp`, `rpp`; others are about drawings, unknowns and forces",
         ),
         (
             "BC(B), DC(D) -> C { }",
