@@ -111,3 +111,20 @@ fn the_angle_of_what_slides_is_carried_and_that_of_a_bar_is_its_own() {
     ];
     assert_eq!(carried.collect::<Vec<_>>(), expected);
 }
+
+/// A dyad makes a parallelogram of its crank, whichever bar is written first; with the lengths of
+/// coupler and rocker exchanged it makes none.
+#[test]
+fn a_parallelogram_is_known_whichever_bar_hangs_on_the_crank() {
+    let is_parallelogram = |dyad: &str| {
+        let (mechanism, mistakes) = resolved(&format!("{CRANK} {dyad}"));
+        assert_eq!(mistakes, "", "{dyad}");
+        let found = &mechanism.expect("nothing was reported").rotatabilities;
+        assert_eq!(found.len(), 1, "{dyad}");
+        found[0].is_parallelogram
+    };
+    assert!(is_parallelogram("rrr BC(B), DC(D) -> C { lengths: (4m, 1m), mode: left }"));
+    assert!(is_parallelogram("rrr DC(D), BC(B) -> C { lengths: (1m, 4m), mode: left }"));
+    assert!(!is_parallelogram("rrr BC(B), DC(D) -> C { lengths: (1m, 4m), mode: left }"));
+    assert!(!is_parallelogram("rrr DC(D), BC(B) -> C { lengths: (4m, 1m), mode: left }"));
+}
