@@ -154,3 +154,35 @@ fn whatever_incidences_are_drawn_the_compiler_answers_soon() {
     }
     println!("{understood} of 300 are machines");
 }
+
+/// A link's frame is as written. Where the group has another, nothing is measured in the wrong one.
+#[test]
+fn statements_about_a_bar_are_refused_where_the_link_has_another_frame() {
+    let told = |link: &str, statement: &str| {
+        let statements = format!(
+            "input t: angle;\nground A(0, 0), D(665.7mm, 0);\n\
+             pin B(80mm, 0), C(600mm, 360mm), P(570mm, 90mm);\n\
+             link AB(A, B), {link}, DC(D, C);\ndrive AB.angle = t;\n{statement}"
+        );
+        resolved_text(&statements).err().unwrap_or_default()
+    };
+    let spring = "spring between AB and BC { stiffness: 5(N*m/rad) }";
+    let distances = "point E on BC at distances (200mm, 500mm) left;";
+    let uniform = "mass 2kg on BC uniform;";
+    // The bar of the group, from its outer joint on, and the other way round.
+    for statement in [spring, distances, uniform] {
+        assert_eq!(told("BC(B, C, P)", statement), [""; 0], "{statement}");
+    }
+    for statement in [distances, uniform] {
+        assert_eq!(told("BC(C, B, P)", statement), [""; 0], "{statement}");
+    }
+    for (link, statement) in [
+        ("BC(C, B, P)", spring),
+        ("BC(P, B, C)", spring),
+        ("BC(P, B, C)", distances),
+        ("BC(P, B, C)", uniform),
+    ] {
+        let [told] = &told(link, statement)[..] else { panic!("{link} {statement}") };
+        assert!(told.contains("the frame of the group of `BC`"), "{told}");
+    }
+}

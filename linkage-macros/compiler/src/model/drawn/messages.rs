@@ -5,7 +5,9 @@ use crate::chain::cutting::{Dyad, Pair};
 use crate::chain::machine::GROUND;
 use crate::diagnostics::Diagnostics;
 use crate::model::names::listed;
+use crate::syntax::tree::{Action, Declaration, MassSite, Place, StatementKind};
 
+use super::TurnedFrame;
 use super::bodies::Bodies;
 use super::printed::text;
 
@@ -131,4 +133,36 @@ pub(super) fn report_limit(bodies: &Bodies<'_>, dyad: &Dyad, diagnostics: &mut D
         ),
     };
     diagnostics.error_because(bodies.link(b).name.span(), message, "draw another pose");
+}
+
+/// Reports statements that are measured along the bar of a group, where the link's own frame is another
+/// one: the two would be taken for each other.
+pub(super) fn report_turned(
+    tree: &Declaration,
+    turned: &[TurnedFrame],
+    diagnostics: &mut Diagnostics,
+) {
+    let of = |link: &proc_macro2::Ident| turned.iter().find(|turned| turned.link == *link);
+    let elsewhere = |link: &proc_macro2::Ident| of(link).filter(|turned| !turned.is_reversed);
+    for statement in &tree.statements {
+        let (found, told) = match &statement.kind {
+            StatementKind::Action(Action::Spring { ends, .. }) => {
+                (ends.iter().find(|end| of(end).is_some()), "a torsion spring turns against")
+            }
+            StatementKind::Point { on: Some(on), place: Place::Distances(..), .. } => {
+                (Some(on).filter(|on| elsewhere(on).is_some()), "distances are measured in")
+            }
+            StatementKind::Action(Action::Mass { on, place: MassSite::Uniform(_), .. }) => {
+                (Some(on).filter(|on| elsewhere(on).is_some()), "a uniform bar lies in")
+            }
+            _ => continue,
+        };
+        let Some(link) = found else { continue };
+        let message =
+            format!("{told} the frame of the group of `{link}`, and `{link}` is drawn in another");
+        let reason = format!(
+            "begin `link {link}(…)` with the two joints of its dyad, the outer one first, or declare the group by hand"
+        );
+        diagnostics.error_because(link.span(), message, reason);
+    }
 }

@@ -37,6 +37,8 @@ use values::Measured;
 pub(super) struct TurnedFrame {
     pub link: Ident,
     pub angle: Expr,
+    /// True if it goes from one pin of the group's bar to the other, the other way round.
+    pub is_reversed: bool,
 }
 
 /// The declaration of the groups of a drawing.
@@ -95,6 +97,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     let mut docs = tree.docs.clone();
     docs.extend(printed::documentation(tree, &translated));
     let writer::Translated { statements, turned, hidden, .. } = translated;
+    messages::report_turned(tree, &turned, values.resolver.diagnostics);
     let declaration = Declaration {
         docs,
         visibility: tree.visibility.clone(),
@@ -128,7 +131,7 @@ fn document(mechanism: &mut Mechanism, statement: &Statement) {
 impl Resolver<'_> {
     /// The direction of a link among the results is that of the frame that it is written in.
     pub(super) fn directions_are_as_written(&mut self, turned: &[TurnedFrame]) {
-        for TurnedFrame { link, angle } in turned {
+        for TurnedFrame { link, angle, .. } in turned {
             let Some(Entity::Link(id)) = self.names.entity(link) else { continue };
             let Some(turn) = self.turn(angle) else { continue };
             for output in &mut self.mechanism.outputs {

@@ -9,7 +9,7 @@ use crate::chain::machine::GROUND;
 use crate::exact::Exact;
 use crate::syntax::tree::{Action, MassSite};
 use crate::syntax::tree::{
-    Course, Expr, ExprKind, FieldValue, OutputItem, Place, Spot, Statement, StatementKind,
+    Course, Expr, ExprKind, FieldValue, OutputItem, Place, Solve, Spot, Statement, StatementKind,
 };
 
 use super::TurnedFrame;
@@ -83,8 +83,9 @@ impl Turns {
     /// The links whose directions are other ones.
     pub(super) fn directions(self) -> Vec<TurnedFrame> {
         let turned = self.by_link.into_values();
-        let turned = turned
-            .filter_map(|turn| Some(TurnedFrame { link: turn.link, angle: turn.angle?.text }));
+        let turned = turned.filter_map(|FrameShift { link, angle, is_reversed, .. }| {
+            Some(TurnedFrame { link, angle: angle?.text, is_reversed })
+        });
         let mut turned: Vec<_> = turned.collect();
         turned.sort_by_key(|turned| turned.link.to_string());
         turned
@@ -186,6 +187,7 @@ impl Turns {
                 StatementKind::Group(group)
             }
             StatementKind::Action(action) => StatementKind::Action(self.action(action)),
+            StatementKind::Solve(solve) => StatementKind::Solve(self.solve(solve)),
             kind => kind.clone(),
         };
         Statement { docs: statement.docs.clone(), kind }
@@ -279,13 +281,36 @@ impl Turns {
     fn action(&self, action: &Action) -> Action {
         let mut action = action.clone();
         match &mut action {
-            Action::Mass { on, place: MassSite::At(place), .. } => *place = self.place(on, place),
+            Action::Gravity { value, .. } | Action::Force { value, axes: None, .. } => {
+                *value = self.pair(value);
+            }
             Action::Force { value, axes: Some(axes), .. } => {
                 *value = self.components(axes, value);
             }
-            _ => {}
+            Action::Mass { value, on, place, inertia } => {
+                *value = self.expr(value);
+                *inertia = inertia.as_ref().map(|inertia| self.expr(inertia));
+                if let MassSite::At(at) = place {
+                    *at = self.place(on, at);
+                }
+            }
+            Action::Inertia { value, .. }
+            | Action::ForceBetween { value, .. }
+            | Action::Torque { value, .. }
+            | Action::TorqueBetween { value, .. } => *value = self.expr(value),
+            Action::Spring { fields, .. } => self.group(fields),
         }
         action
+    }
+
+    fn solve(&self, solve: &Solve) -> Solve {
+        Solve {
+            unknown: solve.unknown.clone(),
+            equation: solve.equation.as_ref().map(|sides| self.pair(sides)),
+            mode: solve.mode.clone(),
+            near: solve.near.as_ref().map(|near| self.expr(near)),
+            ..*solve
+        }
     }
 }
 
