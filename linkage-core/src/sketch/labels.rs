@@ -311,7 +311,7 @@ mod tests {
     #[test]
     fn what_is_asked_for_stands_beside_a_line_through_its_joint() {
         let at = std::vec![Some([0.0, 0.0])];
-        let label = Label { text: "B".into(), at, is_wanted: false };
+        let label = Label { text: "B".into(), at, colour: None };
         let line = [[-100.0, 100.0], [100.0, -100.0]];
         let obstacles = Obstacles { lines: std::vec![(line, 2.5)], ..Obstacles::default() };
         let placed = place(std::vec![label], &[obstacles]);

@@ -226,8 +226,10 @@ impl Resolver<'_> {
             return self.diagnostics.error_because(member.span(), message, reason);
         }
         if !MEMBERS.contains(&part.as_str()) {
-            self.link(owner);
-            self.member_exists(owner, member);
+            // The parts of an unknown link are unknown too.
+            if self.link(owner).is_some() {
+                self.member_exists(owner, member);
+            }
             return;
         }
         let Some(link) = self.link(owner) else {

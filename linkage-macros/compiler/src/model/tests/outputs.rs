@@ -148,6 +148,7 @@ fn a_link_gives_what_it_has() {
             "x: `AB` is a link and has no `x`; name a point / a point of it is declared `point \
              P on AB at (x, y);`",
         ),
+        (CRANK, "output motor.drive;", "motor: no link named `motor` / declared so far: `AB`"),
         (
             CRANK,
             "output AB.angel;",
