@@ -352,6 +352,31 @@ impl Expr {
         }
     }
 
+    /// The expression with each part that the function gives another for replaced by that, outer parts
+    /// first; what is given is not looked into.
+    pub(crate) fn replaced(&self, by: &impl Fn(&Self) -> Option<Self>) -> Self {
+        if let Some(other) = by(self) {
+            return other;
+        }
+        let inside = |part: &Self| part.replaced(by);
+        let kind = match &self.kind {
+            ExprKind::Negate(inner) => ExprKind::Negate(Box::new(inside(inner))),
+            ExprKind::Chain(first, rest) => ExprKind::Chain(
+                Box::new(inside(first)),
+                rest.iter().map(|(operator, operand)| (*operator, inside(operand))).collect(),
+            ),
+            ExprKind::Call(function, arguments) => {
+                ExprKind::Call(function.clone(), arguments.iter().map(inside).collect())
+            }
+            kind => kind.clone(),
+        };
+        Self { kind, span: self.span }
+    }
+
+    pub(crate) fn negated(self) -> Self {
+        Self { span: self.span, kind: ExprKind::Negate(Box::new(self)) }
+    }
+
     pub(crate) fn is_mistake(&self) -> bool {
         matches!(self.kind, ExprKind::Mistake)
     }

@@ -93,23 +93,13 @@ impl<'t> Bodies<'t> {
 
     /// The expression with the angles of links as they are drawn.
     pub(super) fn as_drawn(&self, expr: &Expr, pen: &Pen) -> Expr {
-        let inside = |expr: &Expr| self.as_drawn(expr, pen);
-        let kind = match &expr.kind {
-            ExprKind::Member(link, member) if member == "angle" => match self.body(link) {
-                Some(body) => return pen.float(self.drawn_angle(body), "rad"),
-                None => expr.kind.clone(),
-            },
-            ExprKind::Negate(inner) => ExprKind::Negate(Box::new(inside(inner))),
-            ExprKind::Chain(first, rest) => ExprKind::Chain(
-                Box::new(inside(first)),
-                rest.iter().map(|(operator, operand)| (*operator, inside(operand))).collect(),
-            ),
-            ExprKind::Call(function, arguments) => {
-                ExprKind::Call(function.clone(), arguments.iter().map(inside).collect())
+        expr.replaced(&|part| match &part.kind {
+            ExprKind::Member(link, member) if member == "angle" => {
+                let body = self.body(link)?;
+                Some(pen.float(self.drawn_angle(body), "rad"))
             }
-            kind => kind.clone(),
-        };
-        Expr { kind, span: expr.span }
+            _ => None,
+        })
     }
 
     /// Whether a point is a pin of a body.

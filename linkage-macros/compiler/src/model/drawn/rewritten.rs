@@ -103,28 +103,14 @@ impl Turns {
         }
     }
 
-    pub(super) fn negated(&self, expr: &Expr) -> Expr {
-        Expr { kind: ExprKind::Negate(Box::new(expr.clone())), span: expr.span }
-    }
-
     /// An expression in which the angles of links are those of their groups' frames.
     pub(super) fn expr(&self, expr: &Expr) -> Expr {
-        let inside = |expr: &Expr| self.expr(expr);
-        let kind = match &expr.kind {
+        expr.replaced(&|part| match &part.kind {
             ExprKind::Member(link, member) if member == "angle" => {
-                return self.added(link, expr.clone());
+                Some(self.added(link, part.clone()))
             }
-            ExprKind::Negate(inner) => ExprKind::Negate(Box::new(inside(inner))),
-            ExprKind::Chain(first, rest) => ExprKind::Chain(
-                Box::new(inside(first)),
-                rest.iter().map(|(operator, operand)| (*operator, inside(operand))).collect(),
-            ),
-            ExprKind::Call(function, arguments) => {
-                ExprKind::Call(function.clone(), arguments.iter().map(inside).collect())
-            }
-            kind => kind.clone(),
-        };
-        Expr { kind, span: expr.span }
+            _ => None,
+        })
     }
 
     fn pair(&self, [first, second]: &[Expr; 2]) -> [Expr; 2] {

@@ -135,25 +135,13 @@ impl<'d> Measured<'d> {
 
     /// The expression with the pins' coordinates as they are drawn.
     pub(super) fn substituted(&self, expr: &Expr) -> Expr {
-        let inside = |expr: &Expr| self.substituted(expr);
-        let kind = match &expr.kind {
+        expr.replaced(&|part| match &part.kind {
             ExprKind::Member(owner, member) if member == "x" || member == "y" => {
-                match self.places.get(&owner.to_string()) {
-                    Some(place) => return place[usize::from(member == "y")].text.clone(),
-                    None => expr.kind.clone(),
-                }
+                let place = self.places.get(&owner.to_string())?;
+                Some(place[usize::from(member == "y")].text.clone())
             }
-            ExprKind::Negate(inner) => ExprKind::Negate(Box::new(inside(inner))),
-            ExprKind::Chain(first, rest) => ExprKind::Chain(
-                Box::new(inside(first)),
-                rest.iter().map(|(operator, operand)| (*operator, inside(operand))).collect(),
-            ),
-            ExprKind::Call(function, arguments) => {
-                ExprKind::Call(function.clone(), arguments.iter().map(inside).collect())
-            }
-            kind => kind.clone(),
-        };
-        Expr { kind, span: expr.span }
+            _ => None,
+        })
     }
 
     /// The length that an expression of constants and parameters is; `None` where it is in error,

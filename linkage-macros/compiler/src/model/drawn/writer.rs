@@ -129,7 +129,7 @@ impl<'b, 't> Writer<'b, 't> {
         let value = self.turns.expr(&self.bodies.drives[drive].1.value);
         match self.bodies.machine.drives[drive].bodies[0] == body {
             true => value,
-            false => Expr { span: value.span, kind: ExprKind::Negate(Box::new(value)) },
+            false => value.negated(),
         }
     }
 
@@ -340,7 +340,7 @@ impl<'b, 't> Writer<'b, 't> {
             let name = bodies.pins[pin].name.clone();
             let place = match length {
                 // The first of two pins, seen from the second.
-                Some(length) => [self.turns.negated(length), self.pen.zero().text],
+                Some(length) => [length.clone().negated(), self.pen.zero().text],
                 None => frame
                     .local(&self.pen.at(name.span()), self.place(pin))
                     .map(|number| number.text),
