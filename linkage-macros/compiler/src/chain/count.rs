@@ -226,9 +226,7 @@ fn dependence(machine: &Machine, network: &Network) -> Vec<Vec<usize>> {
         if let Some(given) = &of.given {
             needs[body].extend(&given.bodies);
             needs[body].extend(given.pins.iter().map(|pin| bodies + pin));
-            for pin in of.pins.iter().filter(|pin| !given.pins.contains(pin)) {
-                needs[bodies + pin].push(body);
-            }
+            of.made().for_each(|pin| needs[bodies + pin].push(body));
         }
     }
     needs

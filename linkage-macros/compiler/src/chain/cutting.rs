@@ -1,6 +1,6 @@
 //! Drivers and dyads among bodies that depend on each other.
 
-use super::machine::{Driven, GROUND, Machine};
+use super::machine::{Driven, Machine};
 use super::options::Search;
 
 /// The step that places bodies once all before it are placed.
@@ -96,16 +96,10 @@ impl Placed {
             bodies: vec![false; machine.bodies.len()],
             pins: vec![false; machine.pins.len()],
         };
-        let given: Vec<_> =
-            (0..machine.bodies.len()).filter(|&body| machine.is_given(body)).collect();
-        known.bodies[GROUND] = true;
-        machine.bodies[GROUND].pins.iter().for_each(|&pin| known.pins[pin] = true);
-        for body in given {
+        // The ground is one of them.
+        for body in (0..machine.bodies.len()).filter(|&body| machine.is_given(body)) {
             known.bodies[body] = true;
-            let needs = machine.bodies[body].given.as_ref();
-            let made = machine.bodies[body].pins.iter();
-            let made = made.filter(|pin| needs.is_none_or(|needs| !needs.pins.contains(pin)));
-            made.for_each(|&pin| known.pins[pin] = true);
+            machine.bodies[body].made().for_each(|pin| known.pins[pin] = true);
         }
         known
     }

@@ -26,6 +26,16 @@ pub(crate) struct RigidBody {
     pub reads: Vec<usize>,
 }
 
+impl RigidBody {
+    /// The pins that are there by the body, where it is given or the ground: all but those that it depends
+    /// on.
+    pub(crate) fn made(&self) -> impl Iterator<Item = usize> {
+        let needs = self.given.as_ref();
+        let is_own = move |pin: &usize| needs.is_none_or(|needs| !needs.pins.contains(pin));
+        self.pins.iter().copied().filter(is_own)
+    }
+}
+
 /// The bodies and pins that a given body depends on.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Footing {

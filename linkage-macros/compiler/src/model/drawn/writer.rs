@@ -57,13 +57,9 @@ impl<'b, 't> Writer<'b, 't> {
     pub(super) fn new(bodies: &'b Bodies<'t>, pen: &Pen) -> Self {
         // Points that are declared on links have statements of their own.
         let mut made: Vec<_> = bodies.pins.iter().map(|pin| pin.on.is_some()).collect();
-        for (index, body) in bodies.machine.bodies.iter().enumerate() {
-            let needs = body.given.as_ref();
-            if index == GROUND || needs.is_some() {
-                let own = body.pins.iter();
-                let own = own.filter(|pin| needs.is_none_or(|needs| !needs.pins.contains(pin)));
-                own.for_each(|&pin| made[pin] = true);
-            }
+        let machine = &bodies.machine;
+        for body in (0..machine.bodies.len()).filter(|&body| machine.is_given(body)) {
+            machine.bodies[body].made().for_each(|pin| made[pin] = true);
         }
         let turns = Turns::new(pen);
         let own = vec![None; bodies.machine.bodies.len()];
