@@ -3,7 +3,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use linkage_core::{Point, Side, SolveError, Tracker, mechanism};
+use linkage_core::{Point, Side, Tracker, mechanism};
+use linkage_tests::integration::step;
+use linkage_tests::mechanisms::dynamics::leg_opening;
 use linkage_tests::random::Random;
 
 mechanism! {
@@ -101,20 +103,6 @@ mechanism! {
     }
 }
 
-/// A step of the classical Runge–Kutta method.
-fn step(
-    rates: impl Fn([f64; 2]) -> Result<[f64; 2], SolveError>,
-    state: [f64; 2],
-    h: f64,
-) -> Result<[f64; 2], SolveError> {
-    let along = |k: [f64; 2], h: f64| [state[0] + h * k[0], state[1] + h * k[1]];
-    let k1 = rates(state)?;
-    let k2 = rates(along(k1, h / 2.0))?;
-    let k3 = rates(along(k2, h / 2.0))?;
-    let k4 = rates(along(k3, h))?;
-    Ok([0, 1].map(|i| state[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i])))
-}
-
 #[test]
 fn multibodys_four_bars_have_two_states() {
     let solver = Multibody::new();
@@ -176,23 +164,8 @@ mechanism! {
     }
 }
 
-/// By how much the worst of the eleven bars is not as long as it is.
 fn opening(p: &StrandbeestPosition<f64>) -> f64 {
-    let [a, d] = [Point { x: 0.0, y: 0.0 }, Point { x: -0.38, y: -0.078 }];
-    let bars = [
-        (a, p.B, 0.15),
-        (p.B, p.U, 0.5),
-        (d, p.U, 0.415),
-        (p.B, p.L, 0.619),
-        (d, p.L, 0.393),
-        (d, p.E, 0.401),
-        (p.U, p.E, 0.558),
-        (p.E, p.F, 0.394),
-        (p.L, p.F, 0.367),
-        (p.L, p.foot, 0.49),
-        (p.F, p.foot, 0.657),
-    ];
-    bars.iter().map(|(a, b, length)| (a.distance(*b) - length).abs()).fold(0.0, f64::max)
+    leg_opening([p.B, p.U, p.L, p.E, p.F, p.foot])
 }
 
 #[test]

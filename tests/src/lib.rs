@@ -8,6 +8,7 @@ pub mod accuracy;
 pub mod conditioning;
 pub mod double_double;
 pub mod hard_table;
+pub mod integration;
 pub mod measured;
 pub mod mechanisms;
 pub mod random;

@@ -1,41 +1,11 @@
 //! Free motion over a long time: loops stay closed because positions are solved, not integrated.
 
-use linkage_core::{Point, SolveError};
-use linkage_tests::mechanisms::dynamics::{FallingLeg, FallingLegPosition};
+use linkage_tests::integration::step;
+use linkage_tests::mechanisms::dynamics::{FallingLeg, FallingLegPosition, leg_opening};
 use linkage_tests::mechanisms::forces::ShakenFourBar;
 
-/// A step of the classical Runge–Kutta method.
-fn step(
-    rates: impl Fn([f64; 2]) -> Result<[f64; 2], SolveError>,
-    state: [f64; 2],
-    h: f64,
-) -> Result<[f64; 2], SolveError> {
-    let along = |k: [f64; 2], h: f64| [state[0] + h * k[0], state[1] + h * k[1]];
-    let k1 = rates(state)?;
-    let k2 = rates(along(k1, h / 2.0))?;
-    let k3 = rates(along(k2, h / 2.0))?;
-    let k4 = rates(along(k3, h))?;
-    Ok([0, 1].map(|i| state[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i])))
-}
-
-/// By how much the worst bar of the leg is not as long as declared.
 fn opening(p: &FallingLegPosition<f64>) -> f64 {
-    let d = Point { x: -0.38, y: -0.078 };
-    let a = Point { x: 0.0, y: 0.0 };
-    let bars = [
-        (a, p.B, 0.15),
-        (p.B, p.U, 0.5),
-        (d, p.U, 0.415),
-        (p.B, p.L, 0.619),
-        (d, p.L, 0.393),
-        (d, p.E, 0.401),
-        (p.U, p.E, 0.558),
-        (p.E, p.F, 0.394),
-        (p.L, p.F, 0.367),
-        (p.L, p.foot, 0.49),
-        (p.F, p.foot, 0.657),
-    ];
-    bars.iter().map(|(a, b, length)| (a.distance(*b) - length).abs()).fold(0.0, f64::max)
+    leg_opening([p.B, p.U, p.L, p.E, p.F, p.foot])
 }
 
 fn largest(p: &FallingLegPosition<f64>) -> f64 {

@@ -1,6 +1,6 @@
 //! Mechanisms that move under forces.
 
-use linkage_core::mechanism;
+use linkage_core::{Point, mechanism};
 
 mechanism! {
     /// Theo Jansen's leg, every bar uniform, its crank free to turn.
@@ -28,6 +28,27 @@ mechanism! {
 
         output B, U, L, E, F, foot, energy, theta.drive;
     }
+}
+
+/// By how much the worst of the eleven bars of Jansen's leg is not as long as declared. The points are
+/// `B`, `U`, `L`, `E`, `F` and `foot`.
+#[must_use]
+pub fn leg_opening([b, u, l, e, f, foot]: [Point<f64>; 6]) -> f64 {
+    let [a, d] = [Point { x: 0.0, y: 0.0 }, Point { x: -0.38, y: -0.078 }];
+    let bars = [
+        (a, b, 0.15),
+        (b, u, 0.5),
+        (d, u, 0.415),
+        (b, l, 0.619),
+        (d, l, 0.393),
+        (d, e, 0.401),
+        (u, e, 0.558),
+        (e, f, 0.394),
+        (l, f, 0.367),
+        (l, foot, 0.49),
+        (f, foot, 0.657),
+    ];
+    bars.iter().map(|(a, b, length)| (a.distance(*b) - length).abs()).fold(0.0, f64::max)
 }
 
 mechanism! {
