@@ -121,7 +121,10 @@ fn a_film_plays_as_an_image_too() {
     for piece in pieces().iter().take(5) {
         let text = piece.film.to_svg().unwrap();
         let name = piece.name.replace("::", "_");
-        assert!(shot(&text, &name, 300) != shot(&text, &name, 1300), "{} stands still", piece.name);
+        // A browser that has little of the processor may have drawn no second frame yet.
+        let early = shot(&text, &name, 300);
+        let moves = [1300, 2900, 4700, 7300].iter().any(|&at| shot(&text, &name, at) != early);
+        assert!(moves, "{} stands still", piece.name);
         // A still does not.
         let still = piece.film.still().to_svg().unwrap();
         assert!(shot(&still, &name, 300) == shot(&still, &name, 1300), "{} moves", piece.name);
