@@ -11,6 +11,7 @@ use super::text::Text;
 use crate::interface::entries::Given;
 use crate::ir::graph::Node;
 use crate::lower::label;
+use crate::lower::places::{Part, Place, argument as argument_of, place};
 
 /// The names of the arguments of all functions, without repetition.
 pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
@@ -49,13 +50,6 @@ impl Form<'_> {
             Self::List(count) => *count,
         }
     }
-}
-
-/// The part of an argument that is read.
-enum Part<'a> {
-    All,
-    Field(&'a Ident),
-    Index(u32),
 }
 
 /// A load may be called like an argument that is about the inputs: then it gets a tail.
@@ -170,54 +164,21 @@ impl<'a> Arguments<'a> {
 
     /// Names the arguments that are not read, so that none counts as forgotten.
     pub(super) fn unread(&self, reads: &[Node]) -> TokenStream {
-        let read: Vec<usize> = reads.iter().filter_map(|&node| self.position_of(node)).collect();
+        let read: Vec<usize> =
+            reads.iter().filter_map(|&node| argument_of(self.given, node)).collect();
         let unread = self.names.iter().enumerate().filter(|(i, _)| !read.contains(i));
         unread.map(|(_, name)| quote!(let _ = #name;)).collect()
     }
 
-    /// The index of the argument that a node reads.
-    fn position_of(&self, node: Node) -> Option<usize> {
-        let given = match node {
-            Node::InputCos(_) => Given::Cosine,
-            Node::InputSin(_) => Given::Sine,
-            Node::Load(_) => Given::Loads,
-            Node::Drive(_) => Given::Drives,
-            Node::Input { order, .. } => {
-                [Given::Value, Given::Rate, Given::Acceleration][usize::from(order)]
-            }
-            _ => return None,
-        };
-        self.given.iter().position(|&known| known == given)
-    }
-
     /// The expression that reads an input or a parameter.
     pub(super) fn written(&self, node: Node) -> Option<String> {
-        Some(match self.place(node)? {
-            (None, Part::Field(field)) => format!("self.{field}"),
-            (Some(name), Part::Field(field)) => format!("{name}.{field}"),
-            (Some(name), Part::Index(index)) => format!("{name}[{index}]"),
-            (name, _) => name?.to_string(),
+        let cx = self.cx;
+        Some(match place(cx.mechanism, cx.interface, self.given, node)? {
+            Place::Param(field) => format!("self.{field}"),
+            Place::Argument(at, Part::All) => self.names[at].to_string(),
+            Place::Argument(at, Part::Field(field)) => format!("{}.{field}", self.names[at]),
+            Place::Argument(at, Part::Index(index)) => format!("{}[{index}]", self.names[at]),
         })
-    }
-
-    /// The argument that an input or a parameter is part of, or the solver itself.
-    fn place(&self, node: Node) -> Option<(Option<&Ident>, Part<'_>)> {
-        let mechanism = self.cx.mechanism;
-        if let Node::Param(param) = node {
-            return Some((None, Part::Field(&mechanism.params[param as usize].name)));
-        }
-        let name = &self.names[self.position_of(node)?];
-        let part = match node {
-            Node::Input { input, .. } if self.cx.inputs().is_some() => {
-                Part::Field(&mechanism.inputs[input as usize].name)
-            }
-            Node::Load(load) if self.cx.loads().is_some() => {
-                Part::Field(&mechanism.dynamics.loads[load as usize].name)
-            }
-            Node::Drive(input) if self.cx.inputs().is_some() => Part::Index(input),
-            _ => Part::All,
-        };
-        Some((Some(name), part))
     }
 
     /// A list of inputs and parameters, each with what an error calls it.

@@ -11,8 +11,8 @@ use quote::{ToTokens, quote};
 use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{generated, used};
+use super::in_rust::RustPrinter;
 use super::results;
-use super::statements::Printer;
 use super::text::Text;
 use super::token_list::Tokens;
 use crate::interface::records::{Field, Record, Shape};
@@ -61,7 +61,7 @@ pub(super) fn functions(cx: &Context<'_>) -> TokenStream {
 
 fn function(cx: &Context<'_>, routine: &Routine) -> TokenStream {
     let mut lines = Text::long();
-    let printer = Printer::beginning(cx, routine, &mut lines);
+    let printer = RustPrinter::beginning(cx, routine, &mut lines);
     let name = generated(&routine.name);
     match &routine.stages[..] {
         [only] => {
@@ -78,9 +78,9 @@ fn function(cx: &Context<'_>, routine: &Routine) -> TokenStream {
     }
 }
 
-fn assemble(printer: &Printer<'_>, stage: &Stage, to: &mut Text) {
+fn assemble(printer: &RustPrinter<'_>, stage: &Stage, to: &mut Text) {
     let mut sinks = stage.sinks.iter();
-    results::assemble(printer.cx, stage.result, to, &mut |to| {
+    results::assemble(printer.dialect.cx, stage.result, to, &mut |to| {
         let sink = sinks.next().expect("a result has as many numbers as sinks");
         printer.value(*sink, to);
     });
@@ -110,8 +110,8 @@ fn stage_fields<'a>(cx: &Context<'a>, routine: &Routine) -> &'a [Field] {
 
 /// Stage after stage, each followed by its record. The records of the stages that are not asked
 /// for hold zeros.
-fn in_stages(printer: &Printer<'_>, stages: &[Stage], to: &mut Text) {
-    let cx = printer.cx;
+fn in_stages(printer: &RustPrinter<'_>, stages: &[Stage], to: &mut Text) {
+    let cx = printer.dialect.cx;
     let record = record_of(cx, printer.routine);
     let locals: Vec<String> =
         record.fields.iter().map(|field| format!("{}_", field.name)).collect();
@@ -153,12 +153,13 @@ fn zeros(cx: &Context<'_>, fields: &[Field], locals: &[String], to: &mut Text) {
 /// Inlined always: as a call of its own it would hand its results over through memory, one more
 /// time, which costs a four-bar's solve a tenth of its throughput and a fifth of its latency; and
 /// a sweep would run it on the instruction set of the rest of the program.
-fn definition(printer: &Printer<'_>, name: &impl ToTokens, lines: &Text) -> TokenStream {
-    let (cx, routine, scalar) = (printer.cx, printer.routine, &printer.cx.names.scalar);
+fn definition(printer: &RustPrinter<'_>, name: &impl ToTokens, lines: &Text) -> TokenStream {
+    let (cx, routine, scalar) =
+        (printer.dialect.cx, printer.routine, &printer.dialect.cx.names.scalar);
     let scalar = quote!(#scalar);
-    let unread = printer.arguments.unread(&routine.reads);
+    let unread = printer.dialect.arguments.unread(&routine.reads);
     let (result, received) =
-        (results::ty(cx, routine.result, &scalar), printer.arguments.received(&scalar));
+        (results::ty(cx, routine.result, &scalar), printer.dialect.arguments.received(&scalar));
     let (guard, guards) = (generated("checks_"), cx.paths.item("Checks"));
     let unguarded = (!routine.has_checks).then(|| quote!(let _ = #guard;));
     quote! {

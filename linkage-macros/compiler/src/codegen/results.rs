@@ -6,8 +6,9 @@ use quote::quote;
 use super::context::Context;
 use super::identifiers::generated;
 use super::text::Text;
+use crate::interface::components::Component;
 use crate::interface::quantity::{Layout, Part};
-use crate::interface::records::{Field, Shape};
+use crate::interface::records::Shape;
 
 /// The type of a result, for numbers of this type.
 pub(super) fn ty(cx: &Context<'_>, shape: Shape, scalar: &TokenStream) -> TokenStream {
@@ -97,24 +98,12 @@ fn quantity_of(cx: &Context<'_>, layout: &Layout, to: &mut Text, next: &mut dyn 
 
 /// The numbers of a result, in the order in which [`assemble`] takes them.
 pub(super) fn components(cx: &Context<'_>, shape: Shape, result: &str) -> Vec<String> {
-    match shape {
-        Shape::Number => vec![result.to_string()],
-        Shape::List(count) => (0..count).map(|index| format!("{result}[{index}]")).collect(),
-        Shape::Quantity(quantity, order) => {
-            let parts = quantity.layout(order).parts.iter();
-            parts.map(|part| read(result, part)).collect()
-        }
-        Shape::Matrix { rows, columns } => {
-            let entry = |column, row| format!("{result}[{row}][{column}]");
-            (0..columns).flat_map(|c| (0..rows).map(move |r| entry(c, r))).collect()
-        }
-        Shape::Record(id) => {
-            let fields = cx.record(id).fields.iter();
-            let of =
-                |field: &Field| components(cx, field.shape, &format!("{result}.{}", field.name));
-            fields.flat_map(of).collect()
-        }
-    }
+    let written = |step: &Component| match step {
+        Component::Field(name) => format!(".{name}"),
+        Component::Index(at) => format!("[{at}]"),
+    };
+    let ways = cx.interface.components(shape).into_iter();
+    ways.map(|way| result.to_string() + &way.iter().map(written).collect::<String>()).collect()
 }
 
 /// A component of a record; of a plain number the number itself.

@@ -7,7 +7,7 @@ use super::context::Context;
 use super::costs_in_words::{self, MOST};
 use super::doc_comments;
 use super::identifiers::{generated, text};
-use super::statements::Printer;
+use super::in_rust::RustPrinter;
 use super::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
@@ -24,7 +24,7 @@ pub(super) fn functions(cx: &Context<'_>) -> TokenStream {
 }
 
 fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
-    let (printer, scalar) = (Printer::new(cx, &search.routine), &cx.names.scalar);
+    let (printer, scalar) = (RustPrinter::new(cx, &search.routine), &cx.names.scalar);
     let given = search.given.iter().map(|&id| printer.name(id));
     let count = Literal::usize_unsuffixed(search.given.len());
     let [result, error, option] = ["Result", "FindError", "Option"].map(|item| cx.paths.item(item));
@@ -80,7 +80,12 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
 }
 
 /// The side that no trial changes, as the search is given it.
-fn apart_of(cx: &Context<'_>, printer: &Printer<'_>, search: &Search, apart: Apart) -> TokenStream {
+fn apart_of(
+    cx: &Context<'_>,
+    printer: &RustPrinter<'_>,
+    search: &Search,
+    apart: Apart,
+) -> TokenStream {
     let Apart { given, has_one_root } = apart;
     let (ty, is_right) = (cx.paths.item("Apart"), given == 1);
     let given = printer.value_alone(search.sought.sides[given]);

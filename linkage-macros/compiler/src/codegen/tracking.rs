@@ -7,9 +7,9 @@ use quote::quote;
 use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::generated;
+use super::in_rust::RustPrinter;
 use super::input_records::{input_of, of_fields, of_numbers};
 use super::solver;
-use super::statements::Printer;
 use super::text::Text;
 use crate::interface::entries::Given;
 use crate::lower::routine::Routine;
@@ -100,7 +100,7 @@ pub(super) fn with_rates(cx: &Context<'_>) -> Option<TokenStream> {
 fn listed(cx: &Context<'_>, routine: &Routine) -> Text {
     let mut text = Text::long();
     let (printer, clearance) =
-        (Printer::beginning(cx, routine, &mut text), cx.paths.written("Clearance"));
+        (RustPrinter::beginning(cx, routine, &mut text), cx.paths.written("Clearance"));
     routine.stages.iter().for_each(|stage| printer.statements(&stage.statements, &mut text));
     let names = ["value", "scale", "rate", "second_rate"];
     text.put("[").list(&cx.program().clearances, |to, group| {

@@ -5,6 +5,7 @@
 //! code, its documentation and the C header read it. Nothing here computes and nothing prints.
 
 mod catalogue;
+pub(crate) mod components;
 pub(crate) mod entries;
 pub(crate) mod forces;
 pub(crate) mod labels;

@@ -31,7 +31,7 @@ impl Count<'_> {
     fn statements(&mut self, statements: &[Statement]) {
         for statement in statements {
             match statement {
-                Statement::Let(id) | Statement::Hypot { id, .. } => self.operands(*id),
+                Statement::Let(id) | Statement::Length { id, .. } => self.operands(*id),
                 Statement::Check(condition) => {
                     self.value(condition.value);
                     condition.operands.iter().for_each(|&operand| self.value(operand));

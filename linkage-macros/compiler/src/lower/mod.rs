@@ -5,7 +5,7 @@
 //! `plan` says which entry point computes for itself, `ranges` how large values can become,
 //! `overflow` what is asked so that none overflows, `witnesses` which results stand for all, `limits` in
 //! which comparisons, `checks` what a condition becomes, `schedule` in which order statements stand, `locals` what they
-//! are called, `constants` which constants are, `nesting` which values have no name, `one_root` whether an equation has several.
+//! are called, `constants` which constants are, `nesting` which values have no name, `one_root` whether an equation has several, `places` where arguments are read.
 
 pub(crate) mod apart;
 mod build;
@@ -17,6 +17,7 @@ mod locals;
 mod nesting;
 mod one_root;
 mod overflow;
+pub(crate) mod places;
 mod plan;
 mod ranges;
 pub(crate) mod routine;

@@ -116,7 +116,7 @@ pub(crate) enum Statement {
         is_checked: bool,
     },
     /// A hypotenuse that the fast path needs: it asks for one whose square is in range.
-    Hypot {
+    Length {
         id: Id,
         least_square: Threshold,
     },

@@ -81,7 +81,7 @@ impl<'a> Schedule<'a> {
                 Node::Apply2(Function::Hypot, ..) if is_measured => {
                     let known = self.overflow.map(|overflow| overflow.least_square(id));
                     let least_square = known.unwrap_or(Threshold::SmallestSquare);
-                    Some(Statement::Hypot { id, least_square })
+                    Some(Statement::Length { id, least_square })
                 }
                 _ if is_leaf(node) => {
                     self.reads.push(node);
@@ -141,7 +141,7 @@ impl<'a> Schedule<'a> {
     /// Tells each local that a statement reads, in the order in which it does.
     pub(super) fn for_uses(&self, statement: &Statement, each: &mut dyn FnMut(Id)) {
         match statement {
-            Statement::Let(id) | Statement::Hypot { id, .. } => {
+            Statement::Let(id) | Statement::Length { id, .. } => {
                 let node = self.graph.node(*id);
                 node.for_operands(&mut |operand| self.for_locals(&[operand], each));
             }
@@ -162,7 +162,7 @@ impl<'a> Schedule<'a> {
 /// The locals that a statement binds.
 pub(super) fn defines(statement: &Statement) -> Vec<Id> {
     match statement {
-        Statement::Let(id) | Statement::Hypot { id, .. } => vec![*id],
+        Statement::Let(id) | Statement::Length { id, .. } => vec![*id],
         Statement::SinCos { sin, cos, .. } => sin.iter().chain(cos).copied().collect(),
         Statement::Check(condition) => vec![condition.id],
         Statement::Find { root, size, .. } => [*root].into_iter().chain(*size).collect(),
@@ -215,7 +215,7 @@ mod tests {
             let mut schedule = Schedule::new(&graph, &locals, path, None, &[], &[sink]);
             let statements = schedule.stage(&[sink]);
             let asked = statements.iter().filter_map(|statement| match statement {
-                Statement::Hypot { id, least_square } => Some((*id, *least_square)),
+                Statement::Length { id, least_square } => Some((*id, *least_square)),
                 _ => None,
             });
             asked.collect::<Vec<_>>()

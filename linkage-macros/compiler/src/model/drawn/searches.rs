@@ -19,7 +19,7 @@ use super::writer::{Writer, group_of};
 pub(super) struct Sought {
     pub unknown: Ident,
     pub stretch: [f64; 2],
-    /// Whether the first drive is an angle.
+    /// True if the first drive is an angle.
     pub is_angle: bool,
 }
 
