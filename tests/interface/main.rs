@@ -2,4 +2,5 @@
 
 mod generated;
 mod messages;
+mod pages;
 mod records;
