@@ -15,7 +15,7 @@ use super::folding::shown;
 use super::mechanism::{Dimension, Expr, ParamKind};
 use super::names::NUMBERS;
 use super::references::expressions;
-use super::units::unit;
+use super::units::{is_beside_si, unit};
 use crate::reach::absolute;
 
 /// A bare length from which on a unit is asked for, in metres: few mechanisms are as long, and most
@@ -209,12 +209,12 @@ impl Resolver<'_> {
     ) -> Option<()> {
         let is_sum = matches!(rest.first(), Some((BinaryOp::Add | BinaryOp::Sub, _)));
         let operands = || std::iter::once(first).chain(rest.iter().map(|(_, operand)| operand));
-        let (si, other, units) = match measure {
-            Measure::LENGTH => (["m", "metres"], "mm", &["mm", "cm", "um", "in"][..]),
-            Measure::ANGLE => (["rad", "radians"], "deg", &["deg", "turn"][..]),
+        let (si, other, dimension) = match measure {
+            Measure::LENGTH => (["m", "metres"], "mm", Dimension::LENGTH),
+            Measure::ANGLE => (["rad", "radians"], "deg", Dimension::ANGLE),
             _ => return Some(()),
         };
-        if !is_sum || !operands().any(|operand| is_measured_in(operand, units)) {
+        if !is_sum || !operands().any(|operand| is_measured_in(operand, dimension)) {
             return Some(());
         }
         let Some((expr, digits)) = operands().find_map(|operand| Some((operand, bare(operand)?)))
@@ -319,17 +319,17 @@ fn each_part(expr: &tree::Expr, f: &mut impl FnMut(&tree::Expr)) {
     expr.parts().for_each(|part| each_part(part, f));
 }
 
-/// True if the expression is a number with one of these units, or a product with one.
-fn is_measured_in(expr: &tree::Expr, units: &[&str]) -> bool {
+/// True if the expression is a number with a unit beside the SI unit of this dimension, or a product with one.
+fn is_measured_in(expr: &tree::Expr, dimension: Dimension) -> bool {
     match &expr.kind {
         ExprKind::Number { units: own, .. } => {
-            own.iter().any(|(unit, _)| units.contains(&unit.as_str()))
+            own.iter().any(|(unit, _)| is_beside_si(unit, dimension))
         }
-        ExprKind::Negate(inner) => is_measured_in(inner, units),
+        ExprKind::Negate(inner) => is_measured_in(inner, dimension),
         ExprKind::Chain(first, rest) => {
             let is_product = matches!(rest.first(), Some((BinaryOp::Mul | BinaryOp::Div, _)));
             let mut operands = std::iter::once(&**first).chain(rest.iter().map(|(_, o)| o));
-            is_product && operands.any(|operand| is_measured_in(operand, units))
+            is_product && operands.any(|operand| is_measured_in(operand, dimension))
         }
         _ => false,
     }

@@ -15,6 +15,7 @@ pub(super) fn unit(name: &str) -> Option<(Dimension, Exact)> {
         "mm" => (Dimension::LENGTH, ratio(1, 1000)),
         "um" => (Dimension::LENGTH, ratio(1, 1_000_000)),
         "in" => (Dimension::LENGTH, ratio(254, 10_000)),
+        "ft" => (Dimension::LENGTH, ratio(3048, 10_000)),
         "rad" => (Dimension::ANGLE, Exact::integer(1)),
         "deg" => (Dimension::ANGLE, Exact::pi().mul(&ratio(1, 180))),
         "turn" => (Dimension::ANGLE, Exact::pi().mul(&Exact::integer(2))),
@@ -30,6 +31,11 @@ pub(super) fn unit(name: &str) -> Option<(Dimension, Exact)> {
     Some((dimension, value))
 }
 
+/// True if a unit is one of this dimension's, but not the SI unit that a bare number has.
+pub(super) fn is_beside_si(name: &str, dimension: Dimension) -> bool {
+    unit(name).is_some_and(|(own, value)| own == dimension && value != Exact::integer(1))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -42,6 +48,7 @@ mod tests {
             Exact::decimal(digits).unwrap().mul(&factor)
         };
         assert_eq!(value("1", "in"), value("25.4", "mm"));
+        assert_eq!(value("1", "ft"), value("12", "in"));
         assert_eq!(value("180", "deg"), Exact::pi());
         assert_eq!(value("0.5", "turn"), Exact::pi());
         assert_eq!(value("1500", "g"), value("1.5", "kg"));

@@ -60,8 +60,8 @@ const RUST: [&str; 53] = [
 ];
 
 /// The units a number may have.
-pub(crate) const UNITS: [&str; 15] =
-    ["m", "mm", "cm", "um", "in", "rad", "deg", "turn", "kg", "g", "t", "N", "kN", "s", "ms"];
+pub(crate) const UNITS: [&str; 16] =
+    ["m", "mm", "cm", "um", "in", "ft", "rad", "deg", "turn", "kg", "g", "t", "N", "kN", "s", "ms"];
 
 /// Units that are as likely a name: `2 s` may want an operator.
 pub(crate) const LIKELY_NAMES: [&str; 3] = ["s", "t", "N"];
@@ -98,7 +98,7 @@ pub(super) fn refusal(word: &str) -> Option<(&'static str, &'static str)> {
 pub(super) fn meant_by(word: &str) -> Option<&'static str> {
     match word {
         "const" | "static" | "var" | "def" => Some("let"),
-        "fixed" | "pivot" | "base" | "frame" => Some("ground"),
+        "fixed" | "pivot" | "base" | "frame" | "anchor" => Some("ground"),
         "line" | "rail" | "axis" => Some("guide"),
         "marker" => Some("point"),
         "parameter" | "variable" => Some("param"),

@@ -130,6 +130,11 @@ fn a_bare_number_is_no_forgotten_unit() {
         ),
         (
             CRANK,
+            "let a = 2ft + 1; output a;",
+            "1: write the unit of `1`: `1mm` or `1m` / a number without a unit is in metres",
+        ),
+        (
+            CRANK,
             "let a = t - 90deg - 0.5; output a;",
             "0.5: write the unit of `0.5`: `0.5deg` or `0.5rad` / a number without a unit is in \
              radians",

@@ -161,6 +161,10 @@ fn words_that_begin_no_statement() {
             "fixed: no statement begins with `fixed` / what is meant may be `ground`",
         ),
         (
+            "anchor A(0,0);",
+            "anchor: no statement begins with `anchor` / what is meant may be `ground`",
+        ),
+        (
             "foo;",
             "foo: no statement begins with `foo` / statements are `input`, `param`, `let`, \
              `ground`, `guide`, `point`, `output` and the groups `crank`, `slider`, `rrr`, `rrp`, \
