@@ -78,4 +78,4 @@ mod reach;
 mod syntax;
 
 pub use diagnostics::Diagnostic;
-pub use pipeline::{Options, Output, compile};
+pub use pipeline::{File, Options, Output, c, compile};

@@ -78,6 +78,48 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
     }
 }
 
+/// A file of printed code.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct File {
+    /// The name, without a folder.
+    pub name: String,
+    /// The whole text.
+    pub text: String,
+}
+
+/// Prints the solver of a declaration as C99: its header, its source, and the run-time that all mechanisms
+/// share.
+///
+/// # Errors
+/// The mistakes in the declaration, in the order of the source.
+///
+/// ```
+/// let source = "pub struct Crank { input t: angle; ground A(0, 0); crank AB(A) -> B { length: 2, angle: t } }";
+/// let files = linkage_compiler::c(source.parse().expect("these are tokens")).expect("there is no mistake");
+/// assert_eq!(files[1].name, "crank.c");
+/// assert!(files[1].text.contains("LinkageStatus crank_position("));
+/// ```
+pub fn c(source: TokenStream) -> Result<Vec<File>, Vec<Diagnostic>> {
+    let _atoms = Scope::begin();
+    let mut diagnostics = Diagnostics::new();
+    let declaration = syntax::parse(source, &mut diagnostics);
+    let resolved =
+        declaration.as_ref().map(|declaration| model::resolve(declaration, &mut diagnostics));
+    if let Some(Ok(mechanism)) = &resolved {
+        codegen::c::refuse(mechanism, &mut diagnostics);
+    }
+    match (resolved, diagnostics.finish()) {
+        (Some(Ok(mechanism)), Ok(())) => {
+            let program = program(&mechanism);
+            let printed = codegen::c::generate(&mechanism, &lower::lower(&mechanism, &program));
+            Ok(printed.into_iter().map(|(name, text)| File { name, text }).collect())
+        }
+        (_, Err(Failure(diagnostics))) => Err(diagnostics),
+        (_, Ok(())) => unreachable!("a phase that gives nothing has reported why"),
+    }
+}
+
 /// Equations and passes.
 fn program(mechanism: &Mechanism) -> Program {
     // One graph holds the values of every entry point, written down under the rules: constants

@@ -4,7 +4,7 @@
 //! `reply_`, behind a test for null; everything else is the solver's own safe interface. The items
 //! stand in an unnamed constant, so that they meet no name of the user's.
 
-mod c_identifiers;
+pub(super) mod c_identifiers;
 pub(super) mod header;
 
 use proc_macro2::{Ident, TokenStream};
@@ -43,7 +43,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
 }
 
 /// The name in C of the parameter that points to the declaration's parameters.
-const PARAMETERS: &str = "mechanism";
+pub(super) const PARAMETERS: &str = "mechanism";
 
 /// The parameters in a layout that C can fill with anything; nothing without parameters.
 fn parameters(cx: &Context<'_>) -> TokenStream {

@@ -8,6 +8,7 @@
 mod arguments;
 mod as_solver;
 mod autodiff;
+pub(crate) mod c;
 mod c_export;
 mod checked;
 mod context;

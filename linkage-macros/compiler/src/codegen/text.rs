@@ -25,6 +25,10 @@ impl Text {
         self
     }
 
+    pub(super) fn as_str(&self) -> &str {
+        &self.0
+    }
+
     pub(super) fn append(&mut self, code: &Self) {
         self.put(&code.0);
     }

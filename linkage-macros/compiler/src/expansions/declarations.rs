@@ -8,13 +8,13 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 
-pub(super) struct Declaration {
+pub(crate) struct Declaration {
     /// The mechanism's; for a variant of a group, the variant's.
     pub name: String,
     pub tokens: TokenStream,
 }
 
-pub(super) fn all() -> impl Iterator<Item = Declaration> {
+pub(crate) fn all() -> impl Iterator<Item = Declaration> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut files = Vec::new();
     add_files(&root, &mut files);

@@ -9,7 +9,7 @@
 //! `LINKAGE_RENEW=1 cargo test -p linkage-compiler expansions` writes the file anew, in a commit that
 //! says why.
 
-mod declarations;
+pub(crate) mod declarations;
 mod drawn;
 mod fingerprint;
 mod parts;

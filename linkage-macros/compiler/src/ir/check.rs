@@ -119,6 +119,11 @@ impl Check {
         }
     }
 
+    /// True if both paths look at the operands, and neither puts anything in the value's place.
+    pub(crate) fn is_of_both_paths(&self) -> bool {
+        matches!(self, Self::Closed(_))
+    }
+
     /// True if the last operand is a spread, which the fast path compares the value with.
     pub(crate) fn has_spread(&self) -> bool {
         matches!(self.row().comparison, Some((_, Least::Rounding)))

@@ -10,22 +10,22 @@ use crate::interface::entries::Entry;
 
 /// The number that a type or function is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Width {
+pub(in crate::codegen) enum Width {
     Double,
     Single,
 }
 
 impl Width {
-    pub(super) const ALL: [Self; 2] = [Self::Double, Self::Single];
+    pub(in crate::codegen) const ALL: [Self; 2] = [Self::Double, Self::Single];
 
-    pub(super) fn in_rust(self) -> &'static str {
+    pub(in crate::codegen) fn in_rust(self) -> &'static str {
         match self {
             Self::Double => "f64",
             Self::Single => "f32",
         }
     }
 
-    pub(super) fn in_c(self) -> &'static str {
+    pub(in crate::codegen) fn in_c(self) -> &'static str {
         match self {
             Self::Double => "double",
             Self::Single => "float",
@@ -33,19 +33,19 @@ impl Width {
     }
 
     /// A type of the header for numbers of this width.
-    pub(super) fn type_name(self, name: &str) -> String {
+    pub(in crate::codegen) fn type_name(self, name: &str) -> String {
         let suffix = if self == Self::Single { "F32" } else { "" };
         format!("{}{suffix}", ascii(name))
     }
 }
 
 /// `flying_shear_position` or `flying_shear_position_f32`.
-pub(super) fn function(solver: &Ident, entry: &Entry, width: Width) -> String {
+pub(in crate::codegen) fn function(solver: &Ident, entry: &Entry, width: Width) -> String {
     suffixed(solver, entry.name(), width)
 }
 
 /// The function that returns the parameters as declared.
-pub(super) fn default(solver: &Ident, width: Width) -> String {
+pub(in crate::codegen) fn default(solver: &Ident, width: Width) -> String {
     suffixed(solver, "default", width)
 }
 
@@ -55,7 +55,7 @@ fn suffixed(solver: &Ident, action: &str, width: Width) -> String {
 }
 
 /// `FlyingShear` as `flying_shear`, `RRRDyad` as `rrr_dyad`.
-pub(super) fn snake_case(name: &str) -> String {
+pub(in crate::codegen) fn snake_case(name: &str) -> String {
     let letters: Vec<char> = name.chars().collect();
     let mut snake = String::new();
     for (i, letter) in letters.iter().enumerate() {
@@ -72,7 +72,7 @@ pub(super) fn snake_case(name: &str) -> String {
 }
 
 /// The names of a record's fields or a function's arguments: different, and none a keyword.
-pub(super) fn distinct(names: impl IntoIterator<Item = String>) -> Vec<String> {
+pub(in crate::codegen) fn distinct(names: impl IntoIterator<Item = String>) -> Vec<String> {
     let mut taken = HashSet::new();
     let free = |name: String| {
         let mut name = ascii(&name);

@@ -30,7 +30,7 @@ pub(in crate::codegen) const NO_SOLUTION: &str = "\
 ";
 
 /// The whole header.
-pub(super) fn text(cx: &Context<'_>) -> String {
+pub(in crate::codegen) fn text(cx: &Context<'_>) -> String {
     let solver = plain(&cx.names.solver);
     let guard = snake_case(&solver).to_uppercase();
     let about = about(cx, &solver);
@@ -162,7 +162,7 @@ fn record(cx: &Context<'_>, width: Width, of: &records::Record) -> Record {
 }
 
 /// The dimensions in brackets behind the name of an array.
-fn dimensions(shape: Shape) -> String {
+pub(in crate::codegen) fn dimensions(shape: Shape) -> String {
     match shape {
         Shape::Matrix { rows, columns } => format!("[{rows}][{columns}]"),
         Shape::List(count) => format!("[{count}]"),
@@ -171,7 +171,7 @@ fn dimensions(shape: Shape) -> String {
 }
 
 /// The type of a field.
-fn type_of(cx: &Context<'_>, shape: Shape, width: Width) -> String {
+pub(in crate::codegen) fn type_of(cx: &Context<'_>, shape: Shape, width: Width) -> String {
     match shape {
         Shape::Record(record) => width.type_name(&plain(&cx.record(record).name)),
         Shape::Quantity(quantity, order) => match quantity.layout(order).record {

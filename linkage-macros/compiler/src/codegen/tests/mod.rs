@@ -1,7 +1,10 @@
 //! The text of what small programs expand to.
 
 mod apart;
+mod c_constants;
 mod c_export;
+mod c_printed;
+mod c_run_time;
 mod expanded;
 mod fixture;
 mod groups;

@@ -1,0 +1,171 @@
+//! The names of fields and arguments inside the functions.
+
+use super::In;
+use crate::codegen::arguments::{Arguments, Form};
+use crate::codegen::c_export::c_identifiers::distinct;
+use crate::codegen::c_export::header;
+use crate::codegen::identifiers::text;
+use crate::interface::components::Component;
+use crate::interface::entries::Given;
+use crate::interface::records::{Record, Shape};
+use crate::ir::graph::Node;
+use crate::lower::places::{Part, Place, place};
+use crate::model::mechanism::Mechanism;
+
+/// The argument that points to the parameters.
+pub(super) const PARAMETERS: &str = "self";
+
+/// The name in C of a field, among all of its record.
+fn field_in_c(all: impl Iterator<Item = String> + Clone, field: &str) -> String {
+    let at = all.clone().position(|name| name == field).expect("a record has its fields");
+    distinct(all).swap_remove(at)
+}
+
+/// The name in C of a record's field.
+pub(super) fn field_of(record: &Record, field: &str) -> String {
+    field_in_c(record.fields.iter().map(|field| text(&field.name)), field)
+}
+
+/// The name in C of a parameter.
+pub(super) fn param(mechanism: &Mechanism, name: &str) -> String {
+    field_in_c(mechanism.params.iter().map(|param| text(&param.name)), name)
+}
+
+/// The name of an argument that holds this.
+fn name_of(given: Given) -> &'static str {
+    match given {
+        Given::Value => "q",
+        Given::Rate => "qd",
+        Given::Acceleration => "qdd",
+        Given::Cosine => "cosine",
+        Given::Sine => "sine",
+        Given::Loads => "loads",
+        Given::Drives => "drives",
+    }
+}
+
+impl In<'_> {
+    /// The arguments of a function of our own: types in front, or the names alone.
+    pub(super) fn declared(self, given: &[Given]) -> Vec<String> {
+        let own = self.has_params().then(|| format!("const {} *{PARAMETERS}", self.params_type()));
+        let arguments = Arguments::new(self.cx, given);
+        let declare = |(given, (_, form)): (&Given, _)| self.declare(&form, name_of(*given));
+        own.into_iter().chain(given.iter().zip(arguments.parts()).map(declare)).collect()
+    }
+
+    pub(super) fn names(self, given: &[Given]) -> Vec<String> {
+        let own = self.has_params().then(|| PARAMETERS.to_string());
+        own.into_iter().chain(given.iter().map(|&given| name_of(given).to_string())).collect()
+    }
+
+    /// An argument that is passed.
+    pub(super) fn declare(self, form: &Form<'_>, name: &str) -> String {
+        match form {
+            Form::Number => format!("{} {name}", self.real()),
+            Form::Record(record, _) => {
+                format!("const {} *{name}", self.width.type_name(&text(record)))
+            }
+            Form::List(count) => format!("const {} {name}[{count}]", self.real()),
+        }
+    }
+
+    pub(super) fn has_params(self) -> bool {
+        !self.cx.mechanism.params.is_empty()
+    }
+
+    pub(super) fn params_type(self) -> String {
+        self.width.type_name(&text(&self.cx.names.solver))
+    }
+
+    /// An argument, or a local, that holds a result of this shape.
+    pub(super) fn result(self, shape: Shape, name: &str) -> String {
+        format!("{} {name}{}", self.result_type(shape), header::dimensions(shape))
+    }
+
+    pub(super) fn result_type(self, shape: Shape) -> String {
+        header::type_of(self.cx, shape, self.width)
+    }
+
+    /// An argument through which a result is handed back.
+    pub(super) fn returned(self, shape: Shape, name: &str) -> String {
+        match is_array(shape) {
+            true => self.result(shape, name),
+            false => format!("{} *{name}", self.result_type(shape)),
+        }
+    }
+
+    /// The places of a result's numbers, in the order of the sinks.
+    pub(super) fn components(self, shape: Shape, name: &str) -> Vec<String> {
+        let ways = self.cx.interface.components(shape);
+        ways.iter().map(|way| self.component(shape, way, name.to_string())).collect()
+    }
+
+    /// The same of a result that a pointer leads to.
+    pub(super) fn components_behind(self, shape: Shape, pointer: &str) -> Vec<String> {
+        match is_array(shape) {
+            true => self.components(shape, pointer),
+            false => {
+                let behind = |place: String| match place.strip_prefix("*.") {
+                    Some(rest) => format!("{pointer}->{rest}"),
+                    None => format!("*{pointer}"),
+                };
+                self.components(shape, "*").into_iter().map(behind).collect()
+            }
+        }
+    }
+
+    fn component(self, shape: Shape, way: &[Component], so_far: String) -> String {
+        let Some((step, rest)) = way.split_first() else { return so_far };
+        match (step, shape) {
+            (Component::Index(at), shape) => self.component(shape, rest, format!("{so_far}[{at}]")),
+            (Component::Field(name), Shape::Record(id)) => {
+                let record = self.cx.record(id);
+                let field = record.fields.iter().find(|field| field.name == name);
+                let shape = field.expect("a record has its fields").shape;
+                let name = field_of(record, &plain(name));
+                self.component(shape, rest, format!("{so_far}.{name}"))
+            }
+            (Component::Field(name), shape) => {
+                self.component(shape, rest, format!("{so_far}.{name}"))
+            }
+        }
+    }
+
+    /// The expression that reads an input, a load, a drive or a parameter among these arguments.
+    pub(super) fn leaf(self, given: &[Given], node: Node) -> Option<String> {
+        let (mechanism, interface) = (self.cx.mechanism, self.cx.interface);
+        Some(match place(mechanism, interface, given, node)? {
+            Place::Param(field) => format!("{PARAMETERS}->{}", param(mechanism, &text(field))),
+            Place::Argument(at, Part::All) => name_of(given[at]).to_string(),
+            Place::Argument(at, Part::Field(field)) => {
+                let record = match given[at] {
+                    Given::Loads => interface.loads,
+                    _ => interface.inputs,
+                };
+                let record = interface.record(record.expect("several have a record"));
+                format!("{}->{}", name_of(given[at]), field_of(record, &text(field)))
+            }
+            Place::Argument(at, Part::Index(index)) => format!("{}[{index}]", name_of(given[at])),
+        })
+    }
+}
+
+/// True if C passes it as an array.
+pub(super) fn is_array(shape: Shape) -> bool {
+    matches!(shape, Shape::Matrix { .. } | Shape::List(_))
+}
+
+/// A name as the user wrote it, without `r#`.
+fn plain(name: &str) -> String {
+    name.strip_prefix("r#").unwrap_or(name).to_string()
+}
+
+/// A string in C. What is not ASCII is written byte by byte.
+pub(super) fn quoted(text: &str) -> String {
+    let byte = |byte: u8| match byte {
+        b'"' | b'\\' => format!("\\{}", char::from(byte)),
+        b' '..=b'~' => char::from(byte).to_string(),
+        _ => format!("\\{byte:03o}"),
+    };
+    format!("\"{}\"", text.bytes().map(byte).collect::<String>())
+}

@@ -1,0 +1,203 @@
+//! The functions behind an entry point: its core, which compares, and its diagnosis.
+
+use super::In;
+use super::c_names::{is_array, quoted};
+use super::two_paths::{Target, indented};
+use crate::codegen::c_export::c_identifiers::default;
+use crate::interface::entries::{Entry, Given};
+use crate::interface::records::Shape;
+use crate::interface::{EntryId, labels};
+use crate::ir::graph::Node;
+use crate::lower::label;
+use crate::lower::routine::{Asked, Bound, Compute, Finite, Sum};
+use crate::lower::used::Asks;
+use crate::model::mechanism::{ParamKind, Sign};
+
+impl In<'_> {
+    pub(super) fn core_name(self, entry: &Entry) -> String {
+        format!("{}_try_{}{}", self.stem, entry.name(), self.ending())
+    }
+
+    pub(super) fn diagnosis_name(self, entry: &Entry) -> String {
+        format!("{}_why_{}{}", self.stem, entry.name(), self.ending())
+    }
+
+    /// The fast path of an entry point that has formulas of its own.
+    pub(super) fn core(self, id: EntryId, to: &mut String) {
+        let Compute::Own { routine, stage, asked } = self.cx.compute(id) else { return };
+        let (entry, routine) = (self.cx.entry(id), &self.cx.lowered.routines[*routine]);
+        let mut list = self.declared(&entry.given);
+        if self.cx.lowered.takes_square(id) {
+            list.push(format!("{} square", self.real()));
+        }
+        list.push(self.returned(entry.result, "to"));
+        let mut body = self.earlier_results(routine, *stage);
+        let call = self.call(routine, *stage, Asks::Compares, &entry.given, Target::Pointer("to"));
+        match &asked.finite {
+            None => body += &format!("return {call};\n"),
+            Some(finite) => {
+                body += &format!("int ok = {call};\n");
+                self.finite(entry, finite)
+                    .iter()
+                    .for_each(|test| body += &format!("ok &= {test};\n"));
+                body += "return ok;\n";
+            }
+        }
+        *to += &format!(
+            "\nstatic inline int {}({})\n{{\n{}}}\n",
+            self.core_name(entry),
+            list.join(", "),
+            indented(&body)
+        );
+    }
+
+    /// The tests that every number of a result is finite.
+    fn finite(self, entry: &Entry, finite: &Finite) -> Vec<String> {
+        let components = self.components_behind(entry.result, "to");
+        let ending = self.ending();
+        let sum = format!("linkage_is_finite{ending}({})", sum(&finite.sum, &components));
+        let Some(([wide, narrow], bounds)) = &finite.instead else { return vec![sum] };
+        let kept = bounds.iter().map(|bound| self.kept(&entry.given, bound));
+        let is_plain = if ending.is_empty() { wide } else { narrow };
+        kept.chain((!is_plain).then_some(sum)).collect()
+    }
+
+    /// A comparison of inputs with a limit.
+    fn kept(self, given: &[Given], bound: &Bound) -> String {
+        let read = |node| self.leaf(given, node).expect("what is asked is given");
+        let ending = self.ending();
+        match *bound {
+            Bound::Within { value, limit } => {
+                format!("linkage_is_within{ending}({}, {})", read(value), self.limit(limit))
+            }
+            Bound::WithRate { rate, second, limit } => {
+                let (rate, second, limit) = (read(rate), read(second), self.limit(limit));
+                format!(
+                    "linkage_is_within{ending}({second}, linkage_fused{ending}(-{rate}, {rate}, {limit}))"
+                )
+            }
+            Bound::OnCircle { rate, second, limit } => {
+                let limit = self.limit(limit);
+                let squares = match rate.map(read) {
+                    Some(rate) => format!("linkage_fused{ending}({rate}, {rate}, square)"),
+                    None => "square".to_string(),
+                };
+                match second.map(read) {
+                    Some(second) => format!(
+                        "{limit} >= linkage_fused{ending}({squares}, {squares}, {second} * {second})"
+                    ),
+                    None => format!("{limit} >= {squares}"),
+                }
+            }
+        }
+    }
+
+    /// The slow path of such an entry point. It writes the result where there is one.
+    pub(super) fn diagnosis(self, id: EntryId, to: &mut String) {
+        let Compute::Own { routine, stage, asked } = self.cx.compute(id) else { return };
+        let (entry, routine) = (self.cx.entry(id), &self.cx.lowered.routines[*routine]);
+        let mut list = self.declared(&entry.given);
+        list.push(self.returned(entry.result, "to"));
+        list.push("LinkageError *error".to_string());
+        let is_single = usize::from(!self.ending().is_empty());
+        let mut body = format!("LinkageWhy why = linkage_why({is_single});\n");
+        body += &self.earlier_results(routine, *stage);
+        body += &format!("{};\n", self.result(entry.result, "found"));
+        let checked = match self.named_given(entry, asked, &mut body) {
+            0 => "NULL, 0".to_string(),
+            count => format!("given, {count}"),
+        };
+        body += &format!("linkage_given_finite(&why, {checked});\n");
+        body += "if (why.status != LINKAGE_OK) {\nreturn linkage_refused(&why, error);\n}\n";
+        let found = Target::Local("found");
+        let call = self.call(routine, *stage, Asks::Diagnoses, &entry.given, found);
+        body += &format!("{call};\n");
+        body += &self.results_finite(entry, asked, &checked);
+        body += "if (why.status != LINKAGE_OK) {\nreturn linkage_refused(&why, error);\n}\n";
+        body += &self.copied(entry.result, "found", "to");
+        body += "return linkage_answered(error);\n";
+        *to += &format!(
+            "\nstatic LINKAGE_COLD LinkageStatus {}({})\n{{\n{}}}\n",
+            self.diagnosis_name(entry),
+            list.join(", "),
+            indented(&body)
+        );
+    }
+
+    /// The list of what is given that has to be finite, and its length.
+    fn named_given(self, entry: &Entry, asked: &Asked, to: &mut String) -> usize {
+        let named = |&node: &Node| {
+            let value = self.leaf(&entry.given, node)?;
+            Some((value, label(self.cx.mechanism, node)?))
+        };
+        let named: Vec<_> = asked.given.iter().filter_map(named).collect();
+        if !named.is_empty() {
+            *to += &format!("LinkageNamed given[{}];\n", named.len());
+        }
+        named.iter().enumerate().for_each(|(at, (value, name))| set(at, "given", value, name, to));
+        named.len()
+    }
+
+    /// The test that the results are finite.
+    fn results_finite(self, entry: &Entry, asked: &Asked, given: &str) -> String {
+        let components = self.components(entry.result, "found");
+        let all = labels::of_result(self.cx.interface, self.cx.mechanism, entry);
+        let wanted: Vec<usize> = match entry.result {
+            Shape::Record(_) => (0..components.len()).collect(),
+            _ => asked.results.clone(),
+        };
+        if wanted.is_empty() {
+            return format!("linkage_results_finite(&why, NULL, 0, {given});\n");
+        }
+        let count = wanted.len();
+        let mut text = format!("{{\nLinkageNamed results[{count}];\n");
+        for (nth, &at) in wanted.iter().enumerate() {
+            set(nth, "results", &components[at], &all[at], &mut text);
+        }
+        text + &format!("linkage_results_finite(&why, results, {count}, {given});\n}}\n")
+    }
+
+    pub(super) fn copied(self, shape: Shape, from: &str, to: &str) -> String {
+        if !is_array(shape) {
+            return format!("*{to} = {from};\n");
+        }
+        let pairs = self.components(shape, to).into_iter().zip(self.components(shape, from));
+        pairs.map(|(to, from)| format!("{to} = {from};\n")).collect()
+    }
+
+    /// The function that returns the parameters as declared.
+    pub(super) fn defaults(self, to: &mut String) {
+        let cx = self.cx;
+        if !self.has_params() {
+            return;
+        }
+        let (ty, name) = (self.params_type(), default(&cx.names.solver, self.width));
+        let values = cx.mechanism.params.iter().map(|param| match &param.kind {
+            ParamKind::Number { default, .. } => self.number(default.to_f64(), default.to_f32()),
+            ParamKind::Mode { default: Sign::Plus, .. } => "1".to_string(),
+            ParamKind::Mode { default: Sign::Minus, .. } => "-1".to_string(),
+        });
+        let values: Vec<String> = values.collect();
+        *to += &format!(
+            "\n{ty} {name}(void)\n{{\n    const {ty} declared = {{ {} }};\n    return declared;\n}}\n",
+            values.join(", ")
+        );
+    }
+}
+
+/// A line that names a number.
+fn set(at: usize, list: &str, value: &str, name: &str, to: &mut String) {
+    *to += &format!("{list}[{at}].value = {value};\n{list}[{at}].name = {};\n", quoted(name));
+}
+
+/// A sum of components.
+fn sum(of: &Sum, components: &[String]) -> String {
+    let term = |part: &Sum| match part {
+        Sum::One(_) => sum(part, components),
+        Sum::Of(_) => format!("({})", sum(part, components)),
+    };
+    match of {
+        Sum::One(at) => components[*at].clone(),
+        Sum::Of(parts) => parts.each_ref().map(term).join(" + "),
+    }
+}

@@ -1,0 +1,112 @@
+//! Routines into C99: the functions of `export c;` as source, for compilers that Rust has no target for.
+//!
+//! The header is the one of `export c;`, so either library answers behind it. A routine is written twice a width:
+//! once as the fast path compares, once as the slow path diagnoses. Names of our own inside a function have a
+//! capital letter or no underscore at their end, which no local of a routine has.
+
+mod c_names;
+mod entry;
+mod in_c;
+mod public_function;
+pub(crate) mod run_time;
+mod two_paths;
+
+use super::c_export::c_identifiers::{Width, snake_case};
+use super::c_export::header;
+use super::context::Context;
+use super::identifiers::text;
+use crate::diagnostics::Diagnostics;
+use crate::lower::routine::Lowered;
+use crate::model::mechanism::Mechanism;
+
+/// Reports what is not printed in C.
+pub(crate) fn refuse(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    if let Some(unknown) = mechanism.unknowns.first() {
+        let name = text(&unknown.name);
+        diagnostics.error_because(
+            unknown.name.span(),
+            format!("`{name}` is an unknown, which is not printed in C"),
+            "its search runs in Rust alone: use `export c;` where Rust has a target",
+        );
+    }
+}
+
+/// Prints the files of a mechanism: name and text of its header and its source, then those of the run-time.
+pub(crate) fn generate(mechanism: &Mechanism, lowered: &Lowered<'_>) -> [(String, String); 4] {
+    let cx = Context::new(mechanism, lowered);
+    let stem = snake_case(&text(&cx.names.solver));
+    let mut source = format!(
+        "/* {stem}.c: the solver of {}, printed by linkage from its declaration; do not edit.\n *\n\
+         \x20* This text is yours: use, change and pass it on under any terms, with or without this notice. It comes\n\
+         \x20* without any warranty. */\n\
+         #include \"{stem}.h\"\n#include \"linkage_run.h\"\n",
+        text(&cx.names.solver)
+    );
+    for width in Width::ALL {
+        let without = if width == Width::Double { "DOUBLE" } else { "SINGLE" };
+        source += &format!("\n#ifndef LINKAGE_NO_{without}\n");
+        In { cx: &cx, width, stem: &stem }.all(&mut source);
+        source += &format!("\n#endif /* LINKAGE_NO_{without} */\n");
+    }
+    [
+        (format!("{stem}.h"), header::text(&cx)),
+        (format!("{stem}.c"), source),
+        ("linkage_run.h".to_string(), run_time::header()),
+        ("linkage_run.c".to_string(), run_time::source().to_string()),
+    ]
+}
+
+/// The printer of numbers of one width.
+#[derive(Clone, Copy)]
+struct In<'a> {
+    cx: &'a Context<'a>,
+    width: Width,
+    stem: &'a str,
+}
+
+impl In<'_> {
+    fn all(self, to: &mut String) {
+        let cx = self.cx;
+        for routine in &cx.lowered.routines {
+            self.routine(routine, to);
+        }
+        for id in cx.entries() {
+            self.core(id, to);
+            self.diagnosis(id, to);
+        }
+        self.defaults(to);
+        for id in cx.entries() {
+            self.entry(id, to);
+        }
+    }
+
+    /// The number's type.
+    fn real(self) -> &'static str {
+        self.width.in_c()
+    }
+
+    /// The ending of functions and literals of this width.
+    fn ending(self) -> &'static str {
+        if self.width == Width::Single { "f" } else { "" }
+    }
+
+    /// A literal, in parentheses where it begins with a sign.
+    fn number(self, wide: f64, narrow: f32) -> String {
+        let digits = match self.width {
+            Width::Double if wide.is_infinite() => "HUGE_VAL".to_string(),
+            Width::Single if narrow.is_infinite() => "HUGE_VALF".to_string(),
+            Width::Double => format!("{:?}", wide.abs()),
+            Width::Single => format!("{:?}f", narrow.abs()),
+        };
+        let is_negative = match self.width {
+            Width::Double => wide.is_sign_negative(),
+            Width::Single => narrow.is_sign_negative(),
+        };
+        if is_negative { format!("(-{digits})") } else { digits }
+    }
+
+    /// A limit of both widths.
+    fn limit(self, [wide, narrow]: [f64; 2]) -> String {
+        self.number(wide, narrow as f32)
+    }
+}

@@ -1,0 +1,21 @@
+
+/* Sine and cosine of any angle: beyond the kernel's range, those of <math.h>. */
+static inline void linkage_sin_cos@(REAL x, REAL *to_sin, REAL *to_cos)
+{
+    if (linkage_is_near@(x)) {
+        linkage_sin_cos_exact@(x, to_sin, to_cos);
+    } else {
+        *to_sin = sin@(x);
+        *to_cos = cos@(x);
+    }
+}
+
+/* The unit vector along a cosine and a sine whose amplitude may be off by a tenth. The answer says whether it
+ * is off by no more. */
+static inline int linkage_on_circle@(REAL cosine, REAL sine, REAL *to_cos, REAL *to_sin)
+{
+    const REAL square = linkage_fused@(cosine, cosine, sine * sine), inverse = 1.0@ / sqrt@(square);
+    *to_cos = cosine * inverse;
+    *to_sin = sine * inverse;
+    return (square >= 0.81@) & (1.21@ >= square);
+}

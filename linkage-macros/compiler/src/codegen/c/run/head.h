@@ -1,0 +1,57 @@
+/* linkage_run.h: the arithmetic of solvers that linkage has printed.
+ *
+ * Answers and refusals are those of the solver in Rust, bit for bit where both are compiled with a
+ * fused multiplication and addition or both without. Nothing is allocated, nothing is kept between
+ * calls, and nothing but <math.h> is called.
+ *
+ * This text is yours: use, change and pass it on under any terms, with or without this notice. It comes
+ * without any warranty. */
+#ifndef LINKAGE_RUN_H
+#define LINKAGE_RUN_H
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) \
+    || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "a refusal rests on NaN and on exact rounding: compile without -ffast-math"
+#endif
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+#error "a refusal rests on exact rounding: compile without excess precision, as with -msse2 -mfpmath=sse"
+#endif
+#if DBL_MANT_DIG < 53
+#error "double has fewer than 64 bits here: decisions at a limit need all of them"
+#endif
+
+/* No product is contracted into a sum but where a fused operation is written. */
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__)
+#pragma GCC optimize("fp-contract=off")
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
+#else
+#pragma STDC FP_CONTRACT OFF
+#endif
+
+#if defined(__GNUC__)
+#define LINKAGE_COLD __attribute__((cold, noinline))
+#else
+#define LINKAGE_COLD
+#endif
+
+/* Defined where one instruction multiplies and adds with one rounding. */
+#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
+#define LINKAGE_FUSES 1
+#endif
+#if defined(FP_FAST_FMAF) || defined(__FMA__) || defined(__aarch64__)
+#define LINKAGE_FUSESF 1
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+

@@ -1,0 +1,104 @@
+//! The run-time in C: one header and one source for all mechanisms.
+//!
+//! Text that is the same in both widths is written once, with words for the number and its constants, and
+//! printed for each. Answers are those of the run-time crate to the last bit; tests call both.
+
+use crate::codegen::c_export::c_identifiers::Width;
+use crate::codegen::c_export::header::SHARED;
+
+/// The text of `linkage_run.h`.
+pub(crate) fn header() -> String {
+    let mut header = format!("{}{SHARED}\n{NO_SOLUTION}", include_str!("run/head.h"));
+    for (width, near) in [
+        (Width::Double, include_str!("run/sin_cos_f64.h")),
+        (Width::Single, include_str!("run/sin_cos_f32.h")),
+    ] {
+        header += &of_width(include_str!("run/numbers.h"), width);
+        header += near;
+        header += &of_width(include_str!("run/directions.h"), width);
+    }
+    header + include_str!("run/foot.h")
+}
+
+/// The text of `linkage_run.c`.
+pub(crate) fn source() -> &'static str {
+    include_str!("run/linkage_run.c")
+}
+
+/// A text with the words of a width in the place of the general ones. `@` ends the names of functions and
+/// literals.
+fn of_width(text: &str, width: Width) -> String {
+    let words = match width {
+        Width::Double => &DOUBLE,
+        Width::Single => &SINGLE,
+    };
+    words.iter().fold(text.to_string(), |text, (general, own)| text.replace(general, own))
+}
+
+type Spelling = [(&'static str, &'static str); 14];
+
+const DOUBLE: Spelling = [
+    ("TYPE", "double precision"),
+    ("LINKAGE_FUSES_", "LINKAGE_FUSES"),
+    ("LEAST_", "DBL_"),
+    ("SPLITTER", "134217729.0"),
+    ("HALF_OF_BITS", "32"),
+    ("BITS", "uint64_t"),
+    ("NEAR", "1048576.0"),
+    ("QUARTER_TURN", "1.5707963267948966"),
+    ("QUARTER_LOW", "6.123233995736766e-17"),
+    ("EIGHTH_TURN", "0.7853981633974483"),
+    (
+        "ARC_SINE",
+        "\
+        0.16666666666666669, 0.07499999999998433, 0.04464285714635543, 0.030381944138531247,
+        0.02237217294214989, 0.017352392720869973, 0.013971212973552933, 0.011479177415184906,
+        0.01032281435018578, 0.005457506718640358, 0.01740087944269402, -0.014851887071247204,
+        0.028757851367421566",
+    ),
+    (
+        "ARC_TANGENT",
+        "\
+        -0.3333333333333333, 0.19999999999999984, -0.14285714285711718, 0.11111111110929807,
+        -0.09090909084093506, 0.07692307534369985, -0.06666664203478607, 0.0588232553920069,
+        -0.05262931380521779, 0.04760471049395462, -0.043407182638729704, 0.03971908106924452,
+        -0.036139320776507194, 0.03213544133307827, -0.02718155333081564, 0.021121594179966983,
+        -0.014503079564732733, 0.00844989240397037, -0.004000209679906822,
+        0.0014617449054205385, -0.00038394037972999467, 6.417524965866564e-05,
+        -5.1088410388226665e-06",
+    ),
+    ("REAL", "double"),
+    ("@", ""),
+];
+
+const SINGLE: Spelling = [
+    ("TYPE", "single precision"),
+    ("LINKAGE_FUSES_", "LINKAGE_FUSESF"),
+    ("LEAST_", "FLT_"),
+    ("SPLITTER", "4097.0f"),
+    ("HALF_OF_BITS", "12"),
+    ("BITS", "uint32_t"),
+    ("NEAR", "51471.0f"),
+    ("QUARTER_TURN", "1.5707964f"),
+    ("QUARTER_LOW", "-4.371139e-08f"),
+    ("EIGHTH_TURN", "0.7853982f"),
+    (
+        "ARC_SINE",
+        "\
+        0.16666666f, 0.07500094f, 0.044599403f, 0.031100662f, 0.017149238f, 0.033690847f",
+    ),
+    (
+        "ARC_TANGENT",
+        "\
+        -0.33333334f, 0.1999995f, -0.14284004f, 0.11088262f, -0.08931827f, 0.070319146f,
+        -0.048960514f, 0.026305001f, -0.009144629f, 0.0014886919f",
+    ),
+    ("REAL", "float"),
+    ("@", "f"),
+];
+
+/// Two codes that a mechanism's header has where it searches for something.
+const NO_SOLUTION: &str = "\
+#define LINKAGE_NO_SOLUTION 8
+#define LINKAGE_SEVERAL_DEAD_POINTS 9
+";

@@ -1,0 +1,93 @@
+/* Calls of the run-time, for the test beside: reads a number that says which, whether in single precision, and
+ * nine operands; writes a status, what is missing, and two results. */
+#include "linkage_run.h"
+
+#include <stdio.h>
+
+typedef struct Call {
+    int32_t which;
+    int32_t is_single;
+    double x[9];
+} Call;
+
+typedef struct Answer {
+    double status;
+    double by;
+    double y[2];
+} Answer;
+
+#define OF_WIDTH(width, number)                                                                                     \
+    static void number##s(const Call *call, Answer *to)                                                             \
+    {                                                                                                               \
+        number x[4], y[2] = { 0, 0 };                                                                               \
+        int i;                                                                                                      \
+        for (i = 0; i < 4; i++) {                                                                                   \
+            x[i] = (number)call->x[i];                                                                              \
+        }                                                                                                           \
+        switch (call->which) {                                                                                      \
+        case 0: linkage_sin_cos_near##width(x[0], &y[0], &y[1]); break;                                             \
+        case 1: linkage_sin_cos##width(x[0], &y[0], &y[1]); break;                                                  \
+        case 2: y[0] = linkage_asin##width(x[0]); break;                                                            \
+        case 3: y[0] = linkage_acos##width(x[0]); break;                                                            \
+        case 4: y[0] = linkage_atan##width(x[0]); break;                                                            \
+        case 5: y[0] = linkage_atan2##width(x[0], x[1]); break;                                                     \
+        case 6: y[0] = linkage_hypot##width(x[0], x[1]); break;                                                     \
+        case 7: y[0] = linkage_det##width(x[0], x[1], x[2], x[3]); break;                                           \
+        case 8: y[0] = linkage_mul_err##width(x[0], x[1]); break;                                                   \
+        case 9: y[0] = linkage_add_err##width(x[0], x[1]); break;                                                   \
+        case 10: y[0] = linkage_fused##width(x[0], x[1], x[2]); break;                                              \
+        case 11: to->status = linkage_is_near##width(x[0]); break;                                                  \
+        case 12: to->status = linkage_on_circle##width(x[0], x[1], &y[0], &y[1]); break;                            \
+        case 13: to->status = linkage_hypot_near##width(x[0], x[1], x[2], &y[0]); break;                            \
+        case 14: y[0] = linkage_select##width(x[0], x[1], x[2], x[3]); break;                                       \
+        default: break;                                                                                             \
+        }                                                                                                           \
+        to->y[0] = (double)y[0];                                                                                    \
+        to->y[1] = (double)y[1];                                                                                    \
+    }
+OF_WIDTH(, double)
+OF_WIDTH(f, float)
+
+static void conditions(const Call *call, Answer *to)
+{
+    LinkageWhy why = linkage_why(call->is_single);
+    const double *x = call->x;
+    switch (call->which) {
+    case 20: to->y[0] = linkage_reach_circles(&why, x[0], x[1], x[2], x[3], x[4], x[5], x[6], "group"); break;
+    case 21: to->y[0] = linkage_share_of_centres(&why, x[0], x[1], x[2], x[3], x[4], x[5], x[6], "group"); break;
+    case 22: to->y[0] = linkage_reach_distances(&why, x[0], x[1], x[2], x[3], x[4], "group"); break;
+    case 23: to->y[0] = linkage_square_of_centres(&why, x[0], x[1], x[2], x[3], x[4], "group"); break;
+    case 24: to->y[0] = linkage_reach_line(&why, x[0], x[1], x[2], "group"); break;
+    case 25: to->y[0] = linkage_reach_offset(&why, x[0], x[1], x[2], x[3], "group"); break;
+    case 26: to->y[0] = linkage_nonzero(&why, x[0], "group"); break;
+    case 27: to->y[0] = linkage_positive(&why, x[0], "group", "name"); break;
+    case 28: to->y[0] = linkage_not_negative(&why, x[0], "group", "name"); break;
+    case 29: to->y[0] = linkage_square(&why, x[0], "group"); break;
+    case 30: to->y[0] = linkage_moving(&why, x[0], x[1], "group"); break;
+    default: break;
+    }
+    to->status = why.status;
+    if (why.status != LINKAGE_OK) {
+        to->y[0] = 0.0; /* a refused value means nothing */
+    }
+    to->by = why.by;
+}
+
+int main(void)
+{
+    Call call;
+    while (fread(&call, sizeof call, 1, stdin) == 1) {
+        Answer answer = { 0.0, 0.0, { 0.0, 0.0 } };
+        if (call.which >= 20) {
+            conditions(&call, &answer);
+        } else if (call.is_single) {
+            floats(&call, &answer);
+        } else {
+            doubles(&call, &answer);
+        }
+        if (fwrite(&answer, sizeof answer, 1, stdout) != 1) {
+            return 1;
+        }
+    }
+    return 0;
+}

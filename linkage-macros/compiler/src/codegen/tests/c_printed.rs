@@ -1,0 +1,87 @@
+//! Every declaration of the workspace as C99: compilers accept it without a warning.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Command;
+
+use crate::expansions::declarations;
+use crate::pipeline;
+
+const STRICT: [&str; 8] = [
+    "-std=c99",
+    "-pedantic",
+    "-Wall",
+    "-Wextra",
+    "-Wshadow",
+    "-Wconversion",
+    "-Werror",
+    "-fsyntax-only",
+];
+const CPP: [&str; 10] = [
+    "-x",
+    "c++",
+    "-std=c++17",
+    "-pedantic",
+    "-Wall",
+    "-Wextra",
+    "-Wshadow",
+    "-Wconversion",
+    "-Werror",
+    "-fsyntax-only",
+];
+
+/// The files of every so many declarations in a folder each, and the names of the sources.
+fn print_every(nth: usize, root: &Path) -> Vec<String> {
+    let mut sources = Vec::new();
+    let mut refused = BTreeMap::new();
+    for (nth, declaration) in declarations::all().enumerate().step_by(nth) {
+        let files = match pipeline::c(declaration.tokens.clone()) {
+            Ok(files) => files,
+            Err(mistakes) => {
+                refused.insert(declaration.name.clone(), mistakes[0].message.clone());
+                continue;
+            }
+        };
+        let folder = root.join(nth.to_string());
+        std::fs::create_dir_all(&folder).expect("a folder can be made");
+        for file in &files {
+            std::fs::write(folder.join(&file.name), &file.text).expect("it can be written");
+        }
+        assert!(!files[1].text.contains("--"), "{}: a decrement", declaration.name);
+        sources.push(format!("{nth}/{}", files[1].name));
+    }
+    assert!(refused.values().all(|why| why.contains("is an unknown")), "{refused:?}");
+    sources
+}
+
+/// One after the other, as tests of all take a minute.
+#[test]
+fn some_declarations_are_c_and_cpp() {
+    are_c_and_cpp(12);
+}
+
+#[test]
+#[ignore = "a minute: `.ci/run` takes it"]
+fn every_declaration_is_c_and_cpp() {
+    assert!(are_c_and_cpp(1) > 250);
+}
+
+/// The count of declarations.
+fn are_c_and_cpp(nth: usize) -> usize {
+    let root = std::env::temp_dir().join(format!("linkage_c_{}_{nth}", std::process::id()));
+    let sources = print_every(nth, &root);
+    for (compiler, flags) in [("cc", &STRICT[..]), ("g++", &CPP)] {
+        for sources in sources.chunks(60) {
+            let command =
+                Command::new(compiler).args(flags).args(sources).current_dir(&root).output();
+            let Ok(output) = command else {
+                println!("skipped: no {compiler}");
+                break;
+            };
+            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        }
+    }
+    // A folder that failed is kept, to be looked at.
+    std::fs::remove_dir_all(&root).expect("the folder was made here");
+    sources.len()
+}

@@ -1,0 +1,366 @@
+//! The run-time in C beside the run-time crate: the same bits, the same refusals.
+//!
+//! Numbers are random in sign and magnitude, and those of conditions lie next to limits, where a decision hangs
+//! on the last bit. Both widths; compiled as strict C99, as C++17, and for a machine with fused operations under
+//! a standard that lets the compiler contract products into sums unless it is told.
+
+use std::collections::BTreeSet;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use linkage_core::private::{
+    Diagnosis, Moving, Nonzero, NotNegative, Positive, ReachCircles, ReachDistances, ReachLine,
+    ReachOffset, ShareOfCentres, Square, SquareOfCentres, on_circle,
+};
+use linkage_core::{Float, Fused, Fusion, Lanes, Mask, Plain, Real, Scalar, SolveError};
+
+use crate::codegen::c::run_time;
+
+const STRICT: [&str; 6] = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion"];
+const CONTRACTING: [&str; 3] = ["-std=gnu17", "-march=x86-64-v3", "-Wall"];
+
+/// A stream of random numbers, by a multiplicative congruence.
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 ^ (self.0 >> 29)
+    }
+
+    /// In [0, 1).
+    fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn below(&mut self, count: u64) -> u64 {
+        (self.bits() >> 20) % count
+    }
+
+    fn pick<T: Copy>(&mut self, list: &[T]) -> T {
+        list[self.below(list.len() as u64) as usize]
+    }
+
+    /// A number of either sign and some binades around one.
+    fn number(&mut self, binades: f64) -> f64 {
+        let size = ((self.unit() - 0.5) * 2.0 * binades).exp2();
+        if self.below(2) == 0 { size } else { -size }
+    }
+
+    /// Sometimes no number at all, or one at the end of the range.
+    fn any(&mut self, binades: f64) -> f64 {
+        const ODD: [f64; 10] = [
+            0.0,
+            -0.0,
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            1.0,
+            -1.0,
+            5e-324,
+            1e-310,
+            f64::MAX,
+        ];
+        if self.below(12) == 0 { self.pick(&ODD) } else { self.number(binades) }
+    }
+}
+
+/// A call: the function's number, and its operands.
+#[derive(Clone, Copy, Debug)]
+struct Call {
+    which: i32,
+    is_single: bool,
+    x: [f64; 9],
+}
+
+/// A status, what is missing, and two results.
+type Answer = [f64; 4];
+
+/// The program that answers calls, compiled with these flags; none without a compiler.
+fn program(compiler: &str, name: &str, flags: &[&str]) -> Option<PathBuf> {
+    let folder = std::env::temp_dir().join(format!("linkage_c_{}_{name}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder can be made");
+    let caller = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/codegen/tests/c/run_time.c");
+    for (file, text) in [
+        ("linkage_run.h", run_time::header()),
+        ("linkage_run.c", run_time::source().to_string()),
+        ("caller.c", std::fs::read_to_string(caller).expect("the file can be read")),
+    ] {
+        std::fs::write(folder.join(file), text).expect("a file can be written");
+    }
+    let program = folder.join("caller");
+    let command = Command::new(compiler)
+        .args(flags)
+        .args(["-O2", "-Werror", "-o"])
+        .arg(&program)
+        .args(["caller.c", "linkage_run.c", "-lm"])
+        .current_dir(&folder)
+        .output();
+    let Ok(output) = command else {
+        println!("skipped: no {compiler}");
+        return None;
+    };
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    Some(program)
+}
+
+/// The answers of a program to calls.
+fn answers(program: &Path, calls: &[Call]) -> Vec<Answer> {
+    let mut child = Command::new(program)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut bytes = Vec::new();
+    for call in calls {
+        bytes.extend(call.which.to_ne_bytes());
+        bytes.extend(i32::from(call.is_single).to_ne_bytes());
+        call.x.iter().for_each(|x| bytes.extend(x.to_ne_bytes()));
+    }
+    let mut to = child.stdin.take().expect("it is piped");
+    let writer = std::thread::spawn(move || to.write_all(&bytes).expect("it reads"));
+    let mut read = Vec::new();
+    child.stdout.take().expect("it is piped").read_to_end(&mut read).expect("it writes");
+    writer.join().expect("nothing panics");
+    assert!(child.wait().expect("it ends").success());
+    let numbers: Vec<f64> =
+        read.chunks(8).map(|x| f64::from_ne_bytes(x.try_into().expect("eight bytes"))).collect();
+    numbers.chunks(4).map(|x| x.try_into().expect("four numbers")).collect()
+}
+
+/// Not a number is one answer, whatever its bits.
+fn bits(answer: &Answer) -> [u64; 4] {
+    answer.map(|x| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() })
+}
+
+fn compare(program: &Path, calls: &[Call], expected: impl Fn(&Call) -> Answer) {
+    let found = answers(program, calls);
+    assert_eq!(found.len(), calls.len());
+    for (call, found) in calls.iter().zip(&found) {
+        let expected = expected(call);
+        assert_eq!(bits(found), bits(&expected), "{call:?}: {found:?} in place of {expected:?}");
+    }
+}
+
+/// The numbers of one function's arguments.
+fn arguments(random: &mut Random, which: i32, is_single: bool) -> [f64; 9] {
+    let mut x = [0.0; 9];
+    let near = if is_single { 51_471.0 } else { 1_048_576.0 };
+    let binades = if is_single { 50.0 } else { 400.0 };
+    for to in &mut x[..4] {
+        *to = match which {
+            0 if random.below(4) == 0 => {
+                random.pick(&[FRAC_PI_4, FRAC_PI_2, PI]) * random.unit().round()
+            }
+            0 | 11 => (random.unit() - 0.5) * 2.0 * near,
+            1 => (random.unit() - 0.5) * 2.0 * near,
+            2 | 3 if random.below(10) > 0 => (random.unit() - 0.5) * 2.0,
+            12 => (random.unit() - 0.5) * 2.2,
+            10 => random.number(20.0),
+            _ => {
+                let binades = random.pick(&[3.0, binades]);
+                random.any(binades)
+            }
+        };
+        if is_single {
+            *to = f64::from(*to as f32);
+        }
+    }
+    x
+}
+
+fn expected<T: Float, F: Fusion>(call: &Call, widen: impl Fn(T) -> f64) -> Answer {
+    type One<T, F> = Lanes<T, 1, F>;
+    let x: [One<T, F>; 4] = [0, 1, 2, 3].map(|i| Lanes::splat(T::lit(call.x[i], call.x[i] as f32)));
+    let number = |x: One<T, F>| widen(x.to_array()[0]);
+    let one = |y: One<T, F>| [0.0, 0.0, number(y), 0.0];
+    let two = |(y, z): (One<T, F>, One<T, F>)| [0.0, 0.0, number(y), number(z)];
+    let yes = |mask: bool| f64::from(u8::from(mask));
+    match call.which {
+        0 => two(x[0].sin_cos_near()),
+        1 => two(x[0].sin_cos()),
+        2 => one(x[0].asin()),
+        3 => one(x[0].acos()),
+        4 => one(x[0].atan()),
+        5 => one(x[0].atan2(x[1])),
+        6 => one(x[0].hypot(x[1])),
+        7 => one(Scalar::det(x[0], x[1], x[2], x[3])),
+        8 => one(Scalar::mul_err(x[0], x[1])),
+        9 => one(Scalar::add_err(x[0], x[1])),
+        10 => one(Scalar::fused(x[0], x[1], x[2])),
+        11 => [yes(x[0].is_near().all()), 0.0, 0.0, 0.0],
+        12 => {
+            let (cos, sin, is_near) = on_circle(x[0], x[1]);
+            [yes(is_near.all()), 0.0, number(cos), number(sin)]
+        }
+        13 => {
+            let (length, is_near) = x[0].hypot_near(x[1], x[2]);
+            [yes(is_near.all()), 0.0, number(length), 0.0]
+        }
+        _ => one(Scalar::select(x[0].ge(x[1]), x[2], x[3])),
+    }
+}
+
+fn functions_agree<F: Fusion>(program: &Path) {
+    let mut random = Random(7);
+    for is_single in [false, true] {
+        for which in 0..15 {
+            let call = |_| Call { which, is_single, x: arguments(&mut random, which, is_single) };
+            let calls: Vec<Call> = (0..20_000).map(call).collect();
+            compare(program, &calls, |call| match is_single {
+                false => expected::<f64, F>(call, |x| x),
+                true => expected::<f32, F>(call, f64::from),
+            });
+        }
+    }
+}
+
+/// Lengths and a distance within some last places of one of both limits, and a value that may have lost its
+/// sign.
+fn circles(random: &mut Random, is_single: bool) -> [f64; 6] {
+    let width = |x: f64| if is_single { f64::from(x as f32) } else { x };
+    let epsilon = if is_single { f64::from(f32::EPSILON) } else { f64::EPSILON };
+    let scale = random.number(random_scale(is_single)).abs();
+    let [l1, l2] = [(); 2].map(|()| width(scale * random.number(2.0).abs()));
+    let l2 = if random.below(8) == 0 { l1 } else { l2 };
+    let limit = if random.below(2) == 0 { l1 + l2 } else { (l1 - l2).abs() };
+    let ulps = random.below(17) as f64 - 8.0;
+    let longest = l1.max(l2).max(limit);
+    let d = match random.below(6) {
+        0 => limit * random.unit() * 2.0,
+        _ => limit + ulps * epsilon * longest.log2().floor().exp2(),
+    };
+    let (sin, cos) = match random.below(3) {
+        0 => (0.0, 1.0),
+        _ => (random.unit() * 2.0 * PI).sin_cos(),
+    };
+    let value = match random.below(6) {
+        0 => random.any(3.0),
+        _ => random.number(2.0) * epsilon,
+    };
+    [value, d * cos, d * sin, l1, l2, random.pick(&[1.0, 2.5, 1e20, 1e-3])].map(width)
+}
+
+fn random_scale(is_single: bool) -> f64 {
+    if is_single { 30.0 } else { 300.0 }
+}
+
+/// The operands of a condition.
+fn operands(random: &mut Random, which: i32, is_single: bool) -> [f64; 9] {
+    let [value, dx, dy, l1, l2, spread] = circles(random, is_single);
+    let (d, unit) = (dx.hypot(dy), random.pick(&[1.0, 2.0 * l1 * l2, 0.5]));
+    let x: [f64; 7] = match which {
+        20 => [value, dx, dy, l1, l2, unit, spread],
+        21 => [value, random.number(2.0) * f64::EPSILON, dx, dy, l1, l2, spread],
+        22 => [value, d, l1, l2, spread, 0.0, 0.0],
+        23 => [value, dx, dy, l1, l2, 0.0, 0.0],
+        // As long as a bar is, or longer by rounding.
+        24 => {
+            let ulps = random.below(17) as f64 - 8.0;
+            [
+                value,
+                l1 * (1.0 + ulps * if is_single { 1.2e-7 } else { 2.3e-16 }),
+                l1,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+            ]
+        }
+        25 => {
+            let ulps = random.below(17) as f64 - 8.0;
+            [
+                value,
+                dx,
+                dy,
+                d * (1.0 + ulps * if is_single { 1.2e-7 } else { 2.3e-16 }),
+                0.0,
+                0.0,
+                0.0,
+            ]
+        }
+        29 => [random.any(random_scale(is_single) * 4.0).abs(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        _ => [random.any(20.0), spread, 0.0, 0.0, 0.0, 0.0, 0.0],
+    };
+    let mut all = [0.0; 9];
+    for (to, &x) in all.iter_mut().zip(&x) {
+        let x = if random.below(60) == 0 { random.any(900.0) } else { x };
+        *to = if is_single { f64::from(x as f32) } else { x };
+    }
+    all
+}
+
+fn diagnosed<T: Real>(call: &Call) -> Answer {
+    let x: [T; 7] = [0, 1, 2, 3, 4, 5, 6].map(|i| T::lit(call.x[i], call.x[i] as f32));
+    let [value, rest @ ..] = x;
+    let [a, b, c, d, e, f] = rest;
+    let found = match call.which {
+        20 => ReachCircles([a, b, c, d, e, f], "group").diagnose(value),
+        21 => ShareOfCentres([a, b, c, d, e, f], "group").diagnose(value),
+        22 => ReachDistances([a, b, c, d], "group").diagnose(value),
+        23 => SquareOfCentres([a, b, c, d], "group").diagnose(value),
+        24 => ReachLine([a, b], "group").diagnose(value),
+        25 => ReachOffset([a, b, c], "group").diagnose(value),
+        26 => Nonzero("group").diagnose(value),
+        27 => Positive("group", "name").diagnose(value),
+        28 => NotNegative("group", "name").diagnose(value),
+        29 => Square("group").diagnose(value),
+        _ => Moving([a], "group").diagnose(value),
+    };
+    match found {
+        Ok(y) => [0.0, 0.0, y.value(), 0.0],
+        Err(SolveError::OutOfReach { by, .. }) => [1.0, by, 0.0, 0.0],
+        Err(SolveError::Singular { .. }) => [2.0, 0.0, 0.0, 0.0],
+        Err(SolveError::Invalid { .. }) => [3.0, 0.0, 0.0, 0.0],
+        Err(SolveError::NotFinite { .. }) => [4.0, 0.0, 0.0, 0.0],
+        Err(error) => panic!("{error}"),
+    }
+}
+
+fn conditions_agree(program: &Path) {
+    let mut random = Random(11);
+    for is_single in [false, true] {
+        let mut statuses = BTreeSet::new();
+        for which in 20..31 {
+            let call = |_| Call { which, is_single, x: operands(&mut random, which, is_single) };
+            let calls: Vec<Call> = (0..20_000).map(call).collect();
+            let expected = |call: &Call| match is_single {
+                false => diagnosed::<f64>(call),
+                true => diagnosed::<f32>(call),
+            };
+            statuses.extend(calls.iter().map(|call| expected(call)[0] as i32));
+            compare(program, &calls, expected);
+        }
+        assert_eq!(statuses, BTreeSet::from([0, 1, 2, 3, 4]));
+    }
+}
+
+#[test]
+fn strict_c_agrees() {
+    let Some(program) = program("cc", "strict", &STRICT) else { return };
+    functions_agree::<Plain>(&program);
+    conditions_agree(&program);
+}
+
+/// Also where the compiler may contract a product into a sum, and where operations are fused.
+#[test]
+fn fused_c_agrees() {
+    if !cfg!(target_arch = "x86_64") || !std::is_x86_feature_detected!("fma") {
+        println!("skipped: no fused operations");
+        return;
+    }
+    let Some(program) = program("cc", "fused", &CONTRACTING) else { return };
+    functions_agree::<Fused>(&program);
+    conditions_agree(&program);
+}
+
+#[test]
+fn it_is_cpp_as_well() {
+    let flags =
+        ["-x", "c++", "-std=c++17", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion"];
+    let Some(program) = program("g++", "cpp", &flags) else { return };
+    functions_agree::<Plain>(&program);
+}
