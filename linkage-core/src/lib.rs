@@ -73,7 +73,7 @@
 //! its parameters; [`differentiate`] takes any rows by any numbers, and [`differentiate_twice`]
 //! gives the gradient and the Hessian of one. None of them allocates. Where a derivative does not
 //! exist, at the limit of assembly for one, they are [`SolveError::Singular`]; a number that is
-//! not finite never comes back as `Ok`. The types are those of [`nalgebra`] and [`num_dual`],
+//! not finite never comes back as `Ok`. The types are those of [`nalgebra`] and `num_dual`,
 //! re-exported so that their versions fit.
 //!
 //! # Called from C
