@@ -1,6 +1,7 @@
 //! The searches: the input at which an output has a wanted value, the range of an input, the extremes of an
 //! output.
 
+mod class_three;
 mod derived;
 mod followed;
 mod named;

@@ -166,7 +166,7 @@ const KINDS: [Kind; 5] = [
         name: "functions",
         aim: 8,
         facts: &[
-            fact(31, &[Name("Sqrt"), Name("sqrt")]),
+            fact(32, &[Name("Sqrt"), Name("sqrt")]),
             fact(20, &[Name("Hypot"), Name("hypot")]),
             // `sin` and `cos` are what the sine and cosine of an angle are called everywhere.
             fact(18, &[Name("Sin"), Text("sin")]),

@@ -13,6 +13,8 @@ pub(crate) struct Machine {
     pub bodies: Vec<RigidBody>,
     pub slides: Vec<Slide>,
     pub drives: Vec<Driving>,
+    /// True if a dimension depends on a parameter or an input.
+    pub varies: bool,
 }
 
 /// A rigid body. A pin of several bodies is a revolute joint between them.
@@ -79,6 +81,11 @@ impl Machine {
 
     pub(crate) fn is_given(&self, body: usize) -> bool {
         body == GROUND || self.bodies[body].given.is_some()
+    }
+
+    /// True if all poses follow from the first drive.
+    pub(crate) fn has_one_motion(&self) -> bool {
+        !self.varies && matches!(&self.drives[..], [drive] if drive.reads.is_empty())
     }
 
     /// The greatest distance between two pins along an axis: the size by which lengths are judged.

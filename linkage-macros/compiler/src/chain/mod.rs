@@ -5,15 +5,19 @@
 //! every constraint is held by a body or a pin that it leaves one freedom less, and bodies that
 //! hold each other's constraints in a circle are one group. [`cutting`] makes drivers and dyads of
 //! them. A group of class III is solved by one unknown: [`options`] lists what can be left out and what
-//! be driven, and [`trace`] follows the machine to choose among them. [`pose`] computes poses, and
-//! [`limits`] says how far each group is from its limit.
+//! be driven, [`trace`] follows the machine, [`following`] fits intervals to it, and [`choice`] chooses. [`pose`]
+//! computes poses, and [`limits`] says how far each group is from its limit.
 //!
 //! Only numbers in `f64` and indices stand here: no names, no tokens, no exact constants and no
 //! messages. A result decides which groups there are and on which side they assemble, and no
 //! dimension of them.
 
+mod choice;
 pub(crate) mod count;
+mod curve;
 pub(crate) mod cutting;
+pub(crate) mod fit;
+mod following;
 pub(crate) mod limits;
 pub(crate) mod machine;
 pub(crate) mod options;
@@ -57,7 +61,7 @@ pub(crate) fn cut(machine: &Machine) -> Result<Vec<Found>, Vec<Trouble>> {
             Some(found) => steps.extend(found),
             None => {
                 let options = options::options(machine, &known, &group);
-                let Some(search) = trace::chosen(machine, &steps, options) else {
+                let Some(search) = choice::chosen(machine, &steps, options) else {
                     return Err(vec![Trouble::Undecided { bodies: group }]);
                 };
                 steps.push(Found::Search(Box::new(search)));

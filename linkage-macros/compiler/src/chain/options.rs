@@ -2,6 +2,7 @@
 //! the rest are drivers and dyads. The link that was left out is the equation.
 
 use super::cutting::{Found, KNOWN, Pair, Placed, Unplaced};
+use super::fit::Following;
 use super::machine::{GROUND, Machine};
 
 /// A group that is solved by one unknown.
@@ -12,17 +13,20 @@ pub(crate) struct Search {
     pub joints: [Pair; 2],
     /// First what the unknown drives.
     pub steps: Vec<Found>,
-    /// The ends of the unknown, from its value in the drawing.
+    /// The ends of the unknown, from its value in the drawing or from the value that it follows.
     pub between: [f64; 2],
     /// True if the equation's left side grows with the unknown.
     pub rises: bool,
     /// The interval of the first drive, measured from the drawing, in which the search was followed.
     pub stretch: [f64; 2],
+    /// The value over the first drive from which the ends are measured.
+    pub following: Option<Following>,
 }
 
 impl Search {
     fn of(left_out: usize, joints: [Pair; 2], steps: Vec<Found>) -> Self {
-        Self { left_out, joints, steps, between: [0.0; 2], rises: true, stretch: [0.0; 2] }
+        let (between, stretch) = ([0.0; 2], [0.0; 2]);
+        Self { left_out, joints, steps, between, rises: true, stretch, following: None }
     }
 }
 

@@ -2,6 +2,11 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
+/// The square root; NaN for a negative number.
+pub(crate) fn root(square: f64) -> f64 {
+    square.sqrt()
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Complex {
     pub x: f64,

@@ -4,7 +4,7 @@ use super::cutting::{Dyad, Found, Pair};
 use super::limits::sine;
 use super::machine::{GROUND, Machine};
 use super::options::Search;
-use super::plane::Complex;
+use super::plane::{Complex, root};
 
 /// The motion of a body from the drawing: z ↦ shift + turn z.
 #[derive(Clone, Copy, Debug)]
@@ -165,8 +165,8 @@ impl<'m> Posed<'m> {
                 let base = to - from;
                 let far = base.length();
                 let x = (far + (first - second) * (first + second) / far) / 2.0;
-                let tip =
-                    from + base.unit() * Complex::new(x, sign * root((first - x) * (first + x))?);
+                let tip = from
+                    + base.unit() * Complex::new(x, sign * real_root((first - x) * (first + x))?);
                 for (body, pin, at) in [(a, u, from), (b, w, to)] {
                     let turn = ((tip - at) * (drawn(v) - drawn(pin)).conjugate()).unit();
                     self.of[body] = Some(Motion::taking(drawn(pin), at, turn));
@@ -178,8 +178,8 @@ impl<'m> Posed<'m> {
                 let offset = machine.slides[s].along.cross(drawn(v) - machine.slides[s].through);
                 let foot = along.cross(from - through) - offset;
                 let length = (drawn(v) - drawn(u)).length();
-                let way =
-                    along.dot(from - through) + sign * root((length - foot) * (length + foot))?;
+                let way = along.dot(from - through)
+                    + sign * real_root((length - foot) * (length + foot))?;
                 let tip = through + along * Complex::new(way, offset);
                 let turn = ((tip - from) * (drawn(v) - drawn(u)).conjugate()).unit();
                 self.of[a] = Some(Motion::taking(drawn(u), from, turn));
@@ -190,7 +190,7 @@ impl<'m> Posed<'m> {
                 let along = machine.slides[s].along;
                 let offset = along.cross(drawn(u) - drawn(w));
                 let far = (from - to).length();
-                let way = sign * root((far - offset) * (far + offset))?;
+                let way = sign * real_root((far - offset) * (far + offset))?;
                 let turn = ((from - to) * (along * Complex::new(way, offset)).conjugate()).unit();
                 self.of[a] = Some(Motion::taking(drawn(u), from, turn));
                 self.of[b] = Some(Motion::taking(drawn(w), to, turn));
@@ -238,8 +238,8 @@ impl<'m> Posed<'m> {
 }
 
 /// The root of a number that is not negative.
-fn root(square: f64) -> Option<f64> {
-    (square >= 0.0).then(|| square.sqrt())
+fn real_root(square: f64) -> Option<f64> {
+    (square >= 0.0).then(|| root(square))
 }
 
 fn quotient(above: f64, below: f64) -> Option<f64> {

@@ -1,55 +1,51 @@
-//! The choice among the ways to solve a group: each is followed from the drawing both ways, and the one whose
-//! interval holds the longest motion is taken.
+//! The motion of a machine on one way to solve a group: followed from the drawing both ways until it
+//! ends.
 
 use super::cutting::Found;
-use super::limits::sine;
 use super::machine::{Driven, Machine};
 use super::options::Search;
 use super::pose::{Given, Posed};
 
-/// The count of options that are followed: those that are farthest from their limits in the drawing.
-const FOLLOWED: usize = 5;
-/// The most poses each way.
+/// The most poses each way at full steps.
 const POSES: usize = 60;
-/// The count of parts into which an unknown's interval is divided to count its roots.
-const PARTS: usize = 16;
-/// The most poses of a stretch for which an interval is looked at.
-const LOOKED_AT: usize = 12;
-/// The least measure of an option in the drawing.
-const LEAST: f64 = 1e-4;
+/// The least count of poses that show the shape of a motion; shorter ones are followed once more in
+/// smaller steps.
+const FEWEST: usize = 40;
+/// The count of times that the step is halved in front of an end.
+const HALVINGS: usize = 10;
+/// The widths about a root, as parts of the unknown's unit, that are tried as its room.
+const ROOMS: [f64; 7] = [0.3, 0.1, 0.03, 0.01, 0.004, 0.002, LEAST_ROOM];
+/// The least of them.
+pub(super) const LEAST_ROOM: f64 = 1e-3;
 
 /// A pose along the motion: the first drive, the unknown, and the bodies before the group.
-struct Sample<'m> {
-    drive: f64,
-    unknown: f64,
+pub(super) struct Sample<'m> {
+    pub drive: f64,
+    pub unknown: f64,
+    /// The slope of the equation over the unknown, zero at a dead point.
+    pub slope: f64,
     before: Posed<'m>,
 }
 
-/// An option with its score in the drawing.
-struct Rated {
-    search: Search,
-    score: f64,
+/// The poses of a motion in the order of the first drive.
+pub(super) struct Trace<'m> {
+    pub machine: &'m Machine,
+    pub samples: Vec<Sample<'m>>,
+    /// The index of the drawing.
+    pub drawn: usize,
+    /// The turns of the unknown in a full turn of the drive, where the motion closes.
+    pub closes: Option<i32>,
 }
 
-/// The option whose interval holds longest; `None` where there is none off its limits.
-pub(super) fn chosen(machine: &Machine, before: &[Found], options: Vec<Search>) -> Option<Search> {
-    let mut rated: Vec<_> =
-        options.into_iter().filter_map(|search| rated(machine, before, search)).collect();
-    // The order of options decides between equals.
-    rated.sort_by(|a, b| b.score.total_cmp(&a.score));
-    rated.truncate(FOLLOWED);
-    let mut best: Option<Search> = None;
-    for Rated { search, .. } in rated {
-        let Some(found) = followed(machine, before, search) else { continue };
-        let length = |search: &Search| search.stretch[1] - search.stretch[0];
-        if best.as_ref().is_none_or(|best| length(&found) > 1.001 * length(best)) {
-            best = Some(found);
-        }
+/// The unit of an unknown: a radian, or the size of the machine.
+pub(super) fn unit(machine: &Machine, search: &Search) -> f64 {
+    match search.steps[0] {
+        Found::Slider { .. } => machine.size(),
+        _ => 1.0,
     }
-    best
 }
 
-fn given(machine: &Machine, drive: f64) -> Given {
+pub(super) fn given(machine: &Machine, drive: f64) -> Given {
     let mut drives = vec![0.0; machine.drives.len()];
     if let Some(first) = drives.first_mut() {
         *first = drive;
@@ -57,130 +53,112 @@ fn given(machine: &Machine, drive: f64) -> Given {
     Given { drives, unknowns: vec![0.0; machine.bodies.len()] }
 }
 
-fn rated(machine: &Machine, before: &[Found], mut search: Search) -> Option<Rated> {
-    let mut given = given(machine, 0.0);
-    let mut posed = Posed::new(machine);
-    posed.run(before, &mut given, 0.0)?;
-    let slope = posed.slope(&search, &mut given, 0.0)?;
-    let unit = unit(machine, &search);
-    let dyads = search.steps.iter().filter_map(|step| match step {
-        Found::Dyad(dyad) => Some(sine(machine, dyad).abs()),
-        _ => None,
-    });
-    let score = dyads.fold(slope.abs() * unit / machine.size(), f64::min);
-    search.rises = slope > 0.0;
-    (score > LEAST).then_some(Rated { search, score })
-}
+impl<'m> Trace<'m> {
+    /// The motion both ways from the drawing until the option ends.
+    pub(super) fn of(machine: &'m Machine, before: &[Found], search: &Search) -> Self {
+        let slides =
+            matches!(machine.drives.first().map(|drive| drive.kind), Some(Driven::Slide(_)));
+        let step = if slides { machine.size() } else { std::f64::consts::PI } / POSES as f64;
+        let mut trace = Self::in_steps(machine, before, search, step);
+        let count = trace.samples.len();
+        if count < FEWEST {
+            let finer = step * count as f64 / (2 * FEWEST) as f64;
+            trace = Self::in_steps(machine, before, search, finer);
+        }
+        if let (false, [first, .., last]) = (slides, &trace.samples[..]) {
+            trace.closes = closing(search, first, last);
+        }
+        trace
+    }
 
-/// The unit of an unknown: a radian, or the size of the machine.
-fn unit(machine: &Machine, search: &Search) -> f64 {
-    match search.steps[0] {
-        Found::Slider { .. } => machine.size(),
-        _ => 1.0,
+    fn in_steps(machine: &'m Machine, before: &[Found], search: &Search, step: f64) -> Self {
+        let mut samples = way(machine, before, search, -step);
+        samples.reverse();
+        let drawn = samples.len().saturating_sub(1);
+        samples.extend(way(machine, before, search, step).into_iter().skip(1));
+        Self { machine, samples, drawn, closes: None }
+    }
+
+    /// The residual of the equation in a pose.
+    pub(super) fn residual(&self, search: &Search, sample: &Sample<'m>, at: f64) -> Option<f64> {
+        sample.before.clone().residual(search, &mut given(self.machine, sample.drive), at)
+    }
+
+    /// The width on both sides of a root on which everything assembles and the equation keeps its
+    /// trend; zero where there is none.
+    pub(super) fn room(&self, search: &Search, sample: &Sample<'m>) -> f64 {
+        const PARTS: usize = 4;
+        let unit = unit(self.machine, search);
+        let has_trend = |room: &f64| {
+            let mut last = None;
+            (0..=PARTS).all(|part| {
+                let share = 2.0 * part as f64 / PARTS as f64 - 1.0;
+                let now = self.residual(search, sample, sample.unknown + share * room);
+                let grows = |last: f64| now.is_some_and(|now| (now > last) == search.rises);
+                now.is_some() && last.replace(now.unwrap_or_default()).is_none_or(grows)
+            })
+        };
+        ROOMS.map(|room| room * unit).into_iter().find(has_trend).unwrap_or(0.0)
     }
 }
 
-/// The option with the interval that holds the longest stretch about the drawing.
-fn followed(machine: &Machine, before: &[Found], mut search: Search) -> Option<Search> {
-    let (samples, drawn) = traced(machine, before, &search);
-    let mut good = [drawn, drawn];
-    let mut between = checked(machine, &search, &samples, good)?;
-    for size in [16, 8, 4, 2, 1] {
-        loop {
-            let wider = [
-                [good[0], (good[1] + size).min(samples.len() - 1)],
-                [good[0].saturating_sub(size), good[1]],
-            ];
-            let mut grew = false;
-            for wider in wider.into_iter() {
-                let wider = [wider[0].min(good[0]), wider[1].max(good[1])];
-                if wider != good
-                    && let Some(found) = checked(machine, &search, &samples, wider)
-                {
-                    (good, between, grew) = (wider, found, true);
+/// The turns of the unknown between two poses a turn apart, if they are one pose.
+fn closing(search: &Search, first: &Sample<'_>, last: &Sample<'_>) -> Option<i32> {
+    const TURN: f64 = std::f64::consts::TAU;
+    // Roots are found to 1e-11.
+    const OFF: f64 = 1e-8;
+    let change = last.unknown - first.unknown;
+    let turns = match search.steps[0] {
+        Found::Slider { .. } => 0.0,
+        _ => (change / TURN).round(),
+    };
+    let is_turn = (last.drive - first.drive - TURN).abs() < OFF;
+    (is_turn && (change - TURN * turns).abs() < OFF).then_some(turns as i32)
+}
+
+/// The poses from the drawing on, with the step halved where it leads beyond the end.
+fn way<'m>(machine: &'m Machine, before: &[Found], search: &Search, step: f64) -> Vec<Sample<'m>> {
+    let mut samples: Vec<Sample<'m>> = Vec::new();
+    let mut given = given(machine, 0.0);
+    let (mut part, mut done, mut index) = (1.0, 0.0, 0);
+    while index <= POSES {
+        let drive = if samples.is_empty() { 0.0 } else { step * (done + part) };
+        let unknown = samples.last().map_or(0.0, |sample| sample.unknown);
+        match next(machine, before, search, (drive, unknown), &mut given) {
+            Some(sample) => {
+                done = drive / step;
+                samples.push(sample);
+                index += 1;
+            }
+            None if samples.is_empty() => break,
+            None => {
+                part /= 2.0;
+                if part < 0.5_f64.powi(HALVINGS as i32) {
+                    break;
                 }
             }
-            if !grew {
-                break;
-            }
         }
     }
-    search.between = between;
-    search.stretch = good.map(|index| samples[index].drive);
-    Some(search)
+    samples
 }
 
-/// The motion both ways from the drawing until the option ends, and the place of the drawing in it.
-fn traced<'m>(machine: &'m Machine, before: &[Found], search: &Search) -> (Vec<Sample<'m>>, usize) {
-    let step = match machine.drives.first().map(|drive| drive.kind) {
-        Some(Driven::Slide(_)) => machine.size() / 60.0,
-        _ => std::f64::consts::PI / POSES as f64,
-    };
-    let way = |sign: f64| {
-        let mut samples: Vec<Sample<'m>> = Vec::new();
-        let mut given = given(machine, 0.0);
-        let mut unknown = 0.0;
-        for index in 0..=POSES {
-            let drive = sign * step * index as f64;
-            if let Some(first) = given.drives.first_mut() {
-                *first = drive;
-            }
-            let mut posed = Posed::new(machine);
-            let found = posed.run(before, &mut given, 0.0).and_then(|()| {
-                let before = posed.clone();
-                let root = posed.solve(search, &mut given, unknown)?;
-                let slope = before.slope(search, &mut given, root)?;
-                let is_near = (root - unknown).abs() < 0.4 * unit(machine, search);
-                (is_near && (slope > 0.0) == search.rises).then_some((root, before))
-            });
-            let Some((root, before)) = found else { break };
-            unknown = root;
-            samples.push(Sample { drive, unknown, before });
-        }
-        samples
-    };
-    let (mut samples, ahead) = (way(-1.0), way(1.0));
-    samples.reverse();
-    let drawn = samples.len().saturating_sub(1);
-    samples.extend(ahead.into_iter().skip(1));
-    (samples, drawn)
-}
-
-/// The interval of the unknown over a stretch, where everything in it assembles with one root of the
-/// trend.
-fn checked(
-    machine: &Machine,
+/// The pose at a drive beside one with this unknown.
+fn next<'m>(
+    machine: &'m Machine,
+    before: &[Found],
     search: &Search,
-    samples: &[Sample<'_>],
-    [first, last]: [usize; 2],
-) -> Option<[f64; 2]> {
-    let stretch = samples.get(first..=last)?;
-    let unknowns = || stretch.iter().map(|sample| sample.unknown);
-    let (low, high) =
-        (unknowns().fold(f64::INFINITY, f64::min), unknowns().fold(f64::NEG_INFINITY, f64::max));
-    let unit = unit(machine, search);
-    let margins = [0.1, 0.03, 0.01].map(|share| share * (high - low).max(0.5 * unit));
-    margins.into_iter().map(|margin| [low - margin, high + margin]).find(|&between| {
-        let step = stretch.len().div_ceil(LOOKED_AT).max(1);
-        let looked_at = stretch.iter().step_by(step).chain(stretch.last());
-        looked_at.into_iter().all(|sample| has_one_root(machine, search, sample, between))
-    })
-}
-
-fn has_one_root(
-    machine: &Machine,
-    search: &Search,
-    sample: &Sample<'_>,
-    [low, high]: [f64; 2],
-) -> bool {
-    let mut given = given(machine, sample.drive);
-    let residuals: Option<Vec<_>> = (0..=PARTS)
-        .map(|part| {
-            let unknown = low + (high - low) * part as f64 / PARTS as f64;
-            sample.before.clone().residual(search, &mut given, unknown)
-        })
-        .collect();
-    let Some(residuals) = residuals else { return false };
-    let changes = residuals.windows(2).filter(|pair| (pair[0] > 0.0) != (pair[1] > 0.0)).count();
-    changes == 1 && (residuals[PARTS] > 0.0) == search.rises
+    (drive, unknown): (f64, f64),
+    given: &mut Given,
+) -> Option<Sample<'m>> {
+    if let Some(first) = given.drives.first_mut() {
+        *first = drive;
+    }
+    let mut posed = Posed::new(machine);
+    posed.run(before, given, 0.0)?;
+    let before = posed.clone();
+    let root = posed.solve(search, given, unknown)?;
+    let slope = before.slope(search, given, root)?;
+    let is_near = (root - unknown).abs() < 0.4 * unit(machine, search);
+    let is_kept = is_near && (slope > 0.0) == search.rises;
+    is_kept.then_some(Sample { drive, unknown: root, slope, before })
 }

@@ -1,5 +1,6 @@
 //! The groups that are found in machines of textbooks and in eight-bars.
 
+use super::machine::documentation;
 use super::{Case, cases};
 use crate::diagnostics::Diagnostics;
 use crate::model::mechanism::{LinkId, Mechanism, Mode, Sign, Step};
@@ -109,14 +110,8 @@ fn the_groups_are_those_expected() {
 
 /// The declaration of the groups in the documentation of a solver.
 fn declared_in_docs(mechanism: &Mechanism) -> String {
-    let line = |docs: &syn::Attribute| match &docs.meta {
-        syn::Meta::NameValue(value) => match &value.value {
-            syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) => text.value(),
-            _ => String::new(),
-        },
-        _ => String::new(),
-    };
-    let lines: Vec<_> = mechanism.docs.iter().map(line).collect();
+    let docs = documentation(mechanism);
+    let lines: Vec<_> = docs.lines().collect();
     let from = lines.iter().position(|line| line.contains("pub struct")).expect("it is there");
     let to = lines.iter().rposition(|line| line.trim() == "}").expect("it ends");
     lines[from + 1..to - 1].join("\n")

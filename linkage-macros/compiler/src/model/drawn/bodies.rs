@@ -30,7 +30,7 @@ pub(super) struct LinkOutline<'t> {
     pub length: Option<(&'t Expr, Option<Figure>)>,
     /// Its statement.
     pub statement: usize,
-    /// Whether a group that is declared makes it.
+    /// True if a group that is declared makes it.
     pub is_given: bool,
 }
 
@@ -102,7 +102,7 @@ impl<'t> Bodies<'t> {
         })
     }
 
-    /// Whether a point is a pin of a body.
+    /// True if a point is a pin of a body.
     pub(super) fn has_pin(&self, body: usize, name: &Ident) -> bool {
         self.machine.bodies[body].pins.iter().any(|&pin| self.pins[pin].name == *name)
     }

@@ -256,3 +256,9 @@ impl Pen {
         self.seen_from(&mirrored, local)
     }
 }
+
+/// The sum of two expressions.
+pub(super) fn sum(first: Expr, second: Expr) -> Expr {
+    let span = first.span;
+    Expr { kind: ExprKind::Chain(Box::new(first), vec![(BinaryOp::Add, second)]), span }
+}

@@ -6,6 +6,7 @@
 use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
+use crate::chain::plane::root;
 use crate::exact::Exact;
 use crate::syntax::tree::{Course, Place, Spot, StatementKind};
 
@@ -183,7 +184,7 @@ fn point_of_link(
             };
             let x = (long + (a - b) * (a + b) / long) / 2.0;
             // Where the distances do not meet is said where the point is resolved.
-            let y = ((a - x) * (a + x)).max(0.0).sqrt();
+            let y = root(((a - x) * (a + x)).max(0.0));
             [x, if side == "left" { y } else { -y }].map(|value| pen.drawn(value))
         }
         Place::Mistake => return None,

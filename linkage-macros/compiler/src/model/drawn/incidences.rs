@@ -81,8 +81,19 @@ impl<'t> Reader<'t, '_, '_> {
         for (_, drive) in &drives {
             machine.drives.push(self.driving(&machine, drive)?);
         }
+        machine.varies = self.varies();
         let Self { tree, pins, links, guides, .. } = self;
         Some(Bodies { tree, pins, links, guides, drives, frames, machine })
+    }
+
+    /// True if a dimension of the drawing is not a constant.
+    fn varies(&self) -> bool {
+        let is_constant = |place: &[Figure; 2]| place.iter().all(|number| number.exact.is_some());
+        let lengths = self.links.iter().filter_map(|link| link.length.as_ref());
+        let mut lengths = lengths.map(|(_, length)| length.as_ref());
+        let is_drawn = self.pins.iter().all(|pin| pin.on.is_some() || is_constant(&pin.at))
+            && self.guides.iter().all(|guide| is_constant(&guide.line.along));
+        !is_drawn || lengths.any(|length| length.is_none_or(|length| length.exact.is_none()))
     }
 
     fn driving(&mut self, machine: &Machine, drive: &DriveStatement) -> Option<Driving> {

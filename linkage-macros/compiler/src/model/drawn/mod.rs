@@ -8,6 +8,7 @@
 
 mod bodies;
 mod figures;
+mod followed;
 mod frames;
 mod incidences;
 mod messages;
@@ -51,7 +52,7 @@ struct Translation {
     inputs: Option<Vec<f64>>,
 }
 
-/// Whether anything of the declaration is drawn.
+/// True if anything of the declaration is drawn.
 pub(super) fn is_drawn(tree: &Declaration) -> bool {
     tree.statements.iter().any(|statement| is_of_a_drawing(&statement.kind))
 }

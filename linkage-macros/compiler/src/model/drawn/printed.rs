@@ -26,16 +26,23 @@ pub(super) fn documentation(tree: &Declaration, translated: &Translated) -> Vec<
     let statements = translated.statements.iter();
     lines.extend(statements.map(|statement| format!("         {}", written(statement))));
     lines.extend(["     }", " }", " ```"].map(String::from));
-    for Sought { unknown, stretch: [from, to], is_angle } in &translated.searches {
+    for Sought { unknown, traced, stretch: [from, to], is_angle } in &translated.searches {
         let [from, to] = match is_angle {
             true => [from, to].map(|end| format!("{:.1}°", end.to_degrees() + 0.0)),
             false => [from, to].map(|end| format!("{:.3} m", end + 0.0)),
         };
         lines.push(String::new());
-        lines.push(format!(
-            " `{unknown}` is searched in one interval: it was followed while the first drive goes from \
-             {from} to {to} about the drawing."
-        ));
+        lines.push(match traced {
+            None => format!(
+                " `{unknown}` is searched in one interval: it was followed while the first drive goes \
+                 from {from} to {to} about the drawing."
+            ),
+            Some(traced) => format!(
+                " `{unknown}` is searched beside `{traced}`, which is the motion of the drawing to \
+                 within a third of the interval while the first drive goes from {from} to {to} about \
+                 the drawing."
+            ),
+        });
     }
     lines.iter().map(|line| syn::parse_quote!(#[doc = #line])).collect()
 }

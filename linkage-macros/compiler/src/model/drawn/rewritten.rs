@@ -14,9 +14,8 @@ use crate::syntax::tree::{
 
 use super::TurnedFrame;
 use super::bodies::Bodies;
-use super::figures::{Figure, Pen};
+use super::figures::{Figure, Pen, sum};
 use super::frames::{DrawnFrame, Heading};
-use super::writer::sum;
 
 /// The written frame of a link in that of its group.
 struct FrameShift {

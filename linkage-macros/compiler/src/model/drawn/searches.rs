@@ -11,13 +11,16 @@ use crate::chain::plane::Complex;
 use crate::model::names::Names;
 use crate::syntax::tree::{Expr, ExprKind, FieldValue, Solve, StatementKind};
 
-use super::figures::Figure;
+use super::figures::{Figure, sum};
+use super::followed::{DrawnValues, Fitted, traced_names};
 use super::frames::{DrawnFrame, Heading, Origin};
 use super::writer::{Writer, group_of};
 
 /// An unknown, and how far the first drive was followed with it.
 pub(super) struct Sought {
     pub unknown: Ident,
+    /// The name of what it is measured from, where that follows the drive.
+    pub traced: Option<Ident>,
     pub stretch: [f64; 2],
     /// True if the first drive is an angle.
     pub is_angle: bool,
@@ -27,9 +30,17 @@ impl Writer<'_, '_> {
     /// The unknown that drives a body.
     pub(super) fn unknown(&self, body: usize) -> Expr {
         let span = self.name(body).span();
-        let name =
-            self.searches.last().map_or("phi".to_string(), |sought| sought.unknown.to_string());
-        Expr { kind: ExprKind::Name(Ident::new(&name, span)), span: span.into() }
+        let named = |name: &Ident| Expr {
+            kind: ExprKind::Name(Ident::new(&name.to_string(), span)),
+            span: span.into(),
+        };
+        match self.searches.last() {
+            Some(Sought { unknown, traced: Some(traced), .. }) => {
+                sum(named(unknown), named(traced))
+            }
+            Some(Sought { unknown, .. }) => named(unknown),
+            None => named(&Ident::new("phi", span)),
+        }
     }
 
     pub(super) fn search(&mut self, search: &Search) {
@@ -42,10 +53,20 @@ impl Writer<'_, '_> {
         let stretch = search.stretch;
         let drives = &self.bodies.machine.drives;
         let turns = drives.first().is_none_or(|drive| drive.kind == Driven::Angle);
-        self.searches.push(Sought { unknown: unknown.clone(), stretch, is_angle: turns });
-        self.hidden.push(unknown.clone());
         let drawn = self.drawn(&search.steps[0]);
-        let ends = search.between.map(|end| self.end(drawn + end, is_angle));
+        let traced = search.following.as_ref().and_then(|following| {
+            let drive = self.turns.expr(&self.bodies.drives.first()?.1.value);
+            let drawn = DrawnValues { drive: self.bodies.drawn_value(0)?, unknown: drawn };
+            let names = traced_names(self.bodies.tree, &unknown);
+            let fitted = Fitted { pen: &self.pen, following, drive, drawn, is_angle };
+            fitted.statements(&names).into_iter().for_each(|kind| self.put(behind, kind));
+            Some(names.traced)
+        });
+        let from = if traced.is_some() { 0.0 } else { drawn };
+        self.hidden.push(unknown.clone());
+        let ends = search.between.map(|end| self.end(from + end, is_angle));
+        let sought = Sought { unknown: unknown.clone(), traced, stretch, is_angle: turns };
+        self.searches.push(sought);
         let kind = Ident::new(if is_angle { "angle" } else { "length" }, span);
         let (name, kind) = (unknown.clone(), Some(kind));
         self.put(behind, StatementKind::Unknown { name, kind, between: Some(ends) });

@@ -6,7 +6,7 @@ use crate::chain::cutting::{Dyad, Found, Pair};
 use crate::chain::limits::sine;
 use crate::chain::machine::GROUND;
 use crate::syntax::tree::{
-    self, BinaryOp, Expr, ExprKind, Field, FieldValue, Group, Place, Statement, StatementKind,
+    self, Expr, ExprKind, Field, FieldValue, Group, Place, Statement, StatementKind,
 };
 
 use super::TurnedFrame;
@@ -26,7 +26,7 @@ pub(super) struct Written {
     pub statement: Statement,
 }
 
-/// What a drawing became.
+/// The statements that a drawing became.
 pub(super) struct Translated {
     pub statements: Vec<Statement>,
     pub turned: Vec<TurnedFrame>,
@@ -38,7 +38,7 @@ pub(super) struct Translated {
 pub(super) struct Writer<'b, 't> {
     pub(super) bodies: &'b Bodies<'t>,
     pub(super) pen: Pen,
-    /// Whether a statement makes the pin so far.
+    /// True for the pins that statements have made so far.
     pub(super) made: Vec<bool>,
     /// The frames of links that groups have given other ones than they are written in.
     pub(super) turns: Turns,
@@ -378,10 +378,4 @@ pub(super) fn given(offset: Figure) -> Option<(&'static str, FieldValue)> {
 
 fn sense(sign: f64) -> &'static str {
     if sign > 0.0 { "ahead" } else { "behind" }
-}
-
-/// The sum of two expressions.
-pub(super) fn sum(first: Expr, second: Expr) -> Expr {
-    let span = first.span;
-    Expr { kind: ExprKind::Chain(Box::new(first), vec![(BinaryOp::Add, second)]), span }
 }

@@ -1,0 +1,81 @@
+//! Fits of a traced unknown over the first drive.
+//!
+//! Over an angle the fit is f(x) = P(cos x) + sin x Q(cos x), with x from the middle of the
+//! stretch. It has the same value a turn on, and its polynomials have half the degree that one in x
+//! would need, so that their coefficients stay small beside what `f32` resolves.
+
+use super::plane::root;
+
+/// The traced value of an unknown over the first drive, both from the drawing.
+#[derive(Clone, Debug)]
+pub(crate) struct Following {
+    /// The middle of the stretch.
+    pub middle: f64,
+    pub terms: Terms,
+    pub ends: Option<DeadEnds>,
+}
+
+/// The square roots towards dead points at the ends of the stretch, where the unknown turns back:
+/// √z (mean + skew y), where z falls to zero at both ends and y is odd. Over an angle z = 1 + u and
+/// y = sin x; along a slide z = 1 − y² and y = x/reach.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DeadEnds {
+    pub mean: f64,
+    pub skew: f64,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum Terms {
+    /// P(u) + sin x Q(u) + turns x, where u = (cos x − center)/reach.
+    Turning { center: f64, reach: f64, even: Vec<f64>, odd: Vec<f64>, turns: i32 },
+    /// P(x/reach).
+    Sliding { reach: f64, powers: Vec<f64> },
+}
+
+impl Following {
+    pub(super) fn at(&self, drive: f64) -> f64 {
+        let x = drive - self.middle;
+        let smooth = match &self.terms {
+            Terms::Turning { center, reach, even, odd, turns } => {
+                let u = (x.cos() - center) / reach;
+                polynomial(even, u) + x.sin() * polynomial(odd, u) + f64::from(*turns) * x
+            }
+            Terms::Sliding { reach, powers } => polynomial(powers, x / reach),
+        };
+        smooth + self.ends.map_or(0.0, |ends| ends.at(self.terms.end(x)))
+    }
+
+    /// The coefficients as multiples of a unit.
+    pub(super) fn rounded(mut self, unit: f64) -> Self {
+        let lists = match &mut self.terms {
+            Terms::Turning { even, odd, .. } => vec![even, odd],
+            Terms::Sliding { powers, .. } => vec![powers],
+        };
+        for term in lists.into_iter().flatten() {
+            // The decimal that is printed.
+            let digits = (-unit.log10().floor()).max(0.0) as usize;
+            *term = format!("{term:.digits$}").parse().unwrap_or(*term);
+        }
+        self
+    }
+}
+
+impl DeadEnds {
+    pub(super) fn at(&self, [z, y]: [f64; 2]) -> f64 {
+        root(z.max(0.0)) * (self.mean + self.skew * y)
+    }
+}
+
+impl Terms {
+    /// The number z that falls to zero at both ends, and the odd number y.
+    pub(super) fn end(&self, x: f64) -> [f64; 2] {
+        match self {
+            Self::Turning { center, reach, .. } => [1.0 + (x.cos() - center) / reach, x.sin()],
+            Self::Sliding { reach, .. } => [1.0 - (x / reach).powi(2), x / reach],
+        }
+    }
+}
+
+fn polynomial(powers: &[f64], at: f64) -> f64 {
+    powers.iter().rev().fold(0.0, |sum, power| sum * at + power)
+}

@@ -1,0 +1,130 @@
+//! Intervals that follow the drive: the unknown is measured from a fit of its traced value.
+//!
+//! A dimension of the fit is never part of a result: the unknown makes up for what the fit is off by.
+//! All that it decides is where the search looks, so a fit is good once it is within a part of the room
+//! about the roots, and the lowest degree that is good is taken.
+
+use std::f64::consts::PI;
+use std::ops::RangeInclusive;
+
+use super::curve::Curve;
+use super::fit::Following;
+use super::machine::Driven;
+use super::options::Search;
+use super::trace::{LEAST_ROOM, Sample, Trace, unit};
+
+/// The degrees that are tried, without and with square roots towards dead points.
+const FITS: [(usize, bool); 12] = [
+    (3, false),
+    (5, false),
+    (5, true),
+    (8, false),
+    (8, true),
+    (12, false),
+    (12, true),
+    (16, false),
+    (16, true),
+    (20, true),
+    (24, true),
+    (24, false),
+];
+/// The share of the longest stretch for which a lower degree is taken.
+const ENOUGH: f64 = 0.99;
+/// The half width of an interval, as a multiple of what its fit is off by in the poses that were
+/// followed: between them it may be off by more.
+const MARGIN: f64 = 3.0;
+/// The longest stretch of an angle that is no full turn: near a turn sin x is zero at both ends.
+const ALMOST_A_TURN: f64 = 1.8 * PI;
+
+/// An interval about a fit, and the stretch on which it is good.
+#[derive(Clone)]
+pub(super) struct Band {
+    pub following: Following,
+    pub half: f64,
+    pub stretch: [f64; 2],
+}
+
+impl Band {
+    pub(super) fn length(&self) -> f64 {
+        self.stretch[1] - self.stretch[0]
+    }
+}
+
+/// The interval that holds the longest stretch about the drawing.
+pub(super) fn band(trace: &Trace<'_>, search: &Search) -> Option<Band> {
+    let rooms: Vec<_> = trace.samples.iter().map(|sample| trace.room(search, sample)).collect();
+    let unit = unit(trace.machine, search);
+    let bands: Vec<_> = FITS.iter().filter_map(|&fit| fitted(trace, &rooms, unit, fit)).collect();
+    let inside: Vec<_> = bands.iter().filter(|band| is_inside(band.stretch)).cloned().collect();
+    let bands = if inside.is_empty() { bands } else { inside };
+    let longest = bands.iter().map(Band::length).fold(0.0, f64::max);
+    bands.into_iter().find(|band| band.length() >= ENOUGH * longest)
+}
+
+/// True if the motion goes on from the drawing both ways.
+pub(super) fn is_inside(stretch: [f64; 2]) -> bool {
+    stretch[0] < 0.0 && stretch[1] > 0.0
+}
+
+fn length(samples: &[Sample<'_>], [first, last]: [usize; 2]) -> f64 {
+    samples[last].drive - samples[first].drive
+}
+
+/// The longest run about an index where all is well.
+fn run(from: usize, all: [usize; 2], is_well: impl Fn(usize) -> bool) -> Option<[usize; 2]> {
+    if !is_well(from) {
+        return None;
+    }
+    let first = (all[0]..from).rev().take_while(|&index| is_well(index)).last().unwrap_or(from);
+    let last = (from..=all[1]).take_while(|&index| is_well(index)).last().unwrap_or(from);
+    Some([first, last])
+}
+
+fn fitted(trace: &Trace<'_>, rooms: &[f64], unit: f64, fit: (usize, bool)) -> Option<Band> {
+    let samples = &trace.samples;
+    let least = LEAST_ROOM * unit;
+    let is_angle = trace.machine.drives.first().is_none_or(|drive| drive.kind == Driven::Angle);
+    let all = [0, samples.len().checked_sub(1)?];
+    let mut range = run(trace.drawn, all, |index| rooms[index] >= least)?;
+    loop {
+        let is_whole = range == all;
+        let turns = trace.closes.filter(|_| is_whole);
+        while is_angle && turns.is_none() && length(samples, range) > ALMOST_A_TURN {
+            // The end farther from the drawing.
+            match samples[range[1]].drive > -samples[range[0]].drive {
+                true => range[1] -= 1,
+                false => range[0] += 1,
+            }
+        }
+        let curve = Curve::of(&samples[range[0]..=range[1]], turns, is_angle)?;
+        let following = curve.fitted(fit)?;
+        let digits = (MARGIN * curve.off(&following)).max(least).log10().floor();
+        let following = following.rounded(10_f64.powf(digits - 3.0));
+        let half = (MARGIN * curve.off(&following)).max(least);
+        // Rounded up to two digits.
+        let step = 10_f64.powf(half.log10().floor() - 1.0);
+        let half = (half / step).ceil() * step;
+        let off =
+            |index: usize| (samples[index].unknown - following.at(samples[index].drive)).abs();
+        let is_well = |index: usize| off(index) + half <= rooms[index];
+        match run(trace.drawn, range, is_well) {
+            Some(same) if same == range => {
+                let stretch = range.map(|index| samples[index].drive);
+                return Some(Band { following, half, stretch });
+            }
+            Some(less) => range = less,
+            None => {
+                // A fit that is bad everywhere is so by one of its ends.
+                let cut = (range[1] - range[0]).div_ceil(10);
+                let worst = |range: RangeInclusive<usize>| range.map(off).fold(0.0, f64::max);
+                let [first, last] = range;
+                match worst(first..=first + cut) > worst(last - cut..=last) {
+                    true if first + cut <= trace.drawn => range[0] += cut,
+                    _ if last - cut >= trace.drawn => range[1] -= cut,
+                    _ if first + cut <= trace.drawn => range[0] += cut,
+                    _ => return None,
+                }
+            }
+        }
+    }
+}

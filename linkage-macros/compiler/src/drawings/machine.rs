@@ -1,0 +1,156 @@
+//! A machine of the tests, its drawing and its poses in any kind of number.
+
+use crate::diagnostics::Diagnostics;
+use crate::exact::Exact;
+use crate::ir::interpret::{Given, Number, interpret};
+use crate::ir::program::Program;
+use crate::model::mechanism::{LinkId, Mechanism, OutputKind, Step};
+use crate::syntax::tree::{Declaration, DrawnLink, StatementKind};
+use crate::{equations, model, passes, syntax};
+
+/// Pins by name.
+pub(super) type Places<N> = [(String, [N; 2])];
+
+/// A machine as it is declared, and the program of its solver.
+pub(super) struct Machine {
+    tree: Declaration,
+    pub mechanism: Mechanism,
+    program: Program,
+}
+
+pub(super) fn machine(source: &str) -> Option<Machine> {
+    let mut diagnostics = Diagnostics::new();
+    let tokens = source.parse().expect("these are tokens");
+    let tree = syntax::parse(tokens, &mut diagnostics).expect("it has a name");
+    let mechanism = model::resolve(&tree, &mut diagnostics).ok();
+    diagnostics.into_mistakes();
+    let mechanism = mechanism?;
+    let program = equations::derive(&mechanism, passes::RULES);
+    Some(Machine { tree, mechanism, program })
+}
+
+/// The documentation of a solver, a line each.
+pub(super) fn documentation(mechanism: &Mechanism) -> String {
+    let line = |docs: &syn::Attribute| match &docs.meta {
+        syn::Meta::NameValue(value) => match &value.value {
+            syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) => text.value(),
+            _ => String::new(),
+        },
+        _ => String::new(),
+    };
+    mechanism.docs.iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+impl Machine {
+    pub(super) fn docs(&self) -> String {
+        documentation(&self.mechanism)
+    }
+
+    /// The pins by name, at these inputs. The machine has no parameters.
+    pub(super) fn pins<N: Number>(&self, inputs: &[f64]) -> Vec<(String, [N; 2])> {
+        let float = |value: f64| N::exact(&Exact::float(value).expect("finite"));
+        let given = Given {
+            inputs: inputs.iter().map(|&value| [value, 0.0, 0.0].map(float)).collect(),
+            params: Vec::new(),
+            loads: Vec::new(),
+            drives: Vec::new(),
+            unit: None,
+        };
+        let values = interpret(&self.program, &given);
+        let entry = self.program.answer("position").expect("the entry exists");
+        let all: Vec<_> = entry.sinks.iter().map(|sink| values[sink.index()].clone()).collect();
+        let (mut row, mut pins) = (0, Vec::new());
+        for output in &self.mechanism.outputs {
+            match &output.kind {
+                OutputKind::Point(_) => {
+                    let at = [all[row].clone(), all[row + 1].clone()];
+                    pins.push((output.field.to_string(), at));
+                    row += 2;
+                }
+                OutputKind::Link { direction, slide, .. } => {
+                    row += 2 * usize::from(*direction) + usize::from(*slide);
+                }
+                OutputKind::Angle(_) => row += 2,
+                _ => row += 1,
+            }
+        }
+        pins.extend(self.drawn(true));
+        pins
+    }
+
+    /// The links of groups behind all searches: where these end is none of a search's business.
+    fn links_behind(&self) -> Vec<String> {
+        let Some(last) = self.mechanism.unknowns.last() else { return Vec::new() };
+        let name = |link: &LinkId| self.mechanism.links[link.index()].name.to_string();
+        let groups = self.mechanism.steps[last.steps[1]..].iter().filter_map(|step| match step {
+            Step::Group(group) => Some(group.links.iter().map(name).collect::<Vec<_>>()),
+            _ => None,
+        });
+        // The link that was left out hangs on a block of its own.
+        let later = groups.filter(|links| !links.iter().any(|link| link.ends_with("_end")));
+        later.flatten().collect()
+    }
+
+    /// The pins in double precision, if all bodies that searches place and that stand before are as
+    /// rigid as drawn there, to a part `off` of their size. What is out of reach, or has no root, is not.
+    pub(super) fn rigid(&self, inputs: &[f64], off: f64) -> Option<Vec<(String, [f64; 2])>> {
+        let now = self.pins::<f64>(inputs);
+        let drawn = [self.drawn::<f64>(true), self.drawn::<f64>(false)].concat();
+        let at = |pins: &Places<f64>, name: &str| {
+            pins.iter().find(|(known, _)| known == name).expect("every pin is an output").1
+        };
+        let vector = |pins: &Places<f64>, from: &str, to: &str| {
+            let [from, to] = [at(pins, from), at(pins, to)];
+            [to[0] - from[0], to[1] - from[1]]
+        };
+        let products =
+            |[a, b]: [[f64; 2]; 2]| [a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]];
+        let size = drawn.iter().flat_map(|(_, at)| at).fold(0.0_f64, |size, x| size.max(x.abs()));
+        let behind = self.links_behind();
+        let is_rigid = self.links().iter().all(|(name, pins)| {
+            let [first, rest @ ..] = &pins[..] else { return true };
+            if behind.contains(name) {
+                return true;
+            }
+            let pairs =
+                rest.iter().enumerate().flat_map(|(i, a)| rest[i..].iter().map(move |b| (a, b)));
+            pairs.into_iter().all(|(a, b)| {
+                let of = |pins: &Places<f64>| products([a, b].map(|to| vector(pins, first, to)));
+                let (was, is) = (of(&drawn), of(&now));
+                was.iter().zip(is).all(|(was, is)| (was - is).abs() <= off * size * size)
+            })
+        });
+        is_rigid.then_some(now)
+    }
+
+    /// The places of the drawing: those of the ground, or of the pins.
+    pub(super) fn drawn<N: Number>(&self, of_ground: bool) -> Vec<(String, [N; 2])> {
+        let points = self.tree.statements.iter().flat_map(|statement| match &statement.kind {
+            StatementKind::Ground { points } if of_ground => &points[..],
+            StatementKind::Pin { points } if !of_ground => &points[..],
+            _ => &[],
+        });
+        let number = |expr: &syntax::tree::Expr| N::exact(&literal(expr));
+        points.map(|(name, at)| (name.to_string(), at.each_ref().map(number))).collect()
+    }
+
+    /// Every link with its pins.
+    pub(super) fn links(&self) -> Vec<(String, Vec<String>)> {
+        let links = self.tree.statements.iter().flat_map(|statement| match &statement.kind {
+            StatementKind::Link { links, .. } => &links[..],
+            _ => &[],
+        });
+        let pins = |link: &DrawnLink| link.pins.iter().map(ToString::to_string).collect();
+        links.map(|link| (link.name.to_string(), pins(link))).collect()
+    }
+}
+
+/// The value of a decimal.
+fn literal(expr: &syntax::tree::Expr) -> Exact {
+    use syntax::tree::ExprKind;
+    match &expr.kind {
+        ExprKind::Number { digits, .. } => Exact::decimal(digits).expect("a decimal"),
+        ExprKind::Negate(inner) => literal(inner).neg(),
+        _ => panic!("the drawings of these tests are decimals"),
+    }
+}

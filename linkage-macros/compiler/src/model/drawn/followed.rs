@@ -1,0 +1,169 @@
+//! The value that an unknown is measured from, where its interval follows the drive: a fit as `let`
+//! statements.
+
+use proc_macro2::{Ident, Span};
+use quote::format_ident;
+
+use crate::chain::fit::{DeadEnds, Following, Terms};
+use crate::model::names::Names;
+use crate::syntax::tree::{BinaryOp, Declaration, Expr, ExprKind, StatementKind};
+
+use super::figures::{Figure, Pen, sum};
+
+/// The names of an unknown's fit.
+pub(super) struct TracedNames {
+    /// The argument of its polynomials, and the sine in front of the odd one.
+    argument: Ident,
+    sine: Ident,
+    pub traced: Ident,
+}
+
+/// Names that nothing has.
+pub(super) fn traced_names(tree: &Declaration, unknown: &Ident) -> TracedNames {
+    let names = Names::collect(tree);
+    let free = |ending: &str| {
+        let mut name = format_ident!("{unknown}_{ending}", span = unknown.span());
+        while names.kind(&name).is_some() {
+            name = format_ident!("{name}_", span = unknown.span());
+        }
+        name
+    };
+    TracedNames { argument: free("u"), sine: free("s"), traced: free("traced") }
+}
+
+/// The values in the drawing.
+pub(super) struct DrawnValues {
+    pub drive: f64,
+    pub unknown: f64,
+}
+
+/// The fit of an unknown over the first drive.
+pub(super) struct Fitted<'f> {
+    pub pen: &'f Pen,
+    pub following: &'f Following,
+    /// The value of the drive.
+    pub drive: Expr,
+    pub drawn: DrawnValues,
+    /// True if the unknown is an angle.
+    pub is_angle: bool,
+}
+
+impl Fitted<'_> {
+    /// The statements of the fit, the value itself last.
+    pub(super) fn statements(&self, names: &TracedNames) -> Vec<StatementKind> {
+        let Self { pen, following, drive, drawn, is_angle } = self;
+        let [from, drawn] = [drawn.drive, drawn.unknown];
+        let writing = Writing(names.traced.span());
+        let value = || drive.clone();
+        let middle = from + following.middle;
+        let unit = pen.float(1.0, if *is_angle { "rad" } else { "m" });
+        let mut lets = Vec::new();
+        let traced = match &following.terms {
+            Terms::Turning { center, reach, even, odd, turns } => {
+                let (sin, cos) = middle.sin_cos();
+                let angle = Figure::plain(value(), f64::NAN, None);
+                let pen = pen.at(writing.0);
+                let [across, along] = [pen.sin(&angle), pen.cos(&angle)].map(|part| part.text);
+                let shifted = |[a, b]: [f64; 2]| {
+                    let along = writing.times(along.clone(), a);
+                    sum(along, writing.times(across.clone(), b))
+                };
+                let argument = shifted([cos / reach, sin / reach]);
+                let argument = sum(argument, writing.number(-center / reach));
+                lets.push((&names.argument, argument));
+                lets.push((&names.sine, shifted([-sin, cos])));
+                let mut even = even.clone();
+                even[0] += drawn;
+                let odd = writing.polynomial(odd, &names.argument);
+                let odd = writing.product(writing.name(&names.sine), odd);
+                let fit = sum(writing.polynomial(&even, &names.argument), odd);
+                let falling = sum(writing.number(1.0), writing.name(&names.argument));
+                let fit = writing.with_ends(fit, following.ends, falling, &names.sine);
+                let fit = writing.product(unit, fit);
+                match *turns {
+                    0 => fit,
+                    turns => {
+                        let from_middle = sum(value(), pen.float(-middle, "rad"));
+                        sum(fit, writing.times(from_middle, f64::from(turns)))
+                    }
+                }
+            }
+            Terms::Sliding { reach, powers } => {
+                let from_middle = sum(value(), pen.float(-middle, "m"));
+                let reach = pen.float(*reach, "m");
+                let argument = writing.chain(from_middle, BinaryOp::Div, reach);
+                lets.push((&names.argument, argument));
+                let mut powers = powers.clone();
+                powers[0] += drawn;
+                let fit = writing.polynomial(&powers, &names.argument);
+                let square = || writing.name(&names.argument);
+                let square = writing.product(square(), square()).negated();
+                let falling = sum(writing.number(1.0), square);
+                let fit = writing.with_ends(fit, following.ends, falling, &names.argument);
+                writing.product(unit, fit)
+            }
+        };
+        lets.push((&names.traced, traced));
+        let statement = |(name, value): (&Ident, Expr)| {
+            let name = name.clone();
+            StatementKind::Let { name, value }
+        };
+        lets.into_iter().map(statement).collect()
+    }
+}
+
+/// Writes expressions at a place that messages about them point to.
+struct Writing(Span);
+
+impl Writing {
+    fn expr(&self, kind: ExprKind) -> Expr {
+        Expr { kind, span: self.0.into() }
+    }
+
+    fn name(&self, name: &Ident) -> Expr {
+        self.expr(ExprKind::Name(name.clone()))
+    }
+
+    /// A plain number to ten digits behind the point: what it decides is where a search looks, to a
+    /// thousandth.
+    fn number(&self, value: f64) -> Expr {
+        let digits = format!("{:.10}", value.abs());
+        let digits = digits.trim_end_matches('0').trim_end_matches('.').to_string();
+        let number = self.expr(ExprKind::Number { digits, units: Vec::new() });
+        match value < 0.0 {
+            true => self.expr(ExprKind::Negate(Box::new(number))),
+            false => number,
+        }
+    }
+
+    fn call(&self, function: &str, argument: Expr) -> Expr {
+        self.expr(ExprKind::Call(Ident::new(function, self.0), vec![argument]))
+    }
+
+    fn chain(&self, a: Expr, operator: BinaryOp, b: Expr) -> Expr {
+        self.expr(ExprKind::Chain(Box::new(a), vec![(operator, b)]))
+    }
+
+    fn product(&self, a: Expr, b: Expr) -> Expr {
+        self.chain(a, BinaryOp::Mul, b)
+    }
+
+    fn times(&self, a: Expr, factor: f64) -> Expr {
+        self.product(a, self.number(factor))
+    }
+
+    /// The sum of a fit and the square roots towards dead points.
+    fn with_ends(&self, fit: Expr, ends: Option<DeadEnds>, falling: Expr, odd: &Ident) -> Expr {
+        let Some(DeadEnds { mean, skew }) = ends else { return fit };
+        let factor = sum(self.number(mean), self.times(self.name(odd), skew));
+        sum(fit, self.product(self.call("sqrt", falling), factor))
+    }
+
+    /// A polynomial by Horner's rule.
+    fn polynomial(&self, powers: &[f64], argument: &Ident) -> Expr {
+        let [rest @ .., last] = powers else { return self.number(0.0) };
+        rest.iter().rev().fold(self.number(*last), |inner, &power| {
+            sum(self.number(power), self.product(self.name(argument), inner))
+        })
+    }
+}
