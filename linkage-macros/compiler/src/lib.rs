@@ -15,6 +15,7 @@
 //! | room | what it does | what it never does |
 //! |---|---|---|
 //! | `pipeline` | START HERE: the phases in order | |
+//! | `blocks` | finds the declarations in a program | |
 //! | `diagnostics` | collects mistakes, stops at the barriers | |
 //! | `function` | the functions that expressions call, a row each | compute |
 //! | `exact` | real constants without error, rounded once | |
@@ -27,7 +28,7 @@
 //! | `equations` | the formulas of every driver and group, once | know how code is written |
 //! | `passes` | make the graph smaller without changing what it means | know a mechanism |
 //! | `lower` | which routine computes what, in which order, and what it asks | print |
-//! | `codegen` | routines into functions, structs and docs | decide |
+//! | `codegen` | routines into functions, structs and docs, in Rust and in C | decide |
 //!
 //! Imports point to earlier rooms only, and data flows one way: each phase takes the one before by
 //! reference and returns a new value.
@@ -54,6 +55,7 @@
 #[cfg(feature = "macro")]
 extern crate proc_macro;
 
+mod blocks;
 mod chain;
 mod codegen;
 mod diagnostics;
@@ -77,5 +79,6 @@ mod pipeline;
 mod reach;
 mod syntax;
 
+pub use blocks::declarations;
 pub use diagnostics::Diagnostic;
 pub use pipeline::{File, Options, Output, c, compile};

@@ -2,6 +2,7 @@
 
 use proc_macro2::TokenStream;
 
+use crate::codegen::c::selection::Selection;
 use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
 use crate::exact::Scope;
 use crate::interface::Interface;
@@ -89,30 +90,37 @@ pub struct File {
 }
 
 /// Prints the solver of a declaration as C99: its header, its source, and the run-time that all mechanisms
-/// share.
+/// share. `only` names the entry points and widths to be printed, `motion_at` or `f32`; all of them where it names
+/// none.
 ///
 /// # Errors
-/// The mistakes in the declaration, in the order of the source.
+/// The mistakes in the declaration, in the order of the source, and names that are none.
 ///
 /// ```
 /// let source = "pub struct Crank { input t: angle; ground A(0, 0); crank AB(A) -> B { length: 2, angle: t } }";
-/// let files = linkage_compiler::c(source.parse().expect("these are tokens")).expect("there is no mistake");
+/// let tokens = source.parse().expect("these are tokens");
+/// let files = linkage_compiler::c(tokens, &["position"]).expect("there is no mistake");
 /// assert_eq!(files[1].name, "crank.c");
 /// assert!(files[1].text.contains("LinkageStatus crank_position("));
 /// ```
-pub fn c(source: TokenStream) -> Result<Vec<File>, Vec<Diagnostic>> {
+pub fn c(source: TokenStream, only: &[&str]) -> Result<Vec<File>, Vec<Diagnostic>> {
     let _atoms = Scope::begin();
     let mut diagnostics = Diagnostics::new();
     let declaration = syntax::parse(source, &mut diagnostics);
     let resolved =
         declaration.as_ref().map(|declaration| model::resolve(declaration, &mut diagnostics));
-    if let Some(Ok(mechanism)) = &resolved {
-        codegen::c::refuse(mechanism, &mut diagnostics);
-    }
+    let resolved = resolved.map(|resolved| {
+        resolved.map(|mechanism| {
+            let selection = Selection::of(&mechanism, only, &mut diagnostics);
+            (mechanism, selection)
+        })
+    });
     match (resolved, diagnostics.finish()) {
-        (Some(Ok(mechanism)), Ok(())) => {
-            let program = program(&mechanism);
-            let printed = codegen::c::generate(&mechanism, &lower::lower(&mechanism, &program));
+        (Some(Ok((mechanism, selection))), Ok(())) => {
+            // The numbers of an entry point are the same whichever others are printed.
+            let program = selection.apply(program(&mechanism));
+            let lowered = lower::lower(&mechanism, &program);
+            let printed = codegen::c::generate(&mechanism, &lowered, &selection);
             Ok(printed.into_iter().map(|(name, text)| File { name, text }).collect())
         }
         (_, Err(Failure(diagnostics))) => Err(diagnostics),

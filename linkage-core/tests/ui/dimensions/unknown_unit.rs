@@ -5,7 +5,7 @@ mechanism! {
         input theta: angle;
         ground A(0, 0), D(4m, 0);
         crank AB(A) -> B { length: 1m, angle: theta }
-        crank DE(D) -> E { length: 3ft, angle: theta }
+        crank DE(D) -> E { length: 3yd, angle: theta }
     }
 }
 

@@ -24,7 +24,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
         return TokenStream::new();
     }
     let name = &cx.names.solver;
-    let (header, parameters) = (header::text(cx), parameters(cx));
+    let (header, parameters) = (header::text(cx, &Width::ALL), parameters(cx));
     let [float, string] = ["f64", "str"].map(|item| cx.paths.item(item));
     let (read, reply) = (read(cx), reply(cx));
     let entries = &cx.interface.entries;

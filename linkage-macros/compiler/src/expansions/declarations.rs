@@ -4,8 +4,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{TokenStream, TokenTree};
 
+use crate::blocks;
 use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 
 pub(crate) struct Declaration {
@@ -59,30 +60,12 @@ fn add_files(folder: &Path, files: &mut Vec<PathBuf>) {
     }
 }
 
-/// The declarations among the tokens, at any depth; one with `$` is a pattern of declarations.
+/// The declarations among the tokens.
 fn add_declarations(stream: TokenStream, found: &mut Vec<Declaration>) {
-    let mut before = [String::new(), String::new()];
-    for tree in stream {
-        if let TokenTree::Group(group) = &tree {
-            let is_declaration = before == ["mechanism", "!"]
-                && group.delimiter() != Delimiter::None
-                && !has_dollar(group.stream());
-            match is_declaration.then(|| name(group.stream())).flatten() {
-                Some(name) => found.push(Declaration { name, tokens: group.stream() }),
-                None => add_declarations(group.stream(), found),
-            }
-        }
-        let [_, last] = before;
-        before = [last, tree.to_string()];
-    }
-}
-
-fn has_dollar(stream: TokenStream) -> bool {
-    stream.into_iter().any(|tree| match tree {
-        TokenTree::Group(group) => has_dollar(group.stream()),
-        TokenTree::Punct(punct) => punct.as_char() == '$',
-        _ => false,
-    })
+    let declarations = blocks::declarations(stream).into_iter();
+    let named = declarations
+        .filter_map(|tokens| name(tokens.clone()).map(|name| Declaration { name, tokens }));
+    found.extend(named);
 }
 
 /// The name behind `struct`.

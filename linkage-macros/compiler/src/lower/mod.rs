@@ -27,5 +27,6 @@ pub(crate) mod used;
 mod witnesses;
 
 pub(crate) use build::{APPLIED, PLACED, lower, lower_placing};
+pub(crate) use plan::stands_on;
 pub(crate) use routine::label;
 pub(crate) use searches::TRIAL;

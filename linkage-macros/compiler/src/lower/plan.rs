@@ -61,6 +61,14 @@ fn via(interface: &Interface, id: EntryId) -> Option<Way> {
     Some(Way::Via { entry, given })
 }
 
+/// The entry point whose formulas another one uses, if it has none of its own.
+pub(crate) fn stands_on(interface: &Interface, id: EntryId) -> Option<EntryId> {
+    match via(interface, id)? {
+        Way::Via { entry, .. } => Some(entry),
+        Way::Own { .. } => None,
+    }
+}
+
 /// Position, velocity and motion of one kind of input, of which the entry point is one: what each
 /// computes is part of what the next does.
 fn family(interface: &Interface, id: EntryId) -> Option<[EntryId; 3]> {

@@ -9,30 +9,23 @@ mod entry;
 mod in_c;
 mod public_function;
 pub(crate) mod run_time;
+pub(crate) mod selection;
 mod two_paths;
 
+use self::selection::Selection;
 use super::c_export::c_identifiers::{Width, snake_case};
 use super::c_export::header;
 use super::context::Context;
 use super::identifiers::text;
-use crate::diagnostics::Diagnostics;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 
-/// Reports what is not printed in C.
-pub(crate) fn refuse(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
-    if let Some(unknown) = mechanism.unknowns.first() {
-        let name = text(&unknown.name);
-        diagnostics.error_because(
-            unknown.name.span(),
-            format!("`{name}` is an unknown, which is not printed in C"),
-            "its search runs in Rust alone: use `export c;` where Rust has a target",
-        );
-    }
-}
-
 /// Prints the files of a mechanism: name and text of its header and its source, then those of the run-time.
-pub(crate) fn generate(mechanism: &Mechanism, lowered: &Lowered<'_>) -> [(String, String); 4] {
+pub(crate) fn generate(
+    mechanism: &Mechanism,
+    lowered: &Lowered<'_>,
+    selection: &Selection,
+) -> [(String, String); 4] {
     let cx = Context::new(mechanism, lowered);
     let stem = snake_case(&text(&cx.names.solver));
     let mut source = format!(
@@ -42,14 +35,14 @@ pub(crate) fn generate(mechanism: &Mechanism, lowered: &Lowered<'_>) -> [(String
          #include \"{stem}.h\"\n#include \"linkage_run.h\"\n",
         text(&cx.names.solver)
     );
-    for width in Width::ALL {
+    for &width in &selection.widths {
         let without = if width == Width::Double { "DOUBLE" } else { "SINGLE" };
         source += &format!("\n#ifndef LINKAGE_NO_{without}\n");
         In { cx: &cx, width, stem: &stem }.all(&mut source);
         source += &format!("\n#endif /* LINKAGE_NO_{without} */\n");
     }
     [
-        (format!("{stem}.h"), header::text(&cx)),
+        (format!("{stem}.h"), header::text(&cx, &selection.widths)),
         (format!("{stem}.c"), source),
         ("linkage_run.h".to_string(), run_time::header()),
         ("linkage_run.c".to_string(), run_time::source().to_string()),

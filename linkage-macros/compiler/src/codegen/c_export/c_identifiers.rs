@@ -10,7 +10,7 @@ use crate::interface::entries::Entry;
 
 /// The number that a type or function is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(in crate::codegen) enum Width {
+pub(crate) enum Width {
     Double,
     Single,
 }

@@ -29,8 +29,8 @@ pub(in crate::codegen) const NO_SOLUTION: &str = "\
 
 ";
 
-/// The whole header.
-pub(in crate::codegen) fn text(cx: &Context<'_>) -> String {
+/// The whole header, for numbers of these widths.
+pub(in crate::codegen) fn text(cx: &Context<'_>, widths: &[Width]) -> String {
     let solver = plain(&cx.names.solver);
     let guard = snake_case(&solver).to_uppercase();
     let about = about(cx, &solver);
@@ -46,10 +46,10 @@ pub(in crate::codegen) fn text(cx: &Context<'_>) -> String {
     if cx.interface.has(Analysis::Forces) {
         header += &format!("\n{FORCES}");
     }
-    for width in Width::ALL {
+    for &width in widths {
         header += &types(cx, width);
     }
-    for width in Width::ALL {
+    for &width in widths {
         header += &functions(cx, width);
     }
     header + &format!("\n#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard}_H */\n")

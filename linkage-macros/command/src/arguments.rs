@@ -1,0 +1,58 @@
+//! The arguments of the program, and its help.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand};
+
+/// The compiler of planar mechanisms: from drivers and Assur groups to static solvers.
+///
+/// A mechanism is declared in a Rust file by `mechanism! { … }`; the file may hold a whole program, and several
+/// mechanisms. No Rust compiler is needed:
+///
+///     linkage check shear.rs               mistakes, at their line and column
+///     linkage c shear.rs -o control/       flying_shear.h, flying_shear.c and the run-time
+///     cc -std=c99 -O2 -c control/*.c
+#[derive(Debug, Parser)]
+#[command(name = "linkage", version, verbatim_doc_comment, arg_required_else_help = true)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// A task for the compiler.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Say what is wrong with the declarations of some files
+    #[command(verbatim_doc_comment)]
+    Check {
+        /// Rust programs
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+    },
+    /// Print the Rust code that the declarations of a file become
+    Expand {
+        /// A Rust program
+        file: PathBuf,
+    },
+    /// Print the solvers of a file as C99
+    ///
+    /// For each mechanism a header and a source, and once `linkage_run.h` and `linkage_run.c`, which all of them need.
+    /// Functions, structs and status codes are those of `export c;`, and so are the answers, bit for bit.
+    ///
+    ///     linkage c shear.rs -o control/
+    ///     linkage c shear.rs -o control/ --only motion_at,f32
+    ///
+    /// The sources are C99 and C++17, call nothing but <math.h>, and allocate nothing. Do not compile them with
+    /// -ffast-math; a compiler other than gcc, clang and MSVC has to be told not to contract products into sums.
+    #[command(verbatim_doc_comment)]
+    C {
+        /// A Rust program
+        file: PathBuf,
+        /// The folder to write to
+        #[arg(short, long, value_name = "FOLDER", default_value = ".")]
+        output: PathBuf,
+        /// Entry points and widths to print, such as motion_at,f32; all of them without this
+        #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+        only: Vec<String>,
+    },
+}
