@@ -37,6 +37,7 @@ const INVALID_MODE: i32 = 6;
 const OFF_CIRCLE: i32 = 7;
 const NO_SOLUTION: i32 = 8;
 const SEVERAL_DEAD_POINTS: i32 = 9;
+const JAMS: i32 = 10;
 
 impl CError {
     /// There was an answer.
@@ -81,6 +82,7 @@ impl From<SolveError> for CError {
             SolveError::SeveralDeadPoints { unknown } => {
                 Self::NONE.because_of(SEVERAL_DEAD_POINTS, unknown)
             }
+            SolveError::Jams { joint } => Self::NONE.because_of(JAMS, joint),
             SolveError::OffCircle { name, .. } => Self::NONE.because_of(OFF_CIRCLE, name),
         }
     }
@@ -140,6 +142,7 @@ mod tests {
         assert_eq!(parts(no_solution), (NO_SOLUTION, 0.5, 0, 5));
         let several = SolveError::SeveralDeadPoints { unknown: "theta" };
         assert_eq!(parts(several), (SEVERAL_DEAD_POINTS, 0.0, 0, 5));
+        assert_eq!(parts(SolveError::Jams { joint: "ram" }), (JAMS, 0.0, 0, 3));
         assert_eq!(parts(CError::null_pointer("error")), (NULL_POINTER, 0.0, 0, 5));
         assert_eq!(parts(CError::NONE), (0, 0.0, 0, 0));
     }

@@ -30,7 +30,7 @@ pub enum SolveError {
         group: &'static str,
     },
     /// A length given at run time is zero or negative, or a mass, an inertia or a number of a spring
-    /// negative; or the ends of an unknown are not in order, or more than a turn apart.
+    /// negative; or a coefficient of friction is; or the ends of an unknown are not in order, or more than a turn apart.
     Invalid {
         /// The links of the group, or the spring.
         group: &'static str,
@@ -61,6 +61,12 @@ pub enum SolveError {
     SeveralDeadPoints {
         /// The unknown.
         unknown: &'static str,
+    },
+    /// Friction may hold itself at a joint: it is so large, or the pose so near a dead point, that what it
+    /// adds to its own load is no less than itself. Some load leaves the joint at rest under any drive.
+    Jams {
+        /// The joint: the link on a guide, or the link and the point of a pin, `BC.C`.
+        joint: &'static str,
     },
     /// A result is not a finite number.
     NotFinite {
@@ -93,7 +99,7 @@ impl fmt::Display for SolveError {
                 write!(f, "{unknown}: no solution between its ends, ")?;
                 write!(f, "{} is missing", Measured { value: by, unit })
             }
-            Self::Invalid { group, name } if is_mass(name) || is_spring(group) => {
+            Self::Invalid { group, name } if may_be_zero(name) || is_spring(group) => {
                 write!(f, "{group}: `{name}` must not be negative")
             }
             Self::Invalid { group, name } if name.starts_with(ENDS_OF_BETWEEN) => {
@@ -102,6 +108,7 @@ impl fmt::Display for SolveError {
             Self::Invalid { group, name } => {
                 write!(f, "{group}: `{name}` must be greater than zero")
             }
+            Self::Jams { joint } => write!(f, "{joint}: friction may hold itself here"),
             Self::OffCircle { name, amplitude } => {
                 let amplitude = Digits(amplitude);
                 write!(f, "the cosine and sine of `{name}` have an amplitude of {amplitude}, not 1")
@@ -113,9 +120,10 @@ impl fmt::Display for SolveError {
     }
 }
 
-/// True if the name is that of a mass or an inertia; a length bears its link's, without a space.
-fn is_mass(name: &str) -> bool {
-    name.starts_with("mass on ") || name.starts_with("inertia on ")
+/// True if the name is that of a mass, an inertia or a coefficient of friction; a length bears its link's,
+/// without a space.
+fn may_be_zero(name: &str) -> bool {
+    ["mass on ", "inertia on ", "friction at "].iter().any(|start| name.starts_with(start))
 }
 
 /// True if the group is a spring or a force between two points.
@@ -136,7 +144,8 @@ impl SolveError {
             | Self::Singular { group }
             | Self::Invalid { group, .. }
             | Self::NoSolution { unknown: group, .. }
-            | Self::SeveralDeadPoints { unknown: group } => group,
+            | Self::SeveralDeadPoints { unknown: group }
+            | Self::Jams { joint: group } => group,
             Self::NotFinite { name } | Self::OffCircle { name, .. } => name,
         }
     }

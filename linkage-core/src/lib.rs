@@ -145,6 +145,7 @@ mod diagnosis;
 mod dual;
 mod error;
 pub mod find;
+mod friction;
 mod kernels;
 mod lanes;
 mod limit;

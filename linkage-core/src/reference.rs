@@ -88,11 +88,18 @@ pub mod expressions {
 }
 
 pub mod forces {
+    //! [friction]: super::friction
     //! [language]: super::language
     //! [`Series`]: crate::Series
     //! [`Tracker`]: crate::Tracker
     //!
     #![doc = include_str!("../docs/forces.md")]
+}
+
+pub mod friction {
+    //! [`SolveError::Jams`]: crate::SolveError::Jams
+    //!
+    #![doc = include_str!("../docs/friction.md")]
 }
 
 pub mod solver {

@@ -56,6 +56,8 @@ pub enum Status {
     NoSolution,
     /// See [`SolveError::SeveralDeadPoints`].
     SeveralDeadPoints,
+    /// See [`SolveError::Jams`].
+    Jams,
 }
 
 /// One input of a sweep: a number for each pose, or one number for all of them.
@@ -206,6 +208,7 @@ impl From<SolveError> for Status {
             SolveError::OffCircle { .. } => Self::OffCircle,
             SolveError::NoSolution { .. } => Self::NoSolution,
             SolveError::SeveralDeadPoints { .. } => Self::SeveralDeadPoints,
+            SolveError::Jams { .. } => Self::Jams,
         }
     }
 }

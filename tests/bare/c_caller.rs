@@ -70,6 +70,7 @@ impl Report {
             Err(SolveError::OffCircle { name, .. }) => (7, 0.0, "", name),
             Err(SolveError::NoSolution { unknown, by, .. }) => (8, by, "", unknown),
             Err(SolveError::SeveralDeadPoints { unknown }) => (9, 0.0, "", unknown),
+            Err(SolveError::Jams { joint }) => (10, 0.0, "", joint),
             Err(error) => panic!("{error} has no status"),
         };
         let bytes = match &result {

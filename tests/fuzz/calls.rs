@@ -36,6 +36,7 @@ pub(crate) fn kind_of(error: &SolveError) -> &'static str {
         SolveError::OffCircle { .. } => "OffCircle",
         SolveError::NoSolution { .. } => "NoSolution",
         SolveError::SeveralDeadPoints { .. } => "SeveralDeadPoints",
+        SolveError::Jams { .. } => "Jams",
         _ => "a kind that this program does not know",
     }
 }
@@ -50,6 +51,7 @@ fn kind_of_status(status: Status) -> &'static str {
         Status::OffCircle => "OffCircle",
         Status::NoSolution => "NoSolution",
         Status::SeveralDeadPoints => "SeveralDeadPoints",
+        Status::Jams => "Jams",
         _ => "a status that this program does not know",
     }
 }

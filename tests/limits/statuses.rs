@@ -157,6 +157,7 @@ fn every_error_has_a_status() {
             Status::NoSolution,
         ),
         (SolveError::SeveralDeadPoints { unknown: "theta" }, Status::SeveralDeadPoints),
+        (SolveError::Jams { joint: "ram" }, Status::Jams),
     ] {
         assert_eq!(Status::from(error), status);
     }

@@ -10,6 +10,7 @@ pub mod dynamics;
 pub mod exact_inputs;
 pub mod followed;
 pub mod forces;
+pub mod friction;
 pub mod heavy_groups;
 pub mod identities;
 pub mod margins;

@@ -95,6 +95,7 @@ fn sentence(cx: &Context<'_>, asked: &Asked) -> String {
                             couple in N·m"
                 .to_string()
         }
+        Effort::Losses => "power in W that friction takes at all joints".to_string(),
         Effort::Guide(id) => format!(
             "normal force in N on `{0}` at the origin of its frame, along the normal of `{1}`, and \
              couple in N·m on `{0}`, both exerted by `{1}`",

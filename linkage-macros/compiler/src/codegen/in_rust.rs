@@ -10,7 +10,7 @@ use super::printer::{Dialect, Operation, Printer};
 use super::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
-use crate::ir::check::{Check, Comparison};
+use crate::ir::check::{Check, Comparison, Contacts};
 use crate::ir::graph::{Id, Node, Wanted};
 use crate::ir::liveness::Path;
 use crate::lower::routine::{Condition, Routine, Statement, Threshold};
@@ -170,6 +170,15 @@ impl Dialect for InRust<'_> {
             printer.value(spread, to.put(", "));
             to.put(");\n");
         }
+        if let Check::Amount(contacts) = &condition.check {
+            to.put("let ")
+                .put(&printer.local(condition.id))
+                .put(" = checks_.guard(")
+                .append(&value);
+            amount(printer, contacts, &condition.operands, to.put(", "));
+            to.put(");\n");
+            return;
+        }
         let diagnosis = printer.dialect.cx.paths.written(condition.check.row().diagnosis);
         to.put("let ").put(&printer.local(condition.id)).put(" = checks_.guard(").append(&value);
         to.put(", ").put(&diagnosis).put("(");
@@ -232,6 +241,26 @@ impl Dialect for InRust<'_> {
         let as_array = printer.dialect.cx.paths.written("Record");
         to.put(&format!("]);\nreturn {as_array}::from_array([zero_; {numbers}]);\n}}\n"));
     }
+}
+
+/// The rows of amounts of friction, a list each.
+fn amount(
+    printer: &RustPrinter<'_>,
+    Contacts { at, joints }: &Contacts,
+    operands: &[Id],
+    to: &mut Text,
+) {
+    let guides = joints.iter().enumerate().map(|(j, (_, is_guide))| u32::from(*is_guide) << j);
+    to.put(&printer.dialect.cx.paths.written("Amount")).put(" { rows: [");
+    to.list(operands.chunks(operands.len() / joints.len()), |to, row| {
+        printer.values(row, to.put("["));
+        to.put("]");
+    });
+    to.put(&format!("], at: {at}, guides: {}, joints: [", guides.sum::<u32>()));
+    to.list(joints, |to, (joint, _)| {
+        to.put(&quoted(joint));
+    });
+    to.put("] }");
 }
 
 /// A string as code.

@@ -19,7 +19,7 @@ impl<'s> Jet<'s> {
             Function::Atan => a.atan(),
             Function::Atan2 => a.atan2(b),
             Function::Abs => a.abs(),
-            Function::Sign => Self::constant(a.sign()),
+            Function::Sign => Self::constant(a.value.sign_or(a.value.sheet().zero())),
             Function::Min => a.min(b),
             Function::Max => -(-a).min(-b),
         }
@@ -38,14 +38,6 @@ impl<'s> Jet<'s> {
     /// At zero with the rates of the positive side.
     fn abs(self) -> Self {
         self.at_least(Self::zero(self.value.sheet()), self, -self)
-    }
-
-    /// Sign of the value; NaN stays NaN.
-    fn sign(self) -> Sym<'s> {
-        let [zero, one] = [0, 1].map(|value| self.value.sheet().integer(value));
-        let above = zero.at_least(self.value, zero, one);
-        let below = zero.at_least(self.value, -one, self.value);
-        self.value.at_least(zero, above, below)
     }
 
     /// The lesser number, the first of equal ones. NaN in either operand gives NaN, by way of the sum.

@@ -94,7 +94,8 @@ fn asked<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Asked {
                 && (analysis == Analysis::Coefficients || interface.of_cosine(entry).is_some());
         let kinematics = at_cosine.filter(|_| goes_by_cosine).unwrap_or_else(free);
         let needs_mass = entry.point.is_about_dynamics();
-        if needs_mass && !forces::every_input_moves_mass(kinematics) {
+        let has_friction = !mechanism.dynamics.frictions.is_empty();
+        if needs_mass && (has_friction || !forces::every_input_moves_mass(kinematics)) {
             continue;
         }
         answers.push(Answer { entry: Some(entry.point), sinks: sinks(analysis, kinematics) });

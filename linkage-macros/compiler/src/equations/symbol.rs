@@ -43,6 +43,12 @@ impl<'r> Sheet<'r> {
     pub(crate) fn into_graph(self) -> Graph {
         self.graph.into_inner()
     }
+
+    /// The graph as it is so far.
+    #[cfg(test)]
+    pub(crate) fn graph(&self) -> Graph {
+        self.graph.borrow().clone()
+    }
 }
 
 impl<'s> Sheet<'s> {
@@ -156,6 +162,22 @@ impl<'s> Sym<'s> {
     /// `x` where this is at least as large as the other, `y` elsewhere.
     pub(crate) fn at_least(self, other: Self, x: Self, y: Self) -> Self {
         self.sheet.node(Node::Select([self.id, other.id, x.id, y.id]))
+    }
+
+    /// The sign, −1 or 1; `at_zero` where there is none. NaN stays NaN.
+    pub(crate) fn sign_or(self, at_zero: Self) -> Self {
+        let [zero, one] = [0, 1].map(|value| self.sheet.integer(value));
+        if self.is_zero() {
+            return at_zero;
+        }
+        let above = zero.at_least(self, at_zero, one);
+        let below = zero.at_least(self, -one, self);
+        self.at_least(zero, above, below)
+    }
+
+    /// The absolute value.
+    pub(crate) fn magnitude(self) -> Self {
+        self.at_least(self.sheet.zero(), self, -self)
     }
 
     pub(crate) fn squared(self) -> Self {

@@ -68,6 +68,8 @@ pub(crate) struct EntryRow {
     /// The result, in words.
     pub subject: &'static str,
     pub topic: Topic,
+    /// True if rates are given where there is friction: at rest they say which way it acts.
+    creeps: bool,
     /// The arguments; loads only where there are any.
     given: &'static [Given],
     pub(super) returns: Returns,
@@ -168,7 +170,7 @@ impl Entry {
 /// documented. Those that are given a cosine exist only where the formulas need the value nowhere else.
 pub(super) fn all(
     columns: usize,
-    has_loads: bool,
+    [has_loads, has_friction]: [bool; 2],
     result: impl Fn(&EntryRow) -> Option<Shape>,
 ) -> Vec<Entry> {
     let points = ROWS.iter().flat_map(|&rows| {
@@ -182,8 +184,9 @@ pub(super) fn all(
     let entry = |point: EntryPoint| {
         let form =
             if point.by_cosine { &[Given::Cosine, Given::Sine][..] } else { &[Given::Value] };
+        let creep: &[_] = if point.row().creeps && has_friction { &[Given::Rate] } else { &[] };
         let beside = point.row().given.iter().filter(|&&given| has_loads || given != Given::Loads);
-        let given = form.iter().chain(beside).copied().collect();
+        let given = form.iter().chain(creep).chain(beside).copied().collect();
         Some(Entry { point, given, result: result(point.row())? })
     };
     points.filter_map(entry).collect()
@@ -204,6 +207,7 @@ const POSITION: EntryRow = EntryRow {
     name_at: Some("position_at"),
     subject: "Positions of the outputs",
     topic: Topic::Kinematics,
+    creeps: false,
     given: &[],
     returns: Returns::Record(Kind::Outputs(Order::Position)),
     sweeps: true,
@@ -273,6 +277,7 @@ const STATICS: EntryRow = EntryRow {
     name: "statics",
     name_at: Some("statics_at"),
     subject: "Efforts of drives and reactions of joints at rest",
+    creeps: true,
     given: &[Given::Loads],
     ..FORCES
 };

@@ -19,7 +19,8 @@ pub(crate) fn shape(effort: Effort) -> Shape {
         | Effort::Unknown(_)
         | Effort::Drive(_)
         | Effort::Push(_)
-        | Effort::Spring(_) => Shape::Number,
+        | Effort::Spring(_)
+        | Effort::Losses => Shape::Number,
         Effort::Pin(..) | Effort::Bearing(..) => Shape::Quantity(Quantity::Force, Order::Position),
         Effort::Guide(_) => Shape::Quantity(Quantity::GuideForce, Order::Position),
         Effort::Shaking => Shape::Quantity(Quantity::Shaking, Order::Position),
@@ -29,7 +30,7 @@ pub(crate) fn shape(effort: Effort) -> Shape {
 /// The path of an effort in the result.
 pub(crate) fn path(asked: &Asked) -> String {
     match asked.effort {
-        Effort::Shaking => asked.owner.unraw().to_string(),
+        effort if effort.is_of_the_whole() => asked.owner.unraw().to_string(),
         _ => format!("{}.{}", asked.owner.unraw(), asked.field.unraw()),
     }
 }
@@ -68,10 +69,12 @@ pub(super) fn of_owner(mechanism: &Mechanism, owned: Range<usize>) -> Record {
     record(mechanism, &suffix, Kind::ForcesOf(first), fields.collect())
 }
 
-/// The field of an effort that belongs to the whole mechanism: only shaking does.
+/// The field of an effort that belongs to the whole mechanism.
 pub(super) fn field_of_the_whole(mechanism: &Mechanism, index: usize) -> Option<Field> {
     let asked = &mechanism.dynamics.asked[index];
-    matches!(asked.effort, Effort::Shaking)
+    asked
+        .effort
+        .is_of_the_whole()
         .then(|| field(&asked.owner, shape(asked.effort), Subject::Effort(index)))
 }
 

@@ -53,7 +53,8 @@ impl Interface {
             Returns::OfInputs(_) if columns == 1 => Some(Shape::Number),
             Returns::OfInputs(_) => Some(Shape::List(columns)),
         };
-        let entries = entries::all(columns, !mechanism.dynamics.loads.is_empty(), result);
+        let has = [!mechanism.dynamics.loads.is_empty(), !mechanism.dynamics.frictions.is_empty()];
+        let entries = entries::all(columns, has, result);
         Self { records, entries, inputs, loads, rows, columns }
     }
 

@@ -37,9 +37,20 @@ pub(crate) enum Check {
     /// A squared length below the smallest of full precision is refused, as `Singular` where it is the
     /// square of zero.
     Square,
+    /// An amount of friction solves its equation. Operands: the rows of all amounts that depend on each
+    /// other, as the run-time crate lays them out.
+    Amount(Contacts),
     /// `Square` of d with the first four operands of `ReachCircles`: out of reach where these circles do
     /// not meet.
     SquareOfCentres,
+}
+
+/// The contacts whose amounts of friction depend on each other, and the one that is meant.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Contacts {
+    pub at: usize,
+    /// The joints, as errors name them, and whether each is a guide.
+    pub joints: Vec<(String, bool)>,
 }
 
 /// The comparison of a value with a threshold.
@@ -107,6 +118,8 @@ impl Check {
             Self::Closed(_) => row("Closed", None, true, |_| false),
             Self::Moving => row("Moving", above_rounding, true, is_positive),
             Self::Square => row("Square", full_square, false, is_square),
+            // Both paths ask; the slow one searches on where straight-line steps have not ended.
+            Self::Amount(_) => row("Amount", None, true, |_| false),
             Self::SquareOfCentres => row("SquareOfCentres", full_square, true, is_square),
         }
     }

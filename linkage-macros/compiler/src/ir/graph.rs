@@ -32,7 +32,7 @@
 //! every rewrite, for whoever reads the generated code. Names mean nothing to the compiler.
 
 use crate::exact::Exact;
-pub(crate) use crate::ir::check::Check;
+pub(crate) use crate::ir::check::{Check, Contacts};
 use crate::ir::hash::Map;
 pub(crate) use crate::ir::node::{ConstantId, GuardId, Id, Node, Sought, Trend, Wanted};
 

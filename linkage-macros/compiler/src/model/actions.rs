@@ -83,6 +83,8 @@ impl Resolver<'_> {
                 self.mechanism.dynamics.torques.extend(torque);
             }
             Action::Spring { name, ends, fields } => self.spring(docs, name, ends, fields),
+            // Which links meet at a pin is known when all are.
+            Action::Friction(_) => {}
         }
     }
 
@@ -122,7 +124,7 @@ impl Resolver<'_> {
     }
 
     /// The value of a force or a torque: loads may stand in it.
-    fn acting(&mut self, expr: &tree::Expr, dimension: Dimension) -> Option<Expr> {
+    pub(super) fn acting(&mut self, expr: &tree::Expr, dimension: Dimension) -> Option<Expr> {
         (self.is_about_forces, self.may_have_corners) = (true, true);
         let value = self.scalar(expr, dimension);
         (self.is_about_forces, self.may_have_corners) = (false, false);

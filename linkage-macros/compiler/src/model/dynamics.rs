@@ -7,7 +7,7 @@ use syn::Attribute;
 use super::dimension::Dimension;
 use super::expr::Expr;
 use super::ids::{GuideId, InputId, LinkId, PointId, SpringId, UnknownId};
-use super::incidence::Carrier;
+use super::incidence::{Carrier, Length};
 
 /// Everything that a declaration says about forces; empty where it says nothing.
 #[derive(Default)]
@@ -19,6 +19,7 @@ pub(crate) struct Dynamics {
     pub forces: Vec<Force>,
     pub torques: Vec<Torque>,
     pub springs: Vec<Spring>,
+    pub frictions: Vec<Friction>,
     /// The outputs of `forces` and `statics`.
     pub asked: Vec<Asked>,
     /// True if `energy` is an output.
@@ -104,6 +105,52 @@ pub(crate) enum Ends {
     Bodies([Carrier; 2]),
 }
 
+/// Friction at a joint that follows from its reaction.
+pub(crate) struct Friction {
+    pub contact: Contact,
+    /// Couple over radius and load, or force over load.
+    pub coefficient: Quantity,
+    /// Radius of a pin.
+    pub radius: Option<Quantity>,
+    /// Length of a block that touches its guide at both ends.
+    pub length: Option<Length>,
+    /// The slip by which the sign of the slip is smoothed.
+    pub smooth: Option<Length>,
+}
+
+/// Two bodies that rub.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Contact {
+    /// The link turns on the pin, which the other body holds; the pin's force on the link presses.
+    Pin { link: LinkId, pin: PointId, against: Carrier },
+    /// The link slides.
+    Guide(LinkId),
+}
+
+impl Contact {
+    /// The link whose reaction presses.
+    pub(crate) fn link(self) -> LinkId {
+        match self {
+            Self::Pin { link, .. } | Self::Guide(link) => link,
+        }
+    }
+
+    /// True if both are between the same bodies at one joint.
+    pub(super) fn is_at(self, other: Self) -> bool {
+        match (self, other) {
+            (
+                Self::Pin { link, pin, against },
+                Self::Pin { pin: at, against: other_body, link: by },
+            ) => {
+                let same = link == by && against == other_body;
+                let turned = against == Carrier::Link(by) && other_body == Carrier::Link(link);
+                pin == at && (same || turned)
+            }
+            (one, other) => one == other,
+        }
+    }
+}
+
 /// A force, couple or effort in the mechanism, as a field of a field of the result.
 pub(crate) struct Asked {
     /// The input, link or spring whose it is.
@@ -136,9 +183,35 @@ pub(crate) enum Effort {
     /// The shaking force and moment: the load of inertia on the ground, taken as one body. The moment
     /// is about the origin.
     Shaking,
+    /// The power that friction takes.
+    Losses,
+}
+
+impl Effort {
+    /// True if it belongs to the whole mechanism, and has no owner.
+    pub(crate) fn is_of_the_whole(self) -> bool {
+        matches!(self, Self::Shaking | Self::Losses)
+    }
 }
 
 impl Dynamics {
+    /// True if a mass, a force or a spring is on the point.
+    pub(super) fn loads_point(&self, asked: PointId) -> bool {
+        let masses = self
+            .masses
+            .iter()
+            .any(|mass| matches!(mass.place, MassPlace::Pin(point) if point == asked));
+        let forces = self.forces.iter().any(|force| match force {
+            Force::At { point, .. } => *point == asked,
+            Force::Between { points, .. } => points.contains(&asked),
+        });
+        let springs = self
+            .springs
+            .iter()
+            .any(|spring| matches!(spring.ends, Ends::Points(points) if points.contains(&asked)));
+        masses || forces || springs
+    }
+
     /// True if nothing has mass and nothing acts.
     pub(crate) fn is_empty(&self) -> bool {
         let Self { masses, forces, torques, springs, .. } = self;

@@ -17,7 +17,7 @@ use super::unknowns::is_of_power;
 use crate::syntax::action::ACTING;
 
 /// Outputs of the whole mechanism.
-const WHOLE: [&str; 3] = ["energy", "shaking", "centre_of_mass"];
+const WHOLE: [&str; 4] = ["energy", "shaking", "centre_of_mass", "losses"];
 
 /// The members that name the effort driving a link.
 const EFFORTS: [&str; 2] = ["drive", "push"];
@@ -101,6 +101,14 @@ impl Resolver<'_> {
             }
             "centre_of_mass" if has_mass || self.a_force_may_be_unread() => {
                 self.give(name.span(), name.clone(), docs, OutputKind::CentreOfMass);
+            }
+            "losses" if !dynamics.frictions.is_empty() || self.a_force_may_be_unread() => {
+                self.ask(docs, name, name, Effort::Losses);
+            }
+            "losses" => {
+                let message = "nothing rubs, so there are no losses";
+                let reason = "as in `friction 0.1 at C radius 8mm`";
+                self.diagnostics.error_because(name.span(), message, reason);
             }
             word @ ("energy" | "shaking" | "centre_of_mass") => {
                 let message = match word {
@@ -229,7 +237,7 @@ impl Resolver<'_> {
         let asked = &mut self.mechanism.dynamics.asked;
         if asked.iter().any(|known| known.effort == effort) {
             let path = match effort {
-                Effort::Shaking => owner.to_string(),
+                effort if effort.is_of_the_whole() => owner.to_string(),
                 _ => format!("{owner}.{member}"),
             };
             let message = format!("the output `{path}` is given twice; remove one");
@@ -286,7 +294,9 @@ impl Resolver<'_> {
             Some(Asked { owner, field, docs: spring.docs.clone(), effort })
         });
         let springs: Vec<_> = springs.collect();
-        let mut asked: Vec<Asked> = inputs.into_iter().chain(links).chain(springs).collect();
+        let losses = self.losses_of_all();
+        let mut asked: Vec<Asked> =
+            inputs.into_iter().chain(links).chain(springs).chain(losses).collect();
         if !self.mechanism.unknowns.is_empty() {
             asked.retain(|asked| is_of_power(asked.effort));
         }
@@ -298,6 +308,14 @@ impl Resolver<'_> {
             }
         }
         self.mechanism.dynamics.asked = asked;
+    }
+
+    /// The output `losses`, where anything rubs.
+    fn losses_of_all(&self) -> Option<Asked> {
+        let owner = Ident::new("losses", self.mechanism.name.span());
+        let (field, effort) = (owner.clone(), Effort::Losses);
+        let rubs = !self.mechanism.dynamics.frictions.is_empty();
+        rubs.then(|| Asked { owner, field, docs: Vec::new(), effort })
     }
 
     /// Drive, push, joints and guides of a link.

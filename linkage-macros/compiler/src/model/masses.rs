@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, Span};
 
+use crate::diagnostics::Extent;
 use crate::syntax::tree;
 use crate::syntax::tree::MassSite as Written;
 
@@ -71,8 +72,19 @@ impl Resolver<'_> {
         let fixed = self.changes_with_no_input(expr, what);
         let value = self.scalar(expr, dimension)?;
         fixed?;
+        self.not_below_zero(value, expr.span, what, name)
+    }
+
+    /// The number; a constant or a parameter below zero is reported.
+    pub(super) fn not_below_zero(
+        &mut self,
+        value: Expr,
+        span: Extent,
+        what: &str,
+        name: String,
+    ) -> Option<Quantity> {
         let (constant, span) = match &value {
-            Expr::Constant(constant) => (constant, expr.span),
+            Expr::Constant(constant) => (constant, span),
             Expr::Param(id) => match &self.mechanism.params[id.index()].kind {
                 ParamKind::Number { default, .. } => (default, self.facts.params[id.index()].span),
                 _ => return None,

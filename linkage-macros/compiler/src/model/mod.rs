@@ -13,6 +13,7 @@ mod actions;
 mod assembly;
 mod class_three;
 mod coincidence;
+mod contacts;
 mod dimension;
 mod drawn;
 pub(crate) mod dynamics;
@@ -128,6 +129,7 @@ fn walked<'d>(
     let mut resolver = Resolver::new(tree, &tree.unread, diagnostics);
     resolver.statements(tree);
     resolver.every_unknown_is_solved(tree);
+    resolver.frictions(tree);
     resolver.outputs(tree);
     resolver.statements_are_in_order(tree);
     resolver.bare_lengths_are_of_a_machine();

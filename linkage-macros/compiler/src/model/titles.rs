@@ -1,6 +1,6 @@
 //! Titles of groups, springs, forces and inputs in errors.
 
-use super::dynamics::{Ends, Force, Spring};
+use super::dynamics::{Contact, Ends, Force, Spring};
 use super::mechanism::{Carrier, Mechanism, PointId};
 
 impl Mechanism {
@@ -37,6 +37,15 @@ impl Mechanism {
     fn pair(&self, points: [PointId; 2]) -> String {
         let [p, q] = points.map(|point| &self.points[point.index()].name);
         format!("{p}, {q}")
+    }
+
+    /// The joint at which two bodies rub: `BC.C`, `ram`.
+    pub(crate) fn contact_name(&self, contact: Contact) -> String {
+        let link = &self.links[contact.link().index()].name;
+        match contact {
+            Contact::Pin { pin, .. } => format!("{link}.{}", self.points[pin.index()].name),
+            Contact::Guide(_) => link.to_string(),
+        }
     }
 
     /// `ground` or the link.

@@ -257,7 +257,8 @@ pub(super) fn is_of_power(effort: Effort) -> bool {
         | Effort::Push(_)
         | Effort::Pin(..)
         | Effort::Bearing(..)
-        | Effort::Guide(_) => false,
+        | Effort::Guide(_)
+        | Effort::Losses => false,
     }
 }
 

@@ -5,7 +5,7 @@
 use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Action, Group, MassSite, StatementKind};
+use super::tree::{Action, FrictionSite, FrictionStatement, Group, MassSite, StatementKind};
 
 /// Words that say that something has mass or acts.
 pub(crate) const ACTING: [&str; 5] = ["mass", "inertia", "force", "torque", "spring"];
@@ -17,6 +17,9 @@ const AXES: &str = "a force f across a link is `force (0, f) in LINK on P`: behi
                     along whose axes the components lie";
 const SPRING_FORM: &str = "a spring is `spring between P and Q { stiffness: 15(N/m), free_length: \
                            0.3m }`, between two points or two links, and may have a name";
+const FRICTION_FORMS: &str = "friction is `friction 0.1 at C radius 8mm` of a pin, \
+                              `friction 0.1 on BC at C radius 8mm` where more links meet, or \
+                              `friction 0.1 on ram` of what slides";
 const TORQUE_FORMS: &str = "a torque is `torque t on BC` or `torque t between BC and DC`";
 
 impl Parser<'_> {
@@ -31,6 +34,7 @@ impl Parser<'_> {
             "force" => self.force(),
             "torque" => self.torque(),
             "spring" => self.spring(keyword),
+            "friction" => self.friction(keyword.span()),
             _ => return None,
         };
         Some(parsed.map(StatementKind::Action))
@@ -177,6 +181,44 @@ impl Parser<'_> {
         let mut fields = Group::without_links(keyword.clone(), self.end());
         self.fields_in_braces(&mut fields);
         Ok(Action::Spring { name, ends, fields })
+    }
+
+    fn friction(&mut self, at: Span) -> Parse<Action> {
+        let coefficient = self.expression()?;
+        let site = match () {
+            () if self.take_word("at") => FrictionSite::Pin(self.name_of("a pin")?),
+            () if self.take_word("on") => {
+                let link = self.name_of("a link")?;
+                match self.take_word("at") {
+                    true => FrictionSite::LinkAtPin(link, self.name_of("a pin")?),
+                    false => FrictionSite::Slider(link),
+                }
+            }
+            () if self.is_word(0, "between") => {
+                let bodies = self.ends("a link or `ground`", FRICTION_FORMS)?;
+                if !self.take_word("at") {
+                    return self.expected_because("`at`", FRICTION_FORMS);
+                }
+                FrictionSite::Between(bodies, self.name_of("a pin")?)
+            }
+            () => return self.expected_because("`at`, `on` or `between`", FRICTION_FORMS),
+        };
+        let mut friction =
+            FrictionStatement { at, coefficient, site, radius: None, length: None, smooth: None };
+        loop {
+            let part = match () {
+                () if self.is_word(0, "radius") => &mut friction.radius,
+                () if self.is_word(0, "length") => &mut friction.length,
+                () if self.is_word(0, "smooth") => &mut friction.smooth,
+                () => return Ok(Action::Friction(friction)),
+            };
+            let word = self.here();
+            self.take();
+            let value = self.expression()?;
+            if part.replace(value).is_some() {
+                self.diagnostics.error(word, "this is given twice; remove one");
+            }
+        }
     }
 
     /// `between P and Q`

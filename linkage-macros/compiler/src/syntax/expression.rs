@@ -22,9 +22,9 @@ const MEMBERS: [&str; 6] = ["angle", "slide", "margin", "transmission", "x", "y"
 const OPERAND: &str = "a number or a name";
 
 /// Why no expression reads a reaction, and what to write where friction is meant.
-pub(crate) const FRICTION: &str = "a reaction follows from all forces, so none can depend on it; with a \
-                                   given normal force friction is smooth: `-mu * 50N * v / hypot(v, \
-                                   0.001(m/s))`, `v` a `rate`";
+pub(crate) const FRICTION: &str = "a reaction follows from all forces, so none can depend on it; \
+                                   `friction 0.1 at C radius 8mm` does, and `friction 0.1 on ram` of \
+                                   what slides";
 
 impl Parser<'_> {
     pub(super) fn expression(&mut self) -> Parse<Expr> {

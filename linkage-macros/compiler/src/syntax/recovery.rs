@@ -74,6 +74,11 @@ impl Parser<'_> {
                 Some(TokenTree::Punct(_)) | None => false,
                 Some(_) => true,
             },
+            // A load may have this name, as in `torque friction on AB`.
+            "friction" => match self.peek(1) {
+                Some(TokenTree::Punct(_)) | None => false,
+                Some(_) => !["on", "at", "between"].iter().any(|word| self.is_word(1, word)),
+            },
             "pin" | "link" => named && paren,
             "drive" => named && self.is_punct(2, '.'),
             "guide" | "point" => named && self.peek_ident(2).is_some(),

@@ -92,7 +92,7 @@ impl StatementKind {
     }
 }
 
-/// `gravity`, `mass`, `inertia`, `force`, `torque` or `spring`.
+/// `gravity`, `mass`, `inertia`, `force`, `torque`, `spring` or `friction`.
 #[derive(Clone)]
 pub(crate) enum Action {
     /// `gravity (0, -g);` and where it stands.
@@ -112,6 +112,32 @@ pub(crate) enum Action {
     /// `spring shock between P and Q { stiffness: 15(N/m), free_length: 0.3m }`: two points, or two
     /// bodies. Its fields are read like those of a group.
     Spring { name: Option<Ident>, ends: [Ident; 2], fields: Group },
+    /// `friction 0.1 at C radius 8mm;`
+    Friction(FrictionStatement),
+}
+
+/// Friction at a pin or a guide, and where its word stands.
+#[derive(Clone)]
+pub(crate) struct FrictionStatement {
+    pub at: Span,
+    pub coefficient: Expr,
+    pub site: FrictionSite,
+    pub radius: Option<Expr>,
+    pub length: Option<Expr>,
+    pub smooth: Option<Expr>,
+}
+
+/// The joint that has friction.
+#[derive(Clone)]
+pub(crate) enum FrictionSite {
+    /// `at C`
+    Pin(Ident),
+    /// `on BC at C`
+    LinkAtPin(Ident, Ident),
+    /// `on ram`
+    Slider(Ident),
+    /// `between BC and EF at C`
+    Between([Ident; 2], Ident),
 }
 
 /// Where a mass is.
@@ -139,6 +165,11 @@ impl Action {
                 ends.iter().collect()
             }
             Self::Spring { ends, .. } => ends.iter().collect(),
+            Self::Friction(friction) => match &friction.site {
+                FrictionSite::Pin(name) | FrictionSite::Slider(name) => vec![name],
+                FrictionSite::LinkAtPin(link, pin) => vec![link, pin],
+                FrictionSite::Between([first, second], pin) => vec![first, second, pin],
+            },
         }
     }
 
@@ -158,6 +189,10 @@ impl Action {
             | Self::Torque { value, .. }
             | Self::TorqueBetween { value, .. } => vec![value],
             Self::Spring { fields, .. } => fields.values().collect(),
+            Self::Friction(friction) => {
+                let FrictionStatement { coefficient, radius, length, smooth, .. } = friction;
+                [coefficient].into_iter().chain(radius).chain(length).chain(smooth).collect()
+            }
         }
     }
 }

@@ -1,10 +1,10 @@
 //! The words of the language: which begin a statement, and which cannot be chosen as names.
 
 /// Words that begin a statement without braces.
-pub(super) const STATEMENTS: [&str; 22] = [
+pub(super) const STATEMENTS: [&str; 23] = [
     "input", "param", "let", "ground", "guide", "point", "output", "numerics", "crate", "export",
-    "gravity", "load", "mass", "inertia", "force", "torque", "spring", "unknown", "solve", "pin",
-    "link", "drive",
+    "gravity", "load", "mass", "inertia", "force", "torque", "spring", "friction", "unknown",
+    "solve", "pin", "link", "drive",
 ];
 
 /// Words that begin a statement with braces: drivers, then Assur groups.
@@ -37,7 +37,7 @@ const RESERVED: [&str; 22] = [
 ];
 
 /// Words that stand for something wherever an expression or a reference may stand.
-const MEANINGFUL: [&str; 9] = [
+const MEANINGFUL: [&str; 10] = [
     "pi",
     "ground",
     "left",
@@ -48,6 +48,7 @@ const MEANINGFUL: [&str; 9] = [
     "energy",
     "shaking",
     "centre_of_mass",
+    "losses",
 ];
 
 /// Strict and reserved keywords of every Rust edition; generated fields could not bear them.
@@ -128,9 +129,9 @@ pub(crate) fn built_by(word: &str) -> Option<&'static str> {
             "a damper is a spring without stiffness: `spring between P and Q { damping: \
              10(N*s/m) }`",
         ),
-        "friction" | "brake" | "drag" => Some(
-            "friction is a force or a torque by a rate: `torque -c * rate(AB.angle) on AB`, or of a known \
-             normal force `-mu * 50N * v / hypot(v, 0.001(m/s))`, `v` a `rate`",
+        "brake" | "drag" => Some(
+            "a brake is a force or a torque by a rate: `torque -c * rate(AB.angle) on AB`; what a joint's \
+             load brakes is `friction 0.1 at C radius 8mm`",
         ),
         "joint" | "pin" | "hinge" | "revolute" | "prismatic" => {
             Some("joints are made by the groups they belong to, and fixed ones by `ground`")

@@ -44,10 +44,10 @@ impl Selection {
                 format!("there are {}; and the widths f64 and f32", names.join(", ")),
             );
         }
-        Self {
-            points: if points.is_empty() { all } else { with_needed(&interface, points) },
-            widths: if widths.is_empty() { Width::ALL.to_vec() } else { widths },
-        }
+        let points = if points.is_empty() { all } else { with_needed(&interface, points) };
+        refuse_friction(mechanism, &points, diagnostics);
+        let widths = if widths.is_empty() { Width::ALL.to_vec() } else { widths };
+        Self { points, widths }
     }
 
     /// The program without the answers of other entry points.
@@ -69,4 +69,17 @@ fn with_needed(interface: &Interface, mut points: Vec<EntryPoint>) -> Vec<EntryP
         points.extend(needed.filter(|needed| !points.contains(needed)));
     }
     points
+}
+
+/// Reports entry points in which joints rub: the run-time in C does not solve the equations of friction.
+fn refuse_friction(mechanism: &Mechanism, points: &[EntryPoint], diagnostics: &mut Diagnostics) {
+    let Some(friction) = mechanism.dynamics.frictions.first() else { return };
+    if points.iter().any(|point| point.is_about_forces()) {
+        let link = &mechanism.links[friction.contact.link().index()].name;
+        diagnostics.error_because(
+            link.span(),
+            format!("`{}` has friction at a joint, which is not printed in C", text(link)),
+            "select entry points without forces, or use `export c;` where Rust has a target",
+        );
+    }
 }

@@ -29,16 +29,24 @@ pub(in crate::codegen) const NO_SOLUTION: &str = "\
 
 ";
 
+/// The status of mechanisms in which something rubs.
+pub(in crate::codegen) const JAMS: &str = "\
+/* Friction may hold itself at the joint `name`. */
+#define LINKAGE_JAMS 10
+
+";
+
 /// The whole header, for numbers of these widths.
 pub(in crate::codegen) fn text(cx: &Context<'_>, widths: &[Width]) -> String {
     let solver = plain(&cx.names.solver);
     let guard = snake_case(&solver).to_uppercase();
     let about = about(cx, &solver);
     let no_solution = if cx.searches() { NO_SOLUTION } else { "" };
+    let jams = if cx.mechanism.dynamics.frictions.is_empty() { "" } else { JAMS };
     let mut header = format!(
         "{about}\n#ifndef {guard}_H\n#define {guard}_H\n\n\
          #include <stddef.h>\n#include <stdint.h>\n\n\
-         #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{SHARED}\n{no_solution}\
+         #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{SHARED}\n{no_solution}{jams}\
          #define {guard}_INPUTS {}\n#define {guard}_OUTPUTS {}\n",
         cx.columns(),
         cx.rows(),

@@ -18,6 +18,9 @@
 //! opposites on what carries it. [`transmit`] does the same for a driven dimension that contains the
 //! angle or slide of an earlier link: a gear, a rack.
 //!
+//! # Friction
+//! [`friction`] takes a share of each reaction, group by group on the way.
+//!
 //! # An effort alone
 //! [`power`] takes it from the power of all that acts, without any reaction, on masses [`reduced`] to
 //! what moves alike. [`together`] is what all masses do as one: energy, shaking, centre of mass.
@@ -35,6 +38,7 @@
 //! equation); J. J. Uicker, G. R. Pennock, J. E. Shigley, Theory of Machines and Mechanisms.
 
 mod dynamics;
+mod friction;
 mod loads;
 mod power;
 mod provided;
@@ -52,6 +56,8 @@ use crate::model::dynamics::Effort;
 use crate::model::mechanism::PointId;
 
 pub(super) use dynamics::{accelerations, equations, every_input_moves_mass};
+#[cfg(test)]
+pub(super) use friction::slip;
 pub(super) use together::centre_of_mass;
 pub(super) use walk::Walk;
 
@@ -66,9 +72,13 @@ pub(super) fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {
     if asked().next().is_none() {
         return Vec::new();
     }
+    // The power of friction follows from reactions.
+    if !kinematics.mechanism.dynamics.frictions.is_empty() {
+        return by_walk(&Walk::of(kinematics));
+    }
     let alone: Option<Vec<Vec<Id>>> =
         asked().map(|asked| alone(kinematics, asked.effort)).collect();
-    alone.map_or_else(|| by_walk(kinematics), |numbers| numbers.concat())
+    alone.map_or_else(|| by_walk(&Walk::of(kinematics)), |numbers| numbers.concat())
 }
 
 /// Values of an effort that needs no joint reaction; none for any other effort.
@@ -82,7 +92,8 @@ fn alone(kinematics: &Kinematics<'_>, effort: Effort) -> Option<Vec<Id>> {
         | Effort::Push(_)
         | Effort::Pin(..)
         | Effort::Bearing(..)
-        | Effort::Guide(_) => None,
+        | Effort::Guide(_)
+        | Effort::Losses => None,
     }
 }
 
@@ -94,22 +105,26 @@ pub(super) fn energy(kinematics: &Kinematics<'_>) -> Vec<Id> {
     }
 }
 
-/// Values of the entry point `statics`: the same at rest.
+/// Values of the entry point `statics`: the same at rest, and friction against a creep.
 pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
     if kinematics.mechanism.dynamics.asked.is_empty() {
         return Vec::new();
     }
     let inputs = Source::at_rest(&kinematics.inputs, kinematics.sheet);
     let resting = Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs);
+    if !kinematics.mechanism.dynamics.frictions.is_empty() {
+        let creep = Source::without_second_rates(&kinematics.inputs, kinematics.sheet);
+        let creeping = Kinematics::of(kinematics.sheet, kinematics.mechanism, creep);
+        return by_walk(&Walk::creeping(&resting, &creeping));
+    }
     match kinematics.mechanism.unknowns.is_empty() {
-        true => by_walk(&resting),
+        true => by_walk(&Walk::of(&resting)),
         // The effort that holds an equation acts on no body, so a walk cannot place it.
         false => in_motion(&resting),
     }
 }
 
-fn by_walk(kinematics: &Kinematics<'_>) -> Vec<Id> {
-    let walk = Walk::of(kinematics);
-    let asked = kinematics.mechanism.dynamics.asked.iter();
+fn by_walk(walk: &Walk<'_, '_>) -> Vec<Id> {
+    let asked = walk.kinematics.mechanism.dynamics.asked.iter();
     asked.flat_map(|asked| walk.components(asked.effort)).map(|sym| sym.id).collect()
 }

@@ -3,7 +3,7 @@
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
-use crate::model::dynamics::Quantity;
+use crate::model::dynamics::{Friction, Quantity};
 use crate::model::mechanism::PointId;
 
 /// A mass that a parameter makes is asked for its sign where it is used.
@@ -17,6 +17,15 @@ pub(super) fn not_negative<'s>(
         return value;
     }
     value.provided(Check::NotNegative(quantity.name.clone()), group, &[])
+}
+
+/// The coefficient of a guide, or of a pin the coefficient times its radius.
+pub(super) fn share<'s>(kinematics: &Kinematics<'s>, friction: &Friction, group: u32) -> Sym<'s> {
+    let coefficient = not_negative(kinematics, &friction.coefficient, group);
+    match &friction.radius {
+        Some(radius) => coefficient * not_negative(kinematics, radius, group),
+        None => coefficient,
+    }
 }
 
 /// The vector from the first point to the second.

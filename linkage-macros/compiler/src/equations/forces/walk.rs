@@ -35,10 +35,28 @@ pub(in crate::equations) struct Walk<'k, 's> {
     found: HashMap<Effort, Vec<Sym<'s>>>,
     /// By point, the sum of what the links that stand on it put on it.
     standing: HashMap<PointId, Vector<'s>>,
+    /// The state that says which way friction acts, where the bodies are at rest.
+    pub(super) creeping: Option<&'k Kinematics<'s>>,
+    /// The power that friction takes.
+    pub(in crate::equations) losses: Sym<'s>,
+    /// Amounts of friction, by its index.
+    pub(in crate::equations) amounts: HashMap<usize, Sym<'s>>,
 }
 
 impl<'k, 's> Walk<'k, 's> {
     pub(in crate::equations) fn of(kinematics: &'k Kinematics<'s>) -> Self {
+        Self::against(kinematics, None)
+    }
+
+    /// At rest, with friction against the slips of a creep.
+    pub(in crate::equations) fn creeping(
+        resting: &'k Kinematics<'s>,
+        creeping: &'k Kinematics<'s>,
+    ) -> Self {
+        Self::against(resting, Some(creeping))
+    }
+
+    fn against(kinematics: &'k Kinematics<'s>, creeping: Option<&'k Kinematics<'s>>) -> Self {
         let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
         let nothing = Acting { force: sheet.zero_vector(), moment: sheet.zero() };
         let mut walk = Self {
@@ -52,6 +70,9 @@ impl<'k, 's> Walk<'k, 's> {
             efforts: vec![sheet.zero(); mechanism.inputs.len()],
             found: HashMap::new(),
             standing: HashMap::new(),
+            creeping,
+            losses: sheet.zero(),
+            amounts: HashMap::new(),
         };
         walk.load();
         for step in mechanism.steps.iter().rev() {
@@ -73,6 +94,7 @@ impl<'k, 's> Walk<'k, 's> {
                 let Vector { x, y } = self.standing.get(&point).copied().unwrap_or(zero);
                 vec![x, y]
             }
+            Effort::Losses => vec![self.losses],
             Effort::Shaking => together::shaking(self.kinematics).into(),
             Effort::Spring(spring) => vec![springs::effort(self.kinematics, spring.index())],
             other => self.found[&other].clone(),

@@ -145,12 +145,7 @@ fn nodes<'s>(kinematics: &Kinematics<'s>) -> Nodes {
         }
         Motion::of(&Kinematics::of(sheet, mechanism, inputs))
     });
-    let id = |expr: Expr| (format!("{expr:?}"), kinematics.jet(&expr).value.id);
-    let inputs = (0..mechanism.inputs.len() as u32).map(|input| Expr::Input(InputId(input)));
-    let mut readings: Vec<_> = inputs.map(id).collect();
-    let mut leaves = Vec::new();
-    leaves_of(mechanism, &mut leaves);
-    readings.extend(leaves.into_iter().map(id));
+    let readings = readings(mechanism, kinematics);
     let by_walk = walk.iter().flat_map(Walk::found);
     let found =
         by_walk.map(|(effort, numbers)| (effort, numbers.iter().map(|number| number.id).collect()));
@@ -165,6 +160,17 @@ fn nodes<'s>(kinematics: &Kinematics<'s>) -> Nodes {
         ground: ground.map(|ground| [ground.force.x.id, ground.force.y.id, ground.moment.id]),
         readings,
     }
+}
+
+/// All that a dimension may read, as text, and its node.
+pub(super) fn readings(mechanism: &Mechanism, kinematics: &Kinematics<'_>) -> Vec<(String, Id)> {
+    let id = |expr: Expr| (format!("{expr:?}"), kinematics.jet(&expr).value.id);
+    let inputs = (0..mechanism.inputs.len() as u32).map(|input| Expr::Input(InputId(input)));
+    let mut readings: Vec<_> = inputs.map(id).collect();
+    let mut leaves = Vec::new();
+    leaves_of(mechanism, &mut leaves);
+    readings.extend(leaves.into_iter().map(id));
+    readings
 }
 
 /// Every slide, coordinate and distance that may be read.
@@ -266,11 +272,8 @@ fn compare(
     );
     for (input, unit) in nodes.units.iter().enumerate() {
         let unit = unit.values(&values);
-        let power = motion.applied.iter().zip(&unit.applied).fold(whole(0), |sum, (now, unit)| {
-            let force =
-                now.force[0].mul(&unit.velocity[0]).add(&now.force[1].mul(&unit.velocity[1]));
-            sum.add(&force).add(&now.couple.mul(&unit.omega))
-        });
+        let pairs = motion.applied.iter().zip(&unit.applied);
+        let power = pairs.fold(whole(0), |sum, (now, unit)| sum.add(&now.power_at(unit)));
         let truth = power.neg();
         if let Some(by_walk) = nodes.inputs.get(input) {
             close(format!("effort of input {input}"), &values[by_walk.index()], &truth);

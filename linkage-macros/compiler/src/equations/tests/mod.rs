@@ -6,6 +6,7 @@ mod clearances;
 pub(crate) mod declarations;
 mod dynamics;
 pub(crate) mod forces;
+mod friction;
 mod joints;
 mod newton_euler;
 mod rates;

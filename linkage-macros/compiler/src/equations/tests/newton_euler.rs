@@ -4,6 +4,7 @@
 
 mod acting;
 mod declared;
+mod friction;
 mod joints;
 mod matrix;
 mod readings;
@@ -40,6 +41,14 @@ pub(super) struct Applied<T> {
     /// For virtual power: how the point moves, and the body.
     pub velocity: Pair<T>,
     pub omega: T,
+}
+
+impl Applied<Digits> {
+    /// The power of the load where its part moves as in the other.
+    pub(super) fn power_at(&self, unit: &Self) -> Digits {
+        let [x, y] = [0, 1].map(|axis| self.force[axis].mul(&unit.velocity[axis]));
+        x.add(&y).add(&self.couple.mul(&unit.omega))
+    }
 }
 
 /// The motion, as nodes of the graph or as numbers.

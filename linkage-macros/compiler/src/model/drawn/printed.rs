@@ -2,7 +2,7 @@
 
 use syn::Attribute;
 
-use crate::syntax::tree::{Action, MassSite};
+use crate::syntax::tree::{Action, FrictionSite, FrictionStatement, MassSite};
 use crate::syntax::tree::{
     BinaryOp, Course, Declaration, Expr, ExprKind, FieldValue, Group, Place, Spot, Statement,
     StatementKind,
@@ -178,7 +178,23 @@ fn written_action(action: &Action) -> String {
             let name = name.iter().map(|name| format!(" {name}")).collect::<String>();
             format!("spring{name} between {a} and {b} {}", braces(fields))
         }
+        Action::Friction(friction) => written_friction(friction),
     }
+}
+
+fn written_friction(friction: &FrictionStatement) -> String {
+    let site = match &friction.site {
+        FrictionSite::Pin(pin) => format!("at {pin}"),
+        FrictionSite::LinkAtPin(link, pin) => format!("on {link} at {pin}"),
+        FrictionSite::Slider(link) => format!("on {link}"),
+        FrictionSite::Between([a, b], pin) => format!("between {a} and {b} at {pin}"),
+    };
+    let FrictionStatement { coefficient, radius, length, smooth, .. } = friction;
+    let parts = [("radius", radius), ("length", length), ("smooth", smooth)];
+    let parts = parts
+        .iter()
+        .filter_map(|(word, part)| part.as_ref().map(|part| format!(" {word} {}", text(part))));
+    format!("friction {} {site}{};", text(coefficient), parts.collect::<String>())
 }
 
 fn pair([first, second]: &[Expr; 2]) -> String {

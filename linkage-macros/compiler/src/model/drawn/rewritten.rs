@@ -284,6 +284,7 @@ impl Turns {
             | Action::Torque { value, .. }
             | Action::TorqueBetween { value, .. } => *value = self.expr(value),
             Action::Spring { fields, .. } => self.group(fields),
+            Action::Friction(friction) => friction.coefficient = self.expr(&friction.coefficient),
         }
         action
     }

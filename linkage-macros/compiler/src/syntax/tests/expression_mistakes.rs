@@ -59,9 +59,8 @@ fn products_and_powers() {
 /// it is asked for.
 #[test]
 fn components_of_reactions() {
-    const FRICTION: &str = "a reaction follows from all forces, so none can depend on it; with a given \
-                            normal force friction is smooth: `-mu * 50N * v / hypot(v, 0.001(m/s))`, `v` \
-                            a `rate`";
+    const FRICTION: &str = "a reaction follows from all forces, so none can depend on it; `friction \
+                            0.1 at C radius 8mm` does, and `friction 0.1 on ram` of what slides";
     let of_a_pin = format!(
         ".: write `D.x` for the point; no expression reads the reaction `DC.D` / {FRICTION}"
     );

@@ -171,6 +171,21 @@ fn action(action: &Action) -> String {
             let name = name.as_ref().map(|name| format!("{name} ")).unwrap_or_default();
             format!("spring {name}between {a} and {b} {{ {} }}", self::fields(fields))
         }
+        Action::Friction(friction) => {
+            let site = match &friction.site {
+                FrictionSite::Pin(pin) => format!("at {pin}"),
+                FrictionSite::LinkAtPin(link, pin) => format!("on {link} at {pin}"),
+                FrictionSite::Slider(link) => format!("on {link}"),
+                FrictionSite::Between([a, b], pin) => format!("between {a} and {b} at {pin}"),
+            };
+            let FrictionStatement { radius, length, smooth, .. } = friction;
+            let parts = [("radius", radius), ("length", length), ("smooth", smooth)];
+            let parts = parts.iter().filter_map(|(word, part)| {
+                part.as_ref().map(|part| format!(" {word} {}", expr(part)))
+            });
+            let parts: String = parts.collect();
+            format!("friction {} {site}{parts}", expr(&friction.coefficient))
+        }
     }
 }
 

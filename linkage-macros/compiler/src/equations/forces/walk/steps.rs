@@ -30,10 +30,13 @@ impl<'k, 's> Walk<'k, 's> {
                 }
                 self.transmit_place((*carrier, *point), place, efforts);
             }
-            Step::Group(group) => match &group.outer[0] {
-                Joint { drive: Some(drive), .. } => self.leave_driver(group, drive),
-                _ => self.leave_dyad(group),
-            },
+            Step::Group(group) => {
+                self.rub(group);
+                match &group.outer[0] {
+                    Joint { drive: Some(drive), .. } => self.leave_driver(group, drive),
+                    _ => self.leave_dyad(group),
+                }
+            }
         }
     }
 
@@ -130,12 +133,34 @@ impl<'k, 's> Walk<'k, 's> {
         self.transmit(length, push);
     }
 
+    /// Loads on a group but for those of its own joints. A driver has one link.
+    pub(in crate::equations::forces) fn loads_on(&self, group: &Group) -> Loads<'s> {
+        let links = [group.links[0], group.links[group.links.len() - 1]];
+        let nothing = self.sheet().zero_vector();
+        let pin = group.pin.map_or(nothing, |pin| self.points[pin.index()]);
+        Loads { links: self.acting(links), pin, along: self.slide(links[0]) }
+    }
+
+    /// The force of a crank's pivot, or what its guide exerts on a slider.
+    pub(in crate::equations::forces) fn by_driver(
+        &self,
+        joint: &Joint,
+        Acting { force, moment }: Acting<'s>,
+    ) -> Reaction<'s> {
+        match joint.guide() {
+            None => Reaction::Force(-force),
+            Some(guide) => {
+                let normal = -force.dot(self.kinematics.guide(guide).direction.n());
+                Reaction::Guide(GuideReaction { normal, couple: -moment })
+            }
+        }
+    }
+
     /// The joints of a dyad exert their reactions, and the opposites of them are on what carries it.
     fn leave_dyad(&mut self, group: &Group) {
         let links = [group.links[0], group.links[1]];
         let nothing = self.sheet().zero_vector();
-        let pin = group.pin.map_or(nothing, |pin| self.points[pin.index()]);
-        let loads = Loads { links: self.acting(links), pin, along: self.slide(links[0]) };
+        let loads = self.loads_on(group);
         let Reactions { outer, inner } = self.kinematics.levers(group.id).reactions(&loads);
         for (joint, reaction) in group.outer.iter().zip(&outer) {
             if let Reaction::Guide(reaction) = *reaction {

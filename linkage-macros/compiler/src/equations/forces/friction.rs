@@ -1,0 +1,207 @@
+//! Friction: how a joint's reaction brakes the two bodies that meet there.
+//!
+//! At a pin of radius r a couple x = μ r |R| against the relative turning, at a guide a force x = μ |N| against
+//! the slide. A block of length b that touches its guide at both ends has μ (|N₁| + |N₂|) there, which is
+//! μ max(|N|, 2|T|/b). The other body is given the opposite.
+//!
+//! A pin's μ is couple over radius and load, as bearing catalogues have it: the line of a force that the
+//! joint transmits touches the circle of the radius μ r. Coulomb's law at a dry pin's contact is μ = sin φ.
+//!
+//! # One equation a group
+//! Going backwards, what presses a joint is known but for the friction of the group's own joints, and the
+//! group's reactions are linear in that. So G and A of the [`system`] are the group's own formulas, of its
+//! loads and of a unit of each friction. A driver's pin or guide depends on no friction of its own.
+//!
+//! # Direction
+//! Against the slip w: s = sign w. At w = 0 the motion is just starting, and s = sign ẇ; at rest it is the
+//! sign of the slip of a creep. Smoothed it is w/√(w² + e²).
+//!
+//! # Source
+//! R. L. Norton, Design of Machinery, ch. 11; A. S. Hall, Kinematics and Linkage Design, on friction
+//! circles; J. E. Shigley, Mechanical Engineering Design, on bearings.
+
+mod system;
+
+use crate::equations::forces::provided::share;
+use crate::equations::forces::walk::Walk;
+use crate::equations::jet::Jet;
+use crate::equations::kinematics::Kinematics;
+use crate::equations::reactions::{Acting, Inner, Loads, Reaction, Reactions};
+use crate::equations::symbol::{Sym, Vector};
+use crate::model::dynamics::{Contact, Friction};
+use crate::model::mechanism::{Carrier, Group};
+use system::{Row, solved};
+
+/// The place of a contact in the group whose reactions press it.
+#[derive(Clone, Copy)]
+enum Place {
+    /// The outer joint of the link with this index.
+    Outer(usize),
+    /// The inner pin, on the link with this index.
+    Pin(usize),
+    /// The first link in the second.
+    Slide,
+}
+
+/// A contact that rubs.
+struct Rubbing<'s> {
+    friction: usize,
+    contact: Contact,
+    place: Place,
+    /// Coefficient, of a pin times the radius.
+    share: Sym<'s>,
+    /// Factor of a guide's couple: 2/b, or zero where it does not count.
+    by_couple: Sym<'s>,
+    /// The sign s.
+    way: Sym<'s>,
+}
+
+/// The slip of the link against the other body, and its rate.
+pub(in crate::equations) fn slip<'s>(state: &Kinematics<'s>, contact: Contact) -> [Sym<'s>; 2] {
+    match contact {
+        Contact::Guide(link) => {
+            let Jet { rate, accel, .. } = state.link(link).slide.expect("it slides");
+            [rate, accel]
+        }
+        Contact::Pin { link, against, .. } => {
+            let (own, other) = (state.link(link).frame, state.carrier(against));
+            let (own, other) = (own.direction, other.direction);
+            [own.omega - other.omega, own.alpha - other.alpha]
+        }
+    }
+}
+
+impl<'s> Walk<'_, 's> {
+    /// Puts the friction of a group's joints on the bodies that meet there.
+    pub(super) fn rub(&mut self, group: &Group) {
+        let contacts = self.contacts_of(group);
+        if contacts.is_empty() {
+            return;
+        }
+        let free = self.pressing(group, &self.loads_on(group), &contacts);
+        let changes: Vec<_> = (contacts.iter())
+            .map(|contact| self.pressing(group, &self.unit(group, contact), &contacts))
+            .collect();
+        let row = |(j, contact): (usize, &Rubbing<'s>)| Row {
+            share: contact.share,
+            free: free[j],
+            changes: changes.iter().map(|by| by[j]).collect(),
+            is_guide: matches!(contact.contact, Contact::Guide(_)),
+            joint: self.kinematics.mechanism.contact_name(contact.contact),
+        };
+        let rows: Vec<_> = contacts.iter().enumerate().map(row).collect();
+        for (contact, amount) in contacts.iter().zip(solved(&rows, group.id.0)) {
+            self.brake(contact, amount);
+        }
+    }
+
+    fn contacts_of(&self, group: &Group) -> Vec<Rubbing<'s>> {
+        let frictions = self.kinematics.mechanism.dynamics.frictions.iter().enumerate();
+        let own = frictions.filter(|(_, friction)| group.links.contains(&friction.contact.link()));
+        let rubbing = own.map(|(index, friction)| self.rubbing(group, index, friction));
+        rubbing.filter(|rubbing| !rubbing.share.is_zero() && !rubbing.way.is_zero()).collect()
+    }
+
+    fn rubbing(&self, group: &Group, friction: usize, declared: &Friction) -> Rubbing<'s> {
+        let (kinematics, title) = (self.kinematics, group.id.0);
+        let index = group.links.iter().position(|link| *link == declared.contact.link());
+        let index = index.expect("the group makes the link");
+        let place = match declared.contact {
+            Contact::Pin { pin, .. } if group.pin == Some(pin) && group.links.len() == 2 => {
+                Place::Pin(index)
+            }
+            Contact::Guide(_) if group.outer[index].guide().is_none() => Place::Slide,
+            Contact::Pin { .. } | Contact::Guide(_) => Place::Outer(index),
+        };
+        let length = declared.length.as_ref().map(|b| kinematics.length(b, title).value);
+        let by_couple = length.map_or(self.sheet().zero(), |b| self.sheet().integer(2) / b);
+        let share = share(kinematics, declared, title);
+        let way = self.way(declared, title);
+        Rubbing { friction, contact: declared.contact, place, share, by_couple, way }
+    }
+
+    fn slip(&self, contact: Contact) -> [Sym<'s>; 2] {
+        slip(self.creeping.unwrap_or(self.kinematics), contact)
+    }
+
+    fn way(&self, friction: &Friction, title: u32) -> Sym<'s> {
+        let [slip, starting] = self.slip(friction.contact);
+        match (&friction.smooth, self.creeping) {
+            (Some(smooth), None) => {
+                let smooth = self.kinematics.length(smooth, title).value;
+                slip / slip.hypot(smooth)
+            }
+            (_, Some(_)) => slip.sign_or(self.sheet().zero()),
+            (None, None) => slip.sign_or(starting.sign_or(self.sheet().zero())),
+        }
+    }
+
+    /// The loads on a group of a unit of friction at one of its joints.
+    fn unit(&self, group: &Group, contact: &Rubbing<'s>) -> Loads<'s> {
+        let (zero, nothing) = (self.sheet().zero(), self.sheet().zero_vector());
+        let mut links = [Acting { force: nothing, moment: zero }; 2];
+        let (back, mut along) = (-contact.way, zero);
+        let direction = |index: usize| self.kinematics.link(group.links[index]).frame.direction.u;
+        match (contact.contact, contact.place) {
+            (Contact::Pin { .. }, Place::Pin(index)) => {
+                (links[index].moment, links[1 - index].moment) = (back, contact.way);
+            }
+            (Contact::Pin { .. }, Place::Outer(index)) => links[index].moment = back,
+            (Contact::Guide(_), Place::Outer(index)) => {
+                links[index].force = back * direction(index);
+            }
+            (Contact::Guide(_), _) => {
+                (links[0].force, along) = (back * direction(0), back);
+            }
+            (Contact::Pin { .. }, Place::Slide) => unreachable!("a pin does not slide"),
+        }
+        Loads { links, pin: nothing, along }
+    }
+
+    /// The reaction at each contact under these loads: both components, as sizes are taken of them.
+    fn pressing(
+        &self,
+        group: &Group,
+        loads: &Loads<'s>,
+        contacts: &[Rubbing<'s>],
+    ) -> Vec<[Sym<'s>; 2]> {
+        let (outer, by_pin, slide) = match group.links.len() {
+            1 => (vec![self.by_driver(&group.outer[0], loads.links[0])], Vec::new(), None),
+            _ => {
+                let Reactions { outer, inner } = self.kinematics.levers(group.id).reactions(loads);
+                match inner {
+                    Inner::Pin(forces) => (outer.into(), forces.to_vec(), None),
+                    Inner::Slide(reaction) => (outer.into(), Vec::new(), Some(reaction)),
+                }
+            }
+        };
+        let components = |contact: &Rubbing<'s>, reaction: &Reaction<'s>| match reaction {
+            Reaction::Force(Vector { x, y }) => [*x, *y],
+            Reaction::Guide(guide) => [guide.normal, contact.by_couple * guide.couple],
+        };
+        let of = |contact: &Rubbing<'s>| match contact.place {
+            Place::Outer(index) => components(contact, &outer[index]),
+            Place::Pin(index) => components(contact, &Reaction::Force(by_pin[index])),
+            Place::Slide => {
+                let reaction = slide.expect("its first link slides in the second");
+                components(contact, &Reaction::Guide(reaction))
+            }
+        };
+        contacts.iter().map(of).collect()
+    }
+
+    /// A unit of friction and its opposite, so many times.
+    fn brake(&mut self, contact: &Rubbing<'s>, amount: Sym<'s>) {
+        let braking = contact.way * amount;
+        match contact.contact {
+            Contact::Pin { link, against, .. } => {
+                self.turn(Carrier::Link(link), -braking);
+                self.turn(against, braking);
+            }
+            Contact::Guide(link) => self.push_slide(link, -braking),
+        }
+        let [slip, _] = self.slip(contact.contact);
+        self.losses = self.losses + braking * slip;
+        self.amounts.insert(contact.friction, amount);
+    }
+}

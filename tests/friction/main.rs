@@ -1,0 +1,6 @@
+//! Friction that follows from reactions, against the full matrix, closed forms and laws that hold of every
+//! machine.
+
+mod cases;
+mod laws;
+mod table;
