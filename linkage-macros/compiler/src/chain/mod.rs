@@ -6,7 +6,7 @@
 //! hold each other's constraints in a circle are one group. [`cutting`] makes drivers and dyads of
 //! them. A group of class III is solved by one unknown: [`options`] lists what can be left out and what
 //! be driven, [`trace`] follows the machine, [`following`] fits intervals to it, and [`choice`] chooses. [`pose`]
-//! computes poses, and [`limits`] says how far each group is from its limit.
+//! computes poses, [`redrawn`] one with other lengths, and [`limits`] says how far each group is from its limit.
 //!
 //! Only numbers in `f64` and indices stand here: no names, no tokens, no exact constants and no
 //! messages. A result decides which groups there are and on which side they assemble, and no
@@ -23,6 +23,7 @@ pub(crate) mod machine;
 pub(crate) mod options;
 pub(crate) mod plane;
 mod pose;
+pub(crate) mod redrawn;
 mod trace;
 
 #[cfg(test)]

@@ -102,3 +102,29 @@ fn a_stretch_is_one_of_whatever_drives() {
         }
     }
 }
+
+/// The bar that is left out, or another one, is longer than drawn: the motion is that of the machine with
+/// the declared length.
+#[test]
+fn a_motion_is_followed_with_declared_lengths() {
+    for (link, from, to, drawn) in
+        [("L2", "P24", "P25", 0.405_928_5), ("L3", "P34", "P35", 0.924_153_7)]
+    {
+        for share in [0.9, 1.05] {
+            let length = drawn * share;
+            let line = format!("link {link}({from}, {to})");
+            let longer = format!("{line} {{ length: {length:?} }}");
+            let statements = stephenson().statements.replace(&format!("{line};"), &longer);
+            let machine = of(&statements);
+            assert!(machine.docs().contains("_traced`"), "{statements}");
+            for at in along(&machine) {
+                let pins =
+                    machine.rigid(&[at], CLOSED).unwrap_or_else(|| panic!("{at} {statements}"));
+                let place = |name| pins.iter().find(|(pin, _)| pin == name).expect("a pin").1;
+                let [p, q] = [from, to].map(place);
+                let off = (p[0] - q[0]).hypot(p[1] - q[1]) - length;
+                assert!(off.abs() < CLOSED, "{link} is off by {off:e} at {at}");
+            }
+        }
+    }
+}

@@ -134,10 +134,10 @@ impl Machine {
         points.map(|(name, at)| (name.to_string(), at.each_ref().map(number))).collect()
     }
 
-    /// Every link with its pins.
+    /// Every link that is as drawn, with its pins.
     pub(super) fn links(&self) -> Vec<(String, Vec<String>)> {
         let links = self.tree.statements.iter().flat_map(|statement| match &statement.kind {
-            StatementKind::Link { links, .. } => &links[..],
+            StatementKind::Link { links, fields: None } => &links[..],
             _ => &[],
         });
         let pins = |link: &DrawnLink| link.pins.iter().map(ToString::to_string).collect();

@@ -79,7 +79,7 @@ fn machines_of_bars_are_cut_as_by_hand() {
     expand_alike(
         "JansenLeg",
         "input theta: angle; ground A(0, 0), D(-38cm, -7.8cm);
-         pin B(0, 15cm), U(-43cm, 33cm), L(-40cm, -35cm), F(-75cm, -30cm);
+         pin B(0, 15cm), U(-47cm, 33cm), L(-21cm, -43cm), F(-57cm, -47cm);
          link AB(A, B) { length: 15cm } drive AB.angle = theta;
          link upper(B, U) { length: 50cm } link b(D, U) { length: 41.5cm }
          link lower(B, L) { length: 61.9cm } link c(D, L) { length: 39.3cm }
@@ -144,7 +144,7 @@ fn machines_with_cylinders_points_and_parameters_are_cut_as_by_hand() {
     expand_alike(
         "Excavator",
         "input lift, crowd, curl: length; ground O(0, 1.7m), F(0.6m, 1.2m);
-         pin G(2m, 3m), J(5m, 4.2m), V(7m, 2.6m), W(7.4m, 2.2m);
+         pin G(2m, 3m), J(5m, 4.5m), V(5.9m, 1.4m), W(5.5m, 0.9m);
          link lift_ram(F, G) { length: lift } link boom(O, G) { length: 2.4m }
          point S on boom at (5.4m, -0.9m); point H on boom at (2.6m, 0.55m);
          link crowd_ram(H, J) { length: crowd } link stick(S, J) { length: 0.8m }

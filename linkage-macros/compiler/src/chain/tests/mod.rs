@@ -3,8 +3,9 @@
 use std::time::Instant;
 
 use super::cutting::Found;
-use super::machine::{Driven, Driving, Machine, RigidBody};
+use super::machine::{Driven, Driving, Machine, RigidBody, Slide};
 use super::plane::Complex;
+use super::redrawn::{Resized, redrawn};
 use super::{Trouble, cut};
 
 fn body(pins: &[usize]) -> RigidBody {
@@ -67,4 +68,52 @@ fn a_dyad_without_a_drive_moves_with_all_that_hangs_on_it() {
     machine.drives.clear();
     let all: Vec<_> = (1..machine.bodies.len()).collect();
     assert_eq!(cut(&machine).unwrap_err(), [Trouble::Loose { bodies: all, freedoms: 1 }]);
+}
+
+/// The crank stays, and the coupler's far pin goes to the intersection of two circles on its side.
+#[test]
+fn a_longer_coupler_moves_its_pin_along_the_rockers_circle() {
+    let machine = row(1);
+    let [b, c, d] = [1, 3, 2].map(|pin| machine.pins[pin]);
+    let radius = (c - d).length();
+    for length in [0.8, 1.0, 1.3] {
+        let bar = Resized { body: 2, pins: [1, 3], length };
+        let pose = redrawn(&machine, &[bar]).expect("it assembles");
+        let base = d - b;
+        let far = base.length();
+        let x = (far * far + length * length - radius * radius) / (2.0 * far);
+        let side = base.cross(c - b).signum();
+        let y = side * (length * length - x * x).sqrt();
+        let wanted = b + base.unit() * Complex::new(x, y);
+        let off = (pose.machine.pins[3] - wanted).length();
+        assert!(off < 1e-12, "{length}: off by {off:e}");
+        assert!((pose.machine.pins[1] - b).length() < 1e-12);
+        // The body turns as its pins do.
+        let turned = pose.displacements[3].of(c) - wanted;
+        assert!(turned.length() < 1e-12);
+    }
+    // Stretched out, crank and coupler are short of the rocker's circle.
+    let bar = Resized { body: 2, pins: [1, 3], length: 2.1 };
+    assert!(redrawn(&machine, &[bar]).is_none());
+}
+
+/// A block on a rod of the rocker is carried along.
+#[test]
+fn slides_move_with_their_carriers() {
+    let mut machine = row(1);
+    machine.pins.push(Complex::new(1.5, 1.5));
+    machine.bodies[3].pins.push(4);
+    machine.bodies.push(RigidBody::default());
+    let (through, along) = (machine.pins[4], Complex::new(0.6, 0.8));
+    machine.slides.push(Slide { body: 4, carrier: 3, through, along });
+    machine.drives.push(Driving { kind: Driven::Slide(0), bodies: [4, 3], reads: Vec::new() });
+    let bar = Resized { body: 2, pins: [1, 3], length: 1.2 };
+    let pose = redrawn(&machine, &[bar]).expect("it assembles");
+    let [rocker, block] = [3, 4].map(|body| pose.displacements[body]);
+    assert!((rocker.turn - block.turn).abs() < 1e-12 && rocker.turn.abs() > 0.05);
+    // The block stays where it is on the rod.
+    assert!((rocker.of(through) - block.of(through)).length() < 1e-12);
+    let slide = pose.machine.slides[0];
+    assert!((slide.through - pose.machine.pins[4]).length() < 1e-12);
+    assert!((slide.along - Complex::turned(rocker.turn) * along).length() < 1e-12);
 }

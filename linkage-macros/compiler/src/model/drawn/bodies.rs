@@ -4,6 +4,7 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::{Driven, Driving, GROUND, Machine, Slide};
 use crate::chain::plane::Complex;
+use crate::chain::redrawn::Displacement;
 use crate::syntax::tree::{Declaration, DriveStatement, Expr, ExprKind, Place};
 
 use super::figures::{Figure, Pen};
@@ -55,6 +56,8 @@ pub(super) struct Bodies<'t> {
     /// The frames that links are written in.
     pub frames: Vec<DrawnFrame>,
     pub machine: Machine,
+    /// The motions of the bodies from the drawing to the pose in which lengths are as declared.
+    pub displacements: Vec<Displacement>,
 }
 
 impl<'t> Bodies<'t> {
@@ -70,10 +73,18 @@ impl<'t> Bodies<'t> {
         &self.links[body - 1]
     }
 
-    /// The angle of a link's frame in the drawing.
-    fn drawn_angle(&self, body: usize) -> f64 {
+    /// The angle of a link's frame in the pose with the declared lengths.
+    pub(super) fn drawn_angle(&self, body: usize) -> f64 {
         let [x, y] = &self.frames[body].axis;
-        Complex::new(x.value, y.value).angle()
+        let turn = self.displacements.get(body).map_or(0.0, |displacement| displacement.turn);
+        Complex::new(x.value, y.value).angle() + turn
+    }
+
+    /// The origin of its frame there.
+    pub(super) fn drawn_origin(&self, body: usize) -> Complex {
+        let [x, y] = &self.frames[body].origin;
+        let drawn = Complex::new(x.value, y.value);
+        self.displacements.get(body).map_or(drawn, |displacement| displacement.of(drawn))
     }
 
     /// What a drive is in the drawing.
@@ -85,8 +96,7 @@ impl<'t> Bodies<'t> {
             }
             Driven::Slide(slide) => {
                 let Slide { through, along, .. } = self.machine.slides[*slide];
-                let origin = &self.frames[*body].origin;
-                Some(along.dot(Complex::new(origin[0].value, origin[1].value) - through))
+                Some(along.dot(self.drawn_origin(*body) - through))
             }
         }
     }

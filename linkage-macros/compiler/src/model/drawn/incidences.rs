@@ -83,7 +83,8 @@ impl<'t> Reader<'t, '_, '_> {
         }
         machine.varies = self.varies();
         let Self { tree, pins, links, guides, .. } = self;
-        Some(Bodies { tree, pins, links, guides, drives, frames, machine })
+        let displacements = Vec::new();
+        Some(Bodies { tree, pins, links, guides, drives, frames, machine, displacements })
     }
 
     /// True if a dimension of the drawing is not a constant.

@@ -11,6 +11,7 @@ mod figures;
 mod followed;
 mod frames;
 mod incidences;
+mod lengths;
 mod messages;
 mod printed;
 mod rails;
@@ -24,6 +25,7 @@ mod writer;
 use proc_macro2::Ident;
 
 use crate::chain;
+use crate::chain::cutting::Found;
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, Expr, Statement, StatementKind};
 
@@ -77,19 +79,10 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
 /// The drawing as groups; `None` where it is in error, which was reported.
 fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation> {
     let mut values = Measured::of(tree, diagnostics)?;
-    let bodies = Reader::read(tree, &mut values)?;
-    let steps = match chain::cut(&bodies.machine) {
-        Ok(steps) => steps,
-        Err(troubles) => {
-            for trouble in &troubles {
-                messages::report(&bodies, trouble, values.resolver.diagnostics);
-            }
-            return None;
-        }
-    };
-    if let Some(dyad) = chain::limits::at_limit(&bodies.machine, &steps, messages::LEAST_SINE) {
-        messages::report_limit(&bodies, dyad, values.resolver.diagnostics);
-        return None;
+    let mut bodies = Reader::read(tree, &mut values)?;
+    let mut steps = steps(&bodies, values.resolver.diagnostics)?;
+    if lengths::pose_has_declared_lengths(&mut bodies, values.resolver.diagnostics)? {
+        steps = self::steps(&bodies, values.resolver.diagnostics)?;
     }
     let inputs = values.inputs_of_the_drawing(&bodies);
     let mut writer = writer::Writer::new(&bodies, &values.pen);
@@ -107,6 +100,24 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
         unread: tree.unread.clone(),
     };
     Some(Translation { tree: declaration, turned, hidden, inputs })
+}
+
+/// The groups of the machine; `None` where there are none, or one is at its limit, which was reported.
+fn steps(bodies: &Bodies<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<Found>> {
+    let steps = match chain::cut(&bodies.machine) {
+        Ok(steps) => steps,
+        Err(troubles) => {
+            for trouble in &troubles {
+                messages::report(bodies, trouble, diagnostics);
+            }
+            return None;
+        }
+    };
+    if let Some(dyad) = chain::limits::at_limit(&bodies.machine, &steps, messages::LEAST_SINE) {
+        messages::report_limit(bodies, dyad, diagnostics);
+        return None;
+    }
+    Some(steps)
 }
 
 /// Gives the pins and links of a statement its documentation.

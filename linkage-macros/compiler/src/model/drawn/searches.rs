@@ -11,7 +11,7 @@ use crate::chain::plane::Complex;
 use crate::model::names::Names;
 use crate::syntax::tree::{Expr, ExprKind, FieldValue, Solve, StatementKind};
 
-use super::figures::{Figure, sum};
+use super::figures::sum;
 use super::followed::{DrawnValues, Fitted, traced_names};
 use super::frames::{DrawnFrame, Heading, Origin};
 use super::writer::{Writer, group_of};
@@ -81,16 +81,14 @@ impl Writer<'_, '_> {
 
     /// The value of what the unknown drives, in the drawing.
     fn drawn(&self, step: &Found) -> f64 {
-        let frame = |body: usize| &self.bodies.frames[body];
-        let vector = |[x, y]: &[Figure; 2]| Complex::new(x.value, y.value);
         match step {
             Found::Crank { body, reference, .. } => {
-                let turn = |body: usize| vector(&frame(body).axis).angle();
-                Complex::turned(turn(*body) - turn(*reference)).angle()
+                let [turn, from] = [*body, *reference].map(|body| self.bodies.drawn_angle(body));
+                Complex::turned(turn - from).angle()
             }
             Found::Slider { body, slide, .. } => {
                 let slide = self.bodies.machine.slides[*slide];
-                slide.along.dot(vector(&frame(*body).origin) - slide.through)
+                slide.along.dot(self.bodies.drawn_origin(*body) - slide.through)
             }
             _ => 0.0,
         }

@@ -151,3 +151,34 @@ fn a_length_is_that_of_one_bar() {
         ),
     ]);
 }
+
+/// A declared length says how long a bar is; the drawing only which way the machine assembles.
+#[test]
+fn a_length_that_is_not_drawn() {
+    let bars = |length: &str| {
+        format!(
+            "input t: angle; ground A(0, 0), D(4m, 0); pin B(0.5m, 0.9m), C(3.2m, 2.6m); \
+             link AB(A, B), DC(D, C); link BC(B, C) {{ length: {length} }} drive AB.angle = t;"
+        )
+    };
+    let cases = [
+        ("3.5m", ""),
+        ("2.3m", ""),
+        (
+            "3.19mm",
+            "3.19mm: `BC` is drawn 3.191 m long and declared 3.19 mm: a unit? / draw it about as long as it is; the pose says which way the machine assembles",
+        ),
+        (
+            "4.26m",
+            "4.26m: `BC` is drawn 3.191 m long and declared 4.26 m: a unit? / draw it about as long as it is; the pose says which way the machine assembles",
+        ),
+    ];
+    for (length, told) in cases {
+        check(&[(&bars(length), "", told)]);
+    }
+    check(&[(
+        "input t: angle; ground A(0, 0), D(4m, 0); pin B(0, 1m), C(3.9m, 0.8m); link AB(A, B), DC(D, C); link BC(B, C) { length: 4.95m } drive AB.angle = t;",
+        "",
+        "4.95m: no pose beside the drawing has `BC` 4.95 m long; it is drawn 3.905 m long / the machine comes to a limit in between: draw a pose with this length",
+    )]);
+}
