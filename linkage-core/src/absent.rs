@@ -109,6 +109,17 @@ conditions! {
     HasDrawings
 }
 
+#[cfg(feature = "sketch")]
+conditions! {
+    /// Nothing is searched.
+    #[diagnostic::on_unimplemented(
+        message = "this mechanism has no `page`: its `unknown` is searched for, which a page does not do",
+        label = "there is no page",
+        note = "`film` draws it along a path"
+    )]
+    SearchesNothing
+}
+
 /// Methods that no solver has, each under a condition. Editors offer none of them: what is hidden in
 /// the documentation of another crate is hidden in completions.
 macro_rules! absent {
@@ -151,6 +162,10 @@ macro_rules! of_what_may_be_absent {
                 sketch(Q): HasDrawings;
                 #[cfg(not(feature = "sketch"))]
                 film(P): HasDrawings;
+                #[cfg(not(feature = "sketch"))]
+                page(): HasDrawings;
+                #[cfg(feature = "sketch")]
+                page(): SearchesNothing;
             }
         }
 

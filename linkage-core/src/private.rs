@@ -35,7 +35,8 @@ pub use crate::roots::unknown::{open, root, root_within_a_turn};
 pub use crate::scalar::is_finite_unless;
 #[cfg(feature = "sketch")]
 pub use crate::sketch::{
-    Applied, Drawn, Film, Made, Member, Plan, Sketch, Spring, applied, followed, place, place_open,
+    Applied, Declared, Drawn, Film, Made, Member, Page, Paged, Plan, Sketch, Spring, applied,
+    followed, place, place_open,
 };
 pub use crate::slow_path::{apart, diagnose, diagnose_all};
 pub use crate::solver::{Solver, Titles};

@@ -3,6 +3,7 @@
 
 pub mod declarations;
 pub mod figures;
+pub mod live;
 pub mod motions;
 pub mod page;
 pub mod sheet;

@@ -296,7 +296,7 @@ fn commanded_ram(share: f64) -> f64 {
 }
 
 /// Lengths of the excavator's cylinders through the corners of a digging cycle, at rest in each.
-fn digging() -> impl Iterator<Item = [f64; 3]> {
+pub(crate) fn digging() -> impl Iterator<Item = [f64; 3]> {
     const CORNERS: [[f64; 3]; 6] = [
         [2.35, 2.65, 1.80],
         [2.15, 2.75, 1.85],

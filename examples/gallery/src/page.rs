@@ -5,7 +5,7 @@ use std::path::Path;
 use linkage_core::sketch::SketchError;
 
 use crate::declarations::{NAMES, TEXTS};
-use crate::{Kind, Piece};
+use crate::{Kind, Piece, live};
 
 const HEAD: &str = r##"<!DOCTYPE html>
 <html lang="en">
@@ -55,13 +55,18 @@ const WIDTH: f64 = 296.0;
 /// # Errors
 /// The first drawing or file that fails.
 pub fn write(pieces: &[Piece], folder: &Path) -> Result<(), SketchError> {
-    let ordered = ordered(pieces);
+    let (ordered, live) = (ordered(pieces), live::pages()?);
+    for (name, page) in &live {
+        std::fs::write(folder.join(live_file(name)), page)?;
+    }
     for (nth, piece) in ordered.iter().enumerate() {
         let still = piece.film.still().width(WIDTH);
         std::fs::write(folder.join(format!("{}.svg", stem(piece))), still.to_svg()?)?;
         let beside = [nth.checked_sub(1), Some(nth + 1)];
         let beside = beside.map(|nth| Some(*ordered.get(nth?)?));
-        std::fs::write(folder.join(format!("{}.html", stem(piece))), machine(piece, beside)?)?;
+        let is_live = live.iter().any(|(name, _)| *name == piece.name);
+        let page = machine(piece, beside, is_live)?;
+        std::fs::write(folder.join(format!("{}.html", stem(piece))), page)?;
     }
     Ok(std::fs::write(folder.join("index.html"), index(pieces))?)
 }
@@ -74,6 +79,11 @@ fn ordered(pieces: &[Piece]) -> Vec<&Piece> {
 
 fn stem(piece: &Piece) -> String {
     piece.name.replace("::", "_")
+}
+
+/// The file of the page on which a machine is dragged.
+fn live_file(name: &str) -> String {
+    format!("live_{}.html", name.replace("::", "_"))
 }
 
 /// The index: a section for each kind of machine.
@@ -99,16 +109,27 @@ pub fn index(pieces: &[Piece]) -> String {
 ///
 /// # Errors
 /// The first drawing that fails.
-pub fn machine(piece: &Piece, beside: [Option<&Piece>; 2]) -> Result<String, SketchError> {
+pub fn machine(
+    piece: &Piece,
+    beside: [Option<&Piece>; 2],
+    is_live: bool,
+) -> Result<String, SketchError> {
     let page = piece.film.to_html()?;
     let link = |(piece, word): (Option<&Piece>, &str)| match piece {
         Some(piece) => format!("<a href=\"{}.html\">{word}</a>", stem(piece)),
         None => format!("<span>{word}</span>"),
     };
     let [before, behind] = [(beside[0], "← before"), (beside[1], "next →")].map(link);
+    let live = match is_live {
+        true => format!(
+            "\n<p><a href=\"{}\">Drag it, change its parameters, read its curves</a></p>",
+            live_file(piece.name)
+        ),
+        false => String::new(),
+    };
     let above = format!(
         "{STYLE}<main>\n<nav>{before}<a href=\"index.html#{:?}\">{}</a>{behind}</nav>\n\
-         <h1>{}</h1>",
+         <h1>{}</h1>{live}",
         piece.kind,
         piece.kind.heading(),
         piece.text

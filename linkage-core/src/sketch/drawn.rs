@@ -210,7 +210,7 @@ impl Picture<'_> {
 }
 
 /// `FlyingShear` as a heading.
-fn spaced(name: &str) -> String {
+pub(super) fn spaced(name: &str) -> String {
     let mut text = String::new();
     for letter in name.chars() {
         if letter.is_uppercase() && !text.is_empty() {

@@ -8,9 +8,9 @@ use std::vec::Vec;
 
 use super::by_name::{self, LinkPose};
 use super::options::Options;
-use super::page;
 use super::picture::Picture;
 use super::plan::{Drawn, PlanOf};
+use super::player;
 use super::scene::Scene;
 use super::sketch_error::SketchError;
 use super::still::Still;
@@ -222,8 +222,8 @@ impl Film {
             let picture = Picture::new(&self.scene, &options)?;
             Ok::<_, SketchError>((picture.title(), picture.svg(true)))
         };
-        let ((title, wide), (_, narrow)) = (picture(f64::MAX)?, picture(page::NARROW)?);
-        Ok(page::page(&title, [&wide, &narrow], self.options.seconds))
+        let ((title, wide), (_, narrow)) = (picture(f64::MAX)?, picture(player::NARROW)?);
+        Ok(player::page(&title, [&wide, &narrow], self.options.seconds))
     }
 
     /// Writes the page.

@@ -1,74 +1,193 @@
-//! A page of HTML that holds a film, wide and narrow, with a button and a slider.
+//! A page on which a mechanism is dragged: one file, its formulas a script that the macro has printed, and a
+//! run-time of a few files without libraries.
+//!
+//! `kernels.js`, `limit.js` and `checks.js` compute and decide as the crate does, `pose.js` reads the
+//! results, `drag.js` finds the inputs of a dragged point; nothing of this touches the document. `picture.js`,
+//! `symbols.js`, `curves.js`, `controls.js` and `page.js` do.
 
+mod declared;
+mod json;
+mod plan_object;
+mod settings;
+mod squeeze;
+#[cfg(test)]
+mod tests;
+
+use core::ops::RangeInclusive;
 use std::format;
-use std::string::String;
+use std::path::Path;
+use std::string::{String, ToString};
+use std::vec::Vec;
 
-use super::style::Theme;
-use super::svg::{escaped, number};
+use declared::PageOf;
+pub use declared::{Declared, Paged};
+use json::{list, number, object, string};
+use settings::Wishes;
 
-/// The width of the film for a telephone, whose letters are as large as those of a wide one.
-pub(super) const NARROW: f64 = 328.0;
+use super::plan::PlanOf;
+use super::sketch_error::SketchError;
+use super::svg::escaped;
+use super::traces::{named, point};
+use crate::Record;
 
-/// The page; the films come as text of SVG and last so long.
-pub(super) fn page(title: &str, [wide, narrow]: [&str; 2], seconds: f64) -> String {
-    let (title, seconds) = (escaped(title), number(seconds, 3));
-    let [day, night] = [Theme::Light, Theme::Dark].map(Theme::palette);
-    format!(
-        r#"<!DOCTYPE html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="color-scheme" content="light dark">
-<title>{title}</title>
-<style>
-body {{ margin: 0; padding: 16px; background: {}; color: {}; font: 15px "Helvetica Neue", Arial, sans-serif; }}
-main {{ max-width: 720px; margin: auto; }}
-svg {{ display: block; max-width: 100%; height: auto; margin: auto; }}
-.narrow {{ display: none; }}
-p.player {{ display: flex; gap: 12px; align-items: center; }}
-button {{ font: inherit; min-width: 5em; padding: 4px 12px; }}
-input {{ flex: 1; }}
-output {{ min-width: 4em; text-align: right; font-variant-numeric: tabular-nums; }}
-@media (max-width: 560px) {{
-  .wide {{ display: none; }}
-  .narrow {{ display: block; }}
-}}
-@media (prefers-color-scheme: dark) {{
-  body {{ background: {}; color: {}; }}
-}}
-</style>
-<main>
-<div class="wide">{wide}</div>
-<div class="narrow">{narrow}</div>
-<p class="player"><button type="button">Pause</button><input type="range" min="0" max="{seconds}" step="any" value="0" aria-label="time"><output>0.00 s</output></p>
-</main>
-<script>
-const films = document.querySelectorAll("svg"), length = {seconds};
-const [button] = document.getElementsByTagName("button");
-const [slider] = document.getElementsByTagName("input");
-const [time] = document.getElementsByTagName("output");
-let plays = true;
-const show = () => {{ time.textContent = Number(slider.value).toFixed(2) + " s"; }};
-const play = (wanted) => {{
-  plays = wanted;
-  button.textContent = plays ? "Pause" : "Play";
-  for (const film of films) plays ? film.unpauseAnimations() : film.pauseAnimations();
-}};
-button.addEventListener("click", () => play(!plays));
-slider.addEventListener("input", () => {{
-  play(false);
-  for (const film of films) film.setCurrentTime(Number(slider.value));
-  show();
-}});
-const tick = () => {{
-  if (plays) {{ slider.value = films[0].getCurrentTime() % length; show(); }}
-  requestAnimationFrame(tick);
-}};
-if (matchMedia("(prefers-reduced-motion: reduce)").matches) play(false);
-tick();
-</script>
-</html>
-"#,
-        day.paper, day.ink, night.paper, night.ink,
-    )
+/// A page on which the mechanism is dragged. Its parameters are the solver's at first.
+#[derive(Clone, Debug)]
+pub struct Page<S> {
+    solver: S,
+    title: Option<String>,
+    traces: Vec<String>,
+    curves: Vec<String>,
+    wishes: Wishes,
+}
+
+/// The files that compute, without a document.
+const COMPUTES: [&str; 5] = [
+    include_str!("page/kernels.js"),
+    include_str!("page/limit.js"),
+    include_str!("page/checks.js"),
+    include_str!("page/pose.js"),
+    include_str!("page/drag.js"),
+];
+
+/// The files of all that a reader sees and sets.
+const SHOWS: [&str; 5] = [
+    include_str!("page/picture.js"),
+    include_str!("page/symbols.js"),
+    include_str!("page/curves.js"),
+    include_str!("page/controls.js"),
+    include_str!("page/page.js"),
+];
+
+impl<S: Paged> Page<S> {
+    /// The page of a solver; generated code calls it.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn of(solver: &S) -> Self {
+        let (traces, curves) = (Vec::new(), Vec::new());
+        Self { solver: *solver, title: None, traces, curves, wishes: Wishes::default() }
+    }
+
+    /// A heading in place of the mechanism's name.
+    #[must_use]
+    pub fn title(mut self, title: &str) -> Self {
+        self.title = Some(title.to_string());
+        self
+    }
+
+    /// Draws the paths of these points; by default those of points on moving links.
+    #[must_use]
+    pub fn traces<N: AsRef<str>>(mut self, points: impl IntoIterator<Item = N>) -> Self {
+        self.traces = points.into_iter().map(|name| name.as_ref().to_string()).collect();
+        self
+    }
+
+    /// Offers curves of these outputs and forces, the first one at first; by default of all.
+    #[must_use]
+    pub fn curves<N: AsRef<str>>(mut self, outputs: impl IntoIterator<Item = N>) -> Self {
+        self.curves = outputs.into_iter().map(|name| name.as_ref().to_string()).collect();
+        self
+    }
+
+    /// The ends of the slider of an input, a parameter or a load, in SI units. By default an angle turns fully,
+    /// a length input is that of the path, and a parameter goes from half to one and a half times its value.
+    #[must_use]
+    pub fn range(mut self, name: &str, ends: RangeInclusive<f64>) -> Self {
+        self.wishes.ranges.push((name.to_string(), ends));
+        self
+    }
+
+    /// The rate of an input at which velocities, accelerations and forces are shown, in SI units: by default a
+    /// turn, or a quarter of a length's range, a second.
+    #[must_use]
+    pub fn rate(mut self, input: &str, rate: f64) -> Self {
+        self.wishes.rates.push((input.to_string(), rate));
+        self
+    }
+
+    /// The value of a load at first, in SI units; zero by default.
+    #[must_use]
+    pub fn load(mut self, load: &str, value: f64) -> Self {
+        self.wishes.loads.push((load.to_string(), value));
+        self
+    }
+
+    /// The poses that Play runs through, over and over; by default one input does what its range allows.
+    #[must_use]
+    pub fn path(mut self, path: impl IntoIterator<Item = impl Into<S::Input>>) -> Self
+    where
+        S::Input: Record<Number = f64>,
+    {
+        let listed = |q: S::Input| q.into_array().into_iter().collect();
+        self.wishes.path = path.into_iter().map(|q| listed(q.into())).collect();
+        self
+    }
+
+    /// The page: one file without libraries, which asks for nothing of the network.
+    ///
+    /// # Errors
+    /// `UnknownName` for a trace, a curve, a range, a rate or a load of nothing that is declared; `NoRange`
+    /// for a length input of which neither a range nor a path is given.
+    pub fn to_html(&self) -> Result<String, SketchError> {
+        let (plan, declared) = (&PlanOf::<S>::PLAN, &PageOf::<S>::PAGE);
+        self.traces.iter().try_for_each(|name| point(plan, name).map(drop))?;
+        let curves = self.curves.iter();
+        let outputs: Vec<&str> = declared.outputs.lines().collect();
+        for name in curves {
+            named(&outputs, name, "output")?;
+        }
+        self.wishes.check(declared)?;
+        let spaced = super::drawn::spaced(plan.name);
+        let title = self.title.as_deref().unwrap_or(&spaced);
+        let texts = |texts: &[String]| list(texts.iter().map(|text| string(text)));
+        let options = object([
+            ("inputs", self.wishes.inputs(declared)?),
+            ("params", self.wishes.params(declared, &self.solver.params())),
+            ("loads", self.wishes.loads(declared)),
+            ("traces", texts(&self.traces)),
+            ("curves", texts(&self.curves)),
+            ("path", list(self.wishes.path.iter().map(|q| list(q.iter().map(|&x| number(x)))))),
+            ("text", string(declared.text)),
+        ]);
+        let machine = format!(
+            "const PLAN = {};\nconst PAGE = {options};\nconst MACHINE = {};\n",
+            plan_object::written(plan),
+            declared.script
+        );
+        let computes = format!("\"use strict\";\n{machine}{}", squeeze::script(&COMPUTES));
+        let shows = format!("\"use strict\";\n{}", squeeze::script(&SHOWS));
+        Ok(filled(&[
+            ("style", &squeeze::style(include_str!("page/page.css"))),
+            ("title", &escaped(title)),
+            ("docs", &escaped(plan.docs)),
+            ("computes", &unclosed(&computes)),
+            ("shows", &unclosed(&shows)),
+        ]))
+    }
+
+    /// Writes the page.
+    ///
+    /// # Errors
+    /// Those of [`to_html`](Self::to_html), and `Write`.
+    pub fn write_html(&self, path: impl AsRef<Path>) -> Result<(), SketchError> {
+        Ok(std::fs::write(path, self.to_html()?)?)
+    }
+}
+
+/// The skeleton of a page with these texts in its gaps.
+fn filled(texts: &[(&str, &str)]) -> String {
+    let mut parts = include_str!("page/page.html").split("{{");
+    let mut page = parts.next().unwrap_or_default().to_string();
+    for part in parts {
+        let (gap, rest) = part.split_once("}}").unwrap_or((part, ""));
+        let text = texts.iter().find(|(name, _)| *name == gap).map_or("", |(_, text)| text);
+        page += text;
+        page += rest;
+    }
+    page
+}
+
+/// The script with nothing that would end its element: texts alone hold such, where a backslash changes
+/// nothing.
+fn unclosed(script: &str) -> String {
+    script.replace("</", "<\\/").replace("<!--", "<\\!--")
 }

@@ -13,16 +13,17 @@ use super::svg::{View, path, short};
 
 /// The point of this name.
 pub(super) fn point(plan: &Plan, name: &str) -> Result<usize, SketchError> {
-    find(plan.points, name, "point")
+    named(plan.points, name, "point")
 }
 
 /// The link of this name.
 pub(super) fn link(plan: &Plan, name: &str) -> Result<usize, SketchError> {
-    find(plan.links, name, "link")
+    named(plan.links, name, "link")
 }
 
-fn find(
-    names: &'static [&'static str],
+/// The place of a name among those that are known.
+pub(super) fn named(
+    names: &[&'static str],
     name: &str,
     kind: &'static str,
 ) -> Result<usize, SketchError> {
@@ -155,13 +156,13 @@ mod tests {
     #[test]
     fn the_nearest_name_is_named() {
         const NAMES: &[&str] = &["B", "blade", "C"];
-        let nearest = |name| match find(NAMES, name, "point") {
+        let nearest = |name| match named(NAMES, name, "point") {
             Err(SketchError::UnknownName { nearest, .. }) => nearest,
             _ => None,
         };
         assert_eq!(nearest("Blade"), Some("blade"));
         assert_eq!(nearest("b"), Some("B"));
         assert_eq!(nearest("c"), Some("C"));
-        assert_eq!(find(NAMES, "C", "point").ok(), Some(2));
+        assert_eq!(named(NAMES, "C", "point").ok(), Some(2));
     }
 }

@@ -1,7 +1,8 @@
 //! START HERE: the phases in order, each with what is true after it.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream, TokenTree};
 
+use crate::codegen::Drawing;
 use crate::codegen::c::selection::Selection;
 use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
 use crate::exact::Scope;
@@ -56,7 +57,7 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
     // The numbers of one declaration are not those of the next.
     let _atoms = Scope::begin();
     let mut diagnostics = Diagnostics::new();
-    let declaration = syntax::parse(source, &mut diagnostics);
+    let declaration = syntax::parse(source.clone(), &mut diagnostics);
     // No barrier between the two: the tree marks what could not be read, and the model says nothing of
     // what may only be missing because of that. Afterwards every name is a typed id, every dimension is
     // checked, and nothing that follows can fail.
@@ -65,7 +66,9 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
     match (resolved, diagnostics.finish()) {
         (Some(Ok(mechanism)), Ok(())) => {
             let placing = options.sketch.then(|| placing(&mechanism));
-            let tokens = code(&mechanism, &program(&mechanism), placing.as_ref(), options);
+            let text = options.sketch.then(|| text(&source));
+            let drawn = placing.as_ref().zip(text.as_deref());
+            let tokens = code(&mechanism, &program(&mechanism), drawn, options);
             Output { tokens, diagnostics: Vec::new() }
         }
         (resolved, Err(Failure(diagnostics))) => {
@@ -142,17 +145,34 @@ fn placing(mechanism: &Mechanism) -> Program {
     passes::optimise(&equations::placing::derive(mechanism, passes::RULES))
 }
 
-/// Lowering and code generation.
+/// The text of a declaration as its author wrote it, with layout and comments; where another macro wrote
+/// it, that of its tokens.
+fn text(source: &TokenStream) -> String {
+    let tokens = source.to_string();
+    let is_it = |written: &String| {
+        let Ok(call) = written.parse::<TokenStream>() else { return false };
+        let Some(TokenTree::Group(group)) = call.into_iter().last() else { return false };
+        group.stream().to_string() == tokens
+    };
+    let written = Span::call_site().source_text().filter(is_it);
+    written.unwrap_or_else(|| format!("mechanism! {{ {tokens} }}"))
+}
+
+/// Lowering and code generation; the program that places what is drawn and the declaration's text, where it
+/// is drawn.
 fn code(
     mechanism: &Mechanism,
     program: &Program,
-    placing: Option<&Program>,
+    drawn: Option<(&Program, &str)>,
     options: &Options,
 ) -> TokenStream {
     // Every statement of every function is decided; what is left is to print them.
     let lowered = lower::lower(mechanism, program);
-    let placing = placing.map(|program| lower::lower_placing(mechanism, program));
-    codegen::generate(mechanism, &lowered, placing.as_ref(), options.serde)
+    let drawing = drawn.map(|(program, source)| {
+        let placing = lower::lower_placing(mechanism, program);
+        Drawing { placing, source }
+    });
+    codegen::generate(mechanism, &lowered, drawing.as_ref(), options.serde)
 }
 
 /// The struct and its methods for a declaration with mistakes. They never run: every result is zero.
@@ -169,5 +189,6 @@ pub(crate) fn stub(
     let is_pushed = declaration.statements.iter().any(|statement| statement.kind.is_force());
     let drawn = std::iter::repeat_n((None, 0), if is_pushed { 2 } else { 1 });
     let nothing = options.sketch.then(|| Program::of_zeros(drawn));
-    code(mechanism, &Program::of_zeros(answers), nothing.as_ref(), options)
+    let drawn = nothing.as_ref().map(|nothing| (nothing, ""));
+    code(mechanism, &Program::of_zeros(answers), drawn, options)
 }

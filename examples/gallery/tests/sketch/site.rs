@@ -28,9 +28,12 @@ fn the_index_leads_to_every_machine_once_under_the_heading_of_its_kind() {
 
 #[test]
 fn the_page_of_a_machine_has_its_film_its_declaration_and_the_way_back() {
-    let pieces = pieces();
+    let (pieces, live) = (pieces(), gallery::live::pages().unwrap());
     for piece in &pieces {
-        let text = page::machine(piece, [pieces.first(), None]).unwrap();
+        let is_live = live.iter().any(|(name, _)| *name == piece.name);
+        let text = page::machine(piece, [pieces.first(), None], is_live).unwrap();
+        let dragged = format!("<a href=\"live_{}.html\">", piece.name.replace("::", "_"));
+        assert_eq!(text.contains(&dragged), is_live, "{}", piece.name);
         let back = format!("<a href=\"index.html#{:?}\">", piece.kind);
         assert!(text.contains(&back) && text.contains(piece.text), "{}", piece.name);
         assert!(text.contains("flying_shear_FlyingShear.html"));

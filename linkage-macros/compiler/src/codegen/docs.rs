@@ -89,7 +89,7 @@ pub(super) fn param(cx: &Context<'_>, param: &Param) -> TokenStream {
         return stub_docs::param(param);
     }
     let line = match &param.kind {
-        ParamKind::Number { dimension, default } => {
+        ParamKind::Number { dimension, default, .. } => {
             let unit = unit(*dimension, Order::Position);
             format!(
                 "Parameter `{}` in {unit}; as declared {}.",

@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{generated, text};
-use super::{formulas, searches};
+use super::{Drawing, formulas, page, searches};
 use crate::interface::entries::Given;
 use crate::lower::routine::Lowered;
 use crate::lower::{APPLIED, PLACED};
@@ -16,16 +16,22 @@ use crate::model::mechanism::{Carrier, Drive, Group, Mechanism, Slideway, Step};
 
 /// Nothing where the run-time crate has no feature `sketch`: Cargo may turn the macro's on for
 /// another build of that crate.
-pub(super) fn items(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStream {
-    let cx = Context::in_double(mechanism, lowered);
+pub(super) fn items(
+    mechanism: &Mechanism,
+    solver: &Lowered<'_>,
+    drawing: &Drawing<'_>,
+) -> TokenStream {
+    let cx = Context::in_double(mechanism, &drawing.placing);
     let (with_sketch, name, float) =
         (cx.paths.item("with_sketch"), &cx.names.solver, &cx.names.scalar);
     let (formulas, searches) = (formulas::functions(&cx), searches::functions(&cx));
     let (drawn, methods, applied) = (drawn(&cx), methods(&cx), applied(&cx));
+    let page = page::items(&cx, solver, drawing.source);
     quote! {
         #with_sketch! {
             impl #name<#float> { #methods #applied #formulas #searches }
             #drawn
+            #page
         }
     }
 }

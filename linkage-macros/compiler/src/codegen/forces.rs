@@ -9,7 +9,9 @@ use crate::interface::forces::path;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::model::dynamics::{Asked, Effort, Ends, Load};
-use crate::model::mechanism::{Body, Carrier, Dimension, Drive, LinkId, PointId, SpringId};
+use crate::model::mechanism::{
+    Body, Carrier, Dimension, Drive, LinkId, Mechanism, PointId, SpringId,
+};
 
 pub(super) fn load(load: &Load) -> TokenStream {
     let unit = unit(load.dimension, Order::Position);
@@ -119,6 +121,24 @@ fn spring(cx: &Context<'_>, id: SpringId) -> String {
             let [first, second] = bodies.map(|body| cx.mechanism.body_name(body));
             format!("couple in N·m on `{second}`, counter-clockwise, and its opposite on `{first}`")
         }
+    }
+}
+
+/// The unit of an effort that is one number.
+pub(super) fn unit_of(mechanism: &Mechanism, effort: Effort) -> String {
+    match effort {
+        Effort::Input(id) => effort_unit(mechanism.inputs[id.index()].dimension),
+        Effort::Unknown(id) => effort_unit(mechanism.unknowns[id.index()].dimension),
+        Effort::Drive(link) => {
+            let drive = mechanism.group_with(link).and_then(|group| group.outer[0].drive.as_ref());
+            let slides = matches!(drive, Some(Drive::Slide(_)));
+            effort_unit(if slides { Dimension::LENGTH } else { Dimension::ANGLE })
+        }
+        Effort::Spring(id) => match mechanism.dynamics.springs[id.index()].ends {
+            Ends::Points(_) => "N".to_string(),
+            Ends::Bodies(_) => "N·m".to_string(),
+        },
+        _ => "N".to_string(),
     }
 }
 

@@ -24,12 +24,15 @@ mod formulas;
 mod groups_in_words;
 mod identifiers;
 mod in_rust;
+mod in_script;
 mod input_records;
 mod module;
+mod page;
 mod paths;
 mod printer;
 mod ranges_in_words;
 mod results;
+mod script;
 mod searches;
 mod slow_path;
 mod solver;
@@ -50,16 +53,21 @@ use self::context::Context;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 
-/// Everything that the declaration of a mechanism expands to; what it is drawn by only where the
-/// program that places it is given, and records that serde writes and reads where they are to be
-/// serialised.
+/// The sources of a drawing: the program that places everything, and the declaration's text.
+pub(crate) struct Drawing<'a> {
+    pub placing: Lowered<'a>,
+    pub source: &'a str,
+}
+
+/// Everything that the declaration of a mechanism expands to; what it is drawn by only where that is
+/// given, and records that serde writes and reads where they are to be serialised.
 pub(crate) fn generate(
     mechanism: &Mechanism,
     lowered: &Lowered<'_>,
-    placing: Option<&Lowered<'_>>,
+    drawing: Option<&Drawing<'_>>,
     is_serialised: bool,
 ) -> TokenStream {
-    let drawing = placing.map(|placing| drawing::items(mechanism, placing));
+    let drawing = drawing.map(|drawing| drawing::items(mechanism, lowered, drawing));
     let cx = Context::new(mechanism, lowered);
     let (solver, records) = (solver::definition(&cx), structs::definitions(&cx, is_serialised));
     let implementations = implementations(&cx, drawing);

@@ -33,6 +33,11 @@ impl Text {
         self.put(&code.0);
     }
 
+    /// The text of a language that is not Rust.
+    pub(super) fn into_string(self) -> String {
+        self.0
+    }
+
     /// Writes each item in turn, with commas between.
     pub(super) fn list<I>(
         &mut self,

@@ -5,7 +5,8 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use crate::diagnostics::nearest;
-use crate::syntax::tree::{Declaration, Expr, Statement, StatementKind};
+use crate::exact::Exact;
+use crate::syntax::tree::{Declaration, Expr, ExprKind, Statement, StatementKind};
 
 use super::Resolver;
 use super::dimension::Measure;
@@ -133,7 +134,8 @@ impl Resolver<'_> {
                 Measure::Known(wanted?)
             }
         };
-        Some((ParamKind::Number { dimension: measure.dimension(), default: value }, measure))
+        let (dimension, written_in) = (measure.dimension(), unit_written(default));
+        Some((ParamKind::Number { dimension, default: value, written_in }, measure))
     }
 
     pub(super) fn named_expression(&mut self, name: &Ident, value: &Expr) {
@@ -208,4 +210,16 @@ fn add_names(expr: &Expr, names: &mut Vec<String>) {
             names.push(name);
         }
     });
+}
+
+/// The unit behind a number.
+fn unit_written(number: &Expr) -> Option<(String, Exact)> {
+    match &number.kind {
+        ExprKind::Negate(number) => unit_written(number),
+        ExprKind::Number { units, .. } => match &units[..] {
+            [(word, 1)] => Some((word.clone(), unit(word)?.1)),
+            _ => None,
+        },
+        _ => None,
+    }
 }

@@ -192,8 +192,17 @@ pub(crate) struct Param {
 }
 
 pub(crate) enum ParamKind {
-    Number { dimension: Dimension, default: Exact },
-    Mode { of: Modes, default: Sign },
+    Number {
+        dimension: Dimension,
+        default: Exact,
+        /// The unit in which the default is written, and its value in SI; none for anything but a number
+        /// with one unit.
+        written_in: Option<(String, Exact)>,
+    },
+    Mode {
+        of: Modes,
+        default: Sign,
+    },
 }
 
 pub(crate) struct Link {

@@ -141,7 +141,11 @@ impl Resolver<'_> {
                 let kind = match bare_name(default).and_then(mode_word) {
                     Some(mode) => mode,
                     None if is_mode => ParamKind::Mode { of: Modes::ALL[0], default: Sign::Plus },
-                    None => ParamKind::Number { dimension: NUMBER, default: Exact::integer(0) },
+                    None => ParamKind::Number {
+                        dimension: NUMBER,
+                        default: Exact::integer(0),
+                        written_in: None,
+                    },
                 };
                 params.push(Param { name, docs, kind });
                 let (measure, span) = (Measure::NUMBER, default.span);

@@ -125,7 +125,7 @@ fn parameters(cx: &Context<'_>, width: Width) -> Record {
     let field = |param: &Param| {
         let name = plain(&param.name);
         let (ty, about) = match &param.kind {
-            ParamKind::Number { dimension, default } => {
+            ParamKind::Number { dimension, default, .. } => {
                 let unit = unit(*dimension, Order::Position);
                 (width.in_c(), format!("In {unit}; as declared {}", default.to_f64()))
             }

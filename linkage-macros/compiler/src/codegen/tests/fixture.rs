@@ -31,7 +31,7 @@ pub(super) fn input(name: &str, dimension: Dimension) -> Input {
 }
 
 pub(super) fn number(name: &str, default: &str) -> Param {
-    let kind = ParamKind::Number { dimension: LENGTH, default: exact(default) };
+    let kind = ParamKind::Number { dimension: LENGTH, default: exact(default), written_in: None };
     Param { name: ident(name), docs: Vec::new(), kind }
 }
 

@@ -10,7 +10,7 @@ pub(super) fn text(mechanism: &Mechanism) -> String {
     }
     for param in &mechanism.params {
         let default = match &param.kind {
-            ParamKind::Number { dimension, default } => {
+            ParamKind::Number { dimension, default, .. } => {
                 format!("{} {}", dimension.words(), default.to_f64())
             }
             ParamKind::Mode { of, default } => {

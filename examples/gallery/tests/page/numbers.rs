@@ -1,0 +1,243 @@
+//! The script of every machine's page against its solver: the same numbers and the same refusals.
+
+use std::fmt::Write;
+use std::process::Command;
+
+use gallery::declarations::*;
+use linkage_core::private::Solver;
+use linkage_core::sketch::{Drawn, Paged};
+use linkage_core::{Record, SolveError};
+
+/// On a target with fused operations the solver rounds otherwise than a script can: then numbers may differ by
+/// four units in the last place of the pose's largest.
+const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
+
+/// Poses of each machine.
+const POSES: usize = 1000;
+
+/// Compares the answers of a page's script with those of a file, number by number.
+const COMPARE: &str = r#"
+const number = (hex) => fromBits(parseInt(hex.slice(0, 8), 16), parseInt(hex.slice(8), 16));
+const tally = { numbers: 0, equal: 0, refused: 0, wrong: 0, worst: 0 };
+const wrong = (...words) => { if (++tally.wrong <= 5) console.log(...words); };
+for (const line of require("fs").readFileSync(process.argv[2], "utf8").trim().split("\n")) {
+  const [asked, expected] = line.split(" : "), [name, ...lists] = asked.split(" ");
+  const [p, q, v, a, l] = lists.map((list) => list.split(",").slice(1).map(number));
+  const { numbers, error } = MACHINE[name](p, q, v, a, l);
+  const said = error && [error.kind, error.group, error.name ?? "", error.by === undefined ? "" : error.by].join("|");
+  if (expected.includes("|")) {
+    const [kind, group, named, by] = expected.split("|");
+    const sought = [kind, group, named, by && number(by)].join("|");
+    tally.refused++;
+    if (said !== sought) wrong(name, q, said, "for", sought);
+  } else if (error) wrong(name, q, "is refused:", said);
+  else {
+    const sought = expected.split(",").slice(1).map(number), size = Math.max(...sought.map(Math.abs));
+    if (sought.length !== numbers.length) wrong(name, numbers.length, "numbers for", sought.length);
+    sought.forEach((x, k) => {
+      tally.numbers++;
+      if (Object.is(x, numbers[k])) tally.equal++;
+      else tally.worst = Math.max(tally.worst, Math.abs(x - numbers[k]) / (size * EPSILON));
+    });
+  }
+}
+console.log(JSON.stringify(tally));
+const isSame = FUSED ? tally.worst <= 4 : tally.equal === tally.numbers;
+process.exitCode = tally.wrong || !isSame ? 1 : 0;
+"#;
+
+/// Random numbers by a multiplicative congruence.
+pub(crate) struct Random(u64);
+
+impl Random {
+    /// From one number to another.
+    fn from(&mut self, [least, most]: [f64; 2]) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        least + (most - least) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+
+    /// The number, up to a fifth more or less.
+    fn about(&mut self, x: f64) -> f64 {
+        x * self.from([0.8, 1.2])
+    }
+}
+
+fn list(numbers: &[f64]) -> String {
+    numbers.iter().fold("-".to_string(), |mut text, x| {
+        write!(text, ",{:016x}", x.to_bits()).unwrap();
+        text
+    })
+}
+
+fn said(answer: Result<Vec<f64>, SolveError>) -> String {
+    match answer {
+        Ok(numbers) => list(&numbers),
+        Err(SolveError::OutOfReach { group, by }) => {
+            format!("OutOfReach|{group}||{:016x}", by.to_bits())
+        }
+        Err(SolveError::Singular { group }) => format!("Singular|{group}||"),
+        Err(SolveError::Invalid { group, name }) => format!("Invalid|{group}|{name}|"),
+        Err(SolveError::NotFinite { name }) => format!("NotFinite|{name}||"),
+        Err(other) => panic!("{other:?}"),
+    }
+}
+
+/// A machine's page, and the answers of its solver at random poses.
+struct Asked {
+    name: &'static str,
+    html: String,
+    lines: String,
+}
+
+/// The answer of a solver's `forces`, where it has any.
+type Forces<S, I> = fn(&S, [I; 3], &[f64]) -> Option<Result<Vec<f64>, SolveError>>;
+
+fn asked<S: Paged + Drawn<Input = <S as Solver>::Input> + Solver<Scalar = f64>>(
+    pages: &[(&'static str, String)],
+    name: &'static str,
+    ends: &[[f64; 2]],
+    solver: impl Fn(&mut Random) -> S,
+    forces: Forces<S, <S as Solver>::Input>,
+) -> Asked {
+    let (_, html) = pages.iter().find(|(own, _)| *own == name).expect("it has a page").clone();
+    let (mut random, mut lines) = (Random(name.len() as u64), String::new());
+    for _ in 0..POSES {
+        let solver = solver(&mut random);
+        let inputs = S::TITLES.inputs.len();
+        let mut given = |ends: &dyn Fn(usize) -> [f64; 2]| -> Vec<f64> {
+            (0..inputs).map(|k| random.from(ends(k))).collect()
+        };
+        let q = given(&|k| ends.get(k).copied().unwrap_or([-10.0, 10.0]));
+        let (v, a) = (given(&|_| [-9.0, 9.0]), given(&|_| [-9.0, 9.0]));
+        let loads: Vec<f64> = S::PAGE.loads.lines().map(|_| random.from([-1e4, 1e4])).collect();
+        let input = |list: &[f64]| S::input(|k| list[k]);
+        let lists = [&solver.params(), &q, &v, &a, &loads].map(|numbers| list(numbers)).join(" ");
+        let motion = Solver::motion(&solver, input(&q), input(&v), input(&a));
+        let motion = motion.map(|motion| motion.into_array().into_iter().collect());
+        let placed = said(Drawn::place(&solver, input(&q)));
+        writeln!(lines, "place {lists} : {placed}\nmotion {lists} : {}", said(motion)).unwrap();
+        if let Some(forces) = forces(&solver, [input(&q), input(&v), input(&a)], &loads) {
+            writeln!(lines, "forces {lists} : {}", said(forces)).unwrap();
+        }
+    }
+    Asked { name, html, lines }
+}
+
+/// The part of a page that computes.
+pub(crate) fn script(html: &str) -> &str {
+    let (_, behind) = html.split_once("<script>").expect("a page has a script");
+    behind.split_once("</script>").expect("it ends").0
+}
+
+fn compare(asked: &Asked) {
+    let folder = std::env::temp_dir();
+    let stem = format!("page_{}_{}", std::process::id(), asked.name.replace("::", "_"));
+    let [script_file, lines] = ["cjs", "txt"].map(|end| folder.join(format!("{stem}.{end}")));
+    std::fs::write(
+        &script_file,
+        format!("const FUSED = {FUSED};\n{}{COMPARE}", script(&asked.html)),
+    )
+    .unwrap();
+    std::fs::write(&lines, &asked.lines).unwrap();
+    let output = Command::new("node").arg(&script_file).arg(&lines).output().expect("node runs");
+    [script_file, lines].iter().for_each(|file| drop(std::fs::remove_file(file)));
+    let [said, failed] =
+        [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+    println!("{:<40} {}", asked.name, said.trim());
+    assert!(output.status.success(), "{}: {said}{failed}", asked.name);
+}
+
+/// A machine whose answers hold no forces.
+macro_rules! no_forces {
+    () => {
+        |_, _, _| None
+    };
+}
+
+/// A machine with `forces`, which is given loads or none.
+macro_rules! forces {
+    () => {
+        |solver, [q, v, a], _| Some(solver.forces(q, v, a).map(|forces| forces.into_array().into()))
+    };
+    (load) => {
+        |solver, [q, v, a], loads| {
+            Some(solver.forces(q, v, a, loads[0]).map(|forces| forces.into_array().into()))
+        }
+    };
+}
+
+/// Machines as they are declared, but for what random numbers change.
+fn table(pages: &[(&'static str, String)]) -> Vec<Asked> {
+    macro_rules! row {
+        ($module:ident::$name:ident { $($field:ident),* } $(of [$($ends:expr),*])?; $forces:expr) => {
+            asked(
+                pages,
+                concat!(stringify!($module), "::", stringify!($name)),
+                &[$($($ends),*)?],
+                |_random| {
+                    #[allow(unused_mut)]
+                    let mut solver = $module::$name::new();
+                    $(solver.$field = _random.about(solver.$field);)*
+                    solver
+                },
+                $forces,
+            )
+        };
+    }
+    vec![
+        row!(flying_shear::FlyingShear {}; no_forces!()),
+        row!(four_bar::FourBar {}; no_forces!()),
+        row!(range::FourBar { base }; no_forces!()),
+        row!(electronic_cam::FlyingShear {}; no_forces!()),
+        row!(function_generator::FunctionGenerator { coupler, rocker }; no_forces!()),
+        row!(function_generator::Transmission { coupler, rocker }; no_forces!()),
+        row!(dead_point::ByLeft {}; no_forces!()),
+        row!(dead_point::ByRight {}; no_forces!()),
+        row!(run_up::FourBar { flywheel }; no_forces!()),
+        row!(counterweight::FourBar { crank_x, crank_y, rocker_x, rocker_y }; no_forces!()),
+        row!(slider_crank::OffsetSliderCrank { desaxe }; no_forces!()),
+        row!(crank_rocker_slider::CrankRockerSlider { crank_length, rod_length }; no_forces!()),
+        row!(crank_rpp::CrankYoke {}; no_forces!()),
+        row!(whitworth::Shaper { depth }; no_forces!()),
+        row!(whitworth::Whitworth { depth }; no_forces!()),
+        row!(range::Shaper { depth, rod }; no_forces!()),
+        row!(six_bar::SixBar {}; no_forces!()),
+        row!(jansen_leg::JansenLeg {}; no_forces!()),
+        row!(calibration::SixBar { dx, gx, gy, crank, coupler, rocker, ex, ey, link, lever }; no_forces!()),
+        row!(suspension::ByTheArm {}; no_forces!()),
+        row!(cart::Steering {}; no_forces!()),
+        row!(excavator::Excavator {} of [[1.9, 2.9], [2.3, 3.7], [1.6, 2.6]]; no_forces!()),
+        row!(five_bar_robot::Forward {}; no_forces!()),
+        row!(five_bar_robot::Inverse {} of [[-0.3, 0.3], [0.0, 0.5]]; no_forces!()),
+        row!(transplanter::Transplanter { r1, r2, l1, l2, tip_x, tip_y }; no_forces!()),
+        row!(computed_torque::Robot { payload }; no_forces!()),
+        row!(computed_torque::Arms {} of [[-0.3, 0.3], [0.0, 0.5]]; no_forces!()),
+        row!(crane::Crane {} of [[0.0, 4.0], [-10.0, 10.0]]; no_forces!()),
+        row!(driving_torque::FourBar { g }; forces!()),
+        row!(driving_torque::AsInTheText {}; forces!()),
+        row!(shear_bearings::FlyingShear {}; forces!(load)),
+        row!(six_bar_reactions::SixBar {}; forces!()),
+        row!(andrews_squeezer::Squeezer {}; no_forces!()),
+        row!(parallelograms::TwoParallelograms {}; no_forces!()),
+        row!(vibration::Oscillator { k } of [[-0.3, 0.3]]; no_forces!()),
+        row!(vibration::TwoMasses { k } of [[-0.3, 0.3], [-0.3, 0.3]]; no_forces!()),
+    ]
+}
+
+/// Every page of the gallery, a thousand poses each.
+#[test]
+fn a_page_computes_as_its_solver_does() {
+    if Command::new("node").arg("--version").output().is_err() {
+        assert!(std::env::var_os("LINKAGE_NODE").is_none(), "node is required");
+        eprintln!("skipped: no node");
+        return;
+    }
+    let pages = gallery::live::pages().unwrap();
+    let table = table(&pages);
+    let mut named: Vec<&str> = table.iter().map(|asked| asked.name).collect();
+    let mut all: Vec<&str> = pages.iter().map(|(name, _)| *name).collect();
+    named.sort_unstable();
+    all.sort_unstable();
+    assert_eq!(named, all);
+    table.iter().for_each(compare);
+}

@@ -1,0 +1,138 @@
+// The conditions that formulas are under, as the Rust crate's slow path decides them.
+
+const isCertain = (value, spread) => isFinite(value) && value > ROUNDINGS * EPSILON * spread;
+
+/// Keeps the first condition that is not met, and lets values go on: behind a group that cannot be assembled
+/// they are roots of negative numbers, which are no numbers.
+class FirstError {
+  error = null;
+
+  /// Keeps the first refusal.
+  refuse(kind, group, more) {
+    this.error ??= { kind, group, ...more };
+  }
+
+  /// The value that goes with the answer of a decision.
+  reached(value, reach, group) {
+    if (typeof reach === "number") this.refuse("OutOfReach", group, { by: reach });
+    else if (reach === NOT_FINITE || (reach === MEETS && !isFinite(value))) this.refuse("NotFinite", group);
+    else if (reach === COINCIDENT) this.refuse("Singular", group);
+    else return reach === MEETS && value > 0 ? value : 0;
+    return value;
+  }
+
+  /// Circles of radii l1 and l2 about points d apart meet; the value is the product of both limits in squares
+  /// of a unit.
+  ReachCircles(value, dx, dy, l1, l2, unit, spread, group) {
+    if (this.error || isCertain(value, spread)) return value;
+    const reach = reachOfCircles(dx, dy, l1, l2);
+    if ((reach === MEETS || reach === AT_LIMIT) && !(4 * l1 * l2 >= SMALLEST_NORMAL)) {
+      this.refuse("NotFinite", group);
+      return value;
+    }
+    if (reach === MEETS) value = restored(value, heightProduct(dx, dy, l1, l2) * unit * unit);
+    return this.reached(value, reach, group);
+  }
+
+  /// The share of the line of centres at which the joint's foot stands.
+  ShareOfCentres(value, height, dx, dy, l1, l2, spread) {
+    if (this.error || isCertain(height, spread)) return value;
+    const reach = reachOfCircles(dx, dy, l1, l2);
+    if (reach === MEETS) return restored(value, foot(dx, dy, l1, l2));
+    return reach === AT_LIMIT ? restored(value, footOnLine(dx, dy, l1, l2)) : value;
+  }
+
+  /// A point at distances r1 and r2 from two joints l apart; the value is the square of its height.
+  ReachDistances(value, l, r1, r2, spread, group) {
+    if (this.error || isCertain(value, spread)) return value;
+    const reach = reachOfCircles(l, 0, r1, r2);
+    if (reach === MEETS) {
+      const height = 2 * r1 * (r2 / l), product = heightProduct(l, 0, r1, r2);
+      const square = product * height * height;
+      if (product > 0 && square < SMALLEST_NORMAL) {
+        this.refuse("NotFinite", group);
+        return value;
+      }
+      value = restored(value, square);
+    }
+    return this.reached(value, reach, group);
+  }
+
+  /// |t| ≤ l; the value is (l − t)(l + t).
+  ReachLine(value, t, l, group) {
+    if (this.error) return value;
+    const reach = reachOfLine(t, l), hasRoom = l * l >= SMALLEST_SQUARE;
+    if (reach === MEETS && Math.abs(t) < Math.abs(l) && !hasRoom && value < SMALLEST_NORMAL) {
+      this.refuse("NotFinite", group);
+      return value;
+    }
+    return this.reached(value, reach, group);
+  }
+
+  /// |e| ≤ |(bx, by)|; the value is bx² + by² − e².
+  ReachOffset(value, bx, by, e, group) {
+    return this.error ? value : this.reached(value, reachOfOffset(bx, by, e), group);
+  }
+
+  /// A squared length that something is divided by.
+  Square(value, group) {
+    if (value === 0) this.refuse("Singular", group);
+    else if (!(isFinite(value) && value >= SMALLEST_SQUARE)) this.refuse("NotFinite", group);
+    return value;
+  }
+
+  /// The same of the distance of circles' centres.
+  SquareOfCentres(value, dx, dy, l1, l2, group) {
+    if (this.error) return value;
+    const reach = reachOfCircles(dx, dy, l1, l2);
+    if (typeof reach === "number") this.refuse("OutOfReach", group, { by: reach });
+    else if (reach === COINCIDENT) this.refuse("Singular", group);
+    return this.Square(value, group);
+  }
+
+  Nonzero(value, group) {
+    if (Number.isNaN(value)) this.refuse("NotFinite", group);
+    else if (value === 0) this.refuse("Singular", group);
+    return value;
+  }
+
+  /// A length that has to be greater than zero.
+  Positive(value, group, name) {
+    if (Number.isNaN(value)) this.refuse("NotFinite", name);
+    else if (!(value > 0)) this.refuse("Invalid", group, { name });
+    return value;
+  }
+
+  /// A mass or a spring's number.
+  NotNegative(value, group, name) {
+    if (Number.isNaN(value)) this.refuse("NotFinite", name);
+    else if (!(value >= 0)) this.refuse("Invalid", group, { name });
+    return value;
+  }
+}
+
+/// The rounded value's replacement, added as the Rust crate adds it.
+const restored = (value, exact) => value - value + exact;
+
+/// Runs formulas on numbers that must be finite, `given` with their names, and asks for finite results.
+/// Returns the numbers and the reason why they are not to be used, if there is one.
+const solved = (given, formulas, nameOf) => {
+  const checks = new FirstError();
+  for (const [value, name] of given) if (!isFinite(value)) checks.refuse("NotFinite", name);
+  const numbers = formulas(checks);
+  if (!checks.error) {
+    const lost = numbers.findIndex((number) => !isFinite(number));
+    if (lost >= 0) checks.refuse("NotFinite", blamed(given, nameOf(lost)));
+  }
+  return { numbers, error: checks.error };
+};
+
+/// The largest given number whose fourth power is infinite, or the result's own name.
+const blamed = (given, name) => {
+  let most = 0;
+  for (const [value, of] of given) {
+    const square = value * value;
+    if (!isFinite(square * square) && Math.abs(value) > most) [most, name] = [Math.abs(value), of];
+  }
+  return name;
+};

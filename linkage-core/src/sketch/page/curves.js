@@ -1,0 +1,267 @@
+// Curves over one input, the values at the cursor, and both as text.
+
+/// Steps of the input that curves are drawn over, and of each input for the picture's size.
+const STEPS = 240, SURVEYED = 48;
+let samples = [];
+
+const withInput = (k, x) => state.q.map((value, n) => (n === k ? x : value));
+const domain = () => [inputs[state.axis].from, inputs[state.axis].to];
+const stepped = (count, [from, to], at) => Array.from({ length: count + 1 }, (_, k) => at(from + ((to - from) * k) / count));
+
+const sample = () => {
+  samples = stepped(STEPS, domain(), (x) => {
+    const pose = new Pose(withInput(state.axis, x));
+    return { x, pose, motion: pose.error ? null : motionAt(pose.q), forces: pose.error ? null : forcesAt(pose.q) };
+  });
+  const arrows = efforts.flatMap(({ row, point }, k) => (point !== null && row === "x" ? [k] : []));
+  largestForce = 0;
+  for (const { forces } of samples) {
+    for (const k of arrows) if (forces) largestForce = Math.max(largestForce, Math.hypot(forces[k], forces[k + 1]));
+  }
+};
+
+/// Poses over every input's range and along the path.
+const surveyed = () => [
+  new Pose(state.q),
+  ...inputs.flatMap(({ from, to }, k) => stepped(SURVEYED, [from, to], (x) => new Pose(withInput(k, x)))),
+  ...PAGE.path.map((q) => new Pose(q)),
+];
+
+// ---- charts -----------------------------------------------------------------------------------------
+
+const ORDERS = ["Position", "Velocity", "Acceleration"];
+const unitOf = (row, order) => shownIn(row.unit, order);
+const grouped = (list, keyOf) => [...new Set(list.map(keyOf))].map((key) => list.filter((entry) => keyOf(entry) === key));
+
+/// The charts of an output or a force: one for each order and unit. Charts of drives stand below.
+const chartsOf = (name) => {
+  const own = rows.filter(({ output }) => output === name);
+  const motions = [0, 1, 2].flatMap((order) =>
+    grouped(own, (row) => unitOf(row, order)[0]).map((list) => ({
+      title: `${ORDERS[order]} of ${name}`,
+      unit: unitOf(list[0], order)[0],
+      series: list.map((row) => ({
+        name: row.row || name,
+        isAngle: row.isAngle && order === 0,
+        of: ({ motion }) => (motion ? valueOf(row, order, motion) * unitOf(row, order)[1] : NaN),
+      })),
+    })));
+  const drives = efforts.filter(({ effort, row }) => row === "" && effort.endsWith(".drive") && effort !== name);
+  const asked = [...efforts.filter(({ effort }) => effort === name), ...drives];
+  const forces = grouped(asked, ({ effort, unit }) => `${effort} ${unit}`).map((list) => ({
+    title: list[0].effort,
+    unit: list[0].unit,
+    series: list.map((row) => ({
+      name: row.row || row.effort,
+      of: ({ forces }) => (forces ? forces[efforts.indexOf(row)] : NaN),
+    })),
+  }));
+  return [...motions, ...forces];
+};
+
+let charts = [];
+const buildCharts = () => {
+  $("#charts").replaceChildren();
+  charts = chartsOf(state.shown).map((chart, nth) => {
+    const svg = made("svg", { class: "chart", role: "img" }, $("#charts"));
+    const node = (tag, attributes) => made(tag, attributes, svg);
+    const out = node("path", { class: "out" }), grid = node("path", { class: "grid" }), zero = node("path", { class: "zero" });
+    const inside = made("rect", {}, made("clipPath", { id: `inside${nth}` }, svg));
+    const ticks = node("g", { class: "ticks" });
+    const lines = chart.series.map((_, k) => node("path", { class: `curve s${k}`, "clip-path": `url(#inside${nth})` }));
+    const title = node("text", { class: "title" }), legend = node("text", { class: "legend" });
+    title.textContent = chart.title;
+    const labels = chart.series.map((_, k) => made("tspan", { class: `s${k}` }, legend));
+    const cursor = node("path", { class: "cursor" });
+    const dots = chart.series.map((_, k) => node("circle", { class: `dot s${k}`, r: 4 }));
+    return { ...chart, svg, out, grid, zero, inside, ticks, lines, title, legend, labels, cursor, dots };
+  });
+};
+
+/// Round numbers in a range, and how far apart they are.
+const roundNumbers = ([from, to], count) => {
+  const raw = (to - from) / count || 1, power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 2.5, 5, 10].map((factor) => factor * power).find((step) => step >= raw * (1 - 1e-9));
+  const found = [];
+  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; k++) found.push(k * step);
+  return [found, step];
+};
+const decimalsOf = (step) => [0, 1, 2, 3, 4, 5].find((d) => Math.abs(step * 10 ** d - Math.round(step * 10 ** d)) < 1e-6) ?? 6;
+const tickWords = (x, step) => x.toFixed(decimalsOf(step)).replace("-", "−").replace(/^−(0\.?0*)$/, "$1");
+
+/// Angles that do not jump by a turn.
+const unrolled = (values) => {
+  let last = null;
+  return values.map((x) => {
+    if (!isFinite(x)) return x;
+    last = last === null ? x : x + 360 * Math.round((last - x) / 360);
+    return last;
+  });
+};
+
+/// The range of a chart. Beside a pose that cannot be assembled, or is singular, the outermost values count
+/// for nothing.
+const rangeOf = (values) => {
+  const known = values.filter(isFinite).sort((a, b) => a - b);
+  if (!known.length) return [0, 1];
+  const at = (share) => known[Math.round(share * (known.length - 1))];
+  const [inner, outer] = [at(0.98) - at(0.02), at(1) - at(0)];
+  const isWild = outer > 3 * inner && inner > 0;
+  const [from, to] = isWild ? [at(0.02) - 0.5 * inner, at(0.98) + 0.5 * inner] : [at(0), at(1)];
+  const spare = 0.06 * (to - from) || 0.1 * Math.abs(to) || 1;
+  return [from - spare, to + spare];
+};
+
+const drawChart = (chart) => {
+  const width = $("#charts").clientWidth, isSlim = width < 420;
+  const height = isSlim ? 168 : 170, [left, right, top, bottom] = [58, 14, isSlim ? 44 : 26, 24];
+  const values = chart.series.map(({ of, isAngle }) => (isAngle ? unrolled : (list) => list)(samples.map(of)));
+  // A row that is zero throughout is left out, unless all are.
+  const isZero = (list) => list.every((x) => !(Math.abs(x) > 1e-12));
+  const isShown = values.map((list) => !isZero(list) || values.every(isZero));
+  const range = rangeOf(values.filter((_, k) => isShown[k]).flat()), [from, to] = domain();
+  const X = (x) => left + ((width - left - right) * (x - from)) / (to - from);
+  const Y = (y) => height - bottom - ((height - top - bottom) * (y - range[0])) / (range[1] - range[0]);
+  Object.assign(chart, { values, isShown, X, Y, left, right, top, bottom, width, height });
+  chart.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+  chart.svg.setAttribute("aria-label", `${chart.title} over ${inputs[state.axis].name}`);
+  const box = { x: left, y: top, width: width - left - right, height: height - top - bottom };
+  for (const [name, value] of Object.entries(box)) chart.inside.setAttribute(name, value);
+  chart.out.setAttribute("d", gapsIn(chart));
+  drawTicks(chart, range);
+  chart.lines.forEach((line, k) => {
+    let d = "", isDown = false;
+    values[k].forEach((y, n) => {
+      if (isFinite(y)) d += `${isDown ? "L" : "M"}${short(X(samples[n].x))} ${short(clamp(Y(y), -2000, 2000))}`;
+      isDown = isFinite(y);
+    });
+    line.setAttribute("d", isShown[k] ? d : "");
+  });
+  const [x, y, anchor] = isSlim ? [left, 34, "start"] : [width - right, 15, "end"];
+  chart.title.setAttribute("x", left);
+  chart.title.setAttribute("y", 15);
+  for (const [name, value] of Object.entries({ x, y, "text-anchor": anchor })) chart.legend.setAttribute(name, value);
+};
+
+/// Bands where the machine cannot be assembled.
+const gapsIn = ({ X, top, bottom, height }) => {
+  let d = "", start = null;
+  samples.forEach(({ x, pose }, k) => {
+    if (pose.error && start === null) start = samples[Math.max(k - 1, 0)].x;
+    if (start === null || (pose.error && k < STEPS)) return;
+    d += `M${short(X(start))} ${top}H${short(X(x))}V${height - bottom}H${short(X(start))}Z`;
+    start = null;
+  });
+  return d;
+};
+
+const drawTicks = ({ X, Y, ticks, grid, zero, left, right, bottom, width, height }, range) => {
+  const text = (words, x, y, anchor) => {
+    made("text", { x: short(x), y: short(y), "text-anchor": anchor }, ticks).textContent = words;
+  };
+  ticks.replaceChildren();
+  const [levels, step] = roundNumbers(range, 4);
+  grid.setAttribute("d", levels.map((y) => `M${left} ${short(Y(y))}H${width - right}`).join(""));
+  zero.setAttribute("d", range[0] < 0 && range[1] > 0 ? `M${left} ${short(Y(0))}H${width - right}` : "");
+  for (const y of levels) text(tickWords(y, step), left - 7, Y(y) + 4, "end");
+  const { isAngle, unit } = inputs[state.axis], [name, times] = shownIn(unit, 0), [from, to] = domain();
+  const isTurn = isAngle && Math.abs(to - from - TURN) < 1e-9, count = width < 420 ? 4 : 8;
+  const [places, apart] = isTurn
+    ? [Array.from({ length: count + 1 }, (_, k) => (360 / count) * k + from * times), 45]
+    : roundNumbers([from * times, to * times], count - 1);
+  places.forEach((x, k) => {
+    const words = isAngle ? `${tickWords(x, apart)}°` : tickWords(x, apart) + (k === places.length - 1 ? ` ${name}` : "");
+    const at = X(x / times), isLast = at > width - right - 12;
+    text(words, isLast ? width : at, height - 6, isLast ? "end" : "middle");
+  });
+};
+
+/// Where the input of the curves stands, inside their domain.
+const cursorAt = () => {
+  const { turns, from } = inputs[state.axis], x = state.q[state.axis];
+  return turns ? from + wrapped(x - from) : x;
+};
+
+const drawCursors = (now) => {
+  const x = cursorAt(), [from, to] = domain();
+  const near = clamp(Math.round((STEPS * (x - from)) / (to - from)), 0, STEPS);
+  for (const chart of charts) {
+    const { X, Y, series, isShown, values, dots, labels, cursor, top, bottom, height, unit } = chart;
+    cursor.setAttribute("d", `M${short(X(x))} ${top}V${height - bottom}`);
+    let isFirst = true;
+    series.forEach(({ name, of, isAngle }, k) => {
+      const y = of(now), isKnown = isFinite(y) && isShown[k];
+      // The angle of the curve's own turn.
+      const level = isAngle && isFinite(values[k][near]) ? y + 360 * Math.round((values[k][near] - y) / 360) : y;
+      const isInside = isKnown && Y(level) > top - 5 && Y(level) < height - bottom + 5;
+      dots[k].setAttribute("visibility", isInside ? "visible" : "hidden");
+      if (isInside) dots[k].setAttribute("transform", `translate(${short(X(x))} ${short(Y(level))})`);
+      labels[k].textContent = isShown[k] ? `${isFirst ? "" : "   "}${name} ${withUnit(y, unit)}` : "";
+      isFirst &&= !isShown[k];
+    });
+  }
+};
+
+// ---- values -----------------------------------------------------------------------------------------
+
+/// The cells of the table: of each row three orders, of a force one value.
+const cells = [];
+const buildTable = () => {
+  const table = $("#values");
+  const row = (label, kind, contents) => {
+    const line = table.insertRow(), head = document.createElement("th");
+    head.scope = kind;
+    head.textContent = label;
+    line.append(head);
+    return contents.map((content) => {
+      const cell = kind === "row" ? line.insertCell() : document.createElement("th");
+      cell.textContent = content;
+      line.append(cell);
+      return cell;
+    });
+  };
+  if (rows.length) row("", "col", ["position", "velocity", "acceleration"]);
+  for (const each of rows) {
+    const line = row(each.label, "row", ["", "", ""]);
+    line.forEach((cell, order) => cells.push([cell, ({ motion }) =>
+      motion ? words(valueOf(each, order, motion), each.unit, order) : "–"]));
+  }
+  if (efforts.length) row("", "col", ["force"]);
+  efforts.forEach(({ label, unit }, k) => {
+    const [cell] = row(label, "row", [""]);
+    cells.push([cell, ({ forces }) => (forces ? words(forces[k], unit) : "–")]);
+  });
+};
+
+let told = 0;
+/// Tells the values, not more often than can be read.
+const tellValues = (now) => {
+  const time = performance.now();
+  if (time - told < 100) {
+    clearTimeout(tellValues.later);
+    tellValues.later = setTimeout(() => tellValues(now), 120);
+    return;
+  }
+  told = time;
+  for (const [cell, of] of cells) cell.textContent = of(now);
+};
+
+/// The samples as a table of comma-separated values in SI units.
+const csv = () => {
+  const quoted = (text) => (/[",]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+  const { name, unit } = inputs[state.axis], per = ["", "/s", "/s²"];
+  const orders = rows.flatMap((row) => [0, 1, 2].map((order) => [row, order]));
+  const head = [
+    `${name} [${unit}]`,
+    ...orders.map(([{ label, unit }, order]) => `${["", "velocity of ", "acceleration of "][order]}${label} [${unit}${per[order]}]`),
+    ...efforts.map(({ label, unit }) => `${label} [${unit}]`),
+    "reason",
+  ];
+  const lines = samples.map(({ x, pose, motion, forces }) => [
+    x,
+    ...orders.map(([row, order]) => (motion ? valueOf(row, order, motion) : "")),
+    ...efforts.map((_, k) => (forces ? forces[k] : "")),
+    pose.error ? why(pose.error) : "",
+  ]);
+  return `${[head, ...lines].map((line) => line.map((cell) => quoted(String(cell))).join(",")).join("\n")}\n`;
+};

@@ -1,0 +1,275 @@
+// The page: what happens when something is dragged, set or played, and what is drawn then.
+
+/// What has to be drawn anew: the pose, the curves as well, the scale as well.
+const POSE = 1, CURVES = 3, SCALE = 7;
+let due = 0, lastGood = null;
+const draw = (what) => {
+  if (!due) requestAnimationFrame(frame);
+  due |= what;
+  if (what !== POSE) showDeclaration();
+};
+
+/// The milliseconds of script in each frame, for those who measure.
+const spent = [];
+const frame = () => {
+  const begun = performance.now(), what = due;
+  due = 0;
+  if (what === SCALE) fit();
+  else if (what === CURVES) sample();
+  if (what !== POSE) drawCurves();
+  drawPose();
+  spent.push(performance.now() - begun);
+  if (spent.length > 1000) spent.shift();
+};
+
+/// Scale and origin by which everything fits; all nodes anew.
+const fit = () => {
+  const poses = surveyed();
+  survey(poses);
+  const [[x0, x1], [y0, y1]] = boxOf(poses);
+  const wasSmall = isSmall;
+  isSmall = Math.max(x1 - x0, y1 - y0) < 2;
+  if (isSmall !== wasSmall || !charts.length) buildCharts();
+  const width = figure.parentElement.clientWidth, spare = width < 500 ? 40 : efforts.some(({ point }) => point !== null) ? 96 : 56;
+  const least = width < 500 ? 240 : 300, most = Math.max(320, Math.min(0.62 * innerHeight, 560));
+  const [wide, high] = [Math.max(x1 - x0, 1e-6), y1 - y0];
+  const height = clamp(((width - 2 * spare) * high) / wide + 2 * spare, least, most);
+  const scale = Math.min((width - 2 * spare) / wide, (height - 2 * spare) / Math.max(high, 1e-6));
+  Object.assign(view, { scale, width, height, x: width / 2 - (scale * (x0 + x1)) / 2, y: height / 2 + (scale * (y0 + y1)) / 2 });
+  sample();
+  build(poses);
+};
+
+const drawCurves = () => {
+  tracedPoints.forEach((point, k) => {
+    let d = "", isDown = false;
+    for (const { pose } of samples) {
+      const at = pose.error ? null : pose.point(point);
+      if (at) d += `${isDown ? "L" : "M"}${onPage(at).map(short).join(" ")}`;
+      isDown = !!at;
+    }
+    nodes.trace[k].setAttribute("d", d);
+  });
+  charts.forEach(drawChart);
+};
+
+const drawPose = () => {
+  const pose = new Pose(state.q);
+  if (!pose.error) lastGood = pose;
+  const now = { motion: pose.error ? null : motionAt(pose.q), forces: pose.error ? null : forcesAt(pose.q) };
+  drawBodies(nodes.body, pose);
+  nodes.ghost.setAttribute("visibility", pose.error && lastGood ? "visible" : "hidden");
+  if (pose.error && lastGood) drawBodies(nodes.shade, lastGood);
+  drawSprings(pose);
+  drawJoints(pose);
+  drawGap(pose);
+  drawForces(pose, now.forces);
+  const said = inputs.map(({ name }, k) => `${name} ${inputWords(k)}`).join("  ·  ");
+  $("#state").textContent = pose.error ? why(pose.error) : said;
+  $("#state").classList.toggle("warn", !!pose.error);
+  const held = drag && pose.point(drag.point);
+  nodes.halo.setAttribute("visibility", held ? "visible" : "hidden");
+  if (held) nodes.halo.setAttribute("transform", `translate(${onPage(held).map(short)})`);
+  setInputs();
+  drawCursors(now);
+  tellValues(now);
+};
+
+/// Other inputs. The curves over one input change where another one does.
+const go = (q) => {
+  const isOther = q.some((x, k) => k !== state.axis && x !== state.q[k]);
+  state.q = q;
+  draw(isOther ? CURVES : POSE);
+  if (!playing) remember();
+};
+
+const setAxis = (k) => {
+  Object.assign(state, { axis: k, rate: inputs[k].rate });
+  $("#axis").value = k;
+  setters.rate(state.rate);
+  draw(CURVES);
+};
+
+// ---- dragging ---------------------------------------------------------------------------------------
+
+let drag = null;
+const placeOf = ({ clientX, clientY }) => {
+  const box = figure.getBoundingClientRect(), pixel = view.width / box.width;
+  return [((clientX - box.left) * pixel - view.x) / view.scale, (view.y - (clientY - box.top) * pixel) / view.scale];
+};
+const movable = [...used].filter((point) => !grounds.has(point));
+const pointNear = (place, far) => {
+  const pose = new Pose(state.q);
+  const near = movable.map((point) => [pose.point(point), point]).filter(([at]) => at)
+    .map(([at, point]) => [apart(at, place) * view.scale, point]).filter(([distance]) => distance < far);
+  return near.sort((a, b) => a[0] - b[0])[0]?.[1];
+};
+
+figure.addEventListener("pointerdown", (event) => {
+  const place = placeOf(event), point = pointNear(place, event.pointerType === "touch" ? 44 : 28);
+  if (point === undefined) return;
+  event.preventDefault();
+  figure.focus({ preventScroll: true });
+  figure.setPointerCapture(event.pointerId);
+  play(false);
+  drag = { point, crank: crankOf(point), offset: minus(new Pose(state.q).point(point), place) };
+  draw(POSE);
+});
+figure.addEventListener("pointermove", (event) => {
+  const place = placeOf(event);
+  if (!drag) {
+    figure.style.cursor = pointNear(place, 28) === undefined ? "" : "grab";
+    return;
+  }
+  const to = place.map((part, k) => part + drag.offset[k]), { crank, point } = drag;
+  go(crank ? turned(crank, point, to, state.q) : towards(point, to, state.q));
+});
+for (const end of ["pointerup", "pointercancel"]) {
+  figure.addEventListener(end, () => {
+    drag = null;
+    draw(POSE);
+  });
+}
+
+/// The cursor of the curves is dragged as well.
+const scrub = (event) => {
+  const [{ svg, left, right, width }] = charts, box = svg.getBoundingClientRect(), [from, to] = domain();
+  const share = clamp((((event.clientX - box.left) / box.width) * width - left) / (width - left - right), 0, 1);
+  play(false);
+  go(withInput(state.axis, from + (to - from) * share));
+};
+$("#charts").addEventListener("pointerdown", (event) => {
+  $("#charts").setPointerCapture(event.pointerId);
+  scrub(event);
+});
+$("#charts").addEventListener("pointermove", (event) => $("#charts").hasPointerCapture(event.pointerId) && scrub(event));
+
+figure.addEventListener("keydown", (event) => {
+  const way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+  if (event.key === " ") play(!playing);
+  else if (way) {
+    const input = inputs[state.axis], step = input.isAngle ? Math.PI / 180 : sizeOf(input) / 200;
+    play(false);
+    go(withInput(state.axis, within(state.q[state.axis] + way * step * (event.shiftKey ? 10 : 1), input)));
+  } else return;
+  event.preventDefault();
+});
+
+// ---- play -------------------------------------------------------------------------------------------
+
+/// Seconds of a turn, of a way there and back, and of the path.
+const SECONDS = 5;
+let playing = false, phase = 0, sense = 1, then = null;
+
+const play = (wanted) => {
+  if (wanted === playing) return;
+  playing = wanted;
+  $("#play").textContent = playing ? "Pause" : "Play";
+  $("#play").setAttribute("aria-pressed", playing);
+  then = null;
+  if (playing) requestAnimationFrame(tick);
+  else remember();
+};
+
+const tick = (time) => {
+  if (!playing) return;
+  const share = then === null ? 0 : Math.min((time - then) / 1e3, 0.1) / SECONDS;
+  then = time;
+  if (PAGE.path.length) {
+    const { length } = PAGE.path;
+    phase = (phase + share * length) % length;
+    const k = Math.floor(phase), [a, b] = [PAGE.path[k], PAGE.path[(k + 1) % length]];
+    go(a.map((x, n) => x + (b[n] - x) * (phase - k)));
+  } else {
+    go(withInput(state.axis, stepTo(share)));
+  }
+  requestAnimationFrame(tick);
+};
+
+/// One input's next value: round by round, and back where it ends or the machine cannot follow.
+const stepTo = (share) => {
+  const input = inputs[state.axis], x = state.q[state.axis];
+  const next = (way) => x + way * share * sizeOf(input) * (input.turns ? 1 : 2) * Math.sign(state.rate || 1);
+  const isFree = (x) => within(x, input) === x && !new Pose(withInput(state.axis, x)).error;
+  if (!isFree(next(sense)) && isFree(x)) sense = -sense;
+  const to = next(sense);
+  return input.turns ? to - TURN * Math.floor(to / TURN) : within(to, input);
+};
+
+// ---- beginning --------------------------------------------------------------------------------------
+
+/// Inputs at which the machine can be assembled, if those at first are none.
+const begin = () => {
+  if (!new Pose(state.q).error) return;
+  for (const k of inputs.keys()) {
+    const { from, to } = inputs[k], found = stepped(SURVEYED, [from, to], (x) => withInput(k, x));
+    const q = found.find((q) => !new Pose(q).error);
+    if (q) {
+      state.q = q;
+      return;
+    }
+  }
+};
+
+const choose = (id, names) => {
+  for (const [value, name] of names) $(id).add(new Option(name, value));
+};
+
+const reset = () => {
+  play(false);
+  Object.assign(state, { q: inputs.map(({ at }) => at), p: params.map(({ value }) => value), l: loads.map(({ value }) => value) });
+  begin();
+  setAll();
+  lastGood = null;
+  draw(SCALE);
+  remember();
+};
+
+const start = () => {
+  const all = [...rows.map(({ output }) => output), ...efforts.map(({ effort }) => effort)];
+  const offered = PAGE.curves.length ? PAGE.curves : [...new Set(all)];
+  const traced = tracedPoints.map((point) => PLAN.points[point]).find((name) => offered.includes(name));
+  state.shown = PAGE.curves[0] ?? traced ?? rows.at(-1)?.output ?? offered.at(-1);
+  buildControls((what) => {
+    draw(what);
+    remember();
+  });
+  const isRecalled = location.hash.length > 1;
+  if (isRecalled) recall();
+  else begin();
+  choose("#shown", offered.map((name) => [name, name]));
+  choose("#axis", inputs.map(({ name }, k) => [k, name]));
+  $("#shown").value = state.shown;
+  $("#axis").parentElement.hidden = inputs.length < 2;
+  $("#results").hidden = !offered.length;
+  buildTable();
+  fit();
+  setAll();
+  draw(SCALE);
+  const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  if (!isStill && !isRecalled) play(true);
+};
+
+$("#play").addEventListener("click", () => play(!playing));
+$("#reset").addEventListener("click", reset);
+$("#copy").addEventListener("click", copyDeclaration);
+$("#csv").addEventListener("click", () => {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([csv()], { type: "text/csv" }));
+  link.download = `${PLAN.name}.csv`;
+  link.click();
+  URL.revokeObjectURL(link.href);
+});
+$("#shown").addEventListener("change", ({ target }) => {
+  state.shown = target.value;
+  buildCharts();
+  draw(CURVES);
+});
+$("#axis").addEventListener("change", ({ target }) => setAxis(+target.value));
+let lastWidth = 0;
+new ResizeObserver(() => {
+  const width = figure.parentElement.clientWidth;
+  if (width !== lastWidth && lastWidth) draw(SCALE);
+  lastWidth = width;
+}).observe(figure.parentElement);
+start();

@@ -1,0 +1,254 @@
+// What stands beside the bodies: supports, rails, springs, names, gaps and arrows.
+
+const nodes = {};
+
+/// All nodes anew, for another scale.
+const build = (poses) => {
+  figure.replaceChildren();
+  figure.setAttribute("viewBox", `0 0 ${view.width} ${view.height}`);
+  for (const layer of ["ground", "traces", "ghost", "bodies", "springs", "reach", "pins", "forces", "names", "grip"]) {
+    nodes[layer] = made("g", { class: layer }, figure);
+  }
+  nodes.trace = tracedPoints.map((point) => made("path", { class: "trace", style: `stroke:${colourOf(point)}` }, nodes.traces));
+  nodes.body = bodiesIn(nodes.bodies);
+  nodes.shade = bodiesIn(nodes.ghost);
+  nodes.spring = PLAN.springs.map(() => made("path", { class: "spring" }, nodes.springs));
+  nodes.reaches = [0, 1].map(() => made("path", { class: "bound" }, nodes.reach));
+  nodes.missing = made("path", { class: "missing" }, nodes.reach);
+  nodes.missingWords = made("text", { class: "word warn" }, nodes.reach);
+  nodes.pin = PLAN.points.map((_, point) =>
+    made("circle", { class: grounds.has(point) ? "pin" : "pin grip-able", r: tracedPoints.includes(point) ? 5.5 : 4.6 }, nodes.pins));
+  nodes.name = PLAN.points.map((name) => {
+    const text = made("text", { class: "name" }, nodes.names);
+    text.textContent = name;
+    return text;
+  });
+  nodes.arrows = efforts.filter(({ row, point }) => point !== null && row === "x").map((effort) => ({
+    ...effort,
+    path: made("path", { class: "arrow" }, nodes.forces),
+    text: made("text", { class: "word force" }, nodes.forces),
+  }));
+  nodes.halo = made("circle", { class: "halo", r: 13, visibility: "hidden" }, nodes.grip);
+  drawGround(poses);
+  placeNames(poses);
+};
+
+/// The link that carries a point, of a pin the last one, in its colour.
+const colourOf = (point) => colours[joints.findLastIndex((own) => own.includes(point))] ?? "var(--ink)";
+
+/// The points whose paths are drawn: those asked for, or those on moving links, or the last pin.
+const tracedPoints = (() => {
+  const asked = PAGE.traces.map((name) => PLAN.points.indexOf(name));
+  const onLinks = statements.filter(({ point, on }) => point !== undefined && on !== null).map(({ point }) => point);
+  const ending = onLinks.filter((point) => joints.filter((own) => own.includes(point)).length < 2);
+  const pins = statements.filter(({ pin, members }) => (pin ?? null) !== null && members.length > 1).map(({ pin }) => pin);
+  return asked.length ? asked : ending.length ? ending.slice(-2) : pins.slice(-1);
+})();
+
+// ---- what stands still ------------------------------------------------------------------------------
+
+const rail = (frame, [from, to]) => {
+  const [a, b] = [from, to].map((x) => x * view.scale);
+  const seat = made("g", { class: "still", transform: `translate(${onPage(frame.at).map(short)}) rotate(${short(degreesOf(frame))}) translate(0 9.5)` }, nodes.ground);
+  made("path", { d: `M${short(a)} 0H${short(b)}` }, seat);
+  let hatches = "";
+  for (let x = a + 6; x <= b; x += 7) hatches += `M${short(x)} 0l-6 7`;
+  made("path", { d: hatches, class: "thin" }, seat);
+};
+
+const support = (at) => {
+  const seat = made("g", { class: "still", transform: `translate(${at.map(short)})` }, nodes.ground);
+  made("path", { d: "M0 0L-10 17H10Z", class: "foot" }, seat);
+  made("path", { d: "M-17 17H17" }, seat);
+  made("path", { d: "M-11 17l-6 7M-4 17l-6 7M3 17l-6 7M10 17l-6 7M17 17l-6 7", class: "thin" }, seat);
+};
+
+const drawGround = (poses) => {
+  const [pose] = poses;
+  for (const { guide, on } of statements) {
+    if (guide !== undefined && on === null && travel.stillGuides.has(guide)) rail(pose.guide(guide), endsOf(guide));
+  }
+  for (const point of grounds) if (used.has(point)) support(onPage(pose.point(point)));
+  for (const { turned, link, pivot } of allMembers) {
+    if (!turned || inputs.some((input) => input.isAngle && !input.turns)) continue;
+    const [centre, pin] = [pose.point(pivot), joints[link].find((point) => point !== pivot)];
+    const at = pin === undefined || !centre ? null : pose.point(pin);
+    if (at) {
+      const [cx, cy] = onPage(centre).map(short);
+      made("circle", { class: "centre", cx, cy, r: short(apart(centre, at) * view.scale) }, nodes.ground);
+    }
+  }
+  const most = (0.2 * view.width) / view.scale, power = 10 ** Math.floor(Math.log10(most));
+  const bar = [5, 2, 1].map((step) => step * power).find((length) => length <= most) ?? power;
+  const y = view.height - 14;
+  made("path", { class: "scale", d: `M16 ${y}v-4v8v-4h${short(bar * view.scale)}v-4v8` }, nodes.ground);
+  const unit = bar < 0.9999 ? `${+(bar * 1e3).toPrecision(3)} mm` : `${+bar.toPrecision(3)} m`;
+  made("text", { class: "word", x: 24 + short(bar * view.scale), y: y + 4 }, nodes.ground).textContent = unit;
+};
+
+// ---- names ------------------------------------------------------------------------------------------
+
+/// Offsets of the names from their points: a side each that is clear of bars, joints and other names in most
+/// poses, chosen once.
+const offsets = [];
+const placeNames = (poses) => {
+  const seen = poses.filter((_, k) => k % Math.ceil(poses.length / 24) === 0);
+  PLAN.points.forEach((name, point) => {
+    if (!used.has(point)) return;
+    let best = [Infinity];
+    for (let way = 0; way < 8; way++) {
+      const wide = 7.6 * name.length, [cx, cy] = [Math.cos((way * Math.PI) / 4), Math.sin((way * Math.PI) / 4)];
+      const isOnBlock = allMembers.some(({ link, shape }) => shape === "block" && joints[link].includes(point));
+      const offset = [cx * ((isOnBlock ? 18 : 11) + wide / 2), cy * (isOnBlock ? 20 : 16)];
+      const cost = way * 0.01 + seen.reduce((sum, pose) => sum + crowding(pose, point, offset, wide), 0) / seen.length;
+      if (cost < best[0]) best = [cost, offset];
+    }
+    offsets[point] = best[1];
+  });
+};
+
+/// How much a name at this offset covers in a pose.
+const crowding = (pose, point, offset, wide) => {
+  const at = pose.point(point);
+  if (!at) return 0;
+  const [x, y] = onPage(at).map((part, k) => part + offset[k]);
+  const isOff = x < wide / 2 + 4 || x > view.width - wide / 2 - 4 || y < 12 || y > view.height - 26;
+  let cost = isOff ? 3 : 0;
+  for (const ground of grounds) {
+    const spot = used.has(ground) && pose.point(ground);
+    if (!spot) continue;
+    const [u, v] = onPage(spot);
+    if (Math.abs(u - x) < wide / 2 + 18 && y > v - 6 && y < v + 34) cost += 2;
+  }
+  for (const other of used) {
+    const spot = other !== point && pose.point(other);
+    if (!spot) continue;
+    const [u, v] = onPage(spot), [dx, dy] = offsets[other] ?? [0, 0];
+    const half = 3.8 * PLAN.points[other].length;
+    if (Math.abs(u - x) < wide / 2 + 9 && Math.abs(v - y) < 14) cost += 1;
+    if (offsets[other] && Math.abs(u + dx - x) < wide / 2 + half && Math.abs(v + dy - y) < 14) cost += 2;
+  }
+  for (const own of joints) {
+    const spots = own.map((joint) => pose.point(joint)).filter(Boolean).map(onPage);
+    spots.forEach((a, k) => spots.slice(k + 1).forEach((b) => {
+      const [ux, uy] = minus(b, a);
+      const share = clamp(((x - a[0]) * ux + (y - a[1]) * uy) / (ux * ux + uy * uy || 1), 0, 1);
+      if (Math.abs(a[0] + share * ux - x) < wide / 2 + 3 && Math.abs(a[1] + share * uy - y) < 10) cost += 1;
+    }));
+  }
+  return cost;
+};
+
+// ---- what moves -------------------------------------------------------------------------------------
+
+const zigzag = (a, b, side = 0) => {
+  const length = apart(a, b), lead = Math.min(16, length / 4), coils = 9;
+  const spots = [along(a, b, 0, side), along(a, b, lead, side)];
+  for (let k = 0; k < coils; k++) {
+    spots.push(along(a, b, lead + ((length - 2 * lead) * (k + 0.5)) / coils, side + (k % 2 ? 7 : -7)));
+  }
+  return pathOf([...spots, along(a, b, length - lead, side), along(a, b, length, side)]);
+};
+
+const damper = (a, b, side = 0) => {
+  const length = apart(a, b), [bottom, top, piston] = [0.3, 0.7, 0.55].map((share) => share * length);
+  const spot = (far, across) => along(a, b, far, side + across);
+  return pathOf([spot(0, 0), spot(bottom, 0)]) + pathOf([spot(top, 6), spot(bottom, 6), spot(bottom, -6), spot(top, -6)])
+    + pathOf([spot(piston, 6), spot(piston, -6)]) + pathOf([spot(piston, 0), spot(length, 0)]);
+};
+
+const drawSprings = (pose) => PLAN.springs.forEach(({ ends, kinds }, k) => {
+  const [a, b] = ends.map((end) => pose.point(end));
+  const [hasStiffness, hasDamping] = kinds;
+  const draw = ([a, b]) =>
+    hasStiffness && hasDamping ? zigzag(a, b, -11) + damper(a, b, 11) + pathOf([along(a, b, 0, -11), along(a, b, 0, 11)])
+      + pathOf([along(b, a, 0, -11), along(b, a, 0, 11)])
+    : hasStiffness ? zigzag(a, b) : damper(a, b);
+  nodes.spring[k].setAttribute("d", a && b ? draw([a, b].map(onPage)) : "");
+});
+
+const drawJoints = (pose) => PLAN.points.forEach((_, point) => {
+  const at = pose.point(point), isShown = at && used.has(point);
+  for (const node of [nodes.pin[point], nodes.name[point]]) node.setAttribute("visibility", isShown ? "visible" : "hidden");
+  if (!isShown) return;
+  const [x, y] = onPage(at), [dx, dy] = offsets[point];
+  nodes.pin[point].setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
+  const half = 3.8 * PLAN.points[point].length;
+  const [u, v] = [clamp(x + dx, half + 2, view.width - half - 2), clamp(y + dy + 4.5, 14, view.height - 6)];
+  nodes.name[point].setAttribute("transform", `translate(${u.toFixed(1)} ${v.toFixed(1)})`);
+});
+
+/// How far each link of the failed group reaches, dashed, and what is missing between them.
+const drawGap = (pose) => {
+  const { error, failed } = pose;
+  const isShown = error?.kind === "OutOfReach" && failed;
+  nodes.reach.setAttribute("visibility", isShown ? "visible" : "hidden");
+  if (!isShown) return;
+  const bounds = failed.members.map((member) => boundOf(pose, member, failed)).filter(Boolean);
+  const ends = bounds.length === 2 ? between(...bounds) : null;
+  nodes.reaches.forEach((node, k) => {
+    const bound = bounds[k], to = ends?.[k];
+    node.setAttribute("d", bound && to ? dashed(bound, to) : "");
+    if (bound) node.style.stroke = colours[failed.members[k].link];
+  });
+  nodes.missing.setAttribute("d", ends ? pathOf(ends) : "");
+  nodes.missingWords.textContent = ends ? `${words(error.by, "m")} missing` : "";
+  if (!ends) return;
+  const [x, y] = ends[0].map((part, k) => (part + ends[1][k]) / 2);
+  nodes.missingWords.setAttribute("transform", `translate(${clamp(x + 10, 8, view.width - 130)} ${clamp(y - 10, 16, view.height - 26)})`);
+};
+
+/// A circle about its pivot, or the line along which a block's pin goes.
+const boundOf = (pose, member, { members }) => {
+  if (member.shape === "block") {
+    const frame = pose.guide(member.guide), pivot = members.find((other) => other.pivot !== null)?.pivot;
+    if (!frame || pivot === undefined) return null;
+    const [x] = seenFrom(frame, pose.point(pivot));
+    return { at: onPage(placed(frame, [x, pose.dimension(member)])), angle: degreesOf(frame) };
+  }
+  if (member.pivot === null) return null;
+  const radius = member.shape === "sleeve" ? 0 : Math.abs(pose.dimension(member)) * view.scale;
+  const at = pose.point(member.pivot);
+  return at && isFinite(radius) ? { at: onPage(at), radius } : null;
+};
+
+/// The shortest way from what the first link reaches to what the second one does.
+const between = (first, second) => {
+  const [a, b] = [first.at, second.at], r = first.radius ?? 0, s = second.radius;
+  if (first.radius === undefined) return s === undefined ? null : between(second, first).reverse();
+  if (s === undefined) return [along(a, b, r), b];
+  const far = apart(a, b), to = far > 1e-9 ? b : [b[0] + 1, b[1]];
+  const from = (at, length) => [at[0] + along([0, 0], minus(to, a), length)[0], at[1] + along([0, 0], minus(to, a), length)[1]];
+  return far > r + s ? [from(a, r), from(b, -s)] : r > s ? [from(a, r), from(b, s)] : [from(a, -r), from(b, -s)];
+};
+
+const dashed = ({ at, radius, angle }, to) => {
+  if (radius === undefined) {
+    const [cos, sin] = [Math.cos((angle * Math.PI) / 180), Math.sin((angle * Math.PI) / 180)].map((x) => 120 * x);
+    return pathOf([[at[0] - cos, at[1] - sin], [at[0] + cos, at[1] + sin]]);
+  }
+  if (radius < 1) return "";
+  const middle = Math.atan2(to[1] - at[1], to[0] - at[0]);
+  const [start, end] = [-0.6, 0.6].map((by) => [at[0] + radius * Math.cos(middle + by), at[1] + radius * Math.sin(middle + by)].map(short));
+  return `M${start}A${short(radius)} ${short(radius)} 0 0 1 ${end}${pathOf([at, to])}`;
+};
+
+/// Reactions of joints, to a scale by which the cycle's largest is 90 pixels long.
+let largestForce = 0;
+const drawForces = (pose, forces) => {
+  for (const { path, text, effort, point } of nodes.arrows) {
+    const at = pose.point(point), k = efforts.findIndex((row) => row.effort === effort);
+    const force = forces && [forces[k], forces[k + 1]], size = force ? Math.hypot(...force) : 0;
+    const length = (size / largestForce) * 90, isShown = at && length > 2;
+    for (const node of [path, text]) node.setAttribute("visibility", isShown ? "visible" : "hidden");
+    if (!isShown) continue;
+    const from = onPage(at), to = [from[0] + (force[0] / size) * Math.max(length, 15), from[1] - (force[1] / size) * Math.max(length, 15)];
+    path.setAttribute("d", pathOf([from, to]) + pathOf([along(to, from, 9, 4), to, along(to, from, 9, -4)]));
+    const isRight = to[0] >= from[0], wide = 7 * (effort.length + 8);
+    const beside = clamp(to[0] + (isRight ? 6 : -6), isRight ? 4 : wide, view.width - (isRight ? wide : 4));
+    text.textContent = `${effort} ${digits(size, 3)} N`;
+    text.setAttribute("text-anchor", isRight ? "start" : "end");
+    text.setAttribute("visibility", length > 25 && view.width > 500 ? "visible" : "hidden");
+    text.setAttribute("transform", `translate(${short(beside)} ${short(clamp(to[1] - 6, 14, view.height - 6))})`);
+  }
+};

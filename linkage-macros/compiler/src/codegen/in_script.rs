@@ -1,0 +1,157 @@
+//! Statements in JavaScript, for the page on which a mechanism is dragged.
+//!
+//! Inputs and their rates are the lists `q`, `v` and `a`, parameters `p`, loads `l`: only locals have names,
+//! all of which end in an underscore, so that none is a word of the language or one of the page's own.
+//! Functions are those of the page's `kernels.js`, conditions methods of its `checks.js`.
+
+use super::identifiers::CIRCLE;
+use super::printer::{Dialect, Operation, Printer};
+use super::text::Text;
+use crate::ir::graph::{Graph, Id, Node};
+use crate::lower::routine::{Condition, Statement, Threshold};
+
+/// JavaScript.
+pub(super) struct InScript<'a> {
+    pub graph: &'a Graph,
+    /// Names of the groups, as errors have them.
+    pub groups: &'a [String],
+    /// True if lengths are asked for as by an entry point's fast path, which takes the root of their square.
+    pub is_fast: bool,
+}
+
+impl Dialect for InScript<'_> {
+    fn binding(&self) -> &str {
+        "const "
+    }
+
+    fn leaf(&self, node: Node, to: &mut Text) {
+        to.put(&read(node).expect("a page gives no drive, and a search has a routine of its own"));
+    }
+
+    fn constant(&self, node: Node, to: &mut Text) {
+        let value = match node {
+            Node::Low(constant) => self.graph.value(constant).low_f64(),
+            Node::Constant(constant) => self.graph.value(constant).to_f64(),
+            _ => unreachable!("only constants are read as such"),
+        };
+        to.put(&number(value));
+    }
+
+    fn mode(&self, param: u32, to: &mut Text) {
+        // The page holds +1 or −1.
+        to.put(&format!("p[{param}]"));
+    }
+
+    fn function(&self, operation: Operation, to: &mut Text) {
+        to.put(match operation {
+            Operation::Of(function) => function.name(),
+            Operation::Det => "det",
+            Operation::MulErr => "mulErr",
+            Operation::AddErr => "addErr",
+            Operation::Fused => "fused",
+        });
+    }
+
+    fn select(printer: &Printer<'_, Self>, [a, b, x, y]: [Id; 4], to: &mut Text) {
+        printer.value(a, to.put("select("));
+        printer.value(b, to.put(" >= "));
+        printer.values(&[x, y], to.put(", "));
+        to.put(")");
+    }
+
+    fn sin_cos(
+        printer: &Printer<'_, Self>,
+        angle: Id,
+        pair: [Option<Id>; 2],
+        _: bool,
+        to: &mut Text,
+    ) {
+        let [sin, cos] = pair.map(|id| id.map_or(String::new(), |id| printer.local(id)));
+        to.put("const [").put(&sin).put(", ").put(&cos).put("] = sinCos(");
+        printer.value(angle, to);
+        to.put(");\n");
+    }
+
+    fn length(
+        printer: &Printer<'_, Self>,
+        id: Id,
+        of: [Id; 2],
+        least_square: Threshold,
+        to: &mut Text,
+    ) {
+        let is_fast = printer.dialect.is_fast;
+        to.put("const ").put(&printer.local(id));
+        printer.values(&of, to.put(if is_fast { " = lengthOf(" } else { " = hypot(" }));
+        if is_fast {
+            to.put(", ").put(&match least_square {
+                Threshold::SmallestSquare => "SMALLEST_SQUARE".to_string(),
+                Threshold::Number(wide, _) => number(wide),
+            });
+        }
+        to.put(");\n");
+    }
+
+    /// The diagnosis alone: nothing is fast here.
+    fn condition(printer: &Printer<'_, Self>, condition: &Condition, to: &mut Text) {
+        let row = condition.check.row();
+        to.put("const ").put(&printer.local(condition.id)).put(" = c.").put(row.diagnosis).put("(");
+        printer.value(condition.value, to);
+        if row.reads_operands {
+            condition.operands.iter().for_each(|&operand| printer.value(operand, to.put(", ")));
+        }
+        to.put(", ").put(&quoted(&printer.dialect.groups[condition.group as usize]));
+        if let Some(word) = condition.check.word() {
+            to.put(", ").put(&quoted(word));
+        }
+        to.put(");\n");
+    }
+
+    fn find(_: &Printer<'_, Self>, _: usize, _: Id, _: Option<Id>, _: &mut Text) {
+        unreachable!("a mechanism with an unknown has no page")
+    }
+
+    /// A page asks for no clearances.
+    fn tell(_: &Printer<'_, Self>, _: &[Statement], _: &[Id], _: &mut Text) {}
+}
+
+/// The expression that reads a leaf.
+pub(super) fn read(node: Node) -> Option<String> {
+    Some(match node {
+        Node::Param(param) => format!("p[{param}]"),
+        Node::Load(load) => format!("l[{load}]"),
+        Node::InputCos(_) => CIRCLE[0].to_string(),
+        Node::InputSin(_) => CIRCLE[1].to_string(),
+        Node::Input { input, order } => format!("{}[{input}]", ["q", "v", "a"][usize::from(order)]),
+        _ => return None,
+    })
+}
+
+/// The shortest digits that mean the number. A negative one stands in parentheses: two signs side by side
+/// are another operator.
+pub(super) fn number(value: f64) -> String {
+    let digits = match value.is_finite() {
+        true => format!("{value:?}"),
+        false => format!("{}Infinity", if value < 0.0 { "-" } else { "" }),
+    };
+    let digits = digits.strip_suffix(".0").map(str::to_string).unwrap_or(digits);
+    if digits.starts_with('-') { format!("({digits})") } else { digits }
+}
+
+/// A string.
+pub(super) fn quoted(text: &str) -> String {
+    let mut quoted = "\"".to_string();
+    for letter in text.chars() {
+        match letter {
+            '"' | '\\' => quoted.extend(['\\', letter]),
+            letter if letter < ' ' => quoted += &format!("\\u{:04x}", u32::from(letter)),
+            letter => quoted.push(letter),
+        }
+    }
+    quoted + "\""
+}
+
+/// A list of strings.
+pub(super) fn list<T: AsRef<str>>(texts: impl IntoIterator<Item = T>) -> String {
+    let quoted: Vec<String> = texts.into_iter().map(|text| quoted(text.as_ref())).collect();
+    format!("[{}]", quoted.join(", "))
+}

@@ -1,0 +1,131 @@
+//! The script of a page: the formulas as functions of JavaScript that return lists of numbers, and what the
+//! numbers are.
+
+use super::forces::unit_of;
+use super::identifiers::{CIRCLE, text};
+use super::in_script::{InScript, list, quoted, read};
+use super::printer::Printer;
+use super::text::Text;
+use crate::interface::entries::{Analysis, Given};
+use crate::interface::quantity::{Order, Part, Quantity};
+use crate::interface::records::Shape;
+use crate::interface::units_in_words::unit;
+use crate::interface::{forces, labels};
+use crate::ir::graph::Node;
+use crate::lower::routine::{Compute, Lowered, Routine};
+use crate::lower::{PLACED, label};
+use crate::model::dynamics::{Asked, Effort};
+use crate::model::mechanism::{Mechanism, Output, OutputKind};
+
+/// An object: where everything stands, the outputs' motion, forces, and names.
+pub(super) fn object(
+    mechanism: &Mechanism,
+    lowered: &Lowered<'_>,
+    placing: &Lowered<'_>,
+) -> String {
+    let mut script = Text::long();
+    script.put("{\nplace: (p, q) => ");
+    let routine = &placing.routines[PLACED];
+    let read = given(mechanism, routine.reads.iter().copied());
+    function(placing, routine, 1, &read, false, &mut script);
+    script.put(", nameOfPlace),\n");
+    for analysis in [Analysis::Motion, Analysis::Forces] {
+        entry(mechanism, lowered, analysis, &mut script);
+    }
+    let (outputs, dynamics) = (mechanism.outputs.iter().map(output), &mechanism.dynamics);
+    let efforts = dynamics.asked.iter().map(|asked| effort(mechanism, asked));
+    for (name, objects) in [("outputs", outputs.collect()), ("efforts", efforts.collect())] {
+        let objects: Vec<String> = objects;
+        script.put(name).put(": [").put(&objects.join(", ")).put("],\n");
+    }
+    script.put("}");
+    script.into_string()
+}
+
+/// The formulas of an entry point, and the names of its numbers, if the mechanism has it.
+fn entry(mechanism: &Mechanism, lowered: &Lowered<'_>, analysis: Analysis, to: &mut Text) {
+    let (interface, name) = (&lowered.interface, analysis.by_value().answer());
+    let Some(id) = interface.find(analysis.by_value()) else { return };
+    let own = match lowered.entries[id.index()] {
+        Compute::Own { .. } => id,
+        Compute::Via { entry, .. } => entry,
+    };
+    let Compute::Own { routine, stage, asked } = &lowered.entries[own.index()] else {
+        unreachable!("an entry point that goes by another goes by one with formulas")
+    };
+    let mut given = given(mechanism, asked.given.iter().copied());
+    if own != id {
+        // The angle of the cosine and the sine is looked at first.
+        given.insert(0, format!("[q[0], {}]", quoted(&text(&mechanism.inputs[0].name))));
+    }
+    to.put(name).put(": (p, q, v, a, l) => ");
+    function(lowered, &lowered.routines[*routine], stage + 1, &given, true, to);
+    let names = list(labels::of_result(interface, mechanism, interface.entry(id)));
+    to.put(&format!(", (k) => MACHINE.{name}Names[k]),\n{name}Names: {names},\n"));
+}
+
+/// The numbers that are read and must be finite, each with its name in errors; a cosine and a sine are.
+fn given(mechanism: &Mechanism, nodes: impl Iterator<Item = Node>) -> Vec<String> {
+    let is_made = |node: &Node| matches!(node, Node::InputCos(_) | Node::InputSin(_));
+    let named = |node| Some(format!("[{}, {}]", read(node)?, quoted(&label(mechanism, node)?)));
+    nodes.filter(|node| !is_made(node)).filter_map(named).collect()
+}
+
+/// `solved([…], (c) => { … return […]; }` of so many stages of a routine.
+fn function(
+    lowered: &Lowered<'_>,
+    routine: &Routine,
+    stages: usize,
+    given: &[String],
+    is_fast: bool,
+    to: &mut Text,
+) {
+    let (graph, groups) = (&lowered.program.graph, &lowered.program.groups);
+    let dialect = InScript { graph, groups, is_fast };
+    let printer = Printer { lowered, routine, dialect };
+    to.put(&format!("solved([{}], (c) => {{\n", given.join(", ")));
+    if routine.given.contains(&Given::Cosine) {
+        let [cos, sin] = CIRCLE;
+        to.put(&format!("const [{sin}, {cos}] = sinCos(q[0]);\n"));
+    }
+    printer.constants(to);
+    let stages = &routine.stages[..stages];
+    stages.iter().for_each(|stage| printer.statements(&stage.statements, to));
+    let sinks = stages.iter().flat_map(|stage| &stage.sinks);
+    to.put("return [").list(sinks, |to, &sink| printer.value(sink, to)).put("];\n}");
+}
+
+/// An output: its name, its kind and the unit of a plain number.
+fn output(output: &Output) -> String {
+    let kind = match Quantity::of(&output.kind) {
+        Quantity::Point => "point",
+        Quantity::Direction => "direction",
+        Quantity::SlidingDirection => "sliding",
+        Quantity::Slide => "slide",
+        _ => "value",
+    };
+    let unit = match &output.kind {
+        OutputKind::Value { dimension, .. } => unit(*dimension, Order::Position),
+        OutputKind::Margin(_) => "m".to_string(),
+        _ => "1".to_string(),
+    };
+    let [name, unit] = [text(&output.field), unit].map(|text| quoted(&text));
+    format!("{{name: {name}, kind: \"{kind}\", unit: {unit}}}")
+}
+
+/// A force, couple or effort: its name, its rows, their units, and the point at which an arrow shows it.
+fn effort(mechanism: &Mechanism, asked: &Asked) -> String {
+    let (rows, units): (&[&str], Vec<String>) = match forces::shape(asked.effort) {
+        Shape::Quantity(quantity, order) => {
+            let unit = |part: &Part| if part.field == "couple" { "N·m" } else { "N" }.to_string();
+            (quantity.rows(), quantity.layout(order).parts.iter().map(unit).collect())
+        }
+        _ => (&[""], vec![unit_of(mechanism, asked.effort)]),
+    };
+    let point = match asked.effort {
+        Effort::Pin(_, point) | Effort::Bearing(_, point) => point.0.to_string(),
+        _ => "null".to_string(),
+    };
+    let name = quoted(&forces::path(asked));
+    format!("{{name: {name}, rows: {}, units: {}, point: {point}}}", list(rows), list(units))
+}
