@@ -109,3 +109,24 @@ fn a_motion_that_starts_rubs_against_its_acceleration() {
     close("up", &[drive(1e-3)], &[30.603_664_944_988_693_227]);
     close("down", &[drive(-1e-3)], &[2.948_511_115_259_409_484]);
 }
+
+/// The band is that of two creeps, and holds the drive without friction.
+#[test]
+fn a_band_holds_the_frictionless_drive() {
+    let press = RubbingPress::new();
+    for step in 0..60 {
+        let q = 0.1 * f64::from(step) + 0.05;
+        let Ok([backwards, forwards]) = press.holding(q, -500.0) else { continue };
+        let creep = |creep| press.statics(q, creep, -500.0).unwrap().theta.drive;
+        assert_eq!([backwards, forwards], [-1.0, 1.0].map(creep));
+        let without = creep(0.0);
+        assert!(backwards < without && without < forwards, "{q}: {backwards} {without} {forwards}");
+    }
+    // It holds itself from the coefficient on at which the lower end is zero, tan(α) = tan(2φ).
+    let mu = 10.0_f64.to_radians().tan();
+    for (share, holds) in [(0.999, false), (1.001, true)] {
+        let [backwards, forwards] = Wedge { mu: mu * share, ..Wedge::new() }.holding(0.1).unwrap();
+        assert_eq!(backwards < 0.0, holds);
+        assert!(forwards > 0.0);
+    }
+}

@@ -2,5 +2,6 @@
 //! machine.
 
 mod cases;
+mod forward;
 mod laws;
 mod table;

@@ -100,3 +100,21 @@ pub(crate) const FOUR_BARS: [FourBar; 2] = [
         reactions: [159.4696392842155, 133.50576188725216, 157.84401390608167, 112.63846796440673, -147.75857913503648, -47.420836785354545, -144.2862067106074, -6.437003845010654],
     },
 ];
+
+/// Second rates under given drives: coefficient, length of the block, offset, input and its rate, drive, and
+/// the second rate.
+#[rustfmt::skip]
+#[expect(clippy::unreadable_literal, reason = "a table")]
+pub(crate) const CRANKS_FORWARD: [([f64; 3], [f64; 3], f64); 3] = [
+    ([0.1, 0.06, 0.0], [1.0, 12.0, 20.0], 123.7430089898711),
+    ([0.2, 0.04, 0.02], [2.2, -7.0, 20.0], 314.2712485289799),
+    ([0.3, 0.06, 0.0], [0.02, 3.0, 20.0], 256.01125457958943),
+];
+
+/// The same of the four-bar by its coefficient.
+#[rustfmt::skip]
+#[expect(clippy::unreadable_literal, reason = "a table")]
+pub(crate) const FOUR_BARS_FORWARD: [(f64, [f64; 3], f64); 2] = [
+    (0.1, [0.7, 12.0, 15.0], 224.47729969544605),
+    (0.3, [2.9, -4.0, 15.0], 381.42741587970926),
+];

@@ -251,3 +251,53 @@ mechanism! {
         output x.drive, y.drive, losses;
     }
 }
+
+mechanism! {
+    /// Painlevé and Klein's frame: two blocks on parallel guides, joined by a rod; the first rubs.
+    pub struct PainleveKlein {
+        input x: length;
+        param mu = 0.4;
+        param angle = 1rad;
+        ground O(0, 0);
+        guide lower through (0, 0) along 0deg;
+        guide upper through (0, 100mm) along 0deg;
+        slider one(lower) -> P { slide: x }
+        rrp rod(P), two(upper) -> Q { length: 100mm / sin(angle), mode: ahead }
+        mass 2kg on one at (0, 0);
+        mass 3kg on two at (0, 0);
+        force (4N, 0) on P;
+        force (-7N, 0) on Q;
+        friction mu on one;
+    }
+}
+
+mechanism! {
+    /// A block on a spring, with dry friction.
+    pub struct Oscillator {
+        input x: length;
+        ground O(0, 0);
+        guide bed through O along 0deg;
+        slider block(bed) -> P { slide: x }
+        gravity (0, -9.81(m/s^2));
+        mass 2kg on block at (0, 0);
+        force (-800(N/m) * x, 0) on P;
+        friction 0.25 on block;
+    }
+}
+
+mechanism! {
+    /// An arm of two cranks, their signs smooth.
+    pub struct RubbingArm {
+        input shoulder: angle;
+        input elbow: angle;
+        param mu = 0.2;
+        ground A(0, 0);
+        crank upper(A) -> B { length: 0.5m, angle: shoulder }
+        crank lower(B) -> C { length: 0.4m, angle: elbow, relative_to: upper }
+        gravity (0, -9.81(m/s^2));
+        mass 3kg on upper at (0.2m, 0.05m) inertia 0.1(kg*m^2);
+        mass 2kg on lower at (0.2m, 0) inertia 0.05(kg*m^2);
+        friction mu at A radius 30mm smooth 0.1(rad/s);
+        friction mu at B radius 20mm smooth 0.1(rad/s);
+    }
+}

@@ -51,6 +51,13 @@ impl<'s> Source<'s> {
         inputs.map(|(index, source)| source.with_rates(rate(index), sheet.zero())).collect()
     }
 
+    /// One input at a unit second rate, all at rest.
+    pub(super) fn one_starting(inputs: &[Self], sheet: &'s Sheet<'s>, moving: usize) -> Vec<Self> {
+        let accel = |index| sheet.integer(i64::from(index == moving));
+        let inputs = inputs.iter().enumerate();
+        inputs.map(|(index, source)| source.with_rates(sheet.zero(), accel(index))).collect()
+    }
+
     /// The inputs, standing still.
     pub(super) fn at_rest(inputs: &[Self], sheet: &'s Sheet<'s>) -> Vec<Self> {
         let zero = sheet.zero();

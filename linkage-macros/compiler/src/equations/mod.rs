@@ -94,8 +94,9 @@ fn asked<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Asked {
                 && (analysis == Analysis::Coefficients || interface.of_cosine(entry).is_some());
         let kinematics = at_cosine.filter(|_| goes_by_cosine).unwrap_or_else(free);
         let needs_mass = entry.point.is_about_dynamics();
-        let has_friction = !mechanism.dynamics.frictions.is_empty();
-        if needs_mass && (has_friction || !forces::every_input_moves_mass(kinematics)) {
+        let is_known = mechanism.dynamics.frictions.is_empty()
+            || analysis == Analysis::ForwardDynamics && forces::is_known_beside_friction(mechanism);
+        if needs_mass && !(is_known && forces::every_input_moves_mass(kinematics)) {
             continue;
         }
         answers.push(Answer { entry: Some(entry.point), sinks: sinks(analysis, kinematics) });
@@ -121,6 +122,7 @@ fn sinks(analysis: Analysis, kinematics: &Kinematics<'_>) -> Vec<Id> {
         Analysis::Margins => margins(kinematics),
         Analysis::Forces => forces::in_motion(kinematics),
         Analysis::Statics => forces::at_rest(kinematics),
+        Analysis::Holding => forces::holding(kinematics),
         Analysis::Energy => forces::energy(kinematics),
         Analysis::ForwardDynamics => forces::accelerations(kinematics),
         Analysis::EquationsOfMotion => forces::equations(kinematics),

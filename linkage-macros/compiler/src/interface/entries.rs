@@ -31,6 +31,7 @@ pub(crate) enum Analysis {
     Margins,
     Forces,
     Statics,
+    Holding,
     Energy,
     ForwardDynamics,
     EquationsOfMotion,
@@ -55,6 +56,8 @@ pub(super) enum Returns {
     Matrix,
     /// A number for every input, and its name in errors.
     OfInputs(&'static str),
+    /// The drives of the only input that creep backwards and forwards, where something rubs.
+    Band,
 }
 
 /// The properties of an analysis.
@@ -196,7 +199,7 @@ pub(super) fn all(
 const ROWS: [&[EntryRow]; 5] = [
     &[POSITION, VELOCITY, MOTION, COEFFICIENTS],
     &[MARGINS],
-    &[FORCES, STATICS],
+    &[FORCES, STATICS, HOLDING],
     &[ENERGY],
     &[FORWARD_DYNAMICS, EQUATIONS_OF_MOTION],
 ];
@@ -282,6 +285,18 @@ const STATICS: EntryRow = EntryRow {
     ..FORCES
 };
 
+const HOLDING: EntryRow = EntryRow {
+    analysis: Analysis::Holding,
+    name: "holding",
+    name_at: None,
+    subject: "Drives that creep backwards and forwards; between them friction holds the mechanism",
+    creeps: false,
+    returns: Returns::Band,
+    sweeps: false,
+    has_cost: false,
+    ..STATICS
+};
+
 const ENERGY: EntryRow = EntryRow {
     analysis: Analysis::Energy,
     name: "energy",
@@ -338,6 +353,6 @@ mod tests {
         let count = names.len();
         names.sort_unstable();
         names.dedup();
-        assert_eq!((names.len(), count), (16, 16), "{names:?}");
+        assert_eq!((names.len(), count), (17, 17), "{names:?}");
     }
 }

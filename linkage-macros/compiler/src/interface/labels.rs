@@ -52,6 +52,10 @@ pub(crate) fn of_result(
             inputs.flat_map(|input| column(input).collect::<Vec<_>>()).collect()
         }
         Returns::OfInputs(what) => of_inputs(mechanism, what),
+        Returns::Band => ["drive backwards", "drive forwards"]
+            .into_iter()
+            .flat_map(|what| of_inputs(mechanism, what))
+            .collect(),
     }
 }
 

@@ -52,6 +52,9 @@ impl Interface {
             Returns::Matrix => Some(Shape::Matrix { rows, columns }),
             Returns::OfInputs(_) if columns == 1 => Some(Shape::Number),
             Returns::OfInputs(_) => Some(Shape::List(columns)),
+            Returns::Band => {
+                (columns == 1 && !mechanism.dynamics.frictions.is_empty()).then_some(Shape::List(2))
+            }
         };
         let has = [!mechanism.dynamics.loads.is_empty(), !mechanism.dynamics.frictions.is_empty()];
         let entries = entries::all(columns, has, result);

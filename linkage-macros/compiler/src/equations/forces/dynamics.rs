@@ -57,10 +57,22 @@ struct Rounding<'s> {
 }
 
 /// M and Q.
-struct Equations<'s> {
+pub(super) struct Equations<'s> {
     mass: Vec<Vec<Sym<'s>>>,
-    force: Vec<Sym<'s>>,
+    pub force: Vec<Sym<'s>>,
     rounding: Rounding<'s>,
+}
+
+impl<'s> Equations<'s> {
+    pub(super) fn of(kinematics: &Kinematics<'s>) -> Self {
+        equations_of(kinematics)
+    }
+
+    /// M⁻¹ of the right-hand side.
+    pub(super) fn solve(&self, kinematics: &Kinematics<'s>, right: Vec<Sym<'s>>) -> Vec<Sym<'s>> {
+        let title = |input| kinematics.mechanism.title_of_input(input);
+        solved(self.mass.clone(), right, &self.rounding, &title)
+    }
 }
 
 fn equations_of<'s>(kinematics: &Kinematics<'s>) -> Equations<'s> {
@@ -115,11 +127,11 @@ pub(in crate::equations) fn equations(kinematics: &Kinematics<'_>) -> Vec<Id> {
 
 /// The second rates of the inputs.
 pub(in crate::equations) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
-    let Equations { mass, force, rounding } = equations_of(kinematics);
+    let equations = equations_of(kinematics);
     let drive = |input: usize| kinematics.sheet.node(Node::Drive(input as u32));
-    let right = force.iter().enumerate().map(|(input, force)| *force + drive(input)).collect();
-    let title = |input| kinematics.mechanism.title_of_input(input);
-    solved(mass, right, &rounding, &title).into_iter().map(|number| number.id).collect()
+    let right = equations.force.iter().enumerate();
+    let right = right.map(|(input, force)| *force + drive(input)).collect();
+    equations.solve(kinematics, right).into_iter().map(|number| number.id).collect()
 }
 
 /// M x = b by L D Lᵀ; pivots are provided to be above their rounding, each under its title.

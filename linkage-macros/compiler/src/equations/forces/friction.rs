@@ -20,16 +20,19 @@
 //! R. L. Norton, Design of Machinery, ch. 11; A. S. Hall, Kinematics and Linkage Design, on friction
 //! circles; J. E. Shigley, Mechanical Engineering Design, on bearings.
 
+mod forward;
 mod system;
 
 use crate::equations::forces::provided::share;
-use crate::equations::forces::walk::Walk;
+use crate::equations::forces::walk::{Rubs, Walk};
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::reactions::{Acting, Inner, Loads, Reaction, Reactions};
 use crate::equations::symbol::{Sym, Vector};
 use crate::model::dynamics::{Contact, Friction};
 use crate::model::mechanism::{Carrier, Group};
+pub(super) use forward::accelerations;
+pub(in crate::equations) use forward::is_offered;
 use system::{Row, solved};
 
 /// The place of a contact in the group whose reactions press it.
@@ -74,6 +77,9 @@ pub(in crate::equations) fn slip<'s>(state: &Kinematics<'s>, contact: Contact) -
 impl<'s> Walk<'_, 's> {
     /// Puts the friction of a group's joints on the bodies that meet there.
     pub(super) fn rub(&mut self, group: &Group) {
+        if matches!(self.rubs, Rubs::Never) {
+            return;
+        }
         let contacts = self.contacts_of(group);
         if contacts.is_empty() {
             return;
@@ -116,23 +122,29 @@ impl<'s> Walk<'_, 's> {
         let length = declared.length.as_ref().map(|b| kinematics.length(b, title).value);
         let by_couple = length.map_or(self.sheet().zero(), |b| self.sheet().integer(2) / b);
         let share = share(kinematics, declared, title);
+        let share = if let Rubs::Sticking(_, times) = self.rubs { times * share } else { share };
         let way = self.way(declared, title);
         Rubbing { friction, contact: declared.contact, place, share, by_couple, way }
     }
 
     fn slip(&self, contact: Contact) -> [Sym<'s>; 2] {
-        slip(self.creeping.unwrap_or(self.kinematics), contact)
+        match self.rubs {
+            Rubs::Creeping(state) | Rubs::Sticking(state, _) => slip(state, contact),
+            Rubs::Slipping | Rubs::Never => slip(self.kinematics, contact),
+        }
     }
 
     fn way(&self, friction: &Friction, title: u32) -> Sym<'s> {
         let [slip, starting] = self.slip(friction.contact);
-        match (&friction.smooth, self.creeping) {
-            (Some(smooth), None) => {
+        let zero = self.sheet().zero();
+        match (&friction.smooth, self.rubs) {
+            (Some(smooth), Rubs::Slipping | Rubs::Never) => {
                 let smooth = self.kinematics.length(smooth, title).value;
                 slip / slip.hypot(smooth)
             }
-            (_, Some(_)) => slip.sign_or(self.sheet().zero()),
-            (None, None) => slip.sign_or(starting.sign_or(self.sheet().zero())),
+            (Some(_), Rubs::Sticking(..)) => zero,
+            (_, Rubs::Creeping(_) | Rubs::Sticking(..)) => slip.sign_or(zero),
+            (None, Rubs::Slipping | Rubs::Never) => slip.sign_or(starting.sign_or(zero)),
         }
     }
 

@@ -55,7 +55,8 @@ use crate::ir::graph::Id;
 use crate::model::dynamics::Effort;
 use crate::model::mechanism::PointId;
 
-pub(super) use dynamics::{accelerations, equations, every_input_moves_mass};
+pub(super) use dynamics::{equations, every_input_moves_mass};
+pub(super) use friction::is_offered as is_known_beside_friction;
 #[cfg(test)]
 pub(super) use friction::slip;
 pub(super) use together::centre_of_mass;
@@ -122,6 +123,27 @@ pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
         // The effort that holds an equation acts on no body, so a walk cannot place it.
         false => in_motion(&resting),
     }
+}
+
+/// The second rates of the inputs under given drives.
+pub(super) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    match kinematics.mechanism.dynamics.frictions.is_empty() {
+        true => dynamics::accelerations(kinematics),
+        false => friction::accelerations(kinematics),
+    }
+}
+
+/// The drives of the only input that creep backwards and forwards.
+pub(super) fn holding(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+    let inputs = Source::at_rest(&kinematics.inputs, sheet);
+    let resting = Kinematics::of(sheet, mechanism, inputs);
+    let drive = |way| {
+        let creep = kinematics.inputs[0].with_rates(sheet.integer(way), sheet.zero());
+        let creeping = Kinematics::of(sheet, mechanism, vec![creep]);
+        Walk::creeping(&resting, &creeping).input_efforts()[0].id
+    };
+    [-1, 1].map(drive).into()
 }
 
 fn by_walk(walk: &Walk<'_, '_>) -> Vec<Id> {

@@ -35,17 +35,29 @@ pub(in crate::equations) struct Walk<'k, 's> {
     found: HashMap<Effort, Vec<Sym<'s>>>,
     /// By point, the sum of what the links that stand on it put on it.
     standing: HashMap<PointId, Vector<'s>>,
-    /// The state that says which way friction acts, where the bodies are at rest.
-    pub(super) creeping: Option<&'k Kinematics<'s>>,
+    pub(super) rubs: Rubs<'k, 's>,
     /// The power that friction takes.
     pub(in crate::equations) losses: Sym<'s>,
     /// Amounts of friction, by its index.
     pub(in crate::equations) amounts: HashMap<usize, Sym<'s>>,
 }
 
+/// Friction that a walk meets.
+#[derive(Clone, Copy)]
+pub(super) enum Rubs<'k, 's> {
+    /// Against the slips of the motion.
+    Slipping,
+    /// At rest, against the slips of a creep.
+    Creeping(&'k Kinematics<'s>),
+    /// The same of joints whose sign is not smooth, so many times.
+    Sticking(&'k Kinematics<'s>, Sym<'s>),
+    /// None but what is put on.
+    Never,
+}
+
 impl<'k, 's> Walk<'k, 's> {
     pub(in crate::equations) fn of(kinematics: &'k Kinematics<'s>) -> Self {
-        Self::against(kinematics, None)
+        Self::against(kinematics, Rubs::Slipping)
     }
 
     /// At rest, with friction against the slips of a creep.
@@ -53,13 +65,22 @@ impl<'k, 's> Walk<'k, 's> {
         resting: &'k Kinematics<'s>,
         creeping: &'k Kinematics<'s>,
     ) -> Self {
-        Self::against(resting, Some(creeping))
+        Self::against(resting, Rubs::Creeping(creeping))
     }
 
-    fn against(kinematics: &'k Kinematics<'s>, creeping: Option<&'k Kinematics<'s>>) -> Self {
+    /// Under all that acts.
+    pub(super) fn against(kinematics: &'k Kinematics<'s>, rubs: Rubs<'k, 's>) -> Self {
+        let mut walk = Self::start(kinematics, rubs);
+        walk.load();
+        walk.back();
+        walk
+    }
+
+    /// Before anything acts.
+    pub(super) fn start(kinematics: &'k Kinematics<'s>, rubs: Rubs<'k, 's>) -> Self {
         let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
         let nothing = Acting { force: sheet.zero_vector(), moment: sheet.zero() };
-        let mut walk = Self {
+        Self {
             kinematics,
             links: vec![nothing; mechanism.links.len()],
             points: vec![sheet.zero_vector(); mechanism.points.len()],
@@ -70,15 +91,17 @@ impl<'k, 's> Walk<'k, 's> {
             efforts: vec![sheet.zero(); mechanism.inputs.len()],
             found: HashMap::new(),
             standing: HashMap::new(),
-            creeping,
+            rubs,
             losses: sheet.zero(),
             amounts: HashMap::new(),
-        };
-        walk.load();
-        for step in mechanism.steps.iter().rev() {
-            walk.go_back(step);
         }
-        walk
+    }
+
+    /// From the last step to the first, with what acts by then.
+    pub(super) fn back(&mut self) {
+        for step in self.kinematics.mechanism.steps.iter().rev() {
+            self.go_back(step);
+        }
     }
 
     pub(super) fn sheet(&self) -> &'s Sheet<'s> {
@@ -107,15 +130,26 @@ impl<'k, 's> Walk<'k, 's> {
         self.found.iter().map(|(&effort, numbers)| (effort, &numbers[..]))
     }
 
-    #[cfg(test)]
+    /// By input.
     pub(in crate::equations) fn input_efforts(&self) -> &[Sym<'s>] {
         &self.efforts
     }
 
     /// Weight, inertia, and what is applied.
-    fn load(&mut self) {
+    pub(super) fn load(&mut self) {
+        self.load_masses(gravity(self.kinematics));
+        for (point, force) in applied(self.kinematics) {
+            self.push(point, force);
+        }
+        for (carrier, couple) in torques(self.kinematics) {
+            self.turn(carrier, couple);
+        }
+    }
+
+    /// Inertia, and weight in this gravity.
+    pub(super) fn load_masses(&mut self, g: Vector<'s>) {
         let kinematics = self.kinematics;
-        let (masses, g) = (Masses::of(kinematics), gravity(kinematics));
+        let masses = Masses::of(kinematics);
         for (link, inertia) in masses.by_link() {
             let own = of_masses(kinematics, link, inertia, g);
             self.add(link, own);
@@ -140,12 +174,6 @@ impl<'k, 's> Walk<'k, 's> {
                     }
                 }
             }
-        }
-        for (point, force) in applied(kinematics) {
-            self.push(point, force);
-        }
-        for (carrier, couple) in torques(kinematics) {
-            self.turn(carrier, couple);
         }
     }
 

@@ -1,0 +1,199 @@
+//! The second rates of the inputs under given drives, where joints rub.
+//!
+//! All amounts depend on each other: with W the power of a unit of each friction at the unit rates,
+//!
+//! ```text
+//! q̈ = M⁻¹ (τ + Q + W x)      G = G⁰ + (∂G/∂q̈) q̈ + A x
+//! ```
+//!
+//! so that G is affine in the amounts alone, with A + (∂G/∂q̈) M⁻¹ W: the equation of the
+//! [`system`](super::system), of the whole mechanism at once. Each part is a walk under nothing but itself: all that
+//! acts at q̈ = 0, the inertia of a unit of each second rate, a unit of each friction.
+//!
+//! # At rest
+//! Where q̇ is zero, friction acts against the motion that is just starting. One input starts in the direction
+//! in which its drive leaves the band of the two creeps, and inside the band it stays: q̈ = 0. With several inputs
+//! it is not known what sticks, so signs have to be smooth there.
+
+use super::{Rubbing, slip};
+use crate::equations::forces::dynamics::Equations;
+use crate::equations::forces::unit_rate::at_unit_rate;
+use crate::equations::forces::walk::{Rubs, Walk};
+use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::symbol::Sym;
+use crate::ir::graph::{Id, Node};
+use crate::model::dynamics::{Contact, Effort};
+use crate::model::mechanism::Mechanism;
+
+use super::system::{Row, solved};
+
+/// The most amounts that may depend on each other: the code that is written down grows with their cube.
+const MOST: usize = 8;
+
+/// True if second rates are known beside the mechanism's friction.
+pub(in crate::equations) fn is_offered(mechanism: &Mechanism) -> bool {
+    let frictions = &mechanism.dynamics.frictions;
+    let is_smooth = frictions.iter().all(|friction| friction.smooth.is_some());
+    frictions.len() <= MOST && (mechanism.inputs.len() == 1 || is_smooth)
+}
+
+/// The second rates of the inputs.
+pub(in crate::equations::forces) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    let equations = Equations::of(kinematics);
+    let (sheet, count) = (kinematics.sheet, kinematics.inputs.len());
+    let drive = |input: usize| sheet.node(Node::Drive(input as u32));
+    let right = equations.force.iter().enumerate().map(|(input, force)| *force + drive(input));
+    let coasting = equations.solve(kinematics, right.collect());
+    let starts = Start::of(kinematics);
+    let contacts = contacts(kinematics, starts.as_ref());
+    let units: Vec<_> = (0..count).map(|input| at_unit_rate(kinematics, input)).collect();
+    // M⁻¹ W, by friction.
+    let braked = contacts.iter().map(|contact| {
+        let power = units.iter().map(|unit| -(contact.way * slip(unit, contact.contact)[0]));
+        equations.solve(kinematics, power.collect())
+    });
+    let braked: Vec<Vec<Sym<'_>>> = braked.collect();
+    let rows = rows(kinematics, &contacts, &coasting, &braked);
+    let amounts = solved(&rows, 0);
+    let second_rate = |input: usize| {
+        let braked = braked.iter().zip(&amounts);
+        braked.fold(coasting[input], |sum, (by, amount)| sum + by[input] * *amount)
+    };
+    let second_rates = (0..count).map(|input| match &starts {
+        Some(start) => start.held(second_rate(input)).id,
+        None => second_rate(input).id,
+    });
+    second_rates.collect()
+}
+
+/// The contacts, with the signs of their slips, which are those of the start where nothing moves.
+fn contacts<'s>(kinematics: &Kinematics<'s>, start: Option<&Start<'s>>) -> Vec<Rubbing<'s>> {
+    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+    let moving = without_second_rates(kinematics);
+    let walk = Walk::start(&moving, Rubs::Never);
+    let mut contacts: Vec<_> =
+        mechanism.group_steps().flat_map(|group| walk.contacts_of(group)).collect();
+    let Some(start) = start else { return contacts };
+    let unit = at_unit_rate(kinematics, 0);
+    for contact in &mut contacts {
+        if mechanism.dynamics.frictions[contact.friction].smooth.is_none() {
+            let by_unit = slip(&unit, contact.contact)[0].sign_or(sheet.zero());
+            let [slip, _] = slip(&moving, contact.contact);
+            contact.way = slip.sign_or(by_unit * start.way);
+        }
+    }
+    contacts
+}
+
+fn without_second_rates<'s>(kinematics: &Kinematics<'s>) -> Kinematics<'s> {
+    let inputs = Source::without_second_rates(&kinematics.inputs, kinematics.sheet);
+    Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs)
+}
+
+/// The equations of the amounts.
+fn rows<'s>(
+    kinematics: &Kinematics<'s>,
+    contacts: &[Rubbing<'s>],
+    coasting: &[Sym<'s>],
+    braked: &[Vec<Sym<'s>>],
+) -> Vec<Row<'s>> {
+    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+    let still = without_second_rates(kinematics);
+    let mut free = Walk::start(&still, Rubs::Never);
+    free.load();
+    free.back();
+    let pressed = |walk: &Walk<'_, 's>| -> Vec<[Sym<'s>; 2]> {
+        contacts.iter().map(|contact| pressing(walk, contact)).collect()
+    };
+    let free = pressed(&free);
+    // ∂G/∂q̈, by input.
+    let by_inertia = (0..kinematics.inputs.len()).map(|input| {
+        let state = Source::one_starting(&kinematics.inputs, sheet, input);
+        let state = Kinematics::of(sheet, mechanism, state);
+        let mut walk = Walk::start(&state, Rubs::Never);
+        walk.load_masses(sheet.zero_vector());
+        walk.back();
+        pressed(&walk)
+    });
+    let by_inertia: Vec<_> = by_inertia.collect();
+    let by_friction = contacts.iter().map(|contact| {
+        let mut walk = Walk::start(&still, Rubs::Never);
+        walk.brake(contact, sheet.integer(1));
+        walk.back();
+        pressed(&walk)
+    });
+    let by_friction: Vec<_> = by_friction.collect();
+    let with = |j: usize, start: [Sym<'s>; 2], second_rates: &[Sym<'s>]| {
+        by_inertia.iter().zip(second_rates).fold(start, |sum, (by, second_rate)| {
+            [0, 1].map(|axis| sum[axis] + by[j][axis] * *second_rate)
+        })
+    };
+    let row = |(j, contact): (usize, &Rubbing<'s>)| {
+        let changes = by_friction.iter().zip(braked).map(|(by, braked)| with(j, by[j], braked));
+        Row {
+            share: contact.share,
+            free: with(j, free[j], coasting),
+            changes: changes.collect(),
+            is_guide: matches!(contact.contact, Contact::Guide(_)),
+            joint: mechanism.contact_name(contact.contact),
+        }
+    };
+    contacts.iter().enumerate().map(row).collect()
+}
+
+/// The reaction at a contact that a walk has found.
+fn pressing<'s>(walk: &Walk<'_, 's>, contact: &Rubbing<'s>) -> [Sym<'s>; 2] {
+    let effort = match contact.contact {
+        Contact::Pin { link, pin, .. } => Effort::Pin(link, pin),
+        Contact::Guide(link) => Effort::Guide(link),
+    };
+    match (contact.contact, &walk.components(effort)[..]) {
+        (Contact::Guide(_), &[normal, couple]) => [normal, contact.by_couple * couple],
+        (Contact::Pin { .. }, &[x, y]) => [x, y],
+        _ => unreachable!("a reaction has two components"),
+    }
+}
+
+/// The start of the only input from rest.
+struct Start<'s> {
+    rate: Sym<'s>,
+    /// The sign of its second rate where it is at rest; zero where friction holds it, and in motion.
+    way: Sym<'s>,
+}
+
+impl<'s> Start<'s> {
+    /// None if all signs are smooth: a motion of zero then has no friction.
+    fn of(kinematics: &Kinematics<'s>) -> Option<Self> {
+        let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+        let is_dry = mechanism.dynamics.frictions.iter().any(|friction| friction.smooth.is_none());
+        let [input] = &kinematics.inputs[..] else { return None };
+        if !is_dry {
+            return None;
+        }
+        let rate = input.jet.rate;
+        let [zero, one] = [0, 1].map(|value| sheet.integer(value));
+        // In motion the band is not asked: without friction it does not jam.
+        let at_rest = rate.at_least(zero, zero.at_least(rate, one, zero), zero);
+        let resting = Source::at_rest(&kinematics.inputs, sheet);
+        let resting = Kinematics::of(sheet, mechanism, resting);
+        let end = |way| {
+            let creep = input.with_rates(sheet.integer(way), zero);
+            let creeping = Kinematics::of(sheet, mechanism, vec![creep]);
+            Walk::against(&resting, Rubs::Sticking(&creeping, at_rest)).input_efforts()[0]
+        };
+        let drive = sheet.node(Node::Drive(0));
+        let beyond = |end: Sym<'s>, way: Sym<'s>, other| end.at_least(drive, other, way);
+        let [backwards, forwards] = [-1, 1].map(end);
+        let leaves_backwards = drive.at_least(backwards, zero, -one);
+        let way = at_rest * beyond(forwards, one, leaves_backwards);
+        Some(Self { rate, way })
+    }
+
+    /// The second rate, or none where friction holds.
+    fn held(&self, second_rate: Sym<'s>) -> Sym<'s> {
+        let zero = self.rate.sheet().zero();
+        // 0 ≥ |way| and 0 ≥ |q̇|
+        let rests = zero.at_least(self.way.magnitude(), zero, second_rate);
+        zero.at_least(self.rate.magnitude(), rests, second_rate)
+    }
+}
