@@ -6,3 +6,4 @@ mod build;
 mod c_caller;
 #[allow(unreachable_pub, reason = "the library exports them")]
 mod mechanisms;
+mod printed_c;

@@ -26,11 +26,12 @@
 #error "double has fewer than 64 bits here: decisions at a limit need all of them"
 #endif
 
-/* No product is contracted into a sum but where a fused operation is written. */
+/* No product is contracted into a sum but where a fused operation is written. gcc 12 contracts vectors of sums and
+ * differences whatever it is told, so it makes none. */
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-tree-vectorize")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #else
