@@ -1,6 +1,6 @@
 //! Drivers and dyads among bodies that depend on each other.
 
-use super::machine::{Driven, Machine};
+use super::machine::{Driven, Held, Machine};
 use super::options::Search;
 
 /// The step that places bodies once all before it are placed.
@@ -30,11 +30,12 @@ pub(crate) struct Dyad {
     pub inner: Pair,
 }
 
-/// Bodies that drives hold together, most often a single one.
+/// A body, or two that a drive holds together: first the one at the joint outside.
 #[derive(Clone, Debug)]
 pub(crate) struct DyadLeg {
     pub bodies: Vec<usize>,
     pub outer: Pair,
+    pub held: Option<Held>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -183,13 +184,48 @@ impl Unplaced<'_> {
             let only = outer.next()?.0;
             outer.next().is_none().then_some(only)
         };
-        let leg =
-            |part: usize| Some(DyadLeg { bodies: self.parts[part].clone(), outer: outer(part)? });
+        let leg = |part: usize| self.leg(part, outer(part)?, inner.0);
         let legs = [leg(set[0])?, leg(set[1])?];
         let sliding =
             legs.iter().filter(|leg| !leg.outer.is_pin()).count() + usize::from(!inner.0.is_pin());
         // Two links with prismatic joints alone cannot turn.
         (sliding < 3).then(|| Dyad { legs, inner: inner.0 }.ordered(self.machine))
+    }
+
+    /// The bodies of a part between a joint outside and the one between both legs.
+    fn leg(&self, part: usize, outer: Pair, inner: Pair) -> Option<DyadLeg> {
+        let bodies = &self.parts[part];
+        let has = |body: usize, pair: Pair| match pair {
+            Pair::Pin(pin) => self.machine.bodies[body].pins.contains(&pin),
+            Pair::Slide(slide) => {
+                let slide = self.machine.slides[slide];
+                [slide.body, slide.carrier].contains(&body)
+            }
+        };
+        if let Some(&body) = bodies.iter().find(|&&body| has(body, outer) && has(body, inner)) {
+            return Some(DyadLeg { bodies: vec![body], outer, held: None });
+        }
+        let [first, second] = bodies[..] else { return None };
+        let ordered = if has(first, outer) { [first, second] } else { [second, first] };
+        let held = Some(self.machine.held(ordered)?);
+        // The offset of a held block changes with the drive: no group has that.
+        let is_bar = outer.is_pin() && inner.is_pin();
+        is_bar.then(|| DyadLeg { bodies: ordered.to_vec(), outer, held })
+    }
+
+    /// Lets a drive hold two parts together, if there is one between two bodies.
+    fn hold(&mut self) -> bool {
+        let pairs = self.machine.drives.iter().filter_map(|drive| {
+            self.machine.held(drive.bodies)?;
+            let [a, b] = drive.bodies.map(|body| self.part_of(body));
+            let (a, b) = (a?, b?);
+            let is_single = |part: usize| part != KNOWN && self.parts[part].len() == 1;
+            (a != b && is_single(a) && is_single(b)).then_some([a.min(b), a.max(b)])
+        });
+        let Some([first, second]) = pairs.into_iter().next() else { return false };
+        let held = self.parts.remove(second);
+        self.parts[first].extend(held);
+        true
     }
 
     fn take(&mut self, mut set: Vec<usize>) {
@@ -222,6 +258,25 @@ impl Unplaced<'_> {
         })
     }
 
+    /// The bodies that a drive turns against a leg and that have no part in the dyad.
+    fn beside(&self, pair: [usize; 2], dyad: &Dyad) -> Vec<Found> {
+        let mut turned = Vec::new();
+        for (part, leg) in
+            pair.into_iter().flat_map(|part| dyad.legs.iter().map(move |leg| (part, leg)))
+        {
+            let bodies = &self.parts[part];
+            let reference = leg.bodies[0];
+            let others = bodies.iter().filter(|body| !leg.bodies.contains(body));
+            for &body in others.filter(|_| bodies.contains(&reference)) {
+                let Some(Held { drive, pivot }) = self.machine.held([reference, body]) else {
+                    continue;
+                };
+                turned.push(Found::Crank { drive: Some(drive), body, reference, pivot });
+            }
+        }
+        turned
+    }
+
     /// Drivers and dyads as far as they go.
     pub(crate) fn place(&mut self) -> Vec<Found> {
         let mut steps = Vec::new();
@@ -232,12 +287,17 @@ impl Unplaced<'_> {
                 continue;
             }
             let pairs = (0..self.parts.len()).flat_map(|b| (0..b).map(move |a| [a, b]));
-            let Some((pair, dyad)) = pairs.filter_map(|pair| Some((pair, self.dyad(pair)?))).next()
-            else {
-                return steps;
-            };
-            steps.push(Found::Dyad(dyad));
-            self.take(pair.to_vec());
+            let found = pairs.filter_map(|pair| Some((pair, self.dyad(pair)?))).next();
+            match found {
+                Some((pair, dyad)) => {
+                    let turned = self.beside(pair, &dyad);
+                    steps.push(Found::Dyad(dyad));
+                    steps.extend(turned);
+                    self.take(pair.to_vec());
+                }
+                None if self.hold() => {}
+                None => return steps,
+            }
         }
     }
 }

@@ -66,6 +66,13 @@ pub(crate) struct Driving {
     pub reads: Vec<usize>,
 }
 
+/// The drive that holds two bodies together, and the pin that it turns them about.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Held {
+    pub drive: usize,
+    pub pivot: usize,
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Driven {
     Angle,
@@ -81,6 +88,17 @@ impl Machine {
 
     pub(crate) fn is_given(&self, body: usize) -> bool {
         body == GROUND || self.bodies[body].given.is_some()
+    }
+
+    /// The drive between two bodies that turns them about a pin of both.
+    pub(crate) fn held(&self, [a, b]: [usize; 2]) -> Option<Held> {
+        let is_between = |drive: &Driving| {
+            drive.kind == Driven::Angle && (drive.bodies == [a, b] || drive.bodies == [b, a])
+        };
+        let drive = self.drives.iter().position(is_between)?;
+        let pins = &self.bodies[a].pins;
+        let pivot = pins.iter().copied().find(|pin| self.bodies[b].pins.contains(pin))?;
+        Some(Held { drive, pivot })
     }
 
     /// True if all poses follow from the first drive.

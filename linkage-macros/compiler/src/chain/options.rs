@@ -3,12 +3,14 @@
 
 use super::cutting::{Found, KNOWN, Pair, Placed, Unplaced};
 use super::fit::Following;
-use super::machine::{GROUND, Machine};
+use super::machine::{GROUND, Held, Machine};
 
 /// A group that is solved by one unknown.
 #[derive(Clone, Debug)]
 pub(crate) struct Search {
     pub left_out: usize,
+    /// The body that a drive holds together with it, at the second joint.
+    pub held: Option<(usize, Held)>,
     /// The joints that hold it: two pins, or a pin and a slide behind it.
     pub joints: [Pair; 2],
     /// First what the unknown drives.
@@ -24,9 +26,14 @@ pub(crate) struct Search {
 }
 
 impl Search {
-    fn of(left_out: usize, joints: [Pair; 2], steps: Vec<Found>) -> Self {
+    fn of(
+        left_out: usize,
+        held: Option<(usize, Held)>,
+        joints: [Pair; 2],
+        steps: Vec<Found>,
+    ) -> Self {
         let (between, stretch) = ([0.0; 2], [0.0; 2]);
-        Self { left_out, joints, steps, between, rises: true, stretch, following: None }
+        Self { left_out, held, joints, steps, between, rises: true, stretch, following: None }
     }
 }
 
@@ -56,15 +63,49 @@ pub(crate) fn options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec
         let rest: Vec<_> = group.iter().copied().filter(|&other| other != body).collect();
         for driven in driven(machine, known, &rest) {
             if let Some(steps) = by_dyads(machine, known, &rest, driven) {
-                found.push(Search::of(body, [first, second], steps));
+                found.push(Search::of(body, None, [first, second], steps));
             }
         }
     }
+    found.extend(held_options(machine, known, group));
     let is_of_ground = |search: &Search| match search.steps[0] {
         Found::Crank { reference, .. } => reference == GROUND,
         _ => true,
     };
     found.sort_by_key(|search| !is_of_ground(search));
+    found
+}
+
+/// The ways that leave out two bodies which a drive holds together, pinned at both ends.
+fn held_options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec<Search> {
+    let mut found = Vec::new();
+    for drive in &machine.drives {
+        let Some(held) = machine.held(drive.bodies) else { continue };
+        if !drive.bodies.iter().all(|body| group.contains(body)) {
+            continue;
+        }
+        let rest: Vec<_> =
+            group.iter().copied().filter(|body| !drive.bodies.contains(body)).collect();
+        let mut parts: Vec<_> = rest.iter().map(|&body| vec![body]).collect();
+        parts.push(drive.bodies.to_vec());
+        let all = Unplaced { machine, known: known.clone(), parts };
+        let set: Vec<_> = (0..all.parts.len()).collect();
+        let own = all.joints(&set).into_iter().filter(|(_, between)| between.contains(&rest.len()));
+        let own: Vec<_> = own.map(|(pair, _)| pair).collect();
+        let [Pair::Pin(p), Pair::Pin(q)] = own[..] else { continue };
+        let has = |body: usize, pin: usize| machine.bodies[body].pins.contains(&pin);
+        let [a, b] = drive.bodies;
+        let ends = match (has(a, p) && has(b, q), has(a, q) && has(b, p)) {
+            (true, false) => [p, q],
+            (false, true) => [q, p],
+            _ => continue,
+        };
+        for driven in driven(machine, known, &rest) {
+            if let Some(steps) = by_dyads(machine, known, &rest, driven) {
+                found.push(Search::of(a, Some((b, held)), ends.map(Pair::Pin), steps));
+            }
+        }
+    }
     found
 }
 

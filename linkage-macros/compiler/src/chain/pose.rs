@@ -2,7 +2,7 @@
 
 use super::cutting::{Dyad, Found, Pair};
 use super::limits::sine;
-use super::machine::{GROUND, Machine};
+use super::machine::{GROUND, Held, Machine};
 use super::options::Search;
 use super::plane::{Complex, root};
 
@@ -70,7 +70,7 @@ impl<'m> Posed<'m> {
                     let way = other.turn * slide.along.times(sign * change);
                     self.of[*body] = Some(Motion { shift: other.shift + way, turn: other.turn });
                 }
-                Found::Dyad(dyad) => self.dyad(dyad)?,
+                Found::Dyad(dyad) => self.dyad(dyad, given)?,
                 Found::Search(search) => {
                     let start = given.unknowns.get(searches).copied().unwrap_or(0.0);
                     let root = self.solve(search, given, start)?;
@@ -106,10 +106,13 @@ impl<'m> Posed<'m> {
         let at = self.pin(first)?;
         let missed = match search.joints[1] {
             Pair::Pin(second) => {
-                let drawn = machine.pins[second] - machine.pins[first];
+                let held = search.held.map(|(body, held)| ([search.left_out, body], held));
+                let tip = self.tip(held, second, given);
+                let drawn = tip - machine.pins[first];
                 let now = self.pin(second)? - at;
                 let turn = (now * drawn.conjugate()).unit();
                 self.of[search.left_out] = Some(Motion::taking(machine.pins[first], at, turn));
+                self.follow(held, given);
                 now.length() - drawn.length()
             }
             Pair::Slide(slide) => {
@@ -152,38 +155,68 @@ impl<'m> Posed<'m> {
         None
     }
 
-    fn dyad(&mut self, dyad: &Dyad) -> Option<()> {
+    /// The angle by which the drive turns the second of two held bodies against the first.
+    fn turned(&self, [_, second]: [usize; 2], held: Held, given: &Given) -> Complex {
+        Complex::turned(self.change(Some(held.drive), second, given, 0.0))
+    }
+
+    /// The place in the drawing of the first of two held bodies where the drive takes a pin of the
+    /// second.
+    fn tip(&self, held: Option<([usize; 2], Held)>, pin: usize, given: &Given) -> Complex {
+        let place = self.machine.pins[pin];
+        let Some((bodies, held)) = held else { return place };
+        let pivot = self.machine.pins[held.pivot];
+        pivot + self.turned(bodies, held, given) * (place - pivot)
+    }
+
+    /// Places the second of two held bodies behind the first.
+    fn follow(&mut self, held: Option<([usize; 2], Held)>, given: &Given) {
+        let Some((bodies, held)) = held else { return };
+        let Some(first) = self.of[bodies[0]] else { return };
+        let pivot = self.machine.pins[held.pivot];
+        let turn = first.turn * self.turned(bodies, held, given);
+        self.of[bodies[1]] = Some(Motion::taking(pivot, first.of(pivot), turn));
+    }
+
+    fn dyad(&mut self, dyad: &Dyad, given: &Given) -> Option<()> {
         let machine = self.machine;
         let sign = sine(machine, dyad).signum();
         let drawn = |pin: usize| machine.pins[pin];
         let [a, b] = dyad.legs.each_ref().map(|leg| leg.bodies[0]);
+        let held = dyad.legs.each_ref().map(|leg| Some(([a, *leg.bodies.get(1)?], leg.held?)));
+        let held = [held[0], held[1].map(|([_, other], held)| ([b, other], held))];
         match (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer) {
             (Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)) => {
                 let (from, to) = (self.pin(u)?, self.pin(w)?);
+                let tips = held.map(|held| self.tip(held, v, given));
                 let (first, second) =
-                    ((drawn(v) - drawn(u)).length(), (drawn(v) - drawn(w)).length());
+                    ((tips[0] - drawn(u)).length(), (tips[1] - drawn(w)).length());
                 let base = to - from;
                 let far = base.length();
                 let x = (far + (first - second) * (first + second) / far) / 2.0;
                 let tip = from
                     + base.unit() * Complex::new(x, sign * real_root((first - x) * (first + x))?);
-                for (body, pin, at) in [(a, u, from), (b, w, to)] {
-                    let turn = ((tip - at) * (drawn(v) - drawn(pin)).conjugate()).unit();
+                for (body, (pin, at), drawn_tip) in [(a, (u, from), tips[0]), (b, (w, to), tips[1])]
+                {
+                    let turn = ((tip - at) * (drawn_tip - drawn(pin)).conjugate()).unit();
                     self.of[body] = Some(Motion::taking(drawn(pin), at, turn));
                 }
+                held.into_iter().for_each(|held| self.follow(held, given));
             }
             (Pair::Pin(u), Pair::Pin(v), Pair::Slide(s)) => {
                 let (from, rail) = (self.pin(u)?, self.rail(s, b)?);
                 let (along, through) = (rail.1, rail.0);
                 let offset = machine.slides[s].along.cross(drawn(v) - machine.slides[s].through);
                 let foot = along.cross(from - through) - offset;
-                let length = (drawn(v) - drawn(u)).length();
+                let bar = self.tip(held[0], v, given) - drawn(u);
+                let length = bar.length();
                 let way = along.dot(from - through)
                     + sign * real_root((length - foot) * (length + foot))?;
                 let tip = through + along * Complex::new(way, offset);
-                let turn = ((tip - from) * (drawn(v) - drawn(u)).conjugate()).unit();
+                let turn = ((tip - from) * bar.conjugate()).unit();
                 self.of[a] = Some(Motion::taking(drawn(u), from, turn));
                 self.of[b] = Some(Motion::taking(drawn(v), tip, rail.2));
+                self.follow(held[0], given);
             }
             (Pair::Pin(u), Pair::Slide(s), Pair::Pin(w)) => {
                 let (from, to) = (self.pin(u)?, self.pin(w)?);

@@ -128,3 +128,51 @@ fn a_motion_is_followed_with_declared_lengths() {
         }
     }
 }
+
+/// A drive between two links that are both unknown holds them together: the same machine as one that
+/// is driven at the ground, told by the angle between two others.
+#[test]
+fn a_drive_between_moving_links_moves_the_same_machine() {
+    // A four-bar, a Watt chain of dyads, and a machine of class III; the two links and their pin.
+    let four_bar = "ground A(0, 0), D(4, 0); pin B(0.5, 0.9), C(3.2, 2.6); \
+                    link AB(A, B), BC(B, C), DC(D, C);";
+    let watt = "ground A(0, 0), D(4, 0); pin B(0.5, 0.9), C(3.2, 2.6), E(5.4, 2.1), F(6.5, 3.3), G(2.9, 4.5); \
+                link AB(A, B), BC(B, C, G), DC(D, C, E), EF(E, F), GF(G, F);";
+    let machines = [
+        (four_bar, "AB", "BC"),
+        (four_bar, "DC", "BC"),
+        (watt, "EF", "DC"),
+        (watt, "GF", "EF"),
+        (watt, "BC", "GF"),
+    ];
+    for (text, first, second) in machines {
+        let statements =
+            format!("input q: angle; {text} drive {first}.angle - {second}.angle = q;");
+        let machine = of(&statements);
+        let drawn = machine.mechanism.drawn.clone().expect("it is determined");
+        let at = machine.rigid(&drawn, CLOSED).unwrap_or_else(|| panic!("{statements}"));
+        for (name, place) in machine.drawn::<f64>(false) {
+            let now = at.iter().find(|(pin, _)| *pin == name).expect("a pin").1;
+            let off = (now[0] - place[0]).hypot(now[1] - place[1]);
+            assert!(off < CLOSED, "{statements}: {name} is off by {off:e}");
+        }
+        // Beside the drawing, the angle between the links is what the input says.
+        for change in [-0.05, -0.01, 0.02, 0.05] {
+            let now = machine.rigid(&[drawn[0] + change], CLOSED);
+            let now = now.unwrap_or_else(|| panic!("{statements} at {change}"));
+            let angle = |pins: &[(String, [f64; 2])], link: &str| {
+                let (_, ends) = machine
+                    .links()
+                    .into_iter()
+                    .find(|(name, _)| name == link)
+                    .expect("it is a link");
+                let [from, to] =
+                    [0, 1].map(|i| pins.iter().find(|(pin, _)| *pin == ends[i]).expect("a pin").1);
+                (to[1] - from[1]).atan2(to[0] - from[0])
+            };
+            let between = angle(&now, first) - angle(&now, second);
+            let off = (between - drawn[0] - change).sin().abs();
+            assert!(off < CLOSED, "{statements} at {change}: {off:e}");
+        }
+    }
+}

@@ -10,6 +10,7 @@ mod bodies;
 mod figures;
 mod followed;
 mod frames;
+mod held;
 mod incidences;
 mod lengths;
 mod messages;
@@ -32,6 +33,7 @@ use crate::syntax::tree::{Declaration, Expr, Statement, StatementKind};
 use super::Resolver;
 use super::mechanism::{Mechanism, OutputKind, References};
 use super::names::Entity;
+use super::unknowns::is_of_power;
 use bodies::Bodies;
 use reader::Reader;
 use values::Measured;
@@ -50,6 +52,8 @@ struct Translation {
     turned: Vec<TurnedFrame>,
     /// Links that nobody has drawn.
     hidden: Vec<Ident>,
+    /// True if drives hold links together.
+    holds_links: bool,
     /// The inputs of the drawn pose, where the drives determine them.
     inputs: Option<Vec<f64>>,
 }
@@ -69,6 +73,10 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     let mut mechanism = super::resolve_groups(&cut.tree, diagnostics, &cut.turned)?;
     mechanism.references = References::of(tree);
     mechanism.drawn = cut.inputs;
+    if cut.holds_links {
+        // Bars stand for links, so that what pushes in the joints of these is not known.
+        mechanism.dynamics.asked.retain(|asked| is_of_power(asked.effort));
+    }
     mechanism.outputs.retain(|output| !cut.hidden.contains(&output.field));
     for statement in &tree.statements {
         document(&mut mechanism, statement);
@@ -90,7 +98,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     let translated = writer.declaration();
     let mut docs = tree.docs.clone();
     docs.extend(printed::documentation(tree, &translated));
-    let writer::Translated { statements, turned, hidden, .. } = translated;
+    let writer::Translated { statements, turned, hidden, holds_links, .. } = translated;
     messages::report_turned(tree, &turned, values.resolver.diagnostics);
     let declaration = Declaration {
         docs,
@@ -99,7 +107,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
         statements,
         unread: tree.unread.clone(),
     };
-    Some(Translation { tree: declaration, turned, hidden, inputs })
+    Some(Translation { tree: declaration, turned, hidden, holds_links, inputs })
 }
 
 /// The groups of the machine; `None` where there are none, or one is at its limit, which was reported.

@@ -68,7 +68,8 @@ impl Writer<'_, '_> {
         fields.extend(pin.and_then(|pin| given(self.offset(guide, pin))));
         let rail = self.rail(slide, body);
         let new = pin.filter(|&pin| !self.made[pin]);
-        self.group("slider", &[(body, rail)], new, fields, drive);
+        let name = self.name(body).clone();
+        self.group("slider", &[(body, name, rail)], new, fields, drive);
         let line = &self.bodies.guides[guide].line;
         let (axis, points) = (line.along.clone(), line.points);
         self.settle(body, DrawnFrame { axis, points, ..self.bodies.frames[body].clone() });

@@ -4,7 +4,7 @@
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
-use crate::chain::cutting::{Found, Pair};
+use crate::chain::cutting::{DyadLeg, Found, Pair};
 use crate::chain::machine::Driven;
 use crate::chain::options::Search;
 use crate::chain::plane::Complex;
@@ -45,6 +45,7 @@ impl Writer<'_, '_> {
 
     pub(super) fn search(&mut self, search: &Search) {
         let links = search.steps.iter().flat_map(bodies_of).chain([search.left_out]);
+        let links = links.chain(search.held.map(|(body, _)| body));
         let behind = links.map(|body| self.bodies.link(body).statement).max().unwrap_or(0);
         self.searching = Some((self.searches.len(), behind));
         let is_angle = matches!(search.steps[0], Found::Crank { .. });
@@ -108,14 +109,20 @@ impl Writer<'_, '_> {
     /// The equation of a bar, and the bar behind it.
     fn distance(&mut self, search: &Search, unknown: &Ident, [first, second]: [usize; 2]) {
         let body = search.left_out;
-        let length = self.length(body, first, second);
+        let leg = DyadLeg {
+            bodies: [body].into_iter().chain(search.held.map(|(body, _)| body)).collect(),
+            outer: search.joints[0],
+            held: search.held.map(|(_, held)| held),
+        };
+        let bar = self.bar(&leg, [first, second]);
+        let name = self.bar_name(&bar);
         let [p, q] = [first, second].map(|pin| self.bodies.pins[pin].name.clone());
-        self.solve(search, unknown, ("distance", [&p, &q]), length);
-        let block = self.block(body);
+        self.solve(search, unknown, ("distance", [&p, &q]), bar.length());
+        let block = self.block(&name);
         let fields = vec![self.mode(body, "ahead")];
-        let group = group_of("rpr", vec![(block, q), (self.name(body).clone(), p)], None, fields);
+        let group = group_of("rpr", vec![(block, q), (name, p)], None, fields);
         self.put(0, StatementKind::Group(group));
-        self.bar_is_placed(body, first, second);
+        self.settle_bar(bar);
     }
 
     /// The equation of a block, and the block behind it.
@@ -125,7 +132,7 @@ impl Writer<'_, '_> {
         let (offset, rail) = (self.offset(guide, pin), self.rail(slide, body));
         let name = self.bodies.pins[pin].name.clone();
         self.solve(search, unknown, ("offset", [&name, &rail]), offset.text.clone());
-        let block = self.block(body);
+        let block = self.block(self.name(body));
         let pen = self.pen.at(self.name(body).span());
         let slot = pen.float(90.0, "deg");
         let mut fields = vec![("slot", FieldValue::One(slot))];
@@ -175,8 +182,8 @@ impl Writer<'_, '_> {
     }
 
     /// The name of the block that holds a link in place.
-    fn block(&mut self, body: usize) -> Ident {
-        let mut name = format_ident!("{}_end", self.name(body));
+    pub(super) fn block(&mut self, link: &Ident) -> Ident {
+        let mut name = format_ident!("{link}_end", span = link.span());
         let names = Names::collect(self.bodies.tree);
         while names.kind(&name).is_some() {
             name = format_ident!("{name}_end");

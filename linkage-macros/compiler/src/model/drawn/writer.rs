@@ -13,6 +13,7 @@ use super::TurnedFrame;
 use super::bodies::Bodies;
 use super::figures::{Figure, Pen};
 use super::frames::{DrawnFrame, Heading, Origin};
+use super::held::Bar;
 use super::rewritten::Turns;
 use super::searches::Sought;
 use super::sorted;
@@ -32,6 +33,8 @@ pub(super) struct Translated {
     pub turned: Vec<TurnedFrame>,
     pub searches: Vec<Sought>,
     pub hidden: Vec<Ident>,
+    /// True if drives hold links together.
+    pub holds_links: bool,
 }
 
 /// Writes statements in solving order.
@@ -51,6 +54,8 @@ pub(super) struct Writer<'b, 't> {
     pub(super) searching: Option<(usize, usize)>,
     /// Blocks that only hold a link in place.
     pub(super) hidden: Vec<Ident>,
+    /// True if drives hold links together.
+    pub(super) holds_links: bool,
 }
 
 impl<'b, 't> Writer<'b, 't> {
@@ -73,19 +78,20 @@ impl<'b, 't> Writer<'b, 't> {
             searches: Vec::new(),
             searching: None,
             hidden: Vec::new(),
+            holds_links: false,
         }
     }
 
     /// All statements of the declaration, in solving order.
     pub(super) fn declaration(self) -> Translated {
-        let Self { bodies, turns, mut written, searches, hidden, .. } = self;
+        let Self { bodies, turns, mut written, searches, hidden, holds_links, .. } = self;
         for (index, statement) in bodies.other_statements() {
             let statement = turns.statement(bodies, statement);
             written.push(Written { behind: index, search: None, statement });
         }
         written.sort_by_key(|written| written.behind);
         let statements = sorted::ordered(written);
-        Translated { statements, turned: turns.directions(), searches, hidden }
+        Translated { statements, turned: turns.directions(), searches, hidden, holds_links }
     }
 
     /// Puts a statement behind one of the drawing, or where the search in hand stands.
@@ -151,7 +157,7 @@ impl<'b, 't> Writer<'b, 't> {
             fields
                 .push(("relative_to", FieldValue::One(Expr { kind: ExprKind::Name(name), span })));
         }
-        let legs = [(body, self.bodies.pins[pivot].name.clone())];
+        let legs = [(body, self.name(body).clone(), self.bodies.pins[pivot].name.clone())];
         self.group("crank", &legs, tip, fields, drive);
         let frame = match tip {
             Some(_) => written,
@@ -169,23 +175,26 @@ impl<'b, 't> Writer<'b, 't> {
         let joints = (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer);
         match joints {
             (Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)) => {
-                let [a, b] = self.bars(dyad);
-                let lengths = [self.length(a, u, v), self.length(b, w, v)];
+                let bars = [(0, u), (1, w)].map(|(leg, pin)| self.bar(&dyad.legs[leg], [pin, v]));
+                let lengths = bars.each_ref().map(Bar::length);
                 let mode = if sign > 0.0 { "left" } else { "right" };
-                let fields = vec![("lengths", FieldValue::Pair(lengths)), self.mode(a, mode)];
-                self.write(dyad, Some(v), fields);
-                self.bar_is_placed(a, u, v);
-                self.bar_is_placed(b, w, v);
+                let mode = self.mode(dyad.legs[0].bodies[0], mode);
+                let fields = vec![("lengths", FieldValue::Pair(lengths)), mode];
+                let names = bars.each_ref().map(|bar| self.bar_name(bar));
+                self.write_named(dyad, names, Some(v), fields);
+                bars.into_iter().for_each(|bar| self.settle_bar(bar));
             }
             (Pair::Pin(u), Pair::Pin(v), Pair::Slide(s)) => {
-                let [bar, block] = self.bars(dyad);
+                let [body, block] = self.bars(dyad);
                 let guide = self.guide_of(s);
-                let mut fields = vec![("length", FieldValue::One(self.length(bar, u, v)))];
+                let bar = self.bar(&dyad.legs[0], [u, v]);
+                let mut fields = vec![("length", FieldValue::One(bar.length()))];
                 let offset = self.offset(guide, v);
                 fields.extend(given(offset));
-                fields.push(self.mode(bar, sense(sign)));
-                self.write(dyad, Some(v), fields);
-                self.bar_is_placed(bar, u, v);
+                fields.push(self.mode(body, sense(sign)));
+                let names = [self.bar_name(&bar), self.name(block).clone()];
+                self.write_named(dyad, names, Some(v), fields);
+                self.settle_bar(bar);
                 self.block_is_placed(block, v, guide);
             }
             (Pair::Pin(u), Pair::Slide(s), Pair::Pin(w)) => {
@@ -277,12 +286,26 @@ impl<'b, 't> Writer<'b, 't> {
     }
 
     fn write(&mut self, dyad: &Dyad, pin: Option<usize>, fields: Vec<(&str, FieldValue)>) {
+        let names = self.bars(dyad).map(|body| self.name(body).clone());
+        self.write_named(dyad, names, pin, fields);
+    }
+
+    /// Writes a dyad whose legs have these names.
+    fn write_named(
+        &mut self,
+        dyad: &Dyad,
+        names: [Ident; 2],
+        pin: Option<usize>,
+        fields: Vec<(&str, FieldValue)>,
+    ) {
+        let mut names = names.into_iter();
         let legs = dyad.legs.each_ref().map(|leg| {
             let joint = match leg.outer {
                 Pair::Pin(pin) => self.bodies.pins[pin].name.clone(),
                 Pair::Slide(slide) => self.rail(slide, leg.bodies[0]),
             };
-            (leg.bodies[0], joint)
+            let name = names.next().unwrap_or_else(|| self.name(leg.bodies[0]).clone());
+            (leg.bodies[0], name, joint)
         });
         self.group(&dyad.letters(), &legs, pin, fields, None);
     }
@@ -290,16 +313,16 @@ impl<'b, 't> Writer<'b, 't> {
     pub(super) fn group(
         &mut self,
         keyword: &str,
-        legs: &[(usize, Ident)],
+        legs: &[(usize, Ident, Ident)],
         pin: Option<usize>,
         fields: Vec<(&str, FieldValue)>,
         drive: Option<usize>,
     ) {
-        let links = legs.iter().map(|(body, _)| self.bodies.link(*body));
+        let links = legs.iter().map(|(body, ..)| self.bodies.link(*body));
         let drive = drive.map(|drive| self.bodies.drives[drive].0);
         let behind = links.map(|link| link.statement).chain(drive).max().unwrap_or(0);
         let legs: Vec<_> =
-            legs.iter().map(|(body, joint)| (self.name(*body).clone(), joint.clone())).collect();
+            legs.iter().map(|(_, name, joint)| (name.clone(), joint.clone())).collect();
         let pin = pin.map(|pin| {
             self.made[pin] = true;
             self.bodies.pins[pin].name.clone()

@@ -1,0 +1,139 @@
+//! Two links that a drive holds together, between what moves each: a bar whose length the drive
+//! gives. The bar takes part in a group, and both links are placed on it.
+
+use proc_macro2::Ident;
+use quote::format_ident;
+
+use crate::chain::cutting::DyadLeg;
+use crate::chain::machine::Held;
+use crate::model::names::Names;
+use crate::syntax::tree::{Expr, ExprKind, Place, StatementKind};
+
+use super::figures::{Figure, sum};
+use super::writer::{Writer, group_of};
+
+/// The bar of a dyad: a link, or what stands for two.
+pub(super) enum Bar {
+    Link { body: usize, pins: [usize; 2], length: Expr },
+    Held(HeldBar),
+}
+
+impl Bar {
+    pub(super) fn length(&self) -> Expr {
+        match self {
+            Self::Link { length, .. } => length.clone(),
+            Self::Held(bar) => bar.length.clone(),
+        }
+    }
+}
+
+/// A bar that stands for two links, the first from its own pin to the pivot, the second from there.
+pub(super) struct HeldBar {
+    pub name: Ident,
+    pub length: Expr,
+    links: [usize; 2],
+    /// The pins at both ends, and the pivot between the links.
+    pins: [usize; 2],
+    pivot: usize,
+    /// The pivot in the bar's frame.
+    place: [Expr; 2],
+}
+
+impl Writer<'_, '_> {
+    /// The bar between a joint outside and the one between both legs.
+    pub(super) fn bar(&mut self, leg: &DyadLeg, pins: [usize; 2]) -> Bar {
+        match (&leg.bodies[..], leg.held) {
+            (&[first, second], Some(held)) => Bar::Held(self.held_bar([first, second], held, pins)),
+            _ => {
+                let body = leg.bodies[0];
+                Bar::Link { body, pins, length: self.length(body, pins[0], pins[1]) }
+            }
+        }
+    }
+
+    pub(super) fn bar_name(&self, bar: &Bar) -> Ident {
+        match bar {
+            Bar::Link { body, .. } => self.name(*body).clone(),
+            Bar::Held(bar) => bar.name.clone(),
+        }
+    }
+
+    /// Goes on from a bar that its group has placed.
+    pub(super) fn settle_bar(&mut self, bar: Bar) {
+        match bar {
+            Bar::Link { body, pins: [from, to], .. } => self.bar_is_placed(body, from, to),
+            Bar::Held(bar) => self.held_links_follow(bar),
+        }
+    }
+
+    /// Writes the length of the bar that two links are. With A and B the lengths from pin to pivot
+    /// and from pivot to pin, and δ the angle between, its far pin is at (A + B cos δ, B sin δ) in
+    /// the frame along A.
+    pub(super) fn held_bar(&mut self, links: [usize; 2], held: Held, pins: [usize; 2]) -> HeldBar {
+        let [first, second] = links;
+        let name = self.free_bar_name(links);
+        let pen = self.pen.at(name.span());
+        let places = [pins[0], held.pivot, pins[1]].map(|pin| self.place(pin).clone());
+        let vectors = [pen.minus(&places[1], &places[0]), pen.minus(&places[2], &places[1])];
+        let [a, b] = vectors.each_ref().map(|vector| pen.size(vector));
+        let angles = [0, 1].map(|i| {
+            let frame = &self.bodies.frames[links[i]];
+            pen.angle(&frame.local_direction(&pen, &vectors[i]))
+        });
+        let between = pen.sub(&angles[1], &angles[0]);
+        let value = self.value(Some(held.drive), second);
+        let turn = if between.is_zero() { value } else { sum(value, between.text) };
+        let statements = [first, second].map(|body| self.bodies.link(body).statement);
+        let drive = self.bodies.drives[held.drive].0;
+        let behind = statements.into_iter().fold(drive, usize::max);
+        let mut named = |ending: &str, value: Expr| {
+            let name = format_ident!("{name}_{ending}", span = name.span());
+            self.put(behind, StatementKind::Let { name: name.clone(), value });
+            let span = name.span().into();
+            Expr { kind: ExprKind::Name(name), span }
+        };
+        let turn = Figure::plain(named("turn", turn), f64::NAN, None);
+        let x = named("x", pen.add(&a, &pen.mul(&b, &pen.cos(&turn))).text);
+        let y = named("y", pen.mul(&b, &pen.sin(&turn)).text);
+        let [x, y] = [x, y].map(|text| Figure::length(text, f64::NAN, None));
+        let length = named("length", pen.hypot(&x, &y).text);
+        let long = Figure::length(length.clone(), f64::NAN, None);
+        let place = [x, pen.neg(&y)].map(|part| pen.mul(&a, &pen.div(&part, &long)).text);
+        HeldBar { name, length, links, pins, pivot: held.pivot, place }
+    }
+
+    /// Writes both links behind the group of their bar.
+    pub(super) fn held_links_follow(&mut self, bar: HeldBar) {
+        let HeldBar { name, links: [first, second], pins: [from, to], pivot, place, .. } = bar;
+        let behind = self.bodies.link(first).statement.max(self.bodies.link(second).statement);
+        let joint = self.bodies.pins[pivot].name.clone();
+        let kind = StatementKind::Point {
+            name: joint.clone(),
+            on: Some(name),
+            place: Place::Cartesian(place),
+        };
+        self.made[pivot] = true;
+        self.put(behind, kind);
+        for (link, from, to) in [(first, from, pivot), (second, pivot, to)] {
+            let [from_name, to_name] = [from, to].map(|pin| self.bodies.pins[pin].name.clone());
+            let block = self.block(&self.name(link).clone());
+            let fields = vec![self.mode(link, "ahead")];
+            let legs = vec![(block, to_name), (self.name(link).clone(), from_name)];
+            self.put(behind, StatementKind::Group(group_of("rpr", legs, None, fields)));
+            self.bar_is_placed(link, from, to);
+        }
+        self.holds_links = true;
+    }
+
+    /// A name for the bar that nothing has.
+    fn free_bar_name(&mut self, links: [usize; 2]) -> Ident {
+        let [first, second] = links.map(|body| self.name(body));
+        let names = Names::collect(self.bodies.tree);
+        let mut name = format_ident!("{first}_{second}", span = first.span());
+        while names.kind(&name).is_some() {
+            name = format_ident!("{name}_bar", span = name.span());
+        }
+        self.hidden.push(name.clone());
+        name
+    }
+}
