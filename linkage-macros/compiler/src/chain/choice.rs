@@ -2,7 +2,7 @@
 //! interval holds the longest motion is taken.
 
 use super::cutting::Found;
-use super::following::{self, Band, is_inside};
+use super::following::{self, Band, is_inside, run};
 use super::limits::sine;
 use super::machine::Machine;
 use super::options::Search;
@@ -111,6 +111,9 @@ fn with_constant_ends(machine: &Machine, trace: &Trace<'_>, mut search: Search) 
             }
         }
     }
+    // Only a part of the poses was looked at so far.
+    let is_well = |index: usize| has_one_root(trace, &search, &trace.samples[index], between);
+    good = run(trace.drawn, good, is_well)?;
     search.between = between;
     search.stretch = good.map(|index| trace.samples[index].drive);
     Some(search)
@@ -143,13 +146,13 @@ fn has_one_root<'m>(
     sample: &Sample<'m>,
     [low, high]: [f64; 2],
 ) -> bool {
-    let residuals: Option<Vec<_>> = (0..=PARTS)
-        .map(|part| {
-            let unknown = low + (high - low) * part as f64 / PARTS as f64;
-            trace.residual(search, sample, unknown)
+    // The root that is followed is the only one: the equation has its sign on each side.
+    let is_on_its_side = |part: usize| {
+        let unknown = low + (high - low) * part as f64 / PARTS as f64;
+        let residual = trace.residual(search, sample, unknown);
+        residual.is_some_and(|residual| {
+            (residual > 0.0) == ((unknown > sample.unknown) == search.rises)
         })
-        .collect();
-    let Some(residuals) = residuals else { return false };
-    let changes = residuals.windows(2).filter(|pair| (pair[0] > 0.0) != (pair[1] > 0.0)).count();
-    changes == 1 && (residuals[PARTS] > 0.0) == search.rises
+    };
+    (0..=PARTS).all(is_on_its_side)
 }

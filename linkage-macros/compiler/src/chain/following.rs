@@ -71,7 +71,11 @@ fn length(samples: &[Sample<'_>], [first, last]: [usize; 2]) -> f64 {
 }
 
 /// The longest run about an index where all is well.
-fn run(from: usize, all: [usize; 2], is_well: impl Fn(usize) -> bool) -> Option<[usize; 2]> {
+pub(super) fn run(
+    from: usize,
+    all: [usize; 2],
+    is_well: impl Fn(usize) -> bool,
+) -> Option<[usize; 2]> {
     if !is_well(from) {
         return None;
     }

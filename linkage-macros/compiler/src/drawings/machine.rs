@@ -18,15 +18,18 @@ pub(super) struct Machine {
     program: Program,
 }
 
-pub(super) fn machine(source: &str) -> Option<Machine> {
+/// The machine that a text declares, or what is said of it.
+pub(super) fn machine(source: &str) -> Result<Machine, Vec<String>> {
     let mut diagnostics = Diagnostics::new();
     let tokens = source.parse().expect("these are tokens");
     let tree = syntax::parse(tokens, &mut diagnostics).expect("it has a name");
     let mechanism = model::resolve(&tree, &mut diagnostics).ok();
-    diagnostics.into_mistakes();
-    let mechanism = mechanism?;
+    let mistakes = diagnostics.into_mistakes();
+    let Some(mechanism) = mechanism else {
+        return Err(mistakes.iter().map(|mistake| mistake.text()).collect());
+    };
     let program = equations::derive(&mechanism, passes::RULES);
-    Some(Machine { tree, mechanism, program })
+    Ok(Machine { tree, mechanism, program })
 }
 
 /// The documentation of a solver, a line each.

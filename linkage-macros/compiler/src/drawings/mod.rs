@@ -4,6 +4,8 @@
 //! and by the bodies alone, in a hundred digits: at the drawn inputs every pin is where it is drawn,
 //! and beside them every body keeps the distances of its pins and the side on which each lies.
 
+mod chains_of_eight;
+mod eight_bars;
 mod following;
 mod groups;
 mod machine;

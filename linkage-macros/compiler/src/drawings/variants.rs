@@ -6,10 +6,10 @@ use super::groups::{groups, resolved_text};
 use super::{Case, cases};
 
 /// A generator of numbers by Marsaglia's xorshift.
-struct Random(u64);
+pub(crate) struct Random(pub u64);
 
 impl Random {
-    fn below(&mut self, count: usize) -> usize {
+    pub(crate) fn below(&mut self, count: usize) -> usize {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;

@@ -9,60 +9,36 @@ use crate::chain::machine::Held;
 use crate::model::names::Names;
 use crate::syntax::tree::{Expr, ExprKind, Place, StatementKind};
 
+use super::bars::{DrawnBar, HeldBar};
 use super::figures::{Figure, sum};
-use super::writer::{Writer, group_of};
-
-/// The bar of a dyad: a link, or what stands for two.
-pub(super) enum Bar {
-    Link { body: usize, pins: [usize; 2], length: Expr },
-    Held(HeldBar),
-}
-
-impl Bar {
-    pub(super) fn length(&self) -> Expr {
-        match self {
-            Self::Link { length, .. } => length.clone(),
-            Self::Held(bar) => bar.length.clone(),
-        }
-    }
-}
-
-/// A bar that stands for two links, the first from its own pin to the pivot, the second from there.
-pub(super) struct HeldBar {
-    pub name: Ident,
-    pub length: Expr,
-    links: [usize; 2],
-    /// The pins at both ends, and the pivot between the links.
-    pins: [usize; 2],
-    pivot: usize,
-    /// The pivot in the bar's frame.
-    place: [Expr; 2],
-}
+use super::writer::Writer;
 
 impl Writer<'_, '_> {
     /// The bar between a joint outside and the one between both legs.
-    pub(super) fn bar(&mut self, leg: &DyadLeg, pins: [usize; 2]) -> Bar {
+    pub(super) fn bar(&mut self, leg: &DyadLeg, pins: [usize; 2]) -> DrawnBar {
         match (&leg.bodies[..], leg.held) {
-            (&[first, second], Some(held)) => Bar::Held(self.held_bar([first, second], held, pins)),
+            (&[first, second], Some(held)) => {
+                DrawnBar::Held(self.held_bar([first, second], held, pins))
+            }
             _ => {
                 let body = leg.bodies[0];
-                Bar::Link { body, pins, length: self.length(body, pins[0], pins[1]) }
+                DrawnBar::Link { body, pins, length: self.length(body, pins[0], pins[1]) }
             }
         }
     }
 
-    pub(super) fn bar_name(&self, bar: &Bar) -> Ident {
+    pub(super) fn bar_name(&self, bar: &DrawnBar) -> Ident {
         match bar {
-            Bar::Link { body, .. } => self.name(*body).clone(),
-            Bar::Held(bar) => bar.name.clone(),
+            DrawnBar::Link { body, .. } => self.name(*body).clone(),
+            DrawnBar::Held(bar) => bar.name.clone(),
         }
     }
 
     /// Goes on from a bar that its group has placed.
-    pub(super) fn settle_bar(&mut self, bar: Bar) {
+    pub(super) fn settle_bar(&mut self, bar: DrawnBar) {
         match bar {
-            Bar::Link { body, pins: [from, to], .. } => self.bar_is_placed(body, from, to),
-            Bar::Held(bar) => self.held_links_follow(bar),
+            DrawnBar::Link { body, pins: [from, to], .. } => self.bar_is_placed(body, from, to),
+            DrawnBar::Held(bar) => self.held_links_follow(bar),
         }
     }
 
@@ -115,11 +91,7 @@ impl Writer<'_, '_> {
         self.made[pivot] = true;
         self.put(behind, kind);
         for (link, from, to) in [(first, from, pivot), (second, pivot, to)] {
-            let [from_name, to_name] = [from, to].map(|pin| self.bodies.pins[pin].name.clone());
-            let block = self.block(&self.name(link).clone());
-            let fields = vec![self.mode(link, "ahead")];
-            let legs = vec![(block, to_name), (self.name(link).clone(), from_name)];
-            self.put(behind, StatementKind::Group(group_of("rpr", legs, None, fields)));
+            self.rod(behind, (self.name(link).clone(), link), [from, to]);
             self.bar_is_placed(link, from, to);
         }
         self.holds_links = true;

@@ -6,6 +6,7 @@
 //! language, [`rewritten`] what else names a link, and [`sorted`] puts all of them in solving order. What
 //! comes out is resolved like any declaration, so that there is one meaning of everything.
 
+mod bars;
 mod bodies;
 mod figures;
 mod followed;

@@ -118,10 +118,7 @@ impl Writer<'_, '_> {
         let name = self.bar_name(&bar);
         let [p, q] = [first, second].map(|pin| self.bodies.pins[pin].name.clone());
         self.solve(search, unknown, ("distance", [&p, &q]), bar.length());
-        let block = self.block(&name);
-        let fields = vec![self.mode(body, "ahead")];
-        let group = group_of("rpr", vec![(block, q), (name, p)], None, fields);
-        self.put(0, StatementKind::Group(group));
+        self.rod(0, (name, body), [first, second]);
         self.settle_bar(bar);
     }
 
@@ -181,8 +178,18 @@ impl Writer<'_, '_> {
         self.put(0, StatementKind::Solve(solve));
     }
 
+    /// Writes a bar, or what stands for the body, that lies between two pins: a rod from the first through a
+    /// block at the second.
+    pub(super) fn rod(&mut self, behind: usize, (name, body): (Ident, usize), pins: [usize; 2]) {
+        let [from, to] = pins.map(|pin| self.bodies.pins[pin].name.clone());
+        let block = self.block(&name);
+        let fields = vec![self.mode(body, "ahead")];
+        let group = group_of("rpr", vec![(block, to), (name, from)], None, fields);
+        self.put(behind, StatementKind::Group(group));
+    }
+
     /// The name of the block that holds a link in place.
-    pub(super) fn block(&mut self, link: &Ident) -> Ident {
+    fn block(&mut self, link: &Ident) -> Ident {
         let mut name = format_ident!("{link}_end", span = link.span());
         let names = Names::collect(self.bodies.tree);
         while names.kind(&name).is_some() {

@@ -10,10 +10,10 @@ use crate::syntax::tree::{
 };
 
 use super::TurnedFrame;
+use super::bars::DrawnBar;
 use super::bodies::Bodies;
 use super::figures::{Figure, Pen};
 use super::frames::{DrawnFrame, Heading, Origin};
-use super::held::Bar;
 use super::rewritten::Turns;
 use super::searches::Sought;
 use super::sorted;
@@ -176,7 +176,7 @@ impl<'b, 't> Writer<'b, 't> {
         match joints {
             (Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)) => {
                 let bars = [(0, u), (1, w)].map(|(leg, pin)| self.bar(&dyad.legs[leg], [pin, v]));
-                let lengths = bars.each_ref().map(Bar::length);
+                let lengths = bars.each_ref().map(DrawnBar::length);
                 let mode = if sign > 0.0 { "left" } else { "right" };
                 let mode = self.mode(dyad.legs[0].bodies[0], mode);
                 let fields = vec![("lengths", FieldValue::Pair(lengths)), mode];
