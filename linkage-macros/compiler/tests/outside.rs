@@ -60,6 +60,22 @@ fn a_mistake_has_its_last_token_and_its_note() {
     assert!(mistake.note.as_deref().is_some_and(|note| note.starts_with("|BD| runs from")));
 }
 
+/// A link that could not be read may go through any pin of its words.
+#[test]
+fn a_link_that_is_not_read_brings_one_message() {
+    for (links, message) in [
+        ("links AB(A, B), BC(B, C), DC(D, C);", "no statement begins with `links`"),
+        ("link AB(A, B) { length: 1m }, BC(B, C), DC(D, C);", "leave out this `,`"),
+        ("link AB(A, B) BC(B, C), DC(D, C);", "expected `;`, found `BC`"),
+    ] {
+        let mistakes = diagnostics(&format!(
+            "struct M {{ input t: angle; ground A(0, 0), D(4, 0); pin B(0, 1), C(3, 2); {links}
+             drive AB.angle = t; }}"
+        ));
+        assert_eq!(mistakes.iter().map(|found| &found.message).collect::<Vec<_>>(), [message]);
+    }
+}
+
 /// Each option adds code and takes none away.
 #[test]
 fn options_add_to_the_solver() {

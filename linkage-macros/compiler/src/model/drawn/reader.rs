@@ -264,7 +264,8 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
                         .iter()
                         .any(|link| link.pins.contains(pin) || link.points.contains(pin))
                 });
-                if !is_used {
+                // A link that could not be read may go through it.
+                if !is_used && !self.tree.unread.may_hold(&name.to_string()) {
                     let message = format!("no link goes through `{name}`");
                     let reason = format!("name it among the pins of one: `link BC(B, {name});`");
                     self.report(name, message, reason);
@@ -283,6 +284,9 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             let message = format!("`{name}` has no place in the drawing");
             let reason = format!("say where it is drawn: `pin {name}(…, …);`");
             self.report(name, message, reason);
+            return None;
+        }
+        if self.tree.unread.may_hold(&name.to_string()) {
             return None;
         }
         let known: Vec<_> = self.pins.iter().map(|pin| pin.name.to_string()).collect();
@@ -304,6 +308,9 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         }
         if let Some(&link) = self.link_of.get(&name.to_string()) {
             return Some(link + 1);
+        }
+        if self.tree.unread.may_hold(&name.to_string()) {
+            return None;
         }
         let known: Vec<_> = self.links.iter().map(|link| link.name.to_string()).collect();
         let near = nearest(&name.to_string(), known.iter().map(|name| &name[..]));
