@@ -120,7 +120,7 @@ fn an_oscillator_comes_to_rest() {
 /// Whatever the coefficient, an answer is a number or a refusal.
 #[test]
 fn nothing_is_ever_no_number() {
-    let (mut random, mut counts) = (Random::new(23), [0; 2]);
+    let (mut random, mut counts) = (Random::new(23), [0; 3]);
     for nth in 0..20_000 {
         let mu = 10.0_f64.powf(random.between(-3.0, 2.0));
         let press = RubbingPress { pins: mu, ways: mu, ..RubbingPress::new() };
@@ -130,10 +130,12 @@ fn nothing_is_ever_no_number() {
             Ok(second) => {
                 assert!(second.is_finite());
                 counts[0] += 1;
+                // In motion nobody asks what would hold at rest.
+                counts[2] += usize::from(rate != 0.0 && press.holding(q, -300.0).is_err());
             }
             Err(SolveError::Jams { .. }) => counts[1] += 1,
             Err(error) => panic!("{error} at {q} {mu}"),
         }
     }
-    assert!(counts[0] > 5000 && counts[1] > 2000, "{counts:?}");
+    assert!(counts[0] > 5000 && counts[1] > 2000 && counts[2] > 0, "{counts:?}");
 }

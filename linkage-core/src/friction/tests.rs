@@ -176,3 +176,47 @@ fn numbers_that_are_not_finite_are_refused() {
     assert_eq!(amount.diagnose(0.0), Err(SolveError::Jams { joint: "ram" }));
     assert!(!Diagnosis::<f64>::behind(amount, true, 0.0));
 }
+
+/// The fast path refuses amounts that are no solution, and takes those that are.
+#[test]
+fn comparisons_tell_a_solution_from_any_other_amount() {
+    // x = 0.3 |100 + 0.5 x| has the solution 30/0.85.
+    let at = |amount: f64| Amount {
+        rows: [[0.3, 100.0, 0.0, amount, 0.5, 0.0]],
+        at: 0,
+        guides: 1,
+        joints: ["ram"],
+    };
+    let solution = 30.0 / 0.85;
+    assert!(Diagnosis::<f64>::behind(at(solution), true, solution));
+    for off in [1e-13, -1e-13, 1e-3, -0.5, 1.0, f64::NAN, f64::INFINITY] {
+        let amount = solution * (1.0 + off);
+        assert!(!Diagnosis::<f64>::behind(at(amount), true, amount), "{off}");
+        // The slow path finds it from there.
+        let found = at(amount).diagnose(amount).unwrap();
+        assert!((found - solution).abs() <= 4.0 * f64::EPSILON * solution, "{off}: {found}");
+    }
+}
+
+/// Where straight-line steps have not ended, the slow path finds derivatives of every order as well.
+#[cfg(feature = "ad")]
+#[test]
+fn the_slow_path_derives_the_solution() {
+    use num_dual::Dual2_64;
+    // x = c |G + a x| with G as the variable: c/(1 − c a) is its slope, and of a pin that is no line.
+    let free = Dual2_64::from_re(3.0).derivative();
+    let lit = |value: f64| Dual2_64::from_re(value);
+    let row = [lit(0.4), free, lit(4.0), lit(77.0), lit(0.5), lit(-0.3)];
+    let amount = Amount { rows: [row], at: 0, guides: 0, joints: ["B"] };
+    let found = amount.diagnose(lit(77.0)).unwrap();
+    let solved = |x: f64| {
+        let system = System { rows: [[0.4, x, 4.0, 0.0, 0.5, -0.3]], guides: 0 };
+        system.solved().unwrap()[0]
+    };
+    // Central differences of second order: h²/6 of the third derivative and ε/h², 10⁻⁷ of each.
+    let h = 1e-4;
+    let (below, at, above) = (solved(3.0 - h), solved(3.0), solved(3.0 + h));
+    assert!((found.re - at).abs() < 1e-15);
+    assert!((found.v1 - (above - below) / (2.0 * h)).abs() < 1e-8);
+    assert!((found.v2 - (above - 2.0 * at + below) / (h * h)).abs() < 1e-6);
+}

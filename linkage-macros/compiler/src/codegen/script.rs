@@ -29,11 +29,15 @@ pub(super) fn object(
     let read = given(mechanism, routine.reads.iter().copied());
     function(placing, routine, 1, &read, false, &mut script);
     script.put(", nameOfPlace),\n");
-    for analysis in [Analysis::Motion, Analysis::Forces] {
-        entry(mechanism, lowered, analysis, &mut script);
-    }
     let (outputs, dynamics) = (mechanism.outputs.iter().map(output), &mechanism.dynamics);
-    let efforts = dynamics.asked.iter().map(|asked| effort(mechanism, asked));
+    entry(mechanism, lowered, Analysis::Motion, &mut script);
+    // A page does not solve the equations of friction, and shows no forces where something rubs.
+    let rubs = !dynamics.frictions.is_empty();
+    if !rubs {
+        entry(mechanism, lowered, Analysis::Forces, &mut script);
+    }
+    let asked = if rubs { &[][..] } else { &dynamics.asked[..] };
+    let efforts = asked.iter().map(|asked| effort(mechanism, asked));
     for (name, objects) in [("outputs", outputs.collect()), ("efforts", efforts.collect())] {
         let objects: Vec<String> = objects;
         script.put(name).put(": [").put(&objects.join(", ")).put("],\n");

@@ -10,6 +10,7 @@ mod fixture;
 mod groups;
 mod guards;
 mod one_root;
+mod rubbing_page;
 mod run_time;
 mod spans;
 mod turning;
