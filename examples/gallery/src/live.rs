@@ -5,9 +5,9 @@ use linkage_core::sketch::{Page, Paged, SketchError};
 use crate::declarations::{
     andrews_squeezer, calibration, cart, computed_torque, counterweight, crane,
     crank_rocker_slider, crank_rpp, dead_point, driving_torque, electronic_cam, excavator,
-    five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, parallelograms, range,
-    run_up, shear_bearings, six_bar, six_bar_reactions, slider_crank, suspension, transplanter,
-    vibration, whitworth,
+    five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, parallelograms,
+    press_friction, range, run_up, shear_bearings, six_bar, six_bar_reactions, slider_crank,
+    suspension, toggle_clamp, transplanter, vibration, whitworth,
 };
 use crate::motions::digging;
 
@@ -111,6 +111,11 @@ fn under_forces() -> Vec<Named> {
     vec![
         plain("driving_torque::FourBar", driving_torque::FourBar::new().page()),
         plain("driving_torque::AsInTheText", driving_torque::AsInTheText::new().page()),
+        plain("press_friction::CutPress", press_friction::CutPress::new().page()),
+        (
+            "toggle_clamp::ToggleClamp",
+            toggle_clamp::ToggleClamp::new().page().range("handle", -0.3..=0.9).to_html(),
+        ),
         (
             "shear_bearings::FlyingShear",
             shear_bearings::FlyingShear::new().page().load("cut", 1e4).to_html(),

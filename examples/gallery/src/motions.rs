@@ -8,8 +8,9 @@ use linkage_core::sketch::Film;
 
 use crate::declarations::{
     calibration, crank_rocker_slider, crank_rpp, driving_torque, electronic_cam, excavator,
-    five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, range, set_point,
-    shear_bearings, six_bar, six_bar_reactions, slider_crank, suspension, transplanter, whitworth,
+    five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, press_friction, range,
+    set_point, shear_bearings, six_bar, six_bar_reactions, slider_crank, suspension, toggle_clamp,
+    transplanter, whitworth,
 };
 
 /// Under which heading a machine stands.
@@ -194,6 +195,19 @@ fn more() -> Vec<Piece> {
             kind: Kind::Loaded,
             text: "The four-bar of the driving torque, its masses in the middles of the bars.",
             film: driving_torque::AsInTheText::new().film(turn()),
+        },
+        Piece {
+            name: "press_friction::CutPress",
+            kind: Kind::Loaded,
+            text: "A press whose pins and guide rub.",
+            film: press_friction::CutPress::new().film(turn()),
+        },
+        Piece {
+            name: "toggle_clamp::ToggleClamp",
+            kind: Kind::Loaded,
+            text: "A toggle clamp, from open to where friction holds it.",
+            film: toggle_clamp::ToggleClamp::new()
+                .film((0..=60).map(|step| 0.6 - 0.012 * f64::from(step))),
         },
         Piece {
             name: "shear_bearings::FlyingShear",

@@ -215,6 +215,8 @@ fn table(pages: &[(&'static str, String)]) -> Vec<Asked> {
         row!(crane::Crane {} of [[0.0, 4.0], [-10.0, 10.0]]; no_forces!()),
         row!(driving_torque::FourBar { g }; forces!()),
         row!(driving_torque::AsInTheText {}; forces!()),
+        row!(press_friction::CutPress {}; no_forces!()),
+        row!(toggle_clamp::ToggleClamp {} of [[-0.3, 0.9]]; no_forces!()),
         row!(shear_bearings::FlyingShear {}; forces!(load)),
         row!(six_bar_reactions::SixBar {}; forces!()),
         row!(andrews_squeezer::Squeezer {}; no_forces!()),
