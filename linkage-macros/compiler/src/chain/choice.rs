@@ -7,7 +7,7 @@ use super::limits::sine;
 use super::machine::Machine;
 use super::options::Search;
 use super::pose::Posed;
-use super::trace::{Sample, Trace, given, unit};
+use super::trace::{Sample, Trace, given};
 
 /// The count of options that are followed: those that are farthest from their limits in the drawing.
 const FOLLOWED: usize = 8;
@@ -56,7 +56,7 @@ fn rated(machine: &Machine, before: &[Found], mut search: Search) -> Option<Rate
     let mut posed = Posed::new(machine);
     posed.run(before, &mut given, 0.0)?;
     let slope = posed.slope(&search, &mut given, 0.0)?;
-    let unit = unit(machine, &search);
+    let unit = search.unit(machine);
     let dyads = search.steps.iter().filter_map(|step| match step {
         Found::Dyad(dyad) => Some(sine(machine, dyad).abs()),
         _ => None,
@@ -131,7 +131,7 @@ fn checked(
     let unknowns = || stretch.iter().map(|sample| sample.unknown);
     let (low, high) =
         (unknowns().fold(f64::INFINITY, f64::min), unknowns().fold(f64::NEG_INFINITY, f64::max));
-    let unit = unit(machine, search);
+    let unit = search.unit(machine);
     let margins = [0.1, 0.03, 0.01].map(|share| share * (high - low).max(0.5 * unit));
     margins.into_iter().map(|margin| [low - margin, high + margin]).find(|&between| {
         let step = stretch.len().div_ceil(LOOKED_AT).max(1);

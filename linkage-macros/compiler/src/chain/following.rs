@@ -11,7 +11,7 @@ use super::curve::Curve;
 use super::fit::Following;
 use super::machine::Driven;
 use super::options::Search;
-use super::trace::{LEAST_ROOM, Sample, Trace, unit};
+use super::trace::{LEAST_ROOM, Sample, Trace};
 
 /// The degrees that are tried, without and with square roots towards dead points.
 const FITS: [(usize, bool); 12] = [
@@ -53,7 +53,7 @@ impl Band {
 /// The interval that holds the longest stretch about the drawing.
 pub(super) fn band(trace: &Trace<'_>, search: &Search) -> Option<Band> {
     let rooms: Vec<_> = trace.samples.iter().map(|sample| trace.room(search, sample)).collect();
-    let unit = unit(trace.machine, search);
+    let unit = search.unit(trace.machine);
     let bands: Vec<_> = FITS.iter().filter_map(|&fit| fitted(trace, &rooms, unit, fit)).collect();
     let inside: Vec<_> = bands.iter().filter(|band| is_inside(band.stretch)).cloned().collect();
     let bands = if inside.is_empty() { bands } else { inside };

@@ -37,6 +37,16 @@ impl Search {
     }
 }
 
+impl Search {
+    /// The unit of the unknown: a radian, or the size of the machine.
+    pub(super) fn unit(&self, machine: &Machine) -> f64 {
+        match self.steps[0] {
+            Found::Slider { .. } => machine.size(),
+            _ => 1.0,
+        }
+    }
+}
+
 /// All ways to solve a group by one unknown, angles against the ground first.
 pub(crate) fn options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec<Search> {
     let parts: Vec<_> = group.iter().map(|&body| vec![body]).collect();

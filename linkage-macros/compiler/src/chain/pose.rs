@@ -131,9 +131,10 @@ impl<'m> Posed<'m> {
 
     /// The slope of the equation over the unknown.
     pub(super) fn slope(&self, search: &Search, given: &mut Given, unknown: f64) -> Option<f64> {
-        const STEP: f64 = 1e-6;
+        // A part of the unit, so that a scaled drawing is the same.
+        let step = 1e-6 * search.unit(self.machine);
         let mut at = |unknown: f64| self.clone().residual(search, given, unknown);
-        Some((at(unknown + STEP)? - at(unknown - STEP)?) / (2.0 * STEP))
+        Some((at(unknown + step)? - at(unknown - step)?) / (2.0 * step))
     }
 
     /// Newton's root of a search beside a start; its bodies are placed there.
@@ -147,7 +148,7 @@ impl<'m> Posed<'m> {
             if !unknown.is_finite() {
                 return None;
             }
-            if step.abs() < 1e-11 {
+            if step.abs() < 1e-11 * search.unit(self.machine) {
                 self.residual(search, given, unknown)?;
                 return Some(unknown);
             }

@@ -37,14 +37,6 @@ pub(super) struct Trace<'m> {
     pub closes: Option<i32>,
 }
 
-/// The unit of an unknown: a radian, or the size of the machine.
-pub(super) fn unit(machine: &Machine, search: &Search) -> f64 {
-    match search.steps[0] {
-        Found::Slider { .. } => machine.size(),
-        _ => 1.0,
-    }
-}
-
 pub(super) fn given(machine: &Machine, drive: f64) -> Given {
     let mut drives = vec![0.0; machine.drives.len()];
     if let Some(first) = drives.first_mut() {
@@ -88,7 +80,7 @@ impl<'m> Trace<'m> {
     /// trend; zero where there is none.
     pub(super) fn room(&self, search: &Search, sample: &Sample<'m>) -> f64 {
         const PARTS: usize = 4;
-        let unit = unit(self.machine, search);
+        let unit = search.unit(self.machine);
         let has_trend = |room: &f64| {
             let mut last = None;
             (0..=PARTS).all(|part| {
@@ -158,7 +150,7 @@ fn next<'m>(
     let before = posed.clone();
     let root = posed.solve(search, given, unknown)?;
     let slope = before.slope(search, given, root)?;
-    let is_near = (root - unknown).abs() < 0.4 * unit(machine, search);
+    let is_near = (root - unknown).abs() < 0.4 * search.unit(machine);
     let is_kept = is_near && (slope > 0.0) == search.rises;
     is_kept.then_some(Sample { drive, unknown: root, slope, before })
 }

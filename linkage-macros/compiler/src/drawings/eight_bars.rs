@@ -1,8 +1,9 @@
 //! All eight-bars: groups by count, and poses of a part of them.
 
 use super::chains_of_eight::{Driven, all, drawing};
+use super::groups::{groups, resolved_text};
 use super::machine::machine;
-use super::variants::Random;
+use super::variants::{Random, mirrored, moved};
 use crate::chain::count;
 use crate::chain::cutting::{Placed, steps};
 use crate::chain::machine::{self as kinematic, Driving, Machine, RigidBody};
@@ -124,4 +125,44 @@ fn a_part_of_the_eight_bars_is_where_it_is_drawn() {
 fn eight_bars_are_where_they_are_drawn() {
     let [ground, moving] = compiled(1);
     assert_eq!([ground.solved, moving.solved], [152, 390]);
+}
+
+/// Told in another order, with other names, in another size or mirrored, it is the same machine: its
+/// dyads are the same, and what one unknown solves is solved by one. Which link is left out may change where
+/// two hold equally long a motion, to rounding.
+#[test]
+fn eight_bars_told_otherwise_have_the_same_groups() {
+    let mut random = Random(0xd1b5_4a32_d192_ed03);
+    let (mut of_dyads, mut searched) = (0, 0);
+    for driven in all().into_iter().step_by(61) {
+        let statements = driven.statements(&drawing(&mut random));
+        let Ok(mechanism) = resolved_text(&statements) else { continue };
+        let check = |told: &str, change: fn(&str) -> String| {
+            let other =
+                resolved_text(told).unwrap_or_else(|mistakes| panic!("{told}\n{mistakes:?}"));
+            assert_eq!(other.unknowns.len(), mechanism.unknowns.len(), "{told}");
+            if mechanism.unknowns.is_empty() {
+                let [mut before, mut now] = [&mechanism, &other].map(groups);
+                before = before.iter().map(|group| change(group)).collect();
+                before.sort();
+                now.sort();
+                assert_eq!(now, before, "{told}");
+            }
+        };
+        let same = |group: &str| group.to_string();
+        check(&statements.replace('P', "joint_"), same);
+        for scale in [1e-9, 1e-3, 1e3, 1e9] {
+            check(&moved(&statements, |[x, y]| [x * scale, y * scale]), same);
+        }
+        check(&moved(&statements, |[x, y]| [x, -y]), mirrored);
+        // The statements of links and the drive change places.
+        let mut lines: Vec<_> = statements.lines().collect();
+        for last in (4..lines.len()).rev() {
+            lines.swap(last, 3 + random.below(last - 2));
+        }
+        check(&lines.join("\n"), same);
+        of_dyads += usize::from(mechanism.unknowns.is_empty());
+        searched += mechanism.unknowns.len();
+    }
+    assert!(of_dyads > 1 && searched > 4, "{of_dyads} {searched}");
 }

@@ -31,7 +31,7 @@ fn found(name: &str, statements: &str) -> Vec<String> {
 }
 
 /// The statements with the coordinates of pins changed.
-fn moved(statements: &str, change: impl Fn([f64; 2]) -> [f64; 2]) -> String {
+pub(super) fn moved(statements: &str, change: impl Fn([f64; 2]) -> [f64; 2]) -> String {
     let line = |line: &str| {
         if !line.starts_with("ground") && !line.starts_with("pin") {
             return line.to_string();
@@ -46,6 +46,14 @@ fn moved(statements: &str, change: impl Fn([f64; 2]) -> [f64; 2]) -> String {
         })
     };
     statements.lines().map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// A group of the mirrored machine.
+pub(super) fn mirrored(group: &str) -> String {
+    match group.strip_suffix(" left") {
+        Some(group) => format!("{group} right"),
+        None => group.replace(" right", " left"),
+    }
 }
 
 #[test]
@@ -73,14 +81,10 @@ fn scaled_drawings_have_the_same_groups_and_mirrored_ones_the_other_modes() {
             let scaled = moved(case.statements, |[x, y]| [x * scale, y * scale]);
             assert_eq!(found(case.name, &scaled), before, "{}", case.name);
         }
-        let mirrored = found(case.name, &moved(case.statements, |[x, y]| [x, -y]));
-        let swap = |group: &String| match group.strip_suffix(" left") {
-            Some(group) => format!("{group} right"),
-            None => group.replace(" right", " left"),
-        };
-        let mut swapped: Vec<_> = before.iter().map(swap).collect();
+        let flipped = found(case.name, &moved(case.statements, |[x, y]| [x, -y]));
+        let mut swapped: Vec<_> = before.iter().map(|group| mirrored(group)).collect();
         swapped.sort();
-        assert_eq!(mirrored, swapped, "{}", case.name);
+        assert_eq!(flipped, swapped, "{}", case.name);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::chain::Trouble;
 use crate::chain::cutting::{Dyad, Pair};
-use crate::chain::machine::GROUND;
+use crate::chain::machine::{GROUND, Machine};
 use crate::diagnostics::Diagnostics;
 use crate::model::names::listed;
 use crate::syntax::tree::{Action, Declaration, MassSite, Place, StatementKind};
@@ -72,6 +72,15 @@ fn too_many(
         diagnostics.error_because(at, message, format!("leave out {}", listed(&written, "or")));
         return;
     }
+    if let Some(bar) = parallel_bar(&bodies.machine, those) {
+        let name = bodies.link(bar).name;
+        let message = format!(
+            "`{name}` is one bar too many by count, but these bars are parallel and equal, so it moves"
+        );
+        let reason = format!("leave out `link {name}`; two points draw it");
+        diagnostics.error_because(name.span(), message, reason);
+        return;
+    }
     let without = match written.is_empty() {
         true => String::new(),
         false => format!(" without {}", listed(&written, "and")),
@@ -80,6 +89,46 @@ fn too_many(
     let drives = written.iter().map(|drive| format!(" or {drive}")).collect::<String>();
     let reason = format!("leave out `link {link}`, or one of its joints{drives}");
     diagnostics.error_because(link.span(), message, reason);
+}
+
+/// The last bar that is parallel and equal to two others between the same two bodies: it holds nothing
+/// that these do not.
+fn parallel_bar(machine: &Machine, those: &[usize]) -> Option<usize> {
+    /// The part of the machine's size by which drawings of one length differ.
+    const SAME: f64 = 1e-9;
+    let off = SAME * machine.size();
+    let bar = |body: usize| -> Option<[usize; 2]> {
+        machine.bodies[body].pins[..].try_into().ok().filter(|_| body != GROUND)
+    };
+    let both_ways = |[p, q]: [usize; 2]| [[p, q], [q, p]];
+    let vector = |[p, q]: [usize; 2]| machine.pins[q] - machine.pins[p];
+    // The bodies that both ends of a bar are pinned to.
+    let ends = |body: usize, [p, q]: [usize; 2]| {
+        let others = |pin: usize| {
+            machine
+                .at(pin)
+                .filter(|other| *other != body && those.contains(other))
+                .collect::<Vec<_>>()
+        };
+        let (at_p, at_q) = (others(p), others(q));
+        at_p.into_iter()
+            .flat_map(move |a| at_q.clone().into_iter().map(move |b| [a, b]))
+            .collect::<Vec<_>>()
+    };
+    let holds_nothing = |&body: &usize| {
+        let Some(own) = bar(body) else { return false };
+        ends(body, own).into_iter().any(|between| {
+            let is_same = |other: usize| {
+                let pins = bar(other).filter(|_| other != body);
+                pins.into_iter().flat_map(both_ways).any(|pins| {
+                    let is_equal = (vector(pins) - vector(own)).length() < off;
+                    is_equal && ends(other, pins).contains(&between)
+                })
+            };
+            those.iter().filter(|&&other| is_same(other)).count() > 1
+        })
+    };
+    those.iter().copied().rev().find(|body| holds_nothing(body))
 }
 
 /// Where the last of some drives stands.

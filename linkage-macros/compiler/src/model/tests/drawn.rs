@@ -131,8 +131,26 @@ fn poses_and_chains_that_are_not_decided() {
         (
             "input t: angle; ground A(0, 0), D(4m, 0), E(1m, 0); pin B(0, 1m), C(4m, 1m), F(1m, 1m); link AB(A, B), BC(B, C, F), DC(D, C), EF(E, F); drive AB.angle = t;",
             "",
-            "EF: `AB`, `BC`, `DC`, `EF` and the ground hold each other without `drive AB.angle`: one constraint too many / leave out `link EF`, or one of its joints or `drive AB.angle`",
+            "EF: `EF` is one bar too many by count, but these bars are parallel and equal, so it moves / leave out `link EF`; two points draw it",
         ),
+    ]);
+}
+
+/// A bar that is a little longer holds the machine, and so does an equal one that is not parallel.
+#[test]
+fn bars_are_parallel_and_equal_or_too_many() {
+    let with = |bar: &str| {
+        format!(
+            "input t: angle; ground A(0, 0), D(4m, 0), E(1m, 0); pin B(0.6m, 0.8m), C(4.6m, 0.8m), {bar}; \
+             link AB(A, B), BC(B, C, F), DC(D, C), FE(F, E); drive AB.angle = t;"
+        )
+    };
+    let parallel = "FE: `FE` is one bar too many by count, but these bars are parallel and equal, so it moves / leave out `link FE`; two points draw it";
+    let too_many = "FE: `AB`, `BC`, `DC`, `FE` and the ground hold each other without `drive AB.angle`: one constraint too many / leave out `link FE`, or one of its joints or `drive AB.angle`";
+    check(&[
+        (&with("F(1.6m, 0.8m)"), "", parallel),
+        (&with("F(1.6m, 0.801m)"), "", too_many),
+        (&with("F(0.4m, 0.8m)"), "", too_many),
     ]);
 }
 
