@@ -12,6 +12,7 @@ use clap::{Parser, Subcommand};
 ///     linkage check shear.rs               mistakes, at their line and column
 ///     linkage c shear.rs -o control/       flying_shear.h, flying_shear.c and the run-time
 ///     cc -std=c99 -O2 -c control/*.c
+///     linkage fmu press.rs -o press.fmu    a model for simulators, FMI 3.0
 #[derive(Debug, Parser)]
 #[command(name = "linkage", version, verbatim_doc_comment, arg_required_else_help = true)]
 pub(crate) struct Arguments {
@@ -54,5 +55,25 @@ pub(crate) enum Command {
         /// Entry points and widths to print, such as motion_at,f32; all of them without this
         #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
         only: Vec<String>,
+    },
+    /// Make an FMU (FMI 3.0) of the mechanism of a file
+    ///
+    /// It is made for model exchange and for co-simulation, as sources and, where `cc` is there, as a library for this
+    /// machine. Where masses are declared for every input, the inputs and their rates are states, moved by the efforts
+    /// of the drives and by loads; elsewhere, or with --kinematic, inputs and both their rates are given. Numeric
+    /// parameters are tunable; modes are as declared. A pose out of reach is fmi3Discard, with the group's name in the
+    /// log.
+    ///
+    ///     linkage fmu press.rs -o press.fmu
+    #[command(verbatim_doc_comment)]
+    Fmu {
+        /// A Rust program with one mechanism
+        file: PathBuf,
+        /// The FMU to write
+        #[arg(short, long, value_name = "FILE")]
+        output: PathBuf,
+        /// Take inputs and their rates as given, whatever has mass
+        #[arg(long)]
+        kinematic: bool,
     },
 }

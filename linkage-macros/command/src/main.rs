@@ -4,8 +4,10 @@
 //! one.
 
 mod arguments;
+mod fmu;
 mod messages;
 mod program;
+mod zip;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -33,6 +35,7 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Check { files } => check(&files),
         Command::Expand { file } => expand(&file),
         Command::C { file, output, only } => print_c(&file, &output, &only),
+        Command::Fmu { file, output, kinematic } => print_fmu(&file, &output, kinematic),
     }
 }
 
@@ -69,4 +72,18 @@ fn print_c(file: &Path, output: &Path, only: &[String]) -> Result<(), Failure> {
     let only: Vec<&str> = only.iter().map(String::as_str).collect();
     let printed = program.all(|declaration| linkage_compiler::c(declaration, &only))?;
     program::write(output, printed.into_iter().flatten())
+}
+
+/// Writes the FMU of the only mechanism of a file.
+fn print_fmu(file: &Path, output: &Path, is_kinematic: bool) -> Result<(), Failure> {
+    let program = Program::read(file)?;
+    let printed = program.all(|declaration| linkage_compiler::fmu(declaration, is_kinematic))?;
+    match <[_; 1]>::try_from(printed) {
+        Ok([files]) => fmu::write(output, files),
+        Err(several) => Err(Failure::Unusable(format!(
+            "`{}` holds {} mechanisms, and an FMU is one: give it a file of its own",
+            file.display(),
+            several.len()
+        ))),
+    }
 }

@@ -81,4 +81,4 @@ mod syntax;
 
 pub use blocks::declarations;
 pub use diagnostics::Diagnostic;
-pub use pipeline::{File, Options, Output, c, compile};
+pub use pipeline::{File, Options, Output, c, compile, fmu};

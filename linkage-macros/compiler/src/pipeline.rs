@@ -107,6 +107,30 @@ pub struct File {
 /// assert!(files[1].text.contains("LinkageStatus crank_position("));
 /// ```
 pub fn c(source: TokenStream, only: &[&str]) -> Result<Vec<File>, Vec<Diagnostic>> {
+    printed(source, only, |_, _, solver| solver)
+}
+
+/// Prints the solver of a declaration as an FMU of FMI 3.0, for model exchange and for co-simulation: the description
+/// of the model, and its sources. Where there is forward dynamics and not just kinematics is asked for, the inputs
+/// and their rates are states.
+///
+/// # Errors
+/// The mistakes in the declaration, in the order of the source.
+pub fn fmu(source: TokenStream, is_kinematic: bool) -> Result<Vec<File>, Vec<Diagnostic>> {
+    printed(source, &["f64"], |mechanism, lowered, solver| {
+        let model = codegen::c::fmu::generate(mechanism, lowered, is_kinematic);
+        let model = model.into_iter().map(|(name, text)| File { name, text });
+        let in_sources = |file: File| File { name: format!("sources/{}", file.name), ..file };
+        model.chain(solver.into_iter().map(in_sources)).collect()
+    })
+}
+
+/// The files that `finish` makes of a mechanism, its routines and its solver in C.
+fn printed(
+    source: TokenStream,
+    only: &[&str],
+    finish: impl FnOnce(&Mechanism, &lower::routine::Lowered<'_>, Vec<File>) -> Vec<File>,
+) -> Result<Vec<File>, Vec<Diagnostic>> {
     let _atoms = Scope::begin();
     let mut diagnostics = Diagnostics::new();
     let declaration = syntax::parse(source, &mut diagnostics);
@@ -123,8 +147,9 @@ pub fn c(source: TokenStream, only: &[&str]) -> Result<Vec<File>, Vec<Diagnostic
             // The numbers of an entry point are the same whichever others are printed.
             let program = selection.apply(program(&mechanism));
             let lowered = lower::lower(&mechanism, &program);
-            let printed = codegen::c::generate(&mechanism, &lowered, &selection);
-            Ok(printed.into_iter().map(|(name, text)| File { name, text }).collect())
+            let solver = codegen::c::generate(&mechanism, &lowered, &selection);
+            let solver = solver.into_iter().map(|(name, text)| File { name, text }).collect();
+            Ok(finish(&mechanism, &lowered, solver))
         }
         (_, Err(Failure(diagnostics))) => Err(diagnostics),
         (_, Ok(())) => unreachable!("a phase that gives nothing has reported why"),

@@ -6,6 +6,7 @@
 
 mod c_names;
 mod entry;
+pub(crate) mod fmu;
 mod in_c;
 mod public_function;
 pub(crate) mod run_time;

@@ -87,3 +87,23 @@ fn are_c_and_cpp(nth: usize) -> usize {
     std::fs::remove_dir_all(&root).expect("the folder was made here");
     sources.len()
 }
+
+/// Whatever the inputs and loads of a mechanism are, its model is C.
+#[test]
+fn some_models_are_c() {
+    let root = std::env::temp_dir().join(format!("linkage_c_{}_fmu", std::process::id()));
+    for (nth, declaration) in declarations::all().step_by(9).enumerate() {
+        let Ok(files) = pipeline::fmu(declaration.tokens, nth % 4 == 0) else { continue };
+        let folder = root.join(nth.to_string());
+        std::fs::create_dir_all(folder.join("sources")).expect("a folder can be made");
+        for file in &files {
+            std::fs::write(folder.join(&file.name), &file.text).expect("it can be written");
+        }
+        let command =
+            Command::new("cc").args(STRICT).arg("sources/fmi3.c").current_dir(&folder).output();
+        let Ok(output) = command else { return println!("skipped: no cc") };
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{}: {errors}", declaration.name);
+    }
+    std::fs::remove_dir_all(&root).expect("the folder was made here");
+}

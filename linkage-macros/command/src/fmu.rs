@@ -1,0 +1,65 @@
+//! An FMU: the printed model and solver as sources, and compiled for this machine where it has a C compiler.
+
+use std::env;
+use std::fs;
+use std::path::Path;
+use std::process::{self, Command};
+
+use linkage_compiler::File;
+
+use crate::program::Failure;
+use crate::zip;
+
+/// Writes the archive.
+pub(crate) fn write(output: &Path, files: Vec<File>) -> Result<(), Failure> {
+    let mut all: Vec<(String, Vec<u8>)> =
+        files.into_iter().map(|file| (file.name, file.text.into_bytes())).collect();
+    match binary(&all)? {
+        Some(binary) => all.push(binary),
+        None => eprintln!("note: there is no `cc` here, so the FMU holds sources alone"),
+    }
+    let unusable = |error| Failure::Unusable(format!("`{}`: {error}", output.display()));
+    fs::write(output, zip::archive(&all)).map_err(unusable)?;
+    println!("{}", output.display());
+    Ok(())
+}
+
+/// The shared library of the sources; none without a compiler.
+fn binary(files: &[(String, Vec<u8>)]) -> Result<Option<(String, Vec<u8>)>, Failure> {
+    let folder = env::temp_dir().join(format!("linkage_fmu_{}", process::id()));
+    let compiled = compile(files, &folder);
+    let _ = fs::remove_dir_all(&folder);
+    compiled.map_err(|why| Failure::Unusable(format!("the C compiler: {why}")))
+}
+
+fn compile(
+    files: &[(String, Vec<u8>)],
+    folder: &Path,
+) -> Result<Option<(String, Vec<u8>)>, String> {
+    let text = |error: std::io::Error| error.to_string();
+    fs::create_dir_all(folder).map_err(text)?;
+    let mut sources = Vec::new();
+    for (name, content) in files {
+        let Some(name) = name.strip_prefix("sources/") else { continue };
+        fs::write(folder.join(name), content).map_err(text)?;
+        if name.ends_with(".c") {
+            sources.push(name.to_string());
+        }
+    }
+    let stem = sources.iter().find(|name| !["fmi3.c", "linkage_run.c"].contains(&&name[..]));
+    let stem = stem.expect("a solver is printed").trim_end_matches(".c").to_string();
+    let flags = ["-std=c99", "-O2", "-fPIC", "-shared", "-o", "library"];
+    let command =
+        Command::new("cc").args(flags).args(&sources).arg("-lm").current_dir(folder).output();
+    let Ok(output) = command else { return Ok(None) };
+    if !output.status.success() {
+        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+    }
+    let (system, ending) = match env::consts::OS {
+        "macos" => ("darwin", "dylib"),
+        "windows" => ("windows", "dll"),
+        other => (other, "so"),
+    };
+    let name = format!("binaries/{}-{system}/{stem}.{ending}", env::consts::ARCH);
+    Ok(Some((name, fs::read(folder.join("library")).map_err(text)?)))
+}
