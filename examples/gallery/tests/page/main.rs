@@ -1,6 +1,10 @@
 //! The pages on which machines are dragged: their numbers against the solvers', and what a browser makes of
 //! them.
 
+mod browser;
+#[path = "../chromium/mod.rs"]
+mod chromium;
+mod hard;
 mod numbers;
 
 /// The program of the README is the example that is compiled beside this test.

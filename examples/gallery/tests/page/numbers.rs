@@ -5,8 +5,10 @@ use std::process::Command;
 
 use gallery::declarations::*;
 use linkage_core::private::Solver;
-use linkage_core::sketch::{Drawn, Paged};
+use linkage_core::sketch::{Drawn, Paged, SketchError};
 use linkage_core::{Record, SolveError};
+
+use super::hard;
 
 /// On a target with fused operations the solver rounds otherwise than a script can: then numbers may differ by
 /// four units in the last place of the pose's largest.
@@ -77,6 +79,7 @@ fn said(answer: Result<Vec<f64>, SolveError>) -> String {
         }
         Err(SolveError::Singular { group }) => format!("Singular|{group}||"),
         Err(SolveError::Invalid { group, name }) => format!("Invalid|{group}|{name}|"),
+        Err(SolveError::Jams { joint }) => format!("Jams|{joint}||"),
         Err(SolveError::NotFinite { name }) => format!("NotFinite|{name}||"),
         Err(other) => panic!("{other:?}"),
     }
@@ -229,9 +232,7 @@ fn table(pages: &[(&'static str, String)]) -> Vec<Asked> {
 /// Every page of the gallery, a thousand poses each.
 #[test]
 fn a_page_computes_as_its_solver_does() {
-    if Command::new("node").arg("--version").output().is_err() {
-        assert!(std::env::var_os("LINKAGE_NODE").is_none(), "node is required");
-        eprintln!("skipped: no node");
+    if !has_node() {
         return;
     }
     let pages = gallery::live::pages().unwrap();
@@ -242,4 +243,47 @@ fn a_page_computes_as_its_solver_does() {
     all.sort_unstable();
     assert_eq!(named, all);
     table.iter().for_each(compare);
+}
+
+/// Names that are words of the language, and every function.
+#[test]
+fn hard_machines_compute_alike() {
+    if !has_node() {
+        return;
+    }
+    let function = hard::Function::new();
+    let page = |name, html: Result<String, SketchError>| [(name, html.unwrap())];
+    let pages = page("Function", function.page().title("</script>").to_html());
+    let solver = |random: &mut Random| {
+        let mut solver = hard::Function::new();
+        solver.class = random.about(0.08);
+        solver.p = random.about(0.632);
+        solver
+    };
+    compare(&asked(&pages, "Function", &[], solver, no_forces!()));
+    let pages =
+        page("Compensated", hard::Compensated::new().page().range("s", 0.0..=0.1).to_html());
+    let ends = [[-10.0, 10.0], [-0.05, 0.3]];
+    compare(&asked(&pages, "Compensated", &ends, |_| hard::Compensated::new(), no_forces!()));
+}
+
+/// A page without its script is not cut short by its texts: it has two scripts and ends.
+#[test]
+fn no_text_ends_a_script() {
+    let html = hard::Function::new().page().title("</script><!--").to_html().unwrap();
+    assert_eq!(html.matches("</script>").count(), 2, "as many as there are scripts");
+    assert_eq!(html.matches("<script>").count(), 2 + inner(&html));
+    assert!(!html.contains("<!--") && html.ends_with("</html>\n"));
+    assert!(html.contains("&lt;/script&gt;&lt;!--"), "the title stands in the text");
+}
+
+/// `<script>` inside a string of a script opens nothing.
+fn inner(html: &str) -> usize {
+    script(html).matches("<script>").count()
+}
+
+fn has_node() -> bool {
+    let is_there = Command::new("node").arg("--version").output().is_ok();
+    assert!(is_there || std::env::var_os("LINKAGE_NODE").is_none(), "node is required");
+    is_there
 }

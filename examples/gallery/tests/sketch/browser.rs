@@ -2,41 +2,13 @@
 //! `cargo test --release -p gallery -- --ignored browser`.
 
 use std::fmt::Write;
-use std::fs;
-use std::path::Path;
-use std::process::Command;
 
 use gallery::pieces;
 
+use super::chromium::run;
+
 /// Every seventh pose is looked at.
 const STEP: usize = 7;
-
-/// Chromium without a window, with a profile of its own.
-fn chromium(folder: &Path) -> Command {
-    let mut command = Command::new("chromium");
-    command
-        .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"])
-        .args(["--disable-background-networking", "--disable-component-update", "--disable-sync"])
-        .arg(format!("--user-data-dir={}", folder.join("profile").display()));
-    command
-}
-
-/// Runs a page and returns what it leaves in its only `pre`.
-pub(super) fn run(page: &str, name: &str) -> String {
-    let folder = std::env::temp_dir().join(format!("gallery_{name}_{}", std::process::id()));
-    fs::create_dir_all(&folder).unwrap();
-    let file = folder.join("page.html");
-    fs::write(&file, page).unwrap();
-    let output = chromium(&folder)
-        .args(["--virtual-time-budget=8000", "--dump-dom"])
-        .arg(format!("file://{}", file.display()))
-        .output()
-        .expect("chromium can be started");
-    let dom = String::from_utf8(output.stdout).unwrap();
-    let _ = fs::remove_dir_all(&folder);
-    let (_, behind) = dom.split_once("<pre>").expect("the page has a pre");
-    behind.split_once("</pre>").expect("it ends").0.to_string()
-}
 
 /// Sets the time and reads where the circles are.
 const READ: &str = r#"
@@ -73,7 +45,7 @@ fn a_browser_has_every_joint_where_the_solver_has_it() {
     }
     let read = READ.replace("STEP", &STEP.to_string());
     write!(page, "<script>const counts = [{counts}];{read}</script>").unwrap();
-    let lines = run(&page, "joints");
+    let lines = run(&page, "joints", &["--virtual-time-budget=8000"]);
     let views: Vec<_> = pieces.iter().map(|piece| piece.film.view().unwrap()).collect();
     let (mut seen, mut worst) = (0, 0.0_f64);
     for line in lines.lines() {
@@ -155,8 +127,11 @@ addEventListener("load", () => setTimeout(() => {
 fn a_page_stops_goes_on_and_goes_where_its_slider_is_put() {
     let film = pieces().remove(0).film;
     let page = film.to_html().unwrap();
-    let found =
-        run(&page.replace("</html>", &format!("<pre></pre><script>{USE}</script>")), "page");
+    let found = run(
+        &page.replace("</html>", &format!("<pre></pre><script>{USE}</script>")),
+        "page",
+        &["--virtual-time-budget=8000"],
+    );
     let lines: Vec<&str> = found.lines().collect();
     // One film is light and one dark; both go together.
     assert_eq!(

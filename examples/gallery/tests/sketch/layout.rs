@@ -7,7 +7,7 @@ use std::fmt::Write;
 use gallery::{figures, pieces};
 use linkage_core::sketch::Theme;
 
-use super::browser::run;
+use super::chromium::run;
 
 /// A page of pictures with their names, poses and durations.
 #[derive(Default)]
@@ -30,7 +30,7 @@ impl Pictures {
             self.names,
             include_str!("layout.js")
         );
-        let found = run(&page, name);
+        let found = run(&page, name, &["--virtual-time-budget=8000"]);
         let mut lines = found.lines().map(str::to_string);
         let count = lines.next().expect("a number comes first");
         (count.parse().expect("it is one"), lines.collect())

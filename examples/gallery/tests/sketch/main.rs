@@ -3,6 +3,8 @@
 mod bad_input;
 mod bodies;
 mod browser;
+#[path = "../chromium/mod.rs"]
+mod chromium;
 mod gaps;
 mod layout;
 mod loads;

@@ -181,7 +181,11 @@ const remember = () => {
   clearTimeout(remember.later);
   remember.later = setTimeout(() => {
     const parts = named().map(([name, list, k]) => `${encodeURIComponent(name)}=${+list[k].toPrecision(9)}`);
-    history.replaceState(null, "", `#${parts.join("&")}`);
+    try {
+      history.replaceState(null, "", `#${parts.join("&")}`);
+    } catch {
+      // A page inside another has no address of its own.
+    }
   }, 250);
 };
 

@@ -112,8 +112,8 @@ const rangeOf = (values) => {
   return [from - spare, to + spare];
 };
 
-const drawChart = (chart) => {
-  const width = $("#charts").clientWidth, isSlim = width < 420;
+const drawChart = (chart, width) => {
+  const isSlim = width < 420;
   const height = isSlim ? 168 : 170, [left, right, top, bottom] = [58, 14, isSlim ? 44 : 26, 24];
   const values = chart.series.map(({ of, isAngle }) => (isAngle ? unrolled : (list) => list)(samples.map(of)));
   // A row that is zero throughout is left out, unless all are.
@@ -156,24 +156,31 @@ const gapsIn = ({ X, top, bottom, height }) => {
 };
 
 const drawTicks = ({ X, Y, ticks, grid, zero, left, right, bottom, width, height }, range) => {
+  let count = 0;
+  // Texts are kept, and changed where they differ: new ones are what a frame costs most.
   const text = (words, x, y, anchor) => {
-    made("text", { x: short(x), y: short(y), "text-anchor": anchor }, ticks).textContent = words;
+    const node = ticks.children[count++] ?? made("text", {}, ticks);
+    if (node.textContent !== words) node.textContent = words;
+    const place = `${short(x)} ${short(y)} ${anchor}`;
+    if (node.place === place) return;
+    node.place = place;
+    for (const [name, value] of Object.entries({ x: short(x), y: short(y), "text-anchor": anchor })) node.setAttribute(name, value);
   };
-  ticks.replaceChildren();
   const [levels, step] = roundNumbers(range, 4);
   grid.setAttribute("d", levels.map((y) => `M${left} ${short(Y(y))}H${width - right}`).join(""));
   zero.setAttribute("d", range[0] < 0 && range[1] > 0 ? `M${left} ${short(Y(0))}H${width - right}` : "");
   for (const y of levels) text(tickWords(y, step), left - 7, Y(y) + 4, "end");
   const { isAngle, unit } = inputs[state.axis], [name, times] = shownIn(unit, 0), [from, to] = domain();
-  const isTurn = isAngle && Math.abs(to - from - TURN) < 1e-9, count = width < 420 ? 4 : 8;
+  const isTurn = isAngle && Math.abs(to - from - TURN) < 1e-9, parts = width < 420 ? 4 : 8;
   const [places, apart] = isTurn
-    ? [Array.from({ length: count + 1 }, (_, k) => (360 / count) * k + from * times), 45]
-    : roundNumbers([from * times, to * times], count - 1);
+    ? [Array.from({ length: parts + 1 }, (_, k) => (360 / parts) * k + from * times), 45]
+    : roundNumbers([from * times, to * times], parts - 1);
   places.forEach((x, k) => {
     const words = isAngle ? `${tickWords(x, apart)}°` : tickWords(x, apart) + (k === places.length - 1 ? ` ${name}` : "");
     const at = X(x / times), isLast = at > width - right - 12;
     text(words, isLast ? width : at, height - 6, isLast ? "end" : "middle");
   });
+  while (ticks.children.length > count) ticks.lastChild.remove();
 };
 
 /// Where the input of the curves stands, inside their domain.

@@ -45,22 +45,23 @@ const movesBy = (point, q, at) =>
     return [0, 0];
   });
 
-/// The least change of the free inputs that moves a point by e (damped least squares). An input that would
-/// leave its range is held, one after the other.
-const change = (moves, [ex, ey], q) => {
-  const isFree = inputs.map(() => true);
+/// The least change of the inputs that moves a point by e (damped least squares). An input that would leave its
+/// range goes to its end, one after the other, and the others do the rest.
+const change = (moves, e, q) => {
+  const held = new Map();
   for (;;) {
-    let [xx, xy, yy] = [0, 0, 0];
+    let [ex, ey] = e, [xx, xy, yy] = [0, 0, 0];
     moves.forEach(([x, y], k) => {
-      if (isFree[k]) [xx, xy, yy] = [xx + x * x, xy + x * y, yy + y * y];
+      if (held.has(k)) [ex, ey] = [ex - x * held.get(k), ey - y * held.get(k)];
+      else [xx, xy, yy] = [xx + x * x, xy + x * y, yy + y * y];
     });
     const damping = 1e-4 * (xx + yy) + 1e-12;
     const [a, c] = [xx + damping, yy + damping], size = a * c - xy * xy;
     const [wx, wy] = [(c * ex - xy * ey) / size, (a * ey - xy * ex) / size];
-    const steps = moves.map(([x, y], k) => (isFree[k] ? x * wx + y * wy : 0));
-    const held = inputs.findIndex((input, k) => isFree[k] && within(q[k] + steps[k], input) !== q[k] + steps[k]);
-    if (held < 0) return steps;
-    isFree[held] = false;
+    const steps = moves.map(([x, y], k) => held.get(k) ?? x * wx + y * wy);
+    const beyond = inputs.findIndex((input, k) => !held.has(k) && within(q[k] + steps[k], input) !== q[k] + steps[k]);
+    if (beyond < 0) return steps;
+    held.set(beyond, within(q[beyond] + steps[beyond], inputs[beyond]) - q[beyond]);
   }
 };
 

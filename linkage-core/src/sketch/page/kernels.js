@@ -156,3 +156,9 @@ const hypot = (x, y) => {
   const [hx, lx] = square(x), [hy, ly] = square(y);
   return scale * Math.sqrt(ly + lx + hy + hx);
 };
+
+/// The same as a solver's fast path has it: the root of the squares, where their sum is in range.
+const lengthOf = (x, y, least) => {
+  const square = fused(x, x, y * y);
+  return square >= least && square <= Number.MAX_VALUE ? sqrt(square) : hypot(x, y);
+};

@@ -22,9 +22,13 @@ const frame = () => {
   if (spent.length > 1000) spent.shift();
 };
 
+/// Asked with the scale alone: asking in every frame would lay the page out in each once more.
+let chartsWidth = 0;
+
 /// Scale and origin by which everything fits; all nodes anew.
 const fit = () => {
   const poses = surveyed();
+  chartsWidth = $("#charts").clientWidth;
   survey(poses);
   const [[x0, x1], [y0, y1]] = boxOf(poses);
   const wasSmall = isSmall;
@@ -50,7 +54,7 @@ const drawCurves = () => {
     }
     nodes.trace[k].setAttribute("d", d);
   });
-  charts.forEach(drawChart);
+  charts.forEach((chart) => drawChart(chart, chartsWidth));
 };
 
 const drawPose = () => {

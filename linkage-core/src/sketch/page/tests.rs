@@ -5,6 +5,7 @@ mod node;
 
 use std::format;
 use std::string::String;
+use std::vec::Vec;
 
 use cases::{Case, conditions, kernels};
 
@@ -53,4 +54,59 @@ fn the_script_computes_the_same_bits() {
 #[test]
 fn the_script_decides_alike_beside_limits() {
     compare(conditions());
+}
+
+/// A page weighs 60 kB at most beside the formulas, the names and the arithmetic that decides limits.
+#[test]
+fn a_page_is_light() {
+    let [style, skeleton] = [include_str!("page.css"), include_str!("page.html")];
+    let shown =
+        [super::squeeze::style(style), skeleton.into(), super::squeeze::script(&super::SHOWS)];
+    let read = super::squeeze::script(&super::COMPUTES[3..]);
+    let weight = shown.iter().map(String::len).sum::<usize>() + read.len();
+    assert!((40_000..60_000).contains(&weight), "{weight} bytes");
+}
+
+/// The relative luminance of a colour `#rrggbb` or `#rgb` (Web Content Accessibility Guidelines 2.2).
+fn luminance(colour: &str) -> f64 {
+    let digits: Vec<u32> = colour.chars().filter_map(|digit| digit.to_digit(16)).collect();
+    let parts: Vec<u32> = match digits[..] {
+        [r, g, b] => [r, g, b].map(|part| 17 * part).into(),
+        _ => digits.chunks(2).map(|pair| 16 * pair[0] + pair[1]).collect(),
+    };
+    let linear = |part: u32| match f64::from(part) / 255.0 {
+        part if part <= 0.04045 => part / 12.92,
+        part => ((part + 0.055) / 1.055).powf(2.4),
+    };
+    0.2126 * linear(parts[0]) + 0.7152 * linear(parts[1]) + 0.0722 * linear(parts[2])
+}
+
+#[test]
+fn every_text_has_contrast_in_both_schemes() {
+    let style = include_str!("page.css");
+    let schemes: Vec<&str> = style.split(":root").skip(1).collect();
+    assert_eq!(schemes.len(), 2);
+    for scheme in schemes {
+        let colour = |name: &str| {
+            let (_, behind) = scheme.split_once(&format!("--{name}: ")).expect("it is there");
+            luminance(behind.split(';').next().unwrap_or_default())
+        };
+        for (text, ground) in [
+            ("ink", "paper"),
+            ("ink", "faint"),
+            ("quiet", "paper"),
+            ("quiet", "faint"),
+            ("warn", "paper"),
+            ("accent", "faint"),
+            ("on-accent", "accent"),
+            ("push", "paper"),
+            ("s0", "paper"),
+            ("s1", "paper"),
+            ("s2", "paper"),
+        ] {
+            let [a, b] = [colour(text), colour(ground)];
+            let contrast = (a.max(b) + 0.05) / (a.min(b) + 0.05);
+            assert!(contrast >= 4.5, "{text} on {ground}: {contrast:.2}");
+        }
+    }
 }

@@ -13,6 +13,7 @@ pub(crate) mod declarations;
 mod drawn;
 mod fingerprint;
 mod parts;
+mod scripts;
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,0 +1,143 @@
+//! Pages in a browser, dragged along scripted paths. They need Debian's `chromium`:
+//! `cargo test --release -p gallery -- --ignored browser`.
+
+use std::fmt::Write;
+
+use super::chromium::run;
+use super::hard;
+
+/// A page, the width of its window, and what is done with it.
+struct Visit {
+    name: &'static str,
+    html: String,
+    width: u32,
+    steps: &'static str,
+}
+
+/// In virtual time a browser without a screen shows no frames of its own.
+const FRAMES: &str =
+    "window.requestAnimationFrame = (frame) => setTimeout(() => frame(performance.now()), 16);";
+
+/// Lays the pages out in frames and gathers what each tells.
+const GATHER: &str = r#"
+const found = {};
+addEventListener("message", ({ data, source }) => {
+  const frame = [...document.querySelectorAll("iframe")].find((frame) => frame.contentWindow === source);
+  found[frame.title] = data;
+  document.querySelector("pre").textContent = Object.entries(found)
+    .map(([name, { failures, told }]) => [name, ...told, ...failures.map((text) => `FAILED ${text}`)].join("\n  ")).join("\n");
+});
+"#;
+
+fn visited(visits: &[Visit], name: &str, flags: &[&str]) -> String {
+    let is_still = flags.contains(&"--force-prefers-reduced-motion");
+    let mut page = format!("<!DOCTYPE html><body><pre></pre><script>{GATHER}</script>");
+    for Visit { name, html, width, steps } in visits {
+        let hand = include_str!("drag.js");
+        let script = format!("{{ const IS_STILL = {is_still}, PLANNED = {steps};\n{hand} }}");
+        let own = html.replace("</html>", &format!("<script>{script}</script></html>"));
+        let own = own.replacen("<script>", &format!("<script>{FRAMES}</script><script>"), 1);
+        let own = own.replace('&', "&amp;").replace('"', "&quot;");
+        write!(
+            page,
+            "<iframe title=\"{name} {width}\" style=\"width:{width}px;height:900px;border:0\" srcdoc=\"{own}\"></iframe>"
+        )
+        .unwrap();
+    }
+    let flags = [flags, &["--virtual-time-budget=90000", "--window-size=1320,920"]].concat();
+    run(&page, name, &flags)
+}
+
+fn page(name: &str) -> String {
+    let pages = gallery::live::pages().unwrap();
+    pages.into_iter().find(|(own, _)| *own == name).expect("it has a page").1
+}
+
+fn visits() -> Vec<Visit> {
+    let visit = |name: &'static str, width, steps| Visit { name, html: page(name), width, steps };
+    let shear = r#"[["look"], ["crank"], ["coupler", "blade"], ["keys"], ["texts"], ["sliders"]]"#;
+    vec![
+        visit("flying_shear::FlyingShear", 1280, shear),
+        visit("flying_shear::FlyingShear", 360, shear),
+        visit("range::FourBar", 1280, r#"[["look"], ["gap"], ["texts"], ["sliders"]]"#),
+        visit("range::FourBar", 360, r#"[["look"], ["gap"]]"#),
+        visit(
+            "excavator::Excavator",
+            1280,
+            r#"[["look"], ["reach", "tooth"], ["coupler", "G"], ["texts"]]"#,
+        ),
+        visit("jansen_leg::JansenLeg", 1280, r#"[["look"], ["coupler", "foot"]]"#),
+        visit("shear_bearings::FlyingShear", 360, r#"[["look"], ["crank"], ["sliders"]]"#),
+        Visit {
+            name: "hard::Function",
+            html: hard::Function::new().page().to_html().unwrap(),
+            width: 1280,
+            steps: r#"[["look"], ["coupler", "constructor"], ["texts"], ["sliders"]]"#,
+        },
+    ]
+}
+
+fn check(name: &str, flags: &[&str]) {
+    let visits = visits();
+    // A page at a time: frames beside each other wait for each other.
+    for visit in visits.chunks(1) {
+        let found = visited(visit, name, flags);
+        println!("{found}");
+        assert!(found.starts_with(visit[0].name), "{} tells nothing: {found}", visit[0].name);
+        assert!(!found.contains("FAILED"), "{found}");
+    }
+}
+
+#[test]
+#[ignore = "needs chromium"]
+fn a_reader_drags_machines_in_a_browser() {
+    check("drag_light", &["--force-prefers-reduced-motion"]);
+}
+
+#[test]
+#[ignore = "needs chromium"]
+fn a_reader_drags_machines_in_a_dark_browser_while_they_play() {
+    check("drag_dark", &["--blink-settings=preferredColorScheme=0"]);
+}
+
+/// A frame of each kind, over and over, in the time that a quarter of them does not exceed, since a machine that
+/// does other work beside makes the rest slower: inputs that move, a point that is dragged, a parameter that
+/// is set.
+const MEASURE: &str = r#"
+{
+  const measured = (count, what, change) => {
+    const times = Array.from({ length: count }, (_, k) => {
+      const begun = performance.now();
+      change(k);
+      due = what;
+      frame();
+      return performance.now() - begun;
+    });
+    return times.sort((a, b) => a - b)[count >> 2];
+  };
+  const point = tracedPoints[0], path = samples.filter(({ pose }) => !pose.error).map(({ pose }) => pose.point(point));
+  const found = {
+    input: measured(60, POSE, (k) => state.q = withInput(0, inputs[0].from + (sizeOf(inputs[0]) * k) / 60)),
+    drag: measured(60, inputs.length > 1 ? CURVES : POSE, (k) => state.q = towards(point, path[3 * k % path.length], state.q)),
+    curves: measured(60, CURVES, (k) => params.length && (state.p[0] = params[0].value * (1 + k / 600))),
+  };
+  const report = document.createElement("pre");
+  report.textContent = JSON.stringify(found);
+  document.body.prepend(report);
+}
+"#;
+
+#[test]
+#[ignore = "needs chromium"]
+fn a_frame_takes_few_milliseconds_of_script() {
+    for name in ["flying_shear::FlyingShear", "excavator::Excavator", "calibration::SixBar"] {
+        let html = page(name).replace("</html>", &format!("<script>{MEASURE}</script></html>"));
+        let found =
+            run(&html, "measure", &["--force-prefers-reduced-motion", "--window-size=1280,900"]);
+        println!("{name}: {found}");
+        let times = found.split([':', ',', '}']).filter_map(|part| part.parse::<f64>().ok());
+        let times: Vec<f64> = times.collect();
+        assert_eq!(times.len(), 3, "{found}");
+        assert!(times.iter().all(|&time| time <= 8.0), "{name}: {found}");
+    }
+}

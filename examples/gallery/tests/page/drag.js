@@ -1,0 +1,180 @@
+// A reader's hand on a page: what it drags, sets and presses, and what the page makes of it.
+
+const failures = [];
+const expect = (isMet, ...words) => { if (!isMet) failures.push(words.join(" ")); };
+addEventListener("error", ({ message }) => failures.push(message));
+addEventListener("securitypolicyviolation", ({ blockedURI }) => failures.push(`asks for ${blockedURI}`));
+// Made events have no pointer that could be captured.
+Element.prototype.setPointerCapture = () => {};
+Element.prototype.hasPointerCapture = () => isPressed;
+let isPressed = false;
+
+const drawn = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+const point = (name) => PLAN.points.indexOf(name);
+const now = (name) => new Pose(state.q).point(point(name));
+const send = (kind, place) => {
+  const box = figure.getBoundingClientRect(), pixel = box.width / view.width, [x, y] = onPage(place);
+  const at = { clientX: box.left + x * pixel, clientY: box.top + y * pixel };
+  figure.dispatchEvent(new PointerEvent(kind, { ...at, pointerId: 1, bubbles: true, cancelable: true }));
+};
+/// Takes a point along a path of places; tells each.
+const drag = async (name, places, each) => {
+  send("pointerdown", now(name));
+  for (const place of places) {
+    send("pointermove", place);
+    await drawn();
+    each?.(place);
+  }
+  send("pointerup", places.at(-1));
+  await drawn();
+};
+const set = async (input, value) => {
+  input.value = value;
+  for (const kind of ["input", "change"]) input.dispatchEvent(new Event(kind, { bubbles: true }));
+  await drawn();
+};
+const press = async (key, shiftKey = false) => {
+  figure.dispatchEvent(new KeyboardEvent("keydown", { key, shiftKey, bubbles: true, cancelable: true }));
+  await drawn();
+};
+const sound = (when) => {
+  const paths = [...document.querySelectorAll("svg path")].map((path) => path.getAttribute("d") ?? "");
+  expect(!paths.some((d) => /NaN|undefined|Infinity/.test(d)), when, "leaves a path without numbers");
+  const moved = [...document.querySelectorAll("svg [transform]")].map((node) => node.getAttribute("transform"));
+  expect(!moved.some((d) => /NaN|undefined|null/.test(d)), when, "leaves a place without numbers");
+  expect(document.documentElement.scrollWidth <= innerWidth, when, "is wider than the window");
+};
+/// Texts of a picture that lie over each other.
+const overlapping = (texts) => {
+  const boxes = [...texts].filter((text) => text.getAttribute("visibility") !== "hidden" && text.textContent.trim())
+    .map((text) => [text.textContent, text.getBoundingClientRect()]);
+  return boxes.flatMap(([name, a], k) => boxes.slice(k + 1)
+    .filter(([, b]) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 3 && b.top < a.bottom - 3)
+    .map(([other]) => `${name} over ${other}`));
+};
+
+const STEPS_OF = {
+  /// Twice round by the crank's pin, the pointer outside its circle; the input winds up.
+  async crank() {
+    const [centre, from] = [now("A"), now("B")], begun = state.q[0];
+    const first = Math.atan2(from[1] - centre[1], from[0] - centre[0]), radius = 1.7 * apart(centre, from);
+    const places = Array.from({ length: 96 }, (_, k) => first + ((k + 1) * 4 * Math.PI) / 96)
+      .map((angle) => [centre[0] + radius * Math.cos(angle), centre[1] + radius * Math.sin(angle)]);
+    await drag("B", places, (place) => {
+      const at = now("B"), off = Math.atan2(at[1] - centre[1], at[0] - centre[0]) - Math.atan2(place[1] - centre[1], place[0] - centre[0]);
+      expect(Math.abs(nearest(off)) < 0.1, "the pin is off the pointer by", off);
+    });
+    expect(Math.abs(state.q[0] - begun - 4 * Math.PI) < 0.1, "two turns are", state.q[0] - begun);
+  },
+  /// A coupler point along its own path, and beside it.
+  async coupler(name) {
+    play(false);
+    const path = samples.filter(({ pose }) => !pose.error).map(({ pose }) => pose.point(point(name)));
+    const start = path.map((at, k) => [apart(at, now(name)), k]).sort((a, b) => a[0] - b[0])[0][1], last = path.length - 1;
+    // To and fro where the path has ends.
+    const bounced = (k) => last - Math.abs(last - (k % (2 * last)));
+    const places = Array.from({ length: 80 }, (_, k) => path[bounced(start + 3 * (k + 1))]);
+    await drag(name, places, (place) => {
+      const off = apart(now(name), place) * view.scale;
+      expect(off < 0.5, name, "is off its own path by", off, "pixels");
+    });
+  },
+  /// A point of several inputs' reach along a line and back.
+  async reach(name) {
+    play(false);
+    go(inputs.map(({ from, to }) => (from + to) / 2));
+    await drawn();
+    const from = now(name);
+    const places = Array.from({ length: 40 }, (_, k) => Math.sin((k * Math.PI) / 20))
+      .map((share) => [from[0] - 40 / view.scale * Math.abs(share), from[1] + 30 / view.scale * share]);
+    await drag(name, places, (place) => {
+      const off = apart(now(name), place) * view.scale;
+      expect(off < 1, name, "is off the line by", off, "pixels");
+    });
+  },
+  /// Into a gap and out of it.
+  async gap() {
+    play(false);
+    const centre = now("A"), radius = apart(centre, now("B"));
+    const at = (angle) => [centre[0] + radius * Math.cos(angle), centre[1] + radius * Math.sin(angle)];
+    let met = 0;
+    await drag("B", Array.from({ length: 60 }, (_, k) => at(state.q[0] + (k * TURN) / 60)), () => {
+      const isGap = !!new Pose(state.q).error;
+      met += isGap;
+      expect(isGap === $("#state").textContent.includes("cannot be assembled"), "the reason is", $("#state").textContent);
+      expect(isGap === (nodes.reach.getAttribute("visibility") === "visible"), "what is missing shows in a pose that is whole");
+      if (isGap) expect(nodes.missing.getAttribute("d").startsWith("M"), "nothing is missing in a gap");
+      expect(isGap === (nodes.ghost.getAttribute("visibility") === "visible"), "the last pose does not show");
+    });
+    expect(met > 5 && met < 55, "in a gap", met, "times of 60");
+    expect(charts.every(({ out }) => out.getAttribute("d").startsWith("M")), "no band over the gap");
+  },
+  /// Every slider at both ends and back, every mode.
+  async sliders() {
+    play(false);
+    for (const input of document.querySelectorAll("input[type=range]")) {
+      const { value, min, max } = input;
+      for (const end of [min, max, value]) {
+        await set(input, end);
+        sound(`${input.id} at ${end}`);
+      }
+    }
+    for (const button of document.querySelectorAll("input[type=radio]")) {
+      button.click();
+      await drawn();
+      sound(`${button.name} ${button.value}`);
+    }
+    $("#reset").click();
+    await drawn();
+  },
+  /// The keyboard alone.
+  async keys() {
+    play(false);
+    figure.focus();
+    const begun = state.q[0];
+    for (let k = 0; k < 5; k++) await press("ArrowRight");
+    await press("ArrowLeft", true);
+    expect(Math.abs(state.q[0] - begun + Math.PI / 36) < 1e-9, "five degrees and ten back are", state.q[0] - begun);
+    await press(" ");
+    expect($("#play").textContent === "Pause", "space does not play");
+    await press(" ");
+    expect($("#play").textContent === "Play", "space does not stop");
+  },
+  /// Numbers of the curves as text, the copied declaration, and the state in the address.
+  async texts() {
+    play(false);
+    const lines = csv().trim().split("\n"), head = lines[0].split(",").length;
+    expect(lines.length === STEPS + 2, "the table has", lines.length, "lines");
+    expect(lines.every((line) => line.replace(/"[^"]*"/g, "").split(",").length === head), "lines of the table differ in length");
+    const [slider] = document.querySelectorAll("#params input[type=range]");
+    if (slider) {
+      await set(slider, slider.max);
+      expect(document.querySelectorAll("mark").length === 1, "a changed parameter is not marked");
+      expect(!$("#code").textContent.includes("undefined"), "the declaration has a hole");
+    }
+    expect($("#code").textContent.startsWith("mechanism! {"), "the declaration begins", $("#code").textContent.slice(0, 20));
+    $("#reset").click();
+    await drawn();
+  },
+  async look() {
+    const over = charts.flatMap(({ svg }) => overlapping(svg.querySelectorAll("text")));
+    expect(!over.length, "texts of a chart:", over.join("; "));
+    const names = overlapping(document.querySelectorAll(".names text"));
+    expect(!names.length, "names:", names.join("; "));
+    expect($("#code").textContent.length > 0, "no declaration");
+    expect(playing !== IS_STILL, "plays at first:", playing);
+  },
+};
+
+addEventListener("load", () => setTimeout(async () => {
+  for (const [step, ...given] of PLANNED) {
+    try {
+      await STEPS_OF[step](...given);
+    } catch (error) {
+      failures.push(`${step}: ${error.message}`);
+    }
+    sound(step);
+  }
+  expect(performance.getEntriesByType("resource").length === 0, "something was asked of the network");
+  parent.postMessage({ failures: failures.slice(0, 6), told: [`${spent.length} frames`] }, "*");
+}, 200));

@@ -1,0 +1,64 @@
+//! Every script calls what the page's run-time defines, and nothing else.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use proc_macro2::{TokenStream, TokenTree};
+
+use super::declarations;
+use crate::pipeline::{self, Options};
+
+/// The script among the tokens of a solver: the literal that begins as an object does.
+fn script(tokens: TokenStream) -> Option<String> {
+    tokens.into_iter().find_map(|tree| match tree {
+        TokenTree::Group(group) => script(group.stream()),
+        TokenTree::Literal(literal) => {
+            let text = syn::parse_str::<syn::LitStr>(&literal.to_string()).ok()?.value();
+            text.starts_with("{\nplace: ").then_some(text)
+        }
+        _ => None,
+    })
+}
+
+/// The names that are called, those of conditions with `c.` in front.
+fn called(script: &str) -> impl Iterator<Item = &str> {
+    script.match_indices('(').filter_map(|(end, _)| {
+        let is_name = |c: char| c.is_alphanumeric() || "_$.".contains(c);
+        let start = script[..end].rfind(|c| !is_name(c)).map_or(0, |at| at + 1);
+        let name = &script[start..end];
+        name.starts_with(char::is_alphabetic).then_some(name)
+    })
+}
+
+/// The names that the files of the run-time define.
+fn defined() -> BTreeSet<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../linkage-core/src/sketch/page");
+    let text = |file: &str| std::fs::read_to_string(folder.join(file)).expect("the file is there");
+    let mut names = BTreeSet::new();
+    for line in ["kernels.js", "checks.js"].map(text).iter().flat_map(|text| text.lines()) {
+        let constant = line.strip_prefix("const ").and_then(|rest| rest.split_once(" = "));
+        names.extend(constant.into_iter().flat_map(|(name, _)| {
+            name.trim_matches(['{', '}', ' ']).split(", ").map(str::to_string)
+        }));
+        let method = line.strip_prefix("  ").and_then(|rest| rest.split_once('('));
+        let method = method.filter(|_| line.ends_with(" {"));
+        names.extend(method.map(|(name, _)| format!("c.{name}")));
+    }
+    names
+}
+
+#[test]
+fn a_script_calls_what_its_page_defines() {
+    let (defined, mut scripts, mut seen) = (defined(), 0, BTreeSet::new());
+    for declaration in declarations::all() {
+        let tokens = pipeline::compile(declaration.tokens.clone(), &Options::SKETCH).tokens;
+        let Some(script) = script(tokens) else { continue };
+        scripts += 1;
+        for name in called(&script) {
+            assert!(defined.contains(name), "{}: `{name}` is defined nowhere", declaration.name);
+            seen.insert(name.to_string());
+        }
+    }
+    assert!(scripts > 300, "{scripts}");
+    assert!(seen.len() > 20, "{seen:?}");
+}
