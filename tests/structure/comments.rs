@@ -28,14 +28,14 @@ fn found(source: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The sources below a folder.
-fn visit(folder: &Path, look: &mut impl FnMut(&Path, &str)) {
+/// The files below a folder that end in one of these.
+pub(crate) fn visit(folder: &Path, endings: &[&str], look: &mut impl FnMut(&Path, &str)) {
     for entry in fs::read_dir(folder).expect("the folder can be read") {
         let path = entry.expect("the folder can be read").path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if path.is_dir() && !name.starts_with('.') && name != "target" {
-            visit(&path, look);
-        } else if name.ends_with(".rs") {
+            visit(&path, endings, look);
+        } else if endings.iter().any(|ending| path.extension().is_some_and(|own| own == *ending)) {
             look(&path, &fs::read_to_string(&path).expect("the source can be read"));
         }
     }
@@ -44,7 +44,8 @@ fn visit(folder: &Path, look: &mut impl FnMut(&Path, &str)) {
 #[test]
 fn comments_begin_with_a_noun_or_a_verb() {
     let mut all = Vec::new();
-    visit(&Path::new(env!("CARGO_MANIFEST_DIR")).join(".."), &mut |path, source| {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    visit(&root, &["rs"], &mut |path, source| {
         all.extend(found(source).map(|line| format!("{}: {line}", path.display())));
     });
     assert!(all.len() <= LEFT, "{} comments, {LEFT} before:\n{}", all.len(), all.join("\n"));

@@ -9,6 +9,8 @@ use super::svg::{escaped, number};
 /// The width of the film for a telephone, whose letters are as large as those of a wide one.
 pub(super) const NARROW: f64 = 328.0;
 
+const SCRIPT: &str = include_str!("player.js");
+
 /// The page; the films come as text of SVG and last so long.
 pub(super) fn page(title: &str, [wide, narrow]: [&str; 2], seconds: f64) -> String {
     let (title, seconds) = (escaped(title), number(seconds, 3));
@@ -43,30 +45,8 @@ output {{ min-width: 4em; text-align: right; font-variant-numeric: tabular-nums;
 <p class="player"><button type="button">Pause</button><input type="range" min="0" max="{seconds}" step="any" value="0" aria-label="time"><output>0.00 s</output></p>
 </main>
 <script>
-const films = document.querySelectorAll("svg"), length = {seconds};
-const [button] = document.getElementsByTagName("button");
-const [slider] = document.getElementsByTagName("input");
-const [time] = document.getElementsByTagName("output");
-let plays = true;
-const show = () => {{ time.textContent = Number(slider.value).toFixed(2) + " s"; }};
-const play = (wanted) => {{
-  plays = wanted;
-  button.textContent = plays ? "Pause" : "Play";
-  for (const film of films) plays ? film.unpauseAnimations() : film.pauseAnimations();
-}};
-button.addEventListener("click", () => play(!plays));
-slider.addEventListener("input", () => {{
-  play(false);
-  for (const film of films) film.setCurrentTime(Number(slider.value));
-  show();
-}});
-const tick = () => {{
-  if (plays) {{ slider.value = films[0].getCurrentTime() % length; show(); }}
-  requestAnimationFrame(tick);
-}};
-if (matchMedia("(prefers-reduced-motion: reduce)").matches) play(false);
-tick();
-</script>
+const length = {seconds};
+{SCRIPT}</script>
 </html>
 "#,
         day.paper, day.ink, night.paper, night.ink,

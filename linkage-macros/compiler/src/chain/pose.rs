@@ -188,20 +188,8 @@ impl<'m> Posed<'m> {
         let held = [held[0], held[1].map(|([_, other], held)| ([b, other], held))];
         match (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer) {
             (Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)) => {
-                let (from, to) = (self.pin(u)?, self.pin(w)?);
                 let tips = held.map(|held| self.tip(held, v, given));
-                let (first, second) =
-                    ((tips[0] - drawn(u)).length(), (tips[1] - drawn(w)).length());
-                let base = to - from;
-                let far = base.length();
-                let x = (far + (first - second) * (first + second) / far) / 2.0;
-                let tip = from
-                    + base.unit() * Complex::new(x, sign * real_root((first - x) * (first + x))?);
-                for (body, (pin, at), drawn_tip) in [(a, (u, from), tips[0]), (b, (w, to), tips[1])]
-                {
-                    let turn = ((tip - at) * (drawn_tip - drawn(pin)).conjugate()).unit();
-                    self.of[body] = Some(Motion::taking(drawn(pin), at, turn));
-                }
+                self.between_two_pins([a, b], [u, w], tips, sign)?;
                 held.into_iter().for_each(|held| self.follow(held, given));
             }
             (Pair::Pin(u), Pair::Pin(v), Pair::Slide(s)) => {
@@ -243,6 +231,29 @@ impl<'m> Posed<'m> {
                 self.of[a] = Some(Motion::taking(drawn(u), self.pin(u)?, turn));
             }
             _ => return None,
+        }
+        Some(())
+    }
+
+    /// Two bodies on these pins, whose other ends, drawn at the tips, meet on the side of the sign.
+    fn between_two_pins(
+        &mut self,
+        bodies: [usize; 2],
+        pins: [usize; 2],
+        tips: [Complex; 2],
+        sign: f64,
+    ) -> Option<()> {
+        let [from, to] = [self.pin(pins[0])?, self.pin(pins[1])?];
+        let drawn = pins.map(|pin| self.machine.pins[pin]);
+        let [first, second] = [0, 1].map(|leg| (tips[leg] - drawn[leg]).length());
+        let base = to - from;
+        let far = base.length();
+        let x = (far + (first - second) * (first + second) / far) / 2.0;
+        let tip =
+            from + base.unit() * Complex::new(x, sign * real_root((first - x) * (first + x))?);
+        for (leg, at) in [from, to].into_iter().enumerate() {
+            let turn = ((tip - at) * (tips[leg] - drawn[leg]).conjugate()).unit();
+            self.of[bodies[leg]] = Some(Motion::taking(drawn[leg], at, turn));
         }
         Some(())
     }

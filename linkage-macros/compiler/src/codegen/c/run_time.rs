@@ -22,7 +22,11 @@ pub(crate) fn header() -> String {
 
 /// The text of `linkage_run.c`.
 pub(crate) fn source() -> &'static str {
-    include_str!("run/linkage_run.c")
+    concat!(
+        include_str!("run/conditions.c"),
+        include_str!("run/exact.c"),
+        include_str!("run/reach.c"),
+    )
 }
 
 /// A text with the words of a width in the place of the general ones. `@` ends the names of functions and

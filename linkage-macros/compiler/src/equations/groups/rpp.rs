@@ -118,7 +118,6 @@ fn rpp<'s>(
     let y = scope.sheet.det(u1.x, from.y, u1.y, from.x);
     let s2 = (y - e1.value - e2.value * cosine) * inverse;
     let s1 = from.dot(u1) + e2.value * sine - s2 * cosine;
-
     scope.call("y", y);
     scope.call("s2", s2);
     scope.call("s1", s1);

@@ -11,6 +11,7 @@ mod bodies;
 mod figures;
 mod followed;
 mod frames;
+mod group_statement;
 mod held;
 mod incidences;
 mod lengths;

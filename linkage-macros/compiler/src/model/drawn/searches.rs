@@ -14,7 +14,8 @@ use crate::syntax::tree::{Expr, ExprKind, FieldValue, Solve, StatementKind};
 use super::figures::sum;
 use super::followed::{DrawnValues, Fitted, traced_names};
 use super::frames::{DrawnFrame, Heading, Origin};
-use super::writer::{Writer, group_of};
+use super::group_statement::group_of;
+use super::writer::Writer;
 
 /// An unknown, and how far the first drive was followed with it.
 pub(super) struct Sought {

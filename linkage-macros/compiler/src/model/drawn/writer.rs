@@ -5,15 +5,14 @@ use proc_macro2::Ident;
 use crate::chain::cutting::{Dyad, Found, Pair};
 use crate::chain::limits::sine;
 use crate::chain::machine::GROUND;
-use crate::syntax::tree::{
-    self, Expr, ExprKind, Field, FieldValue, Group, Place, Statement, StatementKind,
-};
+use crate::syntax::tree::{Expr, ExprKind, FieldValue, Place, Statement, StatementKind};
 
 use super::TurnedFrame;
 use super::bars::DrawnBar;
 use super::bodies::Bodies;
 use super::figures::{Figure, Pen};
 use super::frames::{DrawnFrame, Heading, Origin};
+use super::group_statement::group_of;
 use super::rewritten::Turns;
 use super::searches::Sought;
 use super::sorted;
@@ -368,29 +367,6 @@ impl<'b, 't> Writer<'b, 't> {
             let kind = StatementKind::Point { name, on, place };
             self.put(link.statement, kind);
         }
-    }
-}
-
-/// The statement of a group.
-pub(super) fn group_of(
-    keyword: &str,
-    legs: Vec<(Ident, Ident)>,
-    pin: Option<Ident>,
-    fields: Vec<(&str, FieldValue)>,
-) -> Group {
-    let span = legs[0].0.span();
-    let field = |(name, value): (&str, FieldValue)| Field { name: Ident::new(name, span), value };
-    Group {
-        keyword: Ident::new(keyword, span),
-        legs: legs
-            .into_iter()
-            .map(|(link, joint)| tree::Leg { link, joint: Some(joint) })
-            .collect(),
-        pin,
-        fields: fields.into_iter().map(field).collect(),
-        end: span,
-        head_is_read: true,
-        fields_are_read: true,
     }
 }
 

@@ -1,0 +1,25 @@
+//! Statements of groups, made of their parts.
+
+use proc_macro2::Ident;
+
+use crate::syntax::tree::{Field, FieldValue, Group, Leg};
+
+/// The statement of a group.
+pub(super) fn group_of(
+    keyword: &str,
+    legs: Vec<(Ident, Ident)>,
+    pin: Option<Ident>,
+    fields: Vec<(&str, FieldValue)>,
+) -> Group {
+    let span = legs[0].0.span();
+    let field = |(name, value): (&str, FieldValue)| Field { name: Ident::new(name, span), value };
+    Group {
+        keyword: Ident::new(keyword, span),
+        legs: legs.into_iter().map(|(link, joint)| Leg { link, joint: Some(joint) }).collect(),
+        pin,
+        fields: fields.into_iter().map(field).collect(),
+        end: span,
+        head_is_read: true,
+        fields_are_read: true,
+    }
+}
