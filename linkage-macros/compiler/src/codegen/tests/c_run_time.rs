@@ -245,7 +245,7 @@ fn circles(random: &mut Random, is_single: bool) -> [f64; 6] {
 }
 
 fn random_scale(is_single: bool) -> f64 {
-    if is_single { 30.0 } else { 300.0 }
+    if is_single { 125.0 } else { 1020.0 }
 }
 
 /// The operands of a condition.
@@ -282,7 +282,7 @@ fn operands(random: &mut Random, which: i32, is_single: bool) -> [f64; 9] {
                 0.0,
             ]
         }
-        29 => [random.any(random_scale(is_single) * 4.0).abs(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        29 => [random.any(random_scale(is_single)).abs(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         _ => [random.any(20.0), spread, 0.0, 0.0, 0.0, 0.0, 0.0],
     };
     let mut all = [0.0; 9];
