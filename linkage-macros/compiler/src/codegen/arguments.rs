@@ -95,7 +95,7 @@ impl<'a> Arguments<'a> {
 
     /// Those of a function that only generated code calls, for formulas that are written as text: the
     /// names have nothing of the tokens that the user may have had a macro write.
-    pub(super) fn of_our_own(cx: &'a Context<'a>, given: &'a [Given]) -> Self {
+    pub(super) fn with_call_site_spans(cx: &'a Context<'a>, given: &'a [Given]) -> Self {
         let mut arguments = Self::new(cx, given);
         arguments.names.iter_mut().for_each(|name| name.set_span(Span::call_site()));
         arguments

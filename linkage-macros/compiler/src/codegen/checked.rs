@@ -9,7 +9,7 @@ use super::identifiers::generated;
 use super::token_list::Tokens;
 use super::{arguments::Arguments, docs, fast_path, results, slow_path};
 use crate::interface::EntryId;
-use crate::lower::routine::{Adapted, Compute};
+use crate::lower::routine::{ArgumentAdapter, Compute};
 
 pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
@@ -26,7 +26,7 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let given = arguments.names().iter().cloned().map(Tokens::from);
     let body = match cx.compute(id) {
         // The velocities at a rate of one.
-        Compute::Via { entry: velocity, given: Adapted::UnitRate } => {
+        Compute::Delegate { entry: velocity, given: ArgumentAdapter::UnitRate } => {
             let given: Vec<_> = given.chain([cx.literal(1.0, 1.0)]).collect();
             let answer = fast_path::of_unit_rate(cx, &arguments, *velocity);
             let (diagnose, column) =

@@ -11,7 +11,7 @@ use super::text::Text;
 use super::{doc_comments, docs, formulas, results};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
-use crate::lower::routine::{Adapted, Asked, Bound, Compute, Finite, Sum};
+use crate::lower::routine::{ArgumentAdapter, Bound, Compute, Finite, FinitenessChecks, Sum};
 
 /// The name of the core of an entry point, which has the numbers and records themselves for arguments:
 /// the public function, where that has.
@@ -42,10 +42,10 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let (declared, received) = (arguments.declared(&number), arguments.received(&number));
     let (converted, answer) = (arguments.converted(&number), answer(cx, id));
     let body = match cx.compute(id) {
-        Compute::Via { entry: other, given: Adapted::CosineAndSine } => {
+        Compute::Delegate { entry: other, given: ArgumentAdapter::CosineAndSine } => {
             by_cosine(cx, &arguments, *other)
         }
-        Compute::Via { entry: other, given: Adapted::UnitRate } => {
+        Compute::Delegate { entry: other, given: ArgumentAdapter::UnitRate } => {
             at_unit_rate(cx, &arguments, *other)
         }
         Compute::Own { routine, stage, asked } => {
@@ -154,7 +154,7 @@ fn compared(
     cx: &Context<'_>,
     id: EntryId,
     call: formulas::Call,
-    asked: &Asked,
+    asked: &FinitenessChecks,
     start: &TokenStream,
 ) -> TokenStream {
     let [all_met, result] = ["all_met_", "result_"].map(generated);

@@ -8,7 +8,7 @@ use super::identifiers::text;
 use crate::interface::forces::path;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
-use crate::model::dynamics::{Asked, Effort, Ends, Load};
+use crate::model::dynamics::{Effort, Ends, Load, RequestedEffort};
 use crate::model::mechanism::{
     Body, Carrier, Dimension, Drive, LinkId, Mechanism, PointId, SpringId,
 };
@@ -50,7 +50,7 @@ pub(super) fn describe(cx: &Context<'_>, index: usize) -> String {
     format!("`{}`: {}", path(asked), sentence(cx, asked))
 }
 
-fn sentence(cx: &Context<'_>, asked: &Asked) -> String {
+fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
     let link = |id: LinkId| text(&cx.mechanism.links[id.index()].name);
     let point = |id: PointId| text(&cx.mechanism.points[id.index()].name);
     match asked.effort {

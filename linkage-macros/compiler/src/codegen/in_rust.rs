@@ -11,7 +11,7 @@ use super::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::check::{Check, Comparison, Contacts};
-use crate::ir::graph::{Id, Node, Wanted};
+use crate::ir::graph::{Id, Node, Target};
 use crate::ir::liveness::Path;
 use crate::lower::routine::{Condition, Routine, Statement, Threshold};
 use crate::model::mechanism::ParamKind;
@@ -29,7 +29,8 @@ pub(super) type RustPrinter<'a> = Printer<'a, InRust<'a>>;
 
 impl<'a> RustPrinter<'a> {
     pub(super) fn new(cx: &'a Context<'a>, routine: &'a Routine) -> Self {
-        let (arguments, number) = (Arguments::of_our_own(cx, &routine.given), cx.number());
+        let (arguments, number) =
+            (Arguments::with_call_site_spans(cx, &routine.given), cx.number());
         let dialect = InRust { cx, arguments, number: number.to_string() };
         Self { lowered: cx.lowered, routine, dialect }
     }
@@ -208,7 +209,7 @@ impl Dialect for InRust<'_> {
         });
         let unknown = &printer.dialect.cx.mechanism.unknowns[search.sought.unknown as usize];
         to.put("let (").put(&printer.local(root)).put(", ").put(&size).put(") = ");
-        if let Wanted::End(_) = search.sought.wanted {
+        if let Target::End(_) = search.sought.wanted {
             to.append(&found);
         } else if !is_checked {
             to.put(&printer.dialect.cx.paths.written("open")).put("(").append(&found);

@@ -113,7 +113,7 @@ impl<'a, D: Dialect> Printer<'a, D> {
             }
             Statement::Check(condition) => D::condition(self, condition, to),
             Statement::Find { search, root, size } => D::find(self, *search, *root, *size, to),
-            Statement::Tell { statements, clearances } => {
+            Statement::ReportClearances { statements, clearances } => {
                 D::tell(self, statements, clearances, to);
             }
         }
@@ -211,7 +211,7 @@ impl<'a, D: Dialect> Printer<'a, D> {
             | Node::Drive(_)
             | Node::Trial(_)
             | Node::Root(_)
-            | Node::Size(_)
+            | Node::RootScale(_)
             | Node::Guard(..) => unreachable!("read in place, or a statement of its own kind"),
         }
     }

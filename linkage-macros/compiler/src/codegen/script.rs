@@ -14,7 +14,7 @@ use crate::interface::{forces, labels};
 use crate::ir::graph::Node;
 use crate::lower::routine::{Compute, Lowered, Routine};
 use crate::lower::{PLACED, label};
-use crate::model::dynamics::{Asked, Effort};
+use crate::model::dynamics::{Effort, RequestedEffort};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
 /// An object: where everything stands, the outputs' motion, forces, and names.
@@ -52,7 +52,7 @@ fn entry(mechanism: &Mechanism, lowered: &Lowered<'_>, analysis: Analysis, to: &
     let Some(id) = interface.find(analysis.by_value()) else { return };
     let own = match lowered.entries[id.index()] {
         Compute::Own { .. } => id,
-        Compute::Via { entry, .. } => entry,
+        Compute::Delegate { entry, .. } => entry,
     };
     let Compute::Own { routine, stage, asked } = &lowered.entries[own.index()] else {
         unreachable!("an entry point that goes by another goes by one with formulas")
@@ -118,7 +118,7 @@ fn output(output: &Output) -> String {
 }
 
 /// A force, couple or effort: its name, its rows, their units, and the point at which an arrow shows it.
-fn effort(mechanism: &Mechanism, asked: &Asked) -> String {
+fn effort(mechanism: &Mechanism, asked: &RequestedEffort) -> String {
     let (rows, units): (&[&str], Vec<String>) = match forces::shape(asked.effort) {
         Shape::Quantity(quantity, order) => {
             let unit = |part: &Part| if part.field == "couple" { "N·m" } else { "N" }.to_string();

@@ -11,7 +11,7 @@ use super::in_rust::RustPrinter;
 use super::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
-use crate::ir::graph::{Trend, Wanted};
+use crate::ir::graph::{Target, Trend};
 use crate::lower::TRIAL;
 use crate::lower::routine::Apart;
 use crate::lower::routine::Search;
@@ -41,7 +41,7 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     let given: Vec<_> = given.collect();
     let (real, plain) = (cx.paths.item("Real"), generated("plain_"));
     let (name, docs) = (generated(&search.routine.name), docs(cx, search));
-    if let Wanted::End(end) = search.sought.wanted {
+    if let Target::End(end) = search.sought.wanted {
         let (bound, end) = (cx.paths.item("bound"), Literal::u8_unsuffixed(end));
         return quote! {
             #docs
@@ -95,10 +95,10 @@ fn apart_of(
 fn docs(cx: &Context<'_>, search: &Search) -> TokenStream {
     let name = text(&cx.mechanism.unknowns[search.sought.unknown as usize].name);
     doc_comments::lines(&match search.sought.wanted {
-        Wanted::Root => format!(
+        Target::Root => format!(
             "Where `{name}` solves its equation, and the size that its rounding is measured by."
         ),
-        Wanted::End(end) => format!(
+        Target::End(end) => format!(
             "The {} end of where `{name}` can solve its equation, and one at a dead point.",
             if end == 0 { "lower" } else { "upper" }
         ),

@@ -13,7 +13,7 @@ use super::{docs, formulas, results};
 use crate::interface::entries::Entry;
 use crate::interface::records::{Kind, Shape};
 use crate::interface::{EntryId, labels};
-use crate::lower::routine::{Adapted, Asked, Compute};
+use crate::lower::routine::{ArgumentAdapter, Compute, FinitenessChecks};
 
 /// The name of the function on the slow path of an entry point.
 fn name(entry: &Entry) -> Ident {
@@ -41,7 +41,7 @@ pub(super) fn call(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> Token
 fn found(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> TokenStream {
     let (entry, [cos, sin]) = (cx.entry(id), ["cos_", "sin_"].map(generated));
     let (found, own, given) = match cx.compute(id) {
-        Compute::Via { entry: other, given: Adapted::CosineAndSine } => {
+        Compute::Delegate { entry: other, given: ArgumentAdapter::CosineAndSine } => {
             ("from_angle", cx.entry(*other), 1)
         }
         _ if entry.takes_cosine() => ("from_circle", entry, 2),
@@ -84,7 +84,7 @@ fn diagnosed(
     entry: &Entry,
     arguments: &Arguments<'_>,
     call: formulas::Call,
-    asked: &Asked,
+    asked: &FinitenessChecks,
 ) -> TokenStream {
     let [checks, result] = ["checks_", "result_"].map(generated);
     let given = arguments.labelled(&asked.given);

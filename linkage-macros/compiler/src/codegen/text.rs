@@ -3,7 +3,7 @@
 //! Every token that is made one by one is several calls, in a compiler that is built without
 //! optimisation a few thousand instructions of them; the compiler that runs it reads text in a few
 //! hundred. What is written as text has the span of the whole declaration: nothing that a mistake
-//! could be reported at, and no argument under a name of the user's (see `Arguments::of_our_own`).
+//! could be reported at, and no argument under a name of the user's (see `Arguments::with_call_site_spans`).
 //!
 //! Between two signs stands a space where they are no one operator.
 

@@ -86,7 +86,7 @@ fn told(cx: &Context<'_>, to: &mut Text) {
 /// A core without guards, as what is out of reach is a number below zero here, not a refusal.
 pub(super) fn with_rates(cx: &Context<'_>) -> Option<TokenStream> {
     let routine = cx.lowered.clearances.as_ref()?;
-    let arguments = Arguments::of_our_own(cx, &[Given::Value, Given::Rate]);
+    let arguments = Arguments::with_call_site_spans(cx, &[Given::Value, Given::Rate]);
     let scalar = &cx.names.scalar;
     let (received, unread) =
         (arguments.received(&quote!(#scalar)), arguments.unread(&routine.reads));

@@ -4,7 +4,7 @@ use super::machine::documentation;
 use super::{Case, cases};
 use crate::diagnostics::Diagnostics;
 use crate::model::mechanism::{LinkId, Mechanism, Mode, Sign, Step};
-use crate::syntax::anatomy::{Anatomy, Modes};
+use crate::syntax::anatomy::{GroupSpec, Modes};
 use crate::{model, syntax};
 
 /// The mechanism of a machine, or what is said of it.
@@ -35,7 +35,7 @@ fn group(mechanism: &Mechanism, step: &Step) -> Option<String> {
     let Step::Group(group) = step else { return None };
     let (mode, of_group) = (group.mode(), &group.links);
     let keyword = mechanism.groups[group.id.index()].keyword.to_string();
-    let modes = Anatomy::of(&keyword).and_then(|anatomy| anatomy.modes);
+    let modes = GroupSpec::of(&keyword).and_then(|anatomy| anatomy.modes);
     let mode = mode.zip(modes.map(Modes::words));
     let mut links: Vec<_> =
         of_group.iter().map(|link| mechanism.links[link.index()].name.to_string()).collect();

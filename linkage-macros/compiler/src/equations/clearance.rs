@@ -9,9 +9,9 @@
 
 use crate::equations::dead_points;
 use crate::equations::groups::formulas;
-use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::parts::Clearance;
-use crate::equations::symbol::Sheet;
+use crate::equations::symbol::GraphBuilder;
 use crate::ir::program;
 use crate::model::mechanism::{Mechanism, Mode, Step, UnknownId};
 
@@ -27,12 +27,12 @@ pub(super) fn of_pose(kinematics: &Kinematics<'_>) -> Vec<program::Clearance> {
 /// stands behind a group does on its limit.
 pub(super) fn beside_unknowns<'s>(
     mechanism: &'s Mechanism,
-    sheet: &'s Sheet<'s>,
+    builder: &'s GraphBuilder<'s>,
 ) -> Vec<program::Clearance> {
     // Along a straight line the inputs' rates are constant.
-    let inputs = Source::without_second_rates(&Source::free(mechanism, sheet), sheet);
+    let inputs = InputMotion::without_second_rates(&InputMotion::free(mechanism, builder), builder);
     let mut ends = Vec::new();
-    let kinematics = Kinematics::meeting(sheet, mechanism, inputs, |known, id| {
+    let kinematics = Kinematics::with_unknowns(builder, mechanism, inputs, |known, id| {
         ends.push((id, dead_points::of_ends(known, id)));
     });
     let (mut ends, mut clearances) = (ends.into_iter().peekable(), Vec::new());

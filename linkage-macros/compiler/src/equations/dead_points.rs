@@ -14,10 +14,10 @@
 //! at a unit rate the second rate is f_θθ, and with both moving f_θθ + 2 f_θt + f_tt.
 
 use crate::equations::jet::Jet;
-use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::Sym;
 use crate::equations::unknown::{Sides, sides, trend};
-use crate::ir::graph::{Node, Sought, Wanted};
+use crate::ir::graph::{Node, RootSearch, Target};
 use crate::ir::program::Clearance;
 use crate::model::mechanism::{Mode, UnknownId};
 
@@ -67,23 +67,23 @@ pub(super) fn of_root<'s>(known: &Kinematics<'s>, id: UnknownId) -> Clearance {
 }
 
 fn end<'s>(known: &Kinematics<'s>, id: UnknownId, at: u8) -> End<'s> {
-    let (sheet, unknown) = (known.sheet, &known.mechanism.unknowns[id.index()]);
-    let (zero, one) = (sheet.zero(), sheet.integer(1));
-    let at_rest = || Source::at_rest(&known.inputs, sheet);
+    let (builder, unknown) = (known.builder, &known.mechanism.unknowns[id.index()]);
+    let (zero, one) = (builder.zero(), builder.integer(1));
+    let at_rest = || InputMotion::at_rest(&known.inputs, builder);
     let difference = |[left, right]: Sides<'s>| left - right;
     let jet = |value, rate| Jet { value, rate, accel: zero };
     let of_trial = |trial, inputs| sides(known, trial, inputs, true);
-    let tried = difference(of_trial(jet(sheet.node(Node::Trial(id.0)), one), at_rest()));
+    let tried = difference(of_trial(jet(builder.node(Node::Trial(id.0)), one), at_rest()));
     let between = unknown.between.each_ref().map(|end| known.jet(end).value);
-    let place = sheet.node(Node::Root(Sought {
+    let place = builder.node(Node::Root(RootSearch {
         unknown: id.0,
-        wanted: Wanted::End(at),
+        wanted: Target::End(at),
         trend: trend(unknown),
         between: between.map(|end| end.id),
         near: None,
         sides: [tried.value.id, tried.rate.id, tried.accel.id],
     }));
-    let is_dead_point = sheet.node(Node::Size(place.id));
+    let is_dead_point = builder.node(Node::RootScale(place.id));
     let standing = of_trial(jet(place, zero), known.inputs.clone());
     let turning = difference(of_trial(jet(place, one), at_rest()));
     let moving = difference(of_trial(jet(place, one), known.inputs.clone()));
@@ -108,7 +108,7 @@ fn end<'s>(known: &Kinematics<'s>, id: UnknownId, at: u8) -> End<'s> {
 impl<'s> End<'s> {
     /// The distance at a dead point, or at an end of the interval; elsewhere it is as large as the scale.
     fn or_clear(&self, at_dead_points: bool) -> Jet<'s> {
-        let one = self.scale.sheet().integer(1);
+        let one = self.scale.builder().integer(1);
         let (here, elsewhere) = match at_dead_points {
             true => (self.is_dead_point, one - self.is_dead_point),
             false => (one - self.is_dead_point, self.is_dead_point),

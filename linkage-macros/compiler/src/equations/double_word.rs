@@ -24,7 +24,7 @@ pub(super) struct DoubleWord<'s> {
 impl<'s> DoubleWord<'s> {
     /// A number of the working width, or a constant with all its digits.
     pub(super) fn of(value: Sym<'s>) -> Self {
-        let zero = value.sheet().zero();
+        let zero = value.builder().zero();
         if value.is_constant() {
             Self { constant: value, high: zero, low: zero }
         } else {

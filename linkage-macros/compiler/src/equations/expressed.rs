@@ -11,10 +11,10 @@ use crate::model::mechanism::{AngleSum, Axis, Expr, GuideId, Length, Operator, P
 impl<'s> Kinematics<'s> {
     pub(super) fn jet(&self, expr: &Expr) -> Jet<'s> {
         match expr {
-            Expr::Constant(value) => Jet::constant(self.sheet.constant(value.clone())),
+            Expr::Constant(value) => Jet::constant(self.builder.constant(value.clone())),
             Expr::Input(input) => self.inputs[input.index()].jet,
-            Expr::Param(param) => Jet::constant(self.sheet.node(Node::Param(param.0))),
-            Expr::Load(load) => Jet::constant(self.sheet.node(Node::Load(load.0))),
+            Expr::Param(param) => Jet::constant(self.builder.node(Node::Param(param.0))),
+            Expr::Load(load) => Jet::constant(self.builder.node(Node::Load(load.0))),
             Expr::Unknown(unknown) => self.unknowns[unknown.index()],
             Expr::Let(name) => self.lets[name.index()],
             Expr::Slide(link) => self.link(*link).slide.expect("the model checked that it slides"),
@@ -30,7 +30,7 @@ impl<'s> Kinematics<'s> {
             Expr::Offset(point, guide) => self.offset(*point, *guide),
             Expr::Twist(spring) => springs::twist(self, *spring),
             // A force's value has no use for its own rates.
-            Expr::Rate(turn) => Jet::constant(self.in_tempo(self.rate(turn))),
+            Expr::Rate(turn) => Jet::constant(self.at_rate_scale(self.rate(turn))),
             Expr::Negate(value) => -self.jet(value),
             Expr::Chain(first, rest) => rest.iter().fold(self.jet(first), |a, (operator, b)| {
                 let b = self.jet(b);
@@ -59,7 +59,7 @@ impl<'s> Kinematics<'s> {
     fn rate(&self, turn: &AngleSum) -> Sym<'s> {
         turn.links.iter().fold(self.jet(&turn.rest).rate, |sum, &(link, times)| {
             let omega = self.link(link).frame.direction.omega;
-            sum + self.sheet.integer(i64::from(times)) * omega
+            sum + self.builder.integer(i64::from(times)) * omega
         })
     }
 
@@ -71,7 +71,7 @@ impl<'s> Kinematics<'s> {
     pub(super) fn length(&self, length: &Length, group: u32) -> Jet<'s> {
         let jet = self.jet(&length.value);
         let check = Check::Positive(length.name.clone());
-        Jet { value: jet.value.provided(check, group, &[]), ..jet }
+        Jet { value: jet.value.guarded_by(check, group, &[]), ..jet }
     }
 
     /// The direction at an angle to another. Multiples of link angles are powers of the links'
@@ -80,7 +80,7 @@ impl<'s> Kinematics<'s> {
         let mut direction = from;
         for &(link, times) in &turn.links {
             let of_link = self.link(link).frame.direction;
-            let factor = self.sheet.integer(i64::from(times));
+            let factor = self.builder.integer(i64::from(times));
             direction = Direction {
                 u: direction.u.turned(power(of_link.u, times)),
                 omega: direction.omega + factor * of_link.omega,
@@ -115,6 +115,6 @@ fn power<'s>(u: Vector<'s>, times: i32) -> Vector<'s> {
             base = base.turned(base);
         }
     }
-    let sheet = u.x.sheet();
-    result.unwrap_or_else(|| Vector { x: sheet.integer(1), y: sheet.zero() })
+    let builder = u.x.builder();
+    result.unwrap_or_else(|| Vector { x: builder.integer(1), y: builder.zero() })
 }

@@ -19,7 +19,7 @@ impl<'s> Jet<'s> {
             Function::Atan => a.atan(),
             Function::Atan2 => a.atan2(b),
             Function::Abs => a.abs(),
-            Function::Sign => Self::constant(a.value.sign_or(a.value.sheet().zero())),
+            Function::Sign => Self::constant(a.value.sign_or(a.value.builder().zero())),
             Function::Min => a.min(b),
             Function::Max => -(-a).min(-b),
         }
@@ -37,7 +37,7 @@ impl<'s> Jet<'s> {
 
     /// At zero with the rates of the positive side.
     fn abs(self) -> Self {
-        self.at_least(Self::zero(self.value.sheet()), self, -self)
+        self.at_least(Self::zero(self.value.builder()), self, -self)
     }
 
     /// The lesser number, the first of equal ones. NaN in either operand gives NaN, by way of the sum.
@@ -70,7 +70,7 @@ impl<'s> Jet<'s> {
     /// With t' = 1 + t²: ṫ = t' ȧ and ẗ = t' (ä + 2 t ȧ²).
     fn tan(self) -> Self {
         let value = self.value.apply(Function::Tan);
-        let slope = self.value.sheet().integer(1) + value.squared();
+        let slope = self.value.builder().integer(1) + value.squared();
         let rate = slope * self.rate;
         let accel = slope * (self.accel + (value * self.rate.squared()).twice());
         Self { value, rate, accel }
@@ -94,13 +94,13 @@ impl<'s> Jet<'s> {
 
     /// √(1 − a²) by factors, exact where a is near ±1.
     fn other_leg(self) -> Sym<'s> {
-        let one = self.value.sheet().integer(1);
+        let one = self.value.builder().integer(1);
         ((one - self.value) * (one + self.value)).sqrt()
     }
 
     /// From tan v = a: (1 + a²) v̇ = ȧ and (1 + a²) v̈ = ä − 2 a ȧ v̇.
     fn atan(self) -> Self {
-        let slope = self.value.sheet().integer(1) + self.value.squared();
+        let slope = self.value.builder().integer(1) + self.value.squared();
         let rate = self.rate / slope;
         let accel = (self.accel - (self.value * self.rate * rate).twice()) / slope;
         Self { value: self.value.apply(Function::Atan), rate, accel }
@@ -132,7 +132,7 @@ impl<'s> Jet<'s> {
 /// The partial derivatives of a function of these numbers.
 pub(crate) fn slopes<'s>(function: Function, arguments: &[Sym<'s>]) -> Vec<Sym<'s>> {
     let (a, b) = (arguments[0], arguments[arguments.len() - 1]);
-    let [zero, one] = [0, 1].map(|value| a.sheet().integer(value));
+    let [zero, one] = [0, 1].map(|value| a.builder().integer(value));
     let leg = || ((one - a) * (one + a)).sqrt();
     match function {
         Function::Sqrt => vec![a.sqrt().twice().recip()],
@@ -160,15 +160,15 @@ pub(crate) fn slopes<'s>(function: Function, arguments: &[Sym<'s>]) -> Vec<Sym<'
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::equations::symbol::Sheet;
+    use crate::equations::symbol::GraphBuilder;
     use crate::ir::graph::Node;
     use crate::ir::interpret::{Given, interpret};
     use crate::ir::program::Program;
 
     /// The values of abs a, sign a, min and max of a and b, in double precision.
     fn corners(a: f64, b: f64) -> [f64; 4] {
-        let sheet = Sheet::new(&[]);
-        let [x, y] = [0, 1].map(|param| Jet::constant(sheet.node(Node::Param(param))));
+        let builder = GraphBuilder::new(&[]);
+        let [x, y] = [0, 1].map(|param| Jet::constant(builder.node(Node::Param(param))));
         let ids = [
             Jet::of(Function::Abs, &[x]),
             Jet::of(Function::Sign, &[x]),
@@ -176,7 +176,7 @@ mod tests {
             Jet::of(Function::Max, &[x, y]),
         ]
         .map(|jet| jet.value.id);
-        let program = Program { graph: sheet.into_graph(), ..Program::of_zeros([].into_iter()) };
+        let program = Program { graph: builder.into_graph(), ..Program::of_zeros([].into_iter()) };
         let (inputs, loads, drives) = (Vec::new(), Vec::new(), Vec::new());
         let given = Given { inputs, params: vec![a, b], loads, drives, unit: None };
         let values = interpret(&program, &given);

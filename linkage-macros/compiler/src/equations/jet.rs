@@ -6,7 +6,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::equations::symbol::{Sheet, Sym};
+use crate::equations::symbol::{GraphBuilder, Sym};
 
 /// Value, rate and second rate.
 #[derive(Clone, Copy)]
@@ -18,12 +18,12 @@ pub(crate) struct Jet<'s> {
 
 impl<'s> Jet<'s> {
     pub(crate) fn constant(value: Sym<'s>) -> Self {
-        let zero = value.sheet().zero();
+        let zero = value.builder().zero();
         Self { value, rate: zero, accel: zero }
     }
 
-    pub(crate) fn zero(sheet: &'s Sheet<'s>) -> Self {
-        Self::constant(sheet.zero())
+    pub(crate) fn zero(builder: &'s GraphBuilder<'s>) -> Self {
+        Self::constant(builder.zero())
     }
 
     pub(crate) fn is_zero(self) -> bool {
@@ -40,7 +40,7 @@ impl<'s> Jet<'s> {
     }
 
     pub(crate) fn twice(self) -> Self {
-        self.times(self.value.sheet().integer(2))
+        self.times(self.value.builder().integer(2))
     }
 
     /// 1/d of a distance d, from half of the rate and of the second rate of d², e and f: −e/d³ and
@@ -49,7 +49,7 @@ impl<'s> Jet<'s> {
         let value = distance.recip();
         let square = value.squared();
         let turn = e * square;
-        let three = distance.sheet().integer(3);
+        let three = distance.builder().integer(3);
         Self { value, rate: -(turn * value), accel: (three * turn.squared() - f * square) * value }
     }
 }

@@ -1,41 +1,42 @@
-//! A mechanism's state on a sheet: every point, link and guide, step by step.
+//! A mechanism's state on a builder: every point, link and guide, step by step.
 
 use std::collections::HashMap;
 
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Frame, PointMotion};
 use crate::equations::parts::{LimitMeasures, LinkMotion, Solved};
-use crate::equations::reactions::Levers;
-use crate::equations::symbol::{Sheet, Sym, Vector};
+use crate::equations::reactions::JacobianFactors;
+use crate::equations::symbol::{GraphBuilder, Sym, Vector};
 use crate::ir::graph::Node;
 use crate::ir::program::Closure;
 use crate::model::mechanism::{
     Assembly, Carrier, Expr, Group, GroupId, GuideId, LinkId, Mechanism, Mode, PointId, Sign,
 };
 
-/// An input as the sheet knows it.
+/// An input as the builder knows it.
 #[derive(Clone, Copy)]
-pub(super) struct Source<'s> {
+pub(super) struct InputMotion<'s> {
     pub jet: Jet<'s>,
     /// Its cosine and sine, where they are given in its place.
     pub unit: Option<Vector<'s>>,
 }
 
-impl<'s> Source<'s> {
+impl<'s> InputMotion<'s> {
     /// Inputs whose value, rate and second rate are given.
-    pub(super) fn free(mechanism: &Mechanism, sheet: &'s Sheet<'s>) -> Vec<Self> {
+    pub(super) fn free(mechanism: &Mechanism, builder: &'s GraphBuilder<'s>) -> Vec<Self> {
         (0..mechanism.inputs.len() as u32)
             .map(|input| {
-                let order = |order| sheet.node(Node::Input { input, order });
+                let order = |order| builder.node(Node::Input { input, order });
                 Self { jet: Jet { value: order(0), rate: order(1), accel: order(2) }, unit: None }
             })
             .collect()
     }
 
     /// The only input, its cosine and sine given in place of its value.
-    pub(super) fn on_the_circle(sheet: &'s Sheet<'s>) -> Self {
-        let order = |order| sheet.node(Node::Input { input: 0, order });
-        let unit = Vector { x: sheet.node(Node::InputCos(0)), y: sheet.node(Node::InputSin(0)) };
+    pub(super) fn on_the_circle(builder: &'s GraphBuilder<'s>) -> Self {
+        let order = |order| builder.node(Node::Input { input: 0, order });
+        let unit =
+            Vector { x: builder.node(Node::InputCos(0)), y: builder.node(Node::InputSin(0)) };
         Self { jet: Jet { value: order(0), rate: order(1), accel: order(2) }, unit: Some(unit) }
     }
 
@@ -45,50 +46,61 @@ impl<'s> Source<'s> {
     }
 
     /// One input at a unit rate, the others at rest, none with a second rate.
-    pub(super) fn one_moving(inputs: &[Self], sheet: &'s Sheet<'s>, moving: usize) -> Vec<Self> {
-        let rate = |index| sheet.integer(i64::from(index == moving));
+    pub(super) fn one_moving(
+        inputs: &[Self],
+        builder: &'s GraphBuilder<'s>,
+        moving: usize,
+    ) -> Vec<Self> {
+        let rate = |index| builder.integer(i64::from(index == moving));
         let inputs = inputs.iter().enumerate();
-        inputs.map(|(index, source)| source.with_rates(rate(index), sheet.zero())).collect()
+        inputs.map(|(index, source)| source.with_rates(rate(index), builder.zero())).collect()
     }
 
     /// One input at a unit second rate, all at rest.
-    pub(super) fn one_starting(inputs: &[Self], sheet: &'s Sheet<'s>, moving: usize) -> Vec<Self> {
-        let accel = |index| sheet.integer(i64::from(index == moving));
+    pub(super) fn one_starting(
+        inputs: &[Self],
+        builder: &'s GraphBuilder<'s>,
+        moving: usize,
+    ) -> Vec<Self> {
+        let accel = |index| builder.integer(i64::from(index == moving));
         let inputs = inputs.iter().enumerate();
-        inputs.map(|(index, source)| source.with_rates(sheet.zero(), accel(index))).collect()
+        inputs.map(|(index, source)| source.with_rates(builder.zero(), accel(index))).collect()
     }
 
     /// The inputs, standing still.
-    pub(super) fn at_rest(inputs: &[Self], sheet: &'s Sheet<'s>) -> Vec<Self> {
-        let zero = sheet.zero();
+    pub(super) fn at_rest(inputs: &[Self], builder: &'s GraphBuilder<'s>) -> Vec<Self> {
+        let zero = builder.zero();
         inputs.iter().map(|source| source.with_rates(zero, zero)).collect()
     }
 
     /// The inputs as they move, without second rates.
-    pub(super) fn without_second_rates(inputs: &[Self], sheet: &'s Sheet<'s>) -> Vec<Self> {
-        inputs.iter().map(|source| source.with_rates(source.jet.rate, sheet.zero())).collect()
+    pub(super) fn without_second_rates(
+        inputs: &[Self],
+        builder: &'s GraphBuilder<'s>,
+    ) -> Vec<Self> {
+        inputs.iter().map(|source| source.with_rates(source.jet.rate, builder.zero())).collect()
     }
 }
 
 /// Everything that the steps have placed so far.
 pub(super) struct Kinematics<'s> {
-    pub sheet: &'s Sheet<'s>,
+    pub builder: &'s GraphBuilder<'s>,
     pub mechanism: &'s Mechanism,
-    pub inputs: Vec<Source<'s>>,
+    pub inputs: Vec<InputMotion<'s>>,
     pub lets: Vec<Jet<'s>>,
     /// Unknowns that equations fix, as far as they are known.
     pub unknowns: Vec<Jet<'s>>,
     pub closures: Vec<Closure>,
     /// Scale from the unit-rate state to the actual rates, for forces: the only input's rate. None in other
     /// states.
-    pub tempo: Option<Sym<'s>>,
+    pub rate_scale: Option<Sym<'s>>,
     pub(super) points: Vec<Option<PointMotion<'s>>>,
     pub(super) links: Vec<Option<LinkMotion<'s>>>,
     pub(super) guides: Vec<Option<Frame<'s>>>,
     /// Where a point lies in the frame of what carries it.
     pub(super) coordinates: HashMap<(Carrier, PointId), [Jet<'s>; 2]>,
     pub(super) measures: HashMap<GroupId, LimitMeasures<'s>>,
-    pub(super) levers: HashMap<GroupId, Box<dyn Levers<'s> + 's>>,
+    pub(super) levers: HashMap<GroupId, Box<dyn JacobianFactors<'s> + 's>>,
     /// Links between an outer joint and a pin: the vector from one to the other, its length, and the pin.
     pub(super) bars: HashMap<LinkId, (Vector<'s>, Jet<'s>, PointId)>,
     /// Number of steps taken.
@@ -98,19 +110,19 @@ pub(super) struct Kinematics<'s> {
 impl<'s> Kinematics<'s> {
     /// Nothing placed yet.
     pub(super) fn before(
-        sheet: &'s Sheet<'s>,
+        builder: &'s GraphBuilder<'s>,
         mechanism: &'s Mechanism,
-        inputs: Vec<Source<'s>>,
+        inputs: Vec<InputMotion<'s>>,
     ) -> Self {
         Self {
-            sheet,
+            builder,
             mechanism,
             inputs,
             lets: Vec::new(),
             unknowns: Vec::new(),
             closures: Vec::new(),
             taken: 0,
-            tempo: None,
+            rate_scale: None,
             points: vec![None; mechanism.points.len()],
             links: vec![None; mechanism.links.len()],
             guides: vec![None; mechanism.guides.len()],
@@ -122,8 +134,8 @@ impl<'s> Kinematics<'s> {
     }
 
     /// A rate of this state as that of the motion.
-    pub(super) fn in_tempo(&self, rate: Sym<'s>) -> Sym<'s> {
-        self.tempo.map_or(rate, |tempo| tempo * rate)
+    pub(super) fn at_rate_scale(&self, rate: Sym<'s>) -> Sym<'s> {
+        self.rate_scale.map_or(rate, |rate_scale| rate_scale * rate)
     }
 
     pub(super) fn point(&self, id: PointId) -> PointMotion<'s> {
@@ -147,7 +159,7 @@ impl<'s> Kinematics<'s> {
         self.bars.get(&link).copied()
     }
 
-    pub(super) fn levers(&self, group: GroupId) -> &dyn Levers<'s> {
+    pub(super) fn levers(&self, group: GroupId) -> &dyn JacobianFactors<'s> {
         &*self.levers[&group]
     }
 
@@ -158,7 +170,7 @@ impl<'s> Kinematics<'s> {
 
     pub(super) fn carrier(&self, carrier: Carrier) -> Frame<'s> {
         match carrier {
-            Carrier::Ground => Frame::ground(self.sheet),
+            Carrier::Ground => Frame::ground(self.builder),
             Carrier::Link(link) => self.link(link).frame,
         }
     }
@@ -166,20 +178,20 @@ impl<'s> Kinematics<'s> {
     pub(super) fn mode(&self, mode: Mode) -> Sym<'s> {
         match mode {
             Mode::Fixed(sign) => self.sign(sign),
-            Mode::Param(param) => self.sheet.node(Node::Mode(param.0)),
+            Mode::Param(param) => self.builder.node(Node::Mode(param.0)),
         }
     }
 
     /// The root that a group with two ways of assembly is to take.
     pub(super) fn mode_of(&self, group: &Group) -> Sym<'s> {
         match group.assembly {
-            Assembly::Unique => self.sheet.integer(1),
+            Assembly::Unique => self.builder.integer(1),
             Assembly::Signed(mode) => self.mode(mode),
         }
     }
 
     pub(super) fn sign(&self, sign: Sign) -> Sym<'s> {
-        self.sheet.integer(if sign == Sign::Plus { 1 } else { -1 })
+        self.builder.integer(if sign == Sign::Plus { 1 } else { -1 })
     }
 
     pub(super) fn set_point(&mut self, id: PointId, motion: PointMotion<'s>) {
@@ -210,12 +222,12 @@ impl<'s> Kinematics<'s> {
 
     /// Notes where a joint lies on the x axis of a link.
     pub(super) fn set_joint(&mut self, link: LinkId, joint: PointId, x: Jet<'s>) {
-        let zero = Jet::zero(self.sheet);
+        let zero = Jet::zero(self.builder);
         self.coordinates.insert((Carrier::Link(link), joint), [x, zero]);
     }
 
     pub(super) fn set_origin(&mut self, link: LinkId, joint: PointId) {
-        self.set_joint(link, joint, Jet::zero(self.sheet));
+        self.set_joint(link, joint, Jet::zero(self.builder));
     }
 
     /// Notes where a bar's joints lie on it.

@@ -46,40 +46,49 @@ mod unknown;
 use std::cell::OnceCell;
 
 use crate::equations::jet::Jet;
-use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::motion::Direction;
-use crate::equations::symbol::Sheet;
+use crate::equations::symbol::GraphBuilder;
 use crate::interface::Interface;
 use crate::interface::entries::{Analysis, Entry};
 use crate::interface::quantity::Order;
 use crate::interface::records::is_margin;
 use crate::ir::construct::Rule;
 use crate::ir::graph::Id;
-use crate::ir::program::{Answer, Clearance, Closure, Program};
+use crate::ir::program::{Clearance, Closure, EntryOutputs, Program};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
 /// The mechanism's program: one graph with every entry point's values, made under the rules.
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
-    let sheet = Sheet::new(rules);
-    let Asked { answers, clearances, closures } = asked(mechanism, &sheet);
-    Program { graph: sheet.into_graph(), answers, clearances, closures, groups: mechanism.titles() }
+    let builder = GraphBuilder::new(rules);
+    let Collected { answers, clearances, closures } = asked(mechanism, &builder);
+    Program {
+        graph: builder.into_graph(),
+        answers,
+        clearances,
+        closures,
+        groups: mechanism.titles(),
+    }
 }
 
 /// Answers, clearances and conditions requested of a mechanism's equations.
-struct Asked {
+struct Collected {
     /// Values requested by each possible entry point of the mechanism, in order.
-    answers: Vec<Answer>,
+    answers: Vec<EntryOutputs>,
     clearances: Vec<Clearance>,
     /// The conditions of what is searched.
     closures: Vec<Closure>,
 }
 
-fn asked<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Asked {
+fn asked<'s>(mechanism: &'s Mechanism, builder: &'s GraphBuilder<'s>) -> Collected {
     let interface = Interface::of(mechanism);
-    let bare = Bare::of(mechanism, sheet, &interface);
+    let bare = Bare::of(mechanism, builder, &interface);
     let made = OnceCell::new();
-    let free =
-        || made.get_or_init(|| Kinematics::of(sheet, mechanism, Source::free(mechanism, sheet)));
+    let free = || {
+        made.get_or_init(|| {
+            Kinematics::of(builder, mechanism, InputMotion::free(mechanism, builder))
+        })
+    };
     let mut answers = Vec::new();
     for entry in &interface.entries {
         let at_cosine = bare.kinematics(entry);
@@ -99,15 +108,15 @@ fn asked<'s>(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>) -> Asked {
         if needs_mass && !(is_known && forces::every_input_moves_mass(kinematics)) {
             continue;
         }
-        answers.push(Answer { entry: Some(entry.point), sinks: sinks(analysis, kinematics) });
+        answers.push(EntryOutputs { entry: Some(entry.point), sinks: sinks(analysis, kinematics) });
     }
     let clearances = match mechanism.unknowns.is_empty() {
         true => clearance::of_pose(bare.motion().unwrap_or_else(free)),
-        false => clearance::beside_unknowns(mechanism, sheet),
+        false => clearance::beside_unknowns(mechanism, builder),
     };
     let made = made.get().into_iter().chain(&bare.on_circle);
     let closures = made.flat_map(|kinematics| &kinematics.closures).copied().collect();
-    Asked { answers, clearances, closures }
+    Collected { answers, clearances, closures }
 }
 
 /// The numbers of a result, in the order of its shape.
@@ -137,12 +146,12 @@ struct Bare<'s> {
 }
 
 impl<'s> Bare<'s> {
-    fn of(mechanism: &'s Mechanism, sheet: &'s Sheet<'s>, interface: &Interface) -> Self {
+    fn of(mechanism: &'s Mechanism, builder: &'s GraphBuilder<'s>, interface: &Interface) -> Self {
         let is_one_angle = matches!(&mechanism.inputs[..], [only] if only.dimension.angle);
         let on_circle = is_one_angle
-            .then(|| Kinematics::of(sheet, mechanism, vec![Source::on_the_circle(sheet)]));
+            .then(|| Kinematics::of(builder, mechanism, vec![InputMotion::on_the_circle(builder)]));
         let is_bare = |sinks: fn(&Kinematics<'_>) -> Vec<Id>| {
-            on_circle.as_ref().is_some_and(|kinematics| !sheet.reads_input(&sinks(kinematics)))
+            on_circle.as_ref().is_some_and(|kinematics| !builder.reads_input(&sinks(kinematics)))
         };
         let asks_forces = interface.entries.iter().any(|entry| entry.point.is_about_forces());
         let moves = is_bare(motion_sinks);
@@ -177,7 +186,7 @@ fn force_sinks(kinematics: &Kinematics<'_>) -> Vec<Id> {
 fn coefficients(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let velocities = components(kinematics, Order::Velocity);
     let inputs = 0..kinematics.inputs.len() as u32;
-    inputs.flat_map(|moving| kinematics.sheet.at_unit_rate(&velocities, moving)).collect()
+    inputs.flat_map(|moving| kinematics.builder.at_unit_rate(&velocities, moving)).collect()
 }
 
 /// Margins, which exist also where the pose does not.
@@ -238,7 +247,7 @@ fn of_jet(jet: Jet<'_>, order: Order) -> Id {
 /// A named angle as a direction.
 fn turn<'s>(kinematics: &Kinematics<'s>, output: &Output) -> Direction<'s> {
     let OutputKind::Angle(turn) = &output.kind else { unreachable!("only named angles come here") };
-    kinematics.turned(Direction::ground(kinematics.sheet), turn)
+    kinematics.turned(Direction::ground(kinematics.builder), turn)
 }
 
 /// A numeric output.

@@ -1,7 +1,7 @@
 //! Points, directions and frames that move, and the one formula by which a frame carries a point.
 
 use crate::equations::jet::Jet;
-use crate::equations::symbol::{Sheet, Sym, Vector};
+use crate::equations::symbol::{GraphBuilder, Sym, Vector};
 use crate::model::mechanism::Carrier;
 
 /// Position, velocity and acceleration of a point.
@@ -78,8 +78,8 @@ pub(crate) struct RelativeAngle<'s> {
 
 impl<'s> RelativeAngle<'s> {
     /// The carrier's own x.
-    pub(crate) fn start(carrier: Carrier, sheet: &'s Sheet<'s>) -> Self {
-        Self { carrier, moving: sheet.zero(), constant: sheet.zero() }
+    pub(crate) fn start(carrier: Carrier, builder: &'s GraphBuilder<'s>) -> Self {
+        Self { carrier, moving: builder.zero(), constant: builder.zero() }
     }
 
     fn by(self, angle: Sym<'s>) -> Self {
@@ -106,7 +106,7 @@ pub(crate) struct Frame<'s> {
 
 impl<'s> PointMotion<'s> {
     pub(crate) fn fixed(base: Vector<'s>) -> Self {
-        let zero = base.x.sheet().zero_vector();
+        let zero = base.x.builder().zero_vector();
         Self {
             base,
             offset: zero,
@@ -129,7 +129,7 @@ impl<'s> PointMotion<'s> {
     /// A point whose coordinates in ground axes are given.
     pub(crate) fn driven(x: Jet<'s>, y: Jet<'s>) -> Self {
         Self {
-            base: x.value.sheet().zero_vector(),
+            base: x.value.builder().zero_vector(),
             offset: Vector { x: x.value, y: y.value },
             velocity: Vector { x: x.rate, y: y.rate },
             acceleration: Vector { x: x.accel, y: y.accel },
@@ -197,13 +197,13 @@ impl<'s> PointMotion<'s> {
 
 impl<'s> Direction<'s> {
     /// The ground's x.
-    pub(crate) fn ground(sheet: &'s Sheet<'s>) -> Self {
-        let (zero, one) = (sheet.zero(), sheet.integer(1));
+    pub(crate) fn ground(builder: &'s GraphBuilder<'s>) -> Self {
+        let (zero, one) = (builder.zero(), builder.integer(1));
         Self {
             u: Vector { x: one, y: zero },
             omega: zero,
             alpha: zero,
-            turned: Some(RelativeAngle::start(Carrier::Ground, sheet)),
+            turned: Some(RelativeAngle::start(Carrier::Ground, builder)),
         }
     }
 
@@ -244,10 +244,10 @@ impl<'s> Direction<'s> {
 }
 
 impl<'s> Frame<'s> {
-    pub(crate) fn ground(sheet: &'s Sheet<'s>) -> Self {
+    pub(crate) fn ground(builder: &'s GraphBuilder<'s>) -> Self {
         Self {
-            origin: PointMotion::fixed(sheet.zero_vector()),
-            direction: Direction::ground(sheet),
+            origin: PointMotion::fixed(builder.zero_vector()),
+            direction: Direction::ground(builder),
         }
     }
 

@@ -2,8 +2,8 @@
 
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
-use crate::equations::reactions::Levers;
-use crate::equations::symbol::{Sheet, Sym, Vector};
+use crate::equations::reactions::JacobianFactors;
+use crate::equations::symbol::{GraphBuilder, Sym, Vector};
 use crate::model::mechanism::{Carrier, LinkId, Numerics};
 
 /// Distance of a group from its limit.
@@ -22,13 +22,13 @@ impl<'s> LimitMeasures<'s> {
     pub(super) fn of_directions(a: Direction<'s>, b: Direction<'s>, sine: Sym<'s>) -> Self {
         let ([ax, ay], [bx, by]) = (a.jets(), b.jets());
         let cross = Jet { value: sine, ..ax * by - ay * bx };
-        Self { margin: None, transmission: cross.hypot(Jet::zero(sine.sheet())) }
+        Self { margin: None, transmission: cross.hypot(Jet::zero(sine.builder())) }
     }
 }
 
 /// The root of what is negative out of reach; zero there.
 pub(super) fn root_in_reach(square: Jet<'_>) -> Jet<'_> {
-    let size = square.value.hypot(square.value.sheet().zero());
+    let size = square.value.hypot(square.value.builder().zero());
     Jet { value: (square.value + size).half(), ..square }.sqrt()
 }
 
@@ -52,20 +52,20 @@ pub(super) struct GroupScope<'s> {
     pub title: &'s str,
     pub links: &'s [LinkId],
     pub numerics: Numerics,
-    pub sheet: &'s Sheet<'s>,
+    pub builder: &'s GraphBuilder<'s>,
 }
 
 impl<'s> GroupScope<'s> {
     /// The symbol under the letter that the derivation calls it by: in the generated code `h` of
     /// the group `BC, DC` is `bc_dc_h_`.
-    pub(super) fn call(&self, letter: &str, symbol: Sym<'s>) -> Sym<'s> {
-        self.sheet.name(symbol, format!("{} {letter}", self.title));
+    pub(super) fn label(&self, letter: &str, symbol: Sym<'s>) -> Sym<'s> {
+        self.builder.name(symbol, format!("{} {letter}", self.title));
         symbol
     }
 
     pub(super) fn call_vector(&self, letter: &str, vector: Vector<'s>) -> Vector<'s> {
-        self.call(&format!("{letter} x"), vector.x);
-        self.call(&format!("{letter} y"), vector.y);
+        self.label(&format!("{letter} x"), vector.x);
+        self.label(&format!("{letter} y"), vector.y);
         vector
     }
 }
@@ -83,8 +83,8 @@ pub(super) struct Solved<'s> {
     pub pin: Option<PointMotion<'s>>,
     /// By bar, from its outer joint to the pin.
     pub bars: Vec<Vector<'s>>,
-    /// Levers of a dyad; none for a driver.
-    pub levers: Option<Box<dyn Levers<'s> + 's>>,
+    /// Factors of a dyad's Jacobian; none for a driver.
+    pub levers: Option<Box<dyn JacobianFactors<'s> + 's>>,
 }
 
 /// A bar from its outer joint to the pin.
@@ -107,7 +107,7 @@ impl<'s> Bar<'s> {
         length: Jet<'s>,
         over_length: Sym<'s>,
     ) -> Self {
-        let zero = r.x.sheet().zero();
+        let zero = r.x.builder().zero();
         Self { outer, r, length, over_length, omega: zero, alpha: zero }
     }
 
@@ -164,7 +164,7 @@ impl<'s> Bar<'s> {
             u: self.u(),
             omega: self.omega,
             alpha: self.alpha,
-            turned: Some(RelativeAngle::start(Carrier::Link(link), self.r.x.sheet())),
+            turned: Some(RelativeAngle::start(Carrier::Link(link), self.r.x.builder())),
         };
         LinkMotion { frame: Frame { origin: self.outer, direction }, slide: None }
     }
@@ -190,7 +190,7 @@ impl<'s> Block<'s> {
 
     /// The pin's velocity but for the slide's: transport and changing offset.
     pub(super) fn carried_velocity(self) -> Vector<'s> {
-        let zero = self.rho.x.sheet().zero();
+        let zero = self.rho.x.builder().zero();
         let sigma = self.guide.vector(zero, self.offset.rate);
         self.guide.transport(self.rho, sigma).0 + sigma
     }
@@ -198,7 +198,7 @@ impl<'s> Block<'s> {
     /// The pin's acceleration but for the slide's own: transport, Coriolis and changing offset.
     pub(super) fn carried_acceleration(self, slide_rate: Sym<'s>) -> Vector<'s> {
         let sigma = self.guide.vector(slide_rate, self.offset.rate);
-        let zero = self.rho.x.sheet().zero();
+        let zero = self.rho.x.builder().zero();
         self.guide.transport(self.rho, sigma).1 + self.guide.vector(zero, self.offset.accel)
     }
 

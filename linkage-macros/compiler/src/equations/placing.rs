@@ -5,10 +5,10 @@
 //! change which of its products are contracted and what is computed when.
 
 use crate::equations::forces;
-use crate::equations::kinematics::{Kinematics, Source};
-use crate::equations::symbol::{Sheet, Sym};
+use crate::equations::kinematics::{InputMotion, Kinematics};
+use crate::equations::symbol::{GraphBuilder, Sym};
 use crate::ir::construct::Rule;
-use crate::ir::program::{Answer, Program};
+use crate::ir::program::{EntryOutputs, Program};
 use crate::model::mechanism::{Mechanism, Step};
 
 /// Point after point x and y; link after link the frame's origin, the direction's cosine and sine,
@@ -16,8 +16,8 @@ use crate::model::mechanism::{Mechanism, Step};
 /// statement its [`dimensions`]. A second answer gives the forces that the declaration puts on points,
 /// if there are any: x and y of one after the other.
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
-    let sheet = Sheet::new(rules);
-    let kinematics = Kinematics::of(&sheet, mechanism, Source::free(mechanism, &sheet));
+    let builder = GraphBuilder::new(rules);
+    let kinematics = Kinematics::of(&builder, mechanism, InputMotion::free(mechanism, &builder));
     let mut placed: Vec<Sym<'_>> = Vec::new();
     for point in mechanism.point_ids() {
         let at = kinematics.point(point).position();
@@ -26,7 +26,7 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     for link in mechanism.link_ids() {
         let motion = kinematics.link(link);
         let (origin, u) = (motion.frame.origin.position(), motion.frame.direction.u);
-        let slide = motion.slide.map_or(sheet.zero(), |slide| slide.value);
+        let slide = motion.slide.map_or(builder.zero(), |slide| slide.value);
         placed.extend([origin.x, origin.y, u.x, u.y, slide]);
     }
     for guide in mechanism.guide_ids() {
@@ -36,16 +36,16 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     }
     placed.extend(mechanism.steps.iter().flat_map(|step| dimensions(&kinematics, step)));
     let sinks = placed.into_iter().map(|symbol| symbol.id).collect();
-    let mut answers = vec![Answer { entry: None, sinks }];
+    let mut answers = vec![EntryOutputs { entry: None, sinks }];
     let forces = forces::declared(&kinematics);
     if !forces.is_empty() {
         let numbers = forces.into_iter().flat_map(|(_, force)| [force.x.id, force.y.id]);
-        answers.push(Answer { entry: None, sinks: numbers.collect() });
+        answers.push(EntryOutputs { entry: None, sinks: numbers.collect() });
     }
     let closures = kinematics.closures.clone();
     drop(kinematics);
     Program {
-        graph: sheet.into_graph(),
+        graph: builder.into_graph(),
         answers,
         clearances: Vec::new(),
         closures,

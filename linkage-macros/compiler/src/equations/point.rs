@@ -26,10 +26,10 @@ pub(super) fn at_distances<'s>(
     let square = (r1 - x) * (r1 + x);
     let (l, r1, r2) = (length.value, r1.value, r2.value);
     let operands = [l, r1, r2, r1 * (r1 + l)];
-    let value = square.value.provided(Check::ReachDistances, group, &operands);
+    let value = square.value.guarded_by(Check::ReachDistances, group, &operands);
     // 1/y = y/y²: of a point that stands still on its link nothing of it remains.
     let y = side * value.sqrt();
-    let inverse = y * value.provided(Check::Nonzero, group, &[]).recip();
+    let inverse = y * value.guarded_by(Check::Nonzero, group, &[]).recip();
     let rate = square.rate.half() * inverse;
     let accel = (square.accel.half() - rate.squared()) * inverse;
     [x, Jet { value: y, rate, accel }]

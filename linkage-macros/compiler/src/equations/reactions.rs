@@ -19,7 +19,7 @@ pub(super) struct GuideReaction<'s> {
 
 /// The part of a dyad's solution that its reactions are made of: the vectors of its position and the
 /// inverse that its velocities have.
-pub(super) trait Levers<'s> {
+pub(super) trait JacobianFactors<'s> {
     fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s>;
 
     /// The efforts of a slot's distance and angle in its link.

@@ -33,7 +33,13 @@ impl<'s> Kinematics<'s> {
     pub(super) fn scope(&self, group: &'s Group) -> GroupScope<'s> {
         let title = &self.mechanism.groups[group.id.index()].title;
         let numerics = self.mechanism.numerics;
-        GroupScope { group: group.id.0, title, links: &group.links, numerics, sheet: self.sheet }
+        GroupScope {
+            group: group.id.0,
+            title,
+            links: &group.links,
+            numerics,
+            builder: self.builder,
+        }
     }
 
     fn take(&mut self, step: &'s Step) {
@@ -144,6 +150,6 @@ impl<'s> Kinematics<'s> {
 
     /// The offset of what slides, zero where it has none.
     pub(super) fn offset_in(&self, joint: &Joint) -> Jet<'s> {
-        joint.offset().map_or_else(|| Jet::zero(self.sheet), |offset| self.jet(offset))
+        joint.offset().map_or_else(|| Jet::zero(self.builder), |offset| self.jet(offset))
     }
 }

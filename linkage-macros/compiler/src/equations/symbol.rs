@@ -14,17 +14,17 @@ use crate::ir::graph::{Check, ConstantId, Graph, Guard, Id, Node};
 use crate::ir::liveness::{Path, live, live_nodes};
 
 /// The graph that symbols are made in.
-pub(crate) struct Sheet<'r> {
+pub(crate) struct GraphBuilder<'r> {
     graph: RefCell<Graph>,
     rules: &'r [Rule],
     /// True while conditions are ignored: a trial of an equation refuses nothing.
-    is_open: Cell<bool>,
+    are_enabled: Cell<bool>,
 }
 
-/// A scalar on a sheet.
+/// A scalar on a builder.
 #[derive(Clone, Copy)]
 pub(crate) struct Sym<'s> {
-    sheet: &'s Sheet<'s>,
+    builder: &'s GraphBuilder<'s>,
     pub(crate) id: Id,
 }
 
@@ -35,9 +35,9 @@ pub(crate) struct Vector<'s> {
     pub y: Sym<'s>,
 }
 
-impl<'r> Sheet<'r> {
+impl<'r> GraphBuilder<'r> {
     pub(crate) fn new(rules: &'r [Rule]) -> Self {
-        Self { graph: RefCell::new(Graph::new()), rules, is_open: Cell::new(false) }
+        Self { graph: RefCell::new(Graph::new()), rules, are_enabled: Cell::new(false) }
     }
 
     pub(crate) fn into_graph(self) -> Graph {
@@ -51,11 +51,11 @@ impl<'r> Sheet<'r> {
     }
 }
 
-impl<'s> Sheet<'s> {
+impl<'s> GraphBuilder<'s> {
     pub(crate) fn node(&'s self, node: Node) -> Sym<'s> {
         let mut graph = self.graph.borrow_mut();
         let id = Maker { graph: &mut graph, rules: self.rules }.make(node);
-        Sym { sheet: self, id }
+        Sym { builder: self, id }
     }
 
     /// The sinks with one input rate 1, the others 0. Nodes free of rates are reused.
@@ -76,7 +76,7 @@ impl<'s> Sheet<'s> {
     }
 
     pub(crate) fn constant(&'s self, value: Exact) -> Sym<'s> {
-        Sym { sheet: self, id: self.graph.borrow_mut().constant(value) }
+        Sym { builder: self, id: self.graph.borrow_mut().constant(value) }
     }
 
     /// True if any sink needs the value of an input beside its cosine and sine.
@@ -89,7 +89,7 @@ impl<'s> Sheet<'s> {
     /// The symbol of a node that has been made.
     #[cfg(test)]
     pub(crate) fn known(&'s self, id: Id) -> Sym<'s> {
-        Sym { sheet: self, id }
+        Sym { builder: self, id }
     }
 
     pub(crate) fn integer(&'s self, value: i64) -> Sym<'s> {
@@ -110,8 +110,8 @@ impl<'s> Sheet<'s> {
     }
 
     /// From now on conditions are passed by, or asked again.
-    pub(crate) fn open(&self, is_open: bool) {
-        self.is_open.set(is_open);
+    pub(crate) fn set_guards_enabled(&self, are_enabled: bool) {
+        self.are_enabled.set(are_enabled);
     }
 
     /// a·b − c·d as one operation.
@@ -121,21 +121,21 @@ impl<'s> Sheet<'s> {
 }
 
 impl<'s> Sym<'s> {
-    pub(crate) fn sheet(self) -> &'s Sheet<'s> {
-        self.sheet
+    pub(crate) fn builder(self) -> &'s GraphBuilder<'s> {
+        self.builder
     }
 
     fn unary(self, node: fn(Id) -> Node) -> Self {
-        self.sheet.node(node(self.id))
+        self.builder.node(node(self.id))
     }
 
     fn binary(self, other: Self, node: fn(Id, Id) -> Node) -> Self {
-        self.sheet.node(node(self.id, other.id))
+        self.builder.node(node(self.id, other.id))
     }
 
     /// A function of this number.
     pub(crate) fn apply(self, function: Function) -> Self {
-        self.sheet.node(Node::Apply(function, self.id))
+        self.builder.node(Node::Apply(function, self.id))
     }
 
     pub(crate) fn sqrt(self) -> Self {
@@ -152,21 +152,21 @@ impl<'s> Sym<'s> {
 
     /// The angle of the vector (x, self).
     pub(crate) fn atan2(self, x: Self) -> Self {
-        self.sheet.node(Node::Apply2(Function::Atan2, self.id, x.id))
+        self.builder.node(Node::Apply2(Function::Atan2, self.id, x.id))
     }
 
     pub(crate) fn hypot(self, other: Self) -> Self {
-        self.sheet.node(Node::Apply2(Function::Hypot, self.id, other.id))
+        self.builder.node(Node::Apply2(Function::Hypot, self.id, other.id))
     }
 
     /// `x` where this is at least as large as the other, `y` elsewhere.
     pub(crate) fn at_least(self, other: Self, x: Self, y: Self) -> Self {
-        self.sheet.node(Node::Select([self.id, other.id, x.id, y.id]))
+        self.builder.node(Node::Select([self.id, other.id, x.id, y.id]))
     }
 
     /// The sign, −1 or 1; `at_zero` where there is none. NaN stays NaN.
     pub(crate) fn sign_or(self, at_zero: Self) -> Self {
-        let [zero, one] = [0, 1].map(|value| self.sheet.integer(value));
+        let [zero, one] = [0, 1].map(|value| self.builder.integer(value));
         if self.is_zero() {
             return at_zero;
         }
@@ -177,7 +177,7 @@ impl<'s> Sym<'s> {
 
     /// The absolute value.
     pub(crate) fn magnitude(self) -> Self {
-        self.at_least(self.sheet.zero(), self, -self)
+        self.at_least(self.builder.zero(), self, -self)
     }
 
     pub(crate) fn squared(self) -> Self {
@@ -185,15 +185,15 @@ impl<'s> Sym<'s> {
     }
 
     pub(crate) fn twice(self) -> Self {
-        self.sheet.integer(2) * self
+        self.builder.integer(2) * self
     }
 
     pub(crate) fn half(self) -> Self {
-        self.sheet.constant(Exact::float(0.5).expect("finite")) * self
+        self.builder.constant(Exact::float(0.5).expect("finite")) * self
     }
 
     pub(crate) fn recip(self) -> Self {
-        self.sheet.integer(1) / self
+        self.builder.integer(1) / self
     }
 
     /// The rounding error of the product.
@@ -209,15 +209,15 @@ impl<'s> Sym<'s> {
     /// The low word of a constant; zero for everything else.
     pub(crate) fn low(self) -> Self {
         match self.constant_id() {
-            Some(constant) => self.sheet.node(Node::Low(constant)),
-            None => self.sheet.zero(),
+            Some(constant) => self.builder.node(Node::Low(constant)),
+            None => self.builder.zero(),
         }
     }
 
     /// The two terms of a sum or a difference, looking through guards; `None` for everything else.
     pub(crate) fn terms(self) -> Option<[Self; 2]> {
-        let node = self.sheet.graph.borrow().node(self.id);
-        let term = |id| Self { sheet: self.sheet, id };
+        let node = self.builder.graph.borrow().node(self.id);
+        let term = |id| Self { builder: self.builder, id };
         match node {
             Node::Add(a, b) => Some([term(a), term(b)]),
             Node::Sub(a, b) => Some([term(a), -term(b)]),
@@ -229,8 +229,8 @@ impl<'s> Sym<'s> {
 
     /// True if this is made of inputs, parameters and constants by addition and subtraction alone.
     pub(crate) fn is_sum_of_given(self) -> bool {
-        let node = self.sheet.graph.borrow().node(self.id);
-        let is_given = |id| Self { sheet: self.sheet, id }.is_sum_of_given();
+        let node = self.builder.graph.borrow().node(self.id);
+        let is_given = |id| Self { builder: self.builder, id }.is_sum_of_given();
         match node {
             Node::Constant(_)
             | Node::Input { order: 0, .. }
@@ -244,18 +244,19 @@ impl<'s> Sym<'s> {
     }
 
     /// The value, provided that the check holds for the group.
-    pub(crate) fn provided(self, check: Check, group: u32, operands: &[Self]) -> Self {
-        if self.sheet.is_open.get() {
+    pub(crate) fn guarded_by(self, check: Check, group: u32, operands: &[Self]) -> Self {
+        if self.builder.are_enabled.get() {
             return self;
         }
         let guard = Guard { check, group, operands: operands.iter().map(|o| o.id).collect() };
-        let mut graph = self.sheet.graph.borrow_mut();
-        let id = Maker { graph: &mut graph, rules: self.sheet.rules }.make_guarded(self.id, guard);
-        Self { sheet: self.sheet, id }
+        let mut graph = self.builder.graph.borrow_mut();
+        let id =
+            Maker { graph: &mut graph, rules: self.builder.rules }.make_guarded(self.id, guard);
+        Self { builder: self.builder, id }
     }
 
     fn constant_id(self) -> Option<ConstantId> {
-        match self.sheet.graph.borrow().node(self.id) {
+        match self.builder.graph.borrow().node(self.id) {
             Node::Constant(constant) => Some(constant),
             _ => None,
         }
@@ -267,12 +268,12 @@ impl<'s> Sym<'s> {
 
     /// About the value, if it is a constant.
     pub(crate) fn constant_value(self) -> Option<f64> {
-        self.sheet.graph.borrow().as_constant(self.id).map(Exact::to_f64)
+        self.builder.graph.borrow().as_constant(self.id).map(Exact::to_f64)
     }
 
     /// True if the form alone shows that this is zero.
     pub(crate) fn is_zero(self) -> bool {
-        self.sheet.graph.borrow().is_zero(self.id)
+        self.builder.graph.borrow().is_zero(self.id)
     }
 }
 

@@ -19,33 +19,33 @@
 //!   which needs no root and has the slope of d there.
 
 use crate::equations::jet::Jet;
-use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::motion::Direction;
-use crate::equations::symbol::{Sheet, Sym};
+use crate::equations::symbol::{GraphBuilder, Sym};
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
-use crate::ir::graph::{Check, Node, Sought, Trend, Wanted};
+use crate::ir::graph::{Check, Node, RootSearch, Target, Trend};
 use crate::ir::program::Closure;
 use crate::model::mechanism::{Equation, Mechanism, Mode, Sign, Unknown, UnknownId};
 
 impl<'s> Kinematics<'s> {
     /// Everything placed, what equations fix included.
     pub(super) fn of(
-        sheet: &'s Sheet<'s>,
+        builder: &'s GraphBuilder<'s>,
         mechanism: &'s Mechanism,
-        inputs: Vec<Source<'s>>,
+        inputs: Vec<InputMotion<'s>>,
     ) -> Self {
-        Self::meeting(sheet, mechanism, inputs, |_, _| {})
+        Self::with_unknowns(builder, mechanism, inputs, |_, _| {})
     }
 
     /// The same, which tells of each unknown before it is known.
-    pub(super) fn meeting(
-        sheet: &'s Sheet<'s>,
+    pub(super) fn with_unknowns(
+        builder: &'s GraphBuilder<'s>,
         mechanism: &'s Mechanism,
-        inputs: Vec<Source<'s>>,
+        inputs: Vec<InputMotion<'s>>,
         mut meet: impl FnMut(&Self, UnknownId),
     ) -> Self {
-        let mut kinematics = Self::before(sheet, mechanism, inputs);
+        let mut kinematics = Self::before(builder, mechanism, inputs);
         for index in 0..mechanism.unknowns.len() {
             kinematics.take_until(mechanism.unknowns[index].steps[0]);
             meet(&kinematics, UnknownId(index as u32));
@@ -61,13 +61,13 @@ impl<'s> Kinematics<'s> {
     /// The equation of an unknown that has this trial, the earlier ones being known. Its own steps
     /// refuse nothing where it is open.
     pub(super) fn of_trial(
-        inputs: Vec<Source<'s>>,
+        inputs: Vec<InputMotion<'s>>,
         known: &Self,
         trial: Jet<'s>,
         is_open: bool,
     ) -> Self {
-        let (sheet, mechanism) = (known.sheet, known.mechanism);
-        let mut kinematics = Self::before(sheet, mechanism, inputs);
+        let (builder, mechanism) = (known.builder, known.mechanism);
+        let mut kinematics = Self::before(builder, mechanism, inputs);
         let [first, last] = mechanism.unknowns[known.unknowns.len()].steps;
         let at_rest = |jet: &Jet<'s>| Jet::constant(jet.value);
         let stands_still = kinematics.inputs.iter().all(|source| source.jet.is_fixed());
@@ -78,7 +78,7 @@ impl<'s> Kinematics<'s> {
         kinematics.take_until(first);
         kinematics.name_lets();
         kinematics.unknowns.push(trial);
-        sheet.open(is_open);
+        builder.set_guards_enabled(is_open);
         kinematics.take_until(last);
         kinematics.name_lets();
         kinematics
@@ -91,39 +91,39 @@ pub(super) type Sides<'s> = [Jet<'s>; 2];
 /// The root of an unknown's equation with its rates, everything in front of it being known, and the
 /// condition that the equation is closed there.
 fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
-    let (sheet, unknown) = (known.sheet, &known.mechanism.unknowns[id.index()]);
-    let (zero, one) = (sheet.zero(), sheet.integer(1));
-    let at_rest = || Source::at_rest(&known.inputs, sheet);
+    let (builder, unknown) = (known.builder, &known.mechanism.unknowns[id.index()]);
+    let (zero, one) = (builder.zero(), builder.integer(1));
+    let at_rest = || InputMotion::at_rest(&known.inputs, builder);
     let slope = |[left, right]: Sides<'s>| left.rate - right.rate;
     let jet = |value, rate, accel| Jet { value, rate, accel };
-    let trial = sheet.node(Node::Trial(id.0));
+    let trial = builder.node(Node::Trial(id.0));
     let tried = sides(known, jet(trial, one, zero), at_rest(), true);
     let between = unknown.between.each_ref().map(|end| known.jet(end).value);
-    let root = sheet.node(Node::Root(Sought {
+    let root = builder.node(Node::Root(RootSearch {
         unknown: id.0,
-        wanted: Wanted::Root,
+        wanted: Target::Root,
         trend: trend(unknown),
         between: between.map(|end| end.id),
         near: unknown.near.as_ref().map(|near| known.jet(near).value.id),
         sides: [tried[0].value.id, tried[1].value.id, slope(tried).id],
     }));
-    sheet.name(root, unknown.name.to_string());
-    let size = sheet.node(Node::Size(root.id));
-    sheet.name(size, format!("{} size", unknown.name));
+    builder.name(root, unknown.name.to_string());
+    let size = builder.node(Node::RootScale(root.id));
+    builder.name(size, format!("{} size", unknown.name));
 
     let turned = sides(known, jet(root, one, zero), at_rest(), false);
     let sign = known.mode(unknown.mode);
     // The size over the width is the slope that rounding alone may make.
     let spread = size * (between[1] - between[0]).recip();
-    let f_theta = (sign * slope(turned)).provided(Check::Moving, unknown.group.0, &[spread]);
-    sheet.name(f_theta, format!("{} slope", unknown.name));
+    let f_theta = (sign * slope(turned)).guarded_by(Check::Moving, unknown.group.0, &[spread]);
+    builder.name(f_theta, format!("{} slope", unknown.name));
     let inputs = || known.inputs.clone();
     let over = |value: Sym<'s>| if value.is_zero() { value } else { -(sign * value) / f_theta };
     let resting = sides(known, jet(root, zero, zero), inputs(), false);
     let rate = over(slope(resting));
     let [left, right] = sides(known, jet(root, rate, zero), inputs(), false);
     let closed = Check::Closed(unit(unknown.measure, Order::Position));
-    let open_by = (left.value - right.value).provided(closed, unknown.group.0, &[size]);
+    let open_by = (left.value - right.value).guarded_by(closed, unknown.group.0, &[size]);
     let closure = Closure { root: root.id, condition: open_by.id };
     (jet(root, rate, over(left.accel - right.accel)), closure)
 }
@@ -141,7 +141,7 @@ pub(super) fn trend(unknown: &Unknown) -> Trend {
 pub(super) fn sides<'s>(
     known: &Kinematics<'s>,
     trial: Jet<'s>,
-    inputs: Vec<Source<'s>>,
+    inputs: Vec<InputMotion<'s>>,
     is_open: bool,
 ) -> Sides<'s> {
     let at = Kinematics::of_trial(inputs, known, trial, is_open);
@@ -149,20 +149,20 @@ pub(super) fn sides<'s>(
     let sides = match &unknown.equation {
         Equation::Difference(sides) => at.jets(sides),
         Equation::Turn(turn) => {
-            let Direction { u, omega, alpha, .. } = at.turned(Direction::ground(at.sheet), turn);
+            let Direction { u, omega, alpha, .. } = at.turned(Direction::ground(at.builder), turn);
             let angle = Jet { value: u.y.atan2(u.x), rate: omega, accel: alpha };
-            [angle, Jet::zero(at.sheet)]
+            [angle, Jet::zero(at.builder)]
         }
         Equation::Distance { points, length, is_left } => {
             let [p, q] = points.map(|point| at.point(point));
             let [x, y] = p.jets_to(q);
             let length = at.length(length, unknown.group.0);
-            let one = Jet::constant(at.sheet.integer(1));
+            let one = Jet::constant(at.builder.integer(1));
             let half = one / length.twice();
-            let sides = [(x * x + y * y) * half, length.times(at.sheet.integer(1).half())];
+            let sides = [(x * x + y * y) * half, length.times(at.builder.integer(1).half())];
             if *is_left { sides } else { [sides[1], sides[0]] }
         }
     };
-    at.sheet.open(false);
+    at.builder.set_guards_enabled(false);
     sides
 }

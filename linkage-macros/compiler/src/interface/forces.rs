@@ -9,7 +9,7 @@ use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{
     Field, Kind, Record, RecordId, Shape, Subject, field, own_field, record,
 };
-use crate::model::dynamics::{Asked, Effort};
+use crate::model::dynamics::{Effort, RequestedEffort};
 use crate::model::mechanism::Mechanism;
 
 /// The shape of an effort in the result.
@@ -28,7 +28,7 @@ pub(crate) fn shape(effort: Effort) -> Shape {
 }
 
 /// The path of an effort in the result.
-pub(crate) fn path(asked: &Asked) -> String {
+pub(crate) fn path(asked: &RequestedEffort) -> String {
     match asked.effort {
         effort if effort.is_of_the_whole() => asked.owner.unraw().to_string(),
         _ => format!("{}.{}", asked.owner.unraw(), asked.field.unraw()),
@@ -36,7 +36,7 @@ pub(crate) fn path(asked: &Asked) -> String {
 }
 
 /// The scalar rows of an effort: `BC.B.x`, `theta.drive`.
-pub(crate) fn rows(asked: &Asked) -> Vec<String> {
+pub(crate) fn rows(asked: &RequestedEffort) -> Vec<String> {
     let path = path(asked);
     match shape(asked.effort) {
         Shape::Quantity(quantity, _) => {

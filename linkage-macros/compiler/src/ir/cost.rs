@@ -145,7 +145,7 @@ fn of(node: Node) -> Operations {
         | Node::Apply(Function::Sin | Function::Cos, _)
         | Node::Trial(_)
         | Node::Root(_)
-        | Node::Size(_) => none,
+        | Node::RootScale(_) => none,
         // A comparison costs what a difference does.
         Node::Add(..) | Node::Sub(..) | Node::Select(_) => Operations { additions: 1, ..none },
         Node::Mul(..) => Operations { multiplications: 1, ..none },

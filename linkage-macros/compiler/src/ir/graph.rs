@@ -34,7 +34,7 @@
 use crate::exact::Exact;
 pub(crate) use crate::ir::check::{Check, Contacts};
 use crate::ir::hash::Map;
-pub(crate) use crate::ir::node::{ConstantId, GuardId, Id, Node, Sought, Trend, Wanted};
+pub(crate) use crate::ir::node::{ConstantId, GuardId, Id, Node, RootSearch, Target, Trend};
 
 /// A condition on a value. In the generated code's straight line it is one comparison; where that
 /// fails, the slow path looks at the operands and decides.

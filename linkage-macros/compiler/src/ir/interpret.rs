@@ -3,7 +3,7 @@
 
 use crate::exact::Exact;
 use crate::function::Function;
-use crate::ir::graph::{Id, Node, Sought, Wanted};
+use crate::ir::graph::{Id, Node, RootSearch, Target};
 use crate::ir::liveness::{trial_nodes, tried};
 use crate::ir::program::Program;
 
@@ -79,14 +79,19 @@ pub(crate) fn interpret<N: Number>(program: &Program, given: &Given<N>) -> Vec<N
 
 /// Newton's method from where the root is expected, or from the middle: declarations of tests are
 /// such that it converges.
-fn root<N: Number>(program: &Program, given: &Given<N>, values: &mut [N], sought: &Sought) -> N {
+fn root<N: Number>(
+    program: &Program,
+    given: &Given<N>,
+    values: &mut [N],
+    sought: &RootSearch,
+) -> N {
     let half = N::exact(&Exact::float(0.5).expect("finite"));
     let [from, to] = sought.between.map(|end| values[end.index()].clone());
     // As far as rewriting goes, the end of the interval is as good a place as a dead point.
     match sought.wanted {
-        Wanted::End(0) => return from,
-        Wanted::End(_) => return to,
-        Wanted::Root => {}
+        Target::End(0) => return from,
+        Target::End(_) => return to,
+        Target::Root => {}
     }
     let middle = from.add(&to).mul(&half);
     let mut trial = sought.near.map_or(middle, |near| values[near.index()].clone()).point();
@@ -109,7 +114,7 @@ fn halved<N: Number>(
     program: &Program,
     given: &Given<N>,
     values: &mut [N],
-    sought: &Sought,
+    sought: &RootSearch,
     nodes: &[(Id, Node)],
 ) -> N {
     let half = N::exact(&Exact::float(0.5).expect("finite"));
@@ -168,7 +173,7 @@ fn value<N: Number>(
         Node::Fused(a, b, c) => v(a).mul(v(b)).add(v(c)),
         Node::Guard(value, _) => v(value).clone(),
         Node::Trial(_) => trial.expect("a trial is made in a search").clone(),
-        Node::Size(_) => N::exact(&Exact::integer(1)),
+        Node::RootScale(_) => N::exact(&Exact::integer(1)),
         Node::Root(_) => unreachable!("a search of its own"),
     }
 }

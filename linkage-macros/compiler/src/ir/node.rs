@@ -70,17 +70,17 @@ pub(crate) enum Node {
     /// the search alone.
     Trial(u32),
     /// The root of an unknown's equation, or the end of where there can be one.
-    Root(Sought),
+    Root(RootSearch),
     /// Second result of a search: for a root, the size that the rounding of its equation is measured by;
     /// for an end, one at a dead point and zero elsewhere.
-    Size(Id),
+    RootScale(Id),
 }
 
 /// Specification of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Sought {
+pub(crate) struct RootSearch {
     pub unknown: u32,
-    pub wanted: Wanted,
+    pub wanted: Target,
     /// The sign of the slope at the root.
     pub trend: Trend,
     pub between: [Id; 2],
@@ -92,7 +92,7 @@ pub(crate) struct Sought {
 
 /// Target of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Wanted {
+pub(crate) enum Target {
     Root,
     /// The lower (0) or upper (1) end of the stretch on which the equation has the trend.
     End(u8),
@@ -128,13 +128,13 @@ impl Node {
             | Self::Mode(_)
             | Self::Trial(_)
             | Self::Low(_) => self,
-            Self::Root(sought) => Self::Root(Sought {
+            Self::Root(sought) => Self::Root(RootSearch {
                 between: sought.between.map(&mut *f),
                 near: sought.near.map(&mut *f),
                 sides: sought.sides.map(&mut *f),
                 ..sought
             }),
-            Self::Size(root) => Self::Size(f(root)),
+            Self::RootScale(root) => Self::RootScale(f(root)),
             Self::Neg(a) => Self::Neg(f(a)),
             Self::Apply(function, a) => Self::Apply(function, f(a)),
             Self::Guard(a, guard) => Self::Guard(f(a), guard),

@@ -8,7 +8,7 @@ use crate::ir::liveness::{Path, live};
 #[derive(Clone, Debug)]
 pub(crate) struct Program {
     pub graph: Graph,
-    pub answers: Vec<Answer>,
+    pub answers: Vec<EntryOutputs>,
     /// Clearances for following a motion through changes of mode, group by group in solving order.
     pub clearances: Vec<Clearance>,
     /// Roots, and the condition each stands under: that its equation is closed in the final pose.
@@ -22,14 +22,15 @@ impl Program {
     pub(crate) fn of_zeros(answers: impl Iterator<Item = (Option<EntryPoint>, usize)>) -> Self {
         let mut graph = Graph::new();
         let zero = graph.constant(Exact::integer(0));
-        let answers = answers.map(|(entry, count)| Answer { entry, sinks: vec![zero; count] });
+        let answers =
+            answers.map(|(entry, count)| EntryOutputs { entry, sinks: vec![zero; count] });
         let answers = answers.collect();
         Self { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups: Vec::new() }
     }
 
     /// Answer of the entry point with this name, if there is one.
     #[cfg(test)]
-    pub(crate) fn answer(&self, entry: &str) -> Option<&Answer> {
+    pub(crate) fn answer(&self, entry: &str) -> Option<&EntryOutputs> {
         let point = Some(EntryPoint::named(entry));
         self.answers.iter().find(|answer| answer.entry == point)
     }
@@ -65,7 +66,7 @@ pub(crate) struct Closure {
 
 /// Values that one entry point requests of the graph.
 #[derive(Clone, Debug)]
-pub(crate) struct Answer {
+pub(crate) struct EntryOutputs {
     /// The entry point; none in the program by which a mechanism is drawn.
     pub entry: Option<EntryPoint>,
     /// The numbers of its result, in the order of the result's shape.

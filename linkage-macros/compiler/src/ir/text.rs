@@ -62,7 +62,7 @@ fn operation(node: Node) -> &'static str {
         Node::AddErr(..) => "add_err",
         Node::Fused(..) => "fused",
         Node::Root(_) => "root",
-        Node::Size(_) => "size",
+        Node::RootScale(_) => "size",
         _ => "leaf",
     }
 }

@@ -1,9 +1,9 @@
 //! Equations that stand apart: one side is made of constants, parameters and the unknown, the other of what
 //! no trial changes. From one pose of a sweep to the next the first of them stays what it is at every trial.
 
-use super::one_root;
 use super::routine::{Apart, Search};
-use crate::ir::graph::{Graph, Id, Node, Wanted};
+use super::unique_root;
+use crate::ir::graph::{Graph, Id, Node, Target};
 use crate::ir::liveness::{trial_nodes, tried};
 
 /// Form of a search whose equation stands apart; none for any other search. A declared seed asks for
@@ -12,7 +12,7 @@ pub(super) fn apart(graph: &Graph, search: &Search) -> Option<Apart> {
     let sought = search.sought;
     let [left, right, slope] = sought.sides;
     let are_constant = sought.between.into_iter().all(|end| graph.as_constant(end).is_some());
-    if sought.wanted != Wanted::Root || sought.near.is_some() || !are_constant {
+    if sought.wanted != Target::Root || sought.near.is_some() || !are_constant {
         return None;
     }
     let tried = tried(graph);
@@ -31,7 +31,7 @@ pub(super) fn apart(graph: &Graph, search: &Search) -> Option<Apart> {
         return None;
     }
     let is_proved = search.has_one_root == Some(true);
-    let has_one_root = is_proved && one_root::is_steady(graph, sought.between, side, slope);
+    let has_one_root = is_proved && unique_root::is_steady(graph, sought.between, side, slope);
     Some(Apart { given, has_one_root })
 }
 
@@ -46,7 +46,7 @@ fn moves(graph: &Graph) -> Vec<bool> {
             | Node::Load(_)
             | Node::Drive(_)
             | Node::Root(_)
-            | Node::Size(_) => true,
+            | Node::RootScale(_) => true,
             node => {
                 let mut moved = false;
                 node.for_operands(&mut |operand: Id| moved |= moves[operand.index()]);

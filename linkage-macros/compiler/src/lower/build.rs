@@ -2,8 +2,10 @@
 
 use super::nesting::{nest, reads};
 use super::overflow::Overflow;
-use super::plan::{Plan, Way};
-use super::routine::{Adapted, Asked, Compute, Locals, Lowered, Routine, Search, Stage, Statement};
+use super::plan::{Plan, Strategy};
+use super::routine::{
+    ArgumentAdapter, Compute, FinitenessChecks, Locals, Lowered, Routine, Search, Stage, Statement,
+};
 use super::schedule::{Schedule, defines};
 use super::searches::searches;
 use super::witnesses::witnesses;
@@ -33,9 +35,9 @@ pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<
     let ids: Vec<EntryId> = builder.interface.ids().collect();
     let of_nodes = Costs::of(builder.graph());
     let costs = ids.iter().map(|&id| builder.cost(id, &plan, &of_nodes)).collect();
-    let entries = ids.iter().map(|&id| match plan.ways[id.index()] {
-        Way::Via { entry, given } => Compute::Via { entry, given },
-        Way::Own { routine, stage } => {
+    let entries = ids.iter().map(|&id| match plan.strategies[id.index()] {
+        Strategy::Delegate { entry, given } => Compute::Delegate { entry, given },
+        Strategy::Own { routine, stage } => {
             let asked = builder.asked(id, overflows[routine].as_ref());
             Compute::Own { routine, stage, asked }
         }
@@ -78,7 +80,7 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
 /// belong to them: a later statement that needs one computes it again.
 fn tell(schedule: &Schedule<'_>, clearances: &[Id], stage: &mut Vec<Statement>) {
     let statements = schedule.clone().stage(clearances);
-    let told = Statement::Tell { statements, clearances: clearances.to_vec() };
+    let told = Statement::ReportClearances { statements, clearances: clearances.to_vec() };
     let mut needed = Set::default();
     schedule.for_uses(&told, &mut |id| {
         needed.insert(id);
@@ -196,7 +198,7 @@ impl Builder<'_> {
         Routine { name, given, result, path, stages, tells, reads, has_checks, locals, constants }
     }
 
-    fn asked(&self, entry: EntryId, overflow: Option<&Overflow>) -> Asked {
+    fn asked(&self, entry: EntryId, overflow: Option<&Overflow>) -> FinitenessChecks {
         let (graph, sinks) = (self.graph(), self.sinks(entry));
         let place = |id| sinks.iter().position(|&sink| sink == id);
         let live = live(graph, &self.needed(entry), Path::Slow);
@@ -208,7 +210,7 @@ impl Builder<'_> {
         let witnesses: Vec<usize> = witnesses(graph, sinks).into_iter().filter_map(place).collect();
         let limits = overflow.map(|overflow| overflow.limits(graph, sinks));
         let takes_cosine = self.interface.entry(entry).takes_cosine();
-        Asked {
+        FinitenessChecks {
             finite: limits::finite(&witnesses, limits, takes_cosine),
             given: read.collect(),
             results: results.map(|(at, _)| at).collect(),
@@ -217,13 +219,16 @@ impl Builder<'_> {
 
     /// Cost of an entry point. One that goes by the angle's cosine and sine makes them first.
     fn cost(&self, entry: EntryId, plan: &Plan, of_nodes: &Costs<'_>) -> Operations {
-        let way = |entry: EntryId| plan.ways[entry.index()];
+        let way = |entry: EntryId| plan.strategies[entry.index()];
         let mut cost = of_nodes.operations(&self.needed(entry));
         let last = match way(entry) {
-            Way::Via { entry, given: Adapted::UnitRate } => way(entry),
+            Strategy::Delegate { entry, given: ArgumentAdapter::UnitRate } => way(entry),
             other => other,
         };
-        cost.sines += u32::from(matches!(last, Way::Via { given: Adapted::CosineAndSine, .. }));
+        cost.sines += u32::from(matches!(
+            last,
+            Strategy::Delegate { given: ArgumentAdapter::CosineAndSine, .. }
+        ));
         cost
     }
 }

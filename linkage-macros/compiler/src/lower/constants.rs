@@ -36,7 +36,7 @@ impl Count<'_> {
                     self.value(condition.value);
                     condition.operands.iter().for_each(|&operand| self.value(operand));
                 }
-                Statement::Tell { statements, clearances } => {
+                Statement::ReportClearances { statements, clearances } => {
                     self.statements(statements);
                     clearances.iter().for_each(|&id| self.value(id));
                 }

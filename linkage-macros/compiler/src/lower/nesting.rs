@@ -37,7 +37,7 @@ pub(super) fn nest(
             Statement::Let(_) => {
                 schedule.for_uses(&statement, &mut |operand| operands.push(operand));
             }
-            Statement::Tell { statements, .. } => {
+            Statement::ReportClearances { statements, .. } => {
                 *statements = nest(schedule, reads, locals, std::mem::take(statements));
             }
             _ => {}

@@ -1,7 +1,7 @@
 //! Plan of the entry points: some have formulas of their own, some share formulas, and some go by way
 //! of another.
 
-use super::routine::Adapted;
+use super::routine::ArgumentAdapter;
 use crate::interface::entries::{Analysis, EntryPoint};
 use crate::interface::{EntryId, Interface};
 
@@ -10,16 +10,16 @@ pub(super) struct Plan {
     /// Formulas that are written down together: of one entry point, or of several, each of which
     /// goes on where the one before it stops.
     pub routines: Vec<Vec<EntryId>>,
-    pub ways: Vec<Way>,
+    pub strategies: Vec<Strategy>,
 }
 
 /// Source of an entry point's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
+pub(super) enum Strategy {
     /// By formulas of its own, as a stage of a routine.
     Own { routine: usize, stage: usize },
     /// By those of another entry point.
-    Via { entry: EntryId, given: Adapted },
+    Delegate { entry: EntryId, given: ArgumentAdapter },
 }
 
 impl Plan {
@@ -38,34 +38,34 @@ impl Plan {
         let own = |id: EntryId| {
             routines.iter().enumerate().find_map(|(routine, stages)| {
                 let stage = stages.iter().position(|&stage| stage == id)?;
-                Some(Way::Own { routine, stage })
+                Some(Strategy::Own { routine, stage })
             })
         };
         let way = |&id: &EntryId| {
             vias[id.index()].or_else(|| own(id)).expect("what goes no way has formulas")
         };
-        let ways = ids.iter().map(way).collect();
-        Self { routines, ways }
+        let strategies = ids.iter().map(way).collect();
+        Self { routines, strategies }
     }
 }
 
 /// The way by another entry point, if there is one.
-fn via(interface: &Interface, id: EntryId) -> Option<Way> {
+fn via(interface: &Interface, id: EntryId) -> Option<Strategy> {
     let own = interface.entry(id);
     let (entry, given) = match own.point.analysis {
         Analysis::Coefficients if interface.columns == 1 => {
-            (interface.find(Analysis::Velocity.by_value())?, Adapted::UnitRate)
+            (interface.find(Analysis::Velocity.by_value())?, ArgumentAdapter::UnitRate)
         }
-        _ => (interface.of_cosine(own)?, Adapted::CosineAndSine),
+        _ => (interface.of_cosine(own)?, ArgumentAdapter::CosineAndSine),
     };
-    Some(Way::Via { entry, given })
+    Some(Strategy::Delegate { entry, given })
 }
 
 /// The entry point whose formulas another one uses, if it has none of its own.
 pub(crate) fn stands_on(interface: &Interface, id: EntryId) -> Option<EntryId> {
     match via(interface, id)? {
-        Way::Via { entry, .. } => Some(entry),
-        Way::Own { .. } => None,
+        Strategy::Delegate { entry, .. } => Some(entry),
+        Strategy::Own { .. } => None,
     }
 }
 

@@ -122,7 +122,7 @@ impl Bounds<'_> {
             // A parameter can be anything, and so can a load.
             Node::Param(_) | Node::Load(_) | Node::Drive(_) => return None,
             // Values that a search makes of the inputs are not followed.
-            Node::Trial(_) | Node::Root(_) | Node::Size(_) => return None,
+            Node::Trial(_) | Node::Root(_) | Node::RootScale(_) => return None,
             Node::Mode(_) => Interval { low: -1.0, high: 1.0, away: 1.0 },
             Node::Neg(a) => self.of(a)?.negated(),
             Node::Add(a, b) => self.of(a)?.plus(self.of(b)?).rounded(),

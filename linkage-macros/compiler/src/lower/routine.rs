@@ -9,7 +9,7 @@ use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
 use crate::ir::check::{Check, Comparison};
 use crate::ir::cost::Operations;
-use crate::ir::graph::{Graph, Id, Node, Sought, Wanted};
+use crate::ir::graph::{Graph, Id, Node, RootSearch, Target};
 use crate::ir::hash::{Map, Set};
 use crate::ir::liveness::{Path, unguarded};
 use crate::ir::program::Program;
@@ -38,7 +38,7 @@ pub(crate) struct Search {
     /// Routine of a trial: both sides and the slope.
     pub routine: Routine,
     pub root: Id,
-    pub sought: Sought,
+    pub sought: RootSearch,
     /// Arguments of a trial: values that no trial changes.
     pub given: Vec<Id>,
     /// Cost of one trial.
@@ -63,14 +63,14 @@ pub(crate) struct Apart {
 /// Source of an entry point's numbers.
 pub(crate) enum Compute {
     /// By formulas of its own, as a stage of a routine.
-    Own { routine: usize, stage: usize, asked: Asked },
+    Own { routine: usize, stage: usize, asked: FinitenessChecks },
     /// By those of another entry point, which is given what was made of its own arguments.
-    Via { entry: EntryId, given: Adapted },
+    Delegate { entry: EntryId, given: ArgumentAdapter },
 }
 
 /// Arguments given in place of an entry point's own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Adapted {
+pub(crate) enum ArgumentAdapter {
     /// The only input's cosine and sine: where they can be given, its value is needed nowhere
     /// else, so the formulas are written once, for them.
     CosineAndSine,
@@ -130,7 +130,7 @@ pub(crate) enum Statement {
     },
     /// Where clearances are asked for: values and scales in turn, and what they need beside. There it
     /// ends.
-    Tell {
+    ReportClearances {
         statements: Vec<Statement>,
         clearances: Vec<Id>,
     },
@@ -164,7 +164,7 @@ pub(crate) enum Threshold {
 /// Tests beside the conditions on the way, before a result may be used. Results and witnesses are indices
 /// into the stage's sinks and those of the stages before it.
 #[derive(Clone, Debug)]
-pub(crate) struct Asked {
+pub(crate) struct FinitenessChecks {
     /// The fast path asks this; nothing where no result can be other than finite.
     pub finite: Option<Finite>,
     /// The slow path asks these whether they are finite: first what is given, …
@@ -303,8 +303,9 @@ impl Lowered<'_> {
 
     /// The search of an unknown's root, where anything asks for it.
     pub(crate) fn search(&self, unknown: usize) -> Option<&Search> {
-        let is_it =
-            |sought: &Sought| sought.unknown as usize == unknown && sought.wanted == Wanted::Root;
+        let is_it = |sought: &RootSearch| {
+            sought.unknown as usize == unknown && sought.wanted == Target::Root
+        };
         self.searches.iter().find(|search| is_it(&search.sought))
     }
 }

@@ -96,7 +96,7 @@ impl<'a> Schedule<'a> {
                     })
                 }
                 // It comes with its root.
-                Node::Size(_) => None,
+                Node::RootScale(_) => None,
                 Node::Root(_) => Some(self.find(id)),
                 Node::Guard(..) if self.path == Path::Unchecked => None,
                 Node::Guard(value, guard) => Some(Statement::Check(checks::condition(
@@ -117,7 +117,7 @@ impl<'a> Schedule<'a> {
     fn find(&self, root: Id) -> Statement {
         let search = self.searches.iter().position(|search| search.root == root);
         let search = search.expect("every root of the program has a search");
-        Statement::Find { search, root, size: self.graph.find(Node::Size(root)) }
+        Statement::Find { search, root, size: self.graph.find(Node::RootScale(root)) }
     }
 
     /// Conditions are, and angles that are not constant: a large one takes more than the fast
@@ -151,7 +151,7 @@ impl<'a> Schedule<'a> {
                 self.for_locals(&[condition.value], each);
                 self.for_locals(&condition.operands, each);
             }
-            Statement::Tell { statements, clearances } => {
+            Statement::ReportClearances { statements, clearances } => {
                 statements.iter().for_each(|statement| self.for_uses(statement, each));
                 self.for_locals(clearances, each);
             }
@@ -166,7 +166,7 @@ pub(super) fn defines(statement: &Statement) -> Vec<Id> {
         Statement::SinCos { sin, cos, .. } => sin.iter().chain(cos).copied().collect(),
         Statement::Check(condition) => vec![condition.id],
         Statement::Find { root, size, .. } => [*root].into_iter().chain(*size).collect(),
-        Statement::Tell { .. } => Vec::new(),
+        Statement::ReportClearances { .. } => Vec::new(),
     }
 }
 

@@ -3,11 +3,11 @@
 
 use super::routine::{Locals, Routine, Search, Stage, Statement};
 use super::schedule::{pairs, take};
-use super::{apart, locals, one_root};
+use super::{apart, locals, unique_root};
 use crate::function::Function;
 use crate::interface::records::Shape;
 use crate::ir::cost::Costs;
-use crate::ir::graph::{Graph, Id, Node, Sought, Trend, Wanted};
+use crate::ir::graph::{Graph, Id, Node, RootSearch, Target, Trend};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, trial_nodes, tried};
 use crate::ir::program::{Clearance, Program};
@@ -22,13 +22,13 @@ pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -
         let unknown = &mechanism.unknowns[sought.unknown as usize];
         let name = unknown.name.to_string();
         // An unknown is searched in one way for an angle, in another for its cosine and sine.
-        let of_it = |sought: &Sought| (sought.unknown, sought.wanted);
+        let of_it = |sought: &RootSearch| (sought.unknown, sought.wanted);
         let is_known = searches.iter().any(|known| of_it(&known.sought) == of_it(&sought));
         let suffix = if is_known { "_at" } else { "" };
         let begin = match sought.wanted {
-            Wanted::Root => prefix,
-            Wanted::End(0) => "lower",
-            Wanted::End(_) => "upper",
+            Target::Root => prefix,
+            Target::End(0) => "lower",
+            Target::End(_) => "upper",
         };
         let name = locals::single_underscores(&format!("{begin}_{name}{suffix}").to_lowercase());
         let of_unknown = search(&program.graph, root, sought, name);
@@ -36,10 +36,11 @@ pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -
         let asks_for_a_turn = unknown.dimension.angle && !are_known;
         searches.push(Search { asks_for_a_turn, ..of_unknown });
     }
-    let ends: Vec<Sought> = searches.iter().map(|search| search.sought).collect();
+    let ends: Vec<RootSearch> = searches.iter().map(|search| search.sought).collect();
     for search in &mut searches {
-        let of_it =
-            |end: &&Sought| end.unknown == search.sought.unknown && end.wanted == Wanted::End(0);
+        let of_it = |end: &&RootSearch| {
+            end.unknown == search.sought.unknown && end.wanted == Target::End(0)
+        };
         let end = ends.iter().find(of_it);
         search.has_one_root = end.and_then(|end| has_one_root(&program.graph, end));
         search.apart = apart::apart(&program.graph, search);
@@ -49,8 +50,8 @@ pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -
 
 /// True if at most one root is proved, for both trends where a parameter chooses; none where more than
 /// constants decide.
-fn has_one_root(graph: &Graph, end: &Sought) -> Option<bool> {
-    let of = |rises| one_root::has_one_root(graph, end, rises);
+fn has_one_root(graph: &Graph, end: &RootSearch) -> Option<bool> {
+    let of = |rises| unique_root::has_one_root(graph, end, rises);
     match end.trend {
         Trend::Rising => of(true),
         Trend::Falling => of(false),
@@ -63,12 +64,12 @@ fn ends(program: &Program) -> impl Iterator<Item = Id> + '_ {
     let sinks: Vec<Id> = program.clearances.iter().flat_map(Clearance::sinks).collect();
     let live = live(&program.graph, &sinks, Path::Unchecked);
     program.graph.iter().filter_map(move |(id, node)| match node {
-        Node::Root(Sought { wanted: Wanted::End(_), .. }) => live[id.index()].then_some(id),
+        Node::Root(RootSearch { wanted: Target::End(_), .. }) => live[id.index()].then_some(id),
         _ => None,
     })
 }
 
-fn search(graph: &Graph, root: Id, sought: Sought, name: String) -> Search {
+fn search(graph: &Graph, root: Id, sought: RootSearch, name: String) -> Search {
     let (tried, nodes) = (tried(graph), trial_nodes(graph, &sought.sides));
     let of_trial = || nodes.iter().copied();
     let is_constant = |id: Id| matches!(graph.node(id), Node::Constant(_) | Node::Low(_));

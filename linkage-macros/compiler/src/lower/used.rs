@@ -102,7 +102,7 @@ impl Backwards<'_> {
                     || reads(&condition.id)
             }
             Statement::Find { .. } => true,
-            Statement::Tell { .. } => false,
+            Statement::ReportClearances { .. } => false,
         }
     }
 
@@ -124,7 +124,7 @@ impl Backwards<'_> {
             Statement::Find { search, .. } => {
                 self.lowered.searches[*search].given.iter().for_each(|&given| self.value(given));
             }
-            Statement::Tell { .. } => {}
+            Statement::ReportClearances { .. } => {}
         }
     }
 

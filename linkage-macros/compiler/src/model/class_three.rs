@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use proc_macro2::Ident;
 
-use crate::syntax::anatomy::{Anatomy, JointRule};
+use crate::syntax::anatomy::{GroupSpec, JointRule};
 use crate::syntax::tree::{
     Declaration, Expr, ExprKind, Field, FieldValue, Group, Leg, Statement, StatementKind,
 };
@@ -101,7 +101,7 @@ fn two_bars(statement: &Statement) -> Option<&Group> {
 
 fn is_of_two_bars(keyword: &str) -> bool {
     let is_revolute = |joint: &JointRule| matches!(joint, JointRule::Revolute(_));
-    Anatomy::of(keyword).is_some_and(|anatomy| {
+    GroupSpec::of(keyword).is_some_and(|anatomy| {
         let joints = anatomy.joints;
         joints.len() == 2 && joints.iter().all(is_revolute) && !anatomy.has_inner_slide()
     })

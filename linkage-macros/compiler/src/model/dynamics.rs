@@ -21,7 +21,7 @@ pub(crate) struct Dynamics {
     pub springs: Vec<Spring>,
     pub frictions: Vec<Friction>,
     /// The outputs of `forces` and `statics`.
-    pub asked: Vec<Asked>,
+    pub asked: Vec<RequestedEffort>,
     /// True if `energy` is an output.
     pub energy: bool,
 }
@@ -152,7 +152,7 @@ impl Contact {
 }
 
 /// A force, couple or effort in the mechanism, as a field of a field of the result.
-pub(crate) struct Asked {
+pub(crate) struct RequestedEffort {
     /// The input, link or spring whose it is.
     pub owner: Ident,
     /// The point, guide or word behind the dot; what is the whole mechanism's has its owner again.

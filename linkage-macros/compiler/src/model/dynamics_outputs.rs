@@ -6,7 +6,7 @@ use quote::format_ident;
 use syn::Attribute;
 
 use super::Resolver;
-use super::dynamics::{Asked, Effort};
+use super::dynamics::{Effort, RequestedEffort};
 use super::mechanism::{
     Body, Group, InputId, JointKind, LinkId, Mechanism, OutputKind, PointId, Slideway, SpringId,
 };
@@ -246,7 +246,7 @@ impl Resolver<'_> {
         // Efforts of one owner form one field of the result.
         let behind = asked.iter().rposition(|known| known.owner == *owner);
         let (owner, field) = (owner.clone(), member.clone());
-        let asked_for = Asked { owner, field, docs: docs.to_vec(), effort };
+        let asked_for = RequestedEffort { owner, field, docs: docs.to_vec(), effort };
         asked.insert(behind.map_or(asked.len(), |last| last + 1), asked_for);
     }
 
@@ -267,7 +267,7 @@ impl Resolver<'_> {
         let inputs: Vec<_> = inputs
             .map(|(index, input)| {
                 let (owner, field) = (input.name.clone(), drive(&input.name));
-                Asked {
+                RequestedEffort {
                     owner,
                     field,
                     docs: Vec::new(),
@@ -278,7 +278,7 @@ impl Resolver<'_> {
         let links = (0..self.mechanism.links.len()).map(|index| LinkId(index as u32));
         let links = links.flat_map(|link| {
             let declared = &self.mechanism.links[link.index()];
-            self.efforts_of(link).into_iter().map(|(field, effort)| Asked {
+            self.efforts_of(link).into_iter().map(|(field, effort)| RequestedEffort {
                 owner: declared.name.clone(),
                 field,
                 docs: declared.docs.clone(),
@@ -291,17 +291,18 @@ impl Resolver<'_> {
             let owner = spring.name.clone()?;
             let field = Ident::new(parts(spring.ends)[0], owner.span());
             let effort = Effort::Spring(SpringId(index as u32));
-            Some(Asked { owner, field, docs: spring.docs.clone(), effort })
+            Some(RequestedEffort { owner, field, docs: spring.docs.clone(), effort })
         });
         let springs: Vec<_> = springs.collect();
         let losses = self.losses_of_all();
-        let mut asked: Vec<Asked> =
+        let mut asked: Vec<RequestedEffort> =
             inputs.into_iter().chain(links).chain(springs).chain(losses).collect();
         if !self.mechanism.unknowns.is_empty() {
             asked.retain(|asked| is_of_power(asked.effort));
         }
         for (nth, known) in asked.iter().enumerate() {
-            let is_same = |other: &&Asked| other.owner == known.owner && other.field == known.field;
+            let is_same =
+                |other: &&RequestedEffort| other.owner == known.owner && other.field == known.field;
             // The effort of a drive comes first, and has the span of its link.
             if asked[..nth].iter().any(|other| is_same(&other)) {
                 self.point_is_renamed(&known.owner, &known.field);
@@ -311,11 +312,11 @@ impl Resolver<'_> {
     }
 
     /// The output `losses`, where anything rubs.
-    fn losses_of_all(&self) -> Option<Asked> {
+    fn losses_of_all(&self) -> Option<RequestedEffort> {
         let owner = Ident::new("losses", self.mechanism.name.span());
         let (field, effort) = (owner.clone(), Effort::Losses);
         let rubs = !self.mechanism.dynamics.frictions.is_empty();
-        rubs.then(|| Asked { owner, field, docs: Vec::new(), effort })
+        rubs.then(|| RequestedEffort { owner, field, docs: Vec::new(), effort })
     }
 
     /// Drive, push, joints and guides of a link.

@@ -7,7 +7,7 @@ use crate::syntax::tree::{Expr, Field, FieldValue, Group};
 
 use super::Resolver;
 use super::names::listed;
-use crate::syntax::anatomy::{Anatomy, FieldRule, Needed};
+use crate::syntax::anatomy::{FieldRule, GroupSpec, Needed};
 
 /// The fields that are known and of the right shape.
 pub(super) struct Fields<'t> {
@@ -43,7 +43,11 @@ impl<'t> Fields<'t> {
 }
 
 impl Resolver<'_> {
-    pub(super) fn fields<'t>(&mut self, group: &'t Group, anatomy: &'static Anatomy) -> Fields<'t> {
+    pub(super) fn fields<'t>(
+        &mut self,
+        group: &'t Group,
+        anatomy: &'static GroupSpec,
+    ) -> Fields<'t> {
         let (known, present) = (Vec::new(), Vec::new());
         let mut fields = Fields { known, present, all_are_read: group.fields_are_read };
         for field in &group.fields {
@@ -77,7 +81,7 @@ impl Resolver<'_> {
         &mut self,
         field: &Field,
         group: &Group,
-        anatomy: &'static Anatomy,
+        anatomy: &'static GroupSpec,
         present: &mut Vec<&'static str>,
     ) -> Option<&'static str> {
         let name = field.name.to_string();
@@ -111,7 +115,7 @@ impl Resolver<'_> {
     }
 
     /// A pair is given where there are two links to speak of, one value elsewhere.
-    fn field_has_its_shape(&mut self, field: &Field, anatomy: &Anatomy) -> Option<()> {
+    fn field_has_its_shape(&mut self, field: &Field, anatomy: &GroupSpec) -> Option<()> {
         let name = &field.name;
         let rule = anatomy.fields.iter().find(|rule| name == rule.name);
         let pair = rule.is_some_and(|rule| rule.pair);
@@ -132,7 +136,12 @@ impl Resolver<'_> {
     }
 
     /// The distance to a pin is given only where there is a pin.
-    fn field_has_its_pin(&mut self, field: &Field, group: &Group, anatomy: &Anatomy) -> Option<()> {
+    fn field_has_its_pin(
+        &mut self,
+        field: &Field,
+        group: &Group,
+        anatomy: &GroupSpec,
+    ) -> Option<()> {
         let rule = anatomy.fields.iter().find(|rule| field.name == rule.name);
         let may_have_pin = group.pin.is_some() || !group.head_is_read;
         if may_have_pin || rule.is_none_or(|rule| rule.needed != Needed::WithPin) {
@@ -147,7 +156,7 @@ impl Resolver<'_> {
     }
 
     /// Every field without a default is given; a missing one is reported at the closing brace.
-    fn no_field_is_missing(&mut self, group: &Group, anatomy: &Anatomy, fields: &Fields) {
+    fn no_field_is_missing(&mut self, group: &Group, anatomy: &GroupSpec, fields: &Fields) {
         for (name, meaning) in self.needed(group, anatomy) {
             if fields.is_left_out(name) {
                 self.missing(group.end, name, &meaning);
@@ -156,7 +165,7 @@ impl Resolver<'_> {
     }
 
     /// The fields without a default, and what they say.
-    fn needed(&self, group: &Group, anatomy: &Anatomy) -> Vec<(&'static str, String)> {
+    fn needed(&self, group: &Group, anatomy: &GroupSpec) -> Vec<(&'static str, String)> {
         let is_needed = |rule: &&FieldRule| match rule.needed {
             Needed::Always => true,
             Needed::WithPin => group.pin.is_some(),
@@ -173,7 +182,7 @@ impl Resolver<'_> {
     fn first_missing(
         &self,
         group: &Group,
-        anatomy: &Anatomy,
+        anatomy: &GroupSpec,
         present: &[&'static str],
     ) -> Option<(&'static str, String)> {
         let given = |name| present.contains(&name) || group.fields.iter().any(|f| f.name == name);

@@ -12,12 +12,12 @@ use super::facts::LinkFacts;
 use super::fields::Fields;
 use super::mechanism::{GroupId, GroupName, GuideId, Link, LinkId, PartOf, Point, PointId, Step};
 use super::names::{Entity, Kind};
-use crate::syntax::anatomy::{Anatomy, JointRule, KEYWORDS, Pin, Reason};
+use crate::syntax::anatomy::{GroupSpec, JointRule, KEYWORDS, Pin, Reason};
 
 /// The things a group statement has made, and those it was given.
 pub(super) struct Parts<'t> {
     pub group: &'t tree::Group,
-    pub anatomy: &'static Anatomy,
+    pub anatomy: &'static GroupSpec,
     pub id: GroupId,
     /// One a leg; `None` where the name was in error.
     pub links: Vec<Option<LinkId>>,
@@ -64,7 +64,7 @@ impl Parts<'_> {
 
 impl Resolver<'_> {
     pub(super) fn group(&mut self, docs: &[Attribute], group: &tree::Group) {
-        let Some(anatomy) = Anatomy::of(&group.keyword.to_string()) else {
+        let Some(anatomy) = GroupSpec::of(&group.keyword.to_string()) else {
             self.group_exists(&group.keyword);
             self.names_stay_unknown(group);
             return;
@@ -186,7 +186,7 @@ impl Resolver<'_> {
         &mut self,
         docs: &[Attribute],
         group: &tree::Group,
-        anatomy: &Anatomy,
+        anatomy: &GroupSpec,
         id: GroupId,
     ) -> Option<PointId> {
         let keyword = anatomy.keyword;
@@ -209,7 +209,7 @@ impl Resolver<'_> {
     }
 
     /// A driver has one link, a dyad two.
-    fn each_joint_has_a_link(&mut self, group: &tree::Group, anatomy: &Anatomy) -> bool {
+    fn each_joint_has_a_link(&mut self, group: &tree::Group, anatomy: &GroupSpec) -> bool {
         let (found, wanted) = (group.legs.len(), anatomy.joints.len());
         let span = match group.legs.get(wanted) {
             _ if found == wanted => return true,
@@ -228,7 +228,11 @@ impl Resolver<'_> {
         false
     }
 
-    fn outer_joints(&mut self, group: &tree::Group, anatomy: &Anatomy) -> Vec<Option<OuterJoint>> {
+    fn outer_joints(
+        &mut self,
+        group: &tree::Group,
+        anatomy: &GroupSpec,
+    ) -> Vec<Option<OuterJoint>> {
         let outer: Vec<_> = (group.legs.iter().zip(anatomy.joints))
             .map(|(leg, &joint)| self.joint_stands_on_its_kind(leg.joint.as_ref()?, joint, anatomy))
             .collect();
@@ -244,7 +248,7 @@ impl Resolver<'_> {
         &mut self,
         name: &Ident,
         joint: JointRule,
-        anatomy: &Anatomy,
+        anatomy: &GroupSpec,
     ) -> Option<OuterJoint> {
         let (reason, wrong, wanted) = match (joint, self.names.kind(name)) {
             (JointRule::Revolute(reason), Some(Kind::Guide)) => (reason, Kind::Guide, Kind::Point),
@@ -303,8 +307,8 @@ impl Resolver<'_> {
         let is_letters = letters.len() > 1 && letters.chars().all(|c| c == 'r' || c == 'p');
         let reversed: String = letters.chars().rev().collect();
         let (message, reason) = match letters.as_str() {
-            _ if Anatomy::of(&letters).is_none() && Anatomy::of(&reversed).is_some() => {
-                let has_bar = Anatomy::of(&reversed).is_some_and(Anatomy::has_length);
+            _ if GroupSpec::of(&letters).is_none() && GroupSpec::of(&reversed).is_some() => {
+                let has_bar = GroupSpec::of(&reversed).is_some_and(GroupSpec::has_length);
                 let first = if has_bar { "bar" } else { "pinned block" };
                 (
                     format!("no group `{text}`; write `{reversed}` with the {first} first"),
@@ -349,6 +353,6 @@ fn dyad_with_the_other_letter(keyword: &str, ordinal: &str) -> Option<&'static s
         })
         .collect();
     let reversed: String = flipped.chars().rev().collect();
-    let anatomy = Anatomy::of(&flipped).or_else(|| Anatomy::of(&reversed));
+    let anatomy = GroupSpec::of(&flipped).or_else(|| GroupSpec::of(&reversed));
     anatomy.map(|anatomy| anatomy.keyword)
 }

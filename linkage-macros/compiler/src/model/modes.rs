@@ -10,7 +10,7 @@ use super::expressions::bare_name;
 use super::fields::Fields;
 use super::mechanism::{Mode, ParamKind, Sign};
 use super::names::{Entity, Kind};
-use crate::syntax::anatomy::{Anatomy, Modes};
+use crate::syntax::anatomy::{GroupSpec, Modes};
 
 impl Modes {
     fn sign(self, word: &str) -> Option<Sign> {
@@ -50,7 +50,7 @@ pub(super) fn side_word(word: &Ident) -> Option<Sign> {
 
 /// The group's links slide on each other.
 fn is_slide(group: &Group) -> bool {
-    Anatomy::of(&group.keyword.to_string()).is_some_and(Anatomy::has_inner_slide)
+    GroupSpec::of(&group.keyword.to_string()).is_some_and(GroupSpec::has_inner_slide)
 }
 
 impl Resolver<'_> {
@@ -58,7 +58,7 @@ impl Resolver<'_> {
     pub(super) fn mode(
         &mut self,
         group: &Group,
-        anatomy: &Anatomy,
+        anatomy: &GroupSpec,
         fields: &Fields,
     ) -> Option<Mode> {
         let modes = anatomy.modes?;
@@ -179,7 +179,7 @@ impl Resolver<'_> {
         let kind = bare_name(default).and_then(mode_word);
         if kind.is_none() && !default.is_mistake() {
             let message = "a mode is `left`, `right`, `ahead`, `behind`, `rising` or `falling`";
-            let [side, sense] = [Modes::Side, Modes::Sense].map(Anatomy::keywords_with);
+            let [side, sense] = [Modes::Side, Modes::Sense].map(GroupSpec::keywords_with);
             let reason = format!(
                 "`left` or `right` for an {side}, `ahead` or `behind` for {sense}, `rising` or \
                  `falling` for `solve`"

@@ -5,7 +5,7 @@ use quote::format_ident;
 use syn::Attribute;
 
 use crate::diagnostics::nearest;
-use crate::syntax::anatomy::Anatomy;
+use crate::syntax::anatomy::GroupSpec;
 use crate::syntax::tree::{Declaration, Expr, ExprKind, OutputItem, StatementKind};
 
 use super::Resolver;
@@ -311,7 +311,7 @@ impl Resolver<'_> {
     fn group_has_a_limit(&mut self, link: LinkId, member: &Ident) -> Option<()> {
         let group = self.mechanism.links[link.index()].made_by;
         let keyword = self.mechanism.groups[group.index()].keyword.to_string();
-        let anatomy = Anatomy::of(&keyword)?;
+        let anatomy = GroupSpec::of(&keyword)?;
         if anatomy.has_a_limit() || anatomy.is_dyad() && member == "transmission" {
             return Some(());
         }

@@ -12,11 +12,11 @@ use super::expressions::{self, RATE};
 use super::fields::Fields;
 use super::mechanism::{self, Dimension, OutputKind, SpringId};
 use super::names::{Entity, Kind};
-use crate::syntax::anatomy::{Anatomy, FieldRule, Pin, optional};
+use crate::syntax::anatomy::{FieldRule, GroupSpec, Pin, optional};
 
 const DAMPING: FieldRule = optional("damping", "what it exerts against its rate, `10(N*s/m)`");
 
-const BETWEEN_POINTS: Anatomy = Anatomy {
+const BETWEEN_POINTS: GroupSpec = GroupSpec {
     keyword: "spring",
     class: None,
     joints: &[],
@@ -30,7 +30,7 @@ const BETWEEN_POINTS: Anatomy = Anatomy {
     form: "spring between P and Q { stiffness: 15(N/m), free_length: 0.3m }",
 };
 
-const BETWEEN_BODIES: Anatomy = Anatomy {
+const BETWEEN_BODIES: GroupSpec = GroupSpec {
     fields: &[
         optional("stiffness", "the couple over the angle, `5(N*m/rad)`"),
         optional("free_angle", "the angle of the second body against the first where it is slack"),

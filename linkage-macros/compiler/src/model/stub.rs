@@ -12,14 +12,16 @@ use quote::format_ident;
 
 use crate::exact::Exact;
 use crate::syntax::action::ACTING;
-use crate::syntax::anatomy::{Anatomy, Modes, Pin};
+use crate::syntax::anatomy::{GroupSpec, Modes, Pin};
 use crate::syntax::tree::{
     self, Action, Declaration, ExprKind, OutputItem, Statement, StatementKind,
 };
 
 use super::Resolver;
 use super::dimension::Measure;
-use super::dynamics::{Asked, Dynamics, Effort, Ends, Load, Mass, MassPlace, Quantity, Spring};
+use super::dynamics::{
+    Dynamics, Effort, Ends, Load, Mass, MassPlace, Quantity, RequestedEffort, Spring,
+};
 use super::expressions::bare_name;
 use super::facts::{GuideFacts, ParamFacts};
 use super::mechanism::{
@@ -108,7 +110,7 @@ impl Resolver<'_> {
             StatementKind::Group(group) if kind == Kind::Link => {
                 let place = group.legs.iter().position(|leg| leg.link == *name)?;
                 // Where the group is not known, its links have every field.
-                let anatomy = Anatomy::of(&group.keyword.to_string());
+                let anatomy = GroupSpec::of(&group.keyword.to_string());
                 let slides =
                     anatomy.is_none_or(|anatomy| anatomy.slides().get(place) == Some(&true));
                 return Some(Entity::Link(self.new_link(&statement.docs, name, made_by, slides)));
@@ -315,7 +317,7 @@ impl Resolver<'_> {
 
     /// The efforts and reactions of links as they are written.
     fn forces_of_group(&mut self, group: &tree::Group) {
-        let Some(anatomy) = Anatomy::of(&group.keyword.to_string()) else { return };
+        let Some(anatomy) = GroupSpec::of(&group.keyword.to_string()) else { return };
         for (leg, slides) in group.legs.iter().zip(anatomy.slides()) {
             let Some(Entity::Link(link)) = self.names.made(&leg.link) else { continue };
             let is_placed = self.facts.links[link.index()].is_placed;
@@ -364,7 +366,7 @@ impl Resolver<'_> {
             return;
         }
         let behind = asked.iter().rposition(|known| known.owner == *owner);
-        let new = Asked { owner: owner.clone(), field, docs: Vec::new(), effort };
+        let new = RequestedEffort { owner: owner.clone(), field, docs: Vec::new(), effort };
         asked.insert(behind.map_or(asked.len(), |last| last + 1), new);
     }
 }

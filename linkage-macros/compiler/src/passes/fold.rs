@@ -52,6 +52,6 @@ fn evaluate(graph: &Graph, node: Node) -> Option<Exact> {
         | Node::Guard(..)
         | Node::Trial(_)
         | Node::Root(_)
-        | Node::Size(_) => None,
+        | Node::RootScale(_) => None,
     }
 }

@@ -22,7 +22,7 @@ impl Aftermath {
     pub(super) fn refuse(&mut self, name: &Ident) -> Ident {
         self.refused.insert(name.to_string());
         // A use may be read as something else, as that of `pi` is.
-        let instead = stand_in(name);
+        let instead = placeholder(name);
         self.unread.insert(instead.to_string());
         instead
     }
@@ -47,7 +47,7 @@ impl Aftermath {
 }
 
 /// The name in the place of one that cannot be given.
-pub(super) fn stand_in(name: &Ident) -> Ident {
+pub(super) fn placeholder(name: &Ident) -> Ident {
     let word = name.to_string();
     let plain = word.trim_start_matches("r#");
     match words::is_rust_keyword(plain) {

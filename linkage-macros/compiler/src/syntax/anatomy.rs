@@ -1,7 +1,7 @@
 //! The anatomy of every driver and dyad: its joints, its pin, its fields, its modes, and the links
 //! that slide.
 
-pub(crate) struct Anatomy {
+pub(crate) struct GroupSpec {
     pub keyword: &'static str,
     /// None of a spring, which is no group, but has fields like one.
     pub class: Option<Class>,
@@ -105,8 +105,8 @@ const OFFSETS: FieldRule = FieldRule {
 /// Why an inner prismatic joint makes no pin.
 const INNER_P: Pin = Pin::None("its inner joint is prismatic and has no point");
 
-const ANATOMIES: [Anatomy; 7] = [
-    Anatomy {
+const ANATOMIES: [GroupSpec; 7] = [
+    GroupSpec {
         keyword: "crank",
         class: Some(Class::Crank),
         joints: &[JointRule::Revolute(Reason::Driver("turns about a point"))],
@@ -122,7 +122,7 @@ const ANATOMIES: [Anatomy; 7] = [
         modes: None,
         form: "crank AB(A) -> B { length: 80mm, angle: theta }",
     },
-    Anatomy {
+    GroupSpec {
         keyword: "slider",
         class: Some(Class::Slider),
         joints: &[JointRule::Prismatic(Reason::Driver("slides on a guide"))],
@@ -134,7 +134,7 @@ const ANATOMIES: [Anatomy; 7] = [
         modes: None,
         form: "slider ram(rail) -> P { slide: s }",
     },
-    Anatomy {
+    GroupSpec {
         keyword: "rrr",
         class: Some(Class::Rrr),
         joints: &[
@@ -149,7 +149,7 @@ const ANATOMIES: [Anatomy; 7] = [
         modes: Some(Modes::Side),
         form: "rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: left }",
     },
-    Anatomy {
+    GroupSpec {
         keyword: "rrp",
         class: Some(Class::Rrp),
         joints: &[
@@ -161,7 +161,7 @@ const ANATOMIES: [Anatomy; 7] = [
         modes: Some(Modes::Sense),
         form: "rrp BC(B), piston(rail) -> C { length: 300mm, mode: ahead }",
     },
-    Anatomy {
+    GroupSpec {
         keyword: "rpr",
         class: Some(Class::Rpr),
         joints: &[
@@ -173,7 +173,7 @@ const ANATOMIES: [Anatomy; 7] = [
         modes: Some(Modes::Sense),
         form: "rpr block(B), bar(D) { offset: 0 }",
     },
-    Anatomy {
+    GroupSpec {
         keyword: "prp",
         class: Some(Class::Prp),
         joints: &[
@@ -185,7 +185,7 @@ const ANATOMIES: [Anatomy; 7] = [
         modes: None,
         form: "prp p(rail1), q(rail2) -> C { offsets: (0, 0) }",
     },
-    Anatomy {
+    GroupSpec {
         keyword: "rpp",
         class: Some(Class::Rpp),
         joints: &[
@@ -210,7 +210,7 @@ pub(crate) const KEYWORDS: [&str; ANATOMIES.len()] = {
     words
 };
 
-impl Anatomy {
+impl GroupSpec {
     pub(crate) fn of(keyword: &str) -> Option<&'static Self> {
         ANATOMIES.iter().find(|anatomy| anatomy.keyword == keyword)
     }

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenTree};
 
-use super::aftermath::stand_in;
+use super::aftermath::placeholder;
 use super::literal;
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{BinaryOp, Expr, ExprKind};
@@ -182,7 +182,7 @@ impl Parser<'_> {
     /// Parses an operand that begins with a name: the name alone, a member, a call.
     fn named(&mut self, name: Ident) -> Parse<Expr> {
         let (name, word) = match self.aftermath.was_refused(&name) {
-            true => (stand_in(&name), String::new()),
+            true => (placeholder(&name), String::new()),
             false => (name.clone(), name.to_string()),
         };
         if words::is_rust_keyword(&word) {

@@ -4,7 +4,7 @@
 
 use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
-use super::anatomy::Anatomy;
+use super::anatomy::GroupSpec;
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{Expr, Field, FieldValue, Group, Leg};
 use super::words;
@@ -132,7 +132,7 @@ impl Parser<'_> {
     }
 
     fn missing_braces(&mut self, keyword: &Ident) {
-        let fields = match Anatomy::of(&keyword.to_string()) {
+        let fields = match GroupSpec::of(&keyword.to_string()) {
             Some(anatomy) => anatomy.braces(),
             None if keyword == "spring" => "{ stiffness: …, free_length: … }".to_string(),
             None => "{ … }".to_string(),

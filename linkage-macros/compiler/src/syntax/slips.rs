@@ -3,7 +3,7 @@
 
 use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 
-use super::anatomy::Anatomy;
+use super::anatomy::GroupSpec;
 use super::tokens::{Parse, Parser};
 use super::words;
 use crate::diagnostics::nearest;
@@ -42,7 +42,7 @@ impl Parser<'_> {
                 .to_string();
         }
         if self.is_group(0, Delimiter::Parenthesis) {
-            let example = Anatomy::dyad_in_short();
+            let example = GroupSpec::dyad_in_short();
             return format!("a group begins with its keyword: `{example}`");
         }
         format!(

@@ -3,7 +3,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Spacing, Span, TokenStream, TokenTree};
 
-use super::aftermath::{Aftermath, stand_in};
+use super::aftermath::{Aftermath, placeholder};
 use super::words;
 use crate::diagnostics::{Diagnostics, Extent};
 
@@ -267,7 +267,7 @@ impl<'d> Parser<'d> {
             }
             Some(ident) if self.aftermath.was_refused(&ident) => {
                 self.next += 1;
-                Ok(stand_in(&ident))
+                Ok(placeholder(&ident))
             }
             _ => self.expected(&format!("the name of {what}")),
         }

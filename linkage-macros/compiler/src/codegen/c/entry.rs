@@ -2,14 +2,14 @@
 
 use super::In;
 use super::c_names::{is_array, quoted};
-use super::two_paths::{Target, indented};
+use super::two_paths::{Destination, indented};
 use crate::codegen::c_export::c_identifiers::default;
 use crate::interface::entries::{Entry, Given};
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, labels};
 use crate::ir::graph::Node;
 use crate::lower::label;
-use crate::lower::routine::{Asked, Bound, Compute, Finite, Sum};
+use crate::lower::routine::{Bound, Compute, Finite, FinitenessChecks, Sum};
 use crate::lower::used::Asks;
 use crate::model::mechanism::{ParamKind, Sign};
 
@@ -32,7 +32,8 @@ impl In<'_> {
         }
         list.push(self.returned(entry.result, "to"));
         let mut body = self.earlier_results(routine, *stage);
-        let call = self.call(routine, *stage, Asks::Compares, &entry.given, Target::Pointer("to"));
+        let call =
+            self.call(routine, *stage, Asks::Compares, &entry.given, Destination::Pointer("to"));
         match &asked.finite {
             None => body += &format!("return {call};\n"),
             Some(finite) => {
@@ -109,7 +110,7 @@ impl In<'_> {
         };
         body += &format!("linkage_given_finite(&why, {checked});\n");
         body += "if (why.status != LINKAGE_OK) {\nreturn linkage_refused(&why, error);\n}\n";
-        let found = Target::Local("found");
+        let found = Destination::Local("found");
         let call = self.call(routine, *stage, Asks::Diagnoses, &entry.given, found);
         body += &format!("{call};\n");
         body += &self.results_finite(entry, asked, &checked);
@@ -125,7 +126,7 @@ impl In<'_> {
     }
 
     /// The list of what is given that has to be finite, and its length.
-    fn named_given(self, entry: &Entry, asked: &Asked, to: &mut String) -> usize {
+    fn named_given(self, entry: &Entry, asked: &FinitenessChecks, to: &mut String) -> usize {
         let named = |&node: &Node| {
             let value = self.leaf(&entry.given, node)?;
             Some((value, label(self.cx.mechanism, node)?))
@@ -139,7 +140,7 @@ impl In<'_> {
     }
 
     /// The test that the results are finite.
-    fn results_finite(self, entry: &Entry, asked: &Asked, given: &str) -> String {
+    fn results_finite(self, entry: &Entry, asked: &FinitenessChecks, given: &str) -> String {
         let components = self.components(entry.result, "found");
         let all = labels::of_result(self.cx.interface, self.cx.mechanism, entry);
         let wanted: Vec<usize> = match entry.result {

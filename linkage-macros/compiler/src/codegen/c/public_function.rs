@@ -10,7 +10,7 @@ use crate::codegen::c_export::c_identifiers::{distinct, function};
 use crate::codegen::identifiers::text;
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
-use crate::lower::routine::{Adapted, Compute};
+use crate::lower::routine::{ArgumentAdapter, Compute};
 use crate::model::mechanism::ParamKind;
 
 impl In<'_> {
@@ -20,10 +20,10 @@ impl In<'_> {
         let call = PublicFunction::new(self, id);
         let mut body = String::new();
         match self.cx.compute(id) {
-            Compute::Via { entry: velocity, given: Adapted::UnitRate } => {
+            Compute::Delegate { entry: velocity, given: ArgumentAdapter::UnitRate } => {
                 call.at_unit_rate(self.cx.entry(*velocity), &mut body);
             }
-            Compute::Via { entry: other, given: Adapted::CosineAndSine } => {
+            Compute::Delegate { entry: other, given: ArgumentAdapter::CosineAndSine } => {
                 call.begin(&mut body);
                 call.by_angle(*other, &mut body);
             }
@@ -90,8 +90,9 @@ impl<'a> PublicFunction<'a> {
         declared.push(to.returned(entry.result, answer));
         declared.push("LinkageError *error".to_string());
         let own = [0, 1, 2, 3].map(|at| all[count + at].clone());
-        let is_via =
-            |by: &Compute| matches!(by, Compute::Via { given: Adapted::CosineAndSine, .. });
+        let is_via = |by: &Compute| {
+            matches!(by, Compute::Delegate { given: ArgumentAdapter::CosineAndSine, .. })
+        };
         let makes_cosine = entry.takes_cosine() || is_via(to.cx.compute(id));
         Self { to, entry, declared, names, pointers, answer, own, makes_cosine }
     }

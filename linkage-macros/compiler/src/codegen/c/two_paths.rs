@@ -130,7 +130,7 @@ impl In<'_> {
         stage: usize,
         asks: Asks,
         given: &[Given],
-        to: Target,
+        to: Destination,
     ) -> String {
         let mut list = self.names(given);
         // A stage needs one order of the inputs less than the next, which are not read.
@@ -147,7 +147,7 @@ impl In<'_> {
 
     /// Where each stage puts its result: those behind the wanted one nowhere. The last stage's entry point
     /// returns all of them in one record.
-    fn targets(self, routine: &Routine, stage: usize, to: Target) -> Vec<String> {
+    fn targets(self, routine: &Routine, stage: usize, to: Destination) -> Vec<String> {
         let fields = match routine.result {
             Shape::Record(record) if routine.stages.len() > 1 => &self.cx.record(record).fields,
             shape => return vec![to.whole(is_array(shape))],
@@ -184,13 +184,13 @@ impl In<'_> {
 
 /// Where a result goes.
 #[derive(Clone, Copy)]
-pub(super) enum Target {
+pub(super) enum Destination {
     /// Where this argument points.
     Pointer(&'static str),
     Local(&'static str),
 }
 
-impl Target {
+impl Destination {
     fn whole(self, is_array: bool) -> String {
         match self {
             Self::Pointer(name) => name.to_string(),

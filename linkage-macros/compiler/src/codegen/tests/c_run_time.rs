@@ -77,7 +77,7 @@ struct Call {
 }
 
 /// A status, what is missing, and two results.
-type Answer = [f64; 4];
+type EntryOutputs = [f64; 4];
 
 /// The program that answers calls, compiled with these flags; none without a compiler.
 fn program(compiler: &str, name: &str, flags: &[&str]) -> Option<PathBuf> {
@@ -108,7 +108,7 @@ fn program(compiler: &str, name: &str, flags: &[&str]) -> Option<PathBuf> {
 }
 
 /// The answers of a program to calls.
-fn answers(program: &Path, calls: &[Call]) -> Vec<Answer> {
+fn answers(program: &Path, calls: &[Call]) -> Vec<EntryOutputs> {
     let mut child = Command::new(program)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
@@ -132,11 +132,11 @@ fn answers(program: &Path, calls: &[Call]) -> Vec<Answer> {
 }
 
 /// Not a number is one answer, whatever its bits.
-fn bits(answer: &Answer) -> [u64; 4] {
+fn bits(answer: &EntryOutputs) -> [u64; 4] {
     answer.map(|x| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() })
 }
 
-fn compare(program: &Path, calls: &[Call], expected: impl Fn(&Call) -> Answer) {
+fn compare(program: &Path, calls: &[Call], expected: impl Fn(&Call) -> EntryOutputs) {
     let found = answers(program, calls);
     assert_eq!(found.len(), calls.len());
     for (call, found) in calls.iter().zip(&found) {
@@ -172,7 +172,7 @@ fn arguments(random: &mut Random, which: i32, is_single: bool) -> [f64; 9] {
     x
 }
 
-fn expected<T: Float, F: Fusion>(call: &Call, widen: impl Fn(T) -> f64) -> Answer {
+fn expected<T: Float, F: Fusion>(call: &Call, widen: impl Fn(T) -> f64) -> EntryOutputs {
     type One<T, F> = Lanes<T, 1, F>;
     let x: [One<T, F>; 4] = [0, 1, 2, 3].map(|i| Lanes::splat(T::lit(call.x[i], call.x[i] as f32)));
     let number = |x: One<T, F>| widen(x.to_array()[0]);
@@ -293,7 +293,7 @@ fn operands(random: &mut Random, which: i32, is_single: bool) -> [f64; 9] {
     all
 }
 
-fn diagnosed<T: Real>(call: &Call) -> Answer {
+fn diagnosed<T: Real>(call: &Call) -> EntryOutputs {
     let x: [T; 7] = [0, 1, 2, 3, 4, 5, 6].map(|i| T::lit(call.x[i], call.x[i] as f32));
     let [value, rest @ ..] = x;
     let [a, b, c, d, e, f] = rest;

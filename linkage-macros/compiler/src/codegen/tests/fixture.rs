@@ -7,7 +7,7 @@ use crate::exact::Exact;
 use crate::function::Function;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
-use crate::ir::program::{Answer, Program};
+use crate::ir::program::{EntryOutputs, Program};
 use crate::model::mechanism::*;
 use crate::syntax::anatomy::Modes;
 
@@ -54,7 +54,7 @@ pub(super) fn one_value(build: impl FnOnce(&mut Graph) -> Id) -> (Mechanism, Pro
     let mechanism = mechanism("Tiny", vec![input("theta", ANGLE)], vec![output("y", kind)]);
     let mut graph = Graph::new();
     let sinks = vec![build(&mut graph)];
-    let answers = vec![Answer { entry: Some(EntryPoint::named("position")), sinks }];
+    let answers = vec![EntryOutputs { entry: Some(EntryPoint::named("position")), sinks }];
     (
         mechanism,
         Program {
@@ -128,7 +128,7 @@ fn four_bar_program() -> Program {
         ("margins", margin),
     ];
     let answers = answers
-        .map(|(entry, sinks)| Answer { entry: Some(EntryPoint::named(entry)), sinks })
+        .map(|(entry, sinks)| EntryOutputs { entry: Some(EntryPoint::named(entry)), sinks })
         .to_vec();
     Program {
         graph,
@@ -276,15 +276,15 @@ pub(super) fn table() -> (Mechanism, Program) {
     let parts = [g.push(Node::Mul(s1, x)), g.push(Node::Mul(s, x1))];
     let area1 = g.push(Node::Add(parts[0], parts[1]));
     let answers = vec![
-        Answer {
+        EntryOutputs {
             entry: Some(EntryPoint::named("position")),
             sinks: vec![one, zero, slide, x, area, cos, sin],
         },
-        Answer {
+        EntryOutputs {
             entry: Some(EntryPoint::named("velocity")),
             sinks: vec![zero, slide1, x1, area1, s1],
         },
-        Answer {
+        EntryOutputs {
             entry: Some(EntryPoint::named("coefficients")),
             sinks: vec![zero, way, zero, x, one, zero, zero, one, s, zero],
         },

@@ -9,12 +9,12 @@ mod expanded;
 mod fixture;
 mod groups;
 mod guards;
-mod one_root;
 mod rubbing_page;
 mod run_time;
 mod several_inputs;
 mod spans;
 mod turning;
+mod unique_root;
 
 use proc_macro2::{Group, TokenStream, TokenTree};
 

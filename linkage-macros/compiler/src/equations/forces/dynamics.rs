@@ -44,7 +44,7 @@
 use crate::equations::forces::power::{applied_power, of_one_among_several};
 use crate::equations::forces::reduced::Reduced;
 use crate::equations::forces::unit_rate::at_unit_rate;
-use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::Sym;
 use crate::ir::graph::{Check, Id, Node};
 
@@ -105,8 +105,8 @@ fn equations_of<'s>(kinematics: &Kinematics<'s>) -> Equations<'s> {
 }
 
 fn without_second_rates<'s>(kinematics: &Kinematics<'s>) -> Kinematics<'s> {
-    let inputs = Source::without_second_rates(&kinematics.inputs, kinematics.sheet);
-    Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs)
+    let inputs = InputMotion::without_second_rates(&kinematics.inputs, kinematics.builder);
+    Kinematics::of(kinematics.builder, kinematics.mechanism, inputs)
 }
 
 /// True if there are masses and no input is known to move none of them.
@@ -128,7 +128,7 @@ pub(in crate::equations) fn equations(kinematics: &Kinematics<'_>) -> Vec<Id> {
 /// The second rates of the inputs.
 pub(in crate::equations) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let equations = equations_of(kinematics);
-    let drive = |input: usize| kinematics.sheet.node(Node::Drive(input as u32));
+    let drive = |input: usize| kinematics.builder.node(Node::Drive(input as u32));
     let right = equations.force.iter().enumerate();
     let right = right.map(|(input, force)| *force + drive(input)).collect();
     equations.solve(kinematics, right).into_iter().map(|number| number.id).collect()
@@ -143,7 +143,7 @@ fn solved<'s>(
 ) -> Vec<Sym<'s>> {
     let count = right.len();
     if let [only] = right[..] {
-        return vec![only / mass[0][0].provided(Check::Nonzero, title(0), &[])];
+        return vec![only / mass[0][0].guarded_by(Check::Nonzero, title(0), &[])];
     }
     // Below the diagonal L, on it D.
     let mut factors = mass;
@@ -155,14 +155,14 @@ fn solved<'s>(
         });
         let size = (0..column)
             .fold(rounding.sizes[column], |size, k| size + factors[column][k].squared() * sizes[k]);
-        let whole = |value| pivot.sheet().integer(value);
+        let whole = |value| pivot.builder().integer(value);
         let size = whole(column as i64 + 1) * size;
         sizes.push(size);
         let spread = whole(rounding.share) * size;
         // A sum of squares is no difference.
         let pivot = match pivot.id == rounding.sizes[column].id {
-            true => pivot.provided(Check::Nonzero, title(column), &[]),
-            false => pivot.provided(Check::Moving, title(column), &[spread]),
+            true => pivot.guarded_by(Check::Nonzero, title(column), &[]),
+            false => pivot.guarded_by(Check::Moving, title(column), &[spread]),
         };
         factors[column][column] = pivot;
         inverses.push(pivot.recip());

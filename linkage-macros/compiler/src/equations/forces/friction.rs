@@ -120,7 +120,7 @@ impl<'s> Walk<'_, 's> {
             Contact::Pin { .. } | Contact::Guide(_) => Place::Outer(index),
         };
         let length = declared.length.as_ref().map(|b| kinematics.length(b, title).value);
-        let by_couple = length.map_or(self.sheet().zero(), |b| self.sheet().integer(2) / b);
+        let by_couple = length.map_or(self.builder().zero(), |b| self.builder().integer(2) / b);
         let share = share(kinematics, declared, title);
         let share = if let Rubs::Sticking(_, times) = self.rubs { times * share } else { share };
         let way = self.way(declared, title);
@@ -136,7 +136,7 @@ impl<'s> Walk<'_, 's> {
 
     fn way(&self, friction: &Friction, title: u32) -> Sym<'s> {
         let [slip, starting] = self.slip(friction.contact);
-        let zero = self.sheet().zero();
+        let zero = self.builder().zero();
         match (&friction.smooth, self.rubs) {
             (Some(smooth), Rubs::Slipping | Rubs::Never) => {
                 let smooth = self.kinematics.length(smooth, title).value;
@@ -150,7 +150,7 @@ impl<'s> Walk<'_, 's> {
 
     /// The loads on a group of a unit of friction at one of its joints.
     fn unit(&self, group: &Group, contact: &Rubbing<'s>) -> Loads<'s> {
-        let (zero, nothing) = (self.sheet().zero(), self.sheet().zero_vector());
+        let (zero, nothing) = (self.builder().zero(), self.builder().zero_vector());
         let mut links = [Acting { force: nothing, moment: zero }; 2];
         let (back, mut along) = (-contact.way, zero);
         let direction = |index: usize| self.kinematics.link(group.links[index]).frame.direction.u;

@@ -46,7 +46,7 @@ pub(super) struct Masses<'s> {
 impl<'s> Masses<'s> {
     pub(super) fn of(kinematics: &Kinematics<'s>) -> Self {
         let mut masses = Self { links: HashMap::new(), points: Vec::new(), moving: Vec::new() };
-        let zero = kinematics.sheet.zero();
+        let zero = kinematics.builder.zero();
         for declared in &kinematics.mechanism.dynamics.masses {
             let mechanism = kinematics.mechanism;
             let group = match &declared.place {
@@ -76,7 +76,7 @@ impl<'s> Masses<'s> {
                 MassPlace::Uniform(link, length) => {
                     // J = m l²/12 about the centre.
                     let length = kinematics.jet(length).value;
-                    let twelve = kinematics.sheet.integer(12);
+                    let twelve = kinematics.builder.integer(12);
                     inertia = mass * length.squared() / twelve;
                     (*link, [length.half(), zero].map(Jet::constant), None)
                 }
@@ -93,7 +93,7 @@ impl<'s> Masses<'s> {
     }
 
     fn add(&mut self, link: LinkId, mass: Sym<'s>, inertia: Sym<'s>, [x, y]: [Sym<'s>; 2]) {
-        let zero = mass.sheet().zero();
+        let zero = mass.builder().zero();
         let empty = Inertia { mass: zero, first: [zero; 2], second: zero };
         let sum = self.links.entry(link).or_insert(empty);
         sum.mass = sum.mass + mass;
@@ -159,7 +159,7 @@ pub(super) fn gravity<'s>(kinematics: &Kinematics<'s>) -> Vector<'s> {
             let [x, y] = kinematics.jets(at);
             Vector { x: x.value, y: y.value }
         }
-        None => kinematics.sheet.zero_vector(),
+        None => kinematics.builder.zero_vector(),
     }
 }
 
@@ -199,7 +199,7 @@ fn between<'s>(mass: Sym<'s>, at_pin: Sym<'s>, [a_o, a_c]: [Vector<'s>; 2]) -> V
 
 /// A force that the declaration puts on a point, and the point.
 pub(super) fn applied<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s>)> {
-    // Springs come first on the sheet, and last in the list.
+    // Springs come first on the builder, and last in the list.
     let springs = springs::forces(kinematics);
     declared(kinematics).into_iter().chain(springs).collect()
 }

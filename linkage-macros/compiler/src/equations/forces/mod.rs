@@ -49,7 +49,7 @@ mod transmit;
 mod unit_rate;
 mod walk;
 
-use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::Vector;
 use crate::ir::graph::Id;
 use crate::model::dynamics::Effort;
@@ -111,11 +111,11 @@ pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
     if kinematics.mechanism.dynamics.asked.is_empty() {
         return Vec::new();
     }
-    let inputs = Source::at_rest(&kinematics.inputs, kinematics.sheet);
-    let resting = Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs);
+    let inputs = InputMotion::at_rest(&kinematics.inputs, kinematics.builder);
+    let resting = Kinematics::of(kinematics.builder, kinematics.mechanism, inputs);
     if !kinematics.mechanism.dynamics.frictions.is_empty() {
-        let creep = Source::without_second_rates(&kinematics.inputs, kinematics.sheet);
-        let creeping = Kinematics::of(kinematics.sheet, kinematics.mechanism, creep);
+        let creep = InputMotion::without_second_rates(&kinematics.inputs, kinematics.builder);
+        let creeping = Kinematics::of(kinematics.builder, kinematics.mechanism, creep);
         return by_walk(&Walk::creeping(&resting, &creeping));
     }
     match kinematics.mechanism.unknowns.is_empty() {
@@ -135,12 +135,12 @@ pub(super) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
 
 /// The drives of the only input that creep backwards and forwards.
 pub(super) fn holding(kinematics: &Kinematics<'_>) -> Vec<Id> {
-    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
-    let inputs = Source::at_rest(&kinematics.inputs, sheet);
-    let resting = Kinematics::of(sheet, mechanism, inputs);
+    let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
+    let inputs = InputMotion::at_rest(&kinematics.inputs, builder);
+    let resting = Kinematics::of(builder, mechanism, inputs);
     let drive = |way| {
-        let creep = kinematics.inputs[0].with_rates(sheet.integer(way), sheet.zero());
-        let creeping = Kinematics::of(sheet, mechanism, vec![creep]);
+        let creep = kinematics.inputs[0].with_rates(builder.integer(way), builder.zero());
+        let creeping = Kinematics::of(builder, mechanism, vec![creep]);
         Walk::creeping(&resting, &creeping).input_efforts()[0].id
     };
     [-1, 1].map(drive).into()

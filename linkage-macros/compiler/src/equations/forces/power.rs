@@ -37,7 +37,7 @@ pub(super) fn effort<'s>(kinematics: &Kinematics<'s>, input: InputId) -> Sym<'s>
 pub(super) fn effort_at<'s>(kinematics: &Kinematics<'s>, unknown: UnknownId) -> Sym<'s> {
     let unit = at_unit_rate(kinematics, 0);
     let group = kinematics.mechanism.unknowns[unknown.index()].group;
-    let rate = unit.unknowns[unknown.index()].rate.provided(Check::Nonzero, group.0, &[]);
+    let rate = unit.unknowns[unknown.index()].rate.guarded_by(Check::Nonzero, group.0, &[]);
     of_the_only_input(kinematics, &unit) / rate
 }
 
@@ -68,7 +68,7 @@ pub(super) fn of_one_among_several<'s>(
 
 /// The power of forces and torques, at the unit rate.
 pub(super) fn applied_power<'s>(kinematics: &Kinematics<'s>, unit: &Kinematics<'s>) -> Sym<'s> {
-    let mut power = kinematics.sheet.zero();
+    let mut power = kinematics.builder.zero();
     for (point, force) in applied(kinematics) {
         power = power + force.dot(unit.point(point).velocity);
     }

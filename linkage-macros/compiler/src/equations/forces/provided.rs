@@ -16,7 +16,7 @@ pub(super) fn not_negative<'s>(
     if value.is_constant() || quantity.name.is_empty() {
         return value;
     }
-    value.provided(Check::NotNegative(quantity.name.clone()), group, &[])
+    value.guarded_by(Check::NotNegative(quantity.name.clone()), group, &[])
 }
 
 /// The coefficient of a guide, or of a pin the coefficient times its radius.
@@ -45,7 +45,7 @@ pub(super) struct Line<'s> {
 impl<'s> Line<'s> {
     pub(super) fn between(kinematics: &Kinematics<'s>, points: [PointId; 2], title: u32) -> Self {
         let vector = vector(kinematics, points);
-        let square = vector.dot(vector).provided(Check::Square, title, &[]);
+        let square = vector.dot(vector).guarded_by(Check::Square, title, &[]);
         // 1/L = L/L²: the division runs beside the root.
         let length = square.sqrt();
         Self { vector, length, inverse: length * square.recip() }

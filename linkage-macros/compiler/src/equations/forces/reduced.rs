@@ -55,7 +55,7 @@ impl<'s> Reduced<'s> {
         let mut moving = Vec::new();
         let mut turning: HashMap<LinkId, Sym<'s>> = HashMap::new();
         let mut turn = |link: LinkId, inertia: Sym<'s>| {
-            let known = turning.get(&link).copied().unwrap_or(state.sheet.zero());
+            let known = turning.get(&link).copied().unwrap_or(state.builder.zero());
             turning.insert(link, known + inertia);
         };
         for &(point, mass) in &masses.points {
@@ -96,7 +96,7 @@ impl<'s> Reduced<'s> {
     }
 
     fn at_points(&self, a: &Kinematics<'s>, b: &Kinematics<'s>) -> Sym<'s> {
-        let mut sum = a.sheet.zero();
+        let mut sum = a.builder.zero();
         for &(place, mass) in &self.moving {
             sum = sum + mass * place.motion(a).velocity.dot(place.motion(b).velocity);
         }
@@ -141,7 +141,7 @@ impl<'s> Reduced<'s> {
 
     /// Σ m c·c′ + J k k′ of a state at unit rate.
     pub(super) fn slope(&self, unit: &Kinematics<'s>) -> Sym<'s> {
-        let mut sum = unit.sheet.zero();
+        let mut sum = unit.builder.zero();
         for &(place, mass) in &self.moving {
             let motion = place.motion(unit);
             sum = sum + mass * motion.velocity.dot(motion.acceleration);
@@ -169,7 +169,7 @@ impl<'s> Reduced<'s> {
 
     /// The power of all weight.
     pub(super) fn power_of_weight(&self, unit: &Kinematics<'s>) -> Sym<'s> {
-        let (g, mut sum) = (gravity(unit), unit.sheet.zero());
+        let (g, mut sum) = (gravity(unit), unit.builder.zero());
         for &(point, mass) in &self.points {
             sum = sum + (mass * g).dot(unit.point(point).velocity);
         }

@@ -100,7 +100,7 @@ fn push<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) -> 
     let line = line(kinematics, index, points);
     let [x, y] = points.map(|point| kinematics.point(point).velocity);
     let closing = line.vector.dot(y - x) * line.inverse;
-    -(stiffness * (line.length - free) + damping * kinematics.in_tempo(closing))
+    -(stiffness * (line.length - free) + damping * kinematics.at_rate_scale(closing))
 }
 
 /// The square of a length that may be zero.
@@ -126,7 +126,7 @@ pub(super) fn couples<'s>(kinematics: &Kinematics<'s>) -> Vec<(Carrier, Sym<'s>)
 fn couple<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
     let Numbers { stiffness, damping, .. } = numbers(kinematics, index);
     let twist = twist(kinematics, SpringId(index as u32));
-    -(stiffness * twist.value + damping * kinematics.in_tempo(twist.rate))
+    -(stiffness * twist.value + damping * kinematics.at_rate_scale(twist.rate))
 }
 
 /// Effort of the spring: a push or a couple.
@@ -151,7 +151,7 @@ pub(super) fn energy<'s>(kinematics: &Kinematics<'s>) -> Sym<'s> {
         let twist = twist(kinematics, SpringId(index as u32)).value;
         numbers(kinematics, index).stiffness.half() * twist.squared()
     });
-    straight.chain(twisted).fold(kinematics.sheet.zero(), |sum, energy| sum + energy)
+    straight.chain(twisted).fold(kinematics.builder.zero(), |sum, energy| sum + energy)
 }
 
 /// Angle by which a spring between two bodies is turned from its free angle.
@@ -204,7 +204,7 @@ impl<'s> Turned<'s> {
         for &(link, own) in &turn.links {
             self.add_body(kinematics, Carrier::Link(link), times * i64::from(own));
         }
-        let factor = kinematics.sheet.integer(times);
+        let factor = kinematics.builder.integer(times);
         self.rest = self.rest + kinematics.jet(&turn.rest).times(factor);
     }
 }

@@ -26,14 +26,14 @@ pub(super) fn energy<'s>(kinematics: &Kinematics<'s>) -> [Sym<'s>; 2] {
         }
         _ => masses.inertia(kinematics, kinematics),
     };
-    let lifted = moments(kinematics, kinematics.sheet.integer(1))[0].dot(gravity(kinematics));
+    let lifted = moments(kinematics, kinematics.builder.integer(1))[0].dot(gravity(kinematics));
     [kinetic.half(), springs::energy(kinematics) - lifted]
 }
 
 /// The force on the ground, and the couple about the origin.
 pub(super) fn shaking<'s>(kinematics: &Kinematics<'s>) -> [Sym<'s>; 3] {
-    let (masses, none) = (Masses::of(kinematics), kinematics.sheet.zero_vector());
-    let (mut force, mut couple) = (none, kinematics.sheet.zero());
+    let (masses, none) = (Masses::of(kinematics), kinematics.builder.zero_vector());
+    let (mut force, mut couple) = (none, kinematics.builder.zero());
     let mut act = |at: Vector<'s>, by: Vector<'s>, moment: Sym<'s>| {
         force = force + by;
         couple = couple + (at.cross(by) + moment);
@@ -44,7 +44,7 @@ pub(super) fn shaking<'s>(kinematics: &Kinematics<'s>) -> [Sym<'s>; 3] {
     }
     for &(point, mass) in &masses.points {
         let motion = kinematics.point(point);
-        act(motion.position(), -(mass * motion.acceleration), kinematics.sheet.zero());
+        act(motion.position(), -(mass * motion.acceleration), kinematics.builder.zero());
     }
     for moving in &masses.moving {
         let alpha = kinematics.link(moving.link).frame.direction.alpha;
@@ -57,7 +57,7 @@ pub(super) fn shaking<'s>(kinematics: &Kinematics<'s>) -> [Sym<'s>; 3] {
 /// Position, velocity and acceleration of the centre of all masses.
 pub(in crate::equations) fn centre_of_mass<'s>(kinematics: &Kinematics<'s>) -> [Vector<'s>; 3] {
     let masses = Masses::of(kinematics);
-    let zero = kinematics.sheet.zero();
+    let zero = kinematics.builder.zero();
     let of_links = masses.by_link().into_iter().map(|(_, inertia)| inertia.mass);
     let of_points = masses.points.iter().map(|(_, mass)| *mass);
     let of_moving = masses.moving.iter().map(|moving| moving.mass);
@@ -68,7 +68,7 @@ pub(in crate::equations) fn centre_of_mass<'s>(kinematics: &Kinematics<'s>) -> [
 /// Σ m r of all masses, and its first and second rate, in shares.
 fn moments<'s>(kinematics: &Kinematics<'s>, share: Sym<'s>) -> [Vector<'s>; 3] {
     let masses = Masses::of(kinematics);
-    let mut sums = [kinematics.sheet.zero_vector(); 3];
+    let mut sums = [kinematics.builder.zero_vector(); 3];
     let mut add = |mass: Sym<'s>, rates: [Vector<'s>; 3]| {
         for (sum, rate) in sums.iter_mut().zip(rates) {
             *sum = *sum + mass * rate;
@@ -81,7 +81,7 @@ fn moments<'s>(kinematics: &Kinematics<'s>, share: Sym<'s>) -> [Vector<'s>; 3] {
         let Frame { origin, direction } = kinematics.link(link).frame;
         add(own.mass, [origin.position(), origin.velocity, origin.acceleration]);
         let turned = direction.alpha * moment.normal() - direction.omega.squared() * moment;
-        add(kinematics.sheet.integer(1), [moment, direction.omega * moment.normal(), turned]);
+        add(kinematics.builder.integer(1), [moment, direction.omega * moment.normal(), turned]);
     }
     let points = masses.points.iter().map(|&(point, mass)| (mass, kinematics.point(point)));
     let moving = masses.moving.iter().map(|moving| (moving.mass, moving.motion));

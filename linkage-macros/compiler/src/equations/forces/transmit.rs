@@ -18,7 +18,7 @@ impl<'s> Walk<'_, 's> {
     /// An angle driven with a couple.
     pub(super) fn transmit_turn(&mut self, turn: &AngleSum, effort: Sym<'s>) {
         for &(link, times) in &turn.links {
-            let factor = self.sheet().integer(i64::from(times));
+            let factor = self.builder().integer(i64::from(times));
             // The supports of the gear train are not modelled: the ground takes the rest.
             self.turn_against_ground(Carrier::Link(link), -(factor * effort));
         }
@@ -39,7 +39,7 @@ impl<'s> Walk<'_, 's> {
             }
             Expr::Slide(link) => self.push_slide(*link, -effort),
             Expr::Coordinate(point, axis) => {
-                let zero = self.sheet().zero();
+                let zero = self.builder().zero();
                 let force = match axis {
                     Axis::X => Vector { x: -effort, y: zero },
                     Axis::Y => Vector { x: zero, y: -effort },

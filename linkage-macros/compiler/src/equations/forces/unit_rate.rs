@@ -1,14 +1,14 @@
 //! The state from which a coefficient is read.
 
-use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::kinematics::{InputMotion, Kinematics};
 
 /// The state at a unit rate of one input, the others at rest, without second rates.
 pub(super) fn at_unit_rate<'s>(kinematics: &Kinematics<'s>, moving: usize) -> Kinematics<'s> {
-    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
-    let inputs = Source::one_moving(&kinematics.inputs, sheet, moving);
-    let mut unit = Kinematics::of(sheet, mechanism, inputs);
+    let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
+    let inputs = InputMotion::one_moving(&kinematics.inputs, builder, moving);
+    let mut unit = Kinematics::of(builder, mechanism, inputs);
     if let [only] = &kinematics.inputs[..] {
-        unit.tempo = Some(only.jet.rate);
+        unit.rate_scale = Some(only.jet.rate);
     }
     unit
 }

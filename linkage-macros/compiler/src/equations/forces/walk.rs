@@ -12,7 +12,7 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Frame;
 use crate::equations::reactions::{Acting, GuideReaction};
-use crate::equations::symbol::{Sheet, Sym, Vector};
+use crate::equations::symbol::{GraphBuilder, Sym, Vector};
 use crate::model::dynamics::Effort;
 use crate::model::mechanism::{Body, Carrier, GuideId, InputId, Joint, LinkId, PointId};
 
@@ -78,21 +78,21 @@ impl<'k, 's> Walk<'k, 's> {
 
     /// Before anything acts.
     pub(super) fn start(kinematics: &'k Kinematics<'s>, rubs: Rubs<'k, 's>) -> Self {
-        let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
-        let nothing = Acting { force: sheet.zero_vector(), moment: sheet.zero() };
+        let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
+        let nothing = Acting { force: builder.zero_vector(), moment: builder.zero() };
         Self {
             kinematics,
             links: vec![nothing; mechanism.links.len()],
-            points: vec![sheet.zero_vector(); mechanism.points.len()],
+            points: vec![builder.zero_vector(); mechanism.points.len()],
             guides: vec![nothing; mechanism.guides.len()],
             ground: nothing,
             slides: HashMap::new(),
             coordinates: HashMap::new(),
-            efforts: vec![sheet.zero(); mechanism.inputs.len()],
+            efforts: vec![builder.zero(); mechanism.inputs.len()],
             found: HashMap::new(),
             standing: HashMap::new(),
             rubs,
-            losses: sheet.zero(),
+            losses: builder.zero(),
             amounts: HashMap::new(),
         }
     }
@@ -100,17 +100,17 @@ impl<'k, 's> Walk<'k, 's> {
     /// From the last step to the first, with what acts by then.
     pub(super) fn back(&mut self) {
         for step in self.kinematics.mechanism.steps.iter().rev() {
-            self.go_back(step);
+            self.backward(step);
         }
     }
 
-    pub(super) fn sheet(&self) -> &'s Sheet<'s> {
-        self.kinematics.sheet
+    pub(super) fn builder(&self) -> &'s GraphBuilder<'s> {
+        self.kinematics.builder
     }
 
     /// Components of an effort that the walk has found.
     pub(in crate::equations) fn components(&self, effort: Effort) -> Vec<Sym<'s>> {
-        let zero = self.sheet().zero_vector();
+        let zero = self.builder().zero_vector();
         match effort {
             Effort::Input(input) => vec![self.efforts[input.index()]],
             Effort::Bearing(_, point) => {
@@ -184,7 +184,7 @@ impl<'k, 's> Walk<'k, 's> {
     }
 
     fn rods(&self, link: LinkId) -> Sym<'s> {
-        self.found.get(&Effort::Push(link)).map_or(self.sheet().zero(), |known| known[0])
+        self.found.get(&Effort::Push(link)).map_or(self.builder().zero(), |known| known[0])
     }
 
     fn add(&mut self, link: LinkId, own: Acting<'s>) {
@@ -258,14 +258,14 @@ impl<'k, 's> Walk<'k, 's> {
     }
 
     fn drive_coordinates(&mut self, carrier: Carrier, point: PointId, [x, y]: [Sym<'s>; 2]) {
-        let zero = self.sheet().zero();
+        let zero = self.builder().zero();
         let known = self.coordinates.entry((carrier, point)).or_insert([zero; 2]);
         *known = [known[0] + x, known[1] + y];
     }
 
     /// The efforts of a point's coordinates, all of them being known.
     fn driven(&self, carrier: Carrier, point: PointId) -> [Sym<'s>; 2] {
-        let zero = self.sheet().zero();
+        let zero = self.builder().zero();
         self.coordinates.get(&(carrier, point)).copied().unwrap_or([zero; 2])
     }
 
@@ -281,7 +281,7 @@ impl<'k, 's> Walk<'k, 's> {
     }
 
     fn slide(&self, link: LinkId) -> Sym<'s> {
-        self.slides.get(&link).copied().unwrap_or(self.sheet().zero())
+        self.slides.get(&link).copied().unwrap_or(self.builder().zero())
     }
 
     fn note_pin(&mut self, link: LinkId, point: PointId, force: Vector<'s>) {
@@ -293,7 +293,7 @@ impl<'k, 's> Walk<'k, 's> {
         let point = joint.point().expect("a force at a point is a revolute joint's");
         self.note_pin(joint.link(), point, force);
         self.push_body(joint.bodies[0], point, -force);
-        let zero = self.sheet().zero_vector();
+        let zero = self.builder().zero_vector();
         let sum = self.standing.entry(point).or_insert(zero);
         *sum = *sum - force;
     }

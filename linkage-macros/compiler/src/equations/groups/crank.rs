@@ -39,11 +39,11 @@ fn crank<'s>(
 ) -> Solved<'s> {
     scope.call_vector("u", direction.u);
     let frame = Frame { origin: pivot, direction };
-    let pin = length.map(|length| frame.place(length, Jet::zero(length.value.sheet())));
+    let pin = length.map(|length| frame.place(length, Jet::zero(length.value.builder())));
     if let Some(pin) = pin {
         scope.call_vector("r", pin.offset);
     }
-    let bars = length.map(|length| frame.vector(length.value, scope.sheet.zero()));
+    let bars = length.map(|length| frame.vector(length.value, scope.builder.zero()));
     let links = vec![LinkMotion { frame, slide: None }];
     Solved { links, pin, bars: bars.into_iter().collect(), levers: None }
 }

@@ -55,7 +55,7 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{Block, GroupScope, LimitMeasures, LinkMotion, Solved};
 use crate::equations::reactions::{
-    Acting, GuideReaction, Inner, Levers, Loads, Reaction, Reactions,
+    Acting, GuideReaction, Inner, JacobianFactors, Loads, Reaction, Reactions,
 };
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
@@ -78,16 +78,16 @@ impl Formulas for Prp {
 fn prp<'s>(scope: &GroupScope<'s>, guides: [Frame<'s>; 2], offsets: [Jet<'s>; 2]) -> Solved<'s> {
     let [u1, u2] = guides.map(|guide| guide.direction.u);
     let (sine, _) = guides[0].direction.sin_cos_to(guides[1].direction);
-    let inverse = sine.provided(Check::Nonzero, scope.group, &[]).recip();
-    scope.call("inverse sin", inverse);
+    let inverse = sine.guarded_by(Check::Nonzero, scope.group, &[]).recip();
+    scope.label("inverse sin", inverse);
     let slides = |w: Vector<'s>| [w.cross(u2) * inverse, w.cross(u1) * inverse];
 
     let shift = |k: usize| offsets[k].value * guides[k].direction.n();
     let apart = guides[0].origin.to(guides[1].origin) + (shift(1) - shift(0));
     scope.call_vector("delta", apart);
     let value = slides(apart);
-    scope.call("s1", value[0]);
-    scope.call("s2", value[1]);
+    scope.label("s1", value[0]);
+    scope.label("s2", value[1]);
 
     let blocks: [Block<'s>; 2] =
         core::array::from_fn(|k| Block::new(guides[k], value[k], offsets[k]));
@@ -153,7 +153,7 @@ struct PrpLevers<'s> {
     inverse: Sym<'s>,
 }
 
-impl<'s> Levers<'s> for PrpLevers<'s> {
+impl<'s> JacobianFactors<'s> for PrpLevers<'s> {
     fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
         let (&Self { u: [u1, u2], inverse }, [first, second]) = (self, loads.links);
         let [along_first, along_second] =

@@ -58,7 +58,7 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{GroupScope, LimitMeasures, LinkMotion, Solved};
 use crate::equations::reactions::{
-    Acting, GuideReaction, Inner, Levers, Loads, Reaction, Reactions,
+    Acting, GuideReaction, Inner, JacobianFactors, Loads, Reaction, Reactions,
 };
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
@@ -94,7 +94,7 @@ impl<'s> Slot<'s> {
         else {
             unreachable!("the block slides in a slot")
         };
-        let relative = known.turned(Direction::ground(known.sheet), angle);
+        let relative = known.turned(Direction::ground(known.builder), angle);
         Self { direction: known.turned(rail.direction, angle), relative }
     }
 }
@@ -110,17 +110,17 @@ fn rpp<'s>(
     let (u2, n2) = (slot.direction.u, slot.direction.n());
     let Direction { u: Vector { x: cosine, y: sine }, omega: beta_rate, alpha: beta_accel, .. } =
         slot.relative;
-    let inverse = sine.provided(Check::Nonzero, scope.group, &[]).recip();
-    scope.call("inverse sin", inverse);
+    let inverse = sine.guarded_by(Check::Nonzero, scope.group, &[]).recip();
+    scope.label("inverse sin", inverse);
     let [e1, e2] = offsets;
 
     let from = rail.origin.to(b);
-    let y = scope.sheet.det(u1.x, from.y, u1.y, from.x);
+    let y = scope.builder.det(u1.x, from.y, u1.y, from.x);
     let s2 = (y - e1.value - e2.value * cosine) * inverse;
     let s1 = from.dot(u1) + e2.value * sine - s2 * cosine;
-    scope.call("y", y);
-    scope.call("s2", s2);
-    scope.call("s1", s1);
+    scope.label("y", y);
+    scope.label("s2", s2);
+    scope.label("s1", s1);
     let slides = |w: Vector<'s>| {
         let second = w.dot(n1) * inverse;
         [w.dot(u1) - second * cosine, second]
@@ -151,7 +151,7 @@ fn rpp<'s>(
     };
     let on_rail = Jet { value: s1, rate: rate[0], accel: accel[0] };
     let in_slot = Jet { value: s2, rate: rate[1], accel: accel[1] };
-    let foot = rail.place(on_rail, Jet::zero(scope.sheet));
+    let foot = rail.place(on_rail, Jet::zero(scope.builder));
     let link = |origin, direction, slide| LinkMotion {
         frame: Frame { origin, direction },
         slide: Some(slide),
@@ -171,7 +171,7 @@ struct RppLevers<'s> {
     slide: Sym<'s>,
 }
 
-impl<'s> Levers<'s> for RppLevers<'s> {
+impl<'s> JacobianFactors<'s> for RppLevers<'s> {
     fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
         let &Self { rail, slot, cosine, inverse, arm, offsets: [e1, e2], slide } = self;
         let [block, yoke] = loads.links;

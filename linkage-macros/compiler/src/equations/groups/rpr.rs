@@ -59,7 +59,7 @@ use crate::equations::parts::{
     Clearance, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
 };
 use crate::equations::reactions::{
-    Acting, GuideReaction, Inner, Levers, Loads, Reaction, Reactions,
+    Acting, GuideReaction, Inner, JacobianFactors, Loads, Reaction, Reactions,
 };
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
@@ -95,7 +95,7 @@ fn rpr<'s>(
     let is_affine = scope.numerics == Numerics::Plain && e.is_zero();
     let crank = is_affine.then(|| CrankPin::of([b, d])).flatten();
     let square = crank.map_or_else(|| from.dot(from), CrankPin::square);
-    let sound = scope.call("b2", square.provided(Check::Square, scope.group, &[]));
+    let sound = scope.label("b2", square.guarded_by(Check::Square, scope.group, &[]));
     let (s, u, inverse) = if e.is_zero() {
         // s² = b²: 1/s = s/b², the division beside the root, and u = b/s.
         let s = mode * sound.sqrt();
@@ -104,13 +104,13 @@ fn rpr<'s>(
     } else {
         let left = left_of_offset(scope.numerics, [b, d], offset).value;
         let operands = [from.x, from.y, e];
-        let left = scope.call("s2", left.provided(Check::ReachOffset, scope.group, &operands));
+        let left = scope.label("s2", left.guarded_by(Check::ReachOffset, scope.group, &operands));
         let s = mode * left.sqrt();
         let u = sound.recip() * (s * from - e * from.normal());
-        (s, u, s * left.provided(Check::Nonzero, scope.group, &[]).recip())
+        (s, u, s * left.guarded_by(Check::Nonzero, scope.group, &[]).recip())
     };
-    scope.call("s", s);
-    scope.call("inverse s", inverse);
+    scope.label("s", s);
+    scope.label("inverse s", inverse);
     scope.call_vector("u", u);
     let [along, across] = match crank {
         // The line to the pivot is −b.
@@ -130,7 +130,7 @@ fn rpr<'s>(
     let slide_accel =
         along.acceleration + alpha * e + omega.squared() * s + (omega * offset.rate).twice();
     let slide = Jet { value: s, rate: slide_rate, accel: slide_accel };
-    let turned = Some(RelativeAngle::start(Carrier::Link(scope.links[1]), scope.sheet));
+    let turned = Some(RelativeAngle::start(Carrier::Link(scope.links[1]), scope.builder));
     let direction = Direction { u, omega, alpha, turned };
     let link = |origin, slide| LinkMotion { frame: Frame { origin, direction }, slide };
     Solved {
@@ -148,7 +148,7 @@ struct RprLevers<'s> {
     inverse: Sym<'s>,
 }
 
-impl<'s> Levers<'s> for RprLevers<'s> {
+impl<'s> JacobianFactors<'s> for RprLevers<'s> {
     fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
         let (&Self { u, e, inverse }, [block, bar]) = (self, loads.links);
         // The force S transmitted along the bar acts between the two: (s u + e n) × −S u = e S.
@@ -192,11 +192,11 @@ fn measures<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'s>) ->
     let [x, y] = d.jets_to(b);
     let reach = x.hypot(y);
     if e.is_zero() {
-        let one = Jet::constant(e.value.sheet().integer(1));
+        let one = Jet::constant(e.value.builder().integer(1));
         return LimitMeasures { margin: Some(reach), transmission: one };
     }
     let left = left_of_offset(numerics, [b, d], e);
-    let zero = Jet::zero(e.value.sheet());
+    let zero = Jet::zero(e.value.builder());
     let transmission = root_in_reach(left) / reach;
     LimitMeasures { margin: Some(left / (reach + e.hypot(zero))), transmission }
 }

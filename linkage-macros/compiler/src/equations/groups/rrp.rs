@@ -65,7 +65,9 @@ use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{
     Bar, Block, Clearance, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
 };
-use crate::equations::reactions::{GuideReaction, Inner, Levers, Loads, Reaction, Reactions};
+use crate::equations::reactions::{
+    GuideReaction, Inner, JacobianFactors, Loads, Reaction, Reactions,
+};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
 use crate::model::mechanism::{Group, Numerics};
@@ -102,7 +104,7 @@ fn rrp<'s>(
 ) -> Solved<'s> {
     let (u, n) = (guide.direction.u, guide.direction.n());
     let from = scope.call_vector("rho", guide.origin.to(b));
-    let foot = scope.call("x", from.dot(u));
+    let foot = scope.label("x", from.dot(u));
     let l = length.value;
     let (t, square) = match scope.numerics {
         Numerics::Plain => (across(b, guide, offset).value, legs(b, guide, length, offset).value),
@@ -111,17 +113,17 @@ fn rrp<'s>(
             (offset.value - y, carried(l, offset.value, y))
         }
     };
-    scope.call("t", t);
-    let square = square.provided(Check::ReachLine, scope.group, &[t, l]);
-    let reach = scope.call("reach", mode * square.sqrt());
-    let slide = scope.call("slide", foot + reach);
+    scope.label("t", t);
+    let square = square.guarded_by(Check::ReachLine, scope.group, &[t, l]);
+    let reach = scope.label("reach", mode * square.sqrt());
+    let slide = scope.label("slide", foot + reach);
     let r = scope.call_vector("r", reach * u + t * n);
     let bar = Bar::new(b, r, length, l.recip());
 
     // 1/X = X/X²: the division runs beside the root.
-    let inverse = reach * square.provided(Check::Nonzero, scope.group, &[]).recip();
-    scope.call("inverse reach", inverse);
-    let v = b.velocity - guide.transport_at(b, scope.sheet.zero_vector()).0;
+    let inverse = reach * square.guarded_by(Check::Nonzero, scope.group, &[]).recip();
+    scope.label("inverse reach", inverse);
+    let v = b.velocity - guide.transport_at(b, scope.builder.zero_vector()).0;
     let a = b.acceleration - guide.transport_at(b, v).1;
     scope.call_vector("v", v);
     scope.call_vector("a", a);
@@ -129,14 +131,14 @@ fn rrp<'s>(
     let (along, across) = (reach * l.recip(), t * l.recip());
     let omega = (offset.rate - v.dot(n) - length.rate * across) * inverse;
     let slide_rate = v.dot(u) - omega * t + length.rate * along;
-    scope.call("omega", omega);
+    scope.label("omega", omega);
     let coriolis = (omega * length.rate).twice();
     let pushed_across = length.accel * across + coriolis * along;
     let pushed_along = length.accel * along - coriolis * across;
     let alpha = (offset.accel - a.dot(n) + omega.squared() * t - pushed_across) * inverse;
     let slide_accel = a.dot(u) - alpha * t - omega.squared() * reach + pushed_along;
 
-    scope.call("alpha", alpha);
+    scope.label("alpha", alpha);
     let Direction { omega: guide_omega, alpha: guide_alpha, .. } = guide.direction;
     let bar = bar.turning(guide_omega + omega, guide_alpha + alpha);
     let pin = pin(guide, bar, Block::new(guide, slide, offset), slide_rate, slide_accel);
@@ -181,7 +183,7 @@ struct RrpLevers<'s> {
     inverse: Sym<'s>,
 }
 
-impl<'s> Levers<'s> for RrpLevers<'s> {
+impl<'s> JacobianFactors<'s> for RrpLevers<'s> {
     fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
         let (&Self { u, n, across, inverse }, [bar, block]) = (self, loads.links);
         let outside = loads.pin + block.force;
@@ -198,7 +200,7 @@ impl<'s> Levers<'s> for RrpLevers<'s> {
 /// The distance y of B from the guide, within rounding of itself.
 fn exact_distance<'s>(b: PointMotion<'s>, guide: Frame<'s>) -> Sym<'s> {
     let (from, u) = (guide.origin.to(b), guide.direction.u);
-    u.x.sheet().det(u.x, from.y, u.y, from.x)
+    u.x.builder().det(u.x, from.y, u.y, from.x)
 }
 
 /// t = e − y.

@@ -88,7 +88,7 @@ use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{
     Bar, Clearance, GroupScope, LimitMeasures, Solved, root_in_reach, size,
 };
-use crate::equations::reactions::{Inner, Levers, Loads, Reaction, Reactions};
+use crate::equations::reactions::{Inner, JacobianFactors, Loads, Reaction, Reactions};
 use crate::equations::symbol::{Sym, Vector};
 use crate::model::mechanism::{Carrier, Group, LinkId};
 
@@ -133,7 +133,7 @@ impl<'s> Outer<'s> {
                 let frame = known.link(link).frame;
                 Self { joints, frame, seen: places.map(|[x, y]| PointMotion::placed(x, y)) }
             }
-            None => Self { joints, frame: Frame::ground(known.sheet), seen: joints },
+            None => Self { joints, frame: Frame::ground(known.builder), seen: joints },
         }
     }
 }
@@ -179,7 +179,7 @@ struct RrrLevers<'s> {
     inverse: Sym<'s>,
 }
 
-impl<'s> Levers<'s> for RrrLevers<'s> {
+impl<'s> JacobianFactors<'s> for RrrLevers<'s> {
     fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
         let (&Self { r: [r2, r3], inverse }, [first, second]) = (self, loads.links);
         let from_second = (second.moment + r3.cross(loads.pin)) * inverse;
@@ -205,7 +205,7 @@ fn half_sine<'s>(joints: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> HalfSi
     let [rate, accel] = half_rates(joints).map(Sym::twice);
     let (difference, product) = (l2 - l3, (l2 * l3).twice().twice());
     let near = Jet { value: d.dot(d), rate, accel } - difference * difference;
-    let scale = Jet::constant(d.x.sheet().integer(1)) / product;
+    let scale = Jet::constant(d.x.builder().integer(1)) / product;
     // The difference of lengths, not 1 − i/4l₂l₃: that would be the rounding of 1/4l₂l₃ where a fused
     // operation takes it, and no zero at a toggle that the data hit.
     let far = product - near;

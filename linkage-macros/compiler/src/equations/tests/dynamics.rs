@@ -6,8 +6,8 @@ use crate::equations::derive;
 use crate::equations::forces::{
     Walk, accelerations, energy, equations, every_input_moves_mass, in_motion,
 };
-use crate::equations::kinematics::{Kinematics, Source};
-use crate::equations::symbol::Sheet;
+use crate::equations::kinematics::{InputMotion, Kinematics};
+use crate::equations::symbol::GraphBuilder;
 use crate::equations::tests::declarations::VARIANTS;
 use crate::equations::tests::forces::topologies::random_mechanism;
 use crate::equations::tests::forces::{loaded, with_every_input_asked};
@@ -16,7 +16,7 @@ use crate::exact::Exact;
 use crate::interface::entries::Analysis;
 use crate::ir::graph::{Check, Id, Node};
 use crate::ir::interpret::{Given, Number, interpret};
-use crate::ir::program::{Answer, Program};
+use crate::ir::program::{EntryOutputs, Program};
 use crate::model::mechanism::Mechanism;
 use crate::oracle::{Digits, mechanism};
 use crate::passes;
@@ -35,8 +35,8 @@ const TERMS: usize = 5;
 
 /// Everything that the tests compare, after all passes; nothing where an input moves no mass.
 fn program(mechanism: &Mechanism) -> Option<Program> {
-    let sheet = Sheet::new(passes::RULES);
-    let kinematics = Kinematics::of(&sheet, mechanism, Source::free(mechanism, &sheet));
+    let builder = GraphBuilder::new(passes::RULES);
+    let kinematics = Kinematics::of(&builder, mechanism, InputMotion::free(mechanism, &builder));
     if !every_input_moves_mass(&kinematics) {
         return None;
     }
@@ -53,27 +53,27 @@ fn program(mechanism: &Mechanism) -> Option<Program> {
     drop(kinematics);
     let answer = |(analysis, sinks): (Analysis, _)| {
         let entry = Some(analysis.by_value());
-        Answer { entry, sinks }
+        EntryOutputs { entry, sinks }
     };
     let answers = answers.map(answer).into();
     let (closures, groups) = (Vec::new(), mechanism.titles());
     let program =
-        Program { graph: sheet.into_graph(), answers, clearances: Vec::new(), closures, groups };
+        Program { graph: builder.into_graph(), answers, clearances: Vec::new(), closures, groups };
     Some(passes::optimise(&program))
 }
 
 fn terms<'s>(kinematics: &Kinematics<'s>) -> Vec<Id> {
-    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
-    let sym = |id: Id| sheet.known(id);
+    let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
+    let sym = |id: Id| builder.known(id);
     let actions = Motion::of(kinematics).applied;
     let mut terms = Vec::new();
     for moving in 0..mechanism.inputs.len() {
-        let mut inputs = Source::free(mechanism, sheet);
+        let mut inputs = InputMotion::free(mechanism, builder);
         for (index, source) in inputs.iter_mut().enumerate() {
-            source.jet.rate = sheet.integer(i64::from(index == moving));
-            source.jet.accel = sheet.zero();
+            source.jet.rate = builder.integer(i64::from(index == moving));
+            source.jet.accel = builder.zero();
         }
-        let unit = Motion::of(&Kinematics::of(sheet, mechanism, inputs)).applied;
+        let unit = Motion::of(&Kinematics::of(builder, mechanism, inputs)).applied;
         for (action, unit) in actions.iter().zip(unit) {
             let [x, y] = [0, 1].map(|axis| sym(action.force[axis]) * sym(unit.velocity[axis]));
             terms.extend([x, y, sym(action.couple) * sym(unit.omega)].map(|term| term.id));

@@ -4,16 +4,16 @@
 pub(super) mod topologies;
 
 use crate::equations::forces::{Walk, in_motion};
-use crate::equations::kinematics::{Kinematics, Source};
-use crate::equations::symbol::Sheet;
+use crate::equations::kinematics::{InputMotion, Kinematics};
+use crate::equations::symbol::GraphBuilder;
 use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 use crate::equations::tests::newton_euler::{Matrix, Motion};
 use crate::exact::Exact;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::Id;
 use crate::ir::interpret::{Given, Number, interpret};
-use crate::ir::program::{Answer, Program};
-use crate::model::dynamics::{Asked, Effort};
+use crate::ir::program::{EntryOutputs, Program};
+use crate::model::dynamics::{Effort, RequestedEffort};
 use crate::model::mechanism::{Body, Carrier, Expr, GuideId, InputId, Link, Mechanism, PointId};
 use crate::oracle::{Digits, defaults, mechanism};
 use crate::passes;
@@ -123,7 +123,7 @@ struct Nodes {
 
 pub(super) fn with_every_input_asked(mut mechanism: Mechanism) -> Mechanism {
     let inputs = mechanism.inputs.iter().enumerate();
-    let asked = inputs.map(|(index, input)| Asked {
+    let asked = inputs.map(|(index, input)| RequestedEffort {
         owner: input.name.clone(),
         field: input.name.clone(),
         docs: Vec::new(),
@@ -134,16 +134,16 @@ pub(super) fn with_every_input_asked(mut mechanism: Mechanism) -> Mechanism {
 }
 
 fn nodes<'s>(kinematics: &Kinematics<'s>) -> Nodes {
-    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+    let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
     // The effort that holds an equation acts on no body.
     let walk = mechanism.unknowns.is_empty().then(|| Walk::of(kinematics));
     let units = (0..mechanism.inputs.len()).map(|moving| {
-        let mut inputs = Source::free(mechanism, sheet);
+        let mut inputs = InputMotion::free(mechanism, builder);
         for (index, source) in inputs.iter_mut().enumerate() {
-            source.jet.rate = sheet.integer(i64::from(index == moving));
-            source.jet.accel = sheet.zero();
+            source.jet.rate = builder.integer(i64::from(index == moving));
+            source.jet.accel = builder.zero();
         }
-        Motion::of(&Kinematics::of(sheet, mechanism, inputs))
+        Motion::of(&Kinematics::of(builder, mechanism, inputs))
     });
     let readings = readings(mechanism, kinematics);
     let by_walk = walk.iter().flat_map(Walk::found);
@@ -187,10 +187,14 @@ fn leaves_of(mechanism: &Mechanism, leaves: &mut Vec<Expr>) {
     }
 }
 
-fn jets<'s>(mechanism: &Mechanism, sheet: &'s Sheet<'s>, at_rest: bool) -> Vec<Source<'s>> {
-    let mut inputs = Source::free(mechanism, sheet);
+fn jets<'s>(
+    mechanism: &Mechanism,
+    builder: &'s GraphBuilder<'s>,
+    at_rest: bool,
+) -> Vec<InputMotion<'s>> {
+    let mut inputs = InputMotion::free(mechanism, builder);
     for source in inputs.iter_mut().filter(|_| at_rest) {
-        (source.jet.rate, source.jet.accel) = (sheet.zero(), sheet.zero());
+        (source.jet.rate, source.jet.accel) = (builder.zero(), builder.zero());
     }
     inputs
 }
@@ -222,10 +226,12 @@ fn compare(
 ) {
     let truths = truths.as_ref();
     let mechanism = with_every_input_asked(mechanism(source));
-    let sheet = Sheet::new(passes::RULES);
-    let nodes = nodes(&Kinematics::of(&sheet, &mechanism, jets(&mechanism, &sheet, inputs_rest)));
-    let (graph, groups) = (sheet.into_graph(), Vec::new());
-    let answers = vec![Answer { entry: Some(EntryPoint::named("forces")), sinks: Vec::new() }];
+    let builder = GraphBuilder::new(passes::RULES);
+    let nodes =
+        nodes(&Kinematics::of(&builder, &mechanism, jets(&mechanism, &builder, inputs_rest)));
+    let (graph, groups) = (builder.into_graph(), Vec::new());
+    let answers =
+        vec![EntryOutputs { entry: Some(EntryPoint::named("forces")), sinks: Vec::new() }];
     let program = Program { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups };
     let given = Given {
         inputs: inputs.iter().map(|q| q.map(Digits::float)).collect(),
@@ -245,7 +251,7 @@ fn compare(
             values[found.expect("every reading has a node").1.index()].clone()
         }
     };
-    let again = Sheet::new(passes::RULES);
+    let again = GraphBuilder::new(passes::RULES);
     let kinematics = Kinematics::of(&again, &mechanism, jets(&mechanism, &again, inputs_rest));
     let expected = match truths.contains(&Against::Matrix) {
         true => Matrix::solved(&kinematics, &motion, &reading),

@@ -7,8 +7,8 @@
 use std::fmt::Write;
 
 use crate::equations::forces::{Walk, slip};
-use crate::equations::kinematics::{Kinematics, Source};
-use crate::equations::symbol::Sheet;
+use crate::equations::kinematics::{InputMotion, Kinematics};
+use crate::equations::symbol::GraphBuilder;
 use crate::equations::tests::declarations::VARIANTS;
 use crate::equations::tests::forces::topologies::random_mechanism;
 use crate::equations::tests::forces::{loaded, with_every_input_asked};
@@ -17,7 +17,7 @@ use crate::exact::Exact;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::Id;
 use crate::ir::interpret::{Given, Number, interpret};
-use crate::ir::program::{Answer, Program};
+use crate::ir::program::{EntryOutputs, Program};
 use crate::model::dynamics::{Contact, Effort};
 use crate::model::mechanism::{
     AngleSum, Body, Carrier, Drive, Expr, Group, GuideDirection, Mechanism, PointId, Slideway,
@@ -133,15 +133,15 @@ fn check(
     let source = &rubbing(source, against);
     let mechanism = with_every_input_asked(mechanism(source));
     let frictions = &mechanism.dynamics.frictions;
-    let sheet = Sheet::new(passes::RULES);
-    let free = Source::free(&mechanism, &sheet);
-    let moving = Kinematics::of(&sheet, &mechanism, free.clone());
-    let resting = Kinematics::of(&sheet, &mechanism, Source::at_rest(&free, &sheet));
+    let builder = GraphBuilder::new(passes::RULES);
+    let free = InputMotion::free(&mechanism, &builder);
+    let moving = Kinematics::of(&builder, &mechanism, free.clone());
+    let resting = Kinematics::of(&builder, &mechanism, InputMotion::at_rest(&free, &builder));
     let state = if at_rest { &resting } else { &moving };
     let walk = if at_rest { Walk::creeping(state, &moving) } else { Walk::of(state) };
     let ids = (0..frictions.len()).map(|nth| {
         let slip = slip(&moving, frictions[nth].contact).map(|slip| slip.id);
-        let amount = walk.amounts.get(&nth).copied().unwrap_or(sheet.zero());
+        let amount = walk.amounts.get(&nth).copied().unwrap_or(builder.zero());
         Rubbed { amount: amount.id, slip }
     });
     let ids: Vec<Rubbed<Id>> = ids.collect();
@@ -151,16 +151,17 @@ fn check(
     let (losses, motion) = (walk.losses.id, Motion::of(state));
     // Slips and motions at a unit rate of each input.
     let units = (0..mechanism.inputs.len()).map(|moving| {
-        let unit = Source::one_moving(&free, &sheet, moving);
-        let unit = Kinematics::of(&sheet, &mechanism, unit);
+        let unit = InputMotion::one_moving(&free, &builder, moving);
+        let unit = Kinematics::of(&builder, &mechanism, unit);
         let slips = frictions.iter().map(|friction| slip(&unit, friction.contact)[0].id);
         (slips.collect::<Vec<_>>(), Motion::of(&unit))
     });
     let units: Vec<_> = units.collect();
     let efforts: Vec<_> = walk.input_efforts().iter().map(|effort| effort.id).collect();
     let readings = super::forces::readings(&mechanism, state);
-    let (graph, groups) = (sheet.graph(), mechanism.titles());
-    let answers = vec![Answer { entry: Some(EntryPoint::named("forces")), sinks: Vec::new() }];
+    let (graph, groups) = (builder.graph(), mechanism.titles());
+    let answers =
+        vec![EntryOutputs { entry: Some(EntryPoint::named("forces")), sinks: Vec::new() }];
     let program = Program { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups };
     let given = Given {
         inputs: inputs.iter().map(|q| q.map(Digits::float)).collect(),

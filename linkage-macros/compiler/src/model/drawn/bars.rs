@@ -7,7 +7,7 @@ use crate::syntax::tree::Expr;
 /// The bar of a dyad: a link, or what stands for two.
 pub(super) enum DrawnBar {
     Link { body: usize, pins: [usize; 2], length: Expr },
-    Held(HeldBar),
+    Held(Box<HeldBar>),
 }
 
 impl DrawnBar {

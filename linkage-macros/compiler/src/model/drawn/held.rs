@@ -18,7 +18,7 @@ impl Writer<'_, '_> {
     pub(super) fn bar(&mut self, leg: &DyadLeg, pins: [usize; 2]) -> DrawnBar {
         match (&leg.bodies[..], leg.held) {
             (&[first, second], Some(held)) => {
-                DrawnBar::Held(self.held_bar([first, second], held, pins))
+                DrawnBar::Held(Box::new(self.held_bar([first, second], held, pins)))
             }
             _ => {
                 let body = leg.bodies[0];
@@ -38,7 +38,7 @@ impl Writer<'_, '_> {
     pub(super) fn settle_bar(&mut self, bar: DrawnBar) {
         match bar {
             DrawnBar::Link { body, pins: [from, to], .. } => self.bar_is_placed(body, from, to),
-            DrawnBar::Held(bar) => self.held_links_follow(bar),
+            DrawnBar::Held(bar) => self.held_links_follow(*bar),
         }
     }
 

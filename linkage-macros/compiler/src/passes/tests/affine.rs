@@ -4,7 +4,7 @@ use crate::exact::Exact;
 use crate::function::Function;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::program::{Answer, Program};
+use crate::ir::program::{EntryOutputs, Program};
 use crate::ir::text::text;
 use crate::passes::affine::square_distances;
 
@@ -25,7 +25,8 @@ fn square(x: &str, y: &str, length: &str, and: impl FnOnce(&mut Graph, [Id; 2]) 
         g.push(Node::Mul(component, component))
     });
     let sink = and(&mut g, squares);
-    let answers = vec![Answer { entry: Some(EntryPoint::named("position")), sinks: vec![sink] }];
+    let answers =
+        vec![EntryOutputs { entry: Some(EntryPoint::named("position")), sinks: vec![sink] }];
     text(&square_distances(&Program {
         graph: g,
         answers,
@@ -105,7 +106,8 @@ fn what_moves_on_no_circle_stays_a_sum_of_squares() {
     let x = g.push(Node::Sub(far, turned));
     let squares = [x, aside].map(|part| g.push(Node::Mul(part, part)));
     let sink = sum(&mut g, squares);
-    let answers = vec![Answer { entry: Some(EntryPoint::named("position")), sinks: vec![sink] }];
+    let answers =
+        vec![EntryOutputs { entry: Some(EntryPoint::named("position")), sinks: vec![sink] }];
     let program = Program {
         graph: g,
         answers,

@@ -4,7 +4,7 @@ use crate::function::Function;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::liveness::{Path, live};
-use crate::ir::program::{Answer, Program};
+use crate::ir::program::{EntryOutputs, Program};
 use crate::ir::text::text;
 use crate::passes::chain::{chain_products, negate_within};
 
@@ -38,7 +38,7 @@ impl Sample {
     /// The line of the only sink after the pass, and those that it is made of but numbers and products.
     fn after(self, pass: fn(&Program) -> Program, sinks: &[Id]) -> Vec<String> {
         let answers =
-            vec![Answer { entry: Some(EntryPoint::named("motion")), sinks: sinks.to_vec() }];
+            vec![EntryOutputs { entry: Some(EntryPoint::named("motion")), sinks: sinks.to_vec() }];
         let (clearances, closures, groups) = (Vec::new(), Vec::new(), Vec::new());
         let program = pass(&Program { graph: self.graph, answers, clearances, closures, groups });
         let live = live(&program.graph, &program.sinks(), Path::Slow);

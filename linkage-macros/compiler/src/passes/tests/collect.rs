@@ -9,7 +9,7 @@ use crate::interface::entries::EntryPoint;
 use crate::ir::construct::rebuild;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::interpret::Given;
-use crate::ir::program::{Answer, Program};
+use crate::ir::program::{EntryOutputs, Program};
 use crate::ir::text::text;
 use crate::oracle::{Digits, defaults, mechanism, values};
 use crate::passes::{RULES, collect, shortened};
@@ -23,7 +23,10 @@ fn program<const N: usize>(
     let sinks = build(&mut graph);
     let answers = entries.into_iter().zip(sinks);
     let answers = answers
-        .map(|(entry, sink)| Answer { entry: Some(EntryPoint::named(entry)), sinks: vec![sink] })
+        .map(|(entry, sink)| EntryOutputs {
+            entry: Some(EntryPoint::named(entry)),
+            sinks: vec![sink],
+        })
         .collect();
     Program { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups: Vec::new() }
 }

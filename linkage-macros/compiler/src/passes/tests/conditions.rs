@@ -5,7 +5,7 @@ use crate::function::Function;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::liveness::{Path, live, live_nodes};
-use crate::ir::program::{Answer, Program};
+use crate::ir::program::{EntryOutputs, Program};
 use crate::passes::conditions;
 
 fn provided(g: &mut Graph, value: Id, check: Check, group: u32, operands: Vec<Id>) -> Id {
@@ -16,7 +16,7 @@ fn provided(g: &mut Graph, value: Id, check: Check, group: u32, operands: Vec<Id
 fn asked(entry: &'static str, build: impl FnOnce(&mut Graph) -> Id) -> (Vec<u32>, String) {
     let mut graph = Graph::new();
     let sinks = vec![build(&mut graph)];
-    let answers = vec![Answer { entry: Some(EntryPoint::named(entry)), sinks }];
+    let answers = vec![EntryOutputs { entry: Some(EntryPoint::named(entry)), sinks }];
     let groups = vec!["AB".into(), "CD".into()];
     let program = Program { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups };
     let after = conditions::ask_once(&program);

@@ -5,7 +5,7 @@ use crate::function::Function;
 use crate::interface::entries::EntryPoint;
 use crate::ir::construct::{Maker, Rule, rebuild};
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::program::{Answer, Program};
+use crate::ir::program::{EntryOutputs, Program};
 use crate::ir::text::text;
 use crate::passes::{RULES, contract, fold, simplify};
 
@@ -13,7 +13,8 @@ use crate::passes::{RULES, contract, fold, simplify};
 fn program(build: impl FnOnce(&mut Graph) -> Id) -> Program {
     let mut graph = Graph::new();
     let sink = build(&mut graph);
-    let answers = vec![Answer { entry: Some(EntryPoint::named("position")), sinks: vec![sink] }];
+    let answers =
+        vec![EntryOutputs { entry: Some(EntryPoint::named("position")), sinks: vec![sink] }];
     Program {
         graph,
         answers,

@@ -19,7 +19,7 @@ use super::{Rubbing, slip};
 use crate::equations::forces::dynamics::Equations;
 use crate::equations::forces::unit_rate::at_unit_rate;
 use crate::equations::forces::walk::{Rubs, Walk};
-use crate::equations::kinematics::{Kinematics, Source};
+use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::Sym;
 use crate::ir::graph::{Id, Node};
 use crate::model::dynamics::{Contact, Effort};
@@ -40,8 +40,8 @@ pub(in crate::equations) fn is_offered(mechanism: &Mechanism) -> bool {
 /// The second rates of the inputs.
 pub(in crate::equations::forces) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let equations = Equations::of(kinematics);
-    let (sheet, count) = (kinematics.sheet, kinematics.inputs.len());
-    let drive = |input: usize| sheet.node(Node::Drive(input as u32));
+    let (builder, count) = (kinematics.builder, kinematics.inputs.len());
+    let drive = |input: usize| builder.node(Node::Drive(input as u32));
     let right = equations.force.iter().enumerate().map(|(input, force)| *force + drive(input));
     let coasting = equations.solve(kinematics, right.collect());
     let starts = Start::of(kinematics);
@@ -68,7 +68,7 @@ pub(in crate::equations::forces) fn accelerations(kinematics: &Kinematics<'_>) -
 
 /// The contacts, with the signs of their slips, which are those of the start where nothing moves.
 fn contacts<'s>(kinematics: &Kinematics<'s>, start: Option<&Start<'s>>) -> Vec<Rubbing<'s>> {
-    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+    let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
     let moving = without_second_rates(kinematics);
     let walk = Walk::start(&moving, Rubs::Never);
     let mut contacts: Vec<_> =
@@ -77,7 +77,7 @@ fn contacts<'s>(kinematics: &Kinematics<'s>, start: Option<&Start<'s>>) -> Vec<R
     let unit = at_unit_rate(kinematics, 0);
     for contact in &mut contacts {
         if mechanism.dynamics.frictions[contact.friction].smooth.is_none() {
-            let by_unit = slip(&unit, contact.contact)[0].sign_or(sheet.zero());
+            let by_unit = slip(&unit, contact.contact)[0].sign_or(builder.zero());
             let [slip, _] = slip(&moving, contact.contact);
             contact.way = slip.sign_or(by_unit * start.way);
         }
@@ -86,8 +86,8 @@ fn contacts<'s>(kinematics: &Kinematics<'s>, start: Option<&Start<'s>>) -> Vec<R
 }
 
 fn without_second_rates<'s>(kinematics: &Kinematics<'s>) -> Kinematics<'s> {
-    let inputs = Source::without_second_rates(&kinematics.inputs, kinematics.sheet);
-    Kinematics::of(kinematics.sheet, kinematics.mechanism, inputs)
+    let inputs = InputMotion::without_second_rates(&kinematics.inputs, kinematics.builder);
+    Kinematics::of(kinematics.builder, kinematics.mechanism, inputs)
 }
 
 /// The equations of the amounts.
@@ -97,7 +97,7 @@ fn rows<'s>(
     coasting: &[Sym<'s>],
     braked: &[Vec<Sym<'s>>],
 ) -> Vec<Row<'s>> {
-    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+    let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
     let still = without_second_rates(kinematics);
     let mut free = Walk::start(&still, Rubs::Never);
     free.load();
@@ -108,17 +108,17 @@ fn rows<'s>(
     let free = pressed(&free);
     // ∂G/∂q̈, by input.
     let by_inertia = (0..kinematics.inputs.len()).map(|input| {
-        let state = Source::one_starting(&kinematics.inputs, sheet, input);
-        let state = Kinematics::of(sheet, mechanism, state);
+        let state = InputMotion::one_starting(&kinematics.inputs, builder, input);
+        let state = Kinematics::of(builder, mechanism, state);
         let mut walk = Walk::start(&state, Rubs::Never);
-        walk.load_masses(sheet.zero_vector());
+        walk.load_masses(builder.zero_vector());
         walk.back();
         pressed(&walk)
     });
     let by_inertia: Vec<_> = by_inertia.collect();
     let by_friction = contacts.iter().map(|contact| {
         let mut walk = Walk::start(&still, Rubs::Never);
-        walk.brake(contact, sheet.integer(1));
+        walk.brake(contact, builder.integer(1));
         walk.back();
         pressed(&walk)
     });
@@ -164,24 +164,24 @@ struct Start<'s> {
 impl<'s> Start<'s> {
     /// None if all signs are smooth: a motion of zero then has no friction.
     fn of(kinematics: &Kinematics<'s>) -> Option<Self> {
-        let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+        let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
         let is_dry = mechanism.dynamics.frictions.iter().any(|friction| friction.smooth.is_none());
         let [input] = &kinematics.inputs[..] else { return None };
         if !is_dry {
             return None;
         }
         let rate = input.jet.rate;
-        let [zero, one] = [0, 1].map(|value| sheet.integer(value));
+        let [zero, one] = [0, 1].map(|value| builder.integer(value));
         // In motion the band is not asked: without friction it does not jam.
         let at_rest = rate.at_least(zero, zero.at_least(rate, one, zero), zero);
-        let resting = Source::at_rest(&kinematics.inputs, sheet);
-        let resting = Kinematics::of(sheet, mechanism, resting);
+        let resting = InputMotion::at_rest(&kinematics.inputs, builder);
+        let resting = Kinematics::of(builder, mechanism, resting);
         let end = |way| {
-            let creep = input.with_rates(sheet.integer(way), zero);
-            let creeping = Kinematics::of(sheet, mechanism, vec![creep]);
+            let creep = input.with_rates(builder.integer(way), zero);
+            let creeping = Kinematics::of(builder, mechanism, vec![creep]);
             Walk::against(&resting, Rubs::Sticking(&creeping, at_rest)).input_efforts()[0]
         };
-        let drive = sheet.node(Node::Drive(0));
+        let drive = builder.node(Node::Drive(0));
         let beyond = |end: Sym<'s>, way: Sym<'s>, other| end.at_least(drive, other, way);
         let [backwards, forwards] = [-1, 1].map(end);
         let leaves_backwards = drive.at_least(backwards, zero, -one);
@@ -191,7 +191,7 @@ impl<'s> Start<'s> {
 
     /// The second rate, or none where friction holds.
     fn held(&self, second_rate: Sym<'s>) -> Sym<'s> {
-        let zero = self.rate.sheet().zero();
+        let zero = self.rate.builder().zero();
         // 0 ≥ |way| and 0 ≥ |q̇|
         let rests = zero.at_least(self.way.magnitude(), zero, second_rate);
         zero.at_least(self.rate.magnitude(), rests, second_rate)

@@ -41,14 +41,14 @@ pub(super) fn solved<'s>(rows: &[Row<'s>], group: u32) -> Vec<Sym<'s>> {
     let found = newton(rows, &last).into_iter().enumerate();
     let provided = found.map(|(at, amount)| {
         let contacts = Contacts { at, joints: joints.clone() };
-        amount.provided(Check::Amount(contacts), group, &operands)
+        amount.guarded_by(Check::Amount(contacts), group, &operands)
     });
     provided.collect()
 }
 
 /// x + (I − Φ′)⁻¹ (Φ(x) − x)
 fn newton<'s>(rows: &[Row<'s>], amounts: &[Sym<'s>]) -> Vec<Sym<'s>> {
-    let one = amounts[0].sheet().integer(1);
+    let one = amounts[0].builder().integer(1);
     let (mut matrix, mut right) = (Vec::new(), Vec::new());
     for (j, row) in rows.iter().enumerate() {
         let (size, slopes) = row.size_and_slopes(row.reaction(amounts));
@@ -70,8 +70,9 @@ fn eliminated<'s>(mut matrix: Vec<Vec<Sym<'s>>>, mut right: Vec<Sym<'s>>) -> Vec
         let inverse = matrix[k][k].recip();
         for j in k + 1..count {
             let factor = matrix[j][k] * inverse;
-            for i in k + 1..count {
-                matrix[j][i] = matrix[j][i] - factor * matrix[k][i];
+            let (above, below) = matrix.split_at_mut(j);
+            for (entry, pivot) in below[0].iter_mut().zip(&above[k]).skip(k + 1) {
+                *entry = *entry - factor * *pivot;
             }
             right[j] = right[j] - factor * right[k];
         }
@@ -117,7 +118,7 @@ impl<'s> Row<'s> {
 
     /// The size of a reaction, and its slope by each amount; at a corner that of one side.
     fn size_and_slopes(&self, [x, y]: [Sym<'s>; 2]) -> (Sym<'s>, Vec<Sym<'s>>) {
-        let zero = x.sheet().zero();
+        let zero = x.builder().zero();
         let changes = self.changes.iter();
         let signed = |of: Sym<'s>, value: Sym<'s>| of.at_least(zero, value, -value);
         match (self.is_guide, self.has_couple()) {

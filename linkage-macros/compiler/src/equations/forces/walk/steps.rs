@@ -11,7 +11,7 @@ use crate::model::mechanism::{
 };
 
 impl<'k, 's> Walk<'k, 's> {
-    pub(super) fn go_back(&mut self, step: &Step) {
+    pub(super) fn backward(&mut self, step: &Step) {
         match step {
             Step::Ground { .. } => {}
             Step::Guide { guide, carrier, through, course } => {
@@ -109,7 +109,7 @@ impl<'k, 's> Walk<'k, 's> {
                 self.react_on_joint(joint, -force);
                 self.turn(*relative_to, moment);
                 self.transmit_turn(angle, -moment);
-                self.drive_bar(group, 0, self.sheet().zero_vector());
+                self.drive_bar(group, 0, self.builder().zero_vector());
             }
             Drive::Slide(slide) => {
                 let frame = self.kinematics.guide(group.slides_on(0));
@@ -136,7 +136,7 @@ impl<'k, 's> Walk<'k, 's> {
     /// Loads on a group but for those of its own joints. A driver has one link.
     pub(in crate::equations::forces) fn loads_on(&self, group: &Group) -> Loads<'s> {
         let links = [group.links[0], group.links[group.links.len() - 1]];
-        let nothing = self.sheet().zero_vector();
+        let nothing = self.builder().zero_vector();
         let pin = group.pin.map_or(nothing, |pin| self.points[pin.index()]);
         Loads { links: self.acting(links), pin, along: self.slide(links[0]) }
     }
@@ -159,7 +159,7 @@ impl<'k, 's> Walk<'k, 's> {
     /// The joints of a dyad exert their reactions, and the opposites of them are on what carries it.
     fn leave_dyad(&mut self, group: &Group) {
         let links = [group.links[0], group.links[1]];
-        let nothing = self.sheet().zero_vector();
+        let nothing = self.builder().zero_vector();
         let loads = self.loads_on(group);
         let Reactions { outer, inner } = self.kinematics.levers(group.id).reactions(&loads);
         for (joint, reaction) in group.outer.iter().zip(&outer) {

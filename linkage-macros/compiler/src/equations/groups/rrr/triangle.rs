@@ -89,8 +89,8 @@ pub(super) fn triangle<'s>(
     let is_compensated = scope.numerics == Numerics::Compensated;
     let crank = if is_compensated { None } else { CrankPin::of(joints) };
     let plain = crank.map_or_else(|| line.dot(line), CrankPin::square);
-    let square = plain.provided(Check::SquareOfCentres, scope.group, &[line.x, line.y, l2, l3]);
-    let over_square = scope.call("inverse d2", scope.call("d2", square).recip());
+    let square = plain.guarded_by(Check::SquareOfCentres, scope.group, &[line.x, line.y, l2, l3]);
+    let over_square = scope.label("inverse d2", scope.label("d2", square).recip());
     let factors = match (is_compensated, crank) {
         (true, _) => carried(line, [l2, l3]),
         (false, Some(crank)) => behind_crank(crank, [l2, l3]),
@@ -99,23 +99,23 @@ pub(super) fn triangle<'s>(
             Factors { near, far: (l2 * l3).twice() - near }
         }
     };
-    let half = scope.call("i half", factors.near);
+    let half = scope.label("i half", factors.near);
     let height = Height::of(scope, line, [l2, l3], factors, [plain, over_square], mode);
 
     let difference = l2 - l3;
     let shares = [half + l2 * difference, half - l3 * difference];
-    scope.call("a d2", shares[0]);
-    scope.call("b d2", shares[1]);
+    scope.label("a d2", shares[0]);
+    scope.label("b d2", shares[1]);
     let along = if difference.is_zero() {
         // d²/2d², an identity wherever 1/d² exists.
-        [line.x.sheet().integer(1).half(); 2]
+        [line.x.builder().integer(1).half(); 2]
     } else {
         // From i like J²: its rounding acts like one of d, and the bars keep their lengths.
         let decided = |name, share: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
             let operands = [height.rounded, line.x, line.y, near, far, height.spread];
             let along =
-                (share * over_square).provided(Check::ShareOfCentres, scope.group, &operands);
-            scope.call(name, along)
+                (share * over_square).guarded_by(Check::ShareOfCentres, scope.group, &operands);
+            scope.label(name, along)
         };
         [decided("a", shares[0], [l2, l3]), decided("b", shares[1], [l3, l2])]
     };
@@ -180,7 +180,7 @@ impl<'s> Height<'s> {
         [of_line, over_square]: [Sym<'s>; 2],
         mode: Sym<'s>,
     ) -> Self {
-        let (product, one) = (l2 * l3, d.x.sheet().integer(1));
+        let (product, one) = (l2 * l3, d.x.builder().integer(1));
         let over_product = product.recip();
         // J² in m⁴ or in squares of l₂l₃: what its factors are scaled by, and its root.
         let (scale, area, unit, of_constants) = if has_room([l2, l3], of_line) {
@@ -191,18 +191,18 @@ impl<'s> Height<'s> {
         let rounded = (near * scale) * (far * scale);
         let spread = match scope.numerics {
             // Factors that are wrong by last places of themselves.
-            Numerics::Compensated => d.x.sheet().zero(),
+            Numerics::Compensated => d.x.builder().zero(),
             Numerics::Plain if product.is_constant() => (l2 + l3).squared() * of_constants,
             Numerics::Plain => of_line * of_constants,
         };
         let circles = [d.x, d.y, l2, l3, unit, spread];
-        let square = rounded.provided(Check::ReachCircles, scope.group, &circles);
+        let square = rounded.guarded_by(Check::ReachCircles, scope.group, &circles);
         let root = mode * square.sqrt();
-        let by_root = root * square.provided(Check::Nonzero, scope.group, &[]).recip();
-        scope.call("j2", square);
-        scope.call("j", root);
-        let height = scope.call("h", root * (area * over_square));
-        let inverse = scope.call("inverse j", by_root * scale);
+        let by_root = root * square.guarded_by(Check::Nonzero, scope.group, &[]).recip();
+        scope.label("j2", square);
+        scope.label("j", root);
+        let height = scope.label("h", root * (area * over_square));
+        let inverse = scope.label("inverse j", by_root * scale);
         Self { height, cross: area * root, inverse, over_product, rounded, spread }
     }
 }

@@ -91,8 +91,8 @@ impl<'s> Triangle<'s> {
         } else {
             [(omega, alpha), (own_omega, own_alpha)]
         };
-        scope.call("omega2", rates[0].0);
-        scope.call("omega3", rates[1].0);
+        scope.label("omega2", rates[0].0);
+        scope.label("omega3", rates[1].0);
         rates
     }
 
@@ -140,7 +140,7 @@ impl<'s> Triangle<'s> {
     fn moving(&self, scope: &GroupScope<'s>, bars: [Bar<'s>; 2]) -> [(Sym<'s>, Sym<'s>); 2] {
         let [r2, r3] = bars.map(Bar::vector);
         let w = scope.call_vector("w", bars[1].pushed_velocity() - bars[0].pushed_velocity());
-        let with = [(r3, "w r3"), (r2, "w r2")].map(|(r, name)| scope.call(name, w.dot(r)));
+        let with = [(r3, "w r3"), (r2, "w r2")].map(|(r, name)| scope.label(name, w.dot(r)));
         let rates = with.map(|product| product * self.inverse);
         let [near, far] = [0, 1].map(|k| bars[k].lengthening_acceleration(rates[k]));
         let g = scope.call_vector("g", far - near);
@@ -155,8 +155,8 @@ impl<'s> Triangle<'s> {
         with: [Sym<'s>; 2],
         folding: Sym<'s>,
     ) -> [(Sym<'s>, Sym<'s>); 2] {
-        scope.call("omega2", omega[0]);
-        scope.call("omega3", omega[1]);
+        scope.label("omega2", omega[0]);
+        scope.label("omega3", omega[1]);
         let [alpha2, alpha3] = self.second_rates(scope, omega, with, folding);
         [(omega[0], alpha2), (omega[1], alpha3)]
     }
@@ -169,9 +169,9 @@ impl<'s> Triangle<'s> {
         folding: Sym<'s>,
     ) -> [Sym<'s>; 2] {
         let ([l2, l3], [to_second, to_third]) = (self.lengths, self.shares);
-        let cosine = scope.call("r2 r3", self.cosine());
-        let square2 = scope.call("omega2 squared", omega2.squared());
-        let square3 = scope.call("omega3 squared", omega3.squared());
+        let cosine = scope.label("r2 r3", self.cosine());
+        let square2 = scope.label("omega2 squared", omega2.squared());
+        let square3 = scope.label("omega3 squared", omega3.squared());
         if differ(l2, l3) {
             return [
                 ((with3 + square2 * cosine) - square3 * l3.squared()) * self.inverse,
@@ -181,7 +181,7 @@ impl<'s> Triangle<'s> {
         let difference = folding * (omega2 + omega3);
         // Each pair of what stands where bar 2 is the shorter one, and where bar 3 is. A product with 0 or 1
         // rounds nothing, and no branch comes of it.
-        let (zero, one) = (l2.sheet().zero(), l2.sheet().integer(1));
+        let (zero, one) = (l2.builder().zero(), l2.builder().integer(1));
         let is_second = l3.at_least(l2, one, zero);
         let chosen =
             |second: Sym<'s>, third: Sym<'s>| is_second * second + (one - is_second) * third;

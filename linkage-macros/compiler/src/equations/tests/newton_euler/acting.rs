@@ -15,11 +15,11 @@ pub(super) fn acting(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
 
 /// Weight and inertia of every mass: m (g − a_G) at G and −J α.
 fn masses(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
-    let (sheet, mechanism) = (kinematics.sheet, kinematics.mechanism);
+    let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
     let value = |expr: &Expr| kinematics.jet(expr).value;
     let g = match &mechanism.dynamics.gravity {
         Some([x, y]) => Vector { x: value(x), y: value(y) },
-        None => sheet.zero_vector(),
+        None => builder.zero_vector(),
     };
     let of = |declared: &crate::model::dynamics::Mass| {
         let mass = value(&declared.mass.value);
@@ -30,9 +30,9 @@ fn masses(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
                     part: Part::Pin(*point),
                     at: ids(motion.position()),
                     force: ids(mass * (g - motion.acceleration)),
-                    couple: sheet.zero().id,
+                    couple: builder.zero().id,
                     velocity: ids(motion.velocity),
-                    omega: sheet.zero().id,
+                    omega: builder.zero().id,
                 };
             }
             MassPlace::Point(link, point) => {
@@ -48,8 +48,8 @@ fn masses(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
             MassPlace::Uniform(link, length) => {
                 let length = kinematics.jet(length);
                 let zero = kinematics.jet(&Expr::zero());
-                let inertia = mass * length.value * length.value / sheet.integer(12);
-                (*link, [length.times(sheet.integer(1).half()), zero], inertia, false)
+                let inertia = mass * length.value * length.value / builder.integer(12);
+                (*link, [length.times(builder.integer(1).half()), zero], inertia, false)
             }
         };
         let frame = kinematics.link(link).frame;
@@ -100,7 +100,7 @@ fn applied(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
 
 /// A force on a point, and so on the part that it belongs to.
 fn force(kinematics: &Kinematics<'_>, point: PointId, force: Vector<'_>) -> Applied<Id> {
-    let (motion, zero) = (kinematics.point(point), kinematics.sheet.zero().id);
+    let (motion, zero) = (kinematics.point(point), kinematics.builder.zero().id);
     Applied {
         part: part_of(kinematics, point),
         at: ids(motion.position()),
@@ -112,7 +112,7 @@ fn force(kinematics: &Kinematics<'_>, point: PointId, force: Vector<'_>) -> Appl
 }
 
 fn turn(kinematics: &Kinematics<'_>, carrier: Carrier, couple: Sym<'_>) -> Applied<Id> {
-    let zero = kinematics.sheet.zero().id;
+    let zero = kinematics.builder.zero().id;
     Applied {
         part: part_of_carrier(carrier),
         at: [zero; 2],

@@ -10,7 +10,7 @@
 use super::interval::Interval;
 use crate::exact::Exact;
 use crate::function::Function;
-use crate::ir::graph::{Graph, Id, Node, Sought};
+use crate::ir::graph::{Graph, Id, Node, RootSearch};
 use crate::ir::liveness::{Path, live, live_nodes};
 
 /// Pieces of the bracket: a slope of a dozen operations is known to a part in a hundred on each.
@@ -18,7 +18,7 @@ const PIECES: u32 = 128;
 
 /// True if at most one root of a slope of this sign is proved, given the search for an end; none where the
 /// slope depends on more than constants and the unknown.
-pub(super) fn has_one_root(graph: &Graph, sought: &Sought, rises: bool) -> Option<bool> {
+pub(super) fn has_one_root(graph: &Graph, sought: &RootSearch, rises: bool) -> Option<bool> {
     let [_, slope, curvature] = sought.sides;
     let mut pieces = pieces(graph, sought.between, [slope, curvature])?;
     let course = pieces.try_fold(Course::Before, |course, of_piece| {
@@ -55,7 +55,7 @@ fn pieces<const N: usize>(
     let nodes: Vec<_> = live_nodes(graph, &live).collect();
     let is_known = |node: Node| match node {
         Node::Constant(_) | Node::Low(_) | Node::Trial(_) => true,
-        Node::Root(_) | Node::Size(_) => false,
+        Node::Root(_) | Node::RootScale(_) => false,
         node => {
             let mut operands = 0;
             node.for_operands(&mut |_| operands += 1);
