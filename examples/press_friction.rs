@@ -86,7 +86,7 @@ fn mean(points: &Points) -> f64 {
 
 fn main() -> Result<(), SolveError> {
     let press = CutPress::new();
-    let free = CutPress { pins: 0.0, ways: 0.0, ..press };
+    let free = CutPress { pins: 0.0, ways: 0.0 };
     let (torque, losses) = running(press)?;
     let (without, _) = running(free)?;
     let peak = |points: &Points| points.iter().fold(0.0, |peak: f64, (_, value)| peak.max(*value));

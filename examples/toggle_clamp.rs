@@ -35,7 +35,7 @@ const FORCE: f64 = 2000.0;
 
 /// The moments of a hand between which the clamp stays.
 fn band(mu: f64, degrees: f64) -> Result<[f64; 2], SolveError> {
-    ToggleClamp { mu, ..ToggleClamp::new() }.holding(degrees.to_radians(), FORCE)
+    ToggleClamp { mu }.holding(degrees.to_radians(), FORCE)
 }
 
 /// The largest angle before the dead point from which the clamp does not open by itself, in degrees.

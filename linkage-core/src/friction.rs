@@ -84,12 +84,9 @@ impl<T: Scalar, const W: usize, const M: usize> Diagnosis<T> for Amount<T, W, M>
         let slope = plain.without(|j, k| plain.slope(j, k, reactions[j]));
         let mut amounts = found.map(T::num);
         for _ in 0..T::ORDER {
-            let off = own.residual(amounts).map(|(off, _)| off);
-            let column = |k: usize| inverse_column(slope, k);
-            for k in 0..M {
-                let step = column(k);
-                for j in 0..M {
-                    amounts[j] = amounts[j] + T::num(step[j]) * off[k];
+            for (k, (off, _)) in own.residual(amounts).into_iter().enumerate() {
+                for (amount, step) in amounts.iter_mut().zip(inverse_column(slope, k)) {
+                    *amount = *amount + T::num(step) * off;
                 }
             }
         }
@@ -278,9 +275,10 @@ impl<const W: usize, const M: usize> System<f64, W, M> {
     fn jammed(&self) -> Option<usize> {
         let mut matrix = self.without(|j, k| self.bound(j, k));
         (0..M).find(|&k| {
-            let jams = !(matrix[k][k] > 0.0);
+            // NaN is no positive pivot.
+            let pivot = matrix[k][k];
             eliminate(&mut matrix, k);
-            jams
+            pivot <= 0.0 || pivot.is_nan()
         })
     }
 

@@ -95,7 +95,7 @@ fn journal() {
 
 #[test]
 fn drawer() {
-    let pull = |beside| Drawer { beside, ..Drawer::new() }.statics(0.1, 1.0);
+    let pull = |beside| Drawer { beside }.statics(0.1, 1.0);
     close("pull", &[pull(0.4).unwrap().x.drive], &[60.0]);
     assert!(pull(0.6 * (1.0 - 1e-12)).is_ok());
     assert_eq!(pull(0.6), Err(SolveError::Jams { joint: "drawer" }));

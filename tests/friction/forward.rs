@@ -65,7 +65,7 @@ fn forces_give_the_drive_back() {
 fn an_arm_gives_its_drives_back() {
     let mut random = Random::new(19);
     for _ in 0..300 {
-        let arm = RubbingArm { mu: random.between(0.0, 0.5), ..RubbingArm::new() };
+        let arm = RubbingArm { mu: random.between(0.0, 0.5) };
         let mut pair = |size: f64| [(); 2].map(|()| random.between(-size, size));
         let (q, rates, drives) = (pair(3.0), pair(5.0), pair(30.0));
         let second = arm.forward_dynamics(q, rates, drives).unwrap();

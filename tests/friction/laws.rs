@@ -8,7 +8,7 @@ use num_dual::{Dual2_64, Dual64};
 /// Every kind of group, one draw of a state and of the friction.
 fn drawn(random: &mut Random, mu: f64) -> (RubbingGroups, [f64; 4]) {
     let mut draw = |from: f64, to: f64| random.between(from, to);
-    let groups = RubbingGroups { mu, radius: draw(0.0, 0.03), ..RubbingGroups::new() };
+    let groups = RubbingGroups { mu, radius: draw(0.0, 0.03) };
     (groups, [draw(-3.2, 3.2), draw(-9.0, 9.0), draw(-40.0, 40.0), draw(-500.0, 500.0)])
 }
 
@@ -119,7 +119,7 @@ fn derivatives_hold_with_friction() {
     let h = 1e-3;
     for nth in 0..200 {
         let mu = [0.05, 0.3, 0.9][nth % 3];
-        let four_bar = RubbingFourBar { mu, radius: 0.03, ..RubbingFourBar::new() };
+        let four_bar = RubbingFourBar { mu, radius: 0.03 };
         let (q, rate, accel) =
             (random.between(-3.1, 3.1), random.between(-9.0, 9.0), random.between(-30.0, 30.0));
         // A slip that changes its sign nearby makes a jump.

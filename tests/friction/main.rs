@@ -1,6 +1,8 @@
 //! Friction that follows from reactions, against the full matrix, closed forms and laws that hold of every
 //! machine.
 
+#![allow(clippy::excessive_precision, reason = "numbers have the digits of their reference")]
+
 mod cases;
 mod forward;
 mod laws;

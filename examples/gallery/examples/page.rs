@@ -1,3 +1,5 @@
+//! The program of README that writes a page.
+
 use linkage_core::mechanism;
 
 mechanism! {

@@ -46,9 +46,9 @@ fn random<const W: usize, const M: usize>(draw: &mut Draw, rho: f64) -> System<f
     let units: [f64; M] = core::array::from_fn(|_| 10.0_f64.powf(6.0 * draw.signed()));
     for j in 0..M {
         system.rows[j][SHARE] *= scale * units[j];
-        for k in 0..M {
-            system.rows[j][CHANGES + 2 * k] /= units[k];
-            system.rows[j][CHANGES + 2 * k + 1] /= units[k];
+        for (k, unit) in units.iter().enumerate() {
+            system.rows[j][CHANGES + 2 * k] /= unit;
+            system.rows[j][CHANGES + 2 * k + 1] /= unit;
         }
     }
     system

@@ -8,7 +8,7 @@ use super::plan::Made;
 use super::scene::{Pose, Scene, Spot};
 use super::shapes::{Shape, skeleton, turned};
 use super::style::{BLOCK, OVERRUN};
-use super::svg::{Seat, View};
+use super::svg::{Transform, View};
 
 /// A rigid body.
 #[derive(Clone, Debug)]
@@ -16,7 +16,7 @@ pub(super) struct Body {
     /// The link that it is a part of.
     pub link: Option<usize>,
     pub shapes: Vec<Shape>,
-    pub seats: Vec<Option<Seat>>,
+    pub seats: Vec<Option<Transform>>,
     /// The points that stand still on it, in its own pixels.
     pub carries: Vec<(usize, Spot)>,
 }
@@ -48,7 +48,7 @@ pub(super) fn bodies(scene: &Scene, view: View) -> Vec<Body> {
 }
 
 impl Maker<'_> {
-    fn seats(&self, pose: impl Fn(usize) -> Option<Pose>) -> Vec<Option<Seat>> {
+    fn seats(&self, pose: impl Fn(usize) -> Option<Pose>) -> Vec<Option<Transform>> {
         self.scene.frames().map(|frame| Some(self.view.seat(pose(frame)?))).collect()
     }
 

@@ -10,7 +10,7 @@ use super::member::{LinkShape, Member};
 use super::plan::Made;
 use super::scene::{Scene, Spot};
 use super::style::{Palette, Unit};
-use super::svg::{Seat, Timing, View, fine, rigid, three_digits};
+use super::svg::{Timing, Transform, View, fine, rigid, three_digits};
 use super::symbols::moving_arrow;
 use crate::SolveError;
 use crate::shown::Measured;
@@ -28,7 +28,7 @@ pub(super) struct Gap {
 struct SweptReach {
     link: usize,
     /// The middle of a circle, or a place of a line; its radius, none for a line.
-    seats: Vec<Option<Seat>>,
+    seats: Vec<Option<Transform>>,
     radii: Option<Vec<Option<f64>>>,
 }
 
@@ -54,7 +54,7 @@ fn gap(scene: &Scene, view: View, statement: usize, made: Made, fails: Vec<bool>
         link,
         seats: scene
             .frames()
-            .map(|f| Some(Seat { at: view.pixels(scene.point(f, point)?), degrees: 0.0 }))
+            .map(|f| Some(Transform { at: view.pixels(scene.point(f, point)?), degrees: 0.0 }))
             .collect(),
         radii: Some(
             scene
@@ -174,7 +174,7 @@ impl Gap {
 
     /// Seats in the poses around a failure: one more at each side, so that nothing starts with a
     /// jump; hidden elsewhere.
-    fn only_failing(&self, seats: &[Option<Seat>]) -> Vec<Option<Seat>> {
+    fn only_failing(&self, seats: &[Option<Transform>]) -> Vec<Option<Transform>> {
         seats.iter().zip(&self.fails).map(|(seat, fails)| seat.filter(|_| *fails)).collect()
     }
 

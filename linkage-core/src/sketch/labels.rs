@@ -10,7 +10,7 @@ use std::vec::Vec;
 use super::boxes::Box2;
 use super::scene::Spot;
 use super::style::{FONT, JOINT, LABEL, Palette, has_descender, text_width};
-use super::svg::{Seat, Timing, escaped, pair, path, rigid};
+use super::svg::{Timing, Transform, escaped, pair, path, rigid};
 
 /// Obstacles to labels in one pose, on the page.
 #[derive(Clone, Debug, Default)]
@@ -123,7 +123,8 @@ impl Placed {
         };
         let fading = timing.map(|timing| timing.fading(&opacities)).unwrap_or_default();
         let [dx, dy] = [self.beside[0], self.beside[1] + self.label.baseline()];
-        let seat = |at: &Option<Spot>| at.map(|[x, y]| Seat { at: [x + dx, y + dy], degrees: 0.0 });
+        let seat =
+            |at: &Option<Spot>| at.map(|[x, y]| Transform { at: [x + dx, y + dy], degrees: 0.0 });
         let seats: Vec<_> = self.label.at.iter().map(seat).collect();
         let text = escaped(&self.label.text);
         let colour =

@@ -15,7 +15,7 @@ use super::scene::{Scene, Spot};
 use super::sketch_error::SketchError;
 use super::springs::{Coil, below, springs, wall_box};
 use super::style::{HEADING, HEADING_LINE, HEIGHT, MARGIN, Palette, text_width, wrapped};
-use super::svg::{Seat, View};
+use super::svg::{Transform, View};
 use super::symbols;
 use super::traces::{self, Trace};
 
@@ -152,8 +152,8 @@ impl<'s> Picture<'s> {
     }
 
     /// The guides of the ground: where blocks move, or below them where a spring takes that place.
-    pub(super) fn rails(&self) -> Vec<(Seat, [f64; 2])> {
-        let mut rails: Vec<(Seat, [f64; 2])> = Vec::new();
+    pub(super) fn rails(&self) -> Vec<(Transform, [f64; 2])> {
+        let mut rails: Vec<(Transform, [f64; 2])> = Vec::new();
         for &made in self.scene.plan.statements {
             let Made::Guide(guide, None) = made else { continue };
             let Some(pose) = self.scene.still(guide) else { continue };
@@ -161,7 +161,7 @@ impl<'s> Picture<'s> {
             let ends = guide_ends(self.scene, self.view, guide);
             match below(&self.springs, seat) {
                 Some((low, reach)) => {
-                    let seat = Seat { at: seat.place([0.0, low]), ..seat };
+                    let seat = Transform { at: seat.place([0.0, low]), ..seat };
                     join(&mut rails, seat, [ends[0].min(reach[0]), ends[1].max(reach[1])]);
                 }
                 None => rails.push((seat, ends)),
@@ -240,8 +240,8 @@ const EDGE: f64 = 8.0;
 const MIN_WIDTH: f64 = 200.0;
 
 /// One more rail, or a longer one where it lies in line with another.
-fn join(rails: &mut Vec<(Seat, [f64; 2])>, seat: Seat, [start, end]: [f64; 2]) {
-    let along = |other: &Seat| {
+fn join(rails: &mut Vec<(Transform, [f64; 2])>, seat: Transform, [start, end]: [f64; 2]) {
+    let along = |other: &Transform| {
         let (sin, cos) = other.degrees.to_radians().sin_cos();
         let (x, y) = (seat.at[0] - other.at[0], seat.at[1] - other.at[1]);
         let is_in_line =

@@ -122,7 +122,7 @@ impl Picture<'_> {
     }
 
     /// Obstacles common to all poses.
-    fn standing_obstacles(&self, rails: &[(super::svg::Seat, [f64; 2])]) -> Obstacles {
+    fn standing_obstacles(&self, rails: &[(super::svg::Transform, [f64; 2])]) -> Obstacles {
         let mut obstacles = Obstacles::default();
         for &(seat, ends) in rails {
             obstacles.lines.push((ends.map(|x| seat.place([x, 0.0])), 1.0));

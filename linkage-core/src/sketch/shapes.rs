@@ -7,7 +7,7 @@ use std::vec::Vec;
 
 use super::scene::{Pose, Spot};
 use super::style::{BLOCK, Palette, TUBE};
-use super::svg::{Seat, View, fine, path, short};
+use super::svg::{Transform, View, fine, path, short};
 
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
@@ -129,7 +129,7 @@ fn hull(mut spots: Vec<Spot>) -> Vec<Spot> {
 }
 
 /// A frame of a link as its group's pixels have it.
-pub(super) fn turned(view: View, pose: Pose) -> Seat {
+pub(super) fn turned(view: View, pose: Pose) -> Transform {
     let on_link = View { origin: [0.0; 2], ..view };
     on_link.seat(pose)
 }

@@ -10,13 +10,13 @@ use super::boxes::Box2;
 use super::plan::Spring;
 use super::scene::{Scene, Spot, range};
 use super::style::{BLOCK, DAMPER, Palette, WALL, ZIGZAG};
-use super::svg::{Seat, Timing, View, filled, fine, rigid, short};
+use super::svg::{Timing, Transform, View, filled, fine, rigid, short};
 
 /// A spring on the page: the frame has its origin at the first end and its x towards the second.
 #[derive(Clone, Debug)]
 pub(super) struct Coil {
     spring: Spring,
-    pub seats: Vec<Option<Seat>>,
+    pub seats: Vec<Option<Transform>>,
     /// From end to end along x: negative where the ends have passed each other.
     pub lengths: Vec<Option<f64>>,
     coils: usize,
@@ -50,7 +50,7 @@ impl Coil {
                     last = Some([sign * dx / length, sign * dy / length]);
                 }
                 let [x, y] = last.unwrap_or([1.0, 0.0]);
-                (Seat { at: from, degrees: y.atan2(x).to_degrees() }, sign * length)
+                (Transform { at: from, degrees: y.atan2(x).to_degrees() }, sign * length)
             });
             seats.push(along.map(|(seat, _)| seat));
             lengths.push(along.map(|(_, length)| length));
@@ -165,7 +165,7 @@ impl Coil {
 
 /// The distance below a guide at which its rail clears the blocks and springs on the guide, and the range
 /// of these springs along it; none if no spring lies on the guide.
-pub(super) fn below(springs: &[Coil], guide: Seat) -> Option<(f64, [f64; 2])> {
+pub(super) fn below(springs: &[Coil], guide: Transform) -> Option<(f64, [f64; 2])> {
     let (sin, cos) = guide.degrees.to_radians().sin_cos();
     let seen = |[x, y]: Spot| {
         let (x, y) = (x - guide.at[0], y - guide.at[1]);
@@ -212,14 +212,14 @@ pub(super) fn wall(at: Spot, way: f64, palette: &Palette) -> String {
     let hatches = [-11, -4, 3, 10, 17].map(|x| format!("M{x} 0l-6 7")).concat();
     format!(
         r#"<g {} stroke="{}" stroke-linecap="round" fill="none"><path d="M-{half} 0H{half}" stroke-width="1.6"/><path d="{hatches}" stroke-width="1"/></g>"#,
-        Seat { at, degrees: way }.transform(),
+        Transform { at, degrees: way }.transform(),
         palette.ink
     )
 }
 
 /// The box covered by a wall.
 pub(super) fn wall_box(at: Spot, way: f64) -> Box2 {
-    let (seat, half) = (Seat { at, degrees: way }, WALL / 2.0 + 1.0);
+    let (seat, half) = (Transform { at, degrees: way }, WALL / 2.0 + 1.0);
     let corners = vec![[-half, -1.0], [half, -1.0], [half, 8.0], [-half - 1.0, 8.0]];
     Box2::around(corners.into_iter().map(|spot| seat.place(spot)))
 }
@@ -240,7 +240,7 @@ mod tests {
     use super::*;
 
     fn coil(kinds: [bool; 2], [shortest, longest]: [f64; 2]) -> Coil {
-        let seat = Seat { at: [0.0; 2], degrees: 0.0 };
+        let seat = Transform { at: [0.0; 2], degrees: 0.0 };
         Coil {
             spring: Spring { ends: [3, 4], kinds },
             seats: vec![Some(seat); 2],
@@ -322,7 +322,7 @@ mod tests {
         assert_eq!([3, 4].map(|end| passed.wall(end)), [Some(-90.0), Some(90.0)]);
         // Half a turn has two names; what is less than a tenth of a degree off is straight.
         let turned = |degrees: [f64; 2]| {
-            let seats = degrees.map(|degrees| Some(Seat { at: [0.0; 2], degrees }));
+            let seats = degrees.map(|degrees| Some(Transform { at: [0.0; 2], degrees }));
             Coil { seats: seats.into(), ..plain.clone() }.wall(3)
         };
         assert_eq!(turned([180.0, -179.96]), Some(270.0));

@@ -28,19 +28,19 @@ impl View {
     }
 
     /// A frame as `translate` and `rotate` say it.
-    pub(super) fn seat(self, pose: Pose) -> Seat {
-        Seat { at: self.pixels(pose.origin), degrees: -pose.sin.atan2(pose.cos).to_degrees() }
+    pub(super) fn seat(self, pose: Pose) -> Transform {
+        Transform { at: self.pixels(pose.origin), degrees: -pose.sin.atan2(pose.cos).to_degrees() }
     }
 }
 
 /// Where a rigid group is on the page.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Seat {
+pub(super) struct Transform {
     pub at: Spot,
     pub degrees: f64,
 }
 
-impl Seat {
+impl Transform {
     pub(super) fn place(self, [x, y]: Spot) -> Spot {
         let (sin, cos) = self.degrees.to_radians().sin_cos();
         [self.at[0] + cos * x - sin * y, self.at[1] + sin * x + cos * y]
@@ -189,7 +189,7 @@ impl Timing {
     }
 
     /// The two animations of a rigid group, or the attribute alone where it stands still.
-    fn transforms(self, seats: &[Seat]) -> String {
+    fn transforms(self, seats: &[Transform]) -> String {
         let places: Vec<String> = seats.iter().map(|seat| pair(seat.at)).collect();
         let turns: Vec<String> = unrolled(seats).map(|degrees| number(degrees, 3)).collect();
         let is_still = |values: &[String]| values.windows(2).all(|pair| pair[0] == pair[1]);
@@ -223,7 +223,7 @@ const EDGE: f64 = 0.02;
 const FADE: usize = 3;
 
 /// The angles, none more than half a turn from the one before.
-pub(super) fn unrolled(seats: &[Seat]) -> impl Iterator<Item = f64> {
+pub(super) fn unrolled(seats: &[Transform]) -> impl Iterator<Item = f64> {
     let mut last: Option<f64> = None;
     seats.iter().map(move |seat| {
         let degrees = match last {
@@ -237,7 +237,7 @@ pub(super) fn unrolled(seats: &[Seat]) -> impl Iterator<Item = f64> {
 
 /// A group that moves as a rigid body, hidden where it has no seat; none at all without any seat.
 pub(super) fn rigid(
-    seats: &[Option<Seat>],
+    seats: &[Option<Transform>],
     timing: Option<Timing>,
     attributes: &str,
     content: &str,

@@ -7,14 +7,14 @@ use std::vec::Vec;
 use super::boxes::Box2;
 use super::scene::Spot;
 use super::style::{FONT, Palette, SMALL, SUPPORT, Unit, text_width};
-use super::svg::{Seat, Timing, fine, pair, path, short};
+use super::svg::{Timing, Transform, fine, pair, path, short};
 
 /// Which way a support stands: the angles by which the upright one is turned.
 pub(super) const WAYS: [f64; 4] = [0.0, 90.0, -90.0, 180.0];
 
 /// The box covered by a support.
 pub(super) fn support_box(at: Spot, way: f64) -> Box2 {
-    let seat = Seat { at, degrees: way };
+    let seat = Transform { at, degrees: way };
     let [_, height, half] = SUPPORT;
     Box2::around([[-half - 3.0, -2.0], [half + 1.0, height + 8.0]].map(|spot| seat.place(spot)))
 }
@@ -24,12 +24,12 @@ pub(super) fn support(at: Spot, way: f64, palette: &Palette) -> String {
     let (paper, ink) = (palette.paper, palette.ink);
     format!(
         r#"<g {} stroke="{ink}" stroke-linecap="round" stroke-linejoin="round" fill="none"><path d="M0 0L-10 17H10Z" fill="{paper}" stroke-width="1.6"/><path d="M-17 17H17" stroke-width="1.6"/><path d="M-11 17l-6 7M-4 17l-6 7M3 17l-6 7M10 17l-6 7M17 17l-6 7" stroke-width="1"/></g>"#,
-        Seat { at, degrees: way }.transform()
+        Transform { at, degrees: way }.transform()
     )
 }
 
 /// A guide of the ground, hatched on the side away from its normal.
-pub(super) fn rail(seat: Seat, [start, end]: [f64; 2], palette: &Palette) -> String {
+pub(super) fn rail(seat: Transform, [start, end]: [f64; 2], palette: &Palette) -> String {
     let hatches: String =
         hatches([start, end]).into_iter().map(|x| format!("M{} 0l-6 7", short(x))).collect();
     format!(
@@ -50,7 +50,7 @@ fn hatches([start, end]: [f64; 2]) -> Vec<f64> {
 }
 
 /// The boxes covered by the ends of a rail.
-pub(super) fn rail_boxes(seat: Seat, [start, end]: [f64; 2]) -> [Box2; 2] {
+pub(super) fn rail_boxes(seat: Transform, [start, end]: [f64; 2]) -> [Box2; 2] {
     [[start, start + 26.0], [end - 26.0, end]]
         .map(|[a, b]| Box2::around([[a, -1.0], [b, 8.0]].map(|spot| seat.place(spot))))
 }

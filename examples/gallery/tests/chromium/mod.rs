@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Chromium without a window, with a profile of its own.
-fn chromium(folder: &Path) -> Command {
+pub(crate) fn chromium(folder: &Path) -> Command {
     let mut command = Command::new("chromium");
     command
         .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"])

@@ -11,6 +11,6 @@ mod numbers;
 #[test]
 fn the_readme_holds_the_program_of_a_page() {
     let readme = include_str!("../../../../README.md");
-    let program = include_str!("../../examples/page.rs");
+    let (_, program) = include_str!("../../examples/page.rs").split_once("\n\n").unwrap();
     assert!(readme.contains(&format!("```rust,ignore\n{program}```\n")));
 }

@@ -2,10 +2,11 @@
 //! `cargo test --release -p gallery -- --ignored browser`.
 
 use std::fmt::Write;
+use std::fs;
 
 use gallery::pieces;
 
-use super::chromium::run;
+use super::chromium::{chromium, run};
 
 /// Every seventh pose is looked at.
 const STEP: usize = 7;
