@@ -94,7 +94,7 @@ fn what_is_shown_in_c_compiles() {
     fs::write(folder.join("flying_shear.h"), FlyingShear::C_HEADER).expect("it can be written");
     for (page, block) in blocks {
         let program = format!(
-            "#include \"flying_shear.h\"\nvoid feed(double speed);\nvoid cycle(double theta);
+            "#include \"flying_shear.h\"\nvoid feed(double speed);\nvoid stop(const char *group, size_t length, double by);\nvoid cycle(double theta);
              void cycle(double theta) {{\n{block}\n}}\n"
         );
         let path = folder.join("shown.c");
