@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 const SHEAR: &str = "\
 use linkage_core::mechanism;
@@ -195,4 +195,14 @@ fn help_teaches_by_examples() {
         assert!(help.contains(words), "{words}: {help}");
     }
     assert!(text(&linkage(&["c", "--help"], &folder).stdout).contains("--only motion_at,f32"));
+}
+
+#[test]
+fn a_reader_may_see_enough() {
+    let folder = folder("enough", &[("shear.rs", SHEAR)]);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
+    command.args(["expand", "shear.rs"]).current_dir(&folder);
+    let mut child = command.stdout(Stdio::piped()).spawn().expect("the program starts");
+    drop(child.stdout.take());
+    assert!(child.wait().expect("it ends").success());
 }

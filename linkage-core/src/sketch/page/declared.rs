@@ -20,7 +20,7 @@ pub struct Declared {
     pub script: &'static str,
     /// The text of the declaration.
     pub text: &'static str,
-    /// The inputs, a [`Setting`] a line.
+    /// The inputs, a `Setting` a line.
     pub inputs: &'static str,
     /// The parameters.
     pub params: &'static str,
