@@ -75,7 +75,7 @@ impl<T: Scalar, const W: usize, const M: usize> Diagnosis<T> for Amount<T, W, M>
         }
         let own = System { rows: self.rows, guides: self.guides };
         let last = own.rows.map(|row| row[LAST]);
-        if own.has_one_solution() && own.is_settled(last) && value.value().is_finite() {
+        if own.pivots_are_positive() && own.settled(last) && value.value().is_finite() {
             return Ok(value);
         }
         let found =
@@ -207,16 +207,6 @@ fn eliminate<T: Scalar, const M: usize>(matrix: &mut [[T; M]; M], k: usize) {
     }
 }
 
-impl<T: Real, const W: usize, const M: usize> System<T, W, M> {
-    fn has_one_solution(&self) -> bool {
-        self.pivots_are_positive()
-    }
-
-    fn is_settled(&self, amounts: [T; M]) -> bool {
-        self.settled(amounts)
-    }
-}
-
 impl<const W: usize, const M: usize> System<f64, W, M> {
     /// Φ(x), and the reactions there.
     fn at(&self, amounts: [f64; M]) -> ([f64; M], [[f64; 2]; M]) {
@@ -263,7 +253,7 @@ impl<const W: usize, const M: usize> System<f64, W, M> {
         let (start, _) = self.at([0.0; M]);
         let mut amounts = start;
         for step in 0..=NEWTON {
-            if self.is_settled(amounts) {
+            if self.settled(amounts) {
                 return Ok((amounts, step));
             }
             amounts = self.newton(amounts);
@@ -297,7 +287,7 @@ impl<const W: usize, const M: usize> System<f64, W, M> {
         };
         let mut amounts = start;
         for step in 0..=GUARDED {
-            if self.is_settled(amounts) {
+            if self.settled(amounts) {
                 return Some((amounts, NEWTON + step));
             }
             let next = self.newton(amounts);

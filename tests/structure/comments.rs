@@ -1,8 +1,9 @@
 //! Comments begin with a noun or a verb: *What*, *Whether*, *Of* and *How* make a reader wait for the
 //! subject.
 
-use std::fs;
 use std::path::Path;
+
+use crate::sources::visit;
 
 /// Comments that still begin so, most of them documentation of declared mechanisms. The number only gets
 /// lower.
@@ -26,19 +27,6 @@ fn found(source: &str) -> impl Iterator<Item = &str> {
         let word = line?.split(|sign: char| !sign.is_alphanumeric()).next()?;
         (is_first && OPENINGS.contains(&word)).then_some(line?)
     })
-}
-
-/// The files below a folder that end in one of these.
-pub(crate) fn visit(folder: &Path, endings: &[&str], look: &mut impl FnMut(&Path, &str)) {
-    for entry in fs::read_dir(folder).expect("the folder can be read") {
-        let path = entry.expect("the folder can be read").path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        if path.is_dir() && !name.starts_with('.') && name != "target" {
-            visit(&path, endings, look);
-        } else if endings.iter().any(|ending| path.extension().is_some_and(|own| own == *ending)) {
-            look(&path, &fs::read_to_string(&path).expect("the source can be read"));
-        }
-    }
 }
 
 #[test]

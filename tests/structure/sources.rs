@@ -106,3 +106,16 @@ fn attributes(item: &Item) -> &[Attribute] {
         _ => &[],
     }
 }
+
+/// The files below a folder that end in one of these.
+pub(crate) fn visit(folder: &Path, endings: &[&str], look: &mut impl FnMut(&Path, &str)) {
+    for entry in fs::read_dir(folder).expect("the folder can be read") {
+        let path = entry.expect("the folder can be read").path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if path.is_dir() && !name.starts_with('.') && name != "target" {
+            visit(&path, endings, look);
+        } else if endings.iter().any(|ending| path.extension().is_some_and(|own| own == *ending)) {
+            look(&path, &fs::read_to_string(&path).expect("the source can be read"));
+        }
+    }
+}

@@ -92,7 +92,7 @@ fn friction_is_refused_just_where_it_may_hold_itself() {
         let rho = 0.9 + 0.2 * draw.next();
         let system: System<f64, 10, 3> = random(&mut draw, rho);
         match system.solved() {
-            Ok(found) => assert!(rho < 1.0 + 1e-9 && system.is_settled(found), "{nth}: {rho}"),
+            Ok(found) => assert!(rho < 1.0 + 1e-9 && system.settled(found), "{nth}: {rho}"),
             Err(_) => assert!(rho > 1.0 - 1e-9, "{nth}: {rho}"),
         }
     }
@@ -146,7 +146,7 @@ fn a_cycle_ends() {
         let scale = (0.95 + 0.049 * draw.next()) / radius_at_most(&system);
         system.rows.iter_mut().for_each(|row| row[SHARE] *= scale);
         let (found, steps) = system.solved_in().expect("the spectral radius is below one");
-        assert!(system.is_settled(found) && steps <= NEWTON + GUARDED, "{steps}");
+        assert!(system.settled(found) && steps <= NEWTON + GUARDED, "{steps}");
         cycles += usize::from(steps > NEWTON);
     }
     assert!(cycles > 0, "a draw without a cycle says nothing");

@@ -7,7 +7,7 @@ use std::process::{self, Command};
 
 use linkage_compiler::File;
 
-use crate::program::Failure;
+use crate::program::{self, Failure};
 use crate::zip;
 
 /// Writes the archive.
@@ -20,8 +20,7 @@ pub(crate) fn write(output: &Path, files: Vec<File>) -> Result<(), Failure> {
     }
     let unusable = |error| Failure::Unusable(format!("`{}`: {error}", output.display()));
     fs::write(output, zip::archive(&all)).map_err(unusable)?;
-    println!("{}", output.display());
-    Ok(())
+    program::print(&format!("{}\n", output.display()))
 }
 
 /// The shared library of the sources; none without a compiler.

@@ -9,7 +9,6 @@ mod messages;
 mod program;
 mod zip;
 
-use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -62,19 +61,9 @@ fn expand(file: &Path) -> Result<(), Failure> {
     };
     for tokens in program.all(compiled)? {
         let parsed = syn::parse2(tokens).expect("what is generated is code");
-        print(&prettyplease::unparse(&parsed))?;
+        program::print(&prettyplease::unparse(&parsed))?;
     }
     Ok(())
-}
-
-/// A reader that has seen enough, as `head` has, makes no mistake.
-fn print(text: &str) -> Result<(), Failure> {
-    match io::stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Failure::Unusable(error.to_string()))
-        }
-        _ => Ok(()),
-    }
 }
 
 /// Writes the C of all declarations into a folder, or of none.

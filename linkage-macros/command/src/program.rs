@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use linkage_compiler::{Diagnostic, File, declarations};
@@ -84,13 +85,23 @@ pub(crate) fn write(folder: &Path, files: impl Iterator<Item = File>) -> Result<
     }
     let unusable = |path: &Path| {
         let path = path.display().to_string();
-        move |error: std::io::Error| Failure::Unusable(format!("`{path}`: {error}"))
+        move |error: io::Error| Failure::Unusable(format!("`{path}`: {error}"))
     };
     fs::create_dir_all(folder).map_err(unusable(folder))?;
     for (name, text) in texts {
         let path = folder.join(name);
         fs::write(&path, text).map_err(unusable(&path))?;
-        println!("{}", path.display());
+        print(&format!("{}\n", path.display()))?;
     }
     Ok(())
+}
+
+/// A reader that has seen enough, as `head` has, makes no mistake.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    match io::stdout().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::Unusable(error.to_string()))
+        }
+        _ => Ok(()),
+    }
 }

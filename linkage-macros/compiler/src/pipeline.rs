@@ -57,12 +57,7 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
     // The numbers of one declaration are not those of the next.
     let _atoms = Scope::begin();
     let mut diagnostics = Diagnostics::new();
-    let declaration = syntax::parse(source.clone(), &mut diagnostics);
-    // No barrier between the two: the tree marks what could not be read, and the model says nothing of
-    // what may only be missing because of that. Afterwards every name is a typed id, every dimension is
-    // checked, and nothing that follows can fail.
-    let resolved =
-        declaration.as_ref().map(|declaration| model::resolve(declaration, &mut diagnostics));
+    let (declaration, resolved) = read(source.clone(), &mut diagnostics);
     match (resolved, diagnostics.finish()) {
         (Some(Ok(mechanism)), Ok(())) => {
             let placing = options.sketch.then(|| placing(&mechanism));
@@ -133,9 +128,7 @@ fn printed(
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
     let _atoms = Scope::begin();
     let mut diagnostics = Diagnostics::new();
-    let declaration = syntax::parse(source, &mut diagnostics);
-    let resolved =
-        declaration.as_ref().map(|declaration| model::resolve(declaration, &mut diagnostics));
+    let (_, resolved) = read(source, &mut diagnostics);
     let resolved = resolved.map(|resolved| {
         resolved.map(|mechanism| {
             let selection = Selection::of(&mechanism, only, &mut diagnostics);
@@ -154,6 +147,19 @@ fn printed(
         (_, Err(Failure(diagnostics))) => Err(diagnostics),
         (_, Ok(())) => unreachable!("a phase that gives nothing has reported why"),
     }
+}
+
+/// The declaration, and what it means.
+fn read(
+    source: TokenStream,
+    diagnostics: &mut Diagnostics,
+) -> (Option<Declaration>, Option<Result<Mechanism, Stub>>) {
+    let declaration = syntax::parse(source, diagnostics);
+    // No barrier between the two: the tree marks what could not be read, and the model says nothing of
+    // what may only be missing because of that. Afterwards every name is a typed id, every dimension is
+    // checked, and nothing that follows can fail.
+    let resolved = declaration.as_ref().map(|declaration| model::resolve(declaration, diagnostics));
+    (declaration, resolved)
 }
 
 /// Equations and passes.

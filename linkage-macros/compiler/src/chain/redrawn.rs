@@ -154,13 +154,10 @@ impl Relaxation<'_> {
                 }
             }
         }
-        for slide in &machine.slides {
+        for (index, slide) in machine.slides.iter().enumerate() {
             rows.push(self.turning([slide.body, slide.carrier]));
             let [along, across] = self.along(slide, size);
-            let is_driven = machine.drives.iter().any(|drive| match drive.kind {
-                Driven::Slide(index) => std::ptr::eq(&machine.slides[index], slide),
-                Driven::Angle => false,
-            });
+            let is_driven = machine.drives.iter().any(|drive| drive.kind == Driven::Slide(index));
             rows.push(across);
             rows.extend(is_driven.then_some(along));
         }

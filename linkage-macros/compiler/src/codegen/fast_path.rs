@@ -7,11 +7,12 @@ use quote::quote;
 use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::generated;
+use super::printer::sum;
 use super::text::Text;
 use super::{doc_comments, docs, formulas, results};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
-use crate::lower::routine::{ArgumentAdapter, Bound, Compute, Finite, FinitenessChecks, Sum};
+use crate::lower::routine::{ArgumentAdapter, Bound, Compute, Finite, FinitenessChecks};
 
 /// The name of the core of an entry point, which has the numbers and records themselves for arguments:
 /// the public function, where that has.
@@ -254,17 +255,5 @@ fn is_kept(cx: &Context<'_>, arguments: &Arguments<'_>, bound: &Bound) -> TokenS
                 None => quote!(#at_least(#limit, #squares)),
             }
         }
-    }
-}
-
-/// A sum of components.
-fn sum(of: &Sum, components: &[String]) -> String {
-    let term = |part: &Sum| match part {
-        Sum::One(_) => sum(part, components),
-        Sum::Of(_) => format!("({})", sum(part, components)),
-    };
-    match of {
-        Sum::One(at) => components[*at].clone(),
-        Sum::Of(parts) => parts.each_ref().map(term).join(" + "),
     }
 }

@@ -87,16 +87,7 @@ impl Dialect for InRust<'_> {
     }
 
     fn function(&self, operation: Operation, to: &mut Text) {
-        self.scalar(
-            match operation {
-                Operation::Of(function) => function.name(),
-                Operation::Det => "det",
-                Operation::MulErr => "mul_err",
-                Operation::AddErr => "add_err",
-                Operation::Fused => "fused",
-            },
-            to,
-        );
+        self.scalar(operation.name(), to);
     }
 
     fn select(printer: &Printer<'_, Self>, [a, b, x, y]: [Id; 4], to: &mut Text) {

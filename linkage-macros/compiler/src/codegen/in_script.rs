@@ -44,11 +44,9 @@ impl Dialect for InScript<'_> {
 
     fn function(&self, operation: Operation, to: &mut Text) {
         to.put(match operation {
-            Operation::Of(function) => function.name(),
-            Operation::Det => "det",
             Operation::MulErr => "mulErr",
             Operation::AddErr => "addErr",
-            Operation::Fused => "fused",
+            other => other.name(),
         });
     }
 

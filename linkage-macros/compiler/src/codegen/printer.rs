@@ -6,7 +6,7 @@
 use super::text::Text;
 use crate::function::Function;
 use crate::ir::graph::{Graph, Id, Node};
-use crate::lower::routine::{Condition, Lowered, Reading, Routine, Statement, Threshold};
+use crate::lower::routine::{Condition, Lowered, Reading, Routine, Statement, Sum, Threshold};
 
 /// A language that routines are printed in. Infix operators and their precedence are those that
 /// Rust, C and JavaScript share, and so is the call of a function.
@@ -74,6 +74,19 @@ pub(super) enum Operation {
     AddErr,
     /// ab + c.
     Fused,
+}
+
+impl Operation {
+    /// Name of its function, where a language needs no other.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Of(function) => function.name(),
+            Self::Det => "det",
+            Self::MulErr => "mul_err",
+            Self::AddErr => "add_err",
+            Self::Fused => "fused",
+        }
+    }
 }
 
 /// A routine and the language that it is printed in.
@@ -225,5 +238,17 @@ impl<'a, D: Dialect> Printer<'a, D> {
         self.dialect.function(operation, to);
         self.values(operands, to.put("("));
         to.put(")");
+    }
+}
+
+/// A sum of components.
+pub(super) fn sum(of: &Sum, components: &[String]) -> String {
+    let term = |part: &Sum| match part {
+        Sum::One(_) => sum(part, components),
+        Sum::Of(_) => format!("({})", sum(part, components)),
+    };
+    match of {
+        Sum::One(at) => components[*at].clone(),
+        Sum::Of(parts) => parts.each_ref().map(term).join(" + "),
     }
 }

@@ -135,6 +135,14 @@ impl Contact {
         }
     }
 
+    /// The reaction that presses.
+    pub(crate) fn pressed_by(self) -> Effort {
+        match self {
+            Self::Pin { link, pin, .. } => Effort::Pin(link, pin),
+            Self::Guide(link) => Effort::Guide(link),
+        }
+    }
+
     /// True if both are between the same bodies at one joint.
     pub(super) fn is_at(self, other: Self) -> bool {
         match (self, other) {

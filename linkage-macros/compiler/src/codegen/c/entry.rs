@@ -4,12 +4,13 @@ use super::In;
 use super::c_names::{is_array, quoted};
 use super::two_paths::{Destination, indented};
 use crate::codegen::c_export::c_identifiers::default;
+use crate::codegen::printer::sum;
 use crate::interface::entries::{Entry, Given};
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, labels};
 use crate::ir::graph::Node;
 use crate::lower::label;
-use crate::lower::routine::{Bound, Compute, Finite, FinitenessChecks, Sum};
+use crate::lower::routine::{Bound, Compute, Finite, FinitenessChecks};
 use crate::lower::used::Asks;
 use crate::model::mechanism::{ParamKind, Sign};
 
@@ -189,16 +190,4 @@ impl In<'_> {
 /// A line that names a number.
 fn set(at: usize, list: &str, value: &str, name: &str, to: &mut String) {
     *to += &format!("{list}[{at}].value = {value};\n{list}[{at}].name = {};\n", quoted(name));
-}
-
-/// A sum of components.
-fn sum(of: &Sum, components: &[String]) -> String {
-    let term = |part: &Sum| match part {
-        Sum::One(_) => sum(part, components),
-        Sum::Of(_) => format!("({})", sum(part, components)),
-    };
-    match of {
-        Sum::One(at) => components[*at].clone(),
-        Sum::Of(parts) => parts.each_ref().map(term).join(" + "),
-    }
 }

@@ -71,13 +71,7 @@ impl Dialect for InC<'_> {
     }
 
     fn function(&self, operation: Operation, to: &mut Text) {
-        to.put(&match operation {
-            Operation::Of(function) => self.call(function.name()),
-            Operation::Det => self.call("det"),
-            Operation::MulErr => self.call("mul_err"),
-            Operation::AddErr => self.call("add_err"),
-            Operation::Fused => self.call("fused"),
-        });
+        to.put(&self.call(operation.name()));
     }
 
     fn select(printer: &Printer<'_, Self>, operands: [Id; 4], to: &mut Text) {

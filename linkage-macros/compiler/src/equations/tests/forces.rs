@@ -10,7 +10,7 @@ use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 use crate::equations::tests::newton_euler::{Matrix, Motion};
 use crate::exact::Exact;
 use crate::interface::entries::EntryPoint;
-use crate::ir::graph::Id;
+use crate::ir::graph::{Graph, Id};
 use crate::ir::interpret::{Given, Number, interpret};
 use crate::ir::program::{EntryOutputs, Program};
 use crate::model::dynamics::{Effort, RequestedEffort};
@@ -217,6 +217,45 @@ enum Against {
     Power,
 }
 
+/// The numbers given in a pose, and the values of all nodes.
+pub(super) fn evaluated(
+    mechanism: &Mechanism,
+    graph: Graph,
+    inputs: &[[f64; 3]],
+) -> (Given<Digits>, Vec<Digits>) {
+    let groups = mechanism.titles();
+    let answers =
+        vec![EntryOutputs { entry: Some(EntryPoint::named("forces")), sinks: Vec::new() }];
+    let program = Program { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups };
+    let given = Given {
+        inputs: inputs.iter().map(|q| q.map(Digits::float)).collect(),
+        params: defaults(mechanism),
+        loads: vec![Digits::float(1.75); mechanism.dynamics.loads.len()],
+        drives: vec![Digits::float(0.65); mechanism.inputs.len()],
+        unit: None,
+    };
+    let values = interpret(&program, &given);
+    (given, values)
+}
+
+/// The value that a leaf of an expression has in a pose.
+pub(super) fn read(
+    expr: &Expr,
+    given: &Given<Digits>,
+    readings: &[(String, Id)],
+    values: &[Digits],
+) -> Digits {
+    match expr {
+        Expr::Param(id) => given.params[id.index()].clone(),
+        Expr::Load(id) => given.loads[id.index()].clone(),
+        leaf => {
+            let text = format!("{leaf:?}");
+            let found = readings.iter().find(|(known, _)| *known == text);
+            values[found.expect("every reading has a node").1.index()].clone()
+        }
+    }
+}
+
 fn compare(
     name: &str,
     source: &str,
@@ -229,28 +268,9 @@ fn compare(
     let builder = GraphBuilder::new(passes::RULES);
     let nodes =
         nodes(&Kinematics::of(&builder, &mechanism, jets(&mechanism, &builder, inputs_rest)));
-    let (graph, groups) = (builder.into_graph(), Vec::new());
-    let answers =
-        vec![EntryOutputs { entry: Some(EntryPoint::named("forces")), sinks: Vec::new() }];
-    let program = Program { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups };
-    let given = Given {
-        inputs: inputs.iter().map(|q| q.map(Digits::float)).collect(),
-        params: defaults(&mechanism),
-        loads: vec![Digits::float(1.75); mechanism.dynamics.loads.len()],
-        drives: vec![Digits::float(0.65); mechanism.inputs.len()],
-        unit: None,
-    };
-    let values = interpret(&program, &given);
+    let (given, values) = evaluated(&mechanism, builder.into_graph(), inputs);
     let motion = nodes.motion.values(&values);
-    let reading = |expr: &Expr| match expr {
-        Expr::Param(id) => given.params[id.index()].clone(),
-        Expr::Load(id) => given.loads[id.index()].clone(),
-        leaf => {
-            let text = format!("{leaf:?}");
-            let found = nodes.readings.iter().find(|(known, _)| *known == text);
-            values[found.expect("every reading has a node").1.index()].clone()
-        }
-    };
+    let reading = |expr: &Expr| read(expr, &given, &nodes.readings, &values);
     let again = GraphBuilder::new(passes::RULES);
     let kinematics = Kinematics::of(&again, &mechanism, jets(&mechanism, &again, inputs_rest));
     let expected = match truths.contains(&Against::Matrix) {

@@ -11,18 +11,16 @@ use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::GraphBuilder;
 use crate::equations::tests::declarations::VARIANTS;
 use crate::equations::tests::forces::topologies::random_mechanism;
-use crate::equations::tests::forces::{loaded, with_every_input_asked};
+use crate::equations::tests::forces::{evaluated, loaded, read, readings, with_every_input_asked};
 use crate::equations::tests::newton_euler::{Matrix, Motion};
 use crate::exact::Exact;
-use crate::interface::entries::EntryPoint;
 use crate::ir::graph::Id;
-use crate::ir::interpret::{Given, Number, interpret};
-use crate::ir::program::{EntryOutputs, Program};
+use crate::ir::interpret::Number;
 use crate::model::dynamics::{Contact, Effort};
 use crate::model::mechanism::{
     AngleSum, Body, Carrier, Drive, Expr, Group, GuideDirection, Mechanism, PointId, Slideway,
 };
-use crate::oracle::{Digits, defaults, mechanism};
+use crate::oracle::{Digits, mechanism};
 use crate::passes;
 
 /// Reference of a pose.
@@ -158,19 +156,8 @@ fn check(
     });
     let units: Vec<_> = units.collect();
     let efforts: Vec<_> = walk.input_efforts().iter().map(|effort| effort.id).collect();
-    let readings = super::forces::readings(&mechanism, state);
-    let (graph, groups) = (builder.graph(), mechanism.titles());
-    let answers =
-        vec![EntryOutputs { entry: Some(EntryPoint::named("forces")), sinks: Vec::new() }];
-    let program = Program { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups };
-    let given = Given {
-        inputs: inputs.iter().map(|q| q.map(Digits::float)).collect(),
-        params: defaults(&mechanism),
-        loads: vec![Digits::float(1.75); mechanism.dynamics.loads.len()],
-        drives: vec![Digits::float(0.65); mechanism.inputs.len()],
-        unit: None,
-    };
-    let values = interpret(&program, &given);
+    let readings = readings(&mechanism, state);
+    let (given, values) = evaluated(&mechanism, builder.graph(), inputs);
     let value = |id: &Id| values[id.index()].clone();
     let mut motion = motion.values(&values);
     let zero = Digits::exact(&Exact::integer(0));
@@ -200,15 +187,7 @@ fn check(
     for (friction, braking) in frictions.iter().zip(&brakings) {
         motion.brake(state, friction.contact, braking);
     }
-    let reading = |expr: &Expr| match expr {
-        Expr::Param(id) => given.params[id.index()].clone(),
-        Expr::Load(id) => given.loads[id.index()].clone(),
-        leaf => {
-            let text = format!("{leaf:?}");
-            let found = readings.iter().find(|(known, _)| *known == text);
-            value(&found.expect("every reading has a node").1)
-        }
-    };
+    let reading = |expr: &Expr| read(expr, &given, &readings, &values);
     let expected = match against {
         Against::Matrix => Matrix::solved(state, &motion, &reading),
         Against::Power => Vec::new(),
@@ -240,10 +219,7 @@ fn check(
         let coefficient = number(&friction.coefficient.value);
         let radius = friction.radius.as_ref().map(|radius| number(&radius.value));
         let length = friction.length.as_ref().map(|length| number(&length.value));
-        let effort = match friction.contact {
-            Contact::Pin { link, pin, .. } => Effort::Pin(link, pin),
-            Contact::Guide(link) => Effort::Guide(link),
-        };
+        let effort = friction.contact.pressed_by();
         let (_, pressing) =
             expected.iter().find(|(known, _)| *known == effort).expect("it is known");
         let [x, y] = [0, 1].map(|part| pressing[part].to_f64());

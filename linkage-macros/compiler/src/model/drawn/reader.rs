@@ -70,6 +70,13 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         self.values.resolver.diagnostics.error_because(at.span(), message, reason);
     }
 
+    /// Reports that nothing makes or uses a name, unless a statement that could not be read may do so.
+    fn report_missing(&mut self, name: &Ident, message: String, reason: String) {
+        if !self.tree.unread.may_hold(&name.to_string()) {
+            self.report(name, message, reason);
+        }
+    }
+
     /// A link has one declaration, and a pin one place.
     fn names_are_given_once(&mut self) -> Option<()> {
         let mut seen: HashMap<String, Kind> = HashMap::new();
@@ -264,11 +271,10 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
                         .iter()
                         .any(|link| link.pins.contains(pin) || link.points.contains(pin))
                 });
-                // A link that could not be read may go through it.
-                if !is_used && !self.tree.unread.may_hold(&name.to_string()) {
+                if !is_used {
                     let message = format!("no link goes through `{name}`");
                     let reason = format!("name it among the pins of one: `link BC(B, {name});`");
-                    self.report(name, message, reason);
+                    self.report_missing(name, message, reason);
                 }
             }
         }
@@ -286,9 +292,6 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             self.report(name, message, reason);
             return None;
         }
-        if self.tree.unread.may_hold(&name.to_string()) {
-            return None;
-        }
         let known: Vec<_> = self.pins.iter().map(|pin| pin.name.to_string()).collect();
         let near = nearest(&name.to_string(), known.iter().map(|name| &name[..]));
         let message = match near {
@@ -297,7 +300,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             }
             None => format!("no pin named `{name}`"),
         };
-        self.report(name, message, format!("say where it is drawn: `pin {name}(…, …);`"));
+        self.report_missing(name, message, format!("say where it is drawn: `pin {name}(…, …);`"));
         None
     }
 
@@ -309,9 +312,6 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         if let Some(&link) = self.link_of.get(&name.to_string()) {
             return Some(link + 1);
         }
-        if self.tree.unread.may_hold(&name.to_string()) {
-            return None;
-        }
         let known: Vec<_> = self.links.iter().map(|link| link.name.to_string()).collect();
         let near = nearest(&name.to_string(), known.iter().map(|name| &name[..]));
         let message = match near {
@@ -321,7 +321,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             None => format!("no link named `{name}`"),
         };
         let reason = "links are declared with the pins through them: `link BC(B, C);`";
-        self.report(name, message, reason.to_string());
+        self.report_missing(name, message, reason.to_string());
         None
     }
 

@@ -22,7 +22,7 @@ use crate::equations::forces::walk::{Rubs, Walk};
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::Sym;
 use crate::ir::graph::{Id, Node};
-use crate::model::dynamics::{Contact, Effort};
+use crate::model::dynamics::Contact;
 use crate::model::mechanism::Mechanism;
 
 use super::system::{Row, solved};
@@ -45,15 +45,17 @@ pub(in crate::equations::forces) fn accelerations(kinematics: &Kinematics<'_>) -
     let right = equations.force.iter().enumerate().map(|(input, force)| *force + drive(input));
     let coasting = equations.solve(kinematics, right.collect());
     let starts = Start::of(kinematics);
-    let contacts = contacts(kinematics, starts.as_ref());
     let units: Vec<_> = (0..count).map(|input| at_unit_rate(kinematics, input)).collect();
+    let inputs = InputMotion::without_second_rates(&kinematics.inputs, builder);
+    let still = Kinematics::of(builder, kinematics.mechanism, inputs);
+    let contacts = contacts(&still, &units[0], starts.as_ref());
     // M⁻¹ W, by friction.
     let braked = contacts.iter().map(|contact| {
         let power = units.iter().map(|unit| -(contact.way * slip(unit, contact.contact)[0]));
         equations.solve(kinematics, power.collect())
     });
     let braked: Vec<Vec<Sym<'_>>> = braked.collect();
-    let rows = rows(kinematics, &contacts, &coasting, &braked);
+    let rows = rows(kinematics, &still, &contacts, &coasting, &braked);
     let amounts = solved(&rows, 0);
     let second_rate = |input: usize| {
         let braked = braked.iter().zip(&amounts);
@@ -66,40 +68,38 @@ pub(in crate::equations::forces) fn accelerations(kinematics: &Kinematics<'_>) -
     second_rates.collect()
 }
 
-/// The contacts, with the signs of their slips, which are those of the start where nothing moves.
-fn contacts<'s>(kinematics: &Kinematics<'s>, start: Option<&Start<'s>>) -> Vec<Rubbing<'s>> {
-    let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
-    let moving = without_second_rates(kinematics);
-    let walk = Walk::start(&moving, Rubs::Never);
+/// The contacts at these rates, with the signs of their slips, which are those of the start where nothing
+/// moves. `unit` is the state at a unit rate of the first input.
+fn contacts<'s>(
+    moving: &Kinematics<'s>,
+    unit: &Kinematics<'s>,
+    start: Option<&Start<'s>>,
+) -> Vec<Rubbing<'s>> {
+    let (builder, mechanism) = (moving.builder, moving.mechanism);
+    let walk = Walk::start(moving, Rubs::Never);
     let mut contacts: Vec<_> =
         mechanism.group_steps().flat_map(|group| walk.contacts_of(group)).collect();
     let Some(start) = start else { return contacts };
-    let unit = at_unit_rate(kinematics, 0);
     for contact in &mut contacts {
         if mechanism.dynamics.frictions[contact.friction].smooth.is_none() {
-            let by_unit = slip(&unit, contact.contact)[0].sign_or(builder.zero());
-            let [slip, _] = slip(&moving, contact.contact);
+            let by_unit = slip(unit, contact.contact)[0].sign_or(builder.zero());
+            let [slip, _] = slip(moving, contact.contact);
             contact.way = slip.sign_or(by_unit * start.way);
         }
     }
     contacts
 }
 
-fn without_second_rates<'s>(kinematics: &Kinematics<'s>) -> Kinematics<'s> {
-    let inputs = InputMotion::without_second_rates(&kinematics.inputs, kinematics.builder);
-    Kinematics::of(kinematics.builder, kinematics.mechanism, inputs)
-}
-
-/// The equations of the amounts.
+/// The equations of the amounts; `still` has no second rates.
 fn rows<'s>(
     kinematics: &Kinematics<'s>,
+    still: &Kinematics<'s>,
     contacts: &[Rubbing<'s>],
     coasting: &[Sym<'s>],
     braked: &[Vec<Sym<'s>>],
 ) -> Vec<Row<'s>> {
     let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
-    let still = without_second_rates(kinematics);
-    let mut free = Walk::start(&still, Rubs::Never);
+    let mut free = Walk::start(still, Rubs::Never);
     free.load();
     free.back();
     let pressed = |walk: &Walk<'_, 's>| -> Vec<[Sym<'s>; 2]> {
@@ -117,7 +117,7 @@ fn rows<'s>(
     });
     let by_inertia: Vec<_> = by_inertia.collect();
     let by_friction = contacts.iter().map(|contact| {
-        let mut walk = Walk::start(&still, Rubs::Never);
+        let mut walk = Walk::start(still, Rubs::Never);
         walk.brake(contact, builder.integer(1));
         walk.back();
         pressed(&walk)
@@ -143,11 +143,7 @@ fn rows<'s>(
 
 /// The reaction at a contact that a walk has found.
 fn pressing<'s>(walk: &Walk<'_, 's>, contact: &Rubbing<'s>) -> [Sym<'s>; 2] {
-    let effort = match contact.contact {
-        Contact::Pin { link, pin, .. } => Effort::Pin(link, pin),
-        Contact::Guide(link) => Effort::Guide(link),
-    };
-    match (contact.contact, &walk.components(effort)[..]) {
+    match (contact.contact, &walk.components(contact.contact.pressed_by())[..]) {
         (Contact::Guide(_), &[normal, couple]) => [normal, contact.by_couple * couple],
         (Contact::Pin { .. }, &[x, y]) => [x, y],
         _ => unreachable!("a reaction has two components"),
