@@ -220,3 +220,17 @@ fn the_slow_path_derives_the_solution() {
     assert!((found.v1 - (above - below) / (2.0 * h)).abs() < 1e-8);
     assert!((found.v2 - (above - 2.0 * at + below) / (h * h)).abs() < 1e-6);
 }
+
+/// A share of exactly one is held by some load, and overflow in the elimination shows no solution either.
+#[test]
+fn a_share_of_one_jams() {
+    let one = System { rows: [[1.0, 3.0, 0.0, 0.0, 1.0, 0.0]], guides: 1 };
+    assert_eq!(one.jammed(), Some(0));
+    let just_below = System { rows: [[1.0 - f64::EPSILON, 3.0, 0.0, 0.0, 1.0, 0.0]], guides: 1 };
+    assert_eq!(just_below.jammed(), None);
+    // The second pivot is ∞ · 0.
+    let row = |by: [f64; 2]| [1.0, 3.0, 0.0, 0.0, by[0], 0.0, by[1], 0.0];
+    let overflows = System { rows: [row([1.0 - f64::EPSILON, 0.0]), row([1e300, 0.5])], guides: 3 };
+    assert_eq!(overflows.jammed(), Some(1));
+    assert!(!overflows.pivots_are_positive());
+}
