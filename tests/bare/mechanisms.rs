@@ -262,3 +262,23 @@ mechanism! {
         export c;
     }
 }
+
+mechanism! {
+    /// A set-point of a press whose interval and trend are chosen at run time.
+    pub struct ChosenPress {
+        input x: length;
+        param lower = 5deg;
+        param upper = 175deg;
+        param way: mode = falling;
+
+        ground A(0, 0);
+        guide bed through (0, 0) along 0deg;
+        unknown theta: angle between (lower, upper);
+        crank AB(A) -> B           { length: 80mm, angle: theta }
+        rrp   BC(B), ram(bed) -> C { length: 250mm, mode: ahead }
+        solve theta { ram.slide = x, mode: way }
+
+        output theta, C;
+        export c;
+    }
+}

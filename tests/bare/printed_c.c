@@ -58,6 +58,19 @@ static double length(void)
     }
 }
 
+/* The ram's slide of the searched press, which reaches from 0.17 m to 0.33 m, its ends among them. */
+static double stroke(void)
+{
+    switch (random_bits() % 16) {
+    case 0: return odd();
+    case 1: return (random_bits() & 1u) != 0 ? 0.1702071748570875 : 0.3295983265517668;
+    default: return 0.15 + 0.2 * unit();
+    }
+}
+
+/* The distance that the leg behind it brings about. */
+static double span(void) { return random_bits() % 16 == 0 ? odd() : 1.1 + 0.3 * unit(); }
+
 /* A parameter near what was declared. */
 static double changed(double declared)
 {

@@ -694,6 +694,40 @@ double linkage_reach_offset(LinkageWhy *why, double value, double bx, double by,
 double linkage_hypot(double x, double y);
 float linkage_hypotf(float x, float y);
 
+/* Where a root is looked for, with the trend that f has there, 1 or -1, and from which seed. */
+typedef struct LinkageBetween {
+    double from;
+    double to;
+    double trend;
+    double seed;
+    int has_seed;
+    int is_turn; /* true for an angle whose ends, a turn apart at most, are known here alone */
+} LinkageBetween;
+
+/* The sides of an equation at a trial, and the slope of their difference. */
+typedef void (*LinkageSides)(const double *given, double trial, double *sides);
+
+/* The root, in linkage_root.c, and the size that its rounding is measured by. The answer says whether there is
+ * one. */
+int linkage_root(LinkageWhy *why, const char *unknown, const LinkageBetween *between, LinkageSides sides, const double *given, double *found);
+
+/* Where a root is looked for, with the trend that f has there, 1 or -1, and from which seed. */
+typedef struct LinkageBetweenf {
+    float from;
+    float to;
+    float trend;
+    float seed;
+    int has_seed;
+    int is_turn; /* true for an angle whose ends, a turn apart at most, are known here alone */
+} LinkageBetweenf;
+
+/* The sides of an equation at a trial, and the slope of their difference. */
+typedef void (*LinkageSidesf)(const float *given, float trial, float *sides);
+
+/* The root, in linkage_root.c, and the size that its rounding is measured by. The answer says whether there is
+ * one. */
+int linkage_rootf(LinkageWhy *why, const char *unknown, const LinkageBetweenf *between, LinkageSidesf sides, const float *given, float *found);
+
 #ifdef __cplusplus
 }
 #endif

@@ -45,7 +45,9 @@ fn compile(
             sources.push(name.to_string());
         }
     }
-    let stem = sources.iter().find(|name| !["fmi3.c", "linkage_run.c"].contains(&&name[..]));
+    let stem = sources
+        .iter()
+        .find(|name| !["fmi3.c", "linkage_run.c", "linkage_root.c"].contains(&&name[..]));
     let stem = stem.expect("a solver is printed").trim_end_matches(".c").to_string();
     let flags = ["-std=c99", "-O2", "-fPIC", "-shared", "-o", "library"];
     let command =

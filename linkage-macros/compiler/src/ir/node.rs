@@ -106,6 +106,25 @@ pub(crate) enum Trend {
     Param(u32),
 }
 
+impl Trend {
+    /// The sign of the slope, unless a parameter chooses it.
+    pub(crate) fn sign(self) -> Option<f64> {
+        match self {
+            Self::Rising => Some(1.0),
+            Self::Falling => Some(-1.0),
+            Self::Param(_) => None,
+        }
+    }
+
+    /// The mode parameter that chooses.
+    pub(crate) fn param(self) -> Option<u32> {
+        match self {
+            Self::Param(param) => Some(param),
+            Self::Rising | Self::Falling => None,
+        }
+    }
+}
+
 impl Node {
     /// Calls `f` with every operand that the fast path computes with.
     pub(crate) fn for_operands(self, f: &mut impl FnMut(Id)) {

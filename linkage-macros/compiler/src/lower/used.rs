@@ -122,7 +122,9 @@ impl Backwards<'_> {
                 }
             }
             Statement::Find { search, .. } => {
-                self.lowered.searches[*search].given.iter().for_each(|&given| self.value(given));
+                let search = &self.lowered.searches[*search];
+                search.given.iter().for_each(|&given| self.value(given));
+                self.used.leaves.extend(search.sought.trend.param().map(Node::Param));
             }
             Statement::ReportClearances { .. } => {}
         }

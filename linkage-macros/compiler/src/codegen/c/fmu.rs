@@ -3,8 +3,8 @@
 //! Where there is forward dynamics the inputs and their rates are states, driven by efforts and loads; elsewhere the
 //! inputs and both their rates are given. Everything else about FMI is the same for all mechanisms, in `fmi3.c`.
 
-use super::In;
 use super::c_names::{is_array, param as field_of_param};
+use super::{In, ROOT};
 use crate::codegen::arguments::{Arguments, Form};
 use crate::codegen::c_export::c_identifiers::{Width, default, function, snake_case};
 use crate::codegen::context::Context;
@@ -76,13 +76,15 @@ pub(crate) fn generate(
     let cx = Context::new(mechanism, lowered);
     let stem = snake_case(&text(&cx.names.solver));
     let model = Model::new(In { cx: &cx, width: Width::Double, stem: &stem }, is_kinematic);
-    let files = ["fmi3.c", "linkage_run.c", &format!("{stem}.c")]
-        .map(|name| format!("      <SourceFile name=\"{name}\"/>\n"));
+    let own = format!("{stem}.c");
+    let sources = ["fmi3.c", "linkage_run.c", &own].into_iter();
+    let sources = sources.chain(cx.searches().then_some(ROOT));
+    let files: String =
+        sources.map(|name| format!("      <SourceFile name=\"{name}\"/>\n")).collect();
     let build = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiBuildDescription fmiVersion=\"3.0\">\n  \
-         <BuildConfiguration modelIdentifier=\"{stem}\">\n    <SourceFileSet language=\"C99\">\n{}    \
-         </SourceFileSet>\n  </BuildConfiguration>\n</fmiBuildDescription>\n",
-        files.concat()
+         <BuildConfiguration modelIdentifier=\"{stem}\">\n    <SourceFileSet language=\"C99\">\n{files}    \
+         </SourceFileSet>\n  </BuildConfiguration>\n</fmiBuildDescription>\n"
     );
     vec![
         ("modelDescription.xml".to_string(), model.description()),

@@ -132,8 +132,33 @@ impl Dialect for InC<'_> {
         }
     }
 
-    fn find(_: &Printer<'_, Self>, _: usize, _: Id, _: Option<Id>, _: &mut Text) {
-        unreachable!("a mechanism with an unknown is not printed")
+    /// The call of the search of this index, whose numbers no trial changes.
+    fn find(printer: &Printer<'_, Self>, nth: usize, root: Id, size: Option<Id>, to: &mut Text) {
+        let (dialect, search) = (&printer.dialect, &printer.lowered.searches[nth]);
+        let (real, given) = (dialect.to.real(), format!("given{nth}"));
+        let given = match search.given.len() {
+            0 => "NULL".to_string(),
+            count => {
+                to.put(&format!("const {real} {given}[{count}] = {{ "));
+                to.list(&search.given, |to, &id| printer.value(id, to));
+                to.put(" };\n");
+                given
+            }
+        };
+        let (name, trend) = (dialect.to.root_name(search), dialect.to.chosen_trend(search));
+        let (answer, why) = match dialect.asks {
+            Asks::Compares => ("ok &= ", "NULL"),
+            Asks::Diagnoses => ("(void)", "why"),
+        };
+        to.put(&format!(
+            "{real} found{nth}[2];\n{answer}{name}({why}, {trend}{given}, found{nth});\n"
+        ));
+        for (at, id) in std::iter::once(root).chain(size).enumerate() {
+            if dialect.used.reads(id) {
+                to.put(dialect.binding).put(&printer.local(id));
+                to.put(&format!(" = found{nth}[{at}];\n"));
+            }
+        }
     }
 
     /// Following is not offered.

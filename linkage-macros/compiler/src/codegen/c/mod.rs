@@ -9,6 +9,7 @@ mod entry;
 pub(crate) mod fmu;
 mod in_c;
 mod public_function;
+mod roots;
 pub(crate) mod run_time;
 pub(crate) mod selection;
 mod two_paths;
@@ -21,12 +22,13 @@ use super::identifiers::text;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 
-/// Prints the files of a mechanism: name and text of its header and its source, then those of the run-time.
+/// Prints the files of a mechanism: name and text of its header and its source, then those of the run-time, which
+/// holds the search for roots where something is searched.
 pub(crate) fn generate(
     mechanism: &Mechanism,
     lowered: &Lowered<'_>,
     selection: &Selection,
-) -> [(String, String); 4] {
+) -> Vec<(String, String)> {
     let cx = Context::new(mechanism, lowered);
     let stem = snake_case(&text(&cx.names.solver));
     let mut source = format!(
@@ -37,18 +39,25 @@ pub(crate) fn generate(
         text(&cx.names.solver)
     );
     for &width in &selection.widths {
-        let without = if width == Width::Double { "DOUBLE" } else { "SINGLE" };
-        source += &format!("\n#ifndef LINKAGE_NO_{without}\n");
+        let without = width.excluded();
+        source += &format!("\n#ifndef {without}\n");
         In { cx: &cx, width, stem: &stem }.all(&mut source);
-        source += &format!("\n#endif /* LINKAGE_NO_{without} */\n");
+        source += &format!("\n#endif /* {without} */\n");
     }
-    [
+    let mut files = vec![
         (format!("{stem}.h"), header::text(&cx, &selection.widths)),
         (format!("{stem}.c"), source),
         ("linkage_run.h".to_string(), run_time::header()),
         ("linkage_run.c".to_string(), run_time::source().to_string()),
-    ]
+    ];
+    if cx.searches() {
+        files.push((ROOT.to_string(), run_time::root_source()));
+    }
+    files
 }
+
+/// The part of the run-time that finds roots.
+const ROOT: &str = "linkage_root.c";
 
 /// The printer of numbers of one width.
 #[derive(Clone, Copy)]
@@ -61,6 +70,7 @@ struct In<'a> {
 impl In<'_> {
     fn all(self, to: &mut String) {
         let cx = self.cx;
+        self.roots(to);
         for routine in &cx.lowered.routines {
             self.routine(routine, to);
         }

@@ -17,7 +17,32 @@ pub(crate) fn header() -> String {
         header += near;
         header += &of_width(include_str!("run/directions.h"), width);
     }
-    header + include_str!("run/foot.h")
+    let (foot, end) =
+        include_str!("run/foot.h").split_once(ROOTS).expect("the roots of both widths stand there");
+    let roots = Width::ALL.map(|width| of_width(include_str!("run/root.h"), width)).concat();
+    header + foot + &roots + end
+}
+
+/// The line of the foot in place of which the functions stand that find roots.
+const ROOTS: &str = "/* Roots. */\n";
+
+/// The text of `linkage_root.c`, which is printed where something is searched.
+pub(crate) fn root_source() -> String {
+    let mut source = include_str!("run/root/head.c").to_string();
+    for width in Width::ALL {
+        let without = width.excluded();
+        source += &format!("\n#ifndef {without}\n");
+        for text in [
+            include_str!("run/root/approach.c"),
+            include_str!("run/root/equation.c"),
+            include_str!("run/root/survey.c"),
+            include_str!("run/root/unknown.c"),
+        ] {
+            source += &of_width(text, width);
+        }
+        source += &format!("\n#endif /* {without} */\n");
+    }
+    source
 }
 
 /// The text of `linkage_run.c`.

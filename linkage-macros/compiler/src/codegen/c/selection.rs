@@ -17,16 +17,9 @@ pub(crate) struct Selection {
 
 impl Selection {
     /// The selection by names of entry points, `f64` and `f32`; all of those that no name tells. Reports names that
-    /// are none, and what is not printed in C.
+    /// are none, and friction, which is not printed in C.
     pub(crate) fn of(mechanism: &Mechanism, only: &[&str], diagnostics: &mut Diagnostics) -> Self {
         let interface = Interface::of(mechanism);
-        if let Some(unknown) = mechanism.unknowns.first() {
-            diagnostics.error_because(
-                unknown.name.span(),
-                format!("`{}` is an unknown, which is not printed in C", text(&unknown.name)),
-                "its search runs in Rust alone: use `export c;` where Rust has a target",
-            );
-        }
         let all: Vec<EntryPoint> = interface.entries.iter().map(|entry| entry.point).collect();
         let widths = Width::ALL.into_iter().filter(|width| only.contains(&width.in_rust()));
         let widths: Vec<Width> = widths.collect();

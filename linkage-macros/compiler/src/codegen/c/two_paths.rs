@@ -4,7 +4,6 @@
 use super::In;
 use super::c_names::is_array;
 use super::in_c::InC;
-use crate::codegen::c_export::c_identifiers::Width;
 use crate::codegen::printer::{Dialect, Printer};
 use crate::codegen::text::Text;
 use crate::interface::entries::Given;
@@ -24,11 +23,8 @@ impl In<'_> {
 
     fn on_path(self, routine: &Routine, asks: Asks, to: &mut String) {
         let used = Used::on(self.cx.lowered, routine, asks);
-        let binding = match self.width {
-            Width::Double => "const double ",
-            Width::Single => "const float ",
-        };
-        let dialect = InC { to: self, given: &routine.given, asks, used: &used, binding };
+        let (given, binding) = (&routine.given, self.width.binding());
+        let dialect = InC { to: self, given, asks, used: &used, binding };
         let printer = Printer { lowered: self.cx.lowered, routine, dialect };
         let mut lines = Text::long();
         self.begin(&printer, &mut lines);

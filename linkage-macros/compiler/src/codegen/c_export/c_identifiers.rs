@@ -32,6 +32,22 @@ impl Width {
         }
     }
 
+    /// The words in front of a name that is bound once.
+    pub(in crate::codegen) fn binding(self) -> &'static str {
+        match self {
+            Self::Double => "const double ",
+            Self::Single => "const float ",
+        }
+    }
+
+    /// The macro with which a user leaves this width out.
+    pub(in crate::codegen) fn excluded(self) -> &'static str {
+        match self {
+            Self::Double => "LINKAGE_NO_DOUBLE",
+            Self::Single => "LINKAGE_NO_SINGLE",
+        }
+    }
+
     /// A type of the header for numbers of this width.
     pub(in crate::codegen) fn type_name(self, name: &str) -> String {
         let suffix = if self == Self::Single { "F32" } else { "" };

@@ -16,13 +16,14 @@ use linkage_core::private::{
 };
 use linkage_core::{Float, Fused, Fusion, Lanes, Mask, Plain, Real, Scalar, SolveError};
 
+use super::c_roots::roots_agree;
 use crate::codegen::c::run_time;
 
 const STRICT: [&str; 6] = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion"];
 const CONTRACTING: [&str; 3] = ["-std=gnu17", "-march=x86-64-v3", "-Wall"];
 
 /// A stream of random numbers, by a multiplicative congruence.
-struct Random(u64);
+pub(super) struct Random(pub(super) u64);
 
 impl Random {
     fn bits(&mut self) -> u64 {
@@ -32,15 +33,15 @@ impl Random {
     }
 
     /// In [0, 1).
-    fn unit(&mut self) -> f64 {
+    pub(super) fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    fn below(&mut self, count: u64) -> u64 {
+    pub(super) fn below(&mut self, count: u64) -> u64 {
         (self.bits() >> 20) % count
     }
 
-    fn pick<T: Copy>(&mut self, list: &[T]) -> T {
+    pub(super) fn pick<T: Copy>(&mut self, list: &[T]) -> T {
         list[self.below(list.len() as u64) as usize]
     }
 
@@ -70,14 +71,14 @@ impl Random {
 
 /// A call: the function's number, and its operands.
 #[derive(Clone, Copy, Debug)]
-struct Call {
-    which: i32,
-    is_single: bool,
-    x: [f64; 9],
+pub(super) struct Call {
+    pub(super) which: i32,
+    pub(super) is_single: bool,
+    pub(super) x: [f64; 9],
 }
 
 /// A status, what is missing, and two results.
-type EntryOutputs = [f64; 4];
+pub(super) type EntryOutputs = [f64; 4];
 
 /// The program that answers calls, compiled with these flags; none without a compiler.
 fn program(compiler: &str, name: &str, flags: &[&str]) -> Option<PathBuf> {
@@ -87,6 +88,7 @@ fn program(compiler: &str, name: &str, flags: &[&str]) -> Option<PathBuf> {
     for (file, text) in [
         ("linkage_run.h", run_time::header()),
         ("linkage_run.c", run_time::source().to_string()),
+        ("linkage_root.c", run_time::root_source()),
         ("caller.c", std::fs::read_to_string(caller).expect("the file can be read")),
     ] {
         std::fs::write(folder.join(file), text).expect("a file can be written");
@@ -96,7 +98,7 @@ fn program(compiler: &str, name: &str, flags: &[&str]) -> Option<PathBuf> {
         .args(flags)
         .args(["-O2", "-Werror", "-o"])
         .arg(&program)
-        .args(["caller.c", "linkage_run.c", "-lm"])
+        .args(["caller.c", "linkage_run.c", "linkage_root.c", "-lm"])
         .current_dir(&folder)
         .output();
     let Ok(output) = command else {
@@ -136,7 +138,7 @@ fn bits(answer: &EntryOutputs) -> [u64; 4] {
     answer.map(|x| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() })
 }
 
-fn compare(program: &Path, calls: &[Call], expected: impl Fn(&Call) -> EntryOutputs) {
+pub(super) fn compare(program: &Path, calls: &[Call], expected: impl Fn(&Call) -> EntryOutputs) {
     let found = answers(program, calls);
     assert_eq!(found.len(), calls.len());
     for (call, found) in calls.iter().zip(&found) {
@@ -343,6 +345,7 @@ fn strict_c_agrees() {
     let Some(program) = program("cc", "strict", &STRICT) else { return };
     functions_agree::<Plain>(&program);
     conditions_agree(&program);
+    roots_agree(&program);
 }
 
 /// Also where the compiler may contract a product into a sum, and where operations are fused.
@@ -355,6 +358,7 @@ fn fused_c_agrees() {
     let Some(program) = program("cc", "fused", &CONTRACTING) else { return };
     functions_agree::<Fused>(&program);
     conditions_agree(&program);
+    roots_agree(&program);
 }
 
 #[test]

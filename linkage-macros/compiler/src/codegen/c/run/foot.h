@@ -42,6 +42,7 @@ double linkage_reach_offset(LinkageWhy *why, double value, double bx, double by,
 /* sqrt(x*x + y*y) without overflow on the way. */
 double linkage_hypot(double x, double y);
 float linkage_hypotf(float x, float y);
+/* Roots. */
 
 #ifdef __cplusplus
 }

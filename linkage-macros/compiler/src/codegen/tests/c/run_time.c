@@ -73,12 +73,68 @@ static void conditions(const Call *call, Answer *to)
     to->by = why.by;
 }
 
+/* A sum of Chebyshev's polynomials, or what the kind makes of it: level, five coefficients, and the kind. */
+#define SIDES_OF_WIDTH(width, number)                                                                               \
+    static void number##_sides(const number *c, number x, number *sides)                                            \
+    {                                                                                                               \
+        const number square = x * x, one = 1;                                                                       \
+        const number sum = c[1] * x + c[2] * (2 * square - one) + c[3] * (4 * square - 3) * x                       \
+            + c[4] * (8 * square * (square - one) + one) + c[5] * ((16 * square - 20) * square + 5) * x;            \
+        const number slope = c[1] + c[2] * 4 * x + c[3] * (12 * square - 3) + c[4] * (32 * square - 16) * x         \
+            + c[5] * ((80 * square - 60) * square + 5);                                                             \
+        sides[0] = sum;                                                                                             \
+        sides[1] = c[0];                                                                                            \
+        sides[2] = slope;                                                                                           \
+        switch ((int)c[6]) {                                                                                        \
+        case 1: sides[0] = sum * sum; sides[2] = (sum + sum) * slope; break;                                        \
+        case 2: sides[0] = sum > (number)0.8 ? (number)NAN : sum; break;                                            \
+        case 3: sides[0] = sum > 0 ? one : -one; sides[2] = 0; break;                                               \
+        default: break;                                                                                             \
+        }                                                                                                           \
+    }                                                                                                               \
+    static void number##_root(const Call *call, Answer *to)                                                         \
+    {                                                                                                               \
+        const int which = call->which - 40;                                                                         \
+        const number from = (number)call->x[0], end = (number)call->x[1];                                           \
+        LinkageWhy why = linkage_why(call->is_single);                                                              \
+        LinkageBetween##width between = { 0, 0, 0, 0, 0, 0 };                                                       \
+        number given[7], found[2];                                                                                  \
+        int i;                                                                                                      \
+        for (i = 0; i < 7; i++) {                                                                                   \
+            given[i] = (number)call->x[i + 2];                                                                      \
+        }                                                                                                           \
+        between.from = from;                                                                                        \
+        between.to = end;                                                                                           \
+        between.trend = (number)((which & 1) != 0 ? -1 : 1);                                                        \
+        between.has_seed = (which & 2) != 0;                                                                        \
+        between.seed = from + (end - from) * (number)0.25;                                                          \
+        between.is_turn = (which & 4) != 0;                                                                         \
+        (void)linkage_root##width(&why, "x", &between, number##_sides, given, found);                               \
+        to->status = why.otherwise != NULL ? LINKAGE_NOT_FINITE : why.status;                                       \
+        to->by = why.by;                                                                                            \
+        to->y[0] = (double)found[0];                                                                                \
+        to->y[1] = (double)found[1];                                                                                \
+    }
+SIDES_OF_WIDTH(, double)
+SIDES_OF_WIDTH(f, float)
+
+static void root(const Call *call, Answer *to)
+{
+    if (call->is_single) {
+        float_root(call, to);
+    } else {
+        double_root(call, to);
+    }
+}
+
 int main(void)
 {
     Call call;
     while (fread(&call, sizeof call, 1, stdin) == 1) {
         Answer answer = { 0.0, 0.0, { 0.0, 0.0 } };
-        if (call.which >= 20) {
+        if (call.which >= 40) {
+            root(&call, &answer);
+        } else if (call.which >= 20) {
             conditions(&call, &answer);
         } else if (call.is_single) {
             floats(&call, &answer);
