@@ -9,7 +9,7 @@ use core::marker::PhantomData;
 use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
 use crate::kernels::{self, Float, Fusion, Plain};
-use crate::scalar::root_of_squares;
+use crate::scalar::{elementary, root_of_squares};
 use crate::{Mask, Scalar};
 
 /// `W` numbers of type `T`.
@@ -190,6 +190,20 @@ fn both<T: Float, const W: usize, F: Fusion>(
     (first, second)
 }
 
+/// The elementary functions of lanes.
+macro_rules! lanes {
+    ($($one:ident $of_one:ident)*; $($two:ident $of_two:ident)*) => {
+        $(#[inline(always)]
+        fn $one(self) -> Self {
+            self.map(T::$of_one::<F>)
+        })*
+        $(#[inline(always)]
+        fn $two(self, other: Self) -> Self {
+            self.zip(other, T::$of_two::<F>)
+        })*
+    };
+}
+
 impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     type Mask = LaneMask<W>;
 
@@ -213,26 +227,8 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     fn is_near(self) -> LaneMask<W> {
         self.ask(T::is_near)
     }
-    #[inline(always)]
-    fn tan(self) -> Self {
-        self.map(T::tan)
-    }
-    #[inline(always)]
-    fn asin(self) -> Self {
-        self.map(T::asin_kernel::<F>)
-    }
-    #[inline(always)]
-    fn acos(self) -> Self {
-        self.map(T::acos_kernel::<F>)
-    }
-    #[inline(always)]
-    fn atan(self) -> Self {
-        self.map(T::atan_kernel::<F>)
-    }
-    #[inline(always)]
-    fn atan2(self, x: Self) -> Self {
-        self.zip(x, T::atan2_kernel::<F>)
-    }
+    elementary!(lanes);
+
     #[inline(always)]
     fn hypot(self, other: Self) -> Self {
         self.zip(other, T::hypot)

@@ -1,16 +1,30 @@
 //! `f32` and `f64` as scalars.
 
 use crate::kernels::arithmetic::Arithmetic;
-use crate::kernels::{self, Float, Native};
-use crate::scalar::root_of_squares;
+use crate::kernels::{self, Elementary, Float, Native};
+use crate::scalar::{elementary, root_of_squares};
 use crate::tracker::Enclosure;
 use crate::{Real, Scalar};
+
+/// The elementary functions of a single number.
+macro_rules! by_kernels {
+    ($($one:ident $of_one:ident)*; $($two:ident $of_two:ident)*) => {
+        $(#[inline]
+        fn $one(self) -> Self {
+            self.$of_one::<Native>()
+        })*
+        $(#[inline]
+        fn $two(self, other: Self) -> Self {
+            self.$of_two::<Native>(other)
+        })*
+    };
+}
 
 /// The scalar implementation for one width: the kernels, and `libm` for what no solver computes
 /// unless it was asked for.
 macro_rules! scalar {
     ($t:ident, lit: $lit:expr, plain: $plain:expr, sqrt: $sqrt:path, near: $near:path, sin_cos: $sin_cos:path,
-     libm: $tan:ident $hypot:ident) => {
+     hypot: $hypot:path) => {
         impl Scalar for $t {
             type Mask = bool;
 
@@ -35,29 +49,11 @@ macro_rules! scalar {
                 // Monotonous, and without a mask for the sign.
                 self * self <= $near * $near
             }
-            #[inline]
-            fn tan(self) -> Self {
-                libm::$tan(self)
-            }
-            #[inline]
-            fn asin(self) -> Self {
-                self.asin_kernel::<Native>()
-            }
-            #[inline]
-            fn acos(self) -> Self {
-                self.acos_kernel::<Native>()
-            }
-            #[inline]
-            fn atan(self) -> Self {
-                self.atan_kernel::<Native>()
-            }
-            #[inline]
-            fn atan2(self, x: Self) -> Self {
-                self.atan2_kernel::<Native>(x)
-            }
+            elementary!(by_kernels);
+
             #[inline]
             fn hypot(self, other: Self) -> Self {
-                libm::$hypot(self, other)
+                $hypot(self, other)
             }
             #[inline]
             fn hypot_near(self, other: Self, least: Self) -> (Self, bool) {
@@ -143,7 +139,7 @@ scalar!(
     sqrt: kernels::sqrt,
     near: kernels::NEAR_F64,
     sin_cos: libm::sincos,
-    libm: tan hypot
+    hypot: libm::hypot
 );
 scalar!(
     f32,
@@ -152,5 +148,5 @@ scalar!(
     sqrt: kernels::sqrtf,
     near: kernels::NEAR_F32,
     sin_cos: libm::sincosf,
-    libm: tanf hypotf
+    hypot: libm::hypotf
 );

@@ -7,6 +7,20 @@
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
+/// Calls a macro with the elementary functions, each before its kernel's name: behind the macro's first tokens
+/// those of one number, then those of two. Whatever only passes them on is written by such a macro, so that
+/// one more function is a word here.
+macro_rules! elementary {
+    ($write:ident $($first:tt)*) => {
+        $write! {
+            $($first)*
+            tan tan_kernel asin asin_kernel acos acos_kernel atan atan_kernel;
+            atan2 atan2_kernel
+        }
+    };
+}
+pub(crate) use elementary;
+
 /// The answer of a comparison: `bool` for a single number, one `bool` a lane for lanes.
 pub trait Mask: Copy + BitAnd<Output = Self> {
     /// The answer yes everywhere.

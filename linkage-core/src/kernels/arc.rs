@@ -6,28 +6,29 @@
 //! over all of z ≤ 1/4 rather than a quotient. atan t = t + t z Q(z) holds up to one, where a quotient's
 //! rounding counts half; the other octants follow from the quarter turn. P and Q pass through their functions
 //! at the zeros of Chebyshev's polynomials, and are off by less than 2⁻⁵⁷ (`f32`: 2⁻²⁶) of the result.
+//!
+//! The tangent is the library's: no solver computes one unless it was asked for.
 
-/// z P(z) for coefficients from the lowest on, by Horner's scheme.
+/// z P(z) for factors of powers from the lowest on, by Horner's scheme.
 macro_rules! times_polynomial {
-    ($t:ident, $z:ident, $coefficients:expr) => {{
+    ($t:ident, $z:ident, $factors:expr) => {{
         let mut sum: $t = 0.0;
-        for &coefficient in $coefficients.iter().rev() {
-            sum = $t::fused_by::<F>(sum, $z, coefficient);
+        for &factor in $factors.iter().rev() {
+            sum = $t::fused_by::<F>(sum, $z, factor);
         }
         $z * sum
     }};
 }
 
 /// The functions of one width: the number, its bits, how many of them the high word of a root leaves out, the
-/// root, the names, a quarter turn in two words, half of that, and the coefficients of P and Q.
+/// root, the library's tangent, a quarter turn in two words, half of that, and the coefficients of P and Q.
 macro_rules! arc {
-    ($width:ident, $t:ident, $bits:ident, $rest:literal, $sqrt:ident,
-     $asin:ident $acos:ident $atan:ident $atan2:ident,
+    ($width:ident, $t:ident, $bits:ident, $rest:literal, $root:ident, $tan:ident,
      quarter: [$quarter:expr, $quarter_low:literal], eighth: $eighth:expr,
      asin: [$($p:literal),*], atan: [$($q:literal),*]) => {
-        mod $width {
+        pub(crate) mod $width {
             use crate::kernels::arithmetic::Arithmetic;
-            use crate::kernels::{Fusion, $sqrt};
+            use crate::kernels::{Fusion, $root};
 
             /// asin s = s + s r of s = |x|, or above a half of s = √z, z = (1 − |x|)/2: whether it is above that;
             /// then z, s and r.
@@ -36,7 +37,7 @@ macro_rules! arc {
                 let size = x.abs();
                 let is_large = size > 0.5;
                 let z = if is_large { 0.5 * (1.0 - size) } else { x * x };
-                let root = $sqrt(z);
+                let root = $root(z);
                 let s = if is_large { root } else { size };
                 const P: &[$t] = &[$($p),*];
                 (is_large, z, s, times_polynomial!($t, z, P))
@@ -50,7 +51,7 @@ macro_rules! arc {
 
             /// Not a number beyond ±1.
             #[inline(always)]
-            pub(crate) fn $asin<F: Fusion>(x: $t) -> $t {
+            pub(crate) fn asin<F: Fusion>(x: $t) -> $t {
                 let (is_large, z, s, r) = halved::<F>(x);
                 let high = high_word(s);
                 let rest = s - high;
@@ -70,7 +71,7 @@ macro_rules! arc {
 
             /// Not a number beyond ±1.
             #[inline(always)]
-            pub(crate) fn $acos<F: Fusion>(x: $t) -> $t {
+            pub(crate) fn acos<F: Fusion>(x: $t) -> $t {
                 let (is_large, z, s, r) = halved::<F>(x);
                 let (high, rest) = (high_word(s), s * r);
                 // At one the root is zero, and so is its rest.
@@ -86,7 +87,7 @@ macro_rules! arc {
 
             /// The angle of (`x`, `y`); half a turn is positive whatever the sign of zero.
             #[inline(always)]
-            pub(crate) fn $atan2<F: Fusion>(y: $t, x: $t) -> $t {
+            pub(crate) fn atan2<F: Fusion>(y: $t, x: $t) -> $t {
                 let (across, along) = (y.abs(), x.abs());
                 // A NaN becomes `short` or `long` in any case, so the quotient is NaN as well.
                 let short = if across < along { across } else { along };
@@ -113,16 +114,21 @@ macro_rules! arc {
 
             /// In [−π/2, π/2].
             #[inline(always)]
-            pub(crate) fn $atan<F: Fusion>(x: $t) -> $t {
-                $atan2::<F>(x, 1.0).copysign(x)
+            pub(crate) fn atan<F: Fusion>(x: $t) -> $t {
+                atan2::<F>(x, 1.0).copysign(x)
+            }
+
+            #[allow(clippy::extra_unused_type_parameters, reason = "called as those that are fused")]
+            #[inline(always)]
+            pub(crate) fn tan<F: Fusion>(x: $t) -> $t {
+                libm::$tan(x)
             }
         }
-        pub(crate) use $width::{$acos, $asin, $atan, $atan2};
     };
 }
 
 arc! {
-    wide, f64, u64, 32, sqrt, asin acos atan atan2,
+    wide, f64, u64, 32, sqrt, tan,
     quarter: [core::f64::consts::FRAC_PI_2, 6.123233995736766e-17], eighth: core::f64::consts::FRAC_PI_4,
     asin: [
         0.16666666666666669, 0.07499999999998433, 0.04464285714635543, 0.030381944138531247,
@@ -142,7 +148,7 @@ arc! {
 }
 
 arc! {
-    narrow, f32, u32, 12, sqrtf, asinf acosf atanf atan2f,
+    narrow, f32, u32, 12, sqrtf, tanf,
     quarter: [core::f32::consts::FRAC_PI_2, -4.371139e-08], eighth: core::f32::consts::FRAC_PI_4,
     asin: [
         0.16666666, 0.07500094, 0.044599403, 0.031100662, 0.017149238, 0.033690847

@@ -2,9 +2,41 @@
 
 use super::arithmetic::Arithmetic;
 use super::{Fusion, arc, sin_cos_f32, sin_cos_f64};
+use crate::scalar::elementary;
+
+macro_rules! kernels {
+    ($($one:ident $of_one:ident)*; $($two:ident $of_two:ident)*) => {
+        /// The kernels behind the elementary functions of [`Scalar`](crate::Scalar).
+        pub trait Elementary: Arithmetic {
+            $(#[doc(hidden)]
+            fn $of_one<F: Fusion>(self) -> Self;)*
+            $(#[doc(hidden)]
+            fn $of_two<F: Fusion>(self, other: Self) -> Self;)*
+        }
+    };
+}
+
+macro_rules! kernels_of_a_width {
+    ($t:ident $width:ident: $($one:ident $of_one:ident)*; $($two:ident $of_two:ident)*) => {
+        impl Elementary for $t {
+            $(#[inline(always)]
+            fn $of_one<F: Fusion>(self) -> Self {
+                arc::$width::$one::<F>(self)
+            })*
+            $(#[inline(always)]
+            fn $of_two<F: Fusion>(self, other: Self) -> Self {
+                arc::$width::$two::<F>(self, other)
+            })*
+        }
+    };
+}
+
+elementary!(kernels);
+elementary!(kernels_of_a_width f64 wide:);
+elementary!(kernels_of_a_width f32 narrow:);
 
 /// `f32` or `f64`.
-pub trait Float: Arithmetic {
+pub trait Float: Elementary {
     /// The kernel behind [`Scalar::sin_cos`](crate::Scalar::sin_cos) of a near argument.
     #[doc(hidden)]
     fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self);
@@ -16,16 +48,6 @@ pub trait Float: Arithmetic {
     fn sin_cos_near_kernel<F: Fusion, const ALONE: bool>(self) -> (Self, Self) {
         self.sin_cos_kernel::<F>()
     }
-
-    /// The kernels behind the arc functions of [`Scalar`](crate::Scalar).
-    #[doc(hidden)]
-    fn asin_kernel<F: Fusion>(self) -> Self;
-    #[doc(hidden)]
-    fn acos_kernel<F: Fusion>(self) -> Self;
-    #[doc(hidden)]
-    fn atan_kernel<F: Fusion>(self) -> Self;
-    #[doc(hidden)]
-    fn atan2_kernel<F: Fusion>(self, x: Self) -> Self;
 }
 
 impl Float for f64 {
@@ -37,43 +59,11 @@ impl Float for f64 {
     fn sin_cos_near_kernel<F: Fusion, const ALONE: bool>(self) -> (Self, Self) {
         sin_cos_f64::sin_cos_near::<F, ALONE>(self)
     }
-    #[inline(always)]
-    fn asin_kernel<F: Fusion>(self) -> Self {
-        arc::asin::<F>(self)
-    }
-    #[inline(always)]
-    fn acos_kernel<F: Fusion>(self) -> Self {
-        arc::acos::<F>(self)
-    }
-    #[inline(always)]
-    fn atan_kernel<F: Fusion>(self) -> Self {
-        arc::atan::<F>(self)
-    }
-    #[inline(always)]
-    fn atan2_kernel<F: Fusion>(self, x: Self) -> Self {
-        arc::atan2::<F>(self, x)
-    }
 }
 
 impl Float for f32 {
     #[inline]
     fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self) {
         sin_cos_f32::sin_cos::<F>(self)
-    }
-    #[inline(always)]
-    fn asin_kernel<F: Fusion>(self) -> Self {
-        arc::asinf::<F>(self)
-    }
-    #[inline(always)]
-    fn acos_kernel<F: Fusion>(self) -> Self {
-        arc::acosf::<F>(self)
-    }
-    #[inline(always)]
-    fn atan_kernel<F: Fusion>(self) -> Self {
-        arc::atanf::<F>(self)
-    }
-    #[inline(always)]
-    fn atan2_kernel<F: Fusion>(self, x: Self) -> Self {
-        arc::atan2f::<F>(self, x)
     }
 }

@@ -22,6 +22,7 @@ pub(crate) mod double_word;
 mod hard_arguments;
 
 pub(crate) use error_free::{det, exact_sum, mul_err, two_sum};
+pub(crate) use float::Elementary;
 pub use float::Float;
 pub(crate) use fusion::Native;
 pub use fusion::{Fused, Fusion, Plain};

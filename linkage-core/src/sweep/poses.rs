@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::verdict::{Asked, TOGETHER, Usable};
-use crate::scalar::root_of_squares;
+use crate::scalar::{elementary, root_of_squares};
 use crate::{Float, Fusion, Lanes, Scalar};
 
 /// A number of some poses, and their sines and cosines if it was read from a sweep's first input. Lanes
@@ -92,10 +92,17 @@ macro_rules! of_the_lanes {
     };
 }
 
+macro_rules! functions_of_the_lanes {
+    ($($one:ident $_of_one:ident)*; $($two:ident $_of_two:ident)*) => {
+        of_the_lanes!($($one)*; $($two)*;);
+    };
+}
+
 impl<T: Float, F: Fusion, A: Asked> Scalar for Poses<T, F, A> {
     type Mask = A::Mask;
 
-    of_the_lanes!(sqrt tan asin acos atan; atan2 hypot; ge gt is_within);
+    of_the_lanes!(sqrt; hypot; ge gt is_within);
+    elementary!(functions_of_the_lanes);
 
     #[inline(always)]
     fn is_near(self) -> A::Mask {

@@ -50,14 +50,14 @@ fn are_within_the_bound<F: Fusion>() {
     let mut worst = [0.0_f64; 3];
     for x in shares().into_iter().flat_map(|x| [x, -x]) {
         let leg = other_leg(x);
-        worst[0] = worst[0].max(off(asin::<F>(x), [leg, exact(x)], 1.0));
+        worst[0] = worst[0].max(off(wide::asin::<F>(x), [leg, exact(x)], 1.0));
         // At one the angle is zero, and so is its unit.
         if x < 1.0 {
-            worst[1] = worst[1].max(off(acos::<F>(x), [exact(x), leg], 1.0));
+            worst[1] = worst[1].max(off(wide::acos::<F>(x), [exact(x), leg], 1.0));
         }
         let [short, long] = [x * 0.7, 0.7_f64];
         for (y, x) in [(short, long), (long, short), (short, -long), (-long, short)] {
-            let angle = atan2::<F>(y, x);
+            let angle = wide::atan2::<F>(y, x);
             worst[2] = worst[2].max(off(angle, [exact(x), exact(y)], x.hypot(y)));
         }
         let (narrow, wide) = (x as f32, f64::from(x as f32));
@@ -65,11 +65,11 @@ fn are_within_the_bound<F: Fusion>() {
             let ulp = f64::from((truth.abs() as f32).next_up() - truth.abs() as f32);
             assert!((f64::from(found) - truth).abs() <= BOUND * ulp, "{x}: {found:e} {truth:e}");
         };
-        ulps(asinf::<F>(narrow), asin::<F>(wide));
-        ulps(acosf::<F>(narrow), acos::<F>(wide));
-        ulps(atanf::<F>(narrow), atan::<F>(wide));
-        ulps(atan2f::<F>(narrow, -0.3), atan2::<F>(wide, f64::from(-0.3_f32)));
-        ulps(atan2f::<F>(0.9, narrow), atan2::<F>(f64::from(0.9_f32), wide));
+        ulps(narrow::asin::<F>(narrow), wide::asin::<F>(wide));
+        ulps(narrow::acos::<F>(narrow), wide::acos::<F>(wide));
+        ulps(narrow::atan::<F>(narrow), wide::atan::<F>(wide));
+        ulps(narrow::atan2::<F>(narrow, -0.3), wide::atan2::<F>(wide, f64::from(-0.3_f32)));
+        ulps(narrow::atan2::<F>(0.9, narrow), wide::atan2::<F>(f64::from(0.9_f32), wide));
     }
     std::println!("asin, acos, atan2: {worst:.3?} units in the last place");
     assert!(worst.iter().all(|&worst| worst <= BOUND), "{worst:?}");
@@ -94,15 +94,15 @@ fn arcs_of_special_numbers_are_those_of_libm() {
     let (tiny, huge) = (f64::from_bits(1), f64::MAX);
     let special = [0.0, tiny, f64::MIN_POSITIVE, 1.0, huge, f64::INFINITY, f64::NAN];
     for y in special.into_iter().flat_map(|y| [y, -y]) {
-        same(asin::<Plain>(y), libm::asin(y), [y; 2]);
-        same(acos::<Plain>(y), libm::acos(y), [y; 2]);
-        same(atan::<Plain>(y), libm::atan(y), [y; 2]);
+        same(wide::asin::<Plain>(y), libm::asin(y), [y; 2]);
+        same(wide::acos::<Plain>(y), libm::acos(y), [y; 2]);
+        same(wide::atan::<Plain>(y), libm::atan(y), [y; 2]);
         for x in special.into_iter().flat_map(|x| [x, -x]) {
             // Half a turn is positive, and so is zero.
-            same(atan2::<Plain>(y, x), libm::atan2(y + 0.0, x), [y, x]);
+            same(wide::atan2::<Plain>(y, x), libm::atan2(y + 0.0, x), [y, x]);
         }
     }
     for beyond in [1.0_f64.next_up(), -2.0, f64::INFINITY] {
-        assert!(asin::<Plain>(beyond).is_nan() && acos::<Plain>(beyond).is_nan());
+        assert!(wide::asin::<Plain>(beyond).is_nan() && wide::acos::<Plain>(beyond).is_nan());
     }
 }

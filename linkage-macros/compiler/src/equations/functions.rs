@@ -114,7 +114,7 @@ impl<'s> Jet<'s> {
         let moment = x.value * y.accel - y.value * x.accel;
         let radial = x.value * x.rate + y.value * y.rate;
         let accel = (moment - (rate * radial).twice()) / square;
-        Self { value: y.value.atan2(x.value), rate, accel }
+        Self { value: y.value.apply2(Function::Atan2, x.value), rate, accel }
     }
 
     /// From h² = x² + y²: h ḣ = x ẋ + y ẏ and h ḧ = x ẍ + y ÿ + ẋ² + ẏ² − ḣ².

@@ -150,13 +150,12 @@ impl<'s> Sym<'s> {
         self.apply(Function::Cos)
     }
 
-    /// The angle of the vector (x, self).
-    pub(crate) fn atan2(self, x: Self) -> Self {
-        self.builder.node(Node::Apply2(Function::Atan2, self.id, x.id))
+    pub(crate) fn apply2(self, function: Function, other: Self) -> Self {
+        self.builder.node(Node::Apply2(function, self.id, other.id))
     }
 
     pub(crate) fn hypot(self, other: Self) -> Self {
-        self.builder.node(Node::Apply2(Function::Hypot, self.id, other.id))
+        self.apply2(Function::Hypot, other)
     }
 
     /// `x` where this is at least as large as the other, `y` elsewhere.

@@ -22,6 +22,7 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::motion::Direction;
 use crate::equations::symbol::{GraphBuilder, Sym};
+use crate::function::Function;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Check, Node, RootSearch, Target, Trend};
@@ -150,7 +151,7 @@ pub(super) fn sides<'s>(
         Equation::Difference(sides) => at.jets(sides),
         Equation::Turn(turn) => {
             let Direction { u, omega, alpha, .. } = at.turned(Direction::ground(at.builder), turn);
-            let angle = Jet { value: u.y.atan2(u.x), rate: omega, accel: alpha };
+            let angle = Jet { value: u.y.apply2(Function::Atan2, u.x), rate: omega, accel: alpha };
             [angle, Jet::zero(at.builder)]
         }
         Equation::Distance { points, length, is_left } => {

@@ -23,6 +23,7 @@ use crate::equations::forces::provided::{Line, not_negative, vector};
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
+use crate::function::Function;
 use crate::model::dynamics::{Ends, Spring};
 use crate::model::mechanism::{AngleSum, Carrier, LinkId, PointId, SpringId};
 
@@ -171,7 +172,7 @@ pub(in crate::equations) fn twist<'s>(kinematics: &Kinematics<'s>, id: SpringId)
     let unit = Vector { x: free.cos(), y: free.sin() };
     let (sine, cosine) = first.turned_by(Jet::constant(free), unit).sin_cos_to(second);
     let (rate, accel) = (second.omega - first.omega, second.alpha - first.alpha);
-    Jet { value: sine.atan2(cosine), rate, accel }
+    Jet { value: sine.apply2(Function::Atan2, cosine), rate, accel }
 }
 
 /// An angle as a sum: what drives bodies says by how much they are turned, of the others their own

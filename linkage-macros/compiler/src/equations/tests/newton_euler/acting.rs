@@ -4,6 +4,7 @@
 use super::{Applied, Part, ids, part, part_of, part_of_carrier};
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
+use crate::function::Function;
 use crate::ir::graph::Id;
 use crate::model::dynamics::{Axes, Ends, Force, MassPlace, Spring};
 use crate::model::mechanism::{Carrier, Expr, PointId};
@@ -142,7 +143,7 @@ fn springs(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
                 let (cos, sin) = (free.cos(), free.sin());
                 let slack = [u.u.x * cos - u.u.y * sin, u.u.x * sin + u.u.y * cos];
                 let sine = v.u.y * slack[0] - v.u.x * slack[1];
-                let turned = sine.atan2(v.u.x * slack[0] + v.u.y * slack[1]);
+                let turned = sine.apply2(Function::Atan2, v.u.x * slack[0] + v.u.y * slack[1]);
                 let back = k * turned + c * (v.omega - u.omega);
                 [turn(kinematics, a, back), turn(kinematics, b, -back)]
             }
