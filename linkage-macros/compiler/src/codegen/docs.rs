@@ -11,7 +11,7 @@ use super::identifiers::text;
 use super::{costs_in_words, forces, groups_in_words, ranges_in_words, searches, stub_docs};
 use crate::interface::entries::{Entry, Given};
 use crate::interface::quantity::{Order, Quantity};
-use crate::interface::records::{Field, Kind, Record, Shape, Subject};
+use crate::interface::records::{Field, Record, Shape, Subject};
 use crate::interface::units_in_words::{per_time, unit};
 use crate::interface::{EntryId, labels};
 use crate::model::mechanism::{Input, Output, OutputKind, Param, ParamKind, Sign};
@@ -117,38 +117,8 @@ fn input(input: &Input) -> TokenStream {
 }
 
 pub(super) fn record(cx: &Context<'_>, record: &Record) -> TokenStream {
-    let solver = text(&cx.names.solver);
-    lines(&match record.kind {
-        Kind::Inputs => format!("The inputs of [`{solver}`], or their first or second rates."),
-        Kind::Outputs(order) => {
-            let (what, units) = match order {
-                Order::Position => ("Positions", "metres and radians"),
-                Order::Velocity => ("Velocities", "m/s and rad/s"),
-                Order::Acceleration => ("Accelerations", "m/s² and rad/s²"),
-            };
-            format!("{what} of the outputs of [`{solver}`], in {units}.")
-        }
-        Kind::Motion => {
-            format!("Position, velocity and acceleration of the outputs of [`{solver}`].")
-        }
-        Kind::Loads => format!("The loads of [`{solver}`]."),
-        Kind::Energy => format!("The energy of [`{solver}`]."),
-        Kind::Equations => format!(
-            "The equations of motion of [`{solver}`]: Σ `mass[row][column]` times the second rate of \
-             input `column` = `force[row]` + drive of input `row`."
-        ),
-        Kind::Forces => {
-            format!("Efforts of the drives of [`{solver}`] and reactions of its joints.")
-        }
-        Kind::ForcesOf(first) => {
-            let owner = text(&cx.mechanism.dynamics.asked[first].owner);
-            format!("What was asked about the forces of `{owner}`, of [`{solver}`].")
-        }
-        Kind::Margins => format!(
-            "How far the groups of [`{solver}`] are from their limits, also where the pose does not \
-             exist."
-        ),
-    })
+    let words = record.kind.in_words(cx.mechanism).in_rust;
+    lines(&words.replace('@', &format!("[`{}`]", text(&cx.names.solver))))
 }
 
 /// A field of a record.

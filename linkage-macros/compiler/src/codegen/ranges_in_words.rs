@@ -26,7 +26,8 @@ pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
         Range::Never => "never".to_string(),
     };
     let mut line = format!("{group}: {range}; {}", found.reason);
-    let moves_under_forces = cx.interface.has(Analysis::ForwardDynamics);
+    let forward = Analysis::ForwardDynamics.by_value();
+    let moves_under_forces = cx.interface.find(forward).is_some();
     if !found.turn.change_points.is_empty() {
         let angles: Vec<_> = found.turn.change_points.iter().copied().map(degrees).collect();
         let angles = angles.join(" and ");
@@ -42,8 +43,9 @@ pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
     let has_ends = matches!(found.turn.range, Range::Within(_));
     if has_ends && found.input.is_some() && moves_under_forces {
         line += &format!(
-            ". The ends are dead points of `{angle}`: `forward_dynamics` is `Singular` there, and the mass \
-             that `{angle}` moves grows beyond bounds towards them; take a crank that turns fully as input"
+            ". The ends are dead points of `{angle}`: `{}` is `Singular` there, and the mass \
+             that `{angle}` moves grows beyond bounds towards them; take a crank that turns fully as input",
+            forward.name()
         );
     }
     if found.is_parallelogram {

@@ -49,12 +49,7 @@ pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
     let implementation = |record: &Record| match record.kind {
         Kind::Inputs | Kind::Loads => from_list(cx, record),
         Kind::Outputs(order) => rows(cx, record, order),
-        Kind::Motion
-        | Kind::Margins
-        | Kind::Forces
-        | Kind::ForcesOf(_)
-        | Kind::Energy
-        | Kind::Equations => TokenStream::new(),
+        _ => TokenStream::new(),
     };
     let returned = cx.interface.record_ids().filter(|&id| cx.interface.is_used(cx.record(id)));
     let mut arrays = Text::long();

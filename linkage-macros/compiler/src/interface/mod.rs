@@ -93,14 +93,19 @@ impl Interface {
         self.find(analysis.by_value()).is_some()
     }
 
-    /// True if an entry point takes or returns a record. Margins may be outputs without an entry point, and
-    /// masses may be such that no equations of motion are offered.
+    /// True unless an analysis returns the record that is not offered: margins may be outputs without an entry
+    /// point, and masses may be such that there are no dynamics. The stages are always offered.
     pub(crate) fn is_used(&self, record: &Record) -> bool {
-        match record.kind {
-            Kind::Margins => self.has(Analysis::Margins),
-            Kind::Equations => self.entries.iter().any(|entry| entry.point.is_about_dynamics()),
-            _ => true,
-        }
+        let is_missing = |analysis: Analysis| {
+            matches!(analysis.row().returns, Returns::Record(kind) if kind == record.kind)
+                && !Analysis::STAGES.contains(&analysis)
+                && !self.entries.iter().any(|entry| {
+                    let is_of_dynamics = analysis.row().topic == Topic::Dynamics;
+                    entry.point.analysis == analysis
+                        || is_of_dynamics && entry.point.is_about_dynamics()
+                })
+        };
+        !Analysis::all().any(is_missing)
     }
 
     pub(crate) fn record_ids(&self) -> impl Iterator<Item = RecordId> + use<> {

@@ -67,6 +67,60 @@ pub(crate) enum Kind {
     Equations,
 }
 
+/// The sentences about a record in the documentation of Rust and of C. `@` stands for the solver.
+pub(crate) struct KindInWords {
+    pub in_rust: String,
+    pub in_c: String,
+}
+
+impl Kind {
+    pub(crate) fn in_words(self, mechanism: &Mechanism) -> KindInWords {
+        let owned;
+        let [in_rust, in_c] = match self {
+            Self::Inputs => ["The inputs of @, or their first or second rates."; 2],
+            Self::Outputs(Order::Position) => [
+                "Positions of the outputs of @, in metres and radians.",
+                "Positions of the outputs.",
+            ],
+            Self::Outputs(Order::Velocity) => {
+                ["Velocities of the outputs of @, in m/s and rad/s.", "Velocities of the outputs."]
+            }
+            Self::Outputs(Order::Acceleration) => [
+                "Accelerations of the outputs of @, in m/s² and rad/s².",
+                "Accelerations of the outputs.",
+            ],
+            Self::Motion => [
+                "Position, velocity and acceleration of the outputs of @.",
+                "Position, velocity and acceleration of the outputs.",
+            ],
+            Self::Margins => [
+                "How far the groups of @ are from their limits, also where the pose does not exist.",
+                "Distances of the groups from their limits.",
+            ],
+            Self::Loads => ["The loads of @."; 2],
+            Self::Forces => [
+                "Efforts of the drives of @ and reactions of its joints.",
+                "Efforts of the drives and reactions of the joints.",
+            ],
+            Self::ForcesOf(first) => {
+                let owner = mechanism.dynamics.asked[first].owner.unraw();
+                owned = [
+                    format!("What was asked about the forces of `{owner}`, of @."),
+                    format!("Forces of {owner}."),
+                ];
+                owned.each_ref().map(String::as_str)
+            }
+            Self::Energy => ["The energy of @.", "Kinetic and potential energy."],
+            Self::Equations => [
+                "The equations of motion of @: Σ `mass[row][column]` times the second rate of input \
+                 `column` = `force[row]` + drive of input `row`.",
+                "The equations of motion: mass times second rates = force + drives.",
+            ],
+        };
+        KindInWords { in_rust: in_rust.to_string(), in_c: in_c.to_string() }
+    }
+}
+
 #[derive(Debug)]
 pub(crate) struct Field {
     pub name: Ident,

@@ -10,7 +10,7 @@ use crate::codegen::{docs, forces};
 use crate::interface::entries::{Analysis, Entry};
 use crate::interface::labels;
 use crate::interface::quantity::Order;
-use crate::interface::records::{self, Field, Kind, Shape, Subject};
+use crate::interface::records::{self, Field, Shape, Subject};
 use crate::interface::units_in_words::unit;
 use crate::model::mechanism::{Param, ParamKind};
 
@@ -141,25 +141,8 @@ fn parameters(cx: &Context<'_>, width: Width) -> Record {
 }
 
 fn record(cx: &Context<'_>, width: Width, of: &records::Record) -> Record {
-    let about = match of.kind {
-        Kind::Inputs => {
-            format!("The inputs of {}, or their first or second rates.", cx.names.solver)
-        }
-        Kind::Outputs(Order::Position) => "Positions of the outputs.".to_string(),
-        Kind::Outputs(Order::Velocity) => "Velocities of the outputs.".to_string(),
-        Kind::Outputs(Order::Acceleration) => "Accelerations of the outputs.".to_string(),
-        Kind::Motion => "Position, velocity and acceleration of the outputs.".to_string(),
-        Kind::Margins => "Distances of the groups from their limits.".to_string(),
-        Kind::Loads => format!("The loads of {}.", cx.names.solver),
-        Kind::Forces => "Efforts of the drives and reactions of the joints.".to_string(),
-        Kind::ForcesOf(first) => {
-            format!("Forces of {}.", plain(&cx.mechanism.dynamics.asked[first].owner))
-        }
-        Kind::Equations => {
-            "The equations of motion: mass times second rates = force + drives.".to_string()
-        }
-        Kind::Energy => "Kinetic and potential energy.".to_string(),
-    };
+    let words = of.kind.in_words(cx.mechanism).in_c;
+    let about = words.replace('@', &cx.names.solver.to_string());
     let field = |field: &Field| {
         let ty = type_of(cx, field.shape, width);
         let name = plain(&field.name);
