@@ -123,6 +123,15 @@ impl Trend {
             Self::Rising | Self::Falling => None,
         }
     }
+
+    /// The directions in which the equation can pass its root, true where it rises.
+    pub(crate) const fn rises(self) -> &'static [bool] {
+        match self {
+            Self::Rising => &[true],
+            Self::Falling => &[false],
+            Self::Param(_) => &[true, false],
+        }
+    }
 }
 
 impl Node {

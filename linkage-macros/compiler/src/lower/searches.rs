@@ -7,7 +7,7 @@ use super::{apart, locals, unique_root};
 use crate::function::Function;
 use crate::interface::records::Shape;
 use crate::ir::cost::Costs;
-use crate::ir::graph::{Graph, Id, Node, RootSearch, Target, Trend};
+use crate::ir::graph::{Graph, Id, Node, RootSearch, Target};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, trial_nodes, tried};
 use crate::ir::program::{Clearance, Program};
@@ -52,11 +52,7 @@ pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -
 /// constants decide.
 fn has_one_root(graph: &Graph, end: &RootSearch) -> Option<bool> {
     let of = |rises| unique_root::has_one_root(graph, end, rises);
-    match end.trend {
-        Trend::Rising => of(true),
-        Trend::Falling => of(false),
-        Trend::Param(_) => Some(of(true)? && of(false)?),
-    }
+    end.trend.rises().iter().try_fold(true, |all, &rises| Some(all && of(rises)?))
 }
 
 /// The ends of where roots can be, which following a motion looks at.
