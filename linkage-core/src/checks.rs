@@ -33,6 +33,7 @@ mod all_met;
 pub use all_met::AllMet;
 
 use crate::diagnosis::{self, Diagnosis};
+use crate::friction::Amounts;
 use crate::roots::FindError;
 use crate::roots::seed::Seed;
 use crate::{Real, Scalar, SolveError};
@@ -101,6 +102,17 @@ pub trait Checks<T: Scalar> {
     #[inline(always)]
     fn guard(&mut self, value: T, _diagnosis: impl Diagnosis<T>) -> T {
         value
+    }
+
+    /// Amounts of friction that depend on each other, by steps from these values; the values themselves
+    /// where nothing asks for forces.
+    #[inline(always)]
+    fn amounts<const W: usize, const M: usize>(
+        &mut self,
+        start: [T; M],
+        _amounts: Amounts<T, W, M>,
+    ) -> [T; M] {
+        start
     }
 }
 
@@ -179,6 +191,14 @@ impl<T: Real> Checks<T> for FirstError {
 
     fn guard(&mut self, value: T, diagnosis: impl Diagnosis<T>) -> T {
         self.keep(value, || diagnosis.diagnose(value))
+    }
+
+    fn amounts<const W: usize, const M: usize>(
+        &mut self,
+        start: [T; M],
+        amounts: Amounts<T, W, M>,
+    ) -> [T; M] {
+        self.keep(start, || amounts.diagnose(start))
     }
 }
 

@@ -31,7 +31,6 @@
 #[cfg(test)]
 mod tests;
 
-use crate::diagnosis::Diagnosis;
 use crate::{Mask, Real, Scalar, SolveError};
 
 /// Steps of Newton's method before steps are guarded. Of 56,000 random problems of up to eight amounts five
@@ -44,77 +43,145 @@ const GUARDED: usize = 64;
 /// Units in the last place that rounding leaves of Φ.
 const ROUNDINGS: f32 = 4.0;
 
-/// An amount of friction: the condition on a value that straight-line code has found.
-///
-/// Each of M amounts has a row of 4 + 2M numbers: c, both components of G, the value before the last
-/// step, and both components of A for each amount.
+/// Amounts of friction that depend on each other: the condition on values that straight-line code has
+/// found.
 #[derive(Clone, Copy, Debug)]
-pub struct Amount<T, const W: usize, const M: usize> {
-    /// The rows of all amounts.
-    pub rows: [[T; W]; M],
-    /// The row of this one.
-    pub at: usize,
-    /// Bit j is set if contact j is a guide.
-    pub guides: u32,
+pub struct Amounts<T, const W: usize, const M: usize> {
+    /// Their equations.
+    pub system: System<T, W, M>,
     /// The joints, as errors name them.
     pub joints: [&'static str; M],
 }
 
-impl<T: Scalar, const W: usize, const M: usize> Diagnosis<T> for Amount<T, W, M> {
+impl<T: Scalar, const W: usize, const M: usize> Amounts<T, W, M> {
+    /// The solution.
+    ///
     /// Newton's method in the number's own arithmetic adds an order of derivatives a step to the solution
     /// of the values.
-    fn diagnose(self, value: T) -> Result<T, SolveError>
+    pub(crate) fn diagnose(self, start: [T; M]) -> Result<[T; M], SolveError>
     where
         T: Real,
     {
-        let plain = System { rows: self.rows.map(|row| row.map(T::value)), guides: self.guides };
-        // Steps that jam may end anywhere.
-        let given = plain.rows.iter().flat_map(|row| row[..LAST].iter().chain(&row[CHANGES..]));
-        if !given.copied().all(f64::is_finite) {
-            return Err(SolveError::NotFinite { name: self.joints[self.at] });
+        let own = self.system;
+        let plain = System { rows: own.rows.map(|row| row.map(T::value)), guides: own.guides };
+        let is_given = |row: &[f64; W]| row.iter().copied().all(f64::is_finite);
+        if let Some(unknown) = plain.rows.iter().position(|row| !is_given(row)) {
+            return Err(SolveError::NotFinite { name: self.joints[unknown] });
         }
-        let own = System { rows: self.rows, guides: self.guides };
-        let last = own.rows.map(|row| row[LAST]);
-        if own.pivots_are_positive() && own.settled(last) && value.value().is_finite() {
-            return Ok(value);
+        let (amounts, met) = own.stepped(start);
+        if met && amounts.iter().all(|amount| amount.value().is_finite()) {
+            return Ok(amounts);
         }
         let found =
             plain.solved().map_err(|joint| SolveError::Jams { joint: self.joints[joint] })?;
-        let (_, reactions) = plain.at(found);
-        let slope = plain.without(|j, k| plain.slope(j, k, reactions[j]));
         let mut amounts = found.map(T::num);
         for _ in 0..T::ORDER {
-            for (k, (off, _)) in own.residual(amounts).into_iter().enumerate() {
-                for (amount, step) in amounts.iter_mut().zip(inverse_column(slope, k)) {
-                    *amount = *amount + T::num(step) * off;
-                }
-            }
+            let (values, slope) = own.linear(amounts, &mut T::hypot);
+            amounts = System::<T, W, M>::newton(amounts, values, slope);
         }
-        Ok(amounts[self.at])
-    }
-
-    #[inline(always)]
-    fn behind(self, met: T::Mask, _: T) -> T::Mask {
-        let system = System { rows: self.rows, guides: self.guides };
-        let settled = system.settled(system.rows.map(|row| row[LAST]));
-        met.and_condition(system.pivots_are_positive() & settled).behind_condition()
+        Ok(amounts)
     }
 }
+
+/// Steps of Newton's method before the fast path asks whether they have ended.
+const STEPS: usize = 3;
 
 /// Places in a row.
 const SHARE: usize = 0;
 const FREE: usize = 1;
-const LAST: usize = 3;
-const CHANGES: usize = 4;
+const CHANGES: usize = 3;
 
-/// The amounts of contacts that depend on each other.
-#[derive(Clone, Copy)]
-struct System<T, const W: usize, const M: usize> {
-    rows: [[T; W]; M],
-    guides: u32,
+/// Equations of M amounts that depend on each other.
+///
+/// Each has a row of 3 + 2M numbers: c, both components of G, and both components of A for each amount.
+#[derive(Clone, Copy, Debug)]
+pub struct System<T, const W: usize, const M: usize> {
+    /// The rows.
+    pub rows: [[T; W]; M],
+    /// Bit j is set if contact j is a guide.
+    pub guides: u32,
 }
 
 impl<T: Scalar, const W: usize, const M: usize> System<T, W, M> {
+    /// The solution from Φ(0), and where it is one: steps without a branch, as many as moderate friction
+    /// takes. A step from a solution to within rounding brings derivatives of every order to the end:
+    /// those of a step at a solution are the solution's.
+    ///
+    /// Without optimisation every operation that is inlined has a place of its own on the stack, and a machine
+    /// with many groups overflows it.
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn stepped(&self, start: [T; M]) -> ([T; M], T::Mask) {
+        let least = T::smallest_square();
+        let mut are_near = T::Mask::ALL;
+        let mut near = |x: T, y: T| {
+            let (length, is_near) = x.hypot_near(y, least);
+            are_near = are_near & is_near;
+            length
+        };
+        let bounds = self.bounds();
+        let (mut amounts, mut met) = (start, T::Mask::ALL);
+        for step in 0..=STEPS {
+            let (values, slope) = self.linear(amounts, &mut near);
+            if step == STEPS {
+                let settled = Self::settled(amounts, values, start, &bounds);
+                met = pivots_are_positive(bounds) & settled;
+            }
+            amounts = Self::newton(amounts, values, slope);
+        }
+        (amounts, met & are_near)
+    }
+
+    /// x + (I − Φ′)⁻¹ (Φ(x) − x)
+    #[inline(always)]
+    fn newton(mut amounts: [T; M], mut values: [T; M], slope: [[T; M]; M]) -> [T; M] {
+        for (value, &amount) in values.iter_mut().zip(&amounts) {
+            *value = *value - amount;
+        }
+        let step = solve(without(slope), values);
+        for (amount, step) in amounts.iter_mut().zip(step) {
+            *amount = *amount + step;
+        }
+        amounts
+    }
+
+    /// Φ(x) and its slope, ∂Φⱼ/∂xₖ; at a corner that of one side.
+    #[inline(always)]
+    fn linear(&self, amounts: [T; M], hypot: &mut impl FnMut(T, T) -> T) -> ([T; M], [[T; M]; M]) {
+        let zero = T::lit(0.0, 0.0);
+        let (mut values, mut slope) = ([zero; M], [[zero; M]; M]);
+        for j in 0..M {
+            let (size, [x, y]) = self.size_and_direction(j, self.reaction(j, amounts), hypot);
+            let share = self.rows[j][SHARE];
+            values[j] = share * size;
+            let [x, y] = [share * x, share * y];
+            for (k, slope) in slope[j].iter_mut().enumerate() {
+                let [by_x, by_y] = self.pair(j, CHANGES + 2 * k);
+                *slope = T::fused(by_x, x, by_y * y);
+            }
+        }
+        (values, slope)
+    }
+
+    /// The size of a reaction, and its slope by each component.
+    #[inline(always)]
+    fn size_and_direction(
+        &self,
+        j: usize,
+        [x, y]: [T; 2],
+        hypot: &mut impl FnMut(T, T) -> T,
+    ) -> (T, [T; 2]) {
+        let [zero, one] = [T::lit(0.0, 0.0), T::lit(1.0, 1.0)];
+        if self.is_guide(j) {
+            let [sizes, signs] = [[magnitude(x), magnitude(y)], [sign(x), sign(y)]];
+            let larger = |first, second| T::select(sizes[0].ge(sizes[1]), first, second);
+            return (larger(sizes[0], sizes[1]), [larger(signs[0], zero), larger(zero, signs[1])]);
+        }
+        let size = hypot(x, y);
+        let inverse = T::select(zero.ge(size), zero, one / size);
+        (size, [x * inverse, y * inverse])
+    }
+
     fn is_guide(&self, j: usize) -> bool {
         self.guides >> j & 1 == 1
     }
@@ -123,7 +190,7 @@ impl<T: Scalar, const W: usize, const M: usize> System<T, W, M> {
         [self.rows[j][first], self.rows[j][first + 1]]
     }
 
-    /// cⱼ times the size of a reaction.
+    /// cⱼ times the size of a reaction; a pin's may underflow.
     #[inline(always)]
     fn amount(&self, j: usize, [x, y]: [T; 2]) -> T {
         let size = if self.is_guide(j) {
@@ -135,113 +202,92 @@ impl<T: Scalar, const W: usize, const M: usize> System<T, W, M> {
         self.rows[j][SHARE] * size
     }
 
-    /// Lⱼₖ
+    /// L
     #[inline(always)]
-    fn bound(&self, j: usize, k: usize) -> T {
-        self.amount(j, self.pair(j, CHANGES + 2 * k))
+    fn bounds(&self) -> [[T; M]; M] {
+        let mut bounds = [[T::lit(0.0, 0.0); M]; M];
+        for (j, row) in bounds.iter_mut().enumerate() {
+            for (k, bound) in row.iter_mut().enumerate() {
+                *bound = self.amount(j, self.pair(j, CHANGES + 2 * k));
+            }
+        }
+        bounds
     }
 
+    /// Changes come first: contacts that a couple loads alike share their sum.
     #[inline(always)]
     fn reaction(&self, j: usize, amounts: [T; M]) -> [T; 2] {
-        let mut sum = self.pair(j, FREE);
+        let mut sum = [T::lit(0.0, 0.0); 2];
         for (k, &amount) in amounts.iter().enumerate() {
             let [x, y] = self.pair(j, CHANGES + 2 * k);
-            sum = [T::fused(x, amount, sum[0]), T::fused(y, amount, sum[1])];
+            sum = match k {
+                0 => [x * amount, y * amount],
+                _ => [T::fused(x, amount, sum[0]), T::fused(y, amount, sum[1])],
+            };
         }
-        sum
+        let [x, y] = self.pair(j, FREE);
+        [x + sum[0], y + sum[1]]
     }
 
-    /// Φⱼ(x) − xⱼ, and what its rounding is measured by.
+    /// True where the amounts solve their equations as far as rounding can tell; `values` is Φ of them, `start`
+    /// Φ(0), and `bounds` L.
     #[inline(always)]
-    fn residual(&self, amounts: [T; M]) -> [(T, T); M] {
-        core::array::from_fn(|j| {
-            let off = self.amount(j, self.reaction(j, amounts)) - amounts[j];
-            let mut size = self.amount(j, self.pair(j, FREE));
-            for (k, &amount) in amounts.iter().enumerate() {
-                size = T::fused(self.bound(j, k), amount, size);
-            }
-            (off, size)
-        })
-    }
-
-    /// True where the amounts solve their equations as far as rounding can tell.
-    #[inline(always)]
-    fn settled(&self, amounts: [T; M]) -> T::Mask {
+    fn settled(amounts: [T; M], values: [T; M], start: [T; M], bounds: &[[T; M]; M]) -> T::Mask {
         let share = T::lit(f64::from(ROUNDINGS) * f64::EPSILON, ROUNDINGS * f32::EPSILON);
         let mut met = T::Mask::ALL;
-        for (off, size) in self.residual(amounts) {
-            met = met & off.is_within(share * size);
-        }
-        met
-    }
-
-    /// I − the matrix.
-    #[inline(always)]
-    fn without(&self, entry: impl Fn(usize, usize) -> T) -> [[T; M]; M] {
-        let unit = |j, k| if j == k { T::lit(1.0, 1.0) } else { T::lit(0.0, 0.0) };
-        core::array::from_fn(|j| core::array::from_fn(|k| unit(j, k) - entry(j, k)))
-    }
-
-    /// True where ρ(L) < 1.
-    #[inline(always)]
-    fn pivots_are_positive(&self) -> T::Mask {
-        let mut matrix = self.without(|j, k| self.bound(j, k));
-        let mut met = T::Mask::ALL;
-        for k in 0..M {
-            met = met & matrix[k][k].gt(T::lit(0.0, 0.0));
-            eliminate(&mut matrix, k);
+        for j in 0..M {
+            let mut size = start[j];
+            for (&bound, &amount) in bounds[j].iter().zip(&amounts) {
+                size = T::fused(bound, amount, size);
+            }
+            met = met & (values[j] - amounts[j]).is_within(share * size);
         }
         met
     }
 }
 
-/// Clears a column below its pivot.
+/// I − the matrix.
 #[inline(always)]
-fn eliminate<T: Scalar, const M: usize>(matrix: &mut [[T; M]; M], k: usize) {
-    let top = matrix[k];
-    for row in matrix.iter_mut().skip(k + 1) {
-        let factor = row[k] / top[k];
-        for (entry, &above) in row.iter_mut().zip(&top) {
-            *entry = T::fused(-factor, above, *entry);
+fn without<T: Scalar, const M: usize>(mut matrix: [[T; M]; M]) -> [[T; M]; M] {
+    for (j, row) in matrix.iter_mut().enumerate() {
+        for (k, entry) in row.iter_mut().enumerate() {
+            *entry = if j == k { T::lit(1.0, 1.0) - *entry } else { -*entry };
         }
     }
+    matrix
+}
+
+/// True where ρ(L) < 1.
+#[inline(always)]
+fn pivots_are_positive<T: Scalar, const M: usize>(bounds: [[T; M]; M]) -> T::Mask {
+    let (mut matrix, mut right) = (without(bounds), [T::lit(0.0, 0.0); M]);
+    let mut met = T::Mask::ALL;
+    for k in 0..M {
+        met = met & matrix[k][k].gt(T::lit(0.0, 0.0));
+        eliminate(&mut matrix, &mut right, k);
+    }
+    met
+}
+
+/// Clears a column below its pivot, in the right side as well, and puts the pivot's inverse in its place.
+///
+/// Loops run over all indices: only those of a constant length are unrolled.
+#[inline(always)]
+fn eliminate<T: Scalar, const M: usize>(matrix: &mut [[T; M]; M], right: &mut [T; M], k: usize) {
+    let (top, above, inverse) = (matrix[k], right[k], T::lit(1.0, 1.0) / matrix[k][k]);
+    for j in 0..M {
+        if j > k {
+            let factor = -(matrix[j][k] * inverse);
+            for i in 0..M {
+                matrix[j][i] = T::fused(factor, top[i], matrix[j][i]);
+            }
+            right[j] = T::fused(factor, above, right[j]);
+        }
+    }
+    matrix[k][k] = inverse;
 }
 
 impl<const W: usize, const M: usize> System<f64, W, M> {
-    /// Φ(x), and the reactions there.
-    fn at(&self, amounts: [f64; M]) -> ([f64; M], [[f64; 2]; M]) {
-        let reactions = core::array::from_fn(|j| self.reaction(j, amounts));
-        (core::array::from_fn(|j| self.size(j, reactions[j])), reactions)
-    }
-
-    /// [`Self::amount`] without underflow.
-    fn size(&self, j: usize, reaction: [f64; 2]) -> f64 {
-        match self.is_guide(j) {
-            true => self.amount(j, reaction),
-            false => self.rows[j][SHARE] * libm::hypot(reaction[0], reaction[1]),
-        }
-    }
-
-    /// ∂Φⱼ/∂xₖ; at a corner that of one side.
-    fn slope(&self, j: usize, k: usize, [x, y]: [f64; 2]) -> f64 {
-        let [by_x, by_y] = self.pair(j, CHANGES + 2 * k);
-        let slope = match (self.is_guide(j), libm::hypot(x, y)) {
-            (true, _) if magnitude(x) >= magnitude(y) => libm::copysign(by_x, by_x * x),
-            (true, _) => libm::copysign(by_y, by_y * y),
-            (false, size) if size > 0.0 => by_x * (x / size) + by_y * (y / size),
-            (false, _) => 0.0,
-        };
-        self.rows[j][SHARE] * slope
-    }
-
-    /// x + (I − Φ′)⁻¹ (Φ(x) − x)
-    fn newton(&self, amounts: [f64; M]) -> [f64; M] {
-        let (value, reactions) = self.at(amounts);
-        let matrix = self.without(|j, k| self.slope(j, k, reactions[j]));
-        let step = solve(matrix, core::array::from_fn(|j| value[j] - amounts[j]));
-        core::array::from_fn(|j| amounts[j] + step[j])
-    }
-
     /// The only solution; or the contact at which friction may hold itself.
     fn solved(&self) -> Result<[f64; M], usize> {
         self.solved_in().map(|(amounts, _)| amounts)
@@ -249,53 +295,57 @@ impl<const W: usize, const M: usize> System<f64, W, M> {
 
     /// The same, and the number of steps.
     fn solved_in(&self) -> Result<([f64; M], usize), usize> {
-        self.jammed().map_or(Ok(()), Err)?;
-        let (start, _) = self.at([0.0; M]);
+        let bounds = self.bounds();
+        jammed(bounds).map_or(Ok(()), Err)?;
+        let (start, _) = self.linear([0.0; M], &mut libm::hypot);
         let mut amounts = start;
         for step in 0..=NEWTON {
-            if self.settled(amounts) {
+            let (values, slope) = self.linear(amounts, &mut libm::hypot);
+            if Self::settled(amounts, values, start, &bounds) {
                 return Ok((amounts, step));
             }
-            amounts = self.newton(amounts);
+            amounts = Self::newton(amounts, values, slope);
         }
-        self.guarded(start).ok_or(0)
-    }
-
-    /// The first contact whose pivot is not positive.
-    fn jammed(&self) -> Option<usize> {
-        let mut matrix = self.without(|j, k| self.bound(j, k));
-        (0..M).find(|&k| {
-            // NaN is no positive pivot.
-            let pivot = matrix[k][k];
-            eliminate(&mut matrix, k);
-            pivot <= 0.0 || pivot.is_nan()
-        })
+        self.guarded(start, &bounds).ok_or(0)
     }
 
     /// Newton's steps, each replaced by Φ where it gains less than that.
-    fn guarded(&self, start: [f64; M]) -> Option<([f64; M], usize)> {
+    fn guarded(&self, start: [f64; M], bounds: &[[f64; M]; M]) -> Option<([f64; M], usize)> {
         let unit = |j: usize| {
-            let size = start[j] + (0..M).map(|k| self.bound(j, k) * start[k]).sum::<f64>();
+            let size = start[j] + (0..M).map(|k| bounds[j][k] * start[k]).sum::<f64>();
             if size > 0.0 { size } else { 1.0 }
         };
         let units: [f64; M] = core::array::from_fn(unit);
-        let weights = solve(self.without(|j, k| self.bound(j, k)), units);
+        let weights = solve(without(*bounds), units);
         let gain = (0..M).map(|j| 1.0 - units[j] / weights[j]).fold(0.0, f64::max);
-        let off = |amounts: [f64; M]| {
-            let (value, _) = self.at(amounts);
-            (0..M).map(|j| magnitude(value[j] - amounts[j]) / weights[j]).fold(0.0, f64::max)
+        let off = |amounts: [f64; M], values: [f64; M]| {
+            (0..M).map(|j| magnitude(values[j] - amounts[j]) / weights[j]).fold(0.0, f64::max)
         };
         let mut amounts = start;
+        let (mut values, mut slope) = self.linear(amounts, &mut libm::hypot);
         for step in 0..=GUARDED {
-            if self.settled(amounts) {
+            if Self::settled(amounts, values, start, bounds) {
                 return Some((amounts, NEWTON + step));
             }
-            let next = self.newton(amounts);
-            let gains = off(next) <= gain * off(amounts);
-            amounts = if gains { next } else { self.at(amounts).0 };
+            let next = Self::newton(amounts, values, slope);
+            let (next_values, _) = self.linear(next, &mut libm::hypot);
+            let gains = off(next, next_values) <= gain * off(amounts, values);
+            amounts = if gains { next } else { values };
+            (values, slope) = self.linear(amounts, &mut libm::hypot);
         }
         None
     }
+}
+
+/// The first contact whose pivot is not positive.
+fn jammed<const M: usize>(bounds: [[f64; M]; M]) -> Option<usize> {
+    let (mut matrix, mut right) = (without(bounds), [0.0; M]);
+    (0..M).find(|&k| {
+        // NaN is no positive pivot.
+        let pivot = matrix[k][k];
+        eliminate(&mut matrix, &mut right, k);
+        pivot <= 0.0 || pivot.is_nan()
+    })
 }
 
 #[inline(always)]
@@ -303,23 +353,25 @@ fn magnitude<T: Scalar>(value: T) -> T {
     T::select(value.ge(T::lit(0.0, 0.0)), value, -value)
 }
 
-/// The solution of a system whose elimination needs no exchanges.
-fn solve<const M: usize>(mut matrix: [[f64; M]; M], mut right: [f64; M]) -> [f64; M] {
-    for k in 0..M {
-        for j in k + 1..M {
-            right[j] -= matrix[j][k] / matrix[k][k] * right[k];
-        }
-        eliminate(&mut matrix, k);
-    }
-    for k in (0..M).rev() {
-        for j in k + 1..M {
-            right[k] -= matrix[k][j] * right[j];
-        }
-        right[k] /= matrix[k][k];
-    }
-    right
+#[inline(always)]
+fn sign<T: Scalar>(value: T) -> T {
+    T::select(value.ge(T::lit(0.0, 0.0)), T::lit(1.0, 1.0), T::lit(-1.0, -1.0))
 }
 
-fn inverse_column<const M: usize>(matrix: [[f64; M]; M], k: usize) -> [f64; M] {
-    solve(matrix, core::array::from_fn(|j| if j == k { 1.0 } else { 0.0 }))
+/// The solution of a system whose elimination needs no exchanges.
+#[inline(always)]
+fn solve<T: Scalar, const M: usize>(mut matrix: [[T; M]; M], mut right: [T; M]) -> [T; M] {
+    for k in 0..M {
+        eliminate(&mut matrix, &mut right, k);
+    }
+    for back in 0..M {
+        let k = M - 1 - back;
+        for j in 0..M {
+            if j > k {
+                right[k] = T::fused(-matrix[k][j], right[j], right[k]);
+            }
+        }
+        right[k] = right[k] * matrix[k][k];
+    }
+    right
 }

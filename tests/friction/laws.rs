@@ -62,32 +62,54 @@ fn nothing_is_ever_no_number() {
 /// The fast path, lanes and the slow path are one function: a sweep gives the single answers.
 #[test]
 fn a_sweep_gives_the_single_answers() {
+    for mu in [0.05, 0.4, 1.5] {
+        let press = RubbingPress { pins: mu, ways: mu, ..RubbingPress::new() };
+        let found = |q, rate| press.forces(q, rate, 3.0, -200.0).map(Record::into_array);
+        swept(found, |q, rates, out, status| {
+            let out = <RubbingPressForces<&mut [f64]> as Record>::from_array(out);
+            press.sweep_forces(q, rates, 3.0, -200.0, out, status, ()).unwrap();
+        });
+    }
+}
+
+/// Sixteen frictions in five groups take no more than the stack of a test's thread.
+#[test]
+fn sixteen_frictions_are_swept() {
+    for mu in [0.05, 0.3] {
+        let groups = RubbingGroups { mu, ..RubbingGroups::new() };
+        let found = |q, rate| groups.forces(q, rate, 3.0, -200.0).map(Record::into_array);
+        swept(found, |q, rates, out, status| {
+            let out = <RubbingGroupsForces<&mut [f64]> as Record>::from_array(out);
+            groups.sweep_forces(q, rates, 3.0, -200.0, out, status, ()).unwrap();
+        });
+    }
+}
+
+/// Compares a sweep with single answers.
+fn swept<const N: usize>(
+    single: impl Fn(f64, f64) -> Result<[f64; N], SolveError>,
+    sweep: impl FnOnce(&[f64], &[f64], [&mut [f64]; N], &mut [Status]),
+) {
     const COUNT: usize = 257;
     let mut random = Random::new(13);
     let q: Vec<f64> = (0..COUNT).map(|_| random.between(-3.2, 3.2)).collect();
     let rates: Vec<f64> = q.iter().map(|q| 7.0 * q.sin()).collect();
-    for mu in [0.05, 0.4, 1.5] {
-        let press = RubbingPress { pins: mu, ways: mu, ..RubbingPress::new() };
-        let mut rows = [[0.0; COUNT]; RubbingPressForces::<f64>::LABELS.len()];
-        let mut status = [Status::Solved; COUNT];
-        let out = <RubbingPressForces<&mut [f64]> as Record>::from_array(
-            rows.each_mut().map(|row| &mut row[..]),
-        );
-        press.sweep_forces(&q, &rates, 3.0, -200.0, out, &mut status, ()).unwrap();
-        for (at, (&q, &rate)) in q.iter().zip(&rates).enumerate() {
-            let single = press.forces(q, rate, 3.0, -200.0);
-            match single {
-                Ok(single) => {
-                    let single = single.into_array();
-                    let largest = single.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
-                    assert_eq!(status[at], Status::Solved);
-                    for (row, value) in rows.iter().zip(single) {
-                        // Fused operations may differ between the two.
-                        assert!((row[at] - value).abs() <= 1e-9 * largest, "{mu} {q}");
-                    }
+    let mut rows = vec![[0.0; COUNT]; N];
+    let mut status = [Status::Solved; COUNT];
+    let mut parts = rows.iter_mut();
+    let out = std::array::from_fn(|_| &mut parts.next().expect("a row a number")[..]);
+    sweep(&q, &rates, out, &mut status);
+    for (at, (&q, &rate)) in q.iter().zip(&rates).enumerate() {
+        match single(q, rate) {
+            Ok(single) => {
+                let largest = single.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+                assert_eq!(status[at], Status::Solved);
+                for (row, value) in rows.iter().zip(single) {
+                    // Fused operations may differ between the two.
+                    assert!((row[at] - value).abs() <= 1e-9 * largest, "{q}: {largest}");
                 }
-                Err(error) => assert_eq!(status[at], Status::from(error)),
             }
+            Err(error) => assert_eq!(status[at], Status::from(error), "{q}"),
         }
     }
 }

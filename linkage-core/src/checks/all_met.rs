@@ -2,6 +2,7 @@
 
 use super::Checks;
 use crate::diagnosis::{self, Diagnosis};
+use crate::friction::Amounts;
 use crate::limit::ROUNDINGS;
 use crate::roots::FindError;
 use crate::roots::seed::Seed;
@@ -144,5 +145,16 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
     fn guard(&mut self, value: T, diagnosis: impl Diagnosis<T>) -> T {
         self.0 = diagnosis.behind(self.0, value);
         value
+    }
+
+    #[inline(always)]
+    fn amounts<const W: usize, const M: usize>(
+        &mut self,
+        start: [T; M],
+        amounts: Amounts<T, W, M>,
+    ) -> [T; M] {
+        let (found, met) = amounts.system.stepped(start);
+        self.0 = self.0.and_condition(met).behind_condition();
+        found
     }
 }

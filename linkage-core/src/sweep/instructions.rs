@@ -20,6 +20,15 @@ pub(super) fn run<K, T: Float, E: Entry<K, T, IN, OUT>, const IN: usize, const O
     if wide::run_if_available(batch, start, end) {
         return;
     }
+    native(batch, start, end);
+}
+
+/// A function of its own: without optimisation the stack would hold the numbers of both versions.
+fn native<K, T: Float, E: Entry<K, T, IN, OUT>, const IN: usize, const OUT: usize>(
+    batch: &mut Batch<'_, E, T, IN, OUT>,
+    start: usize,
+    end: usize,
+) {
     batch.run::<K, Native>(start, end);
 }
 

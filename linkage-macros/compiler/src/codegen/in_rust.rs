@@ -10,10 +10,10 @@ use super::printer::{Dialect, Operation, Printer};
 use super::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
-use crate::ir::check::{Check, Comparison, Contacts};
+use crate::ir::check::{Check, Comparison};
 use crate::ir::graph::{Id, Node, Target};
 use crate::ir::liveness::Path;
-use crate::lower::routine::{Condition, Routine, Statement, Threshold};
+use crate::lower::routine::{Amounts, Condition, Routine, Statement, Threshold};
 use crate::model::mechanism::ParamKind;
 
 /// Rust, with all that a routine's statements read.
@@ -162,15 +162,6 @@ impl Dialect for InRust<'_> {
             printer.value(spread, to.put(", "));
             to.put(");\n");
         }
-        if let Check::Amount(contacts) = &condition.check {
-            to.put("let ")
-                .put(&printer.local(condition.id))
-                .put(" = checks_.guard(")
-                .append(&value);
-            amount(printer, contacts, &condition.operands, to.put(", "));
-            to.put(");\n");
-            return;
-        }
         let diagnosis = printer.dialect.cx.paths.written(condition.check.row().diagnosis);
         to.put("let ").put(&printer.local(condition.id)).put(" = checks_.guard(").append(&value);
         to.put(", ").put(&diagnosis).put("(");
@@ -182,6 +173,28 @@ impl Dialect for InRust<'_> {
             to.put(", ").put(word);
         });
         to.put("));\n");
+    }
+
+    /// One call for all of them: each stands in the equations of the others.
+    fn amounts(printer: &Printer<'_, Self>, amounts: &Amounts, to: &mut Text) {
+        let Amounts { joints, ids, starts, rows } = amounts;
+        to.put("let [").list(ids, |to, id| {
+            to.put(&id.map_or("_".to_string(), |id| printer.local(id)));
+        });
+        printer.values(starts, to.put("] = checks_.amounts(["));
+        let [amounts, system] =
+            ["Amounts", "System"].map(|item| printer.dialect.cx.paths.written(item));
+        to.put("], ").put(&amounts).put(" { system: ").put(&system).put(" { rows: [");
+        to.list(rows.chunks(rows.len() / ids.len()), |to, row| {
+            printer.values(row, to.put("["));
+            to.put("]");
+        });
+        let guides = joints.iter().enumerate().map(|(j, (_, is_guide))| u32::from(*is_guide) << j);
+        to.put(&format!("], guides: {} }}, joints: [", guides.sum::<u32>()));
+        to.list(joints, |to, (joint, _)| {
+            to.put(&quoted(joint));
+        });
+        to.put("] });\n");
     }
 
     /// The root of an equation, found by a function of its own.
@@ -233,26 +246,6 @@ impl Dialect for InRust<'_> {
         let as_array = printer.dialect.cx.paths.written("Record");
         to.put(&format!("]);\nreturn {as_array}::from_array([zero_; {numbers}]);\n}}\n"));
     }
-}
-
-/// The rows of amounts of friction, a list each.
-fn amount(
-    printer: &RustPrinter<'_>,
-    Contacts { at, joints }: &Contacts,
-    operands: &[Id],
-    to: &mut Text,
-) {
-    let guides = joints.iter().enumerate().map(|(j, (_, is_guide))| u32::from(*is_guide) << j);
-    to.put(&printer.dialect.cx.paths.written("Amount")).put(" { rows: [");
-    to.list(operands.chunks(operands.len() / joints.len()), |to, row| {
-        printer.values(row, to.put("["));
-        to.put("]");
-    });
-    to.put(&format!("], at: {at}, guides: {}, joints: [", guides.sum::<u32>()));
-    to.list(joints, |to, (joint, _)| {
-        to.put(&quoted(joint));
-    });
-    to.put("] }");
 }
 
 /// A string as code.

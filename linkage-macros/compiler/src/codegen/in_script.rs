@@ -8,7 +8,7 @@ use super::identifiers::CIRCLE;
 use super::printer::{Dialect, Operation, Printer};
 use super::text::Text;
 use crate::ir::graph::{Graph, Id, Node};
-use crate::lower::routine::{Condition, Statement, Threshold};
+use crate::lower::routine::{Amounts, Condition, Statement, Threshold};
 
 /// JavaScript.
 pub(super) struct InScript<'a> {
@@ -102,6 +102,10 @@ impl Dialect for InScript<'_> {
             to.put(", ").put(&quoted(word));
         }
         to.put(");\n");
+    }
+
+    fn amounts(_: &Printer<'_, Self>, _: &Amounts, _: &mut Text) {
+        unreachable!("a page shows no forces of what rubs")
     }
 
     fn find(_: &Printer<'_, Self>, _: usize, _: Id, _: Option<Id>, _: &mut Text) {

@@ -6,7 +6,9 @@
 use super::text::Text;
 use crate::function::Function;
 use crate::ir::graph::{Graph, Id, Node};
-use crate::lower::routine::{Condition, Lowered, Reading, Routine, Statement, Sum, Threshold};
+use crate::lower::routine::{
+    Amounts, Condition, Lowered, Reading, Routine, Statement, Sum, Threshold,
+};
 
 /// A language that routines are printed in. Infix operators and their precedence are those that
 /// Rust, C and JavaScript share, and so is the call of a function.
@@ -49,6 +51,9 @@ pub(super) trait Dialect: Sized {
 
     /// Asks a condition, and binds what goes on in its value's place.
     fn condition(printer: &Printer<'_, Self>, condition: &Condition, to: &mut Text);
+
+    /// Asks whether amounts of friction solve their equations, and binds those that go on.
+    fn amounts(printer: &Printer<'_, Self>, amounts: &Amounts, to: &mut Text);
 
     /// Binds the root of an equation, and the size that its rounding is measured by.
     fn find(printer: &Printer<'_, Self>, search: usize, root: Id, size: Option<Id>, to: &mut Text);
@@ -125,6 +130,7 @@ impl<'a, D: Dialect> Printer<'a, D> {
                 D::length(self, *id, [x, y], *least_square, to);
             }
             Statement::Check(condition) => D::condition(self, condition, to),
+            Statement::Amounts(amounts) => D::amounts(self, amounts, to),
             Statement::Find { search, root, size } => D::find(self, *search, *root, *size, to),
             Statement::ReportClearances { statements, clearances } => {
                 D::tell(self, statements, clearances, to);

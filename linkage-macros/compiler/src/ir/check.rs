@@ -37,8 +37,9 @@ pub(crate) enum Check {
     /// A squared length below the smallest of full precision is refused, as `Singular` where it is the
     /// square of zero.
     Square,
-    /// An amount of friction solves its equation. Operands: the rows of all amounts that depend on each
-    /// other, as the run-time crate lays them out.
+    /// An amount of friction among those that depend on each other; the value is where steps to it begin.
+    /// Both paths put the solution of all amounts' equations in its place. Operands: the row of each amount,
+    /// as the run-time crate lays it out, then the value of each.
     Amount(Contacts),
     /// `Square` of d with the first four operands of `ReachCircles`: out of reach where these circles do
     /// not meet.
@@ -118,8 +119,8 @@ impl Check {
             Self::Closed(_) => row("Closed", None, true, |_| false),
             Self::Moving => row("Moving", above_rounding, true, is_positive),
             Self::Square => row("Square", full_square, false, is_square),
-            // Both paths ask; the slow one searches on where straight-line steps have not ended.
-            Self::Amount(_) => row("Amount", None, true, |_| false),
+            // Both paths solve; the slow one searches on where straight-line steps have not ended.
+            Self::Amount(_) => row("Amounts", None, true, |_| false),
             Self::SquareOfCentres => row("SquareOfCentres", full_square, true, is_square),
         }
     }

@@ -6,7 +6,7 @@
 use std::ops::AddAssign;
 
 use crate::function::Function;
-use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::graph::{Check, Contacts, Graph, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, trial_nodes, tried, unguarded};
 
@@ -67,6 +67,12 @@ impl<'g> Costs<'g> {
                 let by = *multiplied.or_insert(factors(graph, a, b), id);
                 Cost::Shared { by, is_sine: false, adds: matches!(node, Node::Fused(..)) }
             }
+            Node::Guard(_, guard)
+                if let Check::Amount(contacts) = &graph.condition(guard).check =>
+            {
+                // All are solved with the first.
+                if contacts.at == 0 { Cost::Alone(of_amounts(contacts)) } else { Cost::Nothing }
+            }
             // The comparison with what is not known before run time takes its last places.
             Node::Guard(..) => match graph.spread(node) {
                 Some(spread) if graph.as_constant(spread).is_none() => {
@@ -111,6 +117,27 @@ impl<'g> Costs<'g> {
         }
         total
     }
+}
+
+/// The operations that solve the equations of amounts of friction: four steps of Newton's method, and what
+/// asks whether three were enough.
+fn of_amounts(Contacts { joints, .. }: &Contacts) -> Operations {
+    let mut total = Operations::default();
+    let mut fused = |count: usize| {
+        total.additions += count as u32;
+        total.multiplications += count as u32;
+    };
+    let count = joints.len();
+    let pins = joints.iter().filter(|(_, is_guide)| !is_guide).count();
+    let below = count * (count - 1) / 2;
+    let elimination = (0..count).map(|k| (count - k - 1).pow(2)).sum::<usize>();
+    // Reactions, slopes, I − Φ′ and Φ − x; the elimination, and both sides of it.
+    fused(4 * count * (2 * count + 2 * count + 1) + 4 * (elimination + 2 * below));
+    // The bounds of all pairs, their elimination, the reactions and sizes once more.
+    fused(2 * pins * (count + 2) + elimination + count * (2 * count + count + 1));
+    total.divisions = (4 * (pins + below + count) + below) as u32;
+    total.roots = (4 * pins + pins * (count + 2)) as u32;
+    total
 }
 
 /// Factors of a product, regardless of signs, guards and order.

@@ -1,9 +1,11 @@
 //! Computes a program's values with any kind of number: the oracle for everything that rewrites
 //! programs. In real numbers a rounding error is zero and a fused operation is its two parts.
 
+mod amounts;
+
 use crate::exact::Exact;
 use crate::function::Function;
-use crate::ir::graph::{Id, Node, RootSearch, Target};
+use crate::ir::graph::{Check, Id, Node, RootSearch, Target};
 use crate::ir::liveness::{trial_nodes, tried};
 use crate::ir::program::Program;
 
@@ -171,7 +173,16 @@ fn value<N: Number>(
         Node::Select([a, b, x, y]) => if v(a).is_at_least(v(b)) { v(x) } else { v(y) }.clone(),
         Node::MulErr(..) | Node::AddErr(..) | Node::Low(_) => N::exact(&Exact::integer(0)),
         Node::Fused(a, b, c) => v(a).mul(v(b)).add(v(c)),
-        Node::Guard(value, _) => v(value).clone(),
+        Node::Guard(value, guard) => {
+            let guard = graph.condition(guard);
+            match &guard.check {
+                Check::Amount(contacts) => {
+                    let operands: Vec<_> = guard.operands.iter().map(|&id| v(id)).collect();
+                    amounts::solved(contacts, &operands)
+                }
+                _ => v(value).clone(),
+            }
+        }
         Node::Trial(_) => trial.expect("a trial is made in a search").clone(),
         Node::RootScale(_) => N::exact(&Exact::integer(1)),
         Node::Root(_) => unreachable!("a search of its own"),

@@ -2,10 +2,10 @@
 //! question for the slow path.
 
 use super::overflow::{Overflow, Spread};
-use super::routine::{Condition, Threshold};
+use super::routine::{Amounts, Condition, Threshold};
 use crate::ir::check::{Check, Comparison, Least};
 use crate::ir::graph::{Graph, Guard, Id, Node};
-use crate::ir::liveness::unguarded;
+use crate::ir::liveness::{live_nodes, unguarded};
 
 pub(super) fn condition(
     graph: &Graph,
@@ -35,6 +35,28 @@ pub(super) fn condition(
         operands,
         group: guard.group,
     }
+}
+
+/// All the amounts of friction that are solved together with one of them, as far as they are live.
+pub(super) fn amounts(
+    graph: &Graph,
+    live: &[bool],
+    of: &Guard,
+    joints: &[(String, bool)],
+) -> Amounts {
+    let (rows, starts) = of.operands.split_at(of.operands.len() - joints.len());
+    let mut ids = vec![None; joints.len()];
+    for (id, node) in live_nodes(graph, live) {
+        let Node::Guard(_, guard) = node else { continue };
+        let guard = graph.condition(guard);
+        if let Check::Amount(contacts) = &guard.check
+            && contacts.joints == joints
+            && guard.operands == of.operands
+        {
+            ids[contacts.at] = Some(id);
+        }
+    }
+    Amounts { joints: joints.to_vec(), ids, starts: starts.to_vec(), rows: rows.to_vec() }
 }
 
 fn spread(graph: &Graph, id: Id) -> Option<Spread<'_>> {

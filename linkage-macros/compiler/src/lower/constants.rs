@@ -36,6 +36,9 @@ impl Count<'_> {
                     self.value(condition.value);
                     condition.operands.iter().for_each(|&operand| self.value(operand));
                 }
+                Statement::Amounts(amounts) => {
+                    amounts.starts.iter().chain(&amounts.rows).for_each(|&id| self.value(id));
+                }
                 Statement::ReportClearances { statements, clearances } => {
                     self.statements(statements);
                     clearances.iter().for_each(|&id| self.value(id));

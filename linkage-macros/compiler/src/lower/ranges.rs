@@ -13,7 +13,7 @@ use super::interval::Interval;
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::ir::check::{Comparison, Least};
-use crate::ir::graph::{Graph, Guard, Id, Node};
+use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{live_nodes, unguarded};
 
@@ -184,6 +184,10 @@ impl Bounds<'_> {
 
     /// The range that the fast path goes on with, once it has asked for the threshold.
     fn guarded(&mut self, value: Id, Guard { check, operands, .. }: &Guard) -> Option<Interval> {
+        // It is the solution of an equation.
+        if matches!(check, Check::Amount(_)) {
+            return None;
+        }
         let range = self.of(value)?;
         let Some((comparison, least)) = check.row().comparison else { return Some(range) };
         let share = self.limits.share * range.largest();

@@ -121,6 +121,7 @@ pub(crate) enum Statement {
         least_square: Threshold,
     },
     Check(Condition),
+    Amounts(Amounts),
     /// The root of an equation, and the size that its rounding is measured by; an index into
     /// `Lowered::searches`.
     Find {
@@ -151,6 +152,19 @@ pub(crate) struct Condition {
     pub operands: Vec<Id>,
     /// Whose failure it is: an index into `Program::groups`.
     pub group: u32,
+}
+
+/// The solution of the equations of all amounts of friction that depend on each other.
+#[derive(Clone, Debug)]
+pub(crate) struct Amounts {
+    /// The joints, as errors name them, and whether each is a guide.
+    pub joints: Vec<(String, bool)>,
+    /// By amount, the node that goes on; none where nothing needs it.
+    pub ids: Vec<Option<Id>>,
+    /// The first values of the steps.
+    pub starts: Vec<Id>,
+    /// The rows of the equations, one after the other.
+    pub rows: Vec<Id>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use super::checks;
 use super::overflow::Overflow;
 use super::routine::{Locals, Search, Statement, Threshold, is_leaf};
 use crate::function::Function;
-use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::graph::{Check, Graph, GuardId, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, live_nodes, tried};
 
@@ -99,18 +99,26 @@ impl<'a> Schedule<'a> {
                 Node::RootScale(_) => None,
                 Node::Root(_) => Some(self.find(id)),
                 Node::Guard(..) if self.path == Path::Unchecked => None,
-                Node::Guard(value, guard) => Some(Statement::Check(checks::condition(
-                    graph,
-                    self.overflow,
-                    id,
-                    value,
-                    graph.condition(guard),
-                ))),
+                Node::Guard(value, guard) => Some(self.asked(&live, id, value, guard)),
                 _ => Some(Statement::Let(id)),
             };
             statements.extend(statement);
         }
         statements
+    }
+
+    /// The condition of a value. Amounts of friction that depend on each other are found at the first.
+    fn asked(&mut self, live: &[bool], id: Id, value: Id, guard: GuardId) -> Statement {
+        let condition = self.graph.condition(guard);
+        let Check::Amount(contacts) = &condition.check else {
+            let condition = checks::condition(self.graph, self.overflow, id, value, condition);
+            return Statement::Check(condition);
+        };
+        let amounts = checks::amounts(self.graph, live, condition, &contacts.joints);
+        for id in amounts.ids.iter().flatten() {
+            self.done[id.index()] = true;
+        }
+        Statement::Amounts(amounts)
     }
 
     /// The search for a root; the size may be wanted by a later stage.
@@ -151,6 +159,10 @@ impl<'a> Schedule<'a> {
                 self.for_locals(&[condition.value], each);
                 self.for_locals(&condition.operands, each);
             }
+            Statement::Amounts(amounts) => {
+                self.for_locals(&amounts.starts, each);
+                self.for_locals(&amounts.rows, each);
+            }
             Statement::ReportClearances { statements, clearances } => {
                 statements.iter().for_each(|statement| self.for_uses(statement, each));
                 self.for_locals(clearances, each);
@@ -165,6 +177,7 @@ pub(super) fn defines(statement: &Statement) -> Vec<Id> {
         Statement::Let(id) | Statement::Length { id, .. } => vec![*id],
         Statement::SinCos { sin, cos, .. } => sin.iter().chain(cos).copied().collect(),
         Statement::Check(condition) => vec![condition.id],
+        Statement::Amounts(amounts) => amounts.ids.iter().flatten().copied().collect(),
         Statement::Find { root, size, .. } => [*root].into_iter().chain(*size).collect(),
         Statement::ReportClearances { .. } => Vec::new(),
     }

@@ -101,7 +101,7 @@ impl Backwards<'_> {
                     || compares
                     || reads(&condition.id)
             }
-            Statement::Find { .. } => true,
+            Statement::Find { .. } | Statement::Amounts(_) => true,
             Statement::ReportClearances { .. } => false,
         }
     }
@@ -120,6 +120,9 @@ impl Backwards<'_> {
                 if self.asks == Asks::Compares {
                     condition.above_rounding.into_iter().for_each(|spread| self.value(spread));
                 }
+            }
+            Statement::Amounts(amounts) => {
+                amounts.starts.iter().chain(&amounts.rows).for_each(|&id| self.value(id));
             }
             Statement::Find { search, .. } => {
                 let search = &self.lowered.searches[*search];

@@ -9,7 +9,7 @@ use crate::codegen::text::Text;
 use crate::interface::entries::Given;
 use crate::ir::check::Comparison;
 use crate::ir::graph::{Id, Node};
-use crate::lower::routine::{Condition, Statement, Threshold};
+use crate::lower::routine::{Amounts, Condition, Statement, Threshold};
 use crate::lower::used::{Asks, Used};
 
 /// C of one width on one path.
@@ -130,6 +130,10 @@ impl Dialect for InC<'_> {
             Asks::Compares => compared(printer, condition, to),
             Asks::Diagnoses => diagnosed(printer, condition, to),
         }
+    }
+
+    fn amounts(_: &Printer<'_, Self>, _: &Amounts, _: &mut Text) {
+        unreachable!("a mechanism with friction is not printed")
     }
 
     /// The call of the search of this index, whose numbers no trial changes.

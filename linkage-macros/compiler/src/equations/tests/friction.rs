@@ -118,8 +118,7 @@ struct Rubbed<T> {
     slip: [T; 2],
 }
 
-/// Three steps of Newton's method from ρ² of an amount, each at most squaring it: a hundredth at ρ = 0.1
-/// becomes 10⁻¹⁶, and a fourth step follows. At rest and in motion.
+/// Amounts and reactions agree to a hundred digits; their share is taken in doubles. At rest and in motion.
 const SETTLED: f64 = 1e-13;
 
 fn check(
