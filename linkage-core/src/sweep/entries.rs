@@ -7,85 +7,40 @@ use crate::roots::seed::Seed;
 use crate::solver::{Solver, number};
 use crate::{Float, Record, Scalar, SolveError};
 
-impl<T, S, const IN: usize, const OUT: usize> Entry<OfPosition, T, IN, OUT> for S
-where
-    T: Float,
-    S: Solver<Scalar = T>,
-{
-    #[inline(always)]
-    fn solve<U: Scalar>(&self, given: [U; IN], put: impl FnOnce(&[U])) -> U::Mask {
-        Solver::solve::<0, U>(self, |at| number(&given, at), put)
-    }
+/// The entry point of a solver's method, which is given so many orders of the inputs, these.
+macro_rules! entry {
+    ($of:ident: $method:ident by $count:literal, $($order:literal)*) => {
+        impl<T, S, const IN: usize, const OUT: usize> Entry<$of, T, IN, OUT> for S
+        where
+            T: Float,
+            S: Solver<Scalar = T>,
+        {
+            #[inline(always)]
+            fn solve<U: Scalar>(&self, given: [U; IN], put: impl FnOnce(&[U])) -> U::Mask {
+                Solver::solve::<{ $count - 1 }, U>(self, |at| number(&given, at), put)
+            }
 
-    fn solve_one(&self, given: [T; IN], put: impl FnOnce(&[T])) -> Result<(), SolveError> {
-        put_found(Solver::position(self, nth::<S, IN, 1>(&given, 0)), put)
-    }
+            fn solve_one(&self, given: [T; IN], put: impl FnOnce(&[T])) -> Result<(), SolveError> {
+                put_found(Solver::$method(self, $(nth::<S, IN, $count>(&given, $order)),*), put)
+            }
 
-    #[inline]
-    fn follow_one(
-        &self,
-        given: [T; IN],
-        seeds: &mut [Seed<T>],
-        put: impl FnOnce(&[T]),
-    ) -> Result<(), SolveError> {
-        let single = |put| Entry::<OfPosition, T, IN, OUT>::solve_one(self, given, put);
-        follow::<S, IN, 0, _>(self, &given, seeds, put, single)
-    }
+            #[inline]
+            fn follow_one(
+                &self,
+                given: [T; IN],
+                seeds: &mut [Seed<T>],
+                put: impl FnOnce(&[T]),
+            ) -> Result<(), SolveError> {
+                let single = |put| Entry::<$of, T, IN, OUT>::solve_one(self, given, put);
+                follow::<S, IN, { $count - 1 }, _>(self, &given, seeds, put, single)
+            }
+        }
+    };
 }
 
-impl<T, S, const IN: usize, const OUT: usize> Entry<OfVelocity, T, IN, OUT> for S
-where
-    T: Float,
-    S: Solver<Scalar = T>,
-{
-    #[inline(always)]
-    fn solve<U: Scalar>(&self, given: [U; IN], put: impl FnOnce(&[U])) -> U::Mask {
-        Solver::solve::<1, U>(self, |at| number(&given, at), put)
-    }
-
-    fn solve_one(&self, given: [T; IN], put: impl FnOnce(&[T])) -> Result<(), SolveError> {
-        let [q, rate] = [0, 1].map(|order| nth::<S, IN, 2>(&given, order));
-        put_found(Solver::velocity(self, q, rate), put)
-    }
-
-    #[inline]
-    fn follow_one(
-        &self,
-        given: [T; IN],
-        seeds: &mut [Seed<T>],
-        put: impl FnOnce(&[T]),
-    ) -> Result<(), SolveError> {
-        let single = |put| Entry::<OfVelocity, T, IN, OUT>::solve_one(self, given, put);
-        follow::<S, IN, 1, _>(self, &given, seeds, put, single)
-    }
-}
-
-impl<T, S, const IN: usize, const OUT: usize> Entry<OfMotion, T, IN, OUT> for S
-where
-    T: Float,
-    S: Solver<Scalar = T>,
-{
-    #[inline(always)]
-    fn solve<U: Scalar>(&self, given: [U; IN], put: impl FnOnce(&[U])) -> U::Mask {
-        Solver::solve::<2, U>(self, |at| number(&given, at), put)
-    }
-
-    fn solve_one(&self, given: [T; IN], put: impl FnOnce(&[T])) -> Result<(), SolveError> {
-        let [q, rate, acceleration] = [0, 1, 2].map(|order| nth::<S, IN, 3>(&given, order));
-        put_found(Solver::motion(self, q, rate, acceleration), put)
-    }
-
-    #[inline]
-    fn follow_one(
-        &self,
-        given: [T; IN],
-        seeds: &mut [Seed<T>],
-        put: impl FnOnce(&[T]),
-    ) -> Result<(), SolveError> {
-        let single = |put| Entry::<OfMotion, T, IN, OUT>::solve_one(self, given, put);
-        follow::<S, IN, 2, _>(self, &given, seeds, put, single)
-    }
-}
+entry!(OfPosition: position by 1, 0);
+entry!(OfVelocity: velocity by 2, 0 1);
+entry!(OfMotion: motion by 3, 0 1 2);
 
 /// Solves a pose by the seeds of its searches, or else as `single` does.
 #[inline]
