@@ -309,14 +309,9 @@ pub(super) fn longest_in_small_units(tree: &Declaration) -> Option<Exact> {
         }
     };
     for statement in &tree.statements {
-        expressions(statement, &mut |expr| each_part(expr, &mut note));
+        expressions(statement, &mut |expr| expr.each_part(&mut note));
     }
     longest.filter(|longest: &Exact| !has_metres && !longest.is_zero())
-}
-
-fn each_part(expr: &tree::Expr, f: &mut impl FnMut(&tree::Expr)) {
-    f(expr);
-    expr.parts().for_each(|part| each_part(part, f));
 }
 
 /// True if the expression is a number with a unit beside the SI unit of this dimension, or a product with one.

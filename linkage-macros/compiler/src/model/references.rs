@@ -114,8 +114,9 @@ pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
 
 /// Calls `f` with every name in the expression.
 pub(super) fn names_in(expr: &Expr, f: &mut impl FnMut(&Ident)) {
-    if let ExprKind::Name(name) | ExprKind::Member(name, _) = &expr.kind {
-        f(name);
-    }
-    expr.parts().for_each(|part| names_in(part, f));
+    expr.each_part(&mut |part| {
+        if let ExprKind::Name(name) | ExprKind::Member(name, _) = &part.kind {
+            f(name);
+        }
+    });
 }

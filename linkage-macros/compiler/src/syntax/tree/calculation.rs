@@ -54,6 +54,12 @@ impl Expr {
         }
     }
 
+    /// Calls `f` with the expression and every part of it, outer parts first.
+    pub(crate) fn each_part(&self, f: &mut impl FnMut(&Self)) {
+        f(self);
+        self.parts().for_each(|part| part.each_part(f));
+    }
+
     /// The expression with each part that the function gives another for replaced by that, outer parts
     /// first; what is given is not looked into.
     pub(crate) fn replaced(&self, by: &impl Fn(&Self) -> Option<Self>) -> Self {
