@@ -15,7 +15,7 @@ fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed=src/mechanism.rs");
     // A header that is gone is written again.
     println!("cargo::rerun-if-changed=include/flying_shear.h");
-    let include = Path::new(env!("CARGO_MANIFEST_DIR")).join("include");
+    let include = Path::new(&std::env::var("CARGO_MANIFEST_DIR").expect("cargo sets it")).join("include");
     let header = include.join("flying_shear.h");
     // An unchanged header is left alone, so that no C file is compiled again.
     if fs::read(&header).is_ok_and(|held| held == FlyingShear::C_HEADER.as_bytes()) {
