@@ -1,11 +1,10 @@
 //! The choice among the ways to solve a group: each is followed from the drawing both ways, and the one whose
 //! interval holds the longest motion is taken.
 
-use super::cutting::Found;
+use super::cutting::{Found, SearchedGroup};
 use super::following::{self, Band, is_inside, run};
 use super::limits::sine;
 use super::machine::Machine;
-use super::options::Search;
 use super::pose::Posed;
 use super::trace::{Sample, Trace, given};
 
@@ -22,28 +21,33 @@ const ENOUGH: f64 = 0.99;
 
 /// An option with its score in the drawing.
 struct Rated {
-    search: Search,
+    search: SearchedGroup,
     score: f64,
 }
 
-fn length(search: &Search) -> f64 {
+fn length(search: &SearchedGroup) -> f64 {
     search.stretch[1] - search.stretch[0]
 }
 
 /// The option whose interval holds longest; `None` where there is none off its limits.
-pub(super) fn chosen(machine: &Machine, before: &[Found], options: Vec<Search>) -> Option<Search> {
+pub(super) fn chosen(
+    machine: &Machine,
+    before: &[Found],
+    options: Vec<SearchedGroup>,
+) -> Option<SearchedGroup> {
     let mut rated: Vec<_> =
         options.into_iter().filter_map(|search| rated(machine, before, search)).collect();
     // The order of options decides between equals.
     rated.sort_by(|a, b| b.score.total_cmp(&a.score));
     rated.truncate(FOLLOWED);
-    let mut best: Option<Search> = None;
+    let mut best: Option<SearchedGroup> = None;
     for Rated { search, .. } in rated {
         let Some(found) = followed(machine, before, search) else { continue };
-        let is_better = |best: &Search| match (is_inside(found.stretch), is_inside(best.stretch)) {
-            (now, before) if now != before => now,
-            _ => length(&found) > 1.001 * length(best),
-        };
+        let is_better =
+            |best: &SearchedGroup| match (is_inside(found.stretch), is_inside(best.stretch)) {
+                (now, before) if now != before => now,
+                _ => length(&found) > 1.001 * length(best),
+            };
         if best.as_ref().is_none_or(is_better) {
             best = Some(found);
         }
@@ -51,7 +55,7 @@ pub(super) fn chosen(machine: &Machine, before: &[Found], options: Vec<Search>) 
     best
 }
 
-fn rated(machine: &Machine, before: &[Found], mut search: Search) -> Option<Rated> {
+fn rated(machine: &Machine, before: &[Found], mut search: SearchedGroup) -> Option<Rated> {
     let mut given = given(machine, 0.0);
     let mut posed = Posed::new(machine);
     posed.run(before, &mut given, 0.0)?;
@@ -68,7 +72,7 @@ fn rated(machine: &Machine, before: &[Found], mut search: Search) -> Option<Rate
 
 /// The option with the interval that holds the longest stretch about the drawing: one with constant
 /// ends where it holds about as much as one that follows the drive.
-fn followed(machine: &Machine, before: &[Found], search: Search) -> Option<Search> {
+fn followed(machine: &Machine, before: &[Found], search: SearchedGroup) -> Option<SearchedGroup> {
     let trace = Trace::of(machine, before, &search);
     let band = match machine.has_one_motion() {
         true => following::band(&trace, &search),
@@ -82,14 +86,21 @@ fn followed(machine: &Machine, before: &[Found], search: Search) -> Option<Searc
         {
             Some(constant)
         }
-        (_, Some(Band { following, half, stretch })) => {
-            Some(Search { between: [-half, half], stretch, following: Some(following), ..search })
-        }
+        (_, Some(Band { following, half, stretch })) => Some(SearchedGroup {
+            between: [-half, half],
+            stretch,
+            following: Some(following),
+            ..search
+        }),
         (constant, None) => constant,
     }
 }
 
-fn with_constant_ends(machine: &Machine, trace: &Trace<'_>, mut search: Search) -> Option<Search> {
+fn with_constant_ends(
+    machine: &Machine,
+    trace: &Trace<'_>,
+    mut search: SearchedGroup,
+) -> Option<SearchedGroup> {
     let last = trace.samples.len().checked_sub(1)?;
     let mut good = [trace.drawn; 2];
     let mut between = checked(machine, &search, trace, good)?;
@@ -123,7 +134,7 @@ fn with_constant_ends(machine: &Machine, trace: &Trace<'_>, mut search: Search) 
 /// trend.
 fn checked(
     machine: &Machine,
-    search: &Search,
+    search: &SearchedGroup,
     trace: &Trace<'_>,
     [first, last]: [usize; 2],
 ) -> Option<[f64; 2]> {
@@ -142,7 +153,7 @@ fn checked(
 
 fn has_one_root<'m>(
     trace: &Trace<'m>,
-    search: &Search,
+    search: &SearchedGroup,
     sample: &Sample<'m>,
     [low, high]: [f64; 2],
 ) -> bool {

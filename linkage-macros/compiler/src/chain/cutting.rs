@@ -1,7 +1,7 @@
 //! Drivers and dyads among bodies that depend on each other.
 
+use super::fit::Following;
 use super::machine::{Driven, Held, Machine};
-use super::options::Search;
 
 /// The step that places bodies once all before it are placed.
 #[derive(Clone, Debug)]
@@ -20,7 +20,27 @@ pub(crate) enum Found {
         slide: usize,
     },
     Dyad(Dyad),
-    Search(Box<Search>),
+    Search(Box<SearchedGroup>),
+}
+
+/// A group that is solved by one unknown.
+#[derive(Clone, Debug)]
+pub(crate) struct SearchedGroup {
+    pub left_out: usize,
+    /// The body that a drive holds together with it, at the second joint.
+    pub held: Option<(usize, Held)>,
+    /// The joints that hold it: two pins, or a pin and a slide behind it.
+    pub joints: [Pair; 2],
+    /// First what the unknown drives.
+    pub steps: Vec<Found>,
+    /// The ends of the unknown, from its value in the drawing or from the value that it follows.
+    pub between: [f64; 2],
+    /// True if the equation's left side grows with the unknown.
+    pub rises: bool,
+    /// The interval of the first drive, measured from the drawing, in which the search was followed.
+    pub stretch: [f64; 2],
+    /// The value over the first drive from which the ends are measured.
+    pub following: Option<Following>,
 }
 
 /// Two legs, each with a joint outside, and a joint between them.

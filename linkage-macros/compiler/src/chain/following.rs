@@ -8,9 +8,9 @@ use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
 use super::curve::Curve;
+use super::cutting::SearchedGroup;
 use super::fit::Following;
 use super::machine::Driven;
-use super::options::Search;
 use super::trace::{LEAST_ROOM, Sample, Trace};
 
 /// The degrees that are tried, without and with square roots towards dead points.
@@ -51,7 +51,7 @@ impl Band {
 }
 
 /// The interval that holds the longest stretch about the drawing.
-pub(super) fn band(trace: &Trace<'_>, search: &Search) -> Option<Band> {
+pub(super) fn band(trace: &Trace<'_>, search: &SearchedGroup) -> Option<Band> {
     let rooms: Vec<_> = trace.samples.iter().map(|sample| trace.room(search, sample)).collect();
     let unit = search.unit(trace.machine);
     let bands: Vec<_> = FITS.iter().filter_map(|&fit| fitted(trace, &rooms, unit, fit)).collect();

@@ -1,31 +1,10 @@
 //! The solution of a class III group by one unknown: one link is left out, the unknown drives another, and
 //! the rest are drivers and dyads. The link that was left out is the equation.
 
-use super::cutting::{Found, KNOWN, Pair, Placed, Unplaced};
-use super::fit::Following;
+use super::cutting::{Found, KNOWN, Pair, Placed, SearchedGroup, Unplaced};
 use super::machine::{GROUND, Held, Machine};
 
-/// A group that is solved by one unknown.
-#[derive(Clone, Debug)]
-pub(crate) struct Search {
-    pub left_out: usize,
-    /// The body that a drive holds together with it, at the second joint.
-    pub held: Option<(usize, Held)>,
-    /// The joints that hold it: two pins, or a pin and a slide behind it.
-    pub joints: [Pair; 2],
-    /// First what the unknown drives.
-    pub steps: Vec<Found>,
-    /// The ends of the unknown, from its value in the drawing or from the value that it follows.
-    pub between: [f64; 2],
-    /// True if the equation's left side grows with the unknown.
-    pub rises: bool,
-    /// The interval of the first drive, measured from the drawing, in which the search was followed.
-    pub stretch: [f64; 2],
-    /// The value over the first drive from which the ends are measured.
-    pub following: Option<Following>,
-}
-
-impl Search {
+impl SearchedGroup {
     fn of(
         left_out: usize,
         held: Option<(usize, Held)>,
@@ -37,7 +16,7 @@ impl Search {
     }
 }
 
-impl Search {
+impl SearchedGroup {
     /// The unit of the unknown: a radian, or the size of the machine.
     pub(super) fn unit(&self, machine: &Machine) -> f64 {
         match self.steps[0] {
@@ -48,7 +27,7 @@ impl Search {
 }
 
 /// All ways to solve a group by one unknown, angles against the ground first.
-pub(crate) fn options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec<Search> {
+pub(crate) fn options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec<SearchedGroup> {
     let parts: Vec<_> = group.iter().map(|&body| vec![body]).collect();
     let all = Unplaced { machine, known: known.clone(), parts };
     let set: Vec<_> = (0..group.len()).collect();
@@ -73,12 +52,12 @@ pub(crate) fn options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec
         let rest: Vec<_> = group.iter().copied().filter(|&other| other != body).collect();
         for driven in driven(machine, known, &rest) {
             if let Some(steps) = by_dyads(machine, known, &rest, driven) {
-                found.push(Search::of(body, None, [first, second], steps));
+                found.push(SearchedGroup::of(body, None, [first, second], steps));
             }
         }
     }
     found.extend(held_options(machine, known, group));
-    let is_of_ground = |search: &Search| match search.steps[0] {
+    let is_of_ground = |search: &SearchedGroup| match search.steps[0] {
         Found::Crank { reference, .. } => reference == GROUND,
         _ => true,
     };
@@ -87,7 +66,7 @@ pub(crate) fn options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec
 }
 
 /// The ways that leave out two bodies which a drive holds together, pinned at both ends.
-fn held_options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec<Search> {
+fn held_options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec<SearchedGroup> {
     let mut found = Vec::new();
     for drive in &machine.drives {
         let Some(held) = machine.held(drive.bodies) else { continue };
@@ -112,7 +91,7 @@ fn held_options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec<Searc
         };
         for driven in driven(machine, known, &rest) {
             if let Some(steps) = by_dyads(machine, known, &rest, driven) {
-                found.push(Search::of(a, Some((b, held)), ends.map(Pair::Pin), steps));
+                found.push(SearchedGroup::of(a, Some((b, held)), ends.map(Pair::Pin), steps));
             }
         }
     }

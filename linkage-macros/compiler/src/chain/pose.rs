@@ -1,9 +1,8 @@
 //! Poses of the groups that were found, from the drawing on.
 
-use super::cutting::{Dyad, Found, Pair};
+use super::cutting::{Dyad, Found, Pair, SearchedGroup};
 use super::limits::sine;
 use super::machine::{GROUND, Held, Machine};
-use super::options::Search;
 use super::plane::{Complex, root};
 
 /// The motion of a body from the drawing: z ↦ shift + turn z.
@@ -96,7 +95,7 @@ impl<'m> Posed<'m> {
     /// The residual of a search's equation, as a length.
     pub(super) fn residual(
         &mut self,
-        search: &Search,
+        search: &SearchedGroup,
         given: &mut Given,
         unknown: f64,
     ) -> Option<f64> {
@@ -130,7 +129,12 @@ impl<'m> Posed<'m> {
     }
 
     /// The slope of the equation over the unknown.
-    pub(super) fn slope(&self, search: &Search, given: &mut Given, unknown: f64) -> Option<f64> {
+    pub(super) fn slope(
+        &self,
+        search: &SearchedGroup,
+        given: &mut Given,
+        unknown: f64,
+    ) -> Option<f64> {
         // A part of the unit, so that a scaled drawing is the same.
         let step = 1e-6 * search.unit(self.machine);
         let mut at = |unknown: f64| self.clone().residual(search, given, unknown);
@@ -138,7 +142,12 @@ impl<'m> Posed<'m> {
     }
 
     /// Newton's root of a search beside a start; its bodies are placed there.
-    pub(super) fn solve(&mut self, search: &Search, given: &mut Given, start: f64) -> Option<f64> {
+    pub(super) fn solve(
+        &mut self,
+        search: &SearchedGroup,
+        given: &mut Given,
+        start: f64,
+    ) -> Option<f64> {
         const STEPS: usize = 20;
         let mut unknown = start;
         for _ in 0..STEPS {

@@ -1,9 +1,8 @@
 //! The motion of a machine on one way to solve a group: followed from the drawing both ways until it
 //! ends.
 
-use super::cutting::Found;
+use super::cutting::{Found, SearchedGroup};
 use super::machine::{Driven, Machine};
-use super::options::Search;
 use super::pose::{Given, Posed};
 
 /// The most poses each way at full steps.
@@ -47,7 +46,7 @@ pub(super) fn given(machine: &Machine, drive: f64) -> Given {
 
 impl<'m> Trace<'m> {
     /// The motion both ways from the drawing until the option ends.
-    pub(super) fn of(machine: &'m Machine, before: &[Found], search: &Search) -> Self {
+    pub(super) fn of(machine: &'m Machine, before: &[Found], search: &SearchedGroup) -> Self {
         let slides =
             matches!(machine.drives.first().map(|drive| drive.kind), Some(Driven::Slide(_)));
         let step = if slides { machine.size() } else { std::f64::consts::PI } / POSES as f64;
@@ -63,7 +62,7 @@ impl<'m> Trace<'m> {
         trace
     }
 
-    fn in_steps(machine: &'m Machine, before: &[Found], search: &Search, step: f64) -> Self {
+    fn in_steps(machine: &'m Machine, before: &[Found], search: &SearchedGroup, step: f64) -> Self {
         let mut samples = way(machine, before, search, -step);
         samples.reverse();
         let drawn = samples.len().saturating_sub(1);
@@ -72,13 +71,18 @@ impl<'m> Trace<'m> {
     }
 
     /// The residual of the equation in a pose.
-    pub(super) fn residual(&self, search: &Search, sample: &Sample<'m>, at: f64) -> Option<f64> {
+    pub(super) fn residual(
+        &self,
+        search: &SearchedGroup,
+        sample: &Sample<'m>,
+        at: f64,
+    ) -> Option<f64> {
         sample.before.clone().residual(search, &mut given(self.machine, sample.drive), at)
     }
 
     /// The width on both sides of a root on which everything assembles and the equation keeps its
     /// trend; zero where there is none.
-    pub(super) fn room(&self, search: &Search, sample: &Sample<'m>) -> f64 {
+    pub(super) fn room(&self, search: &SearchedGroup, sample: &Sample<'m>) -> f64 {
         const PARTS: usize = 4;
         let unit = search.unit(self.machine);
         let has_trend = |room: &f64| {
@@ -95,7 +99,7 @@ impl<'m> Trace<'m> {
 }
 
 /// The turns of the unknown between two poses a turn apart, if they are one pose.
-fn closing(search: &Search, first: &Sample<'_>, last: &Sample<'_>) -> Option<i32> {
+fn closing(search: &SearchedGroup, first: &Sample<'_>, last: &Sample<'_>) -> Option<i32> {
     const TURN: f64 = std::f64::consts::TAU;
     // Roots are found to 1e-11.
     const OFF: f64 = 1e-8;
@@ -109,7 +113,12 @@ fn closing(search: &Search, first: &Sample<'_>, last: &Sample<'_>) -> Option<i32
 }
 
 /// The poses from the drawing on, with the step halved where it leads beyond the end.
-fn way<'m>(machine: &'m Machine, before: &[Found], search: &Search, step: f64) -> Vec<Sample<'m>> {
+fn way<'m>(
+    machine: &'m Machine,
+    before: &[Found],
+    search: &SearchedGroup,
+    step: f64,
+) -> Vec<Sample<'m>> {
     let mut samples: Vec<Sample<'m>> = Vec::new();
     let mut given = given(machine, 0.0);
     let (mut part, mut done, mut index) = (1.0, 0.0, 0);
@@ -138,7 +147,7 @@ fn way<'m>(machine: &'m Machine, before: &[Found], search: &Search, step: f64) -
 fn next<'m>(
     machine: &'m Machine,
     before: &[Found],
-    search: &Search,
+    search: &SearchedGroup,
     (drive, unknown): (f64, f64),
     given: &mut Given,
 ) -> Option<Sample<'m>> {

@@ -4,9 +4,8 @@
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
-use crate::chain::cutting::{DyadLeg, Found, Pair};
+use crate::chain::cutting::{DyadLeg, Found, Pair, SearchedGroup};
 use crate::chain::machine::Driven;
-use crate::chain::options::Search;
 use crate::chain::plane::Complex;
 use crate::model::names::Names;
 use crate::syntax::tree::{Expr, ExprKind, FieldValue, Solve, StatementKind};
@@ -44,7 +43,7 @@ impl Writer<'_, '_> {
         }
     }
 
-    pub(super) fn search(&mut self, search: &Search) {
+    pub(super) fn search(&mut self, search: &SearchedGroup) {
         let links = search.steps.iter().flat_map(bodies_of).chain([search.left_out]);
         let links = links.chain(search.held.map(|(body, _)| body));
         let behind = links.map(|body| self.bodies.link(body).statement).max().unwrap_or(0);
@@ -108,7 +107,7 @@ impl Writer<'_, '_> {
     }
 
     /// The equation of a bar, and the bar behind it.
-    fn distance(&mut self, search: &Search, unknown: &Ident, [first, second]: [usize; 2]) {
+    fn distance(&mut self, search: &SearchedGroup, unknown: &Ident, [first, second]: [usize; 2]) {
         let body = search.left_out;
         let leg = DyadLeg {
             bodies: [body].into_iter().chain(search.held.map(|(body, _)| body)).collect(),
@@ -124,7 +123,7 @@ impl Writer<'_, '_> {
     }
 
     /// The equation of a block, and the block behind it.
-    fn offset_of(&mut self, search: &Search, unknown: &Ident, pin: usize, slide: usize) {
+    fn offset_of(&mut self, search: &SearchedGroup, unknown: &Ident, pin: usize, slide: usize) {
         let body = search.left_out;
         let guide = self.guide_of(slide);
         let (offset, rail) = (self.offset(guide, pin), self.rail(slide, body));
@@ -159,7 +158,7 @@ impl Writer<'_, '_> {
 
     fn solve(
         &mut self,
-        search: &Search,
+        search: &SearchedGroup,
         unknown: &Ident,
         (function, of): (&str, [&Ident; 2]),
         wanted: Expr,
