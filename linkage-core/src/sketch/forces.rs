@@ -33,12 +33,12 @@ enum Kind {
 
 /// The loads that the user wants drawn: names of points with x and y of a force, or a couple, in each pose.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Asked {
+pub(super) struct DrawnLoads {
     pub forces: Vec<(String, Vec<[f64; 2]>)>,
     pub couples: Vec<(String, Vec<f64>)>,
 }
 
-impl Asked {
+impl DrawnLoads {
     pub(super) fn is_empty(&self) -> bool {
         self.forces.is_empty() && self.couples.is_empty()
     }
@@ -56,7 +56,11 @@ const NOTHING: f64 = 1e-3;
 
 impl Load {
     /// All forces to one scale, and all couples to another.
-    pub(super) fn all(scene: &Scene, view: View, asked: &Asked) -> Result<Vec<Self>, SketchError> {
+    pub(super) fn all(
+        scene: &Scene,
+        view: View,
+        asked: &DrawnLoads,
+    ) -> Result<Vec<Self>, SketchError> {
         let sizes = asked.forces.iter().flat_map(|(_, force)| force).map(|[x, y]| x.hypot(*y));
         let strongest = largest(sizes);
         let force = |(name, values): &(String, Vec<[f64; 2]>)| {

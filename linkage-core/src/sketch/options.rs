@@ -3,7 +3,7 @@
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::forces::Asked;
+use super::forces::DrawnLoads;
 use super::plan::Applied;
 use super::style::{Theme, Unit, WIDTH};
 use crate::{Record, SolveError};
@@ -18,7 +18,7 @@ pub(super) struct Options {
     pub width: f64,
     pub unit: Option<Unit>,
     pub title: Option<String>,
-    pub loads: Asked,
+    pub loads: DrawnLoads,
     pub has_scale: bool,
     pub poses: usize,
     /// True if only the first pose is drawn in full.
@@ -35,7 +35,7 @@ impl Default for Options {
             width: WIDTH,
             unit: None,
             title: None,
-            loads: Asked::default(),
+            loads: DrawnLoads::default(),
             has_scale: true,
             poses: 1,
             is_still: false,

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::identifiers::{Names, generated};
+use super::identifiers::{GeneratedNames, generated};
 use super::paths::Paths;
 use super::text::Text;
 use super::token_list::Tokens;
@@ -24,7 +24,7 @@ pub(super) struct Context<'a> {
     pub lowered: &'a Lowered<'a>,
     pub interface: &'a Interface,
     pub paths: Paths,
-    pub names: Names,
+    pub names: GeneratedNames,
     /// The written form of each constant, rounded once.
     constants: RefCell<Map<Node, Rc<str>>>,
     /// True if the solver computes with `f64` alone, so that constants are plain numbers.
@@ -33,7 +33,7 @@ pub(super) struct Context<'a> {
 
 impl<'a> Context<'a> {
     pub(super) fn new(mechanism: &'a Mechanism, lowered: &'a Lowered<'a>) -> Self {
-        let names = Names::new(mechanism);
+        let names = GeneratedNames::new(mechanism);
         let records = lowered.interface.records.iter().map(|record| record.name.to_string());
         let paths = Paths::new(mechanism, records.chain([names.solver.to_string()]).collect());
         let interface = &lowered.interface;
@@ -44,7 +44,7 @@ impl<'a> Context<'a> {
     /// For code that computes in `f64` alone.
     pub(super) fn in_double(mechanism: &'a Mechanism, lowered: &'a Lowered<'a>) -> Self {
         let cx = Self::new(mechanism, lowered);
-        let names = Names { scalar: cx.paths.imported("f64"), ..cx.names };
+        let names = GeneratedNames { scalar: cx.paths.imported("f64"), ..cx.names };
         Self { names, is_double: true, ..cx }
     }
 

@@ -12,7 +12,7 @@ use quote::quote;
 use super::context::Context;
 use super::identifiers::{generated, text};
 use crate::interface::quantity::Order;
-use crate::interface::records::Kind;
+use crate::interface::records::RecordKind;
 
 /// Nothing for stubs, which have references of their own in their messages.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
@@ -31,7 +31,8 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
         None => quote!(&self.#name),
     });
     let scalar = &cx.names.scalar;
-    let position = cx.interface.records.iter().find(|r| r.kind == Kind::Outputs(Order::Position));
+    let position =
+        cx.interface.records.iter().find(|r| r.kind == RecordKind::Outputs(Order::Position));
     let records = [
         ("solver_", Some(&cx.names.solver)),
         ("inputs_", cx.inputs()),

@@ -10,7 +10,7 @@ use syn::ext::IdentExt;
 use crate::model::mechanism::Mechanism;
 
 /// The names that do not come with the interface.
-pub(super) struct Names {
+pub(super) struct GeneratedNames {
     pub solver: Ident,
     /// The arguments for the value, the rate and the second rate of an input that is the only one.
     pub only_input: Vec<Ident>,
@@ -20,7 +20,7 @@ pub(super) struct Names {
     pub lifted: Ident,
 }
 
-impl Names {
+impl GeneratedNames {
     pub(super) fn new(mechanism: &Mechanism) -> Self {
         // The struct itself has the span of the declaration; what uses it does not.
         let solver = used(&mechanism.name);

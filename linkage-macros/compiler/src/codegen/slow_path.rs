@@ -11,7 +11,7 @@ use super::text::Text;
 use super::token_list::Tokens;
 use super::{docs, formulas, results};
 use crate::interface::entries::Entry;
-use crate::interface::records::{Kind, Shape};
+use crate::interface::records::{RecordKind, Shape};
 use crate::interface::{EntryId, labels};
 use crate::lower::routine::{ArgumentAdapter, Compute, FinitenessChecks};
 
@@ -29,7 +29,7 @@ pub(super) fn call(cx: &Context<'_>, id: EntryId, arguments: &[Tokens]) -> Token
     let Shape::Record(record) = cx.entry(id).result else { return found };
     let (apart, record) = (cx.paths.item("apart"), cx.record(record));
     let paired = match record.kind {
-        Kind::Motion => cx.interface.numbers(record.fields[0].shape),
+        RecordKind::Motion => cx.interface.numbers(record.fields[0].shape),
         _ => 0,
     };
     let first = Literal::usize_unsuffixed(paired);

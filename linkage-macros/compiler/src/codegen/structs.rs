@@ -10,7 +10,7 @@ use super::text::Text;
 use super::{docs, module};
 use crate::interface::labels;
 use crate::interface::quantity::Order;
-use crate::interface::records::{Field, Kind, Record, RecordId, Shape};
+use crate::interface::records::{Field, Record, RecordId, RecordKind, Shape};
 
 /// All records of a mechanism, each for serde as well where they are to be serialised.
 pub(super) fn definitions(cx: &Context<'_>, is_serialised: bool) -> TokenStream {
@@ -47,8 +47,8 @@ fn serialised(cx: &Context<'_>, definition: &TokenStream) -> TokenStream {
 /// The implementations of the records: arrays, rows, and conversions from lists.
 pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
     let implementation = |record: &Record| match record.kind {
-        Kind::Inputs | Kind::Loads => from_list(cx, record),
-        Kind::Outputs(order) => rows(cx, record, order),
+        RecordKind::Inputs | RecordKind::Loads => from_list(cx, record),
+        RecordKind::Outputs(order) => rows(cx, record, order),
         _ => TokenStream::new(),
     };
     let returned = cx.interface.record_ids().filter(|&id| cx.interface.is_used(cx.record(id)));
@@ -78,8 +78,8 @@ fn definition(cx: &Context<'_>, record: &Record) -> TokenStream {
     let fields: Vec<_> = fields.collect();
     let float = cx.paths.outside("f64");
     // The fields of a motion are named by the compiler and stand on lines of their own: a comma ends each.
-    let last = (record.kind == Kind::Motion).then(|| quote!(,));
-    let named = matches!(record.kind, Kind::ForcesOf(_))
+    let last = (record.kind == RecordKind::Motion).then(|| quote!(,));
+    let named = matches!(record.kind, RecordKind::ForcesOf(_))
         .then(|| quote!(#[allow(non_camel_case_types, reason = "names are as declared")]));
     quote! {
         #docs
@@ -151,12 +151,12 @@ fn as_array(cx: &Context<'_>, id: RecordId, to: &mut Text) {
         to.put(left.next().expect("a name each"));
     };
     match record.kind {
-        Kind::Motion => {
+        RecordKind::Motion => {
             by_records(cx, record, [&mut taken, &mut made]);
             pattern = Text::from("list_".to_string());
         }
         // Lists are taken apart: what is indexed would have to be copied.
-        Kind::Equations => {
+        RecordKind::Equations => {
             results::assemble(cx, shape, &mut made, &mut next);
             taken.put("let ").append(&made);
             taken.put(" = self; ").append(&pattern);

@@ -10,7 +10,7 @@
 use crate::equations::dead_points;
 use crate::equations::groups::formulas;
 use crate::equations::kinematics::{InputMotion, Kinematics};
-use crate::equations::parts::Clearance;
+use crate::equations::parts::ClearanceTerms;
 use crate::equations::symbol::GraphBuilder;
 use crate::ir::program;
 use crate::model::mechanism::{Mechanism, Mode, Step, UnknownId};
@@ -54,7 +54,7 @@ fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::C
         Mode::Fixed(_) => None,
         Mode::Param(param) => Some(param.0),
     };
-    let Clearance { value, scale } = clearance;
+    let ClearanceTerms { value, scale } = clearance;
     if value.is_fixed() {
         // A group that never moves never changes its mode.
         return None;

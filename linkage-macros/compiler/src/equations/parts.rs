@@ -34,7 +34,7 @@ pub(super) fn root_in_reach(square: Jet<'_>) -> Jet<'_> {
 
 /// Discriminant of a group with an assembly mode and its error scale, for following a motion.
 #[derive(Clone, Copy)]
-pub(super) struct Clearance<'s> {
+pub(super) struct ClearanceTerms<'s> {
     pub value: Jet<'s>,
     pub scale: Sym<'s>,
 }

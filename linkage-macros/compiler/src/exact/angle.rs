@@ -7,7 +7,7 @@
 use core::cmp::Ordering;
 
 use super::Exact;
-use super::atom::Kind;
+use super::atom::AtomKind;
 use super::rational::Rational;
 use super::sum::Term;
 use crate::function::Function;
@@ -104,7 +104,7 @@ impl Exact {
         }
         match known_sine(self) {
             Some(half_turns) => Self::half_turns(&half_turns),
-            None => Self::atom(Kind::Of(Function::Asin, self.clone())),
+            None => Self::atom(AtomKind::Of(Function::Asin, self.clone())),
         }
     }
 
@@ -115,7 +115,7 @@ impl Exact {
         }
         match known_tangent(self) {
             Some(half_turns) => Self::half_turns(&half_turns),
-            None => Self::atom(Kind::Of(Function::Atan, self.clone())),
+            None => Self::atom(AtomKind::Of(Function::Atan, self.clone())),
         }
     }
 
@@ -147,11 +147,11 @@ fn sine_of_half_turns(half_turns: &Rational) -> Exact {
     let value = match KNOWN_SINES.iter().find(|known| known.half_turns() == acute) {
         Some(known) => known.sine(),
         None if acute < Rational::ratio(1, 4) => {
-            Exact::atom(Kind::Of(Function::Sin, Exact::half_turns(&acute)))
+            Exact::atom(AtomKind::Of(Function::Sin, Exact::half_turns(&acute)))
         }
         None => {
             let complement = Rational::ratio(1, 2).sub(&acute);
-            Exact::atom(Kind::Of(Function::Cos, Exact::half_turns(&complement)))
+            Exact::atom(AtomKind::Of(Function::Cos, Exact::half_turns(&complement)))
         }
     };
     if negative { value.neg() } else { value }
@@ -162,9 +162,11 @@ fn sine_of_half_turns(half_turns: &Rational) -> Exact {
 fn unreduced_sine(half_turns: &Rational, rest: &Exact, cosine: bool) -> Exact {
     let one = Exact::rational(Rational::ONE);
     match rest.as_atom().filter(|_| half_turns.is_zero()) {
-        Some(Kind::Of(Function::Asin, sine)) if cosine => return one.sub(&sine.mul(sine)).root(),
-        Some(Kind::Of(Function::Asin, sine)) => return sine.clone(),
-        Some(Kind::Of(Function::Atan, tangent)) => {
+        Some(AtomKind::Of(Function::Asin, sine)) if cosine => {
+            return one.sub(&sine.mul(sine)).root();
+        }
+        Some(AtomKind::Of(Function::Asin, sine)) => return sine.clone(),
+        Some(AtomKind::Of(Function::Atan, tangent)) => {
             let secant = one.add(&tangent.mul(tangent)).root();
             return if cosine { secant.reciprocal() } else { tangent.quotient_of(&secant) };
         }
@@ -172,9 +174,9 @@ fn unreduced_sine(half_turns: &Rational, rest: &Exact, cosine: bool) -> Exact {
     }
     let angle = rest.add(&Exact::half_turns(half_turns));
     Exact::atom(if cosine {
-        Kind::Of(Function::Cos, angle)
+        AtomKind::Of(Function::Cos, angle)
     } else {
-        Kind::Of(Function::Sin, angle)
+        AtomKind::Of(Function::Sin, angle)
     })
 }
 
@@ -184,8 +186,8 @@ fn known_sine(sine: &Exact) -> Option<Rational> {
         return Some(known.half_turns());
     }
     match sine.as_atom()? {
-        Kind::Of(Function::Sin, angle) => in_half_turns(angle),
-        Kind::Of(Function::Cos, angle) => {
+        AtomKind::Of(Function::Sin, angle) => in_half_turns(angle),
+        AtomKind::Of(Function::Cos, angle) => {
             in_half_turns(angle).map(|angle| Rational::ratio(1, 2).sub(&angle))
         }
         _ => None,
@@ -203,10 +205,10 @@ fn known_tangent(tangent: &Exact) -> Option<Rational> {
     let term = tangent.as_term().filter(|term| term.coefficient.is_one())?;
     let [first, second] = term.factors.as_slice() else { return None };
     match (first.atom.kind(), second.atom.kind(), first.power, second.power) {
-        (Kind::Of(Function::Sin, a), Kind::Of(Function::Cos, b), 1, -1) if a == b => {
+        (AtomKind::Of(Function::Sin, a), AtomKind::Of(Function::Cos, b), 1, -1) if a == b => {
             in_half_turns(a)
         }
-        (Kind::Of(Function::Sin, a), Kind::Of(Function::Cos, b), -1, 1) if a == b => {
+        (AtomKind::Of(Function::Sin, a), AtomKind::Of(Function::Cos, b), -1, 1) if a == b => {
             in_half_turns(a).map(|angle| Rational::ratio(1, 2).sub(&angle))
         }
         _ => None,

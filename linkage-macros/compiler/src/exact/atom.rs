@@ -17,14 +17,14 @@ use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use super::enclosure::Enclosure;
-use super::{Exact, Form};
+use super::{Exact, ExactForm};
 use crate::function::Function;
 
 /// The kind of an atom, with its arguments.
 ///
 /// The order of the variants is the order of factors in a product and of terms in a sum.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub(super) enum Kind {
+pub(super) enum AtomKind {
     Pi,
     /// The root of a positive number: an integer without small square factors, or one that is not
     /// rational and has the first coefficient ±1. Its power in a product is always one.
@@ -38,12 +38,12 @@ pub(super) enum Kind {
 
 /// An atom, the only one of its kind.
 #[derive(Clone)]
-pub(super) struct Atom(Rc<Known>);
+pub(super) struct Atom(Rc<KnownAtom>);
 
-struct Known {
+struct KnownAtom {
     /// No two atoms of a thread ever have the same.
     number: u64,
-    kind: Kind,
+    kind: AtomKind,
     /// The nesting depth: the number of atoms inside each other.
     depth: u32,
 }
@@ -51,8 +51,8 @@ struct Known {
 /// An atom that is found by what it is.
 struct ByKind(Atom);
 
-impl Borrow<Kind> for ByKind {
-    fn borrow(&self) -> &Kind {
+impl Borrow<AtomKind> for ByKind {
+    fn borrow(&self) -> &AtomKind {
         self.0.kind()
     }
 }
@@ -88,12 +88,12 @@ thread_local! {
 }
 
 impl Atoms {
-    fn atom(&mut self, kind: Kind) -> Atom {
+    fn atom(&mut self, kind: AtomKind) -> Atom {
         if let Some(ByKind(atom)) = self.by_kind.get(&kind) {
             return atom.clone();
         }
         let depth = 1 + kind.argument().map_or(0, Exact::depth);
-        let atom = Atom(Rc::new(Known { number: self.next, kind, depth }));
+        let atom = Atom(Rc::new(KnownAtom { number: self.next, kind, depth }));
         self.next += 1;
         self.by_kind.insert(ByKind(atom.clone()));
         self.made.push(atom.clone());
@@ -111,7 +111,7 @@ impl Atoms {
             if !is_coarse(&atom) || found.contains_key(&atom.0.number) {
                 continue;
             }
-            if let Some(Exact { form: Form::Sum(terms) }) = atom.kind().argument() {
+            if let Some(Exact { form: ExactForm::Sum(terms) }) = atom.kind().argument() {
                 let factors = terms.iter().flat_map(|term| &term.factors);
                 next.extend(factors.map(|factor| factor.atom.clone()));
             }
@@ -162,7 +162,7 @@ pub(crate) fn known() -> usize {
     ATOMS.with_borrow(|atoms| atoms.made.len())
 }
 
-impl Kind {
+impl AtomKind {
     /// The argument of the root, function or sum; π has none.
     fn argument(&self) -> Option<&Exact> {
         match self {
@@ -174,11 +174,11 @@ impl Kind {
 
 impl Atom {
     /// The atom of this kind, which is made unless it exists.
-    pub(super) fn new(kind: Kind) -> Self {
+    pub(super) fn new(kind: AtomKind) -> Self {
         ATOMS.with_borrow_mut(|atoms| atoms.atom(kind))
     }
 
-    pub(super) fn kind(&self) -> &Kind {
+    pub(super) fn kind(&self) -> &AtomKind {
         &self.0.kind
     }
 
@@ -203,10 +203,10 @@ impl Atom {
     /// The same, and remembers it.
     fn enclosed_by_parts(&self, bits: u32) -> Option<Enclosure> {
         let enclosure = match self.kind() {
-            Kind::Pi => Enclosure::pi(bits),
-            Kind::Root(radicand) => radicand.enclosed(bits)?.sqrt()?,
-            Kind::Of(function, argument) => argument.enclosed(bits)?.apply(*function)?,
-            Kind::Sum(sum) => sum.enclosed(bits)?,
+            AtomKind::Pi => Enclosure::pi(bits),
+            AtomKind::Root(radicand) => radicand.enclosed(bits)?.sqrt()?,
+            AtomKind::Of(function, argument) => argument.enclosed(bits)?.apply(*function)?,
+            AtomKind::Sum(sum) => sum.enclosed(bits)?,
         };
         ATOMS.with_borrow_mut(|atoms| atoms.finest.insert(self.0.number, enclosure.clone()));
         Some(enclosure)

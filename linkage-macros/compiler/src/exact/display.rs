@@ -6,11 +6,11 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
-use super::atom::Kind;
+use super::atom::AtomKind;
 use super::rational::Rational;
 use super::rounding::WIDE;
 use super::sum::{Factor, Term};
-use super::{Exact, Form};
+use super::{Exact, ExactForm};
 
 /// The most digits a rational is written out with.
 const DIGITS: usize = 20;
@@ -46,8 +46,8 @@ impl Write for Bounded {
 
 fn write_number(text: &mut Bounded, number: &Exact) -> fmt::Result {
     let terms = match &number.form {
-        Form::Rational(value) => return text.write_str(&rational_text(value)),
-        Form::Sum(terms) => terms,
+        ExactForm::Rational(value) => return text.write_str(&rational_text(value)),
+        ExactForm::Sum(terms) => terms,
     };
     for (place, term) in terms.iter().enumerate() {
         let negative = term.coefficient.signum().is_lt();
@@ -86,10 +86,10 @@ fn write_size(text: &mut Bounded, term: &Term) -> fmt::Result {
 
 fn write_factor(text: &mut Bounded, factor: &Factor) -> fmt::Result {
     let (function, argument) = match factor.atom.kind() {
-        Kind::Pi => ("pi", None),
-        Kind::Root(radicand) => ("sqrt", Some(radicand)),
-        Kind::Of(function, argument) => (function.name(), Some(argument)),
-        Kind::Sum(sum) => ("", Some(sum)),
+        AtomKind::Pi => ("pi", None),
+        AtomKind::Root(radicand) => ("sqrt", Some(radicand)),
+        AtomKind::Of(function, argument) => (function.name(), Some(argument)),
+        AtomKind::Sum(sum) => ("", Some(sum)),
     };
     text.write_str(function)?;
     if let Some(argument) = argument {

@@ -10,7 +10,7 @@ use super::enclosure::Enclosure;
 use super::rational::Rational;
 use super::rounding::Format;
 use super::sum::{Factor, Term};
-use super::{Exact, Form};
+use super::{Exact, ExactForm};
 
 /// The coarsest bits for a question of sign and for a float, and the finest for both.
 const COARSEST_SIGN: u32 = 64;
@@ -26,8 +26,8 @@ impl Exact {
     /// zero.
     pub(super) fn enclosed(&self, bits: u32) -> Option<Enclosure> {
         match &self.form {
-            Form::Rational(value) => Some(Enclosure::rational(value, bits)),
-            Form::Sum(terms) => terms
+            ExactForm::Rational(value) => Some(Enclosure::rational(value, bits)),
+            ExactForm::Sum(terms) => terms
                 .iter()
                 .map(|term| term.enclosed(bits))
                 .try_fold(Enclosure::integer(0, bits), |sum, term| Some(sum.add(&term?))),
@@ -36,8 +36,8 @@ impl Exact {
 
     pub(super) fn sign(&self) -> Ordering {
         match &self.form {
-            Form::Rational(value) => value.signum(),
-            Form::Sum(terms) => match terms.as_slice() {
+            ExactForm::Rational(value) => value.signum(),
+            ExactForm::Sum(terms) => match terms.as_slice() {
                 [term] if term.factors.iter().all(|factor| factor.atom.is_surely_positive()) => {
                     term.coefficient.signum()
                 }
@@ -53,7 +53,7 @@ impl Exact {
     /// A number that the finest enclosure leaves undecided is a tie in all likelihood: its middle
     /// is rounded.
     pub(super) fn rounded(&self, format: Format, word: &Rational) -> f64 {
-        if let Form::Rational(value) = &self.form {
+        if let ExactForm::Rational(value) = &self.form {
             return format.round(&value.sub(word)) + 0.0;
         }
         let mut finest = None;

@@ -27,7 +27,7 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::One;
 
-use atom::Kind;
+use atom::AtomKind;
 pub(crate) use atom::Scope;
 #[cfg(test)]
 pub(crate) use atom::known as known_atoms;
@@ -43,12 +43,12 @@ use sum::Term;
 /// structural on the normal form: equal values are normally, not always, recognised as equal.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(crate) struct Exact {
-    form: Form,
+    form: ExactForm,
 }
 
 /// `Ord` is an order of forms, to sort by; [`Exact::cmp_value`] is the order of numbers.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-enum Form {
+enum ExactForm {
     Rational(Rational),
     /// Sorted terms with different factors, not all of them rational.
     Sum(Vec<Term>),
@@ -71,19 +71,19 @@ impl Exact {
     }
 
     pub(crate) fn pi() -> Self {
-        Self::atom(Kind::Pi)
+        Self::atom(AtomKind::Pi)
     }
 
     pub(crate) fn add(&self, other: &Self) -> Self {
         match (&self.form, &other.form) {
-            (Form::Rational(a), Form::Rational(b)) => Self::rational(a.add(b)),
+            (ExactForm::Rational(a), ExactForm::Rational(b)) => Self::rational(a.add(b)),
             _ => self.sum_of(other),
         }
     }
 
     pub(crate) fn sub(&self, other: &Self) -> Self {
         match (&self.form, &other.form) {
-            (Form::Rational(a), Form::Rational(b)) => Self::rational(a.sub(b)),
+            (ExactForm::Rational(a), ExactForm::Rational(b)) => Self::rational(a.sub(b)),
             _ => self.sum_of(&other.neg()),
         }
     }
@@ -117,15 +117,15 @@ impl Exact {
     #[cfg(test)]
     pub(crate) fn is_one(&self) -> bool {
         match &self.form {
-            Form::Rational(value) => value.is_one(),
-            Form::Sum(_) => self.cmp_value(&Self::integer(1)).is_eq(),
+            ExactForm::Rational(value) => value.is_one(),
+            ExactForm::Sum(_) => self.cmp_value(&Self::integer(1)).is_eq(),
         }
     }
 
     /// The index of the first of the integers that equals the number.
     pub(crate) fn first_of(&self, integers: &[i64]) -> Option<usize> {
         // One coarse enclosure rules out all of them for nearly every number.
-        if let (Form::Sum(_), Some(coarse)) = (&self.form, self.enclose(Enclosure::MIN_BITS)) {
+        if let (ExactForm::Sum(_), Some(coarse)) = (&self.form, self.enclose(Enclosure::MIN_BITS)) {
             let integer = |value| Enclosure::integer(value, coarse.bits());
             let is_other =
                 |&value: &i64| coarse.sub(&integer(value)).sign().is_some_and(Ordering::is_ne);
@@ -144,7 +144,7 @@ impl Exact {
 
     pub(crate) fn cmp_value(&self, other: &Self) -> Ordering {
         match (&self.form, &other.form) {
-            (Form::Rational(a), Form::Rational(b)) => a.cmp(b),
+            (ExactForm::Rational(a), ExactForm::Rational(b)) => a.cmp(b),
             _ => self.sub(other).signum(),
         }
     }
@@ -152,8 +152,8 @@ impl Exact {
     /// `Some` where the number is an integer that fits.
     pub(crate) fn to_integer(&self) -> Option<i64> {
         match &self.form {
-            Form::Rational(value) => value.to_integer(),
-            Form::Sum(_) => {
+            ExactForm::Rational(value) => value.to_integer(),
+            ExactForm::Sum(_) => {
                 let near = word(self.to_f64().round())?.to_integer()?;
                 self.sub(&Self::integer(near)).is_zero().then_some(near)
             }

@@ -5,24 +5,24 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_traits::One;
 
-use super::atom::Kind;
+use super::atom::AtomKind;
 use super::rational::{Rational, square_part};
 use super::sum::{Factor, Term};
-use super::{Exact, Form};
+use super::{Exact, ExactForm};
 use crate::function::Function;
 
 impl Exact {
     /// The root of a number that is not negative.
     pub(super) fn root(&self) -> Self {
         match (&self.form, self.as_term()) {
-            (Form::Rational(value), _) => Self::root_of_rational(value),
+            (ExactForm::Rational(value), _) => Self::root_of_rational(value),
             (_, Some(term)) => root_of_term(term),
             _ => {
                 let (content, monic) = self.monic();
                 let sign = sign_as_factor(content.signum());
                 let root = match sine_of_square(&monic) {
                     Some(sine) => sine.scaled(&sign_as_factor(sine.signum())),
-                    None => Self::atom(Kind::Root(monic.scaled(&sign))),
+                    None => Self::atom(AtomKind::Root(monic.scaled(&sign))),
                 };
                 Self::root_of_rational(&content.abs()).product_of(&root)
             }
@@ -42,7 +42,7 @@ impl Exact {
             return Self::rational(coefficient);
         }
         let radicand = Self::rational(Rational::of(radicand, BigInt::one()));
-        Self::atom(Kind::Root(radicand)).scaled(&coefficient)
+        Self::atom(AtomKind::Root(radicand)).scaled(&coefficient)
     }
 }
 
@@ -63,21 +63,21 @@ fn root_of_term(term: &Term) -> Exact {
     }
     match &radicand.form {
         // Nothing is left below the root: the coefficient had to be positive.
-        Form::Rational(_) => root,
-        Form::Sum(_) => root.product_of(&Exact::atom(Kind::Root(radicand))),
+        ExactForm::Rational(_) => root,
+        ExactForm::Sum(_) => root.product_of(&Exact::atom(AtomKind::Root(radicand))),
     }
 }
 
 /// sin x, where the number is 1 − cos² x: the form that the square of a sine has.
 fn sine_of_square(number: &Exact) -> Option<Exact> {
-    let Form::Sum(terms) = &number.form else { return None };
+    let ExactForm::Sum(terms) = &number.form else { return None };
     let [one, square] = terms.as_slice() else { return None };
     let [Factor { atom, power: 2 }] = square.factors.as_slice() else { return None };
     match atom.kind() {
-        Kind::Of(Function::Cos, angle)
+        AtomKind::Of(Function::Cos, angle)
             if one.factors.is_empty() && square.coefficient == one.coefficient.neg() =>
         {
-            Some(Exact::atom(Kind::Of(Function::Sin, angle.clone())))
+            Some(Exact::atom(AtomKind::Of(Function::Sin, angle.clone())))
         }
         _ => None,
     }

@@ -3,7 +3,7 @@
 
 use super::rational::Rational;
 use super::sum::{Factor, Term};
-use super::{Exact, Form};
+use super::{Exact, ExactForm};
 
 /// The most bits of a number that is written down, numerator and denominator together: 1200
 /// decimal digits.
@@ -32,16 +32,16 @@ impl Exact {
     /// Those of all coefficients; what stands inside an atom was counted when that was made.
     fn bits(&self) -> u64 {
         match &self.form {
-            Form::Rational(value) => value.bits(),
-            Form::Sum(terms) => terms.iter().map(Term::bits).sum(),
+            ExactForm::Rational(value) => value.bits(),
+            ExactForm::Sum(terms) => terms.iter().map(Term::bits).sum(),
         }
     }
 
     /// The nesting depth of the atoms.
     pub(super) fn depth(&self) -> u32 {
         match &self.form {
-            Form::Rational(_) => 0,
-            Form::Sum(terms) => {
+            ExactForm::Rational(_) => 0,
+            ExactForm::Sum(terms) => {
                 let factors = terms.iter().flat_map(|term| &term.factors);
                 factors.map(|factor| factor.atom.depth()).max().unwrap_or(0)
             }

@@ -5,9 +5,9 @@
 //! structurally equal: small products are multiplied out, large ones and quotients are not. Nothing
 //! is rounded here, and nothing is decided by looking at a number's digits.
 
-use super::atom::{Atom, Kind};
+use super::atom::{Atom, AtomKind};
 use super::rational::Rational;
-use super::{Exact, Form};
+use super::{Exact, ExactForm};
 use crate::function::Function;
 
 /// Products with more terms than this are not multiplied out, so that a sum grows no faster than
@@ -23,7 +23,7 @@ pub(super) struct Factor {
 
 impl Factor {
     fn is_sum(&self) -> bool {
-        matches!(self.atom.kind(), Kind::Sum(_))
+        matches!(self.atom.kind(), AtomKind::Sum(_))
     }
 }
 
@@ -40,7 +40,7 @@ impl Term {
     }
 
     pub(super) fn is_multiple_of_pi(&self) -> bool {
-        matches!(self.factors.as_slice(), [Factor { atom, power: 1 }] if *atom.kind() == Kind::Pi)
+        matches!(self.factors.as_slice(), [Factor { atom, power: 1 }] if *atom.kind() == AtomKind::Pi)
     }
 
     fn scaled(&self, by: &Rational) -> Self {
@@ -52,47 +52,47 @@ impl Atom {
     /// True if the form alone shows that the atom is positive.
     pub(super) fn is_surely_positive(&self) -> bool {
         match self.kind() {
-            Kind::Pi | Kind::Root(_) => true,
+            AtomKind::Pi | AtomKind::Root(_) => true,
             // Multiples of π are between 0 and 45°.
-            Kind::Of(Function::Sin | Function::Cos, angle) => {
+            AtomKind::Of(Function::Sin | Function::Cos, angle) => {
                 angle.as_term().is_some_and(Term::is_multiple_of_pi)
             }
             // An arc of a number with a positive first coefficient.
-            Kind::Of(_, value) => matches!(value.form, Form::Rational(_)),
-            Kind::Sum(_) => false,
+            AtomKind::Of(_, value) => matches!(value.form, ExactForm::Rational(_)),
+            AtomKind::Sum(_) => false,
         }
     }
 }
 
 impl Exact {
     /// The number that the atom is. A [`Kind::Sum`] is none by itself.
-    pub(super) fn atom(kind: Kind) -> Self {
+    pub(super) fn atom(kind: AtomKind) -> Self {
         let factors = vec![Factor { atom: Atom::new(kind), power: 1 }];
-        Self { form: Form::Sum(vec![Term { factors, coefficient: Rational::ONE }]) }
+        Self { form: ExactForm::Sum(vec![Term { factors, coefficient: Rational::ONE }]) }
     }
 
     pub(super) fn rational(value: Rational) -> Self {
-        Self { form: Form::Rational(value) }
+        Self { form: ExactForm::Rational(value) }
     }
 
     /// The terms; none for zero.
     pub(super) fn terms(&self) -> Vec<Term> {
         match &self.form {
-            Form::Rational(value) if value.is_zero() => Vec::new(),
-            Form::Rational(value) => vec![Term::rational(value.clone())],
-            Form::Sum(terms) => terms.clone(),
+            ExactForm::Rational(value) if value.is_zero() => Vec::new(),
+            ExactForm::Rational(value) => vec![Term::rational(value.clone())],
+            ExactForm::Sum(terms) => terms.clone(),
         }
     }
 
     /// Zero by its form; a sum that happens to be zero is not looked at.
     pub(super) fn is_structural_zero(&self) -> bool {
-        matches!(&self.form, Form::Rational(value) if value.is_zero())
+        matches!(&self.form, ExactForm::Rational(value) if value.is_zero())
     }
 
     /// The one term of a number that is not rational and has no other.
     pub(super) fn as_term(&self) -> Option<&Term> {
         match &self.form {
-            Form::Sum(terms) if terms.len() == 1 => terms.first(),
+            ExactForm::Sum(terms) if terms.len() == 1 => terms.first(),
             _ => None,
         }
     }
@@ -101,10 +101,10 @@ impl Exact {
     fn as_factor(&self) -> Term {
         match (&self.form, self.as_term()) {
             (_, Some(term)) => term.clone(),
-            (Form::Rational(value), _) => Term::rational(value.clone()),
+            (ExactForm::Rational(value), _) => Term::rational(value.clone()),
             _ => {
                 let (coefficient, monic) = self.monic();
-                let atom = Atom::new(Kind::Sum(monic));
+                let atom = Atom::new(AtomKind::Sum(monic));
                 Term { factors: vec![Factor { atom, power: 1 }], coefficient }
             }
         }
@@ -124,7 +124,7 @@ impl Exact {
     }
 
     /// The kind of the atom, if the number is one.
-    pub(super) fn as_atom(&self) -> Option<&Kind> {
+    pub(super) fn as_atom(&self) -> Option<&AtomKind> {
         let term = self.as_term().filter(|term| term.coefficient.is_one())?;
         match term.factors.as_slice() {
             [Factor { atom, power: 1 }] => Some(atom.kind()),
@@ -148,7 +148,7 @@ impl Exact {
         match sum.as_slice() {
             [] => Self::rational(Rational::ZERO),
             [term] if term.factors.is_empty() => Self::rational(term.coefficient.clone()),
-            _ => Self { form: Form::Sum(sum) },
+            _ => Self { form: ExactForm::Sum(sum) },
         }
     }
 
@@ -160,19 +160,19 @@ impl Exact {
 
     pub(super) fn scaled(&self, by: &Rational) -> Self {
         match &self.form {
-            Form::Rational(value) => Self::rational(value.mul(by)),
-            Form::Sum(_) if by.is_zero() => Self::rational(Rational::ZERO),
-            Form::Sum(terms) => {
-                Self { form: Form::Sum(terms.iter().map(|term| term.scaled(by)).collect()) }
+            ExactForm::Rational(value) => Self::rational(value.mul(by)),
+            ExactForm::Sum(_) if by.is_zero() => Self::rational(Rational::ZERO),
+            ExactForm::Sum(terms) => {
+                Self { form: ExactForm::Sum(terms.iter().map(|term| term.scaled(by)).collect()) }
             }
         }
     }
 
     pub(super) fn product_of(&self, other: &Self) -> Self {
         let (a, b) = match (&self.form, &other.form) {
-            (Form::Rational(value), _) => return other.scaled(value),
-            (_, Form::Rational(value)) => return self.scaled(value),
-            (Form::Sum(a), Form::Sum(b)) => (a, b),
+            (ExactForm::Rational(value), _) => return other.scaled(value),
+            (_, ExactForm::Rational(value)) => return self.scaled(value),
+            (ExactForm::Sum(a), ExactForm::Sum(b)) => (a, b),
         };
         match (a.as_slice(), b.as_slice()) {
             ([a], _) => rewritten(merged(a, &other.as_factor())),
@@ -187,8 +187,8 @@ impl Exact {
     /// One over a number that is not zero.
     pub(super) fn reciprocal(&self) -> Self {
         match &self.form {
-            Form::Rational(value) => Self::rational(value.recip()),
-            Form::Sum(_) => {
+            ExactForm::Rational(value) => Self::rational(value.recip()),
+            ExactForm::Sum(_) => {
                 let mut term = self.as_factor();
                 term.factors.iter_mut().for_each(|factor| factor.power = -factor.power);
                 term.coefficient = term.coefficient.recip();
@@ -199,7 +199,7 @@ impl Exact {
 
     /// The quotient by a number that is not zero.
     pub(super) fn quotient_of(&self, divisor: &Self) -> Self {
-        if let (Form::Rational(a), Form::Rational(b)) = (&self.form, &divisor.form) {
+        if let (ExactForm::Rational(a), ExactForm::Rational(b)) = (&self.form, &divisor.form) {
             return Self::rational(a.div(b));
         }
         let ((content, monic), (divisor_content, divisor_monic)) = (self.monic(), divisor.monic());
@@ -219,8 +219,8 @@ impl Exact {
     /// The coefficient of the first term, and the number divided by it; (1, 0) for zero.
     pub(super) fn monic(&self) -> (Rational, Self) {
         let content = match &self.form {
-            Form::Rational(value) => value.clone(),
-            Form::Sum(terms) => terms[0].coefficient.clone(),
+            ExactForm::Rational(value) => value.clone(),
+            ExactForm::Sum(terms) => terms[0].coefficient.clone(),
         };
         if content.is_zero() {
             return (Rational::ONE, self.clone());
@@ -275,7 +275,7 @@ fn rewritten(mut term: Term) -> Exact {
 /// (√x)^(2k + 1) = x^k·√x: takes x^k out, of either sign.
 fn open_root(factors: &mut Vec<Factor>) -> Option<Exact> {
     let (place, radicand) = find(factors, |factor| match factor.atom.kind() {
-        Kind::Root(radicand) if factor.power != 1 => Some(radicand.clone()),
+        AtomKind::Root(radicand) if factor.power != 1 => Some(radicand.clone()),
         _ => None,
     })?;
     let power = factors[place].power;
@@ -287,7 +287,7 @@ fn open_root(factors: &mut Vec<Factor>) -> Option<Exact> {
 /// √(a·g)·√(b·g) of integers = g·√(a·b).
 fn join_roots(factors: &mut Vec<Factor>) -> Option<Exact> {
     let root_of_integer = |factor: &Factor| match factor.atom.kind() {
-        Kind::Root(Exact { form: Form::Rational(radicand) }) => Some(radicand.clone()),
+        AtomKind::Root(Exact { form: ExactForm::Rational(radicand) }) => Some(radicand.clone()),
         _ => None,
     };
     let (first, m) = find(factors, root_of_integer)?;
@@ -301,12 +301,12 @@ fn join_roots(factors: &mut Vec<Factor>) -> Option<Exact> {
 /// sin² x = 1 − cos² x.
 fn open_square_of_sine(factors: &mut Vec<Factor>) -> Option<Exact> {
     let (place, angle) = find(factors, |factor| match factor.atom.kind() {
-        Kind::Of(Function::Sin, angle) if factor.power > 1 => Some(angle.clone()),
+        AtomKind::Of(Function::Sin, angle) if factor.power > 1 => Some(angle.clone()),
         _ => None,
     })?;
     factors[place].power -= 2;
     factors.retain(|factor| factor.power != 0);
-    let cosine = Atom::new(Kind::Of(Function::Cos, angle));
+    let cosine = Atom::new(AtomKind::Of(Function::Cos, angle));
     let square = vec![Factor { atom: cosine, power: 2 }];
     Some(Exact::collect(vec![
         Term::rational(Rational::ONE),
@@ -318,7 +318,7 @@ fn open_square_of_sine(factors: &mut Vec<Factor>) -> Option<Exact> {
 fn open_sum(factors: &mut Vec<Factor>) -> Option<Vec<Term>> {
     let is_sum = |factor: &Factor| factor.is_sum() && factor.power == 1;
     let place = factors.iter().position(is_sum)?;
-    let Kind::Sum(Exact { form: Form::Sum(terms) }) = factors[place].atom.kind() else {
+    let AtomKind::Sum(Exact { form: ExactForm::Sum(terms) }) = factors[place].atom.kind() else {
         return None;
     };
     let alone = factors.len() == 1;

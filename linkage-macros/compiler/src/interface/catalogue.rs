@@ -3,7 +3,8 @@
 use crate::interface::forces;
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{
-    Kind, Record, RecordId, Shape, Subject, field, field_of_motion, is_margin, own_field, record,
+    Record, RecordId, RecordKind, Shape, Subject, field, field_of_motion, is_margin, own_field,
+    record,
 };
 use crate::model::mechanism::Mechanism;
 
@@ -31,7 +32,7 @@ pub(super) fn records(mechanism: &Mechanism) -> Vec<Record> {
         }));
     }
     if !fields.is_empty() {
-        list.push(record(mechanism, "Forces", Kind::Forces, fields));
+        list.push(record(mechanism, "Forces", RecordKind::Forces, fields));
     }
     if mechanism.dynamics.energy {
         list.push(forces::energy(mechanism));
@@ -45,7 +46,7 @@ pub(super) fn records(mechanism: &Mechanism) -> Vec<Record> {
 fn inputs(mechanism: &Mechanism) -> Record {
     let fields = mechanism.inputs.iter().enumerate();
     let fields = fields.map(|(at, input)| field(&input.name, Shape::Number, Subject::Input(at)));
-    record(mechanism, "Input", Kind::Inputs, fields.collect())
+    record(mechanism, "Input", RecordKind::Inputs, fields.collect())
 }
 
 fn outputs(mechanism: &Mechanism, order: Order) -> Record {
@@ -58,14 +59,14 @@ fn outputs(mechanism: &Mechanism, order: Order) -> Record {
         Order::Velocity => "Velocity",
         Order::Acceleration => "Acceleration",
     };
-    record(mechanism, suffix, Kind::Outputs(order), fields.collect())
+    record(mechanism, suffix, RecordKind::Outputs(order), fields.collect())
 }
 
 fn motion(mechanism: &Mechanism, orders: [RecordId; 3]) -> Record {
     let fields = Order::ALL.into_iter().zip(orders).map(|(order, record)| {
         own_field(field_of_motion(order), Shape::Record(record), Subject::Outputs(order))
     });
-    record(mechanism, "Motion", Kind::Motion, fields.collect())
+    record(mechanism, "Motion", RecordKind::Motion, fields.collect())
 }
 
 fn margins(mechanism: &Mechanism) -> Record {
@@ -73,5 +74,5 @@ fn margins(mechanism: &Mechanism) -> Record {
     let fields = outputs.map(|(index, output)| {
         field(&output.field, Shape::Number, Subject::Output(index, Order::Position))
     });
-    record(mechanism, "Margins", Kind::Margins, fields.collect())
+    record(mechanism, "Margins", RecordKind::Margins, fields.collect())
 }

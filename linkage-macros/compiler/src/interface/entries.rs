@@ -4,7 +4,7 @@
 //! crate, too.
 
 use crate::interface::quantity::Order;
-use crate::interface::records::{Kind, Shape};
+use crate::interface::records::{RecordKind, Shape};
 
 /// The meaning of an argument for the inputs: each is a number, or a record of several inputs' numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +51,7 @@ pub(crate) enum Topic {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Returns {
     /// A record of this kind: where a mechanism has none, the analysis is not offered.
-    Record(Kind),
+    Record(RecordKind),
     /// A row an output, a column an input.
     Matrix,
     /// A number for every input, and its name in errors.
@@ -212,7 +212,7 @@ const POSITION: EntryRow = EntryRow {
     topic: Topic::Kinematics,
     creeps: false,
     given: &[],
-    returns: Returns::Record(Kind::Outputs(Order::Position)),
+    returns: Returns::Record(RecordKind::Outputs(Order::Position)),
     sweeps: true,
     has_cost: true,
     errors: [""; 2],
@@ -224,7 +224,7 @@ const VELOCITY: EntryRow = EntryRow {
     name_at: Some("velocity_at"),
     subject: "Velocities of the outputs",
     given: &[Given::Rate],
-    returns: Returns::Record(Kind::Outputs(Order::Velocity)),
+    returns: Returns::Record(RecordKind::Outputs(Order::Velocity)),
     has_cost: false,
     ..POSITION
 };
@@ -235,7 +235,7 @@ const MOTION: EntryRow = EntryRow {
     name_at: Some("motion_at"),
     subject: "Positions, velocities and accelerations of the outputs",
     given: &[Given::Rate, Given::Acceleration],
-    returns: Returns::Record(Kind::Motion),
+    returns: Returns::Record(RecordKind::Motion),
     ..POSITION
 };
 
@@ -255,7 +255,7 @@ const MARGINS: EntryRow = EntryRow {
     name: "margins",
     name_at: None,
     subject: "Distances of the groups from their limits",
-    returns: Returns::Record(Kind::Margins),
+    returns: Returns::Record(RecordKind::Margins),
     sweeps: false,
     has_cost: false,
     errors: [" A margin is there also beyond its own group's limit, but not behind another group \
@@ -271,7 +271,7 @@ const FORCES: EntryRow = EntryRow {
     subject: "Efforts of drives and reactions of joints in motion",
     topic: Topic::Forces,
     given: &[Given::Rate, Given::Acceleration, Given::Loads],
-    returns: Returns::Record(Kind::Forces),
+    returns: Returns::Record(RecordKind::Forces),
     ..POSITION
 };
 
@@ -303,7 +303,7 @@ const ENERGY: EntryRow = EntryRow {
     name_at: Some("energy_at"),
     subject: "Kinetic and potential energy",
     given: &[Given::Rate],
-    returns: Returns::Record(Kind::Energy),
+    returns: Returns::Record(RecordKind::Energy),
     ..FORCES
 };
 
@@ -332,7 +332,7 @@ const EQUATIONS_OF_MOTION: EntryRow = EntryRow {
     name: "equations_of_motion",
     subject: "Equations of motion, mass times second rates = force + drives",
     given: &[Given::Rate, Given::Loads],
-    returns: Returns::Record(Kind::Equations),
+    returns: Returns::Record(RecordKind::Equations),
     has_cost: false,
     errors: [""; 2],
     ..FORWARD_DYNAMICS

@@ -7,7 +7,7 @@ use syn::ext::IdentExt;
 
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{
-    Field, Kind, Record, RecordId, Shape, Subject, field, own_field, record,
+    Field, Record, RecordId, RecordKind, Shape, Subject, field, own_field, record,
 };
 use crate::model::dynamics::{Effort, RequestedEffort};
 use crate::model::mechanism::Mechanism;
@@ -66,7 +66,7 @@ pub(super) fn of_owner(mechanism: &Mechanism, owned: Range<usize>) -> Record {
     let fields = owned.map(|index| {
         field(&asked[index].field, shape(asked[index].effort), Subject::Effort(index))
     });
-    record(mechanism, &suffix, Kind::ForcesOf(first), fields.collect())
+    record(mechanism, &suffix, RecordKind::ForcesOf(first), fields.collect())
 }
 
 /// The field of an effort that belongs to the whole mechanism.
@@ -82,7 +82,7 @@ pub(super) fn field_of_the_whole(mechanism: &Mechanism, index: usize) -> Option<
 pub(super) fn energy(mechanism: &Mechanism) -> Record {
     let kinetic = own_field("kinetic", Shape::Number, Subject::KineticEnergy);
     let potential = own_field("potential", Shape::Number, Subject::PotentialEnergy);
-    record(mechanism, "Energy", Kind::Energy, vec![kinetic, potential])
+    record(mechanism, "Energy", RecordKind::Energy, vec![kinetic, potential])
 }
 
 /// The mass matrix, and what acts along the inputs.
@@ -90,7 +90,7 @@ pub(super) fn equations(mechanism: &Mechanism) -> Record {
     let count = mechanism.inputs.len();
     let mass = own_field("mass", Shape::Matrix { rows: count, columns: count }, Subject::Mass);
     let force = own_field("force", Shape::List(count), Subject::GeneralizedForce);
-    record(mechanism, "Equations", Kind::Equations, vec![mass, force])
+    record(mechanism, "Equations", RecordKind::Equations, vec![mass, force])
 }
 
 pub(super) fn field_of_owner(mechanism: &Mechanism, first: usize, record: RecordId) -> Field {
@@ -101,5 +101,5 @@ pub(super) fn field_of_owner(mechanism: &Mechanism, first: usize, record: Record
 pub(super) fn loads(mechanism: &Mechanism) -> Record {
     let loads = mechanism.dynamics.loads.iter().enumerate();
     let fields = loads.map(|(at, load)| field(&load.name, Shape::Number, Subject::Load(at)));
-    record(mechanism, "Loads", Kind::Loads, fields.collect())
+    record(mechanism, "Loads", RecordKind::Loads, fields.collect())
 }

@@ -15,7 +15,7 @@ pub(crate) mod units_in_words;
 
 use crate::interface::entries::{Analysis, Entry, EntryPoint, EntryRow, Returns, Topic};
 use crate::interface::quantity::Quantity;
-use crate::interface::records::{Kind, Record, RecordId, Shape};
+use crate::interface::records::{Record, RecordId, RecordKind, Shape};
 use crate::model::mechanism::Mechanism;
 
 /// See the module's documentation.
@@ -44,7 +44,7 @@ impl Interface {
         let records = catalogue::records(mechanism);
         let of_kind =
             |kind| records.iter().position(|record| record.kind == kind).map(RecordId::of);
-        let (inputs, loads) = (of_kind(Kind::Inputs), of_kind(Kind::Loads));
+        let (inputs, loads) = (of_kind(RecordKind::Inputs), of_kind(RecordKind::Loads));
         let has_mass = !mechanism.dynamics.masses.is_empty();
         let result = |row: &EntryRow| match row.returns {
             _ if row.topic == Topic::Dynamics && !has_mass => None,
@@ -156,7 +156,7 @@ mod tests {
                 let record = interface.records.iter().find(|record| record.kind == kind);
                 interface.is_used(record.expect("the mechanism has such a record"))
             };
-            [Kind::Motion, Kind::Margins, Kind::Equations].map(is_used)
+            [RecordKind::Motion, RecordKind::Margins, RecordKind::Equations].map(is_used)
         };
         assert_eq!(used(Analysis::Motion), [true, false, false]);
         assert_eq!(used(Analysis::Margins), [true, true, false]);

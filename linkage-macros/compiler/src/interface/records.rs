@@ -41,13 +41,13 @@ pub(crate) enum Shape {
 #[derive(Debug)]
 pub(crate) struct Record {
     pub name: Ident,
-    pub kind: Kind,
+    pub kind: RecordKind,
     pub fields: Vec<Field>,
 }
 
 /// The purpose of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum RecordKind {
     /// Several inputs, or their first or second rates.
     Inputs,
     /// Every output at one order.
@@ -73,7 +73,7 @@ pub(crate) struct KindInWords {
     pub in_c: String,
 }
 
-impl Kind {
+impl RecordKind {
     pub(crate) fn in_words(self, mechanism: &Mechanism) -> KindInWords {
         let owned;
         let [in_rust, in_c] = match self {
@@ -177,7 +177,7 @@ pub(super) fn own_field(name: &str, shape: Shape, subject: Subject) -> Field {
 pub(super) fn record(
     mechanism: &Mechanism,
     suffix: &str,
-    kind: Kind,
+    kind: RecordKind,
     fields: Vec<Field>,
 ) -> Record {
     let name = format!("{}{suffix}", mechanism.name.unraw());

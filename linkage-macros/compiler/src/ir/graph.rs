@@ -65,7 +65,7 @@ struct Constant {
 
 /// Forms of an operand that sums and products tell apart.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Form {
+pub(crate) enum OperandForm {
     Zero,
     One,
     MinusOne,
@@ -76,7 +76,7 @@ pub(crate) enum Form {
     Other,
 }
 
-impl Form {
+impl OperandForm {
     pub(crate) fn is_constant(self) -> bool {
         matches!(self, Self::Zero | Self::One | Self::MinusOne | Self::Constant)
     }
@@ -210,25 +210,25 @@ impl Graph {
 
     /// True if the node is the constant 0.
     pub(crate) fn is_zero(&self, id: Id) -> bool {
-        matches!(self.form(id), Form::Zero)
+        matches!(self.form(id), OperandForm::Zero)
     }
 
     /// True if the node is the constant 1 or −1.
     pub(crate) fn is_one_or_minus_one(&self, id: Id) -> bool {
-        matches!(self.form(id), Form::One | Form::MinusOne)
+        matches!(self.form(id), OperandForm::One | OperandForm::MinusOne)
     }
 
     /// Form of an operand, as sums and products tell it apart.
-    pub(crate) fn form(&self, id: Id) -> Form {
+    pub(crate) fn form(&self, id: Id) -> OperandForm {
         match self.nodes[id.0 as usize] {
             Node::Constant(constant) => match self.constants[constant.0 as usize].unit {
-                Some(0) => Form::Zero,
-                Some(1) => Form::One,
-                Some(_) => Form::MinusOne,
-                None => Form::Constant,
+                Some(0) => OperandForm::Zero,
+                Some(1) => OperandForm::One,
+                Some(_) => OperandForm::MinusOne,
+                None => OperandForm::Constant,
             },
-            Node::Neg(of) => Form::Negative(of),
-            _ => Form::Other,
+            Node::Neg(of) => OperandForm::Negative(of),
+            _ => OperandForm::Other,
         }
     }
 

@@ -27,24 +27,24 @@ impl<K: Hash + Eq, V> Map<K, V> {
 
     pub(crate) fn get(&self, key: &K) -> Option<&V> {
         match self.find(key, hash(key)) {
-            Slot::Taken(entry) => Some(&self.entries[entry].1),
-            Slot::Free(_) => None,
+            Bucket::Taken(entry) => Some(&self.entries[entry].1),
+            Bucket::Free(_) => None,
         }
     }
 
     pub(crate) fn contains(&self, key: &K) -> bool {
-        matches!(self.find(key, hash(key)), Slot::Taken(_))
+        matches!(self.find(key, hash(key)), Bucket::Taken(_))
     }
 
     /// Puts the value in the place of what the key had; whether it had nothing.
     pub(crate) fn insert(&mut self, key: K, value: V) -> bool {
         let hash = hash(&key);
         match self.find(&key, hash) {
-            Slot::Taken(entry) => {
+            Bucket::Taken(entry) => {
                 self.entries[entry].1 = value;
                 false
             }
-            Slot::Free(slot) => {
+            Bucket::Free(slot) => {
                 self.add(key, value, hash, slot);
                 true
             }
@@ -55,8 +55,8 @@ impl<K: Hash + Eq, V> Map<K, V> {
     pub(crate) fn or_insert(&mut self, key: K, value: V) -> &mut V {
         let hash = hash(&key);
         let entry = match self.find(&key, hash) {
-            Slot::Taken(entry) => entry,
-            Slot::Free(slot) => self.add(key, value, hash, slot),
+            Bucket::Taken(entry) => entry,
+            Bucket::Free(slot) => self.add(key, value, hash, slot),
         };
         &mut self.entries[entry].1
     }
@@ -77,22 +77,22 @@ impl<K: Hash + Eq, V> Map<K, V> {
         self.iter().map(|(_, value)| value)
     }
 
-    fn find(&self, key: &K, hash: u64) -> Slot {
+    fn find(&self, key: &K, hash: u64) -> Bucket {
         // A slice is indexed without a call.
         let (slots, entries): (&[u64], &[(K, V)]) = (&self.slots, &self.entries);
         if slots.is_empty() {
-            return Slot::Free(0);
+            return Bucket::Free(0);
         }
         let last = slots.len() - 1;
         let mut slot = hash as usize & last;
         loop {
             let taken = slots[slot];
             if taken == 0 {
-                return Slot::Free(slot);
+                return Bucket::Free(slot);
             }
             let entry = (taken as u32 - 1) as usize;
             if taken >> 32 == hash >> 32 && entries[entry].0 == *key {
-                return Slot::Taken(entry);
+                return Bucket::Taken(entry);
             }
             slot = (slot + 1) & last;
         }
@@ -125,7 +125,7 @@ impl<K: Hash + Eq, V> Map<K, V> {
     }
 }
 
-enum Slot {
+enum Bucket {
     Taken(usize),
     Free(usize),
 }

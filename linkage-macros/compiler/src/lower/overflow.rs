@@ -22,8 +22,8 @@ use crate::ir::liveness::{Path, live, live_nodes};
 
 /// Limits on inputs and divisors that the fast path tests in place of its results.
 pub(super) struct Overflow {
-    wide: Option<Width>,
-    narrow: Option<Width>,
+    wide: Option<WidthLimits>,
+    narrow: Option<WidthLimits>,
 }
 
 /// Size whose rounding may have moved a value across its limit.
@@ -34,7 +34,7 @@ pub(super) enum Spread<'g> {
 }
 
 /// Limits for one width.
-struct Width {
+struct WidthLimits {
     thresholds: Thresholds,
     /// The least lengths of hypotenuses.
     lengths: Map<Id, f64>,
@@ -79,7 +79,7 @@ impl Overflow {
                 let is_small = |&least: &f64| least <= LARGEST_ASKED;
                 let is_met =
                     thresholds.values().flatten().all(is_small) && lengths.values().all(is_small);
-                is_met.then_some(Width { thresholds, lengths, input: assumed.input })
+                is_met.then_some(WidthLimits { thresholds, lengths, input: assumed.input })
             };
             ladder.iter().find_map(width)
         };
@@ -101,7 +101,7 @@ impl Overflow {
             (_, Some(Spread::Known(spread))) => assumed.rounding_of(spread),
             _ => 0.0,
         };
-        let of = |width: &Option<Width>, assumed: Assumed| match width {
+        let of = |width: &Option<WidthLimits>, assumed: Assumed| match width {
             Some(width) => width.thresholds.get(&value).copied().unwrap_or(Some(sign(assumed))),
             None => Some(sign(assumed)),
         };
@@ -117,7 +117,7 @@ impl Overflow {
 
     /// The least square of a hypotenuse.
     pub(super) fn least_square(&self, hypotenuse: Id) -> Threshold {
-        let of = |width: &Option<Width>, assumed: Assumed| {
+        let of = |width: &Option<WidthLimits>, assumed: Assumed| {
             let least = width.as_ref().and_then(|width| width.lengths.get(&hypotenuse));
             least.map_or(assumed.square, |least| (least * least).max(assumed.square))
         };
@@ -126,7 +126,8 @@ impl Overflow {
 
     /// The limits on the inputs that lead to some of the sinks.
     pub(super) fn limits(&self, graph: &Graph, sinks: &[Id]) -> InputLimits {
-        let input = |width: &Option<Width>, largest| width.as_ref().map_or(largest, |w| w.input);
+        let input =
+            |width: &Option<WidthLimits>, largest| width.as_ref().map_or(largest, |w| w.input);
         let first = [input(&self.wide, f64::MAX), input(&self.narrow, f64::from(f32::MAX))];
         let limit = |node| match node {
             Node::Input { order: 2, .. } => (node, first.map(|bound| bound * bound)),
@@ -170,7 +171,7 @@ mod tests {
         let width = |least| {
             let mut thresholds = Thresholds::default();
             thresholds.insert(VALUE, least);
-            Some(Width { thresholds, lengths: Map::default(), input: 1e6 })
+            Some(WidthLimits { thresholds, lengths: Map::default(), input: 1e6 })
         };
         let overflow = Overflow { wide: width(wide), narrow: width(narrow) };
         overflow.threshold(VALUE, Least::Rounding, spread)
@@ -197,7 +198,7 @@ mod tests {
         let mut thresholds = Thresholds::default();
         thresholds.insert(VALUE, None);
         let overflow = Overflow {
-            wide: Some(Width { thresholds, lengths: Map::default(), input: 1e60 }),
+            wide: Some(WidthLimits { thresholds, lengths: Map::default(), input: 1e60 }),
             narrow: None,
         };
         let found = overflow.threshold(VALUE, Least::Rounding, known);

@@ -32,7 +32,7 @@ pub(super) struct Schedule<'a> {
 
 /// The sine and the cosine of one angle, as far as they are needed.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Pair {
+pub(super) struct SinCosPair {
     pub sin: Option<Id>,
     pub cos: Option<Id>,
 }
@@ -91,7 +91,7 @@ impl<'a> Schedule<'a> {
                 Node::Neg(_) if !self.locals.components.contains(&id) => None,
                 Node::Apply(Function::Sin | Function::Cos, angle) => {
                     take(&mut pairs, angle).map(|pair| {
-                        let Pair { sin, cos } = pair;
+                        let SinCosPair { sin, cos } = pair;
                         Statement::SinCos { angle, sin, cos, is_checked: self.is_checked(node) }
                     })
                 }
@@ -183,15 +183,15 @@ pub(super) fn defines(statement: &Statement) -> Vec<Id> {
     }
 }
 
-pub(super) fn pairs(nodes: impl Iterator<Item = (Id, Node)>) -> Map<Id, Pair> {
-    let mut pairs: Map<Id, Pair> = Map::default();
+pub(super) fn pairs(nodes: impl Iterator<Item = (Id, Node)>) -> Map<Id, SinCosPair> {
+    let mut pairs: Map<Id, SinCosPair> = Map::default();
     for (id, node) in nodes {
         match node {
             Node::Apply(Function::Sin, angle) => {
-                pairs.or_insert(angle, Pair::default()).sin = Some(id)
+                pairs.or_insert(angle, SinCosPair::default()).sin = Some(id)
             }
             Node::Apply(Function::Cos, angle) => {
-                pairs.or_insert(angle, Pair::default()).cos = Some(id)
+                pairs.or_insert(angle, SinCosPair::default()).cos = Some(id)
             }
             _ => {}
         }
@@ -200,8 +200,8 @@ pub(super) fn pairs(nodes: impl Iterator<Item = (Id, Node)>) -> Map<Id, Pair> {
 }
 
 /// Takes the pair of the angle; none if it has been taken.
-pub(super) fn take(pairs: &mut Map<Id, Pair>, angle: Id) -> Option<Pair> {
-    let pair = std::mem::take(pairs.or_insert(angle, Pair::default()));
+pub(super) fn take(pairs: &mut Map<Id, SinCosPair>, angle: Id) -> Option<SinCosPair> {
+    let pair = std::mem::take(pairs.or_insert(angle, SinCosPair::default()));
     (pair.sin.is_some() || pair.cos.is_some()).then_some(pair)
 }
 

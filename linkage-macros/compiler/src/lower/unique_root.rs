@@ -21,7 +21,7 @@ const PIECES: u32 = 128;
 pub(super) fn has_one_root(graph: &Graph, sought: &RootSearch, rises: bool) -> Option<bool> {
     let [_, slope, curvature] = sought.sides;
     let mut pieces = pieces(graph, sought.between, [slope, curvature])?;
-    let course = pieces.try_fold(Course::Before, |course, of_piece| {
+    let course = pieces.try_fold(SlopeCourse::Before, |course, of_piece| {
         let with_the_trend = |sign: bool| sign == rises;
         let [slope, grows] = of_piece.map(|interval| interval?.sign().map(with_the_trend));
         course.after(slope, grows)
@@ -86,7 +86,7 @@ fn pieces<const N: usize>(
 
 /// Progress of the walk, by the slope's sign against that of the trend.
 #[derive(Clone, Copy)]
-enum Course {
+enum SlopeCourse {
     /// The slope has not had the sign yet.
     Before,
     /// The slope has the sign, or may gain it in this piece and then keeps it.
@@ -97,7 +97,7 @@ enum Course {
     Behind,
 }
 
-impl Course {
+impl SlopeCourse {
     /// After a piece on which the slope has the trend's sign or the other, or where that is not known,
     /// its curvature has. None where the sign might come back.
     fn after(self, slope: Option<bool>, grows: Option<bool>) -> Option<Self> {
@@ -167,10 +167,10 @@ mod tests {
 
     /// The walk over a slope, in pieces of these signs, and of its curvature.
     fn walk(pieces: &[(Option<bool>, Option<bool>)]) -> bool {
-        let walk = |course: Course, &(slope, grows): &(Option<bool>, Option<bool>)| {
+        let walk = |course: SlopeCourse, &(slope, grows): &(Option<bool>, Option<bool>)| {
             course.after(slope, grows)
         };
-        pieces.iter().try_fold(Course::Before, walk).is_some()
+        pieces.iter().try_fold(SlopeCourse::Before, walk).is_some()
     }
 
     #[test]

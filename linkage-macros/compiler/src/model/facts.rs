@@ -2,7 +2,7 @@
 
 use crate::diagnostics::Extent;
 use crate::exact::Exact;
-use crate::reach::line::Line;
+use crate::reach::line::BodyLine;
 use crate::syntax::tree::Declaration;
 
 use super::dimension::Measure;
@@ -66,7 +66,7 @@ pub(super) struct GuideFacts {
     pub moves: bool,
     pub carrier: Carrier,
     /// Where the line lies on its carrier, if that is constant.
-    pub line: Option<Line>,
+    pub line: Option<BodyLine>,
     /// Its angle on its carrier, if that is constant.
     pub angle: Option<Exact>,
 }
@@ -142,7 +142,7 @@ impl Facts {
         &self,
         guide: GuideId,
         point: PointId,
-    ) -> Option<(&Line, &[Exact; 2])> {
+    ) -> Option<(&BodyLine, &[Exact; 2])> {
         let guide = &self.guides[guide.index()];
         Some((guide.line.as_ref()?, self.place(point, guide.carrier)?))
     }

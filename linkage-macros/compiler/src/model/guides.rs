@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::exact::Exact;
-use crate::reach::line::Line;
+use crate::reach::line::BodyLine;
 use crate::syntax::tree;
 
 use super::Resolver;
@@ -45,7 +45,7 @@ impl Resolver<'_> {
             }
             _ => None,
         };
-        let line = place.zip(angle.clone()).map(|(through, angle)| Line { through, angle });
+        let line = place.zip(angle.clone()).map(|(through, angle)| BodyLine { through, angle });
         self.facts.guides.push(GuideFacts { moves: self.moves, carrier, line, angle });
         if let (Some((through, _)), Some((course, _)), Some(())) = (through, course, differ) {
             self.mechanism.steps.push(Step::Guide { guide: id, carrier, through, course });

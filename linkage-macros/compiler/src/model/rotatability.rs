@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use crate::exact::Exact;
 use crate::reach::absolute;
-use crate::reach::line::Line;
+use crate::reach::line::BodyLine;
 use crate::reach::turn::{Range, Turn};
 
 use super::Resolver;
@@ -29,7 +29,7 @@ struct TurningCrank<'m> {
 #[derive(Default)]
 struct Ground<'m> {
     points: HashMap<PointId, [Exact; 2]>,
-    guides: HashMap<GuideId, Line>,
+    guides: HashMap<GuideId, BodyLine>,
     cranks: HashMap<PointId, TurningCrank<'m>>,
 }
 
@@ -118,7 +118,7 @@ fn line(
     points: &HashMap<PointId, [Exact; 2]>,
     through: &Through,
     course: &GuideDirection,
-) -> Option<Line> {
+) -> Option<BodyLine> {
     let through = match through {
         Through::At(at) => constants(at)?,
         Through::Point(point) => points.get(point)?.clone(),
@@ -130,7 +130,7 @@ fn line(
             y.sub(&through[1]).atan2(&x.sub(&through[0]))?
         }
     };
-    Some(Line { through, angle })
+    Some(BodyLine { through, angle })
 }
 
 /// |BD|
@@ -170,7 +170,7 @@ impl TurningCrank<'_> {
     fn with_bar_and_block(
         &self,
         group: GroupId,
-        line: &Line,
+        line: &BodyLine,
         length: &Exact,
         offset: &Exact,
         pin: &str,

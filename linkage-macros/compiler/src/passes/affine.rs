@@ -45,7 +45,7 @@ pub(super) fn square_distances(program: &Program) -> Program {
 }
 
 /// The squares of distances that are to be affine.
-fn squares(graph: &Graph) -> Map<Id, Form> {
+fn squares(graph: &Graph) -> Map<Id, AffineForm> {
     let forms = forms(graph);
     let square = |id| {
         let (x, y) = sum_of_squares(graph, id)?;
@@ -57,10 +57,10 @@ fn squares(graph: &Graph) -> Map<Id, Form> {
 
 /// A square and a constant, or their difference, where the square has one term beside k₀: two
 /// would be added a second time.
-fn shifted(graph: &Graph, id: Id, squares: &Map<Id, Form>) -> Option<Form> {
+fn shifted(graph: &Graph, id: Id, squares: &Map<Id, AffineForm>) -> Option<AffineForm> {
     let minus = Exact::integer(-1);
     let form = |id: Id| match graph.as_constant(id) {
-        Some(constant) => Some(Form::constant(constant.clone())),
+        Some(constant) => Some(AffineForm::constant(constant.clone())),
         None => squares.get(&id).filter(|form| form.has_one_term()).cloned(),
     };
     match graph.node(id) {
@@ -85,29 +85,29 @@ fn sum_of_squares(graph: &Graph, id: Id) -> Option<(Id, Id)> {
 
 /// The angle whose cosine and sine a value is affine in, by the nodes that hold these.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Turn {
+enum Rotation {
     By(Id),
     Given(u32),
 }
 
 /// k₀ + k₁ cos θ + k₂ sin θ; no angle where it is constant.
 #[derive(Clone)]
-struct Form {
-    turn: Option<Turn>,
+struct AffineForm {
+    turn: Option<Rotation>,
     terms: [Exact; 3],
 }
 
 /// The form of every node that has one.
-fn forms(graph: &Graph) -> Vec<Option<Form>> {
-    let mut forms: Vec<Option<Form>> = Vec::with_capacity(graph.len());
+fn forms(graph: &Graph) -> Vec<Option<AffineForm>> {
+    let mut forms: Vec<Option<AffineForm>> = Vec::with_capacity(graph.len());
     for (_, node) in graph.iter() {
         let of = |id: Id| forms[id.index()].as_ref();
         let form = match node {
-            Node::Constant(constant) => Some(Form::constant(graph.value(constant).clone())),
-            Node::Apply(Function::Cos, angle) => Some(Form::of(Turn::By(angle), 1)),
-            Node::Apply(Function::Sin, angle) => Some(Form::of(Turn::By(angle), 2)),
-            Node::InputCos(input) => Some(Form::of(Turn::Given(input), 1)),
-            Node::InputSin(input) => Some(Form::of(Turn::Given(input), 2)),
+            Node::Constant(constant) => Some(AffineForm::constant(graph.value(constant).clone())),
+            Node::Apply(Function::Cos, angle) => Some(AffineForm::of(Rotation::By(angle), 1)),
+            Node::Apply(Function::Sin, angle) => Some(AffineForm::of(Rotation::By(angle), 2)),
+            Node::InputCos(input) => Some(AffineForm::of(Rotation::Given(input), 1)),
+            Node::InputSin(input) => Some(AffineForm::of(Rotation::Given(input), 2)),
             Node::Neg(a) => of(a).map(|a| a.scaled(&Exact::integer(-1))),
             Node::Add(a, b) => of(a).zip(of(b)).and_then(|(a, b)| a.plus(b)),
             Node::Sub(a, b) => {
@@ -121,12 +121,12 @@ fn forms(graph: &Graph) -> Vec<Option<Form>> {
     forms
 }
 
-impl Form {
+impl AffineForm {
     fn constant(value: Exact) -> Self {
         Self { turn: None, terms: [value, Exact::integer(0), Exact::integer(0)] }
     }
 
-    fn of(turn: Turn, term: usize) -> Self {
+    fn of(turn: Rotation, term: usize) -> Self {
         let terms = [0, 1, 2].map(|i| Exact::integer(i64::from(i == term)));
         Self { turn: Some(turn), terms }
     }
@@ -140,7 +140,7 @@ impl Form {
     }
 
     /// The angle of both, if they do not turn by different ones.
-    fn common(&self, other: &Self) -> Option<Option<Turn>> {
+    fn common(&self, other: &Self) -> Option<Option<Rotation>> {
         match (self.turn, other.turn) {
             (Some(one), Some(another)) => (one == another).then_some(Some(one)),
             (one, another) => Some(one.or(another)),
@@ -184,11 +184,11 @@ impl Form {
 
     fn make(&self, maker: &mut Maker<'_>, moved: &Moved) -> Option<Id> {
         let [cos, sin] = match self.turn? {
-            Turn::By(angle) => [
+            Rotation::By(angle) => [
                 Node::Apply(Function::Cos, moved.of(angle)),
                 Node::Apply(Function::Sin, moved.of(angle)),
             ],
-            Turn::Given(input) => [Node::InputCos(input), Node::InputSin(input)],
+            Rotation::Given(input) => [Node::InputCos(input), Node::InputSin(input)],
         };
         let mut sum = maker.constant(self.terms[0].clone());
         for (node, coefficient) in [cos, sin].into_iter().zip(&self.terms[1..]) {

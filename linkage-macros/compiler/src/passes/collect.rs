@@ -63,7 +63,7 @@ struct Sums<'g> {
 }
 
 /// An operand of a sum that is none itself.
-struct Term {
+struct Summand {
     /// The part of the sum that it is an operand of, and which operand.
     at: (Id, usize),
     /// The operand, a factor times a value.
@@ -112,7 +112,7 @@ impl<'g> Sums<'g> {
     }
 
     /// The terms of the whole sum, those that are added last first; and its parts, operands first.
-    fn terms(&self, root: Id) -> (Vec<Term>, Vec<Id>) {
+    fn terms(&self, root: Id) -> (Vec<Summand>, Vec<Id>) {
         let (mut terms, mut parts) = (Vec::new(), Vec::new());
         // Not by recursion: a sum may be as long as a declaration.
         let mut left = vec![(root, false)];
@@ -130,7 +130,7 @@ impl<'g> Sums<'g> {
                     continue;
                 }
                 let (factor, value) = self.factors(operand);
-                terms.push(Term { at: (part, place), operand, factor, value, is_taken });
+                terms.push(Summand { at: (part, place), operand, factor, value, is_taken });
             }
             left.extend(inner.into_iter().rev());
         }
@@ -162,7 +162,7 @@ impl<'g> Sums<'g> {
     ) -> Option<Map<(Id, usize), Id>> {
         self.operands(root).filter(|_| !self.is_inner[root.index()])?;
         let (terms, _) = self.terms(root);
-        let mut of_value: Map<Id, Vec<&Term>> = Map::default();
+        let mut of_value: Map<Id, Vec<&Summand>> = Map::default();
         for term in &terms {
             of_value.or_insert(term.value, Vec::new()).push(term);
         }
@@ -182,7 +182,7 @@ impl<'g> Sums<'g> {
     }
 
     /// The sum of the factors, where collecting them adds no error and saves an operation.
-    fn together(&self, equal: &[&Term]) -> Option<Exact> {
+    fn together(&self, equal: &[&Summand]) -> Option<Exact> {
         if equal.len() < 2 {
             return None;
         }

@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::ir::construct::Maker;
-use crate::ir::graph::{Form, Id, Node};
+use crate::ir::graph::{Id, Node, OperandForm};
 
 /// Simpler equivalent of the node, if there is one.
 pub(crate) fn simplify(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
@@ -55,10 +55,10 @@ fn negation(maker: &mut Maker<'_>, a: Id) -> Option<Id> {
 
 fn sum(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     match [maker.graph.form(a), maker.graph.form(b)] {
-        [Form::Zero, _] => Some(b),
-        [_, Form::Zero] => Some(a),
-        [_, Form::Negative(b)] => Some(maker.make(Node::Sub(a, b))),
-        [Form::Negative(a), _] => Some(maker.make(Node::Sub(b, a))),
+        [OperandForm::Zero, _] => Some(b),
+        [_, OperandForm::Zero] => Some(a),
+        [_, OperandForm::Negative(b)] => Some(maker.make(Node::Sub(a, b))),
+        [OperandForm::Negative(a), _] => Some(maker.make(Node::Sub(b, a))),
         forms => {
             constant_sum(maker, a, b, forms).or_else(|| ordered(maker, a, b, forms, Node::Add))
         }
@@ -66,7 +66,7 @@ fn sum(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
 }
 
 /// c₁ + (c₂ + x) = (c₁ + c₂) + x: one rounding less.
-fn constant_sum(maker: &mut Maker<'_>, a: Id, b: Id, forms: [Form; 2]) -> Option<Id> {
+fn constant_sum(maker: &mut Maker<'_>, a: Id, b: Id, forms: [OperandForm; 2]) -> Option<Id> {
     let (constant, other) = constant_first(a, b, forms)?;
     let outer = maker.graph.as_constant(constant)?.clone();
     let Node::Add(x, y) = maker.graph.node(other) else { return None };
@@ -76,7 +76,7 @@ fn constant_sum(maker: &mut Maker<'_>, a: Id, b: Id, forms: [Form; 2]) -> Option
     Some(maker.make(Node::Add(folded, y)))
 }
 
-fn constant_first(a: Id, b: Id, [first, second]: [Form; 2]) -> Option<(Id, Id)> {
+fn constant_first(a: Id, b: Id, [first, second]: [OperandForm; 2]) -> Option<(Id, Id)> {
     match (first.is_constant(), second.is_constant()) {
         (true, _) => Some((a, b)),
         (false, true) => Some((b, a)),
@@ -89,7 +89,7 @@ fn ordered(
     maker: &mut Maker<'_>,
     a: Id,
     b: Id,
-    [first, second]: [Form; 2],
+    [first, second]: [OperandForm; 2],
     node: fn(Id, Id) -> Node,
 ) -> Option<Id> {
     let is_behind = match (first.is_constant(), second.is_constant()) {
@@ -105,10 +105,10 @@ fn difference(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
         return Some(zero(maker));
     }
     match [maker.graph.form(a), maker.graph.form(b)] {
-        [_, Form::Zero] => return Some(a),
-        [Form::Zero, _] => return Some(negate(maker, b)),
-        [_, Form::Negative(b)] => return Some(maker.make(Node::Add(a, b))),
-        [Form::Negative(a), _] => {
+        [_, OperandForm::Zero] => return Some(a),
+        [OperandForm::Zero, _] => return Some(negate(maker, b)),
+        [_, OperandForm::Negative(b)] => return Some(maker.make(Node::Add(a, b))),
+        [OperandForm::Negative(a), _] => {
             let sum = maker.make(Node::Add(a, b));
             return Some(negate(maker, sum));
         }
@@ -122,9 +122,9 @@ fn difference(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
 fn product(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     let forms = [maker.graph.form(a), maker.graph.form(b)];
     match forms {
-        [Form::Zero, _] | [_, Form::Zero] => return Some(zero(maker)),
-        [Form::One, _] => return Some(b),
-        [_, Form::One] => return Some(a),
+        [OperandForm::Zero, _] | [_, OperandForm::Zero] => return Some(zero(maker)),
+        [OperandForm::One, _] => return Some(b),
+        [_, OperandForm::One] => return Some(a),
         _ => {}
     }
     if let Some((constant, other)) = constant_first(a, b, forms) {
@@ -134,11 +134,11 @@ fn product(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
         }
     }
     match forms {
-        [Form::Negative(a), _] => {
+        [OperandForm::Negative(a), _] => {
             let product = maker.make(Node::Mul(a, b));
             return Some(negate(maker, product));
         }
-        [_, Form::Negative(b)] => {
+        [_, OperandForm::Negative(b)] => {
             let product = maker.make(Node::Mul(a, b));
             return Some(negate(maker, product));
         }
@@ -168,7 +168,7 @@ fn quotient(maker: &mut Maker<'_>, a: Id, b: Id) -> Option<Id> {
     if is_zero(maker, a) && !is_zero(maker, b) {
         return Some(zero(maker));
     }
-    if let Form::One = maker.graph.form(b) {
+    if let OperandForm::One = maker.graph.form(b) {
         return Some(a);
     }
     if let Some(a) = negated(maker, a) {

@@ -4,12 +4,12 @@ use crate::exact::Exact;
 
 /// A directed line through a place.
 #[derive(Clone)]
-pub(crate) struct Line {
+pub(crate) struct BodyLine {
     pub through: [Exact; 2],
     pub angle: Exact,
 }
 
-impl Line {
+impl BodyLine {
     /// The distance of the place from the line, along its normal.
     pub(crate) fn distance(&self, [x, y]: &[Exact; 2]) -> Exact {
         let (dx, dy) = (x.sub(&self.through[0]), y.sub(&self.through[1]));

@@ -92,13 +92,13 @@ fn comment(lines: &[String], indent: &str) -> String {
 }
 
 /// A record: its comment, its name, and its fields with a type, a comment and, of a list, its dimensions.
-struct Record {
+struct CStruct {
     about: String,
     name: String,
     fields: Vec<(String, String, String, String)>,
 }
 
-impl Record {
+impl CStruct {
     fn text(&self) -> String {
         let names = distinct(self.fields.iter().map(|(_, name, ..)| name.clone()));
         let field = |((ty, _, about, list), name): (&(String, String, String, String), String)| {
@@ -120,7 +120,7 @@ fn types(cx: &Context<'_>, width: Width) -> String {
     parameters.into_iter().chain(records).map(|record| record.text()).collect()
 }
 
-fn parameters(cx: &Context<'_>, width: Width) -> Record {
+fn parameters(cx: &Context<'_>, width: Width) -> CStruct {
     let solver = plain(&cx.names.solver);
     let field = |param: &Param| {
         let name = plain(&param.name);
@@ -133,14 +133,14 @@ fn parameters(cx: &Context<'_>, width: Width) -> Record {
         };
         (ty.to_string(), name, about, String::new())
     };
-    Record {
+    CStruct {
         about: format!("The parameters of {solver}."),
         name: width.type_name(&solver),
         fields: cx.mechanism.params.iter().map(field).collect(),
     }
 }
 
-fn record(cx: &Context<'_>, width: Width, of: &records::Record) -> Record {
+fn record(cx: &Context<'_>, width: Width, of: &records::Record) -> CStruct {
     let words = of.kind.in_words(cx.mechanism).in_c;
     let about = words.replace('@', &cx.names.solver.to_string());
     let field = |field: &Field| {
@@ -149,7 +149,7 @@ fn record(cx: &Context<'_>, width: Width, of: &records::Record) -> Record {
         (ty, name, about_field(cx, field.subject), dimensions(field.shape))
     };
     let fields = of.fields.iter().map(field).collect();
-    Record { about, name: width.type_name(&plain(&of.name)), fields }
+    CStruct { about, name: width.type_name(&plain(&of.name)), fields }
 }
 
 /// The dimensions in brackets behind the name of an array.

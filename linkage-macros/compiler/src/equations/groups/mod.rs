@@ -13,7 +13,7 @@ mod rrr;
 mod slider;
 
 use crate::equations::kinematics::Kinematics;
-use crate::equations::parts::{Clearance, LimitMeasures, Solved};
+use crate::equations::parts::{ClearanceTerms, LimitMeasures, Solved};
 use crate::model::mechanism::Group;
 use crate::syntax::anatomy::Class;
 
@@ -27,7 +27,7 @@ pub(super) trait Formulas {
     }
 
     /// The value under its root, where it can be assembled in two ways.
-    fn clearance<'s>(&self, _: &Kinematics<'s>, _: &'s Group) -> Option<Clearance<'s>> {
+    fn clearance<'s>(&self, _: &Kinematics<'s>, _: &'s Group) -> Option<ClearanceTerms<'s>> {
         None
     }
 }

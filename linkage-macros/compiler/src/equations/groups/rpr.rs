@@ -56,7 +56,7 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
 use crate::equations::parts::{
-    Clearance, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
+    ClearanceTerms, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
 };
 use crate::equations::reactions::{
     Acting, GuideReaction, Inner, JacobianFactors, Loads, Reaction, Reactions,
@@ -78,7 +78,11 @@ impl Formulas for Rpr {
         Some(measures(known.mechanism.numerics, joints, offset))
     }
 
-    fn clearance<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<Clearance<'s>> {
+    fn clearance<'s>(
+        &self,
+        known: &Kinematics<'s>,
+        group: &'s Group,
+    ) -> Option<ClearanceTerms<'s>> {
         let (joints, offset) = (known.both_joints(group), known.offset_in(&group.inner[0]));
         Some(clearance(known.mechanism.numerics, joints, offset))
     }
@@ -202,7 +206,11 @@ fn measures<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'s>) ->
 }
 
 /// b² − e².
-fn clearance<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> Clearance<'s> {
+fn clearance<'s>(
+    numerics: Numerics,
+    [b, d]: [PointMotion<'s>; 2],
+    e: Jet<'s>,
+) -> ClearanceTerms<'s> {
     let scale = e.value.squared() + size(d, b);
-    Clearance { value: left_of_offset(numerics, [b, d], e), scale }
+    ClearanceTerms { value: left_of_offset(numerics, [b, d], e), scale }
 }

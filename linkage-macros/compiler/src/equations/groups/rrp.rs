@@ -63,7 +63,7 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{
-    Bar, Block, Clearance, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
+    Bar, Block, ClearanceTerms, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
 };
 use crate::equations::reactions::{
     GuideReaction, Inner, JacobianFactors, Loads, Reaction, Reactions,
@@ -87,7 +87,11 @@ impl Formulas for Rrp {
         Some(measures(b, guide, length, offset))
     }
 
-    fn clearance<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<Clearance<'s>> {
+    fn clearance<'s>(
+        &self,
+        known: &Kinematics<'s>,
+        group: &'s Group,
+    ) -> Option<ClearanceTerms<'s>> {
         let (b, guide) = (known.stands_on(group, 0), known.slides_on(group, 1));
         let length = known.jet(&group.length(0).value);
         Some(clearance(b, guide, length, known.offset_in(&group.outer[1])))
@@ -241,7 +245,7 @@ fn clearance<'s>(
     guide: Frame<'s>,
     l: Jet<'s>,
     offset: Jet<'s>,
-) -> Clearance<'s> {
+) -> ClearanceTerms<'s> {
     let squares = l.value.squared() + offset.value.squared();
-    Clearance { value: legs(b, guide, l, offset), scale: squares + size(guide.origin, b) }
+    ClearanceTerms { value: legs(b, guide, l, offset), scale: squares + size(guide.origin, b) }
 }

@@ -86,7 +86,7 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{
-    Bar, Clearance, GroupScope, LimitMeasures, Solved, root_in_reach, size,
+    Bar, ClearanceTerms, GroupScope, LimitMeasures, Solved, root_in_reach, size,
 };
 use crate::equations::reactions::{Inner, JacobianFactors, Loads, Reaction, Reactions};
 use crate::equations::symbol::{Sym, Vector};
@@ -104,7 +104,11 @@ impl Formulas for Rrr {
         Some(measures(Outer::of(known, group).seen, known.lengths(group)))
     }
 
-    fn clearance<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<Clearance<'s>> {
+    fn clearance<'s>(
+        &self,
+        known: &Kinematics<'s>,
+        group: &'s Group,
+    ) -> Option<ClearanceTerms<'s>> {
         let lengths = [0, 1].map(|bar| known.jet(&group.length(bar).value));
         Some(clearance(Outer::of(known, group).seen, lengths))
     }
@@ -233,9 +237,9 @@ fn measures<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> LimitMea
 }
 
 /// S. Where one bar is long or the joints are far away, so is the rounding of i against l₂ l₃.
-fn clearance<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> Clearance<'s> {
+fn clearance<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> ClearanceTerms<'s> {
     let HalfSine { scale, square, .. } = half_sine(joints, lengths);
     let [l2, l3] = lengths.map(|length| length.value.squared());
     let squares = l2 + l3 + size(joints[0], joints[1]);
-    Clearance { value: square, scale: squares * scale.value.half() }
+    ClearanceTerms { value: square, scale: squares * scale.value.half() }
 }
