@@ -176,3 +176,21 @@ fn a_drive_between_moving_links_moves_the_same_machine() {
         }
     }
 }
+
+/// A slot on a link that an unknown drives is made within the search, for the groups in it stand on it.
+#[test]
+fn a_slot_that_a_search_stands_on_is_made_within_it() {
+    let boom = of(
+        "input s: length; ground A(0, 0), C(0.7, -0.2); pin B(1.5, 1.1), D(1.02, 0.32); \
+                   link AB(A, B), CR(C, D); guide slot on CR through C towards D; link rod(B) on slot; \
+                   drive rod.slide = s;",
+    );
+    let drawn = boom.mechanism.drawn.clone().expect("it is determined")[0];
+    for change in [-0.2, 0.0, 0.1, 0.3] {
+        let pins = boom.rigid(&[drawn + change], CLOSED).unwrap_or_else(|| panic!("{change}"));
+        let b = pins.iter().find(|(name, _)| name == "B").expect("a pin").1;
+        // The slot begins at C and goes through B.
+        let off = (b[0] - 0.7).hypot(b[1] + 0.2) - drawn - change;
+        assert!(off.abs() < CLOSED, "{change}: off by {off:e}");
+    }
+}

@@ -22,29 +22,36 @@ pub(super) fn ordered(statements: Vec<Written>) -> Vec<Statement> {
             solves.insert(*search, index);
         }
     }
-    let mut needs: Vec<Vec<usize>> = statements
+    let uses: Vec<Vec<usize>> = statements
         .iter()
         .enumerate()
-        .map(|(index, Written { search: own, statement, .. })| {
+        .map(|(index, Written { statement, .. })| {
             let used = names_used(statement).into_iter();
             let made = used.filter_map(|name| makers.get(&name.to_string()).copied());
-            let made: Vec<_> = made.filter(|&maker| maker != index).collect();
-            let searches = made.iter().filter_map(|&maker| statements[maker].search);
-            let others = searches.filter(|search| Some(*search) != *own);
+            made.filter(|&maker| maker != index).collect()
+        })
+        .collect();
+    let parts = parts_of_searches(&statements, &uses);
+    let mut needs: Vec<Vec<usize>> = uses
+        .iter()
+        .enumerate()
+        .map(|(index, made)| {
+            let own = parts[index];
+            let searches = made.iter().filter_map(|&maker| parts[maker]);
+            let others = searches.filter(|search| Some(*search) != own);
             let mut solved: Vec<_> =
                 others.filter_map(|search| solves.get(&search).copied()).collect();
             // The link that was left out follows its equation.
             let is_behind = own.and_then(|own| solves.get(&own)).filter(|&&solve| solve < index);
             solved.extend(is_behind);
-            [made, solved].concat()
+            [made.clone(), solved].concat()
         })
         .collect();
     // A search begins when all is there that it stands on.
     for (index, Written { search, statement, .. }) in statements.iter().enumerate() {
         if search.is_some() && matches!(statement.kind, StatementKind::Unknown { .. }) {
-            let own: Vec<_> = (0..statements.len())
-                .filter(|&other| statements[other].search == *search)
-                .collect();
+            let own: Vec<_> =
+                (0..statements.len()).filter(|&other| parts[other] == *search).collect();
             let all: Vec<_> = own.iter().flat_map(|&other| needs[other].clone()).collect();
             needs[index].extend(all.into_iter().filter(|need| !own.contains(need)));
         }
@@ -59,4 +66,32 @@ pub(super) fn ordered(statements: Vec<Written>) -> Vec<Statement> {
         ordered.extend(next.and_then(|next| open[next].take()));
     }
     ordered
+}
+
+/// The search that each statement is a part of: its own, or one that needs the statement and makes what it stands
+/// on, like a slot on a link that the unknown drives.
+fn parts_of_searches(statements: &[Written], uses: &[Vec<usize>]) -> Vec<Option<usize>> {
+    let reached = |from: &[usize]| {
+        let mut reached = vec![false; uses.len()];
+        let mut open = from.to_vec();
+        while let Some(next) = open.pop() {
+            if !std::mem::replace(&mut reached[next], true) {
+                open.extend(&uses[next]);
+            }
+        }
+        reached
+    };
+    let mut parts: Vec<_> = statements.iter().map(|written| written.search).collect();
+    let searches = statements.iter().filter_map(|written| written.search).max();
+    for search in 0..searches.map_or(0, |last| last + 1) {
+        let own: Vec<_> = (0..uses.len()).filter(|&index| parts[index] == Some(search)).collect();
+        let needed = reached(&own);
+        for index in (0..uses.len()).filter(|&index| needed[index]) {
+            let stands_on = reached(&[index]);
+            if parts[index].is_none() && own.iter().any(|&member| stands_on[member]) {
+                parts[index] = Some(search);
+            }
+        }
+    }
+    parts
 }

@@ -1,0 +1,139 @@
+//! A machine in one pose, by the names that it has where it comes from.
+
+use crate::Mistake;
+
+pub(crate) struct Drawing {
+    /// The name of the solver.
+    pub name: String,
+    /// The unit of all coordinates.
+    pub unit: String,
+    pub pins: Vec<Pin>,
+    pub links: Vec<Link>,
+    pub guides: Vec<Guide>,
+    pub drives: Vec<Drive>,
+    /// The parts of the machine that have no counterpart here, for a comment.
+    pub left_out: Vec<String>,
+}
+
+pub(crate) struct Pin {
+    pub id: String,
+    pub at: [f64; 2],
+    pub is_ground: bool,
+}
+
+#[derive(Default)]
+pub(crate) struct Link {
+    pub id: String,
+    pub pins: Vec<String>,
+    /// The guides on which it slides.
+    pub on: Vec<String>,
+}
+
+pub(crate) struct Guide {
+    pub id: String,
+    /// The link that carries it; `None` is the ground.
+    pub on: Option<String>,
+    pub line: Line,
+}
+
+/// A line in the drawing.
+pub(crate) enum Line {
+    /// Through two pins of the link that carries it.
+    Pins([String; 2]),
+    /// Through a place, in a direction that is given as it came.
+    Along { through: [f64; 2], angle: Angle },
+}
+
+/// A direction from the drawing's x axis.
+#[derive(Clone, Copy)]
+pub(crate) enum Angle {
+    Degrees(f64),
+    Radians(f64),
+    Vector([f64; 2]),
+}
+
+impl Angle {
+    pub(crate) fn radians(self) -> f64 {
+        match self {
+            Self::Degrees(angle) => angle.to_radians(),
+            Self::Radians(angle) => angle,
+            Self::Vector([x, y]) => y.atan2(x),
+        }
+    }
+}
+
+/// A link that is driven: turned against the ground or another link, or slid along its guide.
+pub(crate) enum Drive {
+    Angle { link: String, against: Option<String> },
+    Slide { link: String },
+}
+
+impl Drawing {
+    pub(crate) fn new(name: &str, unit: &str) -> Self {
+        Self {
+            name: name.to_string(),
+            unit: unit.to_string(),
+            pins: Vec::new(),
+            links: Vec::new(),
+            guides: Vec::new(),
+            drives: Vec::new(),
+            left_out: Vec::new(),
+        }
+    }
+
+    pub(crate) fn pin(&self, id: &str) -> Option<&Pin> {
+        self.pins.iter().find(|pin| pin.id == id)
+    }
+
+    pub(crate) fn link(&self, id: &str) -> Option<&Link> {
+        self.links.iter().find(|link| link.id == id)
+    }
+
+    /// The link with this name, which begins without pins where it was not named before.
+    pub(crate) fn link_named(&mut self, id: &str) -> &mut Link {
+        let index = self.links.iter().position(|link| link.id == id);
+        let index = index.unwrap_or_else(|| {
+            self.links.push(Link { id: id.to_string(), ..Link::default() });
+            self.links.len() - 1
+        });
+        &mut self.links[index]
+    }
+
+    /// The links through a pin.
+    pub(crate) fn at(&self, pin: &str) -> impl Iterator<Item = &Link> {
+        self.links.iter().filter(move |link| link.pins.iter().any(|own| own == pin))
+    }
+
+    /// The frame of a link in the drawing, its origin and its angle: from its first pin to its second. With
+    /// one pin the angle is that of the link's guide, else the ground's; without a pin it begins at the point of
+    /// the guide.
+    pub(crate) fn frame(&self, id: &str) -> Result<([f64; 2], f64), Mistake> {
+        let link = self.link(id).ok_or_else(|| format!("no link is named `{id}`"))?;
+        let at = |pin: &String| self.pin(pin).map(|pin| pin.at);
+        let guide = link.on.first().and_then(|on| self.guides.iter().find(|guide| guide.id == *on));
+        match (link.pins.first().and_then(at), link.pins.get(1).and_then(at), guide) {
+            (Some([u, v]), Some([x, y]), _) => Ok(([u, v], (y - v).atan2(x - u))),
+            (Some(origin), None, Some(guide)) => Ok((origin, self.line(guide)?.1)),
+            (Some(origin), None, None) => Ok((origin, 0.0)),
+            (None, _, Some(guide)) => self.line(guide),
+            (None, _, None) => Err(format!("`{id}` has no joint but the one of its guide")),
+        }
+    }
+
+    /// A point of a guide in the drawing, and its angle.
+    fn line(&self, guide: &Guide) -> Result<([f64; 2], f64), Mistake> {
+        match &guide.line {
+            Line::Along { through, angle } => Ok((*through, angle.radians())),
+            Line::Pins(pins) => {
+                let [from, to] = pins.each_ref().map(|pin| self.pin(pin).map(|pin| pin.at));
+                let (Some(from), Some(to)) = (from, to) else {
+                    return Err(format!(
+                        "a slot goes through `{}` and `{}`, which are no pins",
+                        pins[0], pins[1]
+                    ));
+                };
+                Ok((from, (to[1] - from[1]).atan2(to[0] - from[0])))
+            }
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! A drawing as the text of a declaration.
+
+use crate::Mistake;
+use crate::drawing::{Angle, Drawing, Drive, Guide, Line, Link, Pin};
+use crate::names::{self, Kind, Names};
+
+/// The declaration, a statement a line.
+pub(crate) fn declaration(drawing: &Drawing) -> Result<String, Mistake> {
+    let mut printer = Printer { drawing, names: Names::default() };
+    let lines = printer.lines()?;
+    let solver = names::of_solver(&drawing.name);
+    let mut text = format!("mechanism! {{\n    pub struct {solver} {{\n");
+    for line in lines {
+        text.push_str(&format!("        {line}\n"));
+    }
+    text.push_str("    }\n}\n");
+    Ok(text)
+}
+
+struct Printer<'d> {
+    drawing: &'d Drawing,
+    names: Names,
+}
+
+impl Printer<'_> {
+    fn lines(&mut self) -> Result<Vec<String>, Mistake> {
+        let drawing = self.drawing;
+        if drawing.links.is_empty() {
+            return Err("the machine has no link".into());
+        }
+        // Pins and links keep their names; guides and inputs take what is free.
+        drawing.pins.iter().for_each(|pin| _ = self.names.of(Kind::Pin, &pin.id));
+        drawing.links.iter().for_each(|link| _ = self.names.of(Kind::Link, &link.id));
+        let mut drives = Vec::new();
+        let mut inputs = Vec::new();
+        for (index, drive) in drawing.drives.iter().enumerate() {
+            let (input, kind) = self.input(index, drive);
+            inputs.push(format!("input {input}: {kind};"));
+            drives.push(self.drive(drive, &input));
+        }
+        let [ground, moving] = [true, false].map(|is_ground| {
+            let pins = drawing.pins.iter().filter(|pin| pin.is_ground == is_ground);
+            pins.collect::<Vec<_>>()
+        });
+        let mut lines: Vec<_> =
+            drawing.left_out.iter().map(|what| format!("// Left out: {what}.")).collect();
+        lines.extend(inputs);
+        lines.extend(self.pins("ground", &ground)?);
+        lines.extend(self.pins("pin", &moving)?);
+        for guide in &drawing.guides {
+            lines.push(self.guide(guide)?);
+        }
+        for link in &drawing.links {
+            lines.push(self.link(link)?);
+        }
+        lines.extend(drives);
+        Ok(lines)
+    }
+
+    fn input(&mut self, index: usize, drive: &Drive) -> (String, &'static str) {
+        let (wanted, kind) = match drive {
+            Drive::Angle { .. } => ("theta", "angle"),
+            Drive::Slide { .. } => ("s", "length"),
+        };
+        let number = if index == 0 { String::new() } else { format!("_{}", index + 1) };
+        (self.names.of(Kind::Input, &format!("{wanted}{number}")), kind)
+    }
+
+    fn drive(&mut self, drive: &Drive, input: &str) -> String {
+        match drive {
+            Drive::Angle { link, against: None } => {
+                format!("drive {}.angle = {input};", self.names.of(Kind::Link, link))
+            }
+            Drive::Angle { link, against: Some(other) } => {
+                let [link, other] = [link, other].map(|link| self.names.of(Kind::Link, link));
+                format!("drive {link}.angle - {other}.angle = {input};")
+            }
+            Drive::Slide { link } => {
+                format!("drive {}.slide = {input};", self.names.of(Kind::Link, link))
+            }
+        }
+    }
+
+    fn pins(&mut self, word: &str, pins: &[&Pin]) -> Result<Option<String>, Mistake> {
+        let mut places = Vec::new();
+        for pin in pins {
+            let name = self.names.of(Kind::Pin, &pin.id);
+            if !pin.at.iter().all(|x| x.is_finite()) {
+                return Err(format!("`{}` has no place in the drawing", pin.id));
+            }
+            places.push(format!("{name}{}", self.place(pin.at)));
+        }
+        Ok((!places.is_empty()).then(|| format!("{word} {};", places.join(", "))))
+    }
+
+    fn place(&self, at: [f64; 2]) -> String {
+        let [x, y] = at.map(|number| match number == 0.0 {
+            true => "0".to_string(),
+            false => format!("{number}{}", self.drawing.unit),
+        });
+        format!("({x}, {y})")
+    }
+
+    fn link(&mut self, link: &Link) -> Result<String, Mistake> {
+        if link.pins.is_empty() && link.on.is_empty() {
+            return Err(format!("`{}` has no joint", link.id));
+        }
+        let mut pins = Vec::new();
+        for pin in &link.pins {
+            if self.drawing.pin(pin).is_none() {
+                return Err(format!("`{}` goes through `{pin}`, which is no joint", link.id));
+            }
+            pins.push(self.names.of(Kind::Pin, pin));
+        }
+        let name = self.names.of(Kind::Link, &link.id);
+        let on: Vec<_> = link.on.iter().map(|guide| self.names.of(Kind::Guide, guide)).collect();
+        let on = if on.is_empty() { String::new() } else { format!(" on {}", on.join(", ")) };
+        Ok(format!("link {name}({}){on};", pins.join(", ")))
+    }
+
+    fn guide(&mut self, guide: &Guide) -> Result<String, Mistake> {
+        let name = self.names.of(Kind::Guide, &guide.id);
+        let (on, frame) = match &guide.on {
+            Some(link) => (
+                format!(" on {}", self.names.of(Kind::Link, link)),
+                Some(self.drawing.frame(link)?),
+            ),
+            None => (String::new(), None),
+        };
+        match &guide.line {
+            Line::Pins(pins) => {
+                if let Some(pin) = pins.iter().find(|pin| self.drawing.pin(pin).is_none()) {
+                    return Err(format!("a slot goes through `{pin}`, which is no pin"));
+                }
+                let [from, to] = pins.each_ref().map(|pin| self.names.of(Kind::Pin, pin));
+                Ok(format!("guide {name}{on} through {from} towards {to};"))
+            }
+            Line::Along { through, angle } => {
+                let (through, angle) = match frame {
+                    Some(frame) => seen_from(frame, *through, *angle),
+                    None => (*through, *angle),
+                };
+                let (place, angle) = (self.place(through), along(angle));
+                Ok(format!("guide {name}{on} through {place} along {angle};"))
+            }
+        }
+    }
+}
+
+/// A line in the frame of the link that carries it.
+fn seen_from(([x, y], turn): ([f64; 2], f64), [u, v]: [f64; 2], angle: Angle) -> ([f64; 2], Angle) {
+    let (sin, cos) = turn.sin_cos();
+    let (dx, dy) = (u - x, v - y);
+    let angle = if turn == 0.0 { angle } else { Angle::Radians(rounded(angle.radians() - turn)) };
+    ([cos * dx + sin * dy, cos * dy - sin * dx].map(rounded), angle)
+}
+
+/// A computed number to twelve decimals of its unit, which is as near as its sine and cosine are.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.12}").parse().unwrap_or(number)
+}
+
+fn along(angle: Angle) -> String {
+    match angle {
+        Angle::Radians(0.0) => "0deg".to_string(),
+        Angle::Degrees(angle) => format!("{angle}deg"),
+        Angle::Radians(angle) => format!("{angle}rad"),
+        Angle::Vector([x, y]) if y == 0.0 && x > 0.0 => "0deg".to_string(),
+        Angle::Vector([x, y]) => format!("atan2({y}, {x})"),
+    }
+}

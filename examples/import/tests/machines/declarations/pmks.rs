@@ -1,0 +1,144 @@
+//! Every fixture as the program prints it, word for word.
+
+use linkage_core::mechanism;
+
+// pmks/boom.txt
+mechanism! {
+    pub struct PmksBoom {
+        // Left out: masses of links.
+        input s: length;
+        ground A(0, 0), C(70cm, -20cm);
+        pin B(150cm, 110cm), D(102cm, 32cm), T(210cm, 90cm);
+        guide guide_Z2 on CR through C towards D;
+        link AB(A, B, T);
+        link CR(C, D);
+        link rod(B) on guide_Z2;
+        drive rod.slide = s;
+    }
+}
+
+// pmks/driven_elbow.txt
+mechanism! {
+    pub struct PmksDrivenElbow {
+        // Left out: masses of links.
+        input theta: angle;
+        ground A(0, 0), D(400cm, 0);
+        pin B(50cm, 90cm), C(320cm, 260cm);
+        link AB(A, B);
+        link BC(B, C);
+        link DC(D, C);
+        drive AB.angle - BC.angle = theta;
+    }
+}
+
+// pmks/four_bar.txt
+mechanism! {
+    pub struct PmksFourBar {
+        // Left out: masses of links.
+        input theta: angle;
+        ground A(0, 0), D(400cm, 0);
+        pin B(50cm, 90cm), C(320cm, 260cm);
+        link AB(A, B);
+        link BC(B, C);
+        link DC(D, C);
+        drive AB.angle = theta;
+    }
+}
+
+// pmks/peaucellier.txt
+mechanism! {
+    pub struct PmksPeaucellier {
+        // Left out: masses of links.
+        input theta: angle;
+        ground O(0, 0), A(13cm, 0);
+        pin B(24cm, 6.87cm), P(28cm, 16.36cm), Q(32cm, 0.09cm), E(36cm, 9.58cm);
+        link AB(A, B);
+        link OP(O, P);
+        link OQ(O, Q);
+        link BP(B, P);
+        link BQ(B, Q);
+        link PE(P, E);
+        link QE(Q, E);
+        drive AB.angle = theta;
+    }
+}
+
+// pmks/slider_crank.txt
+mechanism! {
+    pub struct PmksSliderCrank {
+        // Left out: masses of links.
+        input theta: angle;
+        ground A(0, 0);
+        pin B(6cm, 5cm), C(26cm, 1cm);
+        guide guide_Z2 through (26cm, 1cm) along 0deg;
+        link AB(A, B);
+        link BC(B, C);
+        link ram(C) on guide_Z2;
+        drive AB.angle = theta;
+    }
+}
+
+// pmks/slotted_coupler.txt
+mechanism! {
+    pub struct PmksSlottedCoupler {
+        // Left out: masses of links.
+        input theta: angle;
+        ground A(0, 0), D(70cm, 0), E(30cm, 55cm);
+        pin B(10cm, 18cm), C(62cm, 30cm), F(36cm, 24cm);
+        guide guide_Z4 on BC through B towards C;
+        link AB(A, B);
+        link BC(B, C);
+        link CD(C, D);
+        link EF(E, F);
+        link FZ(F) on guide_Z4;
+        drive AB.angle = theta;
+    }
+}
+
+// pmks/stephenson_3.txt
+mechanism! {
+    pub struct PmksStephenson3 {
+        // Left out: masses of links.
+        input theta: angle;
+        ground A(0, 0), D(320cm, 20cm), G(600cm, 10cm);
+        pin B(40cm, 100cm), C(290cm, 220cm), E(240cm, 340cm), F(540cm, 230cm);
+        link AB(A, B);
+        link BCE(B, C, E);
+        link DC(D, C);
+        link EF(E, F);
+        link GF(G, F);
+        drive AB.angle = theta;
+    }
+}
+
+// pmks/triad.txt
+mechanism! {
+    pub struct PmksTriad {
+        // Left out: masses of links.
+        input theta: angle;
+        ground A(0, 0), D(460cm, 20cm), E(40cm, 420cm);
+        pin B(50cm, 90cm), P(160cm, 160cm), Q(300cm, 190cm), R(240cm, 300cm);
+        link AB(A, B);
+        link BP(B, P);
+        link plate(P, Q, R);
+        link DQ(D, Q);
+        link ER(E, R);
+        drive AB.angle = theta;
+    }
+}
+
+// pmks/watt_1.txt
+mechanism! {
+    pub struct PmksWatt1 {
+        // Left out: masses of links.
+        input theta: angle;
+        ground A(0, 0), D(300cm, 0);
+        pin B(40cm, 100cm), C(260cm, 200cm), E(180cm, 290cm), F(390cm, 300cm), G(370cm, 160cm);
+        link AB(A, B);
+        link BC(B, C, E);
+        link DC(D, C, G);
+        link EF(E, F);
+        link GF(G, F);
+        drive AB.angle = theta;
+    }
+}
