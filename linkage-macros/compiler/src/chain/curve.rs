@@ -38,7 +38,12 @@ impl DeadPoint {
     /// From the poses at an end, the last one first.
     fn beside(poses: [&Sample<'_>; 3]) -> Option<Self> {
         let [x, y] = [poses.map(|pose| pose.drive), poses.map(|pose| pose.unknown)];
-        let [last, before, _] = poses.map(|pose| pose.slope * pose.slope);
+        Self::through(x, y, poses.map(|pose| pose.slope))
+    }
+
+    /// From drives, unknowns and slopes.
+    fn through(x: [f64; 3], y: [f64; 3], slopes: [f64; 3]) -> Option<Self> {
+        let [last, before, _] = slopes.map(|slope| slope * slope);
         let at = x[0] + (x[0] - x[1]) * last / (before - last);
         let is_beside = before > last && (at - x[0]).abs() < 2.0 * (x[0] - x[1]).abs();
         // The curve c r + b r² through three poses.
@@ -188,6 +193,22 @@ mod tests {
         let found = powers(|u| 0.5 - 2.0 * u + 3.0 * u * u * u, 5);
         for (found, wanted) in found.iter().zip([0.5, -2.0, 0.0, 3.0, 0.0, 0.0]) {
             assert!((found - wanted).abs() < 1e-14, "{found} for {wanted}");
+        }
+    }
+    /// A curve u + c r + b r², r² the distance from a dead point, whose slope falls as r: the factor is c, before
+    /// and behind the end.
+    #[test]
+    fn the_factor_of_a_dead_point_is_that_of_its_root() {
+        let (end, c, b) = (0.3, 0.7, -0.4);
+        for way in [-1.0, 1.0] {
+            let r: [f64; 3] = [0.01, 0.024, 0.047].map(f64::sqrt);
+            let drives = r.map(|r| end + way * r * r);
+            let found =
+                DeadPoint::through(drives, r.map(|r| 2.0 + c * r + b * r * r), r.map(|r| 1.9 * r));
+            let found = found.expect("it is beside the end");
+            // Differences of numbers of order one over differences of roots of 0.05, twice.
+            let off = [found.at - end, found.factor - c].map(f64::abs);
+            assert!(off.iter().all(|off| *off < 1e-12), "{off:?}");
         }
     }
 }

@@ -47,6 +47,8 @@ pub(crate) enum Trouble {
     Loose { bodies: Vec<usize>, freedoms: usize },
     /// The bodies are one group, which is no driver and no dyad, and which no unknown solves.
     Undecided { bodies: Vec<usize> },
+    /// The bodies are one group, and no unknown tells their poses apart where they are drawn.
+    AtDeadPoint { bodies: Vec<usize> },
 }
 
 /// The groups of a machine in solving order, or all that keeps it from being cut.
@@ -62,8 +64,11 @@ pub(crate) fn cut(machine: &Machine) -> Result<Vec<Found>, Vec<Trouble>> {
             Some(found) => steps.extend(found),
             None => {
                 let options = options::options(machine, &known, &group);
-                let Some(search) = choice::chosen(machine, &steps, options) else {
+                if options.is_empty() {
                     return Err(vec![Trouble::Undecided { bodies: group }]);
+                }
+                let Some(search) = choice::chosen(machine, &steps, options) else {
+                    return Err(vec![Trouble::AtDeadPoint { bodies: group }]);
                 };
                 steps.push(Found::Search(Box::new(search)));
             }

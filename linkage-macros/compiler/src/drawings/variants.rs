@@ -91,7 +91,8 @@ fn scaled_drawings_have_the_same_groups_and_mirrored_ones_the_other_modes() {
 #[test]
 fn a_bar_too_few_or_too_many_is_told_by_its_names() {
     let mut told = [0, 0];
-    for case in of_bars() {
+    // But for the one that has two freedoms and one input.
+    for case in cases().into_iter().filter(|case| !case.expected[0].starts_with("refus")) {
         let lines: Vec<_> = case.statements.lines().collect();
         let names: Vec<_> = lines
             .iter()
@@ -127,7 +128,7 @@ fn a_bar_too_few_or_too_many_is_told_by_its_names() {
             }
         }
     }
-    assert!(told[0] > 90 && told[1] > 150, "{told:?}");
+    assert!(told[0] > 200 && told[1] > 400, "{told:?}");
 }
 
 #[test]

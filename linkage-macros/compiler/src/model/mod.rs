@@ -173,6 +173,8 @@ struct Resolver<'d> {
     follows: bool,
     /// The names behind `solve`.
     solved: HashSet<String>,
+    /// The pins of a drawing, which are resolved as points that stand still.
+    pins: HashSet<String>,
 }
 
 impl<'d> Resolver<'d> {
@@ -194,6 +196,7 @@ impl<'d> Resolver<'d> {
             searched: None,
             follows: false,
             solved: tree.statements.iter().filter_map(solved).collect(),
+            pins: HashSet::new(),
         }
     }
 }

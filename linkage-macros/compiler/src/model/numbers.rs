@@ -156,8 +156,19 @@ impl Resolver<'_> {
         let Some(span) = self.moving_part(expr) else {
             return Some(());
         };
-        let message = "a ground point is fixed; it cannot depend on an input";
-        let reason = format!("a point that is driven is declared `point {point} at (x, y);`");
+        let (message, reason) = match self.pins.contains(&point.to_string()) {
+            true => (
+                format!(
+                    "`{point}` is drawn in one pose; its place there cannot depend on an input"
+                ),
+                "the input drives a link, `drive LINK.angle = …;`, and the pins move with it"
+                    .into(),
+            ),
+            false => (
+                "a ground point is fixed; it cannot depend on an input".into(),
+                format!("a point that is driven is declared `point {point} at (x, y);`"),
+            ),
+        };
         self.diagnostics.error_because(span, message, reason);
         None
     }

@@ -4,7 +4,10 @@ use crate::chain::Trouble;
 use crate::chain::cutting::{Dyad, Pair};
 use crate::chain::machine::{GROUND, Machine};
 use crate::diagnostics::Diagnostics;
+use crate::model::dynamics::RequestedEffort;
+use crate::model::mechanism::Mechanism;
 use crate::model::names::listed;
+use crate::model::unknowns::is_of_power;
 use crate::syntax::tree::{Action, Declaration, MassSite, Place, StatementKind};
 
 use super::TurnedFrame;
@@ -25,6 +28,7 @@ pub(super) fn report(bodies: &Bodies<'_>, trouble: &Trouble, diagnostics: &mut D
             loose(bodies, those, *freedoms, diagnostics);
         }
         Trouble::Undecided { bodies: those } => undecided(bodies, those, diagnostics),
+        Trouble::AtDeadPoint { bodies: those } => at_dead_point(bodies, those, diagnostics),
     }
 }
 
@@ -62,11 +66,14 @@ fn too_many(
         let values: Vec<_> =
             values.clone().map(|drive| format!("`{}`", text(&drive.value))).collect();
         let at = values_span(bodies, drives).unwrap_or(link.span().into());
-        let inputs = if drives.len() == 1 { "input" } else { "inputs" };
         let freedom = if freedoms == 1 { "one freedom" } else { &format!("{freedoms} freedoms") };
+        // Several drives by one input are told apart by their links.
+        let is_repeated = (1..values.len()).any(|index| values[..index].contains(&values[index]));
+        let (names, what) = if is_repeated { (&written, "drive") } else { (&values, "input") };
+        let several = if drives.len() == 1 { "" } else { "s" };
         let message = format!(
-            "{} fight: {who} have {freedom} and {} {inputs}",
-            listed(&values, "and"),
+            "{} fight: {who} have {freedom} and {} {what}{several}",
+            listed(names, "and"),
             drives.len()
         );
         diagnostics.error_because(at, message, format!("leave out {}", listed(&written, "or")));
@@ -155,6 +162,40 @@ fn undecided(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics
     let reason = "drive another joint, so that each pair of links stands on what is known; or declare \
                   the groups with `unknown` and `solve`";
     diagnostics.error_because(link.span(), message, reason);
+}
+
+fn at_dead_point(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {
+    let Some(link) = last_link(bodies, those) else { return };
+    let message =
+        format!("in the drawing {} are at a dead point, or next to one", named(bodies, those));
+    let reason = "two ways to assemble them come together there: draw another pose";
+    diagnostics.error_because(link.span(), message, reason);
+}
+
+/// Reports forces in joints that were asked for where bars stand for links that a drive holds together.
+pub(super) fn report_held_reactions(
+    tree: &Declaration,
+    mechanism: &Mechanism,
+    diagnostics: &mut Diagnostics,
+) {
+    if !tree
+        .statements
+        .iter()
+        .any(|statement| matches!(statement.kind, StatementKind::Output { .. }))
+    {
+        return;
+    }
+    let asked = mechanism.dynamics.asked.iter().filter(|asked| !is_of_power(asked.effort));
+    let input = mechanism.inputs.first().map(|input| format!("; ask for `{}.drive`", input.name));
+    for RequestedEffort { owner, field, .. } in asked {
+        let message = format!(
+            "`{owner}.{field}` is not known where a drive holds two moving links together{}",
+            input.as_deref().unwrap_or_default()
+        );
+        let reason = "one bar stands for both links in their group, and what pushes in its joints is not \
+                      what pushes in theirs";
+        diagnostics.error_because(field.span(), message, reason);
+    }
 }
 
 /// Reports a dyad whose two sides the drawing does not tell apart.

@@ -77,6 +77,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     mechanism.drawn = cut.inputs;
     if cut.holds_links {
         // Bars stand for links, so that what pushes in the joints of these is not known.
+        messages::report_held_reactions(tree, &mechanism, diagnostics);
         mechanism.dynamics.asked.retain(|asked| is_of_power(asked.effort));
     }
     mechanism.outputs.retain(|output| !cut.hidden.contains(&output.field));

@@ -61,6 +61,14 @@ fn numbers_of(tree: &Declaration) -> Declaration {
     }
 }
 
+fn pins_of(tree: &Declaration) -> impl Iterator<Item = &Ident> {
+    let points = tree.statements.iter().flat_map(|statement| match &statement.kind {
+        StatementKind::Pin { points } => &points[..],
+        _ => &[],
+    });
+    points.map(|(name, _)| name)
+}
+
 /// The unit of the first length that has one.
 fn unit_of(tree: &Declaration) -> Option<String> {
     let mut found = None;
@@ -87,6 +95,7 @@ impl<'d> Measured<'d> {
         let before = diagnostics.count();
         let numbers = numbers_of(tree);
         let mut resolver = Resolver::new(&numbers, &tree.unread, diagnostics);
+        resolver.pins = pins_of(tree).map(ToString::to_string).collect();
         resolver.facts.longest_in_small_units =
             super::super::literals::longest_in_small_units(tree);
         resolver.statements(&numbers);

@@ -25,6 +25,11 @@ fn counts_that_do_not_fit_name_bodies_and_drives() {
         ),
         (
             FOUR_BAR,
+            "drive DC.angle = t;",
+            "t: `drive AB.angle` and `drive DC.angle` fight: `AB`, `BC`, `DC` and the ground have one freedom and 2 drives / leave out `drive AB.angle` or `drive DC.angle`",
+        ),
+        (
+            FOUR_BAR,
             "link BD(B, D);",
             "BD: `AB`, `BD` and the ground hold each other without `drive AB.angle`: one constraint too many / leave out `link BD`, or one of its joints or `drive AB.angle`",
         ),
@@ -105,7 +110,7 @@ fn places_of_pins_are_those_of_points_that_stand_still() {
         (
             FOUR_BAR,
             "pin E(t, 0);",
-            "t: a ground point is fixed; it cannot depend on an input / a point that is driven is declared `point E at (x, y);`",
+            "t: `E` is drawn in one pose; its place there cannot depend on an input / the input drives a link, `drive LINK.angle = …;`, and the pins move with it",
         ),
         (
             FOUR_BAR,
@@ -132,6 +137,91 @@ fn poses_and_chains_that_are_not_decided() {
             "input t: angle; ground A(0, 0), D(4m, 0), E(1m, 0); pin B(0, 1m), C(4m, 1m), F(1m, 1m); link AB(A, B), BC(B, C, F), DC(D, C), EF(E, F); drive AB.angle = t;",
             "",
             "EF: `EF` is one bar too many by count, but these bars are parallel and equal, so it moves / leave out `link EF`; two points draw it",
+        ),
+    ]);
+}
+
+/// Dyads of every kind and a group of class III, a billionth beside a limit.
+#[test]
+fn drawings_next_to_a_limit_are_refused() {
+    let apart = "draw another pose";
+    let with_rail = |block: &str, guide: &str| {
+        format!(
+            "input t: angle; ground A(0, 0), O(3m, 0); pin B(1m, 0), {block}; link AB(A, B); {guide} \
+             drive AB.angle = t;"
+        )
+    };
+    let rrp = with_rail(
+        "C(1.000000001m, 2m)",
+        "guide bed through C along 0deg; link BC(B, C), ram(C) on bed;",
+    );
+    let rpr = with_rail(
+        "C(3m, 1m)",
+        "link rod(O, C); guide slot on rod through (0, 2m) along 0.000000001rad; link block(B) on slot;",
+    );
+    let prp = with_rail(
+        "C(2m, 1m)",
+        "guide bed through C along 0deg; guide rod on AB through C along 0.000000001rad; \
+         link ram(C) on bed; link block(C) on rod;",
+    );
+    let triad = "input t: angle; ground A(-1m, 0), D(4m, 0), E(2m, 5m); \
+                 pin B(0, 0), P(1.000000001m, 1m), Q(3m, 1m), R(2m, 3.5m); \
+                 link AB(A, B), BP(B, P), plate(P, Q, R), DQ(D, Q), ER(E, R); drive AB.angle = t;";
+    check(&[
+        (
+            "input t: angle; ground A(0, 0), D(4m, 0); pin B(1m, 0), C(2m, 0.000000001m); link AB(A, B), BC(B, C), DC(D, C); drive AB.angle = t;",
+            "",
+            &format!(
+                "DC: in the drawing `BC` and `DC` are in one line: `left` and `right` come together there / {apart}"
+            ),
+        ),
+        (
+            &rrp,
+            "",
+            &format!(
+                "ram: in the drawing `BC` stands square to its guide: `ahead` and `behind` come together there / {apart}"
+            ),
+        ),
+        (
+            &rpr,
+            "",
+            &format!(
+                "rod: in the drawing `block` is at the foot of `rod`: `ahead` and `behind` come together there / {apart}"
+            ),
+        ),
+        (
+            &prp,
+            "",
+            &format!(
+                "block: in the drawing `ram` and `block` slide along one line: they are held by nothing there / {apart}"
+            ),
+        ),
+        (
+            triad,
+            "",
+            &format!(
+                "ER: in the drawing `BP`, `plate`, `DQ` and `ER` are at a dead point, or next to one / two ways to assemble them come together there: {apart}"
+            ),
+        ),
+    ]);
+}
+
+/// Where a drive holds two moving links together, a bar stands for them: forces in joints that are asked for are
+/// refused, and those that nobody asked for are left out.
+#[test]
+fn reactions_beside_links_that_are_held_together() {
+    let held = "input t: angle; ground A(0, 0), D(4m, 0); pin B(0.5m, 0.9m), C(3.2m, 2.6m); \
+                link AB(A, B), BC(B, C), DC(D, C); drive AB.angle - BC.angle = t; mass 2kg on C;";
+    let reason = "one bar stands for both links in their group, and what pushes in its joints is not what pushes in theirs";
+    check(&[
+        (held, "", ""),
+        (held, "output C, t.drive;", ""),
+        (
+            held,
+            "output C, DC.D;",
+            &format!(
+                "D: `DC.D` is not known where a drive holds two moving links together; ask for `t.drive` / {reason}"
+            ),
         ),
     ]);
 }

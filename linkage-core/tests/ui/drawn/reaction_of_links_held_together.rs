@@ -1,0 +1,15 @@
+use linkage_core::mechanism;
+
+mechanism! {
+    struct M {
+        input theta: angle;
+        ground A(0, 0), D(4m, 0);
+        pin B(0.5m, 0.9m), C(3.2m, 2.6m);
+        link AB(A, B), BC(B, C), DC(D, C);
+        drive AB.angle - BC.angle = theta;
+        mass 2kg on C;
+        output C, DC.D;
+    }
+}
+
+fn main() {}
