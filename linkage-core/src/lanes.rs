@@ -217,7 +217,10 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     }
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        both(self, |x| if x.is_near() { x.sin_cos_kernel::<F>() } else { x.sin_cos() })
+        both(
+            self,
+            |x| if x.is_near() { x.sin_cos_kernel::<F>() } else { x.sin_cos_far_kernel::<F>() },
+        )
     }
     #[inline(always)]
     fn sin_cos_near(self) -> (Self, Self) {

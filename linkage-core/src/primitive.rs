@@ -23,7 +23,7 @@ macro_rules! by_kernels {
 /// The scalar implementation for one width: the kernels, and `libm` for what no solver computes
 /// unless it was asked for.
 macro_rules! scalar {
-    ($t:ident, lit: $lit:expr, plain: $plain:expr, sqrt: $sqrt:path, near: $near:path, sin_cos: $sin_cos:path,
+    ($t:ident, lit: $lit:expr, plain: $plain:expr, sqrt: $sqrt:path, near: $near:path,
      hypot: $hypot:path) => {
         impl Scalar for $t {
             type Mask = bool;
@@ -38,7 +38,11 @@ macro_rules! scalar {
             }
             #[inline]
             fn sin_cos(self) -> (Self, Self) {
-                if self.is_near() { self.sin_cos_kernel::<Native>() } else { $sin_cos(self) }
+                if self.is_near() {
+                    self.sin_cos_kernel::<Native>()
+                } else {
+                    self.sin_cos_far_kernel::<Native>()
+                }
             }
             #[inline]
             fn sin_cos_near(self) -> (Self, Self) {
@@ -138,7 +142,6 @@ scalar!(
     plain: |wide, _| wide,
     sqrt: kernels::sqrt,
     near: kernels::NEAR_F64,
-    sin_cos: libm::sincos,
     hypot: libm::hypot
 );
 scalar!(
@@ -147,6 +150,5 @@ scalar!(
     plain: |_, narrow| narrow,
     sqrt: kernels::sqrtf,
     near: kernels::NEAR_F32,
-    sin_cos: libm::sincosf,
     hypot: libm::hypotf
 );

@@ -23,7 +23,7 @@
 #error "a refusal rests on exact rounding: compile without excess precision, as with -msse2 -mfpmath=sse"
 #endif
 #if DBL_MANT_DIG < 53
-#error "double has fewer than 64 bits here: decisions at a limit need all of them"
+#error "double has fewer than 64 bits here, and decisions at a limit need them: avr-gcc 10 has such a double by -mdouble=64"
 #endif
 
 /* No product is contracted into a sum but where a fused operation is written. gcc 12 contracts vectors of sums and
@@ -363,18 +363,9 @@ static inline void linkage_turn(double sine, double cosine, double shifted, doub
 /* True within the range of the kernels below. */
 static inline int linkage_is_near(double x) { return x * x <= 1048576.0 * 1048576.0; }
 
-/* Sine and cosine of a near angle: x = q*pi/2 + r by W. J. Cody and W. Waite, then a polynomial each. The
- * remainder is r - excess. */
-static inline void linkage_sin_cos_exact(double x, double *to_sin, double *to_cos)
+/* Sine and cosine of r - excess and of quarter turns, the last bits of `shifted`: a polynomial each. */
+static inline void linkage_sin_cos_of(double r, double excess, double shifted, double *to_sin, double *to_cos)
 {
-    const double shifted = linkage_fused(x, 0.6366197723675814, 6755399441055744.0);
-    const double q = shifted - 6755399441055744.0;
-    const double minuend = linkage_fused(-q, 1.5707963267341256, x);
-    const double subtrahend = q * 6.077100506506192e-11;
-    const double r = minuend - subtrahend;
-    const double r_error = (minuend - r) - subtrahend;
-    const double subtrahend_error = linkage_fused(q, 6.077100506303966e-11, -subtrahend) + q * 2.0222662487111665e-21;
-    const double excess = linkage_fused(q, 8.4784276603689e-32, subtrahend_error - r_error);
     const double z = r * r, z2 = z * z, half = 0.5 * z, head = 1.0 - half;
     const double head_error = (1.0 - head) - half;
     const double s3 = linkage_fused(z2, -1.5895433284842938e-10, linkage_fused(z, 2.5050734389219857e-8, -2.7557313538514158e-6));
@@ -386,6 +377,21 @@ static inline void linkage_sin_cos_exact(double x, double *to_sin, double *to_co
     const double c0 = linkage_fused(z, c1, 0.041666666666666595);
     const double cosine = head + linkage_fused(z2, c0, linkage_fused(r, excess, head_error));
     linkage_turn(sine, cosine, shifted, to_sin, to_cos);
+}
+
+/* Sine and cosine of a near angle: x = q*pi/2 + r by W. J. Cody and W. Waite. The remainder is
+ * r - excess. */
+static inline void linkage_sin_cos_exact(double x, double *to_sin, double *to_cos)
+{
+    const double shifted = linkage_fused(x, 0.6366197723675814, 6755399441055744.0);
+    const double q = shifted - 6755399441055744.0;
+    const double minuend = linkage_fused(-q, 1.5707963267341256, x);
+    const double subtrahend = q * 6.077100506506192e-11;
+    const double r = minuend - subtrahend;
+    const double r_error = (minuend - r) - subtrahend;
+    const double subtrahend_error = linkage_fused(q, 6.077100506303966e-11, -subtrahend) + q * 2.0222662487111665e-21;
+    const double excess = linkage_fused(q, 8.4784276603689e-32, subtrahend_error - r_error);
+    linkage_sin_cos_of(r, excess, shifted, to_sin, to_cos);
 }
 
 /* The same without what the remainder is rounded by, where operations are fused. */
@@ -410,14 +416,16 @@ static inline void linkage_sin_cos_near(double x, double *to_sin, double *to_cos
 #endif
 }
 
-/* Sine and cosine of any angle: beyond the kernel's range, those of <math.h>. */
+/* The same of any other angle; not numbers where the angle is none. */
+void linkage_sin_cos_far(double x, double *to_sin, double *to_cos);
+
+/* Sine and cosine of any angle. */
 static inline void linkage_sin_cos(double x, double *to_sin, double *to_cos)
 {
     if (linkage_is_near(x)) {
         linkage_sin_cos_exact(x, to_sin, to_cos);
     } else {
-        *to_sin = sin(x);
-        *to_cos = cos(x);
+        linkage_sin_cos_far(x, to_sin, to_cos);
     }
 }
 
@@ -604,6 +612,18 @@ static inline void linkage_turnf(float sine, float cosine, float shifted, float 
 /* True within the range of the kernels below. */
 static inline int linkage_is_nearf(float x) { return x * x <= 51471.0f * 51471.0f; }
 
+/* Sine and cosine of r - excess and of quarter turns, the last bits of `shifted`. */
+static inline void linkage_sin_cos_off(float r, float excess, float shifted, float *to_sin, float *to_cos)
+{
+    const float z = r * r, z2 = z * z, half = 0.5f * z, head = 1.0f - half;
+    const float head_error = (1.0f - head) - half;
+    const float s0 = linkage_fusedf(z2, 0.00019518277258612216f, linkage_fusedf(z, -0.008332189172506332f, 0.16666655242443085f));
+    const float sine = r - linkage_fusedf(z * r, s0, excess * head);
+    const float c0 = linkage_fusedf(z2, 2.4432327336398885e-5f, linkage_fusedf(z, -0.0013887309469282627f, 0.04166664555668831f));
+    const float cosine = head + linkage_fusedf(z2, c0, linkage_fusedf(r, excess, head_error));
+    linkage_turnf(sine, cosine, shifted, to_sin, to_cos);
+}
+
 /* Sine and cosine of a near angle in single precision throughout. */
 static inline void linkage_sin_cos_exactf(float x, float *to_sin, float *to_cos)
 {
@@ -615,13 +635,7 @@ static inline void linkage_sin_cos_exactf(float x, float *to_sin, float *to_cos)
     const float r_error = (minuend - r) - subtrahend;
     const float subtrahend_error = linkage_fusedf(q, 3.1385570764541626e-7f, -subtrahend) + q * 6.070877134334296e-11f;
     const float excess = linkage_fusedf(q, 6.223371969669989e-14f, subtrahend_error - r_error);
-    const float z = r * r, z2 = z * z, half = 0.5f * z, head = 1.0f - half;
-    const float head_error = (1.0f - head) - half;
-    const float s0 = linkage_fusedf(z2, 0.00019518277258612216f, linkage_fusedf(z, -0.008332189172506332f, 0.16666655242443085f));
-    const float sine = r - linkage_fusedf(z * r, s0, excess * head);
-    const float c0 = linkage_fusedf(z2, 2.4432327336398885e-5f, linkage_fusedf(z, -0.0013887309469282627f, 0.04166664555668831f));
-    const float cosine = head + linkage_fusedf(z2, c0, linkage_fusedf(r, excess, head_error));
-    linkage_turnf(sine, cosine, shifted, to_sin, to_cos);
+    linkage_sin_cos_off(r, excess, shifted, to_sin, to_cos);
 }
 
 static inline void linkage_sin_cos_nearf(float x, float *to_sin, float *to_cos)
@@ -629,14 +643,15 @@ static inline void linkage_sin_cos_nearf(float x, float *to_sin, float *to_cos)
     linkage_sin_cos_exactf(x, to_sin, to_cos);
 }
 
-/* Sine and cosine of any angle: beyond the kernel's range, those of <math.h>. */
+void linkage_sin_cos_farf(float x, float *to_sin, float *to_cos);
+
+/* Sine and cosine of any angle. */
 static inline void linkage_sin_cosf(float x, float *to_sin, float *to_cos)
 {
     if (linkage_is_nearf(x)) {
         linkage_sin_cos_exactf(x, to_sin, to_cos);
     } else {
-        *to_sin = sinf(x);
-        *to_cos = cosf(x);
+        linkage_sin_cos_farf(x, to_sin, to_cos);
     }
 }
 

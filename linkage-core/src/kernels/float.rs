@@ -41,6 +41,10 @@ pub trait Float: Elementary {
     #[doc(hidden)]
     fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self);
 
+    /// The kernel behind [`Scalar::sin_cos`](crate::Scalar::sin_cos) of any other argument.
+    #[doc(hidden)]
+    fn sin_cos_far_kernel<F: Fusion>(self) -> (Self, Self);
+
     /// The kernel behind [`Scalar::sin_cos_near`](crate::Scalar::sin_cos_near), of a number alone or of a
     /// lane.
     #[doc(hidden)]
@@ -56,6 +60,10 @@ impl Float for f64 {
         sin_cos_f64::sin_cos::<F>(self)
     }
     #[inline]
+    fn sin_cos_far_kernel<F: Fusion>(self) -> (Self, Self) {
+        sin_cos_f64::sin_cos_far::<F>(self)
+    }
+    #[inline]
     fn sin_cos_near_kernel<F: Fusion, const ALONE: bool>(self) -> (Self, Self) {
         sin_cos_f64::sin_cos_near::<F, ALONE>(self)
     }
@@ -65,5 +73,9 @@ impl Float for f32 {
     #[inline]
     fn sin_cos_kernel<F: Fusion>(self) -> (Self, Self) {
         sin_cos_f32::sin_cos::<F>(self)
+    }
+    #[inline]
+    fn sin_cos_far_kernel<F: Fusion>(self) -> (Self, Self) {
+        sin_cos_f32::sin_cos_far::<F>(self)
     }
 }

@@ -8,6 +8,7 @@
 mod arc;
 pub(crate) mod arithmetic;
 mod error_free;
+mod far;
 mod float;
 mod fusion;
 mod native;
@@ -18,6 +19,8 @@ mod sin_cos_f64;
 mod accuracy;
 #[cfg(test)]
 pub(crate) mod double_word;
+#[cfg(test)]
+mod far_arguments;
 #[cfg(test)]
 mod hard_arguments;
 

@@ -28,6 +28,7 @@
 
 use super::Fusion;
 use super::arithmetic::Arithmetic;
+use super::far::quarters;
 
 /// Largest argument of the kernel, in radians: 8192 turns, so that q takes 15 bits.
 pub(crate) const LIMIT: f32 = 51_471.0;
@@ -66,6 +67,21 @@ pub(crate) fn sin_cos<F: Fusion>(x: f32) -> (f32, f32) {
     let (r, excess) = reduce::<F>(x, shifted - SHIFT);
     let (sin, cos) = polynomials::<F>(r, excess);
     turn::<F>(sin, cos, shifted.to_bits())
+}
+
+/// Sine and cosine for |x| > [`LIMIT`], with the same error; not numbers for an infinite x or none. The remainder is
+/// that of `f64`, rounded to two numbers.
+#[cold]
+#[inline(never)]
+pub(crate) fn sin_cos_far<F: Fusion>(x: f32) -> (f32, f32) {
+    if !x.is_finite() {
+        return (f32::NAN, f32::NAN);
+    }
+    let (count, [high, low]) = quarters(x.into());
+    let remainder = (high + low) * core::f64::consts::FRAC_PI_2;
+    let r = remainder as f32;
+    let (sin, cos) = polynomials::<F>(r, (f64::from(r) - remainder) as f32);
+    turn::<F>(sin, cos, count as u32)
 }
 
 /// The remainder x − q·π/2 as r − excess.

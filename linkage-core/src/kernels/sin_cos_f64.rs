@@ -32,8 +32,9 @@
 // The digits are those of the binary value: the reader can check them against the bits.
 #![allow(clippy::excessive_precision)]
 
-use super::Fusion;
 use super::arithmetic::Arithmetic;
+use super::far::quarters;
+use super::{Fusion, mul_err};
 
 /// Largest argument of the kernel, in radians: 2²⁰, so that q takes 20 bits.
 pub(crate) const LIMIT: f64 = 1_048_576.0;
@@ -84,6 +85,25 @@ pub(crate) fn sin_cos<F: Fusion>(x: f64) -> (f64, f64) {
     let (r, excess) = reduce::<F>(x, shifted - SHIFT);
     let (sin, cos) = polynomials::<F>(r, excess);
     turn::<F>(sin, cos, shifted.to_bits())
+}
+
+/// Sine and cosine for |x| > [`LIMIT`], with the same error; not numbers for an infinite x or none.
+///
+/// The rest in quarter turns and π/2 are two words each, and the error of the product of the first is exact: the
+/// remainder is right to 2⁻⁶⁵ of itself.
+#[cold]
+#[inline(never)]
+pub(crate) fn sin_cos_far<F: Fusion>(x: f64) -> (f64, f64) {
+    if !x.is_finite() {
+        return (f64::NAN, f64::NAN);
+    }
+    let (count, [high, low]) = quarters(x);
+    let [quarter, quarter_low] = WORDS;
+    let product = high * quarter;
+    let error = mul_err::<f64, F>(high, quarter) + (high * quarter_low + low * quarter);
+    let r = product + error;
+    let (sin, cos) = polynomials::<F>(r, (r - product) - error);
+    turn::<F>(sin, cos, count)
 }
 
 /// The remainder x − q·π/2 as r − excess.

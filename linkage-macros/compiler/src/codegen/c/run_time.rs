@@ -51,6 +51,7 @@ pub(crate) fn source() -> &'static str {
         include_str!("run/conditions.c"),
         include_str!("run/exact.c"),
         include_str!("run/reach.c"),
+        include_str!("run/far.c"),
     )
 }
 

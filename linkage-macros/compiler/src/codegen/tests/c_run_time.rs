@@ -158,7 +158,9 @@ fn arguments(random: &mut Random, which: i32, is_single: bool) -> [f64; 9] {
                 random.pick(&[FRAC_PI_4, FRAC_PI_2, PI]) * random.unit().round()
             }
             0 | 11 => (random.unit() - 0.5) * 2.0 * near,
-            1 => (random.unit() - 0.5) * 2.0 * near,
+            // Of any size, and sometimes none.
+            1 if random.below(2) == 0 => random.any(if is_single { 128.0 } else { 1024.0 }),
+            1 => (random.unit() - 0.5) * 4.0 * near,
             2 | 3 if random.below(10) > 0 => (random.unit() - 0.5) * 2.0,
             12 => (random.unit() - 0.5) * 2.2,
             10 => random.number(20.0),
@@ -359,6 +361,19 @@ fn fused_c_agrees() {
     functions_agree::<Fused>(&program);
     conditions_agree(&program);
     roots_agree(&program);
+}
+
+/// clang contracts by itself as well.
+#[test]
+fn clang_agrees() {
+    let Some(strict) = program("clang", "clang", &STRICT) else { return };
+    functions_agree::<Plain>(&strict);
+    roots_agree(&strict);
+    if cfg!(target_arch = "x86_64") && std::is_x86_feature_detected!("fma") {
+        let Some(fused) = program("clang", "clang_fused", &CONTRACTING) else { return };
+        functions_agree::<Fused>(&fused);
+        conditions_agree(&fused);
+    }
 }
 
 #[test]

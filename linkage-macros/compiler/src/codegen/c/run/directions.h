@@ -1,12 +1,11 @@
 
-/* Sine and cosine of any angle: beyond the kernel's range, those of <math.h>. */
+/* Sine and cosine of any angle. */
 static inline void linkage_sin_cos@(REAL x, REAL *to_sin, REAL *to_cos)
 {
     if (linkage_is_near@(x)) {
         linkage_sin_cos_exact@(x, to_sin, to_cos);
     } else {
-        *to_sin = sin@(x);
-        *to_cos = cos@(x);
+        linkage_sin_cos_far@(x, to_sin, to_cos);
     }
 }
 

@@ -23,7 +23,7 @@
 #error "a refusal rests on exact rounding: compile without excess precision, as with -msse2 -mfpmath=sse"
 #endif
 #if DBL_MANT_DIG < 53
-#error "double has fewer than 64 bits here: decisions at a limit need all of them"
+#error "double has fewer than 64 bits here, and decisions at a limit need them: avr-gcc 10 has such a double by -mdouble=64"
 #endif
 
 /* No product is contracted into a sum but where a fused operation is written. gcc 12 contracts vectors of sums and

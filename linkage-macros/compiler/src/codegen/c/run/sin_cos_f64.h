@@ -1,16 +1,7 @@
 
-/* Sine and cosine of a near angle: x = q*pi/2 + r by W. J. Cody and W. Waite, then a polynomial each. The
- * remainder is r - excess. */
-static inline void linkage_sin_cos_exact(double x, double *to_sin, double *to_cos)
+/* Sine and cosine of r - excess and of quarter turns, the last bits of `shifted`: a polynomial each. */
+static inline void linkage_sin_cos_of(double r, double excess, double shifted, double *to_sin, double *to_cos)
 {
-    const double shifted = linkage_fused(x, 0.6366197723675814, 6755399441055744.0);
-    const double q = shifted - 6755399441055744.0;
-    const double minuend = linkage_fused(-q, 1.5707963267341256, x);
-    const double subtrahend = q * 6.077100506506192e-11;
-    const double r = minuend - subtrahend;
-    const double r_error = (minuend - r) - subtrahend;
-    const double subtrahend_error = linkage_fused(q, 6.077100506303966e-11, -subtrahend) + q * 2.0222662487111665e-21;
-    const double excess = linkage_fused(q, 8.4784276603689e-32, subtrahend_error - r_error);
     const double z = r * r, z2 = z * z, half = 0.5 * z, head = 1.0 - half;
     const double head_error = (1.0 - head) - half;
     const double s3 = linkage_fused(z2, -1.5895433284842938e-10, linkage_fused(z, 2.5050734389219857e-8, -2.7557313538514158e-6));
@@ -22,6 +13,21 @@ static inline void linkage_sin_cos_exact(double x, double *to_sin, double *to_co
     const double c0 = linkage_fused(z, c1, 0.041666666666666595);
     const double cosine = head + linkage_fused(z2, c0, linkage_fused(r, excess, head_error));
     linkage_turn(sine, cosine, shifted, to_sin, to_cos);
+}
+
+/* Sine and cosine of a near angle: x = q*pi/2 + r by W. J. Cody and W. Waite. The remainder is
+ * r - excess. */
+static inline void linkage_sin_cos_exact(double x, double *to_sin, double *to_cos)
+{
+    const double shifted = linkage_fused(x, 0.6366197723675814, 6755399441055744.0);
+    const double q = shifted - 6755399441055744.0;
+    const double minuend = linkage_fused(-q, 1.5707963267341256, x);
+    const double subtrahend = q * 6.077100506506192e-11;
+    const double r = minuend - subtrahend;
+    const double r_error = (minuend - r) - subtrahend;
+    const double subtrahend_error = linkage_fused(q, 6.077100506303966e-11, -subtrahend) + q * 2.0222662487111665e-21;
+    const double excess = linkage_fused(q, 8.4784276603689e-32, subtrahend_error - r_error);
+    linkage_sin_cos_of(r, excess, shifted, to_sin, to_cos);
 }
 
 /* The same without what the remainder is rounded by, where operations are fused. */
@@ -45,3 +51,6 @@ static inline void linkage_sin_cos_near(double x, double *to_sin, double *to_cos
     linkage_sin_cos_exact(x, to_sin, to_cos);
 #endif
 }
+
+/* The same of any other angle; not numbers where the angle is none. */
+void linkage_sin_cos_far(double x, double *to_sin, double *to_cos);
