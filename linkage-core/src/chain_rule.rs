@@ -10,7 +10,7 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::scalar::lit;
-use crate::{Real, Scalar};
+use crate::{LibraryFunction, Real, Scalar};
 
 /// A real part with derivatives that follow the chain rule, up to the third.
 pub trait Compose:
@@ -172,6 +172,25 @@ impl<D: Compose> Scalar for D {
         Self::constant(length)
             * along
             * (across / along).compose([lit(1.0), lit(0.0), lit(1.0), lit(0.0)])
+    }
+
+    fn apply(self, function: LibraryFunction) -> Self {
+        let x = self.real();
+        self.compose(function.derivatives(x, x.apply(function), lit))
+    }
+
+    /// The power by the real exponent, times what the exponent's derivatives make of it.
+    fn pow(self, exponent: Self) -> Self {
+        let (x, y) = (self.real(), exponent.real());
+        let f0 = x.pow(y);
+        let f1 = y * f0 / x;
+        let f2 = (y - lit(1.0)) * f1 / x;
+        let f3 = (y - lit(2.0)) * f2 / x;
+        let power = compose_singular(self, [f0, f1, f2, f3]);
+        if exponent.derivatives_all(is_zero) {
+            return power;
+        }
+        power * (exponent.with_real(lit(0.0)) * self.ln()).exp()
     }
 
     #[inline]

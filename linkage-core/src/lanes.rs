@@ -10,7 +10,7 @@ use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
 use crate::kernels::{self, Float, Fusion, Plain};
 use crate::scalar::{elementary, root_of_squares};
-use crate::{Mask, Scalar};
+use crate::{LibraryFunction, Mask, Scalar};
 
 /// `W` numbers of type `T`.
 ///
@@ -235,6 +235,14 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     #[inline(always)]
     fn hypot(self, other: Self) -> Self {
         self.zip(other, T::hypot)
+    }
+    #[inline(always)]
+    fn apply(self, function: LibraryFunction) -> Self {
+        self.map(|x| x.apply(function))
+    }
+    #[inline(always)]
+    fn pow(self, exponent: Self) -> Self {
+        self.zip(exponent, T::pow)
     }
     #[inline(always)]
     fn hypot_near(self, other: Self, least: Self) -> (Self, LaneMask<W>) {

@@ -149,6 +149,7 @@ pub mod find;
 mod friction;
 mod kernels;
 mod lanes;
+mod library_function;
 mod limit;
 mod mechanism;
 mod modes;
@@ -179,6 +180,7 @@ pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_
 pub use error::SolveError;
 pub use kernels::{Float, Fused, Fusion, Plain};
 pub use lanes::{LaneMask, Lanes};
+pub use library_function::LibraryFunction;
 pub use mechanism::Mechanism;
 pub use modes::{Sense, Side};
 pub use record::Record;

@@ -4,7 +4,7 @@ use crate::kernels::arithmetic::Arithmetic;
 use crate::kernels::{self, Elementary, Float, Native};
 use crate::scalar::{elementary, root_of_squares};
 use crate::tracker::Enclosure;
-use crate::{Real, Scalar};
+use crate::{LibraryFunction, Real, Scalar};
 
 /// The elementary functions of a single number.
 macro_rules! by_kernels {
@@ -24,7 +24,7 @@ macro_rules! by_kernels {
 /// unless it was asked for.
 macro_rules! scalar {
     ($t:ident, lit: $lit:expr, plain: $plain:expr, sqrt: $sqrt:path, near: $near:path,
-     hypot: $hypot:path) => {
+     hypot: $hypot:path, library: $width:ident $pow:path) => {
         impl Scalar for $t {
             type Mask = bool;
 
@@ -58,6 +58,14 @@ macro_rules! scalar {
             #[inline]
             fn hypot(self, other: Self) -> Self {
                 $hypot(self, other)
+            }
+            #[inline]
+            fn apply(self, function: LibraryFunction) -> Self {
+                function.$width(self)
+            }
+            #[inline]
+            fn pow(self, exponent: Self) -> Self {
+                $pow(self, exponent)
             }
             #[inline]
             fn hypot_near(self, other: Self, least: Self) -> (Self, bool) {
@@ -142,7 +150,8 @@ scalar!(
     plain: |wide, _| wide,
     sqrt: kernels::sqrt,
     near: kernels::NEAR_F64,
-    hypot: libm::hypot
+    hypot: libm::hypot,
+    library: wide libm::pow
 );
 scalar!(
     f32,
@@ -150,5 +159,6 @@ scalar!(
     plain: |_, narrow| narrow,
     sqrt: kernels::sqrtf,
     near: kernels::NEAR_F32,
-    hypot: libm::hypotf
+    hypot: libm::hypotf,
+    library: narrow libm::powf
 );

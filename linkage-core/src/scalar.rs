@@ -7,6 +7,8 @@
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
+use crate::LibraryFunction;
+
 /// Calls a macro with the elementary functions, each before its kernel's name: behind the macro's first tokens
 /// those of one number, then those of two. Whatever only passes them on is written by such a macro, so that
 /// one more function is a word here.
@@ -129,6 +131,35 @@ pub trait Scalar:
     /// √(`self`² + `other`²) without intermediate overflow.
     #[must_use]
     fn hypot(self, other: Self) -> Self;
+
+    /// A function of one number that a library computes, of lanes one by one.
+    #[must_use]
+    fn apply(self, function: LibraryFunction) -> Self;
+
+    /// `self` to a power, of lanes one by one; not a number below zero, unless the exponent is an integer.
+    #[must_use]
+    fn pow(self, exponent: Self) -> Self;
+
+    /// e to this power.
+    #[inline(always)]
+    #[must_use]
+    fn exp(self) -> Self {
+        self.apply(LibraryFunction::Exp)
+    }
+
+    /// The natural logarithm; −∞ at zero, and not a number below.
+    #[inline(always)]
+    #[must_use]
+    fn ln(self) -> Self {
+        self.apply(LibraryFunction::Ln)
+    }
+
+    /// The hyperbolic tangent.
+    #[inline(always)]
+    #[must_use]
+    fn tanh(self) -> Self {
+        self.apply(LibraryFunction::Tanh)
+    }
 
     /// √(`self`² + `other`²) and whether it may be used: of single numbers and lanes the root of the squares
     /// as they are, within 1.5 units in the last place where their sum is at least `least`, which is at least

@@ -6,7 +6,7 @@
 //! half of its 31 at the worst, which leaves as many as are needed.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
-use linkage_core::Scalar;
+use linkage_core::{LibraryFunction, Scalar};
 
 /// High + low, with |low| at most half a unit in the last place of high. `NARROW` is the truth
 /// for `f32`.
@@ -80,7 +80,41 @@ impl<const NARROW: bool> DoubleDouble<NARROW> {
         }
         (sin, Self::new(1.0) - below)
     }
+
+    /// eˣ − 1, without loss near zero, for |x| below 1 or so: Taylor's series of a 64th of x, whose terms fall
+    /// below 2⁻¹¹⁰ before the 16th power, and (1 + y)² − 1 = y (2 + y) six times.
+    fn small_exponential_less_one(self) -> Self {
+        let x = self * Self::new(1.0 / 64.0);
+        let mut term = x;
+        let sum = (2..18).fold(x, |sum, power| {
+            term = term * x / Self::new(f64::from(power));
+            sum + term
+        });
+        (0..6).fold(sum, |y, _| y * (y + Self::new(2.0)))
+    }
+
+    fn exponential_less_one(self) -> Self {
+        if self.high.abs() < 0.5 {
+            return self.small_exponential_less_one();
+        }
+        self.exponential() - Self::new(1.0)
+    }
+
+    /// eˣ = 2ⁿ e^(x − n ln 2).
+    fn exponential(self) -> Self {
+        if self.high.is_nan() || self.high.abs() >= 700.0 {
+            return Self::new(self.high.exp());
+        }
+        let twos = (self.high / LN_2[0]).round();
+        let part = |word: f64| Self::of(two_product(twos, word));
+        let rest = ((self - part(LN_2[0])) - part(LN_2[1])) - part(LN_2[2]);
+        let scale = Self::new(twos.exp2());
+        (rest.small_exponential_less_one() + Self::new(1.0)) * scale
+    }
 }
+
+/// ln 2 to 160 bits.
+const LN_2: [f64; 3] = [core::f64::consts::LN_2, 2.3190468138462996e-17, 5.707708438416212e-34];
 
 /// π/2 to 160 bits.
 const HALF_PI: [f64; 3] =
@@ -182,6 +216,25 @@ impl<const NARROW: bool> Scalar for DoubleDouble<NARROW> {
     }
     fn hypot(self, other: Self) -> Self {
         (self * self + other * other).sqrt()
+    }
+    /// Logarithms by one step of Newton's method from the one in `f64`, hyperbolic tangents by exponentials.
+    fn apply(self, function: LibraryFunction) -> Self {
+        let one = Self::new(1.0);
+        match function {
+            LibraryFunction::Exp => self.exponential(),
+            LibraryFunction::Ln => {
+                let near = Self::new(self.high.ln());
+                near + (self * (-near).exponential() - one)
+            }
+            // Where it is small, no digits cancel in the series of e^2x − 1.
+            LibraryFunction::Tanh => {
+                let below = (self + self).exponential_less_one();
+                below / (below + Self::new(2.0))
+            }
+        }
+    }
+    fn pow(self, exponent: Self) -> Self {
+        (exponent * self.ln()).exponential()
     }
     fn det(a: Self, b: Self, c: Self, d: Self) -> Self {
         a * b - c * d

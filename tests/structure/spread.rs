@@ -267,6 +267,8 @@ const KINDS: [Kind; 5] = [
             fact(7, &[Words("acos")]),
             fact(8, &[Words("atan")]),
             fact(8, &[Words("atan2")]),
+            fact(8, &[Name("Tanh"), Words("tanh")]),
+            fact(8, &[Name("Ln"), Words("ln")]),
         ],
     },
     Kind {

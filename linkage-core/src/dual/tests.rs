@@ -53,6 +53,30 @@ fn functions_of_one_number_have_their_derivatives() {
         let expected = [x.atan(), 1.0 / q, -2.0 * x / (q * q), (6.0 * x * x - 2.0) / (q * q * q)];
         assert_parts(Scalar::atan(variable(x)), expected);
     }
+    for x in [-1.5_f64, -0.2, 0.0, 0.4, 2.0] {
+        let (e, t) = (x.exp(), x.tanh());
+        assert_parts(Scalar::exp(variable(x)), [e; 4]);
+        let q = 1.0 - t * t;
+        let expected = [t, q, -2.0 * t * q, q * (6.0 * t * t - 2.0)];
+        assert_parts(Scalar::tanh(variable(x)), expected);
+    }
+    for x in [0.2_f64, 1.0, 3.0] {
+        let expected = [x.ln(), 1.0 / x, -1.0 / (x * x), 2.0 / (x * x * x)];
+        assert_parts(Scalar::ln(variable(x)), expected);
+        for y in [-1.3_f64, 0.5, 2.0, 3.7] {
+            let (f1, f2) = (y * x.powf(y - 1.0), y * (y - 1.0) * x.powf(y - 2.0));
+            let f3 = y * (y - 1.0) * (y - 2.0) * x.powf(y - 3.0);
+            let power = Scalar::pow(variable(x), Dual3::from_re(y));
+            // Each derivative is made of the one before by three operations.
+            for (value, expected) in parts(power).into_iter().zip([x.powf(y), f1, f2, f3]) {
+                assert_close(value, expected, expected.abs());
+            }
+            // As an exponent: xʸ lnⁿ x.
+            let (power, log) = (Scalar::pow(Dual3::from_re(y.abs()), variable(x)), y.abs().ln());
+            let expected = [0, 1, 2, 3].map(|n| y.abs().powf(x) * log.powi(n));
+            assert_parts(power, expected);
+        }
+    }
     for x in [-0.7_f64, 0.0, 0.1, 0.5] {
         let q = 1.0 - x * x;
         let [f1, f2, f3] = [q.powf(-0.5), x * q.powf(-1.5), (1.0 + 2.0 * x * x) * q.powf(-2.5)];
@@ -170,7 +194,8 @@ fn everything<T: Scalar>(t: T) -> T {
     let root = (c(1.0) + t * t).sqrt();
     let arcs = (t * t).asin() + (t / c(2.0)).acos() * t.atan() + (t * c(0.5)).tan();
     let polar = Scalar::atan2(sin - c(2.0), cos * t - c(0.25)) * Scalar::hypot(t, sin + c(1.0));
-    T::det(root, arcs, polar, sin) + T::fused(sin, cos, t) / (root + c(1.0))
+    let laws = (t * c(0.5)).exp() * root.ln() - sin.tanh() + root.pow(cos - t) * t.pow(c(1.3));
+    T::det(root, arcs, polar, sin) + T::fused(sin, cos, t) / (root + c(1.0)) + laws
 }
 
 #[test]

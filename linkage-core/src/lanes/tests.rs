@@ -34,6 +34,13 @@ fn agrees_with_single_numbers<T: Float, F: Fusion>() {
     assert_same(lx.atan(), |i| x[i].atan_kernel::<F>());
     assert_same(lx.atan2(ly), |i| x[i].atan2_kernel::<F>(y[i]));
     assert_same(lx.hypot(ly), |i| x[i].hypot(y[i]));
+    for function in LibraryFunction::ALL {
+        assert_same(lx.apply(function), |i| x[i].apply(function));
+    }
+    assert_same(lx.exp(), |i| x[i].exp());
+    assert_same(lx.ln(), |i| x[i].ln());
+    assert_same(lx.tanh(), |i| x[i].tanh());
+    assert_same(lx.pow(ly), |i| x[i].pow(y[i]));
     let hypot = |i: usize| x[i].hypot_near(y[i], t(1.0));
     if F::FUSED == Native::FUSED {
         assert_same(lx.hypot_near(ly, Lanes::splat(t(1.0))).0, |i| hypot(i).0);

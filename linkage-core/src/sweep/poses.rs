@@ -6,7 +6,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::verdict::{Asked, TOGETHER, Usable};
 use crate::scalar::{elementary, root_of_squares};
-use crate::{Float, Fusion, Lanes, Scalar};
+use crate::{Float, Fusion, Lanes, LibraryFunction, Scalar};
 
 /// A number of some poses, and their sines and cosines if it was read from a sweep's first input. Lanes
 /// rather than numbers, since their type says whether products are fused.
@@ -101,7 +101,7 @@ macro_rules! functions_of_the_lanes {
 impl<T: Float, F: Fusion, A: Asked> Scalar for Poses<T, F, A> {
     type Mask = A::Mask;
 
-    of_the_lanes!(sqrt; hypot; ge gt is_within);
+    of_the_lanes!(sqrt; hypot pow; ge gt is_within);
     elementary!(functions_of_the_lanes);
 
     #[inline(always)]
@@ -129,6 +129,10 @@ impl<T: Float, F: Fusion, A: Asked> Scalar for Poses<T, F, A> {
             None => self.lanes.sin_cos_near(),
         };
         (Self::of(sin), Self::of(cos))
+    }
+    #[inline(always)]
+    fn apply(self, function: LibraryFunction) -> Self {
+        Self::of(self.lanes.apply(function))
     }
     #[inline(always)]
     fn hypot_near(self, other: Self, least: Self) -> (Self, A::Mask) {
@@ -202,6 +206,10 @@ mod tests {
             check(a.atan(), w.atan());
             check(a.atan2(c), w.atan2(y));
             check(a.hypot(b), w.hypot(x));
+            check(a.pow(c), w.pow(y));
+            for function in LibraryFunction::ALL {
+                check(a.apply(function), w.apply(function));
+            }
             check(a.hypot_near(b, c).0, w.hypot_near(x, y).0);
             check(a.sin_cos().0, w.sin_cos().0);
             check(a.sin_cos().1, w.sin_cos().1);

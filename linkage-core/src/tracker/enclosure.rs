@@ -12,7 +12,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::scalar::lit;
-use crate::{Float, Real, Scalar};
+use crate::{Float, LibraryFunction, Real, Scalar};
 
 /// The numbers within `radius` of `middle` + `slope` s, where s runs from −1 to 1 over a step.
 ///
@@ -257,6 +257,22 @@ impl<T: Float> Scalar for Enclosure<T> {
         let along = (self.middle / middle) * self.slope + (other.middle / middle) * other.slope;
         let rest = self.radius.hypot(other.radius) + half(off * (off / least));
         Self::rounded(middle, along, rest).widened()
+    }
+
+    /// f(x + δ) − f(x) is f'(x) δ but for half the largest curvature times δ².
+    fn apply(self, function: LibraryFunction) -> Self {
+        let (x, off) = (self.middle, self.largest() - self.middle.magnitude());
+        let [middle, slope, ..] = function.derivatives(x, x.apply(function), lit);
+        if !(x - off).apply(function).is_finite() {
+            return Self::unknown(middle);
+        }
+        let bent = half(function.curvature(x - off, (x + off).apply(function), lit) * off * off);
+        Self::rounded(middle, slope * self.slope, slope.magnitude() * self.radius + bent).widened()
+    }
+
+    /// For a base above zero alone; the rounding of y ln x counts as a change of it.
+    fn pow(self, exponent: Self) -> Self {
+        (exponent * self.ln()).exp()
     }
 
     #[inline]

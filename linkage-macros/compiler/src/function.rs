@@ -1,7 +1,8 @@
 //! The functions that expressions call: a row each.
 //!
 //! A row holds the name in declarations and in generated code, what the function takes and gives, and
-//! what is known of its values. Exact values stand in `exact::angle`, rates in `equations::functions`.
+//! what is known of its values. Exact values stand in `exact::angle`, rates in `equations::functions`; a function that no
+//! processor has is a variant of `LibraryFunction` in the run-time crate, and a line in the run-times of C and of a page.
 
 /// A function of one number or two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -21,6 +22,12 @@ pub(crate) enum Function {
     Sign,
     Min,
     Max,
+    Exp,
+    /// The natural logarithm.
+    Ln,
+    Tanh,
+    /// A power. One by an integer is a product, and no call.
+    Pow,
 }
 
 /// The dimensions of arguments and value.
@@ -36,6 +43,10 @@ pub(crate) enum Measures {
     Common,
     /// A number of any argument.
     Number,
+    /// A number of a number.
+    Plain,
+    /// The power of the first argument's unit, if the second is a known integer; otherwise a number of numbers.
+    Power,
     /// The angle of a vector, whose components have a common dimension.
     Direction,
 }
@@ -55,9 +66,12 @@ struct Row {
 }
 
 /// The order of [`Function`].
-const ROWS: [Row; 13] = {
-    use Function::{Abs, Acos, Asin, Atan, Atan2, Cos, Hypot, Max, Min, Sign, Sin, Sqrt, Tan};
-    use Measures::{Common, Direction, Number, OfAngle, OfNumber, Root};
+const ROWS: [Row; 17] = {
+    use Function::{
+        Abs, Acos, Asin, Atan, Atan2, Cos, Exp, Hypot, Ln, Max, Min, Pow, Sign, Sin, Sqrt, Tan,
+        Tanh,
+    };
+    use Measures::{Common, Direction, Number, OfAngle, OfNumber, Plain, Power, Root};
     const fn row(
         (function, name, arity): (Function, &'static str, usize),
         measures: Measures,
@@ -73,6 +87,9 @@ const ROWS: [Row; 13] = {
     const SINE: &str = "a sine or a cosine lies between -1 and 1";
     const POLE: &str = "the tangent is infinite where the cosine is zero";
     const ZERO: &str = "the zero vector has no direction";
+    const EXPONENT: &str = "e to a power beyond 700 is beyond floating point";
+    const ABOVE_ZERO: &str = "a logarithm needs a number above zero";
+    const BASE: &str = "a power that is no integer needs a number above zero";
     [
         row((Sqrt, "sqrt", 1), Root, None, SIGNED),
         row((Hypot, "hypot", 2), Common, None, ""),
@@ -87,10 +104,24 @@ const ROWS: [Row; 13] = {
         cornered((Sign, "sign", 1), Number),
         cornered((Min, "min", 2), Common),
         cornered((Max, "max", 2), Common),
+        row((Exp, "exp", 1), Plain, None, EXPONENT),
+        // Of the least subnormal and the largest number of double precision.
+        row((Ln, "ln", 1), Plain, Some(746.0), ABOVE_ZERO),
+        row((Tanh, "tanh", 1), Plain, Some(1.0), ""),
+        row((Pow, "pow", 2), Power, None, BASE),
     ]
 };
 
 impl Function {
+    /// The largest integer that [`Self::Pow`] takes as an exponent.
+    pub(crate) const LARGEST_POWER: i64 = 64;
+
+    /// The argument that has to be above zero, if one has: the first of a logarithm, and of a power by no
+    /// integer.
+    pub(crate) const fn needs_positive(self) -> bool {
+        matches!(self, Self::Ln | Self::Pow)
+    }
+
     const fn row(self) -> &'static Row {
         &ROWS[self as usize]
     }

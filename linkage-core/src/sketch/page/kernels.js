@@ -137,7 +137,8 @@ const atan2 = (y, x) => {
 };
 
 const atan = (x) => withSign(atan2(x, 1), x);
-const { sqrt, tan } = Math;
+const { sqrt, tan, exp, tanh, pow } = Math;
+const ln = Math.log;
 
 /// √(x² + y²), as musl's.
 const hypot = (x, y) => {

@@ -1,12 +1,15 @@
 //! Expressions of the declaration as jets and angles.
 
 use crate::equations::forces::springs;
+use crate::equations::functions::by_squaring;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::{Check, Node};
-use crate::model::mechanism::{AngleSum, Axis, Expr, GuideId, Length, Operator, PointId};
+use crate::model::mechanism::{
+    AboveZero, AngleSum, Axis, Expr, GuideId, Length, Operator, PointId,
+};
 
 impl<'s> Kinematics<'s> {
     pub(super) fn jet(&self, expr: &Expr) -> Jet<'s> {
@@ -31,6 +34,7 @@ impl<'s> Kinematics<'s> {
             Expr::Twist(spring) => springs::twist(self, *spring),
             // A force's value has no use for its own rates.
             Expr::Rate(turn) => Jet::constant(self.at_rate_scale(self.rate(turn))),
+            Expr::AboveZero(inner) => self.above_zero(inner),
             Expr::Negate(value) => -self.jet(value),
             Expr::Chain(first, rest) => rest.iter().fold(self.jet(first), |a, (operator, b)| {
                 let b = self.jet(b);
@@ -54,6 +58,13 @@ impl<'s> Kinematics<'s> {
         let Frame { origin, direction } = self.guide(guide);
         let ([x, y], [ux, uy]) = (origin.jets_to(self.point(point)), direction.jets());
         ux * y - uy * x
+    }
+
+    /// The argument of a function that has none at zero and below.
+    fn above_zero(&self, AboveZero { value, name, function }: &AboveZero) -> Jet<'s> {
+        let (jet, title) = (self.jet(value), self.mechanism.title_of_function(*function));
+        let check = Check::Positive(name.clone());
+        Jet { value: jet.value.guarded_by(check, title, &[]), ..jet }
     }
 
     fn rate(&self, turn: &AngleSum) -> Sym<'s> {
@@ -103,18 +114,8 @@ impl<'s> Kinematics<'s> {
 
 /// The direction at `times` its angle, by repeated squaring.
 fn power<'s>(u: Vector<'s>, times: i32) -> Vector<'s> {
-    let mut base = if times < 0 { u.conjugate() } else { u };
-    let mut left = times.unsigned_abs();
-    let mut result: Option<Vector<'s>> = None;
-    while left > 0 {
-        if left & 1 == 1 {
-            result = Some(result.map_or(base, |result| result.turned(base)));
-        }
-        left >>= 1;
-        if left > 0 {
-            base = base.turned(base);
-        }
-    }
+    let base = if times < 0 { u.conjugate() } else { u };
     let builder = u.x.builder();
-    result.unwrap_or_else(|| Vector { x: builder.integer(1), y: builder.zero() })
+    by_squaring(base, u64::from(times.unsigned_abs()), Vector::turned)
+        .unwrap_or_else(|| Vector { x: builder.integer(1), y: builder.zero() })
 }

@@ -22,6 +22,10 @@ impl<'s> Jet<'s> {
             Function::Sign => Self::constant(a.value.sign_or(a.value.builder().zero())),
             Function::Min => a.min(b),
             Function::Max => -(-a).min(-b),
+            Function::Exp => a.exp(),
+            Function::Ln => a.ln(),
+            Function::Tanh => a.tanh(),
+            Function::Pow => a.pow(b),
         }
     }
 
@@ -117,6 +121,53 @@ impl<'s> Jet<'s> {
         Self { value: y.value.apply2(Function::Atan2, x.value), rate, accel }
     }
 
+    /// With v = eᵃ: v̇ = v ȧ and v̈ = v (ä + ȧ²).
+    fn exp(self) -> Self {
+        let value = self.value.apply(Function::Exp);
+        let rate = value * self.rate;
+        let accel = value * (self.accel + self.rate.squared());
+        Self { value, rate, accel }
+    }
+
+    /// From eᵛ = a: v̇ = ȧ/a and v̈ = ä/a − v̇².
+    fn ln(self) -> Self {
+        let rate = self.rate / self.value;
+        let accel = self.accel / self.value - rate.squared();
+        Self { value: self.value.apply(Function::Ln), rate, accel }
+    }
+
+    /// With t' = 1 − t²: ṫ = t' ȧ and ẗ = t' (ä − 2 t ȧ²).
+    fn tanh(self) -> Self {
+        let value = self.value.apply(Function::Tanh);
+        let slope = slope_of_tanh(value);
+        let rate = slope * self.rate;
+        let accel = slope * (self.accel - (value * self.rate.squared()).twice());
+        Self { value, rate, accel }
+    }
+
+    /// xⁿ as products where n is a known integer. Elsewhere, with v = xʸ and w = v̇/v = ẏ ln x + y ẋ/x:
+    /// v̈ = v (ẇ + w²) and ẇ = ÿ ln x + 2 ẏ ẋ/x + y (ẍ/x − (ẋ/x)²).
+    fn pow(self, y: Self) -> Self {
+        let x = self;
+        if let Some(times) = y.value.constant_integer() {
+            return x.integer_power(times);
+        }
+        let value = x.value.pow(y.value);
+        let (log, share) = (x.value.apply(Function::Ln), x.rate / x.value);
+        let growth = y.rate * log + y.value * share;
+        let growth_rate = y.accel * log
+            + (y.rate * share).twice()
+            + y.value * (x.accel / x.value - share.squared());
+        let accel = value * (growth_rate + growth.squared());
+        Self { value, rate: value * growth, accel }
+    }
+
+    fn integer_power(self, times: i64) -> Self {
+        let one = Self::constant(self.value.builder().integer(1));
+        let power = by_squaring(self, times.unsigned_abs(), |a, b| a * b).unwrap_or(one);
+        if times < 0 { one / power } else { power }
+    }
+
     /// From h² = x² + y²: h ḣ = x ẋ + y ẏ and h ḧ = x ẍ + y ÿ + ẋ² + ẏ² − ḣ².
     pub(crate) fn hypot(self, y: Self) -> Self {
         let x = self;
@@ -126,6 +177,46 @@ impl<'s> Jet<'s> {
             - rate.squared())
             / value;
         Self { value, rate, accel }
+    }
+}
+
+/// 1 − t² by factors.
+fn slope_of_tanh(t: Sym<'_>) -> Sym<'_> {
+    let one = t.builder().integer(1);
+    (one - t) * (one + t)
+}
+
+/// The product of so many of the same, by repeated squaring; `None` for no factor.
+pub(super) fn by_squaring<T: Copy>(
+    mut base: T,
+    mut times: u64,
+    product: impl Fn(T, T) -> T,
+) -> Option<T> {
+    let mut result: Option<T> = None;
+    while times > 0 {
+        if times & 1 == 1 {
+            result = Some(result.map_or(base, |result| product(result, base)));
+        }
+        times >>= 1;
+        if times > 0 {
+            base = product(base, base);
+        }
+    }
+    result
+}
+
+/// y xʸ⁻¹ and xʸ ln x; of a constant exponent the second is read nowhere.
+fn slopes_of_power<'s>(x: Sym<'s>, y: Sym<'s>) -> Vec<Sym<'s>> {
+    match y.constant_integer() {
+        Some(0) => vec![x.builder().zero(); 2],
+        Some(times) => {
+            let one_less = Jet::constant(x).integer_power(times - 1).value;
+            vec![y * one_less, x.builder().zero()]
+        }
+        None => {
+            let power = x.pow(y);
+            vec![y * power / x, power * x.apply(Function::Ln)]
+        }
     }
 }
 
@@ -154,6 +245,10 @@ pub(crate) fn slopes<'s>(function: Function, arguments: &[Sym<'s>]) -> Vec<Sym<'
         Function::Sign => vec![zero],
         Function::Min => vec![b.at_least(a, one, zero), b.at_least(a, zero, one)],
         Function::Max => vec![a.at_least(b, one, zero), a.at_least(b, zero, one)],
+        Function::Exp => vec![a.apply(Function::Exp)],
+        Function::Ln => vec![a.recip()],
+        Function::Tanh => vec![slope_of_tanh(a.apply(Function::Tanh))],
+        Function::Pow => slopes_of_power(a, b),
     }
 }
 

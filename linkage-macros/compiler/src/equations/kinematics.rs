@@ -269,6 +269,7 @@ impl<'s> Kinematics<'s> {
             // Neither stands in what places anything.
             Expr::Twist(_) | Expr::Rate(_) => true,
             Expr::Negate(value) => self.is_known(value),
+            Expr::AboveZero(inner) => self.is_known(&inner.value),
             Expr::Chain(first, rest) => {
                 self.is_known(first) && rest.iter().all(|(_, operand)| self.is_known(operand))
             }

@@ -158,6 +158,11 @@ impl<'s> Sym<'s> {
         self.apply2(Function::Hypot, other)
     }
 
+    /// This to a power.
+    pub(crate) fn pow(self, exponent: Self) -> Self {
+        self.builder.node(Node::Apply2(Function::Pow, self.id, exponent.id))
+    }
+
     /// `x` where this is at least as large as the other, `y` elsewhere.
     pub(crate) fn at_least(self, other: Self, x: Self, y: Self) -> Self {
         self.builder.node(Node::Select([self.id, other.id, x.id, y.id]))
@@ -268,6 +273,11 @@ impl<'s> Sym<'s> {
     /// About the value, if it is a constant.
     pub(crate) fn constant_value(self) -> Option<f64> {
         self.builder.graph.borrow().as_constant(self.id).map(Exact::to_f64)
+    }
+
+    /// The integer that it is known to be.
+    pub(crate) fn constant_integer(self) -> Option<i64> {
+        self.builder.graph.borrow().as_constant(self.id).and_then(Exact::to_integer)
     }
 
     /// True if the form alone shows that this is zero.

@@ -30,6 +30,7 @@ impl Exact {
             Function::Sign => Some(Self::integer(a.signum() as i64)),
             Function::Min => Some(if a.cmp_value(b).is_le() { a } else { b }.clone()),
             Function::Max => Some(if a.cmp_value(b).is_ge() { a } else { b }.clone()),
+            _ => a.grown(function, b),
         }
     }
 

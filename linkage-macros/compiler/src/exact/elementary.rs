@@ -36,8 +36,7 @@ impl Enclosure {
             Function::Cos => Some(self.sin_cos().1),
             Function::Asin => self.asin(),
             Function::Atan => Some(self.atan()),
-            // Normal forms make these of the others.
-            _ => None,
+            _ => self.grown(function),
         }
     }
 

@@ -4,7 +4,7 @@
 //! A number is a [`rational`] or a [`sum`] of products of [`atom`]s in normal form; [`root`] and
 //! [`angle`] hold the identities of roots and of sines and angles. [`evaluation`] finds what a
 //! number amounts to from an [`enclosure`], whose functions are in [`elementary`], and [`rounding`]
-//! makes it a float; [`size`] says when there is too much of it. [`literal`] and [`display`] are the ways in from text and out to it. No
+//! makes it a float; [`size`] says when there is too much of it. [`powers`] are exponentials and logarithms. [`literal`] and [`display`] are the ways in from text and out to it. No
 //! identity of the expression graph belongs here: those are passes.
 
 mod angle;
@@ -14,6 +14,7 @@ mod elementary;
 pub(crate) mod enclosure;
 mod evaluation;
 mod literal;
+mod powers;
 mod rational;
 mod root;
 mod rounding;

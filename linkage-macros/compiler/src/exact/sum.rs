@@ -57,15 +57,18 @@ impl Atom {
             AtomKind::Of(Function::Sin | Function::Cos, angle) => {
                 angle.as_term().is_some_and(Term::is_multiple_of_pi)
             }
-            // An arc of a number with a positive first coefficient.
-            AtomKind::Of(_, value) => matches!(value.form, ExactForm::Rational(_)),
+            AtomKind::Of(Function::Exp, _) => true,
+            // An arc or a hyperbolic tangent of a number with a positive first coefficient.
+            AtomKind::Of(function, value) => {
+                !function.needs_positive() && matches!(value.form, ExactForm::Rational(_))
+            }
             AtomKind::Sum(_) => false,
         }
     }
 }
 
 impl Exact {
-    /// The number that the atom is. A [`Kind::Sum`] is none by itself.
+    /// The number that the atom is. A [`AtomKind::Sum`] is none by itself.
     pub(super) fn atom(kind: AtomKind) -> Self {
         let factors = vec![Factor { atom: Atom::new(kind), power: 1 }];
         Self { form: ExactForm::Sum(vec![Term { factors, coefficient: Rational::ONE }]) }

@@ -10,7 +10,7 @@ const WORDS: &str = "
     input param let ground guide point output numerics crate export crank slider rrr rrp rpr prp
     rpp prr mass on at through along towards polar distances angle length lengths mode slide offset
     offsets slot relative_to left right ahead behind compensated fast margin transmission number struct
-    pi sqrt hypot sin cos tan asin acos atan atan2 abs sign min max A B C D X q s type Self r#a _ theta x T Ok
+    pi sqrt hypot sin cos tan asin acos atan atan2 abs sign min max exp ln tanh pow A B C D X q s type Self r#a _ theta x T Ok
     0 1 2 0.5 1e-3m 30deg 90deg 180deg 1turn 1e300 1e-300m 1e400 0x10 5mm 1in 7.25 3kg 1_000um
     2.5f64 'a' \"s\"";
 

@@ -162,6 +162,13 @@ impl Measure {
         }
     }
 
+    /// The measure of an integer power; a bare number's is bare.
+    pub(super) fn power(self, times: i64) -> Self {
+        let one = if self == Self::Bare { Self::Bare } else { Self::NUMBER };
+        let power = (0..times.unsigned_abs()).fold(one, |power, _| power.product(self));
+        if times < 0 { one.quotient(power) } else { power }
+    }
+
     /// The measure of a rate; a bare number's is bare.
     pub(super) fn per_time(self) -> Self {
         match self {

@@ -31,10 +31,20 @@ pub(crate) enum Expr {
     /// The rate of a sum of angles, or of any other number, in the values of forces and torques
     /// alone.
     Rate(Box<AngleSum>),
+    /// A number that must be above zero.
+    AboveZero(Box<AboveZero>),
     Negate(Box<Expr>),
     /// One operation after the other, each on what the one before has made.
     Chain(Box<Expr>, Vec<(Operator, Expr)>),
     Call(Function, Vec<Expr>),
+}
+
+/// The argument of a function that needs a number above zero, with its text.
+#[derive(Clone, Debug)]
+pub(crate) struct AboveZero {
+    pub value: Expr,
+    pub name: String,
+    pub function: Function,
 }
 
 /// An axis of the ground.

@@ -298,7 +298,7 @@ impl Resolver<'_> {
             self.no_link_angle(argument, value)?;
         }
         let measure = self.measure_of_call(function, arguments, &values)?;
-        let rests = values.into_iter().map(|value| value.rest).collect::<Vec<_>>();
+        let rests = Self::arguments_above_zero(function, arguments, values);
         let constants: Vec<_> =
             rests.iter().filter_map(|rest| rest.constant()).map(shown).collect();
         let called = Expr::call(function, rests);

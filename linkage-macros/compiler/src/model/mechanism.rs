@@ -10,7 +10,7 @@ use syn::{Attribute, Visibility};
 use crate::exact::Exact;
 pub(crate) use crate::model::dimension::Dimension;
 use crate::model::dynamics::Dynamics;
-pub(crate) use crate::model::expr::{AngleSum, Axis, Expr, Operator};
+pub(crate) use crate::model::expr::{AboveZero, AngleSum, Axis, Expr, Operator};
 pub(crate) use crate::model::findings::{Known, Rotatability};
 pub(crate) use crate::model::ids::{
     GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,

@@ -18,6 +18,7 @@ mod dimension;
 mod drawn;
 pub(crate) mod dynamics;
 mod dynamics_outputs;
+mod exponents;
 mod expr;
 mod expressions;
 mod facts;

@@ -223,6 +223,11 @@ impl Resolver<'_> {
             }
             Measures::Common if values.len() == 1 => Some(values[0].measure),
             Measures::Number => Some(Measure::NUMBER),
+            Measures::Plain => {
+                self.dimension_fits(&arguments[0], &values[0], Dimension::NUMBER)?;
+                Some(Measure::NUMBER)
+            }
+            Measures::Power => self.measure_of_power(arguments, values),
             Measures::OfNumber => {
                 self.dimension_fits(&arguments[0], &values[0], Dimension::NUMBER)?;
                 Some(Measure::ANGLE)

@@ -121,6 +121,7 @@ impl Mechanism {
             | Expr::Rate(_) => true,
             Expr::Let(id) => self.turns(&self.lets[id.index()]),
             Expr::Negate(value) => self.moves(value),
+            Expr::AboveZero(inner) => self.moves(&inner.value),
             Expr::Chain(first, rest) => {
                 self.moves(first) || rest.iter().any(|(_, operand)| self.moves(operand))
             }

@@ -1,11 +1,14 @@
 //! Titles of groups, springs, forces and inputs in errors.
 
 use super::dynamics::{Contact, Ends, Force, Spring};
+use crate::function::Function;
+
 use super::mechanism::{Carrier, Mechanism, PointId};
 
 impl Mechanism {
-    /// Titles for errors, in this order: groups, springs, forces, inputs. A spring or a force between
-    /// two points has no direction where they meet; an input may move no mass.
+    /// Titles for errors, in this order: groups, springs, forces, inputs, functions. A spring or a force
+    /// between two points has no direction where they meet; an input may move no mass; a function may need a
+    /// number above zero.
     pub(crate) fn titles(&self) -> Vec<String> {
         let groups = self.groups.iter().map(|group| group.title.clone());
         let springs = self.dynamics.springs.iter().map(|spring| self.spring_title(spring));
@@ -14,7 +17,13 @@ impl Mechanism {
             Force::At { .. } => String::new(),
         });
         let inputs = self.inputs.iter().map(|input| input.name.to_string());
-        groups.chain(springs).chain(forces).chain(inputs).collect()
+        let functions = Function::names().map(str::to_string);
+        groups.chain(springs).chain(forces).chain(inputs).chain(functions).collect()
+    }
+
+    /// The number of a function's title among [`Self::titles`].
+    pub(crate) fn title_of_function(&self, function: Function) -> u32 {
+        self.title_of_input(self.inputs.len()) + function as u32
     }
 
     /// The number of an input's title among [`Self::titles`].

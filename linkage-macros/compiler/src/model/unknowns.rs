@@ -162,6 +162,7 @@ impl Resolver<'_> {
                 reaches(Entity::Point(*point)) || reaches(Entity::Guide(*guide))
             }
             Expr::Negate(value) => changes(value),
+            Expr::AboveZero(inner) => changes(&inner.value),
             Expr::Chain(first, rest) => {
                 changes(first) || rest.iter().any(|(_, operand)| changes(operand))
             }

@@ -227,7 +227,7 @@ impl<'d> Parser<'d> {
     /// The habit from elsewhere that may have put the next token here, as a hint.
     pub(super) fn reason(&self) -> Option<&'static str> {
         if self.is_punct(0, '^') || self.is_sign(['*', '*']) {
-            return Some("a power is written as a product: `x * x`");
+            return Some("a power is a product or a call: `x * x`, `pow(x, 2)`");
         }
         let another = match self.peek(0)? {
             TokenTree::Literal(_) => true,

@@ -50,7 +50,7 @@ impl Parser<'_> {
         }
         let _ = self.refuse_because::<()>(
             &format!("write `{digits}({unit}^{power})`"),
-            "a unit's power stands in parentheses with it; that of a quantity is a product: `x * x`",
+            "a unit's power stands in parentheses with it; that of a quantity is `x * x` or `pow(x, 2)`",
         );
         self.take();
         self.take();

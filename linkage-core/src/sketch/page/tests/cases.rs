@@ -93,6 +93,11 @@ pub(super) fn kernels() -> impl Iterator<Item = Case> {
         cases.push(Case::of("atan", [y], [Scalar::atan(y)]));
         cases.push(Case::of("atan2", [y, x], [Scalar::atan2(y, x)]));
         cases.push(Case::of("hypot", [x, y], [Scalar::hypot(x, y)]));
+        let power = if nth % 4 == 3 { 800.0 * random.unit() - 400.0 } else { x };
+        cases.push(Case::of("exp", [power], [Scalar::exp(power)]));
+        cases.push(Case::of("tanh", [power], [Scalar::tanh(power)]));
+        cases.push(Case::of("ln", [x], [Scalar::ln(x)]));
+        cases.push(Case::of("pow", [x.abs(), 3.0 * share], [Scalar::pow(x.abs(), 3.0 * share)]));
         let [a, b, c] = core::array::from_fn(|_| random.wide(40.0));
         let d = random.beside(a * b / c);
         cases.push(Case::of("mulErr", [a, b], [mul_err::<f64, Native>(a, b)]));

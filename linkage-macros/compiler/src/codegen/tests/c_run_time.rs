@@ -4,6 +4,8 @@
 //! on the last bit. Both widths; compiled as strict C99, as C++17, and for a machine with fused operations under
 //! a standard that lets the compiler contract products into sums unless it is told.
 
+mod library_functions;
+
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::io::{Read, Write};
@@ -204,6 +206,10 @@ fn expected<T: Float, F: Fusion>(call: &Call, widen: impl Fn(T) -> f64) -> Entry
             let (length, is_near) = x[0].hypot_near(x[1], x[2]);
             [yes(is_near.all()), 0.0, number(length), 0.0]
         }
+        15 => one(x[0].exp()),
+        16 => one(x[0].ln()),
+        17 => one(x[0].tanh()),
+        18 => one(x[0].pow(x[1])),
         _ => one(Scalar::select(x[0].ge(x[1]), x[2], x[3])),
     }
 }
@@ -346,6 +352,7 @@ fn conditions_agree(program: &Path) {
 fn strict_c_agrees() {
     let Some(program) = program("cc", "strict", &STRICT) else { return };
     functions_agree::<Plain>(&program);
+    library_functions::agree::<Plain>(&program);
     conditions_agree(&program);
     roots_agree(&program);
 }

@@ -43,6 +43,10 @@ impl Number for f64 {
             (Function::Asin, [x]) => Self::asin(**x),
             (Function::Acos, [x]) => Self::acos(**x),
             (Function::Atan, [x]) => Self::atan(**x),
+            (Function::Exp, [x]) => Self::exp(**x),
+            (Function::Ln, [x]) => Self::ln(**x),
+            (Function::Tanh, [x]) => Self::tanh(**x),
+            (Function::Pow, [x, y]) => Self::powf(**x, **y),
             other => unreachable!("{other:?}"),
         }
     }

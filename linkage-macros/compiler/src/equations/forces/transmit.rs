@@ -56,6 +56,7 @@ impl<'s> Walk<'_, 's> {
             Expr::Unknown(_) => unreachable!("beside an unknown the model allows no reactions"),
             Expr::Twist(_) | Expr::Rate(_) => unreachable!("neither is part of a dimension"),
             Expr::Negate(value) => self.transmit(value, -effort),
+            Expr::AboveZero(inner) => self.transmit(&inner.value, effort),
             Expr::Chain(first, rest) => self.transmit_chain(first, rest, effort),
             Expr::Call(function, arguments) => self.transmit_call(*function, arguments, effort),
         }

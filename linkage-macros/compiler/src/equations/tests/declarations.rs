@@ -227,6 +227,16 @@ pub(crate) const VARIANTS: &[Variant] = &[
         inputs: TWO,
     },
     Variant {
+        name: "exponentials, logarithms and powers",
+        source: fixed!("slider ram(rail) -> P { slide: 0.3m * tanh(q) + s }"
+            "crank pinion(D) { angle: ln(ram.slide / 20mm) - exp(-s / 0.3m) }"
+            "crank wheel(D) { angle: pow(ram.slide / 0.3m, 1.3) + pow(q, 3) }"
+            "point W on wheel at (pow(1 + s / 1m, q) * 0.1m,"
+            "pow(s, 2) / 1m + pow(q, -2) * 0.05m);"
+            "output W, pinion, wheel, ram, x = exp(q) * tanh(s / 0.1m) * 0.1m, y = pow(q, s / 0.1m);"),
+        inputs: TWO,
+    },
+    Variant {
         name: "coordinates and distances",
         source: moving!("rrr PX(P), FX(F) -> X { lengths: (0.7, 0.9), mode: left }"
             "let reach = distance(P, X) / 2 + distance(X, O); point Y at (X.x + 0.1, 2 * P.y);"

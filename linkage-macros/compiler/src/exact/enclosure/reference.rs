@@ -57,6 +57,7 @@ impl Enclosure {
             (Function::Acos, [a]) => a.acos(),
             (Function::Atan2, [y, x]) => y.atan2(x),
             (Function::Hypot, [x, y]) => Some(x.hypot(y)),
+            (Function::Pow, [x, y]) => y.mul(&x.logarithm()?).exponential(),
             (_, [a]) => a.apply(function),
             other => unreachable!("{other:?}"),
         }

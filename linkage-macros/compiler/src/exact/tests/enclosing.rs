@@ -73,7 +73,7 @@ fn normal_forms_keep_the_value() {
 #[test]
 fn wide_enclosures_hold_the_values_of_their_points() {
     type Function = (&'static str, fn(&Enclosure) -> Option<Enclosure>);
-    let functions: [Function; 9] = [
+    let functions: [Function; 12] = [
         ("sqrt", Enclosure::sqrt),
         ("sin", |x| Some(x.sin())),
         ("cos", |x| Some(x.cos())),
@@ -82,6 +82,9 @@ fn wide_enclosures_hold_the_values_of_their_points() {
         ("acos", Enclosure::acos),
         ("atan", |x| Some(x.atan())),
         ("neg", |x| Some(x.neg())),
+        ("exp", Enclosure::exponential),
+        ("ln", Enclosure::logarithm),
+        ("tanh", |x| Some(x.hyperbolic_tangent())),
         ("reciprocal", |x| Enclosure::integer(1, 128).div(x)),
     ];
     let mut random = Random(5);

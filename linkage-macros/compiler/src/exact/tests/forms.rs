@@ -43,6 +43,39 @@ fn sines_of_multiples_of_30_and_45_degrees() {
 }
 
 #[test]
+fn powers_and_logarithms_undo_each_other() {
+    for (a, b) in [
+        ("0 exp", "1"),
+        ("1 ln", "0"),
+        ("0 neg tanh", "0"),
+        ("3 ln exp", "3"),
+        ("2.5 exp ln", "2.5"),
+        ("2.5 neg tanh", "2.5 tanh neg"),
+        ("1.5 3 pow", "3.375"),
+        ("2 neg 3 pow", "8 neg"),
+        ("2 3 neg pow", "0.125"),
+        ("pi 0 pow", "1"),
+        ("2.25 1.5 pow", "3.375"),
+        ("4 0.5 neg pow", "0.5"),
+        ("2 0.5 pow", "2 sqrt"),
+    ] {
+        assert_same(a, b);
+    }
+    // An eighth root has no form of its own; its number is known all the same.
+    assert_eq!(defined("256 0.125 pow").cmp_value(&Exact::integer(2)), Ordering::Equal);
+    assert_eq!(defined("256 0.125 pow").to_f64(), 2.0);
+    // The least normal number is above e^−709.
+    assert_eq!(defined("700 neg exp").to_f64(), 9.859_676_543_759_77e-305);
+    // Coarse enclosures of a small number hold zero, where there is no logarithm.
+    assert_eq!(defined("1e-300 ln").to_f64(), -690.7755278982137);
+    for undefined in ["701 exp", "701 neg exp", "0 ln", "2 neg ln", "2 neg 0.5 pow", "0 1 neg pow"]
+    {
+        assert_eq!(value(undefined), None, "{undefined}");
+    }
+    assert_eq!([value("0 0.3 pow"), value("2 65 pow"), value("3 400.5 pow")], [None, None, None]);
+}
+
+#[test]
 fn tangents_of_multiples_of_30_and_45_degrees() {
     for (angle, tangent) in [("0", "0"), ("30", "1 3 sqrt div"), ("45", "1"), ("60", "3 sqrt")] {
         assert_same(&format!("{angle} deg tan"), tangent);

@@ -16,7 +16,7 @@ mod held;
 mod incidences;
 mod lengths;
 mod messages;
-mod printed;
+pub(super) mod printed;
 mod rails;
 mod reader;
 mod rewritten;

@@ -202,7 +202,7 @@ fn pair([first, second]: &[Expr; 2]) -> String {
 }
 
 /// An expression as it is written.
-pub(super) fn text(expr: &Expr) -> String {
+pub(in crate::model) fn text(expr: &Expr) -> String {
     match &expr.kind {
         ExprKind::Number { digits, units } => match &units[..] {
             [] => digits.clone(),

@@ -158,8 +158,51 @@ fn a_function_is_known_and_has_its_arguments() {
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: sine(t) }",
             "sine: no function named `sine`; a function with a similar name exists: `sin` / the \
-             functions are `sqrt hypot sin cos tan asin acos atan atan2 abs sign min max distance \
-             offset`, and `rate` in the values of forces and torques",
+             functions are `sqrt hypot sin cos tan asin acos atan atan2 abs sign min max exp ln \
+             tanh pow distance offset`, and `rate` in the values of forces and torques",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: exp(701) }",
+            "701: `exp(701)` has no value / e to a power beyond 700 is beyond floating point",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: ln(-2) }",
+            "-2: `ln(-2)` has no value / a logarithm needs a number above zero",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: pow(-2, 1.3) }",
+            "-2: `pow(-2, 1.3)` has no value / a power that is no integer needs a number above zero",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: tanh(2m) }",
+            "2m: a length where a number belongs / a length divided by a length is a number, and so an \
+             angle: `s / 20mm`",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: pow(t, 1m) }",
+            "1m: a length where a number belongs / a length divided by a length is a number, and so an \
+             angle: `s / 20mm`",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: pow(4m * t, 0.5), angle: t }",
+            "4m * t: a length where a number belongs / a length divided by a length is a number, and so an \
+             angle: `s / 20mm`",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: pow(t, 65) }",
+            "65: an exponent of 65, beyond ±64 / write `exp(65 * ln(t))`",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: pow(1m, 3), angle: t }",
+            "pow(1m, 3): a volume where a length belongs / multiply or divide by what is missing",
         ),
         (
             CRANK,

@@ -90,6 +90,7 @@ impl Names<'_> {
                 format!("offset({}, {})", self.point(*point), self.guide(*guide))
             }
             Expr::Unknown(id) => self.0.unknowns[id.index()].name.to_string(),
+            Expr::AboveZero(inner) => self.expr(&inner.value),
             Expr::Negate(value) => format!("(-{})", self.expr(value)),
             Expr::Chain(first, rest) => {
                 rest.iter().fold(self.expr(first), |left, (operator, right)| {

@@ -41,10 +41,13 @@ fn products_and_powers() {
     const ROWS: &[(&str, &str)] = &[
         ("let x = 2 pi;", "pi: expected `;`, found `pi` / a product is written with `*`"),
         ("let x = 2 (a + b);", "(: expected `;`, found `(` / a product is written with `*`"),
-        ("let x = a ^ 2;", "^: expected `;`, found `^` / a power is written as a product: `x * x`"),
+        (
+            "let x = a ^ 2;",
+            "^: expected `;`, found `^` / a power is a product or a call: `x * x`, `pow(x, 2)`",
+        ),
         (
             "let x = a ** 2;",
-            "*: expected `;`, found `**` / a power is written as a product: `x * x`",
+            "*: expected `;`, found `**` / a power is a product or a call: `x * x`, `pow(x, 2)`",
         ),
         ("let x = a % 2;", "%: expected `;`, found `%` / the operators are `+`, `-`, `*` and `/`"),
         (
@@ -103,16 +106,16 @@ fn powers_of_units() {
         ),
         (
             "let x = 2m * l^2;",
-            "^: expected `;`, found `^` / a power is written as a product: `x * x`",
+            "^: expected `;`, found `^` / a power is a product or a call: `x * x`, `pow(x, 2)`",
         ),
         (
             "let x = sqrt(100mm^2);",
             "^: write `100(mm^2)` / a unit's power stands in parentheses with it; that of a quantity is \
-             a product: `x * x`",
+             `x * x` or `pow(x, 2)`",
         ),
         (
             "let x = sqrt(l^2);",
-            "^: expected `,` or `)`, found `^` / a power is written as a product: `x * x`",
+            "^: expected `,` or `)`, found `^` / a power is a product or a call: `x * x`, `pow(x, 2)`",
         ),
     ];
     check_statements(ROWS);
@@ -185,7 +188,7 @@ fn what_is_no_expression() {
         (
             "let x = sin(1 2, ^);",
             "2: expected `,` or `)`, found `2` / a product is written with `*`\n^: expected a \
-             number or a name, found `^` / a power is written as a product: `x * x`",
+             number or a name, found `^` / a power is a product or a call: `x * x`, `pow(x, 2)`",
         ),
         ("let x = a < b;", "<: expected `;`, found `<` / the operators are `+`, `-`, `*` and `/`"),
         ("let x = at;", "at: expected a number or a name, found `at` / `at` is a reserved word"),

@@ -8,8 +8,16 @@ static inline int linkage_is_within@(REAL x, REAL bound) { return fabs@(x) <= bo
 
 static inline REAL linkage_sqrt@(REAL x) { return sqrt@(x); }
 
-/* As right as the one of <math.h>. */
+/* As right as those of <math.h>. */
 static inline REAL linkage_tan@(REAL x) { return tan@(x); }
+
+static inline REAL linkage_exp@(REAL x) { return exp@(x); }
+
+static inline REAL linkage_ln@(REAL x) { return log@(x); }
+
+static inline REAL linkage_tanh@(REAL x) { return tanh@(x); }
+
+static inline REAL linkage_pow@(REAL x, REAL y) { return pow@(x, y); }
 
 /* The smallest square of full precision. */
 static inline REAL linkage_smallest_square@(void) { return LEAST_MIN / (LEAST_EPSILON * LEAST_EPSILON); }

@@ -40,6 +40,10 @@ typedef struct Answer {
         case 12: to->status = linkage_on_circle##width(x[0], x[1], &y[0], &y[1]); break;                            \
         case 13: to->status = linkage_hypot_near##width(x[0], x[1], x[2], &y[0]); break;                            \
         case 14: y[0] = linkage_select##width(x[0], x[1], x[2], x[3]); break;                                       \
+        case 15: y[0] = linkage_exp##width(x[0]); break;                                                            \
+        case 16: y[0] = linkage_ln##width(x[0]); break;                                                             \
+        case 17: y[0] = linkage_tanh##width(x[0]); break;                                                           \
+        case 18: y[0] = linkage_pow##width(x[0], x[1]); break;                                                      \
         default: break;                                                                                             \
         }                                                                                                           \
         to->y[0] = (double)y[0];                                                                                    \

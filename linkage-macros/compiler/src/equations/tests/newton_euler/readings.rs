@@ -15,6 +15,7 @@ pub(super) fn readings(mechanism: &Mechanism, expr: &Expr, leaves: &mut Vec<Expr
         }
         Expr::Let(id) => readings(mechanism, &mechanism.lets[id.index()].rest, leaves),
         Expr::Negate(value) => readings(mechanism, value, leaves),
+        Expr::AboveZero(inner) => readings(mechanism, &inner.value, leaves),
         Expr::Chain(first, rest) => {
             readings(mechanism, first, leaves);
             rest.iter().for_each(|(_, operand)| readings(mechanism, operand, leaves));
@@ -55,6 +56,7 @@ fn evaluate(mechanism: &Mechanism, expr: &Expr, given: &dyn Fn(&Expr) -> Digits)
         Expr::Constant(constant) => Digits::exact(constant),
         Expr::Let(id) => value(&mechanism.lets[id.index()].rest),
         Expr::Negate(inner) => value(inner).neg(),
+        Expr::AboveZero(inner) => value(&inner.value),
         Expr::Chain(first, rest) => rest.iter().fold(value(first), |a, (operator, b)| {
             let b = value(b);
             match operator {

@@ -1,0 +1,44 @@
+//! Functions that the run-time in C takes from `<math.h>`.
+
+use std::path::Path;
+
+use linkage_core::Fusion;
+
+use super::{Call, Random, answers, arguments, expected};
+
+/// Exponentials and their kin are those of `<math.h>`, which is within an ulp, as the crate's are: two apart.
+pub(super) fn agree<F: Fusion>(program: &Path) {
+    let mut random = Random(11);
+    for is_single in [false, true] {
+        for which in 15..19 {
+            let scale = if is_single { 100.0 } else { 800.0 };
+            let mut call = || {
+                let mut x = arguments(&mut random, which, is_single);
+                if random.below(2) == 0 {
+                    // The exponents that do not overflow, and bases above zero.
+                    x[0] = f64::from(((random.unit() - 0.5) * scale) as f32);
+                    x[1] = f64::from((random.unit() * 20.0 - 10.0) as f32);
+                    x[0] = if which == 18 { x[0].abs() } else { x[0] };
+                }
+                Call { which, is_single, x }
+            };
+            let calls: Vec<Call> = (0..20_000).map(|_| call()).collect();
+            let found = answers(program, &calls);
+            let mut finite = 0;
+            for (call, found) in calls.iter().zip(&found) {
+                let (sought, epsilon, least) = match is_single {
+                    false => (expected::<f64, F>(call, |x| x), f64::EPSILON, 5e-324),
+                    true => {
+                        let sought = expected::<f32, F>(call, f64::from);
+                        (sought, f64::from(f32::EPSILON), f64::from(f32::from_bits(1)))
+                    }
+                };
+                let (a, b) = (found[2], sought[2]);
+                finite += usize::from(b.is_finite() && b != 0.0);
+                let is_near = (a - b).abs() <= (2.0 * epsilon * b.abs()).max(least);
+                assert!(is_near || a == b || a.is_nan() && b.is_nan(), "{call:?}: {a:e} for {b:e}");
+            }
+            assert!(finite > 5_000, "{which}: {finite}");
+        }
+    }
+}
