@@ -25,7 +25,7 @@ pub(super) struct CrankPin<'s> {
     /// G × a, which is d × a.
     pub across: Sym<'s>,
     /// G² and a²
-    squares: [Sym<'s>; 2],
+    pub squares: [Sym<'s>; 2],
 }
 
 impl<'s> CrankPin<'s> {

@@ -23,6 +23,17 @@
 //!
 //! where ṡ is Δv·u + ω e without what cancels in it; without an offset it is Δv·u.
 //!
+//! # Behind a crank
+//! Where B swings with the arm a about the point A of the ground, at Ω, and D is a point of the ground, G = D − A,
+//! b is a − G. Without an offset the angles of crank and bar are then related by
+//!
+//! ```text
+//! ω = Ω a·b/b²      α = (Ω̇ a·b + Ω² (a⊥·b)(G² − a²)/b²)/b²
+//! ṡ = Ω a⊥·b/s      s̈ = (Ω̇ a⊥·b + Ω² (a·b)(G·b)/b²)/s
+//! ```
+//!
+//! in which Δa·n − 2 ω ṡ and Δa·u + ω² s, which cancel where G and a are of nearly one length, are products.
+//!
 //! # Reactions
 //! With F and M what acts on block (2) and bar (3) but for their own joints, M about B and about D:
 //!
@@ -38,7 +49,7 @@
 //!
 //! # Error
 //! At most 4 times what the data allow next to the limit, and without an offset at the
-//! pivot. On random poses 1.9 times for positions, 2.6 for velocities, 12.2 for accelerations; in
+//! pivot. On random poses 1.9 times for positions, 2.6 for velocities, 12.2 for accelerations of joints that move anyhow; in
 //! the hill-climbed worst case 2.3, 3.4 and 46. Where the joints' difference is exact, so is s,
 //! within ε of itself; `numerics compensated;` puts the rounding of that difference back where both
 //! joints are given by inputs and constants (`tests/limits/compensated.rs`).
@@ -54,7 +65,7 @@ use crate::equations::double_word::DoubleWord;
 use crate::equations::groups::Formulas;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
-use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
+use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle, Swing};
 use crate::equations::parts::{
     ClearanceTerms, GroupScope, LimitMeasures, LinkMotion, Solved, root_in_reach, size,
 };
@@ -116,13 +127,36 @@ fn rpr<'s>(
     scope.label("s", s);
     scope.label("inverse s", inverse);
     scope.call_vector("u", u);
-    let [along, across] = match crank {
-        // The line to the pivot is −b.
-        Some(crank) => {
-            crank.swing.rates_along([crank.along(), crank.across].map(|product| -product * inverse))
+    let swinging = (e.is_zero() && d.is_fixed()).then_some(b.swing).flatten();
+    let rates = match swinging {
+        Some(swing) => {
+            let arm = crank.map_or_else(|| Arm::of(swing, d.base - b.base, from), Arm::known);
+            behind_crank(swing, arm, sound.recip(), inverse)
         }
-        None => b.rates_against(d, u),
+        None => sliding([b, d], from, offset, [s, inverse], u),
     };
+    let [(omega, alpha), (slide_rate, slide_accel)] = rates;
+    let slide = Jet { value: s, rate: slide_rate, accel: slide_accel };
+    let turned = Some(RelativeAngle::start(Carrier::Link(scope.links[1]), scope.builder));
+    let direction = Direction { u, omega, alpha, turned };
+    let link = |origin, slide| LinkMotion { frame: Frame { origin, direction }, slide };
+    Solved {
+        links: vec![link(b, Some(slide)), link(d, None)],
+        pin: None,
+        bars: Vec::new(),
+        levers: Some(Box::new(RprLevers { u, e, inverse })),
+    }
+}
+
+/// ω and α, ṡ and s̈ of joints that move anyhow.
+fn sliding<'s>(
+    [b, d]: [PointMotion<'s>; 2],
+    from: Vector<'s>,
+    offset: Jet<'s>,
+    [s, inverse]: [Sym<'s>; 2],
+    u: Vector<'s>,
+) -> [(Sym<'s>, Sym<'s>); 2] {
+    let ([along, across], e) = (b.rates_against(d, u), offset.value);
     let omega = (across.velocity - offset.rate) * inverse;
     let slide_rate = if e.is_zero() {
         along.velocity
@@ -133,15 +167,56 @@ fn rpr<'s>(
     let alpha = (across.acceleration + turning) * inverse;
     let slide_accel =
         along.acceleration + alpha * e + omega.squared() * s + (omega * offset.rate).twice();
-    let slide = Jet { value: s, rate: slide_rate, accel: slide_accel };
-    let turned = Some(RelativeAngle::start(Carrier::Link(scope.links[1]), scope.builder));
-    let direction = Direction { u, omega, alpha, turned };
-    let link = |origin, slide| LinkMotion { frame: Frame { origin, direction }, slide };
-    Solved {
-        links: vec![link(b, Some(slide)), link(d, None)],
-        pin: None,
-        bars: Vec::new(),
-        levers: Some(Box::new(RprLevers { u, e, inverse })),
+    [(omega, alpha), (slide_rate, slide_accel)]
+}
+
+/// ω and α, ṡ and s̈ behind a crank, without an offset.
+fn behind_crank<'s>(
+    swing: Swing<'s>,
+    arm: Arm<'s>,
+    over_square: Sym<'s>,
+    inverse: Sym<'s>,
+) -> [(Sym<'s>, Sym<'s>); 2] {
+    let square = swing.omega.squared();
+    let (along, aside) = (arm.along * over_square, arm.aside * over_square);
+    let omega = swing.omega * along;
+    let alpha = (swing.alpha * arm.along + square * (aside * arm.difference)) * over_square;
+    let slide_rate = swing.omega * (arm.aside * inverse);
+    let slide_accel = (swing.alpha * arm.aside + square * (along * arm.pivot)) * inverse;
+    [(omega, alpha), (slide_rate, slide_accel)]
+}
+
+/// Products of a crank's arm a and of G = D − A with b, the line from D to the crank's pin.
+struct Arm<'s> {
+    /// a·b
+    along: Sym<'s>,
+    /// a⊥·b
+    aside: Sym<'s>,
+    /// G·b
+    pivot: Sym<'s>,
+    /// G² − a²
+    difference: Sym<'s>,
+}
+
+impl<'s> Arm<'s> {
+    /// Of a pin whose products are affine in one.
+    fn known(crank: CrankPin<'s>) -> Self {
+        let [pivot, radius] = crank.squares;
+        Self {
+            along: -crank.along(),
+            aside: crank.across,
+            pivot: crank.along() + radius - pivot,
+            difference: pivot - radius,
+        }
+    }
+
+    fn of(swing: Swing<'s>, pivot: Vector<'s>, line: Vector<'s>) -> Self {
+        Self {
+            along: swing.arm.dot(line),
+            aside: swing.arm.normal().dot(line),
+            pivot: pivot.dot(line),
+            difference: pivot.dot(pivot) - swing.square(),
+        }
     }
 }
 

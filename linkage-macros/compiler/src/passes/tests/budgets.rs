@@ -271,12 +271,12 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         [7, 7, 0, 1, 1],
         [17, 30, 1, 1, 1],
     ),
-    ("rpr", after_crank!("rpr block(B), bar(D) {} output bar;"), [4, 8, 1, 1, 1], [8, 21, 1, 1, 1]),
+    ("rpr", after_crank!("rpr block(B), bar(D) {} output bar;"), [4, 8, 1, 1, 1], [7, 18, 1, 1, 1]),
     (
         "rpr with slide",
         after_crank!("rpr block(B), bar(D) {} output block;"),
         [4, 8, 1, 1, 1],
-        [10, 25, 1, 1, 1],
+        [10, 24, 1, 1, 1],
     ),
     (
         "rpr with offset",
