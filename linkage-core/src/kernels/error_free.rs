@@ -5,12 +5,13 @@
 //! extending the available precision", Numerische Mathematik 18 (1971); J.-M. Muller et al.,
 //! "Handbook of Floating-Point Arithmetic", 2nd ed. (2018), chapter 4.
 
-use super::{Float, Fusion};
+use super::Fusion;
+use super::arithmetic::Arithmetic;
 
 /// The rounded sum and its error: `sum + error == a + b` exactly, for any order of magnitudes
 /// (Knuth's `TwoSum`). Not a number where the sum overflows.
 #[inline]
-pub(crate) fn two_sum<T: Float>(a: T, b: T) -> (T, T) {
+pub(crate) fn two_sum<T: Arithmetic>(a: T, b: T) -> (T, T) {
     let sum = a + b;
     let b_part = sum - a;
     let a_part = sum - b_part;
@@ -21,7 +22,7 @@ pub(crate) fn two_sum<T: Float>(a: T, b: T) -> (T, T) {
 /// exact (Veltkamp's split). Not a number beyond 2^996 for f64, 2^115 for f32, where the
 /// multiplication overflows.
 #[inline]
-fn split<T: Float>(x: T) -> (T, T) {
+fn split<T: Arithmetic>(x: T) -> (T, T) {
     let scaled = T::SPLITTER * x;
     let high = scaled - (scaled - x);
     (high, x - high)
@@ -30,7 +31,7 @@ fn split<T: Float>(x: T) -> (T, T) {
 /// The error of the rounded product `product` = fl(a·b), by one fused operation or by Dekker's
 /// five exact ones.
 #[inline]
-fn product_error<T: Float, F: Fusion>(a: T, b: T, product: T) -> T {
+fn product_error<T: Arithmetic, F: Fusion>(a: T, b: T, product: T) -> T {
     if F::FUSED {
         return T::multiply_add(a, b, -product);
     }
@@ -44,7 +45,7 @@ fn product_error<T: Float, F: Fusion>(a: T, b: T, product: T) -> T {
 /// Exact unless a·b underflows; without a fused operation, not a number where a factor exceeds
 /// 2^996 (f64) or 2^115 (f32).
 #[inline]
-pub(crate) fn mul_err<T: Float, F: Fusion>(a: T, b: T) -> T {
+pub(crate) fn mul_err<T: Arithmetic, F: Fusion>(a: T, b: T) -> T {
     product_error::<T, F>(a, b, a * b)
 }
 
@@ -56,7 +57,7 @@ pub(crate) fn mul_err<T: Float, F: Fusion>(a: T, b: T) -> T {
 /// cancel, their difference is exact, and where they do not, the errors are below its last place.
 /// Range as for [`mul_err`].
 #[inline]
-pub(crate) fn det<T: Float, F: Fusion>(a: T, b: T, c: T, d: T) -> T {
+pub(crate) fn det<T: Arithmetic, F: Fusion>(a: T, b: T, c: T, d: T) -> T {
     let cd = c * d;
     if F::FUSED {
         return T::multiply_add(a, b, -cd) - T::multiply_add(c, d, -cd);
