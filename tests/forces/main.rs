@@ -7,4 +7,5 @@ mod interface;
 mod published;
 mod searched;
 mod springs;
+mod stops;
 mod together;

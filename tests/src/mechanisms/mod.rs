@@ -30,6 +30,7 @@ pub mod singular_arms;
 pub mod slides;
 pub mod stacked_sliders;
 pub mod statuses;
+pub mod stops;
 pub mod telescope;
 pub mod twins;
 pub mod unknowns;

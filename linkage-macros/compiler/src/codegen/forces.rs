@@ -91,6 +91,16 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
             )
         }
         Effort::Spring(id) => spring(cx, id),
+        Effort::Stop(id) => match cx.mechanism.dynamics.stops[id.index()].of.dimension() {
+            Dimension::ANGLE => "couple in N·m of the stop: positive turns its angle forwards",
+            _ => "force in N of the stop: positive makes its slide or distance larger",
+        }
+        .to_string(),
+        Effort::Gap(id) => match cx.mechanism.dynamics.stops[id.index()].of.dimension() {
+            Dimension::ANGLE => "angle in rad to the nearer end of the stop, negative beyond it",
+            _ => "length in m to the nearer end of the stop, negative beyond it",
+        }
+        .to_string(),
         Effort::Shaking => {
             "what inertia puts on the ground, as if all links were one body, without \
                             weight and applied forces: force in N and, about the ground's origin, \
@@ -138,6 +148,10 @@ pub(super) fn unit_of(mechanism: &Mechanism, effort: Effort) -> String {
             Ends::Points(_) => "N".to_string(),
             Ends::Bodies(_) => "N·m".to_string(),
         },
+        Effort::Stop(id) => effort_unit(mechanism.dynamics.stops[id.index()].of.dimension()),
+        Effort::Gap(id) => {
+            unit(mechanism.dynamics.stops[id.index()].of.dimension(), Order::Position)
+        }
         _ => "N".to_string(),
     }
 }

@@ -20,6 +20,8 @@ pub(crate) fn shape(effort: Effort) -> Shape {
         | Effort::Drive(_)
         | Effort::Push(_)
         | Effort::Spring(_)
+        | Effort::Stop(_)
+        | Effort::Gap(_)
         | Effort::Losses => Shape::Number,
         Effort::Pin(..) | Effort::Bearing(..) => Shape::Quantity(Quantity::Force, Order::Position),
         Effort::Guide(_) => Shape::Quantity(Quantity::GuideForce, Order::Position),

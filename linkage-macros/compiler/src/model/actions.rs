@@ -83,6 +83,7 @@ impl Resolver<'_> {
                 self.mechanism.dynamics.torques.extend(torque);
             }
             Action::Spring { name, ends, fields } => self.spring(docs, name, ends, fields),
+            Action::Stop(written) => self.stop(docs, written),
             // Which links meet at a pin is known when all are.
             Action::Friction(_) => {}
         }

@@ -5,8 +5,9 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use super::dimension::Dimension;
+use super::expr::AngleSum;
 use super::expr::Expr;
-use super::ids::{GuideId, InputId, LinkId, PointId, SpringId, UnknownId};
+use super::ids::{GuideId, InputId, LinkId, PointId, SpringId, StopId, UnknownId};
 use super::incidence::{Carrier, Length};
 
 /// Everything that a declaration says about forces; empty where it says nothing.
@@ -19,6 +20,7 @@ pub(crate) struct Dynamics {
     pub forces: Vec<Force>,
     pub torques: Vec<Torque>,
     pub springs: Vec<Spring>,
+    pub stops: Vec<Stop>,
     pub frictions: Vec<Friction>,
     /// The outputs of `forces` and `statics`.
     pub asked: Vec<RequestedEffort>,
@@ -105,6 +107,36 @@ pub(crate) enum Ends {
     Bodies([Carrier; 2]),
 }
 
+/// Two ends of a motion that push back, and never pull.
+pub(crate) struct Stop {
+    pub name: Option<Ident>,
+    pub docs: Vec<Attribute>,
+    pub of: Stopped,
+    /// The lower end and the upper one.
+    pub ends: [Expr; 2],
+    /// The name in errors of the way between the ends, which is not negative.
+    pub way: String,
+    pub stiffness: Quantity,
+    pub damping: Quantity,
+}
+
+/// The motion that a stop ends.
+pub(crate) enum Stopped {
+    /// A sum of links' angles and a number that no input changes.
+    Angle(AngleSum),
+    Slide(LinkId),
+    Distance([PointId; 2]),
+}
+
+impl Stopped {
+    pub(crate) fn dimension(&self) -> Dimension {
+        match self {
+            Self::Angle(_) => Dimension::ANGLE,
+            Self::Slide(_) | Self::Distance(_) => Dimension::LENGTH,
+        }
+    }
+}
+
 /// Friction at a joint that follows from its reaction.
 pub(crate) struct Friction {
     pub contact: Contact,
@@ -188,6 +220,10 @@ pub(crate) enum Effort {
     /// The effort of a spring on its ends: positive pushes them apart, or turns the second body
     /// forwards.
     Spring(SpringId),
+    /// What a stop exerts: positive makes what it stops larger.
+    Stop(StopId),
+    /// The way to the nearer end of a stop, negative beyond it.
+    Gap(StopId),
     /// The shaking force and moment: the load of inertia on the ground, taken as one body. The moment
     /// is about the origin.
     Shaking,
@@ -217,12 +253,17 @@ impl Dynamics {
             .springs
             .iter()
             .any(|spring| matches!(spring.ends, Ends::Points(points) if points.contains(&asked)));
-        masses || forces || springs
+        let stops = self
+            .stops
+            .iter()
+            .any(|stop| matches!(stop.of, Stopped::Distance(points) if points.contains(&asked)));
+        masses || forces || springs || stops
     }
 
     /// True if nothing has mass and nothing acts.
     pub(crate) fn is_empty(&self) -> bool {
-        let Self { masses, forces, torques, springs, .. } = self;
-        masses.is_empty() && forces.is_empty() && torques.is_empty() && springs.is_empty()
+        let Self { masses, forces, torques, springs, stops, .. } = self;
+        let are_none = masses.is_empty() && forces.is_empty() && torques.is_empty();
+        are_none && springs.is_empty() && stops.is_empty()
     }
 }

@@ -53,6 +53,7 @@ impl Resolver<'_> {
                 self.unknown_effort(docs, owner, member);
             }
             Some(Kind::Spring) => self.spring_output(docs, owner, member),
+            Some(Kind::Stop) => self.stop_output(docs, owner, member),
             Some(Kind::Link) if self.names.kind(member) == Some(Kind::Point) && is_meant(&word) => {
                 match self.link(owner) {
                     Some(link) if self.touches(link, member) => {
@@ -88,7 +89,8 @@ impl Resolver<'_> {
     /// Returns true if the output is one of the whole mechanism; it is then resolved or reported.
     pub(super) fn output_of_the_whole(&mut self, docs: &[Attribute], name: &Ident) -> bool {
         let dynamics = &self.mechanism.dynamics;
-        let [has_mass, has_spring] = [!dynamics.masses.is_empty(), !dynamics.springs.is_empty()];
+        let has_mass = !dynamics.masses.is_empty();
+        let has_spring = !dynamics.springs.is_empty() || !dynamics.stops.is_empty();
         match name.to_string().as_str() {
             "energy" if has_mass || has_spring || self.a_force_may_be_unread() => {
                 if std::mem::replace(&mut self.mechanism.dynamics.energy, true) {
@@ -258,7 +260,8 @@ impl Resolver<'_> {
     /// Every drive and reaction, where anything has mass or acts.
     pub(super) fn every_effort_is_given(&mut self) {
         let dynamics = &mut self.mechanism.dynamics;
-        dynamics.energy = !dynamics.masses.is_empty() || !dynamics.springs.is_empty();
+        let has_spring = !dynamics.springs.is_empty() || !dynamics.stops.is_empty();
+        dynamics.energy = !dynamics.masses.is_empty() || has_spring;
         if dynamics.is_empty() {
             return;
         }
@@ -293,7 +296,7 @@ impl Resolver<'_> {
             let effort = Effort::Spring(SpringId(index as u32));
             Some(RequestedEffort { owner, field, docs: spring.docs.clone(), effort })
         });
-        let springs: Vec<_> = springs.collect();
+        let springs: Vec<_> = springs.chain(self.efforts_of_stops()).collect();
         let losses = self.losses_of_all();
         let mut asked: Vec<RequestedEffort> =
             inputs.into_iter().chain(links).chain(springs).chain(losses).collect();

@@ -181,7 +181,8 @@ impl Resolver<'_> {
             | Entity::Link(_)
             | Entity::Guide(_)
             | Entity::Load(_)
-            | Entity::Spring(_) => None,
+            | Entity::Spring(_)
+            | Entity::Stop(_) => None,
         }
     }
 

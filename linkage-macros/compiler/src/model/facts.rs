@@ -90,8 +90,8 @@ impl Facts {
     pub(super) fn moves(&self, entity: Entity) -> bool {
         match entity {
             Entity::Input(_) | Entity::Unknown(_) => true,
-            // A load moves nothing, and a spring is no part of the motion.
-            Entity::Param(_) | Entity::Load(_) | Entity::Spring(_) => false,
+            // A load moves nothing, and a spring or a stop is no part of the motion.
+            Entity::Param(_) | Entity::Load(_) | Entity::Spring(_) | Entity::Stop(_) => false,
             Entity::Let(id) => self.lets[id.index()].moves,
             Entity::Point(id) => self.points[id.index()],
             Entity::Link(id) => self.links[id.index()].moves,

@@ -35,4 +35,6 @@ ids! {
     LoadId
     /// An index into `Dynamics::springs`.
     SpringId
+    /// An index into `Dynamics::stops`.
+    StopId
 }

@@ -13,7 +13,7 @@ use crate::model::dynamics::Dynamics;
 pub(crate) use crate::model::expr::{AboveZero, AngleSum, Axis, Expr, Operator};
 pub(crate) use crate::model::findings::{Known, Rotatability};
 pub(crate) use crate::model::ids::{
-    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
+    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId, UnknownId,
 };
 pub(crate) use crate::model::incidence::{
     Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, Mode, Sign, Slideway,

@@ -50,6 +50,7 @@ mod settings;
 mod solves;
 mod springs;
 mod step;
+mod stops;
 mod stub;
 mod titles;
 pub(crate) mod units;

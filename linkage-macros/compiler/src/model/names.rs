@@ -11,7 +11,7 @@ use proc_macro2::Ident;
 use crate::syntax::tree::{Action, Declaration, Statement, StatementKind};
 
 use super::mechanism::{
-    GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
+    GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId, UnknownId,
 };
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +25,7 @@ pub(super) enum Kind {
     Load,
     Unknown,
     Spring,
+    Stop,
 }
 
 /// The kinds of names that may stand in an expression.
@@ -42,6 +43,7 @@ impl Kind {
             Self::Load => "load",
             Self::Unknown => "unknown",
             Self::Spring => "spring",
+            Self::Stop => "stop",
         }
     }
 
@@ -63,6 +65,7 @@ pub(super) enum Entity {
     Load(LoadId),
     Unknown(UnknownId),
     Spring(SpringId),
+    Stop(StopId),
 }
 
 /// A name that was declared, correctly or not.
@@ -182,6 +185,9 @@ pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
         StatementKind::Action(Action::Spring { name, .. }) => {
             name.iter().map(|name| (name, Kind::Spring)).collect()
         }
+        StatementKind::Action(Action::Stop(stop)) => {
+            stop.name.iter().map(|name| (name, Kind::Stop)).collect()
+        }
         StatementKind::Solve(_)
         | StatementKind::Drive(_)
         | StatementKind::Action(_)
@@ -211,6 +217,7 @@ pub(super) fn title(statement: &Statement, name: &str) -> String {
         }
         StatementKind::Load { .. } => format!("load {name}"),
         StatementKind::Action(Action::Spring { .. }) => format!("spring {name}"),
+        StatementKind::Action(Action::Stop(_)) => format!("stop {name}"),
         StatementKind::Action(_)
         | StatementKind::Output { .. }
         | StatementKind::Numerics { .. }

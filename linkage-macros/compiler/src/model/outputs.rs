@@ -201,6 +201,7 @@ impl Resolver<'_> {
                          `{name}.torque` and `{name}.angle`"
                 )
             }
+            Some(Kind::Stop) => format!("it has `{name}.force` and `{name}.gap`"),
             Some(Kind::Load) => "it is given, at each call".to_string(),
             _ => return Some(()),
         };

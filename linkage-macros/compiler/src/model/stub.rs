@@ -20,14 +20,14 @@ use crate::syntax::tree::{
 use super::Resolver;
 use super::dimension::Measure;
 use super::dynamics::{
-    Dynamics, Effort, Ends, Load, Mass, MassPlace, Quantity, RequestedEffort, Spring,
+    Dynamics, Effort, Ends, Load, Mass, MassPlace, Quantity, RequestedEffort, Spring, Stop, Stopped,
 };
 use super::expressions::bare_name;
 use super::facts::{GuideFacts, ParamFacts};
 use super::mechanism::{
     AngleSum, Carrier, Dimension, Expr, GroupId, GroupName, Guide, GuideId, Input, InputId, LoadId,
     Mechanism, Numerics, Output, OutputKind, Param, ParamId, ParamKind, PartOf, PointId,
-    References, Sign, SpringId,
+    References, Sign, SpringId, StopId,
 };
 use super::modes::mode_word;
 use super::names::{Entity, Kind, declared_by};
@@ -171,6 +171,15 @@ impl Resolver<'_> {
                 let springs = &mut self.mechanism.dynamics.springs;
                 springs.push(Spring { name, docs, ends, stiffness, damping, free });
                 Entity::Spring(SpringId(springs.len() as u32 - 1))
+            }
+            StatementKind::Action(Action::Stop(_)) => {
+                let of = Stopped::Angle(AngleSum { links: Vec::new(), rest: Expr::zero() });
+                let (ends, way) = ([(); 2].map(|()| Expr::zero()), String::new());
+                let [stiffness, damping] = [(); 2].map(|()| Quantity::zero());
+                let name = Some(name);
+                let stops = &mut self.mechanism.dynamics.stops;
+                stops.push(Stop { name, docs, of, ends, way, stiffness, damping });
+                Entity::Stop(StopId(stops.len() as u32 - 1))
             }
             _ => return None,
         })

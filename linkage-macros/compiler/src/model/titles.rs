@@ -6,9 +6,9 @@ use crate::function::Function;
 use super::mechanism::{Carrier, Mechanism, PointId};
 
 impl Mechanism {
-    /// Titles for errors, in this order: groups, springs, forces, inputs, functions. A spring or a force
-    /// between two points has no direction where they meet; an input may move no mass; a function may need a
-    /// number above zero.
+    /// Titles for errors, in this order: groups, springs, stops, forces, inputs, functions. A spring, a stop or a
+    /// force between two points has no direction where they meet; an input may move no mass; a function may
+    /// need a number above zero.
     pub(crate) fn titles(&self) -> Vec<String> {
         let groups = self.groups.iter().map(|group| group.title.clone());
         let springs = self.dynamics.springs.iter().map(|spring| self.spring_title(spring));
@@ -18,7 +18,12 @@ impl Mechanism {
         });
         let inputs = self.inputs.iter().map(|input| input.name.to_string());
         let functions = Function::names().map(str::to_string);
-        groups.chain(springs).chain(forces).chain(inputs).chain(functions).collect()
+        let stops = self.dynamics.stops.iter().map(|stop| match &stop.name {
+            Some(name) => format!("stop {name}"),
+            None => "stop".to_string(),
+        });
+        let acting = springs.chain(stops).chain(forces);
+        groups.chain(acting).chain(inputs).chain(functions).collect()
     }
 
     /// The number of a function's title among [`Self::titles`].
@@ -70,8 +75,13 @@ impl Mechanism {
         (self.groups.len() + spring) as u32
     }
 
+    /// The number of a stop's title among [`Self::titles`].
+    pub(crate) fn title_of_stop(&self, stop: usize) -> u32 {
+        self.title_of_spring(self.dynamics.springs.len()) + stop as u32
+    }
+
     /// The number of a force's title among [`Self::titles`].
     pub(crate) fn title_of_force(&self, force: usize) -> u32 {
-        (self.groups.len() + self.dynamics.springs.len() + force) as u32
+        self.title_of_stop(self.dynamics.stops.len()) + force as u32
     }
 }

@@ -253,7 +253,12 @@ impl Resolver<'_> {
 /// True if the effort follows from the power of all that acts, without any reaction.
 pub(super) fn is_of_power(effort: Effort) -> bool {
     match effort {
-        Effort::Input(_) | Effort::Unknown(_) | Effort::Spring(_) | Effort::Shaking => true,
+        Effort::Input(_)
+        | Effort::Unknown(_)
+        | Effort::Spring(_)
+        | Effort::Stop(_)
+        | Effort::Gap(_)
+        | Effort::Shaking => true,
         Effort::Drive(_)
         | Effort::Push(_)
         | Effort::Pin(..)

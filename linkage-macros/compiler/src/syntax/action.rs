@@ -5,10 +5,12 @@
 use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Action, FrictionSite, FrictionStatement, Group, MassSite, StatementKind};
+use super::tree::{
+    Action, FrictionSite, FrictionStatement, Group, MassSite, StatementKind, StopStatement,
+};
 
 /// Words that say that something has mass or acts.
-pub(crate) const ACTING: [&str; 5] = ["mass", "inertia", "force", "torque", "spring"];
+pub(crate) const ACTING: [&str; 6] = ["mass", "inertia", "force", "torque", "spring", "stop"];
 
 const MASS_FORMS: &str = "a mass is `mass 2kg on BC at G`, `… on BC at (x, y)`, \
                           `… on BC uniform` or, on a pin or point, `mass 2kg on C`";
@@ -20,6 +22,8 @@ const SPRING_FORM: &str = "a spring is `spring between P and Q { stiffness: 15(N
 const FRICTION_FORMS: &str = "friction is `friction 0.1 at C radius 8mm` of a pin, \
                               `friction 0.1 on BC at C radius 8mm` where more links meet, or \
                               `friction 0.1 on ram` of what slides";
+const STOP_FORM: &str = "a stop is `stop DC.angle between (20deg, 110deg) { stiffness: 2e4(N*m/rad) }`, \
+                         of an angle, a slide or a distance, and may have a name";
 const TORQUE_FORMS: &str = "a torque is `torque t on BC` or `torque t between BC and DC`";
 
 impl Parser<'_> {
@@ -35,6 +39,7 @@ impl Parser<'_> {
             "torque" => self.torque(),
             "spring" => self.spring(keyword),
             "friction" => self.friction(keyword.span()),
+            "stop" => self.stop(keyword),
             _ => return None,
         };
         Some(parsed.map(StatementKind::Action))
@@ -181,6 +186,24 @@ impl Parser<'_> {
         let mut fields = Group::without_links(keyword.clone(), self.end());
         self.fields_in_braces(&mut fields);
         Ok(Action::Spring { name, ends, fields })
+    }
+
+    fn stop(&mut self, keyword: &Ident) -> Parse<Action> {
+        // A name stands in front of another one, or of a number.
+        let begins = matches!(self.peek(1), Some(TokenTree::Ident(_) | TokenTree::Literal(_)));
+        let is_named = self.peek_ident(0).is_some() && begins && !self.is_word(1, "between");
+        let name = if is_named { Some(self.new_name("a stop")?) } else { None };
+        let of = self.expression()?;
+        if !self.take_word("between") {
+            return self.expected_because("`between`", STOP_FORM);
+        }
+        if !self.is_group(0, Delimiter::Parenthesis) {
+            return self.expected_because("`(from, to)`", STOP_FORM);
+        }
+        let ends = self.pair("`(from, to)`")?;
+        let mut fields = Group::without_links(keyword.clone(), self.end());
+        self.fields_in_braces(&mut fields);
+        Ok(Action::Stop(StopStatement { name, of, ends, fields }))
     }
 
     fn friction(&mut self, at: Span) -> Parse<Action> {

@@ -135,6 +135,7 @@ impl Parser<'_> {
         let fields = match GroupSpec::of(&keyword.to_string()) {
             Some(anatomy) => anatomy.braces(),
             None if keyword == "spring" => "{ stiffness: …, free_length: … }".to_string(),
+            None if keyword == "stop" => "{ stiffness: …, damping: … }".to_string(),
             None => "{ … }".to_string(),
         };
         let message = match self.is_group(0, Delimiter::Parenthesis)

@@ -64,7 +64,7 @@ impl Parser<'_> {
             "input" | "param" => {
                 named && [':', ',', '='].iter().any(|&sign| self.is_punct(2, sign))
             }
-            "let" | "output" | "numerics" | "export" | "spring" => named,
+            "let" | "output" | "numerics" | "export" | "spring" | "stop" => named,
             "unknown" => named && self.is_punct(2, ':'),
             "solve" => named && self.is_group(2, Delimiter::Brace),
             "gravity" => self.is_group(1, Delimiter::Parenthesis),

@@ -32,8 +32,10 @@ impl Parser<'_> {
             "drive" => self.drive(),
             _ => self.action(keyword)?,
         };
-        // A spring ends with its braces, and so may a link.
-        let has_braces = keyword == "spring" || keyword == "link" && self.ended_with_braces();
+        // A spring and a stop end with their braces, and so may a link.
+        let has_braces = keyword == "spring"
+            || keyword == "stop"
+            || keyword == "link" && self.ended_with_braces();
         if parsed.is_ok() && !has_braces {
             self.semicolon();
         }

@@ -94,7 +94,7 @@ impl StatementKind {
     }
 }
 
-/// `gravity`, `mass`, `inertia`, `force`, `torque`, `spring` or `friction`.
+/// `gravity`, `mass`, `inertia`, `force`, `torque`, `spring`, `friction` or `stop`.
 #[derive(Clone)]
 pub(crate) enum Action {
     /// `gravity (0, -g);` and where it stands.
@@ -116,6 +116,17 @@ pub(crate) enum Action {
     Spring { name: Option<Ident>, ends: [Ident; 2], fields: Group },
     /// `friction 0.1 at C radius 8mm;`
     Friction(FrictionStatement),
+    /// `stop DC.angle between (20deg, 110deg) { stiffness: 2e4(N*m/rad) }`
+    Stop(StopStatement),
+}
+
+/// A stop, which may have a name; its fields are read like those of a group.
+#[derive(Clone)]
+pub(crate) struct StopStatement {
+    pub name: Option<Ident>,
+    pub of: Expr,
+    pub ends: [Expr; 2],
+    pub fields: Group,
 }
 
 /// Friction at a pin or a guide, and where its word stands.
@@ -159,7 +170,7 @@ impl Action {
     /// The names that the statement builds on.
     pub(crate) fn names(&self) -> Vec<&Ident> {
         match self {
-            Self::Gravity { .. } => Vec::new(),
+            Self::Gravity { .. } | Self::Stop(_) => Vec::new(),
             Self::Mass { on, place: MassSite::Point(point), .. } => vec![on, point],
             Self::Mass { on, .. } | Self::Inertia { on, .. } | Self::Torque { on, .. } => vec![on],
             Self::Force { axes, on, .. } => axes.iter().chain([on]).collect(),
@@ -191,6 +202,9 @@ impl Action {
             | Self::Torque { value, .. }
             | Self::TorqueBetween { value, .. } => vec![value],
             Self::Spring { fields, .. } => fields.values().collect(),
+            Self::Stop(StopStatement { of, ends, fields, .. }) => {
+                [of].into_iter().chain(ends).chain(fields.values()).collect()
+            }
             Self::Friction(friction) => {
                 let FrictionStatement { coefficient, radius, length, smooth, .. } = friction;
                 [coefficient].into_iter().chain(radius).chain(length).chain(smooth).collect()

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::equations::forces::provided::{Line, not_negative};
-use crate::equations::forces::springs;
+use crate::equations::forces::{springs, stops};
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Frame, PointMotion};
@@ -201,7 +201,7 @@ fn between<'s>(mass: Sym<'s>, at_pin: Sym<'s>, [a_o, a_c]: [Vector<'s>; 2]) -> V
 pub(super) fn applied<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s>)> {
     // Springs come first on the builder, and last in the list.
     let springs = springs::forces(kinematics);
-    declared(kinematics).into_iter().chain(springs).collect()
+    declared(kinematics).into_iter().chain(springs).chain(stops::forces(kinematics)).collect()
 }
 
 /// The same of the statements `force` alone.
@@ -235,7 +235,8 @@ pub(super) fn torques<'s>(kinematics: &Kinematics<'s>) -> Vec<(Carrier, Sym<'s>)
         let value = kinematics.jet(&torque.value).value;
         [Some((torque.on, value)), torque.against.map(|against| (against, -value))]
     });
-    torques.flatten().chain(springs::couples(kinematics)).collect()
+    let couples = springs::couples(kinematics).into_iter().chain(stops::couples(kinematics));
+    torques.flatten().chain(couples).collect()
 }
 
 /// Body of a point. A point without a step belongs to the ground.

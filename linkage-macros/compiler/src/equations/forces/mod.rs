@@ -1,8 +1,8 @@
 //! Forces: what acts on every link, and what that asks of the drives and joints.
 //!
 //! # What acts
-//! [`loads`] puts masses, weights, inertia and applied forces on the links, and [`springs`] what stands
-//! between their points and between themselves. About a link's own outer
+//! [`loads`] puts masses, weights, inertia and applied forces on the links, [`springs`] what stands
+//! between their points and between themselves, and [`stops`] what ends their motion. About a link's own outer
 //! joint O, at r = G − O fixed in the link,
 //!
 //! ```text
@@ -44,6 +44,7 @@ mod power;
 mod provided;
 mod reduced;
 pub(super) mod springs;
+pub(super) mod stops;
 mod together;
 mod transmit;
 mod unit_rate;
@@ -88,6 +89,8 @@ fn alone(kinematics: &Kinematics<'_>, effort: Effort) -> Option<Vec<Id>> {
         Effort::Input(input) => Some(vec![power::effort(kinematics, input).id]),
         Effort::Unknown(unknown) => Some(vec![power::effort_at(kinematics, unknown).id]),
         Effort::Spring(spring) => Some(vec![springs::effort(kinematics, spring.index()).id]),
+        Effort::Stop(stop) => Some(vec![stops::effort(kinematics, stop.index()).id]),
+        Effort::Gap(stop) => Some(vec![stops::gap(kinematics, stop.index()).id]),
         Effort::Shaking => Some(together::shaking(kinematics).map(|number| number.id).into()),
         Effort::Drive(_)
         | Effort::Push(_)

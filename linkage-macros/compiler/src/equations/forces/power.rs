@@ -18,6 +18,7 @@
 
 use crate::equations::forces::loads::{Masses, applied, gravity, of_masses, torques};
 use crate::equations::forces::reduced::Reduced;
+use crate::equations::forces::stops;
 use crate::equations::forces::unit_rate::at_unit_rate;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::Sym;
@@ -74,6 +75,10 @@ pub(super) fn applied_power<'s>(kinematics: &Kinematics<'s>, unit: &Kinematics<'
     }
     for (carrier, couple) in torques(kinematics) {
         power = power + couple * unit.carrier(carrier).direction.omega;
+    }
+    for (link, force) in stops::slides(kinematics) {
+        let slide = unit.link(link).slide.expect("the model checked that it slides");
+        power = power + force * slide.rate;
     }
     power
 }

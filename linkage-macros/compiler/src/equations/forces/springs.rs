@@ -175,6 +175,27 @@ pub(in crate::equations) fn twist<'s>(kinematics: &Kinematics<'s>, id: SpringId)
     Jet { value: sine.apply2(Function::Atan2, cosine), rate, accel }
 }
 
+/// The angle by which a sum of links' angles is above another one.
+pub(super) fn turned_from<'s>(
+    kinematics: &Kinematics<'s>,
+    sum: &AngleSum,
+    from: Sym<'s>,
+) -> Jet<'s> {
+    let rest = kinematics.jet(&sum.rest) + Jet::constant(-from);
+    let mut turned = Turned { links: Vec::new(), rest };
+    for &(link, times) in &sum.links {
+        turned.add_body(kinematics, Carrier::Link(link), i64::from(times));
+    }
+    if turned.links.iter().all(|(_, times)| *times == 0) {
+        return turned.rest;
+    }
+    let ground = kinematics.carrier(Carrier::Ground).direction;
+    let to = kinematics.turned(ground, sum);
+    let unit = Vector { x: from.cos(), y: from.sin() };
+    let (sine, cosine) = ground.turned_by(Jet::constant(from), unit).sin_cos_to(to);
+    Jet { value: sine.apply2(Function::Atan2, cosine), rate: to.omega, accel: to.alpha }
+}
+
 /// An angle as a sum: what drives bodies says by how much they are turned, of the others their own
 /// angles remain.
 struct Turned<'s> {

@@ -10,8 +10,8 @@
 
 use crate::equations::forces::loads::{Centre, Inertia, Masses, gravity, of_masses};
 use crate::equations::forces::reduced::Reduced;
-use crate::equations::forces::springs;
 use crate::equations::forces::unit_rate::at_unit_rate;
+use crate::equations::forces::{springs, stops};
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Frame;
 use crate::equations::symbol::{Sym, Vector};
@@ -27,7 +27,9 @@ pub(super) fn energy<'s>(kinematics: &Kinematics<'s>) -> [Sym<'s>; 2] {
         _ => masses.inertia(kinematics, kinematics),
     };
     let lifted = moments(kinematics, kinematics.builder.integer(1))[0].dot(gravity(kinematics));
-    [kinetic.half(), springs::energy(kinematics) - lifted]
+    let kinetic = kinetic.half();
+    let stored = springs::energy(kinematics) + stops::energy(kinematics);
+    [kinetic, stored - lifted]
 }
 
 /// The force on the ground, and the couple about the origin.

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use crate::equations::forces::loads::{
     self, Masses, MovingPlace, applied, gravity, of_masses, torques,
 };
-use crate::equations::forces::{springs, together};
+use crate::equations::forces::{springs, stops, together};
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Frame;
@@ -120,6 +120,8 @@ impl<'k, 's> Walk<'k, 's> {
             Effort::Losses => vec![self.losses],
             Effort::Shaking => together::shaking(self.kinematics).into(),
             Effort::Spring(spring) => vec![springs::effort(self.kinematics, spring.index())],
+            Effort::Stop(stop) => vec![stops::effort(self.kinematics, stop.index())],
+            Effort::Gap(stop) => vec![stops::gap(self.kinematics, stop.index())],
             other => self.found[&other].clone(),
         }
     }
@@ -143,6 +145,9 @@ impl<'k, 's> Walk<'k, 's> {
         }
         for (carrier, couple) in torques(self.kinematics) {
             self.turn(carrier, couple);
+        }
+        for (link, force) in stops::slides(self.kinematics) {
+            self.push_slide(link, force);
         }
     }
 

@@ -302,6 +302,20 @@ pub(crate) const VARIANTS: &[Variant] = &[
         inputs: TWO,
     },
     Variant {
+        name: "stops beyond either end, between them and leaving",
+        source: fixed!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left }"
+            "guide arm on DC through (0.1, 0) along 20deg; rrp CK(C), ram(rail) -> K { length: 0.9, mode: ahead }"
+            "slider z(post) -> Z { slide: s }"
+            "stop low DC.angle between (130deg, 170deg) { stiffness: 300, damping: 2 }"
+            "stop high BC.angle - DC.angle between (-179deg, -170deg) { stiffness: 200, damping: 3 }"
+            "stop DC.angle - AB.angle between (-3, 3) { stiffness: 100 }"
+            "stop ram.slide between (2, 3) { stiffness: 700, damping: 20 }"
+            "stop z.slide between (0, 0.1) { stiffness: 500, damping: 100 }"
+            "stop z.slide between (0, 0.1) { stiffness: 500, damping: 1000 }"
+            "stop gap distance(B, Z) between (0.1, 0.2) { stiffness: 900, damping: 7 }"),
+        inputs: TWO,
+    },
+    Variant {
         name: "outputs and forces with corners",
         source: fixed!("crank BE(B) -> E { length: 0.2 + s, angle: 2 * q }"
             "force (min(3N, 20(N/m) * E.y), max(1N, 40(N/m) * s) - abs(5(N*s/m) * rate(E.y))) on E;"

@@ -8,6 +8,7 @@ mod friction;
 mod joints;
 mod matrix;
 mod readings;
+mod stops;
 mod transmission;
 
 use crate::equations::kinematics::Kinematics;

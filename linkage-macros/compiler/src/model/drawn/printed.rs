@@ -2,7 +2,7 @@
 
 use syn::Attribute;
 
-use crate::syntax::tree::{Action, FrictionSite, FrictionStatement, MassSite};
+use crate::syntax::tree::{Action, FrictionSite, FrictionStatement, MassSite, StopStatement};
 use crate::syntax::tree::{
     BinaryOp, Course, Declaration, Expr, ExprKind, FieldValue, Group, Place, Spot, Statement,
     StatementKind,
@@ -179,6 +179,10 @@ fn written_action(action: &Action) -> String {
             format!("spring{name} between {a} and {b} {}", braces(fields))
         }
         Action::Friction(friction) => written_friction(friction),
+        Action::Stop(StopStatement { name, of, ends, fields }) => {
+            let name = name.iter().map(|name| format!(" {name}")).collect::<String>();
+            format!("stop{name} {} between {} {}", text(of), pair(ends), braces(fields))
+        }
     }
 }
 

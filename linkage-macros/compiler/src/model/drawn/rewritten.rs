@@ -284,6 +284,10 @@ impl Turns {
             | Action::Torque { value, .. }
             | Action::TorqueBetween { value, .. } => *value = self.expr(value),
             Action::Spring { fields, .. } => self.group(fields),
+            Action::Stop(stop) => {
+                stop.of = self.expr(&stop.of);
+                self.group(&mut stop.fields);
+            }
             Action::Friction(friction) => friction.coefficient = self.expr(&friction.coefficient),
         }
         action

@@ -8,7 +8,9 @@ fn statements_about_forces_have_trees() {
         "gravity (0, -g); load cut, work: force; mass 2kg on BC at G inertia 0.1(kg*m^2);
          mass 2 + m on BC at (x, 0); mass 1kg on BC uniform; mass 2kg on C; inertia J on AB;
          force (0, -cut) on blade; force (0, -f) in BC on P; force (a + b) / 2 between P and Q;
-         torque t on DC; torque -t between ground and DC;",
+         torque t on DC; torque -t between ground and DC;
+         stop DC.angle between (a, 110deg) { stiffness: k }
+         stop low 2 * AB.angle - DC.angle between (0, b) { stiffness: k, damping: 5 }",
     );
     assert_eq!(mistakes, "");
     assert_eq!(
@@ -24,7 +26,9 @@ force (0, (-cut)) on blade
 force (0, (-f)) in BC on P
 force ((a + b) / 2) between P and Q
 torque t on DC
-torque (-t) between ground and DC"
+torque (-t) between ground and DC
+stop DC.angle between (a, 110deg) { stiffness: k }
+stop low ((2 * AB.angle) - DC.angle) between (0, b) { stiffness: k, damping: 5 }"
     );
 }
 

@@ -171,6 +171,11 @@ fn action(action: &Action) -> String {
             let name = name.as_ref().map(|name| format!("{name} ")).unwrap_or_default();
             format!("spring {name}between {a} and {b} {{ {} }}", self::fields(fields))
         }
+        Action::Stop(StopStatement { name, of, ends: [from, to], fields }) => {
+            let name = name.iter().map(|name| format!("{name} ")).collect::<String>();
+            let [of, from, to] = [of, from, to].map(expr);
+            format!("stop {name}{of} between ({from}, {to}) {{ {} }}", self::fields(fields))
+        }
         Action::Friction(friction) => {
             let site = match &friction.site {
                 FrictionSite::Pin(pin) => format!("at {pin}"),

@@ -1,6 +1,7 @@
 //! Loads on the parts: weight and inertia of each mass for itself, forces, torques and springs, each
 //! written down as in a textbook, in ground axes.
 
+use super::stops::stops;
 use super::{Applied, Part, ids, part, part_of, part_of_carrier};
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
@@ -11,7 +12,8 @@ use crate::model::mechanism::{Carrier, Expr, PointId};
 
 pub(super) fn acting(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
     let (masses, applied) = (masses(kinematics), applied(kinematics));
-    masses.into_iter().chain(applied).chain(springs(kinematics)).collect()
+    let (springs, stops) = (springs(kinematics), stops(kinematics));
+    masses.into_iter().chain(applied).chain(springs).chain(stops).collect()
 }
 
 /// Weight and inertia of every mass: m (g − a_G) at G and −J α.
@@ -100,7 +102,7 @@ fn applied(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
 }
 
 /// A force on a point, and so on the part that it belongs to.
-fn force(kinematics: &Kinematics<'_>, point: PointId, force: Vector<'_>) -> Applied<Id> {
+pub(super) fn force(kinematics: &Kinematics<'_>, point: PointId, force: Vector<'_>) -> Applied<Id> {
     let (motion, zero) = (kinematics.point(point), kinematics.builder.zero().id);
     Applied {
         part: part_of(kinematics, point),
@@ -112,7 +114,7 @@ fn force(kinematics: &Kinematics<'_>, point: PointId, force: Vector<'_>) -> Appl
     }
 }
 
-fn turn(kinematics: &Kinematics<'_>, carrier: Carrier, couple: Sym<'_>) -> Applied<Id> {
+pub(super) fn turn(kinematics: &Kinematics<'_>, carrier: Carrier, couple: Sym<'_>) -> Applied<Id> {
     let zero = kinematics.builder.zero().id;
     Applied {
         part: part_of_carrier(carrier),

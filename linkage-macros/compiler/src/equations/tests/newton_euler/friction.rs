@@ -53,7 +53,7 @@ impl Motion<Digits> {
 }
 
 /// The part that a link slides on.
-fn under(kinematics: &Kinematics<'_>, link: LinkId) -> Part {
+pub(super) fn under(kinematics: &Kinematics<'_>, link: LinkId) -> Part {
     let mechanism = kinematics.mechanism;
     let mut joints = mechanism.joints().filter(|joint| joint.link() == link);
     let carrier = |guide: GuideId| mechanism.course(guide).expect("a guide has a carrier").0;
