@@ -84,6 +84,8 @@ pub mod figures {
 }
 
 pub mod expressions {
+    //! [`SolveError::Invalid`]: crate::SolveError::Invalid
+    //!
     #![doc = include_str!("../docs/expressions.md")]
 }
 

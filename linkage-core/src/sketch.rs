@@ -67,8 +67,8 @@
 //! address holds the state, so that it can be sent. A length input needs a `range` or a `path`. Velocities,
 //! accelerations and forces are those at a constant rate of the input that curves are drawn over. The numbers
 //! are the solver's to the last bit, but for `tan`, `hypot` and angles beyond 2²⁰ rad, where browsers differ by a
-//! unit in the last place; on targets with fused operations the solver itself rounds otherwise. A mechanism
-//! with an `unknown` has no page.
+//! unit in the last place; on targets with fused operations the solver itself rounds otherwise. An `unknown` is
+//! searched as the solver searches it.
 //!
 //! # Units
 //!

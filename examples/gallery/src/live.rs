@@ -6,12 +6,12 @@ use crate::declarations::{
     andrews_squeezer, calibration, cart, computed_torque, counterweight, crane,
     crank_rocker_slider, crank_rpp, dead_point, driving_torque, electronic_cam, excavator,
     five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, parallelograms,
-    press_friction, range, run_up, shear_bearings, six_bar, six_bar_reactions, slider_crank,
-    suspension, toggle_clamp, transplanter, vibration, whitworth,
+    press_friction, range, run_up, set_point, shear_bearings, six_bar, six_bar_reactions,
+    slider_crank, suspension, toggle_clamp, transplanter, vibration, whitworth,
 };
 use crate::motions::digging;
 
-/// The page of every machine in which nothing is searched, by the example and the struct.
+/// The page of every machine, by the example and the struct.
 ///
 /// # Errors
 /// The first page that fails.
@@ -62,6 +62,7 @@ fn sliders() -> Vec<Named> {
         plain("whitworth::Shaper", whitworth::Shaper::new().page()),
         plain("whitworth::Whitworth", whitworth::Whitworth::new().page()),
         plain("range::Shaper", range::Shaper::new().page()),
+        ("set_point::Press", set_point::Press::new().page().range("x", 0.18..=0.33).to_html()),
     ]
 }
 
@@ -76,6 +77,10 @@ fn larger() -> Vec<Named> {
         (
             "suspension::ByTheArm",
             suspension::ByTheArm::new().page().range("theta", -0.3..=0.4).to_html(),
+        ),
+        (
+            "suspension::ByTheWheel",
+            suspension::ByTheWheel::new().page().range("z", 0.2..=0.45).to_html(),
         ),
         plain("cart::Steering", cart::Steering::new().page()),
     ]

@@ -1,8 +1,8 @@
 //! A page on which a mechanism is dragged: one file, its formulas a script that the macro has printed, and a
 //! run-time of a few files without libraries.
 //!
-//! `kernels.js`, `limit.js` and `checks.js` compute and decide as the crate does, `pose.js` reads the
-//! results, `drag.js` finds the inputs of a dragged point; nothing of this touches the document. `picture.js`,
+//! `kernels.js`, `limit.js` and `checks.js` compute and decide as the crate does, `roots.js` and `survey.js`
+//! search as it does, `pose.js` reads the results, `drag.js` finds the inputs of a dragged point; nothing of this touches the document. `picture.js`,
 //! `symbols.js`, `curves.js`, `controls.js` and `page.js` do.
 
 mod declared;
@@ -40,14 +40,18 @@ pub struct Page<S> {
     wishes: Wishes,
 }
 
-/// The files that compute, without a document.
-const COMPUTES: [&str; 5] = [
+/// The files that compute and decide.
+const ARITHMETIC: [&str; 3] = [
     include_str!("page/kernels.js"),
     include_str!("page/limit.js"),
     include_str!("page/checks.js"),
-    include_str!("page/pose.js"),
-    include_str!("page/drag.js"),
 ];
+
+/// The files of the search for an unknown, which a page without one does without.
+const SEARCH: [&str; 2] = [include_str!("page/roots.js"), include_str!("page/survey.js")];
+
+/// The files that read the results, without a document.
+const READS: [&str; 2] = [include_str!("page/pose.js"), include_str!("page/drag.js")];
 
 /// The files of all that a reader sees and sets.
 const SHOWS: [&str; 5] = [
@@ -153,7 +157,9 @@ impl<S: Paged> Page<S> {
             plan_object::written(plan),
             declared.script
         );
-        let computes = format!("\"use strict\";\n{machine}{}", squeeze::script(&COMPUTES));
+        let searches = declared.script.contains("c.root(");
+        let parts = [&ARITHMETIC[..], if searches { &SEARCH } else { &[] }, &READS];
+        let computes = format!("\"use strict\";\n{machine}{}", squeeze::script(&parts.concat()));
         let shows = format!("\"use strict\";\n{}", squeeze::script(&SHOWS));
         Ok(filled(&[
             ("style", &squeeze::style(include_str!("page/page.css"))),

@@ -59,12 +59,26 @@ fn visits() -> Vec<Visit> {
     vec![
         visit("flying_shear::FlyingShear", 1280, shear),
         visit("flying_shear::FlyingShear", 360, shear),
-        visit("range::FourBar", 1280, r#"[["look"], ["gap"], ["texts"], ["sliders"]]"#),
+        visit(
+            "range::FourBar",
+            1280,
+            r#"[["look"], ["gap"], ["limit", "C", 1, 0.5], ["texts"], ["sliders"]]"#,
+        ),
         visit("range::FourBar", 360, r#"[["look"], ["gap"]]"#),
         visit(
             "excavator::Excavator",
             1280,
             r#"[["look"], ["reach", "tooth"], ["coupler", "G"], ["texts"]]"#,
+        ),
+        visit(
+            "set_point::Press",
+            1280,
+            r#"[["look"], ["coupler", "B"], ["limit", "C", 1, 0], ["limit", "C", -1, 0], ["texts"], ["sliders"]]"#,
+        ),
+        visit(
+            "suspension::ByTheWheel",
+            360,
+            r#"[["look"], ["coupler", "W"], ["limit", "W", 0, 2], ["sliders"]]"#,
         ),
         visit("jansen_leg::JansenLeg", 1280, r#"[["look"], ["coupler", "foot"]]"#),
         visit("shear_bearings::FlyingShear", 360, r#"[["look"], ["crank"], ["sliders"]]"#),
@@ -73,6 +87,12 @@ fn visits() -> Vec<Visit> {
             html: hard::Function::new().page().to_html().unwrap(),
             width: 1280,
             steps: r#"[["look"], ["coupler", "constructor"], ["texts"], ["sliders"]]"#,
+        },
+        Visit {
+            name: "hard::EightBar",
+            html: hard::EightBar::new().page().to_html().unwrap(),
+            width: 1280,
+            steps: r#"[["look"], ["coupler", "p56"], ["limit", "p37", 2, 0], ["sliders"]]"#,
         },
     ]
 }

@@ -66,11 +66,17 @@ const STEPS_OF = {
     });
     expect(Math.abs(state.q[0] - begun - 4 * Math.PI) < 0.1, "two turns are", state.q[0] - begun);
   },
-  /// A coupler point along its own path, and beside it.
+  /// A coupler point along its own path, as far as the machine can follow.
   async coupler(name) {
     play(false);
-    const path = samples.filter(({ pose }) => !pose.error).map(({ pose }) => pose.point(point(name)));
-    const start = path.map((at, k) => [apart(at, now(name)), k]).sort((a, b) => a[0] - b[0])[0][1], last = path.length - 1;
+    const runs = [[]];
+    for (const { pose } of samples) {
+      if (pose.error) runs.push([]);
+      else runs.at(-1).push(pose.point(point(name)));
+    }
+    const off = (path) => Math.min(...path.map((at) => apart(at, now(name))));
+    const path = runs.sort((a, b) => off(a) - off(b))[0], last = path.length - 1;
+    const start = path.findIndex((at) => apart(at, now(name)) === off(path));
     // To and fro where the path has ends.
     const bounced = (k) => last - Math.abs(last - (k % (2 * last)));
     const places = Array.from({ length: 80 }, (_, k) => path[bounced(start + 3 * (k + 1))]);
@@ -78,6 +84,21 @@ const STEPS_OF = {
       const off = apart(now(name), place) * view.scale;
       expect(off < 0.5, name, "is off its own path by", off, "pixels");
     });
+  },
+  /// A point towards a place beyond its reach, so many of the picture's widths away, and back: it stays in
+  /// poses that can be assembled.
+  async limit(name, across, up) {
+    play(false);
+    const from = now(name), far = view.width / view.scale;
+    const shares = Array.from({ length: 60 }, (_, k) => 1 - Math.abs(1 - (k + 1) / 30));
+    let isHeld = false;
+    await drag(name, shares.map((share) => [from[0] + share * across * far, from[1] + share * up * far]), (place) => {
+      const { error } = new Pose(state.q);
+      expect(!error, name, "is dragged into a pose with", error?.kind);
+      isHeld ||= apart(now(name), place) * view.scale > 30;
+    });
+    expect(isHeld, name, "reaches places that it should not");
+    expect(!$("#state").classList.contains("warn"), "a warning stays:", $("#state").textContent);
   },
   /// A point of several inputs' reach along a line and back.
   async reach(name) {

@@ -36,3 +36,64 @@ mechanism! {
         output C, E, bent, size = abs(C.y) + max(C.x, E.x);
     }
 }
+
+mechanism! {
+    /// Several roots of each trend and several dead points, between ends that are parameters.
+    pub struct Rippled {
+        input x: length;
+        param way: mode = rising;
+        param low: angle = -2rad;
+        param high: angle = 3rad;
+        ground A(0, 0);
+        unknown arguments: angle between (low, high);
+        crank AB(A) -> B { length: 1m, angle: arguments }
+        solve arguments { sin(3 * arguments) + arguments / 8 = x / 1m, mode: way }
+        output arguments, B;
+    }
+}
+
+mechanism! {
+    /// An unknown behind another one, a trial that cannot be assembled, and a given cosine.
+    pub struct Chained {
+        input x, h: length;
+        param rod = 0.25m;
+        ground A(0, 0), D(0.5m, 0);
+        guide bed through (0, 0) along 0deg;
+        unknown theta: angle between (5deg, 175deg);
+        crank AB(A) -> B           { length: 80mm, angle: theta }
+        rrp   BC(B), ram(bed) -> C { length: rod, mode: ahead }
+        solve theta { x = ram.slide, mode: rising, near: 60deg }
+        unknown phi: angle between (-60deg, 60deg);
+        crank CE(C) -> E           { length: 300mm, angle: phi }
+        rrr   EF(E), DF(D) -> F    { lengths: (0.3m, 0.33m), mode: left }
+        solve phi { F.y = h + B.y / 10, mode: rising }
+        mass 2kg on EF at (0.1m, 0);
+        output theta, phi, F, x.drive, h.drive;
+    }
+}
+
+mechanism! {
+    /// Links and joints whose groups are of class III.
+    pub struct EightBar {
+        input theta: angle;
+        ground p01(0.789, 0.304), p17(0.603, 0.18);
+        pin p05(0.326, 0.572), p25(0.655, 0.835), p27(0.324, 0.929), p36(0.81, 0.838), p37(0.554, 0.589);
+        pin p46(0.015, 0.486), p47(0.999, 0.972), p56(0.052, 0.978);
+        link l0(p01, p05), l2(p25, p27), l3(p36, p37), l4(p46, p47), l5(p05, p25, p56), l6(p36, p46, p56);
+        link l7(p17, p27, p37, p47);
+        drive l7.angle = theta;
+        output p56, p47, l3;
+    }
+}
+
+mechanism! {
+    /// An equation whose difference jumps by a turn: it has no root there.
+    pub struct Jump {
+        input psi: angle;
+        unknown theta: angle between (90deg, 270deg);
+        ground A(0, 0);
+        crank AB(A) -> B { length: 1m, angle: theta }
+        solve theta { AB.angle = psi, mode: falling }
+        output B;
+    }
+}

@@ -2,10 +2,26 @@
 
 const isCertain = (value, spread) => isFinite(value) && value > ROUNDINGS * EPSILON * spread;
 
+/// Words for the reasons that some machines alone know, by their kinds.
+const REASONS = {};
+
+/// The part of an equation's size by which its sides may differ, and the name of ends that are in order.
+const OPEN = 2 ** -20, ENDS = "ends of between";
+
 /// Keeps the first condition that is not met, and lets values go on: behind a group that cannot be assembled
 /// they are roots of negative numbers, which are no numbers.
 class FirstError {
   error = null;
+  /// The reason if no other condition fails: an equation was not a number.
+  otherwise = null;
+  /// The unknown that counts as not found, where only what stands without it is asked for.
+  without = null;
+  searches = false;
+
+  /// The reason why the numbers are not to be used, if there is one.
+  get reason() {
+    return this.error ?? this.otherwise;
+  }
 
   /// Keeps the first refusal.
   refuse(kind, group, more) {
@@ -90,6 +106,35 @@ class FirstError {
     return this.Square(value, group);
   }
 
+  /// The root of an unknown's equation, of sides in this unit, and the size that its rounding is measured by.
+  /// Where the equation was not a number the formulas go on with that trial, and find the group that cannot be
+  /// assembled there.
+  root(found, unknown, unit) {
+    this.searches = true;
+    const { kind, at, by, other, isOrdered } = found;
+    if (this.without) return kind || unknown === this.without ? [NaN, NaN] : found;
+    if (!kind) return found;
+    if (kind === "Interval") this.refuse("Invalid", unknown, { name: isOrdered ? ENDS : "width of between" });
+    else if (kind === "NoSolution") this.refuse(kind, unknown, { by, unit, other });
+    else if (kind === "NotFinite") this.otherwise ??= { kind, group: unknown };
+    else this.refuse(kind, unknown);
+    return [at ?? 0, 0];
+  }
+
+  /// An equation's left − right in the final pose, whose sides are of this size: none but a jump's is so large.
+  Closed(difference, size, unknown, unit) {
+    if (this.without || this.otherwise) return;
+    if (!isFinite(difference)) this.refuse("NotFinite", unknown);
+    else if (!(Math.abs(difference) <= OPEN * size)) this.refuse("NoSolution", unknown, { by: Math.abs(difference), unit });
+  }
+
+  /// The slope of an equation at its root.
+  Moving(value, spread, group) {
+    if (Number.isNaN(value)) this.refuse("NotFinite", group);
+    else if (!(value > ROUNDINGS * EPSILON * spread)) this.refuse("Singular", group);
+    return value;
+  }
+
   Nonzero(value, group) {
     if (Number.isNaN(value)) this.refuse("NotFinite", group);
     else if (value === 0) this.refuse("Singular", group);
@@ -120,12 +165,17 @@ const solved = (given, formulas, nameOf) => {
   const checks = new FirstError();
   for (const [value, name] of given) if (!isFinite(value)) checks.refuse("NotFinite", name);
   const numbers = formulas(checks);
-  if (!checks.error) {
+  if (!checks.reason) {
     const lost = numbers.findIndex((number) => !isFinite(number));
     if (lost >= 0) checks.refuse("NotFinite", blamed(given, nameOf(lost)));
   }
-  return { numbers, error: checks.error };
+  const error = checks.reason;
+  // A trial at which a search ended is no place of the machine.
+  return { numbers: error && checks.searches ? formulas(standing(error)) : numbers, error };
 };
+
+/// Conditions of what stands in spite of an error.
+const standing = (error) => Object.assign(new FirstError(), { error, without: error.group });
 
 /// The largest given number whose fourth power is infinite, or the result's own name.
 const blamed = (given, name) => {

@@ -108,7 +108,9 @@ const rangeOf = (values) => {
   const [inner, outer] = [at(0.98) - at(0.02), at(1) - at(0)];
   const isWild = outer > 3 * inner && inner > 0;
   const [from, to] = isWild ? [at(0.02) - 0.5 * inner, at(0.98) + 0.5 * inner] : [at(0), at(1)];
-  const spare = 0.06 * (to - from) || 0.1 * Math.abs(to) || 1;
+  // What changes by rounding alone is constant.
+  const isConstant = to - from <= 1e-9 * Math.max(Math.abs(from), Math.abs(to));
+  const spare = isConstant ? 0.1 * Math.abs(to) || 1 : 0.06 * (to - from);
   return [from - spare, to + spare];
 };
 

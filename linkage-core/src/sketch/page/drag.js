@@ -1,20 +1,22 @@
 // Which inputs bring a dragged point where the pointer is.
 
 /// The crank of the ground that carries a point, and the input that turns it by how much; none for any other
-/// point. An input is found by what a little of it does.
+/// point, and for a crank that an equation turns. An input is found by what a little of it does, either way.
 const crankOf = (point) => {
   const turned = statements.flatMap(({ members }) => members).filter((member) => member.turned);
   const crank = turned.find(({ link, pivot }) => pivot !== point && joints[link].includes(point));
   if (!crank) return null;
   const angle = (q) => {
-    const { cos, sin } = new Pose(q).link(crank.link);
+    const { cos, sin } = new Pose(q).link(crank.link) ?? { cos: NaN, sin: NaN };
     return atan2(sin, cos);
   };
-  const step = 1e-3;
   for (const k of inputs.keys()) {
-    const moved = state.q.map((x, n) => (n === k ? x + step : x));
-    const ratio = nearest(angle(moved) - angle(state.q)) / step;
-    if (Math.abs(ratio) > 1e-3) return { ...crank, input: k, ratio };
+    const ratios = [1e-3, -1e-3].map((step) => {
+      const moved = state.q.map((x, n) => (n === k ? x + step : x));
+      return nearest(angle(moved) - angle(state.q)) / step;
+    });
+    const [ratio, back] = ratios;
+    if (Math.abs(ratio) > 1e-3 && Math.abs(ratio - back) < 1e-6) return { ...crank, input: k, ratio };
   }
   return null;
 };

@@ -188,7 +188,9 @@ const inputWords = (k, x = state.q[k]) =>
   words(inputs[k].isAngle ? wrapped(x) : x, inputs[k].unit);
 
 /// The reason why a pose cannot be used, as the Rust crate's errors say it.
-const why = ({ kind, group, by, name }) => {
+const why = (error) => {
+  const { kind, group, by, name } = error, own = REASONS[kind]?.(error);
+  if (own) return own;
   if (kind === "OutOfReach") return `${group} cannot be assembled: ${words(by, "m")} are missing`;
   if (kind === "Singular") return `${group}: at a dead point, where this is undefined`;
   if (kind === "NotFinite") return `${group} leads to a result that is not finite`;

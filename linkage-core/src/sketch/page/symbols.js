@@ -202,8 +202,9 @@ const drawGap = (pose) => {
 const boundOf = (pose, member, { members }) => {
   if (member.shape === "block") {
     const frame = pose.guide(member.guide), pivot = members.find((other) => other.pivot !== null)?.pivot;
-    if (!frame || pivot === undefined) return null;
-    const [x] = seenFrom(frame, pose.point(pivot));
+    const at = frame && pivot !== undefined && pose.point(pivot);
+    if (!at) return null;
+    const [x] = seenFrom(frame, at);
     return { at: onPage(placed(frame, [x, pose.dimension(member)])), angle: degreesOf(frame) };
   }
   if (member.pivot === null) return null;

@@ -2,16 +2,14 @@
 
 mod cases;
 mod node;
+mod searches;
 
 use std::format;
 use std::string::String;
 use std::vec::Vec;
 
 use cases::{Case, conditions, kernels};
-
-/// The files that compute and decide.
-const ARITHMETIC: [&str; 3] =
-    [include_str!("kernels.js"), include_str!("limit.js"), include_str!("checks.js")];
+use searches::searches;
 
 /// Compares each line's answer with the script's own. Zeros of both signs differ, NaN are alike.
 const COMPARE: &str = r#"
@@ -24,7 +22,22 @@ const isNear = (found, expected) => {
   const [a, b] = [found, expected].map((hex) => (hex === "NaN" ? NaN : number(hex)));
   return Object.is(a, b) || Math.abs(a - b) <= Math.max(2 * EPSILON * Math.abs(b), 5e-324);
 };
+const sought = ([from, to, trend, near, target, hole, share, ...terms]) => {
+  const found = rootOf([from, to], trend, Number.isNaN(near) ? null : near, (x) => {
+    let [value, slope] = [0, 0];
+    for (let k = 0; k < terms.length; k += 3) {
+      const [a, b, c] = terms.slice(k, k + 3), [sin, cos] = sinCos(b * x + c);
+      [value, slope] = [value + a * sin, slope + a * b * cos];
+    }
+    return [x > hole ? NaN : value, target, slope * share];
+  });
+  const { kind, isOrdered, by, at, other } = found, of = (x) => (x === undefined ? [] : [bits(x)]);
+  if (!kind) return found.map(bits).join(" ");
+  if (kind === "Interval") return `${kind} ${isOrdered}`;
+  return [kind, ...of(by), ...of(at), ...(other ? [other.trend, bits(other.at)] : [])].join(" ");
+};
 const answer = (name, given) => {
+  if (name === "search") return sought(given);
   if (functions[name]) return [functions[name](...given)].flat().map(bits).join(" ");
   const checks = new FirstError(), value = checks[name](...given, "group", "group");
   const { kind, group, by } = checks.error ?? {};
@@ -48,7 +61,8 @@ fn compare(cases: impl Iterator<Item = Case>) {
         return;
     }
     let lines: String = cases.map(|case| format!("{case}\n")).collect();
-    let script = format!("{}{COMPARE}", ARITHMETIC.concat());
+    let run_time = [super::ARITHMETIC.concat(), super::SEARCH.concat()].concat();
+    let script = format!("{run_time}{COMPARE}");
     let Some(output) = node::run(&script, &lines) else { return };
     assert!(output.is_success, "{}", output.text);
 }
@@ -63,13 +77,18 @@ fn the_script_decides_alike_beside_limits() {
     compare(conditions());
 }
 
+#[test]
+fn the_script_searches_alike() {
+    compare(searches());
+}
+
 /// A page weighs 60 kB at most beside the formulas, the names and the arithmetic that decides limits.
 #[test]
 fn a_page_is_light() {
     let [style, skeleton] = [include_str!("page.css"), include_str!("page.html")];
     let shown =
         [super::squeeze::style(style), skeleton.into(), super::squeeze::script(&super::SHOWS)];
-    let read = super::squeeze::script(&super::COMPUTES[3..]);
+    let read = super::squeeze::script(&super::READS);
     let weight = shown.iter().map(String::len).sum::<usize>() + read.len();
     assert!((40_000..60_000).contains(&weight), "{weight} bytes");
 }

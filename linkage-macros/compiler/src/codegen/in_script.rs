@@ -4,14 +4,18 @@
 //! all of which end in an underscore, so that none is a word of the language or one of the page's own.
 //! Functions are those of the page's `kernels.js`, conditions methods of its `checks.js`.
 
-use super::identifiers::CIRCLE;
+use super::identifiers::{CIRCLE, text};
 use super::printer::{Dialect, Operation, Printer};
 use super::text::Text;
+use crate::interface::quantity::Order;
+use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::lower::routine::{Amounts, Condition, Statement, Threshold};
+use crate::model::mechanism::Mechanism;
 
 /// JavaScript.
 pub(super) struct InScript<'a> {
+    pub mechanism: &'a Mechanism,
     pub graph: &'a Graph,
     /// Names of the groups, as errors have them.
     pub groups: &'a [String],
@@ -25,7 +29,9 @@ impl Dialect for InScript<'_> {
     }
 
     fn leaf(&self, node: Node, to: &mut Text) {
-        to.put(&read(node).expect("a page gives no drive, and a search has a routine of its own"));
+        to.put(
+            &read(node).expect("a page gives no drive, and a search is given its trial by name"),
+        );
     }
 
     fn constant(&self, node: Node, to: &mut Text) {
@@ -92,7 +98,10 @@ impl Dialect for InScript<'_> {
     /// The diagnosis alone: nothing is fast here.
     fn condition(printer: &Printer<'_, Self>, condition: &Condition, to: &mut Text) {
         let row = condition.check.row();
-        to.put("const ").put(&printer.local(condition.id)).put(" = c.").put(row.diagnosis).put("(");
+        if !condition.check.is_of_both_paths() {
+            to.put("const ").put(&printer.local(condition.id)).put(" = ");
+        }
+        to.put("c.").put(row.diagnosis).put("(");
         printer.value(condition.value, to);
         if row.reads_operands {
             condition.operands.iter().for_each(|&operand| printer.value(operand, to.put(", ")));
@@ -108,8 +117,17 @@ impl Dialect for InScript<'_> {
         unreachable!("a page shows no forces of what rubs")
     }
 
-    fn find(_: &Printer<'_, Self>, _: usize, _: Id, _: Option<Id>, _: &mut Text) {
-        unreachable!("a mechanism with an unknown has no page")
+    /// By a function of the script's object, which `script` prints.
+    fn find(printer: &Printer<'_, Self>, search: usize, root: Id, size: Option<Id>, to: &mut Text) {
+        let (dialect, search) = (&printer.dialect, &printer.lowered.searches[search]);
+        to.put("const [").put(&printer.local(root)).put(", ");
+        to.put(&size.map_or(String::new(), |size| printer.local(size)));
+        to.put("] = c.root(MACHINE.").put(&search.routine.name).put("(p, [");
+        printer.values(&search.given, to);
+        let unknown = &dialect.mechanism.unknowns[search.sought.unknown as usize];
+        let unit = unit(unknown.measure, Order::Position);
+        let [name, unit] = [text(&unknown.name), unit].map(|text| quoted(&text));
+        to.put("]), ").put(&name).put(", ").put(&unit).put(");\n");
     }
 
     /// A page asks for no clearances.

@@ -15,13 +15,9 @@ use crate::interface::units_in_words::unit;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::{Dimension, Mechanism, Param, ParamKind};
 
-/// The page of a mechanism in which nothing is searched: a script has no searches. `cx` is the solver's in
-/// `f64`, `source` the declaration's text.
-pub(super) fn items(cx: &Context<'_>, solver: &Lowered<'_>, source: &str) -> Option<TokenStream> {
+/// The page of a mechanism. `cx` is the solver's in `f64`, `source` the declaration's text.
+pub(super) fn items(cx: &Context<'_>, solver: &Lowered<'_>, source: &str) -> TokenStream {
     let mechanism = cx.mechanism;
-    if !mechanism.unknowns.is_empty() {
-        return None;
-    }
     let (name, float) = (&cx.names.solver, &cx.names.scalar);
     let [paged, declared, vec, page] =
         ["Paged", "Declared", "Vec", "Page"].map(|name| cx.paths.item(name));
@@ -34,7 +30,7 @@ pub(super) fn items(cx: &Context<'_>, solver: &Lowered<'_>, source: &str) -> Opt
     let [inputs, params, loads] = [inputs.collect(), params.collect(), loads.collect::<String>()];
     let outputs = shown(mechanism).join("\n");
     let values = mechanism.params.iter().map(|param| value(cx, param));
-    Some(quote! {
+    quote! {
         impl #paged for #name<#float> {
             const PAGE: #declared =
                 #declared::new([#script, #source, #inputs, #params, #loads, #outputs]);
@@ -51,7 +47,7 @@ pub(super) fn items(cx: &Context<'_>, solver: &Lowered<'_>, source: &str) -> Opt
                 #page::of(self)
             }
         }
-    })
+    }
 }
 
 /// The names that curves may be asked of.

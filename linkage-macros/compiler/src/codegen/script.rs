@@ -11,9 +11,9 @@ use crate::interface::quantity::{Order, Part, Quantity};
 use crate::interface::records::Shape;
 use crate::interface::units_in_words::unit;
 use crate::interface::{forces, labels};
-use crate::ir::graph::Node;
+use crate::ir::graph::{Node, RootSearch, Target};
 use crate::lower::routine::{Compute, Lowered, Routine};
-use crate::lower::{PLACED, label};
+use crate::lower::{PLACED, TRIAL, bound_once, label};
 use crate::model::dynamics::{Effort, RequestedEffort};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
@@ -27,8 +27,9 @@ pub(super) fn object(
     script.put("{\nplace: (p, q) => ");
     let routine = &placing.routines[PLACED];
     let read = given(mechanism, routine.reads.iter().copied());
-    function(placing, routine, 1, &read, false, &mut script);
+    function(mechanism, placing, routine, 1, &read, false, &mut script);
     script.put(", nameOfPlace),\n");
+    [placing, lowered].iter().for_each(|lowered| searches(mechanism, lowered, &mut script));
     let (outputs, dynamics) = (mechanism.outputs.iter().map(output), &mechanism.dynamics);
     entry(mechanism, lowered, Analysis::Motion, &mut script);
     // A page does not solve the equations of friction, and shows no forces where something rubs.
@@ -63,7 +64,7 @@ fn entry(mechanism: &Mechanism, lowered: &Lowered<'_>, analysis: Analysis, to: &
         given.insert(0, format!("[q[0], {}]", quoted(&text(&mechanism.inputs[0].name))));
     }
     to.put(name).put(": (p, q, v, a, l) => ");
-    function(lowered, &lowered.routines[*routine], stage + 1, &given, true, to);
+    function(mechanism, lowered, &lowered.routines[*routine], stage + 1, &given, true, to);
     let names = list(labels::of_result(interface, mechanism, interface.entry(id)));
     to.put(&format!(", (k) => MACHINE.{name}Names[k]),\n{name}Names: {names},\n"));
 }
@@ -77,6 +78,7 @@ fn given(mechanism: &Mechanism, nodes: impl Iterator<Item = Node>) -> Vec<String
 
 /// `solved([…], (c) => { … return […]; }` of so many stages of a routine.
 fn function(
+    mechanism: &Mechanism,
     lowered: &Lowered<'_>,
     routine: &Routine,
     stages: usize,
@@ -84,9 +86,7 @@ fn function(
     is_fast: bool,
     to: &mut Text,
 ) {
-    let (graph, groups) = (&lowered.program.graph, &lowered.program.groups);
-    let dialect = InScript { graph, groups, is_fast };
-    let printer = Printer { lowered, routine, dialect };
+    let printer = printer(mechanism, lowered, routine, is_fast);
     to.put(&format!("solved([{}], (c) => {{\n", given.join(", ")));
     if routine.given.contains(&Given::Cosine) {
         let [cos, sin] = CIRCLE;
@@ -94,9 +94,46 @@ fn function(
     }
     printer.constants(to);
     let stages = &routine.stages[..stages];
-    stages.iter().for_each(|stage| printer.statements(&stage.statements, to));
+    bound_once(stages).iter().for_each(|statements| printer.statements(statements, to));
     let sinks = stages.iter().flat_map(|stage| &stage.sinks);
     to.put("return [").list(sinks, |to, &sink| printer.value(sink, to)).put("];\n}");
+}
+
+fn printer<'a>(
+    mechanism: &'a Mechanism,
+    lowered: &'a Lowered<'a>,
+    routine: &'a Routine,
+    is_fast: bool,
+) -> Printer<'a, InScript<'a>> {
+    let (graph, groups) = (&lowered.program.graph, &lowered.program.groups);
+    Printer { lowered, routine, dialect: InScript { mechanism, graph, groups, is_fast } }
+}
+
+/// A function for every root, by the parameters and what no trial changes.
+fn searches(mechanism: &Mechanism, lowered: &Lowered<'_>, to: &mut Text) {
+    let sought = lowered.searches.iter().filter(|search| search.sought.wanted == Target::Root);
+    for search in sought {
+        let (RootSearch { between, trend, near, sides, .. }, routine) =
+            (search.sought, &search.routine);
+        let printer = printer(mechanism, lowered, routine, false);
+        let given = search.given.iter().map(|&id| printer.local(id));
+        let given = given.collect::<Vec<_>>().join(", ");
+        let finder = if search.asks_for_a_turn { "rootWithinATurn" } else { "rootOf" };
+        to.put(&format!("{}: (p, [{given}]) => {finder}([", routine.name));
+        printer.values(&between, to);
+        let chosen = trend.param().map(|param| format!("p[{param}]"));
+        let sign = trend.sign().map(|sign| sign.to_string());
+        to.put("], ").put(&chosen.or(sign).unwrap_or_default());
+        to.put(", ");
+        match near {
+            Some(near) => printer.value(near, to),
+            None => _ = to.put("null"),
+        }
+        to.put(&format!(", ({TRIAL}) => {{\n"));
+        routine.stages.iter().for_each(|stage| printer.statements(&stage.statements, to));
+        printer.values(&sides, to.put("return ["));
+        to.put("];\n}),\n");
+    }
 }
 
 /// An output: its name, its kind and the unit of a plain number.

@@ -5,9 +5,11 @@
 //! `plan` says which entry point computes for itself, `ranges` how large values can become,
 //! `overflow` what is asked so that none overflows, `witnesses` which results stand for all, `limits` in
 //! which comparisons, `checks` what a condition becomes, `schedule` in which order statements stand, `locals` what they
-//! are called, `constants` which constants are, `nesting` which values have no name, `unique_root` whether an equation has several, `places` where arguments are read, `used` what one path of a routine reads.
+//! are called, `constants` which constants are, `nesting` which values have no name, `unique_root` whether an equation has several, `places` where arguments are read, `used` what one path of a routine
+//! reads, `bound_once` what a language without shadowing binds.
 
 pub(crate) mod apart;
+mod bound_once;
 mod build;
 mod checks;
 mod constants;
@@ -26,6 +28,7 @@ mod unique_root;
 pub(crate) mod used;
 mod witnesses;
 
+pub(crate) use bound_once::bound_once;
 pub(crate) use build::{APPLIED, PLACED, lower, lower_placing};
 pub(crate) use plan::stands_on;
 pub(crate) use routine::label;

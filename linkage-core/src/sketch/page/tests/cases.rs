@@ -15,9 +15,9 @@ use crate::{Scalar, SolveError};
 
 /// A function of the script, its arguments and the expected answer.
 pub(super) struct Case {
-    name: &'static str,
-    given: Vec<f64>,
-    answer: String,
+    pub name: &'static str,
+    pub given: Vec<f64>,
+    pub answer: String,
 }
 
 impl fmt::Display for Case {
@@ -28,22 +28,26 @@ impl fmt::Display for Case {
     }
 }
 
-fn bits(x: f64) -> String {
+pub(super) fn bits(x: f64) -> String {
     if x.is_nan() { "NaN".to_string() } else { format!("{:016x}", x.to_bits()) }
 }
 
 /// Random numbers by a multiplicative congruence.
-struct Random(u64);
+pub(super) struct Random(u64);
 
 impl Random {
-    fn bits(&mut self) -> u64 {
+    pub(super) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    pub(super) fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         // The low bits of a congruence have short periods.
         self.0.rotate_left(32)
     }
 
     /// From 0 to 1.
-    fn unit(&mut self) -> f64 {
+    pub(super) fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
@@ -54,7 +58,7 @@ impl Random {
     }
 
     /// The number up to eight units in the last place away.
-    fn beside(&mut self, x: f64) -> f64 {
+    pub(super) fn beside(&mut self, x: f64) -> f64 {
         f64::from_bits(x.to_bits().wrapping_add(self.bits() % 17).wrapping_sub(8))
     }
 
