@@ -10,7 +10,7 @@ use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::model::dynamics::{Effort, Ends, Load, RequestedEffort};
 use crate::model::mechanism::{
-    Body, Carrier, Dimension, Drive, LinkId, Mechanism, PointId, SpringId,
+    Body, Carrier, Dimension, Drive, LinkId, Mechanism, PointId, SpringId, StopId,
 };
 
 pub(super) fn load(load: &Load) -> TokenStream {
@@ -91,16 +91,8 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
             )
         }
         Effort::Spring(id) => spring(cx, id),
-        Effort::Stop(id) => match cx.mechanism.dynamics.stops[id.index()].of.dimension() {
-            Dimension::ANGLE => "couple in N·m of the stop: positive turns its angle forwards",
-            _ => "force in N of the stop: positive makes its slide or distance larger",
-        }
-        .to_string(),
-        Effort::Gap(id) => match cx.mechanism.dynamics.stops[id.index()].of.dimension() {
-            Dimension::ANGLE => "angle in rad to the nearer end of the stop, negative beyond it",
-            _ => "length in m to the nearer end of the stop, negative beyond it",
-        }
-        .to_string(),
+        Effort::Stop(id) => stop(cx, id)[0].to_string(),
+        Effort::Gap(id) => stop(cx, id)[1].to_string(),
         Effort::Shaking => {
             "what inertia puts on the ground, as if all links were one body, without \
                             weight and applied forces: force in N and, about the ground's origin, \
@@ -114,6 +106,20 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
             link(id),
             text(&asked.field)
         ),
+    }
+}
+
+/// The force or couple of a stop, and its gap.
+fn stop(cx: &Context<'_>, id: StopId) -> [&'static str; 2] {
+    match cx.mechanism.dynamics.stops[id.index()].of.dimension() {
+        Dimension::ANGLE => [
+            "couple in N·m of the stop: positive turns its angle forwards",
+            "angle in rad to the nearer end of the stop, negative beyond it",
+        ],
+        _ => [
+            "force in N of the stop: positive makes its slide or distance larger",
+            "length in m to the nearer end of the stop, negative beyond it",
+        ],
     }
 }
 

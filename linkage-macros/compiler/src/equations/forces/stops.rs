@@ -27,7 +27,7 @@ use crate::model::dynamics::{Stop, Stopped};
 use crate::model::mechanism::{Carrier, LinkId, PointId};
 
 /// A stop in a pose.
-struct Contact<'s> {
+struct StopContact<'s> {
     /// y
     off: Jet<'s>,
     gap: Sym<'s>,
@@ -35,7 +35,7 @@ struct Contact<'s> {
     damping: Sym<'s>,
 }
 
-impl<'s> Contact<'s> {
+impl<'s> StopContact<'s> {
     fn of(kinematics: &Kinematics<'s>, index: usize) -> Self {
         let mechanism = kinematics.mechanism;
         let (stop, title) = (&mechanism.dynamics.stops[index], mechanism.title_of_stop(index));
@@ -87,12 +87,12 @@ fn line<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) -> 
 
 /// The effort of the stop, positive where it makes the motion larger.
 pub(super) fn effort<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
-    Contact::of(kinematics, index).effort(kinematics)
+    StopContact::of(kinematics, index).effort(kinematics)
 }
 
 /// The way to the nearer end, negative beyond it.
 pub(super) fn gap<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
-    Contact::of(kinematics, index).gap
+    StopContact::of(kinematics, index).gap
 }
 
 /// Energy stored in all stops.
@@ -100,7 +100,7 @@ pub(super) fn energy<'s>(kinematics: &Kinematics<'s>) -> Sym<'s> {
     let zero = kinematics.builder.zero();
     let stops = 0..kinematics.mechanism.dynamics.stops.len();
     let energy = stops.map(|index| {
-        let Contact { gap, stiffness, .. } = Contact::of(kinematics, index);
+        let StopContact { gap, stiffness, .. } = StopContact::of(kinematics, index);
         gap.at_least(zero, zero, stiffness.half() * gap.squared())
     });
     energy.fold(zero, |sum, energy| sum + energy)

@@ -1,5 +1,4 @@
-//! One declaration a variant of a group: fixed and moving joints and guides, both modes, constant
-//! and driven dimensions. Each comes with inputs at which it assembles, well off its limits.
+//! A declaration a variant of a group: joints and guides fixed and moving, modes, dimensions, off its limits.
 
 /// A named declaration and the value, rate and second rate of each input.
 pub(crate) struct Variant {
