@@ -191,8 +191,16 @@ static inline int linkage_is_within(double x, double bound) { return fabs(x) <= 
 
 static inline double linkage_sqrt(double x) { return sqrt(x); }
 
-/* As right as the one of <math.h>. */
+/* As right as those of <math.h>. */
 static inline double linkage_tan(double x) { return tan(x); }
+
+static inline double linkage_exp(double x) { return exp(x); }
+
+static inline double linkage_ln(double x) { return log(x); }
+
+static inline double linkage_tanh(double x) { return tanh(x); }
+
+static inline double linkage_pow(double x, double y) { return pow(x, y); }
 
 /* The smallest square of full precision. */
 static inline double linkage_smallest_square(void) { return DBL_MIN / (DBL_EPSILON * DBL_EPSILON); }
@@ -448,8 +456,16 @@ static inline int linkage_is_withinf(float x, float bound) { return fabsf(x) <= 
 
 static inline float linkage_sqrtf(float x) { return sqrtf(x); }
 
-/* As right as the one of <math.h>. */
+/* As right as those of <math.h>. */
 static inline float linkage_tanf(float x) { return tanf(x); }
+
+static inline float linkage_expf(float x) { return expf(x); }
+
+static inline float linkage_lnf(float x) { return logf(x); }
+
+static inline float linkage_tanhf(float x) { return tanhf(x); }
+
+static inline float linkage_powf(float x, float y) { return powf(x, y); }
 
 /* The smallest square of full precision. */
 static inline float linkage_smallest_squaref(void) { return FLT_MIN / (FLT_EPSILON * FLT_EPSILON); }
