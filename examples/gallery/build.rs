@@ -21,8 +21,7 @@ const FOLDERS: [(&str, &str); 12] = [
 ];
 
 fn main() {
-    let examples =
-        Path::new(&std::env::var("CARGO_MANIFEST_DIR").expect("cargo sets it")).join("..");
+    let examples = Path::new(&env::var("CARGO_MANIFEST_DIR").expect("cargo sets it")).join("..");
     println!("cargo::rerun-if-changed={}", examples.display());
     let entries = fs::read_dir(&examples).expect("the examples are there");
     let single = entries.map(|entry| entry.expect("the folder can be read").path());

@@ -44,7 +44,7 @@ fn mechanisms_with(entry: &str) -> usize {
         "forces" | "statics" | "forward_dynamics" | "equations_of_motion" => 4,
         "forces_at" | "statics_at" | "energy" => 2,
         "energy_at" => 1,
-        _ => 12,
+        _ => 13,
     }
 }
 
