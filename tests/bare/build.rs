@@ -52,7 +52,10 @@ pub(crate) fn library(features: &str, level: &str) -> Result<PathBuf, String> {
         return Err(text(&output.stderr));
     }
     let kept = directory().join(format!("solvers-{level}-{features}.a"));
-    fs::copy(target.join("release/libbare.a"), &kept).expect("the library was built");
+    // Another test may be reading what an earlier build left there.
+    let fresh = kept.with_extension("fresh");
+    fs::copy(target.join("release/libbare.a"), &fresh).expect("the library was built");
+    fs::rename(&fresh, &kept).expect("it is put in its place");
     Ok(kept)
 }
 

@@ -70,10 +70,9 @@ fn set(place: &str, name: &str, ty: &str) -> String {
         "cos" => "cos(angle_) * amplitude_",
         "sin" => "sin(angle_) * amplitude_",
         _ if name.contains("_rate") || name.contains("_acceleration") => "rate()",
-        "theta" if !place.contains('.') => "angle()",
         "x" => "stroke()",
         "h" => "span()",
-        "theta" | "psi" | "first" | "second" | "swing" => "near_angle()",
+        "theta" | "psi" | "first" | "second" | "swing" => "angle()",
         _ => "length()",
     };
     format!("{place} = ({ty})({kind});")
