@@ -115,7 +115,7 @@ fn every_fixture_stands_where_it_is_drawn() {
 fn what_is_compiled_here_is_what_is_printed() {
     for folder in program::FORMATS {
         let printed = declarations(folder);
-        let path = program::fixture(&format!("declarations/{folder}.rs"));
+        let path = fixture(&format!("declarations/{folder}.rs"));
         if std::env::var_os("LINKAGE_RENEW").is_some() {
             std::fs::write(&path, &printed).expect("the file is written");
         }
