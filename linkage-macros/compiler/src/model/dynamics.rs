@@ -114,8 +114,6 @@ pub(crate) struct Stop {
     pub of: Stopped,
     /// The lower end and the upper one.
     pub ends: [Expr; 2],
-    /// The name in errors of the way between the ends, which is not negative.
-    pub way: String,
     pub stiffness: Quantity,
     pub damping: Quantity,
 }

@@ -65,7 +65,6 @@ impl Resolver<'_> {
             docs: docs.to_vec(),
             of,
             ends: ends?,
-            way: "way between the ends of a stop".to_string(),
             stiffness: stiffness?,
             damping: damping?,
         })

@@ -174,11 +174,11 @@ impl Resolver<'_> {
             }
             StatementKind::Action(Action::Stop(_)) => {
                 let of = Stopped::Angle(AngleSum { links: Vec::new(), rest: Expr::zero() });
-                let (ends, way) = ([(); 2].map(|()| Expr::zero()), String::new());
+                let ends = [(); 2].map(|()| Expr::zero());
                 let [stiffness, damping] = [(); 2].map(|()| Quantity::zero());
                 let name = Some(name);
                 let stops = &mut self.mechanism.dynamics.stops;
-                stops.push(Stop { name, docs, of, ends, way, stiffness, damping });
+                stops.push(Stop { name, docs, of, ends, stiffness, damping });
                 Entity::Stop(StopId(stops.len() as u32 - 1))
             }
             _ => return None,

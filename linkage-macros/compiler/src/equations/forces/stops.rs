@@ -26,6 +26,9 @@ use crate::ir::graph::Check;
 use crate::model::dynamics::{Stop, Stopped};
 use crate::model::mechanism::{Carrier, LinkId, PointId};
 
+/// The name in errors of what lies between the ends, which is not negative.
+const WAY: &str = "way between the ends of a stop";
+
 /// A stop in a pose.
 struct StopContact<'s> {
     /// y
@@ -43,7 +46,7 @@ impl<'s> StopContact<'s> {
         let way = to - from;
         let way = match way.is_constant() {
             true => way,
-            false => way.guarded_by(Check::NotNegative(stop.way.clone()), title, &[]),
+            false => way.guarded_by(Check::NotNegative(WAY.to_string()), title, &[]),
         };
         let middle = from + way.half();
         let off = match &stop.of {
