@@ -54,7 +54,7 @@
 //! within ε of itself; `numerics compensated;` puts the rounding of that difference back where both
 //! joints are given by inputs and constants (`tests/limits/compensated.rs`).
 //!
-//! Without an offset b² and the products of Δv and Δa of a crank's pin are made by what `crank_pin.rs` says, with
+//! Without an offset b² and the products of a crank's arm are made by what `crank_pin.rs` says, with
 //! its error.
 //!
 //! # Source
