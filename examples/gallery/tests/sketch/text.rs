@@ -101,8 +101,10 @@ fn everything_declared_is_drawn() {
 }
 
 #[test]
-#[ignore = "a time, meant for a release build: `cargo test --release -p gallery -- --ignored film_is`"]
+#[ignore = "a time"]
 fn a_film_is_written_in_twenty_milliseconds() {
+    // A build that is not optimised takes three times as long where nothing else runs.
+    let most = if cfg!(debug_assertions) { 100.0 } else { 20.0 };
     // Other work of the machine can only make a film slower, so the quickest of several times is its own.
     let least = |film: &Film| {
         let times = (0..31).map(|_| {
@@ -115,6 +117,6 @@ fn a_film_is_written_in_twenty_milliseconds() {
     for piece in pieces() {
         let (time, size) = (least(&piece.film), piece.film.to_svg().unwrap().len());
         println!("{:38} {time:6.2} ms {size:7} bytes", piece.name);
-        assert!(time < 20.0, "{}: {time} ms", piece.name);
+        assert!(time < most, "{}: {time} ms", piece.name);
     }
 }
