@@ -16,6 +16,7 @@ mod held;
 mod incidences;
 mod lengths;
 mod messages;
+mod placed;
 pub(super) mod printed;
 mod rails;
 mod reader;
@@ -69,6 +70,11 @@ fn is_of_a_drawing(kind: &StatementKind) -> bool {
     matches!(kind, StatementKind::Pin { .. } | StatementKind::Link { .. } | StatementKind::Drive(_))
 }
 
+/// True if the statement declares one of the points on a link.
+fn is_point_of(points: &[Ident], kind: &StatementKind) -> bool {
+    matches!(kind, StatementKind::Point { name, on: Some(_), .. } if points.contains(name))
+}
+
 /// The mechanism that a drawing means.
 pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
     let cut = cut(tree, diagnostics)?;
@@ -101,7 +107,8 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     let translated = writer.declaration();
     let mut docs = tree.docs.clone();
     docs.extend(printed::documentation(tree, &translated));
-    let writer::Translated { statements, turned, hidden, holds_links, .. } = translated;
+    let writer::Translated { statements, turned, hidden, holds_links, replaced, .. } = translated;
+    placed::report_places_of_unplaced(&bodies, &replaced, values.resolver.diagnostics)?;
     messages::report_turned(tree, &turned, values.resolver.diagnostics);
     let declaration = Declaration {
         docs,
@@ -134,6 +141,11 @@ fn steps(bodies: &Bodies<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<Found
 /// Gives the pins and links of a statement its documentation.
 fn document(mechanism: &mut Mechanism, statement: &Statement) {
     let names: Vec<&Ident> = match &statement.kind {
+        // Points that keep their statement are documented by it.
+        StatementKind::Point { name, on: Some(_), .. } => {
+            let own = mechanism.points.iter().find(|point| point.name == *name);
+            own.filter(|point| point.docs.is_empty()).map(|_| name).into_iter().collect()
+        }
         StatementKind::Pin { points } => points.iter().map(|(name, _)| name).collect(),
         StatementKind::Link { links, .. } => links.iter().map(|link| &link.name).collect(),
         _ => return,

@@ -41,8 +41,10 @@ pub(super) fn ordered(statements: Vec<Written>) -> Vec<Statement> {
             let others = searches.filter(|search| Some(*search) != own);
             let mut solved: Vec<_> =
                 others.filter_map(|search| solves.get(&search).copied()).collect();
-            // The link that was left out follows its equation.
-            let is_behind = own.and_then(|own| solves.get(&own)).filter(|&&solve| solve < index);
+            // The link that was left out follows its equation, unlike all that the equation reads.
+            let is_behind = own
+                .and_then(|own| solves.get(&own))
+                .filter(|&&solve| solve < index && !reached(&uses, &[solve])[index]);
             solved.extend(is_behind);
             [made.clone(), solved].concat()
         })
@@ -71,27 +73,29 @@ pub(super) fn ordered(statements: Vec<Written>) -> Vec<Statement> {
 /// The search that each statement is a part of: its own, or one that needs the statement and makes what it stands
 /// on, like a slot on a link that the unknown drives.
 fn parts_of_searches(statements: &[Written], uses: &[Vec<usize>]) -> Vec<Option<usize>> {
-    let reached = |from: &[usize]| {
-        let mut reached = vec![false; uses.len()];
-        let mut open = from.to_vec();
-        while let Some(next) = open.pop() {
-            if !std::mem::replace(&mut reached[next], true) {
-                open.extend(&uses[next]);
-            }
-        }
-        reached
-    };
     let mut parts: Vec<_> = statements.iter().map(|written| written.search).collect();
     let searches = statements.iter().filter_map(|written| written.search).max();
     for search in 0..searches.map_or(0, |last| last + 1) {
         let own: Vec<_> = (0..uses.len()).filter(|&index| parts[index] == Some(search)).collect();
-        let needed = reached(&own);
+        let needed = reached(uses, &own);
         for index in (0..uses.len()).filter(|&index| needed[index]) {
-            let stands_on = reached(&[index]);
+            let stands_on = reached(uses, &[index]);
             if parts[index].is_none() && own.iter().any(|&member| stands_on[member]) {
                 parts[index] = Some(search);
             }
         }
     }
     parts
+}
+
+/// The statements, and all that they need.
+fn reached(uses: &[Vec<usize>], from: &[usize]) -> Vec<bool> {
+    let mut reached = vec![false; uses.len()];
+    let mut open = from.to_vec();
+    while let Some(next) = open.pop() {
+        if !std::mem::replace(&mut reached[next], true) {
+            open.extend(&uses[next]);
+        }
+    }
+    reached
 }

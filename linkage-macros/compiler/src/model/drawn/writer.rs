@@ -5,17 +5,17 @@ use proc_macro2::Ident;
 use crate::chain::cutting::{Dyad, Found, Pair};
 use crate::chain::limits::sine;
 use crate::chain::machine::GROUND;
-use crate::syntax::tree::{Expr, ExprKind, FieldValue, Place, Statement, StatementKind};
+use crate::syntax::tree::{Expr, ExprKind, FieldValue, Statement, StatementKind};
 
-use super::TurnedFrame;
 use super::bars::DrawnBar;
 use super::bodies::Bodies;
 use super::figures::{Figure, Pen};
-use super::frames::{DrawnFrame, Heading, Origin};
+use super::frames::{DrawnFrame, Origin};
 use super::group_statement::group_of;
 use super::rewritten::Turns;
 use super::searches::Sought;
 use super::sorted;
+use super::{TurnedFrame, is_point_of};
 
 /// A statement of the groups.
 pub(super) struct Written {
@@ -34,6 +34,8 @@ pub(super) struct Translated {
     pub hidden: Vec<Ident>,
     /// True if drives hold links together.
     pub holds_links: bool,
+    /// Points declared on links that other statements make.
+    pub replaced: Vec<Ident>,
 }
 
 /// Writes statements in solving order.
@@ -42,6 +44,8 @@ pub(super) struct Writer<'b, 't> {
     pub(super) pen: Pen,
     /// True for the pins that statements have made so far.
     pub(super) made: Vec<bool>,
+    /// Points declared on links, which were reached before their link: another statement makes them.
+    pub(super) replaced: Vec<Ident>,
     /// The frames of links that groups have given other ones than they are written in.
     pub(super) turns: Turns,
     /// The frames that groups have given links so far.
@@ -59,8 +63,7 @@ pub(super) struct Writer<'b, 't> {
 
 impl<'b, 't> Writer<'b, 't> {
     pub(super) fn new(bodies: &'b Bodies<'t>, pen: &Pen) -> Self {
-        // Points that are declared on links have statements of their own.
-        let mut made: Vec<_> = bodies.pins.iter().map(|pin| pin.on.is_some()).collect();
+        let mut made = vec![false; bodies.pins.len()];
         let machine = &bodies.machine;
         for body in (0..machine.bodies.len()).filter(|&body| machine.is_given(body)) {
             machine.bodies[body].made().for_each(|pin| made[pin] = true);
@@ -71,6 +74,7 @@ impl<'b, 't> Writer<'b, 't> {
             bodies,
             pen: pen.clone(),
             made,
+            replaced: Vec::new(),
             turns,
             own,
             written: Vec::new(),
@@ -83,14 +87,24 @@ impl<'b, 't> Writer<'b, 't> {
 
     /// All statements of the declaration, in solving order.
     pub(super) fn declaration(self) -> Translated {
-        let Self { bodies, turns, mut written, searches, hidden, holds_links, .. } = self;
+        let Self { bodies, turns, mut written, searches, hidden, holds_links, replaced, .. } = self;
         for (index, statement) in bodies.other_statements() {
+            if is_point_of(&replaced, &statement.kind) {
+                continue;
+            }
             let statement = turns.statement(bodies, statement);
             written.push(Written { behind: index, search: None, statement });
         }
         written.sort_by_key(|written| written.behind);
         let statements = sorted::ordered(written);
-        Translated { statements, turned: turns.directions(), searches, hidden, holds_links }
+        Translated {
+            statements,
+            turned: turns.directions(),
+            searches,
+            hidden,
+            holds_links,
+            replaced,
+        }
     }
 
     /// Puts a statement behind one of the drawing, or where the search in hand stands.
@@ -328,45 +342,6 @@ impl<'b, 't> Writer<'b, 't> {
         });
         let group = group_of(keyword, legs, pin, fields);
         self.put(behind, StatementKind::Group(group));
-    }
-
-    pub(super) fn bar_is_placed(&mut self, body: usize, from: usize, to: usize) {
-        let origin = self.place(from).clone();
-        let axis = self.pen.at(self.name(body).span()).minus(self.place(to), &origin);
-        let (begins, points) = (Origin::Pin(from), Heading::Pins(from, to));
-        self.settle(body, DrawnFrame { begins, points, origin, axis });
-    }
-
-    fn block_is_placed(&mut self, body: usize, pin: usize, guide: usize) {
-        let line = self.bodies.guides[guide].line.clone();
-        let origin = self.place(pin).clone();
-        let frame =
-            DrawnFrame { begins: Origin::Pin(pin), points: line.points, origin, axis: line.along };
-        self.settle(body, frame);
-    }
-
-    /// Remembers the frame that a group gave a link, and makes the link's other pins.
-    pub(super) fn settle(&mut self, body: usize, frame: DrawnFrame) {
-        let (bodies, link) = (self.bodies, self.bodies.link(body));
-        let length = link.length.as_ref().map(|(length, _)| *length);
-        self.own[body] = Some(frame.clone());
-        self.turns.note(link.name, &bodies.frames[body], &frame, length);
-        for &pin in &link.pins {
-            if std::mem::replace(&mut self.made[pin], true) {
-                continue;
-            }
-            let name = bodies.pins[pin].name.clone();
-            let place = match length {
-                // The first of two pins, seen from the second.
-                Some(length) => [length.clone().negated(), self.pen.zero().text],
-                None => frame
-                    .local(&self.pen.at(name.span()), self.place(pin))
-                    .map(|number| number.text),
-            };
-            let (on, place) = (Some(link.name.clone()), Place::Cartesian(place));
-            let kind = StatementKind::Point { name, on, place };
-            self.put(link.statement, kind);
-        }
     }
 }
 

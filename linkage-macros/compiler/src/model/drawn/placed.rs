@@ -1,0 +1,88 @@
+//! Links that a group has placed: their frames, and the pins that come with them.
+
+use proc_macro2::Ident;
+
+use crate::diagnostics::Diagnostics;
+use crate::syntax::tree::{Place, StatementKind};
+
+use super::bodies::{Bodies, PinPlace};
+use super::frames::{DrawnFrame, Heading, Origin};
+use super::writer::Writer;
+
+/// Reports points whose place on their link needs the link to be placed first, where the link is placed from them.
+pub(super) fn report_places_of_unplaced(
+    bodies: &Bodies<'_>,
+    points: &[Ident],
+    diagnostics: &mut Diagnostics,
+) -> Option<()> {
+    let mut is_well = Some(());
+    for point in points {
+        let Some(PinPlace { name, on: Some((body, place)), .. }) =
+            bodies.pins.iter().find(|pin| pin.name == *point)
+        else {
+            continue;
+        };
+        let link = bodies.link(*body);
+        let instead = match (place, &link.length) {
+            (Place::Distances(..), _) => {
+                format!("write `point {name} on {} at (x, y);`", link.name)
+            }
+            (_, Some(_)) => {
+                format!("draw it, `pin {name}(x, y);`, and name it in `link {}`", link.name)
+            }
+            _ => continue,
+        };
+        let message = format!("`{}` is placed from `{name}`; {instead}", link.name);
+        let reason = "distances, and places on a link whose length is declared, are measured where the \
+                      link is placed already";
+        diagnostics.error_because(name.span(), message, reason);
+        is_well = None;
+    }
+    is_well
+}
+
+impl Writer<'_, '_> {
+    pub(super) fn bar_is_placed(&mut self, body: usize, from: usize, to: usize) {
+        let origin = self.place(from).clone();
+        let axis = self.pen.at(self.name(body).span()).minus(self.place(to), &origin);
+        let (begins, points) = (Origin::Pin(from), Heading::Pins(from, to));
+        self.settle(body, DrawnFrame { begins, points, origin, axis });
+    }
+
+    pub(super) fn block_is_placed(&mut self, body: usize, pin: usize, guide: usize) {
+        let line = self.bodies.guides[guide].line.clone();
+        let origin = self.place(pin).clone();
+        let frame =
+            DrawnFrame { begins: Origin::Pin(pin), points: line.points, origin, axis: line.along };
+        self.settle(body, frame);
+    }
+
+    /// Remembers the frame that a group gave a link, and makes the link's other pins.
+    pub(super) fn settle(&mut self, body: usize, frame: DrawnFrame) {
+        let (bodies, link) = (self.bodies, self.bodies.link(body));
+        let length = link.length.as_ref().map(|(length, _)| *length);
+        self.own[body] = Some(frame.clone());
+        self.turns.note(link.name, &bodies.frames[body], &frame, length);
+        for &pin in &link.points {
+            if std::mem::replace(&mut self.made[pin], true) {
+                self.replaced.push(bodies.pins[pin].name.clone());
+            }
+        }
+        for &pin in &link.pins {
+            if std::mem::replace(&mut self.made[pin], true) {
+                continue;
+            }
+            let name = bodies.pins[pin].name.clone();
+            let place = match length {
+                // The first of two pins, seen from the second.
+                Some(length) => [length.clone().negated(), self.pen.zero().text],
+                None => frame
+                    .local(&self.pen.at(name.span()), self.place(pin))
+                    .map(|number| number.text),
+            };
+            let (on, place) = (Some(link.name.clone()), Place::Cartesian(place));
+            let kind = StatementKind::Point { name, on, place };
+            self.put(link.statement, kind);
+        }
+    }
+}
