@@ -3,7 +3,7 @@
 
 use super::cutting::{Found, SearchedGroup};
 use super::following::{self, Band, is_inside, run};
-use super::limits::sine;
+use super::limits::{at_limit, sine};
 use super::machine::Machine;
 use super::pose::Posed;
 use super::trace::{Sample, Trace, given};
@@ -29,17 +29,33 @@ fn length(search: &SearchedGroup) -> f64 {
     search.stretch[1] - search.stretch[0]
 }
 
-/// The option whose interval holds longest; `None` where there is none off its limits.
+/// The reasons why no option is chosen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Unchosen {
+    /// The group is at a dead point in the drawing, or next to one.
+    DeadPoint,
+    /// Each option has a dyad at its limit: of one of them, the first links of its legs.
+    DyadsAtLimits([usize; 2]),
+    /// No interval about the drawing holds one root alone.
+    NoInterval,
+}
+
+/// The option whose interval holds longest.
 pub(super) fn chosen(
     machine: &Machine,
     before: &[Found],
     options: Vec<SearchedGroup>,
-) -> Option<SearchedGroup> {
-    let mut rated: Vec<_> =
-        options.into_iter().filter_map(|search| rated(machine, before, search)).collect();
+) -> Result<SearchedGroup, Unchosen> {
+    let all: Vec<_> = options.into_iter().map(|search| rated(machine, before, search)).collect();
+    // The determinant of a group is the slope of its equation times those of its dyads: where these are
+    // off their limits a small slope is a dead point of the machine, whatever the option.
+    let refused = all.iter().filter_map(|rated| rated.as_ref().err());
+    let refused = refused.min_by_key(|cause| !matches!(cause, Unchosen::DeadPoint)).cloned();
+    let mut rated: Vec<_> = all.into_iter().filter_map(Result::ok).collect();
     // The order of options decides between equals.
     rated.sort_by(|a, b| b.score.total_cmp(&a.score));
     rated.truncate(FOLLOWED);
+    let otherwise = if rated.is_empty() { refused } else { None };
     let mut best: Option<SearchedGroup> = None;
     for Rated { search, .. } in rated {
         let Some(found) = followed(machine, before, search) else { continue };
@@ -52,14 +68,23 @@ pub(super) fn chosen(
             best = Some(found);
         }
     }
-    best
+    best.ok_or(otherwise.unwrap_or(Unchosen::NoInterval))
 }
 
-fn rated(machine: &Machine, before: &[Found], mut search: SearchedGroup) -> Option<Rated> {
+fn rated(
+    machine: &Machine,
+    before: &[Found],
+    mut search: SearchedGroup,
+) -> Result<Rated, Unchosen> {
+    if let Some(dyad) = at_limit(machine, &search.steps, LEAST) {
+        return Err(Unchosen::DyadsAtLimits(dyad.legs.each_ref().map(|leg| leg.bodies[0])));
+    }
     let mut given = given(machine, 0.0);
     let mut posed = Posed::new(machine);
-    posed.run(before, &mut given, 0.0)?;
-    let slope = posed.slope(&search, &mut given, 0.0)?;
+    let slope = posed
+        .run(before, &mut given, 0.0)
+        .and_then(|()| posed.slope(&search, &mut given, 0.0))
+        .unwrap_or(0.0);
     let unit = search.unit(machine);
     let dyads = search.steps.iter().filter_map(|step| match step {
         Found::Dyad(dyad) => Some(sine(machine, dyad).abs()),
@@ -67,7 +92,7 @@ fn rated(machine: &Machine, before: &[Found], mut search: SearchedGroup) -> Opti
     });
     let score = dyads.fold(slope.abs() * unit / machine.size(), f64::min);
     search.rises = slope > 0.0;
-    (score > LEAST).then_some(Rated { search, score })
+    if score > LEAST { Ok(Rated { search, score }) } else { Err(Unchosen::DeadPoint) }
 }
 
 /// The option with the interval that holds the longest stretch about the drawing: one with constant

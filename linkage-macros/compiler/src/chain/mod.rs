@@ -29,6 +29,7 @@ mod trace;
 #[cfg(test)]
 mod tests;
 
+use choice::Unchosen;
 use cutting::Found;
 use machine::Machine;
 
@@ -47,8 +48,14 @@ pub(crate) enum Trouble {
     Loose { bodies: Vec<usize>, freedoms: usize },
     /// The bodies are one group, which is no driver and no dyad, and which no unknown solves.
     Undecided { bodies: Vec<usize> },
-    /// The bodies are one group, and no unknown tells their poses apart where they are drawn.
+    /// The bodies are one group, and two ways to assemble it come together where it is drawn.
     AtDeadPoint { bodies: Vec<usize> },
+    /// The bodies are one group, of which every way to solve it has a dyad at its limit where it is drawn: of
+    /// one of these ways, the first links of the dyad's legs.
+    AtLimits { bodies: Vec<usize>, dyad: [usize; 2] },
+    /// The bodies are one group, and every interval of an unknown that holds the drawing holds another
+    /// way to assemble it as well.
+    NotAlone { bodies: Vec<usize> },
 }
 
 /// The groups of a machine in solving order, or all that keeps it from being cut.
@@ -67,13 +74,20 @@ pub(crate) fn cut(machine: &Machine) -> Result<Vec<Found>, Vec<Trouble>> {
                 if options.is_empty() {
                     return Err(vec![Trouble::Undecided { bodies: group }]);
                 }
-                let Some(search) = choice::chosen(machine, &steps, options) else {
-                    return Err(vec![Trouble::AtDeadPoint { bodies: group }]);
-                };
+                let search = choice::chosen(machine, &steps, options)
+                    .map_err(|cause| vec![not_chosen(cause, group.clone())])?;
                 steps.push(Found::Search(Box::new(search)));
             }
         }
         known.add(machine, &group);
     }
     Ok(steps)
+}
+
+fn not_chosen(cause: Unchosen, bodies: Vec<usize>) -> Trouble {
+    match cause {
+        Unchosen::DeadPoint => Trouble::AtDeadPoint { bodies },
+        Unchosen::DyadsAtLimits(dyad) => Trouble::AtLimits { bodies, dyad },
+        Unchosen::NoInterval => Trouble::NotAlone { bodies },
+    }
 }

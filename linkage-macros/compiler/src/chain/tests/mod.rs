@@ -2,11 +2,13 @@
 
 use std::time::Instant;
 
-use super::cutting::Found;
+use super::choice::{Unchosen, chosen};
+use super::cutting::{self, Found, SearchedGroup};
+use super::limits::sine;
 use super::machine::{Driven, Driving, Machine, RigidBody, Slide};
 use super::plane::Complex;
 use super::redrawn::{Resized, redrawn};
-use super::{Trouble, cut};
+use super::{Trouble, cut, options};
 
 fn body(pins: &[usize]) -> RigidBody {
     RigidBody { pins: pins.to_vec(), ..RigidBody::default() }
@@ -116,4 +118,42 @@ fn slides_move_with_their_carriers() {
     let slide = pose.machine.slides[0];
     assert!((slide.through - pose.machine.pins[4]).length() < 1e-12);
     assert!((slide.along - Complex::turned(rocker.turn) * along).length() < 1e-12);
+}
+
+/// A plate on three bars, the first of which a crank carries. The second bar is in one line with a side of the plate.
+fn triad() -> Machine {
+    let mut machine = Machine::default();
+    let places =
+        [[-1.0, 0.0], [4.0, 0.0], [2.0, 5.0], [-0.5, 0.6], [0.8, 1.2], [3.0, 0.6], [1.9, 3.1]];
+    machine.pins.extend(places.map(|[x, y]| Complex::new(x, y)));
+    // From D(4, 0) beyond Q along the line from P.
+    let along = (machine.pins[5] - machine.pins[4]).unit();
+    machine.pins[1] = machine.pins[5] + along.times(1.5);
+    let bodies: [&[usize]; 6] = [&[0, 1, 2], &[0, 3], &[3, 4], &[4, 5, 6], &[1, 5], &[2, 6]];
+    machine.bodies.extend(bodies.map(body));
+    machine.drives.push(driving(1, 0));
+    machine
+}
+
+/// No option is chosen for the reason that all of them have: where another one is off its limits, so is the machine.
+#[test]
+fn options_at_limits_are_no_dead_point() {
+    let machine = triad();
+    assert!(matches!(cut(&machine).expect("it moves")[1], Found::Search(_)));
+    let mut known = cutting::Placed::at_first(&machine);
+    let crank = cutting::steps(&machine, &known, &[1]).expect("a crank");
+    known.add(&machine, &[1]);
+    let all = options::options(&machine, &known, &[2, 3, 4, 5]);
+    let is_at_limit = |search: &SearchedGroup| {
+        search.steps.iter().any(|step| match step {
+            Found::Dyad(dyad) => sine(&machine, dyad).abs() < 1e-9,
+            _ => false,
+        })
+    };
+    let (at_limits, others): (Vec<_>, Vec<_>) = all.into_iter().partition(is_at_limit);
+    assert!(!at_limits.is_empty() && !others.is_empty());
+    let cause = chosen(&machine, &crank, at_limits.clone()).unwrap_err();
+    assert!(matches!(cause, Unchosen::DyadsAtLimits([3, 4] | [4, 3])), "{cause:?}");
+    // The options beside them decide.
+    assert!(chosen(&machine, &crank, [at_limits, others].concat()).is_ok());
 }

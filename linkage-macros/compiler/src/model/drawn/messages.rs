@@ -29,6 +29,8 @@ pub(super) fn report(bodies: &Bodies<'_>, trouble: &Trouble, diagnostics: &mut D
         }
         Trouble::Undecided { bodies: those } => undecided(bodies, those, diagnostics),
         Trouble::AtDeadPoint { bodies: those } => at_dead_point(bodies, those, diagnostics),
+        Trouble::AtLimits { bodies: those, dyad } => at_limits(bodies, those, *dyad, diagnostics),
+        Trouble::NotAlone { bodies: those } => not_alone(bodies, those, diagnostics),
     }
 }
 
@@ -169,6 +171,33 @@ fn at_dead_point(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnos
     let message =
         format!("in the drawing {} are at a dead point, or next to one", named(bodies, those));
     let reason = "two ways to assemble them come together there: draw another pose";
+    diagnostics.error_because(link.span(), message, reason);
+}
+
+fn at_limits(
+    bodies: &Bodies<'_>,
+    those: &[usize],
+    dyad: [usize; 2],
+    diagnostics: &mut Diagnostics,
+) {
+    let Some(link) = last_link(bodies, those) else { return };
+    let [a, b] = dyad.map(|body| bodies.name(body));
+    let all = named(bodies, those);
+    let message = format!(
+        "however {all} are taken apart, two links stand in the drawing where their modes come together, \
+         as {a} and {b} do"
+    );
+    let reason =
+        "two bars are in one line there, or a bar is square to its guide: draw another pose";
+    diagnostics.error_because(link.span(), message, reason);
+}
+
+fn not_alone(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {
+    let Some(link) = last_link(bodies, those) else { return };
+    let all = named(bodies, those);
+    let message = format!("{all} can be assembled in another way close to the drawing");
+    let reason = "no interval of an unknown holds the drawing alone: draw a pose where the two are farther \
+                  apart, or declare the groups with `unknown` and `solve`";
     diagnostics.error_because(link.span(), message, reason);
 }
 
