@@ -2,6 +2,7 @@
 //! output.
 
 mod class_three;
+mod class_three_forces;
 mod derived;
 mod followed;
 mod named;

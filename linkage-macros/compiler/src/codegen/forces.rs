@@ -71,13 +71,15 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
                 link(id)
             )
         }
-        Effort::Pin(id, joint) => {
+        Effort::Pin(_, joint) => {
             let by = match cx.mechanism.owner(joint) {
                 Some(Body::Ground) => "the ground".to_string(),
                 Some(Body::Link(by)) => format!("`{}`", link(by)),
                 _ => format!("the pin `{}`", point(joint)),
             };
-            format!("force in N on `{}` at `{}`, exerted by {by}", link(id), point(joint))
+            // A block that stands in for a link is not named.
+            let owner = text(&asked.owner);
+            format!("force in N on `{owner}` at `{}`, exerted by {by}", point(joint))
         }
         Effort::Bearing(id, joint) => {
             let standing = cx.mechanism.standing();

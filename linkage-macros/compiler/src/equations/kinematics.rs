@@ -91,6 +91,8 @@ pub(super) struct Kinematics<'s> {
     /// Unknowns that equations fix, as far as they are known.
     pub unknowns: Vec<Jet<'s>>,
     pub closures: Vec<Closure>,
+    /// Slopes of left − right of the equations of unknowns.
+    pub slopes: Vec<Sym<'s>>,
     /// Scale from the unit-rate state to the actual rates, for forces: the only input's rate. None in other
     /// states.
     pub rate_scale: Option<Sym<'s>>,
@@ -121,6 +123,7 @@ impl<'s> Kinematics<'s> {
             lets: Vec::new(),
             unknowns: Vec::new(),
             closures: Vec::new(),
+            slopes: Vec::new(),
             taken: 0,
             rate_scale: None,
             points: vec![None; mechanism.points.len()],

@@ -50,9 +50,10 @@ impl<'s> Kinematics<'s> {
         for index in 0..mechanism.unknowns.len() {
             kinematics.take_until(mechanism.unknowns[index].steps[0]);
             meet(&kinematics, UnknownId(index as u32));
-            let (found, closure) = solve(&kinematics, UnknownId(index as u32));
-            kinematics.unknowns.push(found);
+            let Root { jet, closure, slope } = solve(&kinematics, UnknownId(index as u32));
+            kinematics.unknowns.push(jet);
             kinematics.closures.push(closure);
+            kinematics.slopes.push(slope);
         }
         kinematics.take_until(mechanism.steps.len());
         kinematics.name_lets();
@@ -61,18 +62,19 @@ impl<'s> Kinematics<'s> {
 
     /// The equation of an unknown that has this trial, the earlier ones being known. Its own steps
     /// refuse nothing where it is open.
-    pub(super) fn of_trial(
+    fn of_trial(
         inputs: Vec<InputMotion<'s>>,
         known: &Self,
+        id: UnknownId,
         trial: Jet<'s>,
         is_open: bool,
     ) -> Self {
         let (builder, mechanism) = (known.builder, known.mechanism);
         let mut kinematics = Self::before(builder, mechanism, inputs);
-        let [first, last] = mechanism.unknowns[known.unknowns.len()].steps;
+        let [first, last] = mechanism.unknowns[id.index()].steps;
         let at_rest = |jet: &Jet<'s>| Jet::constant(jet.value);
         let stands_still = kinematics.inputs.iter().all(|source| source.jet.is_fixed());
-        for (index, jet) in known.unknowns.iter().enumerate() {
+        for (index, jet) in known.unknowns[..id.index()].iter().enumerate() {
             kinematics.take_until(mechanism.unknowns[index].steps[0]);
             kinematics.unknowns.push(if stands_still { at_rest(jet) } else { *jet });
         }
@@ -84,14 +86,33 @@ impl<'s> Kinematics<'s> {
         kinematics.name_lets();
         kinematics
     }
+
+    /// All that stands in front of an equation and for it, while its unknown moves at a unit rate and everything else
+    /// stands still.
+    pub(super) fn while_one_is_sought(&self, id: UnknownId) -> Self {
+        let (zero, one) = (self.builder.zero(), self.builder.integer(1));
+        let root = Jet { value: self.unknowns[id.index()].value, rate: one, accel: zero };
+        let inputs = InputMotion::at_rest(&self.inputs, self.builder);
+        let at = Self::of_trial(inputs, self, id, root, false);
+        at.builder.set_guards_enabled(false);
+        at
+    }
+}
+
+/// A root with its rates.
+struct Root<'s> {
+    jet: Jet<'s>,
+    /// The condition that the equation is closed there.
+    closure: Closure,
+    /// That of left − right, which is not zero.
+    slope: Sym<'s>,
 }
 
 /// Left and right of an equation.
 pub(super) type Sides<'s> = [Jet<'s>; 2];
 
-/// The root of an unknown's equation with its rates, everything in front of it being known, and the
-/// condition that the equation is closed there.
-fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
+/// The root of an unknown's equation, everything in front of it being known.
+fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> Root<'s> {
     let (builder, unknown) = (known.builder, &known.mechanism.unknowns[id.index()]);
     let (zero, one) = (builder.zero(), builder.integer(1));
     let at_rest = || InputMotion::at_rest(&known.inputs, builder);
@@ -126,7 +147,8 @@ fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> (Jet<'s>, Closure) {
     let closed = Check::Closed(unit(unknown.measure, Order::Position));
     let open_by = (left.value - right.value).guarded_by(closed, unknown.group.0, &[size]);
     let closure = Closure { root: root.id, condition: open_by.id };
-    (jet(root, rate, over(left.accel - right.accel)), closure)
+    let jet = jet(root, rate, over(left.accel - right.accel));
+    Root { jet, closure, slope: sign * f_theta }
 }
 
 /// The sign of the slope at the root.
@@ -145,8 +167,9 @@ pub(super) fn sides<'s>(
     inputs: Vec<InputMotion<'s>>,
     is_open: bool,
 ) -> Sides<'s> {
-    let at = Kinematics::of_trial(inputs, known, trial, is_open);
-    let unknown = &known.mechanism.unknowns[known.unknowns.len()];
+    let id = UnknownId(known.unknowns.len() as u32);
+    let at = Kinematics::of_trial(inputs, known, id, trial, is_open);
+    let unknown = &known.mechanism.unknowns[id.index()];
     let sides = match &unknown.equation {
         Equation::Difference(sides) => at.jets(sides),
         Equation::Turn(turn) => {

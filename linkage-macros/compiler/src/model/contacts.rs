@@ -29,7 +29,7 @@ impl Resolver<'_> {
             let Some(friction) = self.friction(written) else { continue };
             if !self.mechanism.unknowns.is_empty() {
                 let message = "beside an unknown no joint has friction";
-                let reason = "reactions are not known there, and friction follows from them";
+                let reason = "what holds the equation of `solve` follows from reactions, friction among them, and friction from it";
                 self.diagnostics.error_because(written.at, message, reason);
                 continue;
             }

@@ -233,7 +233,7 @@ impl Resolver<'_> {
             let reason = "declare what does: `mass 2kg on BC uniform`, `force (0, -10N) on P`";
             return self.diagnostics.error_because(member.span(), message, reason);
         }
-        if self.effort_is_of_power(member, effort).is_none() {
+        if self.effort_is_known(member, effort).is_none() {
             return;
         }
         let asked = &mut self.mechanism.dynamics.asked;
@@ -281,7 +281,7 @@ impl Resolver<'_> {
         let links = (0..self.mechanism.links.len()).map(|index| LinkId(index as u32));
         let links = links.flat_map(|link| {
             let declared = &self.mechanism.links[link.index()];
-            self.efforts_of(link).into_iter().map(|(field, effort)| RequestedEffort {
+            self.exerted(link).map(|(field, effort)| RequestedEffort {
                 owner: declared.name.clone(),
                 field,
                 docs: declared.docs.clone(),
@@ -300,7 +300,7 @@ impl Resolver<'_> {
         let losses = self.losses_of_all();
         let mut asked: Vec<RequestedEffort> =
             inputs.into_iter().chain(links).chain(springs).chain(losses).collect();
-        if !self.mechanism.unknowns.is_empty() {
+        if !self.mechanism.equations_are_held() {
             asked.retain(|asked| is_of_power(asked.effort));
         }
         for (nth, known) in asked.iter().enumerate() {
@@ -320,6 +320,14 @@ impl Resolver<'_> {
         let (field, effort) = (owner.clone(), Effort::Losses);
         let rubs = !self.mechanism.dynamics.frictions.is_empty();
         rubs.then(|| RequestedEffort { owner, field, docs: Vec::new(), effort })
+    }
+
+    /// The efforts of a link but for that of an unknown that drives it, which is none.
+    fn exerted(&self, link: LinkId) -> impl Iterator<Item = (Ident, Effort)> + '_ {
+        self.efforts_of(link).into_iter().filter(|(_, effort)| match effort {
+            Effort::Drive(link) => !self.mechanism.is_driven_by_an_unknown(*link),
+            _ => true,
+        })
     }
 
     /// Drive, push, joints and guides of a link.

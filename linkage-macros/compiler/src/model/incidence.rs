@@ -31,7 +31,7 @@ pub(crate) enum Mode {
 }
 
 /// The body to which a point, a guide or a crank's angle is fixed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) enum Carrier {
     Ground,
     Link(LinkId),

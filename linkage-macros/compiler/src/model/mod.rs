@@ -32,6 +32,7 @@ mod ids;
 mod incidence;
 mod inputs;
 mod jointed;
+mod left_out;
 mod literals;
 mod masses;
 pub(crate) mod mechanism;

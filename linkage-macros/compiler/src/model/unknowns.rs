@@ -216,18 +216,17 @@ impl Resolver<'_> {
         }
     }
 
-    /// Beside an unknown efforts are known that follow from power alone.
-    pub(super) fn effort_is_of_power(&mut self, at: &Ident, effort: Effort) -> Option<()> {
-        let is_of_power = is_of_power(effort);
-        let Some(unknown) = self.mechanism.unknowns.first().filter(|_| !is_of_power) else {
+    /// Beside an equation that a drive may hold, efforts are known that follow from power alone.
+    pub(super) fn effort_is_known(&mut self, at: &Ident, effort: Effort) -> Option<()> {
+        if is_of_power(effort) || self.mechanism.equations_are_held() {
             return Some(());
-        };
-        let name = &unknown.name;
+        }
+        let name = &self.mechanism.unknowns.first()?.name;
         let input = self.mechanism.inputs.first().map(|input| &input.name);
         let instead = input.map_or(String::new(), |input| format!("; ask for `{input}.drive`"));
         let message = format!("no reactions beside `unknown {name}`{instead}");
-        let reason = "what holds the equation of `solve` exerts a force as well, and on which body \
-                      that acts is not declared";
+        let reason = "what holds the equation of `solve` exerts a force as well: of `distance(P, Q) = l` a bar does, \
+                      of `offset(P, guide) = h` a block, of any other equation nobody says what";
         self.diagnostics.error_because(at.span(), message, reason);
         None
     }

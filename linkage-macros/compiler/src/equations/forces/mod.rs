@@ -16,7 +16,8 @@
 //! [`walk`] goes backwards over the steps: later groups stand only on earlier links, so each group is
 //! complete when it is reached, states its reactions (its own file does), and puts their
 //! opposites on what carries it. [`transmit`] does the same for a driven dimension that contains the
-//! angle or slide of an earlier link: a gear, a rack.
+//! angle or slide of an earlier link: a gear, a rack. Where the walk comes to the equation of an unknown, it puts the push of
+//! the bar or the block on it that holds the equation.
 //!
 //! # Friction
 //! [`friction`] takes a share of each reaction, group by group on the way.
@@ -123,7 +124,7 @@ pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
     }
     match kinematics.mechanism.unknowns.is_empty() {
         true => by_walk(&Walk::of(&resting)),
-        // The effort that holds an equation acts on no body, so a walk cannot place it.
+        // By power alone what holds an equation need not be known.
         false => in_motion(&resting),
     }
 }

@@ -53,7 +53,7 @@ impl<'s> Walk<'_, 's> {
                 self.push(*q, -force);
             }
             Expr::Offset(point, guide) => self.press(*point, *guide, effort),
-            Expr::Unknown(_) => unreachable!("beside an unknown the model allows no reactions"),
+            Expr::Unknown(unknown) => self.add_sought(*unknown, effort),
             Expr::Twist(_) | Expr::Rate(_) => unreachable!("neither is part of a dimension"),
             Expr::Negate(value) => self.transmit(value, -effort),
             Expr::AboveZero(inner) => self.transmit(&inner.value, effort),

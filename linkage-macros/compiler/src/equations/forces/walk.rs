@@ -1,5 +1,6 @@
 //! The walk backwards over the steps: every reaction and the effort of every drive.
 
+mod closing;
 mod steps;
 
 use std::collections::HashMap;
@@ -14,7 +15,7 @@ use crate::equations::motion::Frame;
 use crate::equations::reactions::{Acting, GuideReaction};
 use crate::equations::symbol::{GraphBuilder, Sym, Vector};
 use crate::model::dynamics::Effort;
-use crate::model::mechanism::{Body, Carrier, GuideId, InputId, Joint, LinkId, PointId};
+use crate::model::mechanism::{Body, Carrier, GuideId, InputId, Joint, LinkId, PointId, UnknownId};
 
 /// Loads gathered on the way, and efforts found so far.
 pub(in crate::equations) struct Walk<'k, 's> {
@@ -32,6 +33,8 @@ pub(in crate::equations) struct Walk<'k, 's> {
     /// The efforts of coordinates of points in their carriers.
     coordinates: HashMap<(Carrier, PointId), [Sym<'s>; 2]>,
     efforts: Vec<Sym<'s>>,
+    /// By unknown, what a drive there would have to exert: in the end nothing.
+    sought: Vec<Sym<'s>>,
     found: HashMap<Effort, Vec<Sym<'s>>>,
     /// By point, the sum of what the links that stand on it put on it.
     standing: HashMap<PointId, Vector<'s>>,
@@ -89,6 +92,7 @@ impl<'k, 's> Walk<'k, 's> {
             slides: HashMap::new(),
             coordinates: HashMap::new(),
             efforts: vec![builder.zero(); mechanism.inputs.len()],
+            sought: vec![builder.zero(); mechanism.unknowns.len()],
             found: HashMap::new(),
             standing: HashMap::new(),
             rubs,
@@ -99,8 +103,15 @@ impl<'k, 's> Walk<'k, 's> {
 
     /// From the last step to the first, with what acts by then.
     pub(super) fn back(&mut self) {
-        for step in self.kinematics.mechanism.steps.iter().rev() {
+        let mechanism = self.kinematics.mechanism;
+        let closing = |behind: usize| {
+            let ids = (0..mechanism.unknowns.len() as u32).rev().map(UnknownId);
+            ids.filter(move |id| mechanism.unknowns[id.index()].steps[1] == behind)
+        };
+        closing(mechanism.steps.len()).for_each(|id| self.close(id));
+        for (index, step) in mechanism.steps.iter().enumerate().rev() {
             self.backward(step);
+            closing(index).for_each(|id| self.close(id));
         }
     }
 

@@ -8,5 +8,6 @@ mod dynamics;
 pub(crate) mod forces;
 mod friction;
 mod joints;
+mod left_out;
 mod newton_euler;
 mod rates;

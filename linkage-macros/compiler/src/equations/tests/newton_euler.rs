@@ -16,7 +16,9 @@ use crate::equations::symbol::Vector;
 use crate::exact::Exact;
 use crate::ir::graph::Id;
 use crate::ir::interpret::Number;
-use crate::model::mechanism::{Body, Carrier, Expr, GuideId, LinkId, Mechanism, PointId};
+use crate::model::mechanism::{
+    Body, Carrier, Expr, GuideId, LinkId, Mechanism, PointId, UnknownId,
+};
 use crate::oracle::Digits;
 pub(super) use matrix::Matrix;
 use readings::readings;
@@ -31,6 +33,8 @@ enum Part {
     Link(LinkId),
     Rod(LinkId),
     Pin(PointId),
+    /// No part: where an unknown stands, nothing drives.
+    Sought(UnknownId),
 }
 
 /// External load on a part: a force at a point and a couple.

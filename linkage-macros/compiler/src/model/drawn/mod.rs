@@ -8,6 +8,7 @@
 
 mod bars;
 mod bodies;
+mod ends;
 mod figures;
 mod followed;
 mod frames;
@@ -38,6 +39,7 @@ use super::mechanism::{Mechanism, OutputKind, References};
 use super::names::Entity;
 use super::unknowns::is_of_power;
 use bodies::Bodies;
+use ends::RodEnd;
 use reader::Reader;
 use values::Measured;
 
@@ -55,6 +57,7 @@ struct Translation {
     turned: Vec<TurnedFrame>,
     /// Links that nobody has drawn.
     hidden: Vec<Ident>,
+    ends: Vec<RodEnd>,
     /// True if drives hold links together.
     holds_links: bool,
     /// The inputs of the drawn pose, where the drives determine them.
@@ -86,6 +89,8 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         messages::report_held_reactions(tree, &mechanism, diagnostics);
         mechanism.dynamics.asked.retain(|asked| is_of_power(asked.effort));
     }
+    let asked = std::mem::take(&mut mechanism.dynamics.asked);
+    mechanism.dynamics.asked = ends::as_of_links(&cut.ends, asked);
     mechanism.outputs.retain(|output| !cut.hidden.contains(&output.field));
     for statement in &tree.statements {
         document(&mut mechanism, statement);
@@ -107,7 +112,8 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     let translated = writer.declaration();
     let mut docs = tree.docs.clone();
     docs.extend(printed::documentation(tree, &translated));
-    let writer::Translated { statements, turned, hidden, holds_links, replaced, .. } = translated;
+    let writer::Translated { statements, turned, hidden, ends, holds_links, replaced, .. } =
+        translated;
     placed::report_places_of_unplaced(&bodies, &replaced, values.resolver.diagnostics)?;
     messages::report_turned(tree, &turned, values.resolver.diagnostics);
     let declaration = Declaration {
@@ -117,7 +123,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
         statements,
         unread: tree.unread.clone(),
     };
-    Some(Translation { tree: declaration, turned, hidden, holds_links, inputs })
+    Some(Translation { tree: declaration, turned, hidden, ends, holds_links, inputs })
 }
 
 /// The groups of the machine; `None` where there are none, or one is at its limit, which was reported.

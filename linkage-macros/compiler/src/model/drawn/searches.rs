@@ -10,6 +10,7 @@ use crate::chain::plane::Complex;
 use crate::model::names::Names;
 use crate::syntax::tree::{Expr, ExprKind, FieldValue, Solve, StatementKind};
 
+use super::ends::RodEnd;
 use super::figures::sum;
 use super::followed::{DrawnValues, Fitted, traced_names};
 use super::frames::{DrawnFrame, Heading, Origin};
@@ -129,7 +130,7 @@ impl Writer<'_, '_> {
         let (offset, rail) = (self.offset(guide, pin), self.rail(slide, body));
         let name = self.bodies.pins[pin].name.clone();
         self.solve(search, unknown, ("offset", [&name, &rail]), offset.text.clone());
-        let block = self.block(self.name(body));
+        let block = self.block(body, self.name(body), search.joints[0]);
         let pen = self.pen.at(self.name(body).span());
         let slot = pen.float(90.0, "deg");
         let mut fields = vec![("slot", FieldValue::One(slot))];
@@ -182,20 +183,24 @@ impl Writer<'_, '_> {
     /// block at the second.
     pub(super) fn rod(&mut self, behind: usize, (name, body): (Ident, usize), pins: [usize; 2]) {
         let [from, to] = pins.map(|pin| self.bodies.pins[pin].name.clone());
-        let block = self.block(&name);
+        let block = self.block(body, &name, Pair::Pin(pins[1]));
         let fields = vec![self.mode(body, "ahead")];
         let group = group_of("rpr", vec![(block, to), (name, from)], None, fields);
         self.put(behind, StatementKind::Group(group));
     }
 
-    /// The name of the block that holds a link in place.
-    fn block(&mut self, link: &Ident) -> Ident {
+    /// The name of the block that holds a link in place at a joint.
+    fn block(&mut self, body: usize, link: &Ident, at: Pair) -> Ident {
         let mut name = format_ident!("{link}_end", span = link.span());
         let names = Names::collect(self.bodies.tree);
         while names.kind(&name).is_some() {
             name = format_ident!("{name}_end");
         }
         self.hidden.push(name.clone());
+        if let Pair::Pin(pin) = at {
+            let (link, pin) = (self.name(body).clone(), self.bodies.pins[pin].name.clone());
+            self.ends.push(RodEnd { block: name.clone(), link, pin });
+        }
         name
     }
 

@@ -9,6 +9,7 @@ use crate::syntax::tree::{Expr, ExprKind, FieldValue, Statement, StatementKind};
 
 use super::bars::DrawnBar;
 use super::bodies::Bodies;
+use super::ends::{self, RodEnd};
 use super::figures::{Figure, Pen};
 use super::frames::{DrawnFrame, Origin};
 use super::group_statement::group_of;
@@ -32,6 +33,8 @@ pub(super) struct Translated {
     pub turned: Vec<TurnedFrame>,
     pub searches: Vec<Sought>,
     pub hidden: Vec<Ident>,
+    /// The joints of links at which such blocks stand in for them.
+    pub ends: Vec<RodEnd>,
     /// True if drives hold links together.
     pub holds_links: bool,
     /// Points declared on links that other statements make.
@@ -57,6 +60,7 @@ pub(super) struct Writer<'b, 't> {
     pub(super) searching: Option<(usize, usize)>,
     /// Blocks that only hold a link in place.
     pub(super) hidden: Vec<Ident>,
+    pub(super) ends: Vec<RodEnd>,
     /// True if drives hold links together.
     pub(super) holds_links: bool,
 }
@@ -81,18 +85,21 @@ impl<'b, 't> Writer<'b, 't> {
             searches: Vec::new(),
             searching: None,
             hidden: Vec::new(),
+            ends: Vec::new(),
             holds_links: false,
         }
     }
 
     /// All statements of the declaration, in solving order.
     pub(super) fn declaration(self) -> Translated {
-        let Self { bodies, turns, mut written, searches, hidden, holds_links, replaced, .. } = self;
+        let Self {
+            bodies, turns, mut written, searches, hidden, ends, holds_links, replaced, ..
+        } = self;
         for (index, statement) in bodies.other_statements() {
             if is_point_of(&replaced, &statement.kind) {
                 continue;
             }
-            let statement = turns.statement(bodies, statement);
+            let statement = ends::renamed(&ends, turns.statement(bodies, statement));
             written.push(Written { behind: index, search: None, statement });
         }
         written.sort_by_key(|written| written.behind);
@@ -102,6 +109,7 @@ impl<'b, 't> Writer<'b, 't> {
             turned: turns.directions(),
             searches,
             hidden,
+            ends,
             holds_links,
             replaced,
         }

@@ -234,8 +234,8 @@ fn a_solve_says_its_mode_and_begins_where_nothing_depends_on_it() {
 
 #[test]
 fn efforts_beside_an_unknown_are_those_that_power_tells() {
-    let reason = "what holds the equation of `solve` exerts a force as well, and on which body that \
-                  acts is not declared";
+    let reason = "what holds the equation of `solve` exerts a force as well: of `distance(P, Q) = l` a \
+                  bar does, of `offset(P, guide) = h` a block, of any other equation nobody says what";
     let refused = |at: &str| {
         format!("{at}: no reactions beside `unknown theta`; ask for `x.drive` / {reason}")
     };

@@ -6,7 +6,7 @@ use super::{Applied, Motion, Pair, Part, cross, driven_length, negative, whole};
 use crate::equations::kinematics::Kinematics;
 use crate::ir::interpret::Number;
 use crate::model::dynamics::Effort;
-use crate::model::mechanism::{Body, Expr, LinkId, PointId};
+use crate::model::mechanism::{Body, Expr, LinkId, PointId, UnknownId};
 use crate::oracle::Digits;
 
 /// One unknown: what one unit of it puts on every part's equations.
@@ -44,6 +44,7 @@ impl<'k, 's> Matrix<'k, 's> {
         for step in &kinematics.mechanism.steps {
             matrix.joints(step);
         }
+        matrix.equations();
         assert_eq!(matrix.columns.len(), matrix.count, "as many unknowns as equations");
         matrix.solve()
     }
@@ -61,6 +62,9 @@ impl<'k, 's> Matrix<'k, 's> {
             if mechanism.owner(PointId(index)) == Some(Body::Pin(PointId(index))) {
                 self.add_part(Part::Pin(PointId(index)), 2);
             }
+        }
+        for index in 0..mechanism.unknowns.len() as u32 {
+            self.add_part(Part::Sought(UnknownId(index)), 1);
         }
     }
 
@@ -83,6 +87,9 @@ impl<'k, 's> Matrix<'k, 's> {
             column.insert(row, sum);
         };
         add(row, force[0].clone());
+        if matches!(part, Part::Sought(_)) {
+            return;
+        }
         add(row + 1, force[1].clone());
         if !matches!(part, Part::Pin(_)) {
             add(row + 2, cross(at, force).add(couple));

@@ -8,7 +8,11 @@ use crate::oracle::Digits;
 /// Collects the readings of earlier links in an expression, each once.
 pub(super) fn readings(mechanism: &Mechanism, expr: &Expr, leaves: &mut Vec<Expr>) {
     match expr {
-        Expr::Slide(_) | Expr::Coordinate(..) | Expr::Distance(_) | Expr::Offset(..) => {
+        Expr::Slide(_)
+        | Expr::Coordinate(..)
+        | Expr::Distance(_)
+        | Expr::Offset(..)
+        | Expr::Unknown(_) => {
             if !leaves.iter().any(|known| same(known, expr)) {
                 leaves.push(expr.clone());
             }
@@ -23,7 +27,7 @@ pub(super) fn readings(mechanism: &Mechanism, expr: &Expr, leaves: &mut Vec<Expr
         Expr::Call(_, arguments) => {
             arguments.iter().for_each(|argument| readings(mechanism, argument, leaves));
         }
-        Expr::Constant(_) | Expr::Input(_) | Expr::Unknown(_) | Expr::Param(_) | Expr::Load(_) => {}
+        Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => {}
         Expr::Twist(_) | Expr::Rate(_) => unreachable!("neither is part of a dimension"),
     }
 }

@@ -5,11 +5,55 @@ use super::matrix::{Column, Matrix};
 use super::readings::{readings, slope};
 use super::{Pair, Part, negative, normal, part_of, whole};
 use crate::ir::interpret::Number;
-use crate::model::mechanism::{AngleSum, Axis, Expr, LinkId};
+use crate::model::mechanism::{AngleSum, Axis, Equation, Expr, Group, LinkId, UnknownId};
 use crate::oracle::Digits;
 use crate::syntax::anatomy::Class;
 
 impl Matrix<'_, '_> {
+    /// One unknown an equation: it pushes on all that its sides read. Where the bar or the block that holds it is
+    /// drawn, that is what slides in it, clamped.
+    pub(super) fn equations(&mut self) {
+        let mechanism = self.kinematics.mechanism;
+        for (index, unknown) in mechanism.unknowns.iter().enumerate() {
+            let push = self.columns.len();
+            let clamp = mechanism.left_out(UnknownId(index as u32)).map(|group| self.clamp(group));
+            let is_clamped = clamp.is_some();
+            self.columns.push(clamp.unwrap_or_default());
+            match &unknown.equation {
+                Equation::Difference([left, right]) if is_clamped => {
+                    // The clamp pushes along the normal of the guide.
+                    let is_left = matches!(left, Expr::Offset(..));
+                    let (rest, sign) = if is_left { (right, 1) } else { (left, -1) };
+                    self.transmit(rest, &[(push, whole(sign))]);
+                }
+                Equation::Difference([left, right]) => {
+                    self.transmit(left, &[(push, whole(-1))]);
+                    self.transmit(right, &[(push, whole(1))]);
+                }
+                Equation::Turn(turn) => self.transmit_turn(turn, &[(push, whole(-1))]),
+                Equation::Distance { points, length, is_left } => {
+                    let sign = if *is_left { 1 } else { -1 };
+                    if !is_clamped {
+                        self.transmit(&Expr::Distance(*points), &[(push, whole(-sign))]);
+                    }
+                    self.transmit(&length.value, &[(push, whole(sign))]);
+                }
+            }
+        }
+    }
+
+    /// A push on a block along what it slides on, and its opposite on that.
+    fn clamp(&self, group: &Group) -> Column {
+        let [block, by] = [0, 1].map(|leg| group.links[leg]);
+        let at = &self.motion.points[group.stands_on(0).index()];
+        let u = &self.motion.directions[by.index()];
+        let along = match group.kind {
+            Class::Rpr => u.clone(),
+            _ => normal(u),
+        };
+        self.pair([Part::Link(block), Part::Link(by)], at, &along, 0)
+    }
+
     /// An effort, a sum of unknowns with factors, of an angle.
     pub(super) fn transmit_turn(&mut self, turn: &AngleSum, effort: &[(usize, Digits)]) {
         let zero = [whole(0), whole(0)];
@@ -71,6 +115,10 @@ impl Matrix<'_, '_> {
                 let force = scaled(&normal(u), push);
                 self.act(column, part_of(self.kinematics, *point), at, &force, &none);
                 self.act(column, self.carrier_of(*guide), at, &negative(&force), &none);
+            }
+            Expr::Unknown(unknown) => {
+                let effort = [push.clone(), whole(0)];
+                self.act(column, Part::Sought(*unknown), &[whole(0), whole(0)], &effort, &none);
             }
             _ => unreachable!("only readings are leaves"),
         }

@@ -1,0 +1,43 @@
+//! The joints of a link that a search left out. The link stands on one of them; at the other a block stands in for it, whose
+//! name nobody has written.
+
+use proc_macro2::Ident;
+
+use crate::model::dynamics::{Effort, RequestedEffort};
+use crate::syntax::tree::{ExprKind, Statement, StatementKind};
+
+/// A joint of a link at which a block stands in for it.
+pub(super) struct RodEnd {
+    pub block: Ident,
+    pub link: Ident,
+    pub pin: Ident,
+}
+
+/// The statement with the force at such a joint asked of the block.
+pub(super) fn renamed(ends: &[RodEnd], mut statement: Statement) -> Statement {
+    let StatementKind::Output { items } = &mut statement.kind else { return statement };
+    for item in items {
+        let ExprKind::Member(owner, member) = &mut item.value.kind else { continue };
+        if let Some(end) = ends.iter().find(|end| end.link == *owner && end.pin == *member) {
+            *owner = Ident::new(&end.block.to_string(), owner.span());
+        }
+    }
+    statement
+}
+
+/// The efforts of blocks as those of their links; what lies between the two is not asked for.
+pub(super) fn as_of_links(ends: &[RodEnd], asked: Vec<RequestedEffort>) -> Vec<RequestedEffort> {
+    let mut renamed: Vec<RequestedEffort> = Vec::new();
+    for mut effort in asked {
+        if let Some(end) = ends.iter().find(|end| end.block == effort.owner) {
+            if !matches!(effort.effort, Effort::Pin(..)) {
+                continue;
+            }
+            effort.owner = Ident::new(&end.link.to_string(), effort.owner.span());
+        }
+        // Efforts of one owner form one field of the result.
+        let behind = renamed.iter().rposition(|known| known.owner == effort.owner);
+        renamed.insert(behind.map_or(renamed.len(), |last| last + 1), effort);
+    }
+    renamed
+}
