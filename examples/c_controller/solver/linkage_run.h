@@ -181,6 +181,7 @@ typedef struct LinkageSlidingAccelerationF32 {
 
 #define LINKAGE_NO_SOLUTION 8
 #define LINKAGE_SEVERAL_DEAD_POINTS 9
+#define LINKAGE_JAMS 10
 
 /* In double precision. */
 
@@ -758,6 +759,18 @@ typedef void (*LinkageSidesf)(const float *given, float trial, float *sides);
 /* The root, in linkage_root.c, and the size that its rounding is measured by. The answer says whether there is
  * one. */
 int linkage_rootf(LinkageWhy *why, const char *unknown, const LinkageBetweenf *between, LinkageSidesf sides, const float *given, float *found);
+
+/* Amounts of friction that depend on each other, in linkage_friction.c: so many, by steps from these values. A row is
+ * a share, a reaction without friction, and its changes by a unit of each amount. The first answers whether steps
+ * without a branch have found them; the second says why there are none. */
+int linkage_amounts(int count, unsigned guides, const double *rows, const double *start, double *amounts);
+void linkage_friction(LinkageWhy *why, const char *const *joints, int count, unsigned guides, const double *rows, const double *start, double *amounts);
+
+/* Amounts of friction that depend on each other, in linkage_friction.c: so many, by steps from these values. A row is
+ * a share, a reaction without friction, and its changes by a unit of each amount. The first answers whether steps
+ * without a branch have found them; the second says why there are none. */
+int linkage_amountsf(int count, unsigned guides, const float *rows, const float *start, float *amounts);
+void linkage_frictionf(LinkageWhy *why, const char *const *joints, int count, unsigned guides, const float *rows, const float *start, float *amounts);
 
 #ifdef __cplusplus
 }

@@ -38,7 +38,7 @@ pub(crate) enum Command {
     /// Print the solvers of a file as C99
     ///
     /// For each mechanism a header and a source, and once `linkage_run.h` and `linkage_run.c`, which all of them need;
-    /// `linkage_root.c` too where a mechanism has an unknown.
+    /// `linkage_root.c` too where a mechanism has an unknown, `linkage_friction.c` where joints rub.
     /// Functions, structs and status codes are those of `export c;`, and so are the answers, bit for bit.
     ///
     ///     linkage c shear.rs -o control/

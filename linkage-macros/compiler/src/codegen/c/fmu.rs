@@ -4,7 +4,7 @@
 //! inputs and both their rates are given. Everything else about FMI is the same for all mechanisms, in `fmi3.c`.
 
 use super::c_names::{is_array, param as field_of_param};
-use super::{In, ROOT};
+use super::{FRICTION, In, ROOT, rubs};
 use crate::codegen::arguments::{Arguments, Form};
 use crate::codegen::c_export::c_identifiers::{Width, default, function, snake_case};
 use crate::codegen::context::Context;
@@ -79,6 +79,7 @@ pub(crate) fn generate(
     let own = format!("{stem}.c");
     let sources = ["fmi3.c", "linkage_run.c", &own].into_iter();
     let sources = sources.chain(cx.searches().then_some(ROOT));
+    let sources = sources.chain(rubs(lowered).then_some(FRICTION));
     let files: String =
         sources.map(|name| format!("      <SourceFile name=\"{name}\"/>\n")).collect();
     let build = format!(

@@ -132,8 +132,38 @@ impl Dialect for InC<'_> {
         }
     }
 
-    fn amounts(_: &Printer<'_, Self>, _: &Amounts, _: &mut Text) {
-        unreachable!("a mechanism with friction is not printed")
+    /// One call for all of them, which hands them back in a list.
+    fn amounts(printer: &Printer<'_, Self>, amounts: &Amounts, to: &mut Text) {
+        let Amounts { joints, ids, starts, rows } = amounts;
+        let (dialect, real, count) = (&printer.dialect, printer.dialect.to.real(), ids.len());
+        let first = ids.iter().flatten().next().expect("one is needed");
+        let [rows_of, starts_of, found] = ["rows", "starts", "found"]
+            .map(|tail: &str| format!("{}{tail}", printer.local(*first)));
+        for (name, values) in [(&rows_of, rows), (&starts_of, starts)] {
+            to.put(&format!("const {real} {name}[{}] = {{ ", values.len()));
+            printer.values(values, to);
+            to.put(" };\n");
+        }
+        to.put(&format!("{real} {found}[{count}];\n"));
+        let guides = joints.iter().enumerate().map(|(j, (_, is_guide))| u32::from(*is_guide) << j);
+        let passed = format!("{count}, {}u, {rows_of}, {starts_of}, {found}", guides.sum::<u32>());
+        to.put(&match dialect.asks {
+            Asks::Compares => format!("ok &= {}({passed});\n", dialect.call("amounts")),
+            Asks::Diagnoses => {
+                let names: Vec<String> = joints.iter().map(|(joint, _)| quoted(joint)).collect();
+                let joints = format!("{}joints", printer.local(*first));
+                format!(
+                    "static const char *const {joints}[{count}] = {{ {} }};\n{}(why, {joints}, {passed});\n",
+                    names.join(", "),
+                    dialect.call("friction")
+                )
+            }
+        });
+        for (at, id) in ids.iter().enumerate() {
+            if let Some(id) = id.filter(|&id| dialect.used.reads(id)) {
+                to.put(dialect.binding).put(&format!("{} = {found}[{at}];\n", printer.local(id)));
+            }
+        }
     }
 
     /// The call of the search of this index, whose numbers no trial changes.

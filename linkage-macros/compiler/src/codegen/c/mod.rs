@@ -19,11 +19,12 @@ use super::c_export::c_identifiers::{Width, snake_case};
 use super::c_export::header;
 use super::context::Context;
 use super::identifiers::text;
-use crate::lower::routine::Lowered;
+use crate::lower::routine::{Lowered, Statement};
 use crate::model::mechanism::Mechanism;
 
 /// Prints the files of a mechanism: name and text of its header and its source, then those of the run-time, which
-/// holds the search for roots where something is searched.
+/// holds the search for roots where something is searched, and that for friction where amounts of it depend on each
+/// other.
 pub(crate) fn generate(
     mechanism: &Mechanism,
     lowered: &Lowered<'_>,
@@ -53,11 +54,25 @@ pub(crate) fn generate(
     if cx.searches() {
         files.push((ROOT.to_string(), run_time::root_source()));
     }
+    if rubs(lowered) {
+        files.push((FRICTION.to_string(), run_time::friction_source()));
+    }
     files
 }
 
 /// The part of the run-time that finds roots.
 const ROOT: &str = "linkage_root.c";
+
+/// The part of the run-time that finds amounts of friction.
+const FRICTION: &str = "linkage_friction.c";
+
+/// True if some of what is printed asks for amounts of friction that depend on each other.
+fn rubs(lowered: &Lowered<'_>) -> bool {
+    let stages = lowered.routines.iter().flat_map(|routine| &routine.stages);
+    stages
+        .flat_map(|stage| &stage.statements)
+        .any(|statement| matches!(statement, Statement::Amounts(_)))
+}
 
 /// The printer of numbers of one width.
 #[derive(Clone, Copy)]

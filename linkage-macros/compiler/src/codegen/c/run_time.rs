@@ -8,7 +8,7 @@ use crate::codegen::c_export::header::SHARED;
 
 /// The text of `linkage_run.h`.
 pub(crate) fn header() -> String {
-    let mut header = format!("{}{SHARED}\n{NO_SOLUTION}", include_str!("run/head.h"));
+    let mut header = format!("{}{SHARED}\n{CODES}", include_str!("run/head.h"));
     for (width, near) in [
         (Width::Double, include_str!("run/sin_cos_f64.h")),
         (Width::Single, include_str!("run/sin_cos_f32.h")),
@@ -19,8 +19,9 @@ pub(crate) fn header() -> String {
     }
     let (foot, end) =
         include_str!("run/foot.h").split_once(ROOTS).expect("the roots of both widths stand there");
-    let roots = Width::ALL.map(|width| of_width(include_str!("run/root.h"), width)).concat();
-    header + foot + &roots + end
+    let both = |text| Width::ALL.map(|width| of_width(text, width)).concat();
+    let [roots, friction] = [include_str!("run/root.h"), include_str!("run/friction.h")].map(both);
+    header + foot + &roots + &friction + end
 }
 
 /// The line of the foot in place of which the functions stand that find roots.
@@ -40,6 +41,23 @@ pub(crate) fn root_source() -> String {
         ] {
             source += &of_width(text, width);
         }
+        source += &format!("\n#endif /* {without} */\n");
+    }
+    source
+}
+
+/// The text of `linkage_friction.c`, which is printed where joints rub. What is found without a branch is found in
+/// either width, and anything else in double precision.
+pub(crate) fn friction_source() -> String {
+    let system = |width| of_width(include_str!("run/friction/system.c"), width);
+    let stepped = |width| of_width(include_str!("run/friction/stepped.c"), width);
+    let mut source = include_str!("run/friction/head.c").to_string();
+    source += &system(Width::Double);
+    source += include_str!("run/friction/solved.c");
+    for (width, before) in [(Width::Double, String::new()), (Width::Single, system(Width::Single))]
+    {
+        let without = width.excluded();
+        source += &format!("\n#ifndef {without}\n{before}{}", stepped(width));
         source += &format!("\n#endif /* {without} */\n");
     }
     source
@@ -127,8 +145,9 @@ const SINGLE: Spelling = [
     ("@", "f"),
 ];
 
-/// Two codes that a mechanism's header has where it searches for something.
-const NO_SOLUTION: &str = "\
+/// Codes that a mechanism's header has where it searches for something, or where something rubs.
+const CODES: &str = "\
 #define LINKAGE_NO_SOLUTION 8
 #define LINKAGE_SEVERAL_DEAD_POINTS 9
+#define LINKAGE_JAMS 10
 ";

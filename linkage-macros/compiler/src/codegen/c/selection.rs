@@ -17,7 +17,7 @@ pub(crate) struct Selection {
 
 impl Selection {
     /// The selection by names of entry points, `f64` and `f32`; all of those that no name tells. Reports names that
-    /// are none, and friction, which is not printed in C.
+    /// are none.
     pub(crate) fn of(mechanism: &Mechanism, only: &[&str], diagnostics: &mut Diagnostics) -> Self {
         let interface = Interface::of(mechanism);
         let all: Vec<EntryPoint> = interface.entries.iter().map(|entry| entry.point).collect();
@@ -38,7 +38,6 @@ impl Selection {
             );
         }
         let points = if points.is_empty() { all } else { with_needed(&interface, points) };
-        refuse_friction(mechanism, &points, diagnostics);
         let widths = if widths.is_empty() { Width::ALL.to_vec() } else { widths };
         Self { points, widths }
     }
@@ -62,17 +61,4 @@ fn with_needed(interface: &Interface, mut points: Vec<EntryPoint>) -> Vec<EntryP
         points.extend(needed.filter(|needed| !points.contains(needed)));
     }
     points
-}
-
-/// Reports entry points in which joints rub: the run-time in C does not solve the equations of friction.
-fn refuse_friction(mechanism: &Mechanism, points: &[EntryPoint], diagnostics: &mut Diagnostics) {
-    let Some(friction) = mechanism.dynamics.frictions.first() else { return };
-    if points.iter().any(|point| point.is_about_forces()) {
-        let link = &mechanism.links[friction.contact.link().index()].name;
-        diagnostics.error_because(
-            link.span(),
-            format!("`{}` has friction at a joint, which is not printed in C", text(link)),
-            "select entry points without forces, or use `export c;` where Rust has a target",
-        );
-    }
 }

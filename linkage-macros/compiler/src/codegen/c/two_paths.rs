@@ -210,8 +210,9 @@ fn pointer(is_staged: bool, nth: usize) -> String {
 
 /// True if the slow path of a routine asks anything.
 fn to_diagnose(routine: &Routine) -> bool {
-    let asks =
-        |statement: &Statement| matches!(statement, Statement::Check(_) | Statement::Find { .. });
+    let asks = |statement: &Statement| {
+        matches!(statement, Statement::Check(_) | Statement::Find { .. } | Statement::Amounts(_))
+    };
     routine.stages.iter().flat_map(|stage| &stage.statements).any(asks)
 }
 

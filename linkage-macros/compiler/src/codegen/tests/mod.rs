@@ -3,6 +3,7 @@
 mod apart;
 mod c_constants;
 mod c_export;
+mod c_friction;
 mod c_printed;
 mod c_roots;
 mod c_run_time;
