@@ -8,7 +8,7 @@ use crate::equations::motion::{Direction, Frame};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::{Check, Node};
 use crate::model::mechanism::{
-    AboveZero, AngleSum, Axis, Expr, GuideId, Length, Operator, PointId,
+    AboveZero, AngleSum, Axis, Expr, GuideId, LawId, Length, Operator, PointId,
 };
 
 impl<'s> Kinematics<'s> {
@@ -20,6 +20,7 @@ impl<'s> Kinematics<'s> {
             Expr::Load(load) => Jet::constant(self.builder.node(Node::Load(load.0))),
             Expr::Unknown(unknown) => self.unknowns[unknown.index()],
             Expr::Let(name) => self.lets[name.index()],
+            Expr::Law(law) => self.law(*law),
             Expr::Slide(link) => self.link(*link).slide.expect("the model checked that it slides"),
             Expr::Coordinate(point, axis) => {
                 let [x, y] = self.point(*point).coordinates();
@@ -50,6 +51,19 @@ impl<'s> Kinematics<'s> {
                 Jet::of(*function, &arguments)
             }
         }
+    }
+
+    /// A law stands on earlier ones, which come first: laws are never walked one inside the other.
+    fn law(&self, law: LawId) -> Jet<'s> {
+        if let Some(known) = self.laws[law.index()].get() {
+            return *known;
+        }
+        let laws = &self.mechanism.dynamics.laws;
+        let mut last = Jet::zero(self.builder);
+        for (jet, law) in self.laws[..=law.index()].iter().zip(laws) {
+            last = *jet.get_or_init(|| self.jet(&law.rest));
+        }
+        last
     }
 
     /// The offset of a point from a guide's line. A function of its own: what it holds does not stand

@@ -1,5 +1,6 @@
 //! A mechanism's state on a builder: every point, link and guide, step by step.
 
+use std::cell::OnceCell;
 use std::collections::HashMap;
 
 use crate::equations::jet::Jet;
@@ -88,6 +89,8 @@ pub(super) struct Kinematics<'s> {
     pub mechanism: &'s Mechanism,
     pub inputs: Vec<InputMotion<'s>>,
     pub lets: Vec<Jet<'s>>,
+    /// Laws, each as soon as a force asks for it.
+    pub(super) laws: Vec<OnceCell<Jet<'s>>>,
     /// Unknowns that equations fix, as far as they are known.
     pub unknowns: Vec<Jet<'s>>,
     pub closures: Vec<Closure>,
@@ -121,6 +124,7 @@ impl<'s> Kinematics<'s> {
             mechanism,
             inputs,
             lets: Vec::new(),
+            laws: vec![OnceCell::new(); mechanism.dynamics.laws.len()],
             unknowns: Vec::new(),
             closures: Vec::new(),
             slopes: Vec::new(),
@@ -270,7 +274,7 @@ impl<'s> Kinematics<'s> {
                 self.points[point.index()].is_some() && self.guides[guide.index()].is_some()
             }
             // Neither stands in what places anything.
-            Expr::Twist(_) | Expr::Rate(_) => true,
+            Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) => true,
             Expr::Negate(value) => self.is_known(value),
             Expr::AboveZero(inner) => self.is_known(&inner.value),
             Expr::Chain(first, rest) => {

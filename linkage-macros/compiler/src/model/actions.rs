@@ -8,6 +8,7 @@ use crate::syntax::tree::{self, Action, Declaration, StatementKind};
 
 use super::Resolver;
 use super::dynamics::{Axes, Force, Load, Torque};
+use super::inputs::{add_names, follow_lets};
 use super::mechanism::{Body, Carrier, Dimension, Expr, LoadId, PointId};
 use super::names::{Entity, Kind};
 use super::springs::is_rate;
@@ -108,7 +109,9 @@ impl Resolver<'_> {
     /// A number of the machine itself: constants and parameters.
     pub(super) fn changes_with_no_input(&mut self, expr: &tree::Expr, what: &str) -> Option<()> {
         // Rates have a message of their own.
-        let of_a_rate = self.first(expr, &|_, part| is_rate(part)).is_some();
+        let of_a_rate = self
+            .first(expr, &|resolver, part| is_rate(part) || resolver.is_law(part, |_| true))
+            .is_some();
         let Some(span) = self.moving_part(expr).filter(|_| !of_a_rate) else { return Some(()) };
         let message = format!("{what} cannot depend on an input");
         let reason = "it is made of constants and parameters";
@@ -126,15 +129,13 @@ impl Resolver<'_> {
 
     /// The value of a force or a torque: loads may stand in it.
     pub(super) fn acting(&mut self, expr: &tree::Expr, dimension: Dimension) -> Option<Expr> {
-        (self.is_about_forces, self.may_have_corners) = (true, true);
-        let value = self.scalar(expr, dimension);
-        (self.is_about_forces, self.may_have_corners) = (false, false);
-        value
+        self.freely(|resolver| resolver.scalar(expr, dimension)).0
     }
 
     /// A load stands in the value of a force or a torque, and nowhere else.
     pub(super) fn load_stands_in_a_force(&mut self, name: &Ident) -> Option<()> {
         if self.is_about_forces {
+            self.reads.load = true;
             return Some(());
         }
         let message = format!("`{name}` is a load, and stands in the values of forces and torques");
@@ -229,15 +230,21 @@ impl Resolver<'_> {
     /// Every load is used, and gravity has a mass to pull.
     pub(super) fn actions_have_an_effect(&mut self, tree: &Declaration) {
         let mut named = Vec::new();
+        let mut add = |expr: &tree::Expr| add_names(expr, &mut named);
         let mut masses = tree.unread.may_hold("mass");
         for statement in &tree.statements {
-            if let StatementKind::Action(action) = &statement.kind {
-                masses |= matches!(action, Action::Mass { .. });
-                for expr in action.expressions() {
-                    super::references::names_in(expr, &mut |name| named.push(name.to_string()));
+            match &statement.kind {
+                StatementKind::Action(action) => {
+                    masses |= matches!(action, Action::Mass { .. });
+                    action.expressions().into_iter().for_each(&mut add);
                 }
+                StatementKind::Output { items } => {
+                    items.iter().for_each(|item| add(&item.value));
+                }
+                _ => {}
             }
         }
+        follow_lets(tree, &mut named);
         for load in &self.mechanism.dynamics.loads {
             let name = load.name.to_string();
             if named.contains(&name) || tree.unread.may_hold(&name) {

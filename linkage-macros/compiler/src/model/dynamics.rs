@@ -16,6 +16,8 @@ pub(crate) struct Dynamics {
     /// In ground axes; none unless written.
     pub gravity: Option<[Expr; 2]>,
     pub loads: Vec<Load>,
+    /// Named expressions that read rates or loads; a later one may use an earlier one.
+    pub laws: Vec<AngleSum>,
     pub masses: Vec<Mass>,
     pub forces: Vec<Force>,
     pub torques: Vec<Torque>,

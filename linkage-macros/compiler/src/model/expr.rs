@@ -3,7 +3,7 @@
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::model::ids::{
-    GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
+    GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
 };
 
 /// A scalar expression. Lengths in metres, angles in radians.
@@ -18,6 +18,8 @@ pub(crate) enum Expr {
     Unknown(UnknownId),
     /// The part of a named expression that is not a multiple of link angles.
     Let(LetId),
+    /// The same of one that reads rates or loads, in the values of forces and torques alone.
+    Law(LawId),
     /// The slide of a link that slides.
     Slide(LinkId),
     /// A coordinate of a point in ground axes.

@@ -167,12 +167,7 @@ impl Resolver<'_> {
                 let measure = self.facts.params[id.index()].measure;
                 Some(Quantity::plain(measure, Expr::Param(id)))
             }
-            Entity::Let(id) => {
-                let turn = &self.mechanism.lets[id.index()];
-                let rest = if turn.rest.is_constant() { turn.rest.clone() } else { Expr::Let(id) };
-                let measure = self.facts.lets[id.index()].measure;
-                Some(Quantity { measure, links: turn.links.clone(), rest })
-            }
+            entity @ (Entity::Let(_) | Entity::Law(_)) => self.value_of_let(name, entity),
             Entity::Unknown(id) => {
                 let measure = Measure::Known(self.mechanism.unknowns[id.index()].dimension);
                 Some(Quantity::plain(measure, Expr::Unknown(id)))
@@ -308,6 +303,9 @@ impl Resolver<'_> {
             self.function_is_defined(function, &arguments[0], &call);
         }
         let called = called?;
+        if !function.is_smooth() && !called.is_constant() {
+            self.reads.corner = Some(function.name());
+        }
         if !function.is_smooth() && !called.is_constant() && !self.may_have_corners {
             let message = format!("`{name}` stands in forces, torques and outputs alone");
             let reason = "a dimension is smooth: write `hypot(x, e)` with a small `e` for `abs(x)`";

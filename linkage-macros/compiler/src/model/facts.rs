@@ -16,6 +16,8 @@ pub(super) struct Facts {
     pub params: Vec<ParamFacts>,
     /// By named expression.
     pub lets: Vec<LetFacts>,
+    /// By law.
+    pub laws: Vec<LetFacts>,
     /// By point: whether it moves.
     pub points: Vec<bool>,
     /// By link.
@@ -44,9 +46,19 @@ pub(super) struct ParamFacts {
     pub blamed: bool,
 }
 
+/// Readings of an expression that no dimension may have.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Reads {
+    pub load: bool,
+    pub rate: bool,
+    /// A function with a corner.
+    pub corner: Option<&'static str>,
+}
+
 pub(super) struct LetFacts {
     pub measure: Measure,
     pub moves: bool,
+    pub reads: Reads,
 }
 
 pub(super) struct LinkFacts {
@@ -80,6 +92,21 @@ struct Location {
     at: Option<[Exact; 2]>,
 }
 
+impl Reads {
+    /// True if the value is one of forces, and not of a pose.
+    pub(super) fn is_of_forces(self) -> bool {
+        self.load || self.rate
+    }
+
+    pub(super) fn and(self, other: Self) -> Self {
+        Self {
+            load: self.load || other.load,
+            rate: self.rate || other.rate,
+            corner: self.corner.or(other.corner),
+        }
+    }
+}
+
 impl Facts {
     /// The facts that hold before the first statement is resolved.
     pub(super) fn of(tree: &Declaration) -> Self {
@@ -93,6 +120,7 @@ impl Facts {
             // A load moves nothing, and a spring or a stop is no part of the motion.
             Entity::Param(_) | Entity::Load(_) | Entity::Spring(_) | Entity::Stop(_) => false,
             Entity::Let(id) => self.lets[id.index()].moves,
+            Entity::Law(id) => self.laws[id.index()].moves,
             Entity::Point(id) => self.points[id.index()],
             Entity::Link(id) => self.links[id.index()].moves,
             Entity::Guide(id) => self.guides[id.index()].moves,

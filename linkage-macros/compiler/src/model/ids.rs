@@ -33,6 +33,8 @@ ids! {
     UnknownId
     /// An index into `Dynamics::loads`.
     LoadId
+    /// An index into `Dynamics::laws`.
+    LawId
     /// An index into `Dynamics::springs`.
     SpringId
     /// An index into `Dynamics::stops`.

@@ -11,8 +11,8 @@ use crate::syntax::tree::{Declaration, Expr, ExprKind, Statement, StatementKind}
 use super::Resolver;
 use super::dimension::Measure;
 use super::expressions::bare_name;
-use super::facts::{LetFacts, ParamFacts};
-use super::mechanism::{Dimension, Input, InputId, LetId, Param, ParamId, ParamKind};
+use super::facts::ParamFacts;
+use super::mechanism::{Dimension, Input, InputId, Param, ParamId, ParamKind};
 use super::modes::mode_word;
 use super::names::Entity;
 use super::references::{expressions, names_in};
@@ -138,17 +138,6 @@ impl Resolver<'_> {
         Some((ParamKind::Number { dimension, default: value, written_in }, measure))
     }
 
-    pub(super) fn named_expression(&mut self, name: &Ident, value: &Expr) {
-        let is_new = self.name_is_new(name).is_some();
-        let (true, Some(quantity)) = (is_new, self.quantity(value)) else {
-            return;
-        };
-        let id = LetId(self.mechanism.lets.len() as u32);
-        self.facts.lets.push(LetFacts { measure: quantity.measure, moves: self.moves });
-        self.mechanism.lets.push(quantity.turn());
-        self.names.bind(name, Entity::Let(id));
-    }
-
     /// A mechanism has at least one input. Nothing is said where one is used that was forgotten.
     pub(super) fn an_input_is_declared(&mut self, tree: &Declaration) {
         let is_input = |s: &Statement| matches!(s.kind, StatementKind::Input { .. });
@@ -174,19 +163,7 @@ impl Resolver<'_> {
                 expressions(statement, &mut |expr| add_names(expr, &mut used));
             }
         }
-        // A name that is used makes the names in its own `let` used: the list grows as it is read.
-        let mut next = 0;
-        while let Some(name) = used.get(next).cloned() {
-            next += 1;
-            for statement in &tree.statements {
-                match &statement.kind {
-                    StatementKind::Let { name: own, value } if *own == name => {
-                        add_names(value, &mut used);
-                    }
-                    _ => {}
-                }
-            }
-        }
+        follow_lets(tree, &mut used);
         for input in &self.mechanism.inputs {
             let name = &input.name;
             if used.iter().any(|used| name == used) || tree.unread.may_hold(&name.to_string()) {
@@ -202,8 +179,24 @@ impl Resolver<'_> {
     }
 }
 
+/// A name that is used makes the names in its own `let` used: the list grows as it is read.
+pub(super) fn follow_lets(tree: &Declaration, used: &mut Vec<String>) {
+    let mut next = 0;
+    while let Some(name) = used.get(next).cloned() {
+        next += 1;
+        for statement in &tree.statements {
+            match &statement.kind {
+                StatementKind::Let { name: own, value } if *own == name => {
+                    add_names(value, used);
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
 /// Adds the names in the expression that are not yet in the list.
-fn add_names(expr: &Expr, names: &mut Vec<String>) {
+pub(super) fn add_names(expr: &Expr, names: &mut Vec<String>) {
     names_in(expr, &mut |name| {
         let name = name.to_string();
         if !names.contains(&name) {

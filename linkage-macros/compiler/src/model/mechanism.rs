@@ -13,7 +13,8 @@ use crate::model::dynamics::Dynamics;
 pub(crate) use crate::model::expr::{AboveZero, AngleSum, Axis, Expr, Operator};
 pub(crate) use crate::model::findings::{Known, Rotatability};
 pub(crate) use crate::model::ids::{
-    GroupId, GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId, UnknownId,
+    GroupId, GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId,
+    UnknownId,
 };
 pub(crate) use crate::model::incidence::{
     Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, Mode, Sign, Slideway,

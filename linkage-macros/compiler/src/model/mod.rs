@@ -32,6 +32,7 @@ mod ids;
 mod incidence;
 mod inputs;
 mod jointed;
+mod laws;
 mod left_out;
 mod literals;
 mod masses;
@@ -168,6 +169,8 @@ struct Resolver<'d> {
     is_about_forces: bool,
     /// True while such a value or an output is resolved: it may have corners.
     may_have_corners: bool,
+    /// Readings so far of the expression in hand.
+    reads: facts::Reads,
     /// Where gravity is given.
     gravity_at: Option<proc_macro2::Span>,
     /// The unknown between its `unknown` and its `solve`.
@@ -195,6 +198,7 @@ impl<'d> Resolver<'d> {
             reported_unknown: HashSet::new(),
             is_about_forces: false,
             may_have_corners: false,
+            reads: facts::Reads::default(),
             gravity_at: None,
             searched: None,
             follows: false,

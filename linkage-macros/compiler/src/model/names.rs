@@ -11,7 +11,7 @@ use proc_macro2::Ident;
 use crate::syntax::tree::{Action, Declaration, Statement, StatementKind};
 
 use super::mechanism::{
-    GuideId, InputId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId, UnknownId,
+    GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId, UnknownId,
 };
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,6 +59,7 @@ pub(super) enum Entity {
     Input(InputId),
     Param(ParamId),
     Let(LetId),
+    Law(LawId),
     Point(PointId),
     Link(LinkId),
     Guide(GuideId),

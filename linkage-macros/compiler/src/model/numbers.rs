@@ -145,6 +145,7 @@ impl Resolver<'_> {
             ExprKind::Member(_, member) => member == "angle",
             ExprKind::Name(name) => match self.names.entity(name) {
                 Some(Entity::Let(id)) => !self.mechanism.lets[id.index()].links.is_empty(),
+                Some(Entity::Law(id)) => !self.mechanism.dynamics.laws[id.index()].links.is_empty(),
                 _ => false,
             },
             _ => false,

@@ -9,7 +9,7 @@ use crate::syntax::anatomy::GroupSpec;
 use crate::syntax::tree::{Declaration, Expr, ExprKind, OutputItem, StatementKind};
 
 use super::Resolver;
-use super::expressions::bare_name;
+use super::expressions::{Quantity, bare_name};
 use super::mechanism::{Expr as Resolved, LinkId, Output, OutputKind};
 use super::names::{Entity, Kind};
 
@@ -109,15 +109,20 @@ impl Resolver<'_> {
         let Some(quantity) = quantity else {
             return;
         };
+        if is_new.is_some() {
+            self.give_quantity(name, docs, quantity);
+        }
+    }
+
+    /// A number, or an angle that contains link angles.
+    fn give_quantity(&mut self, name: &Ident, docs: &[Attribute], quantity: Quantity) {
         let kind = if quantity.links.is_empty() {
             let dimension = quantity.measure.dimension();
             OutputKind::Value { value: quantity.rest, dimension }
         } else {
             OutputKind::Angle(quantity.turn())
         };
-        if is_new.is_some() {
-            self.give(name.span(), name.clone(), docs, kind);
-        }
+        self.give(name.span(), name.clone(), docs, kind);
     }
 
     /// Reports `C as tip`.
@@ -173,15 +178,15 @@ impl Resolver<'_> {
                 let slide = self.mechanism.links[link.index()].slides;
                 self.give_link(docs, name, link, OutputKind::Link { link, direction: true, slide });
             }
-            Some(Entity::Let(id)) => {
-                let turn = self.mechanism.lets[id.index()].clone();
-                let dimension = self.facts.lets[id.index()].measure.dimension();
-                let kind = if turn.links.is_empty() {
-                    OutputKind::Value { value: turn.rest, dimension }
-                } else {
-                    OutputKind::Angle(turn)
-                };
-                self.give(name.span(), name.clone(), docs, kind);
+            Some(entity @ (Entity::Let(_) | Entity::Law(_))) => {
+                self.may_have_corners = true;
+                let quantity = self.value_of_let(name, entity);
+                self.may_have_corners = false;
+                let Some(mut quantity) = quantity else { return };
+                if let Entity::Let(id) = entity {
+                    quantity.rest = self.mechanism.lets[id.index()].rest.clone();
+                }
+                self.give_quantity(name, docs, quantity);
             }
             _ => {}
         }

@@ -118,6 +118,7 @@ impl Mechanism {
             | Expr::Distance(_)
             | Expr::Offset(..)
             | Expr::Twist(_)
+            | Expr::Law(_)
             | Expr::Rate(_) => true,
             Expr::Let(id) => self.turns(&self.lets[id.index()]),
             Expr::Negate(value) => self.moves(value),

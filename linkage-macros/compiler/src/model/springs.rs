@@ -206,15 +206,18 @@ impl Resolver<'_> {
             self.diagnostics.error_because(name.span(), message, reason);
             return None;
         }
+        self.reads.rate = true;
         argument
     }
 
     fn argument_of_rate(&mut self, argument: &Expr) -> Option<expressions::Quantity> {
         let load = self.first(argument, &|resolver, part| match &part.kind {
-            ExprKind::Name(name) => resolver.names.kind(name) == Some(Kind::Load),
-            _ => false,
+            ExprKind::Name(name) if resolver.names.kind(name) == Some(Kind::Load) => true,
+            _ => resolver.is_law(part, |reads| reads.load),
         });
-        let nested = self.first(argument, &|_, part| is_rate(part));
+        let nested = self.first(argument, &|resolver, part| {
+            is_rate(part) || resolver.is_law(part, |reads| reads.rate)
+        });
         let mistake = match (load, nested) {
             (Some(at), _) => {
                 Some((at, "a load has no rate", "it is a number that each call is given"))

@@ -152,7 +152,7 @@ impl Resolver<'_> {
         match expr {
             Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => false,
             // Only forces read these.
-            Expr::Twist(_) | Expr::Rate(_) => false,
+            Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) => false,
             Expr::Unknown(id) => *id == searched.id,
             Expr::Let(id) => reaches(Entity::Let(*id)),
             Expr::Slide(link) => reaches(Entity::Link(*link)),

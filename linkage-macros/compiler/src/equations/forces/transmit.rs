@@ -54,7 +54,9 @@ impl<'s> Walk<'_, 's> {
             }
             Expr::Offset(point, guide) => self.press(*point, *guide, effort),
             Expr::Unknown(unknown) => self.add_sought(*unknown, effort),
-            Expr::Twist(_) | Expr::Rate(_) => unreachable!("neither is part of a dimension"),
+            Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) => {
+                unreachable!("none of these is part of a dimension")
+            }
             Expr::Negate(value) => self.transmit(value, -effort),
             Expr::AboveZero(inner) => self.transmit(&inner.value, effort),
             Expr::Chain(first, rest) => self.transmit_chain(first, rest, effort),

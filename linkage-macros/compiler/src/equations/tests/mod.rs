@@ -8,6 +8,7 @@ mod dynamics;
 pub(crate) mod forces;
 mod friction;
 mod joints;
+mod laws;
 mod left_out;
 mod newton_euler;
 mod rates;

@@ -76,7 +76,6 @@ fn loads_stand_in_forces_and_nowhere_else() {
     for statements in [
         "load f: force; mass f on AB at (0, 0); force (f, 0) on B;",
         "load f: number; point P on AB at (f * 1m, 0); force (f * 1N, 0) on B;",
-        "load f: force; let half = f / 2; force (f, 0) on B;",
         "load f: force; output x = f / 1N; force (f, 0) on B;",
         "load f: number; mass 1kg on B; gravity (0, -f * 9.81(m/s^2)); force (f * 1N, 0) on B;",
     ] {

@@ -9,6 +9,7 @@ mod fields;
 
 mod groups;
 mod incidence;
+mod laws;
 mod names;
 mod numbers;
 mod outputs;

@@ -199,7 +199,6 @@ fn corners_stand_in_forces_and_outputs_and_nowhere_else() {
         )
     };
     for (statements, name) in [
-        ("let w = abs(t);", "abs"),
         ("point P on AB at (max(B.x, 1m), 0);", "max"),
         ("point P on AB at (sign(t) * 1m, 0);", "sign"),
         ("output W; point W on AB at (1m, min(B.x, B.y));", "min"),
@@ -225,7 +224,6 @@ fn rates_stand_in_forces_and_nowhere_else() {
                          mechanism is made of depends on no rate; of outputs, `velocity` gives the \
                          rates";
     for statements in [
-        "let w = rate(t);",
         "output w = rate(AB.angle);",
         "point P on AB at (rate(t) * 1(m*s), 0);",
         "mass 1(kg*s) * rate(t) on B;",

@@ -79,6 +79,7 @@ impl Names<'_> {
             Expr::Load(id) => self.0.dynamics.loads[id.index()].name.to_string(),
             Expr::Param(id) => self.0.params[id.index()].name.to_string(),
             Expr::Let(id) => format!("let{}", id.0),
+            Expr::Law(id) => format!("law{}", id.0),
             Expr::Slide(link) => format!("{}.slide", self.link(*link)),
             Expr::Coordinate(point, axis) => {
                 format!("{}.{axis:?}", self.point(*point)).to_lowercase()

@@ -1,0 +1,102 @@
+//! Named expressions, and laws among them: those that read rates or loads, which stand in what acts
+//! and in outputs, and are refused where something is made of them.
+
+use proc_macro2::Ident;
+
+use crate::syntax::tree::{self, ExprKind};
+
+use super::Resolver;
+use super::expressions::Quantity;
+use super::facts::{LetFacts, Reads};
+use super::mechanism::{Expr, LawId, LetId};
+use super::names::Entity;
+
+impl Resolver<'_> {
+    pub(super) fn named_expression(&mut self, name: &Ident, value: &tree::Expr) {
+        let is_new = self.name_is_new(name).is_some();
+        // It is refused where it is used, if it does not stand there.
+        let (quantity, reads) = self.freely(|resolver| resolver.quantity(value));
+        let (true, Some(quantity)) = (is_new, quantity) else { return };
+        let facts = LetFacts { measure: quantity.measure, moves: self.moves, reads };
+        let entity = match reads.is_of_forces() {
+            true => {
+                self.facts.laws.push(facts);
+                let laws = &mut self.mechanism.dynamics.laws;
+                laws.push(quantity.turn());
+                Entity::Law(LawId(laws.len() as u32 - 1))
+            }
+            false => {
+                self.facts.lets.push(facts);
+                self.mechanism.lets.push(quantity.turn());
+                Entity::Let(LetId(self.mechanism.lets.len() as u32 - 1))
+            }
+        };
+        self.names.bind(name, entity);
+    }
+
+    /// Resolves an expression in which loads, rates and corners may stand, and tells which do.
+    pub(super) fn freely<T>(&mut self, resolve: impl FnOnce(&mut Self) -> T) -> (T, Reads) {
+        let before = (self.is_about_forces, self.may_have_corners, self.reads);
+        (self.is_about_forces, self.may_have_corners) = (true, true);
+        self.reads = Reads::default();
+        let resolved = resolve(self);
+        let reads = self.reads;
+        (self.is_about_forces, self.may_have_corners, self.reads) = before;
+        (resolved, reads)
+    }
+
+    /// The value of a `let`, where it may stand here.
+    pub(super) fn value_of_let(&mut self, name: &Ident, entity: Entity) -> Option<Quantity> {
+        let (facts, sum, rest) = match entity {
+            Entity::Let(id) => {
+                let sum = &self.mechanism.lets[id.index()];
+                let rest = if sum.rest.is_constant() { sum.rest.clone() } else { Expr::Let(id) };
+                (&self.facts.lets[id.index()], sum, rest)
+            }
+            Entity::Law(id) => {
+                let sum = &self.mechanism.dynamics.laws[id.index()];
+                (&self.facts.laws[id.index()], sum, Expr::Law(id))
+            }
+            _ => return None,
+        };
+        let (measure, links, reads) = (facts.measure, sum.links.clone(), facts.reads);
+        self.law_stands_here(name, reads)?;
+        self.reads = self.reads.and(reads);
+        Some(Quantity { measure, links, rest })
+    }
+
+    fn law_stands_here(&mut self, name: &Ident, reads: Reads) -> Option<()> {
+        let (message, reason) = match (reads.corner, reads.is_of_forces()) {
+            (_, true) if !self.is_about_forces => {
+                let what = match (reads.load, reads.rate) {
+                    (true, true) => "loads and rates",
+                    (true, false) => "a load",
+                    (false, _) => "a rate",
+                };
+                (
+                    format!("`{name}` reads {what}, and stands in forces and torques alone"),
+                    "what the mechanism is made of and how it moves depends on no load and no rate",
+                )
+            }
+            (Some(function), false) if !self.may_have_corners => (
+                format!(
+                    "`{name}` has a corner by `{function}`, and stands in forces, torques and outputs \
+                     alone"
+                ),
+                "a dimension is smooth: write `hypot(x, e)` with a small `e` for `abs(x)`",
+            ),
+            _ => return Some(()),
+        };
+        self.diagnostics.error_because(name.span(), message, reason);
+        None
+    }
+
+    /// The part of an expression is a law of which this is true.
+    pub(super) fn is_law(&self, part: &tree::Expr, reads: impl Fn(Reads) -> bool) -> bool {
+        let ExprKind::Name(name) = &part.kind else { return false };
+        match self.names.entity(name) {
+            Some(Entity::Law(id)) => reads(self.facts.laws[id.index()].reads),
+            _ => false,
+        }
+    }
+}
