@@ -4,6 +4,7 @@ mod balance;
 mod dynamics;
 mod inside;
 mod interface;
+mod outputs;
 mod published;
 mod searched;
 mod springs;

@@ -71,16 +71,8 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
                 link(id)
             )
         }
-        Effort::Pin(_, joint) => {
-            let by = match cx.mechanism.owner(joint) {
-                Some(Body::Ground) => "the ground".to_string(),
-                Some(Body::Link(by)) => format!("`{}`", link(by)),
-                _ => format!("the pin `{}`", point(joint)),
-            };
-            // A block that stands in for a link is not named.
-            let owner = text(&asked.owner);
-            format!("force in N on `{owner}` at `{}`, exerted by {by}", point(joint))
-        }
+        // A block that stands in for a link is not named.
+        Effort::Pin(_, joint) => reaction(cx, &text(&asked.owner), joint),
         Effort::Bearing(id, joint) => {
             let standing = cx.mechanism.standing();
             let others = standing.iter().filter(|(at, _)| *at == joint);
@@ -101,13 +93,40 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
                             couple in N·m"
                 .to_string()
         }
+        Effort::PinFriction(id, _) | Effort::GuideFriction(id) => friction(&link(id), asked.effort),
         Effort::Losses => "power in W that friction takes at all joints".to_string(),
+        Effort::Formula(_) => {
+            format!(
+                "formula of efforts, rates and loads, in {}",
+                unit_of(cx.mechanism, asked.effort)
+            )
+        }
         Effort::Guide(id) => format!(
             "normal force in N on `{0}` at the origin of its frame, along the normal of `{1}`, and \
              couple in N·m on `{0}`, both exerted by `{1}`",
             link(id),
             text(&asked.field)
         ),
+    }
+}
+
+/// The force on a link at a pin, and the body that exerts it.
+fn reaction(cx: &Context<'_>, on: &str, joint: PointId) -> String {
+    let link = |id: LinkId| text(&cx.mechanism.links[id.index()].name);
+    let point = text(&cx.mechanism.points[joint.index()].name);
+    let by = match cx.mechanism.owner(joint) {
+        Some(Body::Ground) => "the ground".to_string(),
+        Some(Body::Link(by)) => format!("`{}`", link(by)),
+        _ => format!("the pin `{point}`"),
+    };
+    format!("force in N on `{on}` at `{point}`, exerted by {by}")
+}
+
+/// The couple or force of friction on a link.
+fn friction(link: &str, effort: Effort) -> String {
+    match effort {
+        Effort::GuideFriction(_) => format!("force in N of friction on `{link}` along its slide"),
+        _ => format!("couple in N·m of friction on `{link}` at this pin, counter-clockwise"),
     }
 }
 
@@ -159,6 +178,11 @@ pub(super) fn unit_of(mechanism: &Mechanism, effort: Effort) -> String {
         Effort::Stop(id) => effort_unit(mechanism.dynamics.stops[id.index()].of.dimension()),
         Effort::Gap(id) => {
             unit(mechanism.dynamics.stops[id.index()].of.dimension(), Order::Position)
+        }
+        Effort::PinFriction(..) => "N·m".to_string(),
+        Effort::Losses => "W".to_string(),
+        Effort::Formula(id) => {
+            unit(mechanism.dynamics.formulas[id.index()].dimension, Order::Position)
         }
         _ => "N".to_string(),
     }

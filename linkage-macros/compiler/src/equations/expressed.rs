@@ -7,12 +7,21 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::{Check, Node};
+use crate::model::dynamics::Effort;
 use crate::model::mechanism::{
     AboveZero, AngleSum, Axis, Expr, GuideId, LawId, Length, Operator, PointId,
 };
 
+/// The components of efforts.
+pub(super) type EffortParts<'e, 's> = dyn Fn(Effort, usize) -> Sym<'s> + 'e;
+
 impl<'s> Kinematics<'s> {
     pub(super) fn jet(&self, expr: &Expr) -> Jet<'s> {
+        self.jet_of(expr, &|_, _| unreachable!("only outputs read efforts"))
+    }
+
+    /// A number that may read efforts.
+    pub(super) fn jet_of(&self, expr: &Expr, efforts: &EffortParts<'_, 's>) -> Jet<'s> {
         match expr {
             Expr::Constant(value) => Jet::constant(self.builder.constant(value.clone())),
             Expr::Input(input) => self.inputs[input.index()].jet,
@@ -35,19 +44,22 @@ impl<'s> Kinematics<'s> {
             Expr::Twist(spring) => springs::twist(self, *spring),
             // A force's value has no use for its own rates.
             Expr::Rate(turn) => Jet::constant(self.at_rate_scale(self.rate(turn))),
-            Expr::AboveZero(inner) => self.above_zero(inner),
-            Expr::Negate(value) => -self.jet(value),
-            Expr::Chain(first, rest) => rest.iter().fold(self.jet(first), |a, (operator, b)| {
-                let b = self.jet(b);
-                match operator {
-                    Operator::Add => a + b,
-                    Operator::Sub => a - b,
-                    Operator::Mul => a * b,
-                    Operator::Div => a / b,
-                }
-            }),
+            Expr::Effort(effort, part) => Jet::constant(efforts(*effort, *part)),
+            Expr::AboveZero(inner) => self.above_zero(inner, efforts),
+            Expr::Negate(value) => -self.jet_of(value, efforts),
+            Expr::Chain(first, rest) => {
+                rest.iter().fold(self.jet_of(first, efforts), |a, (operator, b)| {
+                    let b = self.jet_of(b, efforts);
+                    match operator {
+                        Operator::Add => a + b,
+                        Operator::Sub => a - b,
+                        Operator::Mul => a * b,
+                        Operator::Div => a / b,
+                    }
+                })
+            }
             Expr::Call(function, arguments) => {
-                let arguments: Vec<_> = arguments.iter().map(|a| self.jet(a)).collect();
+                let arguments: Vec<_> = arguments.iter().map(|a| self.jet_of(a, efforts)).collect();
                 Jet::of(*function, &arguments)
             }
         }
@@ -75,8 +87,13 @@ impl<'s> Kinematics<'s> {
     }
 
     /// The argument of a function that has none at zero and below.
-    fn above_zero(&self, AboveZero { value, name, function }: &AboveZero) -> Jet<'s> {
-        let (jet, title) = (self.jet(value), self.mechanism.title_of_function(*function));
+    fn above_zero(
+        &self,
+        AboveZero { value, name, function }: &AboveZero,
+        efforts: &EffortParts<'_, 's>,
+    ) -> Jet<'s> {
+        let (jet, title) =
+            (self.jet_of(value, efforts), self.mechanism.title_of_function(*function));
         let check = Check::Positive(name.clone());
         Jet { value: jet.value.guarded_by(check, title, &[]), ..jet }
     }

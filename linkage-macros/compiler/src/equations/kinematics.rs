@@ -274,7 +274,7 @@ impl<'s> Kinematics<'s> {
                 self.points[point.index()].is_some() && self.guides[guide.index()].is_some()
             }
             // Neither stands in what places anything.
-            Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) => true,
+            Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) | Expr::Effort(..) => true,
             Expr::Negate(value) => self.is_known(value),
             Expr::AboveZero(inner) => self.is_known(&inner.value),
             Expr::Chain(first, rest) => {

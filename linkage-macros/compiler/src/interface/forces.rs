@@ -22,6 +22,9 @@ pub(crate) fn shape(effort: Effort) -> Shape {
         | Effort::Spring(_)
         | Effort::Stop(_)
         | Effort::Gap(_)
+        | Effort::PinFriction(..)
+        | Effort::GuideFriction(_)
+        | Effort::Formula(_)
         | Effort::Losses => Shape::Number,
         Effort::Pin(..) | Effort::Bearing(..) => Shape::Quantity(Quantity::Force, Order::Position),
         Effort::Guide(_) => Shape::Quantity(Quantity::GuideForce, Order::Position),
@@ -31,10 +34,7 @@ pub(crate) fn shape(effort: Effort) -> Shape {
 
 /// The path of an effort in the result.
 pub(crate) fn path(asked: &RequestedEffort) -> String {
-    match asked.effort {
-        effort if effort.is_of_the_whole() => asked.owner.unraw().to_string(),
-        _ => format!("{}.{}", asked.owner.unraw(), asked.field.unraw()),
-    }
+    asked.path()
 }
 
 /// The scalar rows of an effort: `BC.B.x`, `theta.drive`.

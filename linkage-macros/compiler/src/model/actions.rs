@@ -138,7 +138,8 @@ impl Resolver<'_> {
             self.reads.load = true;
             return Some(());
         }
-        let message = format!("`{name}` is a load, and stands in the values of forces and torques");
+        let message =
+            format!("`{name}` is a load, and stands in forces, torques and outputs alone");
         let reason = "what the mechanism is made of and how it moves depends on no load";
         self.diagnostics.error_because(name.span(), message, reason);
         None

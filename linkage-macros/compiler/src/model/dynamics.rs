@@ -3,11 +3,13 @@
 
 use proc_macro2::Ident;
 use syn::Attribute;
+use syn::ext::IdentExt;
 
 use super::dimension::Dimension;
+pub(crate) use super::effort::Effort;
 use super::expr::AngleSum;
 use super::expr::Expr;
-use super::ids::{GuideId, InputId, LinkId, PointId, SpringId, StopId, UnknownId};
+use super::ids::{GuideId, LinkId, PointId};
 use super::incidence::{Carrier, Length};
 
 /// Everything that a declaration says about forces; empty where it says nothing.
@@ -24,6 +26,8 @@ pub(crate) struct Dynamics {
     pub springs: Vec<Spring>,
     pub stops: Vec<Stop>,
     pub frictions: Vec<Friction>,
+    /// Outputs that read efforts, rates or loads.
+    pub formulas: Vec<Formula>,
     /// The outputs of `forces` and `statics`.
     pub asked: Vec<RequestedEffort>,
     /// True if `energy` is an output.
@@ -201,40 +205,30 @@ pub(crate) struct RequestedEffort {
     pub effort: Effort,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Effort {
-    /// The effort of an input: power put in over its rate.
-    Input(InputId),
-    /// The same over the rate of an unknown, where that is driven in place of the only input.
-    Unknown(UnknownId),
-    /// The effort that drives a crank or a slider.
-    Drive(LinkId),
-    /// The force that pushes the ends of a driven length apart.
-    Push(LinkId),
-    /// The force on the link by the pin.
-    Pin(LinkId, PointId),
-    /// The sum of the forces on the link by the links that stand on a point of its own.
-    Bearing(LinkId, PointId),
-    /// Normal force and couple on the link by the guide it slides on.
-    Guide(LinkId),
-    /// The effort of a spring on its ends: positive pushes them apart, or turns the second body
-    /// forwards.
-    Spring(SpringId),
-    /// What a stop exerts: positive makes what it stops larger.
-    Stop(StopId),
-    /// The way to the nearer end of a stop, negative beyond it.
-    Gap(StopId),
-    /// The shaking force and moment: the load of inertia on the ground, taken as one body. The moment
-    /// is about the origin.
-    Shaking,
-    /// The power that friction takes.
-    Losses,
+/// An output that is a number made of efforts, rates and loads.
+pub(crate) struct Formula {
+    pub value: Expr,
+    pub dimension: Dimension,
+    /// The efforts that it reads.
+    pub reads: Vec<Effort>,
 }
 
-impl Effort {
-    /// True if it belongs to the whole mechanism, and has no owner.
-    pub(crate) fn is_of_the_whole(self) -> bool {
-        matches!(self, Self::Shaking | Self::Losses)
+impl RequestedEffort {
+    /// True for a formula of this name.
+    pub(super) fn is_formula(&self, name: &Ident) -> bool {
+        matches!(self.effort, Effort::Formula(_)) && self.owner == *name
+    }
+
+    /// The name by which it was asked for: `BC.C`, `ram.bed.friction`, `losses`.
+    pub(crate) fn path(&self) -> String {
+        let (owner, field) = (self.owner.unraw(), self.field.unraw().to_string());
+        match self.effort {
+            effort if effort.is_of_the_whole() => owner.to_string(),
+            Effort::PinFriction(..) | Effort::GuideFriction(_) => {
+                format!("{owner}.{}.friction", field.trim_end_matches("_friction"))
+            }
+            _ => format!("{owner}.{field}"),
+        }
     }
 }
 
@@ -258,6 +252,35 @@ impl Dynamics {
             .iter()
             .any(|stop| matches!(stop.of, Stopped::Distance(points) if points.contains(&asked)));
         masses || forces || springs || stops
+    }
+
+    /// Asks for no effort that follows from reactions.
+    pub(super) fn keep_what_is_of_power(&mut self) {
+        let asked = std::mem::take(&mut self.asked);
+        self.asked = asked.into_iter().filter(|asked| self.is_of_power(asked.effort)).collect();
+    }
+
+    /// True if the effort follows from the power of all that acts, without any reaction.
+    pub(super) fn is_of_power(&self, effort: Effort) -> bool {
+        match effort {
+            Effort::Input(_)
+            | Effort::Unknown(_)
+            | Effort::Spring(_)
+            | Effort::Stop(_)
+            | Effort::Gap(_)
+            | Effort::Shaking => true,
+            Effort::Drive(_)
+            | Effort::Push(_)
+            | Effort::Pin(..)
+            | Effort::Bearing(..)
+            | Effort::Guide(_)
+            | Effort::PinFriction(..)
+            | Effort::GuideFriction(_)
+            | Effort::Losses => false,
+            Effort::Formula(id) => {
+                self.formulas[id.index()].reads.iter().all(|read| self.is_of_power(*read))
+            }
+        }
     }
 
     /// True if nothing has mass and nothing acts.

@@ -13,7 +13,6 @@ use super::mechanism::{
 use super::names::{Entity, Kind};
 use super::outputs::MEMBERS;
 use super::springs::parts;
-use super::unknowns::is_of_power;
 use crate::syntax::action::ACTING;
 
 /// Outputs of the whole mechanism.
@@ -38,52 +37,59 @@ impl Resolver<'_> {
         owner: &Ident,
         member: &Ident,
     ) -> bool {
+        if self.names.kind(owner) == Some(Kind::Spring) {
+            self.spring_output(docs, owner, member);
+            return true;
+        }
+        let Some(found) = self.effort_named(owner, member) else { return false };
+        if let Some(effort) = found {
+            self.ask(docs, owner, member, effort);
+        }
+        true
+    }
+
+    /// The effort that a member is, none inside where that was reported; `None` if it is about no force.
+    pub(super) fn effort_named(&mut self, owner: &Ident, member: &Ident) -> Option<Option<Effort>> {
         let word = member.to_string();
         if WHOLE.iter().any(|whole| owner == whole) {
             let message = format!("write `{owner}`");
             let reason = format!("`{word}` is a field of its result");
             self.diagnostics.error_because(member.span(), message, reason);
-            return true;
+            return Some(None);
         }
+        let is_of_a_drive = ["drive", "push", "force", "torque"].contains(&&word[..]);
         match self.names.kind(owner) {
-            Some(Kind::Input) if ["drive", "push", "force", "torque"].contains(&&word[..]) => {
-                self.input_effort(docs, owner, member);
-            }
-            Some(Kind::Unknown) if ["drive", "push", "force", "torque"].contains(&&word[..]) => {
-                self.unknown_effort(docs, owner, member);
-            }
-            Some(Kind::Spring) => self.spring_output(docs, owner, member),
-            Some(Kind::Stop) => self.stop_output(docs, owner, member),
+            Some(Kind::Input) if is_of_a_drive => Some(self.input_effort(owner, member)),
+            Some(Kind::Unknown) if is_of_a_drive => Some(self.unknown_effort(owner, member)),
+            Some(Kind::Stop) => Some(self.effort_of_stop(owner, member)),
             Some(Kind::Link) if self.names.kind(member) == Some(Kind::Point) && is_meant(&word) => {
                 match self.link(owner) {
                     Some(link) if self.touches(link, member) => {
-                        self.point_is_renamed(owner, member)
+                        self.point_is_renamed(owner, member);
+                        Some(None)
                     }
                     Some(link) if EFFORTS.contains(&&word[..]) => {
-                        self.driven_effort(docs, owner, link, member);
+                        Some(self.driven_effort(owner, link, member))
                     }
-                    Some(_) => return false,
-                    None => {}
+                    Some(_) => None,
+                    None => Some(None),
                 }
             }
             Some(Kind::Link) if EFFORTS.contains(&&word[..]) => {
-                if let Some(link) = self.link(owner) {
-                    self.driven_effort(docs, owner, link, member);
-                }
+                let link = self.link(owner);
+                Some(link.and_then(|link| self.driven_effort(owner, link, member)))
             }
             Some(Kind::Link) => {
                 let is_named =
                     matches!(self.names.kind(member), Some(Kind::Point | Kind::Guide | Kind::Link));
                 if !is_named || is_meant(&word) {
-                    return false;
+                    return None;
                 }
-                if let Some(link) = self.link(owner) {
-                    self.joint_effort(docs, owner, link, member);
-                }
+                let link = self.link(owner);
+                Some(link.and_then(|link| self.joint_effort(owner, link, member)))
             }
-            _ => return false,
+            _ => None,
         }
-        true
     }
 
     /// Returns true if the output is one of the whole mechanism; it is then resolved or reported.
@@ -104,13 +110,10 @@ impl Resolver<'_> {
             "centre_of_mass" if has_mass || self.a_force_may_be_unread() => {
                 self.give(name.span(), name.clone(), docs, OutputKind::CentreOfMass);
             }
-            "losses" if !dynamics.frictions.is_empty() || self.a_force_may_be_unread() => {
-                self.ask(docs, name, name, Effort::Losses);
-            }
             "losses" => {
-                let message = "nothing rubs, so there are no losses";
-                let reason = "as in `friction 0.1 at C radius 8mm`";
-                self.diagnostics.error_because(name.span(), message, reason);
+                if self.something_rubs(name).is_some() {
+                    self.ask(docs, name, name, Effort::Losses);
+                }
             }
             word @ ("energy" | "shaking" | "centre_of_mass") => {
                 let message = match word {
@@ -125,28 +128,30 @@ impl Resolver<'_> {
         true
     }
 
-    fn input_effort(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
+    fn input_effort(&mut self, owner: &Ident, member: &Ident) -> Option<Effort> {
         if member != "drive" {
             let message = format!("write `{owner}.drive`");
             let reason = "an input's effort is a torque or a force, as the input is";
-            return self.diagnostics.error_because(member.span(), message, reason);
+            self.diagnostics.error_because(member.span(), message, reason);
+            return None;
         }
-        if let Some(Entity::Input(id)) = self.usable(owner, &[Kind::Input]) {
-            self.ask(docs, owner, member, Effort::Input(id));
+        match self.usable(owner, &[Kind::Input])? {
+            Entity::Input(id) => Some(Effort::Input(id)),
+            _ => None,
         }
     }
 
     /// `AB.drive`, `BC.push`
-    fn driven_effort(&mut self, docs: &[Attribute], owner: &Ident, link: LinkId, member: &Ident) {
+    fn driven_effort(&mut self, owner: &Ident, link: LinkId, member: &Ident) -> Option<Effort> {
         let efforts = self.efforts_of(link);
         let found = efforts.iter().find(|(field, effort)| {
             field == member && matches!(effort, Effort::Drive(_) | Effort::Push(_))
         });
         if let Some(&(_, effort)) = found {
-            return self.ask(docs, owner, member, effort);
+            return Some(effort);
         }
         if !self.facts.links[link.index()].is_placed {
-            return;
+            return None;
         }
         let group = &self.mechanism.groups[self.mechanism.links[link.index()].made_by.index()];
         let (message, reason) = match (member == "drive", &group.keyword.to_string()[..]) {
@@ -160,20 +165,27 @@ impl Resolver<'_> {
             ),
         };
         self.diagnostics.error_because(member.span(), message, reason);
+        None
     }
 
     /// `BC.B`, `block.rail`
-    fn joint_effort(&mut self, docs: &[Attribute], owner: &Ident, link: LinkId, member: &Ident) {
+    pub(super) fn joint_effort(
+        &mut self,
+        owner: &Ident,
+        link: LinkId,
+        member: &Ident,
+    ) -> Option<Effort> {
         let efforts = self.efforts_of(link);
         if let Some(&(_, effort)) = efforts.iter().find(|(field, _)| field == member) {
-            return self.ask(docs, owner, member, effort);
+            return Some(effort);
         }
         if !self.facts.links[link.index()].is_placed {
-            return;
+            return None;
         }
         let message = format!("`{owner}` does not touch `{member}`");
         let reason = self.known_efforts(&efforts, owner);
         self.diagnostics.error_because(member.span(), message, reason);
+        None
     }
 
     /// The first link that has the point as a joint.
@@ -236,24 +248,19 @@ impl Resolver<'_> {
         if self.effort_is_known(member, effort).is_none() {
             return;
         }
+        let (own, field) = (owner.clone(), member.clone());
+        let asked_for = RequestedEffort { owner: own, field, docs: docs.to_vec(), effort };
         let asked = &mut self.mechanism.dynamics.asked;
         if asked.iter().any(|known| known.effort == effort) {
-            let path = match effort {
-                effort if effort.is_of_the_whole() => owner.to_string(),
-                _ => format!("{owner}.{member}"),
-            };
-            let message = format!("the output `{path}` is given twice; remove one");
-            return self.diagnostics.error(member.span(), message);
+            return self.output_is_given_twice(member.span(), &asked_for.path());
         }
         // Efforts of one owner form one field of the result.
         let behind = asked.iter().rposition(|known| known.owner == *owner);
-        let (owner, field) = (owner.clone(), member.clone());
-        let asked_for = RequestedEffort { owner, field, docs: docs.to_vec(), effort };
         asked.insert(behind.map_or(asked.len(), |last| last + 1), asked_for);
     }
 
     /// True if a mistake may have hidden a statement that acts.
-    fn a_force_may_be_unread(&self) -> bool {
+    pub(super) fn a_force_may_be_unread(&self) -> bool {
         ACTING.iter().any(|word| self.unread.may_hold(word)) || self.diagnostics.count() > 0
     }
 
@@ -298,11 +305,13 @@ impl Resolver<'_> {
         });
         let springs: Vec<_> = springs.chain(self.efforts_of_stops()).collect();
         let losses = self.losses_of_all();
-        let mut asked: Vec<RequestedEffort> =
+        let asked: Vec<RequestedEffort> =
             inputs.into_iter().chain(links).chain(springs).chain(losses).collect();
+        self.mechanism.dynamics.asked = asked;
         if !self.mechanism.equations_are_held() {
-            asked.retain(|asked| is_of_power(asked.effort));
+            self.mechanism.dynamics.keep_what_is_of_power();
         }
+        let asked = std::mem::take(&mut self.mechanism.dynamics.asked);
         for (nth, known) in asked.iter().enumerate() {
             let is_same =
                 |other: &&RequestedEffort| other.owner == known.owner && other.field == known.field;

@@ -111,15 +111,16 @@ impl Resolver<'_> {
     }
 
     /// `bumper.force`, `bumper.gap`
-    pub(super) fn stop_output(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
-        let Some(Entity::Stop(id)) = self.usable(owner, &[Kind::Stop]) else { return };
+    pub(super) fn effort_of_stop(&mut self, owner: &Ident, member: &Ident) -> Option<Effort> {
+        let Entity::Stop(id) = self.usable(owner, &[Kind::Stop])? else { return None };
         match PARTS.iter().position(|part| member == part) {
-            Some(0) => self.ask(docs, owner, member, Effort::Stop(id)),
-            Some(_) => self.ask(docs, owner, member, Effort::Gap(id)),
+            Some(0) => Some(Effort::Stop(id)),
+            Some(_) => Some(Effort::Gap(id)),
             None => {
                 let message = format!("the stop `{owner}` has no `{member}`");
                 let reason = format!("it has `{}` and `{}`", PARTS[0], PARTS[1]);
                 self.diagnostics.error_because(member.span(), message, reason);
+                None
             }
         }
     }

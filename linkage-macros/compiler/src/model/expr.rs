@@ -2,6 +2,7 @@
 
 use crate::exact::Exact;
 use crate::function::Function;
+use crate::model::effort::Effort;
 use crate::model::ids::{
     GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
 };
@@ -12,13 +13,13 @@ pub(crate) enum Expr {
     Constant(Exact),
     Input(InputId),
     Param(ParamId),
-    /// A load, in the values of forces and torques alone.
+    /// A load, in forces, torques and outputs alone.
     Load(LoadId),
     /// An unknown, which an equation fixes.
     Unknown(UnknownId),
     /// The part of a named expression that is not a multiple of link angles.
     Let(LetId),
-    /// The same of one that reads rates or loads, in the values of forces and torques alone.
+    /// The same of one that reads rates or loads, in forces, torques and outputs alone.
     Law(LawId),
     /// The slide of a link that slides.
     Slide(LinkId),
@@ -30,7 +31,9 @@ pub(crate) enum Expr {
     Offset(PointId, GuideId),
     /// The angle by which a spring between two bodies is turned from its free angle.
     Twist(SpringId),
-    /// The rate of a sum of angles, or of any other number, in the values of forces and torques
+    /// A component of an effort or a reaction, in outputs alone.
+    Effort(Effort, usize),
+    /// The rate of a sum of angles, or of any other number, in forces, torques and outputs
     /// alone.
     Rate(Box<AngleSum>),
     /// A number that must be above zero.

@@ -85,8 +85,15 @@ impl Resolver<'_> {
             ExprKind::Name(name) if name == "pi" => {
                 Some(Quantity::constant(Measure::ANGLE, Exact::pi()))
             }
+            ExprKind::Name(name) if name == "losses" && self.efforts_read.is_some() => {
+                self.losses_read(name)
+            }
             ExprKind::Name(name) => self.named_number(name),
-            ExprKind::Member(owner, member) => self.member(owner, member),
+            ExprKind::Member(owner, member) => {
+                let effort = self.effort_read(owner, member);
+                effort.unwrap_or_else(|| self.member(owner, member))
+            }
+            ExprKind::Part(path) => self.part_read(path),
             ExprKind::Negate(inner) => {
                 let mut quantity = self.quantity(inner)?;
                 quantity.scale_links(-1)?;
@@ -344,7 +351,7 @@ impl Resolver<'_> {
         }
         let names: Vec<_> = Function::names().chain([DISTANCE, OFFSET]).collect();
         let reason = format!(
-            "the functions are `{}`, and `{RATE}` in the values of forces and torques",
+            "the functions are `{}`, and `{RATE}` in forces, torques and outputs",
             names.join(" ")
         );
         self.diagnostics.error_because(name.span(), message, reason);

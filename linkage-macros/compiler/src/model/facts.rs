@@ -51,6 +51,8 @@ pub(super) struct ParamFacts {
 pub(super) struct Reads {
     pub load: bool,
     pub rate: bool,
+    /// An effort or a reaction.
+    pub effort: bool,
     /// A function with a corner.
     pub corner: Option<&'static str>,
 }
@@ -95,13 +97,14 @@ struct Location {
 impl Reads {
     /// True if the value is one of forces, and not of a pose.
     pub(super) fn is_of_forces(self) -> bool {
-        self.load || self.rate
+        self.load || self.rate || self.effort
     }
 
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             load: self.load || other.load,
             rate: self.rate || other.rate,
+            effort: self.effort || other.effort,
             corner: self.corner.or(other.corner),
         }
     }

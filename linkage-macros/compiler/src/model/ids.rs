@@ -35,6 +35,8 @@ ids! {
     LoadId
     /// An index into `Dynamics::laws`.
     LawId
+    /// An index into `Dynamics::formulas`.
+    FormulaId
     /// An index into `Dynamics::springs`.
     SpringId
     /// An index into `Dynamics::stops`.

@@ -74,7 +74,9 @@ impl Resolver<'_> {
                     (false, _) => "a rate",
                 };
                 (
-                    format!("`{name}` reads {what}, and stands in forces and torques alone"),
+                    format!(
+                        "`{name}` reads {what}, and stands in forces, torques and outputs alone"
+                    ),
                     "what the mechanism is made of and how it moves depends on no load and no rate",
                 )
             }

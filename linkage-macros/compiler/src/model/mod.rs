@@ -18,6 +18,8 @@ mod dimension;
 mod drawn;
 pub(crate) mod dynamics;
 mod dynamics_outputs;
+mod effort;
+mod effort_formulas;
 mod end_stops;
 mod exponents;
 mod expr;
@@ -171,6 +173,8 @@ struct Resolver<'d> {
     may_have_corners: bool,
     /// Readings so far of the expression in hand.
     reads: facts::Reads,
+    /// Efforts that the output in hand has read so far; none where no expression reads one.
+    efforts_read: Option<Vec<dynamics::Effort>>,
     /// Where gravity is given.
     gravity_at: Option<proc_macro2::Span>,
     /// The unknown between its `unknown` and its `solve`.
@@ -199,6 +203,7 @@ impl<'d> Resolver<'d> {
             is_about_forces: false,
             may_have_corners: false,
             reads: facts::Reads::default(),
+            efforts_read: None,
             gravity_at: None,
             searched: None,
             follows: false,

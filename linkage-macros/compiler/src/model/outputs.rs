@@ -88,9 +88,10 @@ impl Resolver<'_> {
             (Some(name), _) => self.named_output(docs, name, &item.value),
             (None, ExprKind::Name(name)) => self.whole_output(docs, name),
             (None, ExprKind::Member(owner, member)) => self.member_output(docs, owner, member),
+            (None, ExprKind::Part(path)) => self.part_output(docs, path),
             (None, ExprKind::Mistake) => {}
             (None, _) => {
-                if self.quantity(&item.value).is_none() {
+                if self.of_output(&item.value).0.is_none() {
                     return;
                 }
                 let message = "an expression needs a name; write `output name = …`";
@@ -103,14 +104,11 @@ impl Resolver<'_> {
     /// `fold = BC.angle - DC.angle`
     fn named_output(&mut self, docs: &[Attribute], name: &Ident, value: &Expr) {
         let is_new = self.output_name_is_new(name);
-        self.may_have_corners = true;
-        let quantity = self.quantity(value);
-        self.may_have_corners = false;
-        let Some(quantity) = quantity else {
-            return;
-        };
-        if is_new.is_some() {
-            self.give_quantity(name, docs, quantity);
+        let (quantity, reads, efforts) = self.of_output(value);
+        let (Some(quantity), Some(())) = (quantity, is_new) else { return };
+        match reads.is_of_forces() {
+            true => self.give_formula((name, docs), value, quantity, efforts),
+            false => self.give_quantity(name, docs, quantity),
         }
     }
 
@@ -178,18 +176,24 @@ impl Resolver<'_> {
                 let slide = self.mechanism.links[link.index()].slides;
                 self.give_link(docs, name, link, OutputKind::Link { link, direction: true, slide });
             }
-            Some(entity @ (Entity::Let(_) | Entity::Law(_))) => {
-                self.may_have_corners = true;
-                let quantity = self.value_of_let(name, entity);
-                self.may_have_corners = false;
-                let Some(mut quantity) = quantity else { return };
-                if let Entity::Let(id) = entity {
-                    quantity.rest = self.mechanism.lets[id.index()].rest.clone();
-                }
-                self.give_quantity(name, docs, quantity);
-            }
+            Some(entity @ (Entity::Let(_) | Entity::Law(_))) => self.let_output(docs, name, entity),
             _ => {}
         }
+    }
+
+    /// A `let` under its own name; a law stands in `forces`.
+    fn let_output(&mut self, docs: &[Attribute], name: &Ident, entity: Entity) {
+        let (quantity, reads) = self.freely(|resolver| resolver.value_of_let(name, entity));
+        let Some(mut quantity) = quantity else { return };
+        if let Entity::Let(id) = entity {
+            quantity.rest = self.mechanism.lets[id.index()].rest.clone();
+        }
+        if !reads.is_of_forces() {
+            return self.give_quantity(name, docs, quantity);
+        }
+        let kind = ExprKind::Name(name.clone());
+        let value = Expr { kind, span: name.span().into() };
+        self.give_formula((name, docs), &value, quantity, Vec::new());
     }
 
     /// Reports a name that is given from outside or stands in the ground: it is no result.
@@ -356,10 +360,11 @@ impl Resolver<'_> {
 
     /// A field of the result is given once.
     pub(super) fn give(&mut self, span: Span, field: Ident, docs: &[Attribute], kind: OutputKind) {
-        if self.mechanism.outputs.iter().any(|output| output.field == field) {
-            let message = format!("the output `{field}` is given twice; remove one");
-            self.diagnostics.error(span, message);
-            return;
+        let asked = &self.mechanism.dynamics.asked;
+        if self.mechanism.outputs.iter().any(|output| output.field == field)
+            || asked.iter().any(|asked| asked.is_formula(&field))
+        {
+            return self.output_is_given_twice(span, &field.to_string());
         }
         self.mechanism.outputs.push(Output { field, docs: docs.to_vec(), kind });
     }

@@ -213,7 +213,7 @@ impl Resolver<'_> {
 
     /// A reaction follows from all that acts: what acts cannot follow from it, too.
     fn friction_is_implicit(&mut self, member: &Ident) {
-        let message = "no expression reads a reaction or an effort";
+        let message = "only an output reads a reaction or an effort";
         self.diagnostics.error_because(member.span(), message, FRICTION);
     }
 

@@ -114,9 +114,9 @@ pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
 
 /// Calls `f` with every name in the expression.
 pub(super) fn names_in(expr: &Expr, f: &mut impl FnMut(&Ident)) {
-    expr.each_part(&mut |part| {
-        if let ExprKind::Name(name) | ExprKind::Member(name, _) = &part.kind {
-            f(name);
-        }
+    expr.each_part(&mut |part| match &part.kind {
+        ExprKind::Name(name) | ExprKind::Member(name, _) => f(name),
+        ExprKind::Part(path) => path[..2].iter().for_each(&mut *f),
+        _ => {}
     });
 }

@@ -119,6 +119,7 @@ impl Mechanism {
             | Expr::Offset(..)
             | Expr::Twist(_)
             | Expr::Law(_)
+            | Expr::Effort(..)
             | Expr::Rate(_) => true,
             Expr::Let(id) => self.turns(&self.lets[id.index()]),
             Expr::Negate(value) => self.moves(value),

@@ -182,7 +182,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// `rate(x)`: in the values of forces and torques, of what moves.
+    /// `rate(x)`: in forces, torques and outputs, of what moves.
     pub(super) fn rate(
         &mut self,
         name: &Ident,
@@ -200,9 +200,8 @@ impl Resolver<'_> {
         };
         self.is_about_forces = about_forces;
         if !about_forces {
-            let message = "a `rate` stands in the values of forces and torques alone";
-            let reason = "what the mechanism is made of depends on no rate; of outputs, `velocity` \
-                          gives the rates";
+            let message = "a `rate` stands in forces, torques and outputs alone";
+            let reason = "what the mechanism is made of depends on no rate";
             self.diagnostics.error_because(name.span(), message, reason);
             return None;
         }
@@ -233,7 +232,14 @@ impl Resolver<'_> {
             self.diagnostics.error_because(at, message, reason);
             return None;
         }
+        let efforts = self.efforts_read.as_ref().map(Vec::len);
         let quantity = self.quantity(argument)?;
+        if self.efforts_read.as_ref().map(Vec::len) != efforts {
+            let message = "the rate of an effort is not known";
+            let reason = "it would follow from the rates of second rates, which no call is given";
+            self.diagnostics.error_because(argument.span, message, reason);
+            return None;
+        }
         if quantity.links.is_empty() && !self.mechanism.moves(&quantity.rest) {
             let message = "nothing here moves, and its rate is zero";
             let reason = "a rate is that of an input, a link's `angle` or `slide`, a point's `x` or \
@@ -248,26 +254,43 @@ impl Resolver<'_> {
 
     /// `shock.force`, `shock.length`; `clutch.torque`, `clutch.angle`.
     pub(super) fn spring_output(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
-        let Some(Entity::Spring(id)) = self.usable(owner, &[Kind::Spring]) else { return };
-        let spring = &self.mechanism.dynamics.springs[id.index()];
-        let (parts, ends, own) = (parts(spring.ends), spring.ends, spring.docs.clone());
-        match parts.iter().position(|part| member == part) {
-            Some(0) => self.ask(docs, owner, member, Effort::Spring(id)),
-            Some(_) => {
-                let field = format_ident!("{owner}_{member}", span = owner.span());
-                let (value, dimension) = match ends {
-                    Ends::Points(points) => (mechanism::Expr::Distance(points), Dimension::LENGTH),
-                    Ends::Bodies(_) => (mechanism::Expr::Twist(id), Dimension::ANGLE),
-                };
-                let kind = OutputKind::Value { value, dimension };
-                self.give(member.span(), field, &[docs, &own].concat(), kind);
-            }
-            None => {
-                let message = format!("the spring `{owner}` has no `{member}`");
-                let reason = format!("it has `{}` and `{}`", parts[0], parts[1]);
-                self.diagnostics.error_because(member.span(), message, reason);
-            }
+        let Some((id, part)) = self.part_of_spring(owner, member) else { return };
+        if part == 0 {
+            return self.ask(docs, owner, member, Effort::Spring(id));
         }
+        let spring = &self.mechanism.dynamics.springs[id.index()];
+        let (ends, own) = (spring.ends, spring.docs.clone());
+        let field = format_ident!("{owner}_{member}", span = owner.span());
+        let (value, dimension) = match ends {
+            Ends::Points(points) => (mechanism::Expr::Distance(points), Dimension::LENGTH),
+            Ends::Bodies(_) => (mechanism::Expr::Twist(id), Dimension::ANGLE),
+        };
+        let kind = OutputKind::Value { value, dimension };
+        self.give(member.span(), field, &[docs, &own].concat(), kind);
+    }
+
+    /// The effort of a spring in an expression.
+    pub(super) fn effort_of_spring(&mut self, owner: &Ident, member: &Ident) -> Option<Effort> {
+        let (id, part) = self.part_of_spring(owner, member)?;
+        if part == 0 {
+            return Some(Effort::Spring(id));
+        }
+        let message = format!("`{owner}.{member}` is an output of its own");
+        let reason = "an expression reads the `distance` of its points, or its links' angles";
+        self.diagnostics.error_because(member.span(), message, reason);
+        None
+    }
+
+    fn part_of_spring(&mut self, owner: &Ident, member: &Ident) -> Option<(SpringId, usize)> {
+        let Entity::Spring(id) = self.usable(owner, &[Kind::Spring])? else { return None };
+        let parts = parts(self.mechanism.dynamics.springs[id.index()].ends);
+        let found = parts.iter().position(|part| member == part);
+        if found.is_none() {
+            let message = format!("the spring `{owner}` has no `{member}`");
+            let reason = format!("it has `{}` and `{}`", parts[0], parts[1]);
+            self.diagnostics.error_because(member.span(), message, reason);
+        }
+        Some((id, found?))
     }
 }
 

@@ -4,6 +4,7 @@
 //!
 //! A stub never runs. No step places anything, and the program behind it returns zeros.
 
+mod result_fields;
 #[cfg(test)]
 mod tests;
 
@@ -13,9 +14,7 @@ use quote::format_ident;
 use crate::exact::Exact;
 use crate::syntax::action::ACTING;
 use crate::syntax::anatomy::{GroupSpec, Modes, Pin};
-use crate::syntax::tree::{
-    self, Action, Declaration, ExprKind, OutputItem, Statement, StatementKind,
-};
+use crate::syntax::tree::{self, Action, Declaration, Statement, StatementKind};
 
 use super::Resolver;
 use super::dimension::Measure;
@@ -190,6 +189,7 @@ impl Resolver<'_> {
     fn outputs_of_stub(&mut self, tree: &Declaration) {
         self.mechanism.outputs.clear();
         self.mechanism.dynamics.asked.clear();
+        self.mechanism.dynamics.formulas.clear();
         self.mechanism.dynamics.energy = false;
         let (mut is_asked, mut is_understood) = (false, true);
         for statement in &tree.statements {
@@ -211,65 +211,6 @@ impl Resolver<'_> {
             // A record without a field could not have a type parameter.
             let name = Ident::new("nothing_", Span::call_site());
             self.mechanism.outputs.push(Output { field: name, docs: Vec::new(), kind: number() });
-        }
-    }
-
-    /// A field for an output whose name is known, if not its value.
-    fn named_output_of_stub(&mut self, tree: &Declaration, item: &OutputItem) {
-        let named = bare_name(&item.value);
-        let is_number =
-            |name: &&Ident| matches!(self.names.kind(name), Some(Kind::Let | Kind::Unknown));
-        let Some(name) = item.name.as_ref().or(named.filter(is_number)) else { return };
-        if self.has_field(name) {
-            return;
-        }
-        // A point under another name is a mistake, and its coordinates may be asked for.
-        let whole = named.and_then(|value| self.names.made(value)).and_then(|it| self.whole(it));
-        let kind = match whole {
-            Some(output) => output.kind,
-            None if self.holds_angle(tree, &item.value, tree.statements.len()) => {
-                OutputKind::Angle(AngleSum { links: Vec::new(), rest: Expr::zero() })
-            }
-            None => number(),
-        };
-        self.mechanism.outputs.push(Output { field: name.clone(), docs: Vec::new(), kind });
-    }
-
-    /// True if an expression holds the angle of a link, directly or under a name that an earlier
-    /// statement gives it.
-    fn holds_angle(&self, tree: &Declaration, value: &tree::Expr, before: usize) -> bool {
-        match &value.kind {
-            ExprKind::Member(_, member) => member == "angle",
-            ExprKind::Name(name) => {
-                let maker = self.names.symbol(name).map(|symbol| symbol.statement);
-                let maker = maker.filter(|&maker| maker < before);
-                maker.is_some_and(|maker| match &tree.statements[maker].kind {
-                    StatementKind::Let { value, .. } => self.holds_angle(tree, value, maker),
-                    _ => false,
-                })
-            }
-            _ => value.parts().any(|part| self.holds_angle(tree, part, before)),
-        }
-    }
-
-    fn has_field(&self, name: &Ident) -> bool {
-        self.mechanism.outputs.iter().any(|output| output.field == *name)
-    }
-
-    /// True if an output has become a field.
-    fn is_given(&self, item: &OutputItem) -> bool {
-        let dynamics = &self.mechanism.dynamics;
-        let owns = |name: &Ident| dynamics.asked.iter().any(|asked| asked.owner == *name);
-        match (&item.name, &item.value.kind) {
-            (Some(name), _) => self.has_field(name),
-            (None, ExprKind::Name(name)) => {
-                self.has_field(name) || owns(name) || name == "energy" && dynamics.energy
-            }
-            (None, ExprKind::Member(owner, member)) => {
-                let of_both = format_ident!("{owner}_{member}");
-                self.has_field(owner) || self.has_field(&of_both) || owns(owner)
-            }
-            _ => false,
         }
     }
 

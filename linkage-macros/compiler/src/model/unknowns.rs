@@ -152,7 +152,7 @@ impl Resolver<'_> {
         match expr {
             Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => false,
             // Only forces read these.
-            Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) => false,
+            Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) | Expr::Effort(..) => false,
             Expr::Unknown(id) => *id == searched.id,
             Expr::Let(id) => reaches(Entity::Let(*id)),
             Expr::Slide(link) => reaches(Entity::Link(*link)),
@@ -218,7 +218,7 @@ impl Resolver<'_> {
 
     /// Beside an equation that a drive may hold, efforts are known that follow from power alone.
     pub(super) fn effort_is_known(&mut self, at: &Ident, effort: Effort) -> Option<()> {
-        if is_of_power(effort) || self.mechanism.equations_are_held() {
+        if self.mechanism.dynamics.is_of_power(effort) || self.mechanism.equations_are_held() {
             return Some(());
         }
         let name = &self.mechanism.unknowns.first()?.name;
@@ -232,38 +232,22 @@ impl Resolver<'_> {
     }
 
     /// `theta.drive`, in place of the only input's.
-    pub(super) fn unknown_effort(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
-        let Some(Entity::Unknown(id)) = self.usable(owner, &[Kind::Unknown]) else { return };
+    pub(super) fn unknown_effort(&mut self, owner: &Ident, member: &Ident) -> Option<Effort> {
+        let Entity::Unknown(id) = self.usable(owner, &[Kind::Unknown])? else { return None };
         if member != "drive" {
             let message = format!("write `{owner}.drive`");
             let reason =
                 "its effort is a torque or a force, as the unknown is an angle or a length";
-            return self.diagnostics.error_because(member.span(), message, reason);
+            self.diagnostics.error_because(member.span(), message, reason);
+            return None;
         }
         if let [first, _, ..] = &self.mechanism.inputs[..] {
             let message = format!("`{owner}.drive` stands for one input's, and there are several");
             let reason = format!("ask for `{}.drive` and its like", first.name);
-            return self.diagnostics.error_because(owner.span(), message, reason);
+            self.diagnostics.error_because(owner.span(), message, reason);
+            return None;
         }
-        self.ask(docs, owner, member, Effort::Unknown(id));
-    }
-}
-
-/// True if the effort follows from the power of all that acts, without any reaction.
-pub(super) fn is_of_power(effort: Effort) -> bool {
-    match effort {
-        Effort::Input(_)
-        | Effort::Unknown(_)
-        | Effort::Spring(_)
-        | Effort::Stop(_)
-        | Effort::Gap(_)
-        | Effort::Shaking => true,
-        Effort::Drive(_)
-        | Effort::Push(_)
-        | Effort::Pin(..)
-        | Effort::Bearing(..)
-        | Effort::Guide(_)
-        | Effort::Losses => false,
+        Some(Effort::Unknown(id))
     }
 }
 

@@ -11,7 +11,7 @@ use super::words;
 pub(super) struct Aftermath {
     /// The identifiers that were given up, see [`super::tree::Unread`].
     pub unread: HashSet<String>,
-    /// True if the statement in hand was told that no expression reads a reaction.
+    /// True if the statement in hand was told that no force reads a reaction.
     pub reads_a_reaction: bool,
     /// Names that were declared and cannot be: one message is enough for all of their uses.
     refused: HashSet<String>,

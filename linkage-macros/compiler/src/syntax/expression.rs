@@ -21,7 +21,7 @@ const MEMBERS: [&str; 6] = ["angle", "slide", "margin", "transmission", "x", "y"
 
 const OPERAND: &str = "a number or a name";
 
-/// Why no expression reads a reaction, and what to write where friction is meant.
+/// Why no force reads a reaction, and what to write where friction is meant.
 pub(crate) const FRICTION: &str = "a reaction follows from all forces, so none can depend on it; \
                                    `friction 0.1 at C radius 8mm` does, and `friction 0.1 on ram` of \
                                    what slides";
@@ -223,6 +223,10 @@ impl Parser<'_> {
             return Err(Reported);
         }
         if self.is_punct(0, '.') {
+            if let Some(part) = self.part_of_a_reaction(&member) {
+                let kind = ExprKind::Part(Box::new([link, member, part]));
+                return Ok(Expr { kind, span: self.since(first) });
+            }
             if let Some((message, reason)) = self.member_of_member(&link, &member) {
                 let is_told = reason == FRICTION
                     && std::mem::replace(&mut self.aftermath.reads_a_reaction, true);
@@ -239,6 +243,17 @@ impl Parser<'_> {
         Ok(Expr { kind: ExprKind::Member(link, member), span: self.since(first) })
     }
 
+    /// The last name of `BC.C.x`, where results are asked for.
+    fn part_of_a_reaction(&mut self, member: &Ident) -> Option<Ident> {
+        let is_rate = |last: &Ident| ["rate", "velocity", "speed"].iter().any(|rate| last == rate);
+        let is_whole = MEMBERS.iter().any(|known| member == known);
+        let last = self.peek_ident(1).filter(|last| self.asks && !is_whole && !is_rate(last))?;
+        let last = last.clone();
+        self.take_punct('.');
+        self.take();
+        Some(last)
+    }
+
     /// `H.y.rate`, `beam.S.x`: what is written in its place.
     fn member_of_member(&self, link: &Ident, member: &Ident) -> Option<(String, &'static str)> {
         let last = self.peek_ident(1)?.to_string();
@@ -250,25 +265,15 @@ impl Parser<'_> {
             )),
             // Any other member is a point of a link, or the reaction on the link there.
             _ if MEMBERS.iter().any(|known| member == known) => None,
-            _ if is_coordinate(&last) && self.asks => Some((
-                format!(
-                    "write `{member}.{last}` for the point, `{link}.{member}` for the reaction"
-                ),
-                "a point is known by its own name, and the reaction's components are fields of the result",
-            )),
             _ if is_coordinate(&last) => Some((
                 format!(
-                    "write `{member}.{last}` for the point; no expression reads the reaction \
+                    "write `{member}.{last}` for the point; only an output reads the reaction \
                      `{link}.{member}`"
                 ),
                 FRICTION,
             )),
-            "normal" | "couple" if self.asks => Some((
-                format!("write `{link}.{member}`"),
-                "the reaction of a guide is one output; `normal` and `couple` are fields of the result",
-            )),
-            "normal" | "couple" => {
-                Some((format!("no expression reads the reaction `{link}.{member}`"), FRICTION))
+            "normal" | "couple" | "friction" => {
+                Some((format!("only an output reads the reaction `{link}.{member}`"), FRICTION))
             }
             _ => None,
         }

@@ -29,7 +29,7 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::reactions::{Acting, Inner, Loads, Reaction, Reactions};
 use crate::equations::symbol::{Sym, Vector};
-use crate::model::dynamics::{Contact, Friction};
+use crate::model::dynamics::{Contact, Effort, Friction};
 use crate::model::mechanism::{Carrier, Group};
 pub(super) use forward::accelerations;
 pub(in crate::equations) use forward::is_offered;
@@ -215,5 +215,25 @@ impl<'s> Walk<'_, 's> {
         let [slip, _] = self.slip(contact.contact);
         self.losses = self.losses + braking * slip;
         self.amounts.insert(contact.friction, amount);
+        self.braking.insert(contact.friction, braking);
+    }
+
+    /// The couple of friction on a link at a pin, or the force along its slide.
+    pub(super) fn friction_on(&self, asked: Effort) -> Sym<'s> {
+        let frictions = self.kinematics.mechanism.dynamics.frictions.iter().enumerate();
+        frictions.fold(self.builder().zero(), |sum, (index, friction)| {
+            let Some(braking) = self.braking.get(&index).copied() else { return sum };
+            match (asked, friction.contact) {
+                (Effort::GuideFriction(on), Contact::Guide(link)) if on == link => sum - braking,
+                (Effort::PinFriction(on, at), Contact::Pin { link, pin, against }) if at == pin => {
+                    match () {
+                        () if on == link => sum - braking,
+                        () if Carrier::Link(on) == against => sum + braking,
+                        () => sum,
+                    }
+                }
+                _ => sum,
+            }
+        })
     }
 }

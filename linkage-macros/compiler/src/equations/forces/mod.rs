@@ -51,8 +51,10 @@ mod transmit;
 mod unit_rate;
 mod walk;
 
+use std::collections::HashMap;
+
 use crate::equations::kinematics::{InputMotion, Kinematics};
-use crate::equations::symbol::Vector;
+use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Id;
 use crate::model::dynamics::Effort;
 use crate::model::mechanism::PointId;
@@ -79,25 +81,36 @@ pub(super) fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {
     if !kinematics.mechanism.dynamics.frictions.is_empty() {
         return by_walk(&Walk::of(kinematics));
     }
-    let alone: Option<Vec<Vec<Id>>> =
-        asked().map(|asked| alone(kinematics, asked.effort)).collect();
-    alone.map_or_else(|| by_walk(&Walk::of(kinematics)), |numbers| numbers.concat())
+    let alone: Option<Vec<_>> = asked().map(|asked| alone(kinematics, asked.effort)).collect();
+    match alone {
+        Some(numbers) => numbers.concat().into_iter().map(|number: Sym<'_>| number.id).collect(),
+        None => by_walk(&Walk::of(kinematics)),
+    }
 }
 
 /// Values of an effort that needs no joint reaction; none for any other effort.
-fn alone(kinematics: &Kinematics<'_>, effort: Effort) -> Option<Vec<Id>> {
+fn alone<'s>(kinematics: &Kinematics<'s>, effort: Effort) -> Option<Vec<Sym<'s>>> {
     match effort {
-        Effort::Input(input) => Some(vec![power::effort(kinematics, input).id]),
-        Effort::Unknown(unknown) => Some(vec![power::effort_at(kinematics, unknown).id]),
-        Effort::Spring(spring) => Some(vec![springs::effort(kinematics, spring.index()).id]),
-        Effort::Stop(stop) => Some(vec![stops::effort(kinematics, stop.index()).id]),
-        Effort::Gap(stop) => Some(vec![stops::gap(kinematics, stop.index()).id]),
-        Effort::Shaking => Some(together::shaking(kinematics).map(|number| number.id).into()),
+        Effort::Input(input) => Some(vec![power::effort(kinematics, input)]),
+        Effort::Unknown(unknown) => Some(vec![power::effort_at(kinematics, unknown)]),
+        Effort::Spring(spring) => Some(vec![springs::effort(kinematics, spring.index())]),
+        Effort::Stop(stop) => Some(vec![stops::effort(kinematics, stop.index())]),
+        Effort::Gap(stop) => Some(vec![stops::gap(kinematics, stop.index())]),
+        Effort::Shaking => Some(together::shaking(kinematics).into()),
+        Effort::Formula(id) => {
+            let formula = &kinematics.mechanism.dynamics.formulas[id.index()];
+            let read = formula.reads.iter().map(|read| Some((*read, alone(kinematics, *read)?)));
+            let read: HashMap<_, _> = read.collect::<Option<_>>()?;
+            let part = |effort, part: usize| read[&effort][part];
+            Some(vec![kinematics.jet_of(&formula.value, &part).value])
+        }
         Effort::Drive(_)
         | Effort::Push(_)
         | Effort::Pin(..)
         | Effort::Bearing(..)
         | Effort::Guide(_)
+        | Effort::PinFriction(..)
+        | Effort::GuideFriction(_)
         | Effort::Losses => None,
     }
 }

@@ -54,7 +54,7 @@ impl<'s> Walk<'_, 's> {
             }
             Expr::Offset(point, guide) => self.press(*point, *guide, effort),
             Expr::Unknown(unknown) => self.add_sought(*unknown, effort),
-            Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) => {
+            Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) | Expr::Effort(..) => {
                 unreachable!("none of these is part of a dimension")
             }
             Expr::Negate(value) => self.transmit(value, -effort),

@@ -43,6 +43,8 @@ pub(in crate::equations) struct Walk<'k, 's> {
     pub(in crate::equations) losses: Sym<'s>,
     /// Amounts of friction, by its index.
     pub(in crate::equations) amounts: HashMap<usize, Sym<'s>>,
+    /// The same in the direction of the slip.
+    pub(super) braking: HashMap<usize, Sym<'s>>,
 }
 
 /// Friction that a walk meets.
@@ -98,6 +100,7 @@ impl<'k, 's> Walk<'k, 's> {
             rubs,
             losses: builder.zero(),
             amounts: HashMap::new(),
+            braking: HashMap::new(),
         }
     }
 
@@ -133,6 +136,12 @@ impl<'k, 's> Walk<'k, 's> {
             Effort::Spring(spring) => vec![springs::effort(self.kinematics, spring.index())],
             Effort::Stop(stop) => vec![stops::effort(self.kinematics, stop.index())],
             Effort::Gap(stop) => vec![stops::gap(self.kinematics, stop.index())],
+            Effort::PinFriction(..) | Effort::GuideFriction(_) => vec![self.friction_on(effort)],
+            Effort::Formula(id) => {
+                let formula = &self.kinematics.mechanism.dynamics.formulas[id.index()];
+                let part = |effort, part: usize| self.components(effort)[part];
+                vec![self.kinematics.jet_of(&formula.value, &part).value]
+            }
             other => self.found[&other].clone(),
         }
     }

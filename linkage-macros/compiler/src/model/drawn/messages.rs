@@ -7,7 +7,6 @@ use crate::diagnostics::Diagnostics;
 use crate::model::dynamics::RequestedEffort;
 use crate::model::mechanism::Mechanism;
 use crate::model::names::listed;
-use crate::model::unknowns::is_of_power;
 use crate::syntax::tree::{Action, Declaration, MassSite, Place, StatementKind};
 
 use super::TurnedFrame;
@@ -214,11 +213,13 @@ pub(super) fn report_held_reactions(
     {
         return;
     }
-    let asked = mechanism.dynamics.asked.iter().filter(|asked| !is_of_power(asked.effort));
+    let dynamics = &mechanism.dynamics;
+    let asked = dynamics.asked.iter().filter(|asked| !dynamics.is_of_power(asked.effort));
     let input = mechanism.inputs.first().map(|input| format!("; ask for `{}.drive`", input.name));
-    for RequestedEffort { owner, field, .. } in asked {
+    for asked @ RequestedEffort { field, .. } in asked {
+        let path = asked.path();
         let message = format!(
-            "`{owner}.{field}` is not known where a drive holds two moving links together{}",
+            "`{path}` is not known where a drive holds two moving links together{}",
             input.as_deref().unwrap_or_default()
         );
         let reason = "one bar stands for both links in their group, and what pushes in its joints is not \

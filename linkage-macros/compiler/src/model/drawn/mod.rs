@@ -37,7 +37,6 @@ use crate::syntax::tree::{Declaration, Expr, Statement, StatementKind};
 use super::Resolver;
 use super::mechanism::{Mechanism, OutputKind, References};
 use super::names::Entity;
-use super::unknowns::is_of_power;
 use bodies::Bodies;
 use ends::RodEnd;
 use reader::Reader;
@@ -87,7 +86,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     if cut.holds_links {
         // Bars stand for links, so that what pushes in the joints of these is not known.
         messages::report_held_reactions(tree, &mechanism, diagnostics);
-        mechanism.dynamics.asked.retain(|asked| is_of_power(asked.effort));
+        mechanism.dynamics.keep_what_is_of_power();
     }
     let asked = std::mem::take(&mut mechanism.dynamics.asked);
     mechanism.dynamics.asked = ends::as_of_links(&cut.ends, asked);

@@ -218,6 +218,7 @@ pub(in crate::model) fn text(expr: &Expr) -> String {
         },
         ExprKind::Name(name) => name.to_string(),
         ExprKind::Member(owner, member) => format!("{owner}.{member}"),
+        ExprKind::Part(path) => path.each_ref().map(ToString::to_string).join("."),
         ExprKind::Negate(inner) => format!("-{}", operand(inner)),
         ExprKind::Chain(first, rest) => {
             let mut text = operand(first);

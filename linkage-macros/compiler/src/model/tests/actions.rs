@@ -71,12 +71,13 @@ fn dimensions_of_what_acts_are_checked() {
 fn loads_stand_in_forces_and_nowhere_else() {
     const REASON: &str = "what the mechanism is made of and how it moves depends on no load";
     let refused = |at: &str| {
-        format!("{at}: `{at}` is a load, and stands in the values of forces and torques / {REASON}")
+        format!(
+            "{at}: `{at}` is a load, and stands in forces, torques and outputs alone / {REASON}"
+        )
     };
     for statements in [
         "load f: force; mass f on AB at (0, 0); force (f, 0) on B;",
         "load f: number; point P on AB at (f * 1m, 0); force (f * 1N, 0) on B;",
-        "load f: force; output x = f / 1N; force (f, 0) on B;",
         "load f: number; mass 1kg on B; gravity (0, -f * 9.81(m/s^2)); force (f * 1N, 0) on B;",
     ] {
         check(&[(CRANK, statements, &refused("f"))]);

@@ -22,7 +22,7 @@ fn no_dimension_reads_a_law() {
     const FORM: &str =
         "what the mechanism is made of and how it moves depends on no load and no rate";
     let refused = |what: &str| {
-        format!("law: `law` reads {what}, and stands in forces and torques alone / {FORM}")
+        format!("law: `law` reads {what}, and stands in forces, torques and outputs alone / {FORM}")
     };
     for statements in [
         "let law = rate(t) * 1(m*s); point P on AB at (law, 0);",
@@ -99,7 +99,7 @@ fn a_drawing_has_laws() {
         (
             DRAWN,
             "let law = 1(kg*s) * rate(q); mass law on C;",
-            "law: `law` reads a rate, and stands in forces and torques alone / what the mechanism is \
+            "law: `law` reads a rate, and stands in forces, torques and outputs alone / what the mechanism is \
              made of and how it moves depends on no load and no rate",
         ),
     ]);

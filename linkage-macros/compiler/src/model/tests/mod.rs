@@ -6,6 +6,7 @@ mod constants;
 mod drawn;
 mod expressions;
 mod fields;
+mod formulas;
 
 mod groups;
 mod incidence;

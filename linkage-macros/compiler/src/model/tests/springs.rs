@@ -90,7 +90,7 @@ fn a_spring_is_the_machines_own() {
             CRANK,
             "load f: force; force (f, 0) on B; spring between B and D { stiffness: f / 1m, \
              free_length: 0 }",
-            "f: `f` is a load, and stands in the values of forces and torques / what the mechanism \
+            "f: `f` is a load, and stands in forces, torques and outputs alone / what the mechanism \
              is made of and how it moves depends on no load",
         ),
         (
@@ -220,11 +220,9 @@ fn corners_stand_in_forces_and_outputs_and_nowhere_else() {
 
 #[test]
 fn rates_stand_in_forces_and_nowhere_else() {
-    const ALONE: &str = "rate: a `rate` stands in the values of forces and torques alone / what the \
-                         mechanism is made of depends on no rate; of outputs, `velocity` gives the \
-                         rates";
+    const ALONE: &str = "rate: a `rate` stands in forces, torques and outputs alone / what the \
+                         mechanism is made of depends on no rate";
     for statements in [
-        "output w = rate(AB.angle);",
         "point P on AB at (rate(t) * 1(m*s), 0);",
         "mass 1(kg*s) * rate(t) on B;",
         "spring between B and D { damping: 1(N*s/m) * (rate(t) * 1s) }",

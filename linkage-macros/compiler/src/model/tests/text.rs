@@ -80,6 +80,7 @@ impl Names<'_> {
             Expr::Param(id) => self.0.params[id.index()].name.to_string(),
             Expr::Let(id) => format!("let{}", id.0),
             Expr::Law(id) => format!("law{}", id.0),
+            Expr::Effort(effort, part) => format!("{effort:?}[{part}]"),
             Expr::Slide(link) => format!("{}.slide", self.link(*link)),
             Expr::Coordinate(point, axis) => {
                 format!("{}.{axis:?}", self.point(*point)).to_lowercase()

@@ -65,30 +65,18 @@ fn components_of_reactions() {
     const FRICTION: &str = "a reaction follows from all forces, so none can depend on it; `friction \
                             0.1 at C radius 8mm` does, and `friction 0.1 on ram` of what slides";
     let of_a_pin = format!(
-        ".: write `D.x` for the point; no expression reads the reaction `DC.D` / {FRICTION}"
+        ".: write `D.x` for the point; only an output reads the reaction `DC.D` / {FRICTION}"
     );
-    let of_a_guide = format!(".: no expression reads the reaction `ram.bed` / {FRICTION}");
+    let of_a_guide = format!(".: only an output reads the reaction `ram.bed` / {FRICTION}");
     let twice = format!("{of_a_guide}\n{of_a_guide}");
     let rows: &[(&str, &str)] = &[
         ("torque -mu * r * hypot(DC.D.x, DC.D.y) on AB;", &of_a_pin),
         ("force (-mu * ram.bed.normal, mu * ram.bed.normal) on C;", &of_a_guide),
         ("let n = ram.bed.normal;", &of_a_guide),
         ("let n = ram.bed.normal; let m = ram.bed.couple;", &twice),
-        (
-            "output DC.D.x;",
-            ".: write `D.x` for the point, `DC.D` for the reaction / a point is known by its own name, \
-             and the reaction's components are fields of the result",
-        ),
-        (
-            "output r = hypot(DC.D.x, 1m);",
-            ".: write `D.x` for the point, `DC.D` for the reaction / a point is known by its own name, \
-             and the reaction's components are fields of the result",
-        ),
-        (
-            "output ram.bed.normal;",
-            ".: write `ram.bed` / the reaction of a guide is one output; `normal` and `couple` are \
-             fields of the result",
-        ),
+        ("output DC.D.x;", ""),
+        ("output r = hypot(DC.D.x, 1m);", ""),
+        ("output ram.bed.normal;", ""),
     ];
     check_statements(rows);
 }

@@ -235,6 +235,7 @@ fn expr(value: &Expr) -> String {
             }
         },
         ExprKind::Name(name) => name.to_string(),
+        ExprKind::Part(path) => path.each_ref().map(ToString::to_string).join("."),
         ExprKind::Member(link, member) => format!("{link}.{member}"),
         ExprKind::Negate(operand) => format!("(-{})", expr(operand)),
         ExprKind::Chain(first, rest) => rest.iter().fold(expr(first), |left, (operator, right)| {

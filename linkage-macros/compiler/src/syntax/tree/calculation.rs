@@ -25,6 +25,8 @@ pub(crate) enum ExprKind {
     Name(Ident),
     /// `ram.slide`, `BC.angle`
     Member(Ident, Ident),
+    /// `BC.C.x`, `ram.bed.friction`: a part of what a joint exerts, in outputs.
+    Part(Box<[Ident; 3]>),
     Negate(Box<Expr>),
     /// `a - b + c`: operands of one precedence, from left to right. They stand side by side, not
     /// one inside the other, so that a long sum is not a deep one.
@@ -50,6 +52,7 @@ impl Expr {
             ExprKind::Number { .. }
             | ExprKind::Name(_)
             | ExprKind::Member(..)
+            | ExprKind::Part(..)
             | ExprKind::Mistake => Box::new(std::iter::empty()),
         }
     }

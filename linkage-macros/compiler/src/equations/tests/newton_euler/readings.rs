@@ -28,7 +28,7 @@ pub(super) fn readings(mechanism: &Mechanism, expr: &Expr, leaves: &mut Vec<Expr
             arguments.iter().for_each(|argument| readings(mechanism, argument, leaves));
         }
         Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => {}
-        Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) => {
+        Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) | Expr::Effort(..) => {
             unreachable!("none of these is part of a dimension")
         }
     }

@@ -1,0 +1,244 @@
+//! Outputs that read efforts, reactions, rates and loads: they stand in the results of `forces`.
+
+use proc_macro2::{Ident, Span};
+use quote::format_ident;
+use syn::Attribute;
+
+use crate::syntax::tree;
+
+use super::Resolver;
+use super::dimension::Measure;
+use super::dynamics::{Contact, Effort, Ends, Formula, RequestedEffort};
+use super::expressions::Quantity;
+use super::facts::Reads;
+use super::ids::FormulaId;
+use super::mechanism::{Carrier, Dimension, Expr, LinkId};
+use super::names::Kind;
+
+/// A power: what friction takes.
+const POWER: Dimension = Dimension { time: -3, ..Dimension::TORQUE };
+
+/// The effort whose product with the rate of this is a power.
+fn conjugate(dimension: Dimension) -> Dimension {
+    match dimension {
+        Dimension::LENGTH => Dimension::FORCE,
+        _ => Dimension::TORQUE,
+    }
+}
+
+impl Resolver<'_> {
+    /// An expression of an output, the readings that no pose has, and the efforts among them.
+    pub(super) fn of_output(
+        &mut self,
+        value: &tree::Expr,
+    ) -> (Option<Quantity>, Reads, Vec<Effort>) {
+        self.efforts_read = Some(Vec::new());
+        let (quantity, reads) = self.freely(|resolver| resolver.quantity(value));
+        (quantity, reads, self.efforts_read.take().unwrap_or_default())
+    }
+
+    /// A number of efforts, rates and loads as an output.
+    pub(super) fn give_formula(
+        &mut self,
+        (name, docs): (&Ident, &[Attribute]),
+        value: &tree::Expr,
+        quantity: Quantity,
+        reads: Vec<Effort>,
+    ) {
+        if self.no_link_angle(value, &quantity).is_none() {
+            return;
+        }
+        let dynamics = &self.mechanism.dynamics;
+        if dynamics.is_empty() && !self.a_force_may_be_unread() {
+            let message = format!(
+                "nothing has mass and nothing acts, so there are no forces beside `{name}`"
+            );
+            let reason = "an output of rates and loads stands in the result of `forces`; of rates \
+                          alone, `velocity` gives those of every output";
+            return self.diagnostics.error_because(name.span(), message, reason);
+        }
+        let is_known = self.mechanism.outputs.iter().any(|output| output.field == *name)
+            || dynamics.asked.iter().any(|asked| asked.is_formula(name));
+        if is_known {
+            return self.output_is_given_twice(name.span(), &name.to_string());
+        }
+        let dynamics = &mut self.mechanism.dynamics;
+        let effort = Effort::Formula(FormulaId(dynamics.formulas.len() as u32));
+        let dimension = quantity.measure.dimension();
+        dynamics.formulas.push(Formula { value: quantity.rest, dimension, reads });
+        let (owner, field) = (name.clone(), name.clone());
+        dynamics.asked.push(RequestedEffort { owner, field, docs: docs.to_vec(), effort });
+    }
+
+    pub(super) fn output_is_given_twice(&mut self, at: Span, path: &str) {
+        self.diagnostics.error(at, format!("the output `{path}` is given twice; remove one"));
+    }
+
+    /// `theta.drive`, `shock.force`, `low.gap` in an output; `None` if it is about no force.
+    pub(super) fn effort_read(
+        &mut self,
+        owner: &Ident,
+        member: &Ident,
+    ) -> Option<Option<Quantity>> {
+        self.efforts_read.as_ref()?;
+        if let Some(Kind::Spring) = self.names.kind(owner) {
+            let effort = self.effort_of_spring(owner, member);
+            return Some(effort.and_then(|effort| self.reading(member, effort, 0)));
+        }
+        let whole =
+            (owner == "shaking").then(|| ["x", "y", "couple"].iter().position(|p| member == p));
+        if let Some(Some(part)) = whole {
+            return Some(self.reading(member, Effort::Shaking, part));
+        }
+        let effort = self.effort_named(owner, member)?;
+        Some(effort.and_then(|effort| self.whole_effort(owner, member, effort)))
+    }
+
+    /// `losses` in an output.
+    pub(super) fn losses_read(&mut self, name: &Ident) -> Option<Quantity> {
+        self.something_rubs(name)?;
+        self.reading(name, Effort::Losses, 0)
+    }
+
+    pub(super) fn something_rubs(&mut self, name: &Ident) -> Option<()> {
+        if !self.mechanism.dynamics.frictions.is_empty() || self.a_force_may_be_unread() {
+            return Some(());
+        }
+        let message = "nothing rubs, so there are no losses";
+        let reason = "as in `friction 0.1 at C radius 8mm`";
+        self.diagnostics.error_because(name.span(), message, reason);
+        None
+    }
+
+    /// An effort of one number; of a reaction a part is read.
+    fn whole_effort(&mut self, owner: &Ident, member: &Ident, effort: Effort) -> Option<Quantity> {
+        let (what, parts) = match effort {
+            Effort::Pin(..) | Effort::Bearing(..) => ("a force", ["x", "y"]),
+            Effort::Guide(_) => ("a normal force and a couple", ["normal", "couple"]),
+            effort => return self.reading(member, effort, 0),
+        };
+        let path = format!("{owner}.{member}");
+        let message =
+            format!("`{path}` is {what}; write `{path}.{}` or `{path}.{}`", parts[0], parts[1]);
+        let reason = match effort {
+            Effort::Guide(_) => "an expression is made of single numbers".to_string(),
+            _ => format!(
+                "an expression is made of single numbers; its size is `hypot({path}.x, {path}.y)`"
+            ),
+        };
+        self.diagnostics.error_because(member.span(), message, reason);
+        None
+    }
+
+    /// `BC.C.x`, `ram.bed.normal`, `ram.bed.friction`
+    pub(super) fn part_read(&mut self, [owner, member, part]: &[Ident; 3]) -> Option<Quantity> {
+        if part == "friction" {
+            let effort = self.friction_named(owner, member, part)?;
+            return self.reading(part, effort, 0);
+        }
+        let link = self.link(owner)?;
+        let effort = self.joint_effort(owner, link, member)?;
+        let parts = match effort {
+            Effort::Guide(_) => ["normal", "couple"],
+            _ => ["x", "y"],
+        };
+        if let Some(index) = parts.iter().position(|known| part == known) {
+            return self.reading(part, effort, index);
+        }
+        let path = format!("{owner}.{member}");
+        let message = format!("`{path}` has no `{part}`");
+        let reason =
+            format!("it has `{}` and `{}`, and `friction` where it rubs", parts[0], parts[1]);
+        self.diagnostics.error_because(part.span(), message, reason);
+        None
+    }
+
+    /// `output BC.C.friction`; any other part is a field of its reaction.
+    pub(super) fn part_output(&mut self, docs: &[Attribute], [owner, member, part]: &[Ident; 3]) {
+        if part == "friction" {
+            let Some(effort) = self.friction_named(owner, member, part) else { return };
+            let field = format_ident!("{member}_friction", span = member.span());
+            return self.ask(docs, owner, &field, effort);
+        }
+        let (message, reason) = match part.to_string().as_str() {
+            "x" | "y" => (
+                format!(
+                    "write `{member}.{part}` for the point, `{owner}.{member}` for the reaction"
+                ),
+                "a point is known by its own name, and the reaction's components are fields of the \
+                 result; under a name of your own a component is an output",
+            ),
+            _ => (
+                format!("write `{owner}.{member}`"),
+                "the reaction of a guide is one output; `normal` and `couple` are fields of the result",
+            ),
+        };
+        self.diagnostics.error_because(part.span(), message, reason);
+    }
+
+    /// The friction of a link at a joint.
+    fn friction_named(&mut self, owner: &Ident, member: &Ident, at: &Ident) -> Option<Effort> {
+        let link = self.link(owner)?;
+        let effort = match self.joint_effort(owner, link, member)? {
+            Effort::Guide(link) => Effort::GuideFriction(link),
+            Effort::Pin(_, pin) | Effort::Bearing(_, pin) => Effort::PinFriction(link, pin),
+            _ => return None,
+        };
+        let rubs = self.mechanism.dynamics.frictions.iter().any(|friction| match effort {
+            Effort::GuideFriction(link) => friction.contact == Contact::Guide(link),
+            _ => rubs_at(friction.contact, link, effort),
+        });
+        if rubs || self.a_force_may_be_unread() {
+            return Some(effort);
+        }
+        let message = format!("nothing rubs at `{owner}.{member}`");
+        let reason = match effort {
+            Effort::GuideFriction(_) => format!("as in `friction 0.1 on {owner};`"),
+            _ => format!("as in `friction 0.1 on {owner} at {member} radius 8mm;`"),
+        };
+        self.diagnostics.error_because(at.span(), message, reason);
+        None
+    }
+
+    /// A component of an effort, which an output reads.
+    fn reading(&mut self, at: &Ident, effort: Effort, part: usize) -> Option<Quantity> {
+        self.effort_is_known(at, effort)?;
+        self.reads.effort = true;
+        self.efforts_read.as_mut()?.push(effort);
+        let measure = Measure::Known(self.dimension_of(effort, part));
+        Some(Quantity::plain(measure, Expr::Effort(effort, part)))
+    }
+
+    fn dimension_of(&self, effort: Effort, part: usize) -> Dimension {
+        let Self { mechanism, .. } = self;
+        let dynamics = &mechanism.dynamics;
+        match effort {
+            Effort::Input(id) => conjugate(mechanism.inputs[id.index()].dimension),
+            Effort::Unknown(id) => conjugate(mechanism.unknowns[id.index()].dimension),
+            Effort::Drive(link) => match mechanism.links[link.index()].slides {
+                true => Dimension::FORCE,
+                false => Dimension::TORQUE,
+            },
+            Effort::Push(_) | Effort::Pin(..) | Effort::Bearing(..) | Effort::GuideFriction(_) => {
+                Dimension::FORCE
+            }
+            Effort::Guide(_) => [Dimension::FORCE, Dimension::TORQUE][part],
+            Effort::Shaking => [Dimension::FORCE, Dimension::FORCE, Dimension::TORQUE][part],
+            Effort::Spring(id) => match dynamics.springs[id.index()].ends {
+                Ends::Points(_) => Dimension::FORCE,
+                Ends::Bodies(_) => Dimension::TORQUE,
+            },
+            Effort::Stop(id) => conjugate(dynamics.stops[id.index()].of.dimension()),
+            Effort::Gap(id) => dynamics.stops[id.index()].of.dimension(),
+            Effort::PinFriction(..) => Dimension::TORQUE,
+            Effort::Losses => POWER,
+            Effort::Formula(id) => dynamics.formulas[id.index()].dimension,
+        }
+    }
+}
+
+/// True if the link rubs at the pin, as either of the two bodies.
+fn rubs_at(contact: Contact, asked: LinkId, effort: Effort) -> bool {
+    let Contact::Pin { link, pin, against } = contact else { return false };
+    effort == Effort::PinFriction(asked, pin) && (link == asked || against == Carrier::Link(asked))
+}
