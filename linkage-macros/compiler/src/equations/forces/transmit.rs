@@ -141,7 +141,14 @@ impl<'s> Walk<'_, 's> {
                 let on_x = along - across * x / y;
                 self.transmit(first, (on_x * r1) / l + across * r1 / y);
                 self.transmit(second, -((on_x * r2) / l));
-                self.transmit(length, on_x * (l - x) / l);
+                let by_length = on_x * (l - x) / l;
+                // The second strut stands on the rod, which takes no more of the load than that.
+                if let (Carrier::Link(link), true) =
+                    (carrier, self.kinematics.mechanism.moves(length))
+                {
+                    self.note_rod(link, by_length);
+                }
+                self.transmit(length, by_length);
             }
         }
     }

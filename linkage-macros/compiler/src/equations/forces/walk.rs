@@ -203,7 +203,7 @@ impl<'k, 's> Walk<'k, 's> {
     }
 
     /// Records the push of a bar of driven length, which includes the loads on its rod.
-    fn note_rod(&mut self, link: LinkId, effort: Sym<'s>) {
+    pub(super) fn note_rod(&mut self, link: LinkId, effort: Sym<'s>) {
         let rod = self.rods(link) + effort;
         self.found.insert(Effort::Push(link), vec![rod]);
     }

@@ -3,6 +3,7 @@
 //! are solved, or of moments about joints; what it shares with the formulas is the motion.
 
 mod acting;
+mod carried;
 mod declared;
 mod friction;
 mod joints;
@@ -17,7 +18,7 @@ use crate::exact::Exact;
 use crate::ir::graph::Id;
 use crate::ir::interpret::Number;
 use crate::model::mechanism::{
-    Body, Carrier, Expr, GuideId, LinkId, Mechanism, PointId, UnknownId,
+    Body, Carrier, Expr, GuideId, LinkId, Mechanism, PointId, Step, UnknownId,
 };
 use crate::oracle::Digits;
 pub(super) use matrix::Matrix;
@@ -26,13 +27,21 @@ use readings::readings;
 /// A vector of two nodes, or of their values.
 pub(super) type Pair<T> = [T; 2];
 
-/// A rigid part: a link, the rod of a link whose length is driven, or a pin.
+/// A rigid part: a link, the rod of a link whose length is driven, a pin; or what another body carries
+/// and a dimension moves there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Part {
     Ground,
     Link(LinkId),
     Rod(LinkId),
     Pin(PointId),
+    Guide(GuideId),
+    /// The slot of this block.
+    Slot(LinkId),
+    /// A point that moves in its link.
+    Held(PointId),
+    /// A mass at a place that moves in its link, by its index.
+    Mass(usize),
     /// No part: where an unknown stands, nothing drives.
     Sought(UnknownId),
 }
@@ -144,6 +153,7 @@ fn has_readings(mechanism: &Mechanism, length: &Expr) -> bool {
 fn part_of_point(kinematics: &Kinematics<'_>, carrier: Carrier, point: PointId) -> Part {
     match carrier {
         Carrier::Ground => Part::Ground,
+        Carrier::Link(_) if held_point(kinematics.mechanism, point) => Part::Held(point),
         Carrier::Link(link) => {
             let moves = kinematics.mechanism.coordinates_move(carrier, point)[0];
             let is_pin = kinematics.bar(link).is_some_and(|(_, _, pin)| pin == point);
@@ -153,6 +163,20 @@ fn part_of_point(kinematics: &Kinematics<'_>, carrier: Carrier, point: PointId) 
             }
         }
     }
+}
+
+/// True if the point is a place in its link, and moves there.
+fn held_point(mechanism: &Mechanism, point: PointId) -> bool {
+    mechanism.steps.iter().any(|step| match step {
+        Step::Point { point: made, carrier: carrier @ Carrier::Link(_), .. } => {
+            *made == point && mechanism.coordinates_move(*carrier, point) != [false; 2]
+        }
+        _ => false,
+    })
+}
+
+fn is_moving(mechanism: &Mechanism, place: &[Expr; 2]) -> bool {
+    place.iter().any(|coordinate| mechanism.moves(coordinate))
 }
 
 fn part_of(kinematics: &Kinematics<'_>, point: PointId) -> Part {

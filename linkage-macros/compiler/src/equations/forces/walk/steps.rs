@@ -6,8 +6,8 @@ use crate::equations::reactions::{Acting, GuideReaction, Inner, Loads, Reaction,
 use crate::equations::symbol::{Sym, Vector};
 use crate::model::dynamics::Effort;
 use crate::model::mechanism::{
-    Carrier, Drive, Expr, Group, GuideDirection, GuideId, Joint, LinkId, PointId, Slideway, Step,
-    Through,
+    Carrier, Drive, Expr, Group, GuideDirection, GuideId, Joint, LinkId, Placement, PointId,
+    Slideway, Step, Through,
 };
 
 impl<'k, 's> Walk<'k, 's> {
@@ -25,7 +25,8 @@ impl<'k, 's> Walk<'k, 's> {
                 }
                 let efforts = self.driven(*carrier, *point);
                 let is_on_rod = self.kinematics.mechanism.coordinates_move(*carrier, *point)[0];
-                if let (Carrier::Link(link), true) = (carrier, is_on_rod) {
+                let has_struts = matches!(place, Placement::Distances { .. });
+                if let (Carrier::Link(link), true) = (carrier, is_on_rod && !has_struts) {
                     self.note_rod(*link, efforts[0]);
                 }
                 self.transmit_place((*carrier, *point), place, efforts);

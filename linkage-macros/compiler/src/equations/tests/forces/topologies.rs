@@ -36,12 +36,10 @@ struct Topology {
     guides: Vec<String>,
     sliding: Vec<String>,
     count: usize,
-    /// True if places on links may read slides, which the matrix does not model.
-    reads_anywhere: bool,
 }
 
 impl Topology {
-    fn of(seed: u64, reads_anywhere: bool) -> Self {
+    fn of(seed: u64) -> Self {
         let text = "input q: angle; input s: length; ground A(0, 0), D(1.1, 0.1);\
              guide rail through (0.3, -0.6) along 10deg;\
              crank AB(A) -> B { length: 0.3, angle: q } slider ram(rail) -> P { slide: s }";
@@ -54,7 +52,6 @@ impl Topology {
             guides: names(&["rail"]),
             sliding: names(&["ram"]),
             count: 0,
-            reads_anywhere,
         };
         topology.random.unit();
         topology
@@ -70,18 +67,6 @@ impl Topology {
             kind if kind < 0.24 => format!("{constant} + 0.05m * q"),
             kind if kind < 0.32 => format!("{constant} + 0.1 * {sliding}.slide"),
             _ => format!("{constant}"),
-        }
-    }
-
-    /// A coordinate on a link.
-    fn coordinate(&mut self, low: f64, high: f64) -> String {
-        if self.reads_anywhere {
-            return self.length(low, high);
-        }
-        let constant = self.random.within(low, high);
-        match self.random.unit() {
-            kind if kind < 0.2 => format!("{constant} + 0.05m * q"),
-            _ => constant.to_string(),
         }
     }
 
@@ -162,14 +147,14 @@ impl Topology {
             }
             7 => {
                 let (on, angle) = (self.random.one(&self.links).clone(), self.angle());
-                let (x, y) = (self.coordinate(-0.1, 0.1), self.coordinate(0.1, 0.3));
+                let (x, y) = (self.length(-0.1, 0.1), self.length(0.1, 0.3));
                 self.guides.push(format!("g{n}"));
                 made.clear();
                 format!("guide g{n} on {on} through ({x}, {y}) along {angle};")
             }
             _ => {
                 let on = self.random.one(&self.links).clone();
-                let (x, y) = (self.coordinate(-0.1, 0.1), self.coordinate(0.1, 0.3));
+                let (x, y) = (self.length(-0.1, 0.1), self.length(0.1, 0.3));
                 self.points.push(pin.clone());
                 made.clear();
                 format!("point {pin} on {on} at ({x}, {y});")
@@ -200,10 +185,9 @@ fn assembles(source: &str, inputs: &[[f64; 3]]) -> bool {
 /// A random mechanism of up to a dozen links that assembles, and its number of statements.
 pub(in crate::equations::tests) fn random_mechanism(
     seed: u64,
-    reads_anywhere: bool,
     inputs: &[[f64; 3]],
 ) -> (String, usize) {
-    let mut topology = Topology::of(seed * 7919 + 1, reads_anywhere);
+    let mut topology = Topology::of(seed * 7919 + 1);
     let mut statements = 0;
     for _ in 0..30 {
         let before = topology.clone();
@@ -218,5 +202,7 @@ pub(in crate::equations::tests) fn random_mechanism(
             break;
         }
     }
+    // A mass at a place that reads an earlier link.
+    topology.text += "mass 0.7 on AB at (0.1 + 0.3 * ram.slide, -0.2 * ram.slide) inertia 0.02;";
     (loaded(&format!("struct M {{ {} }}", topology.text)), statements)
 }

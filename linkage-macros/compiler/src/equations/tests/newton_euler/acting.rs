@@ -2,7 +2,7 @@
 //! written down as in a textbook, in ground axes.
 
 use super::stops::stops;
-use super::{Applied, Part, ids, part, part_of, part_of_carrier};
+use super::{Applied, Part, ids, is_moving, part_of, part_of_carrier, part_of_point};
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
 use crate::function::Function;
@@ -24,49 +24,56 @@ fn masses(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
         Some([x, y]) => Vector { x: value(x), y: value(y) },
         None => builder.zero_vector(),
     };
-    let of = |declared: &crate::model::dynamics::Mass| {
+    let of = |(index, declared): (usize, &crate::model::dynamics::Mass)| {
         let mass = value(&declared.mass.value);
-        let (link, at, inertia, moves) = match &declared.place {
+        let (link, part, at, inertia) = match &declared.place {
             MassPlace::Pin(point) => {
                 let motion = kinematics.point(*point);
-                return Applied {
+                return vec![Applied {
                     part: Part::Pin(*point),
                     at: ids(motion.position()),
                     force: ids(mass * (g - motion.acceleration)),
                     couple: builder.zero().id,
                     velocity: ids(motion.velocity),
                     omega: builder.zero().id,
-                };
+                }];
             }
             MassPlace::Point(link, point) => {
                 let carrier = Carrier::Link(*link);
                 let at = kinematics.coordinates(carrier, *point);
-                let moves = mechanism.coordinates_move(carrier, *point)[0];
-                (*link, at, value(&declared.inertia.value), moves)
+                let part = part_of_point(kinematics, carrier, *point);
+                (*link, part, at, value(&declared.inertia.value))
             }
             MassPlace::At(link, at) => {
-                let moves = mechanism.moves(&at[0]);
-                (*link, kinematics.jets(at), value(&declared.inertia.value), moves)
+                let part = match is_moving(mechanism, at) {
+                    true => Part::Mass(index),
+                    false => Part::Link(*link),
+                };
+                (*link, part, kinematics.jets(at), value(&declared.inertia.value))
             }
             MassPlace::Uniform(link, length) => {
                 let length = kinematics.jet(length);
                 let zero = kinematics.jet(&Expr::zero());
                 let inertia = mass * length.value * length.value / builder.integer(12);
-                (*link, [length.times(builder.integer(1).half()), zero], inertia, false)
+                let at = [length.times(builder.integer(1).half()), zero];
+                (*link, Part::Link(*link), at, inertia)
             }
         };
         let frame = kinematics.link(link).frame;
         let motion = frame.place(at[0], at[1]);
-        Applied {
-            part: part(mechanism, link, moves),
+        let weight = Applied {
+            part,
             at: ids(motion.position()),
             force: ids(mass * (g - motion.acceleration)),
-            couple: (-(inertia * frame.direction.alpha)).id,
+            couple: builder.zero().id,
             velocity: ids(motion.velocity),
             omega: frame.direction.omega.id,
-        }
+        };
+        // Its couple is the link's, with which it turns.
+        let turned = turn(kinematics, Carrier::Link(link), -(inertia * frame.direction.alpha));
+        vec![weight, turned]
     };
-    mechanism.dynamics.masses.iter().map(of).collect()
+    mechanism.dynamics.masses.iter().enumerate().flat_map(of).collect()
 }
 
 /// The declaration's forces and torques.

@@ -4,7 +4,7 @@ use super::{Applied, Motion, Part, part_of_carrier};
 use crate::equations::kinematics::Kinematics;
 use crate::ir::interpret::Number;
 use crate::model::dynamics::Contact;
-use crate::model::mechanism::{Carrier, GuideId, LinkId, Slideway};
+use crate::model::mechanism::{LinkId, Slideway};
 use crate::oracle::Digits;
 
 impl Motion<Digits> {
@@ -54,13 +54,11 @@ impl Motion<Digits> {
 
 /// The part that a link slides on.
 pub(super) fn under(kinematics: &Kinematics<'_>, link: LinkId) -> Part {
-    let mechanism = kinematics.mechanism;
-    let mut joints = mechanism.joints().filter(|joint| joint.link() == link);
-    let carrier = |guide: GuideId| mechanism.course(guide).expect("a guide has a carrier").0;
+    let mut joints = kinematics.mechanism.joints().filter(|joint| joint.link() == link);
     let found = joints.find_map(|joint| match joint.slideway()? {
-        Slideway::Guide(guide) => Some(carrier(*guide)),
-        Slideway::Bar(bar) => Some(Carrier::Link(*bar)),
-        Slideway::Slot { link, .. } => Some(Carrier::Link(*link)),
+        Slideway::Guide(guide) => Some(Part::Guide(*guide)),
+        Slideway::Bar(bar) => Some(Part::Link(*bar)),
+        Slideway::Slot { .. } => Some(Part::Slot(link)),
     });
-    part_of_carrier(found.expect("it slides"))
+    found.expect("it slides")
 }

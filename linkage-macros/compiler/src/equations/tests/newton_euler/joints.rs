@@ -2,14 +2,11 @@
 
 use super::declared::Declared;
 use super::matrix::Matrix;
-use super::{
-    Pair, Part, cross, has_readings, normal, part_of, part_of_carrier, part_of_point, whole,
-};
+use super::readings::evaluate;
+use super::{Pair, Part, has_readings, normal, part_of, part_of_carrier, whole};
 use crate::ir::interpret::Number;
 use crate::model::dynamics::Effort;
-use crate::model::mechanism::{
-    Carrier, Drive, Expr, GuideDirection, GuideId, LinkId, Placement, PointId, Step, Through,
-};
+use crate::model::mechanism::{Carrier, Drive, Expr, GuideId, LinkId, Placement, PointId, Step};
 use crate::oracle::Digits;
 use crate::syntax::anatomy::Class;
 
@@ -67,47 +64,12 @@ impl<'k> Matrix<'k, '_> {
         self.transmit(length, &[(drive, whole(1))]);
     }
 
-    pub(super) fn carrier_of(&self, guide: GuideId) -> Part {
-        let mut steps = self.kinematics.mechanism.steps.iter();
-        let found = steps.find_map(|step| match step {
-            Step::Guide { guide: made, carrier, through, .. } if *made == guide => {
-                Some(match through {
-                    Through::Point(point) => part_of_point(self.kinematics, *carrier, *point),
-                    Through::At(_) => part_of_carrier(*carrier),
-                })
-            }
-            _ => None,
-        });
-        found.expect("every guide has a step")
-    }
-
-    /// A link on a guide, and what turns the guide.
-    fn on_guide(
-        &mut self,
-        link: LinkId,
-        guide: GuideId,
-        [on, by]: [Part; 2],
-        along: Option<usize>,
-    ) -> [usize; 2] {
-        let (k, u) = &self.motion.guides[guide.index()];
+    /// A link on a guide.
+    fn on_guide(&mut self, link: LinkId, guide: GuideId) -> [usize; 2] {
         let at = self.motion.origins[link.index()].clone();
-        let unknowns = self.prismatic(Some(link), [on, by], &at, &normal(u));
-        let steps = self.kinematics.mechanism.steps.iter();
-        let turn = steps.filter_map(|step| match step {
-            Step::Guide { guide: made, course: GuideDirection::Along(turn), .. }
-                if *made == guide =>
-            {
-                Some(turn)
-            }
-            _ => None,
-        });
-        let arm = [at[0].sub(&k[0]), at[1].sub(&k[1])];
-        for turn in turn {
-            let mut effort = vec![(unknowns[0], cross(&arm, &normal(u))), (unknowns[1], whole(1))];
-            effort.extend(along.map(|along| (along, cross(&arm, u))));
-            self.transmit_turn(turn, &effort);
-        }
-        unknowns
+        let u = &self.motion.guides[guide.index()].1;
+        let parts = [Part::Link(link), Part::Guide(guide)];
+        self.prismatic(Some(link), parts, &at, &normal(u))
     }
 
     pub(super) fn joints(&mut self, step: &'k Step) {
@@ -150,12 +112,12 @@ impl<'k> Matrix<'k, '_> {
             }
             Drive::Slide(slide) => {
                 let guide = declared.guides[0];
-                let parts = [own, self.carrier_of(guide)];
+                let parts = [own, Part::Guide(guide)];
                 let (at, u) =
                     (&self.motion.origins[link.index()], &self.motion.guides[guide.index()].1);
                 let column = self.pair(parts, at, u, 0);
                 let drive = self.drive(Effort::Drive(link), column);
-                let [normal, _] = self.on_guide(link, guide, parts, Some(drive));
+                let [normal, _] = self.on_guide(link, guide);
                 self.transmit(slide, &[(drive, whole(1))]);
                 self.transmit(declared.offsets[0], &[(normal, whole(1))]);
             }
@@ -174,8 +136,7 @@ impl<'k> Matrix<'k, '_> {
                 let (pin, guide) = (pin.unwrap(), guides[0]);
                 self.bar(links[0], points[0], pin, lengths[0]);
                 self.revolute(links[1], Part::Link(links[1]), Part::Pin(pin), pin);
-                let parts = [Part::Link(links[1]), self.carrier_of(guide)];
-                let [normal, _] = self.on_guide(links[1], guide, parts, None);
+                let [normal, _] = self.on_guide(links[1], guide);
                 self.transmit(offsets[0], &[(normal, whole(1))]);
             }
             Class::Rpr => {
@@ -195,27 +156,26 @@ impl<'k> Matrix<'k, '_> {
                 for k in 0..2 {
                     let own = Part::Link(links[k]);
                     self.revolute(links[k], own, Part::Pin(pin.unwrap()), pin.unwrap());
-                    let parts = [own, self.carrier_of(guides[k])];
-                    let [normal, _] = self.on_guide(links[k], guides[k], parts, None);
+                    let [normal, _] = self.on_guide(links[k], guides[k]);
                     self.transmit(offsets[k], &[(normal, whole(1))]);
                 }
             }
             Class::Rpp => {
                 let by = part_of(self.kinematics, points[0]);
                 self.revolute(links[0], Part::Link(links[0]), by, points[0]);
-                let at = &self.motion.points[points[0].index()];
-                let [u2, u1] = [0, 1].map(|k| &self.motion.directions[links[k].index()]);
-                let parts = [0, 1].map(|k| Part::Link(links[k]));
-                let [across, couple] = self.prismatic(Some(links[0]), parts, at, &normal(u2));
-                let rail = [Part::Link(links[1]), self.carrier_of(guides[0])];
-                self.on_guide(links[1], guides[0], rail, None);
-                // The slot moves along n₁ against the yoke with e₁, along n₂ with e₂, and turns.
-                let cosine = u1[0].mul(&u2[0]).add(&u1[1].mul(&u2[1]));
-                self.transmit(offsets[0], &[(across, cosine)]);
+                self.on_guide(links[1], guides[0]);
+                let at = self.motion.points[points[0].index()].clone();
+                let u = self.motion.directions[links[0].index()].clone();
+                let n = normal(&u);
+                let parts = [Part::Link(links[0]), Part::Slot(links[0])];
+                let [across, _] = self.prismatic(Some(links[0]), parts, &at, &n);
                 self.transmit(offsets[1], &[(across, whole(1))]);
                 let slide = self.motion.slides[links[0].index()].clone().expect("it slides");
+                let offset = evaluate(self.kinematics.mechanism, offsets[1], self.given);
+                let along = |axis: usize| u[axis].mul(&slide).add(&n[axis].mul(&offset));
+                let origin = [0, 1].map(|axis| at[axis].sub(&along(axis)));
                 let turn = slot.expect("its row has a slot");
-                self.transmit_turn(turn, &[(across, slide), (couple, whole(1))]);
+                self.carry_slot([links[0], links[1]], &origin, offsets[0], turn);
             }
             Class::Crank | Class::Slider => unreachable!("drivers are no dyads"),
         }

@@ -2,11 +2,13 @@
 
 use std::collections::HashMap;
 
-use super::{Applied, Motion, Pair, Part, cross, driven_length, negative, whole};
+use super::{
+    Applied, Motion, Pair, Part, cross, driven_length, held_point, is_moving, negative, whole,
+};
 use crate::equations::kinematics::Kinematics;
 use crate::ir::interpret::Number;
-use crate::model::dynamics::Effort;
-use crate::model::mechanism::{Body, Expr, LinkId, PointId, UnknownId};
+use crate::model::dynamics::{Effort, MassPlace};
+use crate::model::mechanism::{Body, Expr, GuideId, LinkId, PointId, Slideway, UnknownId};
 use crate::oracle::Digits;
 
 /// One unknown: what one unit of it puts on every part's equations.
@@ -42,8 +44,10 @@ impl<'k, 's> Matrix<'k, 's> {
         };
         matrix.number_rows();
         for step in &kinematics.mechanism.steps {
+            matrix.carry(step);
             matrix.joints(step);
         }
+        matrix.carry_masses();
         matrix.equations();
         assert_eq!(matrix.columns.len(), matrix.count, "as many unknowns as equations");
         matrix.solve()
@@ -58,9 +62,27 @@ impl<'k, 's> Matrix<'k, 's> {
                 self.add_part(Part::Rod(link), 3);
             }
         }
-        for index in 0..mechanism.points.len() as u32 {
-            if mechanism.owner(PointId(index)) == Some(Body::Pin(PointId(index))) {
-                self.add_part(Part::Pin(PointId(index)), 2);
+        for point in (0..mechanism.points.len() as u32).map(PointId) {
+            if mechanism.owner(point) == Some(Body::Pin(point)) {
+                self.add_part(Part::Pin(point), 2);
+            }
+            if held_point(mechanism, point) {
+                self.add_part(Part::Held(point), 2);
+            }
+        }
+        for guide in (0..mechanism.guides.len() as u32).map(GuideId) {
+            self.add_part(Part::Guide(guide), 3);
+        }
+        for joint in mechanism.joints() {
+            if matches!(joint.slideway(), Some(Slideway::Slot { .. })) {
+                self.add_part(Part::Slot(joint.link()), 3);
+            }
+        }
+        for (index, mass) in mechanism.dynamics.masses.iter().enumerate() {
+            if let MassPlace::At(_, place) = &mass.place
+                && is_moving(mechanism, place)
+            {
+                self.add_part(Part::Mass(index), 2);
             }
         }
         for index in 0..mechanism.unknowns.len() as u32 {
@@ -91,8 +113,11 @@ impl<'k, 's> Matrix<'k, 's> {
             return;
         }
         add(row + 1, force[1].clone());
-        if !matches!(part, Part::Pin(_)) {
-            add(row + 2, cross(at, force).add(couple));
+        match part {
+            Part::Pin(_) | Part::Held(_) | Part::Mass(_) => {
+                assert!(couple.to_f64() == 0.0, "nothing turns {part:?}");
+            }
+            _ => add(row + 2, cross(at, force).add(couple)),
         }
     }
 

@@ -56,7 +56,11 @@ pub(super) fn slope(
     at(&step).sub(&at(&step.neg())).div(&step.mul(&whole(2)))
 }
 
-fn evaluate(mechanism: &Mechanism, expr: &Expr, given: &dyn Fn(&Expr) -> Digits) -> Digits {
+pub(super) fn evaluate(
+    mechanism: &Mechanism,
+    expr: &Expr,
+    given: &dyn Fn(&Expr) -> Digits,
+) -> Digits {
     let value = |expr: &Expr| evaluate(mechanism, expr, given);
     match expr {
         Expr::Constant(constant) => Digits::exact(constant),

@@ -1,6 +1,6 @@
 //! Driven dimensions that read earlier links: what drives them pushes back on what they read.
 
-use super::declared::Declared;
+use super::friction::under;
 use super::matrix::{Column, Matrix};
 use super::readings::{readings, slope};
 use super::{Pair, Part, negative, normal, part_of, whole};
@@ -92,7 +92,7 @@ impl Matrix<'_, '_> {
                 let at = &self.motion.origins[link.index()];
                 let force = scaled(u, push);
                 self.act(column, Part::Link(*link), at, &force, &none);
-                self.act(column, self.under(*link), at, &negative(&force), &none);
+                self.act(column, under(self.kinematics, *link), at, &negative(&force), &none);
             }
             Expr::Coordinate(point, axis) => {
                 let [x, y] = Self::axes();
@@ -114,7 +114,7 @@ impl Matrix<'_, '_> {
                 let at = &self.motion.points[point.index()];
                 let force = scaled(&normal(u), push);
                 self.act(column, part_of(self.kinematics, *point), at, &force, &none);
-                self.act(column, self.carrier_of(*guide), at, &negative(&force), &none);
+                self.act(column, Part::Guide(*guide), at, &negative(&force), &none);
             }
             Expr::Unknown(unknown) => {
                 let effort = [push.clone(), whole(0)];
@@ -122,21 +122,5 @@ impl Matrix<'_, '_> {
             }
             _ => unreachable!("only readings are leaves"),
         }
-    }
-
-    /// Part that a link slides on.
-    fn under(&self, link: LinkId) -> Part {
-        let mut groups = self.kinematics.mechanism.group_steps();
-        let found = groups.find_map(|group| {
-            let Declared { links, guides, .. } = Declared::of(group);
-            let place = links.iter().position(|own| *own == link)?;
-            Some(match (group.kind, place) {
-                (Class::Slider, _) | (Class::Rrp | Class::Rpp, 1) => self.carrier_of(guides[0]),
-                (Class::Prp, _) => self.carrier_of(guides[place]),
-                (Class::Rpr | Class::Rpp, 0) => Part::Link(links[1]),
-                _ => return None,
-            })
-        });
-        found.expect("what slides was made by a step")
     }
 }
