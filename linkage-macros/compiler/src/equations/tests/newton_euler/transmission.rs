@@ -5,7 +5,7 @@ use super::matrix::{Column, Matrix};
 use super::readings::{readings, slope};
 use super::{Pair, Part, negative, normal, part_of, whole};
 use crate::ir::interpret::Number;
-use crate::model::mechanism::{AngleSum, Axis, Equation, Expr, Group, LinkId, UnknownId};
+use crate::model::mechanism::{AngleSum, Axis, Equation, Expr, Group, UnknownId};
 use crate::oracle::Digits;
 use crate::syntax::anatomy::Class;
 
