@@ -151,7 +151,8 @@ fn an_unknown_allows_what_power_tells() {
             PRESS,
             "output side = BC.C.x;",
             "x: no reactions beside `unknown q`; ask for `x.drive` / what holds the equation of `solve` \
-             exerts a force as well, and on which body that acts is not declared",
+             exerts a force as well: of `distance(P, Q) = l` a bar does, of `offset(P, guide) = h` a block, of any \
+             other equation nobody says what",
         ),
     ]);
 }
