@@ -200,8 +200,9 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
         rows.swap(k, pivot.expect("rows are left"));
         for row in k + 1..n {
             let factor = rows[row][k] / rows[k][k];
-            for column in k..=n {
-                rows[row][column] -= factor * rows[k][column];
+            let (above, below) = rows.split_at_mut(row);
+            for (value, top) in below[0][k..].iter_mut().zip(&above[k][k..]) {
+                *value -= factor * top;
             }
         }
     }
