@@ -3,14 +3,14 @@
 //! Systems of one to eight amounts, their spectral radius on both sides of one; systems of absolute values alone,
 //! some of which send Newton's steps round in a circle; some numbers are none, zero or out of range.
 
-use std::collections::BTreeMap;
-use std::io::{Read, Write};
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+mod planted;
 
-use linkage_core::private::{AllMet, Amounts, Checks, FirstError, System};
+use std::collections::BTreeMap;
+
+use linkage_core::private::{AllMet, Amounts, Checks, FirstError, Nonzero, System};
 use linkage_core::{Real, SolveError};
 
+use super::c_program::{Program, STRICT, bits};
 use super::c_run_time::Random;
 use crate::codegen::c::run_time;
 
@@ -23,6 +23,8 @@ struct Call {
     count: usize,
     guides: u32,
     is_single: bool,
+    /// True if something else has failed before.
+    has_failed: bool,
     rows: Vec<f64>,
     start: Vec<f64>,
 }
@@ -37,11 +39,6 @@ struct Answer {
     found: Vec<u64>,
 }
 
-/// Not a number is one answer, whatever its bits.
-fn bits(x: f64) -> u64 {
-    if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() }
-}
-
 fn expected<T: Real<Mask = bool>, const W: usize, const M: usize>(call: &Call) -> Answer {
     let number = |x: f64| T::lit(x, x as f32);
     let rows = std::array::from_fn(|j| std::array::from_fn(|i| number(call.rows[j * W + i])));
@@ -49,11 +46,15 @@ fn expected<T: Real<Mask = bool>, const W: usize, const M: usize>(call: &Call) -
     let system = System::<T, W, M> { rows, guides: call.guides };
     let amounts = Amounts { system, joints: std::array::from_fn(|j| JOINTS[j]) };
     let (mut compared, mut diagnosed) = (AllMet::<bool>::new(), FirstError::new());
+    if call.has_failed {
+        diagnosed.guard(number(0.0), Nonzero("group"));
+    }
     let of = |amounts: [T; M]| amounts.map(|amount| bits(amount.value())).to_vec();
     let (fast, found) =
         (of(compared.amounts(start, amounts)), of(diagnosed.amounts(start, amounts)));
     let (status, joint) = match diagnosed.first() {
         Ok(()) => (0, "/"),
+        Err(SolveError::Singular { .. }) => (2, "/"),
         Err(SolveError::NotFinite { name }) => (4, name),
         Err(SolveError::Jams { joint }) => (10, joint),
         Err(error) => panic!("{error}"),
@@ -114,7 +115,8 @@ fn call(random: &mut Random, count: usize, is_single: bool, of_values: bool) -> 
     }
     let all = (1 << count) - 1;
     let guides = if of_values { all } else { random.below(all + 1) } as u32;
-    let mut call = Call { count, guides, is_single, rows, start: vec![0.0; count] };
+    let start = vec![0.0; count];
+    let mut call = Call { count, guides, is_single, has_failed: false, rows, start };
     let rho = match of_values {
         true => 0.95 + 0.049 * random.unit(),
         false => random.pick(&[0.05, 0.4, 0.9, 0.999, 1.001, 1.5]) * (0.9 + 0.1 * random.unit()),
@@ -142,56 +144,18 @@ fn call(random: &mut Random, count: usize, is_single: bool, of_values: bool) -> 
     call
 }
 
-fn program(compiler: &str, name: &str, flags: &[&str]) -> Option<PathBuf> {
-    let folder = std::env::temp_dir().join(format!("linkage_f_{}_{name}", std::process::id()));
-    std::fs::create_dir_all(&folder).expect("a folder can be made");
-    for (file, text) in [
-        ("linkage_run.h", run_time::header()),
-        ("linkage_run.c", run_time::source().to_string()),
-        ("linkage_friction.c", run_time::friction_source()),
-        ("caller.c", include_str!("c/friction.c").to_string()),
-    ] {
-        std::fs::write(folder.join(file), text).expect("a file can be written");
-    }
-    let program = folder.join("caller");
-    let command = Command::new(compiler)
-        .args(flags)
-        .args(["-O2", "-Werror", "-o"])
-        .arg(&program)
-        .args(["caller.c", "linkage_run.c", "linkage_friction.c", "-lm"])
-        .current_dir(&folder)
-        .output();
-    let Ok(output) = command else {
-        println!("skipped: no {compiler}");
-        return None;
-    };
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    Some(program)
-}
-
-fn answers(program: &Path, calls: &[Call]) -> Vec<Answer> {
-    let mut child = Command::new(program)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
+fn answers(program: &Program, calls: &[Call]) -> Vec<Answer> {
     let mut bytes = Vec::new();
     for call in calls {
-        let head = [call.count as i32, call.guides as i32, i32::from(call.is_single), 0];
+        let flags = [call.is_single, call.has_failed].map(i32::from);
+        let head = [call.count as i32, call.guides as i32, flags[0], flags[1]];
         head.iter().for_each(|x| bytes.extend(x.to_ne_bytes()));
         for (numbers, places) in [(&call.rows, PLACES), (&call.start, MOST)] {
             let filled = numbers.iter().copied().chain(std::iter::repeat(0.0)).take(places);
             filled.for_each(|x| bytes.extend(x.to_ne_bytes()));
         }
     }
-    let mut to = child.stdin.take().expect("it is piped");
-    let writer = std::thread::spawn(move || to.write_all(&bytes).expect("it reads"));
-    let mut read = Vec::new();
-    child.stdout.take().expect("it is piped").read_to_end(&mut read).expect("it writes");
-    writer.join().expect("nothing panics");
-    assert!(child.wait().expect("it ends").success());
-    let numbers: Vec<f64> =
-        read.chunks(8).map(|x| f64::from_ne_bytes(x.try_into().expect("eight bytes"))).collect();
+    let numbers = program.numbers(bytes);
     let answer = |(x, call): (&[f64], &Call)| {
         let amounts = |from: usize| x[from..from + call.count].iter().map(|&x| bits(x)).collect();
         Answer {
@@ -205,10 +169,20 @@ fn answers(program: &Path, calls: &[Call]) -> Vec<Answer> {
     numbers.chunks(3 + 2 * MOST).zip(calls).map(answer).collect()
 }
 
+/// The statuses of the answers, all of which are the expected ones.
+fn statuses(program: &Program, calls: &[Call]) -> Vec<(i32, bool)> {
+    let answers = calls.iter().zip(answers(program, calls));
+    let compared = answers.map(|(call, found)| {
+        assert_eq!(found, expected_of_any(call), "{call:?}");
+        (found.status, found.met)
+    });
+    compared.collect()
+}
+
 /// Also that every kind of answer is often met.
-fn amounts_agree(program: &Path) {
+fn amounts_agree(program: &Program) {
     let mut random = Random(29);
-    let mut statuses = BTreeMap::new();
+    let mut counts = BTreeMap::new();
     for (count, of_values, calls) in [
         (1, false, 6_000),
         (2, false, 6_000),
@@ -218,21 +192,26 @@ fn amounts_agree(program: &Path) {
     ] {
         let calls: Vec<Call> =
             (0..calls).map(|nth| call(&mut random, count, nth % 2 == 1, of_values)).collect();
-        for (call, found) in calls.iter().zip(answers(program, &calls)) {
-            let expected = expected_of_any(call);
-            assert_eq!(found, expected, "{call:?}");
-            *statuses.entry((found.status, found.met)).or_insert(0) += 1;
+        for status in statuses(program, &calls) {
+            *counts.entry(status).or_insert(0) += 1;
         }
     }
     let kinds = [(0, true), (0, false), (4, false), (10, false)];
-    assert!(kinds.iter().all(|kind| statuses[kind] > 500), "{statuses:?}");
+    assert!(kinds.iter().all(|kind| counts[kind] > 500), "{counts:?}");
+    for is_single in [false, true] {
+        statuses(program, &planted::calls(is_single));
+    }
+}
+
+fn program(compiler: &str, name: &str, flags: &[&str]) -> Option<Program> {
+    let part = ("linkage_friction.c", run_time::friction_source());
+    Program::compiled(compiler, &format!("friction_{name}"), flags, "friction.c", part)
 }
 
 #[test]
 fn friction_in_c_agrees() {
-    let strict = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion"];
-    for (compiler, name) in [("cc", "cc"), ("clang", "clang")] {
-        if let Some(program) = program(compiler, name, &strict) {
+    for compiler in ["cc", "clang"] {
+        if let Some(program) = program(compiler, compiler, &STRICT) {
             amounts_agree(&program);
         }
     }

@@ -5,12 +5,12 @@
 //! wrong order or no numbers.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use linkage_core::find::{FindError, Trend};
 use linkage_core::private::{root, root_within_a_turn};
 use linkage_core::{Real, Scalar};
 
+use super::c_program::Program;
 use super::c_run_time::{Call, EntryOutputs, Random, compare};
 
 /// The first of the functions in C that search: rising, falling, both from a seed, and the same of an angle that is
@@ -103,7 +103,7 @@ fn equation(random: &mut Random, is_single: bool) -> [f64; 9] {
 }
 
 /// Also that every kind of answer is often met.
-pub(super) fn roots_agree(program: &Path) {
+pub(super) fn roots_agree(program: &Program) {
     let mut random = Random(23);
     for is_single in [false, true] {
         let mut statuses = BTreeMap::new();

@@ -8,20 +8,17 @@ mod library_functions;
 
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
-use std::io::{Read, Write};
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
 
 use linkage_core::private::{
     Diagnosis, Moving, Nonzero, NotNegative, Positive, ReachCircles, ReachDistances, ReachLine,
-    ReachOffset, ShareOfCentres, Square, SquareOfCentres, on_circle,
+    ReachOffset, ShareOfCentres, Square, SquareOfCentres, diagnose_all, on_circle,
 };
 use linkage_core::{Float, Fused, Fusion, Lanes, Mask, Plain, Real, Scalar, SolveError};
 
+use super::c_program::{self, Program, STRICT};
 use super::c_roots::roots_agree;
 use crate::codegen::c::run_time;
 
-const STRICT: [&str; 6] = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion"];
 const CONTRACTING: [&str; 3] = ["-std=gnu17", "-march=x86-64-v3", "-Wall"];
 
 /// A stream of random numbers, by a multiplicative congruence.
@@ -83,64 +80,28 @@ pub(super) struct Call {
 pub(super) type EntryOutputs = [f64; 4];
 
 /// The program that answers calls, compiled with these flags; none without a compiler.
-fn program(compiler: &str, name: &str, flags: &[&str]) -> Option<PathBuf> {
-    let folder = std::env::temp_dir().join(format!("linkage_c_{}_{name}", std::process::id()));
-    std::fs::create_dir_all(&folder).expect("a folder can be made");
-    let caller = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/codegen/tests/c/run_time.c");
-    for (file, text) in [
-        ("linkage_run.h", run_time::header()),
-        ("linkage_run.c", run_time::source().to_string()),
-        ("linkage_root.c", run_time::root_source()),
-        ("caller.c", std::fs::read_to_string(caller).expect("the file can be read")),
-    ] {
-        std::fs::write(folder.join(file), text).expect("a file can be written");
-    }
-    let program = folder.join("caller");
-    let command = Command::new(compiler)
-        .args(flags)
-        .args(["-O2", "-Werror", "-o"])
-        .arg(&program)
-        .args(["caller.c", "linkage_run.c", "linkage_root.c", "-lm"])
-        .current_dir(&folder)
-        .output();
-    let Ok(output) = command else {
-        println!("skipped: no {compiler}");
-        return None;
-    };
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    Some(program)
+fn program(compiler: &str, name: &str, flags: &[&str]) -> Option<Program> {
+    let part = ("linkage_root.c", run_time::root_source());
+    Program::compiled(compiler, name, flags, "run_time.c", part)
 }
 
 /// The answers of a program to calls.
-fn answers(program: &Path, calls: &[Call]) -> Vec<EntryOutputs> {
-    let mut child = Command::new(program)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
+fn answers(program: &Program, calls: &[Call]) -> Vec<EntryOutputs> {
     let mut bytes = Vec::new();
     for call in calls {
         bytes.extend(call.which.to_ne_bytes());
         bytes.extend(i32::from(call.is_single).to_ne_bytes());
         call.x.iter().for_each(|x| bytes.extend(x.to_ne_bytes()));
     }
-    let mut to = child.stdin.take().expect("it is piped");
-    let writer = std::thread::spawn(move || to.write_all(&bytes).expect("it reads"));
-    let mut read = Vec::new();
-    child.stdout.take().expect("it is piped").read_to_end(&mut read).expect("it writes");
-    writer.join().expect("nothing panics");
-    assert!(child.wait().expect("it ends").success());
-    let numbers: Vec<f64> =
-        read.chunks(8).map(|x| f64::from_ne_bytes(x.try_into().expect("eight bytes"))).collect();
+    let numbers = program.numbers(bytes);
     numbers.chunks(4).map(|x| x.try_into().expect("four numbers")).collect()
 }
 
-/// Not a number is one answer, whatever its bits.
 fn bits(answer: &EntryOutputs) -> [u64; 4] {
-    answer.map(|x| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() })
+    answer.map(c_program::bits)
 }
 
-pub(super) fn compare(program: &Path, calls: &[Call], expected: impl Fn(&Call) -> EntryOutputs) {
+pub(super) fn compare(program: &Program, calls: &[Call], expected: impl Fn(&Call) -> EntryOutputs) {
     let found = answers(program, calls);
     assert_eq!(found.len(), calls.len());
     for (call, found) in calls.iter().zip(&found) {
@@ -214,7 +175,7 @@ fn expected<T: Float, F: Fusion>(call: &Call, widen: impl Fn(T) -> f64) -> Entry
     }
 }
 
-fn functions_agree<F: Fusion>(program: &Path) {
+fn functions_agree<F: Fusion>(program: &Program) {
     let mut random = Random(7);
     for is_single in [false, true] {
         for which in 0..15 {
@@ -293,6 +254,7 @@ fn operands(random: &mut Random, which: i32, is_single: bool) -> [f64; 9] {
             ]
         }
         29 => [random.any(random_scale(is_single)).abs(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        31 => blamed(random, is_single),
         _ => [random.any(20.0), spread, 0.0, 0.0, 0.0, 0.0, 0.0],
     };
     let mut all = [0.0; 9];
@@ -303,8 +265,31 @@ fn operands(random: &mut Random, which: i32, is_single: bool) -> [f64; 9] {
     all
 }
 
+/// Three numbers that are given, about the root of fourth order of the largest number, and a result that is none.
+fn blamed(random: &mut Random, is_single: bool) -> [f64; 7] {
+    let largest = if is_single { f64::from(f32::MAX) } else { f64::MAX };
+    let [a, b, c] = [(); 3].map(|()| largest.powf(0.25) * random.number(1.0));
+    let given =
+        random.pick(&[[a, b, c], [a, a, -a], [a, b, f64::INFINITY], [1.0, b, -b], [0.0; 3]]);
+    let result = random.pick(&[f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.0]);
+    [given[0], given[1], given[2], result, 0.0, 0.0, 0.0]
+}
+
+/// The first of the numbers that is to blame, by its name.
+fn blame<T: Real>([a, b, c, result]: [T; 4]) -> EntryOutputs {
+    let given = [(a, "0"), (b, "1"), (c, "2")];
+    match diagnose_all(&given, |_| result, |result| [(result, "3")]) {
+        Ok(_) => [0.0, 0.0, 0.0, -1.0],
+        Err(SolveError::NotFinite { name }) => [4.0, 0.0, 0.0, name.parse().expect("a digit")],
+        Err(error) => panic!("{error}"),
+    }
+}
+
 fn diagnosed<T: Real>(call: &Call) -> EntryOutputs {
     let x: [T; 7] = [0, 1, 2, 3, 4, 5, 6].map(|i| T::lit(call.x[i], call.x[i] as f32));
+    if call.which == 31 {
+        return blame([x[0], x[1], x[2], x[3]]);
+    }
     let [value, rest @ ..] = x;
     let [a, b, c, d, e, f] = rest;
     let found = match call.which {
@@ -330,11 +315,11 @@ fn diagnosed<T: Real>(call: &Call) -> EntryOutputs {
     }
 }
 
-fn conditions_agree(program: &Path) {
+fn conditions_agree(program: &Program) {
     let mut random = Random(11);
     for is_single in [false, true] {
         let mut statuses = BTreeSet::new();
-        for which in 20..31 {
+        for which in 20..32 {
             let call = |_| Call { which, is_single, x: operands(&mut random, which, is_single) };
             let calls: Vec<Call> = (0..20_000).map(call).collect();
             let expected = |call: &Call| match is_single {

@@ -5,6 +5,7 @@ mod c_constants;
 mod c_export;
 mod c_friction;
 mod c_printed;
+mod c_program;
 mod c_roots;
 mod c_run_time;
 mod expanded;

@@ -1,5 +1,6 @@
 /* Calls of the equations of friction, for the test beside: reads how many amounts, which of them are guides,
- * the width, rows and first values; writes what straight-line steps say and find, and what the slow path does. */
+ * the width, whether something has failed before, rows and first values; writes what straight-line steps say and
+ * find, and what the slow path does. */
 #include "linkage_run.h"
 
 #include <stdio.h>
@@ -11,7 +12,7 @@ typedef struct Call {
     int32_t count;
     int32_t guides;
     int32_t is_single;
-    int32_t unused;
+    int32_t has_failed;
     double rows[PLACES];
     double start[MOST];
 } Call;
@@ -33,6 +34,7 @@ static const char *const joints[MOST] = { "0", "1", "2", "3", "4", "5", "6", "7"
         const unsigned guides = (unsigned)call->guides;                                                             \
         LinkageWhy why = linkage_why(call->is_single);                                                              \
         int i;                                                                                                      \
+        why.status = call->has_failed ? LINKAGE_SINGULAR : LINKAGE_OK;                                              \
         for (i = 0; i < PLACES; i++) {                                                                              \
             rows[i] = (number)call->rows[i];                                                                        \
         }                                                                                                           \

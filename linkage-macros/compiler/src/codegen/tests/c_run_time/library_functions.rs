@@ -1,13 +1,11 @@
 //! Functions that the run-time in C takes from `<math.h>`.
 
-use std::path::Path;
-
 use linkage_core::Fusion;
 
-use super::{Call, Random, answers, arguments, expected};
+use super::{Call, Program, Random, answers, arguments, expected};
 
 /// Exponentials and their kin are those of `<math.h>`, which is within an ulp, as the crate's are: two apart.
-pub(super) fn agree<F: Fusion>(program: &Path) {
+pub(super) fn agree<F: Fusion>(program: &Program) {
     let mut random = Random(11);
     for is_single in [false, true] {
         for which in 15..19 {
