@@ -65,15 +65,17 @@ impl<T: Scalar, const W: usize, const M: usize> Amounts<T, W, M> {
         let own = self.system;
         let plain = System { rows: own.rows.map(|row| row.map(T::value)), guides: own.guides };
         let is_given = |row: &[f64; W]| row.iter().copied().all(f64::is_finite);
-        if let Some(unknown) = plain.rows.iter().position(|row| !is_given(row)) {
-            return Err(SolveError::NotFinite { name: self.joints[unknown] });
+        let mut rows = self.joints.iter().zip(&plain.rows);
+        if let Some((name, _)) = rows.find(|(_, row)| !is_given(row)) {
+            return Err(SolveError::NotFinite { name });
         }
         let (amounts, met) = own.stepped(start);
         if met && amounts.iter().all(|amount| amount.value().is_finite()) {
             return Ok(amounts);
         }
-        let found =
-            plain.solved().map_err(|joint| SolveError::Jams { joint: self.joints[joint] })?;
+        // The optimiser does not know that it is one of them, and an index could panic.
+        let named = |joint: usize| self.joints.get(joint).copied().unwrap_or_default();
+        let found = plain.solved().map_err(|joint| SolveError::Jams { joint: named(joint) })?;
         let mut amounts = found.map(T::num);
         for _ in 0..T::ORDER {
             let (values, slope) = own.linear(amounts, &mut T::hypot);
@@ -311,11 +313,13 @@ impl<const W: usize, const M: usize> System<f64, W, M> {
 
     /// Newton's steps, each replaced by Φ where it gains less than that.
     fn guarded(&self, start: [f64; M], bounds: &[[f64; M]; M]) -> Option<([f64; M], usize)> {
-        let unit = |j: usize| {
+        let mut units = [1.0; M];
+        for j in 0..M {
             let size = start[j] + (0..M).map(|k| bounds[j][k] * start[k]).sum::<f64>();
-            if size > 0.0 { size } else { 1.0 }
-        };
-        let units: [f64; M] = core::array::from_fn(unit);
+            if size > 0.0 {
+                units[j] = size;
+            }
+        }
         let weights = solve(without(*bounds), units);
         let gain = (0..M).map(|j| 1.0 - units[j] / weights[j]).fold(0.0, f64::max);
         let off = |amounts: [f64; M], values: [f64; M]| {
