@@ -617,6 +617,7 @@ double linkage_hypot(double x, double y)
     return factor * sqrt(linkage_mul_err(shorter, shorter) + linkage_mul_err(longer, longer) + shorter * shorter + longer * longer);
 }
 
+#ifndef LINKAGE_NO_SINGLE
 float linkage_hypotf(float x, float y)
 {
     const float a = fabsf(x), b = fabsf(y);
@@ -636,6 +637,7 @@ float linkage_hypotf(float x, float y)
     shorter /= factor;
     return factor * sqrtf((float)((double)longer * (double)longer + (double)shorter * (double)shorter));
 }
+#endif /* LINKAGE_NO_SINGLE */
 /* Angles beyond the kernels' range. */
 
 /* 2/pi in words of 32 bits, behind 64 zeros. */
@@ -697,6 +699,7 @@ static int quarters_of(double x, double rest[2])
     return x < 0.0 ? -count : count;
 }
 
+#ifndef LINKAGE_NO_DOUBLE
 LINKAGE_COLD void linkage_sin_cos_far(double x, double *to_sin, double *to_cos)
 {
     double rest[2], product, error, r;
@@ -711,7 +714,9 @@ LINKAGE_COLD void linkage_sin_cos_far(double x, double *to_sin, double *to_cos)
     r = product + error;
     linkage_sin_cos_of(r, (r - product) - error, 6755399441055744.0 + count, to_sin, to_cos);
 }
+#endif /* LINKAGE_NO_DOUBLE */
 
+#ifndef LINKAGE_NO_SINGLE
 LINKAGE_COLD void linkage_sin_cos_farf(float x, float *to_sin, float *to_cos)
 {
     double rest[2], wide;
@@ -726,4 +731,4 @@ LINKAGE_COLD void linkage_sin_cos_farf(float x, float *to_sin, float *to_cos)
     r = (float)wide;
     linkage_sin_cos_off(r, (float)((double)r - wide), 12582912.0f + (float)count, to_sin, to_cos);
 }
-
+#endif /* LINKAGE_NO_SINGLE */

@@ -59,6 +59,7 @@ static int quarters_of(double x, double rest[2])
     return x < 0.0 ? -count : count;
 }
 
+#ifndef LINKAGE_NO_DOUBLE
 LINKAGE_COLD void linkage_sin_cos_far(double x, double *to_sin, double *to_cos)
 {
     double rest[2], product, error, r;
@@ -73,7 +74,9 @@ LINKAGE_COLD void linkage_sin_cos_far(double x, double *to_sin, double *to_cos)
     r = product + error;
     linkage_sin_cos_of(r, (r - product) - error, 6755399441055744.0 + count, to_sin, to_cos);
 }
+#endif /* LINKAGE_NO_DOUBLE */
 
+#ifndef LINKAGE_NO_SINGLE
 LINKAGE_COLD void linkage_sin_cos_farf(float x, float *to_sin, float *to_cos)
 {
     double rest[2], wide;
@@ -88,4 +91,4 @@ LINKAGE_COLD void linkage_sin_cos_farf(float x, float *to_sin, float *to_cos)
     r = (float)wide;
     linkage_sin_cos_off(r, (float)((double)r - wide), 12582912.0f + (float)count, to_sin, to_cos);
 }
-
+#endif /* LINKAGE_NO_SINGLE */

@@ -200,6 +200,7 @@ double linkage_hypot(double x, double y)
     return factor * sqrt(linkage_mul_err(shorter, shorter) + linkage_mul_err(longer, longer) + shorter * shorter + longer * longer);
 }
 
+#ifndef LINKAGE_NO_SINGLE
 float linkage_hypotf(float x, float y)
 {
     const float a = fabsf(x), b = fabsf(y);
@@ -219,3 +220,4 @@ float linkage_hypotf(float x, float y)
     shorter /= factor;
     return factor * sqrtf((float)((double)longer * (double)longer + (double)shorter * (double)shorter));
 }
+#endif /* LINKAGE_NO_SINGLE */
