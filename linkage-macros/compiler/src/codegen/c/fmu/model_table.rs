@@ -1,0 +1,124 @@
+//! The header of what is a model's own: its variables, and the functions that compute them.
+
+use super::{Model, PARAMETERS, Role, Variable, kind, of_drives};
+use crate::codegen::arguments::{Arguments, Form};
+use crate::codegen::c::c_names::{is_array, param as field_of_param};
+use crate::codegen::c_export::c_identifiers::{Width, default, function};
+use crate::codegen::identifiers::text;
+use crate::interface::entries::{Entry, Given};
+use crate::model::mechanism::ParamKind;
+
+impl Model<'_> {
+    /// The header of what is the mechanism's own.
+    pub(super) fn table(&self) -> String {
+        let states = |is_it: &dyn Fn(Role) -> bool| {
+            let these = self.variables.iter().enumerate().filter(|(_, v)| is_it(v.role));
+            let mut list: Vec<String> = these.map(|(at, _)| at.to_string()).collect();
+            list.push("0".to_string());
+            list.join(", ")
+        };
+        let kinds: Vec<&str> = self.variables.iter().map(|v| v.role.in_c()).collect();
+        let starts: Vec<String> = self.variables.iter().map(|v| format!("{:?}", v.start)).collect();
+        let is_state = |v: &&Variable| matches!(v.role, Role::State(_));
+        format!(
+            "/* fmi3_model.h: the variables of {}, printed by linkage; do not edit. */\n#include \"{}.h\"\n\n\
+             #define TOKEN \"{}\"\n#define VARIABLES {}\n#define STATES {}\n\n\
+             enum {{ GIVEN, COMPUTED, TIME }};\nstatic const unsigned char KIND[VARIABLES] = {{ {} }};\n\
+             static const double START[VARIABLES] = {{ {} }};\n\
+             static const uint32_t STATE[STATES + 1] = {{ {} }};\n\
+             static const uint32_t DERIVATIVE[STATES + 1] = {{ {} }};\n\n{}",
+            text(&self.to.cx.names.solver),
+            self.to.stem,
+            self.token(),
+            self.variables.len(),
+            self.variables.iter().filter(is_state).count(),
+            kinds.join(", "),
+            starts.join(", "),
+            states(&|role| matches!(role, Role::State(_))),
+            states(&|role| matches!(role, Role::State(Some(_)) | Role::Rate(_))),
+            self.evaluation(),
+        )
+    }
+
+    /// The function that computes what depends on what is given.
+    fn evaluation(&self) -> String {
+        let cx = self.to.cx;
+        let mut lines =
+            String::from("static LinkageStatus evaluate(double v[], LinkageError *error)\n{\n");
+        if self.to.has_params() {
+            let solver = self.to.params_type();
+            lines += &format!(
+                "    {solver} mechanism = {}();\n",
+                default(&cx.names.solver, Width::Double)
+            );
+        }
+        lines += "    LinkageStatus status = LINKAGE_OK;\n";
+        let numbers = cx.mechanism.params.iter();
+        let numbers = numbers.filter(|param| matches!(param.kind, ParamKind::Number { .. }));
+        for (at, param) in numbers.enumerate() {
+            let field = field_of_param(cx.mechanism, &text(&param.name));
+            lines += &format!("    mechanism.{field} = v[{}];\n", self.first[PARAMETERS] + at);
+        }
+        if self.is_dynamic {
+            let of_drives = of_drives(cx.interface).expect("it is dynamic");
+            lines += &self.call(of_drives, "rates", self.first[kind(Given::Acceleration)]);
+        }
+        if let Some(motion) = self.motion() {
+            lines += &self.call(motion, "moved", self.outputs);
+        }
+        lines += "    (void)v;\n    (void)error;\n    return status;\n}\n";
+        lines
+    }
+
+    /// The call of an entry point, and where its numbers go.
+    fn call(&self, entry: &Entry, result: &str, first: usize) -> String {
+        let to = self.to;
+        let mut lines = String::from("    if (status == LINKAGE_OK) {\n");
+        let mut passed: Vec<String> =
+            to.has_params().then(|| "&mechanism".to_string()).into_iter().collect();
+        let arguments = Arguments::new(to.cx, &entry.given);
+        for (&given, (_, form)) in entry.given.iter().zip(arguments.parts()) {
+            let at = self.first[kind(given)];
+            let values = (at..at + form.numbers()).map(|at| format!("v[{at}]"));
+            let values: Vec<String> = values.collect();
+            let name = format!("a{}", passed.len());
+            let declared = match &form {
+                Form::Number => {
+                    passed.push(values.concat());
+                    continue;
+                }
+                Form::Record(record, _) => {
+                    passed.push(format!("&{name}"));
+                    format!("const {} {name}", to.width.type_name(&text(record)))
+                }
+                Form::List(count) => {
+                    passed.push(name.clone());
+                    format!("const double {name}[{count}]")
+                }
+            };
+            lines += &format!("        {declared} = {{ {} }};\n", values.join(", "));
+        }
+        let by = if is_array(entry.result) { "" } else { "&" };
+        passed.extend([format!("{by}{result}"), "error".to_string()]);
+        lines += &format!("        {};\n", to.result(entry.result, result));
+        let name = function(&to.cx.names.solver, entry, Width::Double);
+        lines += &format!(
+            "        status = {name}({});\n        if (status == LINKAGE_OK) {{\n",
+            passed.join(", ")
+        );
+        for (at, place) in to.components(entry.result, result).iter().enumerate() {
+            lines += &format!("            v[{}] = {place};\n", first + at);
+        }
+        lines + "        }\n    }\n"
+    }
+}
+
+impl Role {
+    fn in_c(self) -> &'static str {
+        match self {
+            Self::Time => "TIME",
+            Self::Input | Self::Parameter | Self::State(_) => "GIVEN",
+            Self::Rate(_) | Self::Output => "COMPUTED",
+        }
+    }
+}
