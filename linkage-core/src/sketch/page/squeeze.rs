@@ -1,6 +1,7 @@
 //! Scripts and styles without what only their authors read: comments, indents, and spaces beside signs.
 //!
-//! Lines stay lines. Texts and regular expressions stay as they are; a slash begins one of these behind a sign
+//! Lines that a sign ends are joined with the next one; elsewhere the end of a line may end a statement. Texts
+//! and regular expressions stay as they are; a slash begins one of these behind a sign
 //! or at the start of a line, and divides elsewhere.
 
 use std::string::String;
@@ -10,8 +11,13 @@ pub(super) fn script(files: &[&str]) -> String {
     let mut squeezed = String::new();
     for line in files.iter().flat_map(|file| file.lines().map(str::trim)) {
         if !line.is_empty() && !line.starts_with("//") {
+            if line.starts_with('}') && squeezed.ends_with(';') {
+                squeezed.pop();
+            }
             squeeze(line, &mut squeezed);
-            squeezed.push('\n');
+            if !line.ends_with(['{', '(', '[', ',', ';']) {
+                squeezed.push('\n');
+            }
         }
     }
     squeezed
@@ -81,13 +87,18 @@ mod tests {
     #[test]
     fn spaces_go_where_they_say_nothing() {
         for (written, squeezed) in [
-            ("const a = b + c;", "const a=b+c;\n"),
+            ("const a = b + c;", "const a=b+c;"),
             ("  x - -y + +z", "x- -y+ +z\n"),
-            ("return [a, \"b,  c\"];", "return[a,\"b,  c\"];\n"),
+            ("return [a, \"b,  c\"];", "return[a,\"b,  c\"];"),
             ("`a ${b + c} d` + 'x \\' y' ", "`a ${b + c} d`+'x \\' y'\n"),
             ("a / b / c", "a/b/c\n"),
             ("s.replace(/a b[/ ]\" c/g, x)", "s.replace(/a b[/ ]\" c/g,x)\n"),
             ("// all of it", ""),
+            ("a = {\n  b: [\n    1,\n  ],\n};\nc", "a={b:[1,],};c\n"),
+            (
+                "const f = () => {\n  g();\n};\nclass A {\n  b = 1;\n}\nf(\n  a\n    + b)",
+                "const f=()=>{g()};class A{b=1}\nf(a\n+b)\n",
+            ),
             ("case \"x\" in y", "case \"x\" in y\n"),
         ] {
             assert_eq!(script(&[written]), squeezed, "{written}");
