@@ -110,7 +110,7 @@
 //!   and read by their fields' names; errors and ranges are written. Without it nothing is generated for
 //!   it.
 //! - `sketch`: pictures and films of mechanisms, and pages on which they are dragged; every solver has
-//!   `sketch`, `film` and, where nothing is searched, `page` then. It needs the standard library and
+//!   `sketch`, `film` and `page` then. It needs the standard library and
 //!   nothing else, and changes nothing of the solvers.
 //!
 //! Without `ad` and `std` the crate is `no_std` and needs `libm` alone. It never allocates, and no

@@ -22,6 +22,8 @@ pub(crate) use cubic::Cubic;
 use equation::Equation;
 pub(crate) use equation::{crossing, differentiated};
 pub(crate) use lowest::lowest;
+#[cfg(all(test, feature = "sketch"))]
+pub(crate) use survey::judged;
 
 use crate::Real;
 use crate::crossing::SEVERAL_DEAD_POINTS;

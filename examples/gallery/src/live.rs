@@ -116,10 +116,22 @@ fn under_forces() -> Vec<Named> {
     vec![
         plain("driving_torque::FourBar", driving_torque::FourBar::new().page()),
         plain("driving_torque::AsInTheText", driving_torque::AsInTheText::new().page()),
-        plain("press_friction::CutPress", press_friction::CutPress::new().page()),
+        (
+            "press_friction::CutPress",
+            press_friction::CutPress::new()
+                .page()
+                .curves(["theta.drive", "ram", "losses"])
+                .load("cut", 2e4)
+                .to_html(),
+        ),
         (
             "toggle_clamp::ToggleClamp",
-            toggle_clamp::ToggleClamp::new().page().range("handle", -0.3..=0.9).to_html(),
+            toggle_clamp::ToggleClamp::new()
+                .page()
+                .range("handle", -0.3..=0.9)
+                .curves(["handle.drive", "jaw"])
+                .load("clamping", 2e3)
+                .to_html(),
         ),
         (
             "shear_bearings::FlyingShear",

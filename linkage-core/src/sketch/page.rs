@@ -2,8 +2,9 @@
 //! run-time of a few files without libraries.
 //!
 //! `kernels.js`, `limit.js` and `checks.js` compute and decide as the crate does, `roots.js` and `survey.js`
-//! search as it does, `pose.js` reads the results, `drag.js` finds the inputs of a dragged point; nothing of this touches the document. `picture.js`,
-//! `symbols.js`, `curves.js`, `controls.js` and `page.js` do.
+//! search and `friction.js` solves for friction as it does, `pose.js` reads the results, `drag.js` finds the
+//! inputs of a dragged point; nothing of this touches the document. `picture.js`, `symbols.js`, `curves.js`,
+//! `controls.js` and `page.js` do.
 
 mod declared;
 mod json;
@@ -49,6 +50,9 @@ const ARITHMETIC: [&str; 3] = [
 
 /// The files of the search for an unknown, which a page without one does without.
 const SEARCH: [&str; 2] = [include_str!("page/roots.js"), include_str!("page/survey.js")];
+
+/// The file that solves for friction, which a page of a machine without any does without.
+const FRICTION: [&str; 1] = [include_str!("page/friction.js")];
 
 /// The files that read the results, without a document.
 const READS: [&str; 2] = [include_str!("page/pose.js"), include_str!("page/drag.js")];
@@ -157,8 +161,12 @@ impl<S: Paged> Page<S> {
             plan_object::written(plan),
             declared.script
         );
-        let searches = declared.script.contains("c.root(");
-        let parts = [&ARITHMETIC[..], if searches { &SEARCH } else { &[] }, &READS];
+        let where_called = |call: &str, files: &'static [&'static str]| {
+            if declared.script.contains(call) { files } else { &[] }
+        };
+        let (search, friction) =
+            (where_called("c.root(", &SEARCH), where_called("amountsOf(", &FRICTION));
+        let parts = [&ARITHMETIC[..], search, friction, &READS];
         let computes = format!("\"use strict\";\n{machine}{}", squeeze::script(&parts.concat()));
         let shows = format!("\"use strict\";\n{}", squeeze::script(&SHOWS));
         Ok(filled(&[

@@ -31,10 +31,22 @@ addEventListener("message", ({ data, source }) => {
 
 fn visited(visits: &[Visit], name: &str, flags: &[&str]) -> String {
     let is_still = flags.contains(&"--force-prefers-reduced-motion");
+    let hand = include_str!("drag.js");
+    scripted(visits, name, flags, |steps| {
+        format!("{{ const IS_STILL = {is_still}, PLANNED = {steps};\n{hand} }}")
+    })
+}
+
+/// Opens the pages with a script each, which is made of its steps.
+fn scripted(
+    visits: &[Visit],
+    name: &str,
+    flags: &[&str],
+    script: impl Fn(&str) -> String,
+) -> String {
     let mut page = format!("<!DOCTYPE html><body><pre></pre><script>{GATHER}</script>");
     for Visit { name, html, width, steps } in visits {
-        let hand = include_str!("drag.js");
-        let script = format!("{{ const IS_STILL = {is_still}, PLANNED = {steps};\n{hand} }}");
+        let script = script(steps);
         let own = html.replace("</html>", &format!("<script>{script}</script></html>"));
         let own = own.replacen("<script>", &format!("<script>{FRAMES}</script><script>"), 1);
         let own = own.replace('&', "&amp;").replace('"', "&quot;");
@@ -55,7 +67,7 @@ fn page(name: &str) -> String {
 
 fn visits() -> Vec<Visit> {
     let visit = |name: &'static str, width, steps| Visit { name, html: page(name), width, steps };
-    let shear = r#"[["look"], ["crank"], ["coupler", "blade"], ["keys"], ["texts"], ["sliders"]]"#;
+    let shear = r#"[["look"], ["crank"], ["coupler", "blade"], ["touch", "B"], ["keys"], ["texts"], ["sliders"]]"#;
     vec![
         visit("flying_shear::FlyingShear", 1280, shear),
         visit("flying_shear::FlyingShear", 360, shear),
@@ -80,6 +92,8 @@ fn visits() -> Vec<Visit> {
             360,
             r#"[["look"], ["coupler", "W"], ["limit", "W", 0, 2], ["sliders"]]"#,
         ),
+        visit("press_friction::CutPress", 1280, r#"[["look"], ["band"], ["texts"], ["sliders"]]"#),
+        visit("press_friction::CutPress", 360, r#"[["look"], ["band"], ["sliders"]]"#),
         visit("jansen_leg::JansenLeg", 1280, r#"[["look"], ["coupler", "foot"]]"#),
         visit("shear_bearings::FlyingShear", 360, r#"[["look"], ["crank"], ["sliders"]]"#),
         Visit {
@@ -118,6 +132,26 @@ fn a_reader_drags_machines_in_a_browser() {
 #[ignore = "needs chromium"]
 fn a_reader_drags_machines_in_a_dark_browser_while_they_play() {
     check("drag_dark", &["--blink-settings=preferredColorScheme=0"]);
+}
+
+/// Names and values on each other, on a bar or on a joint: every machine of the gallery, over the ranges of its inputs
+/// and along its path, on a phone, a tablet and a screen.
+#[test]
+#[ignore = "needs chromium"]
+fn no_text_lies_on_another_nor_a_name_on_a_bar() {
+    let flags = ["--force-prefers-reduced-motion"];
+    let mut wrong = Vec::new();
+    for (name, html) in gallery::live::pages().unwrap() {
+        let visits =
+            [360, 800, 1280].map(|width| Visit { name, html: html.clone(), width, steps: "" });
+        let found = scripted(&visits, "over", &flags, |_| include_str!("over.js").to_string());
+        let seen = found.lines().filter(|line| line.ends_with(" texts")).count();
+        assert_eq!(seen, visits.len(), "{name}: {found}");
+        if found.contains("FAILED") {
+            wrong.push(found);
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// A frame of each kind, over and over, in the time that a quarter of them does not exceed, since a machine that

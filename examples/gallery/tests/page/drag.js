@@ -18,7 +18,7 @@ const send = (kind, place) => {
   figure.dispatchEvent(new PointerEvent(kind, { ...at, pointerId: 1, bubbles: true, cancelable: true }));
 };
 /// Takes a point along a path of places; tells each.
-const drag = async (name, places, each) => {
+const take = async (name, places, each) => {
   send("pointerdown", now(name));
   for (const place of places) {
     send("pointermove", place);
@@ -60,7 +60,7 @@ const STEPS_OF = {
     const first = Math.atan2(from[1] - centre[1], from[0] - centre[0]), radius = 1.7 * apart(centre, from);
     const places = Array.from({ length: 96 }, (_, k) => first + ((k + 1) * 4 * Math.PI) / 96)
       .map((angle) => [centre[0] + radius * Math.cos(angle), centre[1] + radius * Math.sin(angle)]);
-    await drag("B", places, (place) => {
+    await take("B", places, (place) => {
       const at = now("B"), off = Math.atan2(at[1] - centre[1], at[0] - centre[0]) - Math.atan2(place[1] - centre[1], place[0] - centre[0]);
       expect(Math.abs(nearest(off)) < 0.1, "the pin is off the pointer by", off);
     });
@@ -80,7 +80,7 @@ const STEPS_OF = {
     // To and fro where the path has ends.
     const bounced = (k) => last - Math.abs(last - (k % (2 * last)));
     const places = Array.from({ length: 80 }, (_, k) => path[bounced(start + 3 * (k + 1))]);
-    await drag(name, places, (place) => {
+    await take(name, places, (place) => {
       const off = apart(now(name), place) * view.scale;
       expect(off < 0.5, name, "is off its own path by", off, "pixels");
     });
@@ -92,7 +92,7 @@ const STEPS_OF = {
     const from = now(name), far = view.width / view.scale;
     const shares = Array.from({ length: 60 }, (_, k) => 1 - Math.abs(1 - (k + 1) / 30));
     let isHeld = false;
-    await drag(name, shares.map((share) => [from[0] + share * across * far, from[1] + share * up * far]), (place) => {
+    await take(name, shares.map((share) => [from[0] + share * across * far, from[1] + share * up * far]), (place) => {
       const { error } = new Pose(state.q);
       expect(!error, name, "is dragged into a pose with", error?.kind);
       isHeld ||= apart(now(name), place) * view.scale > 30;
@@ -108,7 +108,7 @@ const STEPS_OF = {
     const from = now(name);
     const places = Array.from({ length: 40 }, (_, k) => Math.sin((k * Math.PI) / 20))
       .map((share) => [from[0] - 40 / view.scale * Math.abs(share), from[1] + 30 / view.scale * share]);
-    await drag(name, places, (place) => {
+    await take(name, places, (place) => {
       const off = apart(now(name), place) * view.scale;
       expect(off < 1, name, "is off the line by", off, "pixels");
     });
@@ -119,16 +119,47 @@ const STEPS_OF = {
     const centre = now("A"), radius = apart(centre, now("B"));
     const at = (angle) => [centre[0] + radius * Math.cos(angle), centre[1] + radius * Math.sin(angle)];
     let met = 0;
-    await drag("B", Array.from({ length: 60 }, (_, k) => at(state.q[0] + (k * TURN) / 60)), () => {
+    await take("B", Array.from({ length: 60 }, (_, k) => at(state.q[0] + (k * TURN) / 60)), () => {
       const isGap = !!new Pose(state.q).error;
       met += isGap;
       expect(isGap === $("#state").textContent.includes("cannot be assembled"), "the reason is", $("#state").textContent);
-      expect(isGap === (nodes.reach.getAttribute("visibility") === "visible"), "what is missing shows in a pose that is whole");
+      expect(isGap === (nodes.reach.getAttribute("visibility") !== "hidden"), "what is missing shows in a pose that is whole");
       if (isGap) expect(nodes.missing.getAttribute("d").startsWith("M"), "nothing is missing in a gap");
-      expect(isGap === (nodes.ghost.getAttribute("visibility") === "visible"), "the last pose does not show");
+      expect(isGap === (nodes.ghost.getAttribute("visibility") !== "hidden"), "the last pose does not show");
     });
     expect(met > 5 && met < 55, "in a gap", met, "times of 60");
     expect(charts.every(({ out }) => out.getAttribute("d").startsWith("M")), "no band over the gap");
+  },
+  /// A finger on a joint, or near it, drags that, and the page stays where it is; beside one it scrolls.
+  async touch(name) {
+    play(false);
+    const box = figure.getBoundingClientRect(), touched = (place, off) => {
+      const [x, y] = onPage(place), at = { clientX: box.left + x + off, clientY: box.top + y };
+      figure.dispatchEvent(new PointerEvent("pointerdown", { ...at, pointerId: 2, pointerType: "touch", bubbles: true, cancelable: true }));
+      const touch = new Touch({ identifier: 1, target: figure, ...at });
+      return !figure.dispatchEvent(new TouchEvent("touchstart", { touches: [touch], bubbles: true, cancelable: true }));
+    };
+    const lift = (kind) => figure.dispatchEvent(new PointerEvent(kind, { pointerId: 2, pointerType: "touch", bubbles: true }));
+    expect(touched(now(name), 8), "a finger on", name, "scrolls");
+    expect(drag?.point === point(name), "a finger takes", drag && PLAN.points[drag.point]);
+    lift("pointercancel");
+    expect(!drag, "a cancelled touch goes on");
+    expect(!touched([(box.width + 90) / view.scale, 0], 0) && !drag, "a finger beside the machine drags");
+    lift("pointerup");
+  },
+  /// The drives that hold the machine at rest: an area over the chart, its ends at the cursor, in the table and as text.
+  async band() {
+    play(false);
+    const [chart] = charts.filter(({ hasBand }) => hasBand), area = chart.band.getAttribute("d");
+    expect(/^M.*Z$/.test(area), "the band is", area.slice(0, 20));
+    expect(/at rest [−\d.]+ … [−\d.]+/.test(chart.legend.textContent), "the legend is", chart.legend.textContent);
+    const row = [...document.querySelectorAll("#values tr")].find(({ textContent }) => textContent.includes("at rest"));
+    expect(/\d … −?\d/.test(row?.textContent), "the table has", row?.textContent);
+    expect(samples.every(({ holding }) => !holding || holding[0] <= holding[1]), "a band ends before it begins");
+    const [head, ...lines] = csv().trim().split("\n").map((line) => line.split(","));
+    const k = head.indexOf("theta.drive at rest backwards");
+    expect(k > 0 && lines.every((line, n) => String(samples[n].holding?.[0] ?? "") === line[k]), "the table of the curves has no band");
+    expect(samples.some(({ refused }) => refused?.kind === "Jams") || samples.every(({ forces }) => forces), "forces are gone without a reason");
   },
   /// Every slider at both ends and back, every mode.
   async sliders() {

@@ -97,3 +97,27 @@ mechanism! {
         output B;
     }
 }
+
+mechanism! {
+    /// Friction in pins and a guide, in part smooth, of a share at which joints jam.
+    pub struct Rubbing {
+        input theta: angle;
+        param mu = 0.1;
+        load push: force;
+        ground A(0, 0), D(0.35m, -0.05m);
+        guide bed through (0, 0) along 0deg;
+        crank AB(A) -> B           { length: 0.1m, angle: theta }
+        rrr   BC(B), DC(D) -> C    { lengths: (0.32m, 0.2m), mode: left }
+        rrp   CE(C), ram(bed) -> E { length: 0.5m, mode: ahead }
+        mass 2kg on BC uniform;
+        mass 5kg on ram at (0, 0);
+        force (-push, 0) on E;
+        friction mu at A radius 40mm;
+        friction mu at B radius 40mm;
+        friction mu on BC at C radius 40mm;
+        friction mu at D radius 30mm smooth 0.05(rad/s);
+        friction mu on CE at E radius 30mm;
+        friction mu on ram length 60mm;
+        output theta.drive, C, ram, losses;
+    }
+}

@@ -4,6 +4,7 @@
 mod browser;
 #[path = "../chromium/mod.rs"]
 mod chromium;
+mod contents;
 mod hard;
 mod numbers;
 

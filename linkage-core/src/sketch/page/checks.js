@@ -1,7 +1,5 @@
 // The conditions that formulas are under, as the Rust crate's slow path decides them.
 
-const isCertain = (value, spread) => isFinite(value) && value > ROUNDINGS * EPSILON * spread;
-
 /// Words for the reasons that some machines alone know, by their kinds.
 const REASONS = {};
 
@@ -16,16 +14,46 @@ class FirstError {
   otherwise = null;
   /// The unknown that counts as not found, where only what stands without it is asked for.
   without = null;
-  searches = false;
+  /// The roots of unknowns, each with the numbers that it was searched by.
+  roots = {};
+  /// True if the numbers are those of the fast path, if its lengths are among them, and if that has been left.
+  isFast = true;
+  hasFastLengths = false;
+  hasLeft = false;
 
   /// The reason why the numbers are not to be used, if there is one.
   get reason() {
     return this.error ?? this.otherwise;
   }
 
+  /// Leaves the fast path: the slow one computes all lengths anew.
+  leave() {
+    this.hasLeft = true;
+  }
+
+  /// Sine and cosine of an angle.
+  sinCos(x) {
+    if (!isNear(x)) this.leave();
+    return sinCos(x);
+  }
+
+  /// The root of the squares, where their sum is in range.
+  length(x, y, least) {
+    const square = fused(x, x, y * y), isInRange = square >= least && square <= Number.MAX_VALUE;
+    if (!isInRange) this.leave();
+    this.hasFastLengths = true;
+    return this.isFast && isInRange ? sqrt(square) : hypot(x, y);
+  }
+
   /// Keeps the first refusal.
   refuse(kind, group, more) {
     this.error ??= { kind, group, ...more };
+  }
+
+  isCertain(value, spread) {
+    const isIt = isFinite(value) && value > ROUNDINGS * EPSILON * spread;
+    if (!isIt) this.leave();
+    return isIt;
   }
 
   /// The value that goes with the answer of a decision.
@@ -40,7 +68,7 @@ class FirstError {
   /// Circles of radii l1 and l2 about points d apart meet; the value is the product of both limits in squares
   /// of a unit.
   ReachCircles(value, dx, dy, l1, l2, unit, spread, group) {
-    if (this.error || isCertain(value, spread)) return value;
+    if (this.error || this.isCertain(value, spread)) return value;
     const reach = reachOfCircles(dx, dy, l1, l2);
     if ((reach === MEETS || reach === AT_LIMIT) && !(4 * l1 * l2 >= SMALLEST_NORMAL)) {
       this.refuse("NotFinite", group);
@@ -52,7 +80,7 @@ class FirstError {
 
   /// The share of the line of centres at which the joint's foot stands.
   ShareOfCentres(value, height, dx, dy, l1, l2, spread) {
-    if (this.error || isCertain(height, spread)) return value;
+    if (this.error || this.isCertain(height, spread)) return value;
     const reach = reachOfCircles(dx, dy, l1, l2);
     if (reach === MEETS) return restored(value, foot(dx, dy, l1, l2));
     return reach === AT_LIMIT ? restored(value, footOnLine(dx, dy, l1, l2)) : value;
@@ -60,7 +88,7 @@ class FirstError {
 
   /// A point at distances r1 and r2 from two joints l apart; the value is the square of its height.
   ReachDistances(value, l, r1, r2, spread, group) {
-    if (this.error || isCertain(value, spread)) return value;
+    if (this.error || this.isCertain(value, spread)) return value;
     const reach = reachOfCircles(l, 0, r1, r2);
     if (reach === MEETS) {
       const height = 2 * r1 * (r2 / l), product = heightProduct(l, 0, r1, r2);
@@ -106,12 +134,14 @@ class FirstError {
     return this.Square(value, group);
   }
 
-  /// The root of an unknown's equation, of sides in this unit, and the size that its rounding is measured by.
+  /// The root of an unknown's equation, of sides in this unit, and the size that its rounding is measured by, as
+  /// `find` has it by these parameters and numbers.
   /// Where the equation was not a number the formulas go on with that trial, and find the group that cannot be
   /// assembled there.
-  root(found, unknown, unit) {
-    this.searches = true;
-    const { kind, at, by, other, isOrdered } = found;
+  root(find, p, given, unknown, unit) {
+    const last = this.roots[unknown], isKnown = last?.given.every((x, k) => Object.is(x, given[k]));
+    const found = isKnown ? last.found : find(p, given), { kind, at, by, other, isOrdered } = found;
+    this.roots[unknown] = { given, found };
     if (this.without) return kind || unknown === this.without ? [NaN, NaN] : found;
     if (!kind) return found;
     if (kind === "Interval") this.refuse("Invalid", unknown, { name: isOrdered ? ENDS : "width of between" });
@@ -162,20 +192,29 @@ const restored = (value, exact) => value - value + exact;
 /// Runs formulas on numbers that must be finite, `given` with their names, and asks for finite results.
 /// Returns the numbers and the reason why they are not to be used, if there is one.
 const solved = (given, formulas, nameOf) => {
-  const checks = new FirstError();
-  for (const [value, name] of given) if (!isFinite(value)) checks.refuse("NotFinite", name);
-  const numbers = formulas(checks);
+  const begun = (more) => {
+    const checks = Object.assign(new FirstError(), more);
+    for (const [value, name] of given) if (!isFinite(value)) checks.refuse("NotFinite", name);
+    return checks;
+  };
+  let checks = begun(), numbers = formulas(checks);
+  const { hasLeft, hasFastLengths, roots } = checks;
+  if (hasLeft && hasFastLengths) {
+    checks = begun({ isFast: false, roots });
+    numbers = formulas(checks);
+  }
   if (!checks.reason) {
     const lost = numbers.findIndex((number) => !isFinite(number));
     if (lost >= 0) checks.refuse("NotFinite", blamed(given, nameOf(lost)));
   }
-  const error = checks.reason;
+  const error = checks.reason, isSearched = error && Object.keys(roots).length;
   // A trial at which a search ended is no place of the machine.
-  return { numbers: error && checks.searches ? formulas(standing(error)) : numbers, error };
+  return { numbers: isSearched ? formulas(standing(error, checks)) : numbers, error };
 };
 
 /// Conditions of what stands in spite of an error.
-const standing = (error) => Object.assign(new FirstError(), { error, without: error.group });
+const standing = (error, { roots, isFast }) =>
+  Object.assign(new FirstError(), { error, without: error.group, roots, isFast });
 
 /// The largest given number whose fourth power is infinite, or the result's own name.
 const blamed = (given, name) => {

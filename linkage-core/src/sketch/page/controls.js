@@ -1,49 +1,37 @@
 // Sliders and modes, the declaration with what was changed, and the address.
 
-const row = (into, name, docs) => {
-  const line = document.createElement("div");
-  line.className = "row";
-  line.title = docs ?? "";
-  $(into).append(line);
-  return line;
-};
+const row = (into, docs) => element("div", { className: "row", title: docs ?? "" }, $(into));
 
 /// A slider with its name and its value in words. Returns a function that sets it.
 const slider = (into, id, { name, docs, from, to }, wordsOf, change, settle) => {
-  const line = row(into, name, docs), label = document.createElement("label");
-  const input = document.createElement("input"), output = document.createElement("output");
-  Object.assign(label, { htmlFor: id, textContent: name });
-  Object.assign(input, { type: "range", id, min: from, max: to, step: "any" });
-  output.htmlFor = id;
-  line.append(label, input, output);
+  const line = row(into, docs);
+  element("label", { htmlFor: id, textContent: name }, line);
+  const input = element("input", { type: "range", id, min: from, max: to, step: "any" }, line);
+  const output = element("output", { htmlFor: id }, line);
   const set = (x) => {
     if (+input.value !== x) input.value = x;
     output.textContent = wordsOf(x);
     input.setAttribute("aria-valuetext", wordsOf(x));
   };
-  input.addEventListener("input", () => {
+  on(input, "input", () => {
     change(+input.value);
     output.textContent = wordsOf(+input.value);
   });
-  if (settle) input.addEventListener("change", settle);
+  if (settle) on(input, "change", settle);
   return set;
 };
 
 /// A choice between two words. Returns a function that sets it to +1 or −1.
 const choice = (into, { name, docs, words: both }, change) => {
-  const line = row(into, name, docs), title = document.createElement("span"), set = document.createElement("fieldset");
-  title.textContent = name;
-  set.setAttribute("aria-label", name);
+  const line = row(into, docs);
+  element("span", { textContent: name }, line);
+  const set = element("fieldset", { ariaLabel: name }, line);
   const buttons = both.map((word, k) => {
-    const label = document.createElement("label"), button = document.createElement("input"), text = document.createElement("span");
-    Object.assign(button, { type: "radio", name, value: k ? -1 : 1 });
-    text.textContent = word;
-    label.append(button, text);
-    set.append(label);
+    const label = element("label", {}, set), button = element("input", { type: "radio", name, value: k ? -1 : 1 }, label);
+    element("span", { textContent: word }, label);
     return button;
   });
-  line.append(title, set);
-  set.addEventListener("change", ({ target }) => change(+target.value));
+  on(set, "change", ({ target }) => change(+target.value));
   return (sign) => buttons.forEach((button) => button.checked = +button.value === sign);
 };
 
@@ -104,11 +92,13 @@ const declaration = (() => {
   return [first, ...rest.map((line) => line.slice(isFinite(indent) ? indent : 0))].join("\n");
 })();
 
+/// A number and its unit, if this is what is written.
+const literalIn = (written) => /^(-?\s*[\d_.]+(?:[eE][-+]?\d+)?)(\s*(?:[a-zA-Z]+|\([^()]*\)))?$/.exec(written.trim());
+
 /// The default of a parameter as the declaration would write its present value.
 const asWritten = (param, value, written) => {
   if (param.words) return param.words[value > 0 ? 0 : 1];
-  const literal = /^(-?\s*[\d_.]+(?:[eE][-+]?\d+)?)(\s*(?:[a-zA-Z]+|\([^()]*\)))?$/.exec(written.trim());
-  const inUnits = literal && value / (literal[2] ? param.size : 1);
+  const literal = literalIn(written), inUnits = literal && value / (literal[2] ? param.size : 1);
   return literal ? `${+inUnits.toPrecision(6)}${literal[2] ?? ""}` : `${+value.toPrecision(6)}`;
 };
 
@@ -142,11 +132,11 @@ const declared = () => {
 /// The value that a literal means; none of any other expression, whose parameter counts as changed only if the
 /// reader changed it.
 const valueWritten = (param, written) => {
-  const literal = /^(-?\s*[\d_.]+(?:[eE][-+]?\d+)?)(\s*\S.*)?$/.exec(written.trim());
-  return literal ? parseFloat(literal[1].replaceAll("_", "").replaceAll(" ", "")) * (literal[2] ? param.size : 1) : param.value;
+  const literal = literalIn(written);
+  return literal ? parseFloat(literal[1].replace(/[_ ]/g, "")) * (literal[2] ? param.size : 1) : param.value;
 };
 
-const KEYWORDS = /^(\s*)(pub struct|struct|input|param|load|let|ground|guide|crank|slider|rrr|rrp|rpr|prp|rpp|point|pin|link|drive|gravity|mass|force|torque|spring|numerics|export|output)\b/gm;
+const KEYWORDS = /^(\s*)(pub struct|struct|input|param|load|let|ground|guide|crank|slider|rrr|rrp|rpr|prp|rpp|point|pin|link|drive|gravity|mass|force|torque|spring|friction|stop|unknown|solve|numerics|export|output)\b/gm;
 const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 const showDeclaration = () => {
   const html = declared().map(([text, isChanged]) => (isChanged ? `<mark>${escaped(text)}<\/mark>` : escaped(text))).join("");

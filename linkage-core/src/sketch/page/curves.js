@@ -11,7 +11,7 @@ const stepped = (count, [from, to], at) => Array.from({ length: count + 1 }, (_,
 const sample = () => {
   samples = stepped(STEPS, domain(), (x) => {
     const pose = new Pose(withInput(state.axis, x));
-    return { x, pose, motion: pose.error ? null : motionAt(pose.q), forces: pose.error ? null : forcesAt(pose.q) };
+    return { x, pose, ...answersAt(pose) };
   });
   const arrows = efforts.flatMap(({ row, point }, k) => (point !== null && row === "x" ? [k] : []));
   largestForce = 0;
@@ -33,6 +33,9 @@ const ORDERS = ["Position", "Velocity", "Acceleration"];
 const unitOf = (row, order) => shownIn(row.unit, order);
 const grouped = (list, keyOf) => [...new Set(list.map(keyOf))].map((key) => list.filter((entry) => keyOf(entry) === key));
 
+/// The effort of the only input, which friction at rest leaves between two ends.
+const driven = `${inputs[0].name}.drive`;
+
 /// The charts of an output or a force: one for each order and unit. Charts of drives stand below.
 const chartsOf = (name) => {
   const own = rows.filter(({ output }) => output === name);
@@ -41,7 +44,7 @@ const chartsOf = (name) => {
       title: `${ORDERS[order]} of ${name}`,
       unit: unitOf(list[0], order)[0],
       series: list.map((row) => ({
-        name: row.row || name,
+        name: row.row,
         isAngle: row.isAngle && order === 0,
         of: ({ motion }) => (motion ? valueOf(row, order, motion) * unitOf(row, order)[1] : NaN),
       })),
@@ -51,8 +54,10 @@ const chartsOf = (name) => {
   const forces = grouped(asked, ({ effort, unit }) => `${effort} ${unit}`).map((list) => ({
     title: list[0].effort,
     unit: list[0].unit,
+    hasBand: MACHINE.holding && list[0].effort === driven,
     series: list.map((row) => ({
-      name: row.row || row.effort,
+      // The title says of what.
+      name: row.row,
       of: ({ forces }) => (forces ? forces[efforts.indexOf(row)] : NaN),
     })),
   }));
@@ -67,14 +72,14 @@ const buildCharts = () => {
     const node = (tag, attributes) => made(tag, attributes, svg);
     const out = node("path", { class: "out" }), grid = node("path", { class: "grid" }), zero = node("path", { class: "zero" });
     const inside = made("rect", {}, made("clipPath", { id: `inside${nth}` }, svg));
-    const ticks = node("g", { class: "ticks" });
+    const ticks = node("g", { class: "ticks" }), band = node("path", { class: "band", "clip-path": `url(#inside${nth})` });
     const lines = chart.series.map((_, k) => node("path", { class: `curve s${k}`, "clip-path": `url(#inside${nth})` }));
     const title = node("text", { class: "title" }), legend = node("text", { class: "legend" });
     title.textContent = chart.title;
-    const labels = chart.series.map((_, k) => made("tspan", { class: `s${k}` }, legend));
+    const labels = chart.series.map((_, k) => made("tspan", { class: `s${k}` }, legend)), rest = made("tspan", {}, legend);
     const cursor = node("path", { class: "cursor" });
     const dots = chart.series.map((_, k) => node("circle", { class: `dot s${k}`, r: 4 }));
-    return { ...chart, svg, out, grid, zero, inside, ticks, lines, title, legend, labels, cursor, dots };
+    return { ...chart, svg, out, grid, zero, inside, ticks, band, lines, title, legend, labels, rest, cursor, dots };
   });
 };
 
@@ -121,29 +126,34 @@ const drawChart = (chart, width) => {
   // A row that is zero throughout is left out, unless all are.
   const isZero = (list) => list.every((x) => !(Math.abs(x) > 1e-12));
   const isShown = values.map((list) => !isZero(list) || values.every(isZero));
-  const range = rangeOf(values.filter((_, k) => isShown[k]).flat()), [from, to] = domain();
+  const bands = samples.map(({ holding }) => (chart.hasBand && holding) || null);
+  const range = rangeOf([...values.filter((_, k) => isShown[k]), ...bands.filter(Boolean)].flat()), [from, to] = domain();
   const X = (x) => left + ((width - left - right) * (x - from)) / (to - from);
   const Y = (y) => height - bottom - ((height - top - bottom) * (y - range[0])) / (range[1] - range[0]);
   Object.assign(chart, { values, isShown, X, Y, left, right, top, bottom, width, height });
-  chart.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-  chart.svg.setAttribute("aria-label", `${chart.title} over ${inputs[state.axis].name}`);
-  const box = { x: left, y: top, width: width - left - right, height: height - top - bottom };
-  for (const [name, value] of Object.entries(box)) chart.inside.setAttribute(name, value);
-  chart.out.setAttribute("d", gapsIn(chart));
+  put(chart.svg, { viewBox: `0 0 ${width} ${height}`, "aria-label": `${chart.title.textContent} over ${inputs[state.axis].name}` });
+  put(chart.inside, { x: left, y: top, width: width - left - right, height: height - top - bottom });
+  trace(chart.out, gapsIn(chart));
   drawTicks(chart, range);
-  chart.lines.forEach((line, k) => {
-    let d = "", isDown = false;
-    values[k].forEach((y, n) => {
-      if (isFinite(y)) d += `${isDown ? "L" : "M"}${short(X(samples[n].x))} ${short(clamp(Y(y), -2000, 2000))}`;
-      isDown = isFinite(y);
-    });
-    line.setAttribute("d", isShown[k] ? d : "");
-  });
+  const spot = (y, n) => isFinite(y) && [X(samples[n].x), clamp(Y(y), -2000, 2000)];
+  chart.lines.forEach((line, k) => trace(line, isShown[k] ? lineThrough(values[k].map(spot)) : ""));
+  trace(chart.band, areaBetween(bands.map((ends, n) => ends && ends.map((y) => spot(y, n)))));
   const [x, y, anchor] = isSlim ? [left, 34, "start"] : [width - right, 15, "end"];
-  chart.title.setAttribute("x", left);
-  chart.title.setAttribute("y", 15);
-  for (const [name, value] of Object.entries({ x, y, "text-anchor": anchor })) chart.legend.setAttribute(name, value);
+  put(chart.title, { x: left, y: 15 });
+  put(chart.legend, { x, y, "text-anchor": anchor });
 };
+
+/// Lines between pairs of spots, there and back, interrupted where there is none.
+const areaBetween = (pairs) => {
+  let d = "", way = [];
+  for (const pair of [...pairs, null]) {
+    if (pair) way = [pair[0], ...way, pair[1]];
+    else [d, way] = [d + pathOf(way, true), []];
+  }
+  return d;
+};
+
+const heldWords = ({ holding }) => (holding ? holding.map((x) => digits(x)).join(" … ") : "–");
 
 /// Bands where the machine cannot be assembled.
 const gapsIn = ({ X, top, bottom, height }) => {
@@ -163,14 +173,14 @@ const drawTicks = ({ X, Y, ticks, grid, zero, left, right, bottom, width, height
   const text = (words, x, y, anchor) => {
     const node = ticks.children[count++] ?? made("text", {}, ticks);
     if (node.textContent !== words) node.textContent = words;
-    const place = `${short(x)} ${short(y)} ${anchor}`;
-    if (node.place === place) return;
+    const place = [short(x), short(y), anchor].join();
+    if (node.place !== place) put(node, { x: short(x), y: short(y), "text-anchor": anchor });
     node.place = place;
-    for (const [name, value] of Object.entries({ x: short(x), y: short(y), "text-anchor": anchor })) node.setAttribute(name, value);
   };
   const [levels, step] = roundNumbers(range, 4);
-  grid.setAttribute("d", levels.map((y) => `M${left} ${short(Y(y))}H${width - right}`).join(""));
-  zero.setAttribute("d", range[0] < 0 && range[1] > 0 ? `M${left} ${short(Y(0))}H${width - right}` : "");
+  const across = (y) => `M${left} ${short(Y(y))}H${width - right}`;
+  trace(grid, levels.map(across).join(""));
+  trace(zero, range[0] < 0 && range[1] > 0 ? across(0) : "");
   for (const y of levels) text(tickWords(y, step), left - 7, Y(y) + 4, "end");
   const { isAngle, unit } = inputs[state.axis], [name, times] = shownIn(unit, 0), [from, to] = domain();
   const isTurn = isAngle && Math.abs(to - from - TURN) < 1e-9, parts = width < 420 ? 4 : 8;
@@ -195,19 +205,19 @@ const drawCursors = (now) => {
   const x = cursorAt(), [from, to] = domain();
   const near = clamp(Math.round((STEPS * (x - from)) / (to - from)), 0, STEPS);
   for (const chart of charts) {
-    const { X, Y, series, isShown, values, dots, labels, cursor, top, bottom, height, unit } = chart;
-    cursor.setAttribute("d", `M${short(X(x))} ${top}V${height - bottom}`);
+    const { X, Y, series, isShown, values, dots, labels, rest, cursor, top, bottom, height, unit } = chart;
+    trace(cursor, `M${short(X(x))} ${top}V${height - bottom}`);
     let isFirst = true;
     series.forEach(({ name, of, isAngle }, k) => {
       const y = of(now), isKnown = isFinite(y) && isShown[k];
       // The angle of the curve's own turn.
       const level = isAngle && isFinite(values[k][near]) ? y + 360 * Math.round((values[k][near] - y) / 360) : y;
       const isInside = isKnown && Y(level) > top - 5 && Y(level) < height - bottom + 5;
-      dots[k].setAttribute("visibility", isInside ? "visible" : "hidden");
-      if (isInside) dots[k].setAttribute("transform", `translate(${short(X(x))} ${short(Y(level))})`);
-      labels[k].textContent = isShown[k] ? `${isFirst ? "" : "   "}${name} ${withUnit(y, unit)}` : "";
+      show(dots[k], isInside, [X(x), Y(level)]);
+      labels[k].textContent = isShown[k] ? (isFirst ? "" : "   ") + `${name} ${withUnit(y, unit)}`.trim() : "";
       isFirst &&= !isShown[k];
     });
+    rest.textContent = chart.hasBand && now.holding ? `   at rest ${heldWords(now)}` : "";
   }
 };
 
@@ -218,16 +228,9 @@ const cells = [];
 const buildTable = () => {
   const table = $("#values");
   const row = (label, kind, contents) => {
-    const line = table.insertRow(), head = document.createElement("th");
-    head.scope = kind;
-    head.textContent = label;
-    line.append(head);
-    return contents.map((content) => {
-      const cell = kind === "row" ? line.insertCell() : document.createElement("th");
-      cell.textContent = content;
-      line.append(cell);
-      return cell;
-    });
+    const line = table.insertRow();
+    element("th", { scope: kind, textContent: label }, line);
+    return contents.map((textContent) => element(kind === "row" ? "td" : "th", { textContent }, line));
   };
   if (rows.length) row("", "col", ["position", "velocity", "acceleration"]);
   for (const each of rows) {
@@ -240,6 +243,7 @@ const buildTable = () => {
     const [cell] = row(label, "row", [""]);
     cells.push([cell, ({ forces }) => (forces ? words(forces[k], unit) : "–")]);
   });
+  if (MACHINE.holding) cells.push([row(`${driven} at rest`, "row", [""])[0], heldWords]);
 };
 
 let told = 0;
@@ -259,18 +263,21 @@ const tellValues = (now) => {
 const csv = () => {
   const quoted = (text) => (/[",]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const { name, unit } = inputs[state.axis], per = ["", "/s", "/s²"];
+  const held = MACHINE.holding ? ["backwards", "forwards"] : [];
   const orders = rows.flatMap((row) => [0, 1, 2].map((order) => [row, order]));
   const head = [
     `${name} [${unit}]`,
     ...orders.map(([{ label, unit }, order]) => `${["", "velocity of ", "acceleration of "][order]}${label} [${unit}${per[order]}]`),
     ...efforts.map(({ label, unit }) => `${label} [${unit}]`),
+    ...held.map((way) => `${driven} at rest ${way}`),
     "reason",
   ];
-  const lines = samples.map(({ x, pose, motion, forces }) => [
+  const lines = samples.map(({ x, motion, forces, holding, refused }) => [
     x,
     ...orders.map(([row, order]) => (motion ? valueOf(row, order, motion) : "")),
     ...efforts.map((_, k) => (forces ? forces[k] : "")),
-    pose.error ? why(pose.error) : "",
+    ...held.map((_, k) => (holding ? holding[k] : "")),
+    refused ? why(refused) : "",
   ]);
   return `${[head, ...lines].map((line) => line.map((cell) => quoted(String(cell))).join(",")).join("\n")}\n`;
 };

@@ -14,6 +14,10 @@ const fromBits = (high, low = 0) => (bytes.setUint32(0, high), bytes.setUint32(4
 const isNegative = (x) => x < 0 || Object.is(x, -0);
 const withSign = (x, sign) => (isNegative(x) === isNegative(sign) ? x : -x);
 
+// Where one of both is no number these answer as the crate's do, unlike those of `Math`.
+const magnitude = (x) => (x >= 0 ? x : -x);
+const greater = (a, b) => (a > b ? a : b);
+
 const fused = (a, b, c) => a * b + c;
 const select = (isMet, yes, no) => (isMet ? yes : no);
 
@@ -56,6 +60,7 @@ const exactSum = (terms) => {
 // ---- sine and cosine --------------------------------------------------------------------------------
 
 const NEAR = 2 ** 20, SHIFT = 1.5 * 2 ** 52;
+const isNear = (x) => x * x <= NEAR * NEAR;
 const QUADRANTS = 0.6366197723675814, REST = 6.077100506506192e-11;
 const [C1, C2, C3, C4] = [1.5707963267341256, 6.077100506303966e-11, 2.0222662487111665e-21, 8.4784276603689e-32];
 const [S0, S1, S2, S3, S4, S5] = [
@@ -69,12 +74,42 @@ const [K0, K1, K2, K3, K4, K5] = [
 /// Sines of quarter turns, each the cosine of the quarter before.
 const QUARTERS = [-0, 1, 0, -1, -0];
 
+/// 2/π in binary places.
+const TWO_OVER_PI = BigInt(
+  "0xa2f9836e4e441529fc2757d1f534ddc0db6295993c439041fe5163abdebbc561b7246e3a424dd2e006492eea09d1921cfe1deb1cb129a73e"
+  + "e88235f52ebb4484e99c7026b45f7e413991d639835339f49c845f8bbdf9283b1ff897ffde05980fef2f118b5a0a6d1f6d367ecf27cb09b7"
+  + "4f463f669e5fea2d7527bac7ebe5f17b3d0739f78a5292ea6bfb5fb11f8d5d0856033046");
+
+/// The number of quarter turns in an angle beyond the kernel's range, modulo four, and the rest as r − excess: the
+/// digits of 2/π that make whole turns are left out, 192 of the others multiplied (Payne and Hanek).
+const farRest = (x) => {
+  const high = highBits(x), shift = 2069 - ((high >>> 20) & 0x7ff);
+  const mantissa = (BigInt((high & 0xfffff) | 0x100000) << 32n) | BigInt(bytes.getUint32(4));
+  const product = BigInt.asUintN(192, mantissa * BigInt.asUintN(192, TWO_OVER_PI >> BigInt(shift)));
+  const isAboveHalf = (product >> 189n) & 1n, count = Number((product >> 190n) + isAboveHalf);
+  // The complement is less than the difference from the next quarter turn by 2⁻¹²⁸.
+  const rest = BigInt.asUintN(128, isAboveHalf ? ~(product >> 62n) : product >> 62n);
+  const part = (from, places) => Number(BigInt.asUintN(places, rest >> BigInt(from))) * 2 ** (from - 128);
+  const first = part(96, 32), second = part(44, 52), sum = first + second;
+  const sign = (isAboveHalf === 1n) !== x < 0 ? -1 : 1;
+  const [most, least] = [sign * sum, sign * (first - sum + second + part(0, 44))];
+  const quarters = most * QUARTER, error = mulErr(most, QUARTER) + (most * QUARTER_LOW + least * QUARTER);
+  const r = quarters + error;
+  return [x < 0 ? -count : count, r, r - quarters - error];
+};
+
 /// Sine and cosine of an angle, in this order.
 const sinCos = (x) => {
-  if (!(x * x <= NEAR * NEAR)) return [Math.sin(x), Math.cos(x)];
-  const q = x * QUADRANTS + SHIFT - SHIFT;
-  const minuend = -q * C1 + x, subtrahend = q * REST, r = minuend - subtrahend;
-  const excess = q * C4 + (q * C2 - subtrahend + q * C3 - (minuend - r - subtrahend));
+  if (!isFinite(x)) return [NaN, NaN];
+  let q, r, excess;
+  if (isNear(x)) {
+    q = x * QUADRANTS + SHIFT - SHIFT;
+    const minuend = -q * C1 + x, subtrahend = q * REST;
+    r = minuend - subtrahend;
+    excess = q * C4 + (q * C2 - subtrahend + q * C3 - (minuend - r - subtrahend));
+  } else {
+    [q, r, excess] = farRest(x);
+  }
   const z = r * r, z2 = z * z, head = 1 - 0.5 * z;
   const s = z * (z2 * (z2 * S5 + (z * S4 + S3)) + (z * S2 + S1)) + S0;
   const k = z * (z2 * (z2 * K5 + (z * K4 + K3)) + (z * K2 + K1)) + K0;
@@ -156,10 +191,4 @@ const hypot = (x, y) => {
   };
   const [hx, lx] = square(x), [hy, ly] = square(y);
   return scale * Math.sqrt(ly + lx + hy + hx);
-};
-
-/// The same as a solver's fast path has it: the root of the squares, where their sum is in range.
-const lengthOf = (x, y, least) => {
-  const square = fused(x, x, y * y);
-  return square >= least && square <= Number.MAX_VALUE ? sqrt(square) : hypot(x, y);
 };

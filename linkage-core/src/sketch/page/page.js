@@ -37,22 +37,17 @@ const fit = () => {
   const width = figure.parentElement.clientWidth, spare = width < 500 ? 40 : efforts.some(({ point }) => point !== null) ? 96 : 56;
   const least = width < 500 ? 240 : 300, most = Math.max(320, Math.min(0.62 * innerHeight, 560));
   const [wide, high] = [Math.max(x1 - x0, 1e-6), y1 - y0];
-  const height = clamp(((width - 2 * spare) * high) / wide + 2 * spare, least, most);
-  const scale = Math.min((width - 2 * spare) / wide, (height - 2 * spare) / Math.max(high, 1e-6));
-  Object.assign(view, { scale, width, height, x: width / 2 - (scale * (x0 + x1)) / 2, y: height / 2 + (scale * (y0 + y1)) / 2 });
+  const inner = clamp(((width - 2 * spare) * high) / wide + 2 * spare, least, most);
+  const scale = Math.min((width - 2 * spare) / wide, (inner - 2 * spare) / Math.max(high, 1e-6));
+  // Below stands the scale.
+  Object.assign(view, { scale, width, height: inner + 16, x: width / 2 - (scale * (x0 + x1)) / 2, y: inner / 2 + (scale * (y0 + y1)) / 2 });
   sample();
   build(poses);
 };
 
 const drawCurves = () => {
   tracedPoints.forEach((point, k) => {
-    let d = "", isDown = false;
-    for (const { pose } of samples) {
-      const at = pose.error ? null : pose.point(point);
-      if (at) d += `${isDown ? "L" : "M"}${onPage(at).map(short).join(" ")}`;
-      isDown = !!at;
-    }
-    nodes.trace[k].setAttribute("d", d);
+    trace(nodes.trace[k], lineThrough(samples.map(({ pose }) => !pose.error && onPage(pose.point(point)))));
   });
   charts.forEach((chart) => drawChart(chart, chartsWidth));
 };
@@ -60,20 +55,20 @@ const drawCurves = () => {
 const drawPose = () => {
   const pose = new Pose(state.q);
   if (!pose.error) lastGood = pose;
-  const now = { motion: pose.error ? null : motionAt(pose.q), forces: pose.error ? null : forcesAt(pose.q) };
-  drawBodies(nodes.body, pose);
-  nodes.ghost.setAttribute("visibility", pose.error && lastGood ? "visible" : "hidden");
-  if (pose.error && lastGood) drawBodies(nodes.shade, lastGood);
+  const now = answersAt(pose);
+  const bodies = bodiesOf(pose);
+  drawBodies(nodes.body, bodies);
+  show(nodes.ghost, pose.error && lastGood);
+  if (pose.error && lastGood) drawBodies(nodes.shade, bodiesOf(lastGood));
   drawSprings(pose);
-  drawJoints(pose);
+  drawJoints(pose, bodies);
   drawGap(pose);
   drawForces(pose, now.forces);
   const said = inputs.map(({ name }, k) => `${name} ${inputWords(k)}`).join("  ·  ");
-  $("#state").textContent = pose.error ? why(pose.error) : said;
-  $("#state").classList.toggle("warn", !!pose.error);
+  $("#state").textContent = now.refused ? why(now.refused) : said;
+  $("#state").classList.toggle("warn", !!now.refused);
   const held = drag && pose.point(drag.point);
-  nodes.halo.setAttribute("visibility", held ? "visible" : "hidden");
-  if (held) nodes.halo.setAttribute("transform", `translate(${onPage(held).map(short)})`);
+  show(nodes.halo, held, held && onPage(held));
   setInputs();
   drawCursors(now);
   tellValues(now);
@@ -109,7 +104,7 @@ const pointNear = (place, far) => {
   return near.sort((a, b) => a[0] - b[0])[0]?.[1];
 };
 
-figure.addEventListener("pointerdown", (event) => {
+on(figure, "pointerdown", (event) => {
   const place = placeOf(event), point = pointNear(place, event.pointerType === "touch" ? 44 : 28);
   if (point === undefined) return;
   event.preventDefault();
@@ -119,7 +114,9 @@ figure.addEventListener("pointerdown", (event) => {
   drag = { point, crank: crankOf(point), offset: minus(new Pose(state.q).point(point), place) };
   draw(POSE);
 });
-figure.addEventListener("pointermove", (event) => {
+// A finger on a joint does not scroll.
+on(figure, "touchstart", (event) => drag && event.preventDefault());
+on(figure, "pointermove", (event) => {
   const place = placeOf(event);
   if (!drag) {
     figure.style.cursor = pointNear(place, 28) === undefined ? "" : "grab";
@@ -129,7 +126,7 @@ figure.addEventListener("pointermove", (event) => {
   go(crank ? turned(crank, point, to, state.q) : towards(point, to, state.q));
 });
 for (const end of ["pointerup", "pointercancel"]) {
-  figure.addEventListener(end, () => {
+  on(figure, end, () => {
     drag = null;
     draw(POSE);
   });
@@ -142,13 +139,13 @@ const scrub = (event) => {
   play(false);
   go(withInput(state.axis, from + (to - from) * share));
 };
-$("#charts").addEventListener("pointerdown", (event) => {
+on($("#charts"), "pointerdown", (event) => {
   $("#charts").setPointerCapture(event.pointerId);
   scrub(event);
 });
-$("#charts").addEventListener("pointermove", (event) => $("#charts").hasPointerCapture(event.pointerId) && scrub(event));
+on($("#charts"), "pointermove", (event) => $("#charts").hasPointerCapture(event.pointerId) && scrub(event));
 
-figure.addEventListener("keydown", (event) => {
+on(figure, "keydown", (event) => {
   const way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
   if (event.key === " ") play(!playing);
   else if (way) {
@@ -254,22 +251,20 @@ const start = () => {
   if (!isStill && !isRecalled) play(true);
 };
 
-$("#play").addEventListener("click", () => play(!playing));
-$("#reset").addEventListener("click", reset);
-$("#copy").addEventListener("click", copyDeclaration);
-$("#csv").addEventListener("click", () => {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([csv()], { type: "text/csv" }));
-  link.download = `${PLAN.name}.csv`;
-  link.click();
-  URL.revokeObjectURL(link.href);
+on($("#play"), "click", () => play(!playing));
+on($("#reset"), "click", reset);
+on($("#copy"), "click", copyDeclaration);
+on($("#csv"), "click", () => {
+  const href = URL.createObjectURL(new Blob([csv()], { type: "text/csv" }));
+  element("a", { href, download: `${PLAN.name}.csv` }).click();
+  URL.revokeObjectURL(href);
 });
-$("#shown").addEventListener("change", ({ target }) => {
+on($("#shown"), "change", ({ target }) => {
   state.shown = target.value;
   buildCharts();
   draw(CURVES);
 });
-$("#axis").addEventListener("change", ({ target }) => setAxis(+target.value));
+on($("#axis"), "change", ({ target }) => setAxis(+target.value));
 let lastWidth = 0;
 new ResizeObserver(() => {
   const width = figure.parentElement.clientWidth;

@@ -2,20 +2,40 @@
 
 const $ = (selector) => document.querySelector(selector);
 const figure = $("#figure");
-const made = (tag, attributes, parent) => {
-  const node = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+const on = (node, kind, does) => node.addEventListener(kind, does);
+const element = (tag, properties, parent) => {
+  const node = Object.assign(document.createElement(tag), properties);
   parent?.append(node);
   return node;
+};
+const put = (node, attributes) => {
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+};
+const made = (tag, attributes, parent) => {
+  const node = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  put(node, attributes);
+  parent?.append(node);
+  return node;
+};
+const trace = (node, d) => node.setAttribute("d", d ?? "");
+const shiftTo = (spot) => `translate(${spot.map(short)})`;
+/// Shows a node, at a spot if there is one, or hides it.
+const show = (node, isShown, spot) => {
+  node.setAttribute("visibility", isShown ? "inherit" : "hidden");
+  if (isShown && spot) node.setAttribute("transform", shiftTo(spot));
 };
 
 /// From metres to pixels, y up and y down.
 const view = { scale: 100, x: 0, y: 0, width: 700, height: 480 };
 const onPage = ([x, y]) => [view.x + view.scale * x, view.y - view.scale * y];
 const degreesOf = ({ cos, sin }) => (-atan2(sin, cos) * 180) / Math.PI;
+const seatOf = (frame) => `${shiftTo(onPage(frame.at))} rotate(${short(degreesOf(frame))})`;
 const short = (x) => +x.toFixed(1);
 const pathOf = (spots, isClosed = false) =>
   spots.length < 2 ? "" : `M${spots.map((spot) => spot.map(short).join(" ")).join("L")}${isClosed ? "Z" : ""}`;
+/// The line through spots, interrupted where there is none.
+const lineThrough = (spots) =>
+  spots.map((spot, k) => (spot ? `${k && spots[k - 1] ? "L" : "M"}${spot.map(short)}` : "")).join("");
 const apart = ([x, y], [u, v]) => Math.hypot(u - x, v - y);
 const minus = ([x, y], [u, v]) => [x - u, y - v];
 /// The place so far behind a, on the way to b and so far to the side of it.
@@ -206,19 +226,29 @@ const bodiesIn = (layer) => {
   }));
 };
 
-const drawBodies = (nodes, pose) => {
-  allMembers.forEach((member, k) => {
-    const statement = statements.find(({ members }) => members.includes(member));
-    const parts = pose.link(member.link) ? SHAPES[member.shape](pose, member, statement) : {};
-    const carried = pose.link(member.link) ? carriedBy(pose, member.link) : "";
-    const { plate, bar, rod, tube, block } = nodes[k];
-    plate.setAttribute("d", parts.plate ?? "");
-    bar.setAttribute("d", (parts.bar ?? "") + carried);
-    rod.setAttribute("d", parts.rod ?? "");
-    tube.setAttribute("d", parts.tube ?? "");
-    block.setAttribute("visibility", parts.block ? "visible" : "hidden");
-    if (parts.block) {
-      block.setAttribute("transform", `translate(${onPage(parts.block.at).map(short)}) rotate(${short(degreesOf(parts.block))})`);
-    }
+/// The parts of every member of a pose.
+const bodiesOf = (pose) => allMembers.map((member) => {
+  if (!pose.link(member.link)) return {};
+  const parts = SHAPES[member.shape](pose, member, statements.find(({ members }) => members.includes(member)));
+  return { ...parts, bar: (parts.bar ?? "") + carriedBy(pose, member.link) };
+});
+
+const drawBodies = (nodes, bodies) => bodies.forEach(({ plate, bar, rod, tube, block }, k) => {
+  const node = nodes[k];
+  trace(node.plate, plate);
+  trace(node.bar, bar);
+  trace(node.rod, rod);
+  trace(node.tube, tube);
+  show(node.block, block);
+  if (block) put(node.block, { transform: seatOf(block) });
+});
+
+/// The lines that bodies are drawn with; of a block its long axis.
+const linesOf = (bodies) => bodies.flatMap(({ plate = "", bar = "", rod = "", tube = "", block }) => {
+  const lines = `${plate}${bar}${rod}${tube}`.split("M").slice(1).flatMap((way) => {
+    const spots = way.split(/[LZ]/).filter(Boolean).map((spot) => spot.split(" ").map(Number));
+    return spots.flatMap((spot, k) => (k || way.endsWith("Z") ? [[spots.at(k - 1), spot, 3]] : []));
   });
-};
+  const end = (x) => onPage(placed(block, [x / view.scale, 0]));
+  return block ? [...lines, [end(-13), end(13), 11]] : lines;
+});

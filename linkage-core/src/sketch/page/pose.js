@@ -108,14 +108,16 @@ const seenFrom = ({ at, cos, sin }, [x, y]) => {
 const atRest = inputs.map(() => 0);
 const rates = () => inputs.map((_, k) => (k === state.axis ? state.rate : 0));
 
-/// Outputs and forces at constant rate where the pose can be assembled.
-const motionAt = (q) => {
-  const motion = MACHINE.motion?.(state.p, q, rates(), atRest);
-  return motion && !motion.error ? motion.numbers : null;
-};
-const forcesAt = (q) => {
-  const forces = MACHINE.forces?.(state.p, q, rates(), atRest, state.l);
-  return forces && !forces.error ? forces.numbers : null;
+/// Outputs, forces at constant rate and the drives between which friction holds the machine at rest, where they
+/// are there, and the first reason why outputs or forces are not.
+const answersAt = ({ q, error }) => {
+  const found = { refused: error };
+  for (const name of ["motion", "forces", "holding"]) {
+    const { numbers, error: own } = (!error && MACHINE[name]?.(state.p, q, rates(), atRest, state.l)) || {};
+    found[name] = own ? null : numbers;
+    if (name !== "holding") found.refused ??= own;
+  }
+  return found;
 };
 
 /// How many numbers each kind of output has, as a position and as a rate, and its scalar rows.

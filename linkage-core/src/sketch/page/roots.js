@@ -11,9 +11,7 @@ const ROOT_EPSILON = 2 ** -26, STEEPER = 4, SEEDED = 3;
 /// A target within this part of the sides of an end counts as that end.
 const SLACK = 4 * EPSILON;
 
-// Where one of both is no number these answer as the crate's do, unlike those of `Math`.
-const magnitude = (x) => (x >= 0 ? x : -x);
-const greater = (a, b) => (a > b ? a : b);
+// Where one of both is no number this answers as the crate's does, unlike that of `Math`.
 const less = (a, b) => (b > a ? a : b);
 const middle = (a, b) => a + (b - a) * 0.5;
 const signed = (sign, { x, value, slope }) => ({ x, value: sign * value, slope: sign * slope });

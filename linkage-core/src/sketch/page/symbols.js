@@ -5,7 +5,7 @@ const nodes = {};
 /// All nodes anew, for another scale.
 const build = (poses) => {
   figure.replaceChildren();
-  figure.setAttribute("viewBox", `0 0 ${view.width} ${view.height}`);
+  put(figure, { viewBox: `0 0 ${view.width} ${view.height}` });
   for (const layer of ["ground", "traces", "ghost", "bodies", "springs", "reach", "pins", "forces", "names", "grip"]) {
     nodes[layer] = made("g", { class: layer }, figure);
   }
@@ -18,6 +18,7 @@ const build = (poses) => {
   nodes.missingWords = made("text", { class: "word warn" }, nodes.reach);
   nodes.pin = PLAN.points.map((_, point) =>
     made("circle", { class: grounds.has(point) ? "pin" : "pin grip-able", r: tracedPoints.includes(point) ? 5.5 : 4.6 }, nodes.pins));
+  nodes.leads = made("path", { class: "lead" }, nodes.names);
   nodes.name = PLAN.points.map((name) => {
     const text = made("text", { class: "name" }, nodes.names);
     text.textContent = name;
@@ -49,7 +50,7 @@ const tracedPoints = (() => {
 
 const rail = (frame, [from, to]) => {
   const [a, b] = [from, to].map((x) => x * view.scale);
-  const seat = made("g", { class: "still", transform: `translate(${onPage(frame.at).map(short)}) rotate(${short(degreesOf(frame))}) translate(0 9.5)` }, nodes.ground);
+  const seat = made("g", { class: "still", transform: `${seatOf(frame)} translate(0 9.5)` }, nodes.ground);
   made("path", { d: `M${short(a)} 0H${short(b)}` }, seat);
   let hatches = "";
   for (let x = a + 6; x <= b; x += 7) hatches += `M${short(x)} 0l-6 7`;
@@ -57,7 +58,7 @@ const rail = (frame, [from, to]) => {
 };
 
 const support = (at) => {
-  const seat = made("g", { class: "still", transform: `translate(${at.map(short)})` }, nodes.ground);
+  const seat = made("g", { class: "still", transform: shiftTo(at) }, nodes.ground);
   made("path", { d: "M0 0L-10 17H10Z", class: "foot" }, seat);
   made("path", { d: "M-17 17H17" }, seat);
   made("path", { d: "M-11 17l-6 7M-4 17l-6 7M3 17l-6 7M10 17l-6 7M17 17l-6 7", class: "thin" }, seat);
@@ -70,7 +71,7 @@ const drawGround = (poses) => {
   }
   for (const point of grounds) if (used.has(point)) support(onPage(pose.point(point)));
   for (const { turned, link, pivot } of allMembers) {
-    if (!turned || inputs.some((input) => input.isAngle && !input.turns)) continue;
+    if (!turned || !inputs.some(({ turns }) => turns) || inputs.some((input) => input.isAngle && !input.turns)) continue;
     const [centre, pin] = [pose.point(pivot), joints[link].find((point) => point !== pivot)];
     const at = pin === undefined || !centre ? null : pose.point(pin);
     if (at) {
@@ -88,55 +89,67 @@ const drawGround = (poses) => {
 
 // ---- names ------------------------------------------------------------------------------------------
 
-/// Offsets of the names from their points: a side each that is clear of bars, joints and other names in most
-/// poses, chosen once.
+/// Offsets of the names from their points: of eight sides, near and far, one that is clear of bars, joints and
+/// other names in most poses. Where it is not, the name goes elsewhere.
 const offsets = [];
+const halfOf = (point) => 3.8 * PLAN.points[point].length + 1.5;
+const seenIn = (pose, bodies) => ({
+  lines: linesOf(bodies),
+  spots: PLAN.points.map((_, point) => {
+    const at = used.has(point) && pose.point(point);
+    return at && onPage(at);
+  }),
+});
 const placeNames = (poses) => {
-  const seen = poses.filter((_, k) => k % Math.ceil(poses.length / 24) === 0);
-  PLAN.points.forEach((name, point) => {
-    if (!used.has(point)) return;
-    let best = [Infinity];
-    for (let way = 0; way < 8; way++) {
-      const wide = 7.6 * name.length, [cx, cy] = [Math.cos((way * Math.PI) / 4), Math.sin((way * Math.PI) / 4)];
-      const isOnBlock = allMembers.some(({ link, shape }) => shape === "block" && joints[link].includes(point));
-      const offset = [cx * ((isOnBlock ? 18 : 11) + wide / 2), cy * (isOnBlock ? 20 : 16)];
-      const cost = way * 0.01 + seen.reduce((sum, pose) => sum + crowding(pose, point, offset, wide), 0) / seen.length;
-      if (cost < best[0]) best = [cost, offset];
-    }
-    offsets[point] = best[1];
-  });
+  offsets.length = 0;
+  const seen = poses.filter((_, k) => k % Math.ceil(poses.length / 24) === 0).map((pose) => seenIn(pose, bodiesOf(pose)));
+  for (const point of used) offsets[point] = sideOf(point, seen);
 };
 
-/// How much a name at this offset covers in a pose.
-const crowding = (pose, point, offset, wide) => {
-  const at = pose.point(point);
-  if (!at) return 0;
-  const [x, y] = onPage(at).map((part, k) => part + offset[k]);
-  const isOff = x < wide / 2 + 4 || x > view.width - wide / 2 - 4 || y < 12 || y > view.height - 26;
-  let cost = isOff ? 3 : 0;
-  for (const ground of grounds) {
-    const spot = used.has(ground) && pose.point(ground);
-    if (!spot) continue;
-    const [u, v] = onPage(spot);
-    if (Math.abs(u - x) < wide / 2 + 18 && y > v - 6 && y < v + 34) cost += 2;
+const sideOf = (point, seen) => {
+  const isOnBlock = allMembers.some(({ link, shape }) => shape === "block" && joints[link].includes(point));
+  let best = [Infinity];
+  for (let way = 0; way < 40; way++) {
+    const angle = (way * Math.PI) / 4, far = way >> 3;
+    const offset = [Math.cos(angle) * ((isOnBlock ? 18 : 11) + 9 * far + halfOf(point)), Math.sin(angle) * ((isOnBlock ? 20 : 16) + 9 * far)];
+    const cost = way * 0.01 + seen.reduce((sum, one) => sum + crowding(one, point, offset), 0) / seen.length;
+    if (cost < best[0]) best = [cost, offset];
   }
-  for (const other of used) {
-    const spot = other !== point && pose.point(other);
-    if (!spot) continue;
-    const [u, v] = onPage(spot), [dx, dy] = offsets[other] ?? [0, 0];
-    const half = 3.8 * PLAN.points[other].length;
-    if (Math.abs(u - x) < wide / 2 + 9 && Math.abs(v - y) < 14) cost += 1;
-    if (offsets[other] && Math.abs(u + dx - x) < wide / 2 + half && Math.abs(v + dy - y) < 14) cost += 2;
-  }
-  for (const own of joints) {
-    const spots = own.map((joint) => pose.point(joint)).filter(Boolean).map(onPage);
-    spots.forEach((a, k) => spots.slice(k + 1).forEach((b) => {
-      const [ux, uy] = minus(b, a);
-      const share = clamp(((x - a[0]) * ux + (y - a[1]) * uy) / (ux * ux + uy * uy || 1), 0, 1);
-      if (Math.abs(a[0] + share * ux - x) < wide / 2 + 3 && Math.abs(a[1] + share * uy - y) < 10) cost += 1;
-    }));
+  return best[1];
+};
+
+/// The cost of a name at this offset: the things that it covers.
+const crowding = ({ spots, lines }, point, [dx, dy]) => {
+  if (!spots[point]) return 0;
+  const [px, py] = spots[point], [x, y, half] = [px + dx, py + dy, halfOf(point)];
+  const covers = (u, v, wide, above, below) => Math.abs(u - x) < half + wide && y > v - above && y < v + below;
+  let cost = x < half + 4 || x > view.width - half - 4 || y < 12 || y > view.height - 26 ? 3 : 0;
+  spots.forEach((spot, other) => {
+    if (!spot) return;
+    const [u, v] = spot, [du, dv] = offsets[other] ?? [];
+    if (grounds.has(other) && covers(u, v, 18, 6, 34)) cost += 2;
+    if (other === point) return;
+    if (covers(u, v, 8, 14, 14)) cost += 1;
+    if (covers(u + du, v + dv, halfOf(other), 15, 15)) cost += 6;
+  });
+  for (const [a, b, thick] of lines) {
+    // No axis tells the line and the name's box apart.
+    const [ux, uy] = minus(b, a).map((part) => part / 2), [mx, my] = [x - a[0] - ux, y - a[1] - uy];
+    const [wide, high, across, up] = [half + thick, 6 + thick, Math.abs(ux), Math.abs(uy)];
+    const isApart = Math.abs(mx) > wide + across || Math.abs(my) > high + up || Math.abs(ux * my - uy * mx) > wide * up + high * across;
+    if (!isApart) cost += 1;
   }
   return cost;
+};
+
+/// The texts of a frame: left ends, baselines and widths. A text goes to the first spot where it lies on no other
+/// one, and is hidden where there is none.
+let texts = [];
+const write = (node, wide, spots) => {
+  const spot = spots.map(([x, y]) => [clamp(x, 4, view.width - wide - 4), clamp(y, 14, view.height - 26)])
+    .find(([x, y]) => texts.every(([u, v, its]) => x > u + its || u > x + wide || Math.abs(y - v) > 15));
+  show(node, spot, spot);
+  if (spot) texts.push([...spot, wide]);
 };
 
 // ---- what moves -------------------------------------------------------------------------------------
@@ -164,38 +177,47 @@ const drawSprings = (pose) => PLAN.springs.forEach(({ ends, kinds }, k) => {
     hasStiffness && hasDamping ? zigzag(a, b, -11) + damper(a, b, 11) + pathOf([along(a, b, 0, -11), along(a, b, 0, 11)])
       + pathOf([along(b, a, 0, -11), along(b, a, 0, 11)])
     : hasStiffness ? zigzag(a, b) : damper(a, b);
-  nodes.spring[k].setAttribute("d", a && b ? draw([a, b].map(onPage)) : "");
+  trace(nodes.spring[k], a && b && draw([a, b].map(onPage)));
 });
 
-const drawJoints = (pose) => PLAN.points.forEach((_, point) => {
-  const at = pose.point(point), isShown = at && used.has(point);
-  for (const node of [nodes.pin[point], nodes.name[point]]) node.setAttribute("visibility", isShown ? "visible" : "hidden");
-  if (!isShown) return;
-  const [x, y] = onPage(at), [dx, dy] = offsets[point];
-  nodes.pin[point].setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
-  const half = 3.8 * PLAN.points[point].length;
-  const [u, v] = [clamp(x + dx, half + 2, view.width - half - 2), clamp(y + dy + 4.5, 14, view.height - 6)];
-  nodes.name[point].setAttribute("transform", `translate(${u.toFixed(1)} ${v.toFixed(1)})`);
-});
+const drawJoints = (pose, bodies) => {
+  const seen = seenIn(pose, bodies), { spots } = seen;
+  let leads = "";
+  texts = [];
+  spots.forEach((spot, point) => {
+    show(nodes.pin[point], spot, spot);
+    show(nodes.name[point], spot);
+    if (!spot) return;
+    if (crowding(seen, point, offsets[point])) offsets[point] = sideOf(point, [seen]);
+    const [dx, dy] = offsets[point], half = halfOf(point);
+    const [x, y] = [clamp(spot[0] + dx, half + 2, view.width - half - 2), clamp(spot[1] + dy + 4.5, 14, view.height - 6)];
+    show(nodes.name[point], true, [x, y]);
+    texts.push([x - half, y, 2 * half]);
+    const far = Math.hypot(dx, dy);
+    if (far > 35 + half) leads += pathOf([along(spot, [x, y - 4.5], 7), along(spot, [x, y - 4.5], far - 12)]);
+  });
+  trace(nodes.leads, leads);
+};
 
 /// How far each link of the failed group reaches, dashed, and what is missing between them.
 const drawGap = (pose) => {
   const { error, failed } = pose;
   const isShown = error?.kind === "OutOfReach" && failed;
-  nodes.reach.setAttribute("visibility", isShown ? "visible" : "hidden");
+  show(nodes.reach, isShown);
+  show(nodes.missingWords, false);
   if (!isShown) return;
   const bounds = failed.members.map((member) => boundOf(pose, member, failed)).filter(Boolean);
   const ends = bounds.length === 2 ? between(...bounds) : null;
   nodes.reaches.forEach((node, k) => {
     const bound = bounds[k], to = ends?.[k];
-    node.setAttribute("d", bound && to ? dashed(bound, to) : "");
+    trace(node, bound && to && dashed(bound, to));
     if (bound) node.style.stroke = colours[failed.members[k].link];
   });
-  nodes.missing.setAttribute("d", ends ? pathOf(ends) : "");
+  trace(nodes.missing, ends && pathOf(ends));
   nodes.missingWords.textContent = ends ? `${words(error.by, "m")} missing` : "";
   if (!ends) return;
   const [x, y] = ends[0].map((part, k) => (part + ends[1][k]) / 2);
-  nodes.missingWords.setAttribute("transform", `translate(${clamp(x + 10, 8, view.width - 130)} ${clamp(y - 10, 16, view.height - 26)})`);
+  write(nodes.missingWords, 120, [-10, 22, -28, 40].flatMap((dy) => [[x + 10, y + dy], [x - 130, y + dy]]));
 };
 
 /// A circle about its pivot, or the line along which a block's pin goes.
@@ -241,15 +263,15 @@ const drawForces = (pose, forces) => {
     const at = pose.point(point), k = efforts.findIndex((row) => row.effort === effort);
     const force = forces && [forces[k], forces[k + 1]], size = force ? Math.hypot(...force) : 0;
     const length = (size / largestForce) * 90, isShown = at && length > 2;
-    for (const node of [path, text]) node.setAttribute("visibility", isShown ? "visible" : "hidden");
+    show(path, isShown);
+    show(text, false);
     if (!isShown) continue;
     const from = onPage(at), to = [from[0] + (force[0] / size) * Math.max(length, 15), from[1] - (force[1] / size) * Math.max(length, 15)];
-    path.setAttribute("d", pathOf([from, to]) + pathOf([along(to, from, 9, 4), to, along(to, from, 9, -4)]));
-    const isRight = to[0] >= from[0], wide = 7 * (effort.length + 8);
-    const beside = clamp(to[0] + (isRight ? 6 : -6), isRight ? 4 : wide, view.width - (isRight ? wide : 4));
+    trace(path, pathOf([from, to]) + pathOf([along(to, from, 9, 4), to, along(to, from, 9, -4)]));
+    if (length < 25 || view.width < 500) continue;
     text.textContent = `${effort} ${digits(size, 3)} N`;
-    text.setAttribute("text-anchor", isRight ? "start" : "end");
-    text.setAttribute("visibility", length > 25 && view.width > 500 ? "visible" : "hidden");
-    text.setAttribute("transform", `translate(${short(beside)} ${short(clamp(to[1] - 6, 14, view.height - 6))})`);
+    const wide = 6.7 * text.textContent.length, sides = [to[0] + 6, to[0] - 6 - wide];
+    if (to[0] < from[0]) sides.reverse();
+    write(text, wide, [-6, 16].flatMap((dy) => sides.map((x) => [x, to[1] + dy])));
   }
 };

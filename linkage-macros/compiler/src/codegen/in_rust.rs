@@ -176,8 +176,8 @@ impl Dialect for InRust<'_> {
     }
 
     /// One call for all of them: each stands in the equations of the others.
-    fn amounts(printer: &Printer<'_, Self>, amounts: &Amounts, to: &mut Text) {
-        let Amounts { joints, ids, starts, rows } = amounts;
+    fn amounts(printer: &Printer<'_, Self>, amounts_of: &Amounts, to: &mut Text) {
+        let Amounts { joints, ids, starts, rows } = amounts_of;
         to.put("let [").list(ids, |to, id| {
             to.put(&id.map_or("_".to_string(), |id| printer.local(id)));
         });
@@ -189,8 +189,7 @@ impl Dialect for InRust<'_> {
             printer.values(row, to.put("["));
             to.put("]");
         });
-        let guides = joints.iter().enumerate().map(|(j, (_, is_guide))| u32::from(*is_guide) << j);
-        to.put(&format!("], guides: {} }}, joints: [", guides.sum::<u32>()));
+        to.put(&format!("], guides: {} }}, joints: [", amounts_of.guides()));
         to.list(joints, |to, (joint, _)| {
             to.put(&quoted(joint));
         });

@@ -2,7 +2,8 @@
 //!
 //! Inputs and their rates are the lists `q`, `v` and `a`, parameters `p`, loads `l`: only locals have names,
 //! all of which end in an underscore, so that none is a word of the language or one of the page's own.
-//! Functions are those of the page's `kernels.js`, conditions methods of its `checks.js`.
+//! Functions are those of the page's `kernels.js`, conditions methods of its `checks.js`, friction is solved by
+//! its `friction.js`.
 
 use super::identifiers::{CIRCLE, text};
 use super::printer::{Dialect, Operation, Printer};
@@ -19,7 +20,7 @@ pub(super) struct InScript<'a> {
     pub graph: &'a Graph,
     /// Names of the groups, as errors have them.
     pub groups: &'a [String],
-    /// True if lengths are asked for as by an entry point's fast path, which takes the root of their square.
+    /// True for an entry point, whose checks know its fast path's lengths and angles.
     pub is_fast: bool,
 }
 
@@ -67,11 +68,12 @@ impl Dialect for InScript<'_> {
         printer: &Printer<'_, Self>,
         angle: Id,
         pair: [Option<Id>; 2],
-        _: bool,
+        is_checked: bool,
         to: &mut Text,
     ) {
         let [sin, cos] = pair.map(|id| id.map_or(String::new(), |id| printer.local(id)));
-        to.put("const [").put(&sin).put(", ").put(&cos).put("] = sinCos(");
+        let of_checks = if is_checked && printer.dialect.is_fast { "c." } else { "" };
+        to.put("const [").put(&sin).put(", ").put(&cos).put("] = ").put(of_checks).put("sinCos(");
         printer.value(angle, to);
         to.put(");\n");
     }
@@ -85,7 +87,7 @@ impl Dialect for InScript<'_> {
     ) {
         let is_fast = printer.dialect.is_fast;
         to.put("const ").put(&printer.local(id));
-        printer.values(&of, to.put(if is_fast { " = lengthOf(" } else { " = hypot(" }));
+        printer.values(&of, to.put(if is_fast { " = c.length(" } else { " = hypot(" }));
         if is_fast {
             to.put(", ").put(&match least_square {
                 Threshold::SmallestSquare => "SMALLEST_SQUARE".to_string(),
@@ -113,8 +115,18 @@ impl Dialect for InScript<'_> {
         to.put(");\n");
     }
 
-    fn amounts(_: &Printer<'_, Self>, _: &Amounts, _: &mut Text) {
-        unreachable!("a page shows no forces of what rubs")
+    fn amounts(printer: &Printer<'_, Self>, amounts: &Amounts, to: &mut Text) {
+        let Amounts { joints, ids, starts, rows } = amounts;
+        to.put("const [").list(ids, |to, id| {
+            to.put(&id.map_or(String::new(), |id| printer.local(id)));
+        });
+        printer.values(starts, to.put("] = amountsOf(c, ["));
+        to.put("], [").list(rows.chunks(rows.len() / ids.len()), |to, row| {
+            printer.values(row, to.put("["));
+            to.put("]");
+        });
+        let names = list(joints.iter().map(|(joint, _)| joint));
+        to.put(&format!("], {}, {names});\n", amounts.guides()));
     }
 
     /// By a function of the script's object, which `script` prints.
@@ -122,12 +134,12 @@ impl Dialect for InScript<'_> {
         let (dialect, search) = (&printer.dialect, &printer.lowered.searches[search]);
         to.put("const [").put(&printer.local(root)).put(", ");
         to.put(&size.map_or(String::new(), |size| printer.local(size)));
-        to.put("] = c.root(MACHINE.").put(&search.routine.name).put("(p, [");
+        to.put("] = c.root(MACHINE.").put(&search.routine.name).put(", p, [");
         printer.values(&search.given, to);
         let unknown = &dialect.mechanism.unknowns[search.sought.unknown as usize];
         let unit = unit(unknown.measure, Order::Position);
         let [name, unit] = [text(&unknown.name), unit].map(|text| quoted(&text));
-        to.put("]), ").put(&name).put(", ").put(&unit).put(");\n");
+        to.put("], ").put(&name).put(", ").put(&unit).put(");\n");
     }
 
     /// A page asks for no clearances.

@@ -17,7 +17,7 @@ use crate::lower::{PLACED, TRIAL, bound_once, label};
 use crate::model::dynamics::{Effort, RequestedEffort};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
 
-/// An object: where everything stands, the outputs' motion, forces, and names.
+/// An object: where everything stands, the outputs' motion, forces, the drives that hold the mechanism, and names.
 pub(super) fn object(
     mechanism: &Mechanism,
     lowered: &Lowered<'_>,
@@ -30,15 +30,11 @@ pub(super) fn object(
     function(mechanism, placing, routine, 1, &read, false, &mut script);
     script.put(", nameOfPlace),\n");
     [placing, lowered].iter().for_each(|lowered| searches(mechanism, lowered, &mut script));
-    let (outputs, dynamics) = (mechanism.outputs.iter().map(output), &mechanism.dynamics);
-    entry(mechanism, lowered, Analysis::Motion, &mut script);
-    // A page does not solve the equations of friction, and shows no forces where something rubs.
-    let rubs = !dynamics.frictions.is_empty();
-    if !rubs {
-        entry(mechanism, lowered, Analysis::Forces, &mut script);
+    for analysis in [Analysis::Motion, Analysis::Forces, Analysis::Holding] {
+        entry(mechanism, lowered, analysis, &mut script);
     }
-    let asked = if rubs { &[][..] } else { &dynamics.asked[..] };
-    let efforts = asked.iter().map(|asked| effort(mechanism, asked));
+    let outputs = mechanism.outputs.iter().map(output);
+    let efforts = mechanism.dynamics.asked.iter().map(|asked| effort(mechanism, asked));
     for (name, objects) in [("outputs", outputs.collect()), ("efforts", efforts.collect())] {
         let objects: Vec<String> = objects;
         script.put(name).put(": [").put(&objects.join(", ")).put("],\n");
@@ -90,7 +86,7 @@ fn function(
     to.put(&format!("solved([{}], (c) => {{\n", given.join(", ")));
     if routine.given.contains(&Given::Cosine) {
         let [cos, sin] = CIRCLE;
-        to.put(&format!("const [{sin}, {cos}] = sinCos(q[0]);\n"));
+        to.put(&format!("const [{sin}, {cos}] = c.sinCos(q[0]);\n"));
     }
     printer.constants(to);
     let stages = &routine.stages[..stages];

@@ -35,7 +35,7 @@ fn defined() -> BTreeSet<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../linkage-core/src/sketch/page");
     let text = |file: &str| std::fs::read_to_string(folder.join(file)).expect("the file is there");
     let mut names = BTreeSet::new();
-    let files = ["kernels.js", "roots.js", "checks.js"].map(text);
+    let files = ["kernels.js", "roots.js", "friction.js", "checks.js"].map(text);
     for line in files.iter().flat_map(|text| text.lines()) {
         let constant = line.strip_prefix("const ").and_then(|rest| rest.split_once(" = "));
         names.extend(constant.into_iter().flat_map(|(name, _)| {
@@ -56,17 +56,28 @@ fn a_script_calls_what_its_page_defines() {
         let Some(script) = script(tokens) else { continue };
         scripts += 1;
         for name in called(&script) {
-            // Searches are functions of the script itself.
-            let own = name.strip_prefix("MACHINE.");
-            let is_own = own.is_some_and(|own| script.contains(&format!("\n{own}: (")));
-            let is_defined = is_own || defined.contains(name);
-            assert!(is_defined, "{}: `{name}` is defined nowhere", declaration.name);
+            assert!(defined.contains(name), "{}: `{name}` is defined nowhere", declaration.name);
             seen.insert(name.to_string());
+        }
+        // Searches and lists of names are the script's own.
+        for own in script.split("MACHINE.").skip(1) {
+            let own = own.split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or("");
+            let is_there = script.contains(&format!("\n{own}: "));
+            assert!(is_there, "{}: `{own}` is defined nowhere", declaration.name);
         }
     }
     assert!(scripts > 300, "{scripts}");
     assert!(seen.len() > 20, "{seen:?}");
-    for name in ["rootOf", "rootWithinATurn", "c.root", "c.Closed", "c.Moving"] {
+    for name in [
+        "rootOf",
+        "rootWithinATurn",
+        "c.root",
+        "c.Closed",
+        "c.Moving",
+        "c.length",
+        "c.sinCos",
+        "amountsOf",
+    ] {
         assert!(seen.contains(name), "no declaration calls {name}");
     }
 }

@@ -167,6 +167,14 @@ pub(crate) struct Amounts {
     pub rows: Vec<Id>,
 }
 
+impl Amounts {
+    /// A number whose bit j is set if contact j is a guide.
+    pub(crate) fn guides(&self) -> u32 {
+        let contacts = self.joints.iter().enumerate();
+        contacts.map(|(j, (_, is_guide))| u32::from(*is_guide) << j).sum()
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Threshold {
     /// The smallest square of full precision of the number's own width.

@@ -7,8 +7,8 @@ use std::vec::Vec;
 use super::cases::{Case, Random, bits};
 use crate::Scalar;
 use crate::find::Trend;
-use crate::roots::FindError;
 use crate::roots::unknown::root;
+use crate::roots::{At, FindError, judged};
 
 /// Sums of sines with up to six dead points, searched from both ends or from a seed. Now and then the ends are
 /// out of order, the target next to a dead point or an end, or the sum no number in a part of the interval. Slopes
@@ -19,7 +19,9 @@ pub(super) fn searches() -> impl Iterator<Item = Case> {
         let terms: Vec<[f64; 3]> = (0..=random.bits() % 3)
             .map(|k| {
                 let size = 2.0 * random.unit() - 1.0;
-                [size, (k + 1) as f64 * (0.2 + random.unit()), 6.0 * random.unit()]
+                // Now and then more turns than samples can tell apart.
+                let turns = if nth % 10 == 0 { 40.0 } else { 1.0 };
+                [size, (k + 1) as f64 * turns * (0.2 + random.unit()), 6.0 * random.unit()]
             })
             .collect();
         let from = 4.0 * random.unit() - 2.0;
@@ -42,6 +44,38 @@ pub(super) fn searches() -> impl Iterator<Item = Case> {
             _ => 1.0,
         };
         asked([from, to], trend, [near, target, hole, share], &terms)
+    })
+}
+
+/// Pieces of a survey: mostly one of the numbers that its judgement compares is within some units in the last
+/// place of the other.
+pub(super) fn pieces() -> impl Iterator<Item = Case> {
+    let mut random = Random::new(23);
+    (0..40_000).map(move |_| {
+        let mut signed = || 2.0 * random.unit() - 1.0;
+        let [x, width] = [signed(), 0.1 + signed().abs()];
+        let mut place = |x: f64| At { x, value: signed(), slope: 3.0 * signed() };
+        let (mut a, mut b, middle) = (place(x), place(x + width), place(x + 0.5 * width));
+        let mut error = 0.3 * random.unit();
+        // The rise and the slopes by the part of the way, of which a judgement is made.
+        let [rise, d0, d1] = [b.value - a.value, a.slope * width, b.slope * width];
+        match random.bits() % 8 {
+            0 => error = far(&mut random, a.value.abs().min(b.value.abs())),
+            1 => (a.value, b.value, error) = (1e-15 * a.value, b.value.abs(), 0.0),
+            2 => error = far(&mut random, d0.abs().min(d1.abs()) / 3.1),
+            3 => error = far(&mut random, (6.0 * rise - 4.0 * d0 - 2.0 * d1).abs() / 32.0),
+            4 => error = far(&mut random, (6.0 * rise - 2.0 * d0 - 4.0 * d1).abs() / 32.0),
+            5 => (a.slope, error) = (0.0, 1e-3 * error),
+            6 => (b.slope, error) = (0.0, 1e-3 * error),
+            _ => {}
+        }
+        if random.bits().is_multiple_of(40) {
+            (a.value, error) = (0.0, 0.0);
+        }
+        let (is_clear, turn, halves) = judged([a, b], error, middle);
+        let given = [a, b, middle].map(|at| [at.x, at.value, at.slope]).concat();
+        let answer = format!("{is_clear} {turn} {}", bits(halves));
+        Case { name: "piece", given: [&[error][..], &given].concat(), answer }
     })
 }
 

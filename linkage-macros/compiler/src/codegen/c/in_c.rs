@@ -145,8 +145,7 @@ impl Dialect for InC<'_> {
             to.put(" };\n");
         }
         to.put(&format!("{real} {found}[{count}];\n"));
-        let guides = joints.iter().enumerate().map(|(j, (_, is_guide))| u32::from(*is_guide) << j);
-        let passed = format!("{count}, {}u, {rows_of}, {starts_of}, {found}", guides.sum::<u32>());
+        let passed = format!("{count}, {}u, {rows_of}, {starts_of}, {found}", amounts.guides());
         to.put(&match dialect.asks {
             Asks::Compares => format!("ok &= {}({passed});\n", dialect.call("amounts")),
             Asks::Diagnoses => {

@@ -13,10 +13,26 @@ fn code(statement: &str) -> String {
     output.tokens.to_string()
 }
 
-/// Its run-time does not solve the equations of friction: rather than without them, forces are not shown.
+/// Its script solves for friction, and has the drives between which friction holds the block.
 #[test]
-fn a_page_shows_no_forces_where_something_rubs() {
+fn a_page_shows_forces_where_something_rubs() {
     let [free, rubbing] = ["", "friction 0.3 on block;"].map(code);
     assert!(free.contains("forces: (p, q") && free.contains("motion: (p, q"));
-    assert!(!rubbing.contains("forces: (p, q") && rubbing.contains("motion: (p, q"));
+    assert!(!free.contains("amountsOf(c, [") && !free.contains("holding: (p, q"));
+    assert!(rubbing.contains("forces: (p, q") && rubbing.contains("holding: (p, q"));
+}
+
+/// Amounts that depend on each other: each row has a share, a reaction and its changes, and the joints are named
+/// in turn. A guide is a bit of the number between.
+#[test]
+fn a_script_lists_the_equations_of_friction() {
+    let source = "pub struct Press { input theta: angle; ground A(0, 0); guide bed through A along 0deg;
+         crank AB(A) -> B { length: 60mm, angle: theta } rrp BC(B), ram(bed) -> C { length: 240mm, mode: ahead }
+         mass 6kg on ram at (0, 0); friction 0.1 at B radius 45mm; friction 0.2 on ram; output theta.drive; }";
+    let output = compile(source.parse().expect("these are tokens"), &Options::SKETCH);
+    assert!(output.diagnostics.is_empty(), "{:?}", output.diagnostics);
+    let code = output.tokens.to_string();
+    let (calls, of_both) = ("amountsOf(c, [", "]], 2, [\\\"BC.B\\\", \\\"ram\\\"]);");
+    assert_eq!(code.matches(calls).count(), 3, "forces, and both ends of holding");
+    assert_eq!(code.matches(of_both).count(), 3);
 }

@@ -1,0 +1,60 @@
+//! What a page holds, and what it does not do twice.
+
+use std::process::Command;
+
+use super::hard;
+use super::numbers::{has_node, script};
+
+/// Only a page of a machine with friction solves for it, and one with an equation searches.
+#[test]
+fn a_page_holds_what_its_machine_needs() {
+    let pages = gallery::live::pages().unwrap();
+    let computes = |name: &str| script(&pages.iter().find(|(own, _)| *own == name).unwrap().1);
+    for (name, rubs, searches) in [
+        ("flying_shear::FlyingShear", false, false),
+        ("press_friction::CutPress", true, false),
+        ("set_point::Press", false, true),
+    ] {
+        assert_eq!(computes(name).contains("amountsOf=("), rubs, "{name}");
+        assert_eq!(computes(name).contains("rootOf=("), searches, "{name}");
+    }
+}
+
+/// A search that fails is made once: what stands is found by its answer.
+#[test]
+fn a_failed_search_is_made_once() {
+    if !has_node() {
+        return;
+    }
+    const COUNT: &str = r#"
+const finders = Object.keys(MACHINE).filter((name) => String(MACHINE[name]).match(/root(Of|WithinATurn)\(/));
+let calls = 0;
+for (const name of finders) {
+  const find = MACHINE[name];
+  MACHINE[name] = (...given) => (calls++, find(...given));
+}
+const { error, numbers } = MACHINE.place(state.p, [9]);
+console.log(finders.length > 0, calls, error.kind, numbers.some(Number.isNaN));
+"#;
+    let html = hard::Rippled::new().page().range("x", -1.0..=1.0).to_html().unwrap();
+    let file = std::env::temp_dir().join(format!("page_{}_once.cjs", std::process::id()));
+    std::fs::write(&file, format!("{}{COUNT}", script(&html))).unwrap();
+    let output = Command::new("node").arg(&file).output().expect("node runs");
+    drop(std::fs::remove_file(&file));
+    assert_eq!(String::from_utf8_lossy(&output.stdout).trim(), "true 1 NoSolution true");
+}
+
+/// A page without its script is not cut short by its texts: it has two scripts and ends.
+#[test]
+fn no_text_ends_a_script() {
+    let html = hard::Function::new().page().title("</script><!--").to_html().unwrap();
+    assert_eq!(html.matches("</script>").count(), 2, "as many as there are scripts");
+    assert_eq!(html.matches("<script>").count(), 2 + inner(&html));
+    assert!(!html.contains("<!--") && html.ends_with("</html>\n"));
+    assert!(html.contains("&lt;/script&gt;&lt;!--"), "the title stands in the text");
+}
+
+/// `<script>` inside a string of a script opens nothing.
+fn inner(html: &str) -> usize {
+    script(html).matches("<script>").count()
+}

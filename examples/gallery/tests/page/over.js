@@ -1,0 +1,66 @@
+// What the texts of a page's picture and charts lie on, at many poses. A text is what its letters cover, as the
+// browser draws them; a bar is what its stroke covers.
+
+{
+  const pen = document.createElement("canvas").getContext("2d");
+  const isSeen = (node) => getComputedStyle(node).visibility === "visible";
+  const letters = (text) => {
+    const style = getComputedStyle(text), m = text.getCTM(), at = (list) => (list.length ? list[0].value : 0);
+    pen.font = `${style.fontStyle} ${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
+    const size = pen.measureText(text.textContent);
+    const share = { middle: 0.5, end: 1 }[style.textAnchor] ?? 0;
+    const x = at(text.x.baseVal) + m.e - share * size.width, y = at(text.y.baseVal) + m.f;
+    return { left: x, right: x + size.width, top: y - size.actualBoundingBoxAscent, bottom: y + size.actualBoundingBoxDescent };
+  };
+  const texts = (root) => [...root.querySelectorAll("text")].filter((text) => isSeen(text) && text.textContent.trim())
+    .map((text) => [text.textContent, letters(text), text]);
+  /// Places that a name must not lie on, each with what is there and how far it reaches.
+  const solid = () => {
+    const found = [];
+    for (const path of nodes.bodies.querySelectorAll(".bar, .rod, .plate, .tube")) {
+      const length = path.getAttribute("d") ? path.getTotalLength() : 0, m = path.getCTM();
+      for (let far = 0; far < length; far += 2) {
+        const { x, y } = path.getPointAtLength(far);
+        found.push([m.a * x + m.c * y + m.e, m.b * x + m.d * y + m.f, path.getAttribute("class"), 1.5]);
+      }
+    }
+    for (const block of [...nodes.bodies.querySelectorAll(".block")].filter(isSeen)) {
+      const m = block.getCTM();
+      for (let x = -12; x <= 12; x += 4) for (const y of [-7, 0, 7]) found.push([m.a * x + m.c * y + m.e, m.b * x + m.d * y + m.f, "block", 1]);
+    }
+    for (const [k, pin] of nodes.pin.entries()) {
+      const m = pin.getCTM();
+      if (isSeen(pin)) found.push([m.e, m.f, `joint ${PLAN.points[k]}`, 4]);
+    }
+    return found;
+  };
+  const faults = new Map();
+  let seen = 0;
+  const fault = (what) => faults.set(what, (faults.get(what) ?? 0) + 1);
+  const overlaps = (list) => list.forEach(([name, a], k) => list.slice(k + 1).forEach(([other, b]) => {
+    if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) fault(`${name} over ${other}`);
+  }));
+  const look = () => {
+    const own = texts(figure), spots = solid();
+    seen += own.length;
+    overlaps(own);
+    for (const [name, { left, right, top, bottom }, node] of own) {
+      if (Math.min(left, top, view.width - right, view.height - bottom) < 0) fault(`${name} over the edge`);
+      if (!node.closest(".names")) continue;
+      const on = spots.find(([x, y, , half]) => Math.hypot(Math.max(left - x, 0, x - right), Math.max(top - y, 0, y - bottom)) < half);
+      if (on) fault(`${name} on a ${on[2]}`);
+    }
+    for (const { svg } of charts) overlaps(texts(svg));
+  };
+  addEventListener("load", () => setTimeout(() => {
+    play(false);
+    const poses = inputs.flatMap((input, k) => Array.from({ length: 24 }, (_, n) => withInput(k, input.from + (sizeOf(input) * (n + 0.5)) / 24)));
+    for (const q of [...PAGE.path.filter((_, k) => k % 9 === 0), ...poses]) {
+      state.q = q;
+      due = POSE;
+      frame();
+      look();
+    }
+    parent.postMessage({ failures: [...faults].map(([what, count]) => `${what} ${count}×`), told: [`${seen} texts`] }, "*");
+  }, 200));
+}

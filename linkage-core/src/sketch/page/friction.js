@@ -1,0 +1,183 @@
+// Amounts of friction that depend on each other: `friction.rs` of the Rust crate, step by step.
+//
+// A row holds a share, both components of the reaction without friction, and of its change by each amount.
+
+/// Newton's steps of the fast path, those before steps are guarded, and the guarded ones.
+const AT_ONCE = 3, UNGUARDED = 8, GUARDED = 64;
+
+const signOf = (x) => (x >= 0 ? 1 : -1);
+const rootOfSquares = (x, y) => sqrt(fused(x, x, y * y));
+
+/// The identity less a matrix.
+const without = (matrix) => matrix.map((row, j) => row.map((x, k) => (j === k ? 1 - x : -x)));
+
+/// Clears a column below its pivot, in the right side as well, and puts the pivot's inverse in its place.
+const eliminate = (matrix, right, k) => {
+  const top = matrix[k], inverse = 1 / top[k];
+  for (let j = k + 1; j < matrix.length; j++) {
+    const factor = -(matrix[j][k] * inverse);
+    for (let i = k + 1; i < matrix.length; i++) matrix[j][i] = fused(factor, top[i], matrix[j][i]);
+    right[j] = fused(factor, right[k], right[j]);
+  }
+  top[k] = inverse;
+};
+
+/// The solution of a system whose elimination needs no exchanges, in the place of the right side.
+const solution = (matrix, right) => {
+  const count = matrix.length;
+  for (let k = 0; k < count; k++) eliminate(matrix, right, k);
+  for (let k = count - 1; k >= 0; k--) {
+    for (let j = k + 1; j < count; j++) right[k] = fused(-matrix[k][j], right[j], right[k]);
+    right[k] *= matrix[k][k];
+  }
+  return right;
+};
+
+/// Equations of amounts. Bit j of `guides` is set if contact j is a guide.
+class System {
+  constructor(rows, guides) {
+    Object.assign(this, { rows, guides });
+    this.bounds = rows.map((row, j) => rows.map((_, k) => row[0] * this.size(j, this.pair(j, k), rootOfSquares)));
+  }
+
+  isGuide(j) {
+    return ((this.guides >> j) & 1) === 1;
+  }
+
+  /// The change of a reaction by an amount.
+  pair(j, k) {
+    return this.rows[j].slice(3 + 2 * k, 5 + 2 * k);
+  }
+
+  size(j, [x, y], length) {
+    if (!this.isGuide(j)) return length(x, y);
+    [x, y] = [magnitude(x), magnitude(y)];
+    return x >= y ? x : y;
+  }
+
+  /// The size's slope by each component; at a corner that of one side.
+  direction(j, [x, y], size) {
+    if (this.isGuide(j)) return magnitude(x) >= magnitude(y) ? [signOf(x), 0] : [0, signOf(y)];
+    const inverse = 0 >= size ? 0 : 1 / size;
+    return [x * inverse, y * inverse];
+  }
+
+  /// Changes come first: contacts that a couple loads alike share their sum.
+  reaction(j, amounts) {
+    const row = this.rows[j];
+    return [0, 1].map((axis) => {
+      const sum = amounts.reduce((sum, x, k) => {
+        const by = row[3 + 2 * k + axis];
+        return k ? fused(by, x, sum) : by * x;
+      }, 0);
+      return row[1 + axis] + sum;
+    });
+  }
+
+  /// The values of all equations, and their slopes.
+  linear(amounts, length) {
+    const values = [], slope = this.rows.map(([share], j) => {
+      const reaction = this.reaction(j, amounts), size = this.size(j, reaction, length);
+      const [x, y] = this.direction(j, reaction, size).map((part) => share * part);
+      values.push(share * size);
+      return amounts.map((_, k) => {
+        const [u, v] = this.pair(j, k);
+        return fused(u, x, v * y);
+      });
+    });
+    return { values, slope };
+  }
+
+  /// Newton's step from these amounts.
+  newton(amounts, { values, slope }) {
+    const step = solution(without(slope), values.map((value, j) => value - amounts[j]));
+    return amounts.map((x, j) => x + step[j]);
+  }
+
+  /// True where amounts solve the equations as far as rounding can tell.
+  isSettled(amounts, { values }, start) {
+    return amounts.every((x, j) => {
+      const size = amounts.reduce((size, other, k) => fused(this.bounds[j][k], other, size), start[j]);
+      return magnitude(values[j] - x) <= 4 * EPSILON * size;
+    });
+  }
+
+  /// The first contact at which friction may hold itself, −1 if there is none: whose pivot is not positive.
+  jammed() {
+    const matrix = without(this.bounds), right = matrix.map(() => 0);
+    return matrix.findIndex((row, k) => {
+      const isMet = row[k] > 0;
+      eliminate(matrix, right, k);
+      return !isMet;
+    });
+  }
+
+  /// As many steps as the fast path takes; nothing where they do not end.
+  atOnce(start) {
+    let amounts = start, isMet = true;
+    const near = (x, y) => {
+      const square = fused(x, x, y * y);
+      isMet &&= square >= SMALLEST_SQUARE && square <= Number.MAX_VALUE;
+      return sqrt(square);
+    };
+    for (let step = 0; step <= AT_ONCE; step++) {
+      const linear = this.linear(amounts, near);
+      if (step === AT_ONCE) isMet &&= this.jammed() < 0 && this.isSettled(amounts, linear, start);
+      amounts = this.newton(amounts, linear);
+    }
+    return isMet && amounts.every(isFinite) ? amounts : null;
+  }
+
+  /// The only solution, or the contact at which friction may hold itself.
+  solved() {
+    const jams = this.jammed();
+    if (jams >= 0) return jams;
+    const { values: start } = this.linear(this.rows.map(() => 0), hypot);
+    let amounts = start;
+    for (let step = 0; step <= UNGUARDED; step++) {
+      const linear = this.linear(amounts, hypot);
+      if (this.isSettled(amounts, linear, start)) return amounts;
+      amounts = this.newton(amounts, linear);
+    }
+    return this.guarded(start) ?? 0;
+  }
+
+  /// Newton's steps, each replaced by the equations' values where it gains less than those.
+  guarded(start) {
+    const units = start.map((x, j) => {
+      const size = x + start.reduce((sum, other, k) => sum + this.bounds[j][k] * other, 0);
+      return size > 0 ? size : 1;
+    });
+    const weights = solution(without(this.bounds), [...units]);
+    const largest = (of) => start.reduce((most, _, j) => greater(of(j), most), 0);
+    const gain = largest((j) => 1 - units[j] / weights[j]);
+    const off = (amounts, { values }) => largest((j) => magnitude(values[j] - amounts[j]) / weights[j]);
+    let amounts = start, linear = this.linear(start, hypot);
+    for (let step = 0; step <= GUARDED; step++) {
+      if (this.isSettled(amounts, linear, start)) return amounts;
+      const next = this.newton(amounts, linear);
+      amounts = off(next, this.linear(next, hypot)) <= gain * off(amounts, linear) ? next : linear.values;
+      linear = this.linear(amounts, hypot);
+    }
+    return null;
+  }
+}
+
+/// The solution, by steps from `start`: the values themselves behind a condition that is not met.
+const amountsOf = (checks, start, rows, guides, joints) => {
+  if (checks.error) return start;
+  const lost = rows.findIndex((row) => !row.every(isFinite));
+  if (lost >= 0) {
+    checks.refuse("NotFinite", joints[lost]);
+    return start;
+  }
+  const system = new System(rows, guides), found = system.atOnce(start);
+  if (found) return found;
+  checks.leave();
+  const solved = system.solved();
+  if (Array.isArray(solved)) return solved;
+  checks.refuse("Jams", joints[solved]);
+  return start;
+};
+
+REASONS.Jams = ({ group }) => `${group}: friction may hold itself here`;
