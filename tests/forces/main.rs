@@ -6,6 +6,7 @@ mod inside;
 mod interface;
 mod outputs;
 mod published;
+mod pulled;
 mod searched;
 mod springs;
 mod stops;

@@ -18,6 +18,7 @@ pub mod moving_bases;
 pub mod near_limits;
 pub mod placement;
 pub mod published;
+pub mod pulled;
 pub mod ranges;
 pub mod resolvers;
 pub mod right_or_refused;

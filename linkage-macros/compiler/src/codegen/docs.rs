@@ -235,7 +235,10 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
                 Given::Rate => Some(format!("its rate in {unit}/s")),
                 Given::Acceleration => Some(format!("its second rate in {unit}/s²")),
                 Given::Loads => None,
-                Given::Drives => Some("the effort of its drive".to_string()),
+                Given::Drives => Some(match &cx.mechanism.dynamics.pull {
+                    Some(load) => format!("the load `{}`, which drives it", text(&load.name)),
+                    None => "the effort of its drive".to_string(),
+                }),
             });
             format!("Given {}.", given.collect::<Vec<_>>().join(", "))
         }
@@ -246,6 +249,12 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
     };
     if entry.given.contains(&Given::Drives) && cx.inputs().is_some() {
         text += "\nThe efforts of the drives are an array in the order of `INPUTS`.";
+        if let Some((input, load)) = cx.mechanism.dynamics.driven() {
+            let [input, load] =
+                [&cx.mechanism.inputs[input.index()].name, &load.name].map(self::text);
+            text +=
+                &format!(" In the place of `{input}` stands the load `{load}`, which drives it.");
+        }
     }
     if entry.given.contains(&Given::Loads) {
         text += &forces::loads(cx);

@@ -59,6 +59,7 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
             let (name, unit) = (text(&input.name), effort_unit(input.dimension));
             format!("effort of `{name}` in {unit}: the power that drives put in, over its rate")
         }
+        Effort::Pull => pull(cx),
         Effort::Unknown(id) => {
             let unknown = &cx.mechanism.unknowns[id.index()];
             let (name, unit) = (text(&unknown.name), effort_unit(unknown.dimension));
@@ -108,6 +109,14 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
             text(&asked.field)
         ),
     }
+}
+
+/// The load that drives an input.
+fn pull(cx: &Context<'_>) -> String {
+    let dynamics = &cx.mechanism.dynamics;
+    let unit = unit_of(cx.mechanism, Effort::Pull);
+    let input = dynamics.pulled.map(|input| text(&cx.mechanism.inputs[input.index()].name));
+    format!("load in {unit} that drives `{}`", input.unwrap_or_default())
 }
 
 /// The force on a link at a pin, and the body that exerts it.
@@ -181,6 +190,10 @@ pub(super) fn unit_of(mechanism: &Mechanism, effort: Effort) -> String {
         }
         Effort::PinFriction(..) => "N·m".to_string(),
         Effort::Losses => "W".to_string(),
+        Effort::Pull => {
+            let load = mechanism.dynamics.pull.as_ref();
+            load.map_or(String::new(), |load| unit(load.dimension, Order::Position))
+        }
         Effort::Formula(id) => {
             unit(mechanism.dynamics.formulas[id.index()].dimension, Order::Position)
         }

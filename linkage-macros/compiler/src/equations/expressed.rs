@@ -27,6 +27,7 @@ impl<'s> Kinematics<'s> {
             Expr::Input(input) => self.inputs[input.index()].jet,
             Expr::Param(param) => Jet::constant(self.builder.node(Node::Param(param.0))),
             Expr::Load(load) => Jet::constant(self.builder.node(Node::Load(load.0))),
+            Expr::Pull => Jet::constant(self.value_of_pull()),
             Expr::Unknown(unknown) => self.unknowns[unknown.index()],
             Expr::Let(name) => self.lets[name.index()],
             Expr::Law(law) => self.law(*law),

@@ -99,6 +99,8 @@ pub(super) struct Kinematics<'s> {
     /// Scale from the unit-rate state to the actual rates, for forces: the only input's rate. None in other
     /// states.
     pub rate_scale: Option<Sym<'s>>,
+    /// The load that drives an input, where it is known. None in states in which a call is given it.
+    pub pull: Option<Sym<'s>>,
     pub(super) points: Vec<Option<PointMotion<'s>>>,
     pub(super) links: Vec<Option<LinkMotion<'s>>>,
     pub(super) guides: Vec<Option<Frame<'s>>>,
@@ -130,6 +132,7 @@ impl<'s> Kinematics<'s> {
             slopes: Vec::new(),
             taken: 0,
             rate_scale: None,
+            pull: None,
             points: vec![None; mechanism.points.len()],
             links: vec![None; mechanism.links.len()],
             guides: vec![None; mechanism.guides.len()],
@@ -143,6 +146,15 @@ impl<'s> Kinematics<'s> {
     /// A rate of this state as that of the motion.
     pub(super) fn at_rate_scale(&self, rate: Sym<'s>) -> Sym<'s> {
         self.rate_scale.map_or(rate, |rate_scale| rate_scale * rate)
+    }
+
+    /// The load that drives an input.
+    pub(super) fn value_of_pull(&self) -> Sym<'s> {
+        let given = || {
+            let (input, _) = self.mechanism.dynamics.driven().expect("a load drives an input");
+            self.builder.node(Node::Drive(input.0))
+        };
+        self.pull.unwrap_or_else(given)
     }
 
     pub(super) fn point(&self, id: PointId) -> PointMotion<'s> {
@@ -264,7 +276,9 @@ impl<'s> Kinematics<'s> {
     /// True if everything in the expression has been placed.
     fn is_known(&self, expr: &Expr) -> bool {
         match expr {
-            Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => true,
+            Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) | Expr::Pull => {
+                true
+            }
             Expr::Unknown(unknown) => unknown.index() < self.unknowns.len(),
             Expr::Let(name) => name.index() < self.lets.len(),
             Expr::Slide(link) => self.links[link.index()].is_some(),

@@ -103,8 +103,10 @@ fn asked<'s>(mechanism: &'s Mechanism, builder: &'s GraphBuilder<'s>) -> Collect
                 && (analysis == Analysis::Coefficients || interface.of_cosine(entry).is_some());
         let kinematics = at_cosine.filter(|_| goes_by_cosine).unwrap_or_else(free);
         let needs_mass = entry.point.is_about_dynamics();
-        let is_known = mechanism.dynamics.frictions.is_empty()
-            || analysis == Analysis::ForwardDynamics && forces::is_known_beside_friction(mechanism);
+        let forward = analysis == Analysis::ForwardDynamics;
+        let is_plain =
+            mechanism.dynamics.frictions.is_empty() && mechanism.dynamics.driven().is_none();
+        let is_known = is_plain || forward && forces::is_known_beside_friction(mechanism);
         if needs_mass && !(is_known && forces::every_input_moves_mass(kinematics)) {
             continue;
         }

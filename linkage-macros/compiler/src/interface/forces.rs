@@ -16,6 +16,7 @@ use crate::model::mechanism::Mechanism;
 pub(crate) fn shape(effort: Effort) -> Shape {
     match effort {
         Effort::Input(_)
+        | Effort::Pull
         | Effort::Unknown(_)
         | Effort::Drive(_)
         | Effort::Push(_)

@@ -59,12 +59,12 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
     // The solver's own searches are given other values: those of its own graph.
     let searches = searches(mechanism, program, "placed_root");
     let builder = Builder { program, interface, locals: Locals::default(), searches };
-    let forces: &[Given] = match mechanism.dynamics.loads.is_empty() {
-        true => &[Given::Value, Given::Rate],
-        false => &[Given::Value, Given::Rate, Given::Loads],
-    };
+    let drives = mechanism.dynamics.driven().map(|_| Given::Drives);
+    let loads = (!mechanism.dynamics.loads.is_empty()).then_some(Given::Loads);
+    let forces: Vec<Given> =
+        [Given::Value, Given::Rate].into_iter().chain(drives).chain(loads).collect();
     // `PLACED` and `APPLIED`.
-    let kinds = [("placed_", &[Given::Value][..]), ("forces_applied_", forces)];
+    let kinds = [("placed_", &[Given::Value][..]), ("forces_applied_", &forces)];
     let routines = kinds
         .into_iter()
         .zip(&program.answers)

@@ -267,7 +267,10 @@ pub(crate) fn label(mechanism: &Mechanism, leaf: Node) -> Option<String> {
     Some(match leaf {
         Node::Param(param) => mechanism.params[param as usize].name.unraw().to_string(),
         Node::Load(load) => mechanism.dynamics.loads[load as usize].name.unraw().to_string(),
-        Node::Drive(of) => format!("drive of {}", input(of)),
+        Node::Drive(of) => match mechanism.dynamics.driven() {
+            Some((driven, load)) if driven.0 == of => load.name.unraw().to_string(),
+            _ => format!("drive of {}", input(of)),
+        },
         Node::InputCos(_) => "cos".to_string(),
         Node::InputSin(_) => "sin".to_string(),
         Node::Input { input: of, order } => {

@@ -7,7 +7,7 @@ use crate::diagnostics::nearest;
 use crate::syntax::tree::{self, Action, Declaration, StatementKind};
 
 use super::Resolver;
-use super::dynamics::{Axes, Force, Load, Torque};
+use super::dynamics::{Axes, Dynamics, Force, Load, Torque};
 use super::inputs::{add_names, follow_lets};
 use super::mechanism::{Body, Carrier, Dimension, Expr, LoadId, PointId};
 use super::names::{Entity, Kind};
@@ -23,11 +23,21 @@ impl Resolver<'_> {
         for name in names {
             let is_new = self.name_is_new(name).is_some();
             let (true, Some(dimension)) = (is_new, dimension) else { continue };
-            let loads = &mut self.mechanism.dynamics.loads;
-            let id = LoadId(loads.len() as u32);
-            loads.push(Load { name: name.clone(), docs: docs.to_vec(), dimension });
-            self.names.bind(name, Entity::Load(id));
+            let load = Load { name: name.clone(), docs: docs.to_vec(), dimension };
+            let entity = self.new_load(load);
+            self.names.bind(name, entity);
         }
+    }
+
+    /// A load that each call is given, or the one that drives an input.
+    pub(super) fn new_load(&mut self, load: Load) -> Entity {
+        let dynamics = &mut self.mechanism.dynamics;
+        if self.driving.as_deref() == Some(&load.name.to_string()) && dynamics.pull.is_none() {
+            dynamics.pull = Some(load);
+            return Entity::Pull;
+        }
+        dynamics.loads.push(load);
+        Entity::Load(LoadId(dynamics.loads.len() as u32 - 1))
     }
 
     fn load_kind(&mut self, kind: &Ident) -> Option<Dimension> {
@@ -129,7 +139,9 @@ impl Resolver<'_> {
 
     /// The value of a force or a torque: loads may stand in it.
     pub(super) fn acting(&mut self, expr: &tree::Expr, dimension: Dimension) -> Option<Expr> {
-        self.freely(|resolver| resolver.scalar(expr, dimension)).0
+        let value = self.freely(|resolver| resolver.scalar(expr, dimension)).0?;
+        self.is_linear_in_pull(expr, &value)?;
+        Some(value)
     }
 
     /// A load stands in the value of a force or a torque, and nowhere else.
@@ -230,25 +242,30 @@ impl Resolver<'_> {
 
     /// Every load is used, and gravity has a mass to pull.
     pub(super) fn actions_have_an_effect(&mut self, tree: &Declaration) {
-        let mut named = Vec::new();
-        let mut add = |expr: &tree::Expr| add_names(expr, &mut named);
+        let (mut acting, mut named) = (Vec::new(), Vec::new());
         let mut masses = tree.unread.may_hold("mass");
         for statement in &tree.statements {
             match &statement.kind {
                 StatementKind::Action(action) => {
                     masses |= matches!(action, Action::Mass { .. });
-                    action.expressions().into_iter().for_each(&mut add);
+                    let expressions = action.expressions();
+                    expressions.into_iter().for_each(|expr| add_names(expr, &mut acting));
                 }
                 StatementKind::Output { items } => {
-                    items.iter().for_each(|item| add(&item.value));
+                    items.iter().for_each(|item| add_names(&item.value, &mut named));
                 }
                 _ => {}
             }
         }
+        follow_lets(tree, &mut acting);
         follow_lets(tree, &mut named);
-        for load in &self.mechanism.dynamics.loads {
+        let Dynamics { loads, pull, .. } = &self.mechanism.dynamics;
+        for load in loads.iter().chain(pull) {
             let name = load.name.to_string();
-            if named.contains(&name) || tree.unread.may_hold(&name) {
+            // A load that drives has to act.
+            let is_given = self.driving.as_deref() != Some(&name);
+            let is_used = acting.contains(&name) || is_given && named.contains(&name);
+            if is_used || tree.unread.may_hold(&name) {
                 continue;
             }
             let message = format!("nothing uses the load `{name}`; use it or remove it");

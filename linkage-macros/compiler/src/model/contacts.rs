@@ -33,6 +33,14 @@ impl Resolver<'_> {
                 self.diagnostics.error_because(written.at, message, reason);
                 continue;
             }
+            if let Some((input, load)) = self.mechanism.dynamics.driven() {
+                let input = &self.mechanism.inputs[input.index()].name;
+                let message =
+                    format!("beside `drive {input} by {}` no joint has friction", load.name);
+                let reason = "the load follows from reactions, friction among them, and friction from the load";
+                self.diagnostics.error_because(written.at, message, reason);
+                continue;
+            }
             let known = &self.mechanism.dynamics.frictions;
             if known.iter().any(|known| known.contact.is_at(friction.contact)) {
                 let message = format!(

@@ -9,7 +9,7 @@ use super::dimension::Dimension;
 pub(crate) use super::effort::Effort;
 use super::expr::AngleSum;
 use super::expr::Expr;
-use super::ids::{GuideId, LinkId, PointId};
+use super::ids::{GuideId, InputId, LinkId, PointId};
 use super::incidence::{Carrier, Length};
 
 /// Everything that a declaration says about forces; empty where it says nothing.
@@ -18,6 +18,10 @@ pub(crate) struct Dynamics {
     /// In ground axes; none unless written.
     pub gravity: Option<[Expr; 2]>,
     pub loads: Vec<Load>,
+    /// The load that drives an input: what it is follows.
+    pub pull: Option<Load>,
+    /// The input that it drives.
+    pub pulled: Option<InputId>,
     /// Named expressions that read rates or loads; a later one may use an earlier one.
     pub laws: Vec<AngleSum>,
     pub masses: Vec<Mass>,
@@ -264,6 +268,7 @@ impl Dynamics {
     pub(super) fn is_of_power(&self, effort: Effort) -> bool {
         match effort {
             Effort::Input(_)
+            | Effort::Pull
             | Effort::Unknown(_)
             | Effort::Spring(_)
             | Effort::Stop(_)

@@ -136,7 +136,7 @@ impl Resolver<'_> {
             return None;
         }
         match self.usable(owner, &[Kind::Input])? {
-            Entity::Input(id) => Some(Effort::Input(id)),
+            Entity::Input(id) => self.has_a_drive(owner, id).map(|()| Effort::Input(id)),
             _ => None,
         }
     }
@@ -276,13 +276,14 @@ impl Resolver<'_> {
         let inputs = self.mechanism.inputs.iter().enumerate();
         let inputs: Vec<_> = inputs
             .map(|(index, input)| {
-                let (owner, field) = (input.name.clone(), drive(&input.name));
-                RequestedEffort {
-                    owner,
-                    field,
-                    docs: Vec::new(),
-                    effort: Effort::Input(InputId(index as u32)),
+                let id = InputId(index as u32);
+                if let Some((_, load)) = dynamics.driven().filter(|(driven, _)| *driven == id) {
+                    let [owner, field] = [(); 2].map(|()| load.name.clone());
+                    let docs = load.docs.clone();
+                    return RequestedEffort { owner, field, docs, effort: Effort::Pull };
                 }
+                let (owner, field) = (input.name.clone(), drive(&input.name));
+                RequestedEffort { owner, field, docs: Vec::new(), effort: Effort::Input(id) }
             })
             .collect();
         let links = (0..self.mechanism.links.len()).map(|index| LinkId(index as u32));

@@ -6,7 +6,9 @@ use super::ids::{FormulaId, InputId, LinkId, PointId, SpringId, StopId, UnknownI
 pub(crate) enum Effort {
     /// The effort of an input: power put in over its rate.
     Input(InputId),
-    /// The same over the rate of an unknown, where that is driven in place of the only input.
+    /// The load that drives an input.
+    Pull,
+    /// The effort of an input over the rate of an unknown, where that is driven in place of the only input.
     Unknown(UnknownId),
     /// The effort that drives a crank or a slider.
     Drive(LinkId),
@@ -41,6 +43,6 @@ pub(crate) enum Effort {
 impl Effort {
     /// True if it belongs to the whole mechanism, and has no owner.
     pub(crate) fn is_of_the_whole(self) -> bool {
-        matches!(self, Self::Shaking | Self::Losses | Self::Formula(_))
+        matches!(self, Self::Pull | Self::Shaking | Self::Losses | Self::Formula(_))
     }
 }

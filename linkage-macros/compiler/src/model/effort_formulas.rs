@@ -232,6 +232,7 @@ impl Resolver<'_> {
             Effort::Gap(id) => dynamics.stops[id.index()].of.dimension(),
             Effort::PinFriction(..) => Dimension::TORQUE,
             Effort::Losses => POWER,
+            Effort::Pull => dynamics.pull.as_ref().map_or(Dimension::NUMBER, |load| load.dimension),
             Effort::Formula(id) => dynamics.formulas[id.index()].dimension,
         }
     }

@@ -15,6 +15,8 @@ pub(crate) enum Expr {
     Param(ParamId),
     /// A load, in forces, torques and outputs alone.
     Load(LoadId),
+    /// The load that drives an input, in the same places.
+    Pull,
     /// An unknown, which an equation fixes.
     Unknown(UnknownId),
     /// The part of a named expression that is not a multiple of link angles.

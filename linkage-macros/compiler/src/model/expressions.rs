@@ -155,10 +155,7 @@ impl Resolver<'_> {
 
     fn named_number(&mut self, name: &Ident) -> Option<Quantity> {
         if self.names.kind(name) == Some(Kind::Load) {
-            self.load_stands_in_a_force(name)?;
-            let Entity::Load(id) = self.usable(name, &[Kind::Load])? else { return None };
-            let dimension = self.mechanism.dynamics.loads[id.index()].dimension;
-            return Some(Quantity::plain(Measure::Known(dimension), Expr::Load(id)));
+            return self.value_of_load(name);
         }
         match self.usable(name, &NUMBERS)? {
             Entity::Input(id) => {
@@ -183,6 +180,7 @@ impl Resolver<'_> {
             | Entity::Link(_)
             | Entity::Guide(_)
             | Entity::Load(_)
+            | Entity::Pull
             | Entity::Spring(_)
             | Entity::Stop(_) => None,
         }

@@ -61,6 +61,18 @@ pub(super) struct LetFacts {
     pub measure: Measure,
     pub moves: bool,
     pub reads: Reads,
+    /// Power of the load that drives an input.
+    pub pull: Degree,
+}
+
+/// Power to which a number contains the load that drives an input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Degree {
+    /// It does not.
+    Free,
+    /// A multiple, and what is free.
+    Linear,
+    Other,
 }
 
 pub(super) struct LinkFacts {
@@ -121,7 +133,11 @@ impl Facts {
         match entity {
             Entity::Input(_) | Entity::Unknown(_) => true,
             // A load moves nothing, and a spring or a stop is no part of the motion.
-            Entity::Param(_) | Entity::Load(_) | Entity::Spring(_) | Entity::Stop(_) => false,
+            Entity::Param(_)
+            | Entity::Load(_)
+            | Entity::Pull
+            | Entity::Spring(_)
+            | Entity::Stop(_) => false,
             Entity::Let(id) => self.lets[id.index()].moves,
             Entity::Law(id) => self.laws[id.index()].moves,
             Entity::Point(id) => self.points[id.index()],

@@ -17,7 +17,8 @@ impl Resolver<'_> {
         // It is refused where it is used, if it does not stand there.
         let (quantity, reads) = self.freely(|resolver| resolver.quantity(value));
         let (true, Some(quantity)) = (is_new, quantity) else { return };
-        let facts = LetFacts { measure: quantity.measure, moves: self.moves, reads };
+        let pull = self.degree(&quantity.rest);
+        let facts = LetFacts { measure: quantity.measure, moves: self.moves, reads, pull };
         let entity = match reads.is_of_forces() {
             true => {
                 self.facts.laws.push(facts);

@@ -16,6 +16,7 @@ mod coincidence;
 mod contacts;
 mod dimension;
 mod drawn;
+mod driving_load;
 pub(crate) mod dynamics;
 mod dynamics_outputs;
 mod effort;
@@ -181,6 +182,8 @@ struct Resolver<'d> {
     searched: Option<Searched>,
     /// True if the statement being resolved depends on the searched unknown so far.
     follows: bool,
+    /// The load that drives an input.
+    driving: Option<String>,
     /// The names behind `solve`.
     solved: HashSet<String>,
     /// The pins of a drawing, which are resolved as points that stand still.
@@ -207,6 +210,7 @@ impl<'d> Resolver<'d> {
             gravity_at: None,
             searched: None,
             follows: false,
+            driving: driving_load::named_by(tree),
             solved: tree.statements.iter().filter_map(solved).collect(),
             pins: HashSet::new(),
         }
@@ -250,6 +254,7 @@ impl Resolver<'_> {
             | StatementKind::Pin { .. }
             | StatementKind::Link { .. }
             | StatementKind::Drive(_) => {}
+            StatementKind::DriveBy { input, load } => self.drive_by(input, load),
             StatementKind::Load { names, kind } => self.load(docs, names, kind.as_ref()),
             StatementKind::Action(action) => self.action(docs, action),
             StatementKind::Numerics { mode } => self.numerics(mode),

@@ -64,6 +64,8 @@ pub(super) enum Entity {
     Link(LinkId),
     Guide(GuideId),
     Load(LoadId),
+    /// The load that drives an input.
+    Pull,
     Unknown(UnknownId),
     Spring(SpringId),
     Stop(StopId),
@@ -191,6 +193,7 @@ pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
         }
         StatementKind::Solve(_)
         | StatementKind::Drive(_)
+        | StatementKind::DriveBy { .. }
         | StatementKind::Action(_)
         | StatementKind::Output { .. }
         | StatementKind::Numerics { .. }
@@ -211,6 +214,7 @@ pub(super) fn title(statement: &Statement, name: &str) -> String {
         StatementKind::Pin { .. } => format!("pin {name}"),
         StatementKind::Link { .. } => format!("link {name}"),
         StatementKind::Drive(drive) => format!("drive {}.{}", drive.link, drive.member),
+        StatementKind::DriveBy { input, load } => format!("drive {input} by {load}"),
         StatementKind::Guide { .. } => format!("guide {name}"),
         StatementKind::Point { .. } => format!("point {name}"),
         StatementKind::Group(group) => {

@@ -160,7 +160,8 @@ impl Resolver<'_> {
 
     /// `blade`: a point, a link, or a `let`.
     fn whole_output(&mut self, docs: &[Attribute], name: &Ident) {
-        if self.output_of_the_whole(docs, name) || self.output_is_a_result(name).is_none() {
+        let is_of_forces = self.output_of_the_whole(docs, name) || self.pull_output(docs, name);
+        if is_of_forces || self.output_is_a_result(name).is_none() {
             return;
         }
         if name == "power" && self.names.kind(name).is_none() {

@@ -63,6 +63,7 @@ fn joints(statement: &Statement) -> Vec<&Ident> {
         StatementKind::Drive(drive) => {
             [&drive.link].into_iter().chain(drive.to.iter().map(|(link, _)| link)).collect()
         }
+        StatementKind::DriveBy { input, load } => vec![input, load],
         StatementKind::Solve(solve) => vec![&solve.unknown],
         StatementKind::Action(action) => action.names(),
         StatementKind::Group(group) => {
@@ -106,6 +107,7 @@ pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
         StatementKind::Action(action) => action.expressions().into_iter().for_each(f),
         StatementKind::Input { .. }
         | StatementKind::Load { .. }
+        | StatementKind::DriveBy { .. }
         | StatementKind::Numerics { .. }
         | StatementKind::Crate { .. }
         | StatementKind::Export { .. } => {}

@@ -110,7 +110,7 @@ impl Mechanism {
     /// Tells whether the expression changes with an input.
     pub(crate) fn moves(&self, expr: &Expr) -> bool {
         match expr {
-            Expr::Constant(_) | Expr::Param(_) | Expr::Load(_) => false,
+            Expr::Constant(_) | Expr::Param(_) | Expr::Load(_) | Expr::Pull => false,
             Expr::Input(_)
             | Expr::Unknown(_)
             | Expr::Slide(_)

@@ -24,7 +24,7 @@ use super::dynamics::{
 use super::expressions::bare_name;
 use super::facts::{GuideFacts, ParamFacts};
 use super::mechanism::{
-    AngleSum, Carrier, Dimension, Expr, GroupId, GroupName, Guide, GuideId, Input, InputId, LoadId,
+    AngleSum, Carrier, Dimension, Expr, GroupId, GroupName, Guide, GuideId, Input, InputId,
     Mechanism, Numerics, Output, OutputKind, Param, ParamId, ParamKind, PartOf, PointId,
     References, Sign, SpringId, StopId,
 };
@@ -127,16 +127,13 @@ impl Resolver<'_> {
 
     fn number_of_stub(&mut self, statement: &Statement, name: &Ident) -> Option<Entity> {
         let (name, docs) = (name.clone(), statement.docs.clone());
-        let Mechanism { inputs, params, guides, dynamics, .. } = &mut self.mechanism;
+        let Mechanism { inputs, params, guides, .. } = &mut self.mechanism;
         Some(match &statement.kind {
             StatementKind::Input { .. } => {
                 inputs.push(Input { name, docs, dimension: NUMBER });
                 Entity::Input(InputId(inputs.len() as u32 - 1))
             }
-            StatementKind::Load { .. } => {
-                dynamics.loads.push(Load { name, docs, dimension: NUMBER });
-                Entity::Load(LoadId(dynamics.loads.len() as u32 - 1))
-            }
+            StatementKind::Load { .. } => self.new_load(Load { name, docs, dimension: NUMBER }),
             StatementKind::Param { kind, default, .. } => {
                 let is_mode = kind.as_ref().is_some_and(|kind| kind == "mode");
                 let kind = match bare_name(default).and_then(mode_word) {

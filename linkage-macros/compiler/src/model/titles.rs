@@ -6,9 +6,9 @@ use crate::function::Function;
 use super::mechanism::{Carrier, Mechanism, PointId};
 
 impl Mechanism {
-    /// Titles for errors, in this order: groups, springs, stops, forces, inputs, functions. A spring, a stop or a
+    /// Titles for errors, in this order: groups, springs, stops, forces, inputs, functions, the load that drives. A spring, a stop or a
     /// force between two points has no direction where they meet; an input may move no mass; a function may
-    /// need a number above zero.
+    /// need a number above zero; a load may do no work on the input that it drives.
     pub(crate) fn titles(&self) -> Vec<String> {
         let groups = self.groups.iter().map(|group| group.title.clone());
         let springs = self.dynamics.springs.iter().map(|spring| self.spring_title(spring));
@@ -23,12 +23,20 @@ impl Mechanism {
             None => "stop".to_string(),
         });
         let acting = springs.chain(stops).chain(forces);
-        groups.chain(acting).chain(inputs).chain(functions).collect()
+        let driving = self.dynamics.driven().map(|(input, load)| {
+            format!("drive {} by {}", self.inputs[input.index()].name, load.name)
+        });
+        groups.chain(acting).chain(inputs).chain(functions).chain(driving).collect()
     }
 
     /// The number of a function's title among [`Self::titles`].
     pub(crate) fn title_of_function(&self, function: Function) -> u32 {
         self.title_of_input(self.inputs.len()) + function as u32
+    }
+
+    /// The number of the title of the load that drives among [`Self::titles`].
+    pub(crate) fn title_of_pull(&self) -> u32 {
+        self.title_of_input(self.inputs.len()) + Function::names().count() as u32
     }
 
     /// The number of an input's title among [`Self::titles`].

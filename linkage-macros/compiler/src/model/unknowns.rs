@@ -150,7 +150,9 @@ impl Resolver<'_> {
         let changes = |expr: &Expr| self.changes_with(searched, expr);
         let reaches = |entity| searched.reaches(entity);
         match expr {
-            Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => false,
+            Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) | Expr::Pull => {
+                false
+            }
             // Only forces read these.
             Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) | Expr::Effort(..) => false,
             Expr::Unknown(id) => *id == searched.id,
@@ -247,6 +249,7 @@ impl Resolver<'_> {
             self.diagnostics.error_because(owner.span(), message, reason);
             return None;
         }
+        self.has_a_drive(owner, super::ids::InputId(0))?;
         Some(Effort::Unknown(id))
     }
 }

@@ -7,6 +7,7 @@ use super::tree::{DrawnLink, DriveStatement, Group, StatementKind};
 
 const LINK: &str =
     "a link is named with the pins through it, its first one in front: `link BC(B, C);`";
+const BY: &str = "a load that drives an input is named behind it: `drive theta by pull;`";
 const DRIVE: &str = "a drive is `drive AB.angle = theta;`, `drive BC.angle - AB.angle = theta;` or \
                      `drive ram.slide = s;`";
 
@@ -78,8 +79,16 @@ impl Parser<'_> {
             && !self.is_group(2, Delimiter::Parenthesis)
     }
 
-    /// `drive AB.angle - DC.angle = theta;`
+    /// `drive AB.angle - DC.angle = theta;` or `drive theta by pull;`
     pub(super) fn drive(&mut self) -> Parse<StatementKind> {
+        if self.is_word(1, "by") {
+            let input = self.name_of("an input")?;
+            self.take_word("by");
+            if self.peek_ident(0).is_none() {
+                return self.expected_because("a load", BY);
+            }
+            return Ok(StatementKind::DriveBy { input, load: self.name_of("a load")? });
+        }
         let (link, member) = self.driven()?;
         let to = match self.take_punct('-') {
             true => Some(self.driven()?),

@@ -80,7 +80,7 @@ impl Parser<'_> {
                 Some(_) => !["on", "at", "between"].iter().any(|word| self.is_word(1, word)),
             },
             "pin" | "link" => named && paren,
-            "drive" => named && self.is_punct(2, '.'),
+            "drive" => named && (self.is_punct(2, '.') || self.is_word(2, "by")),
             "guide" | "point" => named && self.peek_ident(2).is_some(),
             "ground" => named && paren,
             group => words::GROUPS.contains(&group) && named && paren,

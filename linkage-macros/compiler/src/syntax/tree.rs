@@ -67,6 +67,8 @@ pub(crate) enum StatementKind {
     Link { links: Vec<DrawnLink>, fields: Option<Group> },
     /// `drive AB.angle = theta;`
     Drive(DriveStatement),
+    /// `drive theta by pull;`: the load that puts in the effort of an input.
+    DriveBy { input: Ident, load: Ident },
     /// `guide slot on BC through P towards C;`
     Guide { name: Ident, on: Option<Ident>, through: Spot, course: Course },
     /// `point P on BC at …;`

@@ -152,9 +152,16 @@ impl<'a> Model<'a> {
         if !self.is_dynamic {
             return;
         }
-        for input in &mechanism.inputs {
-            let unit = if input.dimension.angle { "N·m" } else { "N" };
-            self.add(format!("drive of {}", text(&input.name)), Role::Input, unit.into(), 0.0);
+        for (at, input) in mechanism.inputs.iter().enumerate() {
+            let driven = mechanism.dynamics.driven().filter(|(id, _)| id.index() == at);
+            let (name, unit) = match driven {
+                Some((_, load)) => (text(&load.name), unit(load.dimension, Order::Position)),
+                None => {
+                    let unit = if input.dimension.angle { "N·m" } else { "N" };
+                    (format!("drive of {}", text(&input.name)), unit.to_string())
+                }
+            };
+            self.add(name, Role::Input, unit, 0.0);
         }
         self.first[kind(Given::Loads)] = self.variables.len();
         for load in &mechanism.dynamics.loads {

@@ -128,7 +128,12 @@ pub(in crate::equations) fn equations(kinematics: &Kinematics<'_>) -> Vec<Id> {
 /// The second rates of the inputs.
 pub(in crate::equations) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let equations = equations_of(kinematics);
-    let drive = |input: usize| kinematics.builder.node(Node::Drive(input as u32));
+    let driven = kinematics.mechanism.dynamics.driven().map(|(input, _)| input.index());
+    // A load that drives is among what acts.
+    let drive = |input: usize| match driven == Some(input) {
+        true => kinematics.builder.zero(),
+        false => kinematics.builder.node(Node::Drive(input as u32)),
+    };
     let right = equations.force.iter().enumerate();
     let right = right.map(|(input, force)| *force + drive(input)).collect();
     equations.solve(kinematics, right).into_iter().map(|number| number.id).collect()

@@ -10,7 +10,7 @@ use crate::equations::motion::{Frame, PointMotion};
 use crate::equations::reactions::Acting;
 use crate::equations::symbol::{Sym, Vector};
 use crate::model::dynamics::{Axes, Force, MassPlace};
-use crate::model::mechanism::{Body, Carrier, Expr, LinkId, PointId};
+use crate::model::mechanism::{Body, Carrier, Expr, LinkId, Mechanism, PointId};
 
 /// The masses of a link that are fixed in it, summed up: Σm, Σm x, Σm y, Σ(J + m r²) about its origin.
 #[derive(Clone, Copy)]
@@ -206,10 +206,18 @@ pub(super) fn applied<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'
 
 /// The same of the statements `force` alone.
 pub(super) fn declared<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s>)> {
+    declared_by(kinematics, &|value| kinematics.jet(value).value)
+}
+
+/// The same with these numbers for their values.
+pub(super) fn declared_by<'s>(
+    kinematics: &Kinematics<'s>,
+    number: &dyn Fn(&Expr) -> Sym<'s>,
+) -> Vec<(PointId, Vector<'s>)> {
     let forces = kinematics.mechanism.dynamics.forces.iter().enumerate();
     let forces = forces.flat_map(|(index, force)| match force {
         Force::At { point, value, axes } => {
-            let [x, y] = kinematics.jets(value).map(|jet| jet.value);
+            let [x, y] = value.each_ref().map(number);
             let force = match axes {
                 Axes::Body(Carrier::Ground) => Vector { x, y },
                 Axes::Body(carrier) => kinematics.carrier(*carrier).vector(x, y),
@@ -218,7 +226,7 @@ pub(super) fn declared<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<
             vec![(*point, force)]
         }
         Force::Between { points, value } => {
-            let value = kinematics.jet(value).value;
+            let value = number(value);
             let line =
                 Line::between(kinematics, *points, kinematics.mechanism.title_of_force(index));
             let push = (value * line.inverse) * line.vector;
@@ -230,13 +238,22 @@ pub(super) fn declared<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<
 
 /// A couple that the declaration puts on a body, and the body.
 pub(super) fn torques<'s>(kinematics: &Kinematics<'s>) -> Vec<(Carrier, Sym<'s>)> {
-    let torques = kinematics.mechanism.dynamics.torques.iter();
-    let torques = torques.flat_map(|torque| {
-        let value = kinematics.jet(&torque.value).value;
+    // As of forces.
+    let couples = springs::couples(kinematics).into_iter().chain(stops::couples(kinematics));
+    let torques = torques_by(kinematics.mechanism, &|value| kinematics.jet(value).value);
+    torques.into_iter().chain(couples).collect()
+}
+
+/// The couples of the statements `torque` alone, with these numbers for their values.
+pub(super) fn torques_by<'s>(
+    mechanism: &Mechanism,
+    number: &dyn Fn(&Expr) -> Sym<'s>,
+) -> Vec<(Carrier, Sym<'s>)> {
+    let torques = mechanism.dynamics.torques.iter().flat_map(|torque| {
+        let value = number(&torque.value);
         [Some((torque.on, value)), torque.against.map(|against| (against, -value))]
     });
-    let couples = springs::couples(kinematics).into_iter().chain(stops::couples(kinematics));
-    torques.flatten().chain(couples).collect()
+    torques.flatten().collect()
 }
 
 /// Body of a point. A point without a step belongs to the ground.

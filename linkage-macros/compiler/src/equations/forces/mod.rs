@@ -22,6 +22,9 @@
 //! # Friction
 //! [`friction`] takes a share of each reaction, group by group on the way.
 //!
+//! # A load that drives
+//! [`pull`] finds the load that puts in the effort of an input, before anything else is asked.
+//!
 //! # An effort alone
 //! [`power`] takes it from the power of all that acts, without any reaction, on masses [`reduced`] to
 //! what moves alike. [`together`] is what all masses do as one: energy, shaking, centre of mass.
@@ -43,6 +46,7 @@ mod friction;
 mod loads;
 mod power;
 mod provided;
+mod pull;
 mod reduced;
 pub(super) mod springs;
 pub(super) mod stops;
@@ -73,6 +77,13 @@ pub(super) fn declared<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<
 
 /// Values of the entry point `forces`, in the order of the requests.
 pub(super) fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    match pull::driven(kinematics) {
+        Some(driven) => efforts(&driven),
+        None => efforts(kinematics),
+    }
+}
+
+fn efforts(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let asked = || kinematics.mechanism.dynamics.asked.iter();
     if asked().next().is_none() {
         return Vec::new();
@@ -92,6 +103,7 @@ pub(super) fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {
 fn alone<'s>(kinematics: &Kinematics<'s>, effort: Effort) -> Option<Vec<Sym<'s>>> {
     match effort {
         Effort::Input(input) => Some(vec![power::effort(kinematics, input)]),
+        Effort::Pull => Some(vec![kinematics.value_of_pull()]),
         Effort::Unknown(unknown) => Some(vec![power::effort_at(kinematics, unknown)]),
         Effort::Spring(spring) => Some(vec![springs::effort(kinematics, spring.index())]),
         Effort::Stop(stop) => Some(vec![stops::effort(kinematics, stop.index())]),
@@ -135,10 +147,11 @@ pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
         let creeping = Kinematics::of(kinematics.builder, kinematics.mechanism, creep);
         return by_walk(&Walk::creeping(&resting, &creeping));
     }
+    let resting = pull::driven(&resting).unwrap_or(resting);
     match kinematics.mechanism.unknowns.is_empty() {
         true => by_walk(&Walk::of(&resting)),
         // By power alone what holds an equation need not be known.
-        false => in_motion(&resting),
+        false => efforts(&resting),
     }
 }
 

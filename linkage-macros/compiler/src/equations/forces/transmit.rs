@@ -31,7 +31,7 @@ impl<'s> Walk<'_, 's> {
             return;
         }
         match expr {
-            Expr::Constant(_) | Expr::Param(_) | Expr::Load(_) => {}
+            Expr::Constant(_) | Expr::Param(_) | Expr::Load(_) | Expr::Pull => {}
             Expr::Input(input) => self.add_effort(*input, effort),
             Expr::Let(id) => {
                 let mechanism = self.kinematics.mechanism;

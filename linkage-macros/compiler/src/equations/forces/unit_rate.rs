@@ -6,7 +6,8 @@ use crate::equations::kinematics::{InputMotion, Kinematics};
 pub(super) fn at_unit_rate<'s>(kinematics: &Kinematics<'s>, moving: usize) -> Kinematics<'s> {
     let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
     let inputs = InputMotion::one_moving(&kinematics.inputs, builder, moving);
-    let mut unit = Kinematics::of(builder, mechanism, inputs);
+    let mut unit =
+        Kinematics { pull: kinematics.pull, ..Kinematics::of(builder, mechanism, inputs) };
     if let [only] = &kinematics.inputs[..] {
         unit.rate_scale = Some(only.jet.rate);
     }

@@ -127,6 +127,7 @@ impl<'k, 's> Walk<'k, 's> {
         let zero = self.builder().zero_vector();
         match effort {
             Effort::Input(input) => vec![self.efforts[input.index()]],
+            Effort::Pull => vec![self.kinematics.value_of_pull()],
             Effort::Bearing(_, point) => {
                 let Vector { x, y } = self.standing.get(&point).copied().unwrap_or(zero);
                 vec![x, y]

@@ -58,6 +58,7 @@ pub(super) fn written(statement: &Statement) -> String {
     match &statement.kind {
         StatementKind::Input { names, kind } => format!("input {}{};", named(names), kind_of(kind)),
         StatementKind::Load { names, kind } => format!("load {}{};", named(names), kind_of(kind)),
+        StatementKind::DriveBy { input, load } => format!("drive {input} by {load};"),
         StatementKind::Param { name, kind, default } => {
             format!("param {name}{} = {};", kind_of(kind), text(default))
         }

@@ -77,6 +77,7 @@ impl Names<'_> {
             Expr::Constant(value) => value.to_f64().to_string(),
             Expr::Input(id) => self.0.inputs[id.index()].name.to_string(),
             Expr::Load(id) => self.0.dynamics.loads[id.index()].name.to_string(),
+            Expr::Pull => "pull".to_string(),
             Expr::Param(id) => self.0.params[id.index()].name.to_string(),
             Expr::Let(id) => format!("let{}", id.0),
             Expr::Law(id) => format!("law{}", id.0),

@@ -20,6 +20,7 @@ pub(super) fn drawn(kind: &StatementKind) -> String {
             let (link, member, to) = (&drive.link, &drive.member, to.unwrap_or_default());
             format!("drive {link}.{member}{to} = {}", expr(&drive.value))
         }
+        StatementKind::DriveBy { input, load } => format!("drive {input} by {load}"),
         _ => String::new(),
     }
 }

@@ -81,9 +81,10 @@ fn kind(kind: &StatementKind) -> String {
             let points = points.iter().map(|(name, at)| format!("{name}{}", pair(at)));
             format!("ground {}", points.collect::<Vec<_>>().join(", "))
         }
-        StatementKind::Pin { .. } | StatementKind::Link { .. } | StatementKind::Drive(_) => {
-            links::drawn(kind)
-        }
+        StatementKind::Pin { .. }
+        | StatementKind::Link { .. }
+        | StatementKind::Drive(_)
+        | StatementKind::DriveBy { .. } => links::drawn(kind),
         StatementKind::Guide { name, on, through, course } => {
             let through = match through {
                 Spot::At(at) => pair(at),

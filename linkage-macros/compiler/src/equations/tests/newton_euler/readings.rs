@@ -27,7 +27,7 @@ pub(super) fn readings(mechanism: &Mechanism, expr: &Expr, leaves: &mut Vec<Expr
         Expr::Call(_, arguments) => {
             arguments.iter().for_each(|argument| readings(mechanism, argument, leaves));
         }
-        Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) => {}
+        Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) | Expr::Pull => {}
         Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) | Expr::Effort(..) => {
             unreachable!("none of these is part of a dimension")
         }

@@ -1,0 +1,20 @@
+use linkage_core::mechanism;
+
+mechanism! {
+    pub struct Pump {
+        input theta: angle;
+        load pull: force;
+        ground A(0, 0);
+        guide bore through A along 0deg;
+        crank AB(A) -> B             { length: 50mm, angle: theta }
+        rrp   BC(B), piston(bore) -> C { length: 200mm, mode: ahead }
+        mass 1kg on C;
+        load push: torque;
+        force (pull, 0) on C;
+        torque push on AB;
+        drive theta by pull;
+        drive theta by push;
+    }
+}
+
+fn main() {}

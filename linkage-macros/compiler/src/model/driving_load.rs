@@ -1,0 +1,131 @@
+//! `drive theta by pull;`: a load that stands in forces and puts in the effort of an input. Its value follows.
+
+use proc_macro2::Ident;
+
+use crate::syntax::tree::{self, Declaration, ExprKind, StatementKind};
+
+use super::Resolver;
+use super::dimension::Measure;
+use super::dynamics::{Dynamics, Effort, Load};
+use super::expressions::Quantity;
+use super::facts::Degree;
+use super::ids::InputId;
+use super::mechanism::{Expr, Operator};
+use super::names::{Entity, Kind};
+
+/// The load behind the first `by`.
+pub(super) fn named_by(tree: &Declaration) -> Option<String> {
+    tree.statements.iter().find_map(|statement| match &statement.kind {
+        StatementKind::DriveBy { load, .. } => Some(load.to_string()),
+        _ => None,
+    })
+}
+
+impl Dynamics {
+    /// The input that a load drives, and the load.
+    pub(crate) fn driven(&self) -> Option<(InputId, &Load)> {
+        Some((self.pulled?, self.pull.as_ref()?))
+    }
+}
+
+impl Resolver<'_> {
+    pub(super) fn drive_by(&mut self, input: &Ident, load: &Ident) {
+        let (driven, by) = (self.usable(input, &[Kind::Input]), self.usable(load, &[Kind::Load]));
+        let is_first = self.driving.as_deref() == Some(&load.to_string())
+            && self.mechanism.dynamics.pulled.is_none();
+        if !is_first {
+            let message = "one load drives one input; remove this statement";
+            let reason = "the values of several loads would follow from each other";
+            return self.diagnostics.error_because(input.span(), message, reason);
+        }
+        if let (Some(Entity::Input(id)), Some(Entity::Pull)) = (driven, by) {
+            self.mechanism.dynamics.pulled = Some(id);
+        }
+    }
+
+    /// The value of a load in forces, torques and outputs.
+    pub(super) fn value_of_load(&mut self, name: &Ident) -> Option<Quantity> {
+        self.load_stands_in_a_force(name)?;
+        let entity = self.usable(name, &[Kind::Load])?;
+        let dynamics = &self.mechanism.dynamics;
+        let (load, value) = match entity {
+            Entity::Load(id) => (&dynamics.loads[id.index()], Expr::Load(id)),
+            Entity::Pull => (dynamics.pull.as_ref()?, Expr::Pull),
+            _ => return None,
+        };
+        Some(Quantity::plain(Measure::Known(load.dimension), value))
+    }
+
+    /// The power to which a number contains the load that drives an input.
+    pub(super) fn degree(&self, expr: &Expr) -> Degree {
+        let within = |inner: Degree| if inner == Degree::Free { inner } else { Degree::Other };
+        match expr {
+            Expr::Pull => Degree::Linear,
+            Expr::Law(id) => self.facts.laws[id.index()].pull,
+            Expr::Negate(value) => self.degree(value),
+            Expr::AboveZero(inner) => within(self.degree(&inner.value)),
+            Expr::Call(_, arguments) => {
+                let degrees = arguments.iter().map(|argument| self.degree(argument));
+                within(degrees.max().unwrap_or(Degree::Free))
+            }
+            Expr::Chain(first, rest) => {
+                rest.iter().fold(self.degree(first), |left, (operator, operand)| {
+                    match (operator, left, self.degree(operand)) {
+                        (Operator::Add | Operator::Sub, left, right) => left.max(right),
+                        (_, left, Degree::Free) => left,
+                        (Operator::Mul, Degree::Free, right) => right,
+                        _ => Degree::Other,
+                    }
+                })
+            }
+            _ => Degree::Free,
+        }
+    }
+
+    /// A force is a multiple of the load that drives an input, and what is free of it.
+    pub(super) fn is_linear_in_pull(&mut self, expr: &tree::Expr, value: &Expr) -> Option<()> {
+        if self.degree(value) != Degree::Other {
+            return Some(());
+        }
+        let holds_pull = |resolver: &Self, part: &tree::Expr| {
+            let ExprKind::Name(name) = &part.kind else { return false };
+            match resolver.names.entity(name) {
+                Some(Entity::Pull) => true,
+                Some(Entity::Law(id)) => resolver.facts.laws[id.index()].pull != Degree::Free,
+                _ => false,
+            }
+        };
+        let at = self.first(expr, &holds_pull).unwrap_or(expr.span);
+        let load = self.driving.as_deref().unwrap_or_default();
+        let message = format!("a force is a multiple of `{load}`, which drives an input");
+        let reason = format!(
+            "the value of `{load}` follows from one linear equation: write `2 * {load}` or \
+             `5N - {load} * cos(theta)`, and no function of it"
+        );
+        self.diagnostics.error_because(at, message, reason);
+        None
+    }
+
+    /// The effort of an input is put in by no load.
+    pub(super) fn has_a_drive(&mut self, owner: &Ident, id: InputId) -> Option<()> {
+        let Some((driven, load)) = self.mechanism.dynamics.driven() else { return Some(()) };
+        if driven != id {
+            return Some(());
+        }
+        let message = format!("`{owner}` is driven by `{0}`; ask for `{0}`", load.name);
+        let reason = "a drive of its own would put in nothing";
+        self.diagnostics.error_because(owner.span(), message, reason);
+        None
+    }
+
+    /// Returns true if the output is the load that drives an input.
+    pub(super) fn pull_output(&mut self, docs: &[syn::Attribute], name: &Ident) -> bool {
+        let is_pull = self.names.entity(name) == Some(Entity::Pull);
+        if is_pull {
+            let own = self.mechanism.dynamics.pull.iter().flat_map(|load| &load.docs);
+            let docs: Vec<_> = docs.iter().chain(own).cloned().collect();
+            self.ask(&docs, name, name, Effort::Pull);
+        }
+        is_pull
+    }
+}
