@@ -4,13 +4,14 @@ use proc_macro2::{Ident, Span};
 use syn::Attribute;
 
 use crate::diagnostics::nearest;
-use crate::syntax::tree::{self, Action, Declaration, StatementKind};
+use crate::syntax::tree::{self, Action, Declaration, ExprKind, StatementKind};
 
 use super::Resolver;
 use super::dynamics::{Axes, Dynamics, Force, Load, Torque};
 use super::inputs::{add_names, follow_lets};
 use super::mechanism::{Body, Carrier, Dimension, Expr, LoadId, PointId};
 use super::names::{Entity, Kind};
+use super::references::{expressions, names_in};
 use super::springs::is_rate;
 use super::units::unit;
 
@@ -265,7 +266,9 @@ impl Resolver<'_> {
             // A load that drives has to act.
             let is_given = self.driving.as_deref() != Some(&name);
             let is_used = acting.contains(&name) || is_given && named.contains(&name);
-            if is_used || tree.unread.may_hold(&name) {
+            // Where it stands in error, that was said.
+            let is_mentioned = || self.diagnostics.count() > 0 && is_mentioned(tree, &name);
+            if is_used || tree.unread.may_hold(&name) || is_mentioned() {
                 continue;
             }
             let message = format!("nothing uses the load `{name}`; use it or remove it");
@@ -280,6 +283,21 @@ impl Resolver<'_> {
             self.diagnostics.error_because(at, message, "as in `mass 2kg on BC uniform`");
         }
     }
+}
+
+/// True if any expression of the declaration holds the name, be it that of a function.
+fn is_mentioned(tree: &Declaration, name: &str) -> bool {
+    let mut is_mentioned = false;
+    for statement in &tree.statements {
+        expressions(statement, &mut |expr| {
+            expr.each_part(&mut |part| {
+                let called = matches!(&part.kind, ExprKind::Call(function, _) if function == name);
+                is_mentioned |= called;
+            });
+            names_in(expr, &mut |used| is_mentioned |= used == name);
+        });
+    }
+    is_mentioned
 }
 
 fn torque(on: Option<Carrier>, against: Option<Carrier>, value: Option<Expr>) -> Option<Torque> {

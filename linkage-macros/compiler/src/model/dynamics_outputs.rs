@@ -341,7 +341,7 @@ impl Resolver<'_> {
     }
 
     /// Drive, push, joints and guides of a link.
-    fn efforts_of(&self, link: LinkId) -> Efforts {
+    pub(super) fn efforts_of(&self, link: LinkId) -> Efforts {
         let group = self.mechanism.group_with(link);
         let mut efforts = group.map_or(Vec::new(), |group| self.of_group(group, link));
         // Points of its own that others stand on.

@@ -13,7 +13,7 @@ use super::expressions::Quantity;
 use super::facts::Reads;
 use super::ids::FormulaId;
 use super::mechanism::{Carrier, Dimension, Expr, LinkId};
-use super::names::Kind;
+use super::names::{Kind, listed};
 
 /// A power: what friction takes.
 const POWER: Dimension = Dimension { time: -3, ..Dimension::TORQUE };
@@ -128,6 +128,38 @@ impl Resolver<'_> {
         };
         self.diagnostics.error_because(member.span(), message, reason);
         None
+    }
+
+    /// Reports `ram.friction`: friction is that of a joint.
+    pub(super) fn friction_is_at_a_joint(&mut self, owner: &Ident, member: &Ident) {
+        let Some(link) = self.link(owner) else { return };
+        let frictions = &self.mechanism.dynamics.frictions;
+        let joints = self.efforts_of(link).into_iter().filter(|(_, effort)| {
+            frictions.iter().any(|friction| match *effort {
+                Effort::Guide(link) => friction.contact == Contact::Guide(link),
+                Effort::Pin(_, pin) | Effort::Bearing(_, pin) => {
+                    rubs_at(friction.contact, link, Effort::PinFriction(link, pin))
+                }
+                _ => false,
+            })
+        });
+        let known: Vec<_> =
+            joints.map(|(joint, _)| format!("`{owner}.{joint}.friction`")).collect();
+        let (message, reason) = match &known[..] {
+            [] if self.a_force_may_be_unread() => return,
+            [] => (
+                format!("nothing rubs at a joint of `{owner}`"),
+                format!(
+                    "as in `friction 0.1 on {owner}` of what slides, `friction 0.1 on {owner} at C radius 8mm` of a pin"
+                ),
+            ),
+            [only] => (format!("write {only}"), "friction is that of a joint".to_string()),
+            _ => (
+                format!("name the joint: {}", listed(&known, "or")),
+                "friction is that of a joint".to_string(),
+            ),
+        };
+        self.diagnostics.error_because(member.span(), message, reason);
     }
 
     /// `BC.C.x`, `ram.bed.normal`, `ram.bed.friction`

@@ -66,7 +66,8 @@ impl Resolver<'_> {
         Some(Quantity { measure, links, rest })
     }
 
-    fn law_stands_here(&mut self, name: &Ident, reads: Reads) -> Option<()> {
+    /// A law of rates or loads stands in forces, torques and outputs.
+    pub(super) fn law_stands_here(&mut self, name: &Ident, reads: Reads) -> Option<()> {
         let (message, reason) = match (reads.corner, reads.is_of_forces()) {
             (_, true) if !self.is_about_forces => {
                 let what = match (reads.load, reads.rate) {

@@ -3,20 +3,41 @@
 //! A name that is used too early is noted where it is met and judged here, once for the whole
 //! declaration: either another order of the statements works, or some of them need each other.
 
-use crate::syntax::tree::Declaration;
+use proc_macro2::Ident;
+
+use crate::syntax::tree::{Declaration, StatementKind};
 
 use super::Resolver;
 use super::class_three;
-use super::names::{declared_by, listed, title};
+use super::facts::Reads;
+use super::names::{Entity, declared_by, listed, title};
 use super::needs::Needs;
 
 const TWO_UNKNOWNS: &str = "only drivers and dyads are solved in closed form; drive the chain at another \
                             link, so that each dyad stands on what is known";
 
 impl Resolver<'_> {
+    /// A law of rates or loads that a statement about the machine itself uses too early.
+    fn law_in_a_dimension(&self, tree: &Declaration) -> Option<(Ident, Reads)> {
+        let uses = self.too_early.iter().filter(|use_| {
+            let user = &tree.statements[use_.user].kind;
+            !matches!(user, StatementKind::Let { .. } | StatementKind::Action(_))
+        });
+        uses.filter_map(|use_| match self.names.made(&use_.name)? {
+            Entity::Law(id) => Some((use_.name.clone(), self.facts.laws[id.index()].reads)),
+            _ => None,
+        })
+        .next()
+    }
+
     /// Reports names that are used too early: with an order that works, or as a circle of statements
     /// that need each other.
     pub(super) fn statements_are_in_order(&mut self, tree: &Declaration) {
+        if let Some((name, reads)) = self.law_in_a_dimension(tree) {
+            // No order would help.
+            self.law_stands_here(&name, reads);
+            return;
+        }
         let Some(first) = self.too_early.first() else {
             return;
         };

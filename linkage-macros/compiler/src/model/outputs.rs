@@ -237,6 +237,9 @@ impl Resolver<'_> {
             return self.diagnostics.error_because(member.span(), message, reason);
         }
         if !MEMBERS.contains(&part.as_str()) {
+            if part == "friction" {
+                return self.friction_is_at_a_joint(owner, member);
+            }
             // The parts of an unknown link are unknown too.
             if self.link(owner).is_some() {
                 self.member_exists(owner, member);

@@ -193,6 +193,10 @@ impl Resolver<'_> {
                 self.link_slides(owner, link?, member)?;
                 Some(Quantity::plain(Measure::LENGTH, Expr::Slide(link?)))
             }
+            "friction" if self.efforts_read.is_some() => {
+                self.friction_is_at_a_joint(owner, member);
+                None
+            }
             other if is_of_forces(other) || self.names.kind(member).is_some() => {
                 self.friction_is_implicit(member);
                 None

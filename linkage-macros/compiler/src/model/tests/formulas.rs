@@ -156,3 +156,24 @@ fn an_unknown_allows_what_power_tells() {
         ),
     ]);
 }
+
+#[test]
+fn friction_is_that_of_a_joint() {
+    const RUBBING: &str = "mass 1kg on E; friction 0.12 on block; friction 0.1 on BC at C radius 8mm; \
+                           friction 0.1 on block at E radius 8mm;";
+    let refused = |at: &str| format!("friction: {at} / friction is that of a joint");
+    for (output, at) in [
+        ("output CE.friction;", "write `CE.E.friction`"),
+        ("output w = 2 * CE.friction;", "write `CE.E.friction`"),
+        ("output block.friction;", "name the joint: `block.E.friction` or `block.rail.friction`"),
+        ("output w = abs(DC.friction);", "write `DC.C.friction`"),
+    ] {
+        check(&[(SIX_BAR, &format!("{RUBBING} {output}"), &refused(at))]);
+    }
+    check(&[(
+        SIX_BAR,
+        &format!("{RUBBING} output AB.friction;"),
+        "friction: nothing rubs at a joint of `AB` / as in `friction 0.1 on AB` of what slides, `friction \
+         0.1 on AB at C radius 8mm` of a pin",
+    )]);
+}

@@ -104,3 +104,48 @@ fn a_drawing_has_laws() {
         ),
     ]);
 }
+
+/// A statement that makes what the law reads needs the law itself, in no order.
+#[test]
+fn a_law_that_is_made_too_late_is_refused_as_a_law() {
+    const RAM: &str = "input t: angle; ground A(0, 0); guide bed through A along 0deg; \
+                       crank AB(A) -> B { length: 1m, angle: t }";
+    const FORM: &str =
+        "what the mechanism is made of and how it moves depends on no load and no rate";
+    let refused = |what: &str| {
+        format!(
+            "brake: `brake` reads {what}, and stands in forces, torques and outputs alone / {FORM}"
+        )
+    };
+    for (statements, what) in [
+        (
+            "rrp BC(B), ram(bed) -> C { length: brake, mode: ahead } \
+             let brake = -5(m*s/m) * rate(ram.slide);",
+            "a rate",
+        ),
+        (
+            "load f: number; rrp BC(B), ram(bed) -> C { length: brake, mode: ahead } \
+             let brake = f * 1m; force (f * 1N, 0) on B;",
+            "a load",
+        ),
+        (
+            "point P on AB at (brake, 0); rrp BC(B), ram(bed) -> C { length: 3m, mode: ahead } \
+             let brake = -5(m*s/m) * rate(ram.slide);",
+            "a rate",
+        ),
+    ] {
+        check(&[(RAM, statements, &refused(what))]);
+    }
+    // Forces and other laws only have to wait.
+    let late =
+        "brake: `brake` is used before `let brake` makes it / this order works: `let brake`, ";
+    for (statements, last) in [
+        ("torque brake on AB; let brake = -5(N*m*s) * rate(t);", "``"),
+        (
+            "let twice = 2 * brake; let brake = -5(N*m*s) * rate(t); torque twice on AB;",
+            "`let twice`",
+        ),
+    ] {
+        check(&[(RAM, statements, &format!("{late}{last}"))]);
+    }
+}

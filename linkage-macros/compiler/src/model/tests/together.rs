@@ -44,3 +44,63 @@ fn all_mistakes_of_a_declaration_are_reported() {
         ),
     ]);
 }
+
+/// A statement with a mistake uses its loads all the same.
+#[test]
+fn a_load_of_a_statement_in_error_is_used() {
+    let mut found = String::new();
+    for statement in [
+        "force f on B;",
+        "force (f 0) on B;",
+        "force (f, 0) B;",
+        "force (f, 0) on;",
+        "force (f, 0) at B;",
+        "force (f, 0) on Q;",
+        "force (f * 1m, 0) on B;",
+        "force (2 f, 0) on B;",
+        "force (f, 0, 0) on B;",
+        "force (f + , 0) on B;",
+        "force (f, 0) in Q on B;",
+        "force (f.x, 0) on B;",
+        "force (-f, 0) on A;",
+        "force (0, f(2)) on B;",
+        "force (0, 5N(f)) on B;",
+        "force f between B;",
+        "force f between B and B;",
+        "force f between A and D;",
+        "forse (f, 0) on B;",
+        "force(f, 0)on B",
+        "force = f on B;",
+        "Force (f, 0) on B;",
+        "torque f * 1m on Q;",
+        "torque 1m * f AB;",
+        "let law = f + 1m; force (law, 0) on B;",
+        "let law = f +; force (law, 0) on B;",
+        "let law = g + f; force (law, 0) on B;",
+        "spring between A and B { stiffness: f / 1m, free_length: 1m }",
+        "friction f / 1N at Q radius 8mm;",
+        "friction f / 1N at A;",
+        "output w = f + 1m;",
+        "output w = f + ;",
+        "output f;",
+        "output 2 * f;",
+        "stop AB.angle between (0, f) { stiffness: 5(N*m) }",
+        "mass f / 1(m/s^2) on B;",
+        "gravity (0, f / 1kg);",
+        "let law = f * 1m; rrr BC(B), DC(D) -> C { lengths: (law, 3m), mode: left }",
+        "rrr BC(B), DC(D) -> C { lengths: (f / 1(N/m), 3m), mode: left }",
+    ] {
+        let mut diagnostics = Diagnostics::new();
+        let source =
+            format!("pub struct M {{ load f: force; {CRANK} mass 1kg on B; {statement} }}");
+        let tree = parse(source.parse().expect("tokens"), &mut diagnostics).expect("it has a name");
+        drop(resolve(&tree, &mut diagnostics));
+        let mistakes = diagnostics.into_mistakes();
+        let texts: Vec<_> = mistakes.iter().map(|mistake| mistake.text().to_string()).collect();
+        assert!(!texts.is_empty(), "`{statement}` is legal");
+        if texts.len() > 1 && texts.iter().any(|text| text.starts_with("nothing uses the load")) {
+            found += &format!("{statement}: {texts:?}\n");
+        }
+    }
+    assert!(found.is_empty(), "{found}");
+}

@@ -1,0 +1,16 @@
+use linkage_core::mechanism;
+
+mechanism! {
+    pub struct Pump {
+        input theta: angle;
+        ground A(0, 0);
+        guide bore through A along 0deg;
+        crank AB(A) -> B               { length: 50mm, angle: theta }
+        rrp   BC(B), piston(bore) -> C { length: 200mm, mode: ahead }
+        mass 1kg on C;
+        friction 0.1 on piston;
+        output piston.friction;
+    }
+}
+
+fn main() {}
