@@ -152,6 +152,7 @@ mod lanes;
 mod library_function;
 mod limit;
 mod mechanism;
+mod mixed;
 mod modes;
 mod plane;
 mod primitive;
@@ -182,6 +183,7 @@ pub use kernels::{Float, Fused, Fusion, Plain};
 pub use lanes::{LaneMask, Lanes};
 pub use library_function::LibraryFunction;
 pub use mechanism::Mechanism;
+pub use mixed::{Given, Mixed};
 pub use modes::{Sense, Side};
 pub use record::Record;
 pub use results::{

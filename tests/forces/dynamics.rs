@@ -7,6 +7,7 @@ mod frequencies;
 mod refused;
 mod singular;
 mod sweeps;
+mod told;
 
 use linkage_tests::mechanisms::forces::TwoParallelograms;
 

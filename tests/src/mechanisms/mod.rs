@@ -33,6 +33,7 @@ pub mod stacked_sliders;
 pub mod statuses;
 pub mod stops;
 pub mod telescope;
+pub mod told;
 pub mod twins;
 pub mod unknowns;
 pub mod variable_dimensions;

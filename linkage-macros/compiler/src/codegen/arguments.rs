@@ -8,7 +8,7 @@ use quote::quote;
 use super::context::Context;
 use super::identifiers::{CIRCLE, SWEEP_ARGUMENTS, argument};
 use super::text::Text;
-use crate::interface::entries::Given;
+use crate::interface::entries::{Analysis, Given};
 use crate::ir::graph::Node;
 use crate::lower::label;
 use crate::lower::places::{Part, Place, argument as argument_of, place};
@@ -17,7 +17,9 @@ use crate::lower::places::{Part, Place, argument as argument_of, place};
 pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
     let entries = cx.interface.entries.iter();
     let names = entries.flat_map(|entry| Arguments::new(cx, &entry.given).names);
-    let names = names.map(|name| name.to_string());
+    let told = (cx.inputs().is_some() && cx.interface.has(Analysis::EquationsOfMotion))
+        .then(|| Ident::new("given", Span::call_site()));
+    let names = names.chain(told).map(|name| name.to_string());
     names.chain(SWEEP_ARGUMENTS.map(str::to_string)).collect::<BTreeSet<_>>().into_iter()
 }
 
@@ -53,7 +55,7 @@ impl Form<'_> {
 }
 
 /// A load may be called like an argument that is about the inputs: then it gets a tail.
-fn clear_of(names: &[Ident], mut name: Ident) -> Ident {
+pub(super) fn clear_of(names: &[Ident], mut name: Ident) -> Ident {
     while names.contains(&name) {
         name = Ident::new(&format!("{name}_"), name.span());
     }
