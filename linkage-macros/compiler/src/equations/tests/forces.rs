@@ -1,6 +1,7 @@
 //! Reactions and efforts against Newton's and Euler's equations of every part in a hundred digits,
 //! against the virtual power of all that acts, and against what the ground carries.
 
+mod bearings;
 mod carried;
 pub(super) mod topologies;
 
@@ -121,6 +122,8 @@ struct Nodes {
     inputs: Vec<Id>,
     by_power: Vec<Id>,
     ground: [Id; 3],
+    /// By point, what all links that stand on it put on it.
+    bearings: Vec<(PointId, [Id; 2])>,
     readings: Vec<(String, Id)>,
 }
 
@@ -160,6 +163,7 @@ fn nodes<'s>(kinematics: &Kinematics<'s>) -> Nodes {
         inputs: efforts.map(|effort| effort.id).collect(),
         by_power: in_motion(kinematics),
         ground: [ground.force.x.id, ground.force.y.id, ground.moment.id],
+        bearings: bearings::found(mechanism, &walk),
         readings,
     }
 }
@@ -177,7 +181,7 @@ pub(super) fn readings(mechanism: &Mechanism, kinematics: &Kinematics<'_>) -> Ve
 
 /// Every slide, coordinate and distance that may be read.
 fn leaves_of(mechanism: &Mechanism, leaves: &mut Vec<Expr>) {
-    use crate::model::mechanism::{Axis, LinkId, UnknownId};
+    use crate::model::mechanism::{Axis, UnknownId};
     let links = mechanism.links.iter().enumerate().filter(|(_, link)| link.slides);
     leaves.extend(links.map(|(index, _)| Expr::Slide(LinkId(index as u32))));
     leaves.extend((0..mechanism.unknowns.len() as u32).map(|id| Expr::Unknown(UnknownId(id))));
@@ -299,6 +303,14 @@ fn compare(
         expected.len() >= mechanism.links.len() || !truths.contains(&Against::Matrix),
         "{name}"
     );
+    if truths.contains(&Against::Matrix) {
+        for (point, truth) in bearings::truths(&mechanism, &expected) {
+            let (_, found) = nodes.bearings.iter().find(|(at, _)| *at == point).expect("asked");
+            for (id, truth) in found.iter().zip(&truth) {
+                close(format!("the bearing of {point:?}"), &values[id.index()], truth);
+            }
+        }
+    }
     for (input, unit) in nodes.units.iter().enumerate() {
         let unit = unit.values(&values);
         let pairs = motion.applied.iter().zip(&unit.applied);

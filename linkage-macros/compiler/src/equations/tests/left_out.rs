@@ -46,6 +46,37 @@ fn a_bar_carries_what_stands_on_it_and_the_push() {
     agrees("a cylinder", "input t: angle; input s: length;", &cylinder, &values);
 }
 
+/// Another dyad between the same two points is no bar, and stands in front of the one that is.
+#[test]
+fn a_dyad_beside_the_bar_does_not_hold_the_equation() {
+    let solved = format!("{PLATE} solve phi {{ distance(E, R) = 2.05, mode: rising }}");
+    for (name, behind) in [
+        ("alone", "rrr a(E), b(R) -> U { lengths: (2.5, 2), mode: left }"),
+        (
+            "in front of the bar",
+            "rrr a(E), b(R) -> U { lengths: (2.5, 2), mode: left } rpr end(R), ER(E) { mode: ahead }",
+        ),
+        (
+            "a block beside the bar's line, and the bar",
+            "rpr skew(R), rod(E) { offset: 0.3, mode: ahead } rpr end(R), ER(E) { mode: ahead }",
+        ),
+    ] {
+        agrees(name, "input t: angle;", &format!("{solved} {behind}"), &[[0.9, 0.7, -1.2]]);
+    }
+}
+
+/// A place on the plate inside the search that moves with the unknown, along either axis.
+#[test]
+fn a_place_that_moves_with_the_unknown_loads_the_equation() {
+    for place in ["(0.3 + 0.1m * phi, 0.2)", "(0.3, 0.2 - 0.15m * phi)", "polar (0.4, 0.3 * phi)"] {
+        let solved = format!(
+            "{PLATE} point S on plate at {place}; solve phi {{ distance(E, R) = 2.05, mode: rising }} \
+             rpr end(R), ER(E) {{ mode: ahead }}"
+        );
+        agrees(place, "input t: angle;", &solved, &[[0.9, 0.7, -1.2]]);
+    }
+}
+
 /// The block that stands on a rail of the ground, and on one of a crank.
 #[test]
 fn a_block_carries_what_stands_on_it_and_the_push() {
@@ -62,6 +93,8 @@ fn a_block_carries_what_stands_on_it_and_the_push() {
     let crank = "guide rail on AB through (0.1, 3.2) along -42deg;";
     let block = "rpp end(R), block(rail) { slot: 90deg, offsets: (0.56, 0) }";
     let skew = "rpp end(R), block(rail) { slot: 70deg, offsets: (0.1, 0.3) }";
+    let geared = "rpp end(R), block(rail) { slot: 90deg, offsets: (0.56, 0) } \
+                  crank far(A) -> F { length: 0.3, angle: t + bp.slide / 2m }";
     let [rising, turned] =
         ["offset(R, rail) = 0.56, mode: rising", "0.56 = offset(R, rail), mode: falling"];
     let [far, moved] =
@@ -73,6 +106,7 @@ fn a_block_carries_what_stands_on_it_and_the_push() {
         ("on a crank", crank, far, block),
         ("an offset that moves", crank, moved, block),
         ("another yoke beside it", ground, rising, skew),
+        ("a crank by a slide inside", ground, rising, geared),
     ] {
         agrees(name, "input t: angle;", &machine(rail, equation, behind), &[[0.9, 0.7, -1.2]]);
     }

@@ -8,8 +8,8 @@ mod driving;
 mod expressions;
 mod fields;
 mod formulas;
-
 mod groups;
+mod held_equations;
 mod incidence;
 mod laws;
 mod names;
