@@ -9,22 +9,36 @@ use std::collections::HashMap;
 use linkage_core::{Mechanism, SolveError};
 
 linkage_core::mechanism! {
+    /// With masses, for the forces; its motion is that of the drawing.
     pub struct EightBar1 {
         input theta: angle;
         ground p01(0.789, 0.304), p17(0.603, 0.18);
         pin p05(0.326, 0.572), p25(0.655, 0.835), p27(0.324, 0.929), p36(0.81, 0.838), p37(0.554, 0.589), p46(0.015, 0.486), p47(0.999, 0.972), p56(0.052, 0.978);
         link l0(p01, p05), l2(p25, p27), l3(p36, p37), l4(p46, p47), l5(p05, p25, p56), l6(p36, p46, p56), l7(p17, p27, p37, p47);
         drive l7.angle = theta;
+        gravity (0.7, -9.81);
+        mass 1.0 on l0 at (0.05, -0.04) inertia 0.02; mass 1.6 on l2 at (0.15, -0.04) inertia 0.02;
+        mass 1.9 on l3 at (0.2, -0.04) inertia 0.02; mass 2.2 on l4 at (0.25, -0.04) inertia 0.02;
+        mass 2.5 on l5 at (0.3, -0.04) inertia 0.02; mass 2.8 on l6 at (0.35, -0.04) inertia 0.02;
+        mass 3.1 on l7 at (0.4, -0.04) inertia 0.02;
+        point T on l5 at (0.2, 0.1); force (20, -15) on T; torque 5 on l4;
     }
 }
 
 linkage_core::mechanism! {
+    /// With masses, for the forces.
     pub struct EightBar2 {
         input theta: angle;
         ground p37(0.06, 0.401), p47(0.205, 0.007), p57(0.209, 0.442);
         pin p01(0.843, 0.998), p04(0.892, 0.017), p15(0.706, 0.48), p24(0.111, 0.157), p26(0.406, 0.53), p36(0.907, 0.456), p56(0.928, 0.185);
         link l0(p01, p04), l1(p01, p15), l2(p24, p26), l3(p36, p37), l4(p47, p04, p24), l5(p15, p56, p57), l6(p26, p36, p56);
         drive l4.angle = theta;
+        gravity (0.7, -9.81);
+        mass 1.0 on l0 at (0.05, -0.04) inertia 0.02; mass 1.3 on l1 at (0.1, -0.04) inertia 0.02;
+        mass 1.6 on l2 at (0.15, -0.04) inertia 0.02; mass 1.9 on l3 at (0.2, -0.04) inertia 0.02;
+        mass 2.2 on l4 at (0.25, -0.04) inertia 0.02; mass 2.5 on l5 at (0.3, -0.04) inertia 0.02;
+        mass 2.8 on l6 at (0.35, -0.04) inertia 0.02;
+        point T on l5 at (0.2, 0.1); force (20, -15) on T; torque 5 on l0;
     }
 }
 
