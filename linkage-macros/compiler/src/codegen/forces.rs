@@ -77,7 +77,8 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
         Effort::Bearing(id, joint) => {
             let standing = cx.mechanism.standing();
             let others = standing.iter().filter(|(at, _)| *at == joint);
-            let others: Vec<_> = others.map(|&(_, by)| format!("`{}`", link(by))).collect();
+            let name = |by: LinkId| text(cx.mechanism.links[by.index()].known_as());
+            let others: Vec<_> = others.map(|&(_, by)| format!("`{}`", name(by))).collect();
             format!(
                 "force in N on `{}` at `{}`, exerted by all that stand on it: {}",
                 link(id),

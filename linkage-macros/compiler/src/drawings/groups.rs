@@ -108,6 +108,25 @@ fn the_groups_are_those_expected() {
     assert_eq!([dyads, higher, two], [25, 22, 0]);
 }
 
+/// Where a block stands in for a link that a search left out, the docs of forces name the link.
+#[test]
+fn docs_of_forces_name_links_that_are_drawn() {
+    let statements = "input t: angle; ground A(-1, 0), D(4, 0), E(2, 5); \
+                      pin B(-0.5, 0.6), P(0.8, 1.2), Q(3, 0.6), R(1.9, 3.1); \
+                      link AB(A, B), BP(B, P), plate(P, Q, R), DQ(D, Q), ER(E, R); \
+                      drive AB.angle = t; mass 2kg on plate at (0.5, 0.2);";
+    let tokens = format!("pub struct M {{ {statements} }}").parse().expect("these are tokens");
+    let text =
+        crate::pipeline::compile(tokens, &crate::pipeline::Options::default()).tokens.to_string();
+    let others: Vec<_> = text.split("exerted by all that stand on it: ").skip(1).collect();
+    assert!(!others.is_empty());
+    for others in others {
+        let names = others.split(['"', '\\']).next().expect("the sentence ends");
+        assert!(!names.contains("_end"), "{names}");
+    }
+    assert!(text.contains("`plate` at `Q`, exerted by all that stand on it: `DQ`"), "{text}");
+}
+
 /// The declaration of the groups in the documentation of a solver.
 fn declared_in_docs(mechanism: &Mechanism) -> String {
     let docs = documentation(mechanism);

@@ -144,6 +144,7 @@ impl Resolver<'_> {
             docs: docs.to_vec(),
             made_by,
             slides,
+            stands_for: None,
         });
         self.facts.links.push(LinkFacts {
             moves: false,

@@ -212,6 +212,15 @@ pub(crate) struct Link {
     pub made_by: GroupId,
     /// True if it slides on a guide and so has a `slide`.
     pub slides: bool,
+    /// The link of the drawing, whose name users know, that a block stands in for.
+    pub stands_for: Option<Ident>,
+}
+
+impl Link {
+    /// Its name, or that of the link that it stands in for.
+    pub(crate) fn known_as(&self) -> &Ident {
+        self.stands_for.as_ref().unwrap_or(&self.name)
+    }
 }
 
 /// The name of a driver or a dyad, or of a driven point, which is a group of its own.

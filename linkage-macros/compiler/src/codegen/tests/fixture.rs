@@ -74,6 +74,7 @@ pub(super) fn four_bar() -> (Mechanism, Program) {
         docs: Vec::new(),
         made_by: GroupId(made_by),
         slides: false,
+        stands_for: None,
     };
     let direction = |link| OutputKind::Link { link: LinkId(link), direction: true, slide: false };
     let outputs = vec![
@@ -247,6 +248,7 @@ pub(super) fn table() -> (Mechanism, Program) {
         docs: Vec::new(),
         made_by: GroupId(0),
         slides: true,
+        stands_for: None,
     };
     let output_of =
         |link, direction| OutputKind::Link { link: LinkId(link), direction, slide: true };
