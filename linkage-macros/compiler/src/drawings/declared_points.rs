@@ -72,6 +72,29 @@ fn a_dyad_makes_a_point_of_its_own_link() {
     );
 }
 
+/// The declared length is that of a tip which nothing stands on: the plate hangs on its first pin and on its point.
+#[test]
+fn a_length_reaches_a_tip_from_where_its_link_is_placed() {
+    let machine = "input t: angle; ground D(4, 0), E(2, 5); pin P(0, 1), T(2, 1), S(0.4, -0.6)";
+    let links = "link DP(D, P), ER(E, R); drive ER.angle = t;";
+    move_alike(
+        &format!(
+            "{machine}; {links} link plate(P, T) {{ length: 2 }} point S on plate at (0.4, -1.6);"
+        )
+        .replace(", S(0.4, -0.6)", ""),
+        "point R on plate at (1.1, 1.9);",
+        &format!("{machine}, R(1.1, 2.9); {links} link plate(P, T, R, S);"),
+    );
+    // Longer than drawn, which moves the tip alone.
+    move_alike(
+        &format!("{machine}; {links} link plate(P, T) {{ length: 2.5 }}")
+            .replace(", S(0.4, -0.6)", ""),
+        "point R on plate at (1.1, 1.9);",
+        &format!("{machine}, R(1.1, 2.9); {links} link plate(P, T, R);")
+            .replace("T(2, 1), S(0.4, -0.6)", "T(2.5, 1)"),
+    );
+}
+
 #[test]
 fn a_place_that_needs_the_link_first_is_refused() {
     let statements = |link: &str, place: &str| {

@@ -89,6 +89,12 @@ impl DrawnFrame {
         }
     }
 
+    /// True if its origin or its direction is that of the pin.
+    pub(super) fn stands_on(&self, pin: usize) -> bool {
+        let heads = matches!(self.points, Heading::Pins(from, to) if from == pin || to == pin);
+        heads || self.begins == Origin::Pin(pin)
+    }
+
     /// The place in the drawing of coordinates in this frame.
     pub(super) fn placed(&self, pen: &Pen, local: &[Figure; 2]) -> [Figure; 2] {
         pen.plus(&self.origin, &self.direction(pen, local))

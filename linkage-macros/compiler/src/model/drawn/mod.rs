@@ -115,9 +115,9 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     let translated = writer.declaration();
     let mut docs = tree.docs.clone();
     docs.extend(printed::documentation(tree, &translated));
-    let writer::Translated { statements, turned, hidden, ends, holds_links, replaced, .. } =
+    let writer::Translated { statements, turned, hidden, ends, holds_links, misplaced, .. } =
         translated;
-    placed::report_places_of_unplaced(&bodies, &replaced, values.resolver.diagnostics)?;
+    placed::report_places_of_unplaced(&bodies, &misplaced, values.resolver.diagnostics)?;
     messages::report_turned(tree, &turned, values.resolver.diagnostics);
     let declaration = Declaration {
         docs,

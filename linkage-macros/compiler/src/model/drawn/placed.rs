@@ -3,13 +3,15 @@
 use proc_macro2::Ident;
 
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{Place, StatementKind};
+use crate::syntax::tree::{Expr, Place, StatementKind};
 
 use super::bodies::{Bodies, PinPlace};
+use super::figures::Figure;
 use super::frames::{DrawnFrame, Heading, Origin};
 use super::writer::Writer;
 
-/// Reports points whose place on their link needs the link to be placed first, where the link is placed from them.
+/// Reports points whose place on their link needs the link to be placed first, where the link is placed from them:
+/// those at distances, and those beside the far end of a declared length.
 pub(super) fn report_places_of_unplaced(
     bodies: &Bodies<'_>,
     points: &[Ident],
@@ -23,14 +25,9 @@ pub(super) fn report_places_of_unplaced(
             continue;
         };
         let link = bodies.link(*body);
-        let instead = match (place, &link.length) {
-            (Place::Distances(..), _) => {
-                format!("write `point {name} on {} at (x, y);`", link.name)
-            }
-            (_, Some(_)) => {
-                format!("draw it, `pin {name}(x, y);`, and name it in `link {}`", link.name)
-            }
-            _ => continue,
+        let instead = match place {
+            Place::Distances(..) => format!("write `point {name} on {} at (x, y);`", link.name),
+            _ => format!("draw it, `pin {name}(x, y);`, and name it in `link {}`", link.name),
         };
         let message = format!("`{}` is placed from `{name}`; {instead}", link.name);
         let reason = "distances, and places on a link whose length is declared, are measured where the \
@@ -63,9 +60,15 @@ impl Writer<'_, '_> {
         let length = link.length.as_ref().map(|(length, _)| *length);
         self.own[body] = Some(frame.clone());
         self.turns.note(link.name, &bodies.frames[body], &frame, length);
+        let ends: Option<[usize; 2]> = length.and_then(|_| link.pins[..].try_into().ok());
         for &pin in &link.points {
             if std::mem::replace(&mut self.made[pin], true) {
-                self.replaced.push(bodies.pins[pin].name.clone());
+                let place = &bodies.pins[pin];
+                self.replaced.push(place.name.clone());
+                let is_at_distances = matches!(place.on, Some((_, Place::Distances(..))));
+                if is_at_distances || ends.is_some_and(|[_, far]| frame.stands_on(far)) {
+                    self.misplaced.push(place.name.clone());
+                }
             }
         }
         for &pin in &link.pins {
@@ -73,10 +76,13 @@ impl Writer<'_, '_> {
                 continue;
             }
             let name = bodies.pins[pin].name.clone();
-            let place = match length {
+            let place = match (length, ends) {
+                (Some(length), Some(ends)) if !frame.stands_on(ends[1]) => {
+                    self.far_end(&frame, ends, length)
+                }
                 // The first of two pins, seen from the second.
-                Some(length) => [length.clone().negated(), self.pen.zero().text],
-                None => frame
+                (Some(length), _) => [length.clone().negated(), self.pen.zero().text],
+                _ => frame
                     .local(&self.pen.at(name.span()), self.place(pin))
                     .map(|number| number.text),
             };
@@ -84,5 +90,16 @@ impl Writer<'_, '_> {
             let kind = StatementKind::Point { name, on, place };
             self.put(link.statement, kind);
         }
+    }
+
+    /// The place of the far end of a declared length, in a frame that does not depend on it.
+    fn far_end(&self, frame: &DrawnFrame, [near, far]: [usize; 2], length: &Expr) -> [Expr; 2] {
+        let pen = self.pen.at(self.bodies.pins[far].name.span());
+        let along = pen.minus(self.place(far), self.place(near));
+        let along = frame.local_direction(&pen, &along);
+        let size = pen.size(&along);
+        let length = Figure::length(self.turns.expr(length), f64::NAN, None);
+        let way = along.map(|part| pen.mul(&length, &pen.div(&part, &size)));
+        pen.plus(&frame.local(&pen, self.place(near)), &way).map(|number| number.text)
     }
 }

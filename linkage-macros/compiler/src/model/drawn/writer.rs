@@ -37,8 +37,8 @@ pub(super) struct Translated {
     pub ends: Vec<RodEnd>,
     /// True if drives hold links together.
     pub holds_links: bool,
-    /// Points declared on links that other statements make.
-    pub replaced: Vec<Ident>,
+    /// Points declared on links that other statements make, though their place is not known before the link's.
+    pub misplaced: Vec<Ident>,
 }
 
 /// Writes statements in solving order.
@@ -49,6 +49,8 @@ pub(super) struct Writer<'b, 't> {
     pub(super) made: Vec<bool>,
     /// Points declared on links, which were reached before their link: another statement makes them.
     pub(super) replaced: Vec<Ident>,
+    /// Those of them whose place is not known before the link's.
+    pub(super) misplaced: Vec<Ident>,
     /// The frames of links that groups have given other ones than they are written in.
     pub(super) turns: Turns,
     /// The frames that groups have given links so far.
@@ -79,6 +81,7 @@ impl<'b, 't> Writer<'b, 't> {
             pen: pen.clone(),
             made,
             replaced: Vec::new(),
+            misplaced: Vec::new(),
             turns,
             own,
             written: Vec::new(),
@@ -93,7 +96,16 @@ impl<'b, 't> Writer<'b, 't> {
     /// All statements of the declaration, in solving order.
     pub(super) fn declaration(self) -> Translated {
         let Self {
-            bodies, turns, mut written, searches, hidden, ends, holds_links, replaced, ..
+            bodies,
+            turns,
+            mut written,
+            searches,
+            hidden,
+            ends,
+            holds_links,
+            replaced,
+            misplaced,
+            ..
         } = self;
         for (index, statement) in bodies.other_statements() {
             if is_point_of(&replaced, &statement.kind) {
@@ -111,7 +123,7 @@ impl<'b, 't> Writer<'b, 't> {
             hidden,
             ends,
             holds_links,
-            replaced,
+            misplaced,
         }
     }
 
@@ -293,7 +305,10 @@ impl<'b, 't> Writer<'b, 't> {
 
     /// The length of a bar between two pins: as declared, or as drawn.
     pub(super) fn length(&self, body: usize, from: usize, to: usize) -> Expr {
-        if let Some((length, _)) = &self.bodies.link(body).length {
+        let link = self.bodies.link(body);
+        if let Some((length, _)) = &link.length
+            && [from, to].iter().all(|pin| link.pins.contains(pin))
+        {
             return self.turns.expr(length);
         }
         let pen = self.pen.at(self.name(body).span());
