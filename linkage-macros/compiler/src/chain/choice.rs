@@ -1,12 +1,12 @@
-//! The choice among the ways to solve a group: each is followed from the drawing both ways, and the one whose
-//! interval holds the longest motion is taken.
+//! The choice among the ways to solve a group: each is followed from the drawing both ways, one input after the
+//! other, and the one whose interval holds the longest motion is taken.
 
 use super::cutting::{Found, SearchedGroup};
 use super::following::{self, Band, is_inside, run};
 use super::limits::{at_limit, sine};
 use super::machine::Machine;
 use super::pose::Posed;
-use super::trace::{Sample, Trace, given};
+use super::trace::{Sample, Trace, Way, drawn};
 
 /// The count of options that are followed: those that are farthest from their limits in the drawing.
 const FOLLOWED: usize = 8;
@@ -25,8 +25,15 @@ struct Rated {
     score: f64,
 }
 
-fn length(search: &SearchedGroup) -> f64 {
-    search.stretch[1] - search.stretch[0]
+/// The length of the motions that an interval holds, in steps.
+fn length(search: &SearchedGroup, ways: &[Way]) -> f64 {
+    let stretches = search.stretches.iter().zip(ways);
+    stretches.map(|([from, to], way)| (to - from) / way.step).sum()
+}
+
+/// True if all motions go on from the drawing both ways.
+fn goes_on(search: &SearchedGroup) -> bool {
+    search.stretches.iter().all(|stretch| *stretch == [0.0; 2] || is_inside(*stretch))
 }
 
 /// The reasons why no option is chosen.
@@ -56,14 +63,16 @@ pub(super) fn chosen(
     rated.sort_by(|a, b| b.score.total_cmp(&a.score));
     rated.truncate(FOLLOWED);
     let otherwise = if rated.is_empty() { refused } else { None };
+    let ways = Way::all(machine);
     let mut best: Option<SearchedGroup> = None;
     for Rated { search, .. } in rated {
-        let Some(found) = followed(machine, before, search) else { continue };
-        let is_better =
-            |best: &SearchedGroup| match (is_inside(found.stretch), is_inside(best.stretch)) {
-                (now, before) if now != before => now,
-                _ => length(&found) > 1.001 * length(best),
-            };
+        let traces: Vec<_> =
+            ways.iter().map(|way| Trace::of(machine, before, &search, way)).collect();
+        let Some(found) = followed(machine, &traces, search, &ways) else { continue };
+        let is_better = |best: &SearchedGroup| match (goes_on(&found), goes_on(best)) {
+            (now, before) if now != before => now,
+            _ => length(&found, &ways) > 1.001 * length(best, &ways),
+        };
         if best.as_ref().is_none_or(is_better) {
             best = Some(found);
         }
@@ -79,7 +88,7 @@ fn rated(
     if let Some(dyad) = at_limit(machine, &search.steps, LEAST) {
         return Err(Unchosen::DyadsAtLimits(dyad.legs.each_ref().map(|leg| leg.bodies[0])));
     }
-    let mut given = given(machine, 0.0);
+    let mut given = drawn(machine);
     let mut posed = Posed::new(machine);
     let slope = posed
         .run(before, &mut given, 0.0)
@@ -97,23 +106,27 @@ fn rated(
 
 /// The option with the interval that holds the longest stretch about the drawing: one with constant
 /// ends where it holds about as much as one that follows the drive.
-fn followed(machine: &Machine, before: &[Found], search: SearchedGroup) -> Option<SearchedGroup> {
-    let trace = Trace::of(machine, before, &search);
-    let band = match machine.has_one_motion() {
-        true => following::band(&trace, &search),
-        false => None,
+fn followed(
+    machine: &Machine,
+    traces: &[Trace<'_>],
+    search: SearchedGroup,
+    ways: &[Way],
+) -> Option<SearchedGroup> {
+    let band = match traces {
+        [trace] if machine.has_one_motion() => following::band(trace, &search),
+        _ => None,
     };
-    let constant = with_constant_ends(machine, &trace, search.clone());
+    let constant = with_constant_ends(machine, traces, search.clone());
     match (constant, band) {
         (Some(constant), Some(band))
-            if length(&constant) >= ENOUGH * band.length()
-                && is_inside(constant.stretch) >= is_inside(band.stretch) =>
+            if length(&constant, ways) >= ENOUGH * band.length() / ways[0].step
+                && goes_on(&constant) >= is_inside(band.stretch) =>
         {
             Some(constant)
         }
         (_, Some(Band { following, half, stretch })) => Some(SearchedGroup {
             between: [-half, half],
-            stretch,
+            stretches: vec![stretch],
             following: Some(following),
             ..search
         }),
@@ -123,23 +136,30 @@ fn followed(machine: &Machine, before: &[Found], search: SearchedGroup) -> Optio
 
 fn with_constant_ends(
     machine: &Machine,
-    trace: &Trace<'_>,
+    traces: &[Trace<'_>],
     mut search: SearchedGroup,
 ) -> Option<SearchedGroup> {
-    let last = trace.samples.len().checked_sub(1)?;
-    let mut good = [trace.drawn; 2];
-    let mut between = checked(machine, &search, trace, good)?;
+    let lasts: Option<Vec<_>> =
+        traces.iter().map(|trace| trace.samples.len().checked_sub(1)).collect();
+    let lasts = lasts?;
+    let mut good: Vec<_> = traces.iter().map(|trace| [trace.drawn; 2]).collect();
+    let mut between = checked(machine, &search, traces, &good)?;
     for size in [16, 8, 4, 2, 1] {
         loop {
-            let wider =
-                [[good[0], (good[1] + size).min(last)], [good[0].saturating_sub(size), good[1]]];
             let mut grew = false;
-            for wider in wider.into_iter() {
-                let wider = [wider[0].min(good[0]), wider[1].max(good[1])];
-                if wider != good
-                    && let Some(found) = checked(machine, &search, trace, wider)
-                {
-                    (good, between, grew) = (wider, found, true);
+            for way in 0..traces.len() {
+                let [first, last] = good[way];
+                let wider =
+                    [[first, (last + size).min(lasts[way])], [first.saturating_sub(size), last]];
+                for wider in wider {
+                    let wider = [wider[0].min(good[way][0]), wider[1].max(good[way][1])];
+                    let mut all = good.clone();
+                    all[way] = wider;
+                    if wider != good[way]
+                        && let Some(found) = checked(machine, &search, traces, &all)
+                    {
+                        (good, between, grew) = (all, found, true);
+                    }
                 }
             }
             if !grew {
@@ -148,31 +168,41 @@ fn with_constant_ends(
         }
     }
     // Only a part of the poses was looked at so far.
-    let is_well = |index: usize| has_one_root(trace, &search, &trace.samples[index], between);
-    good = run(trace.drawn, good, is_well)?;
+    search.stretches.clear();
+    for (trace, good) in traces.iter().zip(good) {
+        let is_well = |index: usize| has_one_root(trace, &search, &trace.samples[index], between);
+        let good = run(trace.drawn, good, is_well)?;
+        search.stretches.push(good.map(|index| trace.samples[index].drive));
+    }
     search.between = between;
-    search.stretch = good.map(|index| trace.samples[index].drive);
     Some(search)
 }
 
-/// The interval of the unknown over a stretch, where everything in it assembles with one root of the
+/// The interval of the unknown over stretches, where everything in it assembles with one root of the
 /// trend.
 fn checked(
     machine: &Machine,
     search: &SearchedGroup,
-    trace: &Trace<'_>,
-    [first, last]: [usize; 2],
+    traces: &[Trace<'_>],
+    good: &[[usize; 2]],
 ) -> Option<[f64; 2]> {
-    let stretch = trace.samples.get(first..=last)?;
-    let unknowns = || stretch.iter().map(|sample| sample.unknown);
+    let stretches = traces.iter().zip(good).map(|(trace, [first, last])| {
+        let poses = trace.samples.get(*first..=*last)?;
+        Some((trace, poses))
+    });
+    let stretches: Vec<_> = stretches.collect::<Option<_>>()?;
+    let unknowns =
+        || stretches.iter().flat_map(|(_, poses)| poses.iter().map(|sample| sample.unknown));
     let (low, high) =
         (unknowns().fold(f64::INFINITY, f64::min), unknowns().fold(f64::NEG_INFINITY, f64::max));
     let unit = search.unit(machine);
     let margins = [0.1, 0.03, 0.01].map(|share| share * (high - low).max(0.5 * unit));
     margins.into_iter().map(|margin| [low - margin, high + margin]).find(|&between| {
-        let step = stretch.len().div_ceil(LOOKED_AT).max(1);
-        let looked_at = stretch.iter().step_by(step).chain(stretch.last());
-        looked_at.into_iter().all(|sample| has_one_root(trace, search, sample, between))
+        stretches.iter().all(|(trace, poses)| {
+            let step = poses.len().div_ceil(LOOKED_AT).max(1);
+            let looked_at = poses.iter().step_by(step).chain(poses.last());
+            looked_at.into_iter().all(|sample| has_one_root(trace, search, sample, between))
+        })
     })
 }
 

@@ -37,8 +37,9 @@ pub(crate) struct SearchedGroup {
     pub between: [f64; 2],
     /// True if the equation's left side grows with the unknown.
     pub rises: bool,
-    /// The interval of the first drive, measured from the drawing, in which the search was followed.
-    pub stretch: [f64; 2],
+    /// By motion of the machine, the interval of what drives it, measured from the drawing, in which the
+    /// search was followed.
+    pub stretches: Vec<[f64; 2]>,
     /// The value over the first drive from which the ends are measured.
     pub following: Option<Following>,
 }

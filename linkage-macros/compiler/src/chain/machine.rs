@@ -13,6 +13,8 @@ pub(crate) struct Machine {
     pub bodies: Vec<RigidBody>,
     pub slides: Vec<Slide>,
     pub drives: Vec<Driving>,
+    /// The motions that are followed, one an input; none where the first drive is the only one.
+    pub motions: Vec<InputRates>,
     /// True if a dimension depends on a parameter or an input.
     pub varies: bool,
 }
@@ -66,6 +68,19 @@ pub(crate) struct Driving {
     pub reads: Vec<usize>,
 }
 
+/// A motion from the drawing: what changes while an input changes by one.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct InputRates {
+    /// By drive.
+    pub drives: Vec<f64>,
+    /// The lengths of bars, by body.
+    pub lengths: Vec<f64>,
+    /// The angles of bodies that are given, about the first pin that they depend on.
+    pub turns: Vec<f64>,
+    /// The places of those that do not turn.
+    pub shifts: Vec<Complex>,
+}
+
 /// The drive that holds two bodies together, and the pin that it turns them about.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Held {
@@ -103,7 +118,9 @@ impl Machine {
 
     /// True if all poses follow from the first drive.
     pub(crate) fn has_one_motion(&self) -> bool {
-        !self.varies && matches!(&self.drives[..], [drive] if drive.reads.is_empty())
+        !self.varies
+            && self.motions.is_empty()
+            && matches!(&self.drives[..], [drive] if drive.reads.is_empty())
     }
 
     /// The greatest distance between two pins along an axis: the size by which lengths are judged.

@@ -11,8 +11,8 @@ impl SearchedGroup {
         joints: [Pair; 2],
         steps: Vec<Found>,
     ) -> Self {
-        let (between, stretch) = ([0.0; 2], [0.0; 2]);
-        Self { left_out, held, joints, steps, between, rises: true, stretch, following: None }
+        let (between, stretches) = ([0.0; 2], Vec::new());
+        Self { left_out, held, joints, steps, between, rises: true, stretches, following: None }
     }
 }
 

@@ -5,14 +5,14 @@ use super::limits::sine;
 use super::machine::{GROUND, Held, Machine};
 use super::plane::{Complex, root};
 
-/// The motion of a body from the drawing: z ↦ shift + turn z.
+/// The place of a body seen from the drawing: z ↦ shift + turn z.
 #[derive(Clone, Copy, Debug)]
-struct Motion {
+struct Displaced {
     shift: Complex,
     turn: Complex,
 }
 
-impl Motion {
+impl Displaced {
     fn of(self, place: Complex) -> Complex {
         self.shift + self.turn * place
     }
@@ -23,9 +23,15 @@ impl Motion {
     }
 }
 
-/// The changes of drives and unknowns from the drawing.
+/// The changes of drives, lengths and unknowns from the drawing.
+#[derive(Default)]
 pub(super) struct Given {
     pub drives: Vec<f64>,
+    /// The lengths of bars, by body, where any changes.
+    pub lengths: Vec<f64>,
+    /// The angles and the places of bodies that are given, where they move.
+    pub turns: Vec<f64>,
+    pub shifts: Vec<Complex>,
     /// The unknowns of the searches so far; each begins where it was.
     pub unknowns: Vec<f64>,
 }
@@ -34,30 +40,46 @@ pub(super) struct Given {
 #[derive(Clone)]
 pub(super) struct Posed<'m> {
     machine: &'m Machine,
-    of: Vec<Option<Motion>>,
+    of: Vec<Option<Displaced>>,
 }
 
 impl<'m> Posed<'m> {
     pub(super) fn new(machine: &'m Machine) -> Self {
         let mut of = vec![None; machine.bodies.len()];
-        of[GROUND] = Some(Motion { shift: Complex::new(0.0, 0.0), turn: Complex::new(1.0, 0.0) });
+        of[GROUND] =
+            Some(Displaced { shift: Complex::new(0.0, 0.0), turn: Complex::new(1.0, 0.0) });
         Self { machine, of }
     }
 
-    fn pin(&self, pin: usize) -> Option<Complex> {
-        let motion = self.machine.at(pin).find_map(|body| self.of[body])?;
-        Some(motion.of(self.machine.pins[pin]))
+    fn pin(&self, pin: usize, given: &Given) -> Option<Complex> {
+        let known = |body: usize| Some((body, self.of[body]?));
+        let (body, displaced) = self.machine.at(pin).find_map(known)?;
+        Some(displaced.of(self.place(body, pin, given)))
+    }
+
+    /// The place of a pin on a body, in the drawing but for the change of the body's length.
+    fn place(&self, body: usize, pin: usize, given: &Given) -> Complex {
+        let place = self.machine.pins[pin];
+        let change = given.lengths.get(body).copied().unwrap_or(0.0);
+        match self.machine.bodies[body].pins[..] {
+            [first, second, ..] if second == pin && change != 0.0 => {
+                place + (place - self.machine.pins[first]).unit().times(change)
+            }
+            _ => place,
+        }
     }
 
     /// Places bodies; `None` where a dyad does not assemble or a search has no root nearby.
     pub(super) fn run(&mut self, steps: &[Found], given: &mut Given, unknown: f64) -> Option<()> {
+        self.follow_given(given);
         let mut searches = 0;
         for step in steps {
             match step {
                 Found::Crank { drive, body, reference, pivot } => {
                     let change = self.change(*drive, *body, given, unknown);
                     let turn = self.of[*reference]?.turn * Complex::turned(change);
-                    let place = Motion::taking(self.machine.pins[*pivot], self.pin(*pivot)?, turn);
+                    let drawn = self.place(*body, *pivot, given);
+                    let place = Displaced::taking(drawn, self.pin(*pivot, given)?, turn);
                     self.of[*body] = Some(place);
                 }
                 Found::Slider { drive, body, slide } => {
@@ -67,7 +89,7 @@ impl<'m> Posed<'m> {
                     let change = self.change(*drive, *body, given, unknown);
                     let sign = if is_body || drive.is_some() { 1.0 } else { -1.0 };
                     let way = other.turn * slide.along.times(sign * change);
-                    self.of[*body] = Some(Motion { shift: other.shift + way, turn: other.turn });
+                    self.of[*body] = Some(Displaced { shift: other.shift + way, turn: other.turn });
                 }
                 Found::Dyad(dyad) => self.dyad(dyad, given)?,
                 Found::Search(search) => {
@@ -81,6 +103,19 @@ impl<'m> Posed<'m> {
             }
         }
         Some(())
+    }
+
+    /// Places the bodies that are given: where they are drawn, but for what is known of their motion.
+    fn follow_given(&mut self, given: &Given) {
+        for (body, of) in self.machine.bodies.iter().enumerate() {
+            let Some(footing) = of.given.as_ref().filter(|_| self.of[body].is_none()) else {
+                continue;
+            };
+            let turn = Complex::turned(given.turns.get(body).copied().unwrap_or(0.0));
+            let shift = given.shifts.get(body).copied().unwrap_or(Complex::new(0.0, 0.0));
+            let pivot = footing.pins.first().map_or(shift, |&pin| self.machine.pins[pin]);
+            self.of[body] = Some(Displaced::taking(pivot, pivot + shift, turn));
+        }
     }
 
     /// The change of a driver from the drawing.
@@ -102,15 +137,16 @@ impl<'m> Posed<'m> {
         self.run(&search.steps, given, unknown)?;
         let machine = self.machine;
         let Pair::Pin(first) = search.joints[0] else { return None };
-        let at = self.pin(first)?;
+        let at = self.pin(first, given)?;
         let missed = match search.joints[1] {
             Pair::Pin(second) => {
                 let held = search.held.map(|(body, held)| ([search.left_out, body], held));
-                let tip = self.tip(held, second, given);
-                let drawn = tip - machine.pins[first];
-                let now = self.pin(second)? - at;
+                let from = self.place(search.left_out, first, given);
+                let tip = self.tip(search.left_out, held, second, given);
+                let drawn = tip - from;
+                let now = self.pin(second, given)? - at;
                 let turn = (now * drawn.conjugate()).unit();
-                self.of[search.left_out] = Some(Motion::taking(machine.pins[first], at, turn));
+                self.of[search.left_out] = Some(Displaced::taking(from, at, turn));
                 self.follow(held, given);
                 now.length() - drawn.length()
             }
@@ -121,7 +157,7 @@ impl<'m> Posed<'m> {
                 let drawn = slide.along.cross(machine.pins[first] - slide.through);
                 let from = at - other.of(slide.through);
                 self.of[search.left_out] =
-                    Some(Motion::taking(machine.pins[first], at, other.turn));
+                    Some(Displaced::taking(machine.pins[first], at, other.turn));
                 (other.turn * slide.along).cross(from) - drawn
             }
         };
@@ -170,11 +206,16 @@ impl<'m> Posed<'m> {
         Complex::turned(self.change(Some(held.drive), second, given, 0.0))
     }
 
-    /// The place in the drawing of the first of two held bodies where the drive takes a pin of the
-    /// second.
-    fn tip(&self, held: Option<([usize; 2], Held)>, pin: usize, given: &Given) -> Complex {
+    /// The place of a pin on a body, or on the first of two held bodies where the drive takes a pin of the second.
+    fn tip(
+        &self,
+        body: usize,
+        held: Option<([usize; 2], Held)>,
+        pin: usize,
+        given: &Given,
+    ) -> Complex {
+        let Some((bodies, held)) = held else { return self.place(body, pin, given) };
         let place = self.machine.pins[pin];
-        let Some((bodies, held)) = held else { return place };
         let pivot = self.machine.pins[held.pivot];
         pivot + self.turned(bodies, held, given) * (place - pivot)
     }
@@ -185,7 +226,7 @@ impl<'m> Posed<'m> {
         let Some(first) = self.of[bodies[0]] else { return };
         let pivot = self.machine.pins[held.pivot];
         let turn = first.turn * self.turned(bodies, held, given);
-        self.of[bodies[1]] = Some(Motion::taking(pivot, first.of(pivot), turn));
+        self.of[bodies[1]] = Some(Displaced::taking(pivot, first.of(pivot), turn));
     }
 
     fn dyad(&mut self, dyad: &Dyad, given: &Given) -> Option<()> {
@@ -197,34 +238,38 @@ impl<'m> Posed<'m> {
         let held = [held[0], held[1].map(|([_, other], held)| ([b, other], held))];
         match (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer) {
             (Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)) => {
-                let tips = held.map(|held| self.tip(held, v, given));
-                self.between_two_pins([a, b], [u, w], tips, sign)?;
+                let outer = [(a, u), (b, w)].map(|(body, pin)| self.place(body, pin, given));
+                let tips =
+                    [(a, held[0]), (b, held[1])].map(|(body, held)| self.tip(body, held, v, given));
+                let ends = [self.pin(u, given)?, self.pin(w, given)?];
+                self.between_two_pins([a, b], ends, [outer, tips], sign)?;
                 held.into_iter().for_each(|held| self.follow(held, given));
             }
             (Pair::Pin(u), Pair::Pin(v), Pair::Slide(s)) => {
-                let (from, rail) = (self.pin(u)?, self.rail(s, b)?);
+                let (from, rail) = (self.pin(u, given)?, self.rail(s, b)?);
                 let (along, through) = (rail.1, rail.0);
                 let offset = machine.slides[s].along.cross(drawn(v) - machine.slides[s].through);
                 let foot = along.cross(from - through) - offset;
-                let bar = self.tip(held[0], v, given) - drawn(u);
+                let outer = self.place(a, u, given);
+                let bar = self.tip(a, held[0], v, given) - outer;
                 let length = bar.length();
                 let way = along.dot(from - through)
                     + sign * real_root((length - foot) * (length + foot))?;
                 let tip = through + along * Complex::new(way, offset);
                 let turn = ((tip - from) * bar.conjugate()).unit();
-                self.of[a] = Some(Motion::taking(drawn(u), from, turn));
-                self.of[b] = Some(Motion::taking(drawn(v), tip, rail.2));
+                self.of[a] = Some(Displaced::taking(outer, from, turn));
+                self.of[b] = Some(Displaced::taking(drawn(v), tip, rail.2));
                 self.follow(held[0], given);
             }
             (Pair::Pin(u), Pair::Slide(s), Pair::Pin(w)) => {
-                let (from, to) = (self.pin(u)?, self.pin(w)?);
+                let (from, to) = (self.pin(u, given)?, self.pin(w, given)?);
                 let along = machine.slides[s].along;
                 let offset = along.cross(drawn(u) - drawn(w));
                 let far = (from - to).length();
                 let way = sign * real_root((far - offset) * (far + offset))?;
                 let turn = ((from - to) * (along * Complex::new(way, offset)).conjugate()).unit();
-                self.of[a] = Some(Motion::taking(drawn(u), from, turn));
-                self.of[b] = Some(Motion::taking(drawn(w), to, turn));
+                self.of[a] = Some(Displaced::taking(drawn(u), from, turn));
+                self.of[b] = Some(Displaced::taking(drawn(w), to, turn));
             }
             (Pair::Slide(s), Pair::Pin(v), Pair::Slide(t)) => {
                 self.on_two_rails([a, b], [s, t], v)?
@@ -233,36 +278,36 @@ impl<'m> Posed<'m> {
                 let (through, along, turn) = self.rail(t, b)?;
                 let slot = turn * machine.slides[s].along;
                 let carried = through + turn * (drawn(u) - machine.slides[t].through);
-                let way = quotient((self.pin(u)? - carried).cross(slot), along.cross(slot))?;
+                let at = self.pin(u, given)?;
+                let way = quotient((at - carried).cross(slot), along.cross(slot))?;
                 let yoke =
-                    Motion::taking(machine.slides[t].through, through + along.times(way), turn);
+                    Displaced::taking(machine.slides[t].through, through + along.times(way), turn);
                 self.of[b] = Some(yoke);
-                self.of[a] = Some(Motion::taking(drawn(u), self.pin(u)?, turn));
+                self.of[a] = Some(Displaced::taking(drawn(u), at, turn));
             }
             _ => return None,
         }
         Some(())
     }
 
-    /// Two bodies on these pins, whose other ends, drawn at the tips, meet on the side of the sign.
+    /// Two bodies on places that are known, whose other ends meet on the side of the sign: where both ends are drawn.
     fn between_two_pins(
         &mut self,
         bodies: [usize; 2],
-        pins: [usize; 2],
-        tips: [Complex; 2],
+        [from, to]: [Complex; 2],
+        [outer, tips]: [[Complex; 2]; 2],
         sign: f64,
     ) -> Option<()> {
-        let [from, to] = [self.pin(pins[0])?, self.pin(pins[1])?];
-        let drawn = pins.map(|pin| self.machine.pins[pin]);
-        let [first, second] = [0, 1].map(|leg| (tips[leg] - drawn[leg]).length());
+        let bars = [0, 1].map(|leg| tips[leg] - outer[leg]);
+        let [first, second] = bars.map(Complex::length);
         let base = to - from;
         let far = base.length();
         let x = (far + (first - second) * (first + second) / far) / 2.0;
         let tip =
             from + base.unit() * Complex::new(x, sign * real_root((first - x) * (first + x))?);
         for (leg, at) in [from, to].into_iter().enumerate() {
-            let turn = ((tip - at) * (tips[leg] - drawn[leg]).conjugate()).unit();
-            self.of[bodies[leg]] = Some(Motion::taking(drawn[leg], at, turn));
+            let turn = ((tip - at) * bars[leg].conjugate()).unit();
+            self.of[bodies[leg]] = Some(Displaced::taking(outer[leg], at, turn));
         }
         Some(())
     }
@@ -278,8 +323,8 @@ impl<'m> Posed<'m> {
         let (first, second) = (line(s, a)?, line(t, b)?);
         let way = quotient((second.0 - first.0).cross(second.1), first.1.cross(second.1))?;
         let tip = first.0 + first.1.times(way);
-        self.of[a] = Some(Motion::taking(drawn, tip, first.2));
-        self.of[b] = Some(Motion::taking(drawn, tip, second.2));
+        self.of[a] = Some(Displaced::taking(drawn, tip, first.2));
+        self.of[b] = Some(Displaced::taking(drawn, tip, second.2));
         Some(())
     }
 
@@ -321,16 +366,16 @@ mod tests {
                 along: Complex::new(1.0, 0.0),
             }],
             drives: vec![Driving { kind: Driven::Angle, bodies: [2, 1], reads: Vec::new() }],
-            varies: false,
+            ..Machine::default()
         };
         let steps = cut(&machine).expect("it is a machine");
         for change in [-0.2, 0.1, 0.3] {
-            let mut given = Given { drives: vec![change], unknowns: Vec::new() };
+            let mut given = Given { drives: vec![change], ..Given::default() };
             let mut posed = Posed::new(&machine);
             posed.run(&steps, &mut given, 0.0).expect("it assembles");
             let [first, second, block] =
                 [1, 2, 3].map(|body| posed.of[body].expect("it is placed"));
-            let at = |motion: Motion, pin: usize| motion.of(machine.pins[pin]);
+            let at = |motion: Displaced, pin: usize| motion.of(machine.pins[pin]);
             let off = [
                 (second.turn - first.turn * Complex::turned(change)).length(),
                 at(first, 0).length(),

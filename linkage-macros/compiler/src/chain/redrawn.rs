@@ -271,7 +271,7 @@ mod tests {
                 Driving { kind: Driven::Angle, bodies: [1, 0], reads: Vec::new() },
                 Driving { kind: Driven::Slide(0), bodies: [4, 2], reads: Vec::new() },
             ],
-            varies: false,
+            ..Machine::default()
         }
     }
 

@@ -1,8 +1,8 @@
-//! The motion of a machine on one way to solve a group: followed from the drawing both ways until it
+//! The motions of a machine on one way to solve a group: each followed from the drawing both ways until it
 //! ends.
 
 use super::cutting::{Found, SearchedGroup};
-use super::machine::{Driven, Machine};
+use super::machine::{Driven, InputRates, Machine};
 use super::pose::{Given, Posed};
 
 /// The most poses each way at full steps.
@@ -17,7 +17,7 @@ const ROOMS: [f64; 7] = [0.3, 0.1, 0.03, 0.01, 0.004, 0.002, LEAST_ROOM];
 /// The least of them.
 pub(super) const LEAST_ROOM: f64 = 1e-3;
 
-/// A pose along the motion: the first drive, the unknown, and the bodies before the group.
+/// A pose along the motion: the drive or the input, the unknown, and the bodies before the group.
 pub(super) struct Sample<'m> {
     pub drive: f64,
     pub unknown: f64,
@@ -26,9 +26,10 @@ pub(super) struct Sample<'m> {
     before: Posed<'m>,
 }
 
-/// The poses of a motion in the order of the first drive.
+/// The poses of a motion in the order of what drives it.
 pub(super) struct Trace<'m> {
     pub machine: &'m Machine,
+    way: Way,
     pub samples: Vec<Sample<'m>>,
     /// The index of the drawing.
     pub drawn: usize,
@@ -36,38 +37,105 @@ pub(super) struct Trace<'m> {
     pub closes: Option<i32>,
 }
 
-pub(super) fn given(machine: &Machine, drive: f64) -> Given {
-    let mut drives = vec![0.0; machine.drives.len()];
-    if let Some(first) = drives.first_mut() {
-        *first = drive;
+/// A motion, and its step.
+#[derive(Clone, Debug)]
+pub(super) struct Way {
+    motion: InputRates,
+    pub step: f64,
+    /// True if it is one of an angle that turns the machine on by itself.
+    turns: bool,
+}
+
+impl Way {
+    /// The motions that are followed: those of the inputs, or that of the first drive.
+    pub(super) fn all(machine: &Machine) -> Vec<Self> {
+        let first = match machine.motions.is_empty() {
+            true => {
+                let mut drives = vec![0.0; machine.drives.len()];
+                drives.iter_mut().take(1).for_each(|first| *first = 1.0);
+                Some(InputRates { drives, ..InputRates::default() })
+            }
+            false => None,
+        };
+        let motions = machine.motions.iter().cloned().chain(first);
+        motions.map(|motion| Self::of(machine, motion)).collect()
     }
-    Given { drives, unknowns: vec![0.0; machine.bodies.len()] }
+
+    /// No drive turns by more a step than a part of a half turn, no slide or length changes by more than that part of the
+    /// machine's size.
+    fn of(machine: &Machine, motion: InputRates) -> Self {
+        let most = |drive: usize| match machine.drives.get(drive).map(|drive| drive.kind) {
+            Some(Driven::Slide(_)) => machine.size(),
+            _ => std::f64::consts::PI,
+        };
+        let drives = motion.drives.iter().enumerate().map(|(drive, rate)| most(drive) / rate.abs());
+        let lengths = motion.lengths.iter().map(|rate| machine.size() / rate.abs());
+        let turns = motion.turns.iter().map(|rate| std::f64::consts::PI / rate.abs());
+        let shifts = motion.shifts.iter().map(|rate| machine.size() / rate.length());
+        let least = drives.chain(lengths).chain(turns).chain(shifts).fold(f64::INFINITY, f64::min);
+        let turns = match machine.drives.first().map(|drive| drive.kind) {
+            Some(Driven::Slide(_)) => false,
+            _ => machine.motions.is_empty(),
+        };
+        Self { motion, step: least / POSES as f64, turns }
+    }
+
+    /// True if the input moves nothing.
+    fn rests(&self) -> bool {
+        !self.step.is_finite()
+    }
+
+    pub(super) fn given(&self, machine: &Machine, at: f64) -> Given {
+        let unknowns = vec![0.0; machine.bodies.len()];
+        let mut given = Given { unknowns, ..Given::default() };
+        self.give(&mut given, at);
+        given
+    }
+
+    fn give(&self, given: &mut Given, at: f64) {
+        let of = |rates: &[f64]| rates.iter().map(|rate| rate * at).collect();
+        given.drives = of(&self.motion.drives);
+        given.lengths = of(&self.motion.lengths);
+        given.turns = of(&self.motion.turns);
+        given.shifts = self.motion.shifts.iter().map(|shift| shift.times(at)).collect();
+    }
+}
+
+/// The drawing.
+pub(super) fn drawn(machine: &Machine) -> Given {
+    Given {
+        drives: vec![0.0; machine.drives.len()],
+        unknowns: vec![0.0; machine.bodies.len()],
+        ..Given::default()
+    }
 }
 
 impl<'m> Trace<'m> {
-    /// The motion both ways from the drawing until the option ends.
-    pub(super) fn of(machine: &'m Machine, before: &[Found], search: &SearchedGroup) -> Self {
-        let slides =
-            matches!(machine.drives.first().map(|drive| drive.kind), Some(Driven::Slide(_)));
-        let step = if slides { machine.size() } else { std::f64::consts::PI } / POSES as f64;
-        let mut trace = Self::in_steps(machine, before, search, step);
+    /// A motion both ways from the drawing until the option ends.
+    pub(super) fn of(
+        machine: &'m Machine,
+        before: &[Found],
+        search: &SearchedGroup,
+        way: &Way,
+    ) -> Self {
+        let mut trace = Self::in_steps(machine, before, search, way.clone());
         let count = trace.samples.len();
-        if count < FEWEST {
-            let finer = step * count as f64 / (2 * FEWEST) as f64;
-            trace = Self::in_steps(machine, before, search, finer);
+        if count < FEWEST && !way.rests() {
+            let finer = way.step * count as f64 / (2 * FEWEST) as f64;
+            trace = Self::in_steps(machine, before, search, Way { step: finer, ..way.clone() });
         }
-        if let (false, [first, .., last]) = (slides, &trace.samples[..]) {
+        if let (true, [first, .., last]) = (way.turns, &trace.samples[..]) {
             trace.closes = closing(search, first, last);
         }
         trace
     }
 
-    fn in_steps(machine: &'m Machine, before: &[Found], search: &SearchedGroup, step: f64) -> Self {
-        let mut samples = way(machine, before, search, -step);
+    fn in_steps(machine: &'m Machine, before: &[Found], search: &SearchedGroup, way: Way) -> Self {
+        let mut samples = followed(machine, before, search, (&way, -way.step));
         samples.reverse();
         let drawn = samples.len().saturating_sub(1);
-        samples.extend(way(machine, before, search, step).into_iter().skip(1));
-        Self { machine, samples, drawn, closes: None }
+        samples.extend(followed(machine, before, search, (&way, way.step)).into_iter().skip(1));
+        Self { machine, way, samples, drawn, closes: None }
     }
 
     /// The residual of the equation in a pose.
@@ -77,7 +145,8 @@ impl<'m> Trace<'m> {
         sample: &Sample<'m>,
         at: f64,
     ) -> Option<f64> {
-        sample.before.clone().residual(search, &mut given(self.machine, sample.drive), at)
+        let mut given = self.way.given(self.machine, sample.drive);
+        sample.before.clone().residual(search, &mut given, at)
     }
 
     /// The width on both sides of a root on which everything assembles and the equation keeps its
@@ -113,17 +182,19 @@ fn closing(search: &SearchedGroup, first: &Sample<'_>, last: &Sample<'_>) -> Opt
 }
 
 /// The poses from the drawing on, with the step halved where it leads beyond the end.
-fn way<'m>(
+fn followed<'m>(
     machine: &'m Machine,
     before: &[Found],
     search: &SearchedGroup,
-    step: f64,
+    (way, step): (&Way, f64),
 ) -> Vec<Sample<'m>> {
     let mut samples: Vec<Sample<'m>> = Vec::new();
-    let mut given = given(machine, 0.0);
+    let mut given = drawn(machine);
     let (mut part, mut done, mut index) = (1.0, 0.0, 0);
-    while index <= POSES {
+    let last = if way.rests() { 0 } else { POSES };
+    while index <= last {
         let drive = if samples.is_empty() { 0.0 } else { step * (done + part) };
+        way.give(&mut given, drive);
         let unknown = samples.last().map_or(0.0, |sample| sample.unknown);
         match next(machine, before, search, (drive, unknown), &mut given) {
             Some(sample) => {
@@ -151,9 +222,6 @@ fn next<'m>(
     (drive, unknown): (f64, f64),
     given: &mut Given,
 ) -> Option<Sample<'m>> {
-    if let Some(first) = given.drives.first_mut() {
-        *first = drive;
-    }
     let mut posed = Posed::new(machine);
     posed.run(before, given, 0.0)?;
     let before = posed.clone();

@@ -11,6 +11,7 @@ mod following;
 mod groups;
 mod machine;
 mod poses;
+mod several_inputs;
 mod variants;
 
 /// A machine of the text files beside this.

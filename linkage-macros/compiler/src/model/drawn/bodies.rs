@@ -101,12 +101,13 @@ impl<'t> Bodies<'t> {
         }
     }
 
-    /// The expression with the angles of links as they are drawn.
-    pub(super) fn as_drawn(&self, expr: &Expr, pen: &Pen) -> Expr {
+    /// The expression with the angles of links as they are drawn, turned on by these angles.
+    pub(super) fn as_drawn(&self, expr: &Expr, pen: &Pen, turns: &[f64]) -> Expr {
         expr.replaced(&|part| match &part.kind {
             ExprKind::Member(link, member) if member == "angle" => {
                 let body = self.body(link)?;
-                Some(pen.float(self.drawn_angle(body), "rad"))
+                let turn = turns.get(body).copied().unwrap_or(0.0);
+                Some(pen.float(self.drawn_angle(body) + turn, "rad"))
             }
             _ => None,
         })

@@ -17,6 +17,7 @@ mod held;
 mod incidences;
 mod lengths;
 mod messages;
+mod motions;
 mod placed;
 pub(super) mod printed;
 mod rails;
@@ -105,6 +106,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
 fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation> {
     let mut values = Measured::of(tree, diagnostics)?;
     let mut bodies = Reader::read(tree, &mut values)?;
+    bodies.machine.motions = values.motions(&bodies);
     let mut steps = steps(&bodies, values.resolver.diagnostics)?;
     if lengths::pose_has_declared_lengths(&mut bodies, values.resolver.diagnostics)? {
         steps = self::steps(&bodies, values.resolver.diagnostics)?;

@@ -8,7 +8,7 @@ use crate::syntax::tree::{
     StatementKind,
 };
 
-use super::searches::Sought;
+use super::searches::{Sought, Stretch};
 use super::writer::Translated;
 
 /// What was found in the drawing, as documentation of the struct.
@@ -26,25 +26,30 @@ pub(super) fn documentation(tree: &Declaration, translated: &Translated) -> Vec<
     let statements = translated.statements.iter();
     lines.extend(statements.map(|statement| format!("         {}", written(statement))));
     lines.extend(["     }", " }", " ```"].map(String::from));
-    for Sought { unknown, traced, stretch: [from, to], is_angle } in &translated.searches {
-        let [from, to] = match is_angle {
-            true => [from, to].map(|end| format!("{:.1}°", end.to_degrees() + 0.0)),
-            false => [from, to].map(|end| format!("{:.3} m", end + 0.0)),
-        };
+    for Sought { unknown, traced, stretches } in &translated.searches {
+        let goes = stretches.iter().map(goes).collect::<Vec<_>>().join(", and while ");
+        let alone = if stretches.len() > 1 { ", the others as drawn" } else { "" };
         lines.push(String::new());
         lines.push(match traced {
             None => format!(
-                " `{unknown}` is searched in one interval: it was followed while the first drive goes \
-                 from {from} to {to} about the drawing."
+                " `{unknown}` is searched in one interval: it was followed while {goes} about the drawing{alone}."
             ),
             Some(traced) => format!(
                 " `{unknown}` is searched beside `{traced}`, which is the motion of the drawing to \
-                 within a third of the interval while the first drive goes from {from} to {to} about \
-                 the drawing."
+                 within a third of the interval while {goes} about the drawing."
             ),
         });
     }
     lines.iter().map(|line| syn::parse_quote!(#[doc = #line])).collect()
+}
+
+fn goes(Stretch { input, ends, is_angle }: &Stretch) -> String {
+    let [from, to] = match is_angle {
+        true => ends.map(|end| format!("{:.1}°", end.to_degrees() + 0.0)),
+        false => ends.map(|end| format!("{:.3} m", end + 0.0)),
+    };
+    let who = input.as_ref().map_or("the first drive".to_string(), |input| format!("`{input}`"));
+    format!("{who} goes from {from} to {to}")
 }
 
 /// A statement as it is declared.

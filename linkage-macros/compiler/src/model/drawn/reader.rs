@@ -79,18 +79,18 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
 
     /// A link has one declaration, and a pin one place.
     fn names_are_given_once(&mut self) -> Option<()> {
-        let mut seen: HashMap<String, Kind> = HashMap::new();
+        let mut seen: HashMap<String, (Kind, bool)> = HashMap::new();
         let mut is_fine = Some(());
         for statement in &self.tree.statements {
             let names = declared_by(statement);
             let is_drawn =
                 matches!(statement.kind, StatementKind::Pin { .. } | StatementKind::Link { .. });
             for (name, kind) in names {
-                // A group that is declared makes a pin whose place the drawing gives.
-                let is_placed = kind == Kind::Point && !is_drawn;
-                match seen.insert(name.to_string(), kind) {
-                    Some(Kind::Point) if is_placed => {}
-                    Some(before) => {
+                match seen.insert(name.to_string(), (kind, is_drawn)) {
+                    // A group that is declared makes a pin whose place the drawing gives.
+                    Some((Kind::Point, was_drawn))
+                        if kind == Kind::Point && is_drawn != was_drawn => {}
+                    Some((before, _)) => {
                         let message = format!("the name `{name}` is taken; choose another");
                         self.report(name, message, format!("`{name}` is {}", before.one()));
                         is_fine = None;

@@ -10,6 +10,7 @@ use crate::chain::plane::Complex;
 use crate::model::names::Names;
 use crate::syntax::tree::{Expr, ExprKind, FieldValue, Solve, StatementKind};
 
+use super::bodies::Bodies;
 use super::ends::RodEnd;
 use super::figures::sum;
 use super::followed::{DrawnValues, Fitted, traced_names};
@@ -17,13 +18,19 @@ use super::frames::{DrawnFrame, Heading, Origin};
 use super::group_statement::group_of;
 use super::writer::Writer;
 
-/// An unknown, and how far the first drive was followed with it.
+/// An unknown, and how far the machine was followed with it.
 pub(super) struct Sought {
     pub unknown: Ident,
     /// The name of what it is measured from, where that follows the drive.
     pub traced: Option<Ident>,
-    pub stretch: [f64; 2],
-    /// True if the first drive is an angle.
+    pub stretches: Vec<Stretch>,
+}
+
+/// The ends to which a motion was followed, from the drawing.
+pub(super) struct Stretch {
+    /// The input, where several drive the machine.
+    pub input: Option<Ident>,
+    pub ends: [f64; 2],
     pub is_angle: bool,
 }
 
@@ -52,9 +59,6 @@ impl Writer<'_, '_> {
         let is_angle = matches!(search.steps[0], Found::Crank { .. });
         let span = self.name(search.left_out).span();
         let unknown = self.free_name(span);
-        let stretch = search.stretch;
-        let drives = &self.bodies.machine.drives;
-        let turns = drives.first().is_none_or(|drive| drive.kind == Driven::Angle);
         let drawn = self.drawn(&search.steps[0]);
         let traced = search.following.as_ref().and_then(|following| {
             let drive = self.turns.expr(&self.bodies.drives.first()?.1.value);
@@ -67,7 +71,8 @@ impl Writer<'_, '_> {
         let from = if traced.is_some() { 0.0 } else { drawn };
         self.hidden.push(unknown.clone());
         let ends = search.between.map(|end| self.end(from + end, is_angle));
-        let sought = Sought { unknown: unknown.clone(), traced, stretch, is_angle: turns };
+        let stretches = self.stretches(search);
+        let sought = Sought { unknown: unknown.clone(), traced, stretches };
         self.searches.push(sought);
         let kind = Ident::new(if is_angle { "angle" } else { "length" }, span);
         let (name, kind) = (unknown.clone(), Some(kind));
@@ -79,6 +84,30 @@ impl Writer<'_, '_> {
             Pair::Slide(slide) => self.offset_of(search, &unknown, first, slide),
         }
         self.searching = None;
+    }
+
+    /// The stretches that were followed: of each input that moves anything, or of the first drive.
+    fn stretches(&self, search: &SearchedGroup) -> Vec<Stretch> {
+        let Bodies { tree, machine, .. } = self.bodies;
+        if machine.motions.is_empty() {
+            let is_angle = machine.drives.first().is_none_or(|drive| drive.kind == Driven::Angle);
+            let of_drive = |&ends| Stretch { input: None, ends, is_angle };
+            return search.stretches.iter().map(of_drive).collect();
+        }
+        let inputs = tree.statements.iter().flat_map(|statement| match &statement.kind {
+            StatementKind::Input { names, kind } => {
+                let is_angle = kind.as_ref().is_none_or(|kind| kind == "angle");
+                names.iter().map(|name| (name, is_angle)).collect()
+            }
+            _ => Vec::new(),
+        });
+        let stretches = inputs.zip(&search.stretches).filter(|(_, ends)| **ends != [0.0; 2]);
+        let of_input = |((name, is_angle), ends): ((&Ident, bool), &[f64; 2])| Stretch {
+            input: Some(name.clone()),
+            ends: *ends,
+            is_angle,
+        };
+        stretches.map(of_input).collect()
     }
 
     /// The value of what the unknown drives, in the drawing.

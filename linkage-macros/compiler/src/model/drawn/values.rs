@@ -199,7 +199,7 @@ impl<'d> Measured<'d> {
         }
         let mut rows = Vec::new();
         for (value, drawn) in equations {
-            let value = bodies.as_drawn(value, &self.pen);
+            let value = bodies.as_drawn(value, &self.pen, &[]);
             let mut inputs = vec![0.0; count];
             let rest = self.at_inputs(&value, &inputs)?;
             let mut row = Vec::new();

@@ -1,0 +1,97 @@
+//! The motions of a drawing that several inputs move: how fast each turns, slides and stretches what it drives.
+
+use crate::chain::machine::{Driven, GROUND, InputRates};
+use crate::chain::plane::Complex;
+use crate::syntax::tree::{DriveStatement, Expr, FieldValue, Group, Place, StatementKind};
+
+use super::bodies::{Bodies, LinkOutline};
+use super::values::Measured;
+
+/// The angle of a crank that is declared by hand and turns against the ground.
+fn turned_by(group: &Group) -> Option<&Expr> {
+    let field = |name: &str| {
+        let found = group.fields.iter().find(|field| field.name == name)?;
+        match &found.value {
+            FieldValue::One(value) => Some(value),
+            FieldValue::Pair(_) => None,
+        }
+    };
+    field("angle").filter(|_| group.keyword == "crank" && field("relative_to").is_none())
+}
+
+impl Measured<'_> {
+    /// The motions of the inputs; none where one drive is all that moves the machine.
+    pub(super) fn motions(&mut self, bodies: &Bodies<'_>) -> Vec<InputRates> {
+        let moves =
+            |link: &LinkOutline<'_>| link.is_given || matches!(link.length, Some((_, None)));
+        if bodies.drives.len() < 2 && !bodies.links.iter().any(moves) {
+            return Vec::new();
+        }
+        let count = self.mechanism().inputs.len();
+        let drawn = self.inputs_of_the_drawing(bodies).unwrap_or(vec![0.0; count]);
+        (0..count).map(|input| self.motion(bodies, &drawn, input)).collect()
+    }
+
+    /// The motion of an input, at these inputs.
+    fn motion(&mut self, bodies: &Bodies<'_>, drawn: &[f64], input: usize) -> InputRates {
+        // A drive may read the angle of a link that another one turns.
+        let mut drives = vec![0.0; bodies.drives.len()];
+        for _ in 0..bodies.drives.len() {
+            let mut turns = vec![0.0; bodies.machine.bodies.len()];
+            for (driving, rate) in bodies.machine.drives.iter().zip(&drives) {
+                if driving.kind == Driven::Angle && driving.bodies[1] == GROUND {
+                    turns[driving.bodies[0]] = *rate;
+                }
+            }
+            let rate = |(_, drive): &(usize, &DriveStatement)| {
+                self.rate(bodies, &drive.value, (drawn, input), &turns)
+            };
+            drives = bodies.drives.iter().map(rate).collect();
+        }
+        let length = |link: &LinkOutline<'_>| match link.length {
+            Some((length, None)) => self.rate(bodies, length, (drawn, input), &[]),
+            _ => 0.0,
+        };
+        // The ground comes first.
+        let lengths = [0.0].into_iter().chain(bodies.links.iter().map(length)).collect();
+        let (mut turns, mut shifts) = (vec![0.0], vec![Complex::new(0.0, 0.0)]);
+        for link in &bodies.links {
+            let (mut turn, mut shift) = (0.0, [0.0; 2]);
+            match &bodies.tree.statements[link.statement].kind {
+                StatementKind::Group(group) if link.is_given => {
+                    if let Some(angle) = turned_by(group) {
+                        turn = self.rate(bodies, angle, (drawn, input), &[]);
+                    }
+                }
+                StatementKind::Point { on: None, place: Place::Cartesian(at), .. } => {
+                    shift = [0, 1].map(|i| self.rate(bodies, &at[i], (drawn, input), &[]));
+                }
+                _ => {}
+            }
+            turns.push(turn);
+            shifts.push(Complex::new(shift[0], shift[1]));
+        }
+        InputRates { drives, lengths, turns, shifts }
+    }
+
+    /// The rate of an expression where an input goes at one and links turn at these rates; zero where it has
+    /// none.
+    fn rate(
+        &mut self,
+        bodies: &Bodies<'_>,
+        expr: &Expr,
+        (drawn, input): (&[f64], usize),
+        turns: &[f64],
+    ) -> f64 {
+        const STEP: f64 = 1e-4;
+        let mut at = |step: f64| {
+            let turned: Vec<_> = turns.iter().map(|turn| step * turn).collect();
+            let mut inputs = drawn.to_vec();
+            inputs[input] += step;
+            self.at_inputs(&bodies.as_drawn(expr, &self.pen, &turned), &inputs)
+        };
+        let rate = at(STEP).zip(at(-STEP)).map(|(ahead, behind)| (ahead - behind) / (2.0 * STEP));
+        // Differences of numbers of order one, over the step.
+        rate.filter(|rate| rate.abs() > 1e-9).unwrap_or(0.0)
+    }
+}
