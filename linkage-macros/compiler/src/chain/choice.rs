@@ -16,6 +16,8 @@ const PARTS: usize = 16;
 const LOOKED_AT: usize = 12;
 /// The least measure of an option in the drawing.
 const LEAST: f64 = 1e-4;
+/// The part of an unknown's unit to which roots are found.
+const ROUNDING: f64 = 1e-11;
 /// The share of a motion for which a shorter way to write an interval is taken.
 const ENOUGH: f64 = 0.99;
 
@@ -63,11 +65,14 @@ pub(super) fn chosen(
     rated.sort_by(|a, b| b.score.total_cmp(&a.score));
     rated.truncate(FOLLOWED);
     let otherwise = if rated.is_empty() { refused } else { None };
+    // Without an interval, a motion that ends where it is drawn does so at a dead point.
+    let mut ends = !rated.is_empty();
     let ways = Way::all(machine);
     let mut best: Option<SearchedGroup> = None;
     for Rated { search, .. } in rated {
         let traces: Vec<_> =
             ways.iter().map(|way| Trace::of(machine, before, &search, way)).collect();
+        ends &= traces.iter().any(Trace::ends_at_the_drawing);
         let Some(found) = followed(machine, &traces, search, &ways) else { continue };
         let is_better = |best: &SearchedGroup| match (goes_on(&found), goes_on(best)) {
             (now, before) if now != before => now,
@@ -77,6 +82,7 @@ pub(super) fn chosen(
             best = Some(found);
         }
     }
+    let otherwise = otherwise.or(ends.then_some(Unchosen::DeadPoint));
     best.ok_or(otherwise.unwrap_or(Unchosen::NoInterval))
 }
 
@@ -212,12 +218,14 @@ fn has_one_root<'m>(
     sample: &Sample<'m>,
     [low, high]: [f64; 2],
 ) -> bool {
-    // The root that is followed is the only one: the equation has its sign on each side.
+    // The root that is followed is the only one: the equation has its sign on each side. At the root it has none.
     let is_on_its_side = |part: usize| {
         let unknown = low + (high - low) * part as f64 / PARTS as f64;
+        let from_root = unknown - sample.unknown;
+        let is_root = from_root.abs() < ROUNDING * search.unit(trace.machine);
         let residual = trace.residual(search, sample, unknown);
         residual.is_some_and(|residual| {
-            (residual > 0.0) == ((unknown > sample.unknown) == search.rises)
+            is_root || (residual > 0.0) == ((from_root > 0.0) == search.rises)
         })
     };
     (0..=PARTS).all(is_on_its_side)

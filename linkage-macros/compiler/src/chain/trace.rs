@@ -138,6 +138,11 @@ impl<'m> Trace<'m> {
         Self { machine, way, samples, drawn, closes: None }
     }
 
+    /// True if the motion goes on one way alone.
+    pub(super) fn ends_at_the_drawing(&self) -> bool {
+        self.samples.len() > 1 && (self.drawn == 0 || self.drawn + 1 == self.samples.len())
+    }
+
     /// The residual of the equation in a pose.
     pub(super) fn residual(
         &self,

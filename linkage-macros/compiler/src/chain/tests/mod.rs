@@ -140,10 +140,7 @@ fn triad() -> Machine {
 fn options_at_limits_are_no_dead_point() {
     let machine = triad();
     assert!(matches!(cut(&machine).expect("it moves")[1], Found::Search(_)));
-    let mut known = cutting::Placed::at_first(&machine);
-    let crank = cutting::steps(&machine, &known, &[1]).expect("a crank");
-    known.add(&machine, &[1]);
-    let all = options::options(&machine, &known, &[2, 3, 4, 5]);
+    let (crank, all) = ways(&machine);
     let is_at_limit = |search: &SearchedGroup| {
         search.steps.iter().any(|step| match step {
             Found::Dyad(dyad) => sine(&machine, dyad).abs() < 1e-9,
@@ -156,4 +153,50 @@ fn options_at_limits_are_no_dead_point() {
     assert!(matches!(cause, Unchosen::DyadsAtLimits([3, 4] | [4, 3])), "{cause:?}");
     // The options beside them decide.
     assert!(chosen(&machine, &crank, [at_limits, others].concat()).is_ok());
+}
+
+/// A plate on three bars whose lines meet in one point where it is drawn with its first pin at `x` = 1: a dead
+/// point.
+fn beside_a_dead_point(x: f64) -> Machine {
+    let mut machine = triad();
+    let places =
+        [[-1.0, 0.0], [4.0, 0.0], [2.0, 5.0], [0.0, 0.0], [x, 1.0], [3.0, 1.0], [2.0, 3.5]];
+    machine.pins = places.map(|[x, y]| Complex::new(x, y)).into();
+    machine
+}
+
+/// The ways to solve the plate, and the crank in front of it.
+fn ways(machine: &Machine) -> (Vec<Found>, Vec<SearchedGroup>) {
+    let mut known = cutting::Placed::at_first(machine);
+    let crank = cutting::steps(machine, &known, &[1]).expect("a crank");
+    known.add(machine, &[1]);
+    (crank, options::options(machine, &known, &[2, 3, 4, 5]))
+}
+
+/// Where the drawing closes the equation to the last bit, its residual has no sign, and the trend of the equation
+/// makes no difference.
+#[test]
+fn a_drawing_that_closes_an_equation_exactly_is_its_root() {
+    for x in [0.9, 1.1] {
+        // Without a drive to follow, an interval has constant ends.
+        let machine = Machine { varies: true, ..beside_a_dead_point(x) };
+        let (crank, all) = ways(&machine);
+        let of_bar = all.into_iter().filter(|search| search.left_out == 5);
+        let solved = of_bar.map(|search| chosen(&machine, &crank, vec![search]).is_ok());
+        assert!(solved.filter(|is_solved| *is_solved).count() > 2, "{x}");
+    }
+}
+
+/// A hundredth beside the dead point the crank can go back by a thousandth of a degree, and the other pose is a
+/// fifth of a degree away.
+#[test]
+fn a_motion_that_ends_at_the_drawing_is_at_a_dead_point() {
+    let group = vec![2, 3, 4, 5];
+    for x in [0.99, 1.0, 1.01] {
+        let told = cut(&beside_a_dead_point(x)).expect_err("the motion ends there");
+        assert_eq!(told, [Trouble::AtDeadPoint { bodies: group.clone() }], "{x}");
+    }
+    for x in [0.95, 1.03] {
+        assert!(cut(&beside_a_dead_point(x)).is_ok(), "{x}");
+    }
 }

@@ -167,7 +167,7 @@ fn drawings_next_to_a_limit_are_refused() {
     let triad = "input t: angle; ground A(-1m, 0), D(4m, 0), E(2m, 5m); \
                  pin B(0, 0), P(1.000000001m, 1m), Q(3m, 1m), R(2m, 3.5m); \
                  link AB(A, B), BP(B, P), plate(P, Q, R), DQ(D, Q), ER(E, R); drive AB.angle = t;";
-    // A hundredth of a metre beside it another pose is still in every interval.
+    // A hundredth of a metre beside it the crank can go back by a thousandth of a degree.
     let beside = triad.replace("1.000000001m", "1.01m");
     check(&[
         (
@@ -208,7 +208,9 @@ fn drawings_next_to_a_limit_are_refused() {
         (
             &beside,
             "",
-            "ER: `BP`, `plate`, `DQ` and `ER` can be assembled in another way close to the drawing / no interval of an unknown holds the drawing alone: draw a pose where the two are farther apart, or declare the groups with `unknown` and `solve`",
+            &format!(
+                "ER: in the drawing `BP`, `plate`, `DQ` and `ER` are at a dead point, or next to one / two ways to assemble them come together there: {apart}"
+            ),
         ),
     ]);
 }
