@@ -12,6 +12,7 @@ mod ends;
 mod figures;
 mod followed;
 mod frames;
+mod framing;
 mod group_statement;
 mod held;
 mod incidences;
@@ -27,6 +28,7 @@ mod searches;
 mod sorted;
 mod values;
 mod writer;
+mod written;
 
 use proc_macro2::Ident;
 
@@ -105,7 +107,9 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
 /// The drawing as groups; `None` where it is in error, which was reported.
 fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation> {
     let mut values = Measured::of(tree, diagnostics)?;
-    let mut bodies = Reader::read(tree, &mut values)?;
+    let (mut reader, drives) = Reader::of(tree, &mut values)?;
+    let frames = framing::written(&mut reader)?;
+    let mut bodies = reader.machine(drives, frames)?;
     bodies.machine.motions = values.motions(&bodies);
     let mut steps = steps(&bodies, values.resolver.diagnostics)?;
     if lengths::pose_has_declared_lengths(&mut bodies, values.resolver.diagnostics)? {

@@ -8,8 +8,8 @@ use crate::syntax::tree::{
     StatementKind,
 };
 
-use super::searches::{Sought, Stretch};
 use super::writer::Translated;
+use super::written::{Sought, Stretch};
 
 /// What was found in the drawing, as documentation of the struct.
 pub(super) fn documentation(tree: &Declaration, translated: &Translated) -> Vec<Attribute> {

@@ -8,12 +8,12 @@ use crate::chain::machine::GROUND;
 use crate::diagnostics::nearest;
 use crate::model::names::{Kind, Names, declared_by};
 use crate::syntax::tree::{
-    Course, Declaration, DrawnLink, Expr, FieldValue, Statement, StatementKind,
+    Course, Declaration, DrawnLink, DriveStatement, Expr, FieldValue, Statement, StatementKind,
 };
 
-use super::bodies::{Bodies, GuideLine, LinkOutline, PinPlace};
+use super::bodies::{GuideLine, LinkOutline, PinPlace};
 use super::figures::Figure;
-use super::frames::{self, DrawnLine};
+use super::frames::DrawnLine;
 use super::values::Measured;
 
 /// Reads the names of a drawing one after the other.
@@ -37,8 +37,12 @@ fn drawn_links(statement: &Statement) -> &[DrawnLink] {
 }
 
 impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
-    /// The machine that is drawn; `None` where a name in it is in error, which was reported.
-    pub(super) fn read(tree: &'t Declaration, values: &'v mut Measured<'d>) -> Option<Bodies<'t>> {
+    /// All names that are read, and what drives which body; `None` where a name is in error, which was
+    /// reported.
+    pub(super) fn of(
+        tree: &'t Declaration,
+        values: &'v mut Measured<'d>,
+    ) -> Option<(Self, Vec<(usize, &'t DriveStatement)>)> {
         let before = values.resolver.diagnostics.count();
         let mut reader = Reader {
             tree,
@@ -59,11 +63,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         reader.read_guides();
         reader.guides_of_links();
         let drives = reader.read_drives();
-        if reader.values.resolver.diagnostics.count() != before {
-            return None;
-        }
-        let frames = frames::written(&mut reader)?;
-        reader.machine(drives, frames)
+        (reader.values.resolver.diagnostics.count() == before).then_some((reader, drives))
     }
 
     pub(super) fn report(&mut self, at: &Ident, message: String, reason: String) {

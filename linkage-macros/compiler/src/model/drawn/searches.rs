@@ -17,22 +17,7 @@ use super::followed::{DrawnValues, Fitted, traced_names};
 use super::frames::{DrawnFrame, Heading, Origin};
 use super::group_statement::group_of;
 use super::writer::Writer;
-
-/// An unknown, and how far the machine was followed with it.
-pub(super) struct Sought {
-    pub unknown: Ident,
-    /// The name of what it is measured from, where that follows the drive.
-    pub traced: Option<Ident>,
-    pub stretches: Vec<Stretch>,
-}
-
-/// The ends to which a motion was followed, from the drawing.
-pub(super) struct Stretch {
-    /// The input, where several drive the machine.
-    pub input: Option<Ident>,
-    pub ends: [f64; 2],
-    pub is_angle: bool,
-}
+use super::written::{Sought, Stretch};
 
 impl Writer<'_, '_> {
     /// The unknown that drives a body.

@@ -6,7 +6,7 @@ use crate::model::names::declared_by;
 use crate::model::references::names_used;
 use crate::syntax::tree::{Statement, StatementKind};
 
-use super::writer::Written;
+use super::written::Written;
 
 /// The statements, each behind those that it needs and else as they stand. What uses a part of a search
 /// stands behind its `solve`. What stands in a circle keeps its place: that is reported where names

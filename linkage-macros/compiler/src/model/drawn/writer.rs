@@ -14,18 +14,9 @@ use super::figures::{Figure, Pen};
 use super::frames::{DrawnFrame, Origin};
 use super::group_statement::group_of;
 use super::rewritten::Turns;
-use super::searches::Sought;
 use super::sorted;
+use super::written::{Sought, Written};
 use super::{TurnedFrame, is_point_of};
-
-/// A statement of the groups.
-pub(super) struct Written {
-    /// The statement of the drawing behind which it stands.
-    pub behind: usize,
-    /// The search that it is part of.
-    pub search: Option<usize>,
-    pub statement: Statement,
-}
 
 /// The statements that a drawing became.
 pub(super) struct Translated {
