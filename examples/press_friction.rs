@@ -102,7 +102,7 @@ fn main() -> Result<(), SolveError> {
         mean(&losses)
     );
     println!("efficiency       {:8.1} %", 100.0 * mean(&without) / mean(&torque));
-    // What drives put in is what the stock takes and what friction does.
+    // Drives put in as much as the stock takes and friction does.
     let apart = SPEED * (mean(&torque) - mean(&without)) - mean(&losses);
     assert!(apart.abs() < 1e-9 * mean(&losses));
     println!("\n{:>24} {:>14}", "friction of", "mean W");

@@ -1,4 +1,4 @@
-//! What a page holds, and what it does not do twice.
+//! The contents of a page, and work that it does not do twice.
 
 use std::process::Command;
 

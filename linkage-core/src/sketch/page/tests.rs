@@ -143,7 +143,7 @@ fn every_text_has_contrast_in_both_schemes() {
     let schemes: Vec<&str> = style.split(":root").skip(1).collect();
     assert_eq!(schemes.len(), 2);
     for scheme in &schemes {
-        // What the dark scheme does not set is the light one's, and may be another of its own.
+        // A colour that the dark scheme does not set is the light one's, and may be another of its own.
         let set = |name: &str| {
             let of = |scheme: &&str| {
                 scheme.split_once(&format!("--{name}: ")).map(|(_, set)| set.to_string())

@@ -72,7 +72,7 @@ fn every_declaration_is_c_and_cpp() {
     assert!(compilers_take(1) > 250);
 }
 
-/// The count of declarations. Compilers run one after the other, as all of them take minutes.
+/// The count of declarations.
 fn compilers_take(nth: usize) -> usize {
     let root = std::env::temp_dir().join(format!("linkage_c_{}_{nth}", std::process::id()));
     let sources = print_every(nth, &root);
@@ -93,18 +93,21 @@ fn compilers_take(nth: usize) -> usize {
     sources.len()
 }
 
-/// What a compiler says of the sources, some at a time; nothing where it is not installed.
+/// The messages of a compiler about the sources, some at a time; nothing where it is not installed.
 fn compiled(compiler: &str, flags: &[&str], sources: &[String], root: &Path) -> Vec<String> {
-    let mut told = Vec::new();
-    for sources in sources.chunks(60) {
-        let command = Command::new(compiler).args(flags).args(sources).current_dir(root).output();
-        let Ok(output) = command else {
-            println!("skipped: no {compiler}");
-            break;
-        };
-        told.push(String::from_utf8_lossy(&output.stderr).into_owned());
-    }
-    told
+    let told = |sources: &[String]| {
+        let output = Command::new(compiler).args(flags).args(sources).current_dir(root).output();
+        output.ok().map(|output| String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let told: Option<Vec<_>> = std::thread::scope(|scope| {
+        let parts: Vec<_> =
+            sources.chunks(60).map(|part| scope.spawn(move || told(part))).collect();
+        parts.into_iter().map(|part| part.join().expect("it only starts a program")).collect()
+    });
+    told.unwrap_or_else(|| {
+        println!("skipped: no {compiler}");
+        Vec::new()
+    })
 }
 
 /// Whatever the inputs and loads of a mechanism are, its model is C.
