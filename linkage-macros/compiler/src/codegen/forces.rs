@@ -52,7 +52,6 @@ pub(super) fn describe(cx: &Context<'_>, index: usize) -> String {
 
 fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
     let link = |id: LinkId| text(&cx.mechanism.links[id.index()].name);
-    let point = |id: PointId| text(&cx.mechanism.points[id.index()].name);
     match asked.effort {
         Effort::Input(id) => {
             let input = &cx.mechanism.inputs[id.index()];
@@ -74,18 +73,7 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
         }
         // A block that stands in for a link is not named.
         Effort::Pin(_, joint) => reaction(cx, &text(&asked.owner), joint),
-        Effort::Bearing(id, joint) => {
-            let standing = cx.mechanism.standing();
-            let others = standing.iter().filter(|(at, _)| *at == joint);
-            let name = |by: LinkId| text(cx.mechanism.links[by.index()].known_as());
-            let others: Vec<_> = others.map(|&(_, by)| format!("`{}`", name(by))).collect();
-            format!(
-                "force in N on `{}` at `{}`, exerted by all that stand on it: {}",
-                link(id),
-                point(joint),
-                others.join(", ")
-            )
-        }
+        Effort::Bearing(id, joint) => bearing(cx, &link(id), joint),
         Effort::Spring(id) => spring(cx, id),
         Effort::Stop(id) => stop(cx, id)[0].to_string(),
         Effort::Gap(id) => stop(cx, id)[1].to_string(),
@@ -110,6 +98,17 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
             text(&asked.field)
         ),
     }
+}
+
+/// A joint on which several stand.
+fn bearing(cx: &Context<'_>, link: &str, joint: PointId) -> String {
+    let standing = cx.mechanism.standing();
+    let others = standing.iter().filter(|(at, _)| *at == joint);
+    let name = |by: LinkId| text(cx.mechanism.links[by.index()].known_as());
+    let others: Vec<_> = others.map(|&(_, by)| format!("`{}`", name(by))).collect();
+    let point = text(&cx.mechanism.points[joint.index()].name);
+    let others = others.join(", ");
+    format!("force in N on `{link}` at `{point}`, exerted by all that stand on it: {others}")
 }
 
 /// The load that drives an input.
