@@ -84,6 +84,21 @@ static void conditions(const Call *call, Answer *to)
     to->by = why.by;
 }
 
+/* Who is to blame, as a number: a group, a name, or the unknown where nothing else is wrong. */
+static double blamed(const LinkageWhy *why)
+{
+    if (why->status == LINKAGE_OK) {
+        return strcmp(why->otherwise, "x") == 0 ? -3.0 : -30.0;
+    }
+    if (why->name == NULL) {
+        return strcmp(why->group, "x") == 0 ? -1.0 : -20.0;
+    }
+    if (why->group == NULL) {
+        return strcmp(why->name, "x") == 0 ? -2.0 : 0.0;
+    }
+    return strcmp(why->name, "ends of between") == 0 ? -4.0 : strcmp(why->name, "width of between") == 0 ? -5.0 : 0.0;
+}
+
 /* A sum of Chebyshev's polynomials, or what the kind makes of it: level, five coefficients, and the kind. */
 #define SIDES_OF_WIDTH(width, number)                                                                               \
     static void number##_sides(const number *c, number x, number *sides)                                            \
@@ -100,6 +115,29 @@ static void conditions(const Call *call, Answer *to)
         case 1: sides[0] = sum * sum; sides[2] = (sum + sum) * slope; break;                                        \
         case 2: sides[0] = sum > (number)0.8 ? (number)NAN : sum; break;                                            \
         case 3: sides[0] = sum > 0 ? one : -one; sides[2] = 0; break;                                               \
+        case 4: sides[2] = sum > c[0] ? (number)HUGE_VAL : slope; break;                                            \
+        case 5: {                                                                                                   \
+            const number bound = (number)0.05 + (sum >= 0 ? sum : -sum);                                            \
+            sides[0] = sum / bound;                                                                                 \
+            sides[2] = (number)0.05 * slope / (bound * bound);                                                      \
+            break;                                                                                                  \
+        }                                                                                                           \
+        case 6: {                                                                                                   \
+            const number off = sum - c[0], size = c[0] >= 0 ? c[0] : -c[0];                                         \
+            sides[0] = (number)0.01 * size > (off >= 0 ? off : -off) ? (number)NAN : sum;                           \
+            break;                                                                                                  \
+        }                                                                                                           \
+        case 7: case 8: {                                                                                           \
+            number wave = x, rate = one;                                                                            \
+            int i;                                                                                                  \
+            for (i = 0; i < (c[6] < (number)7.5 ? 4 : 6); i++) {                                                    \
+                rate = 4 * wave * rate;                                                                             \
+                wave = 2 * wave * wave - one;                                                                       \
+            }                                                                                                       \
+            sides[0] = c[1] * wave + c[2] * x;                                                                      \
+            sides[2] = c[1] * rate + c[2];                                                                          \
+            break;                                                                                                  \
+        }                                                                                                           \
         default: break;                                                                                             \
         }                                                                                                           \
     }                                                                                                               \
@@ -110,7 +148,7 @@ static void conditions(const Call *call, Answer *to)
         LinkageWhy why = linkage_why(call->is_single);                                                              \
         LinkageBetween##width between = { 0, 0, 0, 0, 0, 0 };                                                       \
         number given[7], found[2];                                                                                  \
-        int i;                                                                                                      \
+        int i, is_found;                                                                                            \
         for (i = 0; i < 7; i++) {                                                                                   \
             given[i] = (number)call->x[i + 2];                                                                      \
         }                                                                                                           \
@@ -120,11 +158,18 @@ static void conditions(const Call *call, Answer *to)
         between.has_seed = (which & 2) != 0;                                                                        \
         between.seed = from + (end - from) * (number)0.25;                                                          \
         between.is_turn = (which & 4) != 0;                                                                         \
-        (void)linkage_root##width(&why, "x", &between, number##_sides, given, found);                               \
-        to->status = why.otherwise != NULL ? LINKAGE_NOT_FINITE : why.status;                                       \
+        if ((which & 8) != 0) {                                                                                     \
+            why.status = LINKAGE_SINGULAR;                                                                          \
+            why.group = "earlier";                                                                                  \
+        }                                                                                                           \
+        if ((which & 16) != 0) {                                                                                    \
+            why.otherwise = "earlier";                                                                              \
+        }                                                                                                           \
+        is_found = linkage_root##width(&why, "x", &between, number##_sides, given, found);                          \
+        to->status = why.status == LINKAGE_OK && why.otherwise != NULL ? LINKAGE_NOT_FINITE : why.status;           \
         to->by = why.by;                                                                                            \
         to->y[0] = (double)found[0];                                                                                \
-        to->y[1] = (double)found[1];                                                                                \
+        to->y[1] = is_found ? (double)found[1] : blamed(&why);                                                      \
     }
 SIDES_OF_WIDTH(, double)
 SIDES_OF_WIDTH(f, float)
