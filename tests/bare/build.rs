@@ -37,14 +37,46 @@ pub(crate) static PACKAGE: LazyLock<PathBuf> = LazyLock::new(|| {
     package
 });
 
+/// The mechanisms of the tests whose joints rub, with C functions.
+pub(crate) fn rubbing() -> PathBuf {
+    let path = directory().join("rubbing.rs");
+    let source = fs::read_to_string(Path::new(ROOT).join("tests/src/mechanisms/friction.rs"));
+    let source =
+        source.expect("it can be read").replace("\n    }\n}", "\n        export c;\n    }\n}");
+    // What is included has no documentation of its own.
+    let source = source.replacen("//!", "//", 1);
+    // Another test may be reading it.
+    if fs::read_to_string(&path).ok().as_ref() != Some(&source) {
+        fs::write(&path, source).expect("the tests' directory can be written");
+    }
+    path
+}
+
 /// The static library with these features at this optimisation level, or what Cargo said.
 pub(crate) fn library(features: &str, level: &str) -> Result<PathBuf, String> {
+    built(features, level, "release", &[])
+}
+
+/// The same for a machine with fused operations, which are none without the standard library.
+pub(crate) fn fused_library(features: &str) -> Result<PathBuf, String> {
+    // With a target of its own the macro is compiled once, without the flags.
+    let target = "x86_64-unknown-linux-gnu";
+    let flags = format!("target.{target}.rustflags=[\"-Ctarget-cpu=x86-64-v3\"]");
+    let place = format!("{target}/release");
+    let features = format!("fused,{features}");
+    built(&features, "3", &place, &["--target", target, "--config", &flags])
+}
+
+/// Also where the result is found, below the target directory, and other arguments.
+fn built(features: &str, level: &str, place: &str, others: &[&str]) -> Result<PathBuf, String> {
     let _one_at_a_time = BUILDING.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     let target = directory().join("target");
     let output = Command::new(env!("CARGO"))
         .args(["build", "--release", "--offline", "--features", features, "--target-dir"])
         .arg(&target)
+        .args(others)
         .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", level)
+        .env("LINKAGE_RUBBING", rubbing())
         .current_dir(&*PACKAGE)
         .output()
         .expect("Cargo starts");
@@ -54,7 +86,7 @@ pub(crate) fn library(features: &str, level: &str) -> Result<PathBuf, String> {
     let kept = directory().join(format!("solvers-{level}-{features}.a"));
     // Another test may be reading what an earlier build left there.
     let fresh = kept.with_extension("fresh");
-    fs::copy(target.join("release/libbare.a"), &fresh).expect("the library was built");
+    fs::copy(target.join(place).join("libbare.a"), &fresh).expect("the library was built");
     fs::rename(&fresh, &kept).expect("it is put in its place");
     Ok(kept)
 }
