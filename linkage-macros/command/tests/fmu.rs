@@ -5,11 +5,11 @@ use std::process::Command;
 
 include!("data/press.rs");
 
-/// An FMU of the press.
-fn fmu(name: &str, flags: &[&str]) -> PathBuf {
+/// An FMU of a declaration.
+fn fmu(source: &str, name: &str, flags: &[&str]) -> PathBuf {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let output = Command::new(env!("CARGO_BIN_EXE_linkage"))
-        .args(["fmu", "tests/data/press.rs", "-o"])
+        .args(["fmu", &format!("tests/data/{source}.rs"), "-o"])
         .arg(&path)
         .args(flags)
         .current_dir(env!("CARGO_MANIFEST_DIR"))
@@ -59,17 +59,33 @@ fn integrated(press: &Press) -> [f64; 2] {
     state
 }
 
+/// Forces and energy of a motion, in the order of the script.
+fn forces(press: &Press, [theta, rate, second]: [f64; 3]) -> [f64; 6] {
+    let forces = press.forces(theta, rate, second, 30.0).expect("a pose");
+    let energy = press.energy(theta, rate).expect("a pose");
+    let (pin, guide) = (forces.BC.C, forces.ram.way);
+    [forces.theta.drive, pin.x, pin.y, guide.normal, energy.kinetic, energy.potential]
+}
+
 #[test]
 fn a_dynamic_fmu_is_simulated_as_by_state_rates() {
-    let Some(lines) = simulated(&fmu("press.fmu", &[]), "dynamic") else { return };
+    let Some(lines) = simulated(&fmu("press", "press.fmu", &[]), "dynamic") else { return };
     assert_eq!(lines[0], ["findings", "0"]);
     let press = Press { counterweight: 2.5, ..Press::new() };
     let [theta, rate] = integrated(&press);
-    let height = press.position(theta).expect("a pose").C.y;
+    let [_, second] = press.state_rates([theta, rate], 1.5, 30.0).expect("it turns");
+    let position = press.position(theta).expect("a pose");
+    let mut expected = vec![theta, rate, position.C.y, position.BC.cos, position.BC.sin];
+    expected.extend(forces(&press, [theta, rate, second]));
+    // The drive that the motion needs is the one that has moved it.
+    assert!((expected[5] - 1.5).abs() < 1e-12);
     assert_eq!(lines.len(), 3);
     for line in &lines[1..] {
-        for (found, expected) in numbers(line).iter().zip([theta, rate, height]) {
+        let found = numbers(line);
+        assert_eq!(found.len(), expected.len());
+        for (found, expected) in found.iter().zip(&expected) {
             let error = (found - expected).abs();
+            // Forces have hundreds of newtons, the counterweight's inertia as much: 1e-9 of them.
             assert!(
                 error <= 1e-9 * expected.abs().max(1.0),
                 "{line:?}: {expected}, off by {error:e}"
@@ -80,13 +96,17 @@ fn a_dynamic_fmu_is_simulated_as_by_state_rates() {
 
 #[test]
 fn a_kinematic_fmu_computes_the_motion_and_says_who_refuses() {
-    let Some(lines) = simulated(&fmu("press_kinematic.fmu", &["--kinematic"]), "kinematic") else {
+    let Some(lines) = simulated(&fmu("press", "kinematic.fmu", &["--kinematic"]), "kinematic")
+    else {
         return;
     };
     assert_eq!(lines[0], ["findings", "0"]);
-    let motion = Press::new().motion(0.4, 5.0, 2.0).expect("a pose");
+    let press = Press::new();
+    let motion = press.motion(0.4, 5.0, 2.0).expect("a pose");
     let expected = [motion.position.C.y, motion.velocity.C.y, motion.acceleration.C.y];
+    let expected = [&expected[..], &forces(&press, [0.4, 5.0, 2.0])].concat();
     let of_kind = |kind: &'static str| lines.iter().filter(move |line| line[0] == kind);
+    assert_eq!(of_kind("ModelExchange").chain(of_kind("CoSimulation")).count(), 2);
     for line in of_kind("ModelExchange").chain(of_kind("CoSimulation")) {
         assert_eq!(numbers(line), expected, "{line:?}");
     }
@@ -95,4 +115,15 @@ fn a_kinematic_fmu_computes_the_motion_and_says_who_refuses() {
     for line in refusals {
         assert!(line.join(" ").ends_with("BC, ram cannot be assembled"), "{line:?}");
     }
+}
+
+/// Forces that are refused, as where friction may hold itself, leave the motion alone.
+#[test]
+fn a_group_of_outputs_is_refused_alone() {
+    let Some(lines) = simulated(&fmu("drawer", "drawer.fmu", &[]), "jams") else { return };
+    assert_eq!(lines[0], ["findings", "0"]);
+    let [_, motion, jams] = &lines[..] else { panic!("{lines:?}") };
+    assert_eq!(motion[0], "CoSimulation");
+    assert!((numbers(motion)[0] - 0.04).abs() < 1e-12, "{motion:?}");
+    assert!(jams.join(" ").ends_with("drawer may be held by friction"), "{jams:?}");
 }

@@ -21,6 +21,6 @@ mechanism! {
         force (0, work) on C;
         torque -0.2(N*m*s) * rate(theta) on AB;
 
-        output C, BC, energy;
+        output C, BC, theta.drive, BC.C, ram.way, energy;
     }
 }

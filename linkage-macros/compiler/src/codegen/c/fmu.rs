@@ -10,6 +10,7 @@ use super::{FRICTION, In, ROOT, rubs};
 use crate::codegen::c_export::c_identifiers::{Width, snake_case};
 use crate::codegen::context::Context;
 use crate::codegen::identifiers::text;
+use crate::interface::components::Component;
 use crate::interface::entries::{Analysis, Entry, Given};
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
@@ -37,7 +38,14 @@ enum Role {
     State(Option<usize>),
     /// The derivative of a variable.
     Rate(usize),
-    Output,
+    /// A number that is computed with others, in the group of this index.
+    Output(usize),
+}
+
+/// Results of one entry point as outputs. Where one is refused, the others are not.
+struct Computed<'a> {
+    entry: &'a Entry,
+    first: usize,
 }
 
 struct Model<'a> {
@@ -46,8 +54,11 @@ struct Model<'a> {
     is_dynamic: bool,
     /// The first variable of each kind of argument, and of the parameters.
     first: [usize; 7],
-    outputs: usize,
+    groups: Vec<Computed<'a>>,
 }
+
+/// The analyses whose results are outputs, where they are offered. Those behind the first need what it computes.
+const SHOWN: [Analysis; 3] = [Analysis::Motion, Analysis::Forces, Analysis::Energy];
 
 const PARAMETERS: usize = 6;
 
@@ -100,7 +111,8 @@ impl<'a> Model<'a> {
     fn new(to: In<'a>, is_kinematic: bool) -> Self {
         let is_dynamic = !is_kinematic && of_drives(to.cx.interface).is_some();
         let time = Variable { name: "time".into(), role: Role::Time, unit: "s".into(), start: 0.0 };
-        let mut model = Self { to, variables: vec![time], is_dynamic, first: [0; 7], outputs: 0 };
+        let mut model =
+            Self { to, variables: vec![time], is_dynamic, first: [0; 7], groups: Vec::new() };
         model.add_inputs();
         model.add_efforts();
         model.first[PARAMETERS] = model.variables.len();
@@ -110,7 +122,6 @@ impl<'a> Model<'a> {
                 model.add(text(&param.name), Role::Parameter, unit, default.to_f64());
             }
         }
-        model.outputs = model.variables.len();
         model.add_outputs();
         model
     }
@@ -149,38 +160,47 @@ impl<'a> Model<'a> {
     fn add_efforts(&mut self) {
         let mechanism = self.to.cx.mechanism;
         self.first[kind(Given::Drives)] = self.variables.len();
-        if !self.is_dynamic {
-            return;
-        }
-        for (at, input) in mechanism.inputs.iter().enumerate() {
-            let driven = mechanism.dynamics.driven().filter(|(id, _)| id.index() == at);
-            let (name, unit) = match driven {
-                Some((_, load)) => (text(&load.name), unit(load.dimension, Order::Position)),
-                None => {
-                    let unit = if input.dimension.angle { "N·m" } else { "N" };
-                    (format!("drive of {}", text(&input.name)), unit.to_string())
-                }
-            };
-            self.add(name, Role::Input, unit, 0.0);
+        let driven = if self.is_dynamic { &mechanism.inputs[..] } else { &[] };
+        for input in driven {
+            let unit = if input.dimension.angle { "N·m" } else { "N" };
+            self.add(format!("drive of {}", text(&input.name)), Role::Input, unit.into(), 0.0);
         }
         self.first[kind(Given::Loads)] = self.variables.len();
+        if !self.is_dynamic && !self.to.cx.interface.has(Analysis::Forces) {
+            return;
+        }
         for load in &mechanism.dynamics.loads {
             let unit = unit(load.dimension, Order::Position);
             self.add(text(&load.name), Role::Input, unit, 0.0);
         }
     }
 
-    /// The entry point whose results are outputs.
-    fn motion(&self) -> Option<&'a Entry> {
+    fn add_outputs(&mut self) {
         let interface = self.to.cx.interface;
-        Some(interface.entry(interface.find(Analysis::Motion.by_value())?))
+        for entry in SHOWN.iter().filter_map(|of| interface.find(of.by_value())) {
+            let entry = interface.entry(entry);
+            let group = Computed { entry, first: self.variables.len() };
+            for name in self.names(entry) {
+                self.add(name, Role::Output(self.groups.len()), String::new(), 0.0);
+            }
+            self.groups.push(group);
+        }
     }
 
-    fn add_outputs(&mut self) {
+    /// The names of a result's numbers. Errors call both parts of a direction by one name.
+    fn names(&self, entry: &Entry) -> Vec<String> {
         let cx = self.to.cx;
-        let Some(motion) = self.motion() else { return };
-        for label in labels::of_result(cx.interface, cx.mechanism, motion) {
-            self.add(label, Role::Output, String::new(), 0.0);
-        }
+        let labels = labels::of_result(cx.interface, cx.mechanism, entry);
+        let ways = cx.interface.components(entry.result);
+        let name = |(label, way): (&String, Vec<Component>)| {
+            let is_shared = labels.iter().filter(|other| *other == label).count() > 1;
+            match (way.last(), label.rsplit_once('.')) {
+                (Some(Component::Field(part)), Some((link, _))) if is_shared => {
+                    format!("{link}.{part}")
+                }
+                _ => label.clone(),
+            }
+        };
+        labels.iter().zip(ways).map(name).collect()
     }
 }

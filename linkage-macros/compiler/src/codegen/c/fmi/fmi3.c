@@ -35,7 +35,7 @@ typedef void (*fmi3Callback)(void);
 
 typedef struct Instance {
     double v[VARIABLES];
-    int is_evaluated;
+    int is_evaluated[GROUPS];
     fmi3LogMessageCallback log;
     fmi3InstanceEnvironment environment;
 } Instance;
@@ -47,13 +47,14 @@ static size_t state_count(void) { return STATES; }
 static fmi3Status discard(const Instance *instance, const LinkageError *error)
 {
     static const char *const reasons[] = {
-        "", "cannot be assembled", "is singular", "has an invalid length", "is not finite",
+        "", "cannot be assembled", "is singular", "has an invalid length", "is not finite", "is missing",
+        "has an invalid mode", "is no angle", "has no solution", "has several dead points", "may be held by friction",
     };
     char message[256];
     const char *const who = error->group != NULL ? error->group : error->name;
     const size_t length = error->group != NULL ? error->group_length : error->name_length;
     const size_t kept = length < 200 ? length : 200;
-    const char *const why = error->status < 5 ? reasons[error->status] : "is refused";
+    const char *const why = (size_t)error->status < sizeof reasons / sizeof *reasons ? reasons[error->status] : "is refused";
     if (who != NULL) {
         memcpy(message, who, kept);
     }
@@ -65,23 +66,29 @@ static fmi3Status discard(const Instance *instance, const LinkageError *error)
     return fmi3Discard;
 }
 
-static fmi3Status evaluated(Instance *instance)
+/* Computes a group of variables. All need the second rates, which come with the first. */
+static fmi3Status evaluated(Instance *instance, size_t group)
 {
+    const size_t needed[2] = { 0, group };
     LinkageError error;
-    if (instance->is_evaluated) {
-        return fmi3OK;
+    size_t k;
+    for (k = 0; k < 2; k++) {
+        if (!instance->is_evaluated[needed[k]]) {
+            if (EVALUATE[needed[k]](instance->v, &error) != LINKAGE_OK) {
+                return discard(instance, &error);
+            }
+            instance->is_evaluated[needed[k]] = 1;
+        }
     }
-    if (evaluate(instance->v, &error) != LINKAGE_OK) {
-        return discard(instance, &error);
-    }
-    instance->is_evaluated = 1;
     return fmi3OK;
 }
+
+static void forget(Instance *instance) { memset(instance->is_evaluated, 0, sizeof instance->is_evaluated); }
 
 static void reset(Instance *instance)
 {
     memcpy(instance->v, START, sizeof START);
-    instance->is_evaluated = 0;
+    forget(instance);
 }
 
 static fmi3Instance instantiated(fmi3String token, fmi3InstanceEnvironment environment, fmi3LogMessageCallback log)
@@ -161,8 +168,8 @@ FMI3 fmi3Status fmi3GetFloat64(fmi3Instance i, const fmi3ValueReference vr[], si
         if (vr[k] >= VARIABLES) {
             return fmi3Error;
         }
-        if (KIND[vr[k]] == COMPUTED) {
-            const fmi3Status status = evaluated(instance);
+        if (KIND[vr[k]] >= COMPUTED) {
+            const fmi3Status status = evaluated(instance, (size_t)(KIND[vr[k]] - COMPUTED));
             if (status != fmi3OK) {
                 return status;
             }
@@ -184,7 +191,7 @@ FMI3 fmi3Status fmi3SetFloat64(fmi3Instance i, const fmi3ValueReference vr[], si
             return fmi3Error;
         }
         instance->v[vr[k]] = values[k];
-        instance->is_evaluated = 0;
+        forget(instance);
     }
     return fmi3OK;
 }
@@ -220,7 +227,7 @@ static void put_states(Instance *instance, const double x[])
     for (k = 0; k < state_count(); k++) {
         instance->v[STATE[k]] = x[k];
     }
-    instance->is_evaluated = 0;
+    forget(instance);
 }
 
 static void get(const Instance *instance, const uint32_t variables[], double x[])
@@ -261,7 +268,7 @@ FMI3 fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance i, double x[], si
 
 FMI3 fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance i, double x[], size_t n)
 {
-    const fmi3Status status = n == STATES ? evaluated((Instance *)i) : fmi3Error;
+    const fmi3Status status = n == STATES ? evaluated((Instance *)i, 0) : fmi3Error;
     if (status == fmi3OK) {
         get((const Instance *)i, DERIVATIVE, x);
     }
@@ -281,7 +288,7 @@ static fmi3Status step(Instance *instance, double h)
             at[k] = from[k] + share[stage] * h * rate[k];
         }
         put_states(instance, at);
-        status = evaluated(instance);
+        status = evaluated(instance, 0);
         if (status != fmi3OK) {
             put_states(instance, from);
             return status;
@@ -314,7 +321,7 @@ FMI3 fmi3Status fmi3DoStep(fmi3Instance i, double now, double by, fmi3Boolean no
         }
     }
     instance->v[0] = *last = now + by;
-    return evaluated(instance);
+    return evaluated(instance, 0);
 }
 
 /* What the standard demands of every FMU and a mechanism has nothing for. */

@@ -28,10 +28,10 @@ impl Model<'_> {
                 .map(|(at, _)| format!("    <{tag} valueReference=\"{at}\"/>\n"))
                 .collect::<String>()
         };
-        xml += &list("Output", &|role| matches!(role, Role::Output | Role::State(_)));
+        xml += &list("Output", &|role| matches!(role, Role::Output(_) | Role::State(_)));
         let is_rate = |role| matches!(role, Role::State(Some(_)) | Role::Rate(_));
         xml += &list("ContinuousStateDerivative", &is_rate);
-        xml += &list("InitialUnknown", &|role| matches!(role, Role::Output | Role::Rate(_)));
+        xml += &list("InitialUnknown", &|role| matches!(role, Role::Output(_) | Role::Rate(_)));
         xml + "  </ModelStructure>\n</fmiModelDescription>\n"
     }
 
@@ -73,7 +73,7 @@ impl Variable {
                     "causality=\"local\" variability=\"continuous\" initial=\"calculated\" derivative=\"{of}\""
                 )
             }
-            Role::Output => {
+            Role::Output(_) => {
                 "causality=\"output\" variability=\"continuous\" initial=\"calculated\"".to_string()
             }
         };

@@ -17,13 +17,13 @@ impl Model<'_> {
             list.push("0".to_string());
             list.join(", ")
         };
-        let kinds: Vec<&str> = self.variables.iter().map(|v| v.role.in_c()).collect();
+        let kinds: Vec<String> = self.variables.iter().map(|v| v.role.in_c()).collect();
         let starts: Vec<String> = self.variables.iter().map(|v| format!("{:?}", v.start)).collect();
         let is_state = |v: &&Variable| matches!(v.role, Role::State(_));
         format!(
             "/* fmi3_model.h: the variables of {}, printed by linkage; do not edit. */\n#include \"{}.h\"\n\n\
-             #define TOKEN \"{}\"\n#define VARIABLES {}\n#define STATES {}\n\n\
-             enum {{ GIVEN, COMPUTED, TIME }};\nstatic const unsigned char KIND[VARIABLES] = {{ {} }};\n\
+             #define TOKEN \"{}\"\n#define VARIABLES {}\n#define STATES {}\n#define GROUPS {}\n\n\
+             enum {{ GIVEN, TIME, COMPUTED }};\nstatic const unsigned char KIND[VARIABLES] = {{ {} }};\n\
              static const double START[VARIABLES] = {{ {} }};\n\
              static const uint32_t STATE[STATES + 1] = {{ {} }};\n\
              static const uint32_t DERIVATIVE[STATES + 1] = {{ {} }};\n\n{}",
@@ -32,6 +32,7 @@ impl Model<'_> {
             self.token(),
             self.variables.len(),
             self.variables.iter().filter(is_state).count(),
+            self.groups.len().max(1),
             kinds.join(", "),
             starts.join(", "),
             states(&|role| matches!(role, Role::State(_))),
@@ -40,17 +41,26 @@ impl Model<'_> {
         )
     }
 
-    /// The function that computes what depends on what is given.
+    /// The functions that compute what depends on what is given, one a group.
     fn evaluation(&self) -> String {
+        let groups = 0..self.groups.len().max(1);
+        let functions: String = groups.clone().map(|nth| self.evaluation_of(nth)).collect();
+        let names: Vec<String> = groups.map(|nth| format!("evaluate_{nth}")).collect();
+        format!(
+            "{functions}static LinkageStatus (*const EVALUATE[GROUPS])(double v[], LinkageError *error) = {{ {} }};\n",
+            names.join(", ")
+        )
+    }
+
+    /// The function of a group. The first one's also computes the second rates of the inputs.
+    fn evaluation_of(&self, nth: usize) -> String {
         let cx = self.to.cx;
         let mut lines =
-            String::from("static LinkageStatus evaluate(double v[], LinkageError *error)\n{\n");
+            format!("static LinkageStatus evaluate_{nth}(double v[], LinkageError *error)\n{{\n");
         if self.to.has_params() {
             let solver = self.to.params_type();
-            lines += &format!(
-                "    {solver} mechanism = {}();\n",
-                default(&cx.names.solver, Width::Double)
-            );
+            let declared = default(&cx.names.solver, Width::Double);
+            lines += &format!("    {solver} mechanism = {declared}();\n");
         }
         lines += "    LinkageStatus status = LINKAGE_OK;\n";
         let numbers = cx.mechanism.params.iter();
@@ -59,15 +69,14 @@ impl Model<'_> {
             let field = field_of_param(cx.mechanism, &text(&param.name));
             lines += &format!("    mechanism.{field} = v[{}];\n", self.first[PARAMETERS] + at);
         }
-        if self.is_dynamic {
+        if self.is_dynamic && nth == 0 {
             let of_drives = of_drives(cx.interface).expect("it is dynamic");
             lines += &self.call(of_drives, "rates", self.first[kind(Given::Acceleration)]);
         }
-        if let Some(motion) = self.motion() {
-            lines += &self.call(motion, "moved", self.outputs);
+        if let Some(group) = self.groups.get(nth) {
+            lines += &self.call(group.entry, "found", group.first);
         }
-        lines += "    (void)v;\n    (void)error;\n    return status;\n}\n";
-        lines
+        lines + "    (void)v;\n    (void)error;\n    return status;\n}\n\n"
     }
 
     /// The call of an entry point, and where its numbers go.
@@ -114,11 +123,12 @@ impl Model<'_> {
 }
 
 impl Role {
-    fn in_c(self) -> &'static str {
+    fn in_c(self) -> String {
         match self {
-            Self::Time => "TIME",
-            Self::Input | Self::Parameter | Self::State(_) => "GIVEN",
-            Self::Rate(_) | Self::Output => "COMPUTED",
+            Self::Time => "TIME".to_string(),
+            Self::Input | Self::Parameter | Self::State(_) => "GIVEN".to_string(),
+            Self::Rate(_) => "COMPUTED".to_string(),
+            Self::Output(group) => format!("COMPUTED + {group}"),
         }
     }
 }
