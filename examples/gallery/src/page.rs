@@ -44,6 +44,8 @@ h1 { font-size: 20px; margin: 12px 0 4px; }
 nav, p { line-height: 1.5; }
 nav { display: flex; justify-content: space-between; gap: 12px; }
 nav a { color: inherit; }
+nav :not(:nth-child(2)) { white-space: nowrap; }
+p code { overflow-wrap: anywhere; }
 pre { overflow-x: auto; padding: 12px; border: 1px solid #8a9096; border-radius: 6px; font-size: 13px; line-height: 1.45; }
 </style>"#;
 

@@ -3,6 +3,8 @@
 /// Steps of the input that curves are drawn over, and of each input for the picture's size.
 const STEPS = 240, SURVEYED = 48;
 let samples = [];
+/// The largest position, velocity and acceleration of any row.
+let largest = [];
 
 const withInput = (k, x) => state.q.map((value, n) => (n === k ? x : value));
 const domain = () => [inputs[state.axis].from, inputs[state.axis].to];
@@ -13,6 +15,8 @@ const sample = () => {
     const pose = new Pose(withInput(state.axis, x));
     return { x, pose, ...answersAt(pose) };
   });
+  largest = [0, 1, 2].map((order) => samples.reduce((most, { motion }) =>
+    (motion ? rows.reduce((most, { at }) => Math.max(most, Math.abs(motion[at[order]])), most) : most), 0));
   const arrows = efforts.flatMap(({ row, point }, k) => (point !== null && row === "x" ? [k] : []));
   largestForce = 0;
   for (const { forces } of samples) {
@@ -46,7 +50,11 @@ const chartsOf = (name) => {
       series: list.map((row) => ({
         name: row.row,
         isAngle: row.isAngle && order === 0,
-        of: ({ motion }) => (motion ? valueOf(row, order, motion) * unitOf(row, order)[1] : NaN),
+        of: ({ motion }) => {
+          const x = motion ? valueOf(row, order, motion) : NaN;
+          // What rounding leaves of zero is none.
+          return Math.abs(x) < 1e-9 * largest[order] ? 0 : x * unitOf(row, order)[1];
+        },
       })),
     })));
   const drives = efforts.filter(({ effort, row }) => row === "" && effort.endsWith(".drive") && effort !== name);
