@@ -341,6 +341,15 @@ impl<const W: usize, const M: usize> System<f64, W, M> {
     }
 }
 
+/// Solutions and their steps, by all of the search and by guarded steps alone: beside those of a page's script.
+#[cfg(all(test, feature = "sketch"))]
+impl<const W: usize, const M: usize> System<f64, W, M> {
+    pub(crate) fn in_steps(&self) -> [Option<([f64; M], usize)>; 2] {
+        let (start, _) = self.linear([0.0; M], &mut libm::hypot);
+        [self.solved_in().ok(), self.guarded(start, &self.bounds())]
+    }
+}
+
 /// The first contact whose pivot is not positive.
 fn jammed<const M: usize>(bounds: [[f64; M]; M]) -> Option<usize> {
     let (mut matrix, mut right) = (without(bounds), [0.0; M]);

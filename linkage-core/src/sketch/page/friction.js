@@ -6,10 +6,14 @@
 const AT_ONCE = 3, UNGUARDED = 8, GUARDED = 64;
 
 const signOf = (x) => (x >= 0 ? 1 : -1);
-const rootOfSquares = (x, y) => sqrt(fused(x, x, y * y));
 
-/// The identity less a matrix.
-const without = (matrix) => matrix.map((row, j) => row.map((x, k) => (j === k ? 1 - x : -x)));
+/// The identity less a matrix, in its place.
+const without = (matrix) => {
+  matrix.forEach((row, j) => {
+    for (let k = 0; k < row.length; k++) row[k] = j === k ? 1 - row[k] : -row[k];
+  });
+  return matrix;
+};
 
 /// Clears a column below its pivot, in the right side as well, and puts the pivot's inverse in its place.
 const eliminate = (matrix, right, k) => {
@@ -33,62 +37,49 @@ const solution = (matrix, right) => {
   return right;
 };
 
-/// Equations of amounts. Bit j of `guides` is set if contact j is a guide.
+/// Equations of amounts. Bit j of `guides` is set if contact j is a guide. Loops: a curve asks for thousands.
 class System {
   constructor(rows, guides) {
-    Object.assign(this, { rows, guides });
-    this.bounds = rows.map((row, j) => rows.map((_, k) => row[0] * this.size(j, this.pair(j, k), rootOfSquares)));
+    const isGuide = rows.map((_, j) => ((guides >> j) & 1) === 1);
+    Object.assign(this, { rows, isGuide, none: rows.map(() => 0) });
+    this.bounds = rows.map((row, j) => rows.map((_, k) => {
+      const [x, y] = row.slice(3 + 2 * k), [across, along] = [magnitude(x), magnitude(y)];
+      return row[0] * (isGuide[j] ? (across >= along ? across : along) : sqrt(fused(x, x, y * y)));
+    }));
   }
 
-  isGuide(j) {
-    return ((this.guides >> j) & 1) === 1;
-  }
-
-  /// The change of a reaction by an amount.
-  pair(j, k) {
-    return this.rows[j].slice(3 + 2 * k, 5 + 2 * k);
-  }
-
-  size(j, [x, y], length) {
-    if (!this.isGuide(j)) return length(x, y);
-    [x, y] = [magnitude(x), magnitude(y)];
-    return x >= y ? x : y;
-  }
-
-  /// The size's slope by each component; at a corner that of one side.
-  direction(j, [x, y], size) {
-    if (this.isGuide(j)) return magnitude(x) >= magnitude(y) ? [signOf(x), 0] : [0, signOf(y)];
-    const inverse = 0 >= size ? 0 : 1 / size;
-    return [x * inverse, y * inverse];
-  }
-
-  /// Changes come first: contacts that a couple loads alike share their sum.
-  reaction(j, amounts) {
-    const row = this.rows[j];
-    return [0, 1].map((axis) => {
-      const sum = amounts.reduce((sum, x, k) => {
-        const by = row[3 + 2 * k + axis];
-        return k ? fused(by, x, sum) : by * x;
-      }, 0);
-      return row[1 + axis] + sum;
-    });
-  }
-
-  /// The values of all equations, and their slopes.
+  /// The values of all equations, and their slopes; at a corner those of one side.
   linear(amounts, length) {
-    const values = [], slope = this.rows.map(([share], j) => {
-      const reaction = this.reaction(j, amounts), size = this.size(j, reaction, length);
-      const [x, y] = this.direction(j, reaction, size).map((part) => share * part);
-      values.push(share * size);
-      return amounts.map((_, k) => {
-        const [u, v] = this.pair(j, k);
-        return fused(u, x, v * y);
-      });
-    });
+    const values = [], slope = [], count = amounts.length;
+    for (let j = 0; j < count; j++) {
+      const row = this.rows[j], share = row[0];
+      // Changes come first: contacts that a couple loads alike share their sum.
+      let x = row[3] * amounts[0], y = row[4] * amounts[0];
+      for (let k = 1; k < count; k++) {
+        x = fused(row[3 + 2 * k], amounts[k], x);
+        y = fused(row[4 + 2 * k], amounts[k], y);
+      }
+      x = row[1] + x;
+      y = row[2] + y;
+      if (this.isGuide[j]) {
+        const isFirst = magnitude(x) >= magnitude(y);
+        values.push(share * magnitude(isFirst ? x : y));
+        [x, y] = isFirst ? [signOf(x), 0] : [0, signOf(y)];
+      } else {
+        const size = length(x, y), inverse = 0 >= size ? 0 : 1 / size;
+        values.push(share * size);
+        [x, y] = [x * inverse, y * inverse];
+      }
+      x *= share;
+      y *= share;
+      const own = [];
+      for (let k = 0; k < count; k++) own.push(fused(row[3 + 2 * k], x, row[4 + 2 * k] * y));
+      slope.push(own);
+    }
     return { values, slope };
   }
 
-  /// Newton's step from these amounts.
+  /// Newton's step from these amounts, which takes the slope's place.
   newton(amounts, { values, slope }) {
     const step = solution(without(slope), values.map((value, j) => value - amounts[j]));
     return amounts.map((x, j) => x + step[j]);
@@ -102,9 +93,13 @@ class System {
     });
   }
 
+  lessBounds() {
+    return without(this.bounds.map((row) => [...row]));
+  }
+
   /// The first contact at which friction may hold itself, −1 if there is none: whose pivot is not positive.
   jammed() {
-    const matrix = without(this.bounds), right = matrix.map(() => 0);
+    const matrix = this.lessBounds(), right = [...this.none];
     return matrix.findIndex((row, k) => {
       const isMet = row[k] > 0;
       eliminate(matrix, right, k);
@@ -132,7 +127,7 @@ class System {
   solved() {
     const jams = this.jammed();
     if (jams >= 0) return jams;
-    const { values: start } = this.linear(this.rows.map(() => 0), hypot);
+    const { values: start } = this.linear(this.none, hypot);
     let amounts = start;
     for (let step = 0; step <= UNGUARDED; step++) {
       const linear = this.linear(amounts, hypot);
@@ -148,7 +143,7 @@ class System {
       const size = x + start.reduce((sum, other, k) => sum + this.bounds[j][k] * other, 0);
       return size > 0 ? size : 1;
     });
-    const weights = solution(without(this.bounds), [...units]);
+    const weights = solution(this.lessBounds(), [...units]);
     const largest = (of) => start.reduce((most, _, j) => greater(of(j), most), 0);
     const gain = largest((j) => 1 - units[j] / weights[j]);
     const off = (amounts, { values }) => largest((j) => magnitude(values[j] - amounts[j]) / weights[j]);

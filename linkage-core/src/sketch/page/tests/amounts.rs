@@ -23,7 +23,13 @@ pub(super) fn amounts() -> Vec<Case> {
         (4, true, 15_000),
         (8, false, 2_000),
     ] {
-        cases.extend((0..calls).map(|_| asked(&mut random, count, of_values)));
+        for nth in 0..calls {
+            let case = asked(&mut random, count, of_values);
+            if nth % 3 == 0 {
+                cases.push(in_steps(&case));
+            }
+            cases.push(case);
+        }
     }
     cases
 }
@@ -57,6 +63,14 @@ fn asked(random: &mut Random, count: usize, of_values: bool) -> Case {
         let odd = [f64::NAN, f64::INFINITY, 0.0, -0.0, 1e300, 1e-310, 1e30];
         rows[at] = odd[(random.bits() % 7) as usize];
     }
+    match random.bits() % 30 {
+        // Corners: reactions without friction that are zero.
+        0 => rows.chunks_mut(width).for_each(|row| (row[1], row[2]) = (0.0, 0.0)),
+        1 => (rows[1], rows[2]) = (0.0, 0.0),
+        // A pivot that is zero.
+        2 if count == 1 => (rows[0], rows[3], rows[4]) = (1.0, 1.0, 0.0),
+        _ => {}
+    }
     // Mostly where the steps begin; any other place is as good.
     let start: Vec<f64> = rows
         .chunks(width)
@@ -76,6 +90,29 @@ fn asked(random: &mut Random, count: usize, of_values: bool) -> Case {
     };
     let given = [vec![count as f64, f64::from(guides)], start, rows].concat();
     Case { name: "amounts", given, answer }
+}
+
+/// The same system by the slow path's steps, and by guarded ones alone.
+fn in_steps(case: &Case) -> Case {
+    let (count, guides) = (case.given[0] as usize, case.given[1] as u32);
+    let rows = &case.given[2 + count..];
+    let answer = match count {
+        1 => steps::<5, 1>(rows, guides),
+        2 => steps::<7, 2>(rows, guides),
+        3 => steps::<9, 3>(rows, guides),
+        4 => steps::<11, 4>(rows, guides),
+        _ => steps::<19, 8>(rows, guides),
+    };
+    Case { name: "steps", given: case.given.clone(), answer }
+}
+
+fn steps<const W: usize, const M: usize>(rows: &[f64], guides: u32) -> String {
+    let rows = core::array::from_fn(|j| core::array::from_fn(|i| rows[j * W + i]));
+    let said = |found: Option<([f64; M], usize)>| match found {
+        Some((amounts, steps)) => format!("{steps} {}", amounts.map(bits).join(" ")),
+        None => "none".to_string(),
+    };
+    System::<f64, W, M> { rows, guides }.in_steps().map(said).join(" ")
 }
 
 fn size(guides: u32, j: usize, x: f64, y: f64) -> f64 {

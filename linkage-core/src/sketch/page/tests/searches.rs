@@ -69,8 +69,11 @@ pub(super) fn pieces() -> impl Iterator<Item = Case> {
             6 => (b.slope, error) = (0.0, 1e-3 * error),
             _ => {}
         }
-        if random.bits().is_multiple_of(40) {
-            (a.value, error) = (0.0, 0.0);
+        match random.bits() % 40 {
+            0 => (a.value, error) = (0.0, 0.0),
+            1 => (b.value, error) = (0.0, 0.0),
+            2 => (b.value, a.value, error) = (-0.0, -0.0, 0.0),
+            _ => {}
         }
         let (is_clear, turn, halves) = judged([a, b], error, middle);
         let given = [a, b, middle].map(|at| [at.x, at.value, at.slope]).concat();
