@@ -114,6 +114,20 @@ pub trait Checks<T: Scalar> {
     ) -> [T; M] {
         start
     }
+
+    /// The same where straight-line code has `found` them. Asks the `positive` numbers to be above zero, and the
+    /// first of each `small` pair to be less than what rounding leaves of the second.
+    #[inline(always)]
+    fn straight_amounts<const W: usize, const M: usize, const P: usize, const N: usize>(
+        &mut self,
+        found: [T; M],
+        _positive: [T; P],
+        _small: [[T; 2]; N],
+        _start: [T; M],
+        _amounts: Amounts<T, W, M>,
+    ) -> [T; M] {
+        found
+    }
 }
 
 /// The first condition that was not met. Values computed after it mean nothing.
@@ -199,6 +213,17 @@ impl<T: Real> Checks<T> for FirstError {
         amounts: Amounts<T, W, M>,
     ) -> [T; M] {
         self.keep(start, || amounts.diagnose(start))
+    }
+
+    fn straight_amounts<const W: usize, const M: usize, const P: usize, const N: usize>(
+        &mut self,
+        _: [T; M],
+        _: [T; P],
+        _: [[T; 2]; N],
+        start: [T; M],
+        amounts: Amounts<T, W, M>,
+    ) -> [T; M] {
+        self.amounts(start, amounts)
     }
 }
 

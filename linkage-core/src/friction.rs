@@ -24,6 +24,10 @@
 //! one side. Corners may send the steps in a cycle. So a search that has not ended after [`NEWTON`]
 //! steps begins anew, and a step that gains less than Φ would is replaced by Φ.
 //!
+//! # Straight-line code
+//! Generated code finds up to three amounts itself, and hands proofs to the checks (`straight.rs` of
+//! `linkage-compiler`). The search is for where they fail, and for more amounts.
+//!
 //! # The end
 //! |Φⱼ(x) − xⱼ| ≤ 4ε (cⱼ ‖Gⱼ‖ + (L x)ⱼ), what rounding leaves of Φ: newtons stand beside newton metres, and
 //! each amount is measured by its own. For every x the solution x* obeys |x − x*| ≤ (I − L)⁻¹ |Φ(x) − x|.
@@ -235,17 +239,22 @@ impl<T: Scalar, const W: usize, const M: usize> System<T, W, M> {
     /// Φ(0), and `bounds` L.
     #[inline(always)]
     fn settled(amounts: [T; M], values: [T; M], start: [T; M], bounds: &[[T; M]; M]) -> T::Mask {
-        let share = T::lit(f64::from(ROUNDINGS) * f64::EPSILON, ROUNDINGS * f32::EPSILON);
         let mut met = T::Mask::ALL;
         for j in 0..M {
             let mut size = start[j];
             for (&bound, &amount) in bounds[j].iter().zip(&amounts) {
                 size = T::fused(bound, amount, size);
             }
-            met = met & (values[j] - amounts[j]).is_within(share * size);
+            met = met & (values[j] - amounts[j]).is_within(rounding(size));
         }
         met
     }
+}
+
+/// The rounding of a number that is made of parts as large as this.
+#[inline(always)]
+pub(crate) fn rounding<T: Scalar>(size: T) -> T {
+    T::lit(f64::from(ROUNDINGS) * f64::EPSILON, ROUNDINGS * f32::EPSILON) * size
 }
 
 /// I − the matrix.

@@ -31,8 +31,10 @@ pub struct Lanes<T, const W: usize, F = Plain> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LaneMask<const W: usize>([bool; W]);
 
-// Loops over lanes are inlined always: as calls on arrays they would stay in memory. None has an
-// index: below the highest optimisation level it would be checked, and could panic.
+// Loops over lanes are inlined always: as calls on arrays they would stay in memory. Without optimisation
+// they stay there anyway, and every operation that is inlined takes a place of its own on the stack, of
+// which a machine with many groups has thousands: there the common ones are calls. None has an index: below
+// the highest optimisation level it would be checked, and could panic.
 impl<T: Copy, const W: usize, F> Lanes<T, W, F> {
     /// One number in each lane.
     #[inline(always)]
@@ -149,7 +151,8 @@ macro_rules! lane_by_lane {
     ($($trait:ident $method:ident),*) => {$(
         impl<T: Float, const W: usize, F: Fusion> $trait for Lanes<T, W, F> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(debug_assertions, inline(never))]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(self, other: Self) -> Self {
                 self.zip(other, $trait::$method)
             }
@@ -161,7 +164,8 @@ lane_by_lane!(Add add, Sub sub, Mul mul, Div div);
 
 impl<T: Float, const W: usize, F: Fusion> Neg for Lanes<T, W, F> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         self.map(Neg::neg)
     }
@@ -211,7 +215,8 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     fn lit(wide: f64, narrow: f32) -> Self {
         Self::splat(T::lit(wide, narrow))
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sqrt(self) -> Self {
         self.map(T::sqrt)
     }
@@ -264,18 +269,21 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     fn add_err(a: Self, b: Self) -> Self {
         a.zip(b, T::add_err)
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn fused(mut a: Self, b: Self, c: Self) -> Self {
         for (a, (&b, &c)) in a.lanes.iter_mut().zip(b.lanes.iter().zip(&c.lanes)) {
             *a = T::fused_by::<F>(*a, b, c);
         }
         a
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn ge(self, other: Self) -> LaneMask<W> {
         self.compare(other, T::ge)
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn gt(self, other: Self) -> LaneMask<W> {
         self.compare(other, T::gt)
     }
@@ -291,7 +299,8 @@ impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     fn is_finite(self) -> LaneMask<W> {
         self.ask(T::is_finite)
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn select(mask: LaneMask<W>, mut yes: Self, no: Self) -> Self {
         for (yes, (&mask, &no)) in yes.lanes.iter_mut().zip(mask.0.iter().zip(&no.lanes)) {
             *yes = T::select(mask, *yes, no);

@@ -760,11 +760,19 @@ typedef void (*LinkageSidesf)(const float *given, float trial, float *sides);
  * one. */
 int linkage_rootf(LinkageWhy *why, const char *unknown, const LinkageBetweenf *between, LinkageSidesf sides, const float *given, float *found);
 
+/* True if the first is less than rounding leaves of the second: what straight-line steps to amounts of friction end
+ * with. */
+static inline int linkage_is_settled(double first, double second) { return 4.0 * DBL_EPSILON * second > first; }
+
 /* Amounts of friction that depend on each other, in linkage_friction.c: so many, by steps from these values. A row is
  * a share, a reaction without friction, and its changes by a unit of each amount. The first answers whether steps
  * without a branch have found them; the second says why there are none. */
 int linkage_amounts(int count, unsigned guides, const double *rows, const double *start, double *amounts);
 void linkage_friction(LinkageWhy *why, const char *const *joints, int count, unsigned guides, const double *rows, const double *start, double *amounts);
+
+/* True if the first is less than rounding leaves of the second: what straight-line steps to amounts of friction end
+ * with. */
+static inline int linkage_is_settledf(float first, float second) { return 4.0f * FLT_EPSILON * second > first; }
 
 /* Amounts of friction that depend on each other, in linkage_friction.c: so many, by steps from these values. A row is
  * a share, a reaction without friction, and its changes by a unit of each amount. The first answers whether steps

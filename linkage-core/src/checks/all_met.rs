@@ -2,7 +2,7 @@
 
 use super::Checks;
 use crate::diagnosis::{self, Diagnosis};
-use crate::friction::Amounts;
+use crate::friction::{self, Amounts};
 use crate::limit::ROUNDINGS;
 use crate::roots::FindError;
 use crate::roots::seed::Seed;
@@ -154,6 +154,26 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
         amounts: Amounts<T, W, M>,
     ) -> [T; M] {
         let (found, met) = amounts.system.stepped(start);
+        self.0 = self.0.and_condition(met).behind_condition();
+        found
+    }
+
+    #[inline(always)]
+    fn straight_amounts<const W: usize, const M: usize, const P: usize, const N: usize>(
+        &mut self,
+        found: [T; M],
+        positive: [T; P],
+        small: [[T; 2]; N],
+        _: [T; M],
+        _: Amounts<T, W, M>,
+    ) -> [T; M] {
+        let mut met = T::Mask::ALL;
+        for value in positive {
+            met = met & value.gt(T::lit(0.0, 0.0));
+        }
+        for [less, more] in small {
+            met = met & friction::rounding(more).gt(less);
+        }
         self.0 = self.0.and_condition(met).behind_condition();
         found
     }

@@ -13,7 +13,7 @@ use crate::interface::units_in_words::unit;
 use crate::ir::check::{Check, Comparison};
 use crate::ir::graph::{Id, Node, Target};
 use crate::ir::liveness::Path;
-use crate::lower::routine::{Amounts, Condition, Routine, Statement, Threshold};
+use crate::lower::routine::{Amounts, Condition, Routine, Statement, StraightAmounts, Threshold};
 use crate::model::mechanism::ParamKind;
 
 /// Rust, with all that a routine's statements read.
@@ -177,11 +177,18 @@ impl Dialect for InRust<'_> {
 
     /// One call for all of them: each stands in the equations of the others.
     fn amounts(printer: &Printer<'_, Self>, amounts_of: &Amounts, to: &mut Text) {
-        let Amounts { joints, ids, starts, rows } = amounts_of;
+        let Amounts { joints, ids, starts, rows, straight } = amounts_of;
         to.put("let [").list(ids, |to, id| {
             to.put(&id.map_or("_".to_string(), |id| printer.local(id)));
         });
-        printer.values(starts, to.put("] = checks_.amounts(["));
+        to.put("] = checks_.");
+        match straight {
+            Some(straight) => straight_amounts(printer, straight, starts, to),
+            None => {
+                to.put("amounts([");
+            }
+        }
+        printer.values(starts, to);
         let [amounts, system] =
             ["Amounts", "System"].map(|item| printer.dialect.cx.paths.written(item));
         to.put("], ").put(&amounts).put(" { system: ").put(&system).put(" { rows: [");
@@ -245,6 +252,26 @@ impl Dialect for InRust<'_> {
         let as_array = printer.dialect.cx.paths.written("Record");
         to.put(&format!("]);\nreturn {as_array}::from_array([zero_; {numbers}]);\n}}\n"));
     }
+}
+
+/// The amounts that straight-line code has found, and what shows it. One that nothing needs is where its steps
+/// begin.
+fn straight_amounts(
+    printer: &Printer<'_, InRust<'_>>,
+    StraightAmounts { amounts, positive, small }: &StraightAmounts,
+    starts: &[Id],
+    to: &mut Text,
+) {
+    to.put("straight_amounts([");
+    to.list(amounts.iter().zip(starts), |to, (amount, start)| {
+        printer.value(amount.unwrap_or(*start), to);
+    });
+    printer.values(positive, to.put("], ["));
+    to.put("], [").list(small, |to, pair| {
+        printer.values(pair, to.put("["));
+        to.put("]");
+    });
+    to.put("], [");
 }
 
 /// A string as code.

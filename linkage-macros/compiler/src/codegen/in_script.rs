@@ -116,7 +116,7 @@ impl Dialect for InScript<'_> {
     }
 
     fn amounts(printer: &Printer<'_, Self>, amounts: &Amounts, to: &mut Text) {
-        let Amounts { joints, ids, starts, rows } = amounts;
+        let Amounts { joints, ids, starts, rows, .. } = amounts;
         to.put("const [").list(ids, |to, id| {
             to.put(&id.map_or(String::new(), |id| printer.local(id)));
         });

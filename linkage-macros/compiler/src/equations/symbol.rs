@@ -280,6 +280,11 @@ impl<'s> Sym<'s> {
         self.builder.graph.borrow().as_constant(self.id).and_then(Exact::to_integer)
     }
 
+    /// True if this is written as the opposite of something.
+    pub(crate) fn is_negated(self) -> bool {
+        matches!(self.builder.graph.borrow().node(self.id), Node::Neg(_))
+    }
+
     /// True if the form alone shows that this is zero.
     pub(crate) fn is_zero(self) -> bool {
         self.builder.graph.borrow().is_zero(self.id)

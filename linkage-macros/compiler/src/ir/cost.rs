@@ -71,7 +71,15 @@ impl<'g> Costs<'g> {
                 if let Check::Amount(contacts) = &graph.condition(guard).check =>
             {
                 // All are solved with the first.
-                if contacts.at == 0 { Cost::Alone(of_amounts(contacts)) } else { Cost::Nothing }
+                match contacts.at {
+                    0 if contacts.proofs.are_none() => Cost::Alone(of_amounts(contacts)),
+                    // The comparison with rounding takes its last places.
+                    0 => Cost::Alone(Operations {
+                        multiplications: contacts.proofs.small as u32,
+                        ..Operations::default()
+                    }),
+                    _ => Cost::Nothing,
+                }
             }
             // The comparison with what is not known before run time takes its last places.
             Node::Guard(..) => match graph.spread(node) {

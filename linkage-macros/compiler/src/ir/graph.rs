@@ -32,7 +32,7 @@
 //! every rewrite, for whoever reads the generated code. Names mean nothing to the compiler.
 
 use crate::exact::Exact;
-pub(crate) use crate::ir::check::{Check, Contacts};
+pub(crate) use crate::ir::check::{Check, Contacts, Proofs};
 use crate::ir::hash::Map;
 pub(crate) use crate::ir::node::{ConstantId, GuardId, Id, Node, RootSearch, Target, Trend};
 
@@ -247,7 +247,19 @@ impl Graph {
     /// Calls `f` with every operand that the fast path computes or compares with.
     pub(crate) fn for_fast_operands_of(&self, node: Node, f: &mut impl FnMut(Id)) {
         node.for_operands(f);
-        self.spread(node).into_iter().for_each(f);
+        self.compared(node).iter().for_each(|&operand| f(operand));
+    }
+
+    /// Operands of a guard that the fast path reads: a spread, or what shows amounts of friction solved.
+    fn compared(&self, node: Node) -> &[Id] {
+        let Node::Guard(_, guard) = node else { return &[] };
+        let Guard { check, operands, .. } = self.condition(guard);
+        match check {
+            Check::Amount(contacts) if contacts.proofs.are_none() => operands,
+            Check::Amount(contacts) => contacts.proofs.of(operands),
+            _ if check.has_spread() => &operands[operands.len() - 1..],
+            _ => &[],
+        }
     }
 
     /// Spread that a guard compares its value with; none for any other node or guard.

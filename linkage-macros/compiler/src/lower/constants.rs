@@ -1,7 +1,7 @@
 //! Constants that a function reads more than once: bound to names where it begins. Each is a call for
 //! the compiler, a fifth of all that a mechanism's formulas make, and nothing at run time.
 
-use super::routine::{Locals, Stage, Statement};
+use super::routine::{Locals, Stage, Statement, StraightAmounts};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 
@@ -37,7 +37,9 @@ impl Count<'_> {
                     condition.operands.iter().for_each(|&operand| self.value(operand));
                 }
                 Statement::Amounts(amounts) => {
-                    amounts.starts.iter().chain(&amounts.rows).for_each(|&id| self.value(id));
+                    let straight = amounts.straight.iter().flat_map(StraightAmounts::values);
+                    let all = straight.chain(&amounts.starts).chain(&amounts.rows);
+                    all.for_each(|&id| self.value(id));
                 }
                 Statement::ReportClearances { statements, clearances } => {
                     self.statements(statements);

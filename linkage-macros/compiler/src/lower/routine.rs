@@ -165,6 +165,27 @@ pub(crate) struct Amounts {
     pub starts: Vec<Id>,
     /// The rows of the equations, one after the other.
     pub rows: Vec<Id>,
+    /// Amounts that straight-line code has found, if it has.
+    pub straight: Option<StraightAmounts>,
+}
+
+/// Amounts that straight-line code has found, and what shows that they are the solution.
+#[derive(Clone, Debug)]
+pub(crate) struct StraightAmounts {
+    /// By amount; none where nothing needs it.
+    pub amounts: Vec<Option<Id>>,
+    /// Numbers that the fast path asks to be above zero.
+    pub positive: Vec<Id>,
+    /// Pairs; the fast path asks the first to be less than the rounding of the second.
+    pub small: Vec<[Id; 2]>,
+}
+
+impl StraightAmounts {
+    /// The values that the fast path reads.
+    pub(crate) fn values(&self) -> impl Iterator<Item = &Id> {
+        let amounts = self.amounts.iter().flatten();
+        amounts.chain(&self.positive).chain(self.small.iter().flatten())
+    }
 }
 
 impl Amounts {

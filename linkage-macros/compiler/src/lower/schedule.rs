@@ -3,7 +3,7 @@
 
 use super::checks;
 use super::overflow::Overflow;
-use super::routine::{Locals, Search, Statement, Threshold, is_leaf};
+use super::routine::{Locals, Search, Statement, StraightAmounts, Threshold, is_leaf};
 use crate::function::Function;
 use crate::ir::graph::{Check, Graph, GuardId, Id, Node};
 use crate::ir::hash::Map;
@@ -114,7 +114,7 @@ impl<'a> Schedule<'a> {
             let condition = checks::condition(self.graph, self.overflow, id, value, condition);
             return Statement::Check(condition);
         };
-        let amounts = checks::amounts(self.graph, live, condition, &contacts.joints);
+        let amounts = checks::amounts(self.graph, live, condition, contacts);
         for id in amounts.ids.iter().flatten() {
             self.done[id.index()] = true;
         }
@@ -160,6 +160,8 @@ impl<'a> Schedule<'a> {
                 self.for_locals(&condition.operands, each);
             }
             Statement::Amounts(amounts) => {
+                let straight = amounts.straight.iter().flat_map(StraightAmounts::values);
+                straight.for_each(|&id| self.for_locals(&[id], each));
                 self.for_locals(&amounts.starts, each);
                 self.for_locals(&amounts.rows, each);
             }

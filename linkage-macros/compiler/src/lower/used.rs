@@ -121,9 +121,12 @@ impl Backwards<'_> {
                     condition.above_rounding.into_iter().for_each(|spread| self.value(spread));
                 }
             }
-            Statement::Amounts(amounts) => {
-                amounts.starts.iter().chain(&amounts.rows).for_each(|&id| self.value(id));
-            }
+            Statement::Amounts(amounts) => match (&amounts.straight, self.asks) {
+                (Some(straight), Asks::Compares) => {
+                    straight.values().for_each(|&id| self.value(id));
+                }
+                _ => amounts.starts.iter().chain(&amounts.rows).for_each(|&id| self.value(id)),
+            },
             Statement::Find { search, .. } => {
                 let search = &self.lowered.searches[*search];
                 search.given.iter().for_each(|&given| self.value(given));

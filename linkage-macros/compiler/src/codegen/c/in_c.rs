@@ -9,7 +9,7 @@ use crate::codegen::text::Text;
 use crate::interface::entries::Given;
 use crate::ir::check::Comparison;
 use crate::ir::graph::{Id, Node};
-use crate::lower::routine::{Amounts, Condition, Statement, Threshold};
+use crate::lower::routine::{Amounts, Condition, Statement, StraightAmounts, Threshold};
 use crate::lower::used::{Asks, Used};
 
 /// C of one width on one path.
@@ -134,8 +134,11 @@ impl Dialect for InC<'_> {
 
     /// One call for all of them, which hands them back in a list.
     fn amounts(printer: &Printer<'_, Self>, amounts: &Amounts, to: &mut Text) {
-        let Amounts { joints, ids, starts, rows } = amounts;
+        let Amounts { joints, ids, starts, rows, straight } = amounts;
         let (dialect, real, count) = (&printer.dialect, printer.dialect.to.real(), ids.len());
+        if let (Some(straight), Asks::Compares) = (straight, dialect.asks) {
+            return straight_amounts(printer, ids, straight, to);
+        }
         let first = ids.iter().flatten().next().expect("one is needed");
         let [rows_of, starts_of, found] = ["rows", "starts", "found"]
             .map(|tail: &str| format!("{}{tail}", printer.local(*first)));
@@ -196,6 +199,32 @@ impl Dialect for InC<'_> {
 
     /// Following is not offered.
     fn tell(_: &Printer<'_, Self>, _: &[Statement], _: &[Id], _: &mut Text) {}
+}
+
+/// The amounts that straight-line code has found, and what shows it.
+fn straight_amounts(
+    printer: &Printer<'_, InC<'_>>,
+    ids: &[Option<Id>],
+    StraightAmounts { amounts, positive, small }: &StraightAmounts,
+    to: &mut Text,
+) {
+    let dialect = &printer.dialect;
+    for &value in positive {
+        to.put("ok &= ").append(&printer.value_alone(value));
+        to.put(&format!(" > {};\n", dialect.to.number(0.0, 0.0)));
+    }
+    for pair in small {
+        to.put("ok &= ").put(&dialect.call("is_settled")).put("(");
+        printer.values(pair, to);
+        to.put(");\n");
+    }
+    for (id, amount) in ids.iter().zip(amounts) {
+        if let (Some(id), Some(amount)) = (id.filter(|&id| dialect.used.reads(id)), amount) {
+            to.put(dialect.binding).put(&printer.local(id)).put(" = ");
+            printer.value(*amount, to);
+            to.put(";\n");
+        }
+    }
 }
 
 fn compared(printer: &Printer<'_, InC<'_>>, condition: &Condition, to: &mut Text) {

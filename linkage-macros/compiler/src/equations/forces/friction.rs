@@ -20,7 +20,9 @@
 //! R. L. Norton, Design of Machinery, ch. 11; A. S. Hall, Kinematics and Linkage Design, on friction
 //! circles; J. E. Shigley, Mechanical Engineering Design, on bearings.
 
+mod amount;
 mod forward;
+mod straight;
 mod system;
 
 use crate::equations::forces::provided::share;
@@ -31,9 +33,10 @@ use crate::equations::reactions::{Acting, Inner, Loads, Reaction, Reactions};
 use crate::equations::symbol::{Sym, Vector};
 use crate::model::dynamics::{Contact, Effort, Friction};
 use crate::model::mechanism::{Carrier, Group};
+use amount::Row;
 pub(super) use forward::accelerations;
 pub(in crate::equations) use forward::is_offered;
-use system::{Row, solved};
+use system::solved;
 
 /// The place of a contact in the group whose reactions press it.
 #[derive(Clone, Copy)]
@@ -144,7 +147,12 @@ impl<'s> Walk<'_, 's> {
             }
             (Some(_), Rubs::Sticking(..)) => zero,
             (_, Rubs::Creeping(_) | Rubs::Sticking(..)) => slip.sign_or(zero),
-            (None, Rubs::Slipping | Rubs::Never) => slip.sign_or(starting.sign_or(zero)),
+            // The number that decides, then its sign: two choices and three.
+            (None, Rubs::Slipping | Rubs::Never) if !slip.is_zero() => {
+                let or_starting = zero.at_least(slip, starting, slip);
+                slip.at_least(zero, or_starting, slip).sign_or(zero)
+            }
+            (None, Rubs::Slipping | Rubs::Never) => starting.sign_or(zero),
         }
     }
 

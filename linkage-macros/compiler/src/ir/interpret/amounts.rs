@@ -11,7 +11,8 @@ const STEPS: usize = 12;
 /// One amount of x = c ‖G + A x‖, given the rows c, G, A of all and their first values.
 pub(super) fn solved<N: Number>(contacts: &Contacts, operands: &[&N]) -> N {
     let count = contacts.joints.len();
-    let (rows, starts) = operands.split_at(operands.len() - count);
+    let of_equations = operands.len() - contacts.proofs.of(operands).len();
+    let (rows, starts) = operands[..of_equations].split_at(of_equations - count);
     let rows: Vec<&[&N]> = rows.chunks(rows.len() / count).collect();
     let mut amounts: Vec<N> = starts.iter().map(|start| start.point()).collect();
     let one = N::exact(&Exact::integer(1));

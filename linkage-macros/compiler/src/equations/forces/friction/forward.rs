@@ -25,7 +25,8 @@ use crate::ir::graph::{Id, Node};
 use crate::model::dynamics::Contact;
 use crate::model::mechanism::Mechanism;
 
-use super::system::{Row, solved};
+use super::amount::Row;
+use super::system::solved;
 
 /// The most amounts that may depend on each other: the code that is written down grows with their cube.
 const MOST: usize = 8;

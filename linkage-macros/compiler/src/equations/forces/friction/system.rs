@@ -4,23 +4,13 @@
 //! xⱼ = Φⱼ(x) = cⱼ ‖Gⱼ + Σₖ Aⱼₖ xₖ‖
 //! ```
 //!
-//! The steps begin at Φ(0). The run-time crate's `friction.rs` makes them, and has the theory.
+//! Few amounts are solved in [`straight`]-line code. The run-time crate's `friction.rs` takes over where that has
+//! not ended, makes the steps of more amounts, from Φ(0), and has the theory.
 
+use super::amount::Row;
+use super::straight::{self, Straight, straight};
 use crate::equations::symbol::Sym;
-use crate::ir::graph::{Check, Contacts};
-
-/// One amount's equation.
-pub(super) struct Row<'s> {
-    /// c
-    pub share: Sym<'s>,
-    /// G
-    pub free: [Sym<'s>; 2],
-    /// A, by amount.
-    pub changes: Vec<[Sym<'s>; 2]>,
-    pub is_guide: bool,
-    /// The joint, as errors name it.
-    pub joint: String,
-}
+use crate::ir::graph::{Check, Contacts, Proofs};
 
 /// The amounts, provided that friction does not hold itself.
 pub(super) fn solved<'s>(rows: &[Row<'s>], group: u32) -> Vec<Sym<'s>> {
@@ -30,29 +20,17 @@ pub(super) fn solved<'s>(rows: &[Row<'s>], group: u32) -> Vec<Sym<'s>> {
         return starts;
     }
     let joints: Vec<_> = rows.iter().map(|row| (row.joint.clone(), row.is_guide)).collect();
-    let operands: Vec<_> =
+    let mut operands: Vec<_> =
         rows.iter().flat_map(Row::operands).chain(starts.iter().copied()).collect();
-    let provided = starts.iter().enumerate().map(|(at, start)| {
-        let contacts = Contacts { at, joints: joints.clone() };
-        start.guarded_by(Check::Amount(contacts), group, &operands)
+    let (mut found, mut proofs) = (starts, Proofs::default());
+    if rows.len() <= straight::MOST {
+        let Straight { amounts, positive, small } = straight(rows);
+        (found, proofs) = (amounts, Proofs { positive: positive.len(), small: small.len() });
+        operands.extend(positive.into_iter().chain(small.into_iter().flatten()));
+    }
+    let provided = found.iter().enumerate().map(|(at, found)| {
+        let contacts = Contacts { at, joints: joints.clone(), proofs };
+        found.guarded_by(Check::Amount(contacts), group, &operands)
     });
     provided.collect()
-}
-
-impl<'s> Row<'s> {
-    /// c, G and A, as the run-time crate lays a row out.
-    fn operands(&self) -> impl Iterator<Item = Sym<'s>> {
-        let changes = self.changes.iter().flatten().copied();
-        std::iter::once(self.share).chain(self.free).chain(changes)
-    }
-
-    /// The size of the reaction without friction.
-    fn size(&self) -> Sym<'s> {
-        let [x, y] = self.free;
-        if !self.is_guide {
-            return x.hypot(y);
-        }
-        let [x, y] = [x, y].map(Sym::magnitude);
-        if y.is_zero() { x } else { x.at_least(y, x, y) }
-    }
 }
