@@ -5,6 +5,8 @@ mod amounts;
 
 use crate::exact::Exact;
 use crate::function::Function;
+#[cfg(test)]
+use crate::ir::graph::Graph;
 use crate::ir::graph::{Check, Id, Node, RootSearch, Target};
 use crate::ir::liveness::{trial_nodes, tried};
 use crate::ir::program::Program;
@@ -77,6 +79,18 @@ pub(crate) fn interpret<N: Number>(program: &Program, given: &Given<N>) -> Vec<N
         values.push(value);
     }
     values
+}
+
+/// The joint at which friction may hold itself in a pose, if there is one.
+#[cfg(test)]
+pub(crate) fn jams<N: Number>(graph: &Graph, values: &[N]) -> Option<String> {
+    graph.iter().find_map(|(_, node)| {
+        let Node::Guard(_, guard) = node else { return None };
+        let guard = graph.condition(guard);
+        let Check::Amount(contacts) = &guard.check else { return None };
+        let operands: Vec<_> = guard.operands.iter().map(|&id| &values[id.index()]).collect();
+        amounts::solved(contacts, &operands).err().map(|at| contacts.joints[at].0.clone())
+    })
 }
 
 /// Newton's method from where the root is expected, or from the middle: declarations of tests are
@@ -178,7 +192,7 @@ fn value<N: Number>(
             match &guard.check {
                 Check::Amount(contacts) => {
                     let operands: Vec<_> = guard.operands.iter().map(|&id| v(id)).collect();
-                    amounts::solved(contacts, &operands)
+                    amounts::solved(contacts, &operands).unwrap_or_else(|_| v(value).clone())
                 }
                 _ => v(value).clone(),
             }

@@ -15,7 +15,7 @@ use crate::equations::tests::forces::{evaluated, loaded, read, readings, with_ev
 use crate::equations::tests::newton_euler::{Matrix, Motion};
 use crate::exact::Exact;
 use crate::ir::graph::Id;
-use crate::ir::interpret::{Given, Number};
+use crate::ir::interpret::{Given, Number, jams};
 use crate::model::dynamics::{Contact, Effort, Friction};
 use crate::model::mechanism::{Body, Carrier, Drive, Expr, Mechanism, PointId};
 use crate::oracle::{Digits, mechanism};
@@ -94,7 +94,13 @@ struct Rubbed<T> {
 /// Amounts and reactions agree to a hundred digits; their share is taken in doubles. At rest and in motion.
 const SETTLED: f64 = 1e-13;
 
-fn check(name: &str, source: &str, inputs: &[[f64; 3]], at_rest: bool) -> usize {
+/// True if what friction adds to its own load is compared: it takes a matrix for each joint.
+enum Jamming {
+    Compared,
+    LeftOut,
+}
+
+fn check(name: &str, source: &str, inputs: &[[f64; 3]], at_rest: bool, jamming: &Jamming) -> usize {
     let source = rubbing(source);
     let mechanism = with_every_input_asked(mechanism(&source));
     let builder = GraphBuilder::new(passes::RULES);
@@ -106,6 +112,14 @@ fn check(name: &str, source: &str, inputs: &[[f64; 3]], at_rest: bool) -> usize 
     let (given, values) = evaluated(&mechanism, builder.graph(), inputs);
     let compared = Compared { name, source: &source, values: &values };
     let motion = nodes.motion.values(&values);
+    if let Jamming::Compared = jamming {
+        let jams = jams(&builder.graph(), &values);
+        let radius = compared.radius(&nodes, state, &given);
+        assert_eq!(radius >= 1.0, jams.is_some(), "{name}: {radius}, {jams:?}");
+        if jams.is_some() {
+            return 0;
+        }
+    }
     let brakings: Vec<_> =
         nodes.rubbed.iter().map(|rubbed| compared.braking(rubbed, at_rest)).collect();
     compared.powers(&nodes, &motion, &brakings);
@@ -235,6 +249,46 @@ impl Compared<'_> {
         expected
     }
 
+    /// The spectral radius of L: what a unit of each friction adds to every reaction, by the full matrix.
+    fn radius(&self, nodes: &Nodes, state: &Kinematics<'_>, given: &Given<Digits>) -> f64 {
+        let frictions = &state.mechanism.dynamics.frictions;
+        let reading = |expr: &Expr| read(expr, given, &nodes.readings, self.values);
+        let pressing = |braked: Option<&Friction>| -> Vec<[Digits; 2]> {
+            let mut motion = nodes.motion.values(self.values);
+            if let Some(friction) = braked {
+                motion.brake(state, friction.contact, &Digits::exact(&Exact::integer(1)));
+            }
+            let found = Matrix::solved(state, &motion, &reading);
+            let of = |friction: &Friction| {
+                let effort = friction.contact.pressed_by();
+                let known = found.iter().find(|(known, _)| *known == effort).expect("it is known");
+                [0, 1].map(|part| known.1[part].clone())
+            };
+            frictions.iter().map(of).collect()
+        };
+        let free = pressing(None);
+        let column = |(braked, rubbed): (&Friction, &Rubbed<Id>)| -> Vec<f64> {
+            if self.value(&rubbed.amount).to_f64() == 0.0 {
+                return vec![0.0; frictions.len()];
+            }
+            let with = pressing(Some(braked));
+            let change = |j: usize| [0, 1].map(|part| with[j][part].sub(&free[j][part]).to_f64());
+            frictions.iter().enumerate().map(|(j, own)| share(own, change(j))).collect()
+        };
+        let columns: Vec<_> = frictions.iter().zip(&nodes.rubbed).map(column).collect();
+        // With the unit matrix added, no power is periodic.
+        let (mut vector, mut grown) = (vec![1.0; columns.len()], 1.0);
+        for _ in 0..2000 {
+            let next = (0..vector.len()).map(|j| {
+                vector[j] + columns.iter().zip(&vector).map(|(by, x)| by[j] * x).sum::<f64>()
+            });
+            let next: Vec<f64> = next.collect();
+            grown = next.iter().copied().fold(0.0, f64::max);
+            vector = next.iter().map(|x| x / grown).collect();
+        }
+        grown - 1.0
+    }
+
     /// Each amount is its share of what presses the contact.
     fn amounts(&self, nodes: &Nodes, mechanism: &Mechanism, expected: &[(Effort, Vec<Digits>)]) {
         for (rubbed, friction) in nodes.rubbed.iter().zip(&mechanism.dynamics.frictions) {
@@ -276,7 +330,7 @@ fn friction_in_every_variant_agrees_with_newton_and_euler() {
     for variant in VARIANTS {
         let source = loaded(variant.source);
         for at_rest in [false, true] {
-            let count = check(variant.name, &source, variant.inputs, at_rest);
+            let count = check(variant.name, &source, variant.inputs, at_rest, &Jamming::LeftOut);
             assert!(count > 0, "{}", variant.name);
         }
     }
@@ -287,10 +341,16 @@ const POSE: [[f64; 3]; 2] = [[0.7, 1.3, -0.6], [0.41, -0.4, 0.9]];
 #[test]
 fn friction_in_random_topologies_agrees_with_newton_and_euler() {
     let mut count = 0;
-    // In seed 4 a slot stands at 0.062 to its rail: friction of 0.05 holds itself there.
-    for seed in (0..9).filter(|seed| *seed != 4) {
+    let mut jammed = Vec::new();
+    for seed in 0..9 {
         let (source, _) = random_mechanism(seed, &POSE);
-        count += check(&format!("seed {seed}"), &source, &POSE, seed % 2 == 1);
+        let name = format!("seed {seed}");
+        match check(&name, &source, &POSE, seed % 2 == 1, &Jamming::Compared) {
+            0 => jammed.push(seed),
+            known => count += known,
+        }
     }
+    // There a slot stands at 0.062 to its rail: friction of 0.05 holds itself.
+    assert_eq!(jammed, [4]);
     assert!(count > 80, "{count}");
 }

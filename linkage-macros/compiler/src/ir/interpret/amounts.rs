@@ -8,12 +8,16 @@ use crate::ir::graph::Contacts;
 /// the first value.
 const STEPS: usize = 12;
 
-/// One amount of x = c ‖G + A x‖, given the rows c, G, A of all and their first values.
-pub(super) fn solved<N: Number>(contacts: &Contacts, operands: &[&N]) -> N {
+/// One amount of x = c ‖G + A x‖, given the rows c, G, A of all and their first values; or the contact at which
+/// friction may hold itself.
+pub(super) fn solved<N: Number>(contacts: &Contacts, operands: &[&N]) -> Result<N, usize> {
     let count = contacts.joints.len();
     let of_equations = operands.len() - contacts.proofs.of(operands).len();
     let (rows, starts) = operands[..of_equations].split_at(of_equations - count);
     let rows: Vec<&[&N]> = rows.chunks(rows.len() / count).collect();
+    if let Some(jams) = jams(contacts, &rows) {
+        return Err(jams);
+    }
     let mut amounts: Vec<N> = starts.iter().map(|start| start.point()).collect();
     let one = N::exact(&Exact::integer(1));
     for _ in 0..STEPS {
@@ -35,7 +39,29 @@ pub(super) fn solved<N: Number>(contacts: &Contacts, operands: &[&N]) -> N {
         let steps = eliminated(matrix, right);
         amounts = amounts.iter().zip(steps).map(|(x, step)| x.add(&step).point()).collect();
     }
-    amounts.swap_remove(contacts.at)
+    Ok(amounts.swap_remove(contacts.at))
+}
+
+/// The first contact whose pivot of I − L is not positive, L being c ‖A‖.
+fn jams<N: Number>(contacts: &Contacts, rows: &[&[&N]]) -> Option<usize> {
+    let [zero, one] = [0, 1].map(|value| N::exact(&Exact::integer(value)));
+    let count = rows.len();
+    let entry = |j: usize, k: usize| {
+        let change = [3, 4].map(|axis| rows[j][2 * k + axis].clone());
+        let (size, _) = sized(&change, contacts.joints[j].1);
+        let bound = rows[j][0].mul(&size);
+        if j == k { one.sub(&bound) } else { bound.neg() }
+    };
+    let mut matrix: Vec<Vec<N>> =
+        (0..count).map(|j| (0..count).map(|k| entry(j, k)).collect()).collect();
+    let mut right = vec![zero.clone(); count];
+    (0..count).find(|&k| {
+        let is_positive = !zero.is_at_least(&matrix[k][k]);
+        if is_positive {
+            eliminate(&mut matrix, &mut right, k);
+        }
+        !is_positive
+    })
 }
 
 /// The size of a reaction, and its slope by each component.
@@ -61,16 +87,7 @@ fn sized<N: Number>([x, y]: &[N; 2], is_guide: bool) -> (N, [N; 2]) {
 /// The solution of a system whose elimination needs no exchanges.
 fn eliminated<N: Number>(mut matrix: Vec<Vec<N>>, mut right: Vec<N>) -> Vec<N> {
     let count = right.len();
-    for k in 0..count {
-        for j in k + 1..count {
-            let factor = matrix[j][k].div(&matrix[k][k]);
-            let top = matrix[k].clone();
-            for (entry, above) in matrix[j].iter_mut().zip(&top) {
-                *entry = entry.sub(&factor.mul(above));
-            }
-            right[j] = right[j].sub(&factor.mul(&right[k]));
-        }
-    }
+    (0..count).for_each(|k| eliminate(&mut matrix, &mut right, k));
     for k in (0..count).rev() {
         for i in k + 1..count {
             right[k] = right[k].sub(&matrix[k][i].mul(&right[i]));
@@ -78,4 +95,16 @@ fn eliminated<N: Number>(mut matrix: Vec<Vec<N>>, mut right: Vec<N>) -> Vec<N> {
         right[k] = right[k].div(&matrix[k][k]);
     }
     right
+}
+
+/// Clears a column below its pivot.
+fn eliminate<N: Number>(matrix: &mut [Vec<N>], right: &mut [N], k: usize) {
+    for j in k + 1..right.len() {
+        let factor = matrix[j][k].div(&matrix[k][k]);
+        let top = matrix[k].clone();
+        for (entry, above) in matrix[j].iter_mut().zip(&top) {
+            *entry = entry.sub(&factor.mul(above));
+        }
+        right[j] = right[j].sub(&factor.mul(&right[k]));
+    }
 }
