@@ -61,6 +61,23 @@ fn guide_inverse() {
     close("torque", &[f.theta.drive], &[-17.729_532_922_935_056_4]);
 }
 
+/// Every joint rubs, pins of 20 mm, a block of 60 mm: torques and second rates that a matrix in forty digits and
+/// a walk over the links found alike.
+#[test]
+fn a_press_by_its_constants() {
+    for (mu, torque, second) in [
+        (0.1, -18.356_190_772_738_57, 214.909_102_167_958),
+        (0.3, -10.414_682_421_485_23, 188.740_251_576_792_8),
+    ] {
+        let press = RubbingPress { pins: mu, ways: mu, ..RubbingPress::new() };
+        let f = press.forces(1.0, 12.0, 0.0, -500.0).unwrap();
+        close("torque", &[f.theta.drive], &[torque]);
+        let found = press.forward_dynamics(1.0, 12.0, 50.0, -500.0).unwrap();
+        // The second rates are given to sixteen digits.
+        close("second rate", &[found], &[second]);
+    }
+}
+
 /// tan(α ± 2φ), which is infinite where the wedge jams, at α + 2φ = 90°.
 #[test]
 fn wedge() {
@@ -83,6 +100,8 @@ fn incline() {
     let drive = |creep| block.statics(0.2, creep).unwrap().s.drive;
     close("up", &[drive(1.0)], &[30.603_664_944_988_693_227]);
     close("down", &[drive(-1.0)], &[2.948_511_115_259_409_484]);
+    let slides = block.forward_dynamics(0.2, -1.0, 0.0).unwrap();
+    close("slides down", &[slides], &[-0.589_702_223_051_881_896_891]);
     // Without a creep friction is left out.
     close("frictionless", &[drive(0.0)], &[5.0 * 9.81 * 20.0_f64.to_radians().sin()]);
 }
@@ -91,6 +110,10 @@ fn incline() {
 fn journal() {
     let f = Journal::new().forces(0.3, 100.0, 0.0).unwrap();
     close("torque", &[f.theta.drive, f.losses], &[0.235_44, 23.544]);
+    // Its second rate does not depend on its speed.
+    let seconds = |rate: f64| -rate / Journal::new().forward_dynamics(0.3, rate, 0.0).unwrap();
+    close("comes to rest", &[seconds(100.0)], &[382.262_996_941_896_024]);
+    assert_eq!(seconds(100.0), 1e3 * seconds(0.1));
 }
 
 #[test]

@@ -6,4 +6,5 @@
 mod cases;
 mod forward;
 mod laws;
+mod others;
 mod table;
