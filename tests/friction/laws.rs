@@ -33,6 +33,42 @@ fn the_drive_pays_for_the_losses() {
     assert!(solved > 900, "{solved}");
 }
 
+/// The drive's power and the load's feed kinetic energy, weights and losses: each from the motion alone.
+#[test]
+fn power_is_kept() {
+    let (mut random, mut solved) = (Random::new(5), 0);
+    for _ in 0..2000 {
+        let mu = 0.4 * random.between(0.0, 1.0);
+        let press = RubbingPress { pins: mu, ways: mu, ..RubbingPress::new() };
+        let mut draw = |size: f64| random.between(-size, size);
+        let (q, rate, accel, work) = (draw(3.2), draw(9.0), draw(40.0), draw(500.0));
+        let Ok(f) = press.forces(q, rate, accel, work) else { continue };
+        let motion = press.motion(q, rate, accel).unwrap();
+        let (v, a) = (motion.velocity, motion.acceleration);
+        // A uniform bar is two thirds of its mass in the middle and a sixth at each end.
+        let points = [
+            [0.5, v.B.x, v.B.y, a.B.x, a.B.y],
+            [
+                2.0,
+                0.5 * (v.B.x + v.C.x),
+                0.5 * (v.B.y + v.C.y),
+                0.5 * (a.B.x + a.C.x),
+                0.5 * (a.B.y + a.C.y),
+            ],
+            [40.5, v.C.x, v.C.y, a.C.x, a.C.y],
+        ];
+        let mut terms = vec![0.05 * rate * accel, -work * v.C.x, f.losses, -f.theta.drive * rate];
+        for [mass, vx, vy, ax, ay] in points {
+            terms.extend([mass * vx * ax, mass * vy * ay, mass * 9.81 * vy]);
+        }
+        let size = terms.iter().fold(0.0_f64, |sum, term| sum + term.abs());
+        let off = terms.iter().sum::<f64>();
+        assert!(off.abs() <= 1e-12 * size, "{q} {mu}: {off} of {size}");
+        solved += 1;
+    }
+    assert!(solved > 1500, "{solved}");
+}
+
 /// Whatever the coefficient, an answer is a number or a refusal.
 #[test]
 fn nothing_is_ever_no_number() {
