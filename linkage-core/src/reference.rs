@@ -99,6 +99,7 @@ pub mod forces {
 }
 
 pub mod friction {
+    //! [forces]: super::forces
     //! [`SolveError::Jams`]: crate::SolveError::Jams
     //!
     #![doc = include_str!("../docs/friction.md")]

@@ -5,6 +5,7 @@
 
 mod cases;
 mod draws;
+mod driven_by_load;
 mod forward;
 mod laws;
 mod others;

@@ -22,6 +22,7 @@ pub mod pulled;
 pub mod ranges;
 pub mod resolvers;
 pub mod right_or_refused;
+pub mod rubbing_pulled;
 pub mod scaled_change_points;
 pub mod searched_forces;
 pub mod set_points;

@@ -10,6 +10,9 @@ use super::folding::shown;
 use super::mechanism::{Body, Carrier, Dimension, Drive, Expr, Length, LinkId, PartOf, PointId};
 use super::names::{Kind, listed};
 
+/// The most joints that rub where a load drives an input.
+const MOST: usize = 8;
+
 /// A pin's friction as it is written of a link.
 fn of_link(link: &Ident, pin: &Ident) -> String {
     format!("`friction 0.1 on {link} at {pin} radius 8mm`")
@@ -33,13 +36,8 @@ impl Resolver<'_> {
                 self.diagnostics.error_because(written.at, message, reason);
                 continue;
             }
-            if let Some((input, load)) = self.mechanism.dynamics.driven() {
-                let input = &self.mechanism.inputs[input.index()].name;
-                let message =
-                    format!("beside `drive {input} by {}` no joint has friction", load.name);
-                let reason = "the load follows from reactions, friction among them, and friction from the load";
-                self.diagnostics.error_because(written.at, message, reason);
-                continue;
+            if self.too_many_rub(written.at) {
+                return;
             }
             let known = &self.mechanism.dynamics.frictions;
             if known.iter().any(|known| known.contact.is_at(friction.contact)) {
@@ -52,6 +50,19 @@ impl Resolver<'_> {
             }
             self.mechanism.dynamics.frictions.push(friction);
         }
+    }
+
+    /// Beside a load that drives all amounts follow from each other, and the code for them grows with their cube.
+    fn too_many_rub(&mut self, at: Span) -> bool {
+        let dynamics = &self.mechanism.dynamics;
+        let Some((_, load)) = dynamics.driven().filter(|_| dynamics.frictions.len() == MOST) else {
+            return false;
+        };
+        let message =
+            format!("a joint too many rubs beside `{}`, which drives an input", load.name);
+        let reason = "its value and the friction of up to eight joints follow from each other";
+        self.diagnostics.error_because(at, message, reason);
+        true
     }
 
     fn friction(&mut self, written: &tree::FrictionStatement) -> Option<Friction> {
@@ -67,6 +78,7 @@ impl Resolver<'_> {
         };
         let what = "a coefficient of friction";
         let value = self.acting(&written.coefficient, Dimension::NUMBER)?;
+        self.is_free_of_pull(&written.coefficient, &value)?;
         let span = written.coefficient.span;
         let name = format!("friction at {name}");
         let coefficient = self.not_below_zero(value, span, what, name.clone())?;

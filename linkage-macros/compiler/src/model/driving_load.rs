@@ -87,6 +87,33 @@ impl Resolver<'_> {
         if self.degree(value) != Degree::Other {
             return Some(());
         }
+        let load = self.driving.as_deref().unwrap_or_default();
+        let message = format!("a force is a multiple of `{load}`, which drives an input");
+        let reason = format!(
+            "the value of `{load}` follows from one linear equation: write `2 * {load}` or \
+             `5N - {load} * cos(theta)`, and no function of it"
+        );
+        self.pull_is_refused(expr, message, reason)
+    }
+
+    /// A share of what presses a joint is no share of what follows from it.
+    pub(super) fn is_free_of_pull(&mut self, expr: &tree::Expr, value: &Expr) -> Option<()> {
+        if self.degree(value) == Degree::Free {
+            return Some(());
+        }
+        let load = self.driving.as_deref().unwrap_or_default();
+        let message = format!("no coefficient depends on `{load}`, which drives an input");
+        let reason = format!("`{load}` follows from friction, and its equation is linear");
+        self.pull_is_refused(expr, message, reason)
+    }
+
+    /// Reports the first part of an expression that holds the load that drives an input.
+    fn pull_is_refused(
+        &mut self,
+        expr: &tree::Expr,
+        message: String,
+        reason: String,
+    ) -> Option<()> {
         let holds_pull = |resolver: &Self, part: &tree::Expr| {
             let ExprKind::Name(name) = &part.kind else { return false };
             match resolver.names.entity(name) {
@@ -96,12 +123,6 @@ impl Resolver<'_> {
             }
         };
         let at = self.first(expr, &holds_pull).unwrap_or(expr.span);
-        let load = self.driving.as_deref().unwrap_or_default();
-        let message = format!("a force is a multiple of `{load}`, which drives an input");
-        let reason = format!(
-            "the value of `{load}` follows from one linear equation: write `2 * {load}` or \
-             `5N - {load} * cos(theta)`, and no function of it"
-        );
         self.diagnostics.error_because(at, message, reason);
         None
     }

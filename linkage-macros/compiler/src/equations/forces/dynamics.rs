@@ -128,15 +128,17 @@ pub(in crate::equations) fn equations(kinematics: &Kinematics<'_>) -> Vec<Id> {
 /// The second rates of the inputs.
 pub(in crate::equations) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let equations = equations_of(kinematics);
-    let driven = kinematics.mechanism.dynamics.driven().map(|(input, _)| input.index());
-    // A load that drives is among what acts.
-    let drive = |input: usize| match driven == Some(input) {
-        true => kinematics.builder.zero(),
-        false => kinematics.builder.node(Node::Drive(input as u32)),
-    };
     let right = equations.force.iter().enumerate();
-    let right = right.map(|(input, force)| *force + drive(input)).collect();
+    let right = right.map(|(input, force)| *force + drive_at(kinematics, input)).collect();
     equations.solve(kinematics, right).into_iter().map(|number| number.id).collect()
+}
+
+/// The effort of a drive at an input that a call is given. A load that drives is among what acts.
+pub(super) fn drive_at<'s>(kinematics: &Kinematics<'s>, input: usize) -> Sym<'s> {
+    match kinematics.mechanism.dynamics.driven() {
+        Some((driven, _)) if driven.index() == input => kinematics.builder.zero(),
+        _ => kinematics.builder.node(Node::Drive(input as u32)),
+    }
 }
 
 /// M x = b by L D Lᵀ; pivots are provided to be above their rounding, each under its title.

@@ -21,6 +21,7 @@
 //! circles; J. E. Shigley, Mechanical Engineering Design, on bearings.
 
 mod amount;
+mod by_load;
 mod forward;
 mod straight;
 mod system;
@@ -34,6 +35,7 @@ use crate::equations::symbol::{Sym, Vector};
 use crate::model::dynamics::{Contact, Effort, Friction};
 use crate::model::mechanism::{Carrier, Group};
 use amount::Row;
+pub(super) use by_load::walked as walked_by_load;
 pub(super) use forward::accelerations;
 pub(in crate::equations) use forward::is_offered;
 use system::solved;

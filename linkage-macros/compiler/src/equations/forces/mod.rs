@@ -68,6 +68,7 @@ pub(super) use friction::is_offered as is_known_beside_friction;
 #[cfg(test)]
 pub(super) use friction::slip;
 pub(super) use together::centre_of_mass;
+use walk::Rubs;
 pub(super) use walk::Walk;
 
 /// The forces that statements put on points.
@@ -77,10 +78,19 @@ pub(super) fn declared<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<
 
 /// Values of the entry point `forces`, in the order of the requests.
 pub(super) fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {
+    if rubs_under_a_load(kinematics) {
+        return friction::walked_by_load(kinematics, Rubs::Slipping, |walk, _| by_walk(walk));
+    }
     match pull::driven(kinematics) {
         Some(driven) => efforts(&driven),
         None => efforts(kinematics),
     }
+}
+
+/// True if a load drives an input and joints rub, so that the load and friction follow from each other.
+fn rubs_under_a_load(kinematics: &Kinematics<'_>) -> bool {
+    let dynamics = &kinematics.mechanism.dynamics;
+    dynamics.driven().is_some() && !dynamics.frictions.is_empty()
 }
 
 fn efforts(kinematics: &Kinematics<'_>) -> Vec<Id> {
@@ -145,6 +155,10 @@ pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
     if !kinematics.mechanism.dynamics.frictions.is_empty() {
         let creep = InputMotion::without_second_rates(&kinematics.inputs, kinematics.builder);
         let creeping = Kinematics::of(kinematics.builder, kinematics.mechanism, creep);
+        if rubs_under_a_load(kinematics) {
+            let rubs = Rubs::Creeping(&creeping);
+            return friction::walked_by_load(&resting, rubs, |walk, _| by_walk(walk));
+        }
         return by_walk(&Walk::creeping(&resting, &creeping));
     }
     let resting = pull::driven(&resting).unwrap_or(resting);
@@ -171,6 +185,10 @@ pub(super) fn holding(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let drive = |way| {
         let creep = kinematics.inputs[0].with_rates(builder.integer(way), builder.zero());
         let creeping = Kinematics::of(builder, mechanism, vec![creep]);
+        if rubs_under_a_load(kinematics) {
+            let rubs = Rubs::Creeping(&creeping);
+            return friction::walked_by_load(&resting, rubs, |_, load| load.id);
+        }
         Walk::creeping(&resting, &creeping).input_efforts()[0].id
     };
     [-1, 1].map(drive).into()

@@ -9,15 +9,18 @@
 //! with c and k at the unit rate of the input, as in [`power`]. No drive is at the input, so that
 //! τ = 0 and p = τ⁰/B. Under this p everything else is found as under any other load.
 //!
+//! Where joints rub, the load and all amounts follow from each other: see [`friction`](super::friction).
+//!
 //! B is zero where the load does no work on the input: a dead point, which is `Singular`.
 
 use crate::equations::forces::loads::{declared_by, torques_by};
 use crate::equations::forces::power;
 use crate::equations::forces::unit_rate::at_unit_rate;
+use crate::equations::forces::walk::Walk;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::Sym;
 use crate::ir::graph::Check;
-use crate::model::mechanism::{Expr, Operator};
+use crate::model::mechanism::{Expr, Mechanism, Operator};
 
 /// The same state under the load that drives; none where no load drives.
 pub(super) fn driven<'s>(kinematics: &Kinematics<'s>) -> Option<Kinematics<'s>> {
@@ -29,12 +32,28 @@ pub(super) fn driven<'s>(kinematics: &Kinematics<'s>) -> Option<Kinematics<'s>> 
         1 => power_of_pull(&unit, &unit),
         _ => power_of_pull(&free, &unit),
     };
-    let share = share.guarded_by(Check::Nonzero, mechanism.title_of_pull(), &[]);
-    Some(under(kinematics, power::effort(&free, input) / share))
+    Some(under(kinematics, power::effort(&free, input) / provided(mechanism, share)))
+}
+
+/// The work of the load on the input, provided that it does some.
+pub(super) fn provided<'s>(mechanism: &Mechanism, work: Sym<'s>) -> Sym<'s> {
+    work.guarded_by(Check::Nonzero, mechanism.title_of_pull(), &[])
+}
+
+/// Puts a unit of the load on a walk.
+pub(super) fn put_unit_on<'s>(walk: &mut Walk<'_, 's>) {
+    let slopes = Slopes::of(walk.kinematics);
+    let slope = |value: &Expr| slopes.slope(value);
+    for (point, force) in declared_by(walk.kinematics, &slope) {
+        walk.push(point, force);
+    }
+    for (carrier, couple) in torques_by(walk.kinematics.mechanism, &slope) {
+        walk.turn(carrier, couple);
+    }
 }
 
 /// The same state under this load.
-fn under<'s>(kinematics: &Kinematics<'s>, pull: Sym<'s>) -> Kinematics<'s> {
+pub(super) fn under<'s>(kinematics: &Kinematics<'s>, pull: Sym<'s>) -> Kinematics<'s> {
     let Kinematics { builder, mechanism, inputs, .. } = kinematics;
     Kinematics { pull: Some(pull), ..Kinematics::of(builder, mechanism, inputs.clone()) }
 }

@@ -124,13 +124,38 @@ fn an_input_that_is_driven_has_no_effort_of_its_own() {
 }
 
 #[test]
-fn friction_beside_a_load_that_drives_is_refused() {
-    check(&[(
-        SIX_BAR,
-        "load pull: force; force (pull, 0) on E; drive t by pull; friction 0.1 on block;",
-        "friction: beside `drive t by pull` no joint has friction / the load follows from reactions, friction \
-         among them, and friction from the load",
-    )]);
+fn joints_rub_beside_a_load_that_drives() {
+    let pulled = |friction: &str| {
+        format!("load pull: force; force (pull, 0) on E; drive t by pull; {friction}")
+    };
+    check(&[
+        (SIX_BAR, &pulled("friction 0.1 on block; output losses, pull, block.rail.friction;"), ""),
+        (
+            SIX_BAR,
+            &pulled("friction 0.1 + pull / 9N on block;"),
+            "pull: no coefficient depends on `pull`, which drives an input / `pull` follows from friction, and its \
+             equation is linear",
+        ),
+    ]);
+    let rubbing = |count: usize| {
+        let cranks = (0..count).map(|nth| {
+            format!(
+                "crank L{nth}(A) -> P{nth} {{ length: 1m, angle: t }} \
+                 friction 0.1 on L{nth} at A radius 5mm;"
+            )
+        });
+        let cranks: String = cranks.collect();
+        format!("load pull: force; {cranks} force (pull, 0) on P0; drive t by pull;")
+    };
+    check(&[
+        (CRANK, &rubbing(8), ""),
+        (
+            CRANK,
+            &rubbing(9),
+            "friction: a joint too many rubs beside `pull`, which drives an input / its value and the friction of \
+             up to eight joints follow from each other",
+        ),
+    ]);
 }
 
 #[test]

@@ -16,12 +16,12 @@
 //! it is not known what sticks, so signs have to be smooth there.
 
 use super::{Rubbing, slip};
-use crate::equations::forces::dynamics::Equations;
+use crate::equations::forces::dynamics::{Equations, drive_at};
 use crate::equations::forces::unit_rate::at_unit_rate;
 use crate::equations::forces::walk::{Rubs, Walk};
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::Sym;
-use crate::ir::graph::{Id, Node};
+use crate::ir::graph::Id;
 use crate::model::dynamics::Contact;
 use crate::model::mechanism::Mechanism;
 
@@ -42,7 +42,7 @@ pub(in crate::equations) fn is_offered(mechanism: &Mechanism) -> bool {
 pub(in crate::equations::forces) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let equations = Equations::of(kinematics);
     let (builder, count) = (kinematics.builder, kinematics.inputs.len());
-    let drive = |input: usize| builder.node(Node::Drive(input as u32));
+    let drive = |input| drive_at(kinematics, input);
     let right = equations.force.iter().enumerate().map(|(input, force)| *force + drive(input));
     let coasting = equations.solve(kinematics, right.collect());
     let starts = Start::of(kinematics);
@@ -143,7 +143,7 @@ fn rows<'s>(
 }
 
 /// The reaction at a contact that a walk has found.
-fn pressing<'s>(walk: &Walk<'_, 's>, contact: &Rubbing<'s>) -> [Sym<'s>; 2] {
+pub(super) fn pressing<'s>(walk: &Walk<'_, 's>, contact: &Rubbing<'s>) -> [Sym<'s>; 2] {
     match (contact.contact, &walk.components(contact.contact.pressed_by())[..]) {
         (Contact::Guide(_), &[normal, couple]) => [normal, contact.by_couple * couple],
         (Contact::Pin { .. }, &[x, y]) => [x, y],
@@ -178,7 +178,7 @@ impl<'s> Start<'s> {
             let creeping = Kinematics::of(builder, mechanism, vec![creep]);
             Walk::against(&resting, Rubs::Sticking(&creeping, at_rest)).input_efforts()[0]
         };
-        let drive = builder.node(Node::Drive(0));
+        let drive = drive_at(kinematics, 0);
         let beyond = |end: Sym<'s>, way: Sym<'s>, other| end.at_least(drive, other, way);
         let [backwards, forwards] = [-1, 1].map(end);
         let leaves_backwards = drive.at_least(backwards, zero, -one);

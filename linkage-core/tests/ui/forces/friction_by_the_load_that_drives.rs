@@ -11,7 +11,7 @@ mechanism! {
         mass 1kg on C;
         force (pull, 0) on C;
         drive theta by pull;
-        friction 0.1 on piston;
+        friction 0.1 + pull / 5kN on piston;
     }
 }
 
