@@ -4,6 +4,7 @@
 
 mod clearances;
 pub(crate) mod declarations;
+mod driven_load;
 mod dynamics;
 pub(crate) mod forces;
 mod friction;

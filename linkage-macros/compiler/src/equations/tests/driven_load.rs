@@ -1,0 +1,121 @@
+//! Mechanisms of which a load drives an input, against the same under the load that was found: nothing is left for a drive.
+
+use crate::equations::derive;
+use crate::ir::interpret::{Given, Number};
+use crate::oracle::{Digits, mechanism, values};
+use crate::passes;
+
+/// A declaration with a load `pull`, its outputs but for the first, and its inputs.
+struct Machine {
+    statements: &'static str,
+    outputs: &'static str,
+    inputs: &'static [&'static str],
+}
+
+const LAWS: &str =
+    "let damped = pull - 20(N*s/m) * rate(ram.slide); let both = -(damped / 2 - pull * 2) + 3N;
+     let scaled = cut + both * (1 + q / 5) / 2;";
+
+/// A slider-crank on which the load stands in every way.
+const ENGINE: Machine = Machine {
+    statements: "ground A(0, 0); guide bed through (0, 10mm) along 5deg;
+         crank AB(A) -> B { length: 80mm, angle: q }
+         rrp BC(B), ram(bed) -> C { length: 250mm, mode: ahead }
+         gravity (0, -9.81); mass 2kg on BC uniform; mass 3kg on ram at (10mm, 0); inertia 0.1(kg*m^2) on AB;
+         force (scaled, 2 * damped) in ram on C; force 4N - pull / 3 between A and C;
+         torque 0.03m * pull between BC and AB; torque -0.01m * both on BC;",
+    outputs: "AB.A, BC.B, BC.C, ram.bed, shaking, law = scaled * rate(ram.slide)",
+    inputs: &["q"],
+};
+
+const ARM: Machine = Machine {
+    statements: "ground A(0, 0); crank AB(A) -> B { length: 1m, angle: q }
+         guide rail on AB through (0.2m, 0) along 80deg; slider ram(rail) -> C { slide: 300mm * r }
+         gravity (0, -9.81); mass 2kg on C; mass 1kg on AB uniform; inertia 0.4(kg*m^2) on ram;
+         force pull * (1 + rate(r) / 9(rad/s)) - cut between A and C; torque 0.1m * pull on AB;",
+    outputs: "AB.A, ram.rail, q.drive",
+    inputs: &["q", "r"],
+};
+
+const FRICTION: &str = "friction 0.02 at A radius 20mm; friction 0.021 at B radius 21mm;
+     friction 0.022 on BC at C radius 22mm; friction 0.023 on ram length 90mm;";
+
+const STATE: [[f64; 3]; 2] = [[0.7, 3.0, -2.0], [0.4, -1.5, 4.0]];
+
+impl Machine {
+    /// The numbers of an entry point, with the load given or found; `driven` is the input that it drives.
+    fn found(&self, entry: &str, more: &str, driven: &str, given: Option<&Digits>) -> Vec<Digits> {
+        let Self { statements, outputs, inputs } = self;
+        let laws = if self.inputs.len() == 1 { LAWS } else { "" };
+        let (placed, acting) = statements.split_once("gravity").expect("there is gravity");
+        let (drive, first) = match given {
+            None => (format!("drive {driven} by pull;"), "pull".to_string()),
+            Some(_) => (String::new(), format!("{driven}.drive")),
+        };
+        let source = format!(
+            "struct M {{ input {}: angle; load cut: force; load pull: force; {placed} {laws} gravity {acting} \
+             {more} {drive} output {first}, {outputs}; }}",
+            inputs.join(", ")
+        );
+        let mechanism = mechanism(&source);
+        let program = passes::optimise(&derive(&mechanism, passes::RULES));
+        let state = &STATE[..mechanism.inputs.len()];
+        // Forwards the load stands in the place of the drive, and nothing in that of a given one.
+        let drive = |name: &&str| match (name == &driven, given) {
+            (true, None) => Digits::float(45.0),
+            (true, Some(_)) => Digits::float(0.0),
+            (false, _) => Digits::float(-6.0),
+        };
+        let given = Given {
+            inputs: state.iter().map(|one| one.map(Digits::float)).collect(),
+            params: Vec::new(),
+            loads: [Digits::float(11.0)].into_iter().chain(given.cloned()).collect(),
+            drives: inputs.iter().map(drive).collect(),
+            unit: None,
+        };
+        values(&program, entry, &given)
+    }
+
+    /// Compares everything but the load, and the drive that is left, in so many digits of the largest number.
+    fn check(&self, more: &str, driven: &str, share: f64) {
+        for entry in ["forces", "statics"] {
+            let found = self.found(entry, more, driven, None);
+            let known = self.found(entry, more, driven, Some(&found[0]));
+            let largest = known.iter().chain(&found).map(|x| x.to_f64().abs()).fold(1.0, f64::max);
+            assert!(known[0].to_f64().abs() <= share * largest, "{entry}: {}", known[0].to_f64());
+            assert!(found[0].to_f64().abs() > 1.0, "{entry}: a load of {}", found[0].to_f64());
+            for (found, known) in found[1..].iter().zip(&known[1..]) {
+                let apart = found.sub(known).to_f64().abs();
+                assert!(apart <= share * largest, "{entry}: {} {}", found.to_f64(), known.to_f64());
+            }
+        }
+        let forward = |given| -> Vec<f64> {
+            let found = self.found("forward_dynamics", more, driven, given);
+            found.iter().map(Digits::to_f64).collect()
+        };
+        let (found, known) = (forward(None), forward(Some(&Digits::float(45.0))));
+        assert_eq!(found, known);
+    }
+}
+
+#[test]
+fn nothing_is_left_for_a_drive() {
+    ENGINE.check("", "q", 1e-40);
+    ARM.check("", "r", 1e-40);
+}
+
+/// Amounts are solved to some ε.
+#[test]
+fn nothing_is_left_for_a_drive_beside_friction() {
+    ENGINE.check(FRICTION, "q", 1e-13);
+    let smooth =
+        "friction 0.2 at A radius 30mm smooth 0.1(rad/s); friction 0.1 on ram smooth 0.05(m/s);";
+    ARM.check(smooth, "r", 1e-13);
+    // The band is that of the two creeps.
+    let source = |entry| ENGINE.found(entry, FRICTION, "q", None);
+    let [backwards, forwards] = &source("holding")[..] else { panic!("there are two") };
+    // The creep of the state is forwards.
+    let creep = &source("statics")[0];
+    assert!(forwards.sub(creep).to_f64().abs() <= 1e-12 * creep.to_f64().abs());
+    assert!(backwards.sub(forwards).to_f64().abs() > 1.0);
+}
