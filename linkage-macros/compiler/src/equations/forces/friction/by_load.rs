@@ -13,7 +13,8 @@
 
 use super::Rubbing;
 use super::forward::pressing;
-use super::system::{Row, solved};
+use super::amount::Row;
+use super::system::solved;
 use crate::equations::forces::pull;
 use crate::equations::forces::walk::{Rubs, Walk};
 use crate::equations::kinematics::Kinematics;
