@@ -11,6 +11,8 @@ pub(crate) struct Drawing {
     pub links: Vec<Link>,
     pub guides: Vec<Guide>,
     pub drives: Vec<Drive>,
+    pub masses: Vec<Mass>,
+    pub forces: Vec<Force>,
     /// The parts of the machine that have no counterpart here, for a comment.
     pub left_out: Vec<String>,
 }
@@ -34,6 +36,26 @@ pub(crate) struct Guide {
     /// The link that carries it; `None` is the ground.
     pub on: Option<String>,
     pub line: Line,
+}
+
+/// The mass of a link, at a place of the drawing, with the unit that the numbers have.
+pub(crate) struct Mass {
+    pub link: String,
+    pub value: f64,
+    pub unit: &'static str,
+    pub at: [f64; 2],
+    pub inertia: f64,
+    pub unit_of_inertia: &'static str,
+}
+
+/// A force on a link at a place of the drawing, in newtons.
+pub(crate) struct Force {
+    pub id: String,
+    pub link: String,
+    pub at: [f64; 2],
+    pub vector: [f64; 2],
+    /// True if it turns with the link.
+    pub turns: bool,
 }
 
 /// A line in the drawing.
@@ -77,6 +99,8 @@ impl Drawing {
             links: Vec::new(),
             guides: Vec::new(),
             drives: Vec::new(),
+            masses: Vec::new(),
+            forces: Vec::new(),
             left_out: Vec::new(),
         }
     }

@@ -18,6 +18,7 @@ pub(crate) enum Kind {
     Link,
     Guide,
     Input,
+    Force,
 }
 
 /// The names that are taken.

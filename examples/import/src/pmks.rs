@@ -10,9 +10,13 @@
 //! | a link, welded ones as the one that they are together | a link |
 //! | a piston and its prismatic joint | a link on a guide: on the ground at the joint's angle, or a slot through two joints of a link |
 //! | the input at a joint | the first link there against the ground or against the second; the slide of a piston |
+//! | the mass of a link | its mass, at its centre; grams and kg·cm² in a drawing in centimetres. None where all are as PMKS+ sets them |
+//! | a force | a force on a point of its link, which turns with the link where it is local |
+//!
+//! An address carries no gravity.
 
 use crate::Mistake;
-use crate::drawing::{Angle, Drawing, Drive, Guide, Line, Link, Pin};
+use crate::drawing::{Angle, Drawing, Drive, Force, Guide, Line, Link, Mass, Pin};
 
 const DIGITS: &str = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
 /// The count of settings in front of the joints.
@@ -34,8 +38,18 @@ struct Joint<'a> {
 struct Member<'a> {
     id: &'a str,
     is_piston: bool,
+    mass: f64,
+    inertia: f64,
+    centre: [f64; 2],
     joints: Vec<&'a str>,
+    /// The links that are welded together to it.
+    parts: Vec<&'a str>,
 }
+
+/// The mass and the inertia that a link has unless a user changes them; a piston has no inertia.
+const MASS_AND_INERTIA: [f64; 2] = [1.0, 1.0];
+/// Newtons of a pound's weight.
+const POUND: f64 = 4.448_221_615_260_5;
 
 pub(crate) fn read(address: &str) -> Result<Drawing, Mistake> {
     let query = address.split_once('?').map_or("", |(_, query)| query);
@@ -53,14 +67,82 @@ pub(crate) fn read(address: &str) -> Result<Drawing, Mistake> {
     for section in sections.by_ref().take_while(|section| !section.is_empty()) {
         members.extend(member(section)?);
     }
-    let forces = sections.take_while(|section| !section.is_empty()).count();
     let mut drawing = Drawing::new("Machine", unit(words)?);
-    drawing.left_out.push("masses of links".to_string());
-    if forces > 0 {
-        drawing.left_out.push(format!("{forces} forces").replace("1 forces", "one force"));
-    }
     draw(&mut drawing, &joints, &members)?;
+    draw_masses(&mut drawing, &members);
+    for section in sections.take_while(|section| !section.is_empty()) {
+        let force = force(section, &drawing.unit, &members)?;
+        drawing.forces.push(force);
+    }
     Ok(drawing)
+}
+
+fn draw_masses(drawing: &mut Drawing, members: &[Member<'_>]) {
+    let [mass, inertia] = MASS_AND_INERTIA;
+    let is_untouched = |member: &Member<'_>| {
+        member.mass == mass && (member.is_piston || member.inertia == inertia)
+    };
+    if members.iter().all(is_untouched) {
+        drawing.left_out.push("masses of links, which are as PMKS+ sets them".to_string());
+        return;
+    }
+    let (unit, unit_of_inertia) = match &drawing.unit[..] {
+        "cm" => ("g", "kg*cm^2"),
+        "m" => ("kg", "kg*m^2"),
+        _ => {
+            let why = "masses of links, whose unit beside inches the address does not say";
+            drawing.left_out.push(why.to_string());
+            return;
+        }
+    };
+    for member in members.iter().filter(|member| member.mass != 0.0 || member.inertia != 0.0) {
+        // The mass of a piston is at its pin.
+        let pin = member.joints.iter().find_map(|joint| drawing.pin(joint));
+        let centre = pin.filter(|_| member.is_piston).map_or(member.centre, |pin| pin.at);
+        drawing.masses.push(Mass {
+            link: member.id.to_string(),
+            value: member.mass,
+            unit,
+            at: centre,
+            inertia: member.inertia,
+            unit_of_inertia,
+        });
+    }
+}
+
+/// A force: two flags and its name, the link, a title, where the arrow begins and ends, and how large it is.
+fn force(section: &str, unit: &str, members: &[Member<'_>]) -> Result<Force, Mistake> {
+    let fields: Vec<_> = section.split(',').collect();
+    let &[first, link, _, x, y, u, v, size] = &fields[..] else {
+        return Err(format!(
+            "`{section}` is no force: its fields are name, link, title, two places of two numbers, and the magnitude"
+        ));
+    };
+    let Some((flags, id)) = first.char_indices().nth(1).map(|(at, _)| first.split_at(at)) else {
+        return Err(format!("`{section}` is a force without a name"));
+    };
+    let flags = integer(flags)? as u32;
+    let is_of = |member: &&Member<'_>| member.id == link || member.parts.contains(&link);
+    let Some(member) = members.iter().find(is_of) else {
+        return Err(format!("the force `{id}` acts on `{link}`, which is no link"));
+    };
+    let [at, end] = [[number(x)?, number(y)?], [number(u)?, number(v)?]];
+    let along = [end[0] - at[0], end[1] - at[1]];
+    let length = along[0].hypot(along[1]);
+    if length == 0.0 {
+        return Err(format!("the force `{id}` has no direction: its arrow ends where it begins"));
+    }
+    // The arrow points at the place that it acts on where it does not go outward.
+    let sign = if flags & 2 != 0 { 1.0 } else { -1.0 };
+    let newtons = if unit == "in" { POUND } else { 1.0 };
+    let factor = sign * newtons * number(size)? / length;
+    Ok(Force {
+        id: id.to_string(),
+        link: member.id.to_string(),
+        at,
+        vector: along.map(|part| factor * part),
+        turns: flags & 1 != 0,
+    })
 }
 
 /// The address without the character at its end, which counts the others.
@@ -140,9 +222,24 @@ fn member(section: &str) -> Result<Option<Member<'_>>, Mistake> {
         _ => return Err(format!("`{section}` is neither a link R nor a piston P")),
     };
     let id = letters.as_str();
+    if !is_root {
+        return Ok(None);
+    }
     // Behind the name are title, mass, inertia, two coordinates of the centre and the colour.
-    let joints = fields.iter().skip(7).copied().take_while(|joint| !joint.is_empty());
-    Ok(is_root.then(|| Member { id, is_piston, joints: joints.collect() }))
+    let &[_, _, mass, inertia, x, y, _, ref names @ ..] = &fields[..] else {
+        return Err(format!("`{section}` is no link: it ends in front of its joints"));
+    };
+    let mut names = names.iter().copied();
+    let joints = names.by_ref().take_while(|joint| !joint.is_empty()).collect();
+    Ok(Some(Member {
+        id,
+        is_piston,
+        mass: number(mass)?,
+        inertia: number(inertia)?,
+        centre: [number(x)?, number(y)?],
+        joints,
+        parts: names.filter(|part| !part.is_empty()).collect(),
+    }))
 }
 
 fn draw(

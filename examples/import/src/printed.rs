@@ -1,7 +1,7 @@
 //! A drawing as the text of a declaration.
 
 use crate::Mistake;
-use crate::drawing::{Angle, Drawing, Drive, Guide, Line, Link, Pin};
+use crate::drawing::{Angle, Drawing, Drive, Force, Guide, Line, Link, Mass, Pin};
 use crate::names::{self, Kind, Names};
 
 /// The declaration, a statement a line.
@@ -54,6 +54,12 @@ impl Printer<'_> {
             lines.push(self.link(link)?);
         }
         lines.extend(drives);
+        for mass in &drawing.masses {
+            lines.push(self.mass(mass)?);
+        }
+        for force in &drawing.forces {
+            lines.extend(self.force(force)?);
+        }
         Ok(lines)
     }
 
@@ -118,6 +124,28 @@ impl Printer<'_> {
         Ok(format!("link {name}({}){on};", pins.join(", ")))
     }
 
+    fn mass(&mut self, mass: &Mass) -> Result<String, Mistake> {
+        let place = self.place(place_in(self.drawing.frame(&mass.link)?, mass.at));
+        let Mass { value, unit, inertia, unit_of_inertia, .. } = mass;
+        let link = self.names.of(Kind::Link, &mass.link);
+        Ok(format!("mass {value}{unit} on {link} at {place} inertia {inertia}({unit_of_inertia});"))
+    }
+
+    /// The point that a force acts on, and the force.
+    fn force(&mut self, force: &Force) -> Result<[String; 2], Mistake> {
+        let frame = self.drawing.frame(&force.link)?;
+        let place = self.place(place_in(frame, force.at));
+        let vector = if force.turns { turned_back(force.vector, frame.1) } else { force.vector };
+        let [x, y] = vector.map(|newtons| format!("{}N", rounded(newtons) + 0.0));
+        let link = self.names.of(Kind::Link, &force.link);
+        let point = self.names.of(Kind::Force, &force.id);
+        let axes = if force.turns { format!(" in {link}") } else { String::new() };
+        Ok([
+            format!("point {point} on {link} at {place};"),
+            format!("force ({x}, {y}){axes} on {point};"),
+        ])
+    }
+
     fn guide(&mut self, guide: &Guide) -> Result<String, Mistake> {
         let name = self.names.of(Kind::Guide, &guide.id);
         let (on, frame) = match &guide.on {
@@ -148,11 +176,20 @@ impl Printer<'_> {
 }
 
 /// A line in the frame of the link that carries it.
-fn seen_from(([x, y], turn): ([f64; 2], f64), [u, v]: [f64; 2], angle: Angle) -> ([f64; 2], Angle) {
-    let (sin, cos) = turn.sin_cos();
-    let (dx, dy) = (u - x, v - y);
+fn seen_from(frame: ([f64; 2], f64), through: [f64; 2], angle: Angle) -> ([f64; 2], Angle) {
+    let turn = frame.1;
     let angle = if turn == 0.0 { angle } else { Angle::Radians(rounded(angle.radians() - turn)) };
-    ([cos * dx + sin * dy, cos * dy - sin * dx].map(rounded), angle)
+    (place_in(frame, through), angle)
+}
+
+/// A place of the drawing in the frame of a link.
+fn place_in(([x, y], turn): ([f64; 2], f64), [u, v]: [f64; 2]) -> [f64; 2] {
+    turned_back([u - x, v - y], turn)
+}
+
+fn turned_back([x, y]: [f64; 2], turn: f64) -> [f64; 2] {
+    let (sin, cos) = turn.sin_cos();
+    [cos * x + sin * y, cos * y - sin * x].map(rounded)
 }
 
 /// A computed number to twelve decimals of its unit, which is as near as its sine and cosine are.

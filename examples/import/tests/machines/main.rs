@@ -3,6 +3,7 @@
 //!
 //! The printed declarations are in `declarations`, which `LINKAGE_RENEW=1 cargo test -p import` writes.
 
+mod attacked;
 mod declarations;
 mod mistakes;
 mod program;
@@ -63,6 +64,7 @@ stand! {
     pmks_boom PmksBoom "pmks/boom.txt"
     pmks_driven_elbow PmksDrivenElbow "pmks/driven_elbow.txt"
     pmks_four_bar PmksFourBar "pmks/four_bar.txt"
+    pmks_loaded_four_bar PmksLoadedFourBar "pmks/loaded_four_bar.txt"
     pmks_peaucellier PmksPeaucellier "pmks/peaucellier.txt"
     pmks_slider_crank PmksSliderCrank "pmks/slider_crank.txt"
     pmks_slotted_coupler PmksSlottedCoupler "pmks/slotted_coupler.txt"
@@ -122,6 +124,58 @@ fn what_is_compiled_here_is_what_is_printed() {
         let stored = std::fs::read_to_string(&path).expect("it is there");
         assert!(stored == printed, "LINKAGE_RENEW=1 cargo test -p import writes {folder}.rs");
     }
+}
+
+/// Masses at their centres, in the frames of links; a force that keeps its direction, and one that turns with its link and
+/// whose arrow points at its place.
+#[test]
+fn masses_and_forces_of_an_address() {
+    let printed = run(&fixture("pmks/loaded_four_bar.txt"), &[]).expect("it is a machine");
+    let statements: Vec<_> =
+        printed.lines().map(str::trim).skip_while(|line| !line.starts_with("mass")).collect();
+    // The first arrow goes 30 cm down. The second one goes 50 cm along x and points inward, so that the force is along -x:
+    // the rocker goes 80 cm that way and 260 cm up, from D to C.
+    let [ab, bc] = [50.0_f64.hypot(90.0), 270.0_f64.hypot(170.0)];
+    let [x, y] = [(135.0 * 270.0 + 85.0 * 170.0) / bc, (85.0 * 270.0 - 135.0 * 170.0) / bc];
+    let [along, across] = [80.0, 260.0].map(|side| 10.0 * side / 80.0_f64.hypot(260.0));
+    let numbers = |line: &str| -> Vec<f64> {
+        let is_part = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
+        let line = line.split("on F").next().expect("a part");
+        let line = line.replace("F1", "").replace("F2", "").replace("cm^2", "");
+        line.split(|c| !is_part(c)).filter_map(|number| number.parse().ok()).collect()
+    };
+    let wanted: [(&str, &[f64]); 6] = [
+        ("mass 12.5g on AB at (", &[12.5, ab / 2.0, 0.0, 0.025]),
+        (
+            "mass 340g on BC at (",
+            &[
+                340.0,
+                (130.0 * 270.0 + 100.0 * 170.0) / bc,
+                (100.0 * 270.0 - 130.0 * 170.0) / bc,
+                31.25,
+            ],
+        ),
+        ("point F1 on BC at (", &[x, y]),
+        ("force (", &[0.0, -42.5]),
+        ("point F2 on DC at (", &[80.0_f64.hypot(260.0) / 2.0, 0.0]),
+        ("force (", &[along, across]),
+    ];
+    for (line, (start, numbers_wanted)) in statements.iter().zip(wanted) {
+        assert!(line.starts_with(start), "{line}");
+        let found = numbers(line);
+        assert_eq!(found.len(), numbers_wanted.len(), "{line} {found:?}");
+        for (found, wanted) in found.iter().zip(numbers_wanted) {
+            assert!((found - wanted).abs() < 1e-9, "{line}: {found} for {wanted}");
+        }
+    }
+    assert!(
+        statements[3].ends_with(") on F1;") && statements[5].ends_with(" in DC on F2;"),
+        "{printed}"
+    );
+    assert!(
+        printed.contains("inertia 0.025(kg*cm^2);") && !printed.contains("g on DC at ("),
+        "{printed}"
+    );
 }
 
 /// One machine, three formats.

@@ -64,6 +64,27 @@ fn addresses() {
             "KA,A,0,0..YRAB,AB,Fe,Fe,0,0,,A,,.".into(),
             "`KA,A,0,0` is no joint: its fields are name, title, x, y, angle",
         ),
+        (
+            format!("{joints}..YRAB,AB,Fe,Fe,0,0"),
+            "`YRAB,AB,Fe,Fe,0,0` is no link: it ends in front of its joints",
+        ),
+        (format!("{joints}..YRAB,AB,Fe,!,0,0,,A,B,,."), "`!` is no number"),
+        (
+            format!("{joints}..YRAB,AB,Fe,Fe,0,0,,A,B,,..2F1,AB,F1,0,0,Fe,0"),
+            "`2F1,AB,F1,0,0,Fe,0` is no force: its fields are name, link, title, two places of two numbers, and the magnitude",
+        ),
+        (
+            format!("{joints}..YRAB,AB,Fe,Fe,0,0,,A,B,,..2,AB,F1,0,0,Fe,0,Fe"),
+            "`2,AB,F1,0,0,Fe,0,Fe` is a force without a name",
+        ),
+        (
+            format!("{joints}..YRAB,AB,Fe,Fe,0,0,,A,B,,..2F1,BC,F1,0,0,Fe,0,Fe"),
+            "the force `F1` acts on `BC`, which is no link",
+        ),
+        (
+            format!("{joints}..YRAB,AB,Fe,Fe,0,0,,A,B,,..2F1,AB,F1,Fe,0,Fe,0,Fe"),
+            "the force `F1` has no direction: its arrow ends where it begins",
+        ),
         ("KA,A,0,!,0..YRAB,AB,Fe,Fe,0,0,,A,,.".into(), "`!` is no number"),
         ("MA,A,0,0,0..".into(), "`A` is an input, and no link goes through it"),
         ("GA,A,0,0,0..".into(), "the machine has no link"),

@@ -28,7 +28,7 @@ pub(crate) fn fixtures() -> Vec<String> {
 }
 
 /// The drives that the first line of a pyslvs fixture asks for: its format has none.
-fn drives(text: &str) -> Vec<&str> {
+pub(crate) fn drives_of(text: &str) -> Vec<&str> {
     let first = text.lines().next().unwrap_or_default();
     first.strip_prefix("# ").map(|drives| drives.split(' ').collect()).unwrap_or_default()
 }
@@ -36,11 +36,19 @@ fn drives(text: &str) -> Vec<&str> {
 /// The declaration that the program prints of a file, or the mistake that it reports.
 pub(crate) fn run(file: &Path, more: &[&str]) -> Result<String, String> {
     let text = std::fs::read_to_string(file).expect("the fixture exists");
-    given(&text, &[&drives(&text), more].concat())
+    given(&text, &[&drives_of(&text), more].concat())
 }
 
 /// The same of a text.
 pub(crate) fn given(text: &str, arguments: &[&str]) -> Result<String, String> {
+    match given_or_ended(text, arguments) {
+        (Some(0), printed, _) => Ok(printed),
+        (_, _, told) => Err(told),
+    }
+}
+
+/// The code that the program ends with, what it prints and what it says of a text.
+pub(crate) fn given_or_ended(text: &str, arguments: &[&str]) -> (Option<i32>, String, String) {
     let mut program = Command::new(env!("CARGO_BIN_EXE_import"));
     program.arg("-").args(arguments);
     program.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -48,10 +56,7 @@ pub(crate) fn given(text: &str, arguments: &[&str]) -> Result<String, String> {
     running.stdin.take().expect("it reads").write_all(text.as_bytes()).expect("it takes the text");
     let output = running.wait_with_output().expect("the program ends");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("it is text");
-    match output.status.success() {
-        true => Ok(text(output.stdout)),
-        false => Err(text(output.stderr)),
-    }
+    (output.status.code(), text(output.stdout), text(output.stderr))
 }
 
 /// The declarations of a folder's fixtures, each named after its folder and its file.

@@ -5,7 +5,7 @@ use linkage_core::mechanism;
 // pmks/boom.txt
 mechanism! {
     pub struct PmksBoom {
-        // Left out: masses of links.
+        // Left out: masses of links, which are as PMKS+ sets them.
         input s: length;
         ground A(0, 0), C(70cm, -20cm);
         pin B(150cm, 110cm), D(102cm, 32cm), T(210cm, 90cm);
@@ -20,7 +20,7 @@ mechanism! {
 // pmks/driven_elbow.txt
 mechanism! {
     pub struct PmksDrivenElbow {
-        // Left out: masses of links.
+        // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0), D(400cm, 0);
         pin B(50cm, 90cm), C(320cm, 260cm);
@@ -34,7 +34,7 @@ mechanism! {
 // pmks/four_bar.txt
 mechanism! {
     pub struct PmksFourBar {
-        // Left out: masses of links.
+        // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0), D(400cm, 0);
         pin B(50cm, 90cm), C(320cm, 260cm);
@@ -45,10 +45,29 @@ mechanism! {
     }
 }
 
+// pmks/loaded_four_bar.txt
+mechanism! {
+    pub struct PmksLoadedFourBar {
+        input theta: angle;
+        ground A(0, 0), D(400cm, 0);
+        pin B(50cm, 90cm), C(320cm, 260cm);
+        link AB(A, B);
+        link BC(B, C);
+        link DC(D, C);
+        drive AB.angle = theta;
+        mass 12.5g on AB at (51.478150704935cm, 0) inertia 0.025(kg*cm^2);
+        mass 340g on BC at (163.291596180282cm, 15.357558949777cm) inertia 31.25(kg*cm^2);
+        point F1 on BC at (159.530561335438cm, 0);
+        force (0N, -42.5N) on F1;
+        point F2 on DC at (136.014705087354cm, 0);
+        force (2.940858488375N, 9.55779008722N) in DC on F2;
+    }
+}
+
 // pmks/peaucellier.txt
 mechanism! {
     pub struct PmksPeaucellier {
-        // Left out: masses of links.
+        // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground O(0, 0), A(13cm, 0);
         pin B(24cm, 6.87cm), P(28cm, 16.36cm), Q(32cm, 0.09cm), E(36cm, 9.58cm);
@@ -66,7 +85,7 @@ mechanism! {
 // pmks/slider_crank.txt
 mechanism! {
     pub struct PmksSliderCrank {
-        // Left out: masses of links.
+        // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0);
         pin B(6cm, 5cm), C(26cm, 1cm);
@@ -81,7 +100,7 @@ mechanism! {
 // pmks/slotted_coupler.txt
 mechanism! {
     pub struct PmksSlottedCoupler {
-        // Left out: masses of links.
+        // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0), D(70cm, 0), E(30cm, 55cm);
         pin B(10cm, 18cm), C(62cm, 30cm), F(36cm, 24cm);
@@ -98,7 +117,7 @@ mechanism! {
 // pmks/stephenson_3.txt
 mechanism! {
     pub struct PmksStephenson3 {
-        // Left out: masses of links.
+        // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0), D(320cm, 20cm), G(600cm, 10cm);
         pin B(40cm, 100cm), C(290cm, 220cm), E(240cm, 340cm), F(540cm, 230cm);
@@ -114,7 +133,7 @@ mechanism! {
 // pmks/triad.txt
 mechanism! {
     pub struct PmksTriad {
-        // Left out: masses of links.
+        // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0), D(460cm, 20cm), E(40cm, 420cm);
         pin B(50cm, 90cm), P(160cm, 160cm), Q(300cm, 190cm), R(240cm, 300cm);
@@ -130,7 +149,7 @@ mechanism! {
 // pmks/watt_1.txt
 mechanism! {
     pub struct PmksWatt1 {
-        // Left out: masses of links.
+        // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0), D(300cm, 0);
         pin B(40cm, 100cm), C(260cm, 200cm), E(180cm, 290cm), F(390cm, 300cm), G(370cm, 160cm);
