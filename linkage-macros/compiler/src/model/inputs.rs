@@ -152,7 +152,7 @@ impl Resolver<'_> {
 
     /// Every input is used by something other than a `let` that nothing uses. Nothing is said
     /// where another mistake may have hidden the use.
-    pub(super) fn every_input_is_used(&mut self, tree: &Declaration) {
+    pub(super) fn every_input_is_used(&mut self, tree: &Declaration, is_drawn: bool) {
         if self.use_is_hidden {
             return;
         }
@@ -170,9 +170,18 @@ impl Resolver<'_> {
                 continue;
             }
             let message = format!("nothing uses the input `{name}`; use it or remove it");
-            let reason = match input.dimension {
-                Dimension::ANGLE => format!("a driver takes it: `crank AB(A) {{ angle: {name} }}`"),
-                _ => format!("a driver takes it: `slider ram(rail) {{ slide: {name} }}`"),
+            let reason = match (input.dimension, is_drawn) {
+                (Dimension::ANGLE, true) => {
+                    format!("a drive takes it: `drive AB.angle = {name};`")
+                }
+                (_, true) => format!(
+                    "a cylinder takes it, `link lift(F, G) {{ length: {name} }}`, or a drive: `drive \
+                     ram.slide = {name};`"
+                ),
+                (Dimension::ANGLE, false) => {
+                    format!("a driver takes it: `crank AB(A) {{ angle: {name} }}`")
+                }
+                (_, false) => format!("a driver takes it: `slider ram(rail) {{ slide: {name} }}`"),
             };
             self.diagnostics.error_because(name.span(), message, reason);
         }

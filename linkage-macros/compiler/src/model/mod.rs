@@ -88,7 +88,7 @@ pub(crate) fn resolve(
         let resolved = drawn::resolve(tree, diagnostics).filter(|_| diagnostics.count() == 0);
         return resolved.ok_or_else(|| Stub(Box::new(stub_of_drawing(tree, diagnostics))));
     }
-    let resolver = walked(tree, diagnostics, &[]);
+    let resolver = walked(tree, diagnostics, None);
     match resolver.diagnostics.count() {
         0 => Ok(resolver.mechanism),
         _ => Err(Stub(Box::new(resolver.stub(tree)))),
@@ -101,7 +101,7 @@ pub(crate) fn stub(tree: &Declaration) -> Mechanism {
     let mut diagnostics = Diagnostics::new();
     let stub = match drawn::is_drawn(tree) {
         true => stub_of_drawing(tree, &mut diagnostics),
-        false => walked(tree, &mut diagnostics, &[]).stub(tree),
+        false => walked(tree, &mut diagnostics, None).stub(tree),
     };
     drop(diagnostics.into_mistakes());
     stub
@@ -123,15 +123,15 @@ fn resolve_groups(
     diagnostics: &mut Diagnostics,
     turned: &[drawn::TurnedFrame],
 ) -> Option<Mechanism> {
-    let resolver = walked(tree, diagnostics, turned);
+    let resolver = walked(tree, diagnostics, Some(turned));
     (resolver.diagnostics.count() == 0).then_some(resolver.mechanism)
 }
 
-/// Every statement and every rule; `turned` links with the frames that they are written in.
+/// Every statement and every rule; of a drawing, `turned` links with the frames that they are written in.
 fn walked<'d>(
     tree: &'d Declaration,
     diagnostics: &'d mut Diagnostics,
-    turned: &[drawn::TurnedFrame],
+    turned: Option<&[drawn::TurnedFrame]>,
 ) -> Resolver<'d> {
     let mut resolver = Resolver::new(tree, &tree.unread, diagnostics);
     resolver.statements(tree);
@@ -141,12 +141,12 @@ fn walked<'d>(
     resolver.statements_are_in_order(tree);
     resolver.bare_lengths_are_of_a_machine();
     resolver.an_input_is_declared(tree);
-    resolver.every_input_is_used(tree);
+    resolver.every_input_is_used(tree, turned.is_some());
     resolver.actions_have_an_effect(tree);
     resolver.mechanism.rotatabilities = rotatability::rotatabilities(&resolver.mechanism);
     resolver.cranks_can_turn();
     resolver.ends_can_be_assembled();
-    resolver.directions_are_as_written(turned);
+    resolver.directions_are_as_written(turned.unwrap_or_default());
     resolver
 }
 

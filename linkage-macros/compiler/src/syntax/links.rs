@@ -7,6 +7,7 @@ use super::tree::{DrawnLink, DriveStatement, Group, StatementKind};
 
 const LINK: &str =
     "a link is named with the pins through it, its first one in front: `link BC(B, C);`";
+const LENGTH: &str = "write `link lift(F, G) { length: s }`";
 const BY: &str = "a load that drives an input is named behind it: `drive theta by pull;`";
 const DRIVE: &str = "a drive is `drive AB.angle = theta;`, `drive BC.angle - AB.angle = theta;` or \
                      `drive ram.slide = s;`";
@@ -31,6 +32,9 @@ impl Parser<'_> {
                 let mut fields = Group::without_links(keyword.clone(), self.end());
                 self.fields_in_braces(&mut fields);
                 Some(fields)
+            }
+            false if self.is_word(0, "length") => {
+                return self.refuse_because("the length of a link stands in braces", LENGTH);
             }
             false => None,
         };

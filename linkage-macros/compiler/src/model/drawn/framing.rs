@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::chain::plane::root;
-use crate::syntax::tree::{Course, Place, Spot, StatementKind};
+use crate::syntax::tree::{Course, ExprKind, Place, Spot, StatementKind};
 
 use super::figures::Figure;
 use super::frames::{DrawnFrame, DrawnLine, Heading, Origin};
@@ -53,14 +53,28 @@ pub(super) fn written(reader: &mut Reader<'_, '_, '_>) -> Option<Vec<DrawnFrame>
         return None;
     }
     if let Some(guide) = lines.iter().position(|is_known| !is_known) {
-        let name = reader.guides[guide].name.clone();
-        let message = format!("`{name}` has no place in the drawing");
-        let reason = "a guide goes through a point and along an angle or towards a point, on a link \
-                      whose own guide does not stand on it";
-        reader.report(&name, message, reason.to_string());
+        report_line(reader, guide);
         return None;
     }
     frames.into_iter().collect()
+}
+
+/// Reports a guide whose line is not known.
+fn report_line(reader: &mut Reader<'_, '_, '_>, guide: usize) {
+    let point = reader.guides[guide].along.and_then(|angle| match &angle.kind {
+        ExprKind::Name(point) if reader.pin_of.contains_key(&point.to_string()) => Some(point),
+        _ => None,
+    });
+    if let Some(point) = point {
+        let message = format!("`{point}` is a point; a guide runs along an angle");
+        reader.report(point, message, format!("or towards a point: `towards {point}`"));
+        return;
+    }
+    let name = reader.guides[guide].name.clone();
+    let message = format!("`{name}` has no place in the drawing");
+    let reason = "a guide goes through a point and along an angle or towards a point, on a link \
+                  whose own guide does not stand on it";
+    reader.report(&name, message, reason.to_string());
 }
 
 /// The place in the drawing of a point that is declared on a link.

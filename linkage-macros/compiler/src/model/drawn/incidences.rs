@@ -28,7 +28,14 @@ impl<'t> Reader<'t, '_, '_> {
                 (first.as_deref(), second.as_deref()),
                 (Some("angle"), None | Some("angle")) | (Some("slide"), None)
             );
-            if !is_fine {
+            if drive.member == "length" {
+                let message = "a drive gives an angle or a slide";
+                let reason = format!(
+                    "the length of a cylinder stands in its braces: `link {}(F, G) {{ length: … }}`",
+                    drive.link
+                );
+                self.report(&drive.member, message.to_string(), reason);
+            } else if !is_fine {
                 let message = "a drive gives an angle, the difference of two, or a slide";
                 let reason = "write `drive AB.angle = …`, `drive BC.angle - AB.angle = …` or `drive \
                               ram.slide = …`";
@@ -111,7 +118,17 @@ impl<'t> Reader<'t, '_, '_> {
         if drive.member == "slide" {
             let Some(slide) = slide else {
                 let message = format!("`{link}` slides on no guide");
-                let reason = format!("declare it as `link {link}(…) on GUIDE;`");
+                let pins: Vec<_> = machine.bodies[body].pins.iter().collect();
+                let reason = match pins[..] {
+                    [&p, &q] => {
+                        let [p, q] = [p, q].map(|pin| &self.pins[pin].name);
+                        format!(
+                            "a cylinder has a length: `link {link}({p}, {q}) {{ length: … }}`; what slides is \
+                             declared as `link {link}(…) on GUIDE;`"
+                        )
+                    }
+                    _ => format!("declare it as `link {link}(…) on GUIDE;`"),
+                };
                 self.report(&drive.member, message, reason);
                 return None;
             };

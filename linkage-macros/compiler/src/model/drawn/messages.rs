@@ -1,5 +1,7 @@
 //! What is said of a drawing that cannot be cut.
 
+use proc_macro2::Ident;
+
 use crate::chain::Trouble;
 use crate::chain::cutting::{Dyad, Pair};
 use crate::chain::machine::{GROUND, Machine};
@@ -42,7 +44,7 @@ fn named(bodies: &Bodies<'_>, those: &[usize]) -> String {
 }
 
 /// The last link of those, where a message stands.
-fn last_link<'b>(bodies: &'b Bodies<'_>, those: &[usize]) -> Option<&'b proc_macro2::Ident> {
+fn last_link<'b>(bodies: &'b Bodies<'_>, those: &[usize]) -> Option<&'b Ident> {
     those.iter().rev().find(|&&body| body != GROUND).map(|&body| bodies.link(body).name)
 }
 
@@ -153,8 +155,26 @@ fn loose(bodies: &Bodies<'_>, those: &[usize], freedoms: usize, diagnostics: &mu
         _ => format!("{freedoms} drives too few"),
     };
     let message = format!("{} {still} when every input is held: {few}", named(bodies, those));
-    let reason = format!("drive {them}, `drive {link}.angle = …;`, or pin {them} to another link");
+    let reason = match those.iter().find_map(|&body| hanging(bodies, body)) {
+        Some((hanging, pin)) if those.len() > 1 => format!(
+            "`{hanging}` hangs on `{pin}` alone: let it slide, `link {hanging}({pin}) on GUIDE;`, pin it to another link, \
+             or drive it"
+        ),
+        _ => format!("drive {them}, `drive {link}.angle = …;`, or pin {them} to another link"),
+    };
     diagnostics.error_because(link.span(), message, reason);
+}
+
+/// A link with one joint, which it turns about, and the pin.
+fn hanging<'b>(bodies: &'b Bodies<'_>, body: usize) -> Option<(&'b Ident, &'b Ident)> {
+    let machine = &bodies.machine;
+    let slides = machine.slides.iter().any(|slide| [slide.body, slide.carrier].contains(&body));
+    let is_driven = machine.drives.iter().any(|drive| drive.bodies.contains(&body));
+    let own = machine.bodies.get(body)?;
+    let mut joints = own.pins.iter().filter(|&&pin| machine.at(pin).count() > 1);
+    let (Some(&pin), None) = (joints.next(), joints.next()) else { return None };
+    let hangs = body != GROUND && !slides && !is_driven && own.pins.len() == 1;
+    hangs.then(|| (bodies.link(body).name, &bodies.pins[pin].name))
 }
 
 fn undecided(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {
@@ -262,8 +282,8 @@ pub(super) fn report_turned(
     turned: &[TurnedFrame],
     diagnostics: &mut Diagnostics,
 ) {
-    let of = |link: &proc_macro2::Ident| turned.iter().find(|turned| turned.link == *link);
-    let elsewhere = |link: &proc_macro2::Ident| of(link).filter(|turned| !turned.is_reversed);
+    let of = |link: &Ident| turned.iter().find(|turned| turned.link == *link);
+    let elsewhere = |link: &Ident| of(link).filter(|turned| !turned.is_reversed);
     for statement in &tree.statements {
         let (found, told) = match &statement.kind {
             StatementKind::Action(Action::Spring { ends, .. }) => {

@@ -285,6 +285,12 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         if let Some(&pin) = self.pin_of.get(&name.to_string()) {
             return Some(pin);
         }
+        if name == "ground" {
+            let message =
+                "a link goes through points of the ground, not through `ground`".to_string();
+            self.report(name, message, "name a point: `ground M(…, …);`".to_string());
+            return None;
+        }
         let names = Names::collect(self.tree);
         if names.kind(name) == Some(Kind::Point) {
             let message = format!("`{name}` has no place in the drawing");
@@ -359,6 +365,13 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
                         self.report(guide, message, "a guide is on another body".to_string());
                     }
                     Some(guide) => self.links[index].on.push(guide),
+                    None if self.link_of.contains_key(&guide.to_string()) => {
+                        let message = format!("`{guide}` is a link; a link slides on a guide");
+                        let reason = format!(
+                            "declare the slot, `guide slot on {guide} through P towards Q;`, and write `on slot`"
+                        );
+                        self.report(guide, message, reason);
+                    }
                     None => {
                         let message = format!("no guide named `{guide}`");
                         let reason = format!(

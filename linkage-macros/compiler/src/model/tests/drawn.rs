@@ -84,7 +84,7 @@ fn drives_give_an_angle_or_a_slide() {
         (
             FOUR_BAR,
             "drive AB.slide = 1m;",
-            "slide: `AB` slides on no guide / declare it as `link AB(…) on GUIDE;`",
+            "slide: `AB` slides on no guide / a cylinder has a length: `link AB(A, B) { length: … }`; what slides is declared as `link AB(…) on GUIDE;`",
         ),
         (
             FOUR_BAR,
@@ -267,6 +267,77 @@ fn a_length_is_that_of_one_bar() {
             "length: a length is that of one link with two pins / write it in a statement of its own: `link AB(…, …) { length: … }`\nlength: a length is that of one link with two pins / write it in a statement of its own: `link AC(…, …) { length: … }`",
         ),
     ]);
+}
+
+/// A tipping lorry from its sketch, and ten slips of the pen in it. A cylinder turns an arm whose roller lifts the tray by
+/// its slot, and a strut opens the gate.
+#[test]
+fn slips_in_a_machine_with_a_slot_and_a_cylinder() {
+    const LORRY: &str = "input s: length; ground O(0, 0), A(1.1m, -0.2m), F(1.75m, -0.4m), M(-0.5m, -0.1m); \
+         pin G(1.3m, 0.1m), R(0.8m, 0.25m), T(2m, 0.3m), K(-0.1m, 0.5m), L(-0.45m, 0.35m); \
+         guide slot on tray through O towards T; link tray(O, T, K), arm(A, G, R), roller(R) on slot; \
+         link lift(F, G) { length: s } link gate(K, L), strut(M, L);";
+    check(&[(LORRY, "", "")]);
+    let loose = "strut: `tray`, `roller`, `gate` and `strut` still move when every input is held: 2 drives too few";
+    let slips = [
+        (
+            "{ length: s }",
+            "; ",
+            "s: nothing uses the input `s`; use it or remove it / a cylinder takes it, `link lift(F, G) { length: s }`, or a drive: `drive ram.slide = s;`",
+        ),
+        (
+            "{ length: s }",
+            "; drive lift.length = s;",
+            "length: a drive gives an angle or a slide / the length of a cylinder stands in its braces: `link lift(F, G) { length: … }`",
+        ),
+        (
+            "{ length: s }",
+            "; drive lift.slide = s;",
+            "slide: `lift` slides on no guide / a cylinder has a length: `link lift(F, G) { length: … }`; what slides is declared as `link lift(…) on GUIDE;`",
+        ),
+        (
+            "roller(R) on slot",
+            "roller(R)",
+            &format!(
+                "{loose} / `roller` hangs on `R` alone: let it slide, `link roller(R) on GUIDE;`, pin it to another link, or drive it"
+            ),
+        ),
+        (
+            "tray(O, T, K)",
+            "tray(T, K)",
+            &format!(
+                "{loose} / drive one of them, `drive strut.angle = …;`, or pin one of them to another link"
+            ),
+        ),
+        (
+            "on slot;",
+            "on tray;",
+            "tray: `tray` is a link; a link slides on a guide / declare the slot, `guide slot on tray through P towards Q;`, and write `on slot`",
+        ),
+        (
+            "towards T",
+            "along T",
+            "T: `T` is a point; a guide runs along an angle / or towards a point: `towards T`",
+        ),
+        (
+            "strut(M, L)",
+            "strut(ground, L)",
+            "ground: a link goes through points of the ground, not through `ground` / name a point: `ground M(…, …);`",
+        ),
+        (
+            ", strut(M, L)",
+            "",
+            "gate: `gate` still moves when every input is held: one drive too few / drive it, `drive gate.angle = …;`, or pin it to another link",
+        ),
+        (
+            "L(-0.45m, 0.35m)",
+            "L(-0.3m, 0.2m)",
+            "strut: in the drawing `gate` and `strut` are in one line: `left` and `right` come together there / draw another pose",
+        ),
+    ];
+    for (right, wrong, told) in slips {
+        check(&[(&LORRY.replace(right, wrong), "", told)]);
+    }
 }
 
 /// A declared length says how long a bar is; the drawing only which way the machine assembles.

@@ -260,3 +260,19 @@ fn habits_from_elsewhere() {
     ];
     check_statements(ROWS);
 }
+
+#[test]
+fn links_of_drawings() {
+    const ROWS: &[(&str, &str)] = &[
+        (
+            "link lift(F, G) length: s;",
+            "length: the length of a link stands in braces / write `link lift(F, G) { length: s }`",
+        ),
+        (
+            "link lift;",
+            ";: write the pins of `lift`: `lift(B, C)` / a link is named with the pins through it, its \
+             first one in front: `link BC(B, C);`",
+        ),
+    ];
+    check_statements(ROWS);
+}
