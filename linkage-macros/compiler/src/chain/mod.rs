@@ -22,7 +22,7 @@ pub(crate) mod limits;
 pub(crate) mod machine;
 pub(crate) mod options;
 pub(crate) mod plane;
-mod pose;
+pub(crate) mod pose;
 pub(crate) mod redrawn;
 mod trace;
 

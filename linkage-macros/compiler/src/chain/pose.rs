@@ -5,6 +5,12 @@ use super::limits::sine;
 use super::machine::{GROUND, Held, Machine};
 use super::plane::{Complex, root};
 
+#[cfg(test)]
+thread_local! {
+    /// The count of residuals that were computed, by which tests bound the work of a cut.
+    pub(crate) static RESIDUALS: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
+}
+
 /// The place of a body seen from the drawing: z ↦ shift + turn z.
 #[derive(Clone, Copy, Debug)]
 struct Displaced {
@@ -134,6 +140,8 @@ impl<'m> Posed<'m> {
         given: &mut Given,
         unknown: f64,
     ) -> Option<f64> {
+        #[cfg(test)]
+        RESIDUALS.with(|count| count.set(count.get() + 1));
         self.run(&search.steps, given, unknown)?;
         let machine = self.machine;
         let Pair::Pin(first) = search.joints[0] else { return None };

@@ -5,10 +5,11 @@ use super::groups::{groups, resolved_text};
 use super::machine::machine;
 use super::variants::{Random, mirrored, moved};
 use crate::chain::count;
-use crate::chain::cutting::{Placed, steps};
+use crate::chain::cutting::{Found, Placed, steps};
 use crate::chain::machine::{self as kinematic, Driving, Machine, RigidBody};
 use crate::chain::options::options;
 use crate::chain::plane::Complex;
+use crate::chain::pose::RESIDUALS;
 
 /// The machine without its names. Body 0 is the ground.
 fn kinematic(driven: &Driven, places: &[[f64; 2]]) -> Machine {
@@ -65,6 +66,29 @@ fn all_eight_bars_are_cut_into_the_groups_that_are_known() {
     }
     println!("{counts:?}");
     assert_eq!(counts, [[69, 52, 32, 152], [75, 154, 193, 390]]);
+}
+
+/// The work of a cut: eight options are followed over 121 poses at most. A root takes three residuals an iteration, a slope two; the
+/// width about a root and the roots in an interval take some dozens more.
+#[test]
+fn a_group_of_class_three_is_followed_in_bounded_work() {
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let (mut groups, mut most, mut longest) = (0, 0, 0.0_f64);
+    for driven in all().into_iter().step_by(17) {
+        let machine = kinematic(&driven, &drawing(&mut random));
+        RESIDUALS.with(|count| count.set(0));
+        let start = std::time::Instant::now();
+        let steps = crate::chain::cut(&machine);
+        let searched = steps.iter().flatten().filter(|step| matches!(step, Found::Search(_)));
+        let searched = searched.count();
+        if searched == 1 {
+            groups += 1;
+            longest = longest.max(start.elapsed().as_secs_f64());
+            most = most.max(RESIDUALS.with(|count| count.get()));
+        }
+    }
+    println!("{groups} groups, {most} residuals and {longest} s at most");
+    assert!(groups > 8 && most < 8 * 121 * 120, "{groups} {most}");
 }
 
 /// The outcomes of drawings: machines that are solved where they are drawn, such that are drawn at a

@@ -22,6 +22,69 @@ fn between(pins: &Places<Digits>, from: &str, to: &str) -> [Digits; 2] {
     [to[0].sub(&from[0]), to[1].sub(&from[1])]
 }
 
+/// The units in the last place of the machine's size by which a drawn pose may be off, and by which the distances in a
+/// body may: 1e-12 and 1e-11 in double precision.
+const DRAWN: f64 = 1e-12 / f64::EPSILON;
+const RIGID: f64 = 1e-11 / f64::EPSILON;
+
+/// In single precision the pins are where they are drawn, and ten poses beside it keep the bodies rigid, in as many
+/// units in the last place as in double precision.
+#[test]
+fn single_precision_stands_where_it_is_drawn() {
+    let (mut machines, mut poses, mut worst) = (0, 0, [0.0_f64; 2]);
+    for case in cases() {
+        let Ok(machine) = machine(&case.declaration()) else { continue };
+        let drawn = [machine.drawn::<f64>(true), machine.drawn::<f64>(false)].concat();
+        let size = drawn.iter().flat_map(|(_, at)| at).fold(0.0_f64, |size, x| size.max(x.abs()));
+        let unit = f64::from(f32::EPSILON) * size;
+        let inputs = machine.mechanism.drawn.clone().expect("drives determine the inputs");
+        // The input is rounded: compared with double precision at the same one.
+        let rounded: Vec<_> = inputs.iter().map(|input| f64::from(*input as f32)).collect();
+        let now = widened(machine.pins::<f32>(&rounded));
+        let wide = machine.pins::<f64>(&rounded);
+        for ((name, found), (_, wanted)) in now.iter().zip(&wide) {
+            for (found, wanted) in found.iter().zip(wanted) {
+                let off = (found - wanted).abs() / unit;
+                worst[0] = worst[0].max(off);
+                assert!(off < DRAWN, "{}: {name} is off by {off} units", case.name);
+            }
+        }
+        for step in [-5, -4, -3, -2, -1, 1, 2, 3, 4, 5] {
+            let beside: Vec<_> =
+                inputs.iter().map(|input| input + 1e-3 * f64::from(step)).collect();
+            // An interval may end next to the drawing.
+            if machine.rigid(&beside, 1e-11).is_none() {
+                continue;
+            }
+            let now = widened(machine.pins::<f32>(&beside));
+            for (_, link) in machine.links() {
+                for (i, a) in link.iter().enumerate() {
+                    for b in &link[..i] {
+                        let [was, is] = [&drawn, &now].map(|pins| distance(pins, a, b));
+                        let off = (was - is).abs() / unit;
+                        worst[1] = worst[1].max(off);
+                        assert!(off < RIGID, "{}: {a}, {b} off by {off} units", case.name);
+                    }
+                }
+            }
+            poses += 1;
+        }
+        machines += 1;
+    }
+    println!("{machines} machines, {poses} poses beside, off by {worst:?} units");
+    assert!(machines == 47 && poses > 440, "{machines} {poses}");
+}
+
+fn widened<T: Into<f64> + Copy>(pins: Vec<(String, [T; 2])>) -> Vec<(String, [f64; 2])> {
+    pins.into_iter().map(|(name, at)| (name, at.map(Into::into))).collect()
+}
+
+fn distance(pins: &Places<f64>, a: &str, b: &str) -> f64 {
+    let at = |name: &str| pins.iter().find(|(known, _)| known == name).expect("a pin").1;
+    let [p, q] = [a, b].map(at);
+    (q[0] - p[0]).hypot(q[1] - p[1])
+}
+
 #[test]
 fn every_pin_is_where_it_is_drawn_and_every_body_stays_rigid() {
     let (mut dyads, mut searched) = (0, 0);

@@ -88,6 +88,83 @@ fn scaled_drawings_have_the_same_groups_and_mirrored_ones_the_other_modes() {
     }
 }
 
+/// The pins that a statement draws, each with its place.
+fn places(line: &str) -> Vec<(String, String)> {
+    let all = line.split_once(' ').expect("names follow").1.trim_end_matches(';').split("), ");
+    let pin = |pin: &str| {
+        let (name, at) = pin.trim_end_matches(')').split_once('(').expect("a place");
+        (name.to_string(), format!("({at})"))
+    };
+    all.map(pin).collect()
+}
+
+/// The machine seen from the link that is driven: that one stands still, and the ground is driven against it.
+fn inverted(statements: &str) -> Option<(String, String)> {
+    let lines: Vec<_> = statements.lines().collect();
+    let drive = lines.iter().find_map(|line| line.strip_prefix("drive "))?;
+    let driven = drive.split_once(".angle = ")?.0;
+    let pins: Vec<_> = lines
+        .iter()
+        .filter(|line| line.starts_with("ground ") || line.starts_with("pin "))
+        .flat_map(|line| places(line))
+        .collect();
+    let ground: Vec<_> = places(lines.iter().find(|line| line.starts_with("ground "))?);
+    let links: Vec<_> = lines.iter().filter_map(|line| line.strip_prefix("link ")).collect();
+    let through = |link: &str| -> Vec<String> {
+        let pins = link.split_once('(').expect("pins follow").1.trim_end_matches(");");
+        pins.split(", ").map(String::from).collect()
+    };
+    let still = through(links.iter().find(|link| link.split('(').next() == Some(driven))?);
+    let listed = |of_ground: bool| {
+        let own = pins.iter().filter(|(name, _)| still.contains(name) == of_ground);
+        own.map(|(name, at)| format!("{name}{at}")).collect::<Vec<_>>().join(", ")
+    };
+    let frame: Vec<_> = ground.iter().map(|(name, _)| &name[..]).collect();
+    let others = links.iter().filter(|link| link.split('(').next() != Some(driven));
+    let others: String = others.map(|link| format!("link {link}\n")).collect();
+    let text = format!(
+        "input theta: angle;\nground {};\npin {};\n{others}link frame({});\ndrive frame.angle = theta;",
+        listed(true),
+        listed(false),
+        frame.join(", ")
+    );
+    Some((text, format!("crank {driven}")))
+}
+
+/// The link that is driven and the ground exchange their places: all groups are the same, in the same modes, for the pose is;
+/// in the mirrored drawing in the other ones.
+#[test]
+fn the_ground_and_the_driven_link_exchange_their_places() {
+    let (mut of_dyads, mut searched) = (0, 0);
+    for case in cases().into_iter().filter(|case| !case.statements.contains("guide")) {
+        if case.statements.matches("drive ").count() > 1 {
+            continue;
+        }
+        let Some((text, crank)) = inverted(case.statements) else { continue };
+        let Ok(before) = resolved_text(case.statements) else { continue };
+        let now =
+            resolved_text(&text).unwrap_or_else(|told| panic!("{}: {told:?}\n{text}", case.name));
+        assert_eq!(now.unknowns.len(), before.unknowns.len(), "{}", case.name);
+        if !before.unknowns.is_empty() {
+            searched += 1;
+            continue;
+        }
+        let exchanged = |group: &String| match *group == crank {
+            true => "crank frame".to_string(),
+            false => group.clone(),
+        };
+        let mut wanted: Vec<_> = groups(&before).iter().map(exchanged).collect();
+        wanted.sort();
+        assert_eq!(found(case.name, &text), wanted, "{text}");
+        let mut mirror: Vec<_> = wanted.iter().map(|group| mirrored(group)).collect();
+        mirror.sort();
+        assert_eq!(found(case.name, &moved(&text, |[x, y]| [x, -y])), mirror, "{text}");
+        of_dyads += 1;
+    }
+    println!("{of_dyads} of dyads, {searched} searched");
+    assert!(of_dyads > 15 && searched > 15, "{of_dyads} {searched}");
+}
+
 #[test]
 fn a_bar_too_few_or_too_many_is_told_by_its_names() {
     let mut told = [0, 0];

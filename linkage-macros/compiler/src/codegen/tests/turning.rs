@@ -9,13 +9,15 @@ use crate::oracle::mechanism;
 use crate::passes;
 use crate::reach::turn::Range;
 
-/// Double precision, in which a group out of reach is not a number.
-impl Number for f64 {
+/// Floats, in which a group out of reach is not a number.
+macro_rules! floats {
+    ($($float:ident)+) => {$(
+impl Number for $float {
     fn point(&self) -> Self {
         *self
     }
     fn exact(value: &Exact) -> Self {
-        value.to_f64()
+        value.to_f64() as Self
     }
     fn neg(&self) -> Self {
         -self
@@ -54,6 +56,10 @@ impl Number for f64 {
         self >= other
     }
 }
+    )+};
+}
+
+floats! { f64 f32 }
 
 /// A crank AB of 1 m on A(0, 0), turned by `theta`, with what else is declared.
 fn on_a_crank(rest: &str) -> String {

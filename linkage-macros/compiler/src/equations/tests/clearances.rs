@@ -58,7 +58,7 @@ fn a_bar_is_as_clear_of_its_guide_as_by_hand() {
     let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
     let (x, y, l, e) = (0.7, -1.1, 3.0, 0.5);
     let (params, loads, drives) = (Vec::new(), Vec::new(), Vec::new());
-    let inputs = vec![[x, 0.0, 0.0], [y, 0.0, 0.0]];
+    let inputs: Vec<[f64; 3]> = vec![[x, 0.0, 0.0], [y, 0.0, 0.0]];
     let values = interpret(&program, &Given { inputs, params, loads, drives, unit: None });
     let [clearance] = &program.clearances[..] else { panic!("one group has a mode") };
     let found = [clearance.value, clearance.scale].map(|id| values[id.index()]);
