@@ -143,15 +143,14 @@ impl<'m> Trace<'m> {
         self.samples.len() > 1 && (self.drawn == 0 || self.drawn + 1 == self.samples.len())
     }
 
-    /// The residual of the equation in a pose.
-    pub(super) fn residual(
-        &self,
-        search: &SearchedGroup,
-        sample: &Sample<'m>,
-        at: f64,
-    ) -> Option<f64> {
+    /// The residual of the equation in a pose, over the unknown.
+    pub(super) fn residuals<'t>(
+        &'t self,
+        search: &'t SearchedGroup,
+        sample: &'t Sample<'m>,
+    ) -> impl FnMut(f64) -> Option<f64> + 't {
         let mut given = self.way.given(self.machine, sample.drive);
-        sample.before.clone().residual(search, &mut given, at)
+        move |at| sample.before.clone().residual(search, &mut given, at)
     }
 
     /// The width on both sides of a root on which everything assembles and the equation keeps its
@@ -159,16 +158,17 @@ impl<'m> Trace<'m> {
     pub(super) fn room(&self, search: &SearchedGroup, sample: &Sample<'m>) -> f64 {
         const PARTS: usize = 4;
         let unit = search.unit(self.machine);
-        let has_trend = |room: &f64| {
+        let mut residual = self.residuals(search, sample);
+        let mut has_trend = |room: &f64| {
             let mut last = None;
             (0..=PARTS).all(|part| {
                 let share = 2.0 * part as f64 / PARTS as f64 - 1.0;
-                let now = self.residual(search, sample, sample.unknown + share * room);
+                let now = residual(sample.unknown + share * room);
                 let grows = |last: f64| now.is_some_and(|now| (now > last) == search.rises);
                 now.is_some() && last.replace(now.unwrap_or_default()).is_none_or(grows)
             })
         };
-        ROOMS.map(|room| room * unit).into_iter().find(has_trend).unwrap_or(0.0)
+        ROOMS.map(|room| room * unit).into_iter().find(|room| has_trend(room)).unwrap_or(0.0)
     }
 }
 
