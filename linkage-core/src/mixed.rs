@@ -136,16 +136,25 @@ mod tests {
 
     const NAMES: [&str; 3] = ["a", "b", "c"];
 
-    /// Rows of a mass matrix by hand: pivots 2, 3/2 and 4/3 where all are free.
-    const MASS: [[f64; 3]; 3] = [[2.0, 1.0, 0.0], [1.0, 2.0, 1.0], [0.0, 1.0, 2.0]];
+    /// Where all are free, every pivot is 4 and every factor 1/2.
+    const MASS: [[f64; 3]; 3] = [[4.0, 2.0, 2.0], [2.0, 5.0, 3.0], [2.0, 3.0, 6.0]];
+
+    #[track_caller]
+    fn close(found: [f64; 3], expected: [f64; 3]) {
+        for (found, expected) in found.into_iter().zip(expected) {
+            // Some ten roundings of numbers below 32.
+            assert!((found - expected).abs() < 10.0 * 32.0 * f64::EPSILON, "{found} {expected}");
+        }
+    }
 
     #[test]
     fn a_told_second_rate_pushes_the_others() {
         let given = [Given::Drive(1.0), Given::SecondRate(3.0), Given::Drive(-5.0)];
         let found = mixed_dynamics(MASS, [0.5, 7.0, 0.25], given, NAMES).unwrap();
-        // 2 a = 1.5 − 3, 2 c = −4.75 − 3, and the second row's drive is a + 2·3 + c − 7.
-        assert_eq!(found.second_rates, [-0.75, 3.0, -3.875]);
-        assert_eq!(found.drives, [1.0, -0.75 + 6.0 - 3.875 - 7.0, -5.0]);
+        // 4 a + 2 c = 1.5 − 6 and 2 a + 6 c = −4.75 − 9; the second drive is 2 a + 15 + 3 c − 7.
+        close(found.second_rates, [0.025, 3.0, -2.3]);
+        close(found.drives, [1.0, 1.15, -5.0]);
+        assert_eq!((found.second_rates[1], found.drives[0], found.drives[2]), (3.0, 1.0, -5.0));
     }
 
     #[test]
@@ -153,12 +162,9 @@ mod tests {
         let [force, seconds] = [[0.5, 7.0, 0.25], [1.0, -2.0, 4.0]];
         let inverse = mixed_dynamics(MASS, force, seconds.map(Given::SecondRate), NAMES).unwrap();
         assert_eq!(inverse.second_rates, seconds);
-        assert_eq!(inverse.drives, [-0.5, 1.0 - 7.0, 5.75]);
+        assert_eq!(inverse.drives, [7.5, -3.0, 19.75]);
         let forward = mixed_dynamics(MASS, force, inverse.drives.map(Given::Drive), NAMES).unwrap();
-        for (found, expected) in forward.second_rates.into_iter().zip(seconds) {
-            // Three pivots of one and more.
-            assert!((found - expected).abs() < 16.0 * f64::EPSILON * 4.0, "{found} {expected}");
-        }
+        close(forward.second_rates, seconds);
         assert_eq!(forward.drives, inverse.drives);
     }
 

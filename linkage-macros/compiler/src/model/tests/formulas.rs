@@ -177,3 +177,23 @@ fn friction_is_that_of_a_joint() {
          0.1 on AB at C radius 8mm` of a pin",
     )]);
 }
+
+/// The effort of a length is a force, and that of an angle a torque.
+#[test]
+fn a_drive_is_measured_as_its_input() {
+    const SLIDER: &str = "input s: length; guide rail through (0, 0) along 0deg; \
+                          slider ram(rail) -> P { slide: s } mass 1kg on P;";
+    let refused = |found: &str, wanted: &str, at: &str| {
+        format!("{at}: {found} where {wanted} belongs / what stands left of the `+` is {wanted}")
+    };
+    check(&[
+        (SLIDER, "output w = 5N + s.drive + ram.drive;", ""),
+        (SLIDER, "output w = 5(N*m) + s.drive;", &refused("a force", "a torque", "s.drive")),
+        (CRANK, "mass 1kg on B; output w = 5(N*m) + t.drive + AB.drive;", ""),
+        (
+            CRANK,
+            "mass 1kg on B; output w = 5N + t.drive;",
+            &refused("a torque", "a force", "t.drive"),
+        ),
+    ]);
+}

@@ -149,3 +149,20 @@ fn a_law_that_is_made_too_late_is_refused_as_a_law() {
         check(&[(RAM, statements, &format!("{late}{last}"))]);
     }
 }
+
+/// A name behind a load does not hide it.
+#[test]
+fn a_sum_reads_all_that_its_parts_read() {
+    const FORM: &str =
+        "what the mechanism is made of and how it moves depends on no load and no rate";
+    for (first, what) in [("2 * t", "a load"), ("rate(t) * 1s", "loads and rates")] {
+        let statements = format!(
+            "load f: number; let w = {first}; let both = f + w; crank AC(A) {{ angle: both }} \
+             torque f * 1(N*m) on AB;"
+        );
+        let refused = format!(
+            "both: `both` reads {what}, and stands in forces, torques and outputs alone / {FORM}"
+        );
+        check(&[(CRANK, &statements, &refused)]);
+    }
+}
