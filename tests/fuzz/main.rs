@@ -10,6 +10,7 @@ mod calls;
 #[macro_use]
 mod mechanism;
 mod declared;
+mod driven;
 mod moved;
 mod numbers;
 mod ranged;
@@ -32,6 +33,7 @@ fn run<T: Number>() {
     declared::run::<T>(&mut source, count / 2, &mut calls);
     moved::run::<T>(&mut source, count / 4, &mut calls);
     ranged::run::<T>(&mut source, count / 8, &mut calls);
+    driven::run::<T>(&mut source, count / 8, &mut calls);
     let report = calls.report(T::NAME);
     println!("{report}");
     assert!(calls.wrong.is_empty(), "{report}");
