@@ -4,6 +4,7 @@
 #![allow(clippy::excessive_precision, reason = "numbers have the digits of their reference")]
 
 mod cases;
+mod derivatives;
 mod draws;
 mod driven_by_load;
 mod forward;
