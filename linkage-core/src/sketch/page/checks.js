@@ -16,9 +16,9 @@ class FirstError {
   without = null;
   /// The roots of unknowns, each with the numbers that it was searched by.
   roots = {};
-  /// True if the numbers are those of the fast path, if its lengths are among them, and if that has been left.
+  /// True if the numbers are those of the fast path, if some are its alone, and if that has been left.
   isFast = true;
-  hasFastLengths = false;
+  hasFastValues = false;
   hasLeft = false;
 
   /// The reason why the numbers are not to be used, if there is one.
@@ -26,7 +26,7 @@ class FirstError {
     return this.error ?? this.otherwise;
   }
 
-  /// Leaves the fast path: the slow one computes all lengths anew.
+  /// Leaves the fast path: the slow one computes all numbers anew.
   leave() {
     this.hasLeft = true;
   }
@@ -41,7 +41,7 @@ class FirstError {
   length(x, y, least) {
     const square = fused(x, x, y * y), isInRange = square >= least && square <= Number.MAX_VALUE;
     if (!isInRange) this.leave();
-    this.hasFastLengths = true;
+    this.hasFastValues = true;
     return this.isFast && isInRange ? sqrt(square) : hypot(x, y);
   }
 
@@ -198,8 +198,8 @@ const solved = (given, formulas, nameOf) => {
     return checks;
   };
   let checks = begun(), numbers = formulas(checks);
-  const { hasLeft, hasFastLengths, roots } = checks;
-  if (hasLeft && hasFastLengths) {
+  const { hasLeft, hasFastValues, roots } = checks;
+  if (hasLeft && hasFastValues) {
     checks = begun({ isFast: false, roots });
     numbers = formulas(checks);
   }

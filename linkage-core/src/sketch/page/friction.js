@@ -158,16 +158,24 @@ class System {
   }
 }
 
-/// The solution, by steps from `start`: the values themselves behind a condition that is not met.
-const amountsOf = (checks, start, rows, guides, joints) => {
+/// The solution: that which straight-line code has `found` on the fast path, if the numbers that are to be above zero
+/// are, and the first of each small pair is less than the rounding of the second; or by steps from `start`. Behind a
+/// condition that is not met these values themselves.
+const amountsOf = (checks, start, rows, guides, joints, found, positive, small) => {
   if (checks.error) return start;
+  if (found && checks.isFast) {
+    checks.hasFastValues = true;
+    const isMet = positive.every((x) => x > 0) && small.every(([less, more]) => 4 * EPSILON * more > less);
+    if (isMet && found.every(isFinite)) return found;
+    checks.leave();
+  }
   const lost = rows.findIndex((row) => !row.every(isFinite));
   if (lost >= 0) {
     checks.refuse("NotFinite", joints[lost]);
     return start;
   }
-  const system = new System(rows, guides), found = system.atOnce(start);
-  if (found) return found;
+  const system = new System(rows, guides), amounts = system.atOnce(start);
+  if (amounts) return amounts;
   checks.leave();
   const solved = system.solved();
   if (Array.isArray(solved)) return solved;

@@ -11,7 +11,7 @@ use super::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Graph, Id, Node};
-use crate::lower::routine::{Amounts, Condition, Statement, Threshold};
+use crate::lower::routine::{Amounts, Condition, Statement, StraightAmounts, Threshold};
 use crate::model::mechanism::Mechanism;
 
 /// JavaScript.
@@ -116,7 +116,7 @@ impl Dialect for InScript<'_> {
     }
 
     fn amounts(printer: &Printer<'_, Self>, amounts: &Amounts, to: &mut Text) {
-        let Amounts { joints, ids, starts, rows, .. } = amounts;
+        let Amounts { joints, ids, starts, rows, straight } = amounts;
         to.put("const [").list(ids, |to, id| {
             to.put(&id.map_or(String::new(), |id| printer.local(id)));
         });
@@ -126,7 +126,19 @@ impl Dialect for InScript<'_> {
             to.put("]");
         });
         let names = list(joints.iter().map(|(joint, _)| joint));
-        to.put(&format!("], {}, {names});\n", amounts.guides()));
+        to.put(&format!("], {}, {names}", amounts.guides()));
+        if let Some(StraightAmounts { amounts, positive, small }) = straight {
+            // One that nothing needs is where its steps begin.
+            let found = amounts.iter().zip(starts).map(|(amount, start)| amount.unwrap_or(*start));
+            printer.values(&found.collect::<Vec<_>>(), to.put(", ["));
+            printer.values(positive, to.put("], ["));
+            to.put("], [").list(small, |to, pair| {
+                printer.values(pair, to.put("["));
+                to.put("]");
+            });
+            to.put("]");
+        }
+        to.put(");\n");
     }
 
     /// By a function of the script's object, which `script` prints.

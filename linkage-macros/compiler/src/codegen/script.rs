@@ -12,8 +12,7 @@ use crate::interface::records::Shape;
 use crate::interface::units_in_words::unit;
 use crate::interface::{forces, labels};
 use crate::ir::graph::{Node, RootSearch, Target};
-use crate::lower::routine::{Compute, Lowered, Routine, Stage, Statement};
-use crate::lower::used::{Asks, Used};
+use crate::lower::routine::{Compute, Lowered, Routine};
 use crate::lower::{PLACED, TRIAL, bound_once, label};
 use crate::model::dynamics::{Effort, RequestedEffort};
 use crate::model::mechanism::{Mechanism, Output, OutputKind};
@@ -91,25 +90,9 @@ fn function(
     }
     printer.constants(to);
     let stages = &routine.stages[..stages];
-    statements(lowered, routine, stages)
-        .iter()
-        .for_each(|statements| printer.statements(statements, to));
+    bound_once(stages).iter().for_each(|statements| printer.statements(statements, to));
     let sinks = stages.iter().flat_map(|stage| &stage.sinks);
     to.put("return [").list(sinks, |to, &sink| printer.value(sink, to)).put("];\n}");
-}
-
-/// The statements of these stages: without the straight-line code that finds amounts of friction elsewhere.
-fn statements(lowered: &Lowered<'_>, routine: &Routine, stages: &[Stage]) -> Vec<Vec<Statement>> {
-    let is_straight = |statement: &Statement| match statement {
-        Statement::Amounts(amounts) => amounts.straight.is_some(),
-        _ => false,
-    };
-    if !stages.iter().flat_map(|stage| &stage.statements).any(is_straight) {
-        return bound_once(stages);
-    }
-    let mut read = Used::on(lowered, routine, Asks::Diagnoses).stages;
-    read.truncate(stages.len());
-    read
 }
 
 fn printer<'a>(

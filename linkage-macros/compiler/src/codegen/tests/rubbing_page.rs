@@ -32,7 +32,7 @@ fn a_script_lists_the_equations_of_friction() {
     let output = compile(source.parse().expect("these are tokens"), &Options::SKETCH);
     assert!(output.diagnostics.is_empty(), "{:?}", output.diagnostics);
     let code = output.tokens.to_string();
-    let (calls, of_both) = ("amountsOf(c, [", "]], 2, [\\\"BC.B\\\", \\\"ram\\\"]);");
+    let (calls, of_both) = ("amountsOf(c, [", "]], 2, [\\\"BC.B\\\", \\\"ram\\\"], [");
     assert_eq!(code.matches(calls).count(), 3, "forces, and both ends of holding");
     assert_eq!(code.matches(of_both).count(), 3);
 }
