@@ -63,6 +63,8 @@ const STEPS_OF = {
     await take("B", places, (place) => {
       const at = now("B"), off = Math.atan2(at[1] - centre[1], at[0] - centre[0]) - Math.atan2(place[1] - centre[1], place[0] - centre[0]);
       expect(Math.abs(nearest(off)) < 0.1, "the pin is off the pointer by", off);
+      const slider = +$(`#input_${inputs[0].name}`).value;
+      expect(Math.abs(nearest(slider - state.q[0])) < 1e-6, "the slider is at", slider, "for", state.q[0]);
     });
     expect(Math.abs(state.q[0] - begun - 4 * Math.PI) < 0.1, "two turns are", state.q[0] - begun);
   },
@@ -91,11 +93,13 @@ const STEPS_OF = {
     play(false);
     const from = now(name), far = view.width / view.scale;
     const shares = Array.from({ length: 60 }, (_, k) => 1 - Math.abs(1 - (k + 1) / 30));
-    let isHeld = false;
+    let isHeld = false, last = from;
     await take(name, shares.map((share) => [from[0] + share * across * far, from[1] + share * up * far]), (place) => {
       const { error } = new Pose(state.q);
       expect(!error, name, "is dragged into a pose with", error?.kind);
       isHeld ||= apart(now(name), place) * view.scale > 30;
+      expect(apart(now(name), place) <= apart(last, place) + 1e-9, name, "goes away from the pointer");
+      last = now(name);
     });
     expect(isHeld, name, "reaches places that it should not");
     expect(!$("#state").classList.contains("warn"), "a warning stays:", $("#state").textContent);
@@ -152,6 +156,8 @@ const STEPS_OF = {
     play(false);
     const [chart] = charts.filter(({ hasBand }) => hasBand), area = chart.band.getAttribute("d");
     expect(/^M.*Z$/.test(area), "the band is", area.slice(0, 20));
+    const runs = samples.filter(({ holding }, k) => holding && !samples[k - 1]?.holding).length;
+    expect(area.split("M").length === runs + 1, "the band has", area.split("M").length - 1, "parts for", runs);
     expect(/at rest [−\d.]+ … [−\d.]+/.test(chart.legend.textContent), "the legend is", chart.legend.textContent);
     const row = [...document.querySelectorAll("#values tr")].find(({ textContent }) => textContent.includes("at rest"));
     expect(/\d … −?\d/.test(row?.textContent), "the table has", row?.textContent);
