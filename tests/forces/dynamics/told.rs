@@ -6,7 +6,7 @@ use linkage_tests::mechanisms::dynamics::{GearedArm, HeavyRobot};
 use linkage_tests::mechanisms::told::*;
 use linkage_tests::random::Random;
 
-/// reference/friction/hybrid.txt, to 20 digits: the sway is −(g sin φ + ẍ cos φ)/l.
+/// reference/friction/hybrid.txt, the first 17 of 20 digits: the sway is −(g sin φ + ẍ cos φ)/l.
 #[test]
 fn a_trolley_that_is_told_sways_its_load() {
     let trolley = Trolley::new();
@@ -17,9 +17,9 @@ fn a_trolley_that_is_told_sways_its_load() {
     let close = |found: f64, expected: f64, size: f64| {
         assert!((found - expected).abs() <= 10.0 * f64::EPSILON * size, "{found} {expected}");
     };
-    close(found.second_rates[1], -1.189_262_923_245_221_815_2, 4.0);
+    close(found.second_rates[1], -1.189_262_923_245_221_8, 4.0);
     close(found.second_rates[1], -(9.81 * phi.sin() + told * phi.cos()) / 3.0, 4.0);
-    close(found.drives[0], -88.023_079_713_478_306_172, 280.0);
+    close(found.drives[0], -88.023_079_713_478_31, 280.0);
     assert_eq!((found.second_rates[0], found.drives[1]), (told, 0.0));
     let state = [2.0, phi, 1.5, rate];
     let rates = trolley.state_rates_given(state, given).unwrap();
@@ -115,8 +115,9 @@ fn every_mask_of_five_inputs() {
 fn single_precision_and_duals_of_a_told_motion() {
     let (wide, narrow) = (Chain::new(), Chain::<f32>::default());
     let (q, rates) = ([0.3, -0.6, 0.9, 0.4, -1.1], [0.5, -1.0, 2.0, 0.25, 1.0]);
-    let told =
-        |input: usize, x: f64| if input % 2 == 0 { Given::SecondRate(x) } else { Given::Drive(x) };
+    let told = |input: usize, x: f64| {
+        if input.is_multiple_of(2) { Given::SecondRate(x) } else { Given::Drive(x) }
+    };
     let numbers = [1.0, 3.0, -2.0, 0.5, 4.0];
     let given: [Given; 5] = core::array::from_fn(|input| told(input, numbers[input]));
     let found = wide.mixed_dynamics(q, rates, given, 12.0).unwrap();

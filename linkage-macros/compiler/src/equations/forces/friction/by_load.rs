@@ -12,8 +12,8 @@
 //! itself; the last walk is under everything, with p and x known.
 
 use super::Rubbing;
-use super::forward::pressing;
 use super::amount::Row;
+use super::forward::pressing;
 use super::system::solved;
 use crate::equations::forces::pull;
 use crate::equations::forces::walk::{Rubs, Walk};
