@@ -220,7 +220,7 @@ fn has_one_root<'m>(
 ) -> bool {
     // The root that is followed is the only one: the equation has its sign on each side. At the root it has none.
     let mut residual = trace.residuals(search, sample);
-    let mut is_on_its_side = |part: usize| {
+    let is_on_its_side = |part: usize| {
         let unknown = low + (high - low) * part as f64 / PARTS as f64;
         let from_root = unknown - sample.unknown;
         let is_root = from_root.abs() < ROUNDING * search.unit(trace.machine);
@@ -228,5 +228,5 @@ fn has_one_root<'m>(
             is_root || (residual > 0.0) == ((from_root > 0.0) == search.rises)
         })
     };
-    (0..=PARTS).all(|part| is_on_its_side(part))
+    (0..=PARTS).all(is_on_its_side)
 }

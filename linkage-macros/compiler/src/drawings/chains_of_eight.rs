@@ -28,7 +28,7 @@ fn bits(joints: impl IntoIterator<Item = [usize; 2]>) -> u32 {
     joints.into_iter().map(bit).sum()
 }
 
-/// Whether no part of a chain is rigid.
+/// True if no part of a chain is rigid.
 fn moves(joints: &[[usize; 2]]) -> bool {
     (0..1_u32 << LINKS).filter(|part| part.count_ones() > 1 && part.count_ones() < 8).all(|part| {
         let has = |link: usize| part >> link & 1 == 1;

@@ -152,7 +152,7 @@ impl<'t> Reader<'t, '_, '_> {
         found
     }
 
-    /// What a declared group stands on.
+    /// The bodies and pins that a declared group stands on.
     fn needs(&self, statement: &Statement) -> Footing {
         let own = |name: &Ident| match &statement.kind {
             StatementKind::Group(Group { legs, pin, .. }) => {

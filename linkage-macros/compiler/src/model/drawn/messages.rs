@@ -1,4 +1,4 @@
-//! What is said of a drawing that cannot be cut.
+//! Messages about drawings that cannot be cut.
 
 use proc_macro2::Ident;
 
